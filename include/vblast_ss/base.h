@@ -1,0 +1,261 @@
+/**
+ * @file base.h
+ * @brief Ground of libvblast_ss: results, version, and the context that owns every object.
+ *
+ * Conventions of the whole library:
+ * - SI units everywhere; a reported metric in millimetres says so in its name (`_mm`).
+ * - Functions return a #vbss_result and hand results out through pointers. The few that cannot
+ *   fail (texts, version) return their value.
+ * - Pointers must not be NULL unless the parameter says so.
+ * - A failed call has changed nothing; the reason stands in #vbss_context_get_last_error.
+ * - The library never aborts, prints, starts threads, or keeps global state.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_BASE_H
+#define VBLAST_SS_BASE_H
+
+#include <stdint.h>
+
+/** Major version: a change breaks the ABI (from 1.0 on). */
+#define VBSS_VERSION_MAJOR 0
+/** Minor version: new functions; before 1.0 the ABI may change with it. */
+#define VBSS_VERSION_MINOR 1
+/** Patch version: repairs only. */
+#define VBSS_VERSION_PATCH 0
+/** Version of these headers as one number, 10000 major + 100 minor + patch. */
+#define VBSS_VERSION_NUM \
+    (VBSS_VERSION_MAJOR * 10000 + VBSS_VERSION_MINOR * 100 + VBSS_VERSION_PATCH)
+
+/** Marks a function exported from the shared library. */
+#if defined(_WIN32) && defined(VBSS_BUILDING_SHARED)
+#define VBSS_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(VBSS_USING_SHARED)
+#define VBSS_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define VBSS_API __attribute__((visibility("default")))
+#else
+#define VBSS_API
+#endif
+
+/**
+ * Every status: X(name, pinned number, text). Numbers are never reused or changed; new ones are
+ * appended.
+ */
+#define VBSS_RESULTS(X)                                                                          \
+    X(VBSS_OK, 0, "success")                                                                     \
+    X(VBSS_ERROR_NULL_ARGUMENT, -1, "a required pointer is NULL")                                \
+    X(VBSS_ERROR_OUT_OF_RANGE, -2, "an argument is outside its range")                           \
+    X(VBSS_ERROR_NOT_FINITE, -3, "an argument is NaN or infinite")                               \
+    X(VBSS_ERROR_STRUCT_SIZE, -4, "struct_size is smaller than the first version of the struct") \
+    X(VBSS_ERROR_UNKNOWN_FIELD, -5, "a field unknown to this library version is not zero")       \
+    X(VBSS_ERROR_INVALID_HANDLE, -6, "the handle is NULL, destroyed or of another type")         \
+    X(VBSS_ERROR_OUT_OF_MEMORY, -7, "the allocator returned NULL")                               \
+    X(VBSS_ERROR_CAPACITY, -8, "a capacity fixed at creation or a given buffer is exhausted")    \
+    X(VBSS_ERROR_BUSY, -9, "not allowed inside a callback of the same context")                  \
+    X(VBSS_ERROR_ARITHMETIC_MODE, -10,                                                           \
+      "rounding is not to nearest or subnormal numbers are flushed to zero")                     \
+    X(VBSS_ERROR_TRUNCATED, -11, "the data end too early")                                       \
+    X(VBSS_ERROR_CORRUPT, -12, "the data are damaged or not what this call reads")               \
+    X(VBSS_ERROR_DATA_VERSION, -13, "the data were written by a newer version of the library")
+
+/** Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. */
+typedef int32_t vbss_result;
+
+/** The constants of #vbss_result, one for each row of #VBSS_RESULTS. */
+enum {
+#define VBSS_RESULT_CONSTANT(name, number, text) name = (number),
+    VBSS_RESULTS(VBSS_RESULT_CONSTANT)
+#undef VBSS_RESULT_CONSTANT
+};
+
+/** Importance of a log message, one of the VBSS_LOG_ constants; a larger number is less important. */
+typedef int32_t vbss_log_level;
+
+/** The constants of #vbss_log_level. */
+enum {
+    VBSS_LOG_NONE = 0,    /**< As a limit: no messages at all. */
+    VBSS_LOG_ERROR = 1,   /**< A call failed; the message is its error text. */
+    VBSS_LOG_WARNING = 2, /**< Something is probably not what the host wanted. */
+    VBSS_LOG_INFO = 3     /**< Rare milestones, such as the creation of a context. */
+};
+
+/** Owner of all objects, their memory and their error texts. One thread at a time may use it. */
+typedef struct vbss_context vbss_context;
+
+/**
+ * Allocates memory for a context.
+ *
+ * @param user       the context's allocator_user; may be NULL
+ * @param size       bytes wanted, > 0
+ * @param alignment  alignment in bytes, a power of two
+ * @return the block, or NULL when there is no memory; its contents may be anything
+ */
+typedef void *(*vbss_allocate_fn)(void *user, uint64_t size, uint64_t alignment);
+
+/**
+ * Takes back a block of a #vbss_allocate_fn.
+ *
+ * @param user       the context's allocator_user; may be NULL
+ * @param block      the block, never NULL
+ * @param size       the size it was allocated with, in bytes
+ * @param alignment  the alignment it was allocated with, in bytes
+ */
+typedef void (*vbss_release_fn)(void *user, void *block, uint64_t size, uint64_t alignment);
+
+/**
+ * Receives log messages, on the thread that called the library. Calls back into the same context
+ * that would change it return VBSS_ERROR_BUSY.
+ *
+ * @param user     the context's log_user; may be NULL
+ * @param level    importance
+ * @param message  UTF-8 text without a newline, valid during the call only
+ */
+typedef void (*vbss_log_fn)(void *user, vbss_log_level level, const char *message);
+
+/** How to make a context. Fill it with #vbss_context_config_init, then change what you need. */
+typedef struct vbss_context_config {
+    uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
+    vbss_log_level log_level;  /**< Least important level that is sent; default VBSS_LOG_WARNING. */
+    vbss_allocate_fn allocate; /**< NULL (default): the C library; set both or neither. */
+    vbss_release_fn release;   /**< NULL (default): the C library; set both or neither. */
+    void *allocator_user;      /**< Handed to allocate and release; may be NULL. */
+    vbss_log_fn log;           /**< NULL (default): messages are dropped. */
+    void *log_user;            /**< Handed to log; may be NULL. */
+} vbss_context_config;
+
+/** What a context holds at the moment. */
+typedef struct vbss_context_statistics {
+    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;         /**< Zero. */
+    uint64_t bytes_allocated;  /**< Memory now held from the allocator, in bytes. */
+    uint64_t bytes_peak;       /**< Largest value of bytes_allocated so far, in bytes. */
+    uint64_t allocation_count; /**< Successful calls of the allocator so far. */
+    uint64_t objects_alive;    /**< Objects created and not yet destroyed. */
+    uint64_t objects_created;  /**< Objects created so far; the last creation ordinal. */
+} vbss_context_statistics;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Version of the library that is running, in the form of #VBSS_VERSION_NUM.
+ *
+ * @return 10000 major + 100 minor + patch
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API uint32_t vbss_version(void);
+
+/**
+ * How the library was built: version, source revision, compiler, flags that matter for
+ * reproducible results.
+ *
+ * @return a constant text, never NULL
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API const char *vbss_build_info(void);
+
+/**
+ * The name of a status, such as "VBSS_ERROR_CAPACITY".
+ *
+ * @param result  any number
+ * @return a constant text, never NULL; "unknown result" for a number that is no status
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API const char *vbss_result_name(vbss_result result);
+
+/**
+ * A status in words.
+ *
+ * @param result  any number
+ * @return a constant text, never NULL; "unknown result" for a number that is no status
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API const char *vbss_result_string(vbss_result result);
+
+/**
+ * Whether the calling thread computes as the library needs: rounding to nearest, subnormal numbers
+ * kept. Hosts linked with fast-math flags often flush them. Every step checks this; the library
+ * reports and never changes the mode.
+ *
+ * @return VBSS_OK or VBSS_ERROR_ARITHMETIC_MODE
+ * @threads any thread, any time; the answer is for the calling thread
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_arithmetic_check(void);
+
+/**
+ * Fills a context configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_context_config_init(vbss_context_config *config, uint32_t struct_size);
+
+/**
+ * Creates a context.
+ *
+ * @param config        how; NULL for the defaults
+ * @param[out] context  the new context; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
+ *         VBSS_ERROR_OUT_OF_RANGE (log_level, or only one of allocate and release) or
+ *         VBSS_ERROR_OUT_OF_MEMORY
+ * @threads any thread; contexts are independent of each other
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss_context **context);
+
+/**
+ * Destroys a context and every object in it, youngest first, with a warning in the log when
+ * objects were still alive. Afterwards neither the context nor any handle of it may be used.
+ *
+ * @param context  the context; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from its own log callback)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_context_destroy(vbss_context *context);
+
+/**
+ * The last failure in this context. A successful call does not clear it.
+ *
+ * @param context      the context
+ * @param[out] result  its status, VBSS_OK when nothing has failed yet; may be NULL
+ * @param[out] text    its text, which names the argument and the value that was refused; empty when
+ *                     nothing has failed yet; valid until the next failure in this context; may be
+ *                     NULL
+ * @return VBSS_OK or VBSS_ERROR_INVALID_HANDLE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_context_get_last_error(const vbss_context *context, vbss_result *result,
+                                                 const char **text);
+
+/**
+ * Memory and objects of a context.
+ *
+ * @param context          the context
+ * @param[out] statistics  receives the numbers
+ * @param struct_size      `sizeof *statistics` as the caller was compiled; fields the library does
+ *                         not know become zero
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_context_get_statistics(vbss_context *context,
+                                                 vbss_context_statistics *statistics,
+                                                 uint32_t struct_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,12 @@
+/**
+ * @file vblast_ss.h
+ * @brief All public headers of libvblast_ss.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_VBLAST_SS_H
+#define VBLAST_SS_VBLAST_SS_H
+
+#include <vblast_ss/base.h>
+
+#endif

@@ -1,0 +1,90 @@
+/* XXH64, seed 0, written from its published description; 64-bit words are read little-endian. */
+#include <string.h>
+
+#include "base/base.h"
+#include "base/little_endian.h"
+
+#define PRIME_1 0x9E3779B185EBCA87u
+#define PRIME_2 0xC2B2AE3D27D4EB4Fu
+#define PRIME_3 0x165667B19E3779F9u
+#define PRIME_4 0x85EBCA77C2B2AE63u
+#define PRIME_5 0x27D4EB2F165667C5u
+
+static uint64_t rotate(uint64_t x, unsigned bits)
+{
+    return (x << bits) | (x >> (64u - bits));
+}
+
+static uint64_t round_of(uint64_t lane, uint64_t word)
+{
+    return rotate(lane + word * PRIME_2, 31) * PRIME_1;
+}
+
+static void eat_stripe(uint64_t lanes[4], const uint8_t *p)
+{
+    for (size_t i = 0; i < 4; i++) {
+        lanes[i] = round_of(lanes[i], load_little_endian(p + 8 * i, 8));
+    }
+}
+
+void vbss_hash_begin(vbss_hash *hash)
+{
+    memset(hash, 0, sizeof *hash);
+    hash->lanes[0] = PRIME_1 + PRIME_2;
+    hash->lanes[1] = PRIME_2;
+    hash->lanes[2] = 0;
+    hash->lanes[3] = 0u - PRIME_1;
+}
+
+void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count)
+{
+    const uint8_t *p = bytes;
+    size_t held = (size_t)(hash->length % 32u);
+    hash->length += count;
+    if (held > 0) {
+        size_t missing = 32u - held;
+        size_t taken = count < missing ? count : missing;
+        memcpy(hash->pending + held, p, taken);
+        p += taken;
+        count -= taken;
+        if (taken < missing) {
+            return;
+        }
+        eat_stripe(hash->lanes, hash->pending);
+    }
+    for (; count >= 32; count -= 32, p += 32) {
+        eat_stripe(hash->lanes, p);
+    }
+    if (count > 0) {
+        memcpy(hash->pending, p, count);
+    }
+}
+
+uint64_t vbss_hash_end(const vbss_hash *hash)
+{
+    uint64_t h = PRIME_5;
+    if (hash->length >= 32) {
+        h = rotate(hash->lanes[0], 1) + rotate(hash->lanes[1], 7) + rotate(hash->lanes[2], 12) +
+            rotate(hash->lanes[3], 18);
+        for (int i = 0; i < 4; i++) {
+            h = (h ^ round_of(0, hash->lanes[i])) * PRIME_1 + PRIME_4;
+        }
+    }
+    h += hash->length;
+    const uint8_t *p = hash->pending;
+    size_t left = (size_t)(hash->length % 32u);
+    for (; left >= 8; left -= 8, p += 8) {
+        h = rotate(h ^ round_of(0, load_little_endian(p, 8)), 27) * PRIME_1 + PRIME_4;
+    }
+    if (left >= 4) {
+        h = rotate(h ^ load_little_endian(p, 4) * PRIME_1, 23) * PRIME_2 + PRIME_3;
+        p += 4;
+        left -= 4;
+    }
+    for (; left > 0; left--, p++) {
+        h = rotate(h ^ *p * PRIME_5, 11) * PRIME_1;
+    }
+    h = (h ^ (h >> 33)) * PRIME_2;
+    h = (h ^ (h >> 29)) * PRIME_3;
+    return h ^ (h >> 32);
+}

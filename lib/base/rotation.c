@@ -1,0 +1,37 @@
+/* Rotations that need elementary functions. */
+#include "base/base.h"
+
+quat vbss_quat_from_rotation_vector(vec3 rotation)
+{
+    double angle = vec3_norm(rotation);
+    double w, s;
+    if (angle < 1e-4) {
+        /* sin(a/2)/a and cos(a/2) to 1e-18 relative, without the division by a small angle. */
+        double a2 = angle * angle;
+        s = 0.5 - a2 * (1.0 / 48.0);
+        w = 1.0 - a2 * (1.0 / 8.0 - a2 * (1.0 / 384.0));
+    } else {
+        double sine;
+        vbss_sincos(0.5 * angle, &sine, &w);
+        s = sine / angle;
+    }
+    return quat_make(w, s * rotation.x, s * rotation.y, s * rotation.z);
+}
+
+vec3 vbss_quat_to_rotation_vector(quat q)
+{
+    if (q.w < 0.0) {
+        q = quat_make(-q.w, -q.x, -q.y, -q.z); /* the same orientation, by the short way */
+    }
+    vec3 axis = vec3_make(q.x, q.y, q.z);
+    double sine = vec3_norm(axis);
+    /* 2 atan2(s, w)/s = 2/w (1 - (s/w)^2/3 + ...) for a small turn. */
+    double factor = sine < 1e-5 ? (2.0 - 2.0 / 3.0 * sine * sine / (q.w * q.w)) / q.w
+                                : 2.0 * vbss_atan2(sine, q.w) / sine;
+    return vec3_scale(axis, factor);
+}
+
+quat vbss_quat_integrate(quat q, vec3 omega, double h)
+{
+    return quat_unit(quat_mul(vbss_quat_from_rotation_vector(vec3_scale(omega, h)), q));
+}

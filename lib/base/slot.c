@@ -1,0 +1,103 @@
+/* Handles: slots that are handed out once and told apart for as long as the context lives. */
+#include "base/context.h"
+
+/* Values far from 0 and 1, so that a stray write is seen as neither. */
+enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead };
+
+vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
+                             vbss_slot **slot)
+{
+    slot_block *block = context->newest_block;
+    if (block == NULL || block->used == VBSS_SLOTS_PER_BLOCK) {
+        slot_block *fresh = vbss_allocate(context, 1, sizeof *fresh, "handles");
+        if (fresh == NULL) {
+            return VBSS_ERROR_OUT_OF_MEMORY;
+        }
+        fresh->older = block;
+        context->newest_block = block = fresh;
+    }
+    vbss_slot *taken = &block->slots[block->used++];
+    taken->tag = VBSS_TAG_SLOT;
+    taken->state = SLOT_ALIVE;
+    taken->kind = kind;
+    taken->context = context;
+    taken->object = object;
+    taken->ordinal = ++context->last_ordinal;
+    context->objects_alive++;
+    *slot = taken;
+    return VBSS_OK;
+}
+
+/* The living slot behind a handle, or NULL with the failure told. */
+static vbss_slot *find(const void *handle, const vbss_kind *kind)
+{
+    /* The memory behind a handle is writable: const only says that looking changes nothing. */
+    vbss_slot *slot = (vbss_slot *)handle;
+    if (slot == NULL || slot->tag != VBSS_TAG_SLOT) {
+        return NULL; /* no context to keep a text */
+    }
+    if (slot->kind != kind) {
+        vbss_fail(slot->context, VBSS_ERROR_INVALID_HANDLE,
+                  "handle %llu is a %s where a %s is needed", (unsigned long long)slot->ordinal,
+                  slot->kind->name, kind->name);
+        return NULL;
+    }
+    if (slot->state != SLOT_ALIVE) {
+        vbss_fail(slot->context, VBSS_ERROR_INVALID_HANDLE, "%s %llu was destroyed before",
+                  kind->name, (unsigned long long)slot->ordinal);
+        return NULL;
+    }
+    return slot;
+}
+
+vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot)
+{
+    *slot = find(handle, kind);
+    return *slot != NULL ? VBSS_OK : VBSS_ERROR_INVALID_HANDLE;
+}
+
+vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot)
+{
+    *slot = NULL;
+    vbss_slot *found = find(handle, kind);
+    if (found == NULL) {
+        return VBSS_ERROR_INVALID_HANDLE;
+    }
+    VBSS_TRY(vbss_context_edit(found->context));
+    *slot = found;
+    return VBSS_OK;
+}
+
+static void retire(vbss_slot *slot)
+{
+    void *object = slot->object;
+    slot->state = SLOT_DEAD;
+    slot->object = NULL;
+    slot->context->objects_alive--;
+    slot->kind->destroy(slot->context, object);
+}
+
+vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
+{
+    if (handle == NULL) {
+        return VBSS_OK;
+    }
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, kind, &slot));
+    retire(slot);
+    return VBSS_OK;
+}
+
+void vbss_slots_release(vbss_context *context)
+{
+    while (context->newest_block != NULL) {
+        slot_block *block = context->newest_block;
+        for (uint32_t i = block->used; i > 0; i--) {
+            if (block->slots[i - 1].state == SLOT_ALIVE) {
+                retire(&block->slots[i - 1]);
+            }
+        }
+        context->newest_block = block->older;
+        vbss_release(context, block, 1, sizeof *block);
+    }
+}

@@ -1,0 +1,146 @@
+/* The state of one object in an envelope: "VBSS", format, payload length, payload, XXH64 of all
+ * before it. */
+#include <string.h>
+
+#include "base/context.h"
+#include "base/little_endian.h"
+
+#define MAGIC VBSS_CODE('V', 'B', 'S', 'S')
+#define FORMAT 1u
+#define FRONT_BYTES 16u /* magic u32, format u32, payload length u64 */
+#define BACK_BYTES 8u
+
+static void visit(vbss_stream *stream, const vbss_slot *slot)
+{
+    vbss_section outer = vbss_stream_open(stream, slot->kind->code, slot->kind->version);
+    slot->kind->serialise(stream, slot->object);
+    vbss_stream_close(stream, outer);
+}
+
+static vbss_result told(const vbss_slot *slot, const vbss_stream *stream, const char *what)
+{
+    if (stream->result == VBSS_OK) {
+        return VBSS_OK;
+    }
+    uint32_t code = stream->section;
+    return vbss_fail(slot->context, stream->result,
+                     "%s %s: %s (section %c%c%c%c, field %u, byte %llu)", slot->kind->name, what,
+                     stream->problem, (char)(code & 0x7fu), (char)(code >> 8 & 0x7fu),
+                     (char)(code >> 16 & 0x7fu), (char)(code >> 24 & 0x7fu), stream->tag,
+                     (unsigned long long)stream->position);
+}
+
+vbss_result vbss_snapshot_size(const vbss_slot *slot, size_t *bytes)
+{
+    vbss_stream stream;
+    vbss_stream_begin_measure(&stream);
+    visit(&stream, slot);
+    *bytes = FRONT_BYTES + stream.position + BACK_BYTES;
+    return told(slot, &stream, "size");
+}
+
+vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash)
+{
+    vbss_stream stream;
+    vbss_stream_begin_hash(&stream);
+    visit(&stream, slot);
+    *hash = vbss_hash_end(&stream.hash);
+    return told(slot, &stream, "hash");
+}
+
+static uint64_t checksum(const uint8_t *bytes, size_t count)
+{
+    vbss_hash hash;
+    vbss_hash_begin(&hash);
+    vbss_hash_add(&hash, bytes, count);
+    return vbss_hash_end(&hash);
+}
+
+vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t capacity,
+                               size_t *written)
+{
+    if (capacity < FRONT_BYTES + BACK_BYTES) {
+        return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "%s save: the buffer is too small",
+                         slot->kind->name);
+    }
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes + FRONT_BYTES, capacity - FRONT_BYTES - BACK_BYTES);
+    visit(&stream, slot);
+    VBSS_TRY(told(slot, &stream, "save"));
+    store_little_endian(bytes, (uint64_t)FORMAT << 32 | MAGIC, 8);
+    store_little_endian(bytes + 8, stream.position, 8);
+    size_t covered = FRONT_BYTES + stream.position;
+    store_little_endian(bytes + covered, checksum(bytes, covered), 8);
+    *written = covered + BACK_BYTES;
+    return VBSS_OK;
+}
+
+/* Everything that can be told without touching the object; hands out the payload. */
+static vbss_result open_envelope(const vbss_slot *slot, const uint8_t *bytes, size_t count,
+                                 size_t *payload)
+{
+    const char *name = slot->kind->name;
+    if (count < FRONT_BYTES + BACK_BYTES) {
+        return vbss_fail(slot->context, VBSS_ERROR_TRUNCATED,
+                         "%s restore: %llu bytes are no snapshot", name, (unsigned long long)count);
+    }
+    uint64_t front = load_little_endian(bytes, 8);
+    if ((uint32_t)front != MAGIC) {
+        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: this is no snapshot",
+                         name);
+    }
+    if (front >> 32 != FORMAT) {
+        return vbss_fail(slot->context, VBSS_ERROR_DATA_VERSION,
+                         "%s restore: snapshot format %u, this library reads %u", name,
+                         (unsigned)(front >> 32), FORMAT);
+    }
+    uint64_t length = load_little_endian(bytes + 8, 8);
+    if (length != count - FRONT_BYTES - BACK_BYTES) {
+        return vbss_fail(slot->context, VBSS_ERROR_TRUNCATED,
+                         "%s restore: %llu bytes where the snapshot says %llu", name,
+                         (unsigned long long)(count - FRONT_BYTES - BACK_BYTES),
+                         (unsigned long long)length);
+    }
+    size_t covered = FRONT_BYTES + (size_t)length;
+    if (checksum(bytes, covered) != load_little_endian(bytes + covered, 8)) {
+        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: the checksum differs",
+                         name);
+    }
+    *payload = (size_t)length;
+    return VBSS_OK;
+}
+
+vbss_result vbss_snapshot_restore(const vbss_slot *slot, const uint8_t *bytes, size_t count)
+{
+    vbss_context *context = slot->context;
+    size_t payload = 0;
+    VBSS_TRY(vbss_check_pointer(context, bytes, "snapshot"));
+    VBSS_TRY(open_envelope(slot, bytes, count, &payload));
+
+    /* A sound envelope may still hold another object's state, found out half way: keep a way back. */
+    vbss_stream stream;
+    vbss_stream_begin_measure(&stream);
+    visit(&stream, slot);
+    VBSS_TRY(told(slot, &stream, "restore"));
+    size_t backup_bytes = stream.position;
+    uint8_t *backup = vbss_allocate(context, backup_bytes, 1, "way back of a restore");
+    if (backup == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    vbss_stream_begin_write(&stream, backup, backup_bytes);
+    visit(&stream, slot);
+
+    vbss_stream_begin_read(&stream, bytes + FRONT_BYTES, payload);
+    visit(&stream, slot);
+    if (stream.result == VBSS_OK && stream.position != payload) {
+        vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "data follow the state");
+    }
+    vbss_result result = told(slot, &stream, "restore");
+    if (result != VBSS_OK) {
+        vbss_stream_begin_read(&stream, backup, backup_bytes);
+        stream.trusted = true; /* what was there before comes back, even if it was not finite */
+        visit(&stream, slot);
+    }
+    vbss_release(context, backup, backup_bytes, 1);
+    return result;
+}

@@ -1,0 +1,302 @@
+/* The one visitor behind snapshot, hash and log: what a visit does depends on the mode only. */
+#include <string.h>
+
+#include "base/base.h"
+#include "base/little_endian.h"
+
+enum { TYPE_F64 = 1, TYPE_U64 = 2, TYPE_U32 = 3, TYPE_I32 = 4, TYPE_U8 = 5 };
+#define TAG_OPEN 0xfffeu
+#define TAG_CLOSE 0xffffu
+#define HEADER_BYTES 8u
+/* The one NaN that is written: processors make NaNs with different signs. */
+#define QUIET_NAN_BITS 0x7ff8000000000000u
+/* Values converted at a time on the way to or from little-endian bytes. */
+#define CHUNK 64u
+
+static size_t type_bytes(uint8_t type)
+{
+    switch (type) {
+    case TYPE_F64:
+    case TYPE_U64:
+        return 8;
+    case TYPE_U32:
+    case TYPE_I32:
+        return 4;
+    case TYPE_U8:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+/* ---- beginning and failing */
+
+static void begin(vbss_stream *stream, vbss_stream_mode mode)
+{
+    memset(stream, 0, sizeof *stream);
+    stream->mode = mode;
+}
+
+void vbss_stream_begin_measure(vbss_stream *stream)
+{
+    begin(stream, VBSS_STREAM_MEASURE);
+}
+
+void vbss_stream_begin_write(vbss_stream *stream, uint8_t *bytes, size_t capacity)
+{
+    begin(stream, VBSS_STREAM_WRITE);
+    stream->out = bytes;
+    stream->capacity = capacity;
+}
+
+void vbss_stream_begin_hash(vbss_stream *stream)
+{
+    begin(stream, VBSS_STREAM_HASH);
+    vbss_hash_begin(&stream->hash);
+}
+
+void vbss_stream_begin_read(vbss_stream *stream, const uint8_t *bytes, size_t count)
+{
+    begin(stream, VBSS_STREAM_READ);
+    stream->in = bytes;
+    stream->capacity = count;
+}
+
+void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem)
+{
+    if (stream->result == VBSS_OK) {
+        stream->result = result;
+        stream->problem = problem;
+    }
+}
+
+/* ---- bytes in and out */
+
+static void put(vbss_stream *stream, const uint8_t *bytes, size_t count)
+{
+    if (stream->mode == VBSS_STREAM_WRITE) {
+        if (count > stream->capacity - stream->position) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
+            return;
+        }
+        memcpy(stream->out + stream->position, bytes, count);
+    } else if (stream->mode == VBSS_STREAM_HASH) {
+        vbss_hash_add(&stream->hash, bytes, count);
+    }
+    stream->position += count;
+}
+
+/* The next `count` bytes, or NULL with the failure kept. */
+static const uint8_t *get(vbss_stream *stream, size_t count)
+{
+    if (count > stream->capacity - stream->position) {
+        vbss_stream_refuse(stream, VBSS_ERROR_TRUNCATED, "the data end inside a field");
+        return NULL;
+    }
+    const uint8_t *bytes = stream->in + stream->position;
+    stream->position += count;
+    return bytes;
+}
+
+/* ---- sections */
+
+vbss_section vbss_stream_open(vbss_stream *stream, uint32_t code, uint16_t version)
+{
+    vbss_section outer = {stream->section, stream->version};
+    if (stream->result != VBSS_OK) {
+        return outer;
+    }
+    stream->section = code;
+    stream->version = version;
+    stream->tag = 0;
+    if (stream->mode != VBSS_STREAM_READ) {
+        uint8_t header[HEADER_BYTES];
+        store_little_endian(header, TAG_OPEN, 2);
+        store_little_endian(header + 2, version, 2);
+        store_little_endian(header + 4, code, 4);
+        put(stream, header, sizeof header);
+        return outer;
+    }
+    const uint8_t *header = get(stream, HEADER_BYTES);
+    if (header == NULL) {
+        return outer;
+    }
+    if (load_little_endian(header, 2) != TAG_OPEN || load_little_endian(header + 4, 4) != code) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another section was expected");
+    }
+    stream->version = (uint16_t)load_little_endian(header + 2, 2);
+    if (stream->version > version) {
+        vbss_stream_refuse(stream, VBSS_ERROR_DATA_VERSION,
+                           "the section was written by a newer library");
+    }
+    return outer;
+}
+
+/* Moves past fields, and sections within, that nobody visited, up to the end of this section. */
+static void skip_to_end(vbss_stream *stream)
+{
+    for (uint32_t depth = 1; depth > 0;) {
+        const uint8_t *header = get(stream, HEADER_BYTES);
+        if (header == NULL) {
+            return;
+        }
+        uint64_t tag = load_little_endian(header, 2);
+        if (tag == TAG_OPEN) {
+            depth++;
+        } else if (tag == TAG_CLOSE) {
+            depth--;
+        } else {
+            size_t bytes = type_bytes(header[2]);
+            uint64_t count = load_little_endian(header + 4, 4);
+            if (bytes == 0 || count > SIZE_MAX / bytes) {
+                vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a field has no known type");
+                return;
+            }
+            if (get(stream, (size_t)count * bytes) == NULL) {
+                return;
+            }
+        }
+    }
+}
+
+void vbss_stream_close(vbss_stream *stream, vbss_section outer)
+{
+    if (stream->result != VBSS_OK) {
+        return; /* keep the section for the error text */
+    }
+    if (stream->mode == VBSS_STREAM_READ) {
+        skip_to_end(stream);
+    } else {
+        uint8_t header[HEADER_BYTES] = {0};
+        store_little_endian(header, TAG_CLOSE, 2);
+        put(stream, header, sizeof header);
+    }
+    if (stream->result == VBSS_OK) {
+        stream->section = outer.code;
+        stream->version = outer.version;
+    }
+}
+
+/* ---- fields */
+
+/* Writes or checks the header of a field; false when there is nothing more to do. */
+static bool begin_field(vbss_stream *stream, uint16_t tag, uint8_t type, size_t count)
+{
+    if (stream->result != VBSS_OK) {
+        return false;
+    }
+    stream->tag = tag;
+    if (tag >= TAG_OPEN || count > UINT32_MAX) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY, "the field is too large for the format");
+        return false;
+    }
+    if (stream->mode != VBSS_STREAM_READ) {
+        uint8_t header[HEADER_BYTES];
+        store_little_endian(header, tag, 2);
+        header[2] = type;
+        header[3] = 0;
+        store_little_endian(header + 4, count, 4);
+        put(stream, header, sizeof header);
+        return stream->result == VBSS_OK;
+    }
+    const uint8_t *header = get(stream, HEADER_BYTES);
+    if (header == NULL) {
+        return false;
+    }
+    if (load_little_endian(header, 2) != tag || header[2] != type || header[3] != 0 ||
+        load_little_endian(header + 4, 4) != count) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another field was expected");
+        return false;
+    }
+    return true;
+}
+
+void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t count)
+{
+    if (!begin_field(stream, tag, TYPE_F64, count)) {
+        return;
+    }
+    if (stream->mode == VBSS_STREAM_READ) {
+        const uint8_t *bytes = get(stream, 8 * count);
+        for (size_t i = 0; bytes != NULL && i < count; i++) {
+            uint64_t bits = load_little_endian(bytes + 8 * i, 8);
+            double value;
+            memcpy(&value, &bits, sizeof value);
+            if (!isfinite(value) && !stream->trusted) {
+                vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a number is not finite");
+                return;
+            }
+            values[i] = value;
+        }
+        return;
+    }
+    uint8_t chunk[8 * CHUNK];
+    for (size_t done = 0; done < count && stream->result == VBSS_OK; done += CHUNK) {
+        size_t now = count - done < CHUNK ? count - done : CHUNK;
+        for (size_t i = 0; i < now; i++) {
+            double value = values[done + i];
+            uint64_t bits;
+            memcpy(&bits, &value, sizeof bits);
+            store_little_endian(chunk + 8 * i, value == value ? bits : QUIET_NAN_BITS, 8);
+        }
+        put(stream, chunk, 8 * now);
+    }
+}
+
+/* The integer types differ in width only; the values pass through 64 bits. */
+/* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses */
+#define DEFINE_INTEGER_FIELD(name, type_name, type_code)                                   \
+    void name(vbss_stream *stream, uint16_t tag, type_name *values, size_t count)          \
+    {                                                                                      \
+        enum { WIDTH = sizeof(type_name) };                                                \
+        if (!begin_field(stream, tag, type_code, count)) {                                 \
+            return;                                                                        \
+        }                                                                                  \
+        if (stream->mode == VBSS_STREAM_READ) {                                            \
+            const uint8_t *bytes = get(stream, WIDTH * count);                             \
+            for (size_t i = 0; bytes != NULL && i < count; i++) {                          \
+                values[i] = (type_name)load_little_endian(bytes + WIDTH * i, WIDTH);       \
+            }                                                                              \
+            return;                                                                        \
+        }                                                                                  \
+        uint8_t chunk[WIDTH * CHUNK];                                                      \
+        for (size_t done = 0; done < count && stream->result == VBSS_OK; done += CHUNK) {  \
+            size_t now = count - done < CHUNK ? count - done : CHUNK;                      \
+            for (size_t i = 0; i < now; i++) {                                             \
+                store_little_endian(chunk + WIDTH * i, (uint64_t)values[done + i], WIDTH); \
+            }                                                                              \
+            put(stream, chunk, WIDTH *now);                                                \
+        }                                                                                  \
+    }
+
+/* NOLINTEND(bugprone-macro-parentheses) */
+DEFINE_INTEGER_FIELD(vbss_stream_u64, uint64_t, TYPE_U64)
+DEFINE_INTEGER_FIELD(vbss_stream_u32, uint32_t, TYPE_U32)
+DEFINE_INTEGER_FIELD(vbss_stream_i32, int32_t, TYPE_I32)
+DEFINE_INTEGER_FIELD(vbss_stream_u8, uint8_t, TYPE_U8)
+
+/* ---- fields with a meaning */
+
+void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint32_t capacity)
+{
+    uint32_t count = *value;
+    vbss_stream_u32(stream, tag, &count, 1);
+    if (stream->mode == VBSS_STREAM_READ && stream->result == VBSS_OK) {
+        if (count > capacity) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY,
+                               "the state is larger than the object's capacity");
+            return;
+        }
+        *value = count;
+    }
+}
+
+void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value)
+{
+    uint64_t stored = value;
+    vbss_stream_u64(stream, tag, &stored, 1);
+    if (stream->result == VBSS_OK && stored != value) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT,
+                           "the state belongs to an object with another configuration");
+    }
+}
