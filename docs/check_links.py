@@ -1,0 +1,18 @@
+"""Every file that a page links to exists: check_links.py SOURCE_DIR"""
+import pathlib
+import re
+import sys
+
+source = pathlib.Path(sys.argv[1])
+pages = [source / "README.md", source / "CHANGELOG.md", *sorted((source / "docs").glob("*.md"))]
+checked, broken = 0, []
+for page in pages:
+    for target in re.findall(r"\]\(([^)#\s]+)", page.read_text()):
+        if "://" in target:
+            continue
+        checked += 1
+        if not (page.parent / target).exists():
+            broken.append(f"{page.relative_to(source)}: {target}")
+if broken or checked == 0:
+    sys.exit("docs links: FAIL\n" + "\n".join(broken))
+print(f"docs links: pass, {checked} links in {len(pages)} pages")
