@@ -1,0 +1,135 @@
+#include <string.h>
+
+#include "harness/harness.h"
+
+static vbss_result init_context_config(void *config, uint32_t struct_size)
+{
+    return vbss_context_config_init(config, struct_size);
+}
+
+static vbss_result create_context(vbss_context *unused, const void *config)
+{
+    (void)unused;
+    vbss_context *context;
+    vbss_result result = vbss_context_create(config, &context);
+    if (result == VBSS_OK) {
+        result = vbss_context_destroy(context);
+    } else {
+        assert_null(context);
+    }
+    return result;
+}
+
+static void the_context_config_keeps_the_size_protocol(void **state)
+{
+    (void)state;
+    const harness_config config = {sizeof(vbss_context_config), sizeof(vbss_context_config),
+                                   init_context_config, create_context};
+    harness_config_protocol(&config);
+}
+
+/* A struct whose second version added a field. */
+typedef struct sample {
+    uint32_t struct_size, kept;
+    double added;
+} sample;
+enum { FIRST = 8 };
+
+static void fields_an_old_header_lacks_keep_their_defaults(void **state)
+{
+    (void)state;
+    const struct {
+        uint32_t struct_size, kept;
+    } old = {FIRST, 7};
+    sample own = {sizeof own, 1, 2.5};
+    expect_ok(vbss_config_read(NULL, "sample", &old, &own, sizeof own, FIRST));
+    assert_int_equal(own.kept, 7);
+    expect_same_bits(2.5, own.added);
+    assert_int_equal(own.struct_size, sizeof own);
+}
+
+static void a_refused_config_leaves_the_defaults(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    struct {
+        sample known;
+        double newer;
+    } given = {{sizeof given, 9, 9.0}, 1.0};
+    sample own = {sizeof own, 1, 2.5};
+    const char *text;
+    expect_result(VBSS_ERROR_UNKNOWN_FIELD,
+                  vbss_config_read(context, "sample", &given, &own, sizeof own, FIRST));
+    expect_ok(vbss_context_get_last_error(context, NULL, &text));
+    assert_non_null(strstr(text, "sample"));
+    given.known.struct_size = FIRST - 1;
+    expect_result(VBSS_ERROR_STRUCT_SIZE,
+                  vbss_config_read(context, "sample", &given, &own, sizeof own, FIRST));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT,
+                  vbss_config_read(context, "sample", NULL, &own, sizeof own, FIRST));
+    assert_int_equal(own.kept, 1);
+    expect_same_bits(2.5, own.added);
+    harness_context_end(context, &memory);
+}
+
+static void structs_out_fill_what_the_caller_knows(void **state)
+{
+    (void)state;
+    const sample own = {sizeof own, 3, 4.5};
+    struct {
+        sample known;
+        uint64_t newer, beyond;
+    } out = {{0, 0, 0}, 1, 2};
+    expect_ok(vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, &out, sizeof own + 8));
+    assert_int_equal(out.known.struct_size, sizeof own);
+    expect_same_bits(4.5, out.known.added);
+    assert_int_equal(out.newer, 0);
+    assert_int_equal(out.beyond, 2);
+    memset(&out, 0xff, sizeof out);
+    expect_ok(vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, &out, FIRST));
+    assert_int_equal(out.known.struct_size, FIRST);
+    assert_int_equal(out.known.kept, 3);
+    assert_int_equal(harness_bits(out.known.added), UINT64_MAX);
+    expect_result(VBSS_ERROR_STRUCT_SIZE,
+                  vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, &out, FIRST - 1));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT,
+                  vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, NULL, FIRST));
+}
+
+static void numbers_are_checked_and_named(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    const char *text;
+    for (int i = 0; i < 3; i++) {
+        double values[3] = {1.0, 2.0, harness_bad_numbers[i]};
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_check_finite(context, values, 3, "force"));
+        expect_ok(vbss_context_get_last_error(context, NULL, &text));
+        assert_non_null(strstr(text, "force[2]"));
+        expect_ok(vbss_check_finite(context, values, 2, "force"));
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_check_range(context, values[2], 0, 1, "h"));
+    }
+    expect_ok(vbss_check_range(context, 0.0, 0.0, 1.0, "h"));
+    expect_ok(vbss_check_range(context, 1.0, 0.0, 1.0, "h"));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_check_range(context, -1e-300, 0.0, 1.0, "h"));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_check_range(context, 0x1.0000000000001p0, 0.0, 1.0, "h"));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_check_pointer(context, NULL, "pose"));
+    expect_ok(vbss_context_get_last_error(context, NULL, &text));
+    assert_string_equal(text, "pose is NULL");
+    harness_context_end(context, &memory);
+}
+
+int test_config(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(the_context_config_keeps_the_size_protocol),
+        harness_test(fields_an_old_header_lacks_keep_their_defaults),
+        harness_test(a_refused_config_leaves_the_defaults),
+        harness_test(structs_out_fill_what_the_caller_knows),
+        harness_test(numbers_are_checked_and_named),
+    };
+    return cmocka_run_group_tests_name("base.config", tests, NULL, NULL);
+}

@@ -1,0 +1,263 @@
+#include <string.h>
+
+#include "harness/harness.h"
+#include "scenes/rod.h"
+
+static void a_context_needs_no_config(void **state)
+{
+    (void)state;
+    vbss_context *context = NULL;
+    expect_ok(vbss_context_create(NULL, &context));
+    assert_non_null(context);
+    expect_ok(vbss_context_destroy(context));
+    expect_ok(vbss_context_destroy(NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_context_create(NULL, NULL));
+}
+
+static void half_an_allocator_or_an_unknown_level_is_refused(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context_config config = harness_watched_config(&memory);
+    vbss_context *context = (vbss_context *)&memory;
+    config.release = NULL;
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_context_create(&config, &context));
+    assert_null(context);
+    config = harness_watched_config(&memory);
+    config.allocate = NULL;
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_context_create(&config, &context));
+    for (int32_t level = -1; level <= 4; level += 5) {
+        config = harness_watched_config(&memory);
+        config.log_level = level;
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_context_create(&config, &context));
+    }
+    assert_int_equal(memory.calls, 0);
+}
+
+static void calls_on_no_context_are_told(void **state)
+{
+    (void)state;
+    vbss_context_statistics statistics;
+    struct {
+        uint64_t words[64];
+    } something_else = {{0}};
+    vbss_context *wrong[] = {NULL, (vbss_context *)&something_else};
+    for (int i = 0; i < 2; i++) {
+        expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_context_get_last_error(wrong[i], NULL, NULL));
+        expect_result(VBSS_ERROR_INVALID_HANDLE,
+                      vbss_context_get_statistics(wrong[i], &statistics, sizeof statistics));
+    }
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_context_destroy(wrong[1]));
+}
+
+static void a_body_handle_is_no_context(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    rod_config config;
+    rod *body;
+    expect_ok(rod_config_init(&config, sizeof config));
+    expect_ok(rod_create(context, &config, &body));
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_context_destroy((vbss_context *)body));
+    expect_ok(rod_destroy(body));
+    harness_context_end(context, &memory);
+}
+
+static void statistics_follow_memory_and_objects(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_context_statistics empty, now;
+    expect_ok(vbss_context_get_statistics(context, &empty, sizeof empty));
+    assert_int_equal(empty.struct_size, sizeof empty);
+    assert_int_equal(empty.allocation_count, 1);
+    assert_true(empty.bytes_allocated > 0);
+    double *numbers = vbss_allocate(context, 100, sizeof *numbers, "numbers");
+    for (int i = 0; i < 100; i++) {
+        expect_same_bits(0.0, numbers[i]);
+    }
+    assert_int_equal((uintptr_t)numbers % VBSS_ALIGNMENT, 0);
+    expect_ok(vbss_context_get_statistics(context, &now, sizeof now));
+    assert_int_equal(now.bytes_allocated, empty.bytes_allocated + 800);
+    vbss_release(context, numbers, 100, sizeof *numbers);
+    expect_ok(vbss_context_get_statistics(context, &now, sizeof now));
+    assert_int_equal(now.bytes_allocated, empty.bytes_allocated);
+    assert_int_equal(now.bytes_peak, empty.bytes_allocated + 800);
+    assert_int_equal(now.objects_created, 0);
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_context_get_statistics(context, NULL, sizeof now));
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_context_get_statistics(context, &now, 8));
+    harness_context_end(context, &memory);
+}
+
+static void requests_beyond_memory_are_told_without_asking(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    uint64_t calls = memory.calls;
+    const char *text;
+    vbss_result result;
+    assert_null(vbss_allocate(context, SIZE_MAX / 2, 3, "everything"));
+    assert_null(vbss_allocate(context, 3, SIZE_MAX / 2, "everything"));
+    assert_int_equal(memory.calls, calls);
+    expect_ok(vbss_context_get_last_error(context, &result, &text));
+    expect_result(VBSS_ERROR_OUT_OF_MEMORY, result);
+    assert_non_null(strstr(text, "everything"));
+    assert_null(vbss_allocate(context, 0, 8, "nothing"));
+    harness_context_end(context, &memory);
+}
+
+static void the_last_error_stays_until_the_next(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_result result;
+    const char *text;
+    expect_ok(vbss_context_get_last_error(context, &result, &text));
+    expect_ok(result);
+    assert_string_equal(text, "");
+    char long_name[1000];
+    memset(long_name, 'x', sizeof long_name - 1);
+    long_name[sizeof long_name - 1] = '\0';
+    vbss_fail(context, VBSS_ERROR_CAPACITY, "%s", long_name);
+    expect_ok(vbss_context_get_last_error(context, &result, &text));
+    expect_result(VBSS_ERROR_CAPACITY, result);
+    assert_int_equal(strlen(text), 255);
+    vbss_fail(context, VBSS_ERROR_NOT_FINITE, "node %d", 3);
+    expect_ok(vbss_context_get_last_error(context, &result, NULL));
+    expect_result(VBSS_ERROR_NOT_FINITE, result);
+    assert_string_equal(text, "node 3");
+    harness_context_end(context, &memory);
+}
+
+/* ---- log */
+
+typedef struct heard {
+    int count;
+    vbss_log_level level;
+    char text[300];
+    vbss_context *context;
+    rod *body;
+    vbss_result destroyed, stepped, context_destroyed;
+} heard;
+
+static void listen(void *user, vbss_log_level level, const char *message)
+{
+    heard *h = user;
+    h->count++;
+    h->level = level;
+    snprintf(h->text, sizeof h->text, "%s", message);
+    if (h->body != NULL) {
+        h->destroyed = rod_destroy(h->body);
+        h->stepped = rod_step(h->body, 1e-3);
+        h->context_destroyed = vbss_context_destroy(h->context);
+    }
+}
+
+static void messages_arrive_up_to_the_level(void **state)
+{
+    (void)state;
+    for (vbss_log_level level = VBSS_LOG_NONE; level <= VBSS_LOG_INFO; level++) {
+        heard h = {0};
+        vbss_context_config config;
+        vbss_context *context;
+        expect_ok(vbss_context_config_init(&config, sizeof config));
+        config.log_level = level;
+        config.log = listen;
+        config.log_user = &h;
+        expect_ok(vbss_context_create(&config, &context));
+        assert_int_equal(h.count, level >= VBSS_LOG_INFO);
+        vbss_message(context, VBSS_LOG_WARNING, "knot %d slips", 2);
+        assert_int_equal(h.count, (level >= VBSS_LOG_INFO) + (level >= VBSS_LOG_WARNING));
+        if (level >= VBSS_LOG_WARNING) {
+            assert_string_equal(h.text, "knot 2 slips");
+        }
+        int before = h.count;
+        vbss_fail(context, VBSS_ERROR_CAPACITY, "full");
+        assert_int_equal(h.count - before, level >= VBSS_LOG_ERROR);
+        expect_ok(vbss_context_destroy(context));
+    }
+}
+
+static void nothing_can_be_changed_from_the_log_callback(void **state)
+{
+    (void)state;
+    heard h = {0};
+    harness_memory memory;
+    vbss_context_config config = harness_watched_config(&memory);
+    vbss_context *context;
+    config.log = listen;
+    config.log_user = &h;
+    expect_ok(vbss_context_create(&config, &context));
+    rod_config body;
+    expect_ok(rod_config_init(&body, sizeof body));
+    expect_ok(rod_create(context, &body, &h.body));
+    h.context = context;
+    vbss_message(context, VBSS_LOG_WARNING, "now");
+    expect_result(VBSS_ERROR_BUSY, h.destroyed);
+    expect_result(VBSS_ERROR_BUSY, h.stepped);
+    expect_result(VBSS_ERROR_BUSY, h.context_destroyed);
+    assert_int_equal(h.count, 1); /* the failures inside did not call back again */
+    rod *alive = h.body;
+    h.body = NULL;
+    expect_ok(rod_step(alive, 1e-3));
+    expect_ok(rod_destroy(alive));
+    harness_context_end(context, &memory);
+}
+
+static void objects_left_alive_end_with_the_context_and_a_warning(void **state)
+{
+    (void)state;
+    heard h = {0};
+    harness_memory memory;
+    vbss_context_config config = harness_watched_config(&memory);
+    vbss_context *context;
+    config.log = listen;
+    config.log_user = &h;
+    expect_ok(vbss_context_create(&config, &context));
+    rod_config body;
+    rod *bodies[3];
+    expect_ok(rod_config_init(&body, sizeof body));
+    for (int i = 0; i < 3; i++) {
+        expect_ok(rod_create(context, &body, &bodies[i]));
+    }
+    expect_ok(rod_destroy(bodies[1]));
+    harness_context_end(context, &memory);
+    assert_int_equal(h.count, 1);
+    assert_non_null(strstr(h.text, "2 objects alive"));
+}
+
+static vbss_result use_a_context(vbss_context *context, void *user)
+{
+    (void)user;
+    void *block = vbss_allocate(context, 10, 10, "block");
+    vbss_release(context, block, 10, 10);
+    return block != NULL ? VBSS_OK : VBSS_ERROR_OUT_OF_MEMORY;
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    (void)state;
+    harness_fail_every_allocation(use_a_context, NULL);
+}
+
+int test_context(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(a_context_needs_no_config),
+        harness_test(half_an_allocator_or_an_unknown_level_is_refused),
+        harness_test(calls_on_no_context_are_told),
+        harness_test(a_body_handle_is_no_context),
+        harness_test(statistics_follow_memory_and_objects),
+        harness_test(requests_beyond_memory_are_told_without_asking),
+        harness_test(the_last_error_stays_until_the_next),
+        harness_test(messages_arrive_up_to_the_level),
+        harness_test(nothing_can_be_changed_from_the_log_callback),
+        harness_test(objects_left_alive_end_with_the_context_and_a_warning),
+        harness_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests_name("base.context", tests, NULL, NULL);
+}

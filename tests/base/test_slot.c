@@ -1,0 +1,154 @@
+#include <string.h>
+
+#include "harness/harness.h"
+#include "scenes/rod.h"
+
+static vbss_result step_call(void *handle)
+{
+    return rod_step(handle, 1e-3);
+}
+
+static vbss_result tip_call(void *handle)
+{
+    double tip[3];
+    return rod_get_tip(handle, tip);
+}
+
+static rod *make_rod(vbss_context *context)
+{
+    rod_config config;
+    rod *body;
+    expect_ok(rod_config_init(&config, sizeof config));
+    expect_ok(rod_create(context, &config, &body));
+    return body;
+}
+
+static void wrong_handles_are_told_by_every_call(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    rod *destroyed = make_rod(context);
+    expect_ok(rod_destroy(destroyed));
+    const harness_handle_call calls[] = {step_call, tip_call};
+    harness_refuses_bad_handles(context, destroyed, calls, 2);
+    expect_ok(rod_destroy(NULL));
+    expect_result(VBSS_ERROR_INVALID_HANDLE, rod_destroy(destroyed));
+    expect_result(VBSS_ERROR_INVALID_HANDLE, rod_destroy((rod *)context));
+    harness_context_end(context, &memory);
+}
+
+/* The heart of the promise: whatever is created later, a destroyed handle stays destroyed. */
+static void destroyed_handles_stay_told_whatever_comes_after(void **state)
+{
+    (void)state;
+    enum { COUNT = 500 };
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    rod *handles[COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        handles[i] = make_rod(context);
+        if (i % 3 != 0) {
+            expect_ok(rod_destroy(handles[i]));
+        }
+    }
+    for (int i = 0; i < COUNT; i++) {
+        expect_result(i % 3 != 0 ? VBSS_ERROR_INVALID_HANDLE : VBSS_OK, step_call(handles[i]));
+        for (int k = 0; k < i; k++) {
+            assert_ptr_not_equal(handles[i], handles[k]);
+        }
+    }
+    vbss_context_statistics statistics;
+    expect_ok(vbss_context_get_statistics(context, &statistics, sizeof statistics));
+    assert_int_equal(statistics.objects_alive, (COUNT + 2) / 3);
+    assert_int_equal(statistics.objects_created, COUNT);
+    harness_context_end(context, &memory);
+}
+
+static void ordinals_count_creations(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    for (uint64_t i = 1; i <= 100; i++) {
+        rod *body = make_rod(context);
+        vbss_slot *slot;
+        expect_ok(vbss_slot_open(body, &rod_kind, &slot));
+        assert_int_equal(slot->ordinal, i);
+        expect_ok(rod_destroy(body));
+    }
+    harness_context_end(context, &memory);
+}
+
+/* ---- the end of a context */
+
+enum { LEFT = 150 };
+static int ended[LEFT], ended_count;
+
+static void note_end(vbss_context *context, void *object)
+{
+    (void)context;
+    ended[ended_count++] = *(int *)object;
+}
+
+static void visit_nothing(vbss_stream *stream, void *object)
+{
+    (void)stream;
+    (void)object;
+}
+
+static void the_youngest_end_first(void **state)
+{
+    (void)state;
+    static const vbss_kind kind = {"noted", VBSS_CODE('N', 'O', 'T', 'E'), 1, note_end,
+                                   visit_nothing};
+    int numbers[LEFT];
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    for (int i = 0; i < LEFT; i++) {
+        vbss_slot *slot;
+        numbers[i] = i;
+        expect_ok(vbss_slot_create(context, &kind, &numbers[i], &slot));
+    }
+    ended_count = 0;
+    harness_context_end(context, &memory);
+    assert_int_equal(ended_count, LEFT);
+    for (int i = 0; i < LEFT; i++) {
+        assert_int_equal(ended[i], LEFT - 1 - i);
+    }
+}
+
+static vbss_result fill_slots(vbss_context *context, void *user)
+{
+    (void)user;
+    rod_config config;
+    rod *bodies[70]; /* more than one block of slots */
+    vbss_result result = rod_config_init(&config, sizeof config);
+    int made = 0;
+    while (made < 70 && result == VBSS_OK) {
+        result = rod_create(context, &config, &bodies[made]);
+        made += result == VBSS_OK;
+    }
+    while (made > 0) {
+        expect_ok(rod_destroy(bodies[--made]));
+    }
+    return result;
+}
+
+static void every_allocation_may_fail(void **state)
+{
+    (void)state;
+    harness_fail_every_allocation(fill_slots, NULL);
+}
+
+int test_slot(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(wrong_handles_are_told_by_every_call),
+        harness_test(destroyed_handles_stay_told_whatever_comes_after),
+        harness_test(ordinals_count_creations),
+        harness_test(the_youngest_end_first),
+        harness_test(every_allocation_may_fail),
+    };
+    return cmocka_run_group_tests_name("base.slot", tests, NULL, NULL);
+}

@@ -1,0 +1,328 @@
+#include <math.h>
+#include <string.h>
+
+#include "harness/harness.h"
+
+/* A state with every type of field, in a second version that added `added` at the end. */
+typedef struct sample {
+    double numbers[130]; /* more than one chunk of conversion */
+    uint64_t words[2];
+    uint32_t count;
+    int32_t signs[3];
+    uint8_t bytes[5];
+    double added;
+} sample;
+#define SAMPLE_CODE VBSS_CODE('S', 'M', 'P', 'L')
+
+static void visit(vbss_stream *stream, sample *s, uint16_t version)
+{
+    vbss_section outer = vbss_stream_open(stream, SAMPLE_CODE, version);
+    vbss_stream_f64(stream, 1, s->numbers, 130);
+    vbss_stream_u64(stream, 2, s->words, 2);
+    vbss_stream_count(stream, 3, &s->count, 10);
+    vbss_section inner = vbss_stream_open(stream, VBSS_CODE('I', 'N', 'N', 'R'), 1);
+    vbss_stream_i32(stream, 1, s->signs, 3);
+    vbss_stream_close(stream, inner);
+    vbss_stream_u8(stream, 4, s->bytes, 5);
+    if (stream->version >= 2) {
+        vbss_stream_f64(stream, 5, &s->added, 1);
+    }
+    vbss_stream_close(stream, outer);
+}
+
+static sample make_sample(void)
+{
+    sample s = {.words = {1, UINT64_MAX},
+                .count = 10,
+                .signs = {-1, INT32_MIN, INT32_MAX},
+                .bytes = {0, 1, 128, 255, 7},
+                .added = -0.0};
+    for (int i = 0; i < 130; i++) {
+        s.numbers[i] = (i - 60) * 0x1.23456789abcdep-300;
+    }
+    s.numbers[129] = -0x1p-1074;
+    return s;
+}
+
+static size_t write(sample *s, uint16_t version, uint8_t *bytes, size_t capacity)
+{
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, capacity);
+    visit(&stream, s, version);
+    expect_ok(stream.result);
+    return stream.position;
+}
+
+static void what_is_written_is_read_to_the_bit(void **state)
+{
+    (void)state;
+    uint8_t bytes[2048];
+    sample s = make_sample(), back = {.count = 3};
+    size_t count = write(&s, 2, bytes, sizeof bytes);
+    vbss_stream stream;
+    vbss_stream_begin_read(&stream, bytes, count);
+    visit(&stream, &back, 2);
+    expect_ok(stream.result);
+    assert_int_equal(stream.position, count);
+    assert_memory_equal(s.numbers, back.numbers, sizeof s.numbers);
+    assert_memory_equal(s.words, back.words, sizeof s.words);
+    assert_int_equal(back.count, 10);
+    assert_memory_equal(s.signs, back.signs, sizeof s.signs);
+    assert_memory_equal(s.bytes, back.bytes, sizeof s.bytes);
+    expect_same_bits(-0.0, back.added);
+}
+
+static void measuring_and_hashing_see_the_written_bytes(void **state)
+{
+    (void)state;
+    uint8_t bytes[2048];
+    sample s = make_sample();
+    size_t count = write(&s, 2, bytes, sizeof bytes);
+    vbss_stream measure, hash;
+    vbss_stream_begin_measure(&measure);
+    visit(&measure, &s, 2);
+    assert_int_equal(measure.position, count);
+    vbss_stream_begin_hash(&hash);
+    visit(&hash, &s, 2);
+    vbss_hash direct;
+    vbss_hash_begin(&direct);
+    vbss_hash_add(&direct, bytes, count);
+    assert_true(vbss_hash_end(&hash.hash) == vbss_hash_end(&direct));
+}
+
+/* The format is for files that outlive the machine: spelled out byte by byte. */
+static void the_bytes_are_little_endian_and_tagged(void **state)
+{
+    (void)state;
+    uint8_t bytes[64];
+    double number = -2.0;
+    uint32_t word = 0x01020304;
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+    vbss_section outer = vbss_stream_open(&stream, VBSS_CODE('A', 'B', 'C', 'D'), 0x0102);
+    vbss_stream_f64(&stream, 0x1234, &number, 1);
+    vbss_stream_u32(&stream, 2, &word, 1);
+    vbss_stream_close(&stream, outer);
+    expect_ok(stream.result);
+    const uint8_t wanted[] = {
+        0xfe, 0xff, 0x02, 0x01, 'A', 'B', 'C', 'D',                            /* section */
+        0x34, 0x12, 1,    0,    1,   0,   0,   0,   0, 0, 0, 0, 0, 0, 0, 0xc0, /* -2.0 */
+        2,    0,    3,    0,    1,   0,   0,   0,   4, 3, 2, 1,                /* word */
+        0xff, 0xff, 0,    0,    0,   0,   0,   0,                              /* end */
+    };
+    assert_int_equal(stream.position, sizeof wanted);
+    assert_memory_equal(bytes, wanted, sizeof wanted);
+}
+
+static void an_older_version_is_read_and_a_newer_told(void **state)
+{
+    (void)state;
+    uint8_t bytes[2048];
+    sample s = make_sample(), back = {.added = 3.0};
+    size_t count = write(&s, 1, bytes, sizeof bytes);
+    vbss_stream stream;
+    vbss_stream_begin_read(&stream, bytes, count);
+    visit(&stream, &back, 2);
+    expect_ok(stream.result);
+    expect_same_bits(3.0, back.added); /* version 1 had none: the body's own value stays */
+    assert_memory_equal(s.bytes, back.bytes, sizeof s.bytes);
+
+    count = write(&s, 3, bytes, sizeof bytes);
+    vbss_stream_begin_read(&stream, bytes, count);
+    visit(&stream, &back, 2);
+    expect_result(VBSS_ERROR_DATA_VERSION, stream.result);
+}
+
+static void unvisited_fields_at_the_end_are_passed_over(void **state)
+{
+    (void)state;
+    uint8_t bytes[256];
+    double a = 1.5, b[3] = {1, 2, 3}, after = 2.5;
+    uint8_t c[3] = {1, 2, 3};
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+    vbss_section outer = vbss_stream_open(&stream, 1, 1);
+    vbss_stream_f64(&stream, 1, &a, 1);
+    vbss_stream_f64(&stream, 2, b, 3);
+    vbss_section inner = vbss_stream_open(&stream, 2, 1);
+    vbss_stream_u8(&stream, 1, c, 3);
+    vbss_stream_close(&stream, inner);
+    vbss_stream_close(&stream, outer);
+    vbss_stream_f64(&stream, 7, &after, 1);
+    size_t count = stream.position;
+    a = after = 0.0;
+    vbss_stream_begin_read(&stream, bytes, count);
+    outer = vbss_stream_open(&stream, 1, 1);
+    vbss_stream_f64(&stream, 1, &a, 1);
+    vbss_stream_close(&stream, outer);
+    vbss_stream_f64(&stream, 7, &after, 1);
+    expect_ok(stream.result);
+    expect_same_bits(1.5, a);
+    expect_same_bits(2.5, after);
+}
+
+static void any_nan_is_the_same_nan(void **state)
+{
+    (void)state;
+    const uint64_t patterns[] = {0x7ff8000000000000u, 0xfff8000000000000u, 0x7ff0000000000001u,
+                                 0xffffffffffffffffu};
+    uint64_t hashes[4];
+    for (int i = 0; i < 4; i++) {
+        double value;
+        memcpy(&value, &patterns[i], sizeof value);
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        vbss_stream_f64(&stream, 1, &value, 1);
+        hashes[i] = vbss_hash_end(&stream.hash);
+        assert_true(hashes[i] == hashes[0]);
+    }
+    double zeros[2] = {0.0, -0.0};
+    vbss_stream plus, minus;
+    vbss_stream_begin_hash(&plus);
+    vbss_stream_f64(&plus, 1, &zeros[0], 1);
+    vbss_stream_begin_hash(&minus);
+    vbss_stream_f64(&minus, 1, &zeros[1], 1);
+    assert_true(vbss_hash_end(&plus.hash) != vbss_hash_end(&minus.hash));
+}
+
+static void numbers_that_are_not_finite_are_not_read(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        uint8_t bytes[64];
+        double values[2] = {1.0, harness_bad_numbers[i]}, back[2] = {5.0, 6.0};
+        vbss_stream stream;
+        vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+        vbss_stream_f64(&stream, 1, values, 2);
+        size_t count = stream.position;
+        vbss_stream_begin_read(&stream, bytes, count);
+        vbss_stream_f64(&stream, 1, back, 2);
+        expect_result(VBSS_ERROR_CORRUPT, stream.result);
+        expect_same_bits(6.0, back[1]);
+    }
+}
+
+static void the_first_problem_stays_and_stops_everything(void **state)
+{
+    (void)state;
+    uint8_t bytes[20];
+    sample s = make_sample();
+    double value = 1.0;
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+    vbss_stream_f64(&stream, 1, &value, 1);
+    expect_ok(stream.result);
+    visit(&stream, &s, 2);
+    expect_result(VBSS_ERROR_CAPACITY, stream.result);
+    assert_int_equal(stream.position, 16);
+    vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "later");
+    vbss_stream_u32(&stream, 9, &s.count, 1);
+    expect_result(VBSS_ERROR_CAPACITY, stream.result);
+    assert_string_equal(stream.problem, "the buffer is too small");
+}
+
+static void fields_must_come_as_they_were_written(void **state)
+{
+    (void)state;
+    uint8_t bytes[64];
+    double values[2] = {1, 2};
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+    vbss_stream_f64(&stream, 1, values, 2);
+    size_t count = stream.position;
+    uint64_t words[2] = {3, 4};
+    double other[2] = {5, 6};
+
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_u64(&stream, 1, words, 2); /* another type */
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_f64(&stream, 2, other, 2); /* another tag */
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_f64(&stream, 1, other, 1); /* another count */
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_open(&stream, SAMPLE_CODE, 1); /* a section */
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+    vbss_stream_begin_read(&stream, bytes, count - 1);
+    vbss_stream_f64(&stream, 1, other, 2);
+    expect_result(VBSS_ERROR_TRUNCATED, stream.result);
+    assert_int_equal(words[0], 3);
+    expect_same_bits(5.0, other[0]);
+}
+
+static void counts_and_constants_guard_the_body(void **state)
+{
+    (void)state;
+    uint8_t bytes[64];
+    uint32_t n = 11;
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+    vbss_stream_count(&stream, 1, &n, 20);
+    vbss_stream_same(&stream, 2, 77);
+    size_t count = stream.position;
+
+    uint32_t m = 5;
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_count(&stream, 1, &m, 10);
+    expect_result(VBSS_ERROR_CAPACITY, stream.result);
+    assert_int_equal(m, 5);
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_count(&stream, 1, &m, 11);
+    vbss_stream_same(&stream, 2, 78);
+    assert_int_equal(m, 11);
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+}
+
+/* Arbitrary bytes never crash a reader, and never leave a count above its capacity. */
+static void read_anything(harness_source *source, void *user)
+{
+    (void)user;
+    uint8_t bytes[2048];
+    sample s = make_sample();
+    size_t count = write(&s, 2, bytes, sizeof bytes);
+    for (uint32_t hits = 1 + harness_draw_below(source, 4); hits > 0; hits--) {
+        /* Half of the damage in the headers, which lie at the ends. */
+        size_t at = harness_draw_below(source, 2) != 0
+                        ? harness_draw_below(source, 24)
+                        : harness_draw_below(source, (uint32_t)count);
+        bytes[harness_draw_below(source, 2) != 0 ? at : count - 1 - at] =
+            (uint8_t)harness_draw_u64(source);
+    }
+    if (harness_draw_below(source, 3) == 0) {
+        count = harness_draw_below(source, (uint32_t)count);
+    }
+    vbss_stream stream;
+    vbss_stream_begin_read(&stream, bytes, count);
+    visit(&stream, &s, 2);
+    assert_true(stream.position <= count);
+    assert_true(s.count <= 10);
+    for (int i = 0; i < 130; i++) {
+        assert_true(isfinite(s.numbers[i]));
+    }
+}
+
+static void damaged_bytes_are_survived(void **state)
+{
+    (void)state;
+    harness_property("read anything", 20000, read_anything, NULL);
+}
+
+int test_stream(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(what_is_written_is_read_to_the_bit),
+        harness_test(measuring_and_hashing_see_the_written_bytes),
+        harness_test(the_bytes_are_little_endian_and_tagged),
+        harness_test(an_older_version_is_read_and_a_newer_told),
+        harness_test(unvisited_fields_at_the_end_are_passed_over),
+        harness_test(any_nan_is_the_same_nan),
+        harness_test(numbers_that_are_not_finite_are_not_read),
+        harness_test(the_first_problem_stays_and_stops_everything),
+        harness_test(fields_must_come_as_they_were_written),
+        harness_test(counts_and_constants_guard_the_body),
+        harness_test(damaged_bytes_are_survived),
+    };
+    return cmocka_run_group_tests_name("base.stream", tests, NULL, NULL);
+}

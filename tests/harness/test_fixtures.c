@@ -1,0 +1,237 @@
+/* The fixtures catch what they are there to catch: each is shown a body with the fault. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "harness/harness.h"
+#include "scenes/rod_body.h"
+
+static vbss_result init_rod_config(void *config, uint32_t struct_size)
+{
+    return rod_config_init(config, struct_size);
+}
+
+static vbss_result create_and_destroy_rod(vbss_context *context, const void *config)
+{
+    rod *handle;
+    VBSS_TRY(rod_create(context, config, &handle));
+    return rod_destroy(handle);
+}
+
+static void a_body_by_the_rules_passes(void **state)
+{
+    (void)state;
+    const harness_config config = {sizeof(rod_config), ROD_CONFIG_FIRST_SIZE, init_rod_config,
+                                   create_and_destroy_rod};
+    harness_config_protocol(&config);
+    harness_body body = rod_body(NULL);
+    assert_int_equal(harness_step_allocations(&body, 50), 0);
+    harness_save_restore_continue(&body, 5, 20);
+    harness_refuses_bad_snapshots(&body, 5);
+}
+
+static void bad_numbers_are_refused_and_change_nothing(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    rod_config config;
+    rod *handle;
+    vbss_slot *slot;
+    uint64_t before, after;
+    expect_ok(rod_config_init(&config, sizeof config));
+    expect_ok(rod_create(context, &config, &handle));
+    expect_ok(vbss_slot_open(handle, &rod_kind, &slot));
+    expect_ok(vbss_snapshot_hash(slot, &before));
+    for (int i = 0; i < 3; i++) {
+        expect_result(VBSS_ERROR_NOT_FINITE, rod_step(handle, harness_bad_numbers[i]));
+        rod_config bad = config;
+        rod *none = handle;
+        bad.length = harness_bad_numbers[i];
+        expect_result(VBSS_ERROR_NOT_FINITE, rod_create(context, &bad, &none));
+        assert_null(none);
+    }
+    const double out_of_range[] = {0.0, -1e-3, 0.2};
+    for (int i = 0; i < 3; i++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, rod_step(handle, out_of_range[i]));
+    }
+    expect_ok(vbss_snapshot_hash(slot, &after));
+    assert_true(before == after);
+    harness_context_end(context, &memory);
+}
+
+/* ---- a body with the faults the fixtures look for */
+
+typedef struct faulty {
+    uint64_t value, growth;
+    bool forgets;   /* to save the growth */
+    bool allocates; /* in every step */
+} faulty;
+
+static void faulty_free(vbss_context *context, void *object)
+{
+    vbss_release(context, object, 1, sizeof(faulty));
+}
+
+static void faulty_serialise(vbss_stream *stream, void *object)
+{
+    faulty *f = object;
+    vbss_stream_u64(stream, 1, &f->value, 1);
+    if (!f->forgets) {
+        vbss_stream_u64(stream, 2, &f->growth, 1);
+    }
+}
+
+static const vbss_kind faulty_kind = {"faulty", VBSS_CODE('F', 'L', 'T', 'Y'), 1, faulty_free,
+                                      faulty_serialise};
+
+static vbss_result faulty_create(vbss_context *context, void *user, void **handle)
+{
+    faulty *f = vbss_allocate(context, 1, sizeof *f, "faulty");
+    vbss_slot *slot;
+    memcpy(f, user, sizeof *f);
+    VBSS_TRY(vbss_slot_create(context, &faulty_kind, f, &slot));
+    *handle = slot;
+    return VBSS_OK;
+}
+
+static vbss_result faulty_step(void *handle)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &faulty_kind, &slot));
+    faulty *f = slot->object;
+    f->value += f->growth;
+    f->growth = 3 * f->growth + 1;
+    if (f->allocates) {
+        vbss_release(slot->context, vbss_allocate(slot->context, 1, 8, "waste"), 1, 8);
+    }
+    return VBSS_OK;
+}
+
+static vbss_result faulty_destroy(void *handle)
+{
+    return vbss_slot_destroy(handle, &faulty_kind);
+}
+
+static harness_body faulty_body(faulty *user)
+{
+    harness_body body = {"faulty", &faulty_kind, faulty_create, faulty_step, faulty_destroy, user};
+    return body;
+}
+
+static void a_forgotten_field_is_found(void **state)
+{
+    (void)state;
+    faulty forgets = {1, 1, true, false}, good = {1, 1, false, false};
+    harness_body body = faulty_body(&forgets);
+    assert_int_equal(harness_restored_divergence(&body, 10, 50), 0);
+    body = faulty_body(&good);
+    assert_int_equal(harness_restored_divergence(&body, 10, 50), 50);
+}
+
+static void an_allocation_in_a_step_is_counted(void **state)
+{
+    (void)state;
+    faulty allocates = {1, 1, false, true};
+    harness_body body = faulty_body(&allocates);
+    assert_int_equal(harness_step_allocations(&body, 50), 50);
+}
+
+/* ---- memory */
+
+static void wrong_releases_and_losses_are_seen(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context_config config = harness_watched_config(&memory);
+    void *a = config.allocate(config.allocator_user, 100, 64);
+    assert_non_null(a);
+    assert_int_equal((uintptr_t)a % 64, 0);
+    config.release(config.allocator_user, a, 99, 64);
+    assert_int_equal(memory.wrong_releases, 1);
+    config.release(config.allocator_user, a, 100, 32);
+    assert_int_equal(memory.wrong_releases, 2);
+    assert_int_equal(memory.blocks, 1);
+    config.release(config.allocator_user, a, 100, 64);
+    assert_int_equal(memory.blocks, 0);
+    assert_int_equal(memory.wrong_releases, 2);
+}
+
+static void the_chosen_allocation_fails(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context_config config = harness_watched_config(&memory);
+    for (int ever_after = 0; ever_after < 2; ever_after++) {
+        memory.calls = 0;
+        memory.fail_call = 2;
+        memory.fail_ever_after = ever_after == 1;
+        void *blocks[3];
+        for (int i = 0; i < 3; i++) {
+            blocks[i] = config.allocate(config.allocator_user, 8, 64);
+        }
+        assert_non_null(blocks[0]);
+        assert_null(blocks[1]);
+        assert_int_equal(blocks[2] == NULL, ever_after);
+        config.release(config.allocator_user, blocks[0], 8, 64);
+        if (blocks[2] != NULL) {
+            config.release(config.allocator_user, blocks[2], 8, 64);
+        }
+    }
+    assert_int_equal(memory.blocks, 0);
+}
+
+/* ---- properties */
+
+static void count_cases(harness_source *source, void *user)
+{
+    uint64_t *sum = user;
+    sum[0]++;
+    sum[1] ^= harness_draw_u64(source);
+}
+
+static void a_property_sees_the_same_cases_every_time(void **state)
+{
+    (void)state;
+    uint64_t first[2] = {0}, again[2] = {0};
+    harness_property("count", 100, count_cases, first);
+    harness_property("count", 100, count_cases, again);
+    assert_int_equal(first[0], 100);
+    assert_true(first[1] == again[1] && first[1] != 0);
+}
+
+static void bytes_can_drive_a_property(void **state)
+{
+    (void)state;
+    const uint8_t bytes[10] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+    harness_source source;
+    harness_source_from_bytes(&source, bytes, sizeof bytes);
+    assert_true(harness_draw_u64(&source) == 0x0807060504030201u);
+    assert_true(harness_draw_u64(&source) == 0x0a09u);
+    assert_true(harness_draw_u64(&source) == 0);
+    expect_same_bits(2.0, harness_draw_real(&source, 2.0, 3.0));
+}
+
+static void the_first_difference_is_named(void **state)
+{
+    (void)state;
+    const uint64_t a[4] = {1, 2, 3, 4}, b[4] = {1, 2, 9, 4};
+    assert_int_equal(harness_first_difference(a, b, 4), 2);
+    assert_int_equal(harness_first_difference(a, b, 2), 2);
+    assert_int_equal(harness_first_difference(a, a, 4), 4);
+}
+
+int test_fixtures(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(a_body_by_the_rules_passes),
+        harness_test(bad_numbers_are_refused_and_change_nothing),
+        harness_test(a_forgotten_field_is_found),
+        harness_test(an_allocation_in_a_step_is_counted),
+        harness_test(wrong_releases_and_losses_are_seen),
+        harness_test(the_chosen_allocation_fails),
+        harness_test(a_property_sees_the_same_cases_every_time),
+        harness_test(bytes_can_drive_a_property),
+        harness_test(the_first_difference_is_named),
+    };
+    return cmocka_run_group_tests_name("harness.fixtures", tests, NULL, NULL);
+}
