@@ -1,0 +1,22 @@
+#!/usr/bin/env bash
+# Shows what the library can do: installs what is missing, builds, runs, says where the results are.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+.ci/install-packages demo
+
+out=build/demo
+mkdir -p "$out"
+echo "== building (release)"
+cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+
+{
+    echo "== embedding in C"
+    ./build/release/examples/embed_c
+    echo "== embedding in C++"
+    ./build/release/examples/embed_cpp
+} | tee "$out/report.txt"
+
+echo
+echo "The library is in build/release/lib, this report in $out/report.txt."
