@@ -177,7 +177,8 @@ static int fill_orientations(void *user)
         vec3 axis = vbss_random_direction(&random);
         vec3 turn = vec3_scale(axis, 3.0 * vbss_random_uniform(&random));
         orientations[i] = vbss_quat_from_rotation_vector(turn);
-        omegas[i] = vec3_scale(vbss_random_direction(&random), 30.0 * vbss_random_uniform(&random));
+        vec3 axis = vbss_random_direction(&random);
+        omegas[i] = vec3_scale(axis, 30.0 * vbss_random_uniform(&random));
     }
     return 0;
 }

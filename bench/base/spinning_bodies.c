@@ -34,7 +34,8 @@ static int place_bodies(void *user)
         }
         vec3_store(&positions[3 * i], vec3_zero());
         velocities[i] = vbss_random_direction(&random);
-        omegas[i] = vec3_scale(vbss_random_direction(&random), 30.0 * vbss_random_uniform(&random));
+        vec3 axis = vbss_random_direction(&random);
+        omegas[i] = vec3_scale(axis, 30.0 * vbss_random_uniform(&random));
     }
     return 0;
 }

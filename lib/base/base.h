@@ -15,6 +15,9 @@
 
 #include "base/linear.h"
 
+#if defined(__FAST_MATH__)
+#error "-ffast-math breaks the argument reductions and exact sums of this library"
+#endif
 /* Excess precision (x87: 2) would give other bits. 1 (s390x by default) widens float only, which is
  * not used here. */
 #if defined(FLT_EVAL_METHOD)

@@ -13,8 +13,8 @@ _Static_assert(offsetof(vbss_context_config, struct_size) == 0, "struct_size com
 _Static_assert(sizeof(vbss_context_config) == 8 + 5 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_context_statistics) == 48, "published size");
 
-/* Sizes of the structs' first published versions (0.1). */
-#define CONFIG_FIRST_SIZE ((uint32_t)sizeof(vbss_context_config))
+/* Sizes of the structs' first published versions (0.1): numbers, as sizeof grows with the struct. */
+#define CONFIG_FIRST_SIZE (8u + 5u * (uint32_t)sizeof(void *))
 #define STATISTICS_FIRST_SIZE 48u
 
 /* ---- the C library as allocator */

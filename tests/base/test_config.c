@@ -23,7 +23,7 @@ static vbss_result create_context(vbss_context *unused, const void *config)
 static void the_context_config_keeps_the_size_protocol(void **state)
 {
     (void)state;
-    const harness_config config = {sizeof(vbss_context_config), sizeof(vbss_context_config),
+    const harness_config config = {sizeof(vbss_context_config), 8 + 5 * sizeof(void *),
                                    init_context_config, create_context};
     harness_config_protocol(&config);
 }
