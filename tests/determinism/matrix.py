@@ -1,0 +1,157 @@
+"""The determinism table: the golden program built by several compilers for several machines, every
+hash compared with tests/golden/<scene>.txt. One table, one verdict.
+
+    matrix.py --work FOLDER [--only NAME ...] [--program FILE] [--canary]
+
+--only     these rows of BUILDS instead of all
+--program  a golden program that is already built, as one more row
+--canary   builds that must differ, and passes only if they do and are named
+"""
+import argparse
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+
+from golden_files import differences, read_golden, unrecorded
+
+HERE = pathlib.Path(__file__).resolve().parent
+V3, V4 = "-march=x86-64-v3", "-march=x86-64-v4"  # AVX2 with FMA; AVX-512, which has its own
+# name: compiler, flags, machine. Under emulation the scenes run in their short form.
+BUILDS = {f"{compiler}{level}{march[-3:]}": (compiler, f"{level} {march}".strip(), "")
+          for compiler in ("gcc", "clang")
+          for level, march in (("-O0", ""), ("-O2", ""), ("-O3", ""), ("-O3", V3), ("-O3", V4))}
+# z14: like the baseline of the other two, it has fused operations, and vectors of doubles.
+for machine, flags in (("aarch64", "-O3"), ("riscv64", "-O3"), ("s390x", "-O3 -march=z14")):
+    BUILDS |= {machine: (f"{machine}-linux-gnu-gcc", flags, machine),
+               machine + "-clang": ("clang", flags, machine)}
+# Not -ffast-math: it breaks the argument reductions, and the program crashes instead of differing.
+CANARIES = {f"{compiler}-fused": (compiler, "-O3 " + V3, "-ffp-contract=fast;-mfma")
+            for compiler in ("gcc", "clang")}
+
+
+class Broken(Exception):
+    """A build or a run that did not come about: a failure of its row."""
+
+
+def run(command, **options):
+    done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, text=True,
+                          stderr=subprocess.STDOUT, errors="replace", **options)
+    if done.returncode != 0:
+        raise Broken(f"{' '.join(map(str, command))} (exit code {done.returncode})\n" +
+                     "\n".join(done.stdout.strip().splitlines()[-15:]))
+    return done.stdout
+
+
+def build(work, name, compiler, flags, machine="", canary_flags=""):
+    path = shutil.which(compiler) or shutil.which(compiler + "-14")
+    if not path:
+        raise Broken(f"the compiler {compiler} is not installed")
+    options = ["-DCMAKE_BUILD_TYPE=None", f"-DCMAKE_C_COMPILER={path}", f"-DCMAKE_C_FLAGS={flags}",
+               f"-DVBSS_CANARY_FLAGS={canary_flags}"]
+    if machine:
+        options += ["-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine}",
+                    "-DCMAKE_EXE_LINKER_FLAGS=-static"]
+        if compiler == "clang":
+            options.append(f"-DCMAKE_C_COMPILER_TARGET={machine}-linux-gnu")
+    folder = work / name
+    shutil.rmtree(folder, ignore_errors=True)
+    run(["cmake", "-S", HERE / "standalone", "-B", folder, "-G", "Ninja", *options])
+    run(["cmake", "--build", folder, "-j", "2", "--target", "vbss_golden"])
+    return folder / "vbss_golden"
+
+
+def hashes_of(program, machine=""):
+    """Scene -> hashes, in the order of the program's list."""
+    command = [program]
+    if machine:
+        if not shutil.which(f"qemu-{machine}"):
+            raise Broken(f"the emulator qemu-{machine} is not installed")
+        command = [f"qemu-{machine}", program, "short"]
+    found = {}
+    for line in run(command, timeout=600).splitlines():
+        scene, index, value = line.split()
+        if int(index) != len(found.setdefault(scene, [])):
+            raise Broken(f"{scene}: index {index} is out of order")
+        found[scene].append(value)
+    return found
+
+
+def print_row(*cells):
+    print("{:<14} {:<23} {:<21} {:>6} {:>6}  {:<32} {:>6} {:>5}".format(*cells), flush=True)
+
+
+def row(name, make, golden, machine="", compiler="-", flags="-"):
+    """Builds, runs, compares, prints; what is wrong with this build."""
+    begin = time.monotonic()
+    found, ran = {}, 0.0
+    try:
+        program = make()
+        start = time.monotonic()
+        found = hashes_of(program, machine)
+        ran = time.monotonic() - start
+        wrong = differences(found, golden, bool(machine))
+    except (Broken, subprocess.TimeoutExpired) as broken:
+        wrong = [f"cannot be made: {broken}"]
+    first = wrong[0].splitlines()[0] if wrong else "none"
+    print_row(name, compiler, flags, len(found), sum(map(len, found.values())), first[:64],
+              f"{time.monotonic() - begin - ran:.1f}", f"{ran:.1f}")
+    return [f"{name}: {problem}" for problem in wrong]
+
+
+def canaries(work, golden):
+    """Wrong builds and a wrong golden file must be told with scene and first differing index."""
+    if not golden:
+        return ["there are no golden files to differ from"]
+    bad = []
+    for name, (compiler, flags, extra) in CANARIES.items():
+        wrong = row(name, lambda: build(work, name, compiler, flags, "", extra), golden, "", compiler,
+                    "-O3 v3, contraction")
+        if not wrong or not all(" at index " in problem for problem in wrong):
+            bad.append(f"{name} must differ in the hashes, and: {wrong or 'does not'}")
+    spoiled = {scene: list(values) for scene, values in golden.items()}
+    scene, values = next(iter(spoiled.items()))
+    values[7] = f"{int(values[7], 16) ^ 1:016x}"
+    wrong = row("one bit", lambda: build(work, "plain", "gcc", "-O3"), spoiled, "", "gcc", "-O3")
+    if wrong != [f"one bit: {scene} at index 7"]:
+        bad.append(f"one bit of {scene} at index 7 was changed, and: {wrong or 'nothing told'}")
+    if len(unrecorded(spoiled)) != len(unrecorded(golden)) + 1:
+        bad.append("hashes that the CHANGELOG does not know must be told")
+    wrong = row("no compiler", lambda: build(work, "none", "no-such-cc", "-O3"), golden, "", "no-such-cc")
+    if wrong != ["no compiler: cannot be made: the compiler no-such-cc is not installed"]:
+        bad.append(f"a build that cannot be made must fail, and: {wrong or 'passes'}")
+    return bad
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("--work", required=True, type=pathlib.Path)
+    parser.add_argument("--only", nargs="+", choices=BUILDS, default=[])
+    parser.add_argument("--program", type=pathlib.Path)
+    parser.add_argument("--canary", action="store_true")
+    arguments = parser.parse_args()
+    golden, begin = read_golden(), time.monotonic()
+    names = arguments.only or ([] if arguments.program else list(BUILDS))
+    print_row("build", "compiler", "flags", "scenes", "hashes", "first difference", "make s", "run s")
+    bad = []
+    if arguments.canary:
+        bad = canaries(arguments.work, golden)
+    else:
+        bad = unrecorded(golden)
+        if arguments.program:
+            bad += row("this build", lambda: arguments.program, golden)
+        for name in names:
+            compiler, flags, machine = BUILDS[name]
+            bad += row(name, lambda: build(arguments.work, name, compiler, flags, machine), golden,
+                       machine, compiler, flags)
+    for problem in bad:
+        print("  " + problem)
+    what = "canaries" if arguments.canary else "determinism"
+    verdict = f"FAIL, {len(bad)} complaint(s)" if bad else "pass"
+    print(f"{what}: {verdict} ({len(golden)} scenes, {time.monotonic() - begin:.0f} s)")
+    sys.exit(1 if bad else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+#include "determinism/scenes.h"
+
+#include <stdlib.h>
+
+#include "scenes/rod.h"
+
+/* A scene that cannot run has no hash; a wrong one would only puzzle. */
+static void must(vbss_result result)
+{
+    if (result != VBSS_OK) {
+        abort();
+    }
+}
+
+/* ---- base: the functions that replace libm, over their whole ranges */
+
+static double bounded_random(vbss_random *random, double bound)
+{
+    return bound * (2.0 * vbss_random_uniform(random) - 1.0);
+}
+
+static void add(vbss_stream *stream, double value)
+{
+    vbss_stream_f64(stream, 1, &value, 1);
+}
+
+static void run_elementary(uint64_t *hashes, size_t count)
+{
+    vbss_random random;
+    vbss_random_seed(&random, 20, 26);
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        for (int k = 0; k < 1000; k++) {
+            /* The scale walks from tiny to huge arguments over the run. */
+            double scale = vbss_exp(3.5 * (double)i - 12.0);
+            double x = bounded_random(&random, scale), y = bounded_random(&random, scale);
+            add(&stream, vbss_sin(x));
+            add(&stream, vbss_cos(x));
+            add(&stream, vbss_atan2(y, x));
+            add(&stream, vbss_acos(bounded_random(&random, 1.0)));
+            add(&stream, vbss_exp(bounded_random(&random, 745.0)));
+            add(&stream, vbss_log(x * x));
+            add(&stream, vbss_random_normal(&random));
+        }
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+}
+
+/* ---- base: long products of rotations and matrices, where a fused operation shows at once */
+
+static void run_rotations(uint64_t *hashes, size_t count)
+{
+    vbss_random random;
+    vbss_random_seed(&random, 3, 3);
+    pose p = pose_identity();
+    mat3 m = mat3_identity();
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 2000; k++) {
+            vec3 way = vbss_random_direction(&random);
+            vec3 turn = vec3_scale(way, vbss_random_uniform(&random));
+            quat q = vbss_quat_from_rotation_vector(turn);
+            p = pose_mul(p, pose_make(vec3_scale(turn, 0.01), q));
+            p.orientation = quat_unit(p.orientation);
+            m = mat3_mul(m, quat_to_mat3(quat_between(vec3_make(0.0, 0.0, 1.0),
+                                                      vbss_random_direction(&random))));
+        }
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        vbss_stream_f64(&stream, 1, &p.position.x, 3);
+        vbss_stream_f64(&stream, 2, &p.orientation.w, 4);
+        vbss_stream_f64(&stream, 3, &m.m[0][0], 9);
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+}
+
+/* ---- a stepped body, hashed after every 20 steps */
+
+static void run_rod(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    rod_config config;
+    rod *body;
+    vbss_slot *slot;
+    must(vbss_context_create(NULL, &context));
+    must(rod_config_init(&config, sizeof config));
+    must(rod_create(context, &config, &body));
+    must(vbss_slot_open(body, &rod_kind, &slot));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 20; k++) {
+            must(rod_step(body, 1e-3));
+        }
+        must(vbss_snapshot_hash(slot, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
+const golden_scene golden_scenes[] = {
+    {"base-elementary", 100, 4, run_elementary},
+    {"base-rotations", 50, 2, run_rotations},
+    {"harness-rod", 200, 10, run_rod},
+};
+const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

@@ -1,0 +1,160 @@
+"""The binary interface is compatible with the checked-in baseline tests/abi/vblast_ss-<version>.dump:
+abi-dumper reads a debug build, abi-compliance-checker compares. Any complaint of theirs counts.
+
+A new baseline (tests/abi/update-baseline.py) is a decision that users must hear of: the first 12
+digits of the sha256 of dump and layout file must stand in CHANGELOG.md in a line about the ABI."""
+import hashlib
+import html
+import re
+
+import gate
+import layout
+
+
+def version(g):
+    numbers = dict(re.findall(r"#define VBSS_VERSION_(MAJOR|MINOR) (\d+)",
+                              (g.include / "vblast_ss/base.h").read_text()))
+    return numbers["MAJOR"], numbers["MINOR"]
+
+
+def baselines(g):
+    """From 1.0 on every earlier minor version must still fit; before, each is an ABI of its own."""
+    major, minor = version(g)
+    pattern = f"vblast_ss-0.{minor}.dump" if major == "0" else f"vblast_ss-{major}.*.dump"
+    return sorted((g.source / "tests/abi").glob(pattern))
+
+
+def dump(g, source, name):
+    """Types and functions of a tree. Always by gcc on x86-64: clang describes them differently."""
+    if "x86_64" not in g.run(g.tool("gcc"), "-dumpmachine"):
+        raise gate.Problem("the baseline is for x86-64, and this gcc is not")
+    build = g.build(name, f"-DCMAKE_C_COMPILER={g.tool('gcc')}", "-DCMAKE_BUILD_TYPE=None",
+                    "-DCMAKE_C_FLAGS=-g -Og -fno-eliminate-unused-debug-types", source=source,
+                    targets=["vblast_ss_shared"])
+    out = g.work / f"{name}.dump"
+    g.run(g.tool("abi-dumper"), build / "lib/libvblast_ss.so", "-o", out, "-lver", ".".join(version(g)),
+          "-public-headers", source / "include", cwd=g.work)
+    return out
+
+
+def compare(g, old, new):
+    report = g.work / f"{new.stem}.html"
+    report.unlink(missing_ok=True)
+    code, output = g.run(g.tool("abi-compliance-checker"), "-l", "vblast_ss", "-old", old, "-new", new,
+                         "-report-path", report, cwd=g.work, code=None)
+    if code == 0:
+        return []
+    # Its report is a page for reading; the sentences about changes make the complaint.
+    page = report.read_text() if report.exists() else ""
+    page = re.sub(r"<(style|script).*?</\1>|<[^>]+>", " ", page, flags=re.S)
+    page = " ".join(html.unescape(page).replace("\xa0", " ").split())
+    told = re.findall(r"(Removed Symbols [1-9] .{0,100}?\))|((?:Type|Base type|Size|Field|Parameter|Return|"
+                      r"The relative position|Value|Number)[^.]* (?:has|have) been [^.]*)", page)
+    told = list(dict.fromkeys(first or second for first, second in told))
+    return [f"not compatible with {old.name} (code {code}): " +
+            ("; ".join(told)[:400] or output.strip()[-300:])]
+
+
+def digest(*paths):
+    return hashlib.sha256(b"".join(path.read_bytes() for path in paths)).hexdigest()[:12]
+
+
+def recorded(g, *paths):
+    """A baseline counts only when the CHANGELOG tells of it."""
+    changelog, sha = g.source / "CHANGELOG.md", digest(*paths)
+    lines = changelog.read_text().splitlines() if changelog.is_file() else []
+    if any("ABI" in line and sha in line for line in lines):
+        return []
+    return [f"CHANGELOG.md does not tell of the baseline {paths[0].name}: it needs a line "
+            f"'- ABI ...: ..., sha256 {sha}' (tests/abi/update-baseline.py prints it)"]
+
+
+def current(g):
+    return g.source / f"tests/abi/vblast_ss-{'.'.join(version(g))}.dump"
+
+
+def look(g):
+    if not current(g).is_file():
+        return [f"no baseline {current(g).name}: run tests/abi/update-baseline.py"]
+    new = dump(g, g.source, "library")
+    complaints = recorded(g, current(g), g.source / layout.BASELINE)
+    for old in baselines(g):
+        complaints += compare(g, old, new)
+    g.notes.append(f"against {', '.join(old.name for old in baselines(g))}")
+    return complaints
+
+
+def update(g):
+    """Writes dump and layout; returns the line for the CHANGELOG."""
+    new = dump(g, g.source, "library")
+    text = new.read_text()
+    for folder in (str(g.source), str(g.work)):
+        if folder in text:
+            raise gate.Problem(f"the dump holds a path of this machine: {folder}")
+    before = (g.source / layout.BASELINE).read_text() if (g.source / layout.BASELINE).is_file() else ""
+    changes = compare(g, current(g), new) if current(g).is_file() else ["the first baseline"]
+    changes += layout.update(g)
+    if not changes and (g.source / layout.BASELINE).read_text() == before:
+        return "The interface is as it was: the baseline stays."  # line numbers are no reason
+    current(g).write_text(text)
+    for change in changes:
+        print("  " + change)
+    what = "ABI changed" if changes else "ABI extended"
+    return (f"- {what}: <what>; baseline {'.'.join(version(g))}, "
+            f"sha256 {digest(current(g), g.source / layout.BASELINE)}")
+
+
+# ---- canaries: changed trees
+
+HEADER, MAP = "include/vblast_ss/base.h", "lib/vblast_ss.map"
+CONTEXT, RESULT = "lib/base/context.c", "lib/base/result.c"
+
+
+def changed(*changes):
+    def canary(g):
+        g.dumps = getattr(g, "dumps", {})
+        if "old" not in g.dumps:
+            g.dumps["old"] = dump(g, g.copy_source("old"), "old-build")
+        # The same folder each time: nothing but the change may differ.
+        copy = g.copy_source("new")
+        for file, old, new in changes:
+            gate.replace_once(copy / file, old, new)
+        return compare(g, g.dumps["old"], dump(g, copy, "new-build"))
+    return canary
+
+
+def unrecorded(g):
+    path = g.work / "vblast_ss-0.1.dump"
+    path.write_text("a baseline nobody told of\n")
+    return recorded(g, path)
+
+
+USER, LOG_USER = "    void *allocator_user; ", "    void *log_user; "
+ERROR = "_get_last_error(const vbss_context *context, {} *result"
+NEW = "VBSS_API uint32_t vbss_added(uint32_t x);\n"
+VERSION = "VBSS_API uint32_t vbss_version(void);\n"
+REFUSED = r"^not compatible with .* \(code [1-9]"
+CANARIES = [
+    ("(d) config fields in another order",
+     changed((HEADER, USER, "    void *swap; "), (HEADER, LOG_USER, USER), (HEADER, "    void *swap; ", LOG_USER)),
+     REFUSED + r".*(allocator_user|log_user|vbss_context_config)"),
+    ("(e) an out-parameter of another type",
+     changed(*((f, ERROR.format("vbss_result"), ERROR.format("int64_t")) for f in (HEADER, CONTEXT))),
+     REFUSED + r".*result"),
+    ("a parameter of another size",
+     changed(*((f, "vbss_result_name(vbss_result result)", "vbss_result_name(int64_t result)")
+               for f in (HEADER, RESULT))), REFUSED + r".*result"),
+    ("a removed function", changed((MAP, "    vbss_version;\n", "")), REFUSED + r".*(Removed|vbss_version)"),
+    ("a baseline nobody told of", unrecorded, r"^CHANGELOG.md does not tell"),
+    ("(b) an opaque struct grown, a function added",
+     changed(("lib/base/context.h", "char last_error[256]", "char last_error[512]"),
+             (HEADER, VERSION, VERSION + NEW), (MAP, "    vbss_version;\n", "    vbss_version;\n    vbss_added;\n"),
+             (RESULT, "uint32_t vbss_version(void)\n",
+              "uint32_t vbss_added(uint32_t x)\n{\n    return x;\n}\n\nuint32_t vbss_version(void)\n")), None),
+    ("(c) a config field appended, fine by the size protocol",
+     changed((HEADER, "} vbss_context_config;", "    uint64_t more;\n} vbss_context_config;"),
+             (CONTEXT, "== 8 + 5 * sizeof(void *)", "== 16 + 5 * sizeof(void *)")), None),
+]
+
+if __name__ == "__main__":
+    gate.main("abi", look, CANARIES)

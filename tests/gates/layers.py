@@ -1,0 +1,96 @@
+"""Who may include whom: a folder of lib/ includes only folders above it, the C standard headers and
+nothing else. The public headers, named after the folders, keep the same order."""
+import re
+import shutil
+
+import gate
+
+# Folders of one row do not know each other.
+LAYERS = [["base"], ["collision"], ["solver"], ["thread", "drain", "needle", "grasper"], ["contact"],
+          ["suture"], ["scene"], ["knot", "metrics", "device", "record", "visual"], ["session"]]
+LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
+# Contact works on features of any body and so must know none.
+ONLY = {"contact": {"base", "collision", "solver"}}
+STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdbool.h", "stddef.h", "stdint.h",
+            "stdio.h", "stdlib.h", "string.h"}
+SYSTEM = {"malloc.h",                    # _aligned_malloc on Windows
+          "sanitizer/asan_interface.h"}  # poison for the arena, under ASan only
+
+
+def check_file(path, folder, root):
+    complaints = []
+    where = path.relative_to(root)
+    for form, name in re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', path.read_text(), flags=re.M):
+        if name in STANDARD | SYSTEM:
+            continue
+        parts = name.split("/")
+        target = parts[1].removesuffix(".h") if parts[0] == "vblast_ss" else parts[0]
+        if len(parts) != 2 or target not in LEVEL:
+            complaints.append(f"{where} includes {name}, which is neither ours nor an allowed "
+                              "standard header")
+        elif target != folder and LEVEL[target] >= LEVEL[folder]:
+            complaints.append(f"{where} includes {name}: {folder} may not know {target}")
+        elif target != folder and folder in ONLY and target not in ONLY[folder]:
+            complaints.append(f"{where} includes {name}: {folder} may know only "
+                              f"{', '.join(sorted(ONLY[folder]))}")
+        elif parts[0] != "vblast_ss" and not (root / "lib" / name).is_file():
+            complaints.append(f"{where} includes {name}, which is not in lib/")
+    return complaints
+
+
+def check(g, root):
+    complaints, count = [], 0
+    for path in sorted((root / "lib").rglob("*.[ch]")):
+        folder = path.relative_to(root / "lib").parts[0]
+        if folder not in LEVEL:
+            complaints.append(f"lib/{folder} is no layer: add it to LAYERS in layers.py and to the design")
+            continue
+        complaints += check_file(path, folder, root)
+        count += 1
+    for path in sorted((root / "include/vblast_ss").glob("*.h")):
+        if path.stem in LEVEL:
+            complaints += check_file(path, path.stem, root)
+        elif path.stem != "vblast_ss":
+            complaints.append(f"{path.name} is named after no folder of lib/")
+        count += 1
+    g.notes.append(f"{count} files")
+    return complaints
+
+
+# ---- canaries: a tree with one more file
+
+def with_file(name, text):
+    def look(g):
+        root = g.work / "tree"
+        shutil.rmtree(root, ignore_errors=True)
+        shutil.copytree(g.source / "lib", root / "lib")
+        shutil.copytree(g.source / "include", root / "include")
+        for folder in ("thread", "drain", "contact"):
+            (root / "lib" / folder).mkdir(exist_ok=True)
+            (root / "lib" / folder / f"{folder}.h").touch()
+        (root / name).parent.mkdir(exist_ok=True)
+        (root / name).write_text(text)
+        return check(g, root)
+    return look
+
+
+CANARIES = [
+    ("base includes thread", with_file("lib/base/canary.c", '#include "thread/thread.h"\n'),
+     r"lib/base/canary.c includes thread/thread.h: base may not know thread"),
+    ("base includes the public header of thread",
+     with_file("lib/base/canary.c", "#include <vblast_ss/thread.h>\n"), r"base may not know thread"),
+    ("one body includes another", with_file("lib/thread/canary.c", '#include "drain/drain.h"\n'),
+     r"thread may not know drain"),
+    ("contact includes a body", with_file("lib/contact/canary.c", '#include "thread/thread.h"\n'),
+     r"contact may know only base, collision, solver"),
+    ("a foreign header", with_file("lib/base/canary.c", "#include <pthread.h>\n"),
+     r"includes pthread.h, which is neither"),
+    ("a way out of the folders", with_file("lib/base/canary.c", '#include "../tests/scenes/rod.h"\n'),
+     r"which is neither"),
+    ("a folder nobody placed", with_file("lib/misc/canary.c", ""), r"lib/misc is no layer"),
+    ("what is allowed",
+     with_file("lib/contact/canary.c", '#include <math.h>\n#include "base/base.h"\n'), None),
+]
+
+if __name__ == "__main__":
+    gate.main("layers", lambda g: check(g, g.source), CANARIES)

@@ -1,0 +1,77 @@
+"""The library calls nothing from outside but what allowed-symbols.txt lists with a reason: libm has
+other bits on other machines, and printing, exiting or starting threads is not ours to do."""
+import re
+
+import gate
+
+STARTUP = {"__cxa_finalize", "__gmon_start__", "_ITM_deregisterTMCloneTable", "_ITM_registerTMCloneTable",
+           "_GLOBAL_OFFSET_TABLE_"}  # the compiler's own, in every library
+LIBRARIES = {"libc.so.6", "libm.so.6"}
+
+
+def allowed(g):
+    rows = {}
+    for line in (g.here / "allowed-symbols.txt").read_text().splitlines():
+        name, _, reason = line.partition("#")
+        if name.strip():
+            if not reason.strip():
+                raise gate.Problem(f"allowed-symbols.txt gives no reason for {name.strip()}")
+            rows[name.strip()] = reason.strip()
+    return set(rows)
+
+
+def undefined(g, files, *options):
+    names, defined = set(), set()
+    for line in g.run(g.tool("nm"), *options, *files).splitlines():
+        words = line.split()
+        if len(words) >= 2 and words[-2] in "UwWvV" and len(words) == 2:
+            names.add(words[-1].partition("@")[0])
+        elif len(words) == 3:
+            defined.add(words[-1].partition("@")[0])
+    return names - defined - STARTUP
+
+
+def check_objects(g, *files):
+    names = undefined(g, files)
+    g.notes.append(f"{len(names)} names from outside: {' '.join(sorted(names))}")
+    return [f"calls {name}, which is not in allowed-symbols.txt" for name in sorted(names - allowed(g))]
+
+
+def check_shared(g, library):
+    complaints = [f"{library.name} needs {name}, which is not in allowed-symbols.txt"
+                  for name in sorted(undefined(g, [library], "-D") - allowed(g))]
+    needed = set(re.findall(r"NEEDED\s+(\S+)", g.run(g.tool("objdump"), "-p", library)))
+    return complaints + [f"{library.name} is linked to {name}" for name in sorted(needed - LIBRARIES)]
+
+
+def look(g):
+    return check_objects(g, g.library("archive")) + check_shared(g, g.library("shared"))
+
+
+def calling(name, text):
+    return lambda g: check_objects(g, g.library("archive"), g.compile(name, text, "-fno-builtin"))
+
+
+def linked_to_another(g):
+    text = "int vbss_{0}(void);\nint vbss_{0}(void) {{ return 1; }}\n"
+    other = g.compile("other", text.format("other"), "-shared", "-Wl,-soname,libcanary.so")
+    return check_shared(g, g.compile("user", text.format("user"), "-shared", "-Wl,--no-as-needed", other))
+
+
+CANARIES = [
+    ("an object that calls sin",
+     calling("sine", "#include <math.h>\ndouble vbss_f(double x) { return sin(x); }\n"),
+     r"^calls sin, which is not"),
+    ("an object that prints",
+     calling("print", '#include <stdio.h>\nvoid vbss_f(void) { printf("%d\\n", 1); }\n'),
+     r"^calls printf, which is not"),
+    ("a shared library that starts threads",
+     lambda g: check_shared(g, g.compile(
+         "thread", "#include <pthread.h>\nint vbss_f(pthread_t *t, void *(*f)(void *));\n"
+         "int vbss_f(pthread_t *t, void *(*f)(void *)) { return pthread_create(t, 0, f, 0); }\n",
+         "-shared")), r"needs pthread_create, which is not"),
+    ("a shared library linked to another one", linked_to_another, r"is linked to libcanary.so"),
+]
+
+if __name__ == "__main__":
+    gate.main("libm", look, CANARIES)

@@ -1,0 +1,38 @@
+"""clang-tidy finds nothing in our C, with the checks of .clang-tidy."""
+import json
+
+import gate
+
+
+def check(g, database, files):
+    code, said = g.run(g.tool("clang-tidy"), "-p", database, "--quiet",
+                       f"--config-file={g.source / '.clang-tidy'}", *files, code=None)
+    findings = [line for line in said.splitlines() if " error: " in line or " warning: " in line]
+    if code != 0 and not findings:
+        findings = [said.strip()]
+    g.notes.append(f"{len(files)} files")
+    return [finding.replace(str(g.source) + "/", "") for finding in findings]
+
+
+def look(g):
+    database = g.library("archive").parent.parent / "compile_commands.json"
+    if not database.is_file():
+        raise gate.Problem("no compile_commands.json: configure with a preset")
+    units = {unit["file"] for unit in json.loads(database.read_text())}
+    files = sorted(f for f in units if f.endswith(".c") and f.startswith(str(g.source / "")))
+    # What CMake made (the mains of the test executables) stands in the build folder.
+    return check(g, database.parent, [f for f in files if "/build/" not in f])
+
+
+def canary(g):
+    path = g.work / "canary.c"
+    path.write_text("int half(int n);\nint half(int n)\n{\n    if (n)\n        return n / 2;\n"
+                    "    return n == n;\n}\n")
+    database = [{"directory": str(g.work), "file": str(path), "command": f"cc -c {path}"}]
+    (g.work / "compile_commands.json").write_text(json.dumps(database))
+    return check(g, g.work, [path])
+
+
+if __name__ == "__main__":
+    gate.main("tidy", look, [("a comparison with itself, an if without braces", canary,
+                              "misc-redundant-expression|readability-braces")])
