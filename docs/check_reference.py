@@ -23,10 +23,8 @@ int vbss_canary_parameter(int argument);
 def build(source, out):
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
-    environment = dict(os.environ, VBSS_SOURCE=str(source), VBSS_DOCS_OUT=str(out),
-                       VBSS_PYTHON=sys.executable)
-    return subprocess.run(["doxygen", source / "docs" / "Doxyfile"], env=environment,
-                          capture_output=True, text=True)
+    return subprocess.run(["doxygen", "docs/Doxyfile"], cwd=source, capture_output=True, text=True,
+                          env=dict(os.environ, VBSS_DOCS_OUT=str(out)))
 
 
 def documented_functions(out):

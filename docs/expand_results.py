@@ -12,5 +12,6 @@ rows = re.findall(r"X\((\w+),\s*(-?\d+),\s*\\?\s*\"([^\"]*)\"\)", table)
 constants = "\n".join(f"    {name} = {number}, /**< {text} */" for name, number, text in rows)
 expanded, count = re.subn(r"#define VBSS_RESULT_CONSTANT.*?#undef VBSS_RESULT_CONSTANT",
                           lambda _: constants, source, flags=re.DOTALL)
-assert count == 1 and len(rows) == table.count("X(VBSS_"), "the table of results has another shape"
+if count != 1 or len(rows) != table.count("X(VBSS_"):
+    sys.exit("the table of results has another shape than this filter knows")
 print(expanded, end="")

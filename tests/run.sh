@@ -4,31 +4,42 @@
 #   tests/run.sh                       default and slow suites: what continuous integration runs
 #   tests/run.sh default               the default suite only, under 5 minutes
 #   tests/run.sh slow                  the slow suite only
+#   tests/run.sh coverage              which lines and branches of lib/ the tests reach
 #   tests/run.sh soak [name] [seeds]   long runs, split into seeds; goes on where it was stopped
 set -euo pipefail
-cd "$(dirname "$0")/.."
+script=$(readlink -f "$0")
+cd "$(dirname "$script")/.."
 
 suite=${1:-all}
 case "$suite" in
-all | default | slow | soak) ;;
+all | default | slow | soak) .ci/install-packages tests ;;
+coverage) .ci/install-packages coverage ;;
 *)
-    sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+    sed -n '2,8s/^# \{0,1\}//p' "$script" >&2
     exit 2
     ;;
 esac
-
-.ci/install-packages tests
 
 announce() {
     printf '\n== %s\n' "$1"
 }
 
+# Configures and builds a preset; what that prints stays in a file unless it fails.
 build() {
-    cmake --preset "$1" -Wno-dev >"build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
+    mkdir -p build
+    cmake --preset "$1" >"build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
     cmake --build --preset "$1" >>"build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
 }
 
-mkdir -p build
+if [ "$suite" = coverage ]; then
+    announce "default and slow suites, counted by gcov"
+    build coverage
+    ctest --preset coverage --parallel "$(nproc)"
+    gcovr --root . --filter lib/ --branches build/coverage
+    gcovr --root . --filter lib/ --print-summary build/coverage | tail -3
+    exit 0
+fi
+
 announce "build (gcc, optimised, warnings are errors)"
 build default
 
@@ -43,10 +54,14 @@ fi
 
 if [ "$suite" != default ]; then
     # Our own code under clang's sanitizers, which is also the build that clang must not warn about.
+    # The properties see other cases each time.
+    seed=2
     for sanitizer in asan ubsan tsan; do
-        announce "default suite under $sanitizer (clang)"
+        announce "default suite under $sanitizer (clang), properties with seed $seed"
         build "$sanitizer"
-        ctest --preset "$sanitizer" --label-exclude slow --parallel "$(nproc)" --progress
+        VBSS_PROPERTY_SEED=$seed ctest --preset "$sanitizer" --label-exclude slow \
+            --parallel "$(nproc)" --progress
+        seed=$((seed + 1))
     done
     announce "slow suite"
     ctest --preset default --label-regex slow

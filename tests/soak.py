@@ -43,12 +43,29 @@ def run_seed(executable, digest, seed):
 
 
 def run_seeds(executable, digest, seeds, keep):
-    """The rows of these seeds, in order, each handed to `keep` as soon as it is there."""
+    """The rows of these seeds, each handed to `keep` as soon as it is there."""
     workers = os.cpu_count() or 1
     with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        for row in pool.map(lambda seed: run_seed(executable, digest, seed), seeds):
-            keep(row)
-            yield row
+        running = [pool.submit(run_seed, executable, digest, seed) for seed in seeds]
+        for done in concurrent.futures.as_completed(running):
+            keep(done.result())
+            yield done.result()
+
+
+def read_rows(file):
+    """What earlier runs found; a last line that was cut off is as if its seed had not run."""
+    rows = []
+    for line in file.read_text().splitlines() if file.exists() else []:
+        try:
+            rows.append(json.loads(line))
+        except json.JSONDecodeError:
+            continue
+    return rows
+
+
+def ends_with_newline(file):
+    text = file.read_bytes()
+    return not text or text.endswith(b"\n")
 
 
 def extremes(rows):
@@ -66,16 +83,18 @@ def soak(build, name, seeds, kept_file):
     executable = build / "tests" / f"soak_{name}"
     digest = hashlib.sha256(executable.read_bytes()).hexdigest()[:12]
     rows = []
-    if kept_file is not None and kept_file.exists():
-        earlier = [json.loads(line) for line in kept_file.read_text().splitlines()]
-        passed = {r["seed"]: r for r in earlier if r["executable"] == digest and not r["failures"]}
+    if kept_file is not None:
+        passed = {r["seed"]: r for r in read_rows(kept_file)
+                  if r["executable"] == digest and not r["failures"]}
         rows = [passed[seed] for seed in seeds if seed in passed]
         seeds = [seed for seed in seeds if seed not in passed]
 
     def keep(row):
         if kept_file is not None:
+            kept_file.parent.mkdir(exist_ok=True)
             with kept_file.open("a") as out:
-                out.write(json.dumps(row) + "\n")
+                # On a line of its own, even after one that was cut off.
+                out.write(("" if ends_with_newline(kept_file) else "\n") + json.dumps(row) + "\n")
         if row["failures"]:
             print(f"soak {name}: seed {row['seed']} FAILED {row.get('said', '')}", flush=True)
 
@@ -101,8 +120,9 @@ def main():
     unknown = [name for name in options.names if name not in known]
     if unknown:
         sys.exit(f"no soak {', '.join(unknown)}; there are: {', '.join(sorted(known))}")
+    if options.seeds is not None and options.seeds < 1:
+        sys.exit("a soak needs at least one seed")
     kept_folder = options.build.parent / "soak"
-    kept_folder.mkdir(exist_ok=True)
     index, shards = map(int, options.shard.split("/"))
     good = True
     for name in options.names or sorted(known):

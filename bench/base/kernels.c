@@ -134,6 +134,7 @@ static void check_stream(void *user, bench_result *result)
     state[STATE_VALUES - 1] = 0.0;
     vbss_stream_begin_read(&stream, stream_bytes, stream_size);
     visit_state(&stream);
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): equal to the bit is what is meant
     if (stream.result != VBSS_OK || memcmp(&written, &state[STATE_VALUES - 1], 8) != 0) {
         bench_fail(result, "the state read is not the state written");
     }
@@ -177,8 +178,8 @@ static int fill_orientations(void *user)
         vec3 axis = vbss_random_direction(&random);
         vec3 turn = vec3_scale(axis, 3.0 * vbss_random_uniform(&random));
         orientations[i] = vbss_quat_from_rotation_vector(turn);
-        vec3 axis = vbss_random_direction(&random);
-        omegas[i] = vec3_scale(axis, 30.0 * vbss_random_uniform(&random));
+        vec3 spin = vbss_random_direction(&random);
+        omegas[i] = vec3_scale(spin, 30.0 * vbss_random_uniform(&random));
     }
     return 0;
 }

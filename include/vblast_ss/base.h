@@ -42,21 +42,21 @@
  * Every status: X(name, pinned number, text). Numbers are never reused or changed; new ones are
  * appended.
  */
-#define VBSS_RESULTS(X)                                                                          \
-    X(VBSS_OK, 0, "success")                                                                     \
-    X(VBSS_ERROR_NULL_ARGUMENT, -1, "a required pointer is NULL")                                \
-    X(VBSS_ERROR_OUT_OF_RANGE, -2, "an argument is outside its range")                           \
-    X(VBSS_ERROR_NOT_FINITE, -3, "an argument is NaN or infinite")                               \
-    X(VBSS_ERROR_STRUCT_SIZE, -4, "struct_size is smaller than the first version of the struct") \
-    X(VBSS_ERROR_UNKNOWN_FIELD, -5, "a field unknown to this library version is not zero")       \
-    X(VBSS_ERROR_INVALID_HANDLE, -6, "the handle is NULL, destroyed or of another type")         \
-    X(VBSS_ERROR_OUT_OF_MEMORY, -7, "the allocator returned NULL")                               \
-    X(VBSS_ERROR_CAPACITY, -8, "a capacity fixed at creation or a given buffer is exhausted")    \
-    X(VBSS_ERROR_BUSY, -9, "not allowed inside a callback of the same context")                  \
-    X(VBSS_ERROR_ARITHMETIC_MODE, -10,                                                           \
-      "rounding is not to nearest or subnormal numbers are flushed to zero")                     \
-    X(VBSS_ERROR_TRUNCATED, -11, "the data end too early")                                       \
-    X(VBSS_ERROR_CORRUPT, -12, "the data are damaged or not what this call reads")               \
+#define VBSS_RESULTS(X)                                                                           \
+    X(VBSS_OK, 0, "success")                                                                      \
+    X(VBSS_ERROR_NULL_ARGUMENT, -1, "a required pointer is NULL")                                 \
+    X(VBSS_ERROR_OUT_OF_RANGE, -2, "an argument is outside its range")                            \
+    X(VBSS_ERROR_NOT_FINITE, -3, "an argument is NaN or infinite")                                \
+    X(VBSS_ERROR_STRUCT_SIZE, -4, "struct_size is no size that the struct has had or could have") \
+    X(VBSS_ERROR_UNKNOWN_FIELD, -5, "a field unknown to this library version is not zero")        \
+    X(VBSS_ERROR_INVALID_HANDLE, -6, "the handle is NULL, destroyed or of another type")          \
+    X(VBSS_ERROR_OUT_OF_MEMORY, -7, "the allocator returned NULL")                                \
+    X(VBSS_ERROR_CAPACITY, -8, "a capacity fixed at creation or a given buffer is exhausted")     \
+    X(VBSS_ERROR_BUSY, -9, "not allowed inside a callback of the same context")                   \
+    X(VBSS_ERROR_ARITHMETIC_MODE, -10,                                                            \
+      "rounding is not to nearest or subnormal numbers are flushed to zero")                      \
+    X(VBSS_ERROR_TRUNCATED, -11, "the data end too early")                                        \
+    X(VBSS_ERROR_CORRUPT, -12, "the data are damaged or not what this call reads")                \
     X(VBSS_ERROR_DATA_VERSION, -13, "the data were written by a newer version of the library")
 
 /** Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. */
@@ -84,17 +84,19 @@ enum {
 typedef struct vbss_context vbss_context;
 
 /**
- * Allocates memory for a context.
+ * Allocates memory for a context. Must return (no longjmp, no exception); calls back into the same
+ * context that would change it return VBSS_ERROR_BUSY.
  *
  * @param user       the context's allocator_user; may be NULL
  * @param size       bytes wanted, > 0
  * @param alignment  alignment in bytes, a power of two
- * @return the block, or NULL when there is no memory; its contents may be anything
+ * @return the block, or NULL when there is no memory; its contents may be anything; a block that is
+ *         not aligned is given back and counts as NULL
  */
 typedef void *(*vbss_allocate_fn)(void *user, uint64_t size, uint64_t alignment);
 
 /**
- * Takes back a block of a #vbss_allocate_fn.
+ * Takes back a block of a #vbss_allocate_fn. The same rules hold as there.
  *
  * @param user       the context's allocator_user; may be NULL
  * @param block      the block, never NULL
@@ -104,8 +106,8 @@ typedef void *(*vbss_allocate_fn)(void *user, uint64_t size, uint64_t alignment)
 typedef void (*vbss_release_fn)(void *user, void *block, uint64_t size, uint64_t alignment);
 
 /**
- * Receives log messages, on the thread that called the library. Calls back into the same context
- * that would change it return VBSS_ERROR_BUSY.
+ * Receives log messages, on the thread that called the library. Must return (no longjmp, no
+ * exception); calls back into the same context that would change it return VBSS_ERROR_BUSY.
  *
  * @param user     the context's log_user; may be NULL
  * @param level    importance
@@ -218,7 +220,7 @@ VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss
  * objects were still alive. Afterwards neither the context nor any handle of it may be used.
  *
  * @param context  the context; NULL does nothing
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from its own log callback)
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY (called from a callback of its own)
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -19,10 +19,18 @@
 #define UNPOISON(block, size) ((void)(block), (void)(size))
 #endif
 
+size_t vbss_arena_need(size_t count, size_t size)
+{
+    if (count > 0 && size > (SIZE_MAX / 4) / count) {
+        return SIZE_MAX; /* more than any arena has */
+    }
+    return (count * size + VBSS_ALIGNMENT - 1u) / VBSS_ALIGNMENT * VBSS_ALIGNMENT;
+}
+
 vbss_result vbss_arena_create(vbss_context *context, vbss_arena *arena, size_t capacity)
 {
     unsigned char *block = vbss_allocate(context, capacity, 1, "arena");
-    if (block == NULL && capacity > 0) {
+    if (block == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     arena->block = block;
@@ -42,15 +50,13 @@ void vbss_arena_destroy(vbss_context *context, vbss_arena *arena)
 
 void *vbss_arena_take(vbss_arena *arena, size_t count, size_t size)
 {
-    if (count == 0 || size == 0 || size > (SIZE_MAX / 4) / count) {
-        return NULL;
-    }
-    size_t bytes = (count * size + VBSS_ALIGNMENT - 1u) / VBSS_ALIGNMENT * VBSS_ALIGNMENT;
-    size_t end = arena->used + bytes;
+    size_t need = vbss_arena_need(count, size);
+    bool full = need > arena->capacity - arena->used;
+    size_t end = need > SIZE_MAX - arena->used ? SIZE_MAX : arena->used + need;
     if (end > arena->peak) {
         arena->peak = end;
     }
-    if (end > arena->capacity) {
+    if (full) {
         return NULL;
     }
     void *taken = arena->block + arena->used;

@@ -15,7 +15,7 @@
 
 #include "base/linear.h"
 
-#if defined(__FAST_MATH__)
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "-ffast-math breaks the argument reductions and exact sums of this library"
 #endif
 /* Excess precision (x87: 2) would give other bits. 1 (s390x by default) widens float only, which is
@@ -47,6 +47,10 @@ vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *for
     VBSS_PRINTF(3, 4);
 void vbss_message(vbss_context *context, vbss_log_level level, const char *format, ...)
     VBSS_PRINTF(3, 4);
+/* Around every call of a function of the host: until the end, calls that would change the context
+ * are VBSS_ERROR_BUSY. Callbacks nest; `end` takes what `begin` returned. */
+bool vbss_callback_begin(vbss_context *context);
+void vbss_callback_end(vbss_context *context, bool outer);
 
 /* ---- checking arguments (config.c) */
 vbss_result vbss_check_pointer(vbss_context *context, const void *pointer, const char *name);
@@ -56,22 +60,27 @@ vbss_result vbss_check_finite(vbss_context *context, const double *values, size_
 vbss_result vbss_check_range(vbss_context *context, double value, double low, double high,
                              const char *name);
 
-/* ---- configs (config.c): the size protocol of docs/abi.md.
- * A config starts with uint32_t struct_size; own_size is the size this library knows, first_size
- * the size of the struct's first published version. */
-vbss_result vbss_config_init(const void *defaults, uint32_t own_size, uint32_t first_size,
-                             void *config, uint32_t struct_size);
-/* Copies a caller's config over the defaults already in `own`. */
-vbss_result vbss_config_read(vbss_context *context, const char *name, const void *config, void *own,
-                             uint32_t own_size, uint32_t first_size);
+/* What every step asks first: VBSS_ERROR_ARITHMETIC_MODE, with a text. */
+vbss_result vbss_check_arithmetic(vbss_context *context);
+
+/* ---- structs that cross the border (config.c): the size protocol of docs/abi.md.
+ * Each starts with uint32_t struct_size. */
+typedef struct vbss_layout {
+    const char *name;
+    const void *defaults;  /* of a config; NULL for a struct that only goes out */
+    const uint32_t *sizes; /* of all published versions, ascending, the last is today's; then 0 */
+} vbss_layout;
+vbss_result vbss_config_init(const vbss_layout *layout, void *config, uint32_t struct_size);
+/* Fills `own` (of today's size) with the defaults and copies a caller's config over them. */
+vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, const void *config,
+                             void *own);
 /* Hands out a struct that the caller may know in another size. */
-vbss_result vbss_struct_write(vbss_context *context, const char *name, const void *own,
-                              uint32_t own_size, uint32_t first_size, void *out,
-                              uint32_t struct_size);
+vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, const void *own,
+                              void *out, uint32_t struct_size);
 
 /* ---- memory (context.c): zeroed arrays, aligned for the wide lanes, given back with their size.
- * On failure the context holds the error and NULL comes back. count * size == 0 is NULL too, without
- * an error, and releasing NULL is nothing. */
+ * NULL always means failure, and the context holds the error; an empty array is a block too.
+ * Releasing NULL is nothing. */
 #define VBSS_ALIGNMENT 64u
 void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char *what);
 void vbss_release(vbss_context *context, void *block, size_t count, size_t size);
@@ -79,12 +88,13 @@ void vbss_release(vbss_context *context, void *block, size_t count, size_t size)
 /* ---- arena (arena.c): memory for one step, taken from one block allocated beforehand. */
 typedef struct vbss_arena {
     unsigned char *block;
-    size_t capacity, used, peak;
+    size_t capacity, used, peak; /* peak: the most that was taken or asked for */
 } vbss_arena;
+/* The part of the capacity that an array takes: sum these to size an arena. */
+size_t vbss_arena_need(size_t count, size_t size);
 vbss_result vbss_arena_create(vbss_context *context, vbss_arena *arena, size_t capacity);
 void vbss_arena_destroy(vbss_context *context, vbss_arena *arena);
-/* Not cleared; aligned to VBSS_ALIGNMENT; NULL when the arena is full (the peak then tells the need).
- */
+/* Not cleared; aligned to VBSS_ALIGNMENT; NULL always means that the arena is full. */
 void *vbss_arena_take(vbss_arena *arena, size_t count, size_t size);
 /* Forgets everything taken since `mark`, a value of arena->used; 0 at the start of a step. */
 void vbss_arena_rewind(vbss_arena *arena, size_t mark);
@@ -137,7 +147,8 @@ uint64_t vbss_hash_end(const vbss_hash *hash);
  *   section  u16 0xfffe, u16 version, u32 code;  field  u16 tag, u8 type, u8 0, u32 count, values;
  *   section end  u16 0xffff, u16 0, u32 0.
  * The first failure is kept in `result` and turns all later visits into nothing, so a visitor reads
- * top to bottom without tests. Signed zeros are kept; any NaN is written as the one quiet NaN, and
+ * top to bottom without tests. A field that came with version k is visited if stream->version >= k,
+ * and set to its default otherwise; data of a newer version are refused. Signed zeros are kept; any NaN is written as the one quiet NaN, and
  * reading a value that is not finite is VBSS_ERROR_CORRUPT. */
 typedef enum vbss_stream_mode {
     VBSS_STREAM_MEASURE,
@@ -152,7 +163,7 @@ struct vbss_stream {
     uint32_t section;    /* code of the innermost open section, for error texts */
     uint16_t version;    /* its version: when reading, the one it was written with */
     uint16_t tag;        /* the field visited last */
-    bool trusted;        /* reading our own bytes of a moment ago: values need not be finite */
+    bool trusted;        /* our own bytes of a moment ago, whatever they hold: nothing is refused */
     uint8_t *out;
     const uint8_t *in;
     size_t capacity, position; /* in bytes; position counts in every mode */
@@ -168,18 +179,18 @@ typedef struct vbss_section {
     uint16_t version;
 } vbss_section;
 vbss_section vbss_stream_open(vbss_stream *stream, uint32_t code, uint16_t version);
-/* Reading skips fields at the end of a section that this version does not visit. */
 void vbss_stream_close(vbss_stream *stream, vbss_section outer);
 void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t count);
 void vbss_stream_u64(vbss_stream *stream, uint16_t tag, uint64_t *values, size_t count);
 void vbss_stream_u32(vbss_stream *stream, uint16_t tag, uint32_t *values, size_t count);
 void vbss_stream_i32(vbss_stream *stream, uint16_t tag, int32_t *values, size_t count);
 void vbss_stream_u8(vbss_stream *stream, uint16_t tag, uint8_t *values, size_t count);
-/* A number of array entries that must not exceed what the body has room for. */
+/* A number of array entries that must not exceed what the body has room for, in any mode. */
 void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint32_t capacity);
 /* A value that must be what it was when the state was saved, such as a node count fixed by the
  * configuration: anything else means the state belongs to another object. */
 void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value);
+void vbss_stream_same_f64(vbss_stream *stream, uint16_t tag, double value); /* to the bit */
 /* For visitors that find nonsense themselves: keeps the first problem. */
 void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem);
 #define VBSS_CODE(a, b, c, d) \
@@ -190,7 +201,7 @@ vbss_result vbss_snapshot_size(const vbss_slot *slot, size_t *bytes);
 vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t capacity,
                                size_t *written);
 /* All or nothing: on any failure the object is as it was. */
-vbss_result vbss_snapshot_restore(const vbss_slot *slot, const uint8_t *bytes, size_t count);
+vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count);
 vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash);
 
 /* ---- random numbers (random.c): PCG32, XSH-RR output. */

@@ -34,15 +34,41 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
     return VBSS_OK;
 }
 
-static vbss_result check_size(vbss_context *context, const char *name, uint32_t struct_size,
-                              uint32_t first_size)
+vbss_result vbss_check_arithmetic(vbss_context *context)
 {
-    if (struct_size < first_size) {
-        return vbss_fail(context, VBSS_ERROR_STRUCT_SIZE,
-                         "%s: struct_size is %u, its first version had %u", name, struct_size,
-                         first_size);
+    vbss_result result = vbss_arithmetic_check();
+    return result == VBSS_OK
+               ? VBSS_OK
+               : vbss_fail(context, result, "%s in the calling thread", vbss_result_string(result));
+}
+
+/* ---- structs that cross the border */
+
+/* No version of a struct will be longer: a larger struct_size was never initialised. */
+#define LARGEST_STRUCT 4096u
+
+static uint32_t own_size(const vbss_layout *layout)
+{
+    const uint32_t *size = layout->sizes;
+    while (size[1] != 0) {
+        size++;
     }
-    return VBSS_OK;
+    return *size;
+}
+
+/* A size we know, or larger: that of a newer version. One in between would end inside a field. */
+static vbss_result check_size(vbss_context *context, const vbss_layout *layout,
+                              uint32_t struct_size)
+{
+    bool known = struct_size > own_size(layout) && struct_size <= LARGEST_STRUCT;
+    for (const uint32_t *size = layout->sizes; *size != 0; size++) {
+        known = known || struct_size == *size;
+    }
+    return known
+               ? VBSS_OK
+               : vbss_fail(context, VBSS_ERROR_STRUCT_SIZE,
+                           "%s: no version of the struct has struct_size %u; use the init function",
+                           layout->name, struct_size);
 }
 
 static uint32_t smaller(uint32_t a, uint32_t b)
@@ -50,44 +76,43 @@ static uint32_t smaller(uint32_t a, uint32_t b)
     return a < b ? a : b;
 }
 
-vbss_result vbss_config_init(const void *defaults, uint32_t own_size, uint32_t first_size,
-                             void *config, uint32_t struct_size)
+vbss_result vbss_config_init(const vbss_layout *layout, void *config, uint32_t struct_size)
 {
-    VBSS_TRY(vbss_check_pointer(NULL, config, "config"));
-    VBSS_TRY(check_size(NULL, "config", struct_size, first_size));
+    VBSS_TRY(vbss_check_pointer(NULL, config, layout->name));
+    VBSS_TRY(check_size(NULL, layout, struct_size));
     memset(config, 0, struct_size);
-    memcpy(config, defaults, smaller(own_size, struct_size));
+    memcpy(config, layout->defaults, smaller(own_size(layout), struct_size));
     memcpy(config, &struct_size, sizeof struct_size);
     return VBSS_OK;
 }
 
-vbss_result vbss_config_read(vbss_context *context, const char *name, const void *config, void *own,
-                             uint32_t own_size, uint32_t first_size)
+vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, const void *config,
+                             void *own)
 {
-    VBSS_TRY(vbss_check_pointer(context, config, name));
-    uint32_t struct_size;
+    uint32_t own_bytes = own_size(layout), struct_size;
+    memcpy(own, layout->defaults, own_bytes);
+    VBSS_TRY(vbss_check_pointer(context, config, layout->name));
     memcpy(&struct_size, config, sizeof struct_size);
-    VBSS_TRY(check_size(context, name, struct_size, first_size));
+    VBSS_TRY(check_size(context, layout, struct_size));
     const unsigned char *bytes = config;
-    for (uint32_t i = own_size; i < struct_size; i++) {
+    for (uint32_t i = own_bytes; i < struct_size; i++) {
         if (bytes[i] != 0) {
             return vbss_fail(context, VBSS_ERROR_UNKNOWN_FIELD,
-                             "%s: byte %u of %u is set, this library knows %u", name, i,
-                             struct_size, own_size);
+                             "%s: byte %u of %u is set, this library knows %u", layout->name, i,
+                             struct_size, own_bytes);
         }
     }
-    memcpy(own, config, smaller(own_size, struct_size));
-    memcpy(own, &own_size, sizeof own_size);
+    memcpy(own, config, smaller(own_bytes, struct_size));
+    memcpy(own, &own_bytes, sizeof own_bytes);
     return VBSS_OK;
 }
 
-vbss_result vbss_struct_write(vbss_context *context, const char *name, const void *own,
-                              uint32_t own_size, uint32_t first_size, void *out,
-                              uint32_t struct_size)
+vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, const void *own,
+                              void *out, uint32_t struct_size)
 {
-    VBSS_TRY(vbss_check_pointer(context, out, name));
-    VBSS_TRY(check_size(context, name, struct_size, first_size));
-    uint32_t filled = smaller(own_size, struct_size);
+    VBSS_TRY(vbss_check_pointer(context, out, layout->name));
+    VBSS_TRY(check_size(context, layout, struct_size));
+    uint32_t filled = smaller(own_size(layout), struct_size);
     memset(out, 0, struct_size);
     memcpy(out, own, filled);
     memcpy(out, &filled, sizeof filled);

@@ -13,10 +13,6 @@ _Static_assert(offsetof(vbss_context_config, struct_size) == 0, "struct_size com
 _Static_assert(sizeof(vbss_context_config) == 8 + 5 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_context_statistics) == 48, "published size");
 
-/* Sizes of the structs' first published versions (0.1): numbers, as sizeof grows with the struct. */
-#define CONFIG_FIRST_SIZE (8u + 5u * (uint32_t)sizeof(void *))
-#define STATISTICS_FIRST_SIZE 48u
-
 /* ---- the C library as allocator */
 
 static void *libc_allocate(void *user, uint64_t size, uint64_t alignment)
@@ -43,17 +39,24 @@ static void libc_release(void *user, void *block, uint64_t size, uint64_t alignm
 #endif
 }
 
+/* ---- structs that cross the border, with the sizes of their published versions (numbers, as sizeof
+ * grows with the struct) */
+
 static const vbss_context_config config_defaults = {
     .struct_size = (uint32_t)sizeof(vbss_context_config),
     .log_level = VBSS_LOG_WARNING,
 };
+static const uint32_t config_sizes[] = {8u + 5u * (uint32_t)sizeof(void *), 0};
+static const vbss_layout config_layout = {"vbss_context_config", &config_defaults, config_sizes};
+
+static const uint32_t statistics_sizes[] = {48, 0};
+static const vbss_layout statistics_layout = {"vbss_context_statistics", NULL, statistics_sizes};
 
 /* ---- life of a context */
 
 vbss_result vbss_context_config_init(vbss_context_config *config, uint32_t struct_size)
 {
-    return vbss_config_init(&config_defaults, (uint32_t)sizeof config_defaults, CONFIG_FIRST_SIZE,
-                            config, struct_size);
+    return vbss_config_init(&config_layout, config, struct_size);
 }
 
 vbss_result vbss_context_create(const vbss_context_config *config, vbss_context **context)
@@ -64,8 +67,7 @@ vbss_result vbss_context_create(const vbss_context_config *config, vbss_context 
     *context = NULL;
     vbss_context_config own = config_defaults;
     if (config != NULL) {
-        VBSS_TRY(vbss_config_read(NULL, "vbss_context_config", config, &own, (uint32_t)sizeof own,
-                                  CONFIG_FIRST_SIZE));
+        VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     }
     bool one_of_two = (own.allocate == NULL) != (own.release == NULL);
     if (one_of_two || own.log_level < VBSS_LOG_NONE || own.log_level > VBSS_LOG_INFO) {
@@ -75,8 +77,12 @@ vbss_result vbss_context_create(const vbss_context_config *config, vbss_context 
         own.allocate = libc_allocate;
         own.release = libc_release;
     }
-    vbss_context *made = own.allocate(own.allocator_user, sizeof(vbss_context), VBSS_ALIGNMENT);
+    vbss_context *made = own.allocate(own.allocator_user, sizeof *made, VBSS_ALIGNMENT);
     if (made == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    if ((uintptr_t)made % VBSS_ALIGNMENT != 0) {
+        own.release(own.allocator_user, made, sizeof *made, VBSS_ALIGNMENT);
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     memset(made, 0, sizeof *made);
@@ -150,25 +156,36 @@ vbss_result vbss_context_get_statistics(vbss_context *context, vbss_context_stat
         .objects_alive = context->objects_alive,
         .objects_created = context->last_ordinal,
     };
-    return vbss_struct_write(context, "vbss_context_statistics", &own, (uint32_t)sizeof own,
-                             STATISTICS_FIRST_SIZE, statistics, struct_size);
+    return vbss_struct_write(context, &statistics_layout, &own, statistics, struct_size);
 }
 
-/* ---- messages */
+/* ---- callbacks and messages */
+
+bool vbss_callback_begin(vbss_context *context)
+{
+    bool outer = context->in_callback;
+    context->in_callback = true;
+    return outer;
+}
+
+void vbss_callback_end(vbss_context *context, bool outer)
+{
+    context->in_callback = outer;
+}
 
 static void send(vbss_context *context, vbss_log_level level, const char *message)
 {
     if (context->log == NULL || level > context->log_level || context->in_callback) {
-        return; /* a message about a call made inside the log callback would recurse */
+        return; /* a message about a call made inside a callback could recurse for ever */
     }
-    context->in_callback = true;
+    bool outer = vbss_callback_begin(context);
     context->log(context->log_user, level, message);
-    context->in_callback = false;
+    vbss_callback_end(context, outer);
 }
 
 void vbss_message(vbss_context *context, vbss_log_level level, const char *format, ...)
 {
-    char message[sizeof context->last_error];
+    char message[VBSS_TEXT_BYTES];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
@@ -176,34 +193,65 @@ void vbss_message(vbss_context *context, vbss_log_level level, const char *forma
     send(context, level, message);
 }
 
+static void keep_error(vbss_context *context, vbss_result result, const char *text)
+{
+    context->last_result = result;
+    memcpy(context->last_error, text, VBSS_TEXT_BYTES);
+}
+
 vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *format, ...)
 {
     if (context != NULL) {
+        char text[VBSS_TEXT_BYTES] = {0};
         va_list arguments;
         va_start(arguments, format);
-        vsnprintf(context->last_error, sizeof context->last_error, format, arguments);
+        vsnprintf(text, sizeof text, format, arguments);
         va_end(arguments);
-        context->last_result = result;
-        send(context, VBSS_LOG_ERROR, context->last_error);
+        keep_error(context, result, text);
+        send(context, VBSS_LOG_ERROR, text);
+        keep_error(context, result, text); /* calls inside the callback may have failed as well */
     }
     return result;
 }
 
 /* ---- memory */
 
-void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char *what)
+/* What the allocator is asked for; an empty array is a block of its own, never NULL. */
+static uint64_t block_bytes(size_t count, size_t size)
 {
-    if (count == 0 || size == 0) {
+    return count == 0 || size == 0 ? 1u : (uint64_t)count * size;
+}
+
+static void release(vbss_context *context, void *block, uint64_t bytes)
+{
+    bool outer = vbss_callback_begin(context);
+    context->release(context->allocator_user, block, bytes, VBSS_ALIGNMENT);
+    vbss_callback_end(context, outer);
+}
+
+/* A block as the rest of the library expects it, or NULL. */
+static void *ask_allocator(vbss_context *context, uint64_t bytes)
+{
+    bool outer = vbss_callback_begin(context);
+    void *block = context->allocate(context->allocator_user, bytes, VBSS_ALIGNMENT);
+    vbss_callback_end(context, outer);
+    if ((uintptr_t)block % VBSS_ALIGNMENT != 0) {
+        release(context, block, bytes);
         return NULL;
     }
+    return block;
+}
+
+void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char *what)
+{
     /* Kept below PTRDIFF_MAX, and by a margin that rounding up to the alignment cannot overflow. */
-    if (size > (SIZE_MAX / 4) / count) {
+    if (count > 0 && size > (SIZE_MAX / 4) / count) {
         vbss_fail(context, VBSS_ERROR_OUT_OF_MEMORY, "%s: %llu x %llu bytes are too many", what,
                   (unsigned long long)count, (unsigned long long)size);
         return NULL;
     }
-    uint64_t bytes = (uint64_t)count * size;
-    void *block = context->allocate(context->allocator_user, bytes, VBSS_ALIGNMENT);
+    uint64_t bytes = block_bytes(count, size);
+    void *block = ask_allocator(context, bytes);
     if (block == NULL) {
         vbss_fail(context, VBSS_ERROR_OUT_OF_MEMORY, "%s: no memory for %llu bytes", what,
                   (unsigned long long)bytes);
@@ -221,8 +269,8 @@ void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char
 void vbss_release(vbss_context *context, void *block, size_t count, size_t size)
 {
     if (block != NULL) {
-        uint64_t bytes = (uint64_t)count * size;
+        uint64_t bytes = block_bytes(count, size);
         context->bytes_allocated -= bytes;
-        context->release(context->allocator_user, block, bytes, VBSS_ALIGNMENT);
+        release(context, block, bytes);
     }
 }

@@ -8,6 +8,9 @@
 #define VBSS_TAG_CONTEXT 0x43534256u /* "VBSC" */
 #define VBSS_TAG_SLOT 0x53534256u    /* "VBSS" */
 
+/* Longest text of an error or message, with its end; longer ones are cut. */
+#define VBSS_TEXT_BYTES 256
+
 #define VBSS_SLOTS_PER_BLOCK 64
 typedef struct slot_block {
     struct slot_block *older;
@@ -28,7 +31,7 @@ struct vbss_context {
     uint64_t objects_alive, last_ordinal;
     slot_block *newest_block;
     vbss_result last_result;
-    char last_error[256];
+    char last_error[VBSS_TEXT_BYTES];
 };
 
 /* slot.c, for the end of a context: destroys what is alive, youngest first, and gives back the

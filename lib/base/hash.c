@@ -38,6 +38,9 @@ void vbss_hash_begin(vbss_hash *hash)
 
 void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count)
 {
+    if (count == 0) {
+        return; /* bytes may be NULL */
+    }
     const uint8_t *p = bytes;
     size_t held = (size_t)(hash->length % 32u);
     hash->length += count;
@@ -55,9 +58,7 @@ void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count)
     for (; count >= 32; count -= 32, p += 32) {
         eat_stripe(hash->lanes, p);
     }
-    if (count > 0) {
-        memcpy(hash->pending, p, count);
-    }
+    memcpy(hash->pending, p, count);
 }
 
 uint64_t vbss_hash_end(const vbss_hash *hash)

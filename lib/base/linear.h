@@ -6,6 +6,7 @@
 #ifndef VBSS_BASE_LINEAR_H
 #define VBSS_BASE_LINEAR_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -112,11 +113,18 @@ static inline double vec3_distance(vec3 a, vec3 b)
     return vec3_norm(vec3_sub(a, b));
 }
 
-/* The unit vector along a, or `fallback` when a has no usable direction. */
+/* 1/n; NaN for a norm that overflowed or is NaN: a broken state must stay visible. */
+static inline double inverse_norm(double n)
+{
+    return n <= DBL_MAX ? 1.0 / n : n - n;
+}
+
+/* The unit vector along a, or `fallback` when a is too short to have a direction; NaN for a norm that
+ * is not finite. */
 static inline vec3 vec3_unit_or(vec3 a, vec3 fallback)
 {
     double n = vec3_norm(a);
-    return n > 1e-150 ? vec3_scale(a, 1.0 / n) : fallback;
+    return n <= 1e-150 ? fallback : vec3_scale(a, inverse_norm(n));
 }
 
 static inline bool vec3_is_finite(vec3 a)
@@ -243,22 +251,31 @@ static inline double mat3_determinant(mat3 a)
            a.m[0][2] * (a.m[1][0] * a.m[2][1] - a.m[1][1] * a.m[2][0]);
 }
 
-/* By cofactors. False, and *inverse untouched, when the determinant is zero or not finite. */
+/* By cofactors. False, and *inverse untouched, when the rows are dependent as far as double can tell
+ * (their volume is below 1e-14 of what their lengths allow) or a result is not finite. */
 static inline bool mat3_invert(mat3 a, mat3 *inverse)
 {
+    double allowed =
+        vec3_norm(vec3_load(a.m[0])) * vec3_norm(vec3_load(a.m[1])) * vec3_norm(vec3_load(a.m[2]));
     double d = mat3_determinant(a);
-    if (!(fabs(d) > 0.0) || !isfinite(d) || !isfinite(1.0 / d)) {
+    if (!(fabs(d) > 1e-14 * allowed)) {
         return false;
     }
     double s = 1.0 / d;
+    mat3 result;
+    bool finite = true;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             /* Cyclic indices give the cofactor with its sign; (j, i) transposes. */
             int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-            inverse->m[j][i] = s * (a.m[i1][j1] * a.m[i2][j2] - a.m[i1][j2] * a.m[i2][j1]);
+            result.m[j][i] = s * (a.m[i1][j1] * a.m[i2][j2] - a.m[i1][j2] * a.m[i2][j1]);
+            finite = finite && isfinite(result.m[j][i]);
         }
     }
-    return true;
+    if (finite) {
+        *inverse = result;
+    }
+    return finite;
 }
 
 /* ---- quat */
@@ -293,14 +310,15 @@ static inline double quat_dot(quat a, quat b)
     return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* The unit quaternion along q, the identity when q has no usable direction. */
+/* The unit quaternion along q, the identity when q is too short to have a direction; NaN for a norm
+ * that is not finite. */
 static inline quat quat_unit(quat q)
 {
     double n = sqrt(quat_dot(q, q));
-    if (!(n > 1e-150)) {
+    if (n <= 1e-150) {
         return quat_identity();
     }
-    double s = 1.0 / n;
+    double s = inverse_norm(n);
     return quat_make(q.w * s, q.x * s, q.y * s, q.z * s);
 }
 

@@ -26,8 +26,8 @@ vec3 vbss_quat_to_rotation_vector(quat q)
     vec3 axis = vec3_make(q.x, q.y, q.z);
     double sine = vec3_norm(axis);
     /* 2 atan2(s, w)/s = 2/w (1 - (s/w)^2/3 + ...) for a small turn. */
-    double factor = sine < 1e-5 ? (2.0 - 2.0 / 3.0 * sine * sine / (q.w * q.w)) / q.w
-                                : 2.0 * vbss_atan2(sine, q.w) / sine;
+    double factor = sine < 1e-5 * q.w ? (2.0 - 2.0 / 3.0 * sine * sine / (q.w * q.w)) / q.w
+                                      : 2.0 * vbss_atan2(sine, q.w) / sine;
     return vec3_scale(axis, factor);
 }
 

@@ -90,13 +90,16 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
 
 void vbss_slots_release(vbss_context *context)
 {
-    while (context->newest_block != NULL) {
-        slot_block *block = context->newest_block;
+    /* All objects before the first handle goes: the end of one may look at another's handle. */
+    for (slot_block *block = context->newest_block; block != NULL; block = block->older) {
         for (uint32_t i = block->used; i > 0; i--) {
             if (block->slots[i - 1].state == SLOT_ALIVE) {
                 retire(&block->slots[i - 1]);
             }
         }
+    }
+    while (context->newest_block != NULL) {
+        slot_block *block = context->newest_block;
         context->newest_block = block->older;
         vbss_release(context, block, 1, sizeof *block);
     }

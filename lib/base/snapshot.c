@@ -110,36 +110,42 @@ static vbss_result open_envelope(const vbss_slot *slot, const uint8_t *bytes, si
     return VBSS_OK;
 }
 
-vbss_result vbss_snapshot_restore(const vbss_slot *slot, const uint8_t *bytes, size_t count)
+vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count)
 {
     vbss_context *context = slot->context;
     size_t payload = 0;
+    VBSS_TRY(vbss_context_edit(context));
     VBSS_TRY(vbss_check_pointer(context, bytes, "snapshot"));
     VBSS_TRY(open_envelope(slot, bytes, count, &payload));
 
-    /* A sound envelope may still hold another object's state, found out half way: keep a way back. */
+    /* A sound envelope may still hold another object's state, found out half way: keep a way back,
+     * to whatever is there now, even what a visitor would refuse. */
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
+    stream.trusted = true;
     visit(&stream, slot);
-    VBSS_TRY(told(slot, &stream, "restore"));
     size_t backup_bytes = stream.position;
     uint8_t *backup = vbss_allocate(context, backup_bytes, 1, "way back of a restore");
     if (backup == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     vbss_stream_begin_write(&stream, backup, backup_bytes);
+    stream.trusted = true;
     visit(&stream, slot);
-
-    vbss_stream_begin_read(&stream, bytes + FRONT_BYTES, payload);
-    visit(&stream, slot);
-    if (stream.result == VBSS_OK && stream.position != payload) {
-        vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "data follow the state");
-    }
     vbss_result result = told(slot, &stream, "restore");
-    if (result != VBSS_OK) {
-        vbss_stream_begin_read(&stream, backup, backup_bytes);
-        stream.trusted = true; /* what was there before comes back, even if it was not finite */
+
+    if (result == VBSS_OK) {
+        vbss_stream_begin_read(&stream, bytes + FRONT_BYTES, payload);
         visit(&stream, slot);
+        if (stream.position != payload) {
+            vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "data follow the state");
+        }
+        result = told(slot, &stream, "restore");
+        if (result != VBSS_OK) {
+            vbss_stream_begin_read(&stream, backup, backup_bytes);
+            stream.trusted = true;
+            visit(&stream, slot);
+        }
     }
     vbss_release(context, backup, backup_bytes, 1);
     return result;

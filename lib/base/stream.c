@@ -13,22 +13,6 @@ enum { TYPE_F64 = 1, TYPE_U64 = 2, TYPE_U32 = 3, TYPE_I32 = 4, TYPE_U8 = 5 };
 /* Values converted at a time on the way to or from little-endian bytes. */
 #define CHUNK 64u
 
-static size_t type_bytes(uint8_t type)
-{
-    switch (type) {
-    case TYPE_F64:
-    case TYPE_U64:
-        return 8;
-    case TYPE_U32:
-    case TYPE_I32:
-        return 4;
-    case TYPE_U8:
-        return 1;
-    default:
-        return 0;
-    }
-}
-
 /* ---- beginning and failing */
 
 static void begin(vbss_stream *stream, vbss_stream_mode mode)
@@ -62,11 +46,19 @@ void vbss_stream_begin_read(vbss_stream *stream, const uint8_t *bytes, size_t co
     stream->capacity = count;
 }
 
-void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem)
+/* For the format itself. */
+static void stop(vbss_stream *stream, vbss_result result, const char *problem)
 {
     if (stream->result == VBSS_OK) {
         stream->result = result;
         stream->problem = problem;
+    }
+}
+
+void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem)
+{
+    if (!stream->trusted) {
+        stop(stream, result, problem);
     }
 }
 
@@ -76,7 +68,7 @@ static void put(vbss_stream *stream, const uint8_t *bytes, size_t count)
 {
     if (stream->mode == VBSS_STREAM_WRITE) {
         if (count > stream->capacity - stream->position) {
-            vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
+            stop(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
             return;
         }
         memcpy(stream->out + stream->position, bytes, count);
@@ -90,7 +82,7 @@ static void put(vbss_stream *stream, const uint8_t *bytes, size_t count)
 static const uint8_t *get(vbss_stream *stream, size_t count)
 {
     if (count > stream->capacity - stream->position) {
-        vbss_stream_refuse(stream, VBSS_ERROR_TRUNCATED, "the data end inside a field");
+        stop(stream, VBSS_ERROR_TRUNCATED, "the data end inside a field");
         return NULL;
     }
     const uint8_t *bytes = stream->in + stream->position;
@@ -122,41 +114,16 @@ vbss_section vbss_stream_open(vbss_stream *stream, uint32_t code, uint16_t versi
         return outer;
     }
     if (load_little_endian(header, 2) != TAG_OPEN || load_little_endian(header + 4, 4) != code) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another section was expected");
+        stop(stream, VBSS_ERROR_CORRUPT, "another section was expected");
     }
     stream->version = (uint16_t)load_little_endian(header + 2, 2);
+    if (stream->version == 0) {
+        stop(stream, VBSS_ERROR_CORRUPT, "no section has version 0");
+    }
     if (stream->version > version) {
-        vbss_stream_refuse(stream, VBSS_ERROR_DATA_VERSION,
-                           "the section was written by a newer library");
+        stop(stream, VBSS_ERROR_DATA_VERSION, "the section was written by a newer library");
     }
     return outer;
-}
-
-/* Moves past fields, and sections within, that nobody visited, up to the end of this section. */
-static void skip_to_end(vbss_stream *stream)
-{
-    for (uint32_t depth = 1; depth > 0;) {
-        const uint8_t *header = get(stream, HEADER_BYTES);
-        if (header == NULL) {
-            return;
-        }
-        uint64_t tag = load_little_endian(header, 2);
-        if (tag == TAG_OPEN) {
-            depth++;
-        } else if (tag == TAG_CLOSE) {
-            depth--;
-        } else {
-            size_t bytes = type_bytes(header[2]);
-            uint64_t count = load_little_endian(header + 4, 4);
-            if (bytes == 0 || count > SIZE_MAX / bytes) {
-                vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a field has no known type");
-                return;
-            }
-            if (get(stream, (size_t)count * bytes) == NULL) {
-                return;
-            }
-        }
-    }
 }
 
 void vbss_stream_close(vbss_stream *stream, vbss_section outer)
@@ -164,12 +131,15 @@ void vbss_stream_close(vbss_stream *stream, vbss_section outer)
     if (stream->result != VBSS_OK) {
         return; /* keep the section for the error text */
     }
+    uint8_t end[HEADER_BYTES] = {0};
+    store_little_endian(end, TAG_CLOSE, 2);
     if (stream->mode == VBSS_STREAM_READ) {
-        skip_to_end(stream);
+        const uint8_t *header = get(stream, HEADER_BYTES);
+        if (header != NULL && memcmp(header, end, HEADER_BYTES) != 0) {
+            stop(stream, VBSS_ERROR_CORRUPT, "the section does not end where it should");
+        }
     } else {
-        uint8_t header[HEADER_BYTES] = {0};
-        store_little_endian(header, TAG_CLOSE, 2);
-        put(stream, header, sizeof header);
+        put(stream, end, sizeof end);
     }
     if (stream->result == VBSS_OK) {
         stream->section = outer.code;
@@ -187,7 +157,7 @@ static bool begin_field(vbss_stream *stream, uint16_t tag, uint8_t type, size_t 
     }
     stream->tag = tag;
     if (tag >= TAG_OPEN || count > UINT32_MAX) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY, "the field is too large for the format");
+        stop(stream, VBSS_ERROR_CAPACITY, "the field is too large for the format");
         return false;
     }
     if (stream->mode != VBSS_STREAM_READ) {
@@ -205,7 +175,7 @@ static bool begin_field(vbss_stream *stream, uint16_t tag, uint8_t type, size_t 
     }
     if (load_little_endian(header, 2) != tag || header[2] != type || header[3] != 0 ||
         load_little_endian(header + 4, 4) != count) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another field was expected");
+        stop(stream, VBSS_ERROR_CORRUPT, "another field was expected");
         return false;
     }
     return true;
@@ -223,7 +193,7 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
             double value;
             memcpy(&value, &bits, sizeof value);
             if (!isfinite(value) && !stream->trusted) {
-                vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a number is not finite");
+                stop(stream, VBSS_ERROR_CORRUPT, "a number is not finite");
                 return;
             }
             values[i] = value;
@@ -281,12 +251,11 @@ void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint3
 {
     uint32_t count = *value;
     vbss_stream_u32(stream, tag, &count, 1);
-    if (stream->mode == VBSS_STREAM_READ && stream->result == VBSS_OK) {
-        if (count > capacity) {
-            vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY,
-                               "the state is larger than the object's capacity");
-            return;
-        }
+    if (count > capacity) { /* written as well as read: the visitor's next line trusts it */
+        vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY,
+                           "the state is larger than the object's capacity");
+    }
+    if (stream->result == VBSS_OK) {
         *value = count;
     }
 }
@@ -295,8 +264,15 @@ void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value)
 {
     uint64_t stored = value;
     vbss_stream_u64(stream, tag, &stored, 1);
-    if (stream->result == VBSS_OK && stored != value) {
+    if (stored != value) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT,
                            "the state belongs to an object with another configuration");
     }
+}
+
+void vbss_stream_same_f64(vbss_stream *stream, uint16_t tag, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    vbss_stream_same(stream, tag, bits);
 }

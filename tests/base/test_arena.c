@@ -35,21 +35,43 @@ static void a_full_arena_gives_null_and_tells_the_need(void **state)
     assert_non_null(vbss_arena_take(&arena, 128, 1));
     assert_null(vbss_arena_take(&arena, 1, 1));
     assert_null(vbss_arena_take(&arena, SIZE_MAX, 2));
-    assert_null(vbss_arena_take(&arena, 0, 8));
+    assert_null(vbss_arena_take(&arena, SIZE_MAX / 2, 1));
+    assert_null(vbss_arena_take(&arena, SIZE_MAX - 32, 1)); /* would round up to a few bytes */
+    vbss_arena_rewind(&arena, 256);                         /* forward: nothing */
+    assert_int_equal(arena.used, 128);
     vbss_arena_destroy(context, &arena);
     harness_context_end(context, &memory);
 }
 
-static void an_empty_arena_needs_no_memory(void **state)
+static void an_empty_array_is_no_failure(void **state)
 {
     (void)state;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
-    uint64_t calls = memory.calls;
     vbss_arena arena;
     expect_ok(vbss_arena_create(context, &arena, 0));
-    assert_int_equal(memory.calls, calls);
+    assert_non_null(vbss_arena_take(&arena, 0, 8));
     assert_null(vbss_arena_take(&arena, 1, 1));
+    vbss_arena_destroy(context, &arena);
+    harness_context_end(context, &memory);
+}
+
+static void needs_add_up_to_a_capacity_that_holds(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_arena arena;
+    size_t capacity = vbss_arena_need(7, 24) + vbss_arena_need(1, 1) + vbss_arena_need(0, 8) +
+                      vbss_arena_need(64, 1);
+    assert_int_equal(capacity, 192 + 64 + 0 + 64);
+    expect_ok(vbss_arena_create(context, &arena, capacity));
+    assert_non_null(vbss_arena_take(&arena, 7, 24));
+    assert_non_null(vbss_arena_take(&arena, 1, 1));
+    assert_non_null(vbss_arena_take(&arena, 0, 8));
+    assert_non_null(vbss_arena_take(&arena, 64, 1));
+    assert_null(vbss_arena_take(&arena, 1, 1));
+    assert_true(vbss_arena_need(SIZE_MAX, 3) == SIZE_MAX);
     vbss_arena_destroy(context, &arena);
     harness_context_end(context, &memory);
 }
@@ -59,7 +81,8 @@ int test_arena(void)
     const struct CMUnitTest tests[] = {
         harness_test(blocks_are_aligned_disjoint_and_counted),
         harness_test(a_full_arena_gives_null_and_tells_the_need),
-        harness_test(an_empty_arena_needs_no_memory),
+        harness_test(an_empty_array_is_no_failure),
+        harness_test(needs_add_up_to_a_capacity_that_holds),
     };
     return cmocka_run_group_tests_name("base.arena", tests, NULL, NULL);
 }

@@ -23,8 +23,8 @@ static vbss_result create_context(vbss_context *unused, const void *config)
 static void the_context_config_keeps_the_size_protocol(void **state)
 {
     (void)state;
-    const harness_config config = {sizeof(vbss_context_config), 8 + 5 * sizeof(void *),
-                                   init_context_config, create_context};
+    const uint32_t sizes[] = {8 + 5 * sizeof(void *), 0};
+    const harness_config config = {sizes, init_context_config, create_context};
     harness_config_protocol(&config);
 }
 
@@ -33,16 +33,18 @@ typedef struct sample {
     uint32_t struct_size, kept;
     double added;
 } sample;
-enum { FIRST = 8 };
+static const sample sample_defaults = {sizeof(sample), 1, 2.5};
+static const uint32_t sample_sizes[] = {8, 16, 0};
+static const vbss_layout sample_layout = {"sample", &sample_defaults, sample_sizes};
 
 static void fields_an_old_header_lacks_keep_their_defaults(void **state)
 {
     (void)state;
     const struct {
         uint32_t struct_size, kept;
-    } old = {FIRST, 7};
-    sample own = {sizeof own, 1, 2.5};
-    expect_ok(vbss_config_read(NULL, "sample", &old, &own, sizeof own, FIRST));
+    } old = {8, 7};
+    sample own;
+    expect_ok(vbss_config_read(NULL, &sample_layout, &old, &own));
     assert_int_equal(own.kept, 7);
     expect_same_bits(2.5, own.added);
     assert_int_equal(own.struct_size, sizeof own);
@@ -57,17 +59,19 @@ static void a_refused_config_leaves_the_defaults(void **state)
         sample known;
         double newer;
     } given = {{sizeof given, 9, 9.0}, 1.0};
-    sample own = {sizeof own, 1, 2.5};
+    sample own;
     const char *text;
     expect_result(VBSS_ERROR_UNKNOWN_FIELD,
-                  vbss_config_read(context, "sample", &given, &own, sizeof own, FIRST));
+                  vbss_config_read(context, &sample_layout, &given, &own));
     expect_ok(vbss_context_get_last_error(context, NULL, &text));
     assert_non_null(strstr(text, "sample"));
-    given.known.struct_size = FIRST - 1;
-    expect_result(VBSS_ERROR_STRUCT_SIZE,
-                  vbss_config_read(context, "sample", &given, &own, sizeof own, FIRST));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_config_read(context, "sample", NULL, &own, sizeof own, FIRST));
+    const uint32_t wrong[] = {0, 4, 7, 9, 12, 15, 4097, UINT32_MAX};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        given.known.struct_size = wrong[i];
+        expect_result(VBSS_ERROR_STRUCT_SIZE,
+                      vbss_config_read(context, &sample_layout, &given, &own));
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_config_read(context, &sample_layout, NULL, &own));
     assert_int_equal(own.kept, 1);
     expect_same_bits(2.5, own.added);
     harness_context_end(context, &memory);
@@ -81,20 +85,19 @@ static void structs_out_fill_what_the_caller_knows(void **state)
         sample known;
         uint64_t newer, beyond;
     } out = {{0, 0, 0}, 1, 2};
-    expect_ok(vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, &out, sizeof own + 8));
+    expect_ok(vbss_struct_write(NULL, &sample_layout, &own, &out, sizeof own + 8));
     assert_int_equal(out.known.struct_size, sizeof own);
     expect_same_bits(4.5, out.known.added);
     assert_int_equal(out.newer, 0);
     assert_int_equal(out.beyond, 2);
     memset(&out, 0xff, sizeof out);
-    expect_ok(vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, &out, FIRST));
-    assert_int_equal(out.known.struct_size, FIRST);
+    expect_ok(vbss_struct_write(NULL, &sample_layout, &own, &out, 8));
+    assert_int_equal(out.known.struct_size, 8);
     assert_int_equal(out.known.kept, 3);
     assert_int_equal(harness_bits(out.known.added), UINT64_MAX);
-    expect_result(VBSS_ERROR_STRUCT_SIZE,
-                  vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, &out, FIRST - 1));
-    expect_result(VBSS_ERROR_NULL_ARGUMENT,
-                  vbss_struct_write(NULL, "sample", &own, sizeof own, FIRST, NULL, FIRST));
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_struct_write(NULL, &sample_layout, &own, &out, 7));
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_struct_write(NULL, &sample_layout, &own, &out, 12));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_struct_write(NULL, &sample_layout, &own, NULL, 8));
 }
 
 static void numbers_are_checked_and_named(void **state)

@@ -81,13 +81,18 @@ static void statistics_follow_memory_and_objects(void **state)
     assert_int_equal((uintptr_t)numbers % VBSS_ALIGNMENT, 0);
     expect_ok(vbss_context_get_statistics(context, &now, sizeof now));
     assert_int_equal(now.bytes_allocated, empty.bytes_allocated + 800);
+    assert_int_equal(now.allocation_count, 2);
     vbss_release(context, numbers, 100, sizeof *numbers);
     expect_ok(vbss_context_get_statistics(context, &now, sizeof now));
     assert_int_equal(now.bytes_allocated, empty.bytes_allocated);
     assert_int_equal(now.bytes_peak, empty.bytes_allocated + 800);
     assert_int_equal(now.objects_created, 0);
+    vbss_release(context, vbss_allocate(context, 1, 100, "less"), 1, 100);
+    expect_ok(vbss_context_get_statistics(context, &now, sizeof now));
+    assert_int_equal(now.bytes_peak, empty.bytes_allocated + 800);
     expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_context_get_statistics(context, NULL, sizeof now));
     expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_context_get_statistics(context, &now, 8));
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_context_get_statistics(context, &now, 16));
     harness_context_end(context, &memory);
 }
 
@@ -101,11 +106,14 @@ static void requests_beyond_memory_are_told_without_asking(void **state)
     vbss_result result;
     assert_null(vbss_allocate(context, SIZE_MAX / 2, 3, "everything"));
     assert_null(vbss_allocate(context, 3, SIZE_MAX / 2, "everything"));
+    assert_null(vbss_allocate(context, SIZE_MAX - 32, 1, "everything"));
     assert_int_equal(memory.calls, calls);
     expect_ok(vbss_context_get_last_error(context, &result, &text));
     expect_result(VBSS_ERROR_OUT_OF_MEMORY, result);
     assert_non_null(strstr(text, "everything"));
-    assert_null(vbss_allocate(context, 0, 8, "nothing"));
+    void *nothing = vbss_allocate(context, 0, 8, "nothing"); /* NULL is for failures */
+    assert_non_null(nothing);
+    vbss_release(context, nothing, 0, 8);
     harness_context_end(context, &memory);
 }
 
@@ -208,26 +216,160 @@ static void nothing_can_be_changed_from_the_log_callback(void **state)
     harness_context_end(context, &memory);
 }
 
-static void objects_left_alive_end_with_the_context_and_a_warning(void **state)
+/* ---- callbacks that call back */
+
+static void the_error_is_still_there_after_a_callback_that_failed(void **state)
 {
     (void)state;
     heard h = {0};
     harness_memory memory;
     vbss_context_config config = harness_watched_config(&memory);
-    vbss_context *context;
     config.log = listen;
     config.log_user = &h;
-    expect_ok(vbss_context_create(&config, &context));
+    expect_ok(vbss_context_create(&config, &h.context));
     rod_config body;
-    rod *bodies[3];
     expect_ok(rod_config_init(&body, sizeof body));
-    for (int i = 0; i < 3; i++) {
-        expect_ok(rod_create(context, &body, &bodies[i]));
+    expect_ok(rod_create(h.context, &body, &h.body));
+    rod *alive = h.body;
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, rod_step(alive, 5.0));
+    expect_result(VBSS_ERROR_BUSY, h.stepped);
+    assert_non_null(strstr(h.text, "h is 5"));
+    vbss_result kept;
+    const char *text;
+    expect_ok(vbss_context_get_last_error(h.context, &kept, &text));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, kept);
+    assert_string_equal(text, h.text);
+    h.body = NULL;
+    harness_context_end(h.context, &memory);
+}
+
+typedef struct meddler {
+    harness_memory memory;
+    vbss_context_config watched;
+    vbss_context *context; /* once it is there, each call tries to change it */
+    vbss_result results[3];
+    int tried;
+} meddler;
+
+static void meddle(meddler *m)
+{
+    if (m->context != NULL) {
+        rod_config config;
+        rod *made;
+        vbss_context *context = m->context;
+        m->context = NULL; /* once, or a library that lets it happen would never end */
+        m->tried++;
+        m->results[0] = rod_config_init(&config, sizeof config);
+        m->results[1] = rod_create(context, &config, &made);
+        m->results[2] = vbss_context_destroy(context);
+        m->context = context;
     }
-    expect_ok(rod_destroy(bodies[1]));
-    harness_context_end(context, &memory);
-    assert_int_equal(h.count, 1);
-    assert_non_null(strstr(h.text, "2 objects alive"));
+}
+
+static void *meddling_allocate(void *user, uint64_t size, uint64_t alignment)
+{
+    meddler *m = user;
+    meddle(m);
+    return m->watched.allocate(m->watched.allocator_user, size, alignment);
+}
+
+static void meddling_release(void *user, void *block, uint64_t size, uint64_t alignment)
+{
+    meddler *m = user;
+    meddle(m);
+    m->watched.release(m->watched.allocator_user, block, size, alignment);
+}
+
+static void nothing_can_be_changed_from_the_allocator(void **state)
+{
+    (void)state;
+    meddler m = {0};
+    m.watched = harness_watched_config(&m.memory);
+    vbss_context_config config = m.watched;
+    config.allocate = meddling_allocate;
+    config.release = meddling_release;
+    config.allocator_user = &m;
+    vbss_context *context;
+    expect_ok(vbss_context_create(&config, &context));
+    m.context = context;
+    rod_config body;
+    rod *handle;
+    expect_ok(rod_config_init(&body, sizeof body));
+    expect_ok(rod_create(context, &body, &handle));
+    expect_result(VBSS_ERROR_BUSY, m.results[1]);
+    expect_result(VBSS_ERROR_BUSY, m.results[2]);
+    int tried = m.tried;
+    assert_true(tried > 0);
+    expect_ok(rod_destroy(handle));
+    assert_true(m.tried > tried);
+    expect_result(VBSS_ERROR_BUSY, m.results[1]);
+    m.context = NULL;
+    harness_context_end(context, &m.memory);
+}
+
+/* ---- an allocator that does not keep its word */
+
+static void *skewed_allocate(void *user, uint64_t size, uint64_t alignment)
+{
+    unsigned char *block =
+        ((vbss_context_config *)user)
+            ->allocate(((vbss_context_config *)user)->allocator_user, size + 8, alignment);
+    return block == NULL ? NULL : block + 8;
+}
+
+static void skewed_release(void *user, void *block, uint64_t size, uint64_t alignment)
+{
+    ((vbss_context_config *)user)
+        ->release(((vbss_context_config *)user)->allocator_user, (unsigned char *)block - 8,
+                  size + 8, alignment);
+}
+
+static void a_block_that_is_not_aligned_is_given_back(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context_config good = harness_watched_config(&memory), config = good;
+    vbss_context *context;
+    config.allocate = skewed_allocate;
+    config.release = skewed_release;
+    config.allocator_user = &good;
+    expect_result(VBSS_ERROR_OUT_OF_MEMORY, vbss_context_create(&config, &context));
+    assert_null(context);
+    assert_int_equal(memory.calls, 1);
+    assert_int_equal(memory.blocks, 0);
+    assert_int_equal(memory.wrong_releases, 0);
+}
+
+/* ---- the end */
+
+static void objects_left_alive_end_with_the_context_and_a_warning(void **state)
+{
+    (void)state;
+    for (int left = 0; left < 3; left++) {
+        heard h = {0};
+        harness_memory memory;
+        vbss_context_config config = harness_watched_config(&memory);
+        vbss_context *context;
+        config.log = listen;
+        config.log_user = &h;
+        expect_ok(vbss_context_create(&config, &context));
+        rod_config body;
+        rod *bodies[3];
+        expect_ok(rod_config_init(&body, sizeof body));
+        for (int i = 0; i < 3; i++) {
+            expect_ok(rod_create(context, &body, &bodies[i]));
+        }
+        for (int i = left; i < 3; i++) {
+            expect_ok(rod_destroy(bodies[i]));
+        }
+        harness_context_end(context, &memory);
+        assert_int_equal(h.count, left > 0);
+        if (left > 0) {
+            char wanted[32];
+            snprintf(wanted, sizeof wanted, "%d objects alive", left);
+            assert_non_null(strstr(h.text, wanted));
+        }
+    }
 }
 
 static vbss_result use_a_context(vbss_context *context, void *user)
@@ -256,6 +398,9 @@ int test_context(void)
         harness_test(the_last_error_stays_until_the_next),
         harness_test(messages_arrive_up_to_the_level),
         harness_test(nothing_can_be_changed_from_the_log_callback),
+        harness_test(the_error_is_still_there_after_a_callback_that_failed),
+        harness_test(nothing_can_be_changed_from_the_allocator),
+        harness_test(a_block_that_is_not_aligned_is_given_back),
         harness_test(objects_left_alive_end_with_the_context_and_a_warning),
         harness_test(every_allocation_may_fail),
     };

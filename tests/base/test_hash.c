@@ -58,6 +58,16 @@ static void pieces_hash_like_the_whole(harness_source *source, void *user)
     }
 }
 
+static void nothing_adds_nothing(void **state)
+{
+    (void)state;
+    vbss_hash hash;
+    vbss_hash_begin(&hash);
+    vbss_hash_add(&hash, "a", 1);
+    vbss_hash_add(&hash, NULL, 0);
+    assert_true(vbss_hash_end(&hash) == hash_of("a", 1));
+}
+
 static void any_split_and_any_flipped_bit(void **state)
 {
     (void)state;
@@ -68,6 +78,7 @@ int test_hash(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(hashes_equal_the_published_function),
+        harness_test(nothing_adds_nothing),
         harness_test(any_split_and_any_flipped_bit),
     };
     return cmocka_run_group_tests_name("base.hash", tests, NULL, NULL);

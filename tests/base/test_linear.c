@@ -61,7 +61,16 @@ static void vector_identities(void **state)
     harness_property("vectors", 2000, vectors, NULL);
     vec3 fallback = vec3_make(0, 1, 0);
     expect_vec3(fallback, vec3_unit_or(vec3_zero(), fallback), 0.0);
-    expect_vec3(vec3_make(0, 0, 1), vec3_unit_or(vec3_make(0, 0, 1e-140), fallback), ROUNDING);
+    expect_vec3(vec3_make(0, 0, 1), vec3_unit_or(vec3_make(0, 0, 1e-149), fallback), ROUNDING);
+    expect_vec3(fallback, vec3_unit_or(vec3_make(0, 0, 1e-151), fallback), 0.0);
+    /* What is broken must stay visible: neither a direction nor the fallback. */
+    const vec3 broken[] = {vec3_make(0, 0, harness_bad_numbers[0]),
+                           vec3_make(harness_bad_numbers[1], 0, 0), vec3_make(1e200, 1e200, 0)};
+    for (int i = 0; i < 3; i++) {
+        assert_false(vec3_is_finite(vec3_unit_or(broken[i], fallback)));
+        assert_false(
+            quat_is_finite(quat_unit(quat_make(0, broken[i].x, broken[i].y, broken[i].z))));
+    }
     for (int i = 0; i < 3; i++) {
         assert_false(vec3_is_finite(vec3_make(0, 0, harness_bad_numbers[i])));
         assert_false(vec3_is_finite(vec3_make(harness_bad_numbers[i], 0, 0)));
@@ -109,7 +118,15 @@ static void singular_matrices_are_not_inverted(void **state)
     assert_false(mat3_invert(mat3_diagonal(1e-110, 1e-110, 1e-110), &inverse)); /* underflows */
     assert_false(mat3_invert(mat3_diagonal(1, 1, harness_bad_numbers[0]), &inverse));
     assert_false(mat3_invert(mat3_diagonal(1, 1, harness_bad_numbers[1]), &inverse));
+    assert_false(mat3_invert(mat3_diagonal(1e200, 1e200, 1e-300), &inverse)); /* overflows inside */
+    /* Dependent rows whose determinant is not zero after rounding. */
+    mat3 dependent =
+        mat3_rows(vec3_make(0.1, 0.2, 0.3), vec3_make(0.2, 0.4, 0.6), vec3_make(0.7, 0.8, 0.9));
+    assert_false(mat3_invert(dependent, &inverse));
     expect_mat3(kept, inverse, 0.0);
+    /* Small is not singular. */
+    assert_true(mat3_invert(mat3_diagonal(1e-90, 2e-90, 4e-90), &inverse));
+    expect_near(1.0, inverse.m[0][0] * 1e-90, 1e-15);
 }
 
 static void rotations(harness_source *source, void *user)
@@ -121,7 +138,7 @@ static void rotations(harness_source *source, void *user)
     expect_vec3(quat_rotate(p, quat_rotate(q, v)), quat_rotate(quat_mul(p, q), v), 2 * ROUNDING);
     expect_vec3(v, quat_rotate_back(q, quat_rotate(q, v)), 2 * ROUNDING);
     expect_near(vec3_norm(v), vec3_norm(quat_rotate(q, v)), ROUNDING);
-    expect_near(1.0, mat3_determinant(quat_to_mat3(q)), ROUNDING);
+    expect_near(1.0, mat3_determinant(quat_to_mat3(q)), 2 * ROUNDING);
 
     vec3 a = vec3_unit_or(v, vec3_make(1, 0, 0));
     vec3 b = vec3_unit_or(harness_draw_vec3(source, -1, 1), vec3_make(0, 1, 0));
@@ -143,6 +160,8 @@ static void rotation_identities(void **state)
     expect_vec3(vec3_neg(x), quat_rotate(quat_between(x, vec3_neg(x)), x), 0.0);
     quat none = quat_unit(quat_make(0, 0, 0, 0));
     expect_near(1.0, none.w, 0.0);
+    expect_near(1.0, quat_unit(quat_make(0, 1e-149, 0, 0)).x, ROUNDING);
+    expect_near(1.0, quat_unit(quat_make(0, 1e-151, 0, 0)).w, 0.0);
     assert_true(quat_is_finite(none));
     assert_false(quat_is_finite(quat_make(0, 0, harness_bad_numbers[0], 0)));
     /* Right-handed: a quarter turn about z takes x to y. */

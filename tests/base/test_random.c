@@ -49,13 +49,28 @@ static void bounded_numbers_are_even(void **state)
     assert_true(vbss_random_below(&random, 0x80000001u) < 0x80000001u);
 }
 
+/* A bound of three quarters of the range: without rejection the lowest third would come twice as
+ * often as the others. */
+static void large_bounds_are_even_too(void **state)
+{
+    (void)state;
+    enum { DRAWS = 60000 };
+    vbss_random random;
+    vbss_random_seed(&random, 8, 0);
+    int low = 0;
+    for (int i = 0; i < DRAWS; i++) {
+        low += vbss_random_below(&random, 3u << 30) < 1u << 30;
+    }
+    expect_near(1.0 / 3.0, (double)low / DRAWS, 5 * 0.4714 / sqrt((double)DRAWS));
+}
+
 static void uniform_and_normal_numbers_have_their_moments(void **state)
 {
     (void)state;
     enum { DRAWS = 200000 };
     double u1 = 0.0, u2 = 0.0, n1 = 0.0, n2 = 0.0, n4 = 0.0;
     vec3 d1 = vec3_zero();
-    double dzz = 0.0;
+    double dzz = 0.0, dzzzz = 0.0;
     vbss_random random;
     vbss_random_seed(&random, 11, 0);
     for (int i = 0; i < DRAWS; i++) {
@@ -71,6 +86,7 @@ static void uniform_and_normal_numbers_have_their_moments(void **state)
         expect_near(1.0, vec3_norm(d), 4e-16);
         d1 = vec3_add(d1, d);
         dzz += d.z * d.z;
+        dzzzz += d.z * d.z * d.z * d.z;
     }
     /* Bounds of five standard deviations of the mean. */
     double root = sqrt((double)DRAWS);
@@ -81,6 +97,7 @@ static void uniform_and_normal_numbers_have_their_moments(void **state)
     expect_near(3.0, n4 / DRAWS, 5 * 9.798 / root);
     expect_near(0.0, vec3_norm(d1) / DRAWS, 5 * 1.0 / root);
     expect_near(1.0 / 3.0, dzz / DRAWS, 5 * 0.2981 / root);
+    expect_near(1.0 / 5.0, dzzzz / DRAWS, 5 * 0.2667 / root); /* the cube's would be 0.185 */
 }
 
 static void a_saved_generator_goes_on_where_it_was(void **state)
@@ -117,6 +134,7 @@ int test_random(void)
         harness_test(the_sequence_is_the_published_one),
         harness_test(sequences_of_one_seed_differ),
         harness_test(bounded_numbers_are_even),
+        harness_test(large_bounds_are_even_too),
         harness_test(uniform_and_normal_numbers_have_their_moments),
         harness_test(a_saved_generator_goes_on_where_it_was),
     };

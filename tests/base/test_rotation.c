@@ -64,6 +64,36 @@ static void a_constant_spin_turns_by_its_angle(void **state)
     expect_near(0.0, vec3_distance(turned, omega), 1e-13);
 }
 
+static void a_long_spin_stays_a_rotation(void **state)
+{
+    (void)state;
+    quat q = quat_identity();
+    double worst = 0.0;
+    for (int i = 0; i < 1000000; i++) {
+        q = vbss_quat_integrate(q, vec3_make(30.0, -20.0, 11.0), 1e-3);
+        worst = fmax(worst, fabs(quat_dot(q, q) - 1.0));
+    }
+    expect_near(0.0, worst, 9e-16);
+}
+
+static void short_quaternions_are_read_as_rotations(void **state)
+{
+    (void)state;
+    vec3 half = vbss_quat_to_rotation_vector(quat_make(0, 1e-6, 0, 0));
+    expect_near(pi, half.x, 1e-15);
+    vec3 most = vbss_quat_to_rotation_vector(quat_make(1e-7, 1e-6, 0, 0));
+    expect_near(2 * atan2(1e-6, 1e-7), most.x, 1e-15);
+}
+
+static void a_broken_spin_is_not_healed(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 3; i++) {
+        vec3 spin = vec3_make(0, harness_bad_numbers[i], 0);
+        assert_false(quat_is_finite(vbss_quat_integrate(quat_identity(), spin, 1e-3)));
+    }
+}
+
 static void the_spin_is_in_the_world_frame(void **state)
 {
     (void)state;
@@ -83,6 +113,9 @@ int test_rotation(void)
         harness_test(no_turn_is_the_identity_exactly),
         harness_test(the_series_joins_the_closed_form),
         harness_test(a_constant_spin_turns_by_its_angle),
+        harness_test(a_long_spin_stays_a_rotation),
+        harness_test(short_quaternions_are_read_as_rotations),
+        harness_test(a_broken_spin_is_not_healed),
         harness_test(the_spin_is_in_the_world_frame),
     };
     return cmocka_run_group_tests_name("base.rotation", tests, NULL, NULL);

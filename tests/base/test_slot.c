@@ -118,6 +118,35 @@ static void the_youngest_end_first(void **state)
     }
 }
 
+/* The oldest object looks at the youngest handle while the context ends. */
+static vbss_result seen_at_the_end;
+static rod *youngest;
+
+static void look_at_the_youngest(vbss_context *context, void *object)
+{
+    double tip[3];
+    (void)context;
+    (void)object;
+    seen_at_the_end = rod_get_tip(youngest, tip);
+}
+
+static void handles_are_told_until_the_very_end(void **state)
+{
+    (void)state;
+    static const vbss_kind kind = {"looker", VBSS_CODE('L', 'O', 'O', 'K'), 1, look_at_the_youngest,
+                                   visit_nothing};
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_slot *slot;
+    expect_ok(vbss_slot_create(context, &kind, NULL, &slot));
+    for (int i = 0; i < 200; i++) { /* into another block of handles */
+        youngest = make_rod(context);
+    }
+    seen_at_the_end = VBSS_OK;
+    harness_context_end(context, &memory);
+    expect_result(VBSS_ERROR_INVALID_HANDLE, seen_at_the_end);
+}
+
 static vbss_result fill_slots(vbss_context *context, void *user)
 {
     (void)user;
@@ -148,6 +177,7 @@ int test_slot(void)
         harness_test(destroyed_handles_stay_told_whatever_comes_after),
         harness_test(ordinals_count_creations),
         harness_test(the_youngest_end_first),
+        harness_test(handles_are_told_until_the_very_end),
         harness_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests_name("base.slot", tests, NULL, NULL);

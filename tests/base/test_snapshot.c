@@ -51,6 +51,16 @@ static void the_state_of_another_size_is_refused_by_name(void **state)
     assert_non_null(strstr(text, "rod restore"));
     assert_non_null(strstr(text, "another configuration"));
     assert_non_null(strstr(text, "section ROD , field 1"));
+    /* Same size, another length: the same arrays mean something else. */
+    rod_config config;
+    rod *longer;
+    vbss_slot *slot;
+    expect_ok(rod_config_init(&config, sizeof config));
+    config.node_count = 10;
+    config.length = 0.3;
+    expect_ok(rod_create(context, &config, &longer));
+    expect_ok(vbss_slot_open(longer, &rod_kind, &slot));
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bytes, count));
     free(bytes);
     harness_context_end(context, &memory);
 }
@@ -109,6 +119,94 @@ static void the_way_back_keeps_even_a_broken_state(void **state)
     harness_context_end(context, &memory);
 }
 
+/* A visitor that refuses what is there now must not stand in the way of what was there before. */
+static void serialise_picky(vbss_stream *stream, void *object)
+{
+    double *values = object;
+    vbss_stream_f64(stream, 1, values, 2);
+    if (values[0] < 0.0) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "negative");
+    }
+    vbss_stream_f64(stream, 2, values + 2, 1);
+}
+
+static const vbss_kind picky_kind = {"picky", VBSS_CODE('P', 'I', 'C', 'K'), 1, keep_broken,
+                                     serialise_picky};
+
+static void a_state_its_own_visitor_refuses_can_be_left_but_not_saved(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    double values[3] = {1.0, 2.0, 3.0};
+    vbss_slot *slot;
+    uint8_t good[256], bad[256];
+    size_t written;
+    uint64_t hash;
+    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
+    expect_ok(vbss_snapshot_save(slot, good, sizeof good, &written));
+    values[0] = -1.0;
+    values[1] = 7.0;
+    values[2] = 8.0;
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_save(slot, bad, sizeof bad, &written));
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_hash(slot, &hash));
+    size_t size;
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_size(slot, &size));
+    /* A refused restore: the good bytes with a first value the visitor does not take. */
+    memcpy(bad, good, written);
+    bad[16 + 8 + 8 + 7] ^= 0x80; /* the sign of 1.0 */
+    harness_seal_snapshot(bad, written);
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bad, written));
+    expect_same_bits(-1.0, values[0]);
+    expect_same_bits(7.0, values[1]);
+    expect_same_bits(8.0, values[2]);
+    expect_ok(vbss_snapshot_restore(slot, good, written));
+    expect_same_bits(3.0, values[2]);
+    harness_context_end(context, &memory);
+}
+
+static void buffers_that_are_too_small_are_not_touched(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    double values[3] = {1.0, 2.0, 3.0};
+    vbss_slot *slot;
+    uint8_t bytes[256];
+    size_t size, written = 99;
+    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
+    expect_ok(vbss_snapshot_size(slot, &size));
+    for (size_t capacity = 0; capacity < size; capacity++) {
+        memset(bytes, 0xee, sizeof bytes);
+        expect_result(VBSS_ERROR_CAPACITY, vbss_snapshot_save(slot, bytes, capacity, &written));
+        for (size_t i = capacity; i < sizeof bytes; i++) {
+            assert_int_equal(bytes[i], 0xee);
+        }
+    }
+    assert_int_equal(written, 99);
+    expect_ok(vbss_snapshot_save(slot, bytes, size, &written));
+    assert_int_equal(written, size);
+    harness_context_end(context, &memory);
+}
+
+/* Data behind the state, under a right length and checksum. */
+static void a_snapshot_ends_with_its_state(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    double values[3] = {1.0, 2.0, 3.0};
+    vbss_slot *slot;
+    uint8_t bytes[256] = {0};
+    size_t written;
+    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
+    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
+    bytes[8] = (uint8_t)(bytes[8] + 8); /* the payload's length */
+    harness_seal_snapshot(bytes, written + 8);
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bytes, written + 8));
+    harness_context_end(context, &memory);
+}
+
 static vbss_result save_and_restore(vbss_context *context, void *user)
 {
     (void)user;
@@ -139,6 +237,9 @@ int test_snapshot(void)
         harness_test(damaged_snapshots_change_nothing),
         harness_test(the_state_of_another_size_is_refused_by_name),
         harness_test(the_way_back_keeps_even_a_broken_state),
+        harness_test(a_state_its_own_visitor_refuses_can_be_left_but_not_saved),
+        harness_test(buffers_that_are_too_small_are_not_touched),
+        harness_test(a_snapshot_ends_with_its_state),
         harness_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests_name("base.snapshot", tests, NULL, NULL);

@@ -26,6 +26,8 @@ static void visit(vbss_stream *stream, sample *s, uint16_t version)
     vbss_stream_u8(stream, 4, s->bytes, 5);
     if (stream->version >= 2) {
         vbss_stream_f64(stream, 5, &s->added, 1);
+    } else {
+        s->added = 0.25; /* the default of a field that version 1 did not have */
     }
     vbss_stream_close(stream, outer);
 }
@@ -124,7 +126,7 @@ static void an_older_version_is_read_and_a_newer_told(void **state)
     vbss_stream_begin_read(&stream, bytes, count);
     visit(&stream, &back, 2);
     expect_ok(stream.result);
-    expect_same_bits(3.0, back.added); /* version 1 had none: the body's own value stays */
+    expect_same_bits(0.25, back.added);
     assert_memory_equal(s.bytes, back.bytes, sizeof s.bytes);
 
     count = write(&s, 3, bytes, sizeof bytes);
@@ -133,32 +135,97 @@ static void an_older_version_is_read_and_a_newer_told(void **state)
     expect_result(VBSS_ERROR_DATA_VERSION, stream.result);
 }
 
-static void unvisited_fields_at_the_end_are_passed_over(void **state)
+static void a_section_holds_what_is_visited_and_nothing_else(void **state)
 {
     (void)state;
     uint8_t bytes[256];
-    double a = 1.5, b[3] = {1, 2, 3}, after = 2.5;
-    uint8_t c[3] = {1, 2, 3};
+    double a = 1.5, more = 2.5;
     vbss_stream stream;
     vbss_stream_begin_write(&stream, bytes, sizeof bytes);
     vbss_section outer = vbss_stream_open(&stream, 1, 1);
     vbss_stream_f64(&stream, 1, &a, 1);
-    vbss_stream_f64(&stream, 2, b, 3);
-    vbss_section inner = vbss_stream_open(&stream, 2, 1);
-    vbss_stream_u8(&stream, 1, c, 3);
-    vbss_stream_close(&stream, inner);
+    vbss_stream_f64(&stream, 2, &more, 1);
     vbss_stream_close(&stream, outer);
-    vbss_stream_f64(&stream, 7, &after, 1);
     size_t count = stream.position;
-    a = after = 0.0;
     vbss_stream_begin_read(&stream, bytes, count);
     outer = vbss_stream_open(&stream, 1, 1);
     vbss_stream_f64(&stream, 1, &a, 1);
     vbss_stream_close(&stream, outer);
-    vbss_stream_f64(&stream, 7, &after, 1);
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+    /* Nor is there anything in the end itself, or in a header's spare byte, or a version 0. */
+    const size_t spare[] = {2, 8 + 3, count - 8 + 2, count - 8 + 7};
+    for (int i = 0; i < 4; i++) {
+        uint8_t kept = bytes[spare[i]];
+        bytes[spare[i]] = i == 0 ? 0 : 9;
+        vbss_stream_begin_read(&stream, bytes, count);
+        outer = vbss_stream_open(&stream, 1, 1);
+        vbss_stream_f64(&stream, 1, &a, 1);
+        vbss_stream_f64(&stream, 2, &more, 1);
+        vbss_stream_close(&stream, outer);
+        expect_result(VBSS_ERROR_CORRUPT, stream.result);
+        bytes[spare[i]] = kept;
+    }
+}
+
+static void the_outer_section_is_back_after_an_inner_one(void **state)
+{
+    (void)state;
+    uint8_t bytes[256];
+    for (int reading = 0; reading < 2; reading++) {
+        vbss_stream stream;
+        if (reading) {
+            vbss_stream_begin_read(&stream, bytes, sizeof bytes);
+        } else {
+            vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+        }
+        vbss_section top = vbss_stream_open(&stream, 11, 3);
+        vbss_section inner = vbss_stream_open(&stream, 22, 5);
+        assert_int_equal(stream.section, 22);
+        assert_int_equal(stream.version, 5);
+        vbss_stream_close(&stream, inner);
+        assert_int_equal(stream.section, 11);
+        assert_int_equal(stream.version, 3);
+        vbss_stream_close(&stream, top);
+        expect_ok(stream.result);
+        assert_int_equal(stream.section, 0);
+    }
+}
+
+static void tags_of_the_format_are_not_for_fields(void **state)
+{
+    (void)state;
+    const uint16_t reserved[] = {0xfffe, 0xffff};
+    for (int i = 0; i < 2; i++) {
+        double value = 1.0;
+        vbss_stream stream;
+        vbss_stream_begin_measure(&stream);
+        vbss_stream_f64(&stream, reserved[i], &value, 1);
+        expect_result(VBSS_ERROR_CAPACITY, stream.result);
+    }
+}
+
+static void trusted_bytes_come_back_whatever_a_visitor_says(void **state)
+{
+    (void)state;
+    uint8_t bytes[64];
+    double value = harness_bad_numbers[1], back = 0.0;
+    uint32_t count = 9;
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+    stream.trusted = true;
+    vbss_stream_f64(&stream, 1, &value, 1);
+    vbss_stream_count(&stream, 2, &count, 5);
+    vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "the visitor does not like it");
     expect_ok(stream.result);
-    expect_same_bits(1.5, a);
-    expect_same_bits(2.5, after);
+    size_t written = stream.position;
+    count = 0;
+    vbss_stream_begin_read(&stream, bytes, written - 1);
+    stream.trusted = true;
+    vbss_stream_f64(&stream, 1, &back, 1);
+    expect_same_bits(value, back);
+    vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "the visitor does not like it");
+    vbss_stream_count(&stream, 2, &count, 5);
+    expect_result(VBSS_ERROR_TRUNCATED, stream.result); /* the format still counts */
 }
 
 static void any_nan_is_the_same_nan(void **state)
@@ -261,7 +328,11 @@ static void counts_and_constants_guard_the_body(void **state)
     vbss_stream_begin_write(&stream, bytes, sizeof bytes);
     vbss_stream_count(&stream, 1, &n, 20);
     vbss_stream_same(&stream, 2, 77);
+    vbss_stream_same_f64(&stream, 3, 0.0);
     size_t count = stream.position;
+    vbss_stream_begin_measure(&stream);
+    vbss_stream_count(&stream, 1, &n, 10); /* refused when written, too */
+    expect_result(VBSS_ERROR_CAPACITY, stream.result);
 
     uint32_t m = 5;
     vbss_stream_begin_read(&stream, bytes, count);
@@ -272,6 +343,12 @@ static void counts_and_constants_guard_the_body(void **state)
     vbss_stream_count(&stream, 1, &m, 11);
     vbss_stream_same(&stream, 2, 78);
     assert_int_equal(m, 11);
+    expect_result(VBSS_ERROR_CORRUPT, stream.result);
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_stream_count(&stream, 1, &m, 11);
+    vbss_stream_same(&stream, 2, 77);
+    expect_ok(stream.result);
+    vbss_stream_same_f64(&stream, 3, -0.0); /* to the bit */
     expect_result(VBSS_ERROR_CORRUPT, stream.result);
 }
 
@@ -316,7 +393,10 @@ int test_stream(void)
         harness_test(measuring_and_hashing_see_the_written_bytes),
         harness_test(the_bytes_are_little_endian_and_tagged),
         harness_test(an_older_version_is_read_and_a_newer_told),
-        harness_test(unvisited_fields_at_the_end_are_passed_over),
+        harness_test(a_section_holds_what_is_visited_and_nothing_else),
+        harness_test(the_outer_section_is_back_after_an_inner_one),
+        harness_test(tags_of_the_format_are_not_for_fields),
+        harness_test(trusted_bytes_come_back_whatever_a_visitor_says),
         harness_test(any_nan_is_the_same_nan),
         harness_test(numbers_that_are_not_finite_are_not_read),
         harness_test(the_first_problem_stays_and_stops_everything),

@@ -30,22 +30,22 @@ def install_and_move(build, work):
     return moved
 
 
-def with_cmake(kind, work, prefix, source):
+def with_cmake(kind, work, prefix, source, build_type):
     run("cmake", "-G", "Ninja", "-S", HERE / kind, "-B", work / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
-        f"-DVBSS_SOURCE={source}", "-DCMAKE_BUILD_TYPE=Release")
+        f"-DVBSS_SOURCE={source}", f"-DCMAKE_BUILD_TYPE={build_type}",
+        f"-DHOST_BUILD_TYPE={build_type}")
     run("cmake", "--build", work / "build")
     return work / "build"
 
 
 def with_make(work, prefix):
-    # make cannot have spaces in names, and pkg-config escapes them for nobody.
-    plain = prefix.with_name("plain")
-    prefix.rename(plain)
-    folders = [path.parent for path in plain.rglob("vblast_ss.pc")]
-    environment = dict(os.environ, PKG_CONFIG_PATH=str(folders[0]))
+    # Side by side and by plain names: make cannot have spaces in a path.
     out = work / "build"
     out.mkdir()
-    run("make", "-f", HERE / "pkg_config" / "Makefile", cwd=out, env=environment)
+    shutil.copy(HERE / "pkg_config" / "Makefile", out)
+    shutil.copy(HERE / "host" / "host.c", out)
+    folder = next(prefix.rglob("vblast_ss.pc")).parent
+    run("make", cwd=out, env=dict(os.environ, PKG_CONFIG_PATH=str(folder)))
     return out
 
 
@@ -65,7 +65,9 @@ def main():
     if options.kind == "pkg_config":
         made = with_make(options.work, prefix)
     else:
-        made = with_cmake(options.kind, options.work, prefix, options.source)
+        # A host without a build type must keep none.
+        build_type = "" if options.kind == "add_subdirectory" else "Release"
+        made = with_cmake(options.kind, options.work, prefix, options.source, build_type)
     for host in ("host_shared", "host_static"):
         run(made / host)
         linked = run("readelf", "-d", made / host)

@@ -1,36 +1,44 @@
-"""Takes the first C example out of README.md, builds it against the library and runs it.
+"""Does literally what README.md says under "In a program", in a copy of the checkout and with a home of
+its own: the C block becomes example.c, the shell block after it builds, installs, compiles and runs.
 
-    readme_example.py --readme FILE --compiler CC --include DIR --library FILE --work DIR
+    readme_example.py --source DIR --work DIR
 """
 import argparse
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
 
+def block(language, text):
+    found = re.search(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+    if found is None:
+        sys.exit(f"README.md has no {language} block under \"In a program\"")
+    return found.group(1)
+
+
 def main():
     parser = argparse.ArgumentParser()
-    for name in ("readme", "compiler", "include", "library", "work"):
-        parser.add_argument(f"--{name}", required=True)
+    parser.add_argument("--source", type=pathlib.Path, required=True)
+    parser.add_argument("--work", type=pathlib.Path, required=True)
     options = parser.parse_args()
 
-    found = re.search(r"^```c\n(.*?)^```", pathlib.Path(options.readme).read_text(),
-                      re.MULTILINE | re.DOTALL)
-    if found is None:
-        sys.exit("README.md has no C example")
-    work = pathlib.Path(options.work)
-    work.mkdir(parents=True, exist_ok=True)
-    (work / "example.c").write_text(found.group(1))
-    subprocess.run([options.compiler, "-std=c11", "-Wall", "-Wextra", "-pedantic", "-Werror",
-                    f"-I{options.include}", work / "example.c", options.library, "-lm",
-                    "-o", work / "example"], check=True)
-    done = subprocess.run([work / "example"], capture_output=True, text=True)
-    print(done.stdout, end="")
-    lines = found.group(1).count("\n")
-    if done.returncode != 0 or not done.stdout:
-        sys.exit("the README's example fails or says nothing")
-    print(f"README example: {lines} lines, built and run")
+    shutil.rmtree(options.work, ignore_errors=True)
+    checkout, home = options.work / "checkout", options.work / "home"
+    shutil.copytree(options.source, checkout, ignore=shutil.ignore_patterns("build", ".git"))
+    home.mkdir()
+    section = (options.source / "README.md").read_text().split("## In a program")[1].split("\n## ")[0]
+    example = block("c", section)
+    (checkout / "example.c").write_text(example)
+    done = subprocess.run(["bash", "-euo", "pipefail", "-c", block("sh", section)], cwd=checkout,
+                          env=dict(os.environ, HOME=str(home)), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    said = done.stdout.strip().splitlines()
+    if done.returncode != 0 or not said or not said[-1].startswith("libvblast_ss "):
+        sys.exit("the README's commands fail or end otherwise:\n" + "\n".join(said[-20:]))
+    print(f"README: {example.count(chr(10))} lines of C built against the installed library: {said[-1]}")
 
 
 if __name__ == "__main__":

@@ -147,7 +147,7 @@ CANARIES = [
     ("a removed function", changed((MAP, "    vbss_version;\n", "")), REFUSED + r".*(Removed|vbss_version)"),
     ("a baseline nobody told of", unrecorded, r"^CHANGELOG.md does not tell"),
     ("(b) an opaque struct grown, a function added",
-     changed(("lib/base/context.h", "char last_error[256]", "char last_error[512]"),
+     changed(("lib/base/context.h", "bool in_callback;", "bool in_callback, grown;"),
              (HEADER, VERSION, VERSION + NEW), (MAP, "    vbss_version;\n", "    vbss_version;\n    vbss_added;\n"),
              (RESULT, "uint32_t vbss_version(void)\n",
               "uint32_t vbss_added(uint32_t x)\n{\n    return x;\n}\n\nuint32_t vbss_version(void)\n")), None),

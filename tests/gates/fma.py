@@ -3,8 +3,8 @@ operation rounds once where two instructions round twice, so the bits would depe
 
 The library is built by its own CMake rules by gcc and clang, for x86-64-v3 and v4 (AVX-512 has fused
 instructions of its own, which -mno-fma leaves) and for three other architectures whose baseline has
-them, and every instruction is looked at. One more source goes in: the quaternion product that gcc's
-vectoriser likes best, so that wrong flags show before our own code meets them."""
+them, and every instruction is looked at. Two more sources go in, a quaternion product and a loop that gcc's
+vectorisers like best, so that wrong flags show before our own code meets them."""
 import re
 
 import gate
@@ -17,8 +17,18 @@ FUSED = {
 }
 # Seen in any numeric object: without them the gate looks at nothing, or cannot read it.
 PLAIN = {"x86_64": r"v?mul[sp]d", "aarch64": r"fmul", "riscv64": r"fmul\.d", "s390x": r"mdbr?|[vw]fmdb"}
-CROSS = {"aarch64": "", "riscv64": "", "s390x": "-march=z14"}  # z14: vector registers in double
+CROSS = {"aarch64": "-march=armv8.3-a", "riscv64": "", "s390x": "-march=z14"}  # z14: vectors of double
 
+# As the product, in a loop: another vectoriser, which armv8.3-a gives complex instructions to fuse.
+LOOP = """void vbss_loop(double *restrict c, const double *restrict a, const double *restrict b);
+void vbss_loop(double *restrict c, const double *restrict a, const double *restrict b)
+{
+    for (int i = 0; i < 1024; i += 2) {
+        c[i] = a[i] * b[i] - a[i + 1] * b[i + 1];
+        c[i + 1] = a[i] * b[i + 1] + a[i + 1] * b[i];
+    }
+}
+"""
 PRODUCT = """typedef struct { double w, x, y, z; } q;
 void vbss_product(const q *a, const q *b, q *c);
 void vbss_product(const q *a, const q *b, q *c)
@@ -72,7 +82,7 @@ def builds(g):
 def with_product(g, folder):
     copy = g.copy_source(folder)
     with open(copy / "lib/base/rotation.c", "a") as source:
-        source.write(PRODUCT)
+        source.write(PRODUCT + LOOP)
     return copy
 
 
@@ -90,9 +100,9 @@ def look(g):
 
 # ---- canaries: the product, compiled without our flags
 
-def without(machine, compiler, objdump, *flags):
+def without(machine, compiler, objdump, *flags, text=PRODUCT):
     return lambda g: check(g, machine, machine, objdump, g.compile(
-        machine, PRODUCT, "-std=c11", "-O3", *flags, compiler=compiler))
+        machine, text, "-std=c11", "-O3", *flags, compiler=compiler))
 
 
 def library_without(g):
@@ -114,6 +124,9 @@ CANARIES = [
     ("gcc's vectoriser on AVX-512, although -mno-fma",
      without("x86_64", "gcc", "objdump", "-march=x86-64-v4", "-ffp-contract=off", "-mno-fma"),
      SEEN + r"vfm(addsub|subadd)"),
+    ("gcc's loop vectoriser on armv8.3-a, although -fno-tree-slp-vectorize",
+     without("aarch64", "aarch64-linux-gnu-gcc", "aarch64-linux-gnu-objdump", "-march=armv8.3-a",
+             "-ffp-contract=off", "-fno-tree-slp-vectorize", text=LOOP), SEEN + "fcmla"),
     ("clang with contraction",
      without("x86_64", "clang", "objdump", "-march=x86-64-v3", "-ffp-contract=fast"), SEEN + r"vf"),
 ] + [(f"{machine} with contraction",

@@ -11,7 +11,7 @@ def check(g, *files):
     complaints, objects = [], 0
     member = ""
     for line in g.run(g.tool("objdump"), "-h", *files).splitlines():
-        title = re.match(r"(\S+):\s+file format", line)
+        title = re.match(r"(.+?):\s+file format", line)
         if title:
             member, objects = title.group(1), objects + 1
         row = re.match(r"\s*\d+\s+(\S+)\s+([0-9a-f]+)\s", line)

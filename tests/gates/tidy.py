@@ -1,13 +1,16 @@
 """clang-tidy finds nothing in our C, with the checks of .clang-tidy."""
 import json
+import re
 
 import gate
 
 
 def check(g, database, files):
+    # The flags in the database may be gcc's, some of which clang finds contradictory.
     code, said = g.run(g.tool("clang-tidy"), "-p", database, "--quiet",
+                       "--extra-arg=-Wno-overriding-t-option",
                        f"--config-file={g.source / '.clang-tidy'}", *files, code=None)
-    findings = [line for line in said.splitlines() if " error: " in line or " warning: " in line]
+    findings = [line for line in said.splitlines() if re.search(r"\b(error|warning): ", line)]
     if code != 0 and not findings:
         findings = [said.strip()]
     g.notes.append(f"{len(files)} files")

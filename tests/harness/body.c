@@ -65,13 +65,20 @@ static size_t divergence(const living *life, const harness_body *body, const uin
     return steps;
 }
 
-/* Both ways to continue: [0] in a new context, [1] back in the old one. */
-static void divergences(const harness_body *body, size_t before, size_t after, size_t found[2])
+/* The three ways to go on after a restore. */
+enum { IN_A_NEW_BODY, IN_ANOTHER_LIFE, BACK_IN_ITS_OWN, WAYS };
+static const char *const way_names[WAYS] = {"in a new body", "in a body that lived otherwise",
+                                            "in its own body"};
+
+static void divergences(const harness_body *body, size_t before, size_t after, size_t found[WAYS])
 {
-    living first, second;
+    living first, fresh, other;
     uint64_t *hashes = calloc(after, sizeof *hashes);
     assert_non_null(hashes);
     begin_life(&first, body);
+    if (body->edit != NULL) {
+        expect_ok(body->edit(first.handle));
+    }
     step(&first, body, before);
     size_t count;
     uint8_t *saved = save(&first, &count);
@@ -81,14 +88,18 @@ static void divergences(const harness_body *body, size_t before, size_t after, s
     }
     assert_true(after < 2 || hashes[0] != hashes[1]); /* a body that stands still tests nothing */
 
-    begin_life(&second, body);
-    step(&second, body, before / 2 + 3); /* leave other caches behind than a new body has */
-    expect_ok(vbss_snapshot_restore(second.slot, saved, count));
-    found[0] = divergence(&second, body, hashes, after);
+    begin_life(&fresh, body);
+    expect_ok(vbss_snapshot_restore(fresh.slot, saved, count));
+    found[IN_A_NEW_BODY] = divergence(&fresh, body, hashes, after);
+    begin_life(&other, body);
+    step(&other, body, before / 2 + 3); /* leaves other caches behind */
+    expect_ok(vbss_snapshot_restore(other.slot, saved, count));
+    found[IN_ANOTHER_LIFE] = divergence(&other, body, hashes, after);
     expect_ok(vbss_snapshot_restore(first.slot, saved, count));
-    found[1] = divergence(&first, body, hashes, after);
+    found[BACK_IN_ITS_OWN] = divergence(&first, body, hashes, after);
 
-    end_life(&second, body);
+    end_life(&other, body);
+    end_life(&fresh, body);
     end_life(&first, body);
     free(saved);
     free(hashes);
@@ -96,20 +107,23 @@ static void divergences(const harness_body *body, size_t before, size_t after, s
 
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after)
 {
-    size_t found[2];
+    size_t found[WAYS], least = after;
     divergences(body, before, after, found);
-    return found[0] < found[1] ? found[0] : found[1];
+    for (int way = 0; way < WAYS; way++) {
+        least = found[way] < least ? found[way] : least;
+    }
+    return least;
 }
 
 void harness_save_restore_continue(const harness_body *body, size_t before, size_t after)
 {
-    size_t found[2];
+    size_t found[WAYS];
     divergences(body, before, after, found);
-    if (found[0] < after || found[1] < after) {
-        bool elsewhere = found[0] < after;
-        fail_msg("%s saved at step %zu and restored %s differs from step %zu on", body->name,
-                 before, elsewhere ? "in a new context" : "in its own context",
-                 before + found[elsewhere ? 0 : 1] + 1);
+    for (int way = 0; way < WAYS; way++) {
+        if (found[way] < after) {
+            fail_msg("%s saved at step %zu and restored %s differs from step %zu on", body->name,
+                     before, way_names[way], before + found[way] + 1);
+        }
     }
 }
 
@@ -145,6 +159,60 @@ void harness_seal_snapshot(uint8_t *bytes, size_t count)
     store_little_endian(bytes + count - 8, vbss_hash_end(&hash), 8);
 }
 
+/* Damage under a right checksum, one bit at a time over the whole payload: the visitor refuses it, or
+ * it is a state like another, which is then saved as it was read. */
+static void try_sealed_damage(const living *life, const uint8_t *good, size_t count)
+{
+    enum { FRONT = 16, BACK = 8 };
+    uint64_t hash = hash_of(life);
+    uint8_t *bad = malloc(count), *again = malloc(count);
+    assert_non_null(bad);
+    assert_non_null(again);
+    for (size_t at = FRONT; at < count - BACK; at += 1 + at / 256) {
+        size_t written = 0;
+        memcpy(bad, good, count);
+        bad[at] ^= (uint8_t)(1u << (at % 8));
+        harness_seal_snapshot(bad, count);
+        if (vbss_snapshot_restore(life->slot, bad, count) != VBSS_OK) {
+            assert_true(hash_of(life) == hash);
+            continue;
+        }
+        expect_ok(vbss_snapshot_save(life->slot, again, count, &written));
+        assert_int_equal(written, count);
+        assert_memory_equal(again, bad, count);
+        hash = hash_of(life);
+    }
+    free(again);
+    free(bad);
+}
+
+/* An object of another kind, whose state must not be taken for this one's. */
+static void visit_foreign(vbss_stream *stream, void *object)
+{
+    vbss_stream_u64(stream, 1, object, 1);
+}
+
+static void keep_foreign(vbss_context *context, void *object)
+{
+    (void)context;
+    (void)object;
+}
+
+static const vbss_kind foreign_kind = {"foreign", VBSS_CODE('F', 'R', 'G', 'N'), 1, keep_foreign,
+                                       visit_foreign};
+
+static void refuse_foreign(const living *life, uint64_t hash)
+{
+    uint64_t object = 7;
+    uint8_t bytes[128];
+    size_t count = 0;
+    vbss_slot *foreign;
+    expect_ok(vbss_slot_create(life->context, &foreign_kind, &object, &foreign));
+    expect_ok(vbss_snapshot_save(foreign, bytes, sizeof bytes, &count));
+    refuse(life, bytes, count, hash);
+    expect_ok(vbss_slot_destroy(foreign, &foreign_kind));
+}
+
 void harness_refuses_bad_snapshots(const harness_body *body, size_t steps)
 {
     living life;
@@ -169,16 +237,18 @@ void harness_refuses_bad_snapshots(const harness_body *body, size_t steps)
     memcpy(bad, good, count);
     bad[count] = 0;
     refuse(&life, bad, count + 1, hash);
-    /* Headers of section and first field, damaged under a right checksum. */
-    for (size_t at = 16; at < 32; at++) {
+    /* Magic and format under a right checksum. */
+    for (size_t at = 0; at < 8; at++) {
         memcpy(bad, good, count);
         bad[at] ^= 0x40;
         harness_seal_snapshot(bad, count);
         refuse(&life, bad, count, hash);
     }
+    refuse_foreign(&life, hash);
     /* And the good one still works. */
     expect_ok(vbss_snapshot_restore(life.slot, good, count));
     assert_true(hash_of(&life) != hash);
+    try_sealed_damage(&life, good, count);
 
     free(bad);
     free(good);

@@ -42,7 +42,8 @@ typedef struct harness_memory {
     bool fail_ever_after;    /* and all later ones */
     uint64_t failures;       /* calls that were failed */
     uint64_t blocks;         /* alive */
-    uint64_t wrong_releases; /* with a size or alignment other than asked for, or twice */
+    uint64_t wrong_releases; /* of what is not alive, or with another size or alignment */
+    struct harness_block *alive;
 } harness_memory;
 /* A config whose allocator is `memory`, which must outlive the context. */
 vbss_context_config harness_watched_config(harness_memory *memory);
@@ -89,19 +90,22 @@ typedef struct harness_body {
     const char *name;
     const vbss_kind *kind;
     vbss_result (*create)(vbss_context *context, void *user, void **handle);
+    vbss_result (*edit)(void *handle); /* what a host may change between steps; NULL: nothing */
     vbss_result (*step)(void *handle);
     vbss_result (*destroy)(void *handle);
     void *user;
 } harness_body;
-/* Save at step `before`, restore into a body of a new context that has lived differently, step both
- * to `before + after`. Returns the first step (from 0) after the restore whose hash differs, or
- * `after` when none does. */
+/* The body is edited, stepped and saved at step `before`; its next `after` states are the wanted
+ * ones. Restored (never edited again) into a new body, into one that has lived differently, and into
+ * the first itself, it must go through the same states. Returns the first step (from 0) after the
+ * restore that differs in any of these, or `after`. */
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after);
-/* Asserts that none does, here and after going back in the same context. */
+/* Asserts that none does. */
 void harness_save_restore_continue(const harness_body *body, size_t before, size_t after);
 /* Calls of the allocator in that many steps: a body of the house makes none. */
 uint64_t harness_step_allocations(const harness_body *body, size_t steps);
-/* Damaged, cut and foreign snapshots: each is told and leaves the body as it was. */
+/* Cut, damaged and foreign snapshots: each is told and leaves the body as it was. Damage that only
+ * the visitor can see is either told like this, or taken and saved again to the same bytes. */
 void harness_refuses_bad_snapshots(const harness_body *body, size_t steps);
 /* Writes the checksum of a changed snapshot anew, so that only the visitor can see the change. */
 void harness_seal_snapshot(uint8_t *bytes, size_t count);
@@ -110,20 +114,24 @@ void harness_seal_snapshot(uint8_t *bytes, size_t count);
 extern const double harness_bad_numbers[3]; /* NaN, +infinity, -infinity */
 /* A config's functions behind one signature; create_and_destroy makes an object from it. */
 typedef struct harness_config {
-    uint32_t size, first_size; /* today's, and the first published */
+    const uint32_t *sizes; /* of all published versions, ascending, the last is today's; then 0 */
     vbss_result (*init)(void *config, uint32_t struct_size);
     vbss_result (*create_and_destroy)(vbss_context *context, const void *config);
 } harness_config;
-/* Asserts the size protocol in all directions: too small, first, own, larger with and without an
- * unknown field. */
+/* Asserts the size protocol in all directions: every published size, every other one, larger with
+ * and without an unknown field, and what was never initialised. */
 void harness_config_protocol(const harness_config *config);
 /* A call on a handle, all other arguments good. */
 typedef vbss_result (*harness_handle_call)(void *handle);
 /* Asserts that NULL, a context, a handle of another type and a destroyed handle of this type are
- * each VBSS_ERROR_INVALID_HANDLE, with a text where there is a context to keep it. `handle` is
- * alive, `destroyed` is of the same type and context. */
+ * each VBSS_ERROR_INVALID_HANDLE, with a text where there is a context to keep it. */
 void harness_refuses_bad_handles(vbss_context *context, void *destroyed,
                                  const harness_handle_call *calls, size_t count);
+
+/* ---- fixtures that must fail (must_fail.c): asserts that the test fails, run in a process of its own
+ * that says nothing. A test that passes on a faulty body tests nothing. */
+#define expect_failure(test) harness_must_fail((test), #test, __FILE__, __LINE__)
+void harness_must_fail(CMUnitTestFunction test, const char *name, const char *file, int line);
 
 /* ---- a long run, split into seeds (soak.c); one executable each, driven by tests/soak.py */
 typedef struct harness_soak {

@@ -4,13 +4,14 @@
 
 #include "harness/harness.h"
 
-/* Stands in front of every block; as large as the largest alignment, so the block stays aligned. */
+/* The block handed out stands behind a front of one alignment; the list of what is alive is apart, so
+ * that a second release is told without a look at memory that is gone. */
 #define FRONT 64u
-#define ALIVE 0xa11fe5edu
-typedef struct front {
+struct harness_block {
+    struct harness_block *next;
+    unsigned char *start;
     uint64_t size, alignment;
-    uint32_t mark;
-} front;
+};
 
 static void *watched_allocate(void *user, uint64_t size, uint64_t alignment)
 {
@@ -24,30 +25,35 @@ static void *watched_allocate(void *user, uint64_t size, uint64_t alignment)
         return NULL;
     }
     size_t rounded = (size_t)(size + FRONT - 1) / FRONT * FRONT;
-    unsigned char *block = aligned_alloc(FRONT, FRONT + rounded);
-    if (block == NULL) {
-        return NULL;
+    struct harness_block *noted = malloc(sizeof *noted);
+    unsigned char *start = aligned_alloc(FRONT, FRONT + rounded);
+    if (noted == NULL || start == NULL) {
+        abort(); /* the machine is out of memory, not the test */
     }
-    front put = {size, alignment, ALIVE};
-    memcpy(block, &put, sizeof put);
-    memset(block + FRONT, 0xa5, (size_t)size); /* nobody may count on zeros */
+    *noted = (struct harness_block){memory->alive, start, size, alignment};
+    memory->alive = noted;
     memory->blocks++;
-    return block + FRONT;
+    memset(start + FRONT, 0xa5, (size_t)size); /* nobody may count on zeros */
+    return start + FRONT;
 }
 
 static void watched_release(void *user, void *block, uint64_t size, uint64_t alignment)
 {
     harness_memory *memory = user;
-    unsigned char *start = (unsigned char *)block - FRONT;
-    front found;
-    memcpy(&found, start, sizeof found);
-    if (found.mark != ALIVE || found.size != size || found.alignment != alignment) {
+    struct harness_block **link = &memory->alive;
+    while (*link != NULL && (*link)->start + FRONT != block) {
+        link = &(*link)->next;
+    }
+    struct harness_block *found = *link;
+    if (found == NULL || found->size != size || found->alignment != alignment) {
         memory->wrong_releases++;
         return;
     }
-    memset(start, 0x5a, FRONT + (size_t)size); /* a later read is seen without a sanitizer too */
+    *link = found->next;
     memory->blocks--;
-    free(start);
+    memset(found->start, 0x5a, FRONT + (size_t)size); /* a later read is seen by its value */
+    free(found->start);
+    free(found);
 }
 
 vbss_context_config harness_watched_config(harness_memory *memory)

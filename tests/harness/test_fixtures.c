@@ -1,4 +1,5 @@
-/* The fixtures catch what they are there to catch: each is shown a body with the fault. */
+/* The fixtures on a body by the rules, and what they are made of. */
+#include <fenv.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,8 +21,7 @@ static vbss_result create_and_destroy_rod(vbss_context *context, const void *con
 static void a_body_by_the_rules_passes(void **state)
 {
     (void)state;
-    const harness_config config = {sizeof(rod_config), ROD_CONFIG_FIRST_SIZE, init_rod_config,
-                                   create_and_destroy_rod};
+    const harness_config config = {rod_config_sizes, init_rod_config, create_and_destroy_rod};
     harness_config_protocol(&config);
     harness_body body = rod_body(NULL);
     assert_int_equal(harness_step_allocations(&body, 50), 0);
@@ -54,86 +54,31 @@ static void bad_numbers_are_refused_and_change_nothing(void **state)
     for (int i = 0; i < 3; i++) {
         expect_result(VBSS_ERROR_OUT_OF_RANGE, rod_step(handle, out_of_range[i]));
     }
+    rod_config bad[] = {config, config, config, config};
+    bad[0].node_count = 1;
+    bad[1].node_count = 4097;
+    bad[2].gust = -0.1;
+    bad[3].gust = harness_bad_numbers[1];
+    for (int i = 0; i < 4; i++) {
+        rod *none = handle;
+        expect_result(i < 3 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_NOT_FINITE,
+                      rod_create(context, &bad[i], &none));
+        assert_null(none);
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, rod_create(context, &config, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, rod_get_tip(handle, NULL));
+    rod *none = handle;
+    expect_result(VBSS_ERROR_INVALID_HANDLE, rod_create(NULL, &config, &none));
+    fesetround(FE_UPWARD);
+    vbss_result upward = rod_step(handle, 1e-3);
+    fesetround(FE_TONEAREST);
+    expect_result(VBSS_ERROR_ARITHMETIC_MODE, upward);
+    vbss_result kept;
+    expect_ok(vbss_context_get_last_error(context, &kept, NULL));
+    expect_result(VBSS_ERROR_ARITHMETIC_MODE, kept);
     expect_ok(vbss_snapshot_hash(slot, &after));
     assert_true(before == after);
     harness_context_end(context, &memory);
-}
-
-/* ---- a body with the faults the fixtures look for */
-
-typedef struct faulty {
-    uint64_t value, growth;
-    bool forgets;   /* to save the growth */
-    bool allocates; /* in every step */
-} faulty;
-
-static void faulty_free(vbss_context *context, void *object)
-{
-    vbss_release(context, object, 1, sizeof(faulty));
-}
-
-static void faulty_serialise(vbss_stream *stream, void *object)
-{
-    faulty *f = object;
-    vbss_stream_u64(stream, 1, &f->value, 1);
-    if (!f->forgets) {
-        vbss_stream_u64(stream, 2, &f->growth, 1);
-    }
-}
-
-static const vbss_kind faulty_kind = {"faulty", VBSS_CODE('F', 'L', 'T', 'Y'), 1, faulty_free,
-                                      faulty_serialise};
-
-static vbss_result faulty_create(vbss_context *context, void *user, void **handle)
-{
-    faulty *f = vbss_allocate(context, 1, sizeof *f, "faulty");
-    vbss_slot *slot;
-    memcpy(f, user, sizeof *f);
-    VBSS_TRY(vbss_slot_create(context, &faulty_kind, f, &slot));
-    *handle = slot;
-    return VBSS_OK;
-}
-
-static vbss_result faulty_step(void *handle)
-{
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit(handle, &faulty_kind, &slot));
-    faulty *f = slot->object;
-    f->value += f->growth;
-    f->growth = 3 * f->growth + 1;
-    if (f->allocates) {
-        vbss_release(slot->context, vbss_allocate(slot->context, 1, 8, "waste"), 1, 8);
-    }
-    return VBSS_OK;
-}
-
-static vbss_result faulty_destroy(void *handle)
-{
-    return vbss_slot_destroy(handle, &faulty_kind);
-}
-
-static harness_body faulty_body(faulty *user)
-{
-    harness_body body = {"faulty", &faulty_kind, faulty_create, faulty_step, faulty_destroy, user};
-    return body;
-}
-
-static void a_forgotten_field_is_found(void **state)
-{
-    (void)state;
-    faulty forgets = {1, 1, true, false}, good = {1, 1, false, false};
-    harness_body body = faulty_body(&forgets);
-    assert_int_equal(harness_restored_divergence(&body, 10, 50), 0);
-    body = faulty_body(&good);
-    assert_int_equal(harness_restored_divergence(&body, 10, 50), 50);
-}
-
-static void an_allocation_in_a_step_is_counted(void **state)
-{
-    (void)state;
-    faulty allocates = {1, 1, false, true};
-    harness_body body = faulty_body(&allocates);
-    assert_int_equal(harness_step_allocations(&body, 50), 50);
 }
 
 /* ---- memory */
@@ -154,6 +99,8 @@ static void wrong_releases_and_losses_are_seen(void **state)
     config.release(config.allocator_user, a, 100, 64);
     assert_int_equal(memory.blocks, 0);
     assert_int_equal(memory.wrong_releases, 2);
+    config.release(config.allocator_user, a, 100, 64); /* twice */
+    assert_int_equal(memory.wrong_releases, 3);
 }
 
 static void the_chosen_allocation_fails(void **state)
@@ -199,6 +146,34 @@ static void a_property_sees_the_same_cases_every_time(void **state)
     assert_true(first[1] == again[1] && first[1] != 0);
 }
 
+static void one_case_can_be_replayed(void **state)
+{
+    (void)state;
+    uint64_t all[2] = {0}, rest[2] = {0};
+    harness_property("count", 10, count_cases, all);
+    for (int i = 0; i < 10; i++) {
+        char number[8];
+        snprintf(number, sizeof number, "%d", i);
+        setenv("VBSS_PROPERTY_CASE", number, 1);
+        harness_property("count", 10, count_cases, rest);
+        unsetenv("VBSS_PROPERTY_CASE");
+    }
+    assert_int_equal(rest[0], 10);
+    assert_true(all[1] == rest[1]);
+}
+
+static void a_soak_fails_and_tells_its_figures(void **state)
+{
+    (void)state;
+    harness_soak soak = {.seed = 3};
+    harness_soak_figure(&soak, "worst", 0.5);
+    harness_soak_figure(&soak, "none", harness_bad_numbers[0]);
+    assert_string_equal(soak.figures, ", \"worst\": 0.5, \"none\": null");
+    assert_int_equal(soak.failures, 0);
+    harness_soak_fail(&soak, "on purpose, to be counted");
+    assert_int_equal(soak.failures, 1);
+}
+
 static void bytes_can_drive_a_property(void **state)
 {
     (void)state;
@@ -225,11 +200,11 @@ int test_fixtures(void)
     const struct CMUnitTest tests[] = {
         harness_test(a_body_by_the_rules_passes),
         harness_test(bad_numbers_are_refused_and_change_nothing),
-        harness_test(a_forgotten_field_is_found),
-        harness_test(an_allocation_in_a_step_is_counted),
         harness_test(wrong_releases_and_losses_are_seen),
         harness_test(the_chosen_allocation_fails),
         harness_test(a_property_sees_the_same_cases_every_time),
+        harness_test(one_case_can_be_replayed),
+        harness_test(a_soak_fails_and_tells_its_figures),
         harness_test(bytes_can_drive_a_property),
         harness_test(the_first_difference_is_named),
     };

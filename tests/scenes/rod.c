@@ -31,23 +31,28 @@ static void free_object(vbss_context *context, void *object)
 static void serialise(vbss_stream *stream, void *object)
 {
     rod_object *r = object;
+    size_t numbers = 3u * (size_t)r->node_count;
     vbss_stream_same(stream, 1, r->node_count);
-    vbss_stream_f64(stream, 2, &r->positions[0].x, 3u * (size_t)r->node_count);
-    vbss_stream_f64(stream, 3, &r->velocities[0].x, 3u * (size_t)r->node_count);
-    vbss_stream_f64(stream, 4, &r->orientation.w, 4);
-    vbss_stream_f64(stream, 5, &r->spin.x, 3);
-    vbss_stream_u64(stream, 6, &r->steps, 1);
-    vbss_random_serialise(stream, 7, &r->random);
+    vbss_stream_same_f64(stream, 2, r->segment_length);
+    vbss_stream_same_f64(stream, 3, r->gust);
+    vbss_stream_f64(stream, 4, &r->positions[0].x, numbers);
+    vbss_stream_f64(stream, 5, &r->velocities[0].x, numbers);
+    vbss_stream_f64(stream, 6, &r->orientation.w, 4);
+    vbss_stream_f64(stream, 7, &r->spin.x, 3);
+    vbss_stream_u64(stream, 8, &r->steps, 1);
+    vbss_random_serialise(stream, 9, &r->random);
 }
 
 const vbss_kind rod_kind = {"rod", VBSS_CODE('R', 'O', 'D', ' '), 1, free_object, serialise};
 
 static const rod_config defaults = {
     .struct_size = sizeof(rod_config), .node_count = 64, .length = 0.15, .gust = 0.01, .seed = 1};
+const uint32_t rod_config_sizes[3] = {24, 32, 0};
+static const vbss_layout config_layout = {"rod_config", &defaults, rod_config_sizes};
 
 vbss_result rod_config_init(rod_config *config, uint32_t struct_size)
 {
-    return vbss_config_init(&defaults, sizeof defaults, ROD_CONFIG_FIRST_SIZE, config, struct_size);
+    return vbss_config_init(&config_layout, config, struct_size);
 }
 
 static vbss_result check(vbss_context *context, const rod_config *config)
@@ -57,14 +62,25 @@ static vbss_result check(vbss_context *context, const rod_config *config)
     return vbss_check_range(context, config->gust, 0.0, 1.0, "gust");
 }
 
+/* The memory of a rod; what failed is left for free_object. */
+static vbss_result allocate_parts(rod_object *r)
+{
+    r->positions = vbss_allocate(r->context, r->node_count, sizeof(vec3), "rod positions");
+    r->velocities = vbss_allocate(r->context, r->node_count, sizeof(vec3), "rod velocities");
+    if (r->positions == NULL || r->velocities == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    return vbss_arena_create(r->context, &r->arena, vbss_arena_need(r->node_count, sizeof(vec3)));
+}
+
 vbss_result rod_create(vbss_context *context, const rod_config *config, rod **handle)
 {
-    VBSS_TRY(vbss_context_edit(context));
+    VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_check_pointer(context, handle, "handle"));
     *handle = NULL;
-    rod_config own = defaults;
-    VBSS_TRY(
-        vbss_config_read(context, "rod_config", config, &own, sizeof own, ROD_CONFIG_FIRST_SIZE));
+    VBSS_TRY(vbss_context_edit(context));
+    rod_config own;
+    VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
     VBSS_TRY(check(context, &own));
 
     rod_object *r = vbss_allocate(context, 1, sizeof *r, "rod");
@@ -78,15 +94,14 @@ vbss_result rod_create(vbss_context *context, const rod_config *config, rod **ha
     r->orientation = quat_identity();
     r->spin = vec3_make(1.0, 2.0, 3.0);
     vbss_random_seed(&r->random, own.seed, 0);
-    r->positions = vbss_allocate(context, own.node_count, sizeof(vec3), "rod positions");
-    r->velocities = vbss_allocate(context, own.node_count, sizeof(vec3), "rod velocities");
     vbss_slot *slot = NULL;
-    if (r->positions == NULL || r->velocities == NULL ||
-        vbss_arena_create(context, &r->arena, own.node_count * sizeof(vec3) + VBSS_ALIGNMENT) !=
-            VBSS_OK ||
-        vbss_slot_create(context, &rod_kind, r, &slot) != VBSS_OK) {
+    vbss_result result = allocate_parts(r);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(context, &rod_kind, r, &slot);
+    }
+    if (result != VBSS_OK) {
         free_object(context, r);
-        return VBSS_ERROR_OUT_OF_MEMORY;
+        return result;
     }
     for (uint32_t i = 0; i < own.node_count; i++) {
         r->positions[i] = vec3_make(i * r->segment_length, 0.0, 0.0);
@@ -119,7 +134,7 @@ vbss_result rod_step(rod *handle, double h)
     VBSS_TRY(vbss_slot_edit(handle, &rod_kind, &slot));
     rod_object *r = slot->object;
     VBSS_TRY(vbss_check_range(r->context, h, 1e-9, 0.1, "h"));
-    VBSS_TRY(vbss_arithmetic_check());
+    VBSS_TRY(vbss_check_arithmetic(r->context));
 
     vbss_arena_rewind(&r->arena, 0);
     vec3 *before = vbss_arena_take(&r->arena, r->node_count, sizeof *before);

@@ -14,9 +14,10 @@ typedef struct rod_config {
     uint32_t node_count; /* 2 .. 4096, default 64 */
     double length;       /* m, > 0, default 0.15 */
     double gust;         /* m/s added to a random node each step, default 0.01 */
-    uint64_t seed;       /* of the gusts, default 1 */
+    uint64_t seed;       /* of the gusts, default 1; not in the first version */
 } rod_config;
-#define ROD_CONFIG_FIRST_SIZE 24u /* as if seed had come with a second version */
+/* Its sizes, as if seed had come with a second version; then 0. */
+extern const uint32_t rod_config_sizes[3];
 
 extern const vbss_kind rod_kind;
 

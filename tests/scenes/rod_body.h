@@ -12,7 +12,7 @@ static inline vbss_result rod_body_create(vbss_context *context, void *user, voi
     if (user != NULL) {
         config.node_count = *(const uint32_t *)user;
     }
-    rod *made;
+    rod *made = NULL;
     vbss_result result = rod_create(context, &config, &made);
     *handle = made;
     return result;
@@ -31,7 +31,8 @@ static inline vbss_result rod_body_destroy(void *handle)
 /* `user` is NULL for the default size, or a uint32_t node count. */
 static inline harness_body rod_body(void *user)
 {
-    harness_body body = {"rod", &rod_kind, rod_body_create, rod_body_step, rod_body_destroy, user};
+    harness_body body = {"rod", &rod_kind, rod_body_create, NULL, rod_body_step, rod_body_destroy,
+                         user};
     return body;
 }
 
