@@ -41,7 +41,7 @@ _Static_assert(sizeof(double) == 8 && DBL_MANT_DIG == 53, "double must be IEEE 7
 #define VBSS_PRINTF(format_index, first_index)
 #endif
 
-/* ---- failing (context.c): keep the code and a text that names argument and value, return the code.
+/* ---- failing (message.c): keep the code and a text that names argument and value, return the code.
  * A NULL context is allowed: then there is nobody to keep the text. */
 vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *format, ...)
     VBSS_PRINTF(3, 4);
@@ -78,7 +78,7 @@ vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, c
 vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, const void *own,
                               void *out, uint32_t struct_size);
 
-/* ---- memory (context.c): zeroed arrays, aligned for the wide lanes, given back with their size.
+/* ---- memory (memory.c): zeroed arrays, aligned for the wide lanes, given back with their size.
  * NULL always means failure, and the context holds the error; an empty array is a block too.
  * Releasing NULL is nothing. */
 #define VBSS_ALIGNMENT 64u

@@ -34,6 +34,9 @@ struct vbss_context {
     char last_error[VBSS_TEXT_BYTES];
 };
 
+/* memory.c: the allocator of a config that names none. */
+void vbss_memory_from_libc(vbss_context_config *config);
+
 /* slot.c, for the end of a context: destroys what is alive, youngest first, and gives back the
  * slots. */
 void vbss_slots_release(vbss_context *context);

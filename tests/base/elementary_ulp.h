@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "base/base.h"
+#include "base/double_double.h"
 
 /* How far the reference itself may be off, in ulp of double: two of its own last bits, or a whole
  * libm where long double is no longer than double. */
@@ -25,25 +26,10 @@ typedef struct elementary_function {
     long double (*reference)(elementary_argument a);
 } elementary_function;
 
-static inline double double_from(uint64_t bits)
-{
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
-
-static inline uint64_t bits_from(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
 /* 2^e, and numbers between 2^low and 2^high of any mantissa: exact, so the same everywhere. */
 static inline double power_of_two(int e)
 {
-    return e < -1022 ? double_from(UINT64_C(1) << (e + 1074))
-                     : double_from((uint64_t)(e + 1023) << 52);
+    return e < -1022 ? double_of(UINT64_C(1) << (e + 1074)) : double_of((uint64_t)(e + 1023) << 52);
 }
 
 static inline double draw_scaled(vbss_random *random, int low, int high)
@@ -65,7 +51,7 @@ static inline double draw_between(vbss_random *random, double low, double high)
 /* x moved by up to `reach` last bits either way. */
 static inline double draw_neighbour(vbss_random *random, double x, uint32_t reach)
 {
-    return double_from(bits_from(x) + vbss_random_below(random, 2u * reach + 1u) - reach);
+    return double_of(bits_of(x) + vbss_random_below(random, 2u * reach + 1u) - reach);
 }
 
 static inline elementary_argument draw_angle(vbss_random *random)
@@ -98,7 +84,7 @@ static inline elementary_argument draw_angle(vbss_random *random)
         x = draw_scaled(random, 0, 1024);
         break;
     default:
-        x = double_from(vbss_random_u64(random));
+        x = double_of(vbss_random_u64(random));
         break;
     }
     x = draw_sign(random, x);
@@ -132,8 +118,8 @@ static inline elementary_argument draw_direction(vbss_random *random)
         y = draw_scaled(random, 950, 1024);
         break;
     default:
-        x = double_from(vbss_random_u64(random));
-        y = double_from(vbss_random_u64(random));
+        x = double_of(vbss_random_u64(random));
+        y = double_of(vbss_random_u64(random));
         break;
     }
     if (!isfinite(x) || !isfinite(y)) {
@@ -158,7 +144,7 @@ static inline elementary_argument draw_cosine(vbss_random *random)
         x = 1.0 - draw_scaled(random, -53, -1);
         break;
     case 2:
-        x = double_from(bits_from(1.0) - vbss_random_below(random, 100));
+        x = double_of(bits_of(1.0) - vbss_random_below(random, 100));
         break;
     case 3:
         x = draw_scaled(random, -70, 0);
@@ -226,7 +212,7 @@ static inline elementary_argument draw_positive(vbss_random *random)
         x = draw_neighbour(random, (180.5 + vbss_random_below(random, 180)) / 256.0, 300);
         break;
     default:
-        x = double_from(vbss_random_u64(random) >> 1);
+        x = double_of(vbss_random_u64(random) >> 1);
         break;
     }
     return (elementary_argument){isfinite(x) && x > 0.0 ? x : 1.0, 0.0};

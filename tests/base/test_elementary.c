@@ -8,8 +8,8 @@ static const double infinite = (double)INFINITY;
 
 static void expect_bits(const char *name, elementary_argument a, double wanted, double got)
 {
-    uint64_t wanted_bits = isnan(wanted) ? CANONICAL_NAN : bits_from(wanted);
-    if (wanted_bits != bits_from(got)) {
+    uint64_t wanted_bits = isnan(wanted) ? CANONICAL_NAN : bits_of(wanted);
+    if (wanted_bits != bits_of(got)) {
         fail_msg("%s of x = %a, y = %a is %a and not %a", name, a.x, a.y, got, wanted);
     }
 }
@@ -212,10 +212,10 @@ static void results_have_the_golden_bits(void **state)
         vbss_random_seed(&random, 4, 0);
         uint64_t hash = UINT64_C(0xcbf29ce484222325); /* FNV-1a over 64-bit words */
         for (int k = 0; k < 50000; k++) {
-            elementary_argument any = {double_from(vbss_random_u64(&random)), 0.0};
-            any.y = double_from(vbss_random_u64(&random));
-            hash = (hash ^ bits_from(f->ours(f->draw(&random)))) * UINT64_C(0x100000001b3);
-            hash = (hash ^ bits_from(f->ours(any))) * UINT64_C(0x100000001b3);
+            elementary_argument any = {double_of(vbss_random_u64(&random)), 0.0};
+            any.y = double_of(vbss_random_u64(&random));
+            hash = (hash ^ bits_of(f->ours(f->draw(&random)))) * UINT64_C(0x100000001b3);
+            hash = (hash ^ bits_of(f->ours(any))) * UINT64_C(0x100000001b3);
         }
         if (hash != golden[i]) {
             fail_msg("%s hashes to 0x%016llx", f->name, (unsigned long long)hash);

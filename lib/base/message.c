@@ -1,0 +1,59 @@
+/* What the host hears: the last error, the log, and that nothing is changed while it listens. */
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/context.h"
+
+bool vbss_callback_begin(vbss_context *context)
+{
+    bool outer = context->in_callback;
+    context->in_callback = true;
+    return outer;
+}
+
+void vbss_callback_end(vbss_context *context, bool outer)
+{
+    context->in_callback = outer;
+}
+
+static void send(vbss_context *context, vbss_log_level level, const char *message)
+{
+    if (context->log == NULL || level > context->log_level || context->in_callback) {
+        return; /* a message about a call made inside a callback could recurse for ever */
+    }
+    bool outer = vbss_callback_begin(context);
+    context->log(context->log_user, level, message);
+    vbss_callback_end(context, outer);
+}
+
+void vbss_message(vbss_context *context, vbss_log_level level, const char *format, ...)
+{
+    char message[VBSS_TEXT_BYTES];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    send(context, level, message);
+}
+
+static void keep_error(vbss_context *context, vbss_result result, const char *text)
+{
+    context->last_result = result;
+    memcpy(context->last_error, text, VBSS_TEXT_BYTES);
+}
+
+vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *format, ...)
+{
+    if (context != NULL) {
+        char text[VBSS_TEXT_BYTES] = {0};
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(text, sizeof text, format, arguments);
+        va_end(arguments);
+        keep_error(context, result, text);
+        send(context, VBSS_LOG_ERROR, text);
+        keep_error(context, result, text); /* calls inside the callback may have failed as well */
+    }
+    return result;
+}
