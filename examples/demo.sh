@@ -16,6 +16,8 @@ cmake --build --preset release --target embed_c embed_cpp >>"$out/build.log" 2>&
     ./build/release/examples/embed_c
     echo "== embedding in C++"
     ./build/release/examples/embed_cpp
+    echo "== the golden scenes, built here: the same bits as everywhere"
+    python3 -B tests/determinism/matrix.py --work "$out/golden" --only gcc-O3
 } | tee "$out/report.txt"
 
 echo

@@ -75,7 +75,8 @@ static vbss_result run(uint64_t bytes)
 
 int main(void)
 {
-    printf("headers %d, library %u\n", VBSS_VERSION_NUM, (unsigned)vbss_version());
+    printf("headers %d, library %u: %s\n", VBSS_VERSION_NUM, (unsigned)vbss_version(),
+           vbss_build_info());
     printf("arithmetic of this thread: %s\n", vbss_result_string(vbss_arithmetic_check()));
     printf("a context in 64 KiB:\n");
     vbss_result enough = run(65536);
