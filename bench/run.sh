@@ -1,7 +1,7 @@
 #!/bin/bash
 # Builds optimised, runs bench suites and leaves build/bench/<suite>.json with SVG plots beside it.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$(readlink -f "$0")")/.."
 
 usage() {
     cat <<'END'

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Shows what the library can do: installs what is missing, builds, runs, says where the results are.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$(readlink -f "$0")")/.."
 
 .ci/install-packages demo
 

@@ -52,6 +52,10 @@ if [ "$suite" = soak ]; then
     exec python3 tests/soak.py --build build/default "${names[@]}" "${seeds[@]}"
 fi
 
+if [ "$suite" != slow ]; then
+    announce "default suite"
+    ctest --preset default --label-exclude slow --parallel "$(nproc)"
+fi
 if [ "$suite" != default ]; then
     # Our own code under clang's sanitizers, which is also the build that clang must not warn about.
     # The properties see other cases each time.
@@ -65,8 +69,4 @@ if [ "$suite" != default ]; then
     done
     announce "slow suite"
     ctest --preset default --label-regex slow
-fi
-if [ "$suite" != slow ]; then
-    announce "default suite"
-    ctest --preset default --label-exclude slow --parallel "$(nproc)"
 fi

@@ -50,7 +50,7 @@
     X(VBSS_ERROR_STRUCT_SIZE, -4, "struct_size is no size that the struct has had or could have") \
     X(VBSS_ERROR_UNKNOWN_FIELD, -5, "a field unknown to this library version is not zero")        \
     X(VBSS_ERROR_INVALID_HANDLE, -6, "the handle is NULL, destroyed or of another type")          \
-    X(VBSS_ERROR_OUT_OF_MEMORY, -7, "the allocator returned NULL")                                \
+    X(VBSS_ERROR_OUT_OF_MEMORY, -7, "the allocator gave no usable block")                         \
     X(VBSS_ERROR_CAPACITY, -8, "a capacity fixed at creation or a given buffer is exhausted")     \
     X(VBSS_ERROR_BUSY, -9, "not allowed inside a callback of the same context")                   \
     X(VBSS_ERROR_ARITHMETIC_MODE, -10,                                                            \
@@ -69,7 +69,7 @@ enum {
 #undef VBSS_RESULT_CONSTANT
 };
 
-/** Importance of a log message, one of the VBSS_LOG_ constants; a larger number is less important. */
+/** Importance of a log message: a VBSS_LOG_ constant; a larger number is less important. */
 typedef int32_t vbss_log_level;
 
 /** The constants of #vbss_log_level. */
@@ -227,7 +227,8 @@ VBSS_API vbss_result vbss_context_create(const vbss_context_config *config, vbss
 VBSS_API vbss_result vbss_context_destroy(vbss_context *context);
 
 /**
- * The last failure in this context. A successful call does not clear it.
+ * The last failure in this context. A successful call does not clear it; a call that fails inside a
+ * callback of the context is told by its result only.
  *
  * @param context      the context
  * @param[out] result  its status, VBSS_OK when nothing has failed yet; may be NULL

@@ -22,7 +22,7 @@
 size_t vbss_arena_need(size_t count, size_t size)
 {
     if (count > 0 && size > (SIZE_MAX / 4) / count) {
-        return SIZE_MAX; /* more than any arena has */
+        return SIZE_MAX / 4; /* more than any arena has, and sums of it do not wrap */
     }
     return (count * size + VBSS_ALIGNMENT - 1u) / VBSS_ALIGNMENT * VBSS_ALIGNMENT;
 }
@@ -52,7 +52,7 @@ void *vbss_arena_take(vbss_arena *arena, size_t count, size_t size)
 {
     size_t need = vbss_arena_need(count, size);
     bool full = need > arena->capacity - arena->used;
-    size_t end = need > SIZE_MAX - arena->used ? SIZE_MAX : arena->used + need;
+    size_t end = arena->used + need;
     if (end > arena->peak) {
         arena->peak = end;
     }

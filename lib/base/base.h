@@ -41,8 +41,8 @@ _Static_assert(sizeof(double) == 8 && DBL_MANT_DIG == 53, "double must be IEEE 7
 #define VBSS_PRINTF(format_index, first_index)
 #endif
 
-/* ---- failing (message.c): keep the code and a text that names argument and value, return the code.
- * A NULL context is allowed: then there is nobody to keep the text. */
+/* ---- failing (message.c): keeps the code and a text that names argument and value, returns the
+ * code. A NULL context is allowed: then there is nobody to keep the text. */
 vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *format, ...)
     VBSS_PRINTF(3, 4);
 void vbss_message(vbss_context *context, vbss_log_level level, const char *format, ...)
@@ -90,7 +90,8 @@ typedef struct vbss_arena {
     unsigned char *block;
     size_t capacity, used, peak; /* peak: the most that was taken or asked for */
 } vbss_arena;
-/* The part of the capacity that an array takes: sum these to size an arena. */
+/* The part of the capacity that an array takes: sum these to size an arena. SIZE_MAX / 4 for what
+ * no memory holds. */
 size_t vbss_arena_need(size_t count, size_t size);
 vbss_result vbss_arena_create(vbss_context *context, vbss_arena *arena, size_t capacity);
 void vbss_arena_destroy(vbss_context *context, vbss_arena *arena);
@@ -122,10 +123,10 @@ vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void 
                              vbss_slot **slot);
 /* The slot of a living handle of that kind; any other handle is VBSS_ERROR_INVALID_HANDLE. */
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot);
-/* Destroys the object; the handle is told from then on. NULL is VBSS_OK. */
-vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
 /* The same for a call that changes something: VBSS_ERROR_BUSY inside a callback of the context. */
 vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot);
+/* Destroys the object; the handle is told from then on. NULL is VBSS_OK. */
+vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
 /* A context pointer from the host, to look at or to change what it owns. */
 vbss_result vbss_context_open(const vbss_context *context);
 vbss_result vbss_context_edit(vbss_context *context);
@@ -148,8 +149,8 @@ uint64_t vbss_hash_end(const vbss_hash *hash);
  *   section end  u16 0xffff, u16 0, u32 0.
  * The first failure is kept in `result` and turns all later visits into nothing, so a visitor reads
  * top to bottom without tests. A field that came with version k is visited if stream->version >= k,
- * and set to its default otherwise; data of a newer version are refused. Signed zeros are kept; any NaN is written as the one quiet NaN, and
- * reading a value that is not finite is VBSS_ERROR_CORRUPT. */
+ * and set to its default otherwise; data of a newer version are refused. Signed zeros are kept; any
+ * NaN is written as the one quiet NaN; reading a value that is not finite is VBSS_ERROR_CORRUPT. */
 typedef enum vbss_stream_mode {
     VBSS_STREAM_MEASURE,
     VBSS_STREAM_WRITE,
@@ -217,8 +218,8 @@ double vbss_random_normal(vbss_random *random);                  /* mean 0, devi
 vec3 vbss_random_direction(vbss_random *random);                 /* uniform on the unit sphere */
 void vbss_random_serialise(vbss_stream *stream, uint16_t tag, vbss_random *random);
 
-/* ---- elementary functions from + - * / sqrt: the same bits everywhere. Errors and methods stand in
- * docs/elementary-functions.md. Special values as in C11 Annex F. */
+/* ---- elementary functions from + - * / sqrt: the same bits everywhere. Errors and methods stand
+ * in docs/elementary-functions.md. Special values as in C11 Annex F. */
 double vbss_sin(double x);
 double vbss_cos(double x);
 void vbss_sincos(double x, double *sine, double *cosine);

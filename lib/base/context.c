@@ -7,8 +7,8 @@ _Static_assert(offsetof(vbss_context_config, struct_size) == 0, "struct_size com
 _Static_assert(sizeof(vbss_context_config) == 8 + 5 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_context_statistics) == 48, "published size");
 
-/* ---- structs that cross the border, with the sizes of their published versions (numbers, as sizeof
- * grows with the struct) */
+/* ---- structs that cross the border, with the sizes of their published versions: numbers, as
+ * sizeof grows with the struct */
 
 static const vbss_context_config config_defaults = {
     .struct_size = (uint32_t)sizeof(vbss_context_config),

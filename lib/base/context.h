@@ -1,4 +1,4 @@
-/* The inside of a context, for the files of lib/base that are about contexts and slots. */
+/* The inside of a context, for context.c, memory.c, message.c and slot.c. */
 #ifndef VBSS_BASE_CONTEXT_H
 #define VBSS_BASE_CONTEXT_H
 

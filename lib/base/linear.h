@@ -119,8 +119,8 @@ static inline double inverse_norm(double n)
     return n <= DBL_MAX ? 1.0 / n : n - n;
 }
 
-/* The unit vector along a, or `fallback` when a is too short to have a direction; NaN for a norm that
- * is not finite. */
+/* The unit vector along a, or `fallback` when a is too short to have a direction; NaN for a norm
+ * that is not finite. */
 static inline vec3 vec3_unit_or(vec3 a, vec3 fallback)
 {
     double n = vec3_norm(a);
@@ -251,8 +251,8 @@ static inline double mat3_determinant(mat3 a)
            a.m[0][2] * (a.m[1][0] * a.m[2][1] - a.m[1][1] * a.m[2][0]);
 }
 
-/* By cofactors. False, and *inverse untouched, when the rows are dependent as far as double can tell
- * (their volume is below 1e-14 of what their lengths allow) or a result is not finite. */
+/* By cofactors. False, and *inverse untouched, when the rows are dependent as far as double can
+ * tell (their volume is below 1e-14 of what their lengths allow) or a result is not finite. */
 static inline bool mat3_invert(mat3 a, mat3 *inverse)
 {
     double allowed =
@@ -347,9 +347,8 @@ static inline mat3 quat_to_mat3(quat q)
 }
 
 /* The shortest turn that takes unit vector a to unit vector b, through the vector half way between
- * them; good to rounding, except that near opposite vectors are taken to each other to 1e-7 only, and
- * vectors opposite to 1e-8 turn about vec3_any_normal(a).
- */
+ * them. Good to rounding, but nearly opposite vectors are taken to each other to 1e-7 only, and
+ * vectors opposite to 1e-8 turn about vec3_any_normal(a). */
 static inline quat quat_between(vec3 a, vec3 b)
 {
     vec3 sum = vec3_add(a, b);

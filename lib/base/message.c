@@ -51,9 +51,11 @@ vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *for
         va_start(arguments, format);
         vsnprintf(text, sizeof text, format, arguments);
         va_end(arguments);
-        keep_error(context, result, text);
+        /* What a callback of the host is refused must not hide why it was called. */
+        if (!context->in_callback) {
+            keep_error(context, result, text);
+        }
         send(context, VBSS_LOG_ERROR, text);
-        keep_error(context, result, text); /* calls inside the callback may have failed as well */
     }
     return result;
 }

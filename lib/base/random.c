@@ -57,7 +57,7 @@ static double inside_ball(vbss_random *random, double *coordinates, int dimensio
 
 double vbss_random_normal(vbss_random *random)
 {
-    /* Marsaglia's polar method; the second number of the pair is dropped to keep the state small. */
+    /* Marsaglia's polar method; the pair's second number is dropped to keep the state small. */
     double p[2];
     double r2 = inside_ball(random, p, 2);
     return p[0] * sqrt(-2.0 * vbss_log(r2) / r2);

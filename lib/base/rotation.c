@@ -9,7 +9,7 @@ quat vbss_quat_from_rotation_vector(vec3 rotation)
         /* sin(a/2)/a and cos(a/2) to 1e-18 relative, without the division by a small angle. */
         double a2 = angle * angle;
         s = 0.5 - a2 * (1.0 / 48.0);
-        w = 1.0 - a2 * (1.0 / 8.0 - a2 * (1.0 / 384.0));
+        w = 1.0 - a2 * (1.0 / 8.0);
     } else {
         double sine;
         vbss_sincos(0.5 * angle, &sine, &w);

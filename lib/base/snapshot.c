@@ -2,7 +2,7 @@
  * before it. */
 #include <string.h>
 
-#include "base/context.h"
+#include "base/base.h"
 #include "base/little_endian.h"
 
 #define MAGIC VBSS_CODE('V', 'B', 'S', 'S')
@@ -119,7 +119,8 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
     VBSS_TRY(open_envelope(slot, bytes, count, &payload));
 
     /* A sound envelope may still hold another object's state, found out half way: keep a way back,
-     * to whatever is there now, even what a visitor would refuse. */
+     * to whatever is there now, even what a visitor would refuse. Any NaN comes back as the one
+     * NaN. */
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
     stream.trusted = true;

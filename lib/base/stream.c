@@ -252,8 +252,7 @@ void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint3
     uint32_t count = *value;
     vbss_stream_u32(stream, tag, &count, 1);
     if (count > capacity) { /* written as well as read: the visitor's next line trusts it */
-        vbss_stream_refuse(stream, VBSS_ERROR_CAPACITY,
-                           "the state is larger than the object's capacity");
+        stop(stream, VBSS_ERROR_CAPACITY, "the state is larger than the object's capacity");
     }
     if (stream->result == VBSS_OK) {
         *value = count;

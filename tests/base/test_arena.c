@@ -71,8 +71,11 @@ static void needs_add_up_to_a_capacity_that_holds(void **state)
     assert_non_null(vbss_arena_take(&arena, 0, 8));
     assert_non_null(vbss_arena_take(&arena, 64, 1));
     assert_null(vbss_arena_take(&arena, 1, 1));
-    assert_true(vbss_arena_need(SIZE_MAX, 3) == SIZE_MAX);
+    size_t too_much = vbss_arena_need(SIZE_MAX, 3);
+    assert_true(too_much == SIZE_MAX / 4 && too_much + vbss_arena_need(1, 1) > too_much);
     vbss_arena_destroy(context, &arena);
+    assert_null(arena.block);
+    assert_null(vbss_arena_take(&arena, 1, 1)); /* after the end there is nothing to take */
     harness_context_end(context, &memory);
 }
 

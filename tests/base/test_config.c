@@ -65,6 +65,12 @@ static void a_refused_config_leaves_the_defaults(void **state)
                   vbss_config_read(context, &sample_layout, &given, &own));
     expect_ok(vbss_context_get_last_error(context, NULL, &text));
     assert_non_null(strstr(text, "sample"));
+    union {
+        sample known;
+        unsigned char bytes[4096];
+    } longest = {{4096, 9, 9.0}};
+    sample from_longest;
+    expect_ok(vbss_config_read(context, &sample_layout, &longest, &from_longest));
     const uint32_t wrong[] = {0, 4, 7, 9, 12, 15, 4097, UINT32_MAX};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         given.known.struct_size = wrong[i];
@@ -112,6 +118,8 @@ static void numbers_are_checked_and_named(void **state)
         expect_ok(vbss_context_get_last_error(context, NULL, &text));
         assert_non_null(strstr(text, "force[2]"));
         expect_ok(vbss_check_finite(context, values, 2, "force"));
+        double first[2] = {harness_bad_numbers[i], 1.0};
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_check_finite(context, first, 2, "force"));
         expect_result(VBSS_ERROR_NOT_FINITE, vbss_check_range(context, values[2], 0, 1, "h"));
     }
     expect_ok(vbss_check_range(context, 0.0, 0.0, 1.0, "h"));

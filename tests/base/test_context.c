@@ -73,6 +73,7 @@ static void statistics_follow_memory_and_objects(void **state)
     expect_ok(vbss_context_get_statistics(context, &empty, sizeof empty));
     assert_int_equal(empty.struct_size, sizeof empty);
     assert_int_equal(empty.allocation_count, 1);
+    assert_int_equal(empty.bytes_peak, empty.bytes_allocated);
     assert_true(empty.bytes_allocated > 0);
     double *numbers = vbss_allocate(context, 100, sizeof *numbers, "numbers");
     for (int i = 0; i < 100; i++) {
@@ -150,6 +151,7 @@ typedef struct heard {
     vbss_context *context;
     rod *body;
     vbss_result destroyed, stepped, context_destroyed;
+    bool saw_its_error; /* the last error is the one that is being told */
 } heard;
 
 static void listen(void *user, vbss_log_level level, const char *message)
@@ -158,6 +160,9 @@ static void listen(void *user, vbss_log_level level, const char *message)
     h->count++;
     h->level = level;
     snprintf(h->text, sizeof h->text, "%s", message);
+    const char *kept = "";
+    vbss_context_get_last_error(h->context, NULL, &kept);
+    h->saw_its_error = strcmp(kept, message) == 0;
     if (h->body != NULL) {
         h->destroyed = rod_destroy(h->body);
         h->stepped = rod_step(h->body, 1e-3);
@@ -234,6 +239,7 @@ static void the_error_is_still_there_after_a_callback_that_failed(void **state)
     expect_result(VBSS_ERROR_OUT_OF_RANGE, rod_step(alive, 5.0));
     expect_result(VBSS_ERROR_BUSY, h.stepped);
     assert_non_null(strstr(h.text, "h is 5"));
+    assert_true(h.saw_its_error);
     vbss_result kept;
     const char *text;
     expect_ok(vbss_context_get_last_error(h.context, &kept, &text));
@@ -307,35 +313,91 @@ static void nothing_can_be_changed_from_the_allocator(void **state)
     harness_context_end(context, &m.memory);
 }
 
+static void callbacks_nest(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    bool outer = vbss_callback_begin(context), inner = vbss_callback_begin(context);
+    vbss_callback_end(context, inner);
+    expect_result(VBSS_ERROR_BUSY, vbss_context_edit(context));
+    vbss_callback_end(context, outer);
+    expect_ok(vbss_context_edit(context));
+    harness_context_end(context, &memory);
+}
+
+/* The release callback of a failing creation calls back, and is refused: the reason stays. */
+static void the_error_is_still_there_after_a_release_that_failed(void **state)
+{
+    (void)state;
+    meddler m = {0};
+    m.watched = harness_watched_config(&m.memory);
+    vbss_context_config config = m.watched;
+    config.allocate = meddling_allocate;
+    config.release = meddling_release;
+    config.allocator_user = &m;
+    vbss_context *context;
+    expect_ok(vbss_context_create(&config, &context));
+    rod_config body;
+    rod *handle;
+    expect_ok(rod_config_init(&body, sizeof body));
+    m.context = context;
+    m.memory.fail_call = m.memory.calls + 3; /* the third block of a rod */
+    expect_result(VBSS_ERROR_OUT_OF_MEMORY, rod_create(context, &body, &handle));
+    expect_result(VBSS_ERROR_BUSY, m.results[1]);
+    vbss_result kept;
+    const char *text;
+    expect_ok(vbss_context_get_last_error(context, &kept, &text));
+    expect_result(VBSS_ERROR_OUT_OF_MEMORY, kept);
+    assert_non_null(strstr(text, "rod velocities"));
+    m.context = NULL;
+    harness_context_end(context, &m.memory);
+}
+
 /* ---- an allocator that does not keep its word */
+
+typedef struct skewed {
+    vbss_context_config good;
+    size_t by; /* bytes off the alignment */
+} skewed;
 
 static void *skewed_allocate(void *user, uint64_t size, uint64_t alignment)
 {
-    unsigned char *block =
-        ((vbss_context_config *)user)
-            ->allocate(((vbss_context_config *)user)->allocator_user, size + 8, alignment);
-    return block == NULL ? NULL : block + 8;
+    skewed *s = user;
+    assert_true(size > 0); /* the library never asks for nothing */
+    unsigned char *block = s->good.allocate(s->good.allocator_user, size + s->by, alignment);
+    return block == NULL ? NULL : block + s->by;
 }
 
 static void skewed_release(void *user, void *block, uint64_t size, uint64_t alignment)
 {
-    ((vbss_context_config *)user)
-        ->release(((vbss_context_config *)user)->allocator_user, (unsigned char *)block - 8,
-                  size + 8, alignment);
+    skewed *s = user;
+    uintptr_t off = (uintptr_t)block % alignment;
+    s->good.release(s->good.allocator_user, (unsigned char *)block - off, size + off, alignment);
 }
 
 static void a_block_that_is_not_aligned_is_given_back(void **state)
 {
     (void)state;
     harness_memory memory;
-    vbss_context_config good = harness_watched_config(&memory), config = good;
+    skewed s = {harness_watched_config(&memory), 8};
+    vbss_context_config config = s.good;
     vbss_context *context;
     config.allocate = skewed_allocate;
     config.release = skewed_release;
-    config.allocator_user = &good;
+    config.allocator_user = &s;
     expect_result(VBSS_ERROR_OUT_OF_MEMORY, vbss_context_create(&config, &context));
     assert_null(context);
     assert_int_equal(memory.calls, 1);
+    assert_int_equal(memory.blocks, 0);
+    s.by = 0;
+    expect_ok(vbss_context_create(&config, &context));
+    s.by = 8;
+    assert_null(vbss_allocate(context, 1, 8, "skewed"));
+    assert_int_equal(memory.blocks, 1);
+    s.by = 0;
+    vbss_release(context, vbss_allocate(context, 0, 8, "empty"), 0, 8);
+    expect_ok(vbss_context_destroy(context));
     assert_int_equal(memory.blocks, 0);
     assert_int_equal(memory.wrong_releases, 0);
 }
@@ -400,6 +462,8 @@ int test_context(void)
         harness_test(nothing_can_be_changed_from_the_log_callback),
         harness_test(the_error_is_still_there_after_a_callback_that_failed),
         harness_test(nothing_can_be_changed_from_the_allocator),
+        harness_test(callbacks_nest),
+        harness_test(the_error_is_still_there_after_a_release_that_failed),
         harness_test(a_block_that_is_not_aligned_is_given_back),
         harness_test(objects_left_alive_end_with_the_context_and_a_warning),
         harness_test(every_allocation_may_fail),

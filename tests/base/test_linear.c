@@ -60,6 +60,8 @@ static void vector_identities(void **state)
     (void)state;
     harness_property("vectors", 2000, vectors, NULL);
     vec3 fallback = vec3_make(0, 1, 0);
+    /* Exact at the end even where the difference of the two is not. */
+    expect_vec3(fallback, vec3_lerp(vec3_make(1e17, 1e17, 1e17), fallback, 1.0), 0.0);
     expect_vec3(fallback, vec3_unit_or(vec3_zero(), fallback), 0.0);
     expect_vec3(vec3_make(0, 0, 1), vec3_unit_or(vec3_make(0, 0, 1e-149), fallback), ROUNDING);
     expect_vec3(fallback, vec3_unit_or(vec3_make(0, 0, 1e-151), fallback), 0.0);
@@ -124,6 +126,14 @@ static void singular_matrices_are_not_inverted(void **state)
         mat3_rows(vec3_make(0.1, 0.2, 0.3), vec3_make(0.2, 0.4, 0.6), vec3_make(0.7, 0.8, 0.9));
     assert_false(mat3_invert(dependent, &inverse));
     expect_mat3(kept, inverse, 0.0);
+    assert_false(mat3_invert(mat3_diagonal(1e-105, 1e-105, 1e-105), &inverse)); /* 1/d overflows */
+    expect_mat3(kept, inverse, 0.0);
+    /* The border of what counts as dependent. */
+    mat3 nearly = mat3_rows(vec3_make(1, 0, 0), vec3_make(0, 1, 0), vec3_make(0, 1, 1e-15));
+    assert_false(mat3_invert(nearly, &inverse));
+    nearly.m[2][2] = 1e-13;
+    assert_true(mat3_invert(nearly, &inverse));
+    expect_near(1e13, inverse.m[2][2], 1.0);
     /* Small is not singular. */
     assert_true(mat3_invert(mat3_diagonal(1e-90, 2e-90, 4e-90), &inverse));
     expect_near(1.0, inverse.m[0][0] * 1e-90, 1e-15);

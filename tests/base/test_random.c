@@ -26,6 +26,11 @@ static void sequences_of_one_seed_differ(void **state)
         same += vbss_random_u32(&a) == vbss_random_u32(&b);
     }
     assert_true(same < 3);
+    /* Sequences that differ in a high bit only. */
+    vbss_random_seed(&a, 1, 1);
+    vbss_random_seed(&b, 1, 1 + (UINT64_C(1) << 40));
+    assert_true(vbss_random_u64(&a) != vbss_random_u64(&b) ||
+                vbss_random_u64(&a) != vbss_random_u64(&b));
 }
 
 static void bounded_numbers_are_even(void **state)

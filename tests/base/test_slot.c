@@ -147,6 +147,38 @@ static void handles_are_told_until_the_very_end(void **state)
     expect_result(VBSS_ERROR_INVALID_HANDLE, seen_at_the_end);
 }
 
+/* While an object ends, its own handle is told already. */
+static vbss_slot *ending;
+static void open_the_ending(vbss_context *context, void *object);
+static const vbss_kind ending_kind = {"ending", VBSS_CODE('E', 'N', 'D', ' '), 1, open_the_ending,
+                                      visit_nothing};
+static void open_the_ending(vbss_context *context, void *object)
+{
+    vbss_slot *found;
+    (void)context;
+    (void)object;
+    seen_at_the_end = vbss_slot_open(ending, &ending_kind, &found);
+}
+
+static void an_object_that_ends_cannot_be_opened(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    expect_ok(vbss_slot_create(context, &ending_kind, NULL, &ending));
+    seen_at_the_end = VBSS_OK;
+    expect_ok(vbss_slot_destroy(ending, &ending_kind));
+    expect_result(VBSS_ERROR_INVALID_HANDLE, seen_at_the_end);
+    /* A dead handle of another kind is told by its kind, and nothing is handed out. */
+    vbss_slot *found = ending;
+    const char *text;
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_slot_edit(ending, &rod_kind, &found));
+    assert_null(found);
+    expect_ok(vbss_context_get_last_error(context, NULL, &text));
+    assert_non_null(strstr(text, "is a ending where a rod is needed"));
+    harness_context_end(context, &memory);
+}
+
 static vbss_result fill_slots(vbss_context *context, void *user)
 {
     (void)user;
@@ -178,6 +210,7 @@ int test_slot(void)
         harness_test(ordinals_count_creations),
         harness_test(the_youngest_end_first),
         harness_test(handles_are_told_until_the_very_end),
+        harness_test(an_object_that_ends_cannot_be_opened),
         harness_test(every_allocation_may_fail),
     };
     return cmocka_run_group_tests_name("base.slot", tests, NULL, NULL);

@@ -189,6 +189,64 @@ static void buffers_that_are_too_small_are_not_touched(void **state)
     harness_context_end(context, &memory);
 }
 
+static void nothing_is_restored_inside_a_callback(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    double values[3] = {1.0, 2.0, 3.0};
+    vbss_slot *slot;
+    uint8_t bytes[256];
+    size_t written;
+    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
+    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
+    values[2] = 4.0;
+    bool outer = vbss_callback_begin(context);
+    expect_result(VBSS_ERROR_BUSY, vbss_snapshot_restore(slot, bytes, written));
+    vbss_callback_end(context, outer);
+    expect_same_bits(4.0, values[2]);
+    expect_ok(vbss_snapshot_restore(slot, bytes, written));
+    expect_same_bits(3.0, values[2]);
+    bytes[4] = 0; /* another format, older or newer */
+    harness_seal_snapshot(bytes, written);
+    expect_result(VBSS_ERROR_DATA_VERSION, vbss_snapshot_restore(slot, bytes, written));
+    harness_context_end(context, &memory);
+}
+
+/* A body whose visitor writes what its room does not hold is told, and nothing is read or written
+ * beyond it. */
+typedef struct crowded {
+    uint32_t count;
+    double values[4];
+} crowded;
+
+static void serialise_crowded(vbss_stream *stream, void *object)
+{
+    crowded *c = object;
+    vbss_stream_count(stream, 1, &c->count, 4);
+    vbss_stream_f64(stream, 2, c->values, c->count);
+}
+
+static const vbss_kind crowded_kind = {"crowded", VBSS_CODE('C', 'R', 'W', 'D'), 1, keep_broken,
+                                       serialise_crowded};
+
+static void a_count_beyond_its_capacity_stops_a_restore(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    crowded object = {2, {1.0, 2.0, 3.0, 4.0}};
+    vbss_slot *slot;
+    uint8_t bytes[256];
+    size_t written;
+    expect_ok(vbss_slot_create(context, &crowded_kind, &object, &slot));
+    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
+    object.count = 1000000;
+    expect_result(VBSS_ERROR_CAPACITY, vbss_snapshot_restore(slot, bytes, written));
+    assert_int_equal(object.count, 1000000);
+    harness_context_end(context, &memory);
+}
+
 /* Data behind the state, under a right length and checksum. */
 static void a_snapshot_ends_with_its_state(void **state)
 {
@@ -239,6 +297,8 @@ int test_snapshot(void)
         harness_test(the_way_back_keeps_even_a_broken_state),
         harness_test(a_state_its_own_visitor_refuses_can_be_left_but_not_saved),
         harness_test(buffers_that_are_too_small_are_not_touched),
+        harness_test(nothing_is_restored_inside_a_callback),
+        harness_test(a_count_beyond_its_capacity_stops_a_restore),
         harness_test(a_snapshot_ends_with_its_state),
         harness_test(every_allocation_may_fail),
     };

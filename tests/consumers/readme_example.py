@@ -1,15 +1,15 @@
 """Does literally what README.md says under "In a program", in a copy of the checkout and with a home of
 its own: the C block becomes example.c, the shell block after it builds, installs, compiles and runs.
 
-    readme_example.py --source DIR --work DIR
+    readme_example.py SOURCE_DIR
 """
-import argparse
 import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 
 def block(language, text):
@@ -20,16 +20,17 @@ def block(language, text):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--source", type=pathlib.Path, required=True)
-    parser.add_argument("--work", type=pathlib.Path, required=True)
-    options = parser.parse_args()
+    source = pathlib.Path(sys.argv[1])
+    # Not in the build folder, whose path may have spaces, which the shell lines do not expect.
+    with tempfile.TemporaryDirectory() as work:
+        follow(source, pathlib.Path(work))
 
-    shutil.rmtree(options.work, ignore_errors=True)
-    checkout, home = options.work / "checkout", options.work / "home"
-    shutil.copytree(options.source, checkout, ignore=shutil.ignore_patterns("build", ".git"))
+
+def follow(source, work):
+    checkout, home = work / "checkout", work / "home"
+    shutil.copytree(source, checkout, ignore=shutil.ignore_patterns("build", ".git"))
     home.mkdir()
-    section = (options.source / "README.md").read_text().split("## In a program")[1].split("\n## ")[0]
+    section = (source / "README.md").read_text().split("## In a program")[1].split("\n## ")[0]
     example = block("c", section)
     (checkout / "example.c").write_text(example)
     done = subprocess.run(["bash", "-euo", "pipefail", "-c", block("sh", section)], cwd=checkout,

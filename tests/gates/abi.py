@@ -29,7 +29,7 @@ def dump(g, source, name):
     if "x86_64" not in g.run(g.tool("gcc"), "-dumpmachine"):
         raise gate.Problem("the baseline is for x86-64, and this gcc is not")
     build = g.build(name, f"-DCMAKE_C_COMPILER={g.tool('gcc')}", "-DCMAKE_BUILD_TYPE=None",
-                    "-DCMAKE_C_FLAGS=-g -Og -fno-eliminate-unused-debug-types", source=source,
+                    "-DCMAKE_C_FLAGS=-g -O0 -fno-eliminate-unused-debug-types", source=source,
                     targets=["vblast_ss_shared"])
     out = g.work / f"{name}.dump"
     g.run(g.tool("abi-dumper"), build / "lib/libvblast_ss.so", "-o", out, "-lver", ".".join(version(g)),

@@ -93,7 +93,7 @@ def look(g):
                         "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_C_FLAGS={flags}", source=copy,
                         targets=["vblast_ss_static"])
         objdump = "objdump" if machine == "x86_64" else machine + "-linux-gnu-objdump"
-        complaints += check(g, f"{name} -O3 {flags if machine == 's390x' else ''}".strip(), machine, objdump,
+        complaints += check(g, f"{name} {flags if machine in name else ''}".strip(), machine, objdump,
                             archive(build))
     return complaints
 

@@ -1,5 +1,4 @@
 /* What every stepped body must be able to do: go back, go on elsewhere, refuse nonsense. */
-#include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -159,8 +158,8 @@ void harness_seal_snapshot(uint8_t *bytes, size_t count)
     store_little_endian(bytes + count - 8, vbss_hash_end(&hash), 8);
 }
 
-/* Damage under a right checksum, one bit at a time over the whole payload: the visitor refuses it, or
- * it is a state like another, which is then saved as it was read. */
+/* Damage under a right checksum, one bit at a time over the whole payload: the visitor refuses it,
+ * or it is a state like another, which is then saved as it was read. */
 static void try_sealed_damage(const living *life, const uint8_t *good, size_t count)
 {
     enum { FRONT = 16, BACK = 8 };

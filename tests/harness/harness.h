@@ -51,9 +51,9 @@ vbss_context *harness_context(harness_memory *memory);
 /* Destroys the context and asserts that every block came back as it was handed out. */
 void harness_context_end(vbss_context *context, const harness_memory *memory);
 
-/* Runs `attempt` in a fresh context with the first allocation failing, then the second, ... until it
- * succeeds; once with only that one failing, once with all after it. The attempt makes and destroys
- * what it tests and returns the first failure. Asserts that each failure is told as
+/* Runs `attempt` in a fresh context with the first allocation failing, then the second, ... until
+ * it succeeds; once with only that one failing, once with all after it. The attempt makes and
+ * destroys what it tests and returns the first failure. Asserts that each failure is told as
  * VBSS_ERROR_OUT_OF_MEMORY, loses no block, and that there was something to fail. */
 typedef vbss_result (*harness_attempt)(vbss_context *context, void *user);
 void harness_fail_every_allocation(harness_attempt attempt, void *user);
@@ -96,9 +96,9 @@ typedef struct harness_body {
     void *user;
 } harness_body;
 /* The body is edited, stepped and saved at step `before`; its next `after` states are the wanted
- * ones. Restored (never edited again) into a new body, into one that has lived differently, and into
- * the first itself, it must go through the same states. Returns the first step (from 0) after the
- * restore that differs in any of these, or `after`. */
+ * ones. Restored (never edited again) into a new body, into one that has lived differently, and
+ * into the first itself, it must go through the same states. Returns the first step (from 0) after
+ * the restore that differs in any of these, or `after`. */
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after);
 /* Asserts that none does. */
 void harness_save_restore_continue(const harness_body *body, size_t before, size_t after);
@@ -128,8 +128,8 @@ typedef vbss_result (*harness_handle_call)(void *handle);
 void harness_refuses_bad_handles(vbss_context *context, void *destroyed,
                                  const harness_handle_call *calls, size_t count);
 
-/* ---- fixtures that must fail (must_fail.c): asserts that the test fails, run in a process of its own
- * that says nothing. A test that passes on a faulty body tests nothing. */
+/* ---- fixtures that must fail (must_fail.c): asserts that an assertion of the test fails. It runs
+ * in a process of its own that says nothing. A test that passes on a faulty body tests nothing. */
 #define expect_failure(test) harness_must_fail((test), #test, __FILE__, __LINE__)
 void harness_must_fail(CMUnitTestFunction test, const char *name, const char *file, int line);
 

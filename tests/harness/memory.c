@@ -4,8 +4,8 @@
 
 #include "harness/harness.h"
 
-/* The block handed out stands behind a front of one alignment; the list of what is alive is apart, so
- * that a second release is told without a look at memory that is gone. */
+/* The block handed out stands behind a front of one alignment; the list of what is alive is apart,
+ * so that a second release is told without a look at memory that is gone. */
 #define FRONT 64u
 struct harness_block {
     struct harness_block *next;

@@ -1,4 +1,5 @@
 /* The fixtures catch what they are there to catch: each is shown something with the fault. */
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -285,6 +286,64 @@ static void golden_without_file(void **state)
     harness_golden("no-such-scene", rod_hashes, 1);
 }
 
+/* ---- expectations */
+
+static void near_but_not_enough(void **state)
+{
+    (void)state;
+    expect_near(1.0, 2.0, 0.5);
+}
+
+static void near_a_nan(void **state)
+{
+    (void)state;
+    expect_near(1.0, harness_bad_numbers[0], 0.5);
+}
+
+static void zeros_of_other_signs(void **state)
+{
+    (void)state;
+    expect_same_bits(0.0, -0.0);
+}
+
+static void another_result(void **state)
+{
+    (void)state;
+    expect_result(VBSS_ERROR_BUSY, VBSS_ERROR_CAPACITY);
+}
+
+static void pass(void **state)
+{
+    (void)state;
+}
+
+static void crash(void **state)
+{
+    (void)state;
+    raise(SIGSEGV);
+}
+
+static void expect_a_passing_test_to_fail(void **state)
+{
+    (void)state;
+    expect_failure(pass);
+}
+
+static void expect_a_crash_to_be_a_failure(void **state)
+{
+    (void)state;
+    expect_failure(crash);
+}
+
+static void lose_a_block(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_allocate(context, 1, 8, "lost");
+    harness_context_end(context, &memory);
+}
+
 static void fail_at_once(void **state)
 {
     (void)state;
@@ -296,6 +355,13 @@ static void fixtures_fail_on_what_is_faulty(void **state)
     (void)state;
     unsetenv("VBSS_UPDATE_GOLDEN"); /* or the golden canaries would write files */
     expect_failure(fail_at_once);
+    expect_failure(expect_a_passing_test_to_fail);
+    expect_failure(expect_a_crash_to_be_a_failure);
+    expect_failure(near_but_not_enough);
+    expect_failure(near_a_nan);
+    expect_failure(zeros_of_other_signs);
+    expect_failure(another_result);
+    expect_failure(lose_a_block);
     expect_failure(continue_with_a_forgotten_field);
     expect_failure(continue_a_body_that_stands_still);
     expect_failure(restore_into_a_body_changed_by_reading);
