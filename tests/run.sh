@@ -68,5 +68,5 @@ if [ "$suite" != default ]; then
         seed=$((seed + 1))
     done
     announce "slow suite"
-    ctest --preset default --label-regex slow
+    ctest --preset default --label-regex slow --verbose # the tables and what each canary was told
 fi
