@@ -83,7 +83,7 @@ def hashes_of(program, machine=""):
 
 
 def print_row(*cells):
-    print("{:<14} {:<23} {:<21} {:>6} {:>6}  {:<32} {:>6} {:>5}".format(*cells), flush=True)
+    print("{:<15} {:<22} {:<36} {:>6} {:>6}  {:<32} {:>6} {:>5}".format(*cells), flush=True)
 
 
 def row(name, make, golden, machine="", compiler="-", flags="-"):
