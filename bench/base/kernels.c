@@ -7,6 +7,22 @@
 #include "base/base.h"
 #include "bench_base.h"
 
+/* Methods of one scene: a name and what is run, all else shared. */
+typedef struct kernel {
+    const char *name;
+    void (*run)(void *user);
+} kernel;
+
+static void add_kernels(bench *b, const kernel *rows, size_t count, const bench_batch *shared)
+{
+    for (size_t i = 0; i < count; i++) {
+        bench_batch batch = *shared;
+        batch.name = rows[i].name;
+        batch.run = rows[i].run;
+        bench_add_batch(b, &batch);
+    }
+}
+
 /* ---- hash: a counter, one body, a whole scene */
 
 enum { HASH_SIZES = 3, MAX_HASH_BYTES = 65536 };
@@ -143,23 +159,14 @@ static void check_stream(void *user, bench_result *result)
 
 static void add_stream_cases(bench *b)
 {
-    static const struct {
-        const char *name;
-        void (*run)(void *);
-    } rows[] = {
+    static const kernel rows[] = {
         {"base/stream-write/ours", run_stream_write},
         {"base/stream-write/memcpy", run_memcpy},
         {"base/stream-read/ours", run_stream_read},
         {"base/stream-hash/ours", run_stream_hash},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const bench_batch batch = {.name = rows[i].name,
-                                   .items = STATE_BYTES,
-                                   .setup = fill_state,
-                                   .run = rows[i].run,
-                                   .finish = check_stream};
-        bench_add_batch(b, &batch);
-    }
+    const bench_batch shared = {.items = STATE_BYTES, .setup = fill_state, .finish = check_stream};
+    add_kernels(b, rows, sizeof rows / sizeof rows[0], &shared);
 }
 
 /* ---- quaternions: one step of 1 ms at up to 30 rad/s, against the exact turn in long double */
@@ -241,21 +248,12 @@ static void check_turns(void *user, bench_result *result)
 
 static void add_quaternion_cases(bench *b)
 {
-    static const struct {
-        const char *name;
-        void (*run)(void *);
-    } rows[] = {
+    static const kernel rows[] = {
         {"base/quat-integrate/ours", run_integrate},
         {"base/quat-integrate/euler", run_euler},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        const bench_batch batch = {.name = rows[i].name,
-                                   .items = BODIES,
-                                   .setup = fill_orientations,
-                                   .run = rows[i].run,
-                                   .finish = check_turns};
-        bench_add_batch(b, &batch);
-    }
+    const bench_batch shared = {.items = BODIES, .setup = fill_orientations, .finish = check_turns};
+    add_kernels(b, rows, sizeof rows / sizeof rows[0], &shared);
 }
 
 void add_kernel_cases(bench *b)

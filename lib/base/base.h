@@ -164,7 +164,7 @@ struct vbss_stream {
     uint32_t section;    /* code of the innermost open section, for error texts */
     uint16_t version;    /* its version: when reading, the one it was written with */
     uint16_t tag;        /* the field visited last */
-    bool trusted;        /* our own bytes of a moment ago, whatever they hold: nothing is refused */
+    bool trusted;        /* our own bytes of a moment ago: visitors cannot refuse what they hold */
     uint8_t *out;
     const uint8_t *in;
     size_t capacity, position; /* in bytes; position counts in every mode */
@@ -194,6 +194,7 @@ void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value);
 void vbss_stream_same_f64(vbss_stream *stream, uint16_t tag, double value); /* to the bit */
 /* For visitors that find nonsense themselves: keeps the first problem. */
 void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem);
+/* Four characters as the code of a section. */
 #define VBSS_CODE(a, b, c, d) \
     ((uint32_t)(a) | ((uint32_t)(b) << 8) | ((uint32_t)(c) << 16) | ((uint32_t)(d) << 24))
 

@@ -235,7 +235,7 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
             for (size_t i = 0; i < now; i++) {                                             \
                 store_little_endian(chunk + WIDTH * i, (uint64_t)values[done + i], WIDTH); \
             }                                                                              \
-            put(stream, chunk, WIDTH *now);                                                \
+            put(stream, chunk, sizeof(type_name) * now);                                   \
         }                                                                                  \
     }
 

@@ -286,17 +286,24 @@ static void meddling_release(void *user, void *block, uint64_t size, uint64_t al
     m->watched.release(m->watched.allocator_user, block, size, alignment);
 }
 
+static vbss_context *meddled_context(meddler *m)
+{
+    memset(m, 0, sizeof *m);
+    m->watched = harness_watched_config(&m->memory);
+    vbss_context_config config = m->watched;
+    config.allocate = meddling_allocate;
+    config.release = meddling_release;
+    config.allocator_user = m;
+    vbss_context *context;
+    expect_ok(vbss_context_create(&config, &context));
+    return context;
+}
+
 static void nothing_can_be_changed_from_the_allocator(void **state)
 {
     (void)state;
-    meddler m = {0};
-    m.watched = harness_watched_config(&m.memory);
-    vbss_context_config config = m.watched;
-    config.allocate = meddling_allocate;
-    config.release = meddling_release;
-    config.allocator_user = &m;
-    vbss_context *context;
-    expect_ok(vbss_context_create(&config, &context));
+    meddler m;
+    vbss_context *context = meddled_context(&m);
     m.context = context;
     rod_config body;
     rod *handle;
@@ -330,14 +337,8 @@ static void callbacks_nest(void **state)
 static void the_error_is_still_there_after_a_release_that_failed(void **state)
 {
     (void)state;
-    meddler m = {0};
-    m.watched = harness_watched_config(&m.memory);
-    vbss_context_config config = m.watched;
-    config.allocate = meddling_allocate;
-    config.release = meddling_release;
-    config.allocator_user = &m;
-    vbss_context *context;
-    expect_ok(vbss_context_create(&config, &context));
+    meddler m;
+    vbss_context *context = meddled_context(&m);
     rod_config body;
     rod *handle;
     expect_ok(rod_config_init(&body, sizeof body));

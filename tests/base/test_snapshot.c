@@ -65,6 +65,34 @@ static void the_state_of_another_size_is_refused_by_name(void **state)
     harness_context_end(context, &memory);
 }
 
+/* ---- small objects of the test's own, with a snapshot of how they began */
+
+typedef struct small_life {
+    harness_memory memory;
+    vbss_context *context;
+    vbss_slot *slot;
+    uint8_t bytes[256];
+    size_t written;
+} small_life;
+
+static void begin_small(small_life *life, const vbss_kind *kind, void *object)
+{
+    memset(life, 0, sizeof *life);
+    life->context = harness_context(&life->memory);
+    expect_ok(vbss_slot_create(life->context, kind, object, &life->slot));
+    expect_ok(vbss_snapshot_save(life->slot, life->bytes, sizeof life->bytes, &life->written));
+}
+
+static vbss_result restore_small(const small_life *life)
+{
+    return vbss_snapshot_restore(life->slot, life->bytes, life->written);
+}
+
+static void end_small(small_life *life)
+{
+    harness_context_end(life->context, &life->memory);
+}
+
 /* ---- a state that is not finite, with a constant behind it that can be made not to fit */
 
 typedef struct broken {
@@ -91,32 +119,27 @@ static const vbss_kind broken_kind = {"broken", VBSS_CODE('B', 'R', 'K', 'N'), 1
 static void the_way_back_keeps_even_a_broken_state(void **state)
 {
     (void)state;
-    harness_memory memory;
-    vbss_context *context = harness_context(&memory);
+    small_life life;
     broken object = {{1.0, 2.0}, 7};
-    vbss_slot *slot;
-    uint8_t bytes[256];
-    size_t written;
-    expect_ok(vbss_slot_create(context, &broken_kind, &object, &slot));
-    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
+    begin_small(&life, &broken_kind, &object);
     object.values[0] = harness_bad_numbers[0];
     object.values[1] = harness_bad_numbers[1];
     object.configuration = 8; /* found only after the values were read */
     uint64_t before, after;
-    expect_ok(vbss_snapshot_hash(slot, &before));
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bytes, written));
-    expect_ok(vbss_snapshot_hash(slot, &after));
+    expect_ok(vbss_snapshot_hash(life.slot, &before));
+    expect_result(VBSS_ERROR_CORRUPT, restore_small(&life));
+    expect_ok(vbss_snapshot_hash(life.slot, &after));
     assert_true(before == after);
     expect_same_bits(harness_bad_numbers[1], object.values[1]);
 
     /* Out of a broken state a good one is restored; a broken one is saved but never restored. */
     object.configuration = 7;
-    expect_ok(vbss_snapshot_restore(slot, bytes, written));
+    expect_ok(restore_small(&life));
     expect_same_bits(1.0, object.values[0]);
     object.values[0] = harness_bad_numbers[0];
-    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bytes, written));
-    harness_context_end(context, &memory);
+    expect_ok(vbss_snapshot_save(life.slot, life.bytes, sizeof life.bytes, &life.written));
+    expect_result(VBSS_ERROR_CORRUPT, restore_small(&life));
+    end_small(&life);
 }
 
 /* A visitor that refuses what is there now must not stand in the way of what was there before. */
@@ -136,81 +159,83 @@ static const vbss_kind picky_kind = {"picky", VBSS_CODE('P', 'I', 'C', 'K'), 1, 
 static void a_state_its_own_visitor_refuses_can_be_left_but_not_saved(void **state)
 {
     (void)state;
-    harness_memory memory;
-    vbss_context *context = harness_context(&memory);
+    small_life life;
     double values[3] = {1.0, 2.0, 3.0};
-    vbss_slot *slot;
-    uint8_t good[256], bad[256];
-    size_t written;
+    uint8_t bad[256];
+    size_t written, size;
     uint64_t hash;
-    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
-    expect_ok(vbss_snapshot_save(slot, good, sizeof good, &written));
+    begin_small(&life, &picky_kind, values);
     values[0] = -1.0;
     values[1] = 7.0;
     values[2] = 8.0;
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_save(slot, bad, sizeof bad, &written));
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_hash(slot, &hash));
-    size_t size;
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_size(slot, &size));
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_save(life.slot, bad, sizeof bad, &written));
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_hash(life.slot, &hash));
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_size(life.slot, &size));
     /* A refused restore: the good bytes with a first value the visitor does not take. */
-    memcpy(bad, good, written);
+    memcpy(bad, life.bytes, life.written);
     bad[16 + 8 + 8 + 7] ^= 0x80; /* the sign of 1.0 */
-    harness_seal_snapshot(bad, written);
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bad, written));
+    harness_seal_snapshot(bad, life.written);
+    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(life.slot, bad, life.written));
     expect_same_bits(-1.0, values[0]);
     expect_same_bits(7.0, values[1]);
     expect_same_bits(8.0, values[2]);
-    expect_ok(vbss_snapshot_restore(slot, good, written));
+    expect_ok(restore_small(&life));
     expect_same_bits(3.0, values[2]);
-    harness_context_end(context, &memory);
+    end_small(&life);
 }
 
 static void buffers_that_are_too_small_are_not_touched(void **state)
 {
     (void)state;
-    harness_memory memory;
-    vbss_context *context = harness_context(&memory);
+    small_life life;
     double values[3] = {1.0, 2.0, 3.0};
-    vbss_slot *slot;
     uint8_t bytes[256];
     size_t size, written = 99;
-    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
-    expect_ok(vbss_snapshot_size(slot, &size));
+    begin_small(&life, &picky_kind, values);
+    expect_ok(vbss_snapshot_size(life.slot, &size));
     for (size_t capacity = 0; capacity < size; capacity++) {
         memset(bytes, 0xee, sizeof bytes);
-        expect_result(VBSS_ERROR_CAPACITY, vbss_snapshot_save(slot, bytes, capacity, &written));
+        expect_result(VBSS_ERROR_CAPACITY,
+                      vbss_snapshot_save(life.slot, bytes, capacity, &written));
         for (size_t i = capacity; i < sizeof bytes; i++) {
             assert_int_equal(bytes[i], 0xee);
         }
     }
     assert_int_equal(written, 99);
-    expect_ok(vbss_snapshot_save(slot, bytes, size, &written));
+    expect_ok(vbss_snapshot_save(life.slot, bytes, size, &written));
     assert_int_equal(written, size);
-    harness_context_end(context, &memory);
+    end_small(&life);
 }
 
 static void nothing_is_restored_inside_a_callback(void **state)
 {
     (void)state;
-    harness_memory memory;
-    vbss_context *context = harness_context(&memory);
+    small_life life;
     double values[3] = {1.0, 2.0, 3.0};
-    vbss_slot *slot;
-    uint8_t bytes[256];
-    size_t written;
-    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
-    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
+    begin_small(&life, &picky_kind, values);
     values[2] = 4.0;
-    bool outer = vbss_callback_begin(context);
-    expect_result(VBSS_ERROR_BUSY, vbss_snapshot_restore(slot, bytes, written));
-    vbss_callback_end(context, outer);
+    bool outer = vbss_callback_begin(life.context);
+    expect_result(VBSS_ERROR_BUSY, restore_small(&life));
+    vbss_callback_end(life.context, outer);
     expect_same_bits(4.0, values[2]);
-    expect_ok(vbss_snapshot_restore(slot, bytes, written));
+    expect_ok(restore_small(&life));
     expect_same_bits(3.0, values[2]);
-    bytes[4] = 0; /* another format, older or newer */
-    harness_seal_snapshot(bytes, written);
-    expect_result(VBSS_ERROR_DATA_VERSION, vbss_snapshot_restore(slot, bytes, written));
-    harness_context_end(context, &memory);
+    end_small(&life);
+}
+
+static void another_format_is_told(void **state)
+{
+    (void)state;
+    small_life life;
+    double values[3] = {1.0, 2.0, 3.0};
+    begin_small(&life, &picky_kind, values);
+    const uint8_t formats[] = {0, 2}; /* older and newer */
+    for (int i = 0; i < 2; i++) {
+        life.bytes[4] = formats[i];
+        harness_seal_snapshot(life.bytes, life.written);
+        expect_result(VBSS_ERROR_DATA_VERSION, restore_small(&life));
+    }
+    end_small(&life);
 }
 
 /* A body whose visitor writes what its room does not hold is told, and nothing is read or written
@@ -233,36 +258,27 @@ static const vbss_kind crowded_kind = {"crowded", VBSS_CODE('C', 'R', 'W', 'D'),
 static void a_count_beyond_its_capacity_stops_a_restore(void **state)
 {
     (void)state;
-    harness_memory memory;
-    vbss_context *context = harness_context(&memory);
+    small_life life;
     crowded object = {2, {1.0, 2.0, 3.0, 4.0}};
-    vbss_slot *slot;
-    uint8_t bytes[256];
-    size_t written;
-    expect_ok(vbss_slot_create(context, &crowded_kind, &object, &slot));
-    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
+    begin_small(&life, &crowded_kind, &object);
     object.count = 1000000;
-    expect_result(VBSS_ERROR_CAPACITY, vbss_snapshot_restore(slot, bytes, written));
+    expect_result(VBSS_ERROR_CAPACITY, restore_small(&life));
     assert_int_equal(object.count, 1000000);
-    harness_context_end(context, &memory);
+    end_small(&life);
 }
 
 /* Data behind the state, under a right length and checksum. */
 static void a_snapshot_ends_with_its_state(void **state)
 {
     (void)state;
-    harness_memory memory;
-    vbss_context *context = harness_context(&memory);
+    small_life life;
     double values[3] = {1.0, 2.0, 3.0};
-    vbss_slot *slot;
-    uint8_t bytes[256] = {0};
-    size_t written;
-    expect_ok(vbss_slot_create(context, &picky_kind, values, &slot));
-    expect_ok(vbss_snapshot_save(slot, bytes, sizeof bytes, &written));
-    bytes[8] = (uint8_t)(bytes[8] + 8); /* the payload's length */
-    harness_seal_snapshot(bytes, written + 8);
-    expect_result(VBSS_ERROR_CORRUPT, vbss_snapshot_restore(slot, bytes, written + 8));
-    harness_context_end(context, &memory);
+    begin_small(&life, &picky_kind, values);
+    life.bytes[8] = (uint8_t)(life.bytes[8] + 8); /* the payload's length */
+    life.written += 8;
+    harness_seal_snapshot(life.bytes, life.written);
+    expect_result(VBSS_ERROR_CORRUPT, restore_small(&life));
+    end_small(&life);
 }
 
 static vbss_result save_and_restore(vbss_context *context, void *user)
@@ -298,6 +314,7 @@ int test_snapshot(void)
         harness_test(a_state_its_own_visitor_refuses_can_be_left_but_not_saved),
         harness_test(buffers_that_are_too_small_are_not_touched),
         harness_test(nothing_is_restored_inside_a_callback),
+        harness_test(another_format_is_told),
         harness_test(a_count_beyond_its_capacity_stops_a_restore),
         harness_test(a_snapshot_ends_with_its_state),
         harness_test(every_allocation_may_fail),
