@@ -80,6 +80,39 @@ enum {
     VBSS_LOG_INFO = 3     /**< Rare milestones, such as the creation of a context. */
 };
 
+/** Which of two ways of computing an object uses: a VBSS_METHOD_ constant. */
+typedef int32_t vbss_method;
+
+/** The constants of #vbss_method. */
+enum {
+    VBSS_METHOD_OURS = 0, /**< The library's own, the default. */
+    VBSS_METHOD_PAPER = 1 /**< As in VBLaST-SS (Qi et al. 2017), the baseline. */
+};
+
+/** Type of the values of a view: a VBSS_TYPE_ constant. */
+typedef int32_t vbss_type;
+
+/** The constants of #vbss_type. */
+enum {
+    VBSS_TYPE_F64 = 1, /**< double */
+    VBSS_TYPE_U32 = 2  /**< uint32_t */
+};
+
+/**
+ * A read-only array inside the library. Item i starts `i * stride_bytes` after data and has
+ * `components` values of the type one behind the other. Valid until the next step, edit or
+ * destruction of the object it belongs to; whether that has happened shows in the generation.
+ */
+typedef struct vbss_view {
+    uint32_t struct_size;  /**< Bytes of this struct that the library filled. */
+    vbss_type type;        /**< Of each value. */
+    uint32_t components;   /**< Values in an item, such as 3 for a vector. */
+    uint32_t stride_bytes; /**< From one item to the next. */
+    uint64_t count;        /**< Items. */
+    const void *data;      /**< The first item; never NULL. */
+    uint64_t generation;   /**< Changes with every step or edit of the object. */
+} vbss_view;
+
 /** Owner of all objects, their memory and their error texts. One thread at a time may use it. */
 typedef struct vbss_context vbss_context;
 

@@ -59,6 +59,8 @@ vbss_result vbss_check_finite(vbss_context *context, const double *values, size_
 /* low <= value <= high; NaN and infinities are VBSS_ERROR_NOT_FINITE. */
 vbss_result vbss_check_range(vbss_context *context, double value, double low, double high,
                              const char *name);
+/* The largest absolute value; NaN counts as nothing. */
+double vbss_largest(const double *values, size_t count);
 
 /* What every step asks first: VBSS_ERROR_ARITHMETIC_MODE, with a text. */
 vbss_result vbss_check_arithmetic(vbss_context *context);
@@ -74,6 +76,7 @@ vbss_result vbss_config_init(const vbss_layout *layout, void *config, uint32_t s
 /* Fills `own` (of today's size) with the defaults and copies a caller's config over them. */
 vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, const void *config,
                              void *own);
+extern const vbss_layout vbss_view_layout;
 /* Hands out a struct that the caller may know in another size. */
 vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, const void *own,
                               void *out, uint32_t struct_size);
@@ -121,6 +124,10 @@ typedef struct vbss_slot {
 /* Puts a finished object behind a new handle; on failure the caller still owns the object. */
 vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
                              vbss_slot **slot);
+/* The same in two parts, for objects that come to life where nothing may be allocated: a reserved
+ * slot waits, as no handle of anybody, until it is filled or the context ends. */
+vbss_result vbss_slot_reserve(vbss_context *context, const vbss_kind *kind, vbss_slot **slot);
+void vbss_slot_fill(vbss_slot *slot, void *object);
 /* The slot of a living handle of that kind; any other handle is VBSS_ERROR_INVALID_HANDLE. */
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot);
 /* The same for a call that changes something: VBSS_ERROR_BUSY inside a callback of the context. */

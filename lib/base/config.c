@@ -34,6 +34,15 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
     return VBSS_OK;
 }
 
+double vbss_largest(const double *values, size_t count)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < count; i++) {
+        largest = fabs(values[i]) > largest ? fabs(values[i]) : largest;
+    }
+    return largest;
+}
+
 vbss_result vbss_check_arithmetic(vbss_context *context)
 {
     vbss_result result = vbss_arithmetic_check();
@@ -106,6 +115,9 @@ vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, c
     memcpy(own, &own_bytes, sizeof own_bytes);
     return VBSS_OK;
 }
+
+static const uint32_t view_sizes[] = {32u + (uint32_t)sizeof(void *), 0};
+const vbss_layout vbss_view_layout = {"vbss_view", NULL, view_sizes};
 
 vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, const void *own,
                               void *out, uint32_t struct_size)

@@ -2,10 +2,9 @@
 #include "base/context.h"
 
 /* Values far from 0 and 1, so that a stray write is seen as neither. */
-enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead };
+enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead, SLOT_WAITING = 0x3a17 };
 
-vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
-                             vbss_slot **slot)
+vbss_result vbss_slot_reserve(vbss_context *context, const vbss_kind *kind, vbss_slot **slot)
 {
     slot_block *block = context->newest_block;
     if (block == NULL || block->used == VBSS_SLOTS_PER_BLOCK) {
@@ -18,13 +17,26 @@ vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void 
     }
     vbss_slot *taken = &block->slots[block->used++];
     taken->tag = VBSS_TAG_SLOT;
-    taken->state = SLOT_ALIVE;
+    taken->state = SLOT_WAITING;
     taken->kind = kind;
     taken->context = context;
-    taken->object = object;
-    taken->ordinal = ++context->last_ordinal;
-    context->objects_alive++;
     *slot = taken;
+    return VBSS_OK;
+}
+
+void vbss_slot_fill(vbss_slot *slot, void *object)
+{
+    slot->state = SLOT_ALIVE;
+    slot->object = object;
+    slot->ordinal = ++slot->context->last_ordinal;
+    slot->context->objects_alive++;
+}
+
+vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
+                             vbss_slot **slot)
+{
+    VBSS_TRY(vbss_slot_reserve(context, kind, slot));
+    vbss_slot_fill(*slot, object);
     return VBSS_OK;
 }
 
