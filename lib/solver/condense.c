@@ -1,0 +1,128 @@
+/* Elimination of the runs by a block LDL^T, and the way back. */
+#include "solver/solver.h"
+
+/* Within a block, a pivot below this share of its diagonal has lost its digits. Loss across blocks is
+ * not looked for: bodies have inertia, which keeps every block away from zero. */
+#define SMALLEST_PIVOT 1e-15
+
+/* L D L^T of a symmetric 3x3 block. */
+static bool factor_pivot(const block *b, vbss_pivot *pivot)
+{
+    double m00 = lanes_at(b->column[0], 0), m10 = lanes_at(b->column[0], 1);
+    double m20 = lanes_at(b->column[0], 2), m11 = lanes_at(b->column[1], 1);
+    double m21 = lanes_at(b->column[1], 2), m22 = lanes_at(b->column[2], 2);
+    /* Written so that NaN fails, and nothing is divided by zero. */
+    if (!(m00 >= DBL_MIN && m00 <= DBL_MAX)) {
+        return false;
+    }
+    pivot->inverse[0] = 1.0 / m00;
+    pivot->l10 = m10 * pivot->inverse[0];
+    pivot->l20 = m20 * pivot->inverse[0];
+    double d1 = m11 - pivot->l10 * m10;
+    if (!(d1 >= DBL_MIN && d1 > SMALLEST_PIVOT * m11)) {
+        return false;
+    }
+    double e21 = m21 - pivot->l20 * m10;
+    pivot->inverse[1] = 1.0 / d1;
+    pivot->l21 = e21 * pivot->inverse[1];
+    double d2 = m22 - pivot->l20 * m20 - pivot->l21 * e21;
+    if (!(d2 >= DBL_MIN && d2 > SMALLEST_PIVOT * m22)) {
+        return false;
+    }
+    pivot->inverse[2] = 1.0 / d2;
+    return true;
+}
+
+/* a - sum of s_j v_j, from left to right */
+static inline lanes minus_three(lanes a, double s0, lanes v0, double s1, lanes v1, double s2,
+                                lanes v2)
+{
+    a = lanes_sub(a, lanes_mul(s0, v0));
+    a = lanes_sub(a, lanes_mul(s1, v1));
+    return lanes_sub(a, lanes_mul(s2, v2));
+}
+
+/* The block at the crossing of two rows: to -= left scaled^T, with left = A L^-T of the one row and
+ * scaled = A L^-T D^-1 of the other. */
+static inline void subtract_product(block *to, const block *left, const block *scaled)
+{
+    for (int c = 0; c < 3; c++) {
+        to->column[c] = minus_three(to->column[c], lanes_at(left->column[0], c), scaled->column[0],
+                                    lanes_at(left->column[1], c), scaled->column[1],
+                                    lanes_at(left->column[2], c), scaled->column[2]);
+    }
+}
+
+static void scale_entry(block *left, block *scaled, const vbss_pivot *p)
+{
+    lanes c0 = left->column[0];
+    lanes c1 = lanes_sub(left->column[1], lanes_mul(p->l10, c0));
+    lanes c2 = lanes_sub(left->column[2], lanes_mul(p->l20, c0));
+    c2 = lanes_sub(c2, lanes_mul(p->l21, c1));
+    left->column[1] = c1;
+    left->column[2] = c2;
+    scaled->column[0] = lanes_mul(p->inverse[0], c0);
+    scaled->column[1] = lanes_mul(p->inverse[1], c1);
+    scaled->column[2] = lanes_mul(p->inverse[2], c2);
+}
+
+bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
+{
+    for (uint32_t k = 0; k < s->run_count; k++) {
+        uint32_t b = s->order[k];
+        vbss_pivot *pivot = &s->pivots[k];
+        if (!factor_pivot(&s->diagonal[b], pivot)) {
+            s->tiny_pivots++;
+            return false;
+        }
+        vec3 y = s->rhs[b];
+        y.y -= pivot->l10 * y.x;
+        y.z -= pivot->l20 * y.x;
+        y.z -= pivot->l21 * y.y;
+        pivot->y = y;
+
+        const vbss_entry *begin = s->entries + s->column_start[k];
+        const vbss_entry *end = s->entries + s->column_start[k + 1];
+        const uint32_t *product = s->products + s->product_start[k];
+        for (const vbss_entry *e = begin; e < end; e++) {
+            scale_entry(&s->numbers[e->index], &s->scaled[e->index], pivot);
+        }
+        for (const vbss_entry *q = begin; q < end; q++) {
+            const block *left = &s->numbers[q->index];
+            uint32_t row = s->order[q->row];
+            const block *z = &s->scaled[q->index];
+            subtract_product(&s->diagonal[row], left, z);
+            lanes r = minus_three(lanes_from(s->rhs[row]), y.x, z->column[0], y.y, z->column[1],
+                                  y.z, z->column[2]);
+            s->rhs[row] = lanes_vec3(r);
+            for (const vbss_entry *p = q + 1; p < end; p++) {
+                subtract_product(&s->numbers[*product++], left, &s->scaled[p->index]);
+            }
+        }
+    }
+    return true;
+}
+
+static inline double dot_lanes(lanes a, vec3 b)
+{
+    return lanes_at(a, 0) * b.x + lanes_at(a, 1) * b.y + lanes_at(a, 2) * b.z;
+}
+
+/* Increments of the run blocks, last eliminated first, once those of the separators stand. */
+void VBSS_WIDE_NAME(vbss_system_return_to_runs)(vbss_system *s)
+{
+    for (uint32_t k = s->run_count; k > 0; k--) {
+        const vbss_pivot *p = &s->pivots[k - 1];
+        vec3 x = vec3_make(p->y.x * p->inverse[0], p->y.y * p->inverse[1], p->y.z * p->inverse[2]);
+        for (uint32_t e = s->column_start[k - 1]; e < s->column_start[k]; e++) {
+            const block *z = &s->scaled[s->entries[e].index];
+            vec3 later = s->solution[s->order[s->entries[e].row]];
+            x.x -= dot_lanes(z->column[0], later);
+            x.y -= dot_lanes(z->column[1], later);
+            x.z -= dot_lanes(z->column[2], later);
+        }
+        x.y -= p->l21 * x.z;
+        x.x -= p->l10 * x.y + p->l20 * x.z;
+        s->solution[s->order[k - 1]] = x;
+    }
+}

@@ -1,0 +1,37 @@
+/* Coefficients of the time integration. */
+#include "solver/solver.h"
+
+/* The family: with q the acceleration that balances the forces,
+ *   (1 - am) a1 + am a0 = (1 - af) q1 + af q0,
+ *   x1 = x0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),  v1 = v0 + h ((1 - gamma) a0 + gamma a1). */
+static vbss_integration family(double h, double am, double af, double beta, double gamma)
+{
+    double fresh = (1.0 - af) / (1.0 - am); /* share of q1 in a1 */
+    vbss_integration i;
+    i.h = h;
+    i.inertia = 1.0 / (h * h * beta * fresh);
+    i.follow = fresh * i.inertia;
+    i.rate = h * gamma * i.follow;
+    i.a_a = -am / (1.0 - am);
+    i.a_q = af / (1.0 - am);
+    i.x_a = h * h * (0.5 - beta + beta * i.a_a);
+    i.x_q = h * h * beta * i.a_q;
+    i.v_a = h * (1.0 - gamma + gamma * i.a_a);
+    i.v_q = h * gamma * i.a_q;
+    return i;
+}
+
+vbss_integration vbss_integration_generalised_alpha(double h, double spectral_radius)
+{
+    double r = spectral_radius;
+    double am = (2.0 * r - 1.0) / (r + 1.0), af = r / (r + 1.0);
+    double s = 1.0 - am + af;
+    return family(h, am, af, 0.25 * s * s, 0.5 - am + af);
+}
+
+vbss_integration vbss_integration_backward_euler(double h)
+{
+    vbss_integration i = family(h, 0.0, 0.0, 1.0, 1.0);
+    i.x_a = i.v_a = 0.0; /* exactly: what was known of accelerations is forgotten */
+    return i;
+}
