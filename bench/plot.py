@@ -2,157 +2,70 @@
 """Draws SVG plots of bench results: plot.py build/bench/<suite>.json ...
 
 For each file, beside it:
-  <suite>-work-precision.svg  time against error, a curve a method   (scenes with N and an error)
+  <suite>-work-precision.svg  error against time, a curve a method   (scenes with N and an error)
   <suite>-methods.svg         time and errors, a dot a method        (scenes without N)
   <suite>-growth.svg          time against N, a curve a method       (scenes with several N)
   <suite>-percentiles.svg     median, p99, p99.9, max of a step      (stepped cases)
 A plot without data is not made, and one left from an earlier run is removed.
 """
-import json
-import math
 import os
-import re
 import sys
 
-import matplotlib
+sys.dont_write_bytecode = True  # nothing is left beside the scripts
+from plot_suite import (Suite, axis_name, draw_curve, grid_of_panels, legend_beside,  # noqa: E402
+                        legend_or_label, plt, set_log, short, times, unique)
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend comes first)
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter  # noqa: E402
-
-# Okabe and Ito's palette, told apart by colour-blind readers too; markers say the same again.
-COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"]
-MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
+KINDS = ["work-precision", "methods", "growth", "percentiles"]
 # One hue, light to dark: the tail is lightest.
 PERCENTILES = [("max", "max_us", "#DCE6F1"), ("p99.9", "p999_us", "#A6C3DF"),
                ("p99", "p99_us", "#5B94C4"), ("median", "median_us", "#08519C")]
-ERROR_NAMES = re.compile(r"error|_ulp|^(fp|fn|undecided)$")
-COUNTS = {"fp": "false positives", "fn": "false negatives", "undecided": "undecided queries"}
-KINDS = ["work-precision", "methods", "growth", "percentiles"]
-UNITS = {"us": "µs", "ns": "ns", "mm": "mm", "um": "µm", "rad": "rad", "ulp": "ulp"}
 
 
-class Case:
-    """One entry of benchmarks[] that has a time."""
-
-    def __init__(self, entry):
-        parts = entry["name"].split("/")
-        self.entry = entry
-        self.scene, self.method = parts[1], parts[2]
-        self.label = parts[3] if len(parts) > 3 else ""
-        digits = re.match(r"\d+", self.label)
-        self.n = int(digits.group()) if digits else None
-        self.growth = entry["run_type"] == "aggregate"
-        self.unit = entry["time_unit"]
-
-    def number(self, counter):
-        """The counter as a number, None when it is absent or null."""
-        value = self.entry.get(counter)
-        return float(value) if isinstance(value, (int, float)) else None
-
-    def errors(self):
-        return [name for name, value in self.entry.items()
-                if ERROR_NAMES.search(name) and isinstance(value, (int, float))
-                and not isinstance(value, bool)]
+def place_labels(axes, labels):
+    """Beside each point, where it is free of what stands there already; left out where nothing is."""
+    to_points = 72.0 / axes.figure.dpi
+    marks = [tuple(axes.transData.transform((x, y)) * to_points) for x, y, _, _ in labels]
+    taken = [(px - 3, py - 3, px + 3, py + 3) for px, py in marks]
+    for (px, py), (x, y, text, colour) in zip(marks, labels):
+        wide = 4.2 * len(text)
+        for dx, dy in [(4, 4), (-wide - 4, -10), (4, -10), (-wide - 4, 4), (-wide / 2, 5),
+                       (-wide / 2, -12)]:
+            box = (px + dx, py + dy, px + dx + wide, py + dy + 6)
+            if not any(box[0] < other[2] and other[0] < box[2] and box[1] < other[3] and
+                       other[1] < box[3] for other in taken):
+                taken.append(box)
+                axes.annotate(text, (x, y), xytext=(dx, dy), textcoords="offset points", fontsize=7,
+                              color=colour)
+                break
 
 
-def unique(values):
-    return list(dict.fromkeys(values))
-
-
-def times(cases):
-    """The times to compare these cases by, and the label of their axis."""
-    if all(c.number("us_per_ms") is not None for c in cases):
-        return [c.number("us_per_ms") for c in cases], "CPU time (µs per simulated ms)"
-    unit = cases[0].unit
-    what = "step" if unit == "us" else "item"
-    return [c.number("cpu_time") for c in cases], f"CPU time per {what} ({UNITS.get(unit, unit)})"
-
-
-def axis_name(counter):
-    if counter in COUNTS:
-        return COUNTS[counter]
-    words = counter.split("_")
-    unit = UNITS.get(words[-1])
-    if unit and len(words) > 1:
-        return f"{' '.join(words[:-1])} ({unit})"
-    return " ".join(words)
-
-
-def short(value):
-    return f"{value:.3g}" if value < 1000 else f"{value:.0f}"
-
-
-class Suite:
-    def __init__(self, path):
-        with open(path, encoding="utf-8") as file:
-            data = json.load(file)
-        self.context = data["context"]
-        self.stem = os.path.splitext(path)[0]
-        self.name = self.context["executable"]
-        entries = [e for e in data["benchmarks"] if e.get("time_unit")]
-        self.cases = [Case(e) for e in entries if not e.get("error_occurred")]
-        methods = unique(c.method for c in self.cases)
-        self.colour = {m: COLOURS[i % len(COLOURS)] for i, m in enumerate(methods)}
-        self.marker = {m: MARKERS[i % len(MARKERS)] for i, m in enumerate(methods)}
-
-    def timed(self):
-        return [c for c in self.cases if not c.growth]
-
-    def scene(self, name):
-        return [c for c in self.timed() if c.scene == name]
-
-    def caption(self):
-        c = self.context
-        words = [c["cpu_model"], c["compiler"], c["date"][:10], "git " + c["git"]]
-        if c["quick"]:
-            words.append("QUICK RUN, not a measurement")
-        return "   ".join(w for w in words if w)
-
-    def save(self, figure, kind, title):
-        # Inches from the edges, so that title and caption look alike at every size of figure.
-        height = figure.get_figheight()
-        figure.text(0.012, 1 - 0.08 / height, f"{self.name}: {title}", ha="left", va="top",
-                    fontsize=11, fontweight="bold")
-        figure.text(0.012, 0.07 / height, self.caption(), fontsize=7, color="#555555", ha="left",
-                    va="bottom")
-        figure.tight_layout(rect=(0, 0.24 / height, 1, 1 - 0.32 / height))
-        path = f"{self.stem}-{kind}.svg"
-        figure.savefig(path, metadata={"Date": None})
-        plt.close(figure)
-        return path
-
-
-def grid_of_panels(count):
-    columns = min(count, 3)
-    rows = math.ceil(count / columns)
-    figure, axes = plt.subplots(rows, columns, figsize=(max(4.6 * columns, 6.4), 3.7 * rows + 0.5),
-                                squeeze=False)
-    panels = list(axes.flat)
-    for unused in panels[count:]:
-        unused.set_visible(False)
-    return figure, panels[:count]
-
-
-def set_log(axis, values):
-    """Log scale; a range below one decade gets readable ticks of its own."""
-    name = axis.axis_name
-    getattr(axis.axes, f"set_{name}scale")("log")
-    low, high = min(values), max(values)
-    margin = max((high / low) ** 0.08, 1.15)
-    getattr(axis.axes, f"set_{name}lim")(low / margin, high * margin)
-    if high / low < 30:
-        narrow = high / low < 3
-        axis.set_major_locator(MaxNLocator(5) if narrow else LogLocator(subs=(1.0, 2.0, 5.0)))
-        axis.set_major_formatter(lambda v, _: f"{v:g}")
-        axis.set_minor_formatter(NullFormatter())
-
-
-def legend_or_label(axes, suite, methods):
-    if len(methods) > 1:
-        axes.legend(frameon=False, fontsize=8)
-    else:
-        axes.set_title(axes.get_title(loc="left") + f"  ({methods[0]})", loc="left", fontsize=9)
+def draw_work_precision(suite, axes, scene, counter, cases):
+    seconds, time_name = times(cases)
+    errors = [c.number(counter) for c in cases]
+    # An error of zero has no place on a log axis: drawn hollow at the lower edge.
+    floor = min(e for e in errors if e > 0) / 3
+    shown = [e if e > 0 else floor for e in errors]
+    methods = unique(c.method for c in cases)
+    labels = []
+    for method in methods:
+        points = sorted((c.n or 0, i) for i, c in enumerate(cases) if c.method == method)
+        order = [i for _, i in points]
+        draw_curve(suite, axes, method, [seconds[i] for i in order], [shown[i] for i in order],
+                   method)
+        for i in order:
+            if errors[i] <= 0:
+                axes.plot(seconds[i], shown[i], marker=suite.marker[method], markersize=5,
+                          color=suite.colour[method], markerfacecolor="white")
+            labels.append((seconds[i], shown[i], cases[i].label, suite.colour[method]))
+    set_log(axes.xaxis, seconds)
+    set_log(axes.yaxis, shown)
+    place_labels(axes, labels)
+    hollow = ", hollow: 0" if min(errors) <= 0 else ""
+    axes.set_xlabel(time_name)
+    axes.set_ylabel(axis_name(counter) + hollow)
+    axes.set_title(scene, loc="left", fontsize=9)
+    axes.grid(which="major", color="#EEEEEE")
+    return methods
 
 
 def plot_work_precision(suite):
@@ -166,33 +79,14 @@ def plot_work_precision(suite):
     if not panels:
         return None
     figure, axes_list = grid_of_panels(len(panels))
-    for axes, (scene, counter, cases) in zip(axes_list, panels):
-        seconds, time_name = times(cases)
-        errors = [c.number(counter) for c in cases]
-        # An error of zero has no place on a log axis: drawn hollow at the left edge.
-        floor = min(e for e in errors if e > 0) / 3
-        shown = [e if e > 0 else floor for e in errors]
-        methods = unique(c.method for c in cases)
-        for method in methods:
-            points = sorted((c.n or 0, i) for i, c in enumerate(cases) if c.method == method)
-            order = [i for _, i in points]
-            axes.plot([shown[i] for i in order], [seconds[i] for i in order], "-",
-                      color=suite.colour[method], marker=suite.marker[method], markersize=5,
-                      linewidth=1.3, label=method)
-            for i in order:
-                if errors[i] <= 0:
-                    axes.plot(shown[i], seconds[i], marker=suite.marker[method], markersize=5,
-                              color=suite.colour[method], markerfacecolor="white")
-                axes.annotate(cases[i].label, (shown[i], seconds[i]), xytext=(5, 4),
-                              textcoords="offset points", fontsize=7, color=suite.colour[method])
-        set_log(axes.xaxis, shown)
-        set_log(axes.yaxis, seconds)
-        hollow = ", hollow: 0" if min(errors) <= 0 else ""
-        axes.set_xlabel(axis_name(counter) + hollow)
-        axes.set_ylabel(time_name)
-        axes.set_title(scene, loc="left", fontsize=9)
-        legend_or_label(axes, suite, methods)
-    return suite.save(figure, "work-precision", "time against error (best: lower left; labels: N)")
+    for i, (axes, (scene, counter, cases)) in enumerate(zip(axes_list, panels)):
+        methods = draw_work_precision(suite, axes, scene, counter, cases)
+        last_of_scene = i + 1 == len(panels) or panels[i + 1][0] != scene
+        if len(methods) > 3 and last_of_scene:  # one for the scene, and too many for a corner
+            legend_beside(axes)
+        elif len(methods) <= 3:
+            legend_or_label(axes, suite, methods)
+    return suite.save(figure, "work-precision", "error against time (best: lower left; labels: N)")
 
 
 def plot_methods(suite):
@@ -269,12 +163,10 @@ def plot_growth(suite):
         methods = unique(c.method for c in cases)
         for method in methods:
             points = sorted((c.n, t) for c, t in zip(cases, seconds) if c.method == method)
-            exponents = [c.number("exponent") for c in suite.cases
-                         if c.growth and c.scene == scene and c.method == method]
-            fit = f", $N^{{{exponents[0]:.2f}}}$" if exponents else ""
-            axes.plot([n for n, _ in points], [t for _, t in points], "-", label=method + fit,
-                      color=suite.colour[method], marker=suite.marker[method], markersize=5,
-                      linewidth=1.3)
+            fits = [c for c in suite.cases if c.growth and c.scene == scene and c.method == method]
+            label = method + "".join(f", $N^{{{c.number('exponent'):.2f}}}$ to "
+                                     f"{c.number('n_max'):.0f}" for c in fits)
+            draw_curve(suite, axes, method, [n for n, _ in points], [t for _, t in points], label)
         set_log(axes.xaxis, [c.n for c in cases])
         set_log(axes.yaxis, seconds)
         axes.set_xlabel("N")
@@ -282,7 +174,7 @@ def plot_growth(suite):
         axes.set_title(scene, loc="left", fontsize=9)
         axes.grid(which="major", color="#EEEEEE")
         if len(methods) > 3:  # too many for a corner
-            axes.legend(frameon=False, fontsize=8, loc="center left", bbox_to_anchor=(1, 0.5))
+            legend_beside(axes)
         else:
             axes.legend(frameon=False, fontsize=8)
     return suite.save(figure, "growth", "time against N")
@@ -303,7 +195,8 @@ def plot_percentiles(suite):
     for y, case in enumerate(cases):
         axes.annotate(f"{short(case.number('median_us'))} … {short(case.number('max_us'))}",
                       (case.number("max_us"), y), xytext=(4, 0), textcoords="offset points",
-                      va="center", fontsize=7, color="#333333")
+                      va="center", fontsize=7, color="#333333",
+                      bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.5})
     deadlines = unique(c.number("deadline_us") for c in cases if c.number("deadline_us"))
     high = max(everything + deadlines)
     for deadline in deadlines:

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "scenes/rod.h"
+#include "scenes/thread_scenes.h"
 
 /* A scene that cannot run has no hash; a wrong one would only puzzle. */
 static void must(vbss_result result)
@@ -95,9 +96,53 @@ static void run_rod(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- threads, hashed after every 5 steps */
+
+static void run_thread(thread_scene_kind kind, vbss_method method, uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    vbss_thread_config config;
+    thread_scene scene;
+    must(vbss_context_create(NULL, &context));
+    must(thread_scene_config(kind, &config));
+    config.method = method;
+    must(thread_scene_create(context, kind, &config, &scene));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 5; k++) {
+            must(thread_scene_step(&scene, 1e-3));
+        }
+        must(thread_scene_hash(&scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
+static void run_thread_release(uint64_t *hashes, size_t count)
+{
+    run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_OURS, hashes, count);
+}
+
+static void run_thread_tugged(uint64_t *hashes, size_t count)
+{
+    run_thread(THREAD_SCENE_TUGGED, VBSS_METHOD_OURS, hashes, count);
+}
+
+static void run_thread_cut(uint64_t *hashes, size_t count)
+{
+    run_thread(THREAD_SCENE_CUT, VBSS_METHOD_OURS, hashes, count);
+}
+
+static void run_thread_paper(uint64_t *hashes, size_t count)
+{
+    run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_PAPER, hashes, count);
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
     {"harness-rod", 200, 10, run_rod},
+    {"thread-release", 200, 10, run_thread_release},
+    {"thread-tugged", 200, 8, run_thread_tugged},
+    {"thread-cut", 100, 10, run_thread_cut}, /* the cut is at step 40, inside the short form */
+    {"thread-paper", 20, 2, run_thread_paper},
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

@@ -13,7 +13,8 @@ LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
 ONLY = {"contact": {"base", "collision", "solver"}}
 STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdbool.h", "stddef.h", "stdint.h",
             "stdio.h", "stdlib.h", "string.h"}
-SYSTEM = {"malloc.h",                    # _aligned_malloc on Windows
+SYSTEM = {"cpuid.h",                     # which copy of the hot loops, on x86
+          "malloc.h",                    # _aligned_malloc on Windows
           "sanitizer/asan_interface.h"}  # poison for the arena, under ASan only
 
 

@@ -1,0 +1,486 @@
+/**
+ * @file thread.h
+ * @brief A suture thread: an elastic rod without twist, alone or as a body of a scene.
+ *
+ * The thread is a chain of `segment_count + 1` nodes, numbered from 0; segment i joins the nodes i
+ * and i + 1. It resists stretching with EA and bending with EI, which are independent inputs, and
+ * carries gravity. Lengths are measured along the thread from node 0 ("arc length").
+ *
+ * Method OURS is implicit with the node positions as unknowns: one system of equations for a step,
+ * generalised-alpha in time (Chung and Hulbert 1993; second order, high frequencies damped),
+ * backward Euler where a motion starts or breaks. Method PAPER is that of VBLaST-SS (Qi et al.
+ * 2017): explicit springs, curvature-binormal bending, fast projection.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_THREAD_H
+#define VBLAST_SS_THREAD_H
+
+#include <vblast_ss/base.h>
+
+/** A suture thread. */
+typedef struct vbss_thread vbss_thread;
+
+/** How bending is discretised: a VBSS_BENDING_ constant. Method PAPER has its own bending. */
+typedef int32_t vbss_bending;
+
+/** The constants of #vbss_bending. */
+enum {
+    /** Fourth order: the energy of the cubic spline through the nodes, cut off to neighbours three
+     * apart; a segment's length is that of its arc. */
+    VBSS_BENDING_SPLINE = 0,
+    /** Second order: each node sees its two neighbours only; a segment's length is its chord. */
+    VBSS_BENDING_LOCAL = 1
+};
+
+/** A material to start from: a VBSS_PRESET_ constant. */
+typedef int32_t vbss_thread_preset;
+
+/** The constants of #vbss_thread_preset. */
+enum {
+    /** 2-0 silk: 0.32 mm, 1.05e-4 kg/m, EA = 700 N (8.7 GPa), EI = 2.7e-8 N m^2. Diameter by USP
+     * <861> (0.30 to 0.339 mm), density of a solid braid; EI is the paper thread's, scaled with the
+     * fourth power of the radius, and uncertain by a factor of five. */
+    VBSS_PRESET_SILK_2_0 = 0,
+    /** The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2. */
+    VBSS_PRESET_PAPER_THREAD = 1
+};
+
+/** How to make a thread. Fill it with #vbss_thread_config_init, then change what you need. */
+typedef struct vbss_thread_config {
+    uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;           /**< Default VBSS_METHOD_OURS. */
+    vbss_bending bending;         /**< Default VBSS_BENDING_SPLINE; read by method OURS. */
+    uint32_t segment_count;       /**< 1 to 65536; default 120. */
+    uint32_t attachment_capacity; /**< Most attachments at a time, 0 to 256; default 8. */
+    uint32_t cut_capacity;    /**< Most cuts of this thread and its pieces, 0 to 64; default 0. */
+    double length;            /**< m, 1e-6 to 1e3; default 0.15; ignored with rest_lengths. */
+    double radius;            /**< m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. */
+    double linear_density;    /**< kg/m, 1e-9 to 1e3; default of the preset. */
+    double axial_stiffness;   /**< EA in N, 1e-6 to 1e9; default of the preset. */
+    double bending_stiffness; /**< EI in N m^2, 0 to 1e3; default of the preset. */
+    double
+        rest_curvature; /**< 1/m, 0 to 1e4; default 0. Its plane is free, as there is no twist. */
+    double gravity[3];  /**< m/s^2; default (0, -9.81, 0). */
+    double drag;        /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 0. */
+    /** Rate at which motion relative to the rigid motion of each section dies away, 1/s, 0 to 1e6;
+     * default 0. Keeps linear and angular momentum. Read by method OURS. */
+    double damping;
+    double start[3]; /**< Node 0, m; default (0, 0, 0); ignored with positions. */
+    double
+        direction[3]; /**< From node 0 on, of any length but zero; default (1, 0, 0); ignored with
+                              positions. */
+    /** Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL (default) for
+     * length / segment_count each. #vbss_thread_grade fills such an array. Copied. */
+    const double *rest_lengths;
+    /** Positions of the nodes, m, 3 (segment_count + 1) values, or NULL (default) for a straight
+     * thread from start along direction. Copied. */
+    const double *positions;
+    /** Method OURS: spectral radius at infinite frequency of the time integration, 0 (strongest
+     * damping) to 1 (none); default 0.5. Stiff motion may gain energy near 1. */
+    double spectral_radius;
+    /** Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2; default 1e-6. */
+    double stretch_tolerance;
+    /** Method OURS: largest distance that a further iteration would move a node, m, 1e-12 to 1;
+     * default 1e-6. */
+    double position_tolerance;
+    uint32_t iteration_limit; /**< Method OURS: linearisations of a try, 1 to 100; default 40. */
+    uint32_t halving_limit;   /**< Method OURS: how often a step is halved, 0 to 10; default 5. */
+    /** Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0: chosen from the mass and
+     * step as docs/paper-thread.md says. */
+    double paper_stiffness;
+    /** Method PAPER: share of the velocity relative to the section's rigid motion that is removed at
+     * each explicit step, 0 to 1; default 0. */
+    double paper_damping;
+    /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
+     * bending mode needs. */
+    uint32_t paper_substeps;
+    uint32_t paper_iteration_limit; /**< Method PAPER: of the projection, 1 to 1000; default 50. */
+    double
+        paper_tolerance; /**< Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
+} vbss_thread_config;
+
+/** What an attachment does: a VBSS_ATTACHMENT_ constant. */
+typedef int32_t vbss_attachment_kind;
+
+/** The constants of #vbss_attachment_kind. */
+enum {
+    VBSS_ATTACHMENT_PIN = 0,    /**< The node is where `position` says. */
+    VBSS_ATTACHMENT_CLAMP = 1,  /**< Also the thread's direction at the node is `direction`. */
+    VBSS_ATTACHMENT_FORCE = 2,  /**< `force` pulls at the node. */
+    VBSS_ATTACHMENT_SPRING = 3, /**< A spring-damper from `position` to the node. */
+    VBSS_ATTACHMENT_MASS = 4 /**< `mass` sits on the node and is accelerated and weighed with it. */
+};
+
+/** Something that acts on one node. Fill it with #vbss_thread_attachment_init. */
+typedef struct vbss_thread_attachment {
+    uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
+    vbss_attachment_kind kind; /**< Default VBSS_ATTACHMENT_PIN. */
+    uint32_t node;             /**< 0 to segment_count; default 0. */
+    uint32_t reserved;         /**< Zero. */
+    double position
+        [3]; /**< PIN, CLAMP: where the node is taken in the next step, m; SPRING: its end. */
+    double
+        direction[3]; /**< CLAMP: toward higher nodes, of any length but zero; default (1, 0, 0). A
+                              thread that has moved is turned there in the next step. */
+    double force[3];  /**< FORCE: N. */
+    double stiffness; /**< SPRING: N/m, 0 to 1e9. */
+    double damping;   /**< SPRING: of the velocity relative to the moving end, N s/m, 0 to 1e6. */
+    double mass;      /**< MASS: kg, 0 to 1e3. */
+} vbss_thread_attachment;
+
+/** What an attachment did in the last step. */
+typedef struct vbss_thread_reaction {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t node;        /**< The node, as cuts have renumbered it. */
+    double force[3];      /**< Of the attachment on the thread, N, at the end of the step. */
+    double torque[3];     /**< CLAMP: of the attachment on the thread, N m; else 0. */
+} vbss_thread_reaction;
+
+/** An array of a thread: a VBSS_THREAD_ constant. */
+typedef int32_t vbss_thread_field;
+
+/** The constants of #vbss_thread_field. n is the number of nodes. */
+enum {
+    VBSS_THREAD_POSITIONS = 0,    /**< n x 3 doubles, m. */
+    VBSS_THREAD_VELOCITIES = 1,   /**< n x 3 doubles, m/s. */
+    VBSS_THREAD_REST_LENGTHS = 2, /**< n - 1 doubles, m. */
+    VBSS_THREAD_LENGTHS = 3,  /**< n - 1 doubles, m: of chords, or of arcs with BENDING_SPLINE. */
+    VBSS_THREAD_TENSIONS = 4, /**< n - 1 doubles, N, at the end of the last step. */
+    VBSS_THREAD_CURVATURES =
+        5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
+    VBSS_THREAD_SECTIONS =
+        6 /**< First node of each section, uint32_t; the last ends at node n - 1. */
+};
+
+/** Energies of a thread, J. */
+typedef struct vbss_thread_energies {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;    /**< Zero. */
+    double kinetic;       /**< Attached masses included. */
+    double stretching;    /**< Elastic, of EA. */
+    double bending;       /**< Elastic, of EI. */
+    double gravity;       /**< Potential, zero at the origin; attached masses included. */
+    double total;         /**< Of the four. */
+} vbss_thread_energies;
+
+/** Momentum of a thread, attached masses included. */
+typedef struct vbss_thread_momentum {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;    /**< Zero. */
+    double mass;          /**< kg. */
+    double centre[3];     /**< Centre of mass, m. */
+    double linear[3];     /**< kg m/s. */
+    double angular[3];    /**< About the origin, kg m^2/s. */
+} vbss_thread_momentum;
+
+/** Counters since creation, and figures of the last step. */
+typedef struct vbss_thread_statistics {
+    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
+    uint32_t last_iterations; /**< Linearisations, or projection iterations, of the last step. */
+    uint64_t steps;           /**< Calls of #vbss_thread_step that succeeded. */
+    uint64_t iterations;      /**< OURS: linearisations; PAPER: iterations of the projection. */
+    uint64_t substeps;        /**< Accepted parts of steps; equal to steps if none was divided. */
+    uint64_t first_order;     /**< OURS: substeps made by backward Euler. */
+    uint64_t rejections;      /**< OURS: tries that were undone and halved. */
+    uint64_t forced;          /**< OURS: substeps accepted unconverged, at the last halving. */
+    uint64_t fallbacks; /**< PAPER: sections that did not converge, point constraints alone. */
+    double
+        last_stretch_error; /**< OURS: max |length / rest length - 1 - T / EA| after the last step;
+                                    PAPER: max |length / rest length - 1|. */
+    double stretch_error;   /**< Largest of these so far. */
+    double last_stretch;    /**< max (length / rest length - 1) after the last step. */
+    double time;            /**< Simulated so far, s. */
+} vbss_thread_statistics;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Fills a thread configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size);
+
+/**
+ * Sets radius, linear density, EA and EI of a configuration to those of a known thread.
+ *
+ * @param[in,out] config  an initialised configuration
+ * @param preset          which thread
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
+ *         such preset)
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_config_preset(vbss_thread_config *config,
+                                               vbss_thread_preset preset);
+
+/**
+ * Divides a length into segments that are fine about one place and grow away from it by a constant
+ * ratio, until they are as long as allowed. The lengths sum to `length` up to rounding: on either side
+ * the ratio is lowered so that they fit; if they are too long even when equal they are scaled, to no
+ * less than half. A place closer to an end than half the finest length is moved to the end.
+ *
+ * @param length             m, 1e-6 to 1e3
+ * @param centre             arc length of the fine place, m, 0 to length
+ * @param finest             length of the segments there, m, 2e-7 to coarsest
+ * @param coarsest           largest length, m, at most length
+ * @param ratio              of neighbours, at most, 1 to 2
+ * @param[out] rest_lengths  receives the lengths, m; may be NULL when capacity is 0
+ * @param capacity           how many fit
+ * @param[out] count         number of segments, also when they do not fit; 0 above 65536
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
+ *         VBSS_ERROR_CAPACITY (more than capacity, or more than 65536)
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_grade(double length, double centre, double finest, double coarsest,
+                                       double ratio, double *rest_lengths, uint32_t capacity,
+                                       uint32_t *count);
+
+/**
+ * Creates a thread at rest.
+ *
+ * @param context      owner
+ * @param config       how
+ * @param[out] thread  the new thread; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
+                                        vbss_thread **thread);
+
+/**
+ * Destroys a thread; pieces cut from it live on.
+ *
+ * @param thread  the thread; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
+
+/**
+ * Moves a thread forward in time. Nothing is allocated. A state that is no longer finite is told
+ * and the thread stays as it was before the step.
+ *
+ * @param thread  the thread
+ * @param h       s, 1e-7 to 0.1
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
+
+/**
+ * Places the nodes and gives them velocities. What attachments hold moves there at the next step.
+ *
+ * @param thread      the thread
+ * @param positions   3 doubles a node, m; NULL leaves them
+ * @param velocities  3 doubles a node, m/s; NULL leaves them
+ * @param node_count  nodes in the arrays, the thread's number of nodes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
+                                           const double *velocities, uint32_t node_count);
+
+/**
+ * Fills an attachment with the defaults.
+ *
+ * @param[out] attachment  the attachment to fill
+ * @param struct_size      `sizeof *attachment` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachment,
+                                                 uint32_t struct_size);
+
+/**
+ * Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others.
+ *
+ * @param thread      the thread
+ * @param attachment  what
+ * @param[out] id     names the attachment, from 1 on, never used again in this thread
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is held already),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
+                                        const vbss_thread_attachment *attachment, uint32_t *id);
+
+/**
+ * Says where an attachment shall be at the end of the next step; it moves there evenly in the step
+ * and then stays.
+ *
+ * @param thread     the thread
+ * @param id         the attachment, not a MASS
+ * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N, which changes at once
+ * @param direction  CLAMP: as in #vbss_thread_attachment; NULL leaves it
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such attachment, or direction zero), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double target[3],
+                                      const double *direction);
+
+/**
+ * Removes an attachment.
+ *
+ * @param thread  the thread
+ * @param id      the attachment
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such attachment) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
+
+/**
+ * What an attachment did in the last step; zero before the first.
+ *
+ * @param thread         the thread
+ * @param id             the attachment
+ * @param[out] reaction  receives the numbers
+ * @param struct_size    `sizeof *reaction` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such attachment)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
+                                              vbss_thread_reaction *reaction, uint32_t struct_size);
+
+/**
+ * Cuts a thread in two. The segment at the place is divided, unless a node is within 1 % of a
+ * segment or 1e-7 m of it, which is then doubled. The thread keeps the part with node 0; the piece is a thread
+ * of its own with the same material and settings, its node 0 at the cut. Attachments go with their
+ * nodes and keep their ids; one on a doubled node stays with the thread. Memory was reserved by
+ * cut_capacity, which both parts share.
+ *
+ * @param thread      the thread
+ * @param arc_length  where, m from node 0, measured in rest lengths, inside the thread
+ * @param[out] piece  the far part; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_RANGE (not inside, or within 1 % of a segment of an end),
+ *         VBSS_ERROR_CAPACITY (no cuts left) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece);
+
+/**
+ * A look at one of the thread's arrays.
+ *
+ * @param thread       the thread
+ * @param field        which
+ * @param[out] view    receives where the array is
+ * @param struct_size  `sizeof *view` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such field)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field field,
+                                          vbss_view *view, uint32_t struct_size);
+
+/**
+ * The thread's energies.
+ *
+ * @param thread         the thread
+ * @param[out] energies  receives the numbers
+ * @param struct_size    `sizeof *energies` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *energies,
+                                              uint32_t struct_size);
+
+/**
+ * The thread's momentum.
+ *
+ * @param thread         the thread
+ * @param[out] momentum  receives the numbers
+ * @param struct_size    `sizeof *momentum` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_momentum *momentum,
+                                              uint32_t struct_size);
+
+/**
+ * The thread's counters.
+ *
+ * @param thread           the thread
+ * @param[out] statistics  receives the numbers
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_get_statistics(vbss_thread *thread,
+                                                vbss_thread_statistics *statistics,
+                                                uint32_t struct_size);
+
+/**
+ * Saves the thread's state, to go back to it or to go on elsewhere to the same bits.
+ *
+ * @param thread        the thread
+ * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param capacity      size of the buffer
+ * @param[out] written  bytes of the state, also when it does not fit
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
+                                      uint64_t *written);
+
+/**
+ * Restores a saved state into this thread or one created alike. Cuts made since are not undone in
+ * the pieces, which are threads of their own. On failure the thread is as it was.
+ *
+ * @param thread  the thread
+ * @param bytes   the state
+ * @param count   its size
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count);
+
+/**
+ * XXH64 of the thread's state: equal states have equal hashes, on every machine.
+ *
+ * @param thread     the thread
+ * @param[out] hash  the hash
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

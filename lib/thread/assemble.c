@@ -1,0 +1,227 @@
+/* Method OURS: forces and stiffness of a thread in a trial state, as its part of the system.
+ *
+ * The system solves for the increment u of the trial positions x:
+ *   (inertia m + stiffness) u = forces(x) - inertia m (x - x_predicted).
+ * Stiffness is exact but for tension in the geometric part, which is that of the last solve and at least
+ * `least_pull`, and for rest curvature, whose slope is left out: what is kept is positive. */
+#include "thread/thread.h"
+
+/* ---- what one segment does to the nodes around it */
+
+/* The slope of the segment's length at its four nodes, segment - 1 .. segment + 2: +-tangent at the
+ * ends of the chord, and what bends the arc. The segment's part of the stiffness is
+ * stiffness slope slope^T + bent (factor factor^T) + turning (chord), of the forces -tension slope. */
+typedef struct segment_part {
+    lanes slope[4], stiff[4]; /* stiff: times the stiffness along the segment */
+    double factor[4];         /* of the nodes in the arc's curvature */
+    double tension, bent, turning;
+} segment_part;
+
+static void set_part(const thread_object *t, uint32_t i, double least_pull, segment_part *p)
+{
+    const thread_strain *s = &t->strains[i];
+    const thread_arc *arc = &t->arcs[i];
+    double stiffness = t->config.axial_stiffness * t->inverse_rest[i];
+    double pull = t->trial_tension[i] > least_pull ? t->trial_tension[i] : least_pull;
+    double bent = 2.0 * arc->share;
+    lanes tangent = lanes_from(s->tangent), curvature = lanes_from(s->curvature);
+    p->tension = stiffness * s->excess;
+    p->bent = pull > 0.0 ? bent * pull : 0.0;
+    /* A chord turns against pull / chord; its length then does not: less stiffness along it, which
+     * is put on the whole slope, as it is small against EA / l. */
+    p->turning = s->chord > 0.0 ? pull / s->chord : 0.0;
+    stiffness -= p->turning;
+    for (uint32_t a = 0; a < 4; a++) {
+        p->factor[a] = arc->factor[a];
+        p->slope[a] = lanes_mul(bent * arc->factor[a], curvature);
+    }
+    p->slope[1] = lanes_sub(p->slope[1], tangent);
+    p->slope[2] = lanes_add(p->slope[2], tangent);
+    for (uint32_t a = 0; a < 4; a++) {
+        p->stiff[a] = lanes_mul(stiffness, p->slope[a]);
+    }
+}
+
+static const segment_part no_part; /* of segments beyond the ends */
+
+/* ---- blocks */
+
+static inline block scalar_block(double s)
+{
+    block b = {{lanes_make(s, 0.0, 0.0), lanes_make(0.0, s, 0.0), lanes_make(0.0, 0.0, s)}};
+    return b;
+}
+
+/* b += row column^T */
+static inline void add_outer(block *b, const lanes *row, const lanes *column)
+{
+    b->column[0] = lanes_add(b->column[0], lanes_mul(lanes_at(*column, 0), *row));
+    b->column[1] = lanes_add(b->column[1], lanes_mul(lanes_at(*column, 1), *row));
+    b->column[2] = lanes_add(b->column[2], lanes_mul(lanes_at(*column, 2), *row));
+}
+
+/* The parts of four neighbouring segments, by segment modulo 4: those that meet at a node. */
+typedef struct parts {
+    segment_part at[4];
+} parts;
+
+/* Node i and node i + k: the segments i + k - 2 .. i + 1 see both. */
+static block pair_block(const parts *p, uint32_t i, uint32_t k, double scalar, bool flipped)
+{
+    for (uint32_t a = 0; a + k < 4; a++) { /* segment i + 1 - a */
+        const segment_part *s = &p->at[(i + 1 - a) & 3u];
+        scalar += s->bent * s->factor[a] * s->factor[a + k];
+    }
+    block b = scalar_block(scalar);
+    for (uint32_t a = 0; a + k < 4; a++) {
+        const segment_part *s = &p->at[(i + 1 - a) & 3u];
+        /* Rows belong to the node that is eliminated later. */
+        add_outer(&b, &s->slope[flipped ? a : a + k], &s->stiff[flipped ? a + k : a]);
+    }
+    return b;
+}
+
+/* ---- forces on a node */
+
+static inline lanes load(const vec3 *v)
+{
+    return lanes_from(*v);
+}
+
+static lanes node_force(const thread_object *t, const vbss_integration *in, uint32_t i)
+{
+    lanes moved = lanes_sub(load(&t->trial[i]), load(&t->x_predicted[i]));
+    lanes speed = lanes_add(load(&t->v_predicted[i]), lanes_mul(in->rate, moved));
+    lanes force = lanes_sub(load(&t->gravity), lanes_mul(in->inertia, moved));
+    force = lanes_sub(force, lanes_mul(t->config.drag, speed));
+    return lanes_mul(t->mass[i], force);
+}
+
+/* From differences, which are opposite for the two nodes of a pair: so the forces are, to the bit. */
+static lanes bending_force(const thread_object *t, uint32_t i)
+{
+    lanes here = load(&t->trial[i]), force = lanes_make(0.0, 0.0, 0.0);
+    for (uint32_t k = 1; k <= THREAD_REACH; k++) {
+        if (i + k < t->node_count) {
+            lanes e = lanes_sub(load(&t->trial[i + k]), here);
+            force = lanes_sub(force, lanes_mul(t->bending[i][k], e));
+        }
+        if (i >= k) {
+            lanes e = lanes_sub(load(&t->trial[i - k]), here);
+            force = lanes_sub(force, lanes_mul(t->bending[i - k][k], e));
+        }
+    }
+    return force;
+}
+
+static lanes stretching_force(const parts *p, uint32_t i)
+{
+    lanes force = lanes_make(0.0, 0.0, 0.0);
+    for (uint32_t a = 0; a < 4; a++) {
+        const segment_part *s = &p->at[(i + 1 - a) & 3u];
+        force = lanes_sub(force, lanes_mul(s->tension, s->slope[a]));
+    }
+    return force;
+}
+
+static void set_nodes(const thread_object *t, const thread_stage *stage, vbss_system *system,
+                      uint32_t first)
+{
+    const vbss_integration *in = stage->integration;
+    uint32_t n = t->node_count, reach = t->config.bending == VBSS_BENDING_SPLINE ? 3 : 2;
+    parts p;
+    p.at[2] = p.at[3] = no_part; /* segments -2 and -1 */
+    set_part(t, 0, stage->least_pull, &p.at[0]);
+    for (uint32_t i = 0; i < n; i++) {
+        if (i + 2 < n) {
+            set_part(t, i + 1, stage->least_pull, &p.at[(i + 1) & 3u]);
+        } else {
+            p.at[(i + 1) & 3u] = no_part;
+        }
+        const segment_part *before = &p.at[(i + 3) & 3u], *behind = &p.at[i & 3u];
+        lanes force = lanes_add(node_force(t, in, i), bending_force(t, i));
+        system->rhs[first + i] = lanes_vec3(lanes_add(force, stretching_force(&p, i)));
+        double scalar = t->mass[i] * (in->inertia + t->config.drag * in->rate) + t->bending[i][0] +
+                        before->turning + behind->turning;
+        system->diagonal[first + i] = pair_block(&p, i, 0, scalar, false);
+        for (uint32_t k = 1; k <= reach; k++) {
+            uint32_t c = t->couplings[i][k - 1];
+            double own = t->bending[i][k] - (k == 1 ? behind->turning : 0.0);
+            system->numbers[c] = pair_block(&p, i, k, own, system->couplings[c].flipped);
+        }
+    }
+}
+
+/* ---- clamps */
+
+/* Pairs further apart than the reach: one of the two is the node of a clamp. */
+static void add_far_pairs(const thread_object *t, uint32_t clamp, vec3 *rhs)
+{
+    uint32_t node = t->clamps[clamp].node;
+    for (uint32_t side = 0; side < 2; side++) {
+        uint32_t i = side == 0 ? node : node - THREAD_FAR;
+        bool there = side == 0 ? node + THREAD_FAR < t->node_count : node >= THREAD_FAR;
+        bool twice = there && side == 1 && clamp > 0 && t->clamps[clamp - 1].node == i;
+        if (there && !twice) {
+            vec3 e = vec3_sub(t->trial[i + THREAD_FAR], t->trial[i]);
+            vec3 f = vec3_scale(e, t->bending[i][THREAD_FAR]);
+            rhs[i] = vec3_sub(rhs[i], f);
+            rhs[i + THREAD_FAR] = vec3_add(rhs[i + THREAD_FAR], f);
+        }
+    }
+}
+
+static void add_clamps(const thread_object *t, vec3 *rhs)
+{
+    for (uint32_t c = 0; c < t->clamp_count; c++) {
+        const thread_clamp *clamp = &t->clamps[c];
+        for (uint32_t k = 0; k <= 2 * THREAD_FAR; k++) {
+            if (clamp->factor[k] != 0.0) {
+                uint32_t i = clamp->node + k - THREAD_FAR;
+                rhs[i] = vec3_add_scaled(rhs[i], -clamp->factor[k], clamp->direction);
+            }
+        }
+        add_far_pairs(t, c, rhs);
+    }
+}
+
+/* ---- attachments */
+
+static void add_attachments(const thread_object *t, const thread_stage *stage, vbss_system *system,
+                            uint32_t first)
+{
+    const vbss_integration *in = stage->integration;
+    double share = (stage->part_end - stage->part_begin) / in->h; /* of the way, in 1/s */
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        if (a->id == 0) {
+            continue;
+        }
+        vec3 *rhs = &system->rhs[first + a->node];
+        if (a->kind == VBSS_ATTACHMENT_FORCE) {
+            *rhs = vec3_add(*rhs, a->force);
+        } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
+            vec3 moved = vec3_sub(t->trial[a->node], t->x_predicted[a->node]);
+            vec3 speed = vec3_add_scaled(t->v_predicted[a->node], in->rate, moved);
+            vec3 end_speed = vec3_scale(vec3_sub(a->target, a->position), share);
+            vec3 stretch =
+                vec3_sub(vbss_thread_attachment_position(a, stage->part_end), t->trial[a->node]);
+            *rhs = vec3_add_scaled(*rhs, a->stiffness, stretch);
+            *rhs = vec3_add_scaled(*rhs, a->damping, vec3_sub(end_speed, speed));
+            block spring = scalar_block(a->stiffness + a->damping * in->rate);
+            block *diagonal = &system->diagonal[first + a->node];
+            for (int c = 0; c < 3; c++) {
+                diagonal->column[c] = lanes_add(diagonal->column[c], spring.column[c]);
+            }
+        }
+    }
+}
+
+void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_stage *stage,
+                                          vbss_system *system, uint32_t first)
+{
+    set_nodes(t, stage, system, first);
+    add_clamps(t, system->rhs + first);
+    vbss_thread_add_rest_curvature(t, t->trial, system->rhs + first);
+    add_attachments(t, stage, system, first);
+}

@@ -1,0 +1,33 @@
+/* The bending energy of method OURS, from the factors of bending.c. */
+#include "thread/thread.h"
+
+/* 1/2 x^T K x = -1/2 sum over pairs of K_ij |x_i - x_j|^2, as the rows of K sum to zero. */
+double vbss_thread_bending_energy(const thread_object *t)
+{
+    if (t->config.method == VBSS_METHOD_PAPER) {
+        return vbss_thread_paper_bending_energy(t);
+    }
+    double energy = vbss_thread_rest_curvature_energy(t);
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        for (uint32_t k = 1; k <= THREAD_FAR && i + k < t->node_count; k++) {
+            vec3 e = vec3_sub(t->now.x[i + k], t->now.x[i]);
+            energy -= 0.5 * t->bending[i][k] * vec3_norm_squared(e);
+        }
+    }
+    for (uint32_t c = 0; c < t->clamp_count; c++) {
+        const thread_clamp *clamp = &t->clamps[c];
+        vec3 from = t->now.x[clamp->node], sum = vec3_zero();
+        for (uint32_t k = 0; k <= 2 * THREAD_FAR; k++) {
+            if (clamp->factor[k] != 0.0) {
+                vec3 e = vec3_sub(t->now.x[clamp->node + k - THREAD_FAR], from);
+                sum = vec3_add_scaled(sum, clamp->factor[k], e);
+            }
+        }
+        energy += vec3_dot(sum, clamp->direction);
+        energy += 0.5 * clamp->own * vec3_norm_squared(clamp->direction);
+        if (c + 1 < t->clamp_count) {
+            energy += clamp->next * vec3_dot(clamp->direction, t->clamps[c + 1].direction);
+        }
+    }
+    return energy;
+}

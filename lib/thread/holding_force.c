@@ -1,0 +1,57 @@
+/* Method OURS: the force that holds a node, mass times acceleration less all other forces, at the end
+ * of the last step. */
+#include "thread/thread.h"
+
+static vec3 bending_force(const thread_object *t, uint32_t node)
+{
+    vec3 force = vec3_zero();
+    for (uint32_t k = 1; k <= THREAD_FAR; k++) {
+        if (node + k < t->node_count) {
+            vec3 e = vec3_sub(t->now.x[node + k], t->now.x[node]);
+            force = vec3_add_scaled(force, -t->bending[node][k], e);
+        }
+        if (node >= k) {
+            vec3 e = vec3_sub(t->now.x[node - k], t->now.x[node]);
+            force = vec3_add_scaled(force, -t->bending[node - k][k], e);
+        }
+    }
+    for (uint32_t c = 0; c < t->clamp_count; c++) {
+        const thread_clamp *clamp = &t->clamps[c];
+        uint32_t k = node + THREAD_FAR - clamp->node;
+        if (node + THREAD_FAR >= clamp->node && k <= 2 * THREAD_FAR) {
+            force = vec3_add_scaled(force, -clamp->factor[k], clamp->direction);
+        }
+    }
+    return force;
+}
+
+/* Of the segments whose length depends on the node. */
+static vec3 stretching_force(const thread_object *t, uint32_t node)
+{
+    vec3 force = vec3_zero();
+    uint32_t first = node < 2 ? 0 : node - 2;
+    for (uint32_t i = first; i < node + 2 && i + 1 < t->node_count; i++) {
+        const thread_strain *s = &t->strains[i];
+        double sign = i == node ? 1.0 : i + 1 == node ? -1.0 : 0.0;
+        double bent = 2.0 * t->arcs[i].share * t->arcs[i].factor[node + 1 - i];
+        vec3 slope = vec3_sub(vec3_scale(s->tangent, sign), vec3_scale(s->curvature, bent));
+        force = vec3_add_scaled(force, t->now.tension[i], slope);
+    }
+    return force;
+}
+
+vec3 vbss_thread_implicit_force(thread_object *t, uint32_t node)
+{
+    /* The strains are those of the last step or look; forces come from the tensions, which are more
+     * exact than EA times a strain. */
+    vbss_thread_measure(t, t->now.x, t->strains);
+    vec3 *scratch = t->v_predicted;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        scratch[i] = vec3_zero();
+    }
+    vbss_thread_add_rest_curvature(t, t->now.x, scratch);
+    vec3 inner = vec3_add(bending_force(t, node), stretching_force(t, node));
+    vec3 drag = vec3_scale(t->now.v[node], -t->config.drag);
+    vec3 needed = vec3_sub(vec3_sub(t->now.q[node], t->gravity), drag);
+    return vec3_sub(vec3_scale(needed, t->mass[node]), vec3_add(inner, scratch[node]));
+}

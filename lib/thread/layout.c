@@ -1,0 +1,156 @@
+/* What follows from rest lengths and attachments, worked out when one of them has changed. */
+#include "thread/thread.h"
+
+#include <string.h>
+
+/* ---- masses
+ *
+ * Half of each neighbouring segment, with the end corrections of the trapezoidal rule: sums over the
+ * nodes of what varies smoothly are then integrals up to fourth order (Gregory's weights 3/8, 7/6,
+ * 23/24, 1, ...; for unequal lengths the terms of Euler and Maclaurin at each node). */
+
+/* Moves mass from one node to another, at most half of what the giver has from its segments. */
+static void shift_mass(thread_object *t, uint32_t from, uint32_t to, double mass)
+{
+    double half = 0.5 * (mass > 0.0 ? t->mass[from] : t->mass[to]);
+    mass = mass > half ? half : mass < -half ? -half : mass;
+    t->mass[from] -= mass;
+    t->mass[to] += mass;
+}
+
+/* l^2/12 times the slope at an end, from the differences over the first two segments. */
+static void correct_end(thread_object *t, uint32_t end, uint32_t next, uint32_t third, double l,
+                        double l_next)
+{
+    double part = t->config.linear_density * l / 12.0, share = l / (l + l_next);
+    shift_mass(t, end, next, part * (1.0 + share));
+    shift_mass(t, third, next, part * share * l / l_next);
+}
+
+bool vbss_thread_is_clamped(const thread_object *t, uint32_t node)
+{
+    uint32_t held = t->held[node];
+    return held != 0 && t->attachments[held - 1].kind == VBSS_ATTACHMENT_CLAMP;
+}
+
+static void spread_mass(thread_object *t)
+{
+    uint32_t n = t->node_count;
+    double density = t->config.linear_density;
+    memset(t->mass, 0, n * sizeof *t->mass);
+    t->shortest_rest = t->rest[0];
+    for (uint32_t i = 0; i + 1 < n; i++) {
+        t->inverse_rest[i] = 1.0 / t->rest[i];
+        t->shortest_rest = t->rest[i] < t->shortest_rest ? t->rest[i] : t->shortest_rest;
+        t->mass[i] += 0.5 * density * t->rest[i];
+        t->mass[i + 1] += 0.5 * density * t->rest[i];
+    }
+    if (n < 3 || t->config.method != VBSS_METHOD_OURS) {
+        return;
+    }
+    /* At a clamp the motion's slope along the thread is zero, and so is the correction. */
+    if (!vbss_thread_is_clamped(t, 0)) {
+        correct_end(t, 0, 1, 2, t->rest[0], t->rest[1]);
+    }
+    if (!vbss_thread_is_clamped(t, n - 1)) {
+        correct_end(t, n - 1, n - 2, n - 3, t->rest[n - 2], t->rest[n - 3]);
+    }
+    for (uint32_t i = 1; i + 1 < n; i++) {
+        shift_mass(t, i - 1, i + 1, density * (t->rest[i] - t->rest[i - 1]) / 12.0);
+    }
+}
+
+/* ---- attachments */
+
+static void hold_nodes(thread_object *t)
+{
+    memset(t->held, 0, t->node_count * sizeof *t->held);
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        bool holds = a->kind == VBSS_ATTACHMENT_PIN || a->kind == VBSS_ATTACHMENT_CLAMP;
+        if (a->id != 0 && holds) {
+            t->held[a->node] = place + 1;
+        }
+    }
+}
+
+static void attach_masses(thread_object *t)
+{
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_MASS) {
+            t->mass[a->node] += a->mass;
+        }
+    }
+}
+
+static void divide_sections(thread_object *t)
+{
+    t->section_count = 0;
+    t->sections[t->section_count++] = 0;
+    for (uint32_t i = 1; i + 1 < t->node_count; i++) {
+        if (t->held[i] != 0) {
+            t->sections[t->section_count++] = i;
+        }
+    }
+}
+
+/* ---- the system of a thread alone: held nodes are given; a node on a spring and its neighbours are a
+ * group of separators, as wide as the bending reaches */
+
+static vbss_result build_pattern(thread_object *t)
+{
+    vbss_system *s = t->system;
+    uint32_t n = t->node_count, first = 0;
+    vbss_system_begin(s);
+    VBSS_TRY(vbss_system_add_chain(s, n, &first));
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
+            uint32_t low = a->node > 0 ? a->node - 1 : 0;
+            low = low + THREAD_REACH <= n ? low : n > THREAD_REACH ? n - THREAD_REACH : 0;
+            for (uint32_t i = low; i < low + THREAD_REACH && i < n; i++) {
+                vbss_system_set_role(s, i, VBSS_ROLE_SEPARATOR);
+            }
+        }
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        if (t->held[i] != 0) {
+            vbss_system_set_role(s, i, VBSS_ROLE_GIVEN);
+        }
+    }
+    uint32_t reach = t->config.bending == VBSS_BENDING_SPLINE ? THREAD_REACH : THREAD_REACH - 1;
+    for (uint32_t i = 0; i < n; i++) {
+        for (uint32_t k = 1; k <= THREAD_REACH; k++) {
+            t->couplings[i][k - 1] = VBSS_NO_COUPLING;
+            if (k <= reach && i + k < n) {
+                VBSS_TRY(vbss_system_couple(s, i, i + k, &t->couplings[i][k - 1]));
+            }
+        }
+    }
+    return vbss_system_analyse(s);
+}
+
+vbss_result vbss_thread_layout(thread_object *t)
+{
+    if (t->layout_known) {
+        return VBSS_OK;
+    }
+    hold_nodes(t);
+    spread_mass(t);
+    attach_masses(t);
+    divide_sections(t);
+    if (t->config.method == VBSS_METHOD_OURS) {
+        vbss_thread_build_bending(t);
+        VBSS_TRY(build_pattern(t));
+    }
+    t->layout_known = true;
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_prepare(thread_object *t)
+{
+    VBSS_TRY(vbss_thread_layout(t));
+    vbss_thread_set_clamps(t, 0.0);
+    return VBSS_OK;
+}

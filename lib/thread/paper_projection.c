@@ -1,0 +1,118 @@
+/* Method PAPER: inextensibility by fast projection (Goldenthal et al. 2007), one section at a time.
+ *
+ * C_i = |e_i|^2 / l_i - l_i has the gradient +-(2 / l_i) e_i at the segment's ends. Repeat until
+ * all C_i are small: solve (J M^-1 J^T) u = C, a tridiagonal system, and move x by -M^-1 J^T u.
+ * Held nodes have no inverse mass, so they do not move. */
+#include "thread/paper.h"
+
+#include <string.h>
+
+/* Pivots below this share of the diagonal: straight between held ends, where only constraints that
+ * are fulfilled already have a solution. One for the sake of the tensions alone must be sound. */
+#define SINGULAR 1e-13
+#define UNSOUND 1e-6
+
+/* Edges, and C_i / l_i as right-hand sides. Returns the largest, not finite if one is not. */
+static double measure(thread_object *t, uint32_t first, uint32_t last)
+{
+    double largest = 0.0, sum = 0.0;
+    for (uint32_t i = first; i < last; i++) {
+        thread_paper_row *row = &t->paper_rows[i];
+        row->edge = vec3_scale(vec3_sub(t->now.x[i + 1], t->now.x[i]), row->inverse_rest);
+        row->square = vec3_norm_squared(row->edge);
+        row->right = row->square - 1.0;
+        double error = fabs(row->right);
+        largest = error > largest ? error : largest;
+        sum += error; /* NaN stays in a sum */
+    }
+    return sum < 1e100 ? largest : sum;
+}
+
+/* Scaled so that row i is C_i / l_i and its unknown is 2 u_i: the edges are e_i / l_i then.
+ * False: a pivot was below that share of its diagonal. */
+static bool solve(thread_object *t, uint32_t first, uint32_t last, double share)
+{
+    thread_paper_row *rows = t->paper_rows;
+    for (uint32_t i = first; i < last; i++) {
+        thread_paper_row *row = &rows[i];
+        double over = 2.0 * row->inverse_rest;
+        double diagonal = over * row->square * (row->inverse_mass + rows[i + 1].inverse_mass);
+        double pivot = diagonal;
+        if (i > first) {
+            /* Of the row before with this unknown, and of this row with the one before. */
+            double pair = -vec3_dot(rows[i - 1].edge, row->edge) * row->inverse_mass;
+            double lower = over * pair, ratio = rows[i - 1].ratio;
+            rows[i - 1].ratio = 2.0 * rows[i - 1].inverse_rest * pair * ratio;
+            pivot -= lower * rows[i - 1].ratio;
+            row->right -= lower * rows[i - 1].right;
+        }
+        if (!(pivot > share * diagonal)) {
+            return false;
+        }
+        row->ratio = 1.0 / pivot; /* until the next row turns it into its share in that unknown */
+        row->right *= row->ratio;
+    }
+    for (uint32_t i = last - 1; i > first; i--) {
+        rows[i - 1].right -= rows[i - 1].ratio * rows[i].right;
+    }
+    return true;
+}
+
+static void move(thread_object *t, uint32_t first, uint32_t last)
+{
+    thread_paper_row *rows = t->paper_rows;
+    for (uint32_t i = first; i < last; i++) {
+        vec3 pull = vec3_scale(rows[i].edge, rows[i].right);
+        rows[i].multiplier += rows[i].right;
+        t->now.x[i] = vec3_add_scaled(t->now.x[i], rows[i].inverse_mass, pull);
+        t->now.x[i + 1] = vec3_add_scaled(t->now.x[i + 1], -rows[i + 1].inverse_mass, pull);
+    }
+}
+
+static void give_up(thread_object *t, uint32_t first, uint32_t last)
+{
+    memcpy(t->now.x + first, t->trial + first, (size_t)(last - first + 1) * sizeof(vec3));
+    for (uint32_t i = first; i < last; i++) {
+        t->paper_rows[i].multiplier = 0.0;
+    }
+}
+
+bool vbss_paper_project(thread_object *t, uint32_t first, uint32_t last, double dt, vec3 *forces)
+{
+    thread_paper_row *rows = t->paper_rows;
+    vec3 low = vec3_zero(), high = vec3_zero();
+    memcpy(t->trial + first, t->now.x + first, (size_t)(last - first + 1) * sizeof(vec3));
+    for (uint32_t i = first; i < last; i++) {
+        rows[i].multiplier = 0.0;
+    }
+    for (uint32_t k = 0;; k++) {
+        double error = measure(t, first, last);
+        bool good = error <= t->config.paper_tolerance;
+        if (good && k > 0) { /* once at least: its multipliers are the tensions */
+            break;
+        }
+        bool more = k < t->config.paper_iteration_limit && error < 1e100;
+        if (!more || !solve(t, first, last, good ? UNSOUND : SINGULAR)) {
+            if (good) { /* and nothing can move */
+                break;
+            }
+            give_up(t, first, last);
+            return false;
+        }
+        t->statistics.iterations++;
+        t->statistics.last_iterations++;
+        move(t, first, last);
+        low = vec3_add_scaled(low, rows[first].right, rows[first].edge);
+        high = vec3_add_scaled(high, -rows[last - 1].right, rows[last - 1].edge);
+    }
+    double rate = 1.0 / dt;
+    for (uint32_t i = first; i <= last; i++) {
+        if (t->held[i] == 0) {
+            vec3 moved = vec3_sub(t->now.x[i], t->trial[i]);
+            t->now.v[i] = vec3_add_scaled(t->now.v[i], rate, moved);
+        }
+    }
+    forces[first] = vec3_add_scaled(forces[first], rate * rate, low);
+    forces[last] = vec3_add_scaled(forces[last], rate * rate, high);
+    return true;
+}

@@ -1,0 +1,206 @@
+/* Method PAPER, one step in equal explicit parts:
+ *   forces -> velocities (symplectic Euler) -> damping -> positions -> projection, velocities.
+ * A section whose projection does not converge keeps the positions before it: its held nodes are in
+ * their places, it may be stretched, and its springs work against that. */
+#include "thread/paper.h"
+
+/* An explicit part is at most this share of the longest that is stable: turns become sharper and
+ * tensions larger within a step. */
+#define STABLE_SHARE 0.9
+/* Spring constants that are chosen, as a share of what is stable. */
+#define SPRING_SHARE 0.75
+
+static uint32_t count_parts(thread_object *t, double h)
+{
+    if (t->config.paper_substeps > 0) {
+        return t->config.paper_substeps;
+    }
+    double wanted = h * sqrt(vbss_paper_rate(t)) * (1.0 / STABLE_SHARE);
+    if (!(wanted < 1e5)) {
+        return 100000;
+    }
+    uint32_t count = (uint32_t)wanted;
+    return count < wanted || count == 0 ? count + 1 : count;
+}
+
+static void prepare_masses(thread_object *t)
+{
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        thread_paper_row *row = &t->paper_rows[i];
+        row->inverse_mass = t->held[i] != 0 ? 0.0 : 1.0 / t->mass[i];
+        row->inverse_rest = i + 1 < t->node_count ? 1.0 / t->rest[i] : 0.0;
+        row->resistance = t->config.drag * t->mass[i];
+    }
+}
+
+/* What resists a velocity, drag and attached springs, counts as mass of the part: implicit, and at
+ * its end, so that what is at rest is in balance. An explicit spring would ask for dt below
+ * 2 sqrt(mass / stiffness). */
+static void resist(thread_object *t, double dt)
+{
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
+            t->paper_rows[a->node].resistance += a->damping + dt * a->stiffness;
+        }
+    }
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        thread_paper_row *row = &t->paper_rows[i];
+        if (t->held[i] == 0) {
+            row->inverse_mass = 1.0 / (t->mass[i] + dt * row->resistance);
+        }
+    }
+}
+
+static void prepare_springs(thread_object *t, double dt)
+{
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        double mobility = t->paper_rows[i].inverse_mass + t->paper_rows[i + 1].inverse_mass;
+        double stiffness = t->config.paper_stiffness;
+        if (stiffness == 0.0 && mobility > 0.0) {
+            double most = t->config.axial_stiffness / t->rest[i];
+            stiffness = 2.0 * SPRING_SHARE / (dt * dt * mobility);
+            stiffness = stiffness < most ? stiffness : most;
+        }
+        t->paper_rows[i].stiffness = stiffness;
+    }
+}
+
+/* ---- one explicit part */
+
+static void gather_forces(thread_object *t, double h, double begin, double end, vec3 *forces)
+{
+    vbss_thread_measure(t, t->now.x, t->strains);
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        forces[i] = vec3_scale(t->gravity, t->mass[i]);
+    }
+    vbss_paper_add_internal_forces(t, begin, forces);
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        vec3 *force = &forces[a->node];
+        if (a->id != 0 && a->kind == VBSS_ATTACHMENT_FORCE) {
+            *force = vec3_add(*force, a->force);
+        } else if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
+            vec3 stretch = vec3_sub(vbss_thread_attachment_position(a, end), t->now.x[a->node]);
+            vec3 way = vec3_sub(a->target, a->position);
+            *force = vec3_add_scaled(*force, a->stiffness, stretch);
+            *force = vec3_add_scaled(*force, a->damping / h, way);
+        }
+    }
+}
+
+static void move_nodes(thread_object *t, double dt, double end, const vec3 *forces)
+{
+    const thread_motion *m = &t->now;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        if (t->held[i] == 0) {
+            vec3 impulse = vec3_add_scaled(vec3_scale(m->v[i], t->mass[i]), dt, forces[i]);
+            m->v[i] = vec3_scale(impulse, t->paper_rows[i].inverse_mass);
+        }
+    }
+    if (t->config.paper_damping > 0.0) {
+        vbss_thread_damp_sections(t, t->config.paper_damping);
+    }
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        vec3 to = vec3_add_scaled(m->x[i], dt, m->v[i]);
+        if (t->held[i] != 0) {
+            to = vbss_thread_attachment_position(&t->attachments[t->held[i] - 1], end);
+            m->v[i] = vec3_scale(vec3_sub(to, m->x[i]), 1.0 / dt);
+        }
+        m->x[i] = to;
+    }
+}
+
+static void project_sections(thread_object *t, double dt, vec3 *forces)
+{
+    for (uint32_t s = 0; s < t->section_count; s++) {
+        uint32_t last = s + 1 < t->section_count ? t->sections[s + 1] : t->node_count - 1;
+        if (!vbss_paper_project(t, t->sections[s], last, dt, forces)) {
+            t->statistics.fallbacks++;
+        }
+    }
+}
+
+/* ---- the step */
+
+/* Of the last part: accelerations, what holds the held nodes, tensions. now.q has the velocities
+ * before it. */
+static void note_forces(thread_object *t, double dt, const vec3 *forces)
+{
+    const thread_motion *m = &t->now;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        m->q[i] = vec3_scale(vec3_sub(m->v[i], m->q[i]), 1.0 / dt);
+        m->a[i] = vec3_zero();
+        if (t->held[i] != 0) {
+            vec3 force = vec3_sub(vec3_scale(m->q[i], t->mass[i]), forces[i]);
+            m->a[i] = vec3_add_scaled(force, t->paper_rows[i].resistance, m->v[i]);
+        }
+    }
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        const thread_paper_row *row = &t->paper_rows[i];
+        m->tension[i] = row->stiffness * t->strains[i].excess + row->multiplier / (dt * dt);
+    }
+}
+
+static void note_stretch(thread_object *t)
+{
+    vbss_thread_statistics *s = &t->statistics;
+    vbss_thread_measure(t, t->now.x, t->strains);
+    s->last_stretch = s->last_stretch_error = 0.0;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        double stretch = t->strains[i].excess / t->rest[i], error = fabs(stretch);
+        s->last_stretch = stretch > s->last_stretch ? stretch : s->last_stretch;
+        s->last_stretch_error = error > s->last_stretch_error ? error : s->last_stretch_error;
+    }
+    s->stretch_error =
+        s->last_stretch_error > s->stretch_error ? s->last_stretch_error : s->stretch_error;
+}
+
+static vec3 still(vec3 v)
+{
+    bool moving = fabs(v.x) > THREAD_STILL || fabs(v.y) > THREAD_STILL || fabs(v.z) > THREAD_STILL;
+    return moving ? v : vec3_zero();
+}
+
+vbss_result vbss_thread_paper_step(thread_object *t, double h)
+{
+    const vbss_thread_statistics before = t->statistics;
+    vec3 *forces = t->a_predicted;
+    vbss_thread_copy_motion(t, &t->kept, &t->now);
+    vbss_thread_measure(t, t->now.x, t->strains);
+    prepare_masses(t);
+    uint32_t parts = count_parts(t, h);
+    double dt = h / parts;
+    resist(t, dt);
+    prepare_springs(t, dt);
+    t->statistics.last_iterations = 0;
+    for (uint32_t part = 0; part < parts; part++) {
+        double begin = (double)part / parts, end = (part + 1.0) / parts;
+        for (uint32_t i = 0; part + 1 == parts && i < t->node_count; i++) {
+            t->now.q[i] = t->now.v[i];
+        }
+        gather_forces(t, h, begin, end, forces);
+        move_nodes(t, dt, end, forces);
+        project_sections(t, dt, forces);
+    }
+    note_forces(t, dt, forces);
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        t->now.v[i] = still(t->now.v[i]);
+    }
+    if (!vbss_thread_motion_is_finite(t, &t->now)) {
+        vbss_thread_copy_motion(t, &t->now, &t->kept);
+        t->statistics = before;
+        return vbss_fail(t->context, VBSS_ERROR_NOT_FINITE,
+                         "thread step: no finite state after step %llu",
+                         (unsigned long long)before.steps);
+    }
+    t->statistics.substeps += parts;
+    note_stretch(t);
+    return VBSS_OK;
+}
+
+/* Kept with the state, so a restored thread answers as the saved one. */
+vec3 vbss_thread_paper_force(const thread_object *t, uint32_t node)
+{
+    return t->now.a[node];
+}

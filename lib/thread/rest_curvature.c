@@ -1,0 +1,102 @@
+/* Method OURS: a thread that is curved at rest, in no plane of its own.
+ *
+ * EI/2 (|curvature| - k)^2 l is EI/2 |curvature|^2 l, which bending.c knows, and beyond that
+ * EI k (k/2 - |curvature|) l, which stands here: over a cell around each node, two half cells at a clamp.
+ * The norm is smoothed below a thousandth of k: a straight thread has no plane to bend in. */
+#include "thread/thread.h"
+
+/* A cell: its curvature is the turn from one chord to the next, or to a clamp's direction, over its
+ * length; of the chords before and behind the node those that take part. */
+typedef struct cell {
+    vec3 turn;
+    double length;
+    bool before, behind;
+} cell;
+
+static vec3 chord(const thread_object *t, const vec3 *x, uint32_t segment)
+{
+    return vec3_scale(vec3_sub(x[segment + 1], x[segment]), t->inverse_rest[segment]);
+}
+
+/* Up to two cells at a node; how many. */
+static int cells_at(const thread_object *t, const vec3 *x, uint32_t node, cell cells[2])
+{
+    bool before = node > 0, behind = node + 1 < t->node_count;
+    int count = 0;
+    if (vbss_thread_is_clamped(t, node)) {
+        vec3 direction = vbss_thread_clamp_direction(t, node);
+        if (before) {
+            vec3 turn = vec3_sub(direction, chord(t, x, node - 1));
+            cells[count++] = (cell){turn, 0.5 * t->rest[node - 1], true, false};
+        }
+        if (behind) {
+            vec3 turn = vec3_sub(chord(t, x, node), direction);
+            cells[count++] = (cell){turn, 0.5 * t->rest[node], false, true};
+        }
+    } else if (before && behind) {
+        vec3 turn = vec3_sub(chord(t, x, node), chord(t, x, node - 1));
+        cells[count++] = (cell){turn, 0.5 * (t->rest[node - 1] + t->rest[node]), true, true};
+    }
+    return count;
+}
+
+static double smooth_norm(vec3 turn, double angle)
+{
+    return sqrt(vec3_norm_squared(turn) + 1e-6 * angle * angle);
+}
+
+double vbss_thread_rest_curvature_energy(const thread_object *t)
+{
+    double k = t->config.rest_curvature, energy = 0.0;
+    cell cells[2];
+    for (uint32_t i = 0; k > 0.0 && i < t->node_count; i++) {
+        for (int c = cells_at(t, t->now.x, i, cells) - 1; c >= 0; c--) {
+            double angle = k * cells[c].length;
+            double turned = smooth_norm(cells[c].turn, angle);
+            energy += t->config.bending_stiffness * k * (0.5 * angle - turned);
+        }
+    }
+    return energy;
+}
+
+/* The moment with which a cell wants to turn further. */
+static vec3 moment_of(const thread_object *t, const cell *c)
+{
+    double k = t->config.rest_curvature;
+    double strength = t->config.bending_stiffness * k / smooth_norm(c->turn, k * c->length);
+    return vec3_scale(c->turn, strength);
+}
+
+void vbss_thread_add_rest_curvature(const thread_object *t, const vec3 *x, vec3 *forces)
+{
+    cell cells[2];
+    for (uint32_t i = 0; t->config.rest_curvature > 0.0 && i < t->node_count; i++) {
+        for (int c = cells_at(t, x, i, cells) - 1; c >= 0; c--) {
+            vec3 moment = moment_of(t, &cells[c]);
+            if (cells[c].before) {
+                double share = t->inverse_rest[i - 1];
+                forces[i - 1] = vec3_add_scaled(forces[i - 1], share, moment);
+                forces[i] = vec3_add_scaled(forces[i], -share, moment);
+            }
+            if (cells[c].behind) {
+                double share = t->inverse_rest[i];
+                forces[i + 1] = vec3_add_scaled(forces[i + 1], share, moment);
+                forces[i] = vec3_add_scaled(forces[i], -share, moment);
+            }
+        }
+    }
+}
+
+vec3 vbss_thread_rest_curvature_slope(const thread_object *t, uint32_t node)
+{
+    vec3 slope = vec3_zero();
+    cell cells[2];
+    if (t->config.rest_curvature > 0.0) {
+        for (int c = cells_at(t, t->now.x, node, cells) - 1; c >= 0; c--) {
+            /* A turn toward the direction grows with it, one away from it shrinks. */
+            double sign = cells[c].behind ? 1.0 : -1.0;
+            slope = vec3_add_scaled(slope, sign, moment_of(t, &cells[c]));
+        }
+    }
+    return slope;
+}

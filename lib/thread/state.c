@@ -1,0 +1,196 @@
+/* The state of a thread: what is saved, hashed and restored. */
+#include "thread/thread.h"
+
+#include <string.h>
+
+/* The configuration that must be the same; what only sizes memory may differ. */
+static void visit_config(vbss_stream *stream, const thread_object *t)
+{
+    const vbss_thread_config *c = &t->config;
+    const double numbers[] = {
+        c->radius,
+        c->linear_density,
+        c->axial_stiffness,
+        c->bending_stiffness,
+        c->rest_curvature,
+        c->gravity[0],
+        c->gravity[1],
+        c->gravity[2],
+        c->drag,
+        c->damping,
+        c->spectral_radius,
+        c->stretch_tolerance,
+        c->position_tolerance,
+        c->paper_stiffness,
+        c->paper_damping,
+        c->paper_tolerance,
+    };
+    const uint32_t choices[] = {
+        (uint32_t)c->method, (uint32_t)c->bending,     c->iteration_limit,     c->halving_limit,
+        c->paper_substeps,   c->paper_iteration_limit, c->attachment_capacity, c->segment_count,
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 1, numbers[i]);
+    }
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        vbss_stream_same(stream, 2, choices[i]);
+    }
+}
+
+static void visit_attachment(vbss_stream *stream, const thread_object *t, thread_attachment *a)
+{
+    int32_t kind = a->kind;
+    uint8_t acted = a->acted;
+    vbss_stream_u32(stream, 20, &a->id, 1);
+    vbss_stream_i32(stream, 21, &kind, 1);
+    vbss_stream_u32(stream, 22, &a->node, 1);
+    vbss_stream_f64(stream, 23, &a->position.x, 3);
+    vbss_stream_f64(stream, 24, &a->target.x, 3);
+    vbss_stream_f64(stream, 25, &a->direction.x, 3);
+    vbss_stream_f64(stream, 26, &a->target_direction.x, 3);
+    vbss_stream_f64(stream, 27, &a->force.x, 3);
+    vbss_stream_f64(stream, 28, &a->stiffness, 1);
+    vbss_stream_f64(stream, 29, &a->damping, 1);
+    vbss_stream_f64(stream, 30, &a->mass, 1);
+    vbss_stream_f64(stream, 31, &a->velocity.x, 3);
+    vbss_stream_u8(stream, 32, &acted, 1);
+    a->kind = kind;
+    a->acted = acted != 0;
+    if (acted > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    }
+    if (a->id == 0 || stream->trusted || stream->mode != VBSS_STREAM_READ) {
+        return;
+    }
+    if (kind < VBSS_ATTACHMENT_PIN || kind > VBSS_ATTACHMENT_MASS || a->node >= t->node_count ||
+        a->id > t->last_id || !(a->stiffness >= 0.0) || !(a->damping >= 0.0) || !(a->mass >= 0.0)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
+    }
+}
+
+static void visit_statistics(vbss_stream *stream, vbss_thread_statistics *s)
+{
+    vbss_stream_u32(stream, 40, &s->last_iterations, 1);
+    vbss_stream_u64(stream, 41, &s->steps, 1);
+    vbss_stream_u64(stream, 42, &s->iterations, 1);
+    vbss_stream_u64(stream, 43, &s->substeps, 1);
+    vbss_stream_u64(stream, 44, &s->first_order, 1);
+    vbss_stream_u64(stream, 45, &s->rejections, 1);
+    vbss_stream_u64(stream, 46, &s->forced, 1);
+    vbss_stream_u64(stream, 47, &s->fallbacks, 1);
+    vbss_stream_f64(stream, 48, &s->last_stretch_error, 1);
+    vbss_stream_f64(stream, 49, &s->stretch_error, 1);
+    vbss_stream_f64(stream, 50, &s->last_stretch, 1);
+    vbss_stream_f64(stream, 51, &s->time, 1);
+}
+
+static void check_rest(vbss_stream *stream, const thread_object *t)
+{
+    bool sound = t->node_count >= 2;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        sound = sound && t->rest[i] > 0.0 && t->rest[i] <= 1e3;
+    }
+    if (!sound && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such rest lengths");
+    }
+}
+
+void vbss_thread_serialise(vbss_stream *stream, void *object)
+{
+    thread_object *t = object;
+    uint8_t fresh = t->fresh, placed = t->placed;
+    visit_config(stream, t);
+    vbss_stream_count(stream, 3, &t->node_count, t->node_capacity);
+    size_t n = t->node_count, segments = n > 0 ? n - 1 : 0;
+    vbss_stream_f64(stream, 4, t->rest, segments);
+    check_rest(stream, t);
+    vbss_stream_f64(stream, 5, &t->now.x[0].x, 3 * n);
+    vbss_stream_f64(stream, 6, &t->now.v[0].x, 3 * n);
+    vbss_stream_f64(stream, 7, &t->now.a[0].x, 3 * n);
+    vbss_stream_f64(stream, 8, &t->now.q[0].x, 3 * n);
+    vbss_stream_f64(stream, 9, t->now.tension, segments);
+    vbss_stream_u8(stream, 10, &fresh, 1);
+    vbss_stream_u32(stream, 11, &t->settling, 1);
+    vbss_stream_u32(stream, 12, &t->last_id, 1);
+    vbss_stream_f64(stream, 13, &t->last_part, 1);
+    if (!(t->last_part >= 0.0)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such length of a step");
+    }
+    vbss_stream_u8(stream, 14, &placed, 1);
+    if (fresh > 1 || placed > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    }
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        visit_attachment(stream, t, &t->attachments[i]);
+    }
+    visit_statistics(stream, &t->statistics);
+    if (stream->mode == VBSS_STREAM_READ) {
+        t->fresh = fresh != 0;
+        t->placed = placed != 0;
+        t->layout_known = false;
+        t->generation++;
+    }
+}
+
+void vbss_thread_copy_motion(const thread_object *t, thread_motion *to, const thread_motion *from)
+{
+    size_t bytes = t->node_count * sizeof(vec3);
+    memcpy(to->x, from->x, bytes);
+    memcpy(to->v, from->v, bytes);
+    memcpy(to->a, from->a, bytes);
+    memcpy(to->q, from->q, bytes);
+    memcpy(to->tension, from->tension, t->node_count * sizeof(double));
+}
+
+bool vbss_thread_motion_is_finite(const thread_object *t, const thread_motion *motion)
+{
+    /* A sum is finite only if all its terms are; v is finite only if x is, but far too large is
+     * broken as well. */
+    double sum = 0.0;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        sum += vec3_norm_squared(motion->x[i]) + vec3_norm_squared(motion->v[i]);
+    }
+    return sum < 1e100;
+}
+
+/* ---- saving from outside */
+
+static vbss_result slot_of(const vbss_thread *thread, vbss_slot **slot)
+{
+    return vbss_slot_open(thread, &vbss_thread_kind, slot);
+}
+
+vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
+                             uint64_t *written)
+{
+    vbss_slot *slot;
+    VBSS_TRY(slot_of(thread, &slot));
+    VBSS_TRY(vbss_check_pointer(slot->context, written, "written"));
+    size_t need = 0;
+    VBSS_TRY(vbss_snapshot_size(slot, &need));
+    *written = need;
+    if (capacity < need) {
+        return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "thread save: %llu bytes of %llu",
+                         (unsigned long long)capacity, (unsigned long long)need);
+    }
+    VBSS_TRY(vbss_check_pointer(slot->context, bytes, "bytes"));
+    return vbss_snapshot_save(slot, bytes, need, &need);
+}
+
+vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count)
+{
+    vbss_slot *slot;
+    VBSS_TRY(slot_of(thread, &slot));
+    if (count > SIZE_MAX) {
+        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "thread restore: count is too large");
+    }
+    return vbss_snapshot_restore(slot, bytes, (size_t)count);
+}
+
+vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash)
+{
+    vbss_slot *slot;
+    VBSS_TRY(slot_of(thread, &slot));
+    VBSS_TRY(vbss_check_pointer(slot->context, hash, "hash"));
+    return vbss_snapshot_hash(slot, hash);
+}

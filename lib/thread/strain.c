@@ -1,0 +1,53 @@
+/* Geometry of the segments: chords, arcs, how far they are from their rest lengths. */
+#include "thread/thread.h"
+
+/* The mean curvature of a segment's arc; nodes beyond the ends have zero factors. */
+static vec3 arc_curvature(const thread_object *t, const vec3 *x, uint32_t segment)
+{
+    const thread_arc *arc = &t->arcs[segment];
+    vec3 curvature = arc->clamped;
+    for (uint32_t k = 0; k < 4; k++) {
+        if (arc->factor[k] != 0.0) {
+            curvature = vec3_add_scaled(curvature, arc->factor[k], x[segment + k - 1]);
+        }
+    }
+    return curvature;
+}
+
+void vbss_thread_measure(const thread_object *t, const vec3 *x, thread_strain *strains)
+{
+    bool arcs = t->config.method == VBSS_METHOD_OURS && t->config.bending == VBSS_BENDING_SPLINE;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        thread_strain *s = &strains[i];
+        vec3 e = vec3_sub(x[i + 1], x[i]);
+        s->chord = vec3_norm(e);
+        /* Nodes that coincide have no direction: any will do, and the stretch pushes them apart. */
+        s->tangent = s->chord > 1e-150 ? vec3_scale(e, 1.0 / s->chord) : vec3_make(1.0, 0.0, 0.0);
+        s->excess = s->chord - t->rest[i];
+        s->curvature = vec3_zero();
+        if (arcs) {
+            s->curvature = arc_curvature(t, x, i);
+            s->excess += t->arcs[i].share * vec3_norm_squared(s->curvature);
+        }
+    }
+}
+
+/* The larger of two, NaN once one of them was. */
+static double larger(double a, double b)
+{
+    return a > b || a != a ? a : b;
+}
+
+double vbss_thread_note_stretch(thread_object *t, const double *tension)
+{
+    double largest_error = 0.0, largest = 0.0, compliance = 1.0 / t->config.axial_stiffness;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        double stretch = t->strains[i].excess * t->inverse_rest[i];
+        double error = fabs(stretch - tension[i] * compliance);
+        largest = stretch > largest ? stretch : largest;
+        largest_error = larger(error, largest_error);
+    }
+    t->statistics.last_stretch = largest;
+    t->statistics.last_stretch_error = largest_error;
+    return largest_error;
+}

@@ -1,0 +1,401 @@
+/* How threads begin and end. */
+#include "thread/thread.h"
+
+#include <string.h>
+
+_Static_assert(sizeof(vbss_thread_config) == 240, "published size");
+
+/* ---- configurations */
+
+/* The thread of VBLaST-SS. */
+#define PAPER_RADIUS 0.125e-3
+#define PAPER_LINEAR_DENSITY 6.4e-5
+#define PAPER_AXIAL_STIFFNESS 427.0
+#define PAPER_BENDING_STIFFNESS 1e-8
+
+static const vbss_thread_config defaults = {
+    .struct_size = sizeof(vbss_thread_config),
+    .method = VBSS_METHOD_OURS,
+    .bending = VBSS_BENDING_SPLINE,
+    .segment_count = 120,
+    .attachment_capacity = 8,
+    .length = 0.15,
+    .radius = PAPER_RADIUS,
+    .linear_density = PAPER_LINEAR_DENSITY,
+    .axial_stiffness = PAPER_AXIAL_STIFFNESS,
+    .bending_stiffness = PAPER_BENDING_STIFFNESS,
+    .gravity = {0.0, -9.81, 0.0},
+    .direction = {1.0, 0.0, 0.0},
+    .spectral_radius = 0.5,
+    .stretch_tolerance = 1e-6,
+    .position_tolerance = 1e-6,
+    .iteration_limit = 40,
+    .halving_limit = 5,
+    .paper_damping = 0.0,
+    .paper_iteration_limit = 50,
+    .paper_tolerance = 1e-6,
+};
+static const uint32_t config_sizes[] = {240, 0};
+static const vbss_layout config_layout = {"vbss_thread_config", &defaults, config_sizes};
+
+vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_preset preset)
+{
+    vbss_thread_config own; /* only to know the size for one of ours */
+    VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
+    switch (preset) {
+    case VBSS_PRESET_SILK_2_0:
+        config->radius = 0.16e-3;
+        config->linear_density = 1.05e-4;
+        config->axial_stiffness = 700.0;
+        config->bending_stiffness = 2.7e-8;
+        return VBSS_OK;
+    case VBSS_PRESET_PAPER_THREAD:
+        config->radius = PAPER_RADIUS;
+        config->linear_density = PAPER_LINEAR_DENSITY;
+        config->axial_stiffness = PAPER_AXIAL_STIFFNESS;
+        config->bending_stiffness = PAPER_BENDING_STIFFNESS;
+        return VBSS_OK;
+    default:
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+}
+
+typedef struct range {
+    const char *name;
+    double value, low, high;
+} range;
+
+static vbss_result check_choices(vbss_context *context, const vbss_thread_config *c)
+{
+    const range ranges[] = {
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"bending", c->bending, VBSS_BENDING_SPLINE, VBSS_BENDING_LOCAL},
+        {"segment_count", c->segment_count, 1.0, 65536.0},
+        {"attachment_capacity", c->attachment_capacity, 0.0, 256.0},
+        {"cut_capacity", c->cut_capacity, 0.0, 64.0},
+        {"iteration_limit", c->iteration_limit, 1.0, 100.0},
+        {"halving_limit", c->halving_limit, 0.0, 10.0},
+        {"paper_substeps", c->paper_substeps, 0.0, 100000.0},
+        {"paper_iteration_limit", c->paper_iteration_limit, 1.0, 1000.0},
+        {"radius", c->radius, 1e-7, 0.1},
+        {"linear_density", c->linear_density, 1e-9, 1e3},
+        {"axial_stiffness", c->axial_stiffness, 1e-6, 1e9},
+        {"bending_stiffness", c->bending_stiffness, 0.0, 1e3},
+        {"rest_curvature", c->rest_curvature, 0.0, 1e4},
+        {"drag", c->drag, 0.0, 1e6},
+        {"damping", c->damping, 0.0, 1e6},
+        {"spectral_radius", c->spectral_radius, 0.0, 1.0},
+        {"stretch_tolerance", c->stretch_tolerance, 1e-12, 1e-2},
+        {"position_tolerance", c->position_tolerance, 1e-12, 1.0},
+        {"paper_stiffness", c->paper_stiffness, 0.0, 1e9},
+        {"paper_damping", c->paper_damping, 0.0, 1.0},
+        {"paper_tolerance", c->paper_tolerance, 1e-14, 1.0},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        const range *r = &ranges[i];
+        VBSS_TRY(vbss_check_range(context, r->value, r->low, r->high, r->name));
+    }
+    return VBSS_OK;
+}
+
+static vbss_result check_shape(vbss_context *context, const vbss_thread_config *c)
+{
+    VBSS_TRY(vbss_check_finite(context, c->gravity, 3, "gravity"));
+    VBSS_TRY(vbss_check_range(context, vbss_largest(c->gravity, 3), 0.0, 1e6, "gravity"));
+    if (c->positions == NULL) {
+        VBSS_TRY(vbss_check_finite(context, c->start, 3, "start"));
+        VBSS_TRY(vbss_check_finite(context, c->direction, 3, "direction"));
+        VBSS_TRY(vbss_check_range(context, vbss_largest(c->start, 3), 0.0, 1e3, "start"));
+        VBSS_TRY(vbss_check_range(context, vec3_norm(vec3_load(c->direction)), 1e-100, 1e100,
+                                  "length of direction"));
+    }
+    for (uint32_t i = 0; c->rest_lengths != NULL && i < c->segment_count; i++) {
+        VBSS_TRY(vbss_check_range(context, c->rest_lengths[i], 1e-7, 1e2, "a rest length"));
+    }
+    if (c->rest_lengths == NULL) {
+        VBSS_TRY(vbss_check_range(context, c->length, 1e-6, 1e3, "length"));
+        VBSS_TRY(
+            vbss_check_range(context, c->length / c->segment_count, 1e-7, 1e3, "segment length"));
+    }
+    size_t numbers = 3u * ((size_t)c->segment_count + 1);
+    for (size_t i = 0; c->positions != NULL && i < numbers; i++) {
+        VBSS_TRY(vbss_check_range(context, c->positions[i], -1e3, 1e3, "a position"));
+    }
+    return VBSS_OK;
+}
+
+/* ---- memory: one table says what there is */
+
+enum { PARTS = 33 };
+typedef struct part {
+    void *array; /* address of the pointer */
+    size_t count, size;
+} part;
+
+static size_t list_parts(thread_object *t, part parts[PARTS])
+{
+    size_t n = t->node_capacity;
+    bool ours = t->config.method == VBSS_METHOD_OURS;
+    size_t implicit = ours ? n : 0;
+    const part all[] = {
+        {&t->rest, n, sizeof *t->rest},
+        {&t->now.x, n, sizeof(vec3)},
+        {&t->now.v, n, sizeof(vec3)},
+        {&t->now.a, n, sizeof(vec3)},
+        {&t->now.q, n, sizeof(vec3)},
+        {&t->now.tension, n, sizeof(double)},
+        {&t->kept.x, n, sizeof(vec3)},
+        {&t->kept.v, n, sizeof(vec3)},
+        {&t->kept.a, n, sizeof(vec3)},
+        {&t->kept.q, n, sizeof(vec3)},
+        {&t->kept.tension, n, sizeof(double)},
+        {&t->attachments, t->config.attachment_capacity, sizeof *t->attachments},
+        {&t->held, n, sizeof *t->held},
+        {&t->mass, n, sizeof *t->mass},
+        {&t->inverse_rest, n, sizeof *t->inverse_rest},
+        {&t->sections, n, sizeof *t->sections},
+        {&t->trial, n, sizeof(vec3)},
+        {&t->trial_tension, n, sizeof(double)},
+        {&t->lengths, n, sizeof *t->lengths},
+        {&t->curvatures, n, sizeof(vec3)},
+        {&t->x_predicted, n, sizeof(vec3)},
+        {&t->v_predicted, n, sizeof(vec3)},
+        {&t->a_predicted, n, sizeof(vec3)},
+        {&t->strains, n, sizeof *t->strains},
+        {&t->bending, implicit, sizeof *t->bending},
+        {&t->paper_rows, n - implicit, sizeof *t->paper_rows},
+        {&t->moments, implicit, sizeof *t->moments},
+        {&t->arcs, implicit, sizeof *t->arcs},
+        {&t->clamps, t->config.attachment_capacity, sizeof *t->clamps},
+        {&t->couplings, implicit, sizeof *t->couplings},
+    };
+    _Static_assert(sizeof all <= PARTS * sizeof(part), "the table is long enough");
+    memcpy(parts, all, sizeof all);
+    return sizeof all / sizeof all[0];
+}
+
+vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,
+                                 uint32_t node_capacity, thread_object **thread)
+{
+    *thread = NULL;
+    thread_object *t = vbss_allocate(context, 1, sizeof *t, "thread");
+    if (t == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    t->context = context;
+    t->config = *config;
+    t->config.rest_lengths = t->config.positions = NULL;
+    t->node_capacity = node_capacity;
+    t->gravity = vec3_load(config->gravity);
+    part parts[PARTS];
+    size_t count = list_parts(t, parts);
+    for (size_t i = 0; i < count; i++) {
+        void *array = vbss_allocate(context, parts[i].count, parts[i].size, "thread");
+        if (array == NULL) {
+            vbss_thread_free(context, t);
+            return VBSS_ERROR_OUT_OF_MEMORY;
+        }
+        memcpy(parts[i].array, &array, sizeof array);
+    }
+    if (config->method == VBSS_METHOD_OURS) {
+        /* A spring makes a group of separators, which is coupled with the next on either side. */
+        uint32_t separators = THREAD_REACH * config->attachment_capacity;
+        vbss_result result = vbss_system_create(context, node_capacity, THREAD_REACH, separators,
+                                                3 * THREAD_REACH * separators, &t->system);
+        if (result != VBSS_OK) {
+            vbss_thread_free(context, t);
+            return result;
+        }
+    }
+    *thread = t;
+    return VBSS_OK;
+}
+
+static void free_memory(vbss_context *context, thread_object *t)
+{
+    part parts[PARTS];
+    size_t count = list_parts(t, parts);
+    for (size_t i = 0; i < count; i++) {
+        void *array;
+        memcpy(&array, parts[i].array, sizeof array);
+        vbss_release(context, array, parts[i].count, parts[i].size);
+    }
+    vbss_system_destroy(context, t->system);
+    vbss_release(context, t, 1, sizeof *t);
+}
+
+static void free_reserve(vbss_context *context, thread_reserve *r)
+{
+    if (r == NULL || --r->users > 0) {
+        return;
+    }
+    for (uint32_t i = 0; r->spares != NULL && i < r->left; i++) {
+        if (r->spares[i] != NULL) {
+            free_memory(context, r->spares[i]);
+        }
+    }
+    vbss_release(context, r->spares, r->capacity, sizeof *r->spares);
+    vbss_release(context, r->slots, r->capacity, sizeof(vbss_slot *));
+    vbss_release(context, r, 1, sizeof *r);
+}
+
+void vbss_thread_free(vbss_context *context, void *object)
+{
+    thread_object *t = object;
+    free_reserve(context, t->reserve);
+    free_memory(context, t);
+}
+
+const vbss_kind vbss_thread_kind = {"thread", VBSS_CODE('T', 'H', 'R', 'D'), 1, vbss_thread_free,
+                                    vbss_thread_serialise};
+
+/* Threads and handles for the pieces of later cuts. */
+static vbss_result reserve_pieces(thread_object *t)
+{
+    vbss_context *context = t->context;
+    thread_reserve *r = vbss_allocate(context, 1, sizeof *r, "pieces of a thread");
+    if (r == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    t->reserve = r;
+    r->users = 1;
+    r->left = r->capacity = t->config.cut_capacity;
+    r->spares = vbss_allocate(context, r->capacity, sizeof *r->spares, "pieces of a thread");
+    r->slots = vbss_allocate(context, r->capacity, sizeof(vbss_slot *), "pieces of a thread");
+    if (r->spares == NULL || r->slots == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    for (uint32_t i = 0; i < r->capacity; i++) {
+        VBSS_TRY(vbss_thread_allocate(context, &t->config, t->node_capacity, &r->spares[i]));
+        VBSS_TRY(vbss_slot_reserve(context, &vbss_thread_kind, &r->slots[i]));
+    }
+    return VBSS_OK;
+}
+
+/* ---- life */
+
+static void place_nodes(thread_object *t, const vbss_thread_config *c)
+{
+    vec3 way = vec3_unit_or(vec3_load(c->direction), vec3_make(1.0, 0.0, 0.0));
+    double arc_length = 0.0;
+    t->node_count = c->segment_count + 1;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        if (i + 1 < t->node_count) {
+            t->rest[i] =
+                c->rest_lengths != NULL ? c->rest_lengths[i] : c->length / c->segment_count;
+        }
+        t->now.x[i] = c->positions != NULL ? vec3_load(c->positions + 3 * (size_t)i)
+                                           : vec3_add_scaled(vec3_load(c->start), arc_length, way);
+        arc_length += i + 1 < t->node_count ? t->rest[i] : 0.0;
+    }
+    t->fresh = t->placed = true;
+}
+
+vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
+                               vbss_thread **thread)
+{
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_check_pointer(context, thread, "thread"));
+    *thread = NULL;
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_thread_config own;
+    VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
+    VBSS_TRY(check_choices(context, &own));
+    VBSS_TRY(check_shape(context, &own));
+
+    thread_object *t;
+    vbss_slot *slot = NULL;
+    /* One node more than the thread has: a cut ends it with a node of its own. */
+    VBSS_TRY(vbss_thread_allocate(context, &own, own.segment_count + 2, &t));
+    vbss_result result = reserve_pieces(t);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(context, &vbss_thread_kind, t, &slot);
+    }
+    if (result != VBSS_OK) {
+        vbss_thread_free(context, t);
+        return result;
+    }
+    place_nodes(t, &own);
+    *thread = (vbss_thread *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_destroy(vbss_thread *thread)
+{
+    return vbss_slot_destroy(thread, &vbss_thread_kind);
+}
+
+vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_thread_kind, &slot));
+    *thread = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_thread_kind, &slot));
+    *thread = slot->object;
+    return VBSS_OK;
+}
+
+void vbss_thread_changed(thread_object *t)
+{
+    t->generation++;
+    t->layout_known = false;
+    t->fresh = true;
+}
+
+vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
+                                  const double *velocities, uint32_t node_count)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    VBSS_TRY(vbss_check_range(t->context, node_count, t->node_count, t->node_count, "node_count"));
+    size_t numbers = 3u * (size_t)node_count;
+    for (size_t i = 0; i < numbers; i++) {
+        if (positions != NULL) {
+            VBSS_TRY(vbss_check_range(t->context, positions[i], -1e3, 1e3, "a position"));
+        }
+        if (velocities != NULL) {
+            VBSS_TRY(vbss_check_range(t->context, velocities[i], -1e5, 1e5, "a velocity"));
+        }
+    }
+    for (uint32_t i = 0; i < node_count; i++) {
+        if (positions != NULL) {
+            t->now.x[i] = vec3_load(positions + 3 * (size_t)i);
+        }
+        if (velocities != NULL) {
+            t->now.v[i] = vec3_load(velocities + 3 * (size_t)i);
+        }
+        t->now.a[i] = t->now.q[i] = vec3_zero();
+        t->now.tension[i] = 0.0;
+    }
+    vbss_thread_changed(t);
+    t->placed = true;
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_step(vbss_thread *thread, double h)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit(thread, &t));
+    VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
+    VBSS_TRY(vbss_check_arithmetic(t->context));
+    VBSS_TRY(vbss_thread_layout(t));
+    VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
+                                                   : vbss_thread_implicit_step(t, h));
+    vbss_thread_attachments_arrive(t, h);
+    t->placed = false;
+    t->generation++;
+    t->statistics.steps++;
+    t->statistics.time += h;
+    return VBSS_OK;
+}

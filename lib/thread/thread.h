@@ -1,0 +1,229 @@
+/* The inside of a suture thread, shared by the files of lib/thread.
+ *
+ * Nodes 0 .. n-1, segments 0 .. n-2. thread.c makes and ends threads; layout.c works out what follows
+ * from attachments and rest lengths; a step is implicit_step.c (method OURS: predict, measure,
+ * assemble, solve, commit) or paper_step.c (method PAPER). */
+#ifndef VBSS_THREAD_THREAD_H
+#define VBSS_THREAD_THREAD_H
+
+#include <vblast_ss/thread.h>
+
+#include "base/base.h"
+#include "solver/solver.h"
+
+/* Below this, speeds (m/s) and accelerations (m/s^2) become zero: subnormal numbers cost time. */
+#define THREAD_STILL 1e-30
+
+/* Neighbours to either side that a bending energy reaches; one more from the node of a clamp. */
+enum { THREAD_REACH = 3, THREAD_FAR = THREAD_REACH + 1, THREAD_WINDOW = THREAD_FAR + 1 };
+
+typedef struct thread_attachment {
+    uint32_t id; /* 0: the place is free */
+    vbss_attachment_kind kind;
+    uint32_t node;
+    vec3 position, target;            /* PIN, CLAMP, SPRING: now, and after the next step */
+    vec3 direction, target_direction; /* CLAMP: the same, unit */
+    vec3 velocity;                    /* at which it came to position in the last step */
+    vec3 force;                       /* FORCE */
+    double stiffness, damping;        /* SPRING */
+    double mass;                      /* MASS */
+    bool acted;                       /* it has been there in a step */
+} thread_attachment;
+
+/* What moves in a step. n of each, n - 1 tensions. */
+typedef struct thread_motion {
+    vec3 *x, *v;
+    vec3 *a; /* OURS: accelerations as the integration carries them on */
+    vec3 *q; /* OURS: accelerations that balanced the forces at the end of the step */
+    double *tension;
+} thread_motion;
+
+/* A clamp as the bending energy knows it: 1/2 own t.t + sum factor x.t + next t.t' with the direction
+ * t, the nodes around it and the next clamp's direction t'. */
+typedef struct thread_clamp {
+    uint32_t place; /* of its attachment */
+    uint32_t node;
+    double factor[2 * THREAD_FAR + 1]; /* of nodes node - 4 .. node + 4 */
+    double own, next;
+    vec3 direction; /* at the end of the substep under way, else now */
+} thread_clamp;
+
+/* A segment's arc: length of the chord plus share |sum factor x + clamped|^2. */
+typedef struct thread_arc {
+    double factor[4]; /* of nodes segment - 1 .. segment + 2; the sum is the mean curvature, 1/m */
+    double share;     /* rest length^3 / 24; 0: chords are lengths */
+    vec3 clamped;     /* what directions of clamps contribute */
+    double direction[2]; /* factors of the directions of the clamps at the ends of its stretch */
+    uint32_t clamp[2];   /* which those are */
+} thread_arc;
+
+/* A turn of the thread as a linear form: of nodes first .. first + 4 and of the directions of the
+ * clamps at the two ends of its stretch. */
+typedef struct thread_form {
+    uint32_t first;
+    double node[THREAD_WINDOW];
+    double clamp[2];
+} thread_form;
+
+/* A second derivative of the spline: its equation while the bending energy is worked out. */
+typedef struct thread_moment {
+    thread_form turn;
+    double diagonal, after; /* factors of itself and of the next */
+    double row_sum;         /* of the factors of those that are left */
+} thread_moment;
+
+/* Geometry of a segment in a trial state. */
+typedef struct thread_strain {
+    vec3 tangent; /* of the chord */
+    double chord;
+    vec3 curvature; /* mean of the arc */
+    double excess;  /* length - rest length */
+} thread_strain;
+
+/* Method PAPER: what a step knows of node i and of segment i. */
+typedef struct thread_paper_row {
+    double inverse_mass; /* of the node, resistance times dt counted as mass; 0: held */
+    double resistance;   /* of the node to its velocity: drag and attached springs, N s/m */
+    double inverse_rest; /* of the segment */
+    double stiffness;    /* of the segment's spring, N/m */
+    double multiplier;   /* of its constraint in the substep under way: tension times dt^2 */
+    vec3 edge;           /* over its rest length, with its square */
+    double square;
+    double right,
+        ratio; /* of the tridiagonal system: right-hand side, then solution; elimination */
+} thread_paper_row;
+
+/* Spare threads for the pieces of a family of cuts; the last of the family gives it back. */
+typedef struct thread_reserve {
+    uint32_t users, left, capacity;
+    struct thread_object **spares;
+    vbss_slot **slots;
+} thread_reserve;
+
+typedef struct thread_object {
+    vbss_context *context;
+    vbss_thread_config config; /* with its pointers NULL; the same for all pieces */
+    uint32_t node_capacity, node_count;
+    uint64_t generation;
+    vec3 gravity;
+    thread_reserve *reserve;
+
+    /* the state */
+    double *rest; /* rest lengths */
+    thread_motion now;
+    thread_attachment *attachments; /* config.attachment_capacity places */
+    uint32_t last_id;
+    bool fresh;        /* OURS: nothing is known of accelerations */
+    bool placed;       /* being set up: no step since it was created or its state was set */
+    uint32_t settling; /* OURS: steps still to be made by backward Euler */
+    double last_part;  /* OURS: length of the last part of a step, s; 0 when fresh */
+    vbss_thread_statistics statistics;
+
+    /* what follows from rest lengths and attachments (layout.c) */
+    bool layout_known;
+    uint32_t *held;       /* per node: 1 + place of its PIN or CLAMP, or 0 */
+    double *mass;         /* per node, attached masses included */
+    double *inverse_rest; /* per segment, 1/m */
+    double shortest_rest; /* m */
+    uint32_t *sections;   /* first node of each section: held nodes and both ends divide */
+    uint32_t section_count;
+    double (*bending)[THREAD_WINDOW]; /* OURS: row i, factors of x[i] .. x[i + 4], N/m */
+    thread_moment *moments;           /* OURS: scratch of bending.c */
+    thread_arc *arcs;                 /* OURS */
+    thread_clamp *clamps;             /* OURS, by node */
+    uint32_t clamp_count;
+    uint32_t (*couplings)[THREAD_REACH]; /* OURS: of block i with i + 1 .. i + 3 */
+    vbss_system *system;                 /* OURS: the system of a thread that is stepped alone */
+
+    /* room for a step: nothing here outlives it */
+    thread_motion kept; /* the state before the step, once its first part has been committed */
+    vec3 *trial;        /* positions */
+    vec3 *x_predicted, *v_predicted, *a_predicted;
+    double *trial_tension;
+    thread_strain *strains;
+    thread_paper_row *paper_rows; /* PAPER */
+
+    /* views that are worked out when asked for */
+    double *lengths;
+    vec3 *curvatures;
+} thread_object;
+
+extern const vbss_kind vbss_thread_kind;
+
+/* thread.c: memory of a thread of that size, without a handle; and its end. */
+vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,
+                                 uint32_t node_capacity, thread_object **thread);
+void vbss_thread_free(vbss_context *context, void *object);
+/* The living thread of a handle, to look at or to change. */
+vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread);
+vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread);
+/* After every change that is not a step: views are old, accelerations unknown. */
+void vbss_thread_changed(thread_object *t);
+
+/* state.c */
+void vbss_thread_serialise(vbss_stream *stream, void *object);
+void vbss_thread_copy_motion(const thread_object *t, thread_motion *to, const thread_motion *from);
+bool vbss_thread_motion_is_finite(const thread_object *t, const thread_motion *motion);
+
+/* attachments.c */
+thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
+/* Where an attachment is after a part of the step, from 0 to 1. */
+vec3 vbss_thread_attachment_position(const thread_attachment *a, double part);
+vec3 vbss_thread_attachment_direction(const thread_attachment *a, double part);
+/* At the end of a step: what was to move has arrived. */
+void vbss_thread_attachments_arrive(thread_object *t, double h);
+
+/* layout.c: for a step; and for looking, with clamps where they are now. */
+vbss_result vbss_thread_layout(thread_object *t);
+vbss_result vbss_thread_prepare(thread_object *t);
+bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
+/* bending.c: fills bending, clamps, arcs of method OURS. */
+void vbss_thread_build_bending(thread_object *t);
+/* energy.c: of bending, rest curvature included; method PAPER has its own. */
+double vbss_thread_bending_energy(const thread_object *t);
+double vbss_thread_paper_bending_energy(const thread_object *t);
+/* bending.c: curvature vector at a node: turn of the chord's direction over the mean rest length; at a clamp the
+ * curvature of the side toward higher nodes, else the other; zero at free ends. */
+vec3 vbss_thread_curvature(const thread_object *t, const vec3 *x, uint32_t node);
+/* Directions of the clamps after a part of the step, into clamps and arcs. */
+void vbss_thread_set_clamps(thread_object *t, double part);
+/* Of the clamp that holds the node. */
+vec3 vbss_thread_clamp_direction(const thread_object *t, uint32_t node);
+
+/* rest_curvature.c: what rest curvature adds; the slope is of the energy with a clamp's direction. */
+double vbss_thread_rest_curvature_energy(const thread_object *t);
+vec3 vbss_thread_rest_curvature_slope(const thread_object *t, uint32_t node);
+void vbss_thread_add_rest_curvature(const thread_object *t, const vec3 *x, vec3 *forces);
+
+/* strain.c: geometry of the segments; and of what was measured the largest stretch and stretch error,
+ * for the statistics of the last step. */
+void vbss_thread_measure(const thread_object *t, const vec3 *x, thread_strain *strains);
+double vbss_thread_note_stretch(thread_object *t, const double *tension);
+
+/* assemble.c, both copies: the thread's part of the system at the trial state. */
+typedef struct thread_stage {
+    const vbss_integration *integration;
+    double part_begin, part_end; /* of the step, where attachments move */
+    double least_pull;           /* N, not positive: most compression that the stiffness takes in */
+    double carried; /* N, positive: compression that surely leaves the stiffness positive */
+} thread_stage;
+void vbss_thread_assemble_plain(const thread_object *t, const thread_stage *stage,
+                                vbss_system *system, uint32_t first_block);
+void vbss_thread_assemble_wide(const thread_object *t, const thread_stage *stage,
+                               vbss_system *system, uint32_t first_block);
+
+/* section_damping.c: v <- v - share (v - rigid motion of the section), free nodes first .. last. */
+void vbss_thread_damp_section(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
+                              uint32_t last, double share);
+/* The same for all sections. */
+void vbss_thread_damp_sections(thread_object *t, double share);
+
+/* implicit_step.c, paper_step.c */
+vbss_result vbss_thread_implicit_step(thread_object *t, double h);
+vbss_result vbss_thread_paper_step(thread_object *t, double h);
+/* The force that holds a held node at the end of the last step; holding_force.c, paper_step.c. */
+vec3 vbss_thread_implicit_force(thread_object *t, uint32_t node);
+vec3 vbss_thread_paper_force(const thread_object *t, uint32_t node);
+vec3 vbss_thread_paper_torque(const thread_object *t, uint32_t node);
+
+#endif

@@ -1,0 +1,18 @@
+/* What the tests of method PAPER share. */
+#ifndef VBSS_TESTS_THREAD_PAPER_RIG_H
+#define VBSS_TESTS_THREAD_PAPER_RIG_H
+
+#include "thread/rig.h"
+
+static const vec3 along = {1.0, 0.0, 0.0};
+
+/* 150 mm, without damping. */
+static inline vbss_thread_config paper(uint32_t segments)
+{
+    vbss_thread_config config = rig_config(0.15, segments);
+    config.method = VBSS_METHOD_PAPER;
+    config.paper_damping = 0.0;
+    return config;
+}
+
+#endif

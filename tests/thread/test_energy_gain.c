@@ -1,0 +1,141 @@
+/* Motions that must not gain energy: nothing feeds them. */
+#include "fixture.h"
+
+/* A stone on a string, whirling at 5 m/s. */
+static void whirl(double spectral_radius, const double *sizes, uint32_t count)
+{
+    fixture f;
+    double v[6] = {0.0, 0.0, 0.0, 0.0, 5.0, 0.0};
+    begin(&f);
+    f.config.segment_count = 1;
+    f.config.length = 0.02;
+    f.config.gravity[1] = 0.0;
+    f.config.spectral_radius = spectral_radius;
+    vbss_thread *thread = make(&f);
+    hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    expect_ok(vbss_thread_set_state(thread, NULL, v, 2));
+    double first = energies_of(thread).total;
+    for (uint32_t i = 0; i < 1000; i++) {
+        expect_ok(vbss_thread_step(thread, sizes[i % count]));
+        double now = energies_of(thread).total;
+        if (!(now <= 1.1 * first)) {
+            fail_msg("spectral radius %g, step %u of %g s: %g J where there were %g",
+                     spectral_radius, i, sizes[i % count], now, first);
+        }
+    }
+    end(&f);
+}
+
+static void whirling_in_equal_steps_gains_nothing(void **state)
+{
+    (void)state;
+    const double sizes[] = {1e-3};
+    whirl(0.0, sizes, 1);
+    whirl(0.5, sizes, 1);
+}
+
+static void whirling_in_unequal_steps_gains_nothing(void **state)
+{
+    (void)state;
+    const double sizes[] = {1e-4, 1e-3}, mixed[] = {1e-3, 1e-3, 5e-4, 2e-3, 1e-4};
+    whirl(0.5, sizes, 2);
+    whirl(0.5, mixed, 5);
+    whirl(0.0, mixed, 5);
+    whirl(0.0, sizes, 2);
+}
+
+/* 10 N along a straight thread: it is stretched, and not turned over and back for ever. */
+static void a_thread_pulled_along_itself_comes_to_rest(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    f.config.gravity[1] = 0.0;
+    f.config.length = 0.01;
+    f.config.bending = VBSS_BENDING_LOCAL;
+    f.config.drag = 10.0;
+    vbss_thread *thread = make(&f);
+    hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    vbss_thread_attachment a = plain(VBSS_ATTACHMENT_FORCE, 12);
+    a.force[0] = 10.0;
+    attach(thread, &a);
+    steps(thread, 1000, 1e-3);
+    expect_vector(vec3_zero(), vector_at(thread, VBSS_THREAD_VELOCITIES, 12), 1e-3);
+    expect_near(10.0, number_at(thread, VBSS_THREAD_TENSIONS, 5), 1e-2);
+    end(&f);
+}
+
+/* Three segments of 1 mm between clamps on a circle: there is nothing to make it zigzag. */
+static void a_short_stretch_between_clamps_stays_as_it_is(void **state)
+{
+    (void)state;
+    const double radius = 0.02;
+    fixture f;
+    double x[12], directions[12];
+    begin(&f);
+    for (int i = 0; i < 4; i++) {
+        double sine, cosine;
+        vbss_sincos(1e-3 * i / radius, &sine, &cosine);
+        vec3_store(x + 3 * (size_t)i, vec3_make(radius * sine, radius * (1.0 - cosine), 0.0));
+        vec3_store(directions + 3 * (size_t)i, vec3_make(cosine, sine, 0.0));
+    }
+    f.config.segment_count = 3;
+    f.config.length = 3e-3;
+    f.config.gravity[1] = 0.0;
+    f.config.bending = VBSS_BENDING_LOCAL;
+    f.config.positions = x;
+    vbss_thread *thread = make(&f);
+    for (uint32_t i = 0; i < 4; i += 3) {
+        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, i);
+        memcpy(a.position, x + 3 * (size_t)i, sizeof a.position);
+        memcpy(a.direction, directions + 3 * (size_t)i, sizeof a.direction);
+        attach(thread, &a);
+    }
+    double first = energies_of(thread).total;
+    for (int i = 0; i < 100; i++) {
+        steps(thread, 1, 1e-3);
+        assert_true(energies_of(thread).total <= 1.5 * first);
+    }
+    end(&f);
+}
+
+/* A clamp across a straight thread that is there already turns it within a step: that puts the energy
+ * of bending into it, some ten times as much to take its neighbours along, and nothing afterwards. */
+static void a_clamp_across_the_thread_turns_it_and_feeds_nothing(void **state)
+{
+    (void)state;
+    for (int bending = 0; bending < 2; bending++) {
+        fixture f;
+        begin(&f);
+        f.config.gravity[1] = 0.0;
+        f.config.bending = bending;
+        vbss_thread *thread = make(&f), *twin = make(&f);
+        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, 6);
+        vec3_store(a.position, place_of(thread, 6));
+        vec3_store(a.direction, vec3_make(0.2, 1.0, 0.0));
+        attach(twin, &a);
+        double put_in = energies_of(twin).bending;
+        steps(thread, 1, 1e-3);
+        attach(thread, &a);
+        double now = 0.0;
+        for (int i = 0; i < 50; i++) {
+            steps(thread, 1, 1e-3);
+            now = energies_of(thread).total;
+            assert_true(now <= 12.0 * put_in);
+        }
+        assert_true(now <= 3.0 * put_in);
+        end(&f);
+    }
+}
+
+int test_energy_gain(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(whirling_in_equal_steps_gains_nothing),
+        cmocka_unit_test(whirling_in_unequal_steps_gains_nothing),
+        cmocka_unit_test(a_thread_pulled_along_itself_comes_to_rest),
+        cmocka_unit_test(a_clamp_across_the_thread_turns_it_and_feeds_nothing),
+        cmocka_unit_test(a_short_stretch_between_clamps_stays_as_it_is),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

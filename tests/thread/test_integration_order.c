@@ -1,0 +1,293 @@
+/* Method OURS: the integration in time, as a thread makes it: order, starts, what it does exactly. */
+#include <math.h>
+
+#include "thread/rig.h"
+#include "thread/thread.h"
+
+enum { SEGMENTS = 6, NODES = SEGMENTS + 1 };
+
+/* ---- order: a soft thread swings from a pin, all its frequencies are followed */
+
+typedef enum start { ONCE, NOW_AND_THEN, NEVER_SECOND_ORDER } start;
+typedef struct shape {
+    vec3 x[NODES], v[NODES];
+    double tension[NODES];
+} shape;
+
+static vbss_thread_config soft_config(double spectral_radius, double stiffness)
+{
+    vbss_thread_config config = rig_config(0.15, SEGMENTS);
+    config.spectral_radius = spectral_radius;
+    config.axial_stiffness = stiffness;
+    config.drag = 2.0;
+    config.stretch_tolerance = config.position_tolerance = 1e-12;
+    return config;
+}
+
+static void swing(const vbss_thread_config *config, start how, uint32_t steps, shape *s)
+{
+    rig r;
+    vec3 v[NODES];
+    thread_object *inside;
+    rig_begin(&r, config);
+    expect_ok(vbss_thread_edit(r.thread, &inside));
+    for (int i = 0; i < NODES; i++) {
+        v[i] = vec3_make(0.0, -0.2 * i, 0.3 * sin(0.5 * i));
+    }
+    rig_place(&r, NULL, v);
+    rig_pin_here(&r, 0);
+    for (uint32_t k = 0; k < steps; k++) {
+        if (how == NOW_AND_THEN && k % (steps / 5) == 0) {
+            rig_place(&r, NULL, NULL); /* nothing moves, but what was known is forgotten */
+        }
+        if (how == NEVER_SECOND_ORDER) {
+            inside->settling = 2; /* as after a try that failed */
+        }
+        rig_run(&r, 0.1 / steps, 1);
+    }
+    rig_read(&r, VBSS_THREAD_POSITIONS, s->x);
+    rig_read(&r, VBSS_THREAD_VELOCITIES, s->v);
+    for (uint32_t i = 0; i < SEGMENTS; i++) {
+        s->tension[i] = rig_tension(&r, i);
+    }
+    vbss_thread_statistics statistics = rig_statistics(&r);
+    const uint64_t first_order[] = {1, 5, statistics.substeps};
+    assert_int_equal(first_order[how], statistics.first_order);
+    assert_int_equal(0, statistics.rejections);
+    rig_end(&r);
+}
+
+/* Largest differences of position, velocity, tension. */
+static vec3 difference(const shape *a, const shape *b)
+{
+    vec3 largest = vec3_zero();
+    for (uint32_t i = 0; i < NODES; i++) {
+        largest.x = fmax(largest.x, vec3_distance(a->x[i], b->x[i]));
+        largest.y = fmax(largest.y, vec3_distance(a->v[i], b->v[i]));
+        if (i < SEGMENTS) {
+            largest.z = fmax(largest.z, fabs(a->tension[i] - b->tension[i]));
+        }
+    }
+    return largest;
+}
+
+/* Orders of position, velocity, tension, from three runs. */
+static vec3 orders(const vbss_thread_config *config, start how, uint32_t steps)
+{
+    shape s[3];
+    for (int k = 0; k < 3; k++) {
+        swing(config, how, steps << k, &s[k]);
+    }
+    vec3 coarse = difference(&s[0], &s[1]), fine = difference(&s[1], &s[2]);
+    return vec3_make(log2(coarse.x / fine.x), log2(coarse.y / fine.y), log2(coarse.z / fine.z));
+}
+
+static void generalised_alpha_is_of_second_order(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        vbss_thread_config config = soft_config(0.5 * (k % 3), 0.01);
+        config.bending = k / 3;
+        expect_near_vec3(vec3_make(2.0, 2.0, 2.0), orders(&config, ONCE, 2000), 0.15);
+    }
+}
+
+static void backward_euler_is_of_first_order(void **state)
+{
+    (void)state;
+    vbss_thread_config config = soft_config(0.5, 427.0);
+    expect_near_vec3(vec3_make(1.0, 1.0, 1.0), orders(&config, NEVER_SECOND_ORDER, 1000), 0.1);
+}
+
+static void a_few_starts_do_not_spoil_the_order(void **state)
+{
+    (void)state;
+    vbss_thread_config config = soft_config(0.5, 427.0);
+    expect_near_vec3(vec3_make(2.0, 2.0, 2.0), orders(&config, NOW_AND_THEN, 200), 0.2);
+}
+
+/* As under a host that attaches or places something all the time: the motion is one, and what falls
+ * from rest has no energy to gain. */
+static void starts_in_every_step_are_harmless(void **state)
+{
+    (void)state;
+    const double sizes[] = {1e-3, 0.5e-3, 0.25e-3, 0.125e-3};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        double h = sizes[i];
+        rig once, always;
+        vbss_thread_config config = rig_config(0.15, 30);
+        rig_begin(&once, &config);
+        rig_begin(&always, &config);
+        rig_pin_here(&once, 0);
+        rig_pin_here(&always, 0);
+        for (int k = 0; k < 100; k++) {
+            rig_place(&always, NULL, NULL);
+            rig_run(&always, h, 1);
+            expect_near(0.0, fmax(0.0, rig_energies(&always).total), 1e-7);
+        }
+        rig_run(&once, h, 100);
+        expect_near(0.0, vec3_distance(rig_tip(&once), rig_tip(&always)), 2e-3);
+        rig_end(&once);
+        rig_end(&always);
+    }
+}
+
+static void a_stiff_thread_keeps_the_order(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        vbss_thread_config config = soft_config(0.5, 427.0);
+        config.bending = k;
+        expect_near_vec3(vec3_make(2.0, 2.0, 2.0), orders(&config, ONCE, 500), 0.1);
+    }
+}
+
+/* ---- exactly */
+
+/* What a start leaves: half g of the square of its first part, h / 64. */
+static void free_fall_is_exact(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 6; k++) {
+        rig r;
+        vec3 x[NODES], v[NODES];
+        vbss_thread_config config = rig_config(0.15, SEGMENTS);
+        config.bending = k / 3;
+        config.spectral_radius = 0.5 * (k % 3);
+        rig_begin(&r, &config);
+        for (uint32_t i = 0; i < NODES; i++) {
+            v[i] = vec3_make(0.5, 2.0, -1.0);
+        }
+        rig_place(&r, NULL, v);
+        double h = 1e-3, first = h / 64.0;
+        for (int step = 1; step <= 400; step++) {
+            double t = step * h, fallen = 0.5 * 9.81 * (t * t + first * first);
+            rig_run(&r, h, 1);
+            rig_read(&r, VBSS_THREAD_POSITIONS, x);
+            rig_read(&r, VBSS_THREAD_VELOCITIES, v);
+            for (uint32_t i = 0; i < NODES; i++) {
+                vec3 wanted = vec3_make(0.15 * i / SEGMENTS + 0.5 * t, 2.0 * t - fallen, -t);
+                expect_near_vec3(wanted, x[i], 2e-11);
+                expect_near_vec3(vec3_make(0.5, 2.0 - 9.81 * t, -1.0), v[i], 1e-10);
+            }
+        }
+        rig_end(&r);
+    }
+}
+
+/* ---- drag: v -> g / drag, as exp(-drag t) */
+
+static double drag_error(double h)
+{
+    rig r;
+    double drag = 8.0, worst = 0.0;
+    vbss_thread_config config = rig_config(0.15, SEGMENTS);
+    config.drag = drag;
+    rig_begin(&r, &config);
+    rig_mass(&r, 2, 1e-4); /* falls with it, and is dragged as it is */
+    for (int step = 1; step * h <= 1.0; step++) {
+        double t = step * h, faded = exp(-drag * t);
+        rig_run(&r, h, 1);
+        double v = -9.81 / drag * (1.0 - faded);
+        double y = -9.81 / drag * (t - (1.0 - faded) / drag);
+        for (uint32_t i = 0; i < NODES; i++) {
+            worst = fmax(worst, fabs(rig_velocity(&r, i).y - v));
+            worst = fmax(worst, fabs(rig_position(&r, i).y - y));
+        }
+    }
+    rig_run(&r, 5e-3, 1000);
+    expect_near(-9.81 / drag, rig_velocity(&r, 0).y, 1e-11);
+    rig_end(&r);
+    return worst;
+}
+
+static void a_falling_thread_reaches_its_speed_as_drag_says(void **state)
+{
+    (void)state;
+    double coarse = drag_error(4e-3), fine = drag_error(2e-3);
+    expect_near(0.0, fine, 1e-4);
+    expect_near(2.0, log2(coarse / fine), 0.1);
+}
+
+/* ---- damping: 1 / (1 + damping h) a step, of what is not rigid */
+
+static void damping_has_its_rate(void **state)
+{
+    (void)state;
+    for (uint32_t segments = 1; segments <= 2; segments++) {
+        rig r;
+        vbss_thread_config config = rig_config(0.15, segments);
+        config.gravity[1] = 0.0;
+        config.axial_stiffness = 1e-6; /* hardly any force */
+        config.damping = 40.0;
+        vec3 v[3] = {{1e-3, 0, 0}, {0, 0, 0}, {0, 0, 0}};
+        v[segments] = vec3_neg(v[0]);
+        rig_begin(&r, &config);
+        rig_place(&r, NULL, v);
+        rig_run(&r, 1e-3, 20);
+        /* The first step has two parts. */
+        double first = (1.0 + 40.0 * 1e-3 / 64.0) * (1.0 + 40.0 * 1e-3 * 63.0 / 64.0);
+        expect_near(1e-3 / (first * pow(1.04, 19.0)), rig_velocity(&r, 0).x, 2e-6);
+        expect_near(-rig_velocity(&r, 0).x, rig_velocity(&r, segments).x, 1e-10);
+        rig_end(&r);
+    }
+}
+
+/* ---- turning */
+
+static void a_spun_straight_thread_turns_rigidly(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        rig r;
+        vec3 x[NODES], v[NODES];
+        vbss_thread_config config = soft_config(0.5, 427.0);
+        config.bending = k;
+        config.drag = 0.0;
+        config.gravity[1] = 0.0;
+        double rate = 20.0, l = 0.15 / SEGMENTS;
+        for (int i = 0; i < NODES; i++) {
+            x[i] = vec3_make((i - 0.5 * SEGMENTS) * l, 0.0, 0.0);
+            v[i] = vec3_make(0.0, 0.6 * rate * x[i].x, 0.8 * rate * x[i].x);
+        }
+        rig_begin(&r, &config);
+        rig_place(&r, x, v);
+        /* v = w x r, with w = rate (0, -0.8, 0.6) */
+        double inertia = 6.4e-5 * 0.15 * 0.15 * 0.15 / 12.0;
+        vec3 angular = vec3_load(rig_momentum(&r).angular);
+        expect_near_vec3(vec3_make(0.0, -0.8 * rate * inertia, 0.6 * rate * inertia), angular,
+                         0.03 * rate * inertia);
+        rig_run(&r, 0.5e-3, 2000);
+        rig_read(&r, VBSS_THREAD_POSITIONS, x);
+        vec3 along = vec3_sub(x[SEGMENTS], x[0]);
+        double turned = rate * 1.0; /* rad in 1 s */
+        vec3 wanted = vec3_make(cos(turned), 0.6 * sin(turned), 0.8 * sin(turned));
+        expect_near(0.0, vec3_distance(vec3_scale(wanted, 0.15), along), 2e-4);
+        for (int i = 0; i < NODES; i++) {
+            double place = (i - 0.5 * SEGMENTS) / SEGMENTS;
+            expect_near(0.0, vec3_distance(vec3_scale(along, place), x[i]), 5e-8);
+        }
+        /* T = lambda w^2 (L^2 / 4 - s^2) / 2, and what it stretches: 2 / 3 of that in the middle. */
+        double pull = 0.125 * 6.4e-5 * rate * rate * 0.15 * 0.15;
+        double middle = pull - 0.125 * 6.4e-5 * rate * rate * l * l;
+        expect_near(middle, rig_tension(&r, SEGMENTS / 2), 0.05 * middle);
+        expect_near(0.15 * (1.0 + 2.0 / 3.0 * pull / 427.0), vec3_norm(along), 2e-9);
+        rig_end(&r);
+    }
+}
+
+int test_integration_order(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(generalised_alpha_is_of_second_order),
+        harness_test(backward_euler_is_of_first_order),
+        harness_test(a_few_starts_do_not_spoil_the_order),
+        harness_test(starts_in_every_step_are_harmless),
+        harness_test(a_stiff_thread_keeps_the_order),
+        harness_test(free_fall_is_exact),
+        harness_test(a_falling_thread_reaches_its_speed_as_drag_says),
+        harness_test(damping_has_its_rate),
+        harness_test(a_spun_straight_thread_turns_rigidly),
+    };
+    return cmocka_run_group_tests_name("thread.integration_order", tests, NULL, NULL);
+}

@@ -1,0 +1,190 @@
+/* Method OURS: the heavy cantilever, clamped level, straight, and let go, against a converged
+ * solution by another method: BDF2, 480 segments, steps of 10 us, correct to a few micrometres. */
+#include <math.h>
+
+#include "thread/rig.h"
+
+enum { SHOTS = 4 };
+/* The tip after 0.05, 0.10, 0.15, 0.20 s, m. */
+static const double tip[SHOTS][2] = {{0.1482311, -0.0121077},
+                                     {0.1329157, -0.0462432},
+                                     {0.0802080, -0.1230730},
+                                     {-0.0329476, -0.1333763}};
+
+static void release(rig *r, const vbss_thread_config *config)
+{
+    rig_begin(r, config);
+    rig_clamp_here(r, 0, vec3_make(1.0, 0.0, 0.0));
+}
+
+/* ---- against the converged solution */
+
+typedef struct run {
+    vbss_bending bending;
+    uint32_t segments;
+    double h;
+    double bounds[SHOTS]; /* of the tip's error, m: about twice what was measured */
+} run;
+
+static void compare(const run *c)
+{
+    rig r;
+    vbss_thread_config config = rig_config(0.15, c->segments);
+    config.bending = c->bending;
+    release(&r, &config);
+    for (int shot = 0; shot < SHOTS; shot++) {
+        rig_run(&r, c->h, (uint32_t)lround(0.05 / c->h));
+        vec3 wanted = vec3_make(tip[shot][0], tip[shot][1], 0.0);
+        expect_near(0.0, vec3_distance(wanted, rig_tip(&r)), c->bounds[shot]);
+    }
+    for (uint32_t i = 0; i <= c->segments; i++) {
+        expect_near(0.0, rig_position(&r, i).z, 0.0); /* it stays in its plane to the bit */
+    }
+    vbss_thread_statistics s = rig_statistics(&r);
+    expect_near(0.0, s.stretch_error, 1e-6); /* as configured */
+    assert_int_equal(0, s.rejections);
+    assert_int_equal(0, s.forced);
+    assert_int_equal(1, s.first_order); /* where the motion starts */
+    /* One linearisation a step, and hardly ever a second. */
+    assert_in_range(s.iterations, s.substeps, s.substeps + s.substeps / 20);
+    rig_end(&r);
+}
+
+static void the_tip_falls_as_in_the_converged_solution(void **state)
+{
+    (void)state;
+    const run runs[] = {
+        {VBSS_BENDING_SPLINE, 120, 1e-3, {6e-6, 1e-5, 7e-5, 3e-5}},
+        {VBSS_BENDING_SPLINE, 30, 1e-3, {8e-6, 1e-5, 1.2e-4, 6e-5}},
+        {VBSS_BENDING_LOCAL, 120, 1e-3, {6e-6, 2e-5, 1.2e-4, 6e-5}},
+        {VBSS_BENDING_LOCAL, 30, 1e-3, {3e-5, 2.3e-4, 5e-4, 1.2e-4}},
+        /* Short steps: what is left is the error in space, and of the other solution. */
+        {VBSS_BENDING_SPLINE, 60, 0.125e-3, {1.3e-6, 2e-6, 9e-6, 8e-6}},
+    };
+    for (size_t i = 0; i < sizeof runs / sizeof runs[0]; i++) {
+        compare(&runs[i]);
+    }
+}
+
+/* ---- order in time */
+
+enum { SEGMENTS = 12, NODES = SEGMENTS + 1, LADDER = 4 };
+typedef struct shape {
+    vec3 x[NODES], v[NODES];
+    double tension[NODES];
+} shape;
+
+/* Bending starts with a jump at the clamp, which excites waves of all frequencies: the order shows
+ * only where the steps follow the fastest of them. */
+static void shape_after(vbss_bending bending, double spectral_radius, uint32_t steps, shape *s)
+{
+    rig r;
+    vbss_thread_config config = rig_config(0.15, SEGMENTS);
+    config.bending = bending;
+    config.spectral_radius = spectral_radius;
+    config.stretch_tolerance = config.position_tolerance = 1e-12;
+    release(&r, &config);
+    rig_run(&r, 0.1 / steps, steps);
+    rig_read(&r, VBSS_THREAD_POSITIONS, s->x);
+    rig_read(&r, VBSS_THREAD_VELOCITIES, s->v);
+    for (uint32_t i = 0; i < SEGMENTS; i++) {
+        s->tension[i] = rig_tension(&r, i);
+    }
+    rig_end(&r);
+}
+
+/* Largest differences of position, velocity, tension. */
+static vec3 difference(const shape *a, const shape *b)
+{
+    vec3 largest = vec3_zero();
+    for (uint32_t i = 0; i < NODES; i++) {
+        largest.x = fmax(largest.x, vec3_distance(a->x[i], b->x[i]));
+        largest.y = fmax(largest.y, vec3_distance(a->v[i], b->v[i]));
+        if (i < SEGMENTS) {
+            largest.z = fmax(largest.z, fabs(a->tension[i] - b->tension[i]));
+        }
+    }
+    return largest;
+}
+
+static void order_in_time(vbss_bending bending, double spectral_radius)
+{
+    shape shapes[LADDER];
+    vec3 d[LADDER - 1];
+    for (int k = 0; k < LADDER; k++) {
+        shape_after(bending, spectral_radius, 1000u << k, &shapes[k]);
+    }
+    for (int k = 0; k + 1 < LADDER; k++) {
+        d[k] = difference(&shapes[k], &shapes[k + 1]);
+    }
+    vec3 coarse = d[LADDER - 3], fine = d[LADDER - 2];
+    expect_near(2.0, log2(coarse.x / fine.x), 0.05);
+    expect_near(2.0, log2(coarse.y / fine.y), 0.1);
+    expect_near(2.3, log2(coarse.z / fine.z), 0.5); /* of tension: 2 and a fading start */
+}
+
+static void halving_the_step_quarters_the_error(void **state)
+{
+    (void)state;
+    order_in_time(VBSS_BENDING_SPLINE, 0.5);
+    order_in_time(VBSS_BENDING_SPLINE, 0.0);
+    order_in_time(VBSS_BENDING_SPLINE, 0.9);
+    order_in_time(VBSS_BENDING_LOCAL, 0.5);
+}
+
+/* ---- a taut thread let go */
+
+/* Whatever the step leaves of the waves, they have no more energy than the pull put in: T^2 L / 2 EA.
+ * The thread's own motion would be a wave of T / sqrt(EA lambda) = 6 m/s. */
+static void let_go(uint32_t segments, double spectral_radius, bool by_force)
+{
+    rig r;
+    vbss_thread_config config = rig_config(0.15, segments);
+    config.spectral_radius = spectral_radius;
+    config.gravity[1] = 0.0;
+    rig_begin(&r, &config);
+    rig_pin_here(&r, 0);
+    double longer = 0.15 * (1.0 + 1.0 / config.axial_stiffness);
+    uint32_t held = by_force ? rig_force(&r, segments, vec3_make(1.0, 0.0, 0.0))
+                             : rig_pin(&r, segments, vec3_make(longer, 0.0, 0.0));
+    rig_run(&r, 1e-3, 200);
+    double energy = rig_energies(&r).total;
+    expect_near(0.5 * 0.15 / config.axial_stiffness, energy, 0.1 * energy);
+    if (by_force) {
+        rig_move(&r, held, vec3_zero());
+    } else {
+        expect_ok(vbss_thread_detach(r.thread, held));
+    }
+    for (int k = 0; k < 100; k++) {
+        rig_run(&r, 1e-3, 1);
+        assert_true(rig_energies(&r).total <= energy);
+        expect_near(0.15, rig_tip(&r).x, 1e-3); /* no segment has turned over */
+    }
+    rig_end(&r);
+}
+
+static void a_force_that_ends_lets_a_taut_thread_relax(void **state)
+{
+    (void)state;
+    let_go(30, 0.5, true);
+    let_go(30, 0.0, true);
+}
+
+static void a_taut_thread_that_is_detached_relaxes(void **state)
+{
+    (void)state;
+    let_go(30, 0.5, false);
+    let_go(30, 0.0, false);
+    let_go(120, 0.5, false);
+}
+
+int test_release(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(the_tip_falls_as_in_the_converged_solution),
+        harness_test(halving_the_step_quarters_the_error),
+        harness_test(a_force_that_ends_lets_a_taut_thread_relax),
+        harness_test(a_taut_thread_that_is_detached_relaxes),
+    };
+    return cmocka_run_group_tests_name("thread.release", tests, NULL, NULL);
+}

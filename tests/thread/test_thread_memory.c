@@ -1,0 +1,246 @@
+/* Where the memory of threads and their pieces goes, and the rest of what calls refuse. */
+#include <stdlib.h>
+
+#include "fixture.h"
+
+/* ---- memory */
+
+static vbss_result live(vbss_context *context, vbss_thread_config *config)
+{
+    vbss_thread *thread, *piece = NULL;
+    VBSS_TRY(vbss_thread_create(context, config, &thread));
+    vbss_result result = VBSS_OK;
+    if (config->cut_capacity > 0) {
+        result = vbss_thread_cut(thread, 0.4 * config->length, &piece);
+    }
+    uint64_t count = 0, need = 0;
+    (void)vbss_thread_save(thread, NULL, 0, &need);
+    uint8_t *bytes = malloc(need);
+    if (result == VBSS_OK) {
+        result = vbss_thread_save(thread, bytes, need, &count);
+    }
+    if (result == VBSS_OK) {
+        result = vbss_thread_restore(thread, bytes, count);
+    }
+    if (result == VBSS_OK) {
+        result = vbss_thread_step(thread, 1e-3);
+    }
+    free(bytes);
+    /* The parent ends first: its piece still owns the rest of the reserve. */
+    VBSS_TRY(vbss_thread_destroy(thread));
+    VBSS_TRY(vbss_thread_destroy(piece));
+    return result;
+}
+
+static vbss_result attempt(vbss_context *context, void *user)
+{
+    return live(context, user);
+}
+
+static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+{
+    (void)state;
+    vbss_thread_config config;
+    expect_ok(vbss_thread_config_init(&config, sizeof config));
+    config.segment_count = 5;
+    for (uint32_t cuts = 0; cuts <= 2; cuts++) {
+        for (uint32_t places = 0; places <= 3; places += 3) {
+            config.cut_capacity = cuts;
+            config.attachment_capacity = places;
+            harness_fail_every_allocation(attempt, &config);
+        }
+    }
+    config.bending = VBSS_BENDING_LOCAL;
+    harness_fail_every_allocation(attempt, &config);
+}
+
+/* Four parts of one thread; each order in which they end gives all memory back. */
+static void memory_comes_back_in_any_order(void **state)
+{
+    (void)state;
+    for (int order = 0; order < 24; order++) {
+        fixture f;
+        vbss_thread *parts[4];
+        begin(&f);
+        f.config.cut_capacity = order % 2 == 0 ? 3 : 5;
+        parts[0] = make(&f);
+        uint64_t held = f.memory.calls;
+        expect_ok(vbss_thread_cut(parts[0], 0.1, &parts[1]));
+        expect_ok(vbss_thread_cut(parts[0], 0.05, &parts[2]));
+        expect_ok(vbss_thread_cut(parts[1], 0.02, &parts[3]));
+        assert_int_equal(f.memory.calls, held);
+        int left = order;
+        for (int count = 4; count > 0; count--) {
+            int taken = left % count;
+            left /= count;
+            for (int i = 0; i < count; i++) {
+                steps(parts[i], 2, 1e-3);
+            }
+            expect_ok(vbss_thread_destroy(parts[taken]));
+            expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_thread_step(parts[taken], 1e-3));
+            parts[taken] = parts[count - 1];
+        }
+        vbss_context_statistics statistics;
+        expect_ok(vbss_context_get_statistics(f.context, &statistics, sizeof statistics));
+        assert_int_equal(statistics.objects_alive, 0);
+        assert_int_equal(statistics.objects_created, 4);
+        end(&f);
+    }
+}
+
+static void a_context_ends_with_living_pieces(void **state)
+{
+    (void)state;
+    for (int destroyed = 0; destroyed < 3; destroyed++) {
+        fixture f;
+        vbss_thread *piece, *far_piece;
+        begin(&f);
+        f.config.cut_capacity = 4;
+        vbss_thread *thread = make(&f), *other = make(&f);
+        expect_ok(vbss_thread_cut(thread, 0.1, &piece));
+        expect_ok(vbss_thread_cut(piece, 0.02, &far_piece));
+        expect_ok(vbss_thread_destroy(destroyed == 0 ? thread : destroyed == 1 ? piece : other));
+        end(&f);
+    }
+}
+
+/* What memory there is after the first thread is what there is after the last. */
+static void threads_that_come_and_go_need_no_more_memory(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    f.config.cut_capacity = 1;
+    uint64_t blocks = 0;
+    for (int i = 0; i < 20; i++) {
+        vbss_thread *piece, *thread = make(&f);
+        expect_ok(vbss_thread_cut(thread, 0.07, &piece));
+        expect_ok(vbss_thread_destroy(thread));
+        expect_ok(vbss_thread_destroy(piece));
+        blocks = i == 0 ? f.memory.blocks : blocks;
+        assert_int_equal(f.memory.blocks, blocks);
+    }
+    end(&f);
+}
+
+/* ---- what is left to refuse, on a thread that has lived */
+
+typedef struct subject {
+    fixture f;
+    vbss_thread *thread;
+    uint32_t pin, clamp, mass, force;
+    uint64_t hash;
+} subject;
+
+static void begin_subject(subject *s)
+{
+    begin(&s->f);
+    s->f.config.cut_capacity = 1;
+    s->thread = make(&s->f);
+    s->pin = hold(s->thread, VBSS_ATTACHMENT_PIN, 3, vec3_make(0.03, 0.0, 0.0));
+    s->clamp = hold(s->thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+    s->mass = hold(s->thread, VBSS_ATTACHMENT_MASS, 5, vec3_zero());
+    s->force = hold(s->thread, VBSS_ATTACHMENT_FORCE, 5, vec3_zero());
+    steps(s->thread, 3, 1e-3);
+    s->hash = hash_of(s->thread);
+}
+
+static void unchanged(subject *s, vbss_result wanted, vbss_result got)
+{
+    expect_result(wanted, got);
+    assert_true(hash_of(s->thread) == s->hash);
+}
+
+static void bad_moves_are_told(void **state)
+{
+    (void)state;
+    subject s;
+    begin_subject(&s);
+    for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 4; k++) {
+            double v[3] = {0.1, 0.1, 0.1};
+            const double good[3] = {0.1, 0.1, 0.1};
+            vbss_result wanted = k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE;
+            v[c] = k < 3 ? harness_bad_numbers[k] : 1.1e6;
+            unchanged(&s, wanted, vbss_thread_move(s.thread, s.pin, v, NULL));
+            unchanged(&s, wanted, vbss_thread_move(s.thread, s.force, v, NULL));
+            v[c] = k < 3 ? v[c] : 1e101;
+            unchanged(&s, wanted, vbss_thread_move(s.thread, s.clamp, good, v));
+            /* A good direction does not move before a bad target is told. */
+            unchanged(&s, wanted, vbss_thread_move(s.thread, s.clamp, v, good));
+        }
+    }
+    const double zero[3] = {0.0, 0.0, 0.0};
+    const uint32_t nobody[] = {0, 5, UINT32_MAX};
+    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, s.clamp, zero, zero));
+    unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, s.mass, zero, NULL));
+    unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_move(s.thread, s.pin, NULL, zero));
+    for (int i = 0; i < 3; i++) {
+        vbss_thread_reaction r;
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_move(s.thread, nobody[i], zero, NULL));
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(s.thread, nobody[i]));
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_thread_get_reaction(s.thread, nobody[i], &r, sizeof r));
+    }
+    end(&s.f);
+}
+
+static void bad_steps_states_and_cuts_are_told(void **state)
+{
+    (void)state;
+    subject s;
+    begin_subject(&s);
+    vbss_thread *piece = s.thread;
+    double x[39], v[39];
+    for (int k = 0; k < 3; k++) {
+        double bad = harness_bad_numbers[k];
+        unchanged(&s, VBSS_ERROR_NOT_FINITE, vbss_thread_step(s.thread, bad));
+        unchanged(&s, VBSS_ERROR_NOT_FINITE, vbss_thread_cut(s.thread, bad, &piece));
+        assert_null(piece);
+        for (int i = 0; i < 39; i++) {
+            memset(x, 0, sizeof x);
+            memset(v, 0, sizeof v);
+            x[i] = bad;
+            unchanged(&s, VBSS_ERROR_NOT_FINITE, vbss_thread_set_state(s.thread, x, v, 13));
+            x[i] = 1001.0;
+            unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_set_state(s.thread, x, NULL, 13));
+            x[i] = 0.0;
+            v[i] = bad;
+            unchanged(&s, VBSS_ERROR_NOT_FINITE, vbss_thread_set_state(s.thread, NULL, v, 13));
+            v[i] = -1.1e5;
+            unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_set_state(s.thread, x, v, 13));
+        }
+    }
+    const double wrong_steps[] = {0.0, -1e-3, 0.99e-7, 0.1001, DBL_MAX, -DBL_MAX, 5e-324};
+    const double wrong_places[] = {-1e-9, 0.0, 0.15, 0.1501, DBL_MAX, 0.0001, 0.1499};
+    for (int i = 0; i < 7; i++) {
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_step(s.thread, wrong_steps[i]));
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE, vbss_thread_cut(s.thread, wrong_places[i], &piece));
+        assert_null(piece);
+    }
+    const uint32_t wrong_counts[] = {0, 12, 14, UINT32_MAX};
+    for (int i = 0; i < 4; i++) {
+        unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_thread_set_state(s.thread, x, v, wrong_counts[i]));
+    }
+    unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_cut(s.thread, 0.1, NULL));
+    unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_get_hash(s.thread, NULL));
+    expect_ok(vbss_thread_cut(s.thread, 0.1, &piece));
+    s.hash = hash_of(s.thread);
+    unchanged(&s, VBSS_ERROR_CAPACITY, vbss_thread_cut(s.thread, 0.05, &piece));
+    assert_null(piece);
+    end(&s.f);
+}
+
+int test_thread_memory(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
+        cmocka_unit_test(memory_comes_back_in_any_order),
+        cmocka_unit_test(a_context_ends_with_living_pieces),
+        cmocka_unit_test(threads_that_come_and_go_need_no_more_memory),
+        cmocka_unit_test(bad_moves_are_told),
+        cmocka_unit_test(bad_steps_states_and_cuts_are_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

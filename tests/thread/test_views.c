@@ -1,0 +1,260 @@
+/* What a thread shows of itself. */
+#include "fixture.h"
+
+static void views_have_their_sizes(void **state)
+{
+    (void)state;
+    const struct {
+        vbss_thread_field field;
+        vbss_type type;
+        uint32_t components, less; /* less: than nodes */
+    } wanted[] = {
+        {VBSS_THREAD_POSITIONS, VBSS_TYPE_F64, 3, 0},
+        {VBSS_THREAD_VELOCITIES, VBSS_TYPE_F64, 3, 0},
+        {VBSS_THREAD_REST_LENGTHS, VBSS_TYPE_F64, 1, 1},
+        {VBSS_THREAD_LENGTHS, VBSS_TYPE_F64, 1, 1},
+        {VBSS_THREAD_TENSIONS, VBSS_TYPE_F64, 1, 1},
+        {VBSS_THREAD_CURVATURES, VBSS_TYPE_F64, 3, 0},
+    };
+    for (uint32_t segments = 1; segments <= 5; segments++) {
+        fixture f;
+        begin(&f);
+        f.config.segment_count = segments;
+        vbss_thread *thread = make(&f);
+        for (int k = 0; k < 6; k++) {
+            vbss_view v = view_of(thread, wanted[k].field);
+            assert_int_equal(v.struct_size, sizeof v);
+            assert_int_equal(v.type, wanted[k].type);
+            assert_int_equal(v.components, wanted[k].components);
+            assert_int_equal(v.count, segments + 1 - wanted[k].less);
+            assert_true(v.stride_bytes >= 8 * wanted[k].components);
+            assert_non_null(v.data);
+        }
+        vbss_view v;
+        const vbss_thread_field none[] = {-1, 7, INT32_MAX, INT32_MIN};
+        for (int k = 0; k < 4; k++) {
+            expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                          vbss_thread_get_view(thread, none[k], &v, sizeof v));
+        }
+        end(&f);
+    }
+}
+
+static void sections_are_divided_by_what_is_held(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    vbss_thread *thread = make(&f);
+    uint32_t ids[4];
+    const uint32_t nodes[4] = {7, 0, 3, 12}; /* ends divide anyway */
+    for (int k = 0; k < 4; k++) {
+        ids[k] = hold(thread, k % 2, nodes[k], place_of(thread, nodes[k]));
+    }
+    hold(thread, VBSS_ATTACHMENT_SPRING, 5, vec3_zero());
+    const uint32_t wanted[] = {0, 3, 7};
+    vbss_view v = view_of(thread, VBSS_THREAD_SECTIONS);
+    assert_int_equal(v.type, VBSS_TYPE_U32);
+    assert_int_equal(v.components, 1);
+    assert_int_equal(v.count, 3);
+    assert_memory_equal(v.data, wanted, sizeof wanted);
+    expect_ok(vbss_thread_detach(thread, ids[2]));
+    v = view_of(thread, VBSS_THREAD_SECTIONS);
+    assert_int_equal(v.count, 2);
+    assert_int_equal(((const uint32_t *)v.data)[1], 7);
+    end(&f);
+}
+
+/* ---- generations */
+
+static uint64_t generation(vbss_thread *thread)
+{
+    uint64_t g = view_of(thread, VBSS_THREAD_POSITIONS).generation;
+    for (vbss_thread_field k = VBSS_THREAD_VELOCITIES; k <= VBSS_THREAD_SECTIONS; k++) {
+        assert_true(view_of(thread, k).generation == g);
+    }
+    return g;
+}
+
+static void the_generation_changes_with_every_step_and_edit(void **state)
+{
+    (void)state;
+    fixture f;
+    uint8_t bytes[8192];
+    uint64_t written;
+    double x[39] = {0.0};
+    begin(&f);
+    f.config.cut_capacity = 1;
+    vbss_thread *thread = make(&f), *piece;
+    expect_ok(vbss_thread_save(thread, bytes, sizeof bytes, &written));
+    uint64_t g = generation(thread);
+    uint32_t pin = hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+    for (int k = 0; k < 7; k++) {
+        uint64_t before = g;
+        switch (k) {
+        case 1:
+            move(thread, pin, vec3_make(1e-3, 0.0, 0.0));
+            break;
+        case 2:
+            expect_ok(vbss_thread_step(thread, 1e-3));
+            break;
+        case 3:
+            expect_ok(vbss_thread_set_state(thread, NULL, x, 13));
+            break;
+        case 4:
+            expect_ok(vbss_thread_cut(thread, 0.08, &piece));
+            break;
+        case 5:
+            expect_ok(vbss_thread_detach(thread, pin));
+            break;
+        case 6:
+            expect_ok(vbss_thread_restore(thread, bytes, written));
+            break;
+        default:
+            break;
+        }
+        g = generation(thread);
+        assert_true(g != before);
+        /* Looking and failing change nothing. */
+        (void)energies_of(thread);
+        (void)hash_of(thread);
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_step(thread, 1.0));
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_detach(thread, 99));
+        assert_true(generation(thread) == g);
+    }
+    end(&f);
+}
+
+/* ---- values */
+
+static void tension_is_positive_when_pulled(void **state)
+{
+    (void)state;
+    for (int sign = -1; sign <= 1; sign += 2) {
+        fixture f;
+        begin(&f);
+        f.config.gravity[1] = 0.0;
+        f.config.bending = VBSS_BENDING_LOCAL;
+        f.config.length = 0.01;
+        f.config.drag = 1e3;
+        vbss_thread *thread = make(&f);
+        hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_FORCE, 12);
+        a.force[0] = sign * (sign > 0 ? 0.1 : 1e-5); /* a twenty-fifth of what buckles */
+        attach(thread, &a);
+        steps(thread, 3000, 1e-3);
+        for (uint32_t i = 0; i < 12; i++) {
+            double stretched = number_at(thread, VBSS_THREAD_LENGTHS, i) /
+                               number_at(thread, VBSS_THREAD_REST_LENGTHS, i);
+            expect_near(a.force[0], number_at(thread, VBSS_THREAD_TENSIONS, i),
+                        sign > 0 ? 4.3e-4 : 1e-8); /* 1e-6 of EA */
+            expect_near(1.0 + a.force[0] / 427.0, stretched, 1e-6);
+        }
+        expect_near(sign > 0 ? 0.1 / 427.0 : 0.0, statistics_of(thread).last_stretch, 1e-6);
+        end(&f);
+    }
+}
+
+static void a_circle_has_its_curvature(void **state)
+{
+    (void)state;
+    const double radius = 0.02;
+    for (int bending = 0; bending < 2; bending++) {
+        fixture f;
+        double x[3 * 25];
+        begin(&f);
+        f.config.segment_count = 24;
+        f.config.length = 0.048;
+        f.config.bending = bending;
+        for (int i = 0; i <= 24; i++) {
+            double sine, cosine;
+            vbss_sincos(0.1 * i, &sine, &cosine);
+            vec3_store(x + 3 * (size_t)i, vec3_make(radius * sine, 0.0, radius * cosine));
+        }
+        f.config.positions = x;
+        vbss_thread *thread = make(&f);
+        expect_vector(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 0), 0.0);
+        expect_vector(vec3_zero(), vector_at(thread, VBSS_THREAD_CURVATURES, 24), 0.0);
+        for (uint32_t i = 1; i < 24; i++) {
+            vec3 to_centre = vec3_scale(place_of(thread, i), -1.0 / (radius * radius));
+            expect_vector(to_centre, vector_at(thread, VBSS_THREAD_CURVATURES, i), 0.02 / radius);
+        }
+        for (uint32_t i = 1; i + 2 < 24; i++) { /* chords, or arcs: both known */
+            double chord = 2.0 * radius * vbss_sin(0.05), arc = 0.1 * radius;
+            expect_near(bending == VBSS_BENDING_LOCAL ? chord : arc,
+                        number_at(thread, VBSS_THREAD_LENGTHS, i), 1e-5 * arc);
+        }
+        end(&f);
+    }
+}
+
+static void energies_add_up(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    f.config.segment_count = 30;
+    vbss_thread *thread = make(&f);
+    hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+    vbss_thread_energies first = energies_of(thread);
+    expect_near(0.0, first.total, 1e-18);
+    double scale = 0.15 * 6.4e-5 * 9.81 * 0.15;
+    for (int i = 0; i < 150; i++) {
+        steps(thread, 1, 1e-3);
+        vbss_thread_energies e = energies_of(thread);
+        expect_near(e.kinetic + e.stretching + e.bending + e.gravity, e.total, 1e-18);
+        assert_true(e.kinetic >= 0.0 && e.stretching >= 0.0 && e.bending >= 0.0);
+        /* Falling: nothing is gained, little lost. */
+        expect_near(0.0, e.total, 5e-3 * scale);
+        assert_true(e.total <= 1e-4 * scale);
+    }
+    end(&f);
+}
+
+/* A straight free thread that flies and turns about its centre. */
+static void rigid_motion_has_its_momentum(void **state)
+{
+    (void)state;
+    fixture f;
+    double x[39], v[39];
+    begin(&f);
+    f.config.gravity[1] = 0.0;
+    f.config.linear_density = 1e-3;
+    vbss_thread *thread = make(&f);
+    vec3 drift = vec3_make(0.3, -0.2, 0.1), spin = vec3_make(0.0, 0.0, 2.0);
+    for (int i = 0; i < 13; i++) {
+        vec3 at = vec3_make(0.15 * i / 12.0, 1.0, 0.0);
+        vec3 arm = vec3_sub(at, vec3_make(0.075, 1.0, 0.0));
+        vec3_store(x + 3 * (size_t)i, at);
+        vec3_store(v + 3 * (size_t)i, vec3_add(drift, vec3_cross(spin, arm)));
+    }
+    expect_ok(vbss_thread_set_state(thread, x, v, 13));
+    vbss_thread_momentum m = momentum_of(thread);
+    double mass = 1e-3 * 0.15, own = mass * 0.15 * 0.15 / 12.0 * 2.0;
+    expect_near(mass, m.mass, 1e-15);
+    expect_vector(vec3_make(0.075, 1.0, 0.0), vec3_load(m.centre), 1e-14);
+    expect_vector(vec3_scale(drift, mass), vec3_load(m.linear), 1e-16);
+    vec3 angular = vec3_cross(vec3_load(m.centre), vec3_load(m.linear));
+    angular.z += own;
+    expect_vector(angular, vec3_load(m.angular), 1e-2 * own);
+    for (int i = 0; i < 50; i++) {
+        steps(thread, 1, 1e-3);
+        vbss_thread_momentum now = momentum_of(thread);
+        expect_vector(vec3_load(m.linear), vec3_load(now.linear), 1e-10 * mass);
+    }
+    end(&f);
+}
+
+int test_views(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(views_have_their_sizes),
+        cmocka_unit_test(sections_are_divided_by_what_is_held),
+        cmocka_unit_test(the_generation_changes_with_every_step_and_edit),
+        cmocka_unit_test(tension_is_positive_when_pulled),
+        cmocka_unit_test(a_circle_has_its_curvature),
+        cmocka_unit_test(energies_add_up),
+        cmocka_unit_test(rigid_motion_has_its_momentum),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,55 @@
+/* The two copies of the hot loops give the same bits: docs/solver.md. */
+#include "harness/harness.h"
+#include "scenes/thread_scenes.h"
+#include "thread/thread.h"
+
+static void use(vbss_thread *handle, bool wide)
+{
+    thread_object *t = NULL;
+    if (handle != NULL) {
+        expect_ok(vbss_thread_edit(handle, &t));
+        t->system->wide = wide;
+    }
+}
+
+static void both_copies_give_the_same_bits(void **state)
+{
+    (void)state;
+    if (!vbss_wide_is_there()) {
+        skip();
+    }
+    for (int bending = 0; bending < 2; bending++) {
+        for (int kind = THREAD_SCENE_RELEASE; kind <= THREAD_SCENE_CUT; kind++) {
+            thread_scene scenes[2];
+            vbss_context *contexts[2];
+            for (int wide = 0; wide < 2; wide++) {
+                vbss_thread_config config;
+                expect_ok(vbss_context_create(NULL, &contexts[wide]));
+                expect_ok(thread_scene_config((thread_scene_kind)kind, &config));
+                config.bending = bending;
+                expect_ok(thread_scene_create(contexts[wide], (thread_scene_kind)kind, &config,
+                                              &scenes[wide]));
+            }
+            for (int step = 0; step < 200; step++) {
+                uint64_t hashes[2];
+                for (int wide = 0; wide < 2; wide++) {
+                    use(scenes[wide].thread, wide != 0);
+                    use(scenes[wide].piece, wide != 0);
+                    expect_ok(thread_scene_step(&scenes[wide], 1e-3));
+                    expect_ok(thread_scene_hash(&scenes[wide], &hashes[wide]));
+                }
+                assert_true(hashes[0] == hashes[1]);
+            }
+            expect_ok(vbss_context_destroy(contexts[0]));
+            expect_ok(vbss_context_destroy(contexts[1]));
+        }
+    }
+}
+
+int test_wide(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_copies_give_the_same_bits),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
