@@ -53,51 +53,59 @@ typedef struct vbss_thread_config {
     vbss_bending bending;         /**< Default VBSS_BENDING_SPLINE; read by method OURS. */
     uint32_t segment_count;       /**< 1 to 65536; default 120. */
     uint32_t attachment_capacity; /**< Most attachments at a time, 0 to 256; default 8. */
-    uint32_t cut_capacity;    /**< Most cuts of this thread and its pieces, 0 to 64; default 0. */
-    double length;            /**< m, 1e-6 to 1e3; default 0.15; ignored with rest_lengths. */
-    double radius;            /**< m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. */
-    double linear_density;    /**< kg/m, 1e-9 to 1e3; default of the preset. */
-    double axial_stiffness;   /**< EA in N, 1e-6 to 1e9; default of the preset. */
-    double bending_stiffness; /**< EI in N m^2, 0 to 1e3; default of the preset. */
-    double
-        rest_curvature; /**< 1/m, 0 to 1e4; default 0. Its plane is free, as there is no twist. */
-    double gravity[3];  /**< m/s^2; default (0, -9.81, 0). */
-    double drag;        /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 0. */
+    uint32_t cut_capacity; /**< Most cuts of this thread and its pieces, 0 to 64; default 0. */
+    /** m, 1e-6 to 1e3, at least 1e-7 a segment; default 0.15; ignored with rest_lengths. */
+    double length;
+    /** m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. For contact and display to come; without
+     * effect on a thread alone. */
+    double radius;
+    double linear_density;    /**< kg/m, 1e-9 to 1e3; default of that preset. */
+    double axial_stiffness;   /**< EA in N, 1e-6 to 1e9; default of that preset. */
+    double bending_stiffness; /**< EI in N m^2, 0 to 1e3; default of that preset. */
+    /** 1/m, 0 to 1e4; default 0. Its plane is free, as there is no twist. */
+    double rest_curvature;
+    double gravity[3]; /**< m/s^2, each at most 1e6; default (0, -9.81, 0). */
+    double drag;       /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 0. */
     /** Rate at which motion relative to the rigid motion of each section dies away, 1/s, 0 to 1e6;
      * default 0. Keeps linear and angular momentum. Read by method OURS. */
     double damping;
-    double start[3]; /**< Node 0, m; default (0, 0, 0); ignored with positions. */
-    double
-        direction[3]; /**< From node 0 on, of any length but zero; default (1, 0, 0); ignored with
-                              positions. */
+    /** Node 0, m, each at most 1e3; default (0, 0, 0); ignored with positions. */
+    double start[3];
+    /** From node 0 on, of any length from 1e-100 to 1e100; default (1, 0, 0); ignored with
+     * positions. */
+    double direction[3];
     /** Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL (default) for
      * length / segment_count each. #vbss_thread_grade fills such an array. Copied. */
     const double *rest_lengths;
-    /** Positions of the nodes, m, 3 (segment_count + 1) values, or NULL (default) for a straight
-     * thread from start along direction. Copied. */
+    /** Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or NULL (default)
+     * for a straight thread from start along direction. Copied. */
     const double *positions;
     /** Method OURS: spectral radius at infinite frequency of the time integration, 0 (strongest
      * damping) to 1 (none); default 0.5. Stiff motion may gain energy near 1. */
     double spectral_radius;
     /** Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2; default 1e-6. */
     double stretch_tolerance;
-    /** Method OURS: largest distance that a further iteration would move a node, m, 1e-12 to 1;
-     * default 1e-6. */
+    /** Method OURS: largest distance that a further linearisation would move a node, m, 1e-12 to 1;
+     * an estimate; default 1e-6. */
     double position_tolerance;
-    uint32_t iteration_limit; /**< Method OURS: linearisations of a try, 1 to 100; default 40. */
-    uint32_t halving_limit;   /**< Method OURS: how often a step is halved, 0 to 10; default 5. */
-    /** Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0: chosen from the mass and
+    /** Method OURS: linearisations of a try, 1 to 100; default 40. Smooth motion takes one or two, the
+     * worst that was met (ends shaken by 3 mm every ms) 300 in a step with its halves. */
+    uint32_t iteration_limit;
+    /** Method OURS: how often a step is halved before its state is taken as it is, 0 to 10; default
+     * 5. Such states are counted in `forced`: look at it. */
+    uint32_t halving_limit;
+    /** Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0: chosen from mass and
      * step as docs/paper-thread.md says. */
     double paper_stiffness;
     /** Method PAPER: share of the velocity relative to the section's rigid motion that is removed at
      * each explicit step, 0 to 1; default 0. */
     double paper_damping;
     /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the stiffest
-     * bending mode needs. */
+     * bending mode and the tension need. */
     uint32_t paper_substeps;
     uint32_t paper_iteration_limit; /**< Method PAPER: of the projection, 1 to 1000; default 50. */
-    double
-        paper_tolerance; /**< Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
+    /** Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
+    double paper_tolerance;
 } vbss_thread_config;
 
 /** What an attachment does: a VBSS_ATTACHMENT_ constant. */
@@ -118,12 +126,12 @@ typedef struct vbss_thread_attachment {
     vbss_attachment_kind kind; /**< Default VBSS_ATTACHMENT_PIN. */
     uint32_t node;             /**< 0 to segment_count; default 0. */
     uint32_t reserved;         /**< Zero. */
-    double position
-        [3]; /**< PIN, CLAMP: where the node is taken in the next step, m; SPRING: its end. */
-    double
-        direction[3]; /**< CLAMP: toward higher nodes, of any length but zero; default (1, 0, 0). A
-                              thread that has moved is turned there in the next step. */
-    double force[3];  /**< FORCE: N. */
+    /** PIN, CLAMP: where the node is taken in the next step, m, each at most 1e3; SPRING: its end. */
+    double position[3];
+    /** CLAMP: toward higher nodes, of any length from 1e-100 to 1e100; default (1, 0, 0). A thread
+     * that has moved is turned there in the next step. */
+    double direction[3];
+    double force[3];  /**< FORCE: N, each at most 1e6. */
     double stiffness; /**< SPRING: N/m, 0 to 1e9. */
     double damping;   /**< SPRING: of the velocity relative to the moving end, N s/m, 0 to 1e6. */
     double mass;      /**< MASS: kg, 0 to 1e3. */
@@ -185,12 +193,15 @@ typedef struct vbss_thread_statistics {
     uint64_t rejections;      /**< OURS: tries that were undone and halved. */
     uint64_t forced;          /**< OURS: substeps accepted unconverged, at the last halving. */
     uint64_t fallbacks; /**< PAPER: sections that did not converge, point constraints alone. */
-    double
-        last_stretch_error; /**< OURS: max |length / rest length - 1 - T / EA| after the last step;
-                                    PAPER: max |length / rest length - 1|. */
-    double stretch_error;   /**< Largest of these so far. */
-    double last_stretch;    /**< max (length / rest length - 1) after the last step. */
-    double time;            /**< Simulated so far, s. */
+    /** OURS: linearisations made again with less compression, and parts that started from the old
+     * positions as the prediction turned a segment over. */
+    uint64_t softened;
+    /** OURS: max |length / rest length - 1 - T / EA| after the last step; PAPER: max |length / rest
+     * length - 1|. */
+    double last_stretch_error;
+    double stretch_error; /**< Largest so far, after any part of a step. */
+    double last_stretch;  /**< max (length / rest length - 1) after the last step. */
+    double time;          /**< Simulated so far, s. */
 } vbss_thread_statistics;
 
 #ifdef __cplusplus
@@ -286,8 +297,8 @@ VBSS_API vbss_result vbss_thread_step(vbss_thread *thread, double h);
  * Places the nodes and gives them velocities. What attachments hold moves there at the next step.
  *
  * @param thread      the thread
- * @param positions   3 doubles a node, m; NULL leaves them
- * @param velocities  3 doubles a node, m/s; NULL leaves them
+ * @param positions   3 doubles a node, m, each at most 1e3; NULL leaves them
+ * @param velocities  3 doubles a node, m/s, each at most 1e5; NULL leaves them
  * @param node_count  nodes in the arrays, the thread's number of nodes
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or
  *         VBSS_ERROR_BUSY
@@ -310,7 +321,8 @@ VBSS_API vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachm
                                                  uint32_t struct_size);
 
 /**
- * Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others.
+ * Attaches something to a node. A node takes one PIN or CLAMP, and any number of the others. All fields
+ * must be in their ranges, also those that the kind does not read.
  *
  * @param thread      the thread
  * @param attachment  what
@@ -333,7 +345,7 @@ VBSS_API vbss_result vbss_thread_attach(vbss_thread *thread,
  * @param target     PIN, CLAMP, SPRING: position, m; FORCE: the force, N, which changes at once
  * @param direction  CLAMP: as in #vbss_thread_attachment; NULL leaves it
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
- *         such attachment, or direction zero), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ *         such attachment, a MASS, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -353,7 +365,7 @@ VBSS_API vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const do
 VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
 
 /**
- * What an attachment did in the last step; zero before the first.
+ * What an attachment did in the last step, whatever was changed since; zero before its first.
  *
  * @param thread         the thread
  * @param id             the attachment
@@ -462,14 +474,16 @@ VBSS_API vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint6
  * @param bytes   the state
  * @param count   its size
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
- *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY
+ *         or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
 VBSS_API vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count);
 
 /**
- * XXH64 of the thread's state: equal states have equal hashes, on every machine.
+ * XXH64 of the thread's state, its counters included: equal states have equal hashes, on every
+ * machine.
  *
  * @param thread     the thread
  * @param[out] hash  the hash

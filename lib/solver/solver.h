@@ -154,8 +154,6 @@ vbss_result vbss_system_analyse(vbss_system *system);
  * block has the rows of the block that is eliminated later: of the higher one unless it is `flipped`;
  * its transpose is meant with it. clear prepares what nobody sets: fill. */
 void vbss_system_clear(vbss_system *system);
-/* Adds a block whose rows are those of the higher block of the two. */
-static inline void vbss_system_add(vbss_system *system, uint32_t coupling, const block *b);
 
 /* Eliminates the runs. False: a pivot was too small. */
 bool vbss_system_condense(vbss_system *system);
@@ -176,22 +174,5 @@ bool vbss_system_condense_wide(vbss_system *system);
 void vbss_system_return_to_runs_plain(vbss_system *system);
 void vbss_system_return_to_runs_wide(vbss_system *system);
 void vbss_system_return_to_runs(vbss_system *system);
-
-static inline void vbss_system_add(vbss_system *system, uint32_t coupling, const block *b)
-{
-    block *to = &system->numbers[coupling];
-    if (system->couplings[coupling].flipped) {
-        mat3 m = mat3_transpose(block_mat3(b));
-        block turned;
-        block_set(&turned, m);
-        for (int c = 0; c < 3; c++) {
-            to->column[c] = lanes_add(to->column[c], turned.column[c]);
-        }
-        return;
-    }
-    for (int c = 0; c < 3; c++) {
-        to->column[c] = lanes_add(to->column[c], b->column[c]);
-    }
-}
 
 #endif

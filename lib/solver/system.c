@@ -7,7 +7,7 @@
 
 enum { PARTS = 21 };
 typedef struct part {
-    void **array;
+    void *array; /* address of the pointer */
     size_t count, size;
 } part;
 
@@ -17,27 +17,27 @@ static void list_parts(vbss_system *s, part parts[PARTS])
     size_t numbers = entries + s->coupling_capacity + 1, separators = s->separator_capacity;
     size_t pairs = s->pair_capacity;
     const part all[PARTS] = {
-        {(void **)&s->roles, blocks, sizeof *s->roles},
-        {(void **)&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
-        {(void **)&s->chain_ends, blocks, sizeof *s->chain_ends},
-        {(void **)&s->order, blocks, sizeof *s->order},
-        {(void **)&s->place, blocks, sizeof *s->place},
-        {(void **)&s->column_start, blocks + 1, sizeof *s->column_start},
-        {(void **)&s->entries, entries, sizeof *s->entries},
-        {(void **)&s->product_start, blocks, sizeof *s->product_start},
-        {(void **)&s->products, s->product_capacity, sizeof *s->products},
-        {(void **)&s->marks, blocks, sizeof *s->marks},
-        {(void **)&s->lists, 3 * blocks, sizeof *s->lists},
-        {(void **)&s->diagonal, blocks, sizeof *s->diagonal},
-        {(void **)&s->numbers, numbers, sizeof *s->numbers},
-        {(void **)&s->scaled, numbers, sizeof *s->scaled},
-        {(void **)&s->rhs, blocks, sizeof *s->rhs},
-        {(void **)&s->solution, blocks, sizeof *s->solution},
-        {(void **)&s->pivots, blocks, sizeof *s->pivots},
-        {(void **)&s->separator_diagonal, separators, sizeof *s->separator_diagonal},
-        {(void **)&s->separator_lower, pairs, sizeof *s->separator_lower},
-        {(void **)&s->separator_upper, pairs, sizeof *s->separator_upper},
-        {(void **)&s->separator_rhs, separators, sizeof *s->separator_rhs},
+        {&s->roles, blocks, sizeof *s->roles},
+        {&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
+        {&s->chain_ends, blocks, sizeof *s->chain_ends},
+        {&s->order, blocks, sizeof *s->order},
+        {&s->place, blocks, sizeof *s->place},
+        {&s->column_start, blocks + 1, sizeof *s->column_start},
+        {&s->entries, entries, sizeof *s->entries},
+        {&s->product_start, blocks, sizeof *s->product_start},
+        {&s->products, s->product_capacity, sizeof *s->products},
+        {&s->marks, blocks, sizeof *s->marks},
+        {&s->lists, 3 * blocks, sizeof *s->lists},
+        {&s->diagonal, blocks, sizeof *s->diagonal},
+        {&s->numbers, numbers, sizeof *s->numbers},
+        {&s->scaled, numbers, sizeof *s->scaled},
+        {&s->rhs, blocks, sizeof *s->rhs},
+        {&s->solution, blocks, sizeof *s->solution},
+        {&s->pivots, blocks, sizeof *s->pivots},
+        {&s->separator_diagonal, separators, sizeof *s->separator_diagonal},
+        {&s->separator_lower, pairs, sizeof *s->separator_lower},
+        {&s->separator_upper, pairs, sizeof *s->separator_upper},
+        {&s->separator_rhs, separators, sizeof *s->separator_rhs},
     };
     memcpy(parts, all, sizeof all);
 }
@@ -62,8 +62,9 @@ vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t 
     part parts[PARTS];
     list_parts(s, parts);
     for (int i = 0; i < PARTS; i++) {
-        *parts[i].array = vbss_allocate(context, parts[i].count, parts[i].size, "system");
-        if (*parts[i].array == NULL) {
+        void *array = vbss_allocate(context, parts[i].count, parts[i].size, "system");
+        memcpy(parts[i].array, &array, sizeof array);
+        if (array == NULL) {
             vbss_system_destroy(context, s);
             return VBSS_ERROR_OUT_OF_MEMORY;
         }
@@ -80,7 +81,9 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system)
     part parts[PARTS];
     list_parts(system, parts);
     for (int i = 0; i < PARTS; i++) {
-        vbss_release(context, *parts[i].array, parts[i].count, parts[i].size);
+        void *array;
+        memcpy(&array, parts[i].array, sizeof array);
+        vbss_release(context, array, parts[i].count, parts[i].size);
     }
     vbss_release(context, system, 1, sizeof *system);
 }

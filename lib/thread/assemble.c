@@ -2,8 +2,10 @@
  *
  * The system solves for the increment u of the trial positions x:
  *   (inertia m + stiffness) u = forces(x) - inertia m (x - x_predicted).
- * Stiffness is exact but for tension in the geometric part, which is that of the last solve and at least
- * `least_pull`, and for rest curvature, whose slope is left out: what is kept is positive. */
+ * Stiffness is exact but for four things: tension in its geometric part is that of the last solve and at
+ * least `least_pull`, and in the arcs' part not negative; what turning takes from the stiffness along a
+ * chord is taken from the whole slope; the slope of rest curvature is left out. What is kept is positive
+ * unless compression is large. */
 #include "thread/thread.h"
 
 /* ---- what one segment does to the nodes around it */
@@ -191,7 +193,7 @@ static void add_attachments(const thread_object *t, const thread_stage *stage, v
                             uint32_t first)
 {
     const vbss_integration *in = stage->integration;
-    double share = (stage->part_end - stage->part_begin) / in->h; /* of the way, in 1/s */
+    double share = 1.0 / stage->step; /* of the way to go, in 1/s */
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
         if (a->id == 0) {
@@ -217,11 +219,18 @@ static void add_attachments(const thread_object *t, const thread_stage *stage, v
     }
 }
 
+static void add_rest_pull(const thread_object *t, vec3 *rhs)
+{
+    for (uint32_t i = 0; t->config.rest_curvature > 0.0 && i < t->node_count; i++) {
+        rhs[i] = vec3_add(rhs[i], t->rest_pull[i]);
+    }
+}
+
 void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_stage *stage,
                                           vbss_system *system, uint32_t first)
 {
     set_nodes(t, stage, system, first);
     add_clamps(t, system->rhs + first);
-    vbss_thread_add_rest_curvature(t, t->trial, system->rhs + first);
+    add_rest_pull(t, system->rhs + first);
     add_attachments(t, stage, system, first);
 }

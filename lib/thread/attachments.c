@@ -2,7 +2,6 @@
 #include "thread/thread.h"
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "published size");
-_Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
 
 static const vbss_thread_attachment defaults = {
     .struct_size = sizeof(vbss_thread_attachment),
@@ -13,15 +12,12 @@ static const uint32_t attachment_sizes[] = {112, 0};
 static const vbss_layout attachment_layout = {"vbss_thread_attachment", &defaults,
                                               attachment_sizes};
 
-static const uint32_t reaction_sizes[] = {56, 0};
-static const vbss_layout reaction_layout = {"vbss_thread_reaction", NULL, reaction_sizes};
-
 vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachment, uint32_t struct_size)
 {
     return vbss_config_init(&attachment_layout, attachment, struct_size);
 }
 
-static bool holds(vbss_attachment_kind kind)
+bool vbss_thread_holds(vbss_attachment_kind kind)
 {
     return kind == VBSS_ATTACHMENT_PIN || kind == VBSS_ATTACHMENT_CLAMP;
 }
@@ -55,7 +51,8 @@ static vbss_result check(const thread_object *t, const vbss_thread_attachment *a
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *other = &t->attachments[i];
-        if (other->id != 0 && other->node == a->node && holds(other->kind) && holds(a->kind)) {
+        if (other->id != 0 && other->node == a->node && vbss_thread_holds(other->kind) &&
+            vbss_thread_holds(a->kind)) {
             return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by attachment %u",
                              a->node, other->id);
         }
@@ -112,7 +109,7 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     a->target = vec3_load(own.position);
     /* A held node is taken to its place within the next step, and a moving thread is turned in it; a
      * spring's end is there at once. */
-    a->position = holds(own.kind) ? t->now.x[own.node] : a->target;
+    a->position = vbss_thread_holds(own.kind) ? t->now.x[own.node] : a->target;
     a->target_direction = unit(own.direction);
     a->direction =
         t->placed ? a->target_direction : thread_direction(t, own.node, a->target_direction);
@@ -180,115 +177,7 @@ void vbss_thread_attachments_arrive(thread_object *t, double h)
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         thread_attachment *a = &t->attachments[i];
         a->velocity = vec3_scale(vec3_sub(a->target, a->position), 1.0 / h);
-        a->acted = a->id != 0;
         a->position = a->target;
         a->direction = a->target_direction;
     }
-}
-
-/* ---- what they did */
-
-/* A stretched arc pulls at the direction it ends in. */
-static vec3 slope_of_arcs(thread_object *t, uint32_t clamp)
-{
-    uint32_t node = t->clamps[clamp].node, segments = t->node_count - 1;
-    uint32_t end = node + 2 < segments ? node + 2 : segments;
-    vec3 slope = vec3_zero();
-    vbss_thread_measure(t, t->now.x, t->strains);
-    for (uint32_t i = node < 2 ? 0 : node - 2; i < end; i++) {
-        const thread_arc *arc = &t->arcs[i];
-        for (int c = 0; c < 2; c++) {
-            if (arc->direction[c] != 0.0 && arc->clamp[c] == clamp) {
-                double factor = 2.0 * arc->share * t->now.tension[i] * arc->direction[c];
-                slope = vec3_add_scaled(slope, factor, t->strains[i].curvature);
-            }
-        }
-    }
-    return slope;
-}
-
-static vec3 torque_of_clamp(thread_object *t, uint32_t c)
-{
-    const thread_clamp *clamp = &t->clamps[c];
-    /* The energy's slope with the direction; the torque turns the direction against it. */
-    vec3 slope = vec3_add(slope_of_arcs(t, c), vbss_thread_rest_curvature_slope(t, clamp->node));
-    slope = vec3_add_scaled(slope, clamp->own, clamp->direction);
-    if (c + 1 < t->clamp_count) {
-        slope = vec3_add_scaled(slope, clamp->next, t->clamps[c + 1].direction);
-    }
-    if (c > 0) {
-        slope = vec3_add_scaled(slope, t->clamps[c - 1].next, t->clamps[c - 1].direction);
-    }
-    for (uint32_t k = 0; k <= 2 * THREAD_FAR; k++) {
-        if (clamp->factor[k] != 0.0) {
-            slope =
-                vec3_add_scaled(slope, clamp->factor[k], t->now.x[clamp->node + k - THREAD_FAR]);
-        }
-    }
-    return vec3_cross(clamp->direction, slope);
-}
-
-static vec3 torque_at(thread_object *t, uint32_t node)
-{
-    for (uint32_t c = 0; c < t->clamp_count; c++) {
-        if (t->clamps[c].node == node) {
-            return torque_of_clamp(t, c);
-        }
-    }
-    return vec3_zero();
-}
-
-static vec3 spring_force(const thread_object *t, const thread_attachment *a)
-{
-    vec3 stretch = vec3_sub(a->position, t->now.x[a->node]);
-    vec3 slip = vec3_sub(a->velocity, t->now.v[a->node]);
-    return vec3_add_scaled(vec3_scale(stretch, a->stiffness), a->damping, slip);
-}
-
-/* What forces and springs do at a node that something else holds. */
-static vec3 other_forces(const thread_object *t, uint32_t node)
-{
-    vec3 sum = vec3_zero();
-    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        const thread_attachment *a = &t->attachments[i];
-        if (a->id != 0 && a->node == node && a->kind == VBSS_ATTACHMENT_FORCE) {
-            sum = vec3_add(sum, a->force);
-        } else if (a->id != 0 && a->node == node && a->kind == VBSS_ATTACHMENT_SPRING) {
-            sum = vec3_add(sum, spring_force(t, a));
-        }
-    }
-    return sum;
-}
-
-vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
-                                     vbss_thread_reaction *reaction, uint32_t struct_size)
-{
-    thread_object *t;
-    VBSS_TRY(vbss_thread_open(thread, &t));
-    const thread_attachment *a = vbss_thread_find_attachment(t, id);
-    if (a == NULL) {
-        return VBSS_ERROR_OUT_OF_RANGE;
-    }
-    VBSS_TRY(vbss_thread_prepare(t));
-    vec3 force = vec3_zero(), torque = vec3_zero();
-    bool paper = t->config.method == VBSS_METHOD_PAPER;
-    if (a->acted) {
-        if (holds(a->kind)) {
-            force = paper ? vbss_thread_paper_force(t, a->node)
-                          : vbss_thread_implicit_force(t, a->node);
-            force = vec3_sub(force, other_forces(t, a->node));
-            torque = paper ? vbss_thread_paper_torque(t, a->node) : torque_at(t, a->node);
-        } else if (a->kind == VBSS_ATTACHMENT_FORCE) {
-            force = a->force;
-        } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
-            force = spring_force(t, a);
-        } else {
-            vec3 slowed = vec3_add_scaled(t->now.q[a->node], t->config.drag, t->now.v[a->node]);
-            force = vec3_scale(vec3_sub(t->gravity, slowed), a->mass);
-        }
-    }
-    vbss_thread_reaction own = {.struct_size = sizeof own, .node = a->node};
-    vec3_store(own.force, force);
-    vec3_store(own.torque, torque);
-    return vbss_struct_write(t->context, &reaction_layout, &own, reaction, struct_size);
 }

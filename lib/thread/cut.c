@@ -94,9 +94,11 @@ static void divide_attachments(thread_object *t, thread_object *piece, uint32_t 
 vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
 {
     thread_object *t;
+    if (piece != NULL) {
+        *piece = NULL;
+    }
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_pointer(t->context, piece, "piece"));
-    *piece = NULL;
     double length = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         length += t->rest[i];
@@ -121,6 +123,8 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
     divide_attachments(t, new_piece, doubled ? end + 1 : end, doubled ? end : end - 1);
     new_piece->statistics = (vbss_thread_statistics){0};
     new_piece->statistics.time = t->statistics.time;
+    new_piece->placed = t->placed;
+    new_piece->settling = t->settling;
     vbss_thread_changed(t);
     vbss_thread_changed(new_piece);
     vbss_slot_fill(slot, new_piece);

@@ -40,18 +40,12 @@ static vec3 stretching_force(const thread_object *t, uint32_t node)
     return force;
 }
 
-vec3 vbss_thread_implicit_force(thread_object *t, uint32_t node)
+vec3 vbss_thread_implicit_force(const thread_object *t, uint32_t node)
 {
-    /* The strains are those of the last step or look; forces come from the tensions, which are more
-     * exact than EA times a strain. */
-    vbss_thread_measure(t, t->now.x, t->strains);
-    vec3 *scratch = t->v_predicted;
-    for (uint32_t i = 0; i < t->node_count; i++) {
-        scratch[i] = vec3_zero();
-    }
-    vbss_thread_add_rest_curvature(t, t->now.x, scratch);
+    /* From the tensions, which are more exact than EA times a strain. */
     vec3 inner = vec3_add(bending_force(t, node), stretching_force(t, node));
+    inner = vec3_add(inner, vbss_thread_rest_curvature_force(t, node));
     vec3 drag = vec3_scale(t->now.v[node], -t->config.drag);
     vec3 needed = vec3_sub(vec3_sub(t->now.q[node], t->gravity), drag);
-    return vec3_sub(vec3_scale(needed, t->mass[node]), vec3_add(inner, scratch[node]));
+    return vec3_sub(vec3_scale(needed, t->mass[node]), inner);
 }

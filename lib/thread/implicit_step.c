@@ -13,8 +13,12 @@
 /* A step that needs more linearisations is no smooth motion; the next ones are made by backward Euler,
  * which damps what it cannot resolve. */
 enum { SMOOTH_ITERATIONS = 4, SETTLING_STEPS = 2 };
+/* Linearisations in which the pull of rest curvature follows the shape. */
+enum { REST_PULL_UPDATES = 30 };
 /* Strain beyond the tension's that the prediction of a smooth motion does not reach. */
 #define SMOOTH_STRAIN 0.03
+/* Strain from which a prediction is no start for the iteration. */
+#define HOPELESS_STRAIN 0.5
 /* More compression than any thread carries. */
 #define ALL_OF_THE_COMPRESSION (-1e30)
 
@@ -58,8 +62,22 @@ static void start_from_rest(thread_object *t)
     }
 }
 
-/* False: the prediction is no start, and the old positions are taken instead. */
-static bool predict(thread_object *t, const thread_stage *stage)
+/* The largest strain of the trial state beyond that of the tensions. */
+static double strain_beyond_tension(const thread_object *t)
+{
+    double largest = 0.0, compliance = 1.0 / t->config.axial_stiffness;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        double strain = t->strains[i].excess * t->inverse_rest[i];
+        double beyond = fabs(strain - t->now.tension[i] * compliance);
+        largest = beyond > largest || beyond != beyond ? beyond : largest; /* NaN stays */
+    }
+    return largest;
+}
+
+/* False: this is no smooth motion. A taut thread is let go, an end jerks: accelerations of the past are
+ * worth nothing then, and would feed energy. A prediction that is no start at all is replaced by the old
+ * positions. */
+static bool predict(thread_object *t, thread_stage *stage)
 {
     predict_free_motion(t, stage->integration);
     memcpy(t->trial, t->x_predicted, t->node_count * sizeof *t->trial);
@@ -70,13 +88,18 @@ static bool predict(thread_object *t, const thread_stage *stage)
             t->trial[a->node] = vbss_thread_attachment_position(a, stage->part_end);
         }
     }
-    bool sound = !turns_a_segment_over(t);
-    if (!sound) {
-        start_from_rest(t);
-    }
     vbss_thread_set_clamps(t, stage->part_end);
     vbss_thread_measure(t, t->trial, t->strains);
-    return sound;
+    double strain = strain_beyond_tension(t);
+    bool hopeless = !(strain <= HOPELESS_STRAIN) || turns_a_segment_over(t);
+    if (hopeless) {
+        start_from_rest(t);
+        vbss_thread_measure(t, t->trial, t->strains);
+        strain = strain_beyond_tension(t);
+        t->statistics.softened++;
+    }
+    stage->sound_strain = strain + HOPELESS_STRAIN;
+    return !hopeless && strain <= SMOOTH_STRAIN;
 }
 
 /* Moves the trial state by the solution. Returns the largest distance that forces left out of balance
@@ -133,15 +156,37 @@ static bool solve(thread_object *t, const thread_stage *stage)
 }
 
 /* With all of the compression convergence is quadratic; where the stiffness is not positive then, with
- * what a straight thread carries inside, at a free end, and with none. */
+ * what a straight thread carries inside, at a free end (a tenth less, as lengths and bends differ), and
+ * with none. */
 static double with_less_compression(const thread_stage *stage)
 {
     double inside = -1.8 * stage->carried, at_end = -0.9 * stage->carried;
     return stage->least_pull < inside ? inside : stage->least_pull < at_end ? at_end : 0.0;
 }
 
+/* What rest curvature pulls in the trial state; returns by how much a node's pull has changed. Where a
+ * thread is nearly straight its direction may flip for ever, so it stays after some linearisations. */
+static double update_rest_pull(thread_object *t)
+{
+    vec3 *pull = t->curvatures; /* a view, which is old when a step is made */
+    double largest = 0.0;
+    memset(pull, 0, t->node_count * sizeof *pull);
+    vbss_thread_add_rest_curvature(t, t->trial, pull);
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        double change = vec3_distance(pull[i], t->rest_pull[i]);
+        largest = change > largest ? change : largest;
+        t->rest_pull[i] = pull[i];
+    }
+    return largest;
+}
+
 static outcome iterate(thread_object *t, thread_stage *stage)
 {
+    const bool curved = t->config.rest_curvature > 0.0;
+    const double density = t->config.linear_density * stage->integration->inertia;
+    if (curved) {
+        (void)update_rest_pull(t);
+    }
     for (uint32_t k = 0; k < t->config.iteration_limit; k++) {
         t->statistics.iterations++;
         t->statistics.last_iterations++;
@@ -150,8 +195,13 @@ static outcome iterate(thread_object *t, thread_stage *stage)
                 return BROKEN;
             }
             stage->least_pull = with_less_compression(stage);
+            t->statistics.softened++;
         }
         double left = advance(t, stage);
+        if (curved && k < REST_PULL_UPDATES) {
+            double late = update_rest_pull(t) / (density * t->shortest_rest);
+            left = late > left ? late : left;
+        }
         vbss_thread_measure(t, t->trial, t->strains);
         double error = vbss_thread_note_stretch(t, t->trial_tension);
         if (!(error < 1e100)) {
@@ -167,6 +217,24 @@ static outcome iterate(thread_object *t, thread_stage *stage)
 static double still(double speed)
 {
     return fabs(speed) > THREAD_STILL ? speed : 0.0;
+}
+
+/* Where the last try found nothing sound: all free nodes stop where they are; counted with `forced`.
+ * False: not even that is finite. */
+static bool stop(thread_object *t)
+{
+    start_from_rest(t);
+    vbss_thread_measure(t, t->trial, t->strains);
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        t->trial_tension[i] = t->config.axial_stiffness * t->strains[i].excess * t->inverse_rest[i];
+    }
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        t->x_predicted[i] = t->trial[i];
+        t->v_predicted[i] = t->a_predicted[i] = vec3_zero();
+    }
+    double largest = strain_beyond_tension(t);
+    (void)vbss_thread_note_stretch(t, t->trial_tension);
+    return largest < 1e100;
 }
 
 /* A held node has the speed at which it was taken along. The recursion of the integration would make
@@ -209,7 +277,10 @@ static void commit(thread_object *t, const vbss_integration *in)
         double share = t->config.damping * in->h / (1.0 + t->config.damping * in->h);
         vbss_thread_damp_sections(t, share);
     }
-    t->statistics.substeps++;
+    vbss_thread_statistics *s = &t->statistics;
+    s->substeps++;
+    s->stretch_error =
+        s->last_stretch_error > s->stretch_error ? s->last_stretch_error : s->stretch_error;
 }
 
 /* ---- the step: parts, which attachments cross evenly */
@@ -217,6 +288,7 @@ static void commit(thread_object *t, const vbss_integration *in)
 typedef struct attempt {
     vbss_integration integration;
     bool damped; /* by backward Euler */
+    bool sound;  /* not far from where the try started */
     outcome found;
 } attempt;
 
@@ -234,31 +306,17 @@ static double carried_load(const thread_object *t, double inertia)
     return load;
 }
 
-/* Whether the prediction strains the thread as no smooth motion does: a taut thread is let go, an end
- * jerks. Accelerations of the past are worth nothing then, and would feed energy. */
-static bool jolts(const thread_object *t)
-{
-    double compliance = 1.0 / t->config.axial_stiffness;
-    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double strain = t->strains[i].excess * t->inverse_rest[i];
-        if (!(fabs(strain - t->now.tension[i] * compliance) <= SMOOTH_STRAIN)) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static attempt try_part(thread_object *t, double h, double begin, double end)
 {
     attempt a;
     double length = h * (end - begin), last = t->last_part;
     /* Accelerations carried over from a step of quite another length would gain energy. */
     bool another = last > 0.0 && !(length < 2.1 * last && last < 2.1 * length);
-    thread_stage stage = {&a.integration, begin, end, ALL_OF_THE_COMPRESSION, 0.0};
+    thread_stage stage = {&a.integration, h, end, ALL_OF_THE_COMPRESSION, 0.0, 0.0};
     a.damped = t->fresh || t->settling > 0 || another;
     if (!a.damped) {
         a.integration = vbss_integration_generalised_alpha(length, t->config.spectral_radius);
-        a.damped = !predict(t, &stage) || jolts(t);
+        a.damped = !predict(t, &stage);
         t->settling = a.damped ? SETTLING_STEPS + 1 : 0;
     }
     if (a.damped) {
@@ -267,6 +325,7 @@ static attempt try_part(thread_object *t, double h, double begin, double end)
     }
     stage.carried = carried_load(t, a.integration.inertia);
     a.found = iterate(t, &stage);
+    a.sound = a.found != BROKEN && strain_beyond_tension(t) <= stage.sound_strain;
     return a;
 }
 
@@ -288,27 +347,30 @@ static bool make_parts(thread_object *t, double h)
         double end = begin + part < 1.0 ? begin + part : 1.0;
         bool last_chance = part <= (t->fresh ? FIRST_PART * smallest : smallest);
         attempt a = try_part(t, h, begin, end);
-        if (a.found == CONVERGED || (a.found == UNCONVERGED && last_chance)) {
-            if (begin == 0.0 && end < 1.0) {
-                vbss_thread_copy_motion(t, &t->kept, &t->now);
-            }
-            commit(t, &a.integration);
-            t->statistics.first_order += a.damped;
-            t->statistics.forced += a.found != CONVERGED;
-            part = t->fresh ? 1.0 : part;
-            t->last_part = t->fresh ? 0.0 : a.integration.h; /* a start says nothing of lengths */
-            t->fresh = false;
-            begin = end;
-        } else if (last_chance) {
-            if (begin > 0.0) {
-                vbss_thread_copy_motion(t, &t->now, &t->kept);
-            }
-            return false;
-        } else {
+        if (a.found != CONVERGED && !last_chance) {
             t->statistics.rejections++;
             t->settling = SETTLING_STEPS + 1;
             part *= 0.5;
+            continue;
         }
+        if (a.found != CONVERGED) {
+            t->statistics.forced++;
+            if (!a.sound && !stop(t)) {
+                if (begin > 0.0) {
+                    vbss_thread_copy_motion(t, &t->now, &t->kept);
+                }
+                return false;
+            }
+        }
+        if (begin == 0.0 && end < 1.0) {
+            vbss_thread_copy_motion(t, &t->kept, &t->now);
+        }
+        commit(t, &a.integration);
+        t->statistics.first_order += a.damped;
+        part = t->fresh ? 1.0 : part;
+        t->last_part = t->fresh ? 0.0 : a.integration.h; /* a start says nothing of lengths */
+        t->fresh = false;
+        begin = end;
     }
     return true;
 }
@@ -332,9 +394,6 @@ vbss_result vbss_thread_implicit_step(thread_object *t, double h)
     t->settling -= t->settling > 0;
     if (t->statistics.last_iterations > SMOOTH_ITERATIONS && t->settling < SETTLING_STEPS) {
         t->settling = SETTLING_STEPS;
-    }
-    if (t->statistics.stretch_error < t->statistics.last_stretch_error) {
-        t->statistics.stretch_error = t->statistics.last_stretch_error;
     }
     return VBSS_OK;
 }

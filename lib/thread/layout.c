@@ -9,7 +9,8 @@
  * nodes of what varies smoothly are then integrals up to fourth order (Gregory's weights 3/8, 7/6,
  * 23/24, 1, ...; for unequal lengths the terms of Euler and Maclaurin at each node). */
 
-/* Moves mass from one node to another, at most half of what the giver has from its segments. */
+/* Moves mass from one node to another, at most half of what the giver has: where a cut leaves a sliver
+ * beside a long segment the correction would make masses negative. */
 static void shift_mass(thread_object *t, uint32_t from, uint32_t to, double mass)
 {
     double half = 0.5 * (mass > 0.0 ? t->mass[from] : t->mass[to]);

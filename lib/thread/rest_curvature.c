@@ -87,6 +87,22 @@ void vbss_thread_add_rest_curvature(const thread_object *t, const vec3 *x, vec3 
     }
 }
 
+vec3 vbss_thread_rest_curvature_force(const thread_object *t, uint32_t node)
+{
+    vec3 force = vec3_zero();
+    cell cells[2];
+    uint32_t first = node > 0 ? node - 1 : 0;
+    for (uint32_t i = first; t->config.rest_curvature > 0.0 && i <= node + 1; i++) {
+        for (int c = i < t->node_count ? cells_at(t, t->now.x, i, cells) - 1 : -1; c >= 0; c--) {
+            double before = cells[c].before ? t->inverse_rest[i - 1] : 0.0;
+            double behind = cells[c].behind ? t->inverse_rest[i] : 0.0;
+            double share = i == node ? -(before + behind) : i > node ? before : behind;
+            force = vec3_add_scaled(force, share, moment_of(t, &cells[c]));
+        }
+    }
+    return force;
+}
+
 vec3 vbss_thread_rest_curvature_slope(const thread_object *t, uint32_t node)
 {
     vec3 slope = vec3_zero();

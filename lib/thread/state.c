@@ -37,10 +37,28 @@ static void visit_config(vbss_stream *stream, const thread_object *t)
     }
 }
 
+static bool is_unit(vec3 v)
+{
+    return fabs(vec3_norm_squared(v) - 1.0) < 1e-6;
+}
+
+/* No node is held twice. */
+static void check_holders(vbss_stream *stream, const thread_object *t)
+{
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        for (uint32_t k = 0; k < i && a->id != 0 && vbss_thread_holds(a->kind); k++) {
+            const thread_attachment *b = &t->attachments[k];
+            if (b->id != 0 && vbss_thread_holds(b->kind) && b->node == a->node) {
+                vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a node is held twice");
+            }
+        }
+    }
+}
+
 static void visit_attachment(vbss_stream *stream, const thread_object *t, thread_attachment *a)
 {
     int32_t kind = a->kind;
-    uint8_t acted = a->acted;
     vbss_stream_u32(stream, 20, &a->id, 1);
     vbss_stream_i32(stream, 21, &kind, 1);
     vbss_stream_u32(stream, 22, &a->node, 1);
@@ -53,14 +71,15 @@ static void visit_attachment(vbss_stream *stream, const thread_object *t, thread
     vbss_stream_f64(stream, 29, &a->damping, 1);
     vbss_stream_f64(stream, 30, &a->mass, 1);
     vbss_stream_f64(stream, 31, &a->velocity.x, 3);
-    vbss_stream_u8(stream, 32, &acted, 1);
+    vbss_stream_f64(stream, 32, &a->reaction.x, 3);
+    vbss_stream_f64(stream, 33, &a->reaction_torque.x, 3);
     a->kind = kind;
-    a->acted = acted != 0;
-    if (acted > 1) {
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
-    }
     if (a->id == 0 || stream->trusted || stream->mode != VBSS_STREAM_READ) {
         return;
+    }
+    bool clamp = kind == VBSS_ATTACHMENT_CLAMP;
+    if (clamp && !(is_unit(a->direction) && is_unit(a->target_direction))) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such direction");
     }
     if (kind < VBSS_ATTACHMENT_PIN || kind > VBSS_ATTACHMENT_MASS || a->node >= t->node_count ||
         a->id > t->last_id || !(a->stiffness >= 0.0) || !(a->damping >= 0.0) || !(a->mass >= 0.0)) {
@@ -78,6 +97,7 @@ static void visit_statistics(vbss_stream *stream, vbss_thread_statistics *s)
     vbss_stream_u64(stream, 45, &s->rejections, 1);
     vbss_stream_u64(stream, 46, &s->forced, 1);
     vbss_stream_u64(stream, 47, &s->fallbacks, 1);
+    vbss_stream_u64(stream, 52, &s->softened, 1);
     vbss_stream_f64(stream, 48, &s->last_stretch_error, 1);
     vbss_stream_f64(stream, 49, &s->stretch_error, 1);
     vbss_stream_f64(stream, 50, &s->last_stretch, 1);
@@ -113,7 +133,7 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     vbss_stream_u32(stream, 11, &t->settling, 1);
     vbss_stream_u32(stream, 12, &t->last_id, 1);
     vbss_stream_f64(stream, 13, &t->last_part, 1);
-    if (!(t->last_part >= 0.0)) {
+    if (!(t->last_part >= 0.0) || t->settling > 16) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such length of a step");
     }
     vbss_stream_u8(stream, 14, &placed, 1);
@@ -122,6 +142,9 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         visit_attachment(stream, t, &t->attachments[i]);
+    }
+    if (stream->mode == VBSS_STREAM_READ && !stream->trusted) {
+        check_holders(stream, t);
     }
     visit_statistics(stream, &t->statistics);
     if (stream->mode == VBSS_STREAM_READ) {
@@ -140,17 +163,6 @@ void vbss_thread_copy_motion(const thread_object *t, thread_motion *to, const th
     memcpy(to->a, from->a, bytes);
     memcpy(to->q, from->q, bytes);
     memcpy(to->tension, from->tension, t->node_count * sizeof(double));
-}
-
-bool vbss_thread_motion_is_finite(const thread_object *t, const thread_motion *motion)
-{
-    /* A sum is finite only if all its terms are; v is finite only if x is, but far too large is
-     * broken as well. */
-    double sum = 0.0;
-    for (uint32_t i = 0; i < t->node_count; i++) {
-        sum += vec3_norm_squared(motion->x[i]) + vec3_norm_squared(motion->v[i]);
-    }
-    return sum < 1e100;
 }
 
 /* ---- saving from outside */

@@ -169,6 +169,7 @@ static size_t list_parts(thread_object *t, part parts[PARTS])
         {&t->strains, n, sizeof *t->strains},
         {&t->bending, implicit, sizeof *t->bending},
         {&t->paper_rows, n - implicit, sizeof *t->paper_rows},
+        {&t->rest_pull, implicit, sizeof(vec3)},
         {&t->moments, implicit, sizeof *t->moments},
         {&t->arcs, implicit, sizeof *t->arcs},
         {&t->clamps, t->config.attachment_capacity, sizeof *t->clamps},
@@ -299,9 +300,11 @@ static void place_nodes(thread_object *t, const vbss_thread_config *c)
 vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
                                vbss_thread **thread)
 {
+    if (thread != NULL) {
+        *thread = NULL;
+    }
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_check_pointer(context, thread, "thread"));
-    *thread = NULL;
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
     VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
@@ -310,8 +313,7 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
 
     thread_object *t;
     vbss_slot *slot = NULL;
-    /* One node more than the thread has: a cut ends it with a node of its own. */
-    VBSS_TRY(vbss_thread_allocate(context, &own, own.segment_count + 2, &t));
+    VBSS_TRY(vbss_thread_allocate(context, &own, own.segment_count + 1, &t));
     vbss_result result = reserve_pieces(t);
     if (result == VBSS_OK) {
         result = vbss_slot_create(context, &vbss_thread_kind, t, &slot);
@@ -379,7 +381,7 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
         t->now.tension[i] = 0.0;
     }
     vbss_thread_changed(t);
-    t->placed = true;
+    t->placed = t->placed || positions != NULL;
     return VBSS_OK;
 }
 
@@ -393,6 +395,7 @@ vbss_result vbss_thread_step(vbss_thread *thread, double h)
     VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
                                                    : vbss_thread_implicit_step(t, h));
     vbss_thread_attachments_arrive(t, h);
+    vbss_thread_note_reactions(t);
     t->placed = false;
     t->generation++;
     t->statistics.steps++;

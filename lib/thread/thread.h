@@ -27,7 +27,7 @@ typedef struct thread_attachment {
     vec3 force;                       /* FORCE */
     double stiffness, damping;        /* SPRING */
     double mass;                      /* MASS */
-    bool acted;                       /* it has been there in a step */
+    vec3 reaction, reaction_torque;   /* of the last step, on the thread */
 } thread_attachment;
 
 /* What moves in a step. n of each, n - 1 tensions. */
@@ -140,6 +140,7 @@ typedef struct thread_object {
     vec3 *trial;        /* positions */
     vec3 *x_predicted, *v_predicted, *a_predicted;
     double *trial_tension;
+    vec3 *rest_pull; /* OURS: forces of rest curvature */
     thread_strain *strains;
     thread_paper_row *paper_rows; /* PAPER */
 
@@ -163,15 +164,18 @@ void vbss_thread_changed(thread_object *t);
 /* state.c */
 void vbss_thread_serialise(vbss_stream *stream, void *object);
 void vbss_thread_copy_motion(const thread_object *t, thread_motion *to, const thread_motion *from);
-bool vbss_thread_motion_is_finite(const thread_object *t, const thread_motion *motion);
 
 /* attachments.c */
+bool vbss_thread_holds(vbss_attachment_kind kind);
 thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
 /* Where an attachment is after a part of the step, from 0 to 1. */
 vec3 vbss_thread_attachment_position(const thread_attachment *a, double part);
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double part);
 /* At the end of a step: what was to move has arrived. */
 void vbss_thread_attachments_arrive(thread_object *t, double h);
+
+/* reactions.c: at the end of a step, when attachments have arrived. */
+void vbss_thread_note_reactions(thread_object *t);
 
 /* layout.c: for a step; and for looking, with clamps where they are now. */
 vbss_result vbss_thread_layout(thread_object *t);
@@ -194,6 +198,7 @@ vec3 vbss_thread_clamp_direction(const thread_object *t, uint32_t node);
 double vbss_thread_rest_curvature_energy(const thread_object *t);
 vec3 vbss_thread_rest_curvature_slope(const thread_object *t, uint32_t node);
 void vbss_thread_add_rest_curvature(const thread_object *t, const vec3 *x, vec3 *forces);
+vec3 vbss_thread_rest_curvature_force(const thread_object *t, uint32_t node);
 
 /* strain.c: geometry of the segments; and of what was measured the largest stretch and stretch error,
  * for the statistics of the last step. */
@@ -203,9 +208,11 @@ double vbss_thread_note_stretch(thread_object *t, const double *tension);
 /* assemble.c, both copies: the thread's part of the system at the trial state. */
 typedef struct thread_stage {
     const vbss_integration *integration;
-    double part_begin, part_end; /* of the step, where attachments move */
-    double least_pull;           /* N, not positive: most compression that the stiffness takes in */
-    double carried; /* N, positive: compression that surely leaves the stiffness positive */
+    double step;         /* length of the whole step, s */
+    double part_end;     /* of the step, where attachments are then */
+    double least_pull;   /* N, not positive: most compression that the stiffness takes in */
+    double carried;      /* N, positive: compression that surely leaves the stiffness positive */
+    double sound_strain; /* beyond the tensions', up to which an unconverged state may be taken */
 } thread_stage;
 void vbss_thread_assemble_plain(const thread_object *t, const thread_stage *stage,
                                 vbss_system *system, uint32_t first_block);
@@ -221,8 +228,9 @@ void vbss_thread_damp_sections(thread_object *t, double share);
 /* implicit_step.c, paper_step.c */
 vbss_result vbss_thread_implicit_step(thread_object *t, double h);
 vbss_result vbss_thread_paper_step(thread_object *t, double h);
-/* The force that holds a held node at the end of the last step; holding_force.c, paper_step.c. */
-vec3 vbss_thread_implicit_force(thread_object *t, uint32_t node);
+/* The force that holds a held node at the end of the last step; holding_force.c, paper_step.c. OURS
+ * reads the strains of that step. */
+vec3 vbss_thread_implicit_force(const thread_object *t, uint32_t node);
 vec3 vbss_thread_paper_force(const thread_object *t, uint32_t node);
 vec3 vbss_thread_paper_torque(const thread_object *t, uint32_t node);
 

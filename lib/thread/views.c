@@ -4,10 +4,10 @@
 _Static_assert(sizeof(vbss_view) == 32 + sizeof(void *), "published size");
 _Static_assert(sizeof(vbss_thread_energies) == 48, "published size");
 _Static_assert(sizeof(vbss_thread_momentum) == 88, "published size");
-_Static_assert(sizeof(vbss_thread_statistics) == 96, "published size");
+_Static_assert(sizeof(vbss_thread_statistics) == 104, "published size");
 
 static const uint32_t energies_sizes[] = {48, 0}, momentum_sizes[] = {88, 0};
-static const uint32_t statistics_sizes[] = {96, 0};
+static const uint32_t statistics_sizes[] = {104, 0};
 static const vbss_layout energies_layout = {"vbss_thread_energies", NULL, energies_sizes};
 static const vbss_layout momentum_layout = {"vbss_thread_momentum", NULL, momentum_sizes};
 static const vbss_layout statistics_layout = {"vbss_thread_statistics", NULL, statistics_sizes};

@@ -3,6 +3,24 @@
 #include <math.h>
 #include <string.h>
 
+/* Adds a block whose rows are those of the higher block of the two. */
+static void add_to_coupling(vbss_system *system, uint32_t coupling, const block *b)
+{
+    block *to = &system->numbers[coupling];
+    if (system->couplings[coupling].flipped) {
+        mat3 m = mat3_transpose(block_mat3(b));
+        block turned;
+        block_set(&turned, m);
+        for (int c = 0; c < 3; c++) {
+            to->column[c] = lanes_add(to->column[c], turned.column[c]);
+        }
+        return;
+    }
+    for (int c = 0; c < 3; c++) {
+        to->column[c] = lanes_add(to->column[c], b->column[c]);
+    }
+}
+
 /* ---- drawing */
 
 void twin_draw_chains(twin *t, harness_source *source, uint32_t most)
@@ -180,8 +198,8 @@ void twin_write(twin *t)
          * sum to the whole without rounding. */
         block_set(&t->system->numbers[t->coupling[c].handle], mat3_zero());
         block_set(&b, mat3_scale(t->coupling[c].m, 0.5));
-        vbss_system_add(t->system, t->coupling[c].handle, &b);
-        vbss_system_add(t->system, t->coupling[c].handle, &b);
+        add_to_coupling(t->system, t->coupling[c].handle, &b);
+        add_to_coupling(t->system, t->coupling[c].handle, &b);
     }
 }
 

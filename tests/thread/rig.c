@@ -207,6 +207,32 @@ void rig_place(rig *r, const vec3 *positions, const vec3 *velocities)
     free(v);
 }
 
+rig_shape rig_shape_of(rig *r)
+{
+    rig_shape s = {.nodes = r->nodes};
+    assert_true(r->nodes <= RIG_SHAPE_NODES);
+    rig_read(r, VBSS_THREAD_POSITIONS, s.x);
+    rig_read(r, VBSS_THREAD_VELOCITIES, s.v);
+    for (uint32_t i = 0; i + 1 < r->nodes; i++) {
+        s.tension[i] = rig_tension(r, i);
+    }
+    return s;
+}
+
+vec3 rig_difference(const rig_shape *a, const rig_shape *b)
+{
+    vec3 largest = vec3_zero();
+    assert_int_equal(a->nodes, b->nodes);
+    for (uint32_t i = 0; i < a->nodes; i++) {
+        largest.x = fmax(largest.x, vec3_distance(a->x[i], b->x[i]));
+        largest.y = fmax(largest.y, vec3_distance(a->v[i], b->v[i]));
+        if (i + 1 < a->nodes) {
+            largest.z = fmax(largest.z, fabs(a->tension[i] - b->tension[i]));
+        }
+    }
+    return largest;
+}
+
 static vbss_thread_reaction reaction_of(rig *r, uint32_t id)
 {
     vbss_thread_reaction reaction;

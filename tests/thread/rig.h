@@ -47,6 +47,17 @@ void rig_read(rig *r, vbss_thread_field field, vec3 *values);
 /* NULL leaves what is there. */
 void rig_place(rig *r, const vec3 *positions, const vec3 *velocities);
 
+/* All that moves, of a thread of at most RIG_SHAPE_NODES nodes. */
+enum { RIG_SHAPE_NODES = 16 };
+typedef struct rig_shape {
+    uint32_t nodes;
+    vec3 x[RIG_SHAPE_NODES], v[RIG_SHAPE_NODES];
+    double tension[RIG_SHAPE_NODES];
+} rig_shape;
+rig_shape rig_shape_of(rig *r);
+/* Largest differences of position, velocity, tension. */
+vec3 rig_difference(const rig_shape *a, const rig_shape *b);
+
 vec3 rig_reaction_force(rig *r, uint32_t id);
 vec3 rig_reaction_torque(rig *r, uint32_t id);
 vbss_thread_energies rig_energies(rig *r);

@@ -1,5 +1,6 @@
 /* Motions that must not gain energy: nothing feeds them. */
 #include "fixture.h"
+#include "reference.h"
 
 /* A stone on a string, whirling at 5 m/s. */
 static void whirl(double spectral_radius, const double *sizes, uint32_t count)
@@ -128,6 +129,76 @@ static void a_clamp_across_the_thread_turns_it_and_feeds_nothing(void **state)
     }
 }
 
+/* New velocities do not make a thread that has moved one that is being set up: the clamp's direction
+ * is taken in the next step, as without them. */
+static void a_clamp_after_new_velocities_waits_for_the_step(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 4; k++) {
+        fixture f;
+        double v[39] = {0.0};
+        begin(&f);
+        f.config.gravity[1] = 0.0;
+        f.config.bending = k % 2;
+        vbss_thread *thread = make(&f);
+        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, 6);
+        vec3_store(a.position, place_of(thread, 6));
+        vec3_store(a.direction, vec3_make(0.2, 1.0, 0.0));
+        steps(thread, 1, 1e-3);
+        expect_ok(vbss_thread_set_state(thread, NULL, k < 2 ? v : NULL, 13));
+        double before = energies_of(thread).total;
+        attach(thread, &a);
+        expect_near(before, energies_of(thread).total, 1e-16);
+        steps(thread, 1, 1e-3);
+        assert_true(energies_of(thread).bending > 1e-7);
+        end(&f);
+    }
+}
+
+/* ---- curved at rest */
+
+/* From an arc a thread that weighs nothing springs into its rest curvature, beyond it, and back, in step
+ * with the bending it resists. It never comes by way of straight. */
+static void spring_round(vbss_bending bending, double h)
+{
+    const double curvature = 16.0, l = 0.15 / 12;
+    fixture f;
+    double x[39], fastest = 0.0, last = 0.0;
+    begin(&f);
+    f.config.gravity[1] = 0.0;
+    f.config.bending = bending;
+    f.config.rest_curvature = 20.0;
+    f.config.stretch_tolerance = f.config.position_tolerance = 1e-12;
+    double turn = bending == VBSS_BENDING_LOCAL ? 2.0 * asin(0.5 * l * curvature) : l * curvature;
+    for (int i = 0; i < 13; i++) {
+        vec3_store(x + 3 * (size_t)i, on_circle(curvature, turn * i / curvature));
+    }
+    f.config.positions = x;
+    vbss_thread *thread = make(&f);
+    steps(thread, (uint32_t)(0.01 / h + 0.5), h); /* end segments find their lengths */
+    double first = energies_of(thread).total;
+    for (int i = 0; i * h < 2.0; i++) {
+        expect_ok(vbss_thread_step(thread, h));
+        vbss_thread_energies e = energies_of(thread);
+        if (!(e.total <= first * (1.0 + 1e-5))) {
+            fail_msg("step %d of %g s: %g J where there were %g", i, h, e.total, first);
+        }
+        fastest = fmax(fastest, e.kinetic);
+        last = e.total;
+    }
+    assert_true(fastest > 0.7 * first && last > 0.9 * first); /* nor is it merely damped */
+    end(&f);
+}
+
+static void springing_about_its_rest_curvature_gains_nothing(void **state)
+{
+    (void)state;
+    const double sizes[] = {1e-4, 5e-4, 1e-3, 2e-3};
+    for (int k = 0; k < 8; k++) {
+        spring_round(k % 2, sizes[k / 2]);
+    }
+}
+
 int test_energy_gain(void)
 {
     const struct CMUnitTest tests[] = {
@@ -135,6 +206,8 @@ int test_energy_gain(void)
         cmocka_unit_test(whirling_in_unequal_steps_gains_nothing),
         cmocka_unit_test(a_thread_pulled_along_itself_comes_to_rest),
         cmocka_unit_test(a_clamp_across_the_thread_turns_it_and_feeds_nothing),
+        cmocka_unit_test(a_clamp_after_new_velocities_waits_for_the_step),
+        cmocka_unit_test(springing_about_its_rest_curvature_gains_nothing),
         cmocka_unit_test(a_short_stretch_between_clamps_stays_as_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

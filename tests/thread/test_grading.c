@@ -36,13 +36,14 @@ static void any_grading_keeps_its_promises(harness_source *source, void *user)
     assert_in_range(g.count, 1, ROOM);
     double sum = 0.0;
     for (uint32_t i = 0; i < g.count; i++) {
-        /* Scaled down to fit, never up. */
-        assert_true(g.lengths[i] > 0.0);
+        /* Scaled down to fit, to no less than half, never up. */
+        assert_true(g.lengths[i] >= 0.5 * g.finest * (1.0 - 1e-12));
         assert_true(g.lengths[i] <= g.coarsest * (1.0 + 1e-12));
         if (i > 0) {
+            /* Each side is scaled by itself: where they meet, one may be half of the other. */
             double a = g.lengths[i - 1], b = g.lengths[i];
-            double ratio = a > b ? a / b : b / a;
-            assert_true(ratio <= g.ratio * (1.0 + 1e-9) || ratio <= 2.0); /* 2: at the centre */
+            bool meet = fabs(sum - g.centre) <= 1e-9 * g.length;
+            assert_true(fmax(a / b, b / a) <= (meet ? 2.0 : g.ratio) * (1.0 + 1e-9));
         }
         sum += g.lengths[i];
     }

@@ -4,18 +4,37 @@
 
 enum { LONGEST = 240 };
 
-/* Says what was measured, and asserts what every case has to keep. */
-static void expect_kept(const char *name, vbss_thread *thread, uint64_t forced)
+/* Linearisations of the worst step since the thread was made: what a frame may have to wait for. */
+static uint32_t worst;
+
+static void step(vbss_thread *thread, double h)
+{
+    expect_ok(vbss_thread_step(thread, h));
+    uint32_t made = statistics_of(thread).last_iterations;
+    worst = made > worst ? made : worst;
+}
+
+static void run(vbss_thread *thread, uint32_t count, double h)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        step(thread, h);
+    }
+}
+
+/* Says what was measured, and asserts what every case has to keep: `most` linearisations in a step,
+ * twice what was measured. */
+static void expect_kept(const char *name, vbss_thread *thread, uint32_t most)
 {
     vbss_thread_statistics s = statistics_of(thread);
     print_message("%s: stretch error %.2g, forced %llu, rejected %llu, substeps %llu, steps %llu, "
-                  "iterations a substep %.2f\n",
+                  "iterations a substep %.2f, at most %u a step\n",
                   name, s.stretch_error, (unsigned long long)s.forced,
                   (unsigned long long)s.rejections, (unsigned long long)s.substeps,
-                  (unsigned long long)s.steps, (double)s.iterations / (double)s.substeps);
+                  (unsigned long long)s.steps, (double)s.iterations / (double)s.substeps, worst);
     assert_true(all_finite(thread));
     assert_true(s.stretch_error <= 5e-6);
-    assert_true(s.forced <= forced);
+    assert_int_equal(s.forced, 0);
+    assert_in_range(worst, 1, most);
 }
 
 /* Nothing moves what holds the thread: there is never much more energy than at first, and not more at
@@ -26,7 +45,7 @@ static void expect_calm(vbss_thread *thread, uint32_t count, double h)
     double moving = e.kinetic + e.stretching + e.bending;
     double lifted = 1e-3 * momentum_of(thread).mass * 9.81 * rest_length_of(thread);
     for (uint32_t i = 0; i < count; i++) {
-        expect_ok(vbss_thread_step(thread, h));
+        step(thread, h);
         double now = energies_of(thread).total;
         if (!(now <= e.total + 0.5 * moving + lifted)) {
             fail_msg("step %u: energy grew from %g to %g J", i, e.total, now);
@@ -38,6 +57,7 @@ static void expect_calm(vbss_thread *thread, uint32_t count, double h)
 static vbss_thread *make_of(fixture *f, vbss_bending bending, uint32_t segments)
 {
     begin(f);
+    worst = 0;
     f->config.bending = bending;
     f->config.segment_count = segments;
     return make(f);
@@ -47,25 +67,25 @@ static void both_ends_clamped_and_pulled_at_once(void **state)
 {
     (void)state;
     for (int bending = 0; bending < 2; bending++) {
-        for (uint32_t segments = 30; segments <= 120; segments *= 2) {
+        for (uint32_t segments = 30; segments <= LONGEST; segments *= 2) {
             fixture f;
             vbss_thread *thread = make_of(&f, bending, segments);
             double stretched = 0.15 * (1.0 + 20.0 / 427.0);
             hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
             uint32_t far_end =
                 hold(thread, VBSS_ATTACHMENT_CLAMP, segments, vec3_make(0.15, 0.0, 0.0));
-            steps(thread, 10, 1e-3);
+            run(thread, 10, 1e-3);
             move(thread, far_end, vec3_make(stretched, 0.0, 0.0));
-            steps(thread, 1, 1e-3);
+            run(thread, 1, 1e-3);
             expect_calm(thread, 200, 1e-3);
             for (uint32_t i = 0; i < segments; i++) {
                 expect_near(20.0, number_at(thread, VBSS_THREAD_TENSIONS, i), 0.2);
             }
             expect_near(20.0, reaction_of(thread, far_end).force[0], 0.05);
             move(thread, far_end, vec3_make(0.15, 0.0, 0.0)); /* and let go as fast */
-            steps(thread, 1, 1e-3);
+            run(thread, 1, 1e-3);
             expect_calm(thread, 100, 1e-3);
-            expect_kept("pulled to 20 N and back", thread, 4);
+            expect_kept("pulled to 20 N and back", thread, 110);
             end(&f);
         }
     }
@@ -84,11 +104,11 @@ static void an_end_is_teleported(void **state)
                 if (hanging == 0) {
                     hold(thread, VBSS_ATTACHMENT_PIN, 60, vec3_make(0.14, 0.0, 0.0));
                 }
-                steps(thread, 200, 1e-3);
+                run(thread, 200, 1e-3);
                 move(thread, hand, ways[way]);
-                steps(thread, 1, 1e-3);
+                run(thread, 1, 1e-3);
                 expect_calm(thread, 200, 1e-3);
-                expect_kept("teleported by 20 mm", thread, 8);
+                expect_kept("teleported by 20 mm", thread, 420);
                 end(&f);
             }
         }
@@ -102,13 +122,14 @@ static void stiff_and_fine(void **state)
         for (int bending = 0; bending < 2; bending++) {
             fixture f;
             begin(&f);
+            worst = 0;
             f.config.bending = bending;
             f.config.segment_count = LONGEST;
             f.config.axial_stiffness = stiff == 0 ? 427.0 : 4000.0;
             vbss_thread *thread = make(&f);
             hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
             expect_calm(thread, 200, 1e-3);
-            expect_kept(stiff == 0 ? "N = 240, EA = 427 N" : "N = 240, EA = 4000 N", thread, 0);
+            expect_kept(stiff == 0 ? "N = 240, EA = 427 N" : "N = 240, EA = 4000 N", thread, 6);
             end(&f);
         }
     }
@@ -125,7 +146,7 @@ static void a_heavy_end(void **state)
         attach(thread, &a);
         hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
         expect_calm(thread, 1000, 1e-3);
-        expect_kept("a mass of 1000 segments", thread, 0);
+        expect_kept("a mass of 1000 segments", thread, 10);
         end(&f);
     }
 }
@@ -170,6 +191,7 @@ static void any_start_settles(void **state)
             fixture f;
             vec3 x[61];
             begin(&f);
+            worst = 0;
             f.config.bending = bending;
             f.config.segment_count = 60;
             f.config.drag = 5.0;
@@ -180,14 +202,18 @@ static void any_start_settles(void **state)
             f.config.positions = &x[0].x;
             vbss_thread *thread = make(&f);
             hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
-            steps(thread, 3, 1e-3); /* half a joule to 30 J go off at once */
+            run(thread, 3, 1e-3); /* half a joule to 30 J go off at once */
             expect_calm(thread, 300, 1e-3);
             vbss_thread_statistics s = statistics_of(thread);
-            print_message("%s: forced %llu of %llu substeps, error %.2g, at last %.2g\n",
-                          names[which], (unsigned long long)s.forced,
-                          (unsigned long long)s.substeps, s.stretch_error, s.last_stretch_error);
+            print_message(
+                "%s: forced %llu of %llu substeps, error %.2g, at last %.2g; at most %u a step\n",
+                names[which], (unsigned long long)s.forced, (unsigned long long)s.substeps,
+                s.stretch_error, s.last_stretch_error, worst);
             assert_true(all_finite(thread));
             assert_true(s.last_stretch_error <= 5e-6);
+            /* Metres a millisecond: the first step may not converge at its last halving. */
+            assert_true(s.forced <= (which >= 2 ? 1 : 0));
+            assert_in_range(worst, 1, 730);
             end(&f);
         }
     }
@@ -215,11 +241,11 @@ static void tug(uint32_t segments, vbss_bending bending, double h, uint32_t coun
         }
         move(thread, hands[0], at[0]);
         move(thread, hands[1], at[1]);
-        expect_ok(vbss_thread_step(thread, h));
+        step(thread, h);
     }
     char name[64];
     (void)snprintf(name, sizeof name, "tugged, N %u, h %g", segments, h);
-    expect_kept(name, thread, h <= 1e-3 ? count / 100 : count);
+    expect_kept(name, thread, 360);
     expect_calm(thread, 100, h);
     end(&f);
 }

@@ -1,22 +1,8 @@
 /* Holds and springs wherever they can stand: next to each other, at every distance, on all nodes. */
 #include "fixture.h"
+#include "reference.h"
 
-/* Nodes on an arc of a circle in the plane of x and y, from the origin along +x, arcs of the rest
- * length apart. */
-static vec3 on_arc(double radius, double s)
-{
-    double sine, cosine;
-    vbss_sincos(s / radius, &sine, &cosine);
-    return vec3_make(radius * sine, radius * (1.0 - cosine), 0.0);
-}
-
-static vec3 along_arc(double radius, double s)
-{
-    double sine, cosine;
-    vbss_sincos(s / radius, &sine, &cosine);
-    return vec3_make(cosine, sine, 0.0);
-}
-
+/* Nodes on a circle, arcs of the rest length apart. */
 static vbss_thread *make_arc(fixture *f, vbss_bending bending, uint32_t segments, double radius)
 {
     double x[3 * 65];
@@ -28,7 +14,7 @@ static vbss_thread *make_arc(fixture *f, vbss_bending bending, uint32_t segments
     f->config.gravity[1] = 0.0;
     f->config.attachment_capacity = 256;
     for (uint32_t i = 0; i <= segments; i++) {
-        vec3_store(x + 3 * (size_t)i, on_arc(radius, 1e-3 * i));
+        vec3_store(x + 3 * (size_t)i, on_circle(1.0 / radius, 1e-3 * i));
     }
     f->config.positions = x;
     vbss_thread *thread = make(f);
@@ -39,8 +25,8 @@ static vbss_thread *make_arc(fixture *f, vbss_bending bending, uint32_t segments
 static uint32_t clamp_on_arc(vbss_thread *thread, double radius, uint32_t node)
 {
     vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
-    vec3_store(a.position, on_arc(radius, 1e-3 * node));
-    vec3_store(a.direction, along_arc(radius, 1e-3 * node));
+    vec3_store(a.position, on_circle(1.0 / radius, 1e-3 * node));
+    vec3_store(a.direction, along_circle(1.0 / radius, 1e-3 * node));
     return attach(thread, &a);
 }
 
@@ -88,8 +74,8 @@ static void clamps_stand_at_any_distance_in_a_moving_thread(void **state)
                 uint32_t high = clamp_on_arc(thread, 0.1, first + distance);
                 for (uint32_t i = 0; i < 40; i++) {
                     double direction[3] = {1.0, 0.02 * i, 0.01 * i}, target[3];
-                    vec3_store(target,
-                               vec3_add(on_arc(0.1, 1e-3 * first), vec3_make(0.0, 0.0, 5e-5 * i)));
+                    vec3_store(target, vec3_add(on_circle(10.0, 1e-3 * first),
+                                                vec3_make(0.0, 0.0, 5e-5 * i)));
                     expect_ok(vbss_thread_move(thread, low, target, direction));
                     expect_ok(vbss_thread_step(thread, 1e-3));
                 }
@@ -116,8 +102,8 @@ static void every_node_takes_a_spring_a_pin_or_a_clamp(void **state)
                 vbss_thread *thread = make_arc(&f, bending, segments, 0.1);
                 for (uint32_t i = 0; i <= segments; i++) {
                     vbss_thread_attachment a = plain(kind, i);
-                    vec3_store(a.position, on_arc(0.1, 1e-3 * i));
-                    vec3_store(a.direction, along_arc(0.1, 1e-3 * i));
+                    vec3_store(a.position, on_circle(10.0, 1e-3 * i));
+                    vec3_store(a.direction, along_circle(10.0, 1e-3 * i));
                     a.stiffness = 100.0;
                     a.damping = 1e-3;
                     a.mass = 1e-4;
@@ -126,7 +112,7 @@ static void every_node_takes_a_spring_a_pin_or_a_clamp(void **state)
                 steps(thread, 10, 1e-3);
                 for (uint32_t i = 0; i <= segments; i++) {
                     if (kind != VBSS_ATTACHMENT_MASS && kind != VBSS_ATTACHMENT_FORCE) {
-                        expect_vector(on_arc(0.1, 1e-3 * i), place_of(thread, i), 1e-5);
+                        expect_vector(on_circle(10.0, 1e-3 * i), place_of(thread, i), 1e-5);
                     }
                     (void)reaction_of(thread, i + 1);
                 }
@@ -183,8 +169,8 @@ static void the_order_of_attaching_does_not_matter(void **state)
             a.stiffness = 50.0;
             a.mass = 1e-4;
             a.force[2] = 1e-3;
-            vec3_store(a.position, on_arc(0.1, 0.012));
-            vec3_store(a.direction, along_arc(0.1, 0.015));
+            vec3_store(a.position, on_circle(10.0, 0.012));
+            vec3_store(a.direction, along_circle(10.0, 0.015));
             attach(thread, &a);
         }
         steps(thread, 30, 1e-3);

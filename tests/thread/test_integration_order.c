@@ -1,6 +1,7 @@
 /* Method OURS: the integration in time, as a thread makes it: order, starts, what it does exactly. */
 #include <math.h>
 
+#include "thread/reference.h"
 #include "thread/rig.h"
 #include "thread/thread.h"
 
@@ -9,10 +10,6 @@ enum { SEGMENTS = 6, NODES = SEGMENTS + 1 };
 /* ---- order: a soft thread swings from a pin, all its frequencies are followed */
 
 typedef enum start { ONCE, NOW_AND_THEN, NEVER_SECOND_ORDER } start;
-typedef struct shape {
-    vec3 x[NODES], v[NODES];
-    double tension[NODES];
-} shape;
 
 static vbss_thread_config soft_config(double spectral_radius, double stiffness)
 {
@@ -24,7 +21,7 @@ static vbss_thread_config soft_config(double spectral_radius, double stiffness)
     return config;
 }
 
-static void swing(const vbss_thread_config *config, start how, uint32_t steps, shape *s)
+static void swing(const vbss_thread_config *config, start how, uint32_t steps, rig_shape *s)
 {
     rig r;
     vec3 v[NODES];
@@ -45,11 +42,7 @@ static void swing(const vbss_thread_config *config, start how, uint32_t steps, s
         }
         rig_run(&r, 0.1 / steps, 1);
     }
-    rig_read(&r, VBSS_THREAD_POSITIONS, s->x);
-    rig_read(&r, VBSS_THREAD_VELOCITIES, s->v);
-    for (uint32_t i = 0; i < SEGMENTS; i++) {
-        s->tension[i] = rig_tension(&r, i);
-    }
+    *s = rig_shape_of(&r);
     vbss_thread_statistics statistics = rig_statistics(&r);
     const uint64_t first_order[] = {1, 5, statistics.substeps};
     assert_int_equal(first_order[how], statistics.first_order);
@@ -57,28 +50,14 @@ static void swing(const vbss_thread_config *config, start how, uint32_t steps, s
     rig_end(&r);
 }
 
-/* Largest differences of position, velocity, tension. */
-static vec3 difference(const shape *a, const shape *b)
-{
-    vec3 largest = vec3_zero();
-    for (uint32_t i = 0; i < NODES; i++) {
-        largest.x = fmax(largest.x, vec3_distance(a->x[i], b->x[i]));
-        largest.y = fmax(largest.y, vec3_distance(a->v[i], b->v[i]));
-        if (i < SEGMENTS) {
-            largest.z = fmax(largest.z, fabs(a->tension[i] - b->tension[i]));
-        }
-    }
-    return largest;
-}
-
 /* Orders of position, velocity, tension, from three runs. */
 static vec3 orders(const vbss_thread_config *config, start how, uint32_t steps)
 {
-    shape s[3];
+    rig_shape s[3];
     for (int k = 0; k < 3; k++) {
         swing(config, how, steps << k, &s[k]);
     }
-    vec3 coarse = difference(&s[0], &s[1]), fine = difference(&s[1], &s[2]);
+    vec3 coarse = rig_difference(&s[0], &s[1]), fine = rig_difference(&s[1], &s[2]);
     return vec3_make(log2(coarse.x / fine.x), log2(coarse.y / fine.y), log2(coarse.z / fine.z));
 }
 
@@ -139,6 +118,40 @@ static void a_stiff_thread_keeps_the_order(void **state)
         vbss_thread_config config = soft_config(0.5, 427.0);
         config.bending = k;
         expect_near_vec3(vec3_make(2.0, 2.0, 2.0), orders(&config, ONCE, 500), 0.1);
+    }
+}
+
+/* Rest curvature is in the forces only, not in the system: iterated, it must not cost the order. */
+static void a_thread_curved_at_rest_keeps_the_order(void **state)
+{
+    (void)state;
+    const double stiffness[] = {0.01, 0.01, 427.0};
+    const uint32_t steps[] = {2000, 2000, 200};
+    for (int k = 0; k < 3; k++) {
+        double curvature = 16.0, l = 0.15 / SEGMENTS, x[3 * NODES];
+        vbss_thread_config config = soft_config(0.5, stiffness[k]);
+        config.bending = k == 0 ? VBSS_BENDING_SPLINE : VBSS_BENDING_LOCAL;
+        config.gravity[1] = 0.0;
+        config.rest_curvature = 20.0;
+        config.positions = x;
+        /* Arcs, or chords, of their rest length: no waves along the thread. */
+        double turn = k == 0 ? l * curvature : 2.0 * asin(0.5 * l * curvature);
+        for (int i = 0; i < NODES; i++) {
+            vec3_store(x + 3 * (size_t)i, on_circle(curvature, turn * i / curvature));
+        }
+        rig_shape s[3];
+        for (uint32_t i = 0; i < 3; i++) {
+            rig r;
+            uint32_t count = steps[k] << i;
+            rig_begin(&r, &config);
+            rig_run(&r, 0.1 / count, count);
+            s[i] = rig_shape_of(&r);
+            rig_end(&r);
+        }
+        vec3 coarse = rig_difference(&s[0], &s[1]), fine = rig_difference(&s[1], &s[2]);
+        expect_near(2.0, log2(coarse.x / fine.x), 0.1);
+        expect_near(2.0, log2(coarse.y / fine.y), 0.1);
+        expect_near(2.0, log2(coarse.z / fine.z), 0.15);
     }
 }
 
@@ -284,6 +297,7 @@ int test_integration_order(void)
         harness_test(a_few_starts_do_not_spoil_the_order),
         harness_test(starts_in_every_step_are_harmless),
         harness_test(a_stiff_thread_keeps_the_order),
+        harness_test(a_thread_curved_at_rest_keeps_the_order),
         harness_test(free_fall_is_exact),
         harness_test(a_falling_thread_reaches_its_speed_as_drag_says),
         harness_test(damping_has_its_rate),

@@ -278,17 +278,35 @@ static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
     harness_save_restore_continue(&body, 20, 20);
 }
 
+/* At a clamp, over half of the segment behind it: from the clamp's direction to the chord's. */
+static vec3 curvature_behind(rig *r, uint32_t node, vec3 direction)
+{
+    vec3 chord = vec3_sub(rig_position(r, node + 1), rig_position(r, node));
+    return vec3_scale(vec3_sub(vec3_scale(chord, 1.0 / 0.005), direction), 2.0 / 0.005);
+}
+
 static void a_clamped_thread_shows_its_curvature(void **state)
 {
     (void)state;
-    rig r;
-    vbss_thread_config config = paper(30);
-    rig_begin(&r, &config);
-    rig_clamp_here(&r, 0, at(1.0));
-    rig_run(&r, 1e-3, 100);
-    assert_true(rig_curvature(&r, 0).y < -10.0); /* bent down at the clamp */
-    assert_true(rig_energies(&r).bending > 0.0);
-    rig_end(&r);
+    const uint32_t nodes[] = {0, 5};
+    for (int k = 0; k < 2; k++) {
+        rig r;
+        vbss_thread_config config = paper(30);
+        vec3 oblique = vec3_make(0.6, 0.0, 0.8);
+        rig_begin(&r, &config);
+        uint32_t clamp = rig_clamp_here(&r, nodes[k], along);
+        expect_near_vec3(vec3_zero(), rig_curvature(&r, nodes[k]), 1e-10); /* straight, aligned */
+        expect_ok(vbss_thread_detach(r.thread, clamp));
+        rig_clamp_here(&r, nodes[k], vec3_scale(oblique, 3.0));
+        vec3 wanted = vec3_make(0.4 * 400.0, 0.0, -0.8 * 400.0); /* nothing has moved */
+        expect_near_vec3(wanted, rig_curvature(&r, nodes[k]), 1e-9);
+        rig_run(&r, 1e-3, 100);
+        wanted = curvature_behind(&r, nodes[k], oblique);
+        expect_near_vec3(wanted, rig_curvature(&r, nodes[k]), 1e-10 * vec3_norm(wanted));
+        assert_true(wanted.y < -5.0); /* bent down by its weight */
+        assert_true(rig_energies(&r).bending > 0.0);
+        rig_end(&r);
+    }
 }
 
 int test_paper_sections(void)

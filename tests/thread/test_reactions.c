@@ -228,9 +228,92 @@ static void two_clamps_drawn_apart_feel_the_stretch(void **state)
     rig_end(&r);
 }
 
+/* ---- when: what they say is of the last step, whatever is changed after it */
+
+static vbss_thread_config of_way(int way, vbss_thread_config c)
+{
+    c.method = way == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
+    c.bending = way == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+    return c;
+}
+
+static void expect_same_vector(vec3 wanted, vec3 got)
+{
+    expect_same_bits(wanted.x, got.x);
+    expect_same_bits(wanted.y, got.y);
+    expect_same_bits(wanted.z, got.z);
+}
+
+static const vec3 x_axis = {1.0, 0.0, 0.0};
+
+static void reactions_are_those_of_the_last_step(void **state)
+{
+    (void)state;
+    for (int way = 0; way < 3; way++) {
+        vbss_thread_config c = of_way(way, settling(12, VBSS_BENDING_SPLINE));
+        vec3 x[13], v[13];
+        rig r;
+        rig_begin(&r, &c);
+        uint32_t pin = rig_pin_here(&r, 0), pull = rig_force(&r, 12, vec3_zero());
+        uint32_t spring = rig_spring(&r, 6, rig_position(&r, 6), 1.0, 0.0);
+        uint32_t clamp = rig_clamp_here(&r, 9, x_axis);
+        expect_same_vector(vec3_zero(), rig_reaction_force(&r, pin));
+        expect_same_vector(vec3_zero(), rig_reaction_torque(&r, clamp));
+        rig_run(&r, 1e-3, 1000);
+        const uint32_t ids[4] = {pin, pull, spring, clamp};
+        vec3 force[4], torque = rig_reaction_torque(&r, clamp);
+        for (int k = 0; k < 4; k++) {
+            force[k] = rig_reaction_force(&r, ids[k]);
+        }
+        uint32_t mass = 0, load = 0;
+        for (int edit = 0; edit < 7; edit++) {
+            switch (edit) {
+            case 0:
+                mass = rig_mass(&r, 0, 0.5);
+                break;
+            case 1:
+                load = rig_force(&r, 0, vec3_make(0.0, -3.0, 0.0));
+                break;
+            case 2:
+                rig_move(&r, pull, vec3_make(0.0, 0.0, 1e-3));
+                break;
+            case 3:
+                rig_move(&r, spring, rig_position(&r, 6));
+                rig_move(&r, clamp, vec3_add_scaled(rig_position(&r, 9), 1e-6, x_axis));
+                break;
+            case 4:
+                expect_ok(vbss_thread_detach(r.thread, rig_pin_here(&r, 3)));
+                break;
+            case 5:
+                rig_read(&r, VBSS_THREAD_POSITIONS, x);
+                rig_read(&r, VBSS_THREAD_VELOCITIES, v);
+                rig_place(&r, NULL, v);
+                break;
+            default:
+                x[4].z += 1e-9;
+                rig_place(&r, x, v);
+                break;
+            }
+            for (int k = 0; k < 4; k++) {
+                expect_same_vector(force[k], rig_reaction_force(&r, ids[k]));
+            }
+            expect_same_vector(torque, rig_reaction_torque(&r, clamp));
+        }
+        /* What has made no step has done nothing. */
+        expect_same_vector(vec3_zero(), rig_reaction_force(&r, mass));
+        expect_same_vector(vec3_zero(), rig_reaction_force(&r, load));
+        rig_run(&r, 1e-3, 1);
+        expect_near(3.0 + 0.5 * gravity, rig_reaction_force(&r, pin).y, 1e-3);
+        expect_near_vec3(vec3_make(0.0, -3.0, 0.0), rig_reaction_force(&r, load), 1e-12);
+        expect_near_vec3(vec3_make(0.0, 0.0, 1e-3), rig_reaction_force(&r, pull), 1e-15);
+        rig_end(&r);
+    }
+}
+
 int test_reactions(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(reactions_are_those_of_the_last_step),
         cmocka_unit_test(a_clamp_carries_the_weight_and_its_moment),
         cmocka_unit_test(attachments_together_are_in_balance),
         cmocka_unit_test(a_spring_stretches_by_what_hangs_on_it),

@@ -1,15 +1,9 @@
 /* Method OURS: the heavy cantilever, clamped level, straight, and let go, against a converged
- * solution by another method: BDF2, 480 segments, steps of 10 us, correct to a few micrometres. */
+ * solution by another method (reference.h). */
 #include <math.h>
 
+#include "thread/reference.h"
 #include "thread/rig.h"
-
-enum { SHOTS = 4 };
-/* The tip after 0.05, 0.10, 0.15, 0.20 s, m. */
-static const double tip[SHOTS][2] = {{0.1482311, -0.0121077},
-                                     {0.1329157, -0.0462432},
-                                     {0.0802080, -0.1230730},
-                                     {-0.0329476, -0.1333763}};
 
 static void release(rig *r, const vbss_thread_config *config)
 {
@@ -23,7 +17,7 @@ typedef struct run {
     vbss_bending bending;
     uint32_t segments;
     double h;
-    double bounds[SHOTS]; /* of the tip's error, m: about twice what was measured */
+    double bounds[FALLING_TIPS]; /* of the tip's error, m: about twice what was measured */
 } run;
 
 static void compare(const run *c)
@@ -32,10 +26,9 @@ static void compare(const run *c)
     vbss_thread_config config = rig_config(0.15, c->segments);
     config.bending = c->bending;
     release(&r, &config);
-    for (int shot = 0; shot < SHOTS; shot++) {
+    for (int shot = 0; shot < FALLING_TIPS; shot++) {
         rig_run(&r, c->h, (uint32_t)lround(0.05 / c->h));
-        vec3 wanted = vec3_make(tip[shot][0], tip[shot][1], 0.0);
-        expect_near(0.0, vec3_distance(wanted, rig_tip(&r)), c->bounds[shot]);
+        expect_near(0.0, vec3_distance(falling_tip[shot], rig_tip(&r)), c->bounds[shot]);
     }
     for (uint32_t i = 0; i <= c->segments; i++) {
         expect_near(0.0, rig_position(&r, i).z, 0.0); /* it stays in its plane to the bit */
@@ -69,14 +62,10 @@ static void the_tip_falls_as_in_the_converged_solution(void **state)
 /* ---- order in time */
 
 enum { SEGMENTS = 12, NODES = SEGMENTS + 1, LADDER = 4 };
-typedef struct shape {
-    vec3 x[NODES], v[NODES];
-    double tension[NODES];
-} shape;
 
 /* Bending starts with a jump at the clamp, which excites waves of all frequencies: the order shows
  * only where the steps follow the fastest of them. */
-static void shape_after(vbss_bending bending, double spectral_radius, uint32_t steps, shape *s)
+static void shape_after(vbss_bending bending, double spectral_radius, uint32_t steps, rig_shape *s)
 {
     rig r;
     vbss_thread_config config = rig_config(0.15, SEGMENTS);
@@ -85,37 +74,19 @@ static void shape_after(vbss_bending bending, double spectral_radius, uint32_t s
     config.stretch_tolerance = config.position_tolerance = 1e-12;
     release(&r, &config);
     rig_run(&r, 0.1 / steps, steps);
-    rig_read(&r, VBSS_THREAD_POSITIONS, s->x);
-    rig_read(&r, VBSS_THREAD_VELOCITIES, s->v);
-    for (uint32_t i = 0; i < SEGMENTS; i++) {
-        s->tension[i] = rig_tension(&r, i);
-    }
+    *s = rig_shape_of(&r);
     rig_end(&r);
-}
-
-/* Largest differences of position, velocity, tension. */
-static vec3 difference(const shape *a, const shape *b)
-{
-    vec3 largest = vec3_zero();
-    for (uint32_t i = 0; i < NODES; i++) {
-        largest.x = fmax(largest.x, vec3_distance(a->x[i], b->x[i]));
-        largest.y = fmax(largest.y, vec3_distance(a->v[i], b->v[i]));
-        if (i < SEGMENTS) {
-            largest.z = fmax(largest.z, fabs(a->tension[i] - b->tension[i]));
-        }
-    }
-    return largest;
 }
 
 static void order_in_time(vbss_bending bending, double spectral_radius)
 {
-    shape shapes[LADDER];
+    rig_shape shapes[LADDER];
     vec3 d[LADDER - 1];
     for (int k = 0; k < LADDER; k++) {
         shape_after(bending, spectral_radius, 1000u << k, &shapes[k]);
     }
     for (int k = 0; k + 1 < LADDER; k++) {
-        d[k] = difference(&shapes[k], &shapes[k + 1]);
+        d[k] = rig_difference(&shapes[k], &shapes[k + 1]);
     }
     vec3 coarse = d[LADDER - 3], fine = d[LADDER - 2];
     expect_near(2.0, log2(coarse.x / fine.x), 0.05);

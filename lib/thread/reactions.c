@@ -1,0 +1,121 @@
+/* What attachments do to the thread: worked out at the end of each step, kept until the next. */
+#include "thread/thread.h"
+
+_Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
+
+static const uint32_t reaction_sizes[] = {56, 0};
+static const vbss_layout reaction_layout = {"vbss_thread_reaction", NULL, reaction_sizes};
+
+/* A stretched arc pulls at the direction it ends in. */
+static vec3 slope_of_arcs(const thread_object *t, uint32_t clamp)
+{
+    uint32_t node = t->clamps[clamp].node, segments = t->node_count - 1;
+    uint32_t end = node + 2 < segments ? node + 2 : segments;
+    vec3 slope = vec3_zero();
+    for (uint32_t i = node < 2 ? 0 : node - 2; i < end; i++) {
+        const thread_arc *arc = &t->arcs[i];
+        for (int c = 0; c < 2; c++) {
+            if (arc->direction[c] != 0.0 && arc->clamp[c] == clamp) {
+                double factor = 2.0 * arc->share * t->now.tension[i] * arc->direction[c];
+                slope = vec3_add_scaled(slope, factor, t->strains[i].curvature);
+            }
+        }
+    }
+    return slope;
+}
+
+static vec3 torque_of_clamp(const thread_object *t, uint32_t c)
+{
+    const thread_clamp *clamp = &t->clamps[c];
+    /* The energy's slope with the direction; the torque turns the direction against it. */
+    vec3 slope = vec3_add(slope_of_arcs(t, c), vbss_thread_rest_curvature_slope(t, clamp->node));
+    slope = vec3_add_scaled(slope, clamp->own, clamp->direction);
+    if (c + 1 < t->clamp_count) {
+        slope = vec3_add_scaled(slope, clamp->next, t->clamps[c + 1].direction);
+    }
+    if (c > 0) {
+        slope = vec3_add_scaled(slope, t->clamps[c - 1].next, t->clamps[c - 1].direction);
+    }
+    for (uint32_t k = 0; k <= 2 * THREAD_FAR; k++) {
+        if (clamp->factor[k] != 0.0) {
+            slope =
+                vec3_add_scaled(slope, clamp->factor[k], t->now.x[clamp->node + k - THREAD_FAR]);
+        }
+    }
+    return vec3_cross(clamp->direction, slope);
+}
+
+static vec3 torque_at(const thread_object *t, uint32_t node)
+{
+    for (uint32_t c = 0; c < t->clamp_count; c++) {
+        if (t->clamps[c].node == node) {
+            return torque_of_clamp(t, c);
+        }
+    }
+    return vec3_zero();
+}
+
+static vec3 spring_force(const thread_object *t, const thread_attachment *a)
+{
+    vec3 stretch = vec3_sub(a->position, t->now.x[a->node]);
+    vec3 slip = vec3_sub(a->velocity, t->now.v[a->node]);
+    return vec3_add_scaled(vec3_scale(stretch, a->stiffness), a->damping, slip);
+}
+
+/* What forces and springs do at a node that something else holds. */
+static vec3 other_forces(const thread_object *t, uint32_t node)
+{
+    vec3 sum = vec3_zero();
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        if (a->id != 0 && a->node == node && a->kind == VBSS_ATTACHMENT_FORCE) {
+            sum = vec3_add(sum, a->force);
+        } else if (a->id != 0 && a->node == node && a->kind == VBSS_ATTACHMENT_SPRING) {
+            sum = vec3_add(sum, spring_force(t, a));
+        }
+    }
+    return sum;
+}
+
+static void note(const thread_object *t, thread_attachment *a)
+{
+    bool paper = t->config.method == VBSS_METHOD_PAPER;
+    a->reaction_torque = vec3_zero();
+    if (vbss_thread_holds(a->kind)) {
+        a->reaction =
+            paper ? vbss_thread_paper_force(t, a->node) /* without what else pulls there */
+                  : vec3_sub(vbss_thread_implicit_force(t, a->node), other_forces(t, a->node));
+        a->reaction_torque = paper ? vbss_thread_paper_torque(t, a->node) : torque_at(t, a->node);
+    } else if (a->kind == VBSS_ATTACHMENT_FORCE) {
+        a->reaction = a->force;
+    } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
+        a->reaction = spring_force(t, a);
+    } else {
+        vec3 slowed = vec3_add_scaled(t->now.q[a->node], t->config.drag, t->now.v[a->node]);
+        a->reaction = vec3_scale(vec3_sub(t->gravity, slowed), a->mass);
+    }
+}
+
+void vbss_thread_note_reactions(thread_object *t)
+{
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        if (t->attachments[i].id != 0) {
+            note(t, &t->attachments[i]);
+        }
+    }
+}
+
+vbss_result vbss_thread_get_reaction(vbss_thread *thread, uint32_t id,
+                                     vbss_thread_reaction *reaction, uint32_t struct_size)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_open(thread, &t));
+    const thread_attachment *a = vbss_thread_find_attachment(t, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    vbss_thread_reaction own = {.struct_size = sizeof own, .node = a->node};
+    vec3_store(own.force, a->reaction);
+    vec3_store(own.torque, a->reaction_torque);
+    return vbss_struct_write(t->context, &reaction_layout, &own, reaction, struct_size);
+}
