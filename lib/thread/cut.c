@@ -94,11 +94,12 @@ static void divide_attachments(thread_object *t, thread_object *piece, uint32_t 
 vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
 {
     thread_object *t;
-    if (piece != NULL) {
-        *piece = NULL;
+    if (piece == NULL) {
+        VBSS_TRY(vbss_thread_edit(thread, &t));
+        return vbss_check_pointer(t->context, piece, "piece");
     }
+    *piece = NULL;
     VBSS_TRY(vbss_thread_edit(thread, &t));
-    VBSS_TRY(vbss_check_pointer(t->context, piece, "piece"));
     double length = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         length += t->rest[i];

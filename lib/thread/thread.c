@@ -300,11 +300,12 @@ static void place_nodes(thread_object *t, const vbss_thread_config *c)
 vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
                                vbss_thread **thread)
 {
-    if (thread != NULL) {
-        *thread = NULL;
+    if (thread == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, thread, "thread");
     }
+    *thread = NULL;
     VBSS_TRY(vbss_context_open(context));
-    VBSS_TRY(vbss_check_pointer(context, thread, "thread"));
     VBSS_TRY(vbss_context_edit(context));
     vbss_thread_config own;
     VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
