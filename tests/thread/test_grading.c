@@ -32,8 +32,12 @@ static void any_grading_keeps_its_promises(harness_source *source, void *user)
     (void)user;
     static graded g;
     draw(source, &g);
-    expect_ok(grade(&g, ROOM));
-    assert_in_range(g.count, 1, ROOM);
+    vbss_result result = grade(&g, ROOM);
+    expect_result(g.count > ROOM ? VBSS_ERROR_CAPACITY : VBSS_OK, result);
+    if (g.count > ROOM) {
+        return;
+    }
+    assert_true(g.count >= 1);
     double sum = 0.0;
     for (uint32_t i = 0; i < g.count; i++) {
         /* Scaled down to fit, to no less than half, never up. */
