@@ -81,7 +81,7 @@ typedef struct vbss_thread_config {
      * for a straight thread from start along direction. Copied. */
     const double *positions;
     /** Method OURS: spectral radius at infinite frequency of the time integration, 0 (strongest
-     * damping) to 1 (none); default 0.5. Stiff motion may gain energy near 1. */
+     * damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain energy. */
     double spectral_radius;
     /** Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2; default 1e-6. */
     double stretch_tolerance;

@@ -141,12 +141,14 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
         if (stream.position != payload) {
             vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "data follow the state");
         }
-        result = told(slot, &stream, "restore");
-        if (result != VBSS_OK) {
+        const vbss_stream found = stream;
+        if (found.result != VBSS_OK) {
+            /* Before it is told: a log callback may look at the object. */
             vbss_stream_begin_read(&stream, backup, backup_bytes);
             stream.trusted = true;
             visit(&stream, slot);
         }
+        result = told(slot, &found, "restore");
     }
     vbss_release(context, backup, backup_bytes, 1);
     return result;

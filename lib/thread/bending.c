@@ -117,13 +117,6 @@ static void eliminate(thread_object *t, const stretch *s, const thread_moment *m
     }
 }
 
-/* Stretches so short that both eliminations together would reach too far have one less. */
-static uint32_t exact_at_high_end(uint32_t wanted, uint32_t left, uint32_t count)
-{
-    uint32_t exact = count < 7 && wanted > 1 ? 1 : wanted;
-    return exact > left ? left : exact;
-}
-
 /* A moment beside those that were eliminated is eliminated as well, with the next one taken as its
  * turn over its row sum: then the energy is exact for a curvature that is linear there. */
 static void close_up(thread_object *t, const stretch *s, const thread_moment *m, double coupling,
@@ -179,10 +172,13 @@ static void add_neumann(thread_object *t, const stretch *s, uint32_t begin, uint
 static void add_stretch(thread_object *t, const stretch *s)
 {
     bool spline = t->config.bending == VBSS_BENDING_SPLINE;
-    uint32_t wanted = spline ? 2 : 1; /* moments eliminated exactly at a clamp */
+    bool both = s->clamps[0] != NULL && s->clamps[1] != NULL;
     /* Moments stand at all nodes but free ends. */
     uint32_t begin = s->low + (s->clamps[0] == NULL), end = s->high + (s->clamps[1] != NULL);
     uint32_t count = end > begin ? end - begin : 0;
+    /* Moments eliminated exactly at a clamp. With five segments between two clamps the closures of both
+     * would reach too far. */
+    uint32_t wanted = spline && !(both && count == 6) ? 2 : 1;
     thread_moment *m = t->moments;
     for (uint32_t k = 0; k < count; k++) {
         set_moment(t, s, begin + k, &m[k]);
@@ -191,8 +187,7 @@ static void add_stretch(thread_object *t, const stretch *s)
     for (uint32_t k = 0; s->clamps[0] != NULL && k < wanted && low < high; k++, low++) {
         eliminate(t, s, &m[low], m[low].after, low + 1 < high ? &m[low + 1] : NULL);
     }
-    uint32_t exact = exact_at_high_end(s->clamps[1] != NULL ? wanted : 0, high - low, count);
-    for (uint32_t k = 0; k < exact; k++, high--) {
+    for (uint32_t k = 0; s->clamps[1] != NULL && k < wanted && low < high; k++, high--) {
         bool more = high - 1 > low;
         eliminate(t, s, &m[high - 1], more ? m[high - 2].after : 0.0, more ? &m[high - 2] : NULL);
     }

@@ -17,6 +17,8 @@ enum { SMOOTH_ITERATIONS = 4, SETTLING_STEPS = 2 };
 enum { REST_PULL_UPDATES = 30 };
 /* Strain beyond the tension's that the prediction of a smooth motion does not reach. */
 #define SMOOTH_STRAIN 0.03
+/* The same for what follows the short first part of a start, whose accelerations hold for that only. */
+#define STARTING_STRAIN 1e-3
 /* Strain from which a prediction is no start for the iteration. */
 #define HOPELESS_STRAIN 0.5
 /* More compression than any thread carries. */
@@ -99,7 +101,7 @@ static bool predict(thread_object *t, thread_stage *stage)
         t->statistics.softened++;
     }
     stage->sound_strain = strain + HOPELESS_STRAIN;
-    return !hopeless && strain <= SMOOTH_STRAIN;
+    return !hopeless && strain <= (t->last_part == 0.0 ? STARTING_STRAIN : SMOOTH_STRAIN);
 }
 
 /* Moves the trial state by the solution. Returns the largest distance that forces left out of balance
@@ -164,18 +166,20 @@ static double with_less_compression(const thread_stage *stage)
     return stage->least_pull < inside ? inside : stage->least_pull < at_end ? at_end : 0.0;
 }
 
-/* What rest curvature pulls in the trial state; returns by how much a node's pull has changed. Where a
- * thread is nearly straight its direction may flip for ever, so it stays after some linearisations. */
-static double update_rest_pull(thread_object *t)
+/* What rest curvature pulls in the trial state. Where a thread is nearly straight its direction may flip
+ * for ever, so it stays after some linearisations. */
+static void update_rest_pull(thread_object *t)
 {
-    vec3 *pull = t->curvatures; /* a view, which is old when a step is made */
+    memset(t->rest_pull, 0, t->node_count * sizeof *t->rest_pull);
+    vbss_thread_add_rest_curvature(t, t->trial, t->rest_pull);
+}
+
+static double largest_increment(const thread_object *t)
+{
     double largest = 0.0;
-    memset(pull, 0, t->node_count * sizeof *pull);
-    vbss_thread_add_rest_curvature(t, t->trial, pull);
     for (uint32_t i = 0; i < t->node_count; i++) {
-        double change = vec3_distance(pull[i], t->rest_pull[i]);
-        largest = change > largest ? change : largest;
-        t->rest_pull[i] = pull[i];
+        double moved = vec3_norm(t->system->solution[i]);
+        largest = moved > largest ? moved : largest;
     }
     return largest;
 }
@@ -183,9 +187,8 @@ static double update_rest_pull(thread_object *t)
 static outcome iterate(thread_object *t, thread_stage *stage)
 {
     const bool curved = t->config.rest_curvature > 0.0;
-    const double density = t->config.linear_density * stage->integration->inertia;
     if (curved) {
-        (void)update_rest_pull(t);
+        update_rest_pull(t);
     }
     for (uint32_t k = 0; k < t->config.iteration_limit; k++) {
         t->statistics.iterations++;
@@ -199,8 +202,10 @@ static outcome iterate(thread_object *t, thread_stage *stage)
         }
         double left = advance(t, stage);
         if (curved && k < REST_PULL_UPDATES) {
-            double late = update_rest_pull(t) / (density * t->shortest_rest);
-            left = late > left ? late : left;
+            /* The pull follows the shape late: nothing is known until the shape stands. */
+            double moved = largest_increment(t);
+            left = moved > left ? moved : left;
+            update_rest_pull(t);
         }
         vbss_thread_measure(t, t->trial, t->strains);
         double error = vbss_thread_note_stretch(t, t->trial_tension);

@@ -31,6 +31,7 @@ static bend bend_of(double cosine)
         c = FOLD;
     }
     double inverse = 1.0 / c;
+    c = c < 2.0 ? c : 2.0; /* of a straight thread, but for rounding */
     bend b = {0.0, 8.0 * inverse * inverse};
     b.square = 4.0 * (2.0 - c) * inverse + b.slope * beyond;
     return b;

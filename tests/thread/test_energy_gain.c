@@ -199,9 +199,39 @@ static void springing_about_its_rest_curvature_gains_nothing(void **state)
     }
 }
 
+/* Pulled by some mN, which is hardly any strain, and let go at one end. */
+static void a_thread_let_go_gains_nothing(void **state)
+{
+    (void)state;
+    for (int n = 15; n <= 120; n *= 2) {
+        for (int k = 0; k < 4; k++) {
+            const double pulls[] = {1e-3, 2e-3, 8e-3, 1.0}, pull = pulls[k];
+            fixture f;
+            begin(&f);
+            f.config.segment_count = (uint32_t)n;
+            f.config.length = 0.15;
+            f.config.gravity[1] = 0.0;
+            vbss_thread *thread = make(&f);
+            double stretched = 0.15 * (1.0 + pull / f.config.axial_stiffness);
+            hold(thread, VBSS_ATTACHMENT_PIN, 0, vec3_zero());
+            uint32_t far =
+                hold(thread, VBSS_ATTACHMENT_PIN, (uint32_t)n, vec3_make(stretched, 0.0, 0.0));
+            steps(thread, 200, 2e-3);
+            double first = energies_of(thread).total;
+            expect_ok(vbss_thread_detach(thread, far));
+            for (int i = 0; i < 20; i++) {
+                steps(thread, 1, 2e-3);
+                assert_true(energies_of(thread).total <= 1.02 * first);
+            }
+            end(&f);
+        }
+    }
+}
+
 int test_energy_gain(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_thread_let_go_gains_nothing),
         cmocka_unit_test(whirling_in_equal_steps_gains_nothing),
         cmocka_unit_test(whirling_in_unequal_steps_gains_nothing),
         cmocka_unit_test(a_thread_pulled_along_itself_comes_to_rest),

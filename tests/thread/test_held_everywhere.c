@@ -184,9 +184,49 @@ static void the_order_of_attaching_does_not_matter(void **state)
     }
 }
 
+/* A zigzag clamped at one end, and the same described from its other end. */
+static double zigzag_energy(uint32_t segments, bool from_far, int clamps)
+{
+    fixture f;
+    double x[3 * 10];
+    begin(&f);
+    for (uint32_t i = 0; i <= segments; i++) {
+        uint32_t k = from_far ? segments - i : i;
+        vec3_store(x + 3 * (size_t)i,
+                   vec3_make(0.9e-3 * k, k % 2 == 0 ? 0.0 : 0.2e-3, 1e-5 * k * k));
+    }
+    f.config.segment_count = segments;
+    f.config.length = 1e-3 * segments;
+    f.config.positions = x;
+    vbss_thread *thread = make(&f);
+    for (int c = 0; c < clamps; c++) {
+        uint32_t near = c == 0 ? 0 : segments, node = from_far ? segments - near : near;
+        vbss_thread_attachment a = plain(VBSS_ATTACHMENT_CLAMP, node);
+        vec3_store(a.position, place_of(thread, node));
+        vec3 way = c == 0 ? vec3_make(1.0, 0.3, 0.1) : vec3_make(1.0, -0.2, 0.4);
+        vec3_store(a.direction, from_far ? vec3_neg(way) : way);
+        attach(thread, &a);
+    }
+    double bending = energies_of(thread).bending;
+    end(&f);
+    return bending;
+}
+
+static void both_ends_are_alike(void **state)
+{
+    (void)state;
+    for (int clamps = 1; clamps <= 2; clamps++) {
+        for (uint32_t segments = 1; segments <= 9; segments++) {
+            double near = zigzag_energy(segments, false, clamps);
+            expect_near(near, zigzag_energy(segments, true, clamps), 1e-9 * near);
+        }
+    }
+}
+
 int test_held_everywhere(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(both_ends_are_alike),
         cmocka_unit_test(the_energy_of_a_clamped_arc_is_right_at_every_length),
         cmocka_unit_test(clamps_stand_at_any_distance_in_a_moving_thread),
         cmocka_unit_test(every_node_takes_a_spring_a_pin_or_a_clamp),

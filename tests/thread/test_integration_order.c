@@ -196,6 +196,7 @@ static double drag_error(double h)
     double drag = 8.0, worst = 0.0;
     vbss_thread_config config = rig_config(0.15, SEGMENTS);
     config.drag = drag;
+    config.spectral_radius = 0.5;
     rig_begin(&r, &config);
     rig_mass(&r, 2, 1e-4); /* falls with it, and is dragged as it is */
     for (int step = 1; step * h <= 1.0; step++) {

@@ -309,9 +309,28 @@ static void a_clamped_thread_shows_its_curvature(void **state)
     }
 }
 
+/* Cosines of straight turns round to beyond one. */
+static void a_straight_thread_has_no_bending_in_any_direction(void **state)
+{
+    (void)state;
+    vbss_random random;
+    vbss_random_seed(&random, 1, 2);
+    for (int k = 0; k < 200; k++) {
+        rig r;
+        vbss_thread_config config = paper(20);
+        config.rest_curvature = k % 2 == 0 ? 0.0 : 1e-3;
+        vec3_store(config.direction, vbss_random_direction(&random));
+        rig_begin(&r, &config);
+        expect_near(0.0, rig_energies(&r).bending, 1e-15);
+        rig_run(&r, 1e-4, 1);
+        rig_end(&r);
+    }
+}
+
 int test_paper_sections(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_straight_thread_has_no_bending_in_any_direction),
         cmocka_unit_test(a_clamped_thread_shows_its_curvature),
         harness_test(free_section_keeps_its_lengths_and_momenta),
         harness_test(damping_acts_on_each_section_alone),

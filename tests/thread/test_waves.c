@@ -117,6 +117,7 @@ static void drive_chain(uint32_t n, double *tip_error, double *force_error)
     double force = -density * sqrt(gravity * 0.15) * drive * share * reference_bessel(1, at_end);
     vbss_thread_config config = rig_config(0.15, n);
     config.stretch_tolerance = config.position_tolerance = 1e-12;
+    config.spectral_radius = 0.5;
     config.bending_stiffness = 0.0;
     config.direction[0] = 0.0;
     config.direction[1] = -1.0;
