@@ -128,7 +128,8 @@ static double stretch(void *thread)
 
 const cantilever_method cantilever_ours = {
     .name = "ours",
-    .note = "method OURS with its defaults: spline bending, generalised alpha of radius 0.5",
+    .note =
+        "method OURS with its defaults: spline bending, generalised alpha with its default radius",
     .create = create_spline,
     .step = step,
     .tip = tip,
