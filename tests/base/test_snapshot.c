@@ -184,6 +184,44 @@ static void a_state_its_own_visitor_refuses_can_be_left_but_not_saved(void **sta
     end_small(&life);
 }
 
+/* What a log callback finds when it looks at the object it is told about. */
+typedef struct witness {
+    const double *looks_at;
+    double saw;
+    int calls;
+} witness;
+
+static void look(void *user, vbss_log_level level, const char *message)
+{
+    witness *w = user;
+    (void)level;
+    (void)message;
+    w->saw = *w->looks_at;
+    w->calls++;
+}
+
+static void a_refused_restore_is_undone_before_it_is_told(void **state)
+{
+    (void)state;
+    small_life life;
+    double values[3] = {1.0, 2.0, 3.0};
+    witness w = {values, 0.0, 0};
+    memset(&life, 0, sizeof life);
+    vbss_context_config config = harness_watched_config(&life.memory);
+    config.log = look;
+    config.log_user = &w;
+    config.log_level = VBSS_LOG_ERROR;
+    expect_ok(vbss_context_create(&config, &life.context));
+    expect_ok(vbss_slot_create(life.context, &picky_kind, values, &life.slot));
+    expect_ok(vbss_snapshot_save(life.slot, life.bytes, sizeof life.bytes, &life.written));
+    life.bytes[16 + 8 + 8 + 7] ^= 0x80; /* the sign of 1.0 */
+    harness_seal_snapshot(life.bytes, life.written);
+    expect_result(VBSS_ERROR_CORRUPT, restore_small(&life));
+    assert_int_equal(w.calls, 1);
+    expect_same_bits(1.0, w.saw);
+    end_small(&life);
+}
+
 static void buffers_that_are_too_small_are_not_touched(void **state)
 {
     (void)state;
@@ -312,6 +350,7 @@ int test_snapshot(void)
         harness_test(the_state_of_another_size_is_refused_by_name),
         harness_test(the_way_back_keeps_even_a_broken_state),
         harness_test(a_state_its_own_visitor_refuses_can_be_left_but_not_saved),
+        harness_test(a_refused_restore_is_undone_before_it_is_told),
         harness_test(buffers_that_are_too_small_are_not_touched),
         harness_test(nothing_is_restored_inside_a_callback),
         harness_test(another_format_is_told),
