@@ -193,8 +193,8 @@ typedef struct vbss_thread_statistics {
     uint64_t rejections;      /**< OURS: tries that were undone and halved. */
     uint64_t forced;          /**< OURS: substeps accepted unconverged, at the last halving. */
     uint64_t fallbacks; /**< PAPER: sections that did not converge, point constraints alone. */
-    /** OURS: linearisations made again with less compression, and parts that started from the old
-     * positions as the prediction turned a segment over. */
+    /** OURS: linearisations made again with less compression, parts that started from the old positions
+     * as the prediction was no start, and parts in which the pull of rest curvature was held. */
     uint64_t softened;
     /** OURS: max |length / rest length - 1 - T / EA| after the last step; PAPER: max |length / rest
      * length - 1|. */

@@ -87,6 +87,15 @@ vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, 
 #define VBSS_ALIGNMENT 64u
 void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char *what);
 void vbss_release(vbss_context *context, void *block, size_t count, size_t size);
+/* Many arrays of one object, from a table that says what there is. Those that could not be had are NULL
+ * if the object was zeroed; release them all the same. */
+typedef struct vbss_array {
+    void *pointer; /* address of the object's pointer to the array */
+    size_t count, size;
+} vbss_array;
+vbss_result vbss_allocate_arrays(vbss_context *context, const vbss_array *arrays, size_t count,
+                                 const char *what);
+void vbss_release_arrays(vbss_context *context, const vbss_array *arrays, size_t count);
 
 /* ---- arena (arena.c): memory for one step, taken from one block allocated beforehand. */
 typedef struct vbss_arena {

@@ -29,6 +29,12 @@ typedef struct pose {
     quat orientation;
 } pose;
 
+/* The larger of two, NaN once one of them was: for maxima that must not hide what is broken. */
+static inline double vbss_larger(double a, double b)
+{
+    return a > b || a != a ? a : b;
+}
+
 /* ---- vec3 */
 
 static inline vec3 vec3_make(double x, double y, double z)

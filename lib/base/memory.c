@@ -99,3 +99,25 @@ void vbss_release(vbss_context *context, void *block, size_t count, size_t size)
         release(context, block, bytes);
     }
 }
+
+vbss_result vbss_allocate_arrays(vbss_context *context, const vbss_array *arrays, size_t count,
+                                 const char *what)
+{
+    for (size_t i = 0; i < count; i++) {
+        void *block = vbss_allocate(context, arrays[i].count, arrays[i].size, what);
+        if (block == NULL) {
+            return VBSS_ERROR_OUT_OF_MEMORY;
+        }
+        memcpy(arrays[i].pointer, &block, sizeof block);
+    }
+    return VBSS_OK;
+}
+
+void vbss_release_arrays(vbss_context *context, const vbss_array *arrays, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        void *block;
+        memcpy(&block, arrays[i].pointer, sizeof block);
+        vbss_release(context, block, arrays[i].count, arrays[i].size);
+    }
+}

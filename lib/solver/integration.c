@@ -35,3 +35,42 @@ vbss_integration vbss_integration_backward_euler(double h)
     i.x_a = i.v_a = 0.0; /* exactly: what was known of accelerations is forgotten */
     return i;
 }
+
+/* ---- the recursion, in long loops over what is the same for all numbers */
+
+void vbss_integration_predict(const vbss_integration *integration, size_t count, const double *x,
+                              const double *v, const double *a, const double *q,
+                              double *x_predicted, double *v_predicted, double *a_predicted)
+{
+    const vbss_integration c = *integration;
+    for (size_t i = 0; i < count; i++) {
+        x_predicted[i] = x[i] + c.h * v[i] + c.x_a * a[i] + c.x_q * q[i];
+    }
+    for (size_t i = 0; i < count; i++) {
+        v_predicted[i] = v[i] + c.v_a * a[i] + c.v_q * q[i];
+    }
+    for (size_t i = 0; i < count; i++) {
+        a_predicted[i] = c.a_a * a[i] + c.a_q * q[i];
+    }
+}
+
+static double still(double speed)
+{
+    return fabs(speed) > VBSS_STILL ? speed : 0.0;
+}
+
+void vbss_integration_follow(const vbss_integration *integration, size_t count, const double *x,
+                             const double *x_predicted, const double *v_predicted,
+                             const double *a_predicted, double *v, double *a, double *q)
+{
+    const vbss_integration c = *integration;
+    for (size_t i = 0; i < count; i++) {
+        v[i] = still(v_predicted[i] + c.rate * (x[i] - x_predicted[i]));
+    }
+    for (size_t i = 0; i < count; i++) {
+        a[i] = still(a_predicted[i] + c.follow * (x[i] - x_predicted[i]));
+    }
+    for (size_t i = 0; i < count; i++) {
+        q[i] = still(c.inertia * (x[i] - x_predicted[i]));
+    }
+}

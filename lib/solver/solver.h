@@ -50,19 +50,16 @@ typedef struct vbss_integration {
 } vbss_integration;
 vbss_integration vbss_integration_generalised_alpha(double h, double spectral_radius);
 vbss_integration vbss_integration_backward_euler(double h);
-static inline vec3 integration_position(const vbss_integration *i, vec3 x, vec3 v, vec3 a, vec3 q)
-{
-    vec3 p = vec3_add_scaled(x, i->h, v);
-    return vec3_add_scaled(vec3_add_scaled(p, i->x_a, a), i->x_q, q);
-}
-static inline vec3 integration_velocity(const vbss_integration *i, vec3 v, vec3 a, vec3 q)
-{
-    return vec3_add_scaled(vec3_add_scaled(v, i->v_a, a), i->v_q, q);
-}
-static inline vec3 integration_acceleration(const vbss_integration *i, vec3 a, vec3 q)
-{
-    return vec3_add(vec3_scale(a, i->a_a), vec3_scale(q, i->a_q));
-}
+/* Below this, speeds (m/s) and accelerations (m/s^2) become zero: subnormal numbers cost time. */
+#define VBSS_STILL 1e-30
+/* Numbers one behind the other, three a node. Predictions from the state at the begin; and what follows
+ * for v, a and q once the positions at the end are found. The arrays do not overlap. */
+void vbss_integration_predict(const vbss_integration *integration, size_t count, const double *x,
+                              const double *v, const double *a, const double *q,
+                              double *x_predicted, double *v_predicted, double *a_predicted);
+void vbss_integration_follow(const vbss_integration *integration, size_t count, const double *x,
+                             const double *x_predicted, const double *v_predicted,
+                             const double *a_predicted, double *v, double *a, double *q);
 
 /* ---- the system */
 

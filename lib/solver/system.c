@@ -6,17 +6,13 @@
 /* ---- memory: one table says what there is */
 
 enum { PARTS = 21 };
-typedef struct part {
-    void *array; /* address of the pointer */
-    size_t count, size;
-} part;
 
-static void list_parts(vbss_system *s, part parts[PARTS])
+static void list_parts(vbss_system *s, vbss_array parts[PARTS])
 {
     size_t blocks = s->block_capacity, entries = s->entry_capacity;
     size_t numbers = entries + s->coupling_capacity + 1, separators = s->separator_capacity;
     size_t pairs = s->pair_capacity;
-    const part all[PARTS] = {
+    const vbss_array all[PARTS] = {
         {&s->roles, blocks, sizeof *s->roles},
         {&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
@@ -59,15 +55,12 @@ vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t 
     s->coupling_capacity = blocks * reach + pairs;
     s->entry_capacity = blocks * rows + pairs;
     s->product_capacity = blocks * (rows * (rows - 1) / 2);
-    part parts[PARTS];
+    vbss_array parts[PARTS];
     list_parts(s, parts);
-    for (int i = 0; i < PARTS; i++) {
-        void *array = vbss_allocate(context, parts[i].count, parts[i].size, "system");
-        memcpy(parts[i].array, &array, sizeof array);
-        if (array == NULL) {
-            vbss_system_destroy(context, s);
-            return VBSS_ERROR_OUT_OF_MEMORY;
-        }
+    vbss_result result = vbss_allocate_arrays(context, parts, PARTS, "system");
+    if (result != VBSS_OK) {
+        vbss_system_destroy(context, s);
+        return result;
     }
     *system = s;
     return VBSS_OK;
@@ -78,13 +71,9 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system)
     if (system == NULL) {
         return;
     }
-    part parts[PARTS];
+    vbss_array parts[PARTS];
     list_parts(system, parts);
-    for (int i = 0; i < PARTS; i++) {
-        void *array;
-        memcpy(&array, parts[i].array, sizeof array);
-        vbss_release(context, array, parts[i].count, parts[i].size);
-    }
+    vbss_release_arrays(context, parts, PARTS);
     vbss_release(context, system, 1, sizeof *system);
 }
 

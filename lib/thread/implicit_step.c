@@ -26,25 +26,6 @@ enum { REST_PULL_UPDATES = 30 };
 
 /* ---- one try */
 
-/* Components one behind the other: what is the same for all of them is done in long loops. */
-static void predict_free_motion(thread_object *t, const vbss_integration *in)
-{
-    const double *x = &t->now.x->x, *v = &t->now.v->x, *a = &t->now.a->x, *q = &t->now.q->x;
-    double *x_predicted = &t->x_predicted->x, *v_predicted = &t->v_predicted->x;
-    double *a_predicted = &t->a_predicted->x;
-    const vbss_integration c = *in;
-    size_t count = 3 * (size_t)t->node_count;
-    for (size_t i = 0; i < count; i++) {
-        x_predicted[i] = x[i] + c.h * v[i] + c.x_a * a[i] + c.x_q * q[i];
-    }
-    for (size_t i = 0; i < count; i++) {
-        v_predicted[i] = v[i] + c.v_a * a[i] + c.v_q * q[i];
-    }
-    for (size_t i = 0; i < count; i++) {
-        a_predicted[i] = c.a_a * a[i] + c.a_q * q[i];
-    }
-}
-
 /* A segment that is turned over at the start of the iteration stays so: a fold that nothing made. */
 static bool turns_a_segment_over(const thread_object *t)
 {
@@ -71,7 +52,7 @@ static double strain_beyond_tension(const thread_object *t)
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         double strain = t->strains[i].excess * t->inverse_rest[i];
         double beyond = fabs(strain - t->now.tension[i] * compliance);
-        largest = beyond > largest || beyond != beyond ? beyond : largest; /* NaN stays */
+        largest = vbss_larger(beyond, largest);
     }
     return largest;
 }
@@ -81,7 +62,9 @@ static double strain_beyond_tension(const thread_object *t)
  * positions. */
 static bool predict(thread_object *t, thread_stage *stage)
 {
-    predict_free_motion(t, stage->integration);
+    vbss_integration_predict(stage->integration, 3 * (size_t)t->node_count, &t->now.x->x,
+                             &t->now.v->x, &t->now.a->x, &t->now.q->x, &t->x_predicted->x,
+                             &t->v_predicted->x, &t->a_predicted->x);
     memcpy(t->trial, t->x_predicted, t->node_count * sizeof *t->trial);
     memcpy(t->trial_tension, t->now.tension, t->node_count * sizeof *t->trial_tension);
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
@@ -135,7 +118,7 @@ static double advance(thread_object *t, const thread_stage *stage)
         /* The tension's turn was taken with the old tension, and to first order. */
         double left = turned * (fabs(tension - pull) + 0.5 * fabs(tension) * turned);
         left *= mobility * inverse_rest;
-        largest = left > largest || left != left ? left : largest; /* NaN stays */
+        largest = vbss_larger(left, largest);
         t->trial_tension[i] = tension;
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
@@ -178,8 +161,7 @@ static double largest_increment(const thread_object *t)
 {
     double largest = 0.0;
     for (uint32_t i = 0; i < t->node_count; i++) {
-        double moved = vec3_norm(t->system->solution[i]);
-        largest = moved > largest ? moved : largest;
+        largest = vbss_larger(vec3_norm(t->system->solution[i]), largest);
     }
     return largest;
 }
@@ -203,9 +185,9 @@ static outcome iterate(thread_object *t, thread_stage *stage)
         double left = advance(t, stage);
         if (curved && k < REST_PULL_UPDATES) {
             /* The pull follows the shape late: nothing is known until the shape stands. */
-            double moved = largest_increment(t);
-            left = moved > left ? moved : left;
+            left = vbss_larger(largest_increment(t), left);
             update_rest_pull(t);
+            t->statistics.softened += k + 1 == REST_PULL_UPDATES; /* from now on it stays */
         }
         vbss_thread_measure(t, t->trial, t->strains);
         double error = vbss_thread_note_stretch(t, t->trial_tension);
@@ -217,11 +199,6 @@ static outcome iterate(thread_object *t, thread_stage *stage)
         }
     }
     return UNCONVERGED;
-}
-
-static double still(double speed)
-{
-    return fabs(speed) > THREAD_STILL ? speed : 0.0;
 }
 
 /* Where the last try found nothing sound: all free nodes stop where they are; counted with `forced`.
@@ -261,22 +238,11 @@ static void set_held_motion(thread_object *t, const vbss_integration *in)
 static void commit(thread_object *t, const vbss_integration *in)
 {
     set_held_motion(t, in);
-    const double *x = &t->trial->x, *x_predicted = &t->x_predicted->x;
-    const double *v_predicted = &t->v_predicted->x, *a_predicted = &t->a_predicted->x;
-    double *v = &t->now.v->x, *a = &t->now.a->x, *q = &t->now.q->x;
-    const vbss_integration c = *in;
-    size_t count = 3 * (size_t)t->node_count;
     memcpy(t->now.x, t->trial, t->node_count * sizeof *t->trial);
     memcpy(t->now.tension, t->trial_tension, t->node_count * sizeof *t->trial_tension);
-    for (size_t i = 0; i < count; i++) {
-        v[i] = still(v_predicted[i] + c.rate * (x[i] - x_predicted[i]));
-    }
-    for (size_t i = 0; i < count; i++) {
-        a[i] = still(a_predicted[i] + c.follow * (x[i] - x_predicted[i]));
-    }
-    for (size_t i = 0; i < count; i++) {
-        q[i] = still(c.inertia * (x[i] - x_predicted[i]));
-    }
+    vbss_integration_follow(in, 3 * (size_t)t->node_count, &t->trial->x, &t->x_predicted->x,
+                            &t->v_predicted->x, &t->a_predicted->x, &t->now.v->x, &t->now.a->x,
+                            &t->now.q->x);
     if (t->config.damping > 0.0) {
         /* Implicit in the rate: stable for any of them. */
         double share = t->config.damping * in->h / (1.0 + t->config.damping * in->h);
@@ -322,7 +288,7 @@ static attempt try_part(thread_object *t, double h, double begin, double end)
     if (!a.damped) {
         a.integration = vbss_integration_generalised_alpha(length, t->config.spectral_radius);
         a.damped = !predict(t, &stage);
-        t->settling = a.damped ? SETTLING_STEPS + 1 : 0;
+        t->settling = a.damped ? SETTLING_STEPS + 1 : 0; /* it was 0 */
     }
     if (a.damped) {
         a.integration = vbss_integration_backward_euler(length);

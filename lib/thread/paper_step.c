@@ -158,7 +158,7 @@ static void note_stretch(thread_object *t)
 
 static vec3 still(vec3 v)
 {
-    bool moving = fabs(v.x) > THREAD_STILL || fabs(v.y) > THREAD_STILL || fabs(v.z) > THREAD_STILL;
+    bool moving = fabs(v.x) > VBSS_STILL || fabs(v.y) > VBSS_STILL || fabs(v.z) > VBSS_STILL;
     return moving ? v : vec3_zero();
 }
 

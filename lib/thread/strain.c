@@ -32,12 +32,6 @@ void vbss_thread_measure(const thread_object *t, const vec3 *x, thread_strain *s
     }
 }
 
-/* The larger of two, NaN once one of them was. */
-static double larger(double a, double b)
-{
-    return a > b || a != a ? a : b;
-}
-
 double vbss_thread_note_stretch(thread_object *t, const double *tension)
 {
     double largest_error = 0.0, largest = 0.0, compliance = 1.0 / t->config.axial_stiffness;
@@ -45,7 +39,7 @@ double vbss_thread_note_stretch(thread_object *t, const double *tension)
         double stretch = t->strains[i].excess * t->inverse_rest[i];
         double error = fabs(stretch - tension[i] * compliance);
         largest = stretch > largest ? stretch : largest;
-        largest_error = larger(error, largest_error);
+        largest_error = vbss_larger(error, largest_error);
     }
     t->statistics.last_stretch = largest;
     t->statistics.last_stretch_error = largest_error;

@@ -132,17 +132,13 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 /* ---- memory: one table says what there is */
 
 enum { PARTS = 33 };
-typedef struct part {
-    void *array; /* address of the pointer */
-    size_t count, size;
-} part;
 
-static size_t list_parts(thread_object *t, part parts[PARTS])
+static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
 {
     size_t n = t->node_capacity;
     bool ours = t->config.method == VBSS_METHOD_OURS;
     size_t implicit = ours ? n : 0;
-    const part all[] = {
+    const vbss_array all[] = {
         {&t->rest, n, sizeof *t->rest},
         {&t->now.x, n, sizeof(vec3)},
         {&t->now.v, n, sizeof(vec3)},
@@ -175,7 +171,7 @@ static size_t list_parts(thread_object *t, part parts[PARTS])
         {&t->clamps, t->config.attachment_capacity, sizeof *t->clamps},
         {&t->couplings, implicit, sizeof *t->couplings},
     };
-    _Static_assert(sizeof all <= PARTS * sizeof(part), "the table is long enough");
+    _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
     memcpy(parts, all, sizeof all);
     return sizeof all / sizeof all[0];
 }
@@ -193,25 +189,18 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     t->config.rest_lengths = t->config.positions = NULL;
     t->node_capacity = node_capacity;
     t->gravity = vec3_load(config->gravity);
-    part parts[PARTS];
+    vbss_array parts[PARTS];
     size_t count = list_parts(t, parts);
-    for (size_t i = 0; i < count; i++) {
-        void *array = vbss_allocate(context, parts[i].count, parts[i].size, "thread");
-        if (array == NULL) {
-            vbss_thread_free(context, t);
-            return VBSS_ERROR_OUT_OF_MEMORY;
-        }
-        memcpy(parts[i].array, &array, sizeof array);
-    }
-    if (config->method == VBSS_METHOD_OURS) {
+    vbss_result result = vbss_allocate_arrays(context, parts, count, "thread");
+    if (result == VBSS_OK && config->method == VBSS_METHOD_OURS) {
         /* A spring makes a group of separators, which is coupled with the next on either side. */
         uint32_t separators = THREAD_REACH * config->attachment_capacity;
-        vbss_result result = vbss_system_create(context, node_capacity, THREAD_REACH, separators,
-                                                3 * THREAD_REACH * separators, &t->system);
-        if (result != VBSS_OK) {
-            vbss_thread_free(context, t);
-            return result;
-        }
+        result = vbss_system_create(context, node_capacity, THREAD_REACH, separators,
+                                    3 * THREAD_REACH * separators, &t->system);
+    }
+    if (result != VBSS_OK) {
+        vbss_thread_free(context, t);
+        return result;
     }
     *thread = t;
     return VBSS_OK;
@@ -219,13 +208,9 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
 
 static void free_memory(vbss_context *context, thread_object *t)
 {
-    part parts[PARTS];
+    vbss_array parts[PARTS];
     size_t count = list_parts(t, parts);
-    for (size_t i = 0; i < count; i++) {
-        void *array;
-        memcpy(&array, parts[i].array, sizeof array);
-        vbss_release(context, array, parts[i].count, parts[i].size);
-    }
+    vbss_release_arrays(context, parts, count);
     vbss_system_destroy(context, t->system);
     vbss_release(context, t, 1, sizeof *t);
 }

@@ -11,9 +11,6 @@
 #include "base/base.h"
 #include "solver/solver.h"
 
-/* Below this, speeds (m/s) and accelerations (m/s^2) become zero: subnormal numbers cost time. */
-#define THREAD_STILL 1e-30
-
 /* Neighbours to either side that a bending energy reaches; one more from the node of a clamp. */
 enum { THREAD_REACH = 3, THREAD_FAR = THREAD_REACH + 1, THREAD_WINDOW = THREAD_FAR + 1 };
 

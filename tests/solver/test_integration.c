@@ -9,16 +9,21 @@ typedef struct motion {
     vec3 x, v, a, q; /* q: the acceleration that balances the forces */
 } motion;
 
+static motion predicted_of(const vbss_integration *i, motion m)
+{
+    motion p = {m.x, m.v, m.a, m.q};
+    vbss_integration_predict(i, 3, &m.x.x, &m.v.x, &m.a.x, &m.q.x, &p.x.x, &p.v.x, &p.a.x);
+    return p;
+}
+
 /* One step, as a body takes it: x as if found from the forces, then what follows from it. */
 static motion step_to(const vbss_integration *i, motion m, vec3 q)
 {
-    vec3 predicted = integration_position(i, m.x, m.v, m.a, m.q);
-    motion next;
-    next.x = vec3_add_scaled(predicted, 1.0 / i->inertia, q);
-    vec3 moved = vec3_sub(next.x, predicted);
-    next.v = vec3_add_scaled(integration_velocity(i, m.v, m.a, m.q), i->rate, moved);
-    next.a = vec3_add_scaled(integration_acceleration(i, m.a, m.q), i->follow, moved);
-    next.q = q;
+    motion p = predicted_of(i, m), next;
+    next.x = vec3_add_scaled(p.x, 1.0 / i->inertia, q);
+    vbss_integration_follow(i, 3, &next.x.x, &p.x.x, &p.v.x, &p.a.x, &next.v.x, &next.a.x,
+                            &next.q.x);
+    next.q = q; /* but for rounding */
     return next;
 }
 
@@ -105,8 +110,7 @@ static void constant_acceleration_is_followed_exactly(void **state)
 /* Solves for the x whose forces balance: inertia (x - predicted) = -w^2 x. */
 static motion oscillate(const vbss_integration *i, motion m, double w)
 {
-    vec3 predicted = integration_position(i, m.x, m.v, m.a, m.q);
-    vec3 x = vec3_scale(predicted, i->inertia / (i->inertia + w * w));
+    vec3 x = vec3_scale(predicted_of(i, m).x, i->inertia / (i->inertia + w * w));
     return step_to(i, m, vec3_scale(x, -w * w));
 }
 
@@ -147,11 +151,8 @@ static mat3 amplification(const vbss_integration *i, double soft)
         double q = (c == 0) / (h * h), v = (c == 1) / h, a = (c == 2) / (h * h);
         double s = soft * h * h; /* 1 / w^2 */
         vec3 x = vec3_make(-s * q, 0, 0);
-        double predicted =
-            integration_position(i, x, vec3_make(v, 0, 0), vec3_make(a, 0, 0), vec3_make(q, 0, 0))
-                .x;
-        double next = -i->inertia * predicted / (i->inertia * s + 1.0);
         motion m = {x, {v, 0, 0}, {a, 0, 0}, {q, 0, 0}};
+        double next = -i->inertia * predicted_of(i, m).x.x / (i->inertia * s + 1.0);
         m = step_to(i, m, vec3_make(next, 0, 0));
         vec3_store(columns.m[c], vec3_make(h * h * next, h * m.v.x, h * h * m.a.x));
     }
