@@ -63,7 +63,7 @@ static void move(thread_object *t, uint32_t first, uint32_t last)
     thread_paper_row *rows = t->paper_rows;
     for (uint32_t i = first; i < last; i++) {
         vec3 pull = vec3_scale(rows[i].edge, rows[i].right);
-        rows[i].multiplier += rows[i].right;
+        rows[i].multiplier += rows[i].right * sqrt(rows[i].square);
         t->now.x[i] = vec3_add_scaled(t->now.x[i], rows[i].inverse_mass, pull);
         t->now.x[i + 1] = vec3_add_scaled(t->now.x[i + 1], -rows[i + 1].inverse_mass, pull);
     }

@@ -327,9 +327,32 @@ static void a_straight_thread_has_no_bending_in_any_direction(void **state)
     }
 }
 
+/* Also where a load strains the last segment by half of itself within one explicit step. */
+static void a_loaded_thread_has_the_load_in_every_segment(void **state)
+{
+    (void)state;
+    const double loads[] = {1e-4, 1e-2, 0.1};
+    for (int k = 0; k < 3; k++) {
+        rig r;
+        vbss_thread_config config = paper(12);
+        config.length = 0.01;
+        config.gravity[1] = 0.0;
+        config.drag = 8.0;
+        rig_begin(&r, &config);
+        rig_clamp_here(&r, 0, along);
+        rig_force(&r, 12, vec3_scale(along, loads[k]));
+        rig_run(&r, 1e-3, 300);
+        for (uint32_t i = 0; i < 12; i++) {
+            expect_near(loads[k], rig_tension(&r, i), 1e-5 * loads[k]);
+        }
+        rig_end(&r);
+    }
+}
+
 int test_paper_sections(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_loaded_thread_has_the_load_in_every_segment),
         cmocka_unit_test(a_straight_thread_has_no_bending_in_any_direction),
         cmocka_unit_test(a_clamped_thread_shows_its_curvature),
         harness_test(free_section_keeps_its_lengths_and_momenta),
