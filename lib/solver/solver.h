@@ -14,25 +14,8 @@
 #define VBSS_SOLVER_SOLVER_H
 
 #include "base/base.h"
-#include "solver/lanes.h"
-
-/* ---- hot loops that exist twice (wide.c): for any processor, and with AVX2
- *
- * A file of such loops names its functions VBSS_WIDE_NAME(function) and is compiled a second time with
- * VBSS_WIDE defined. Lanes are independent entries, so both give the same bits. */
-#if defined(VBSS_WIDE)
-#define VBSS_WIDE_NAME(function) function##_wide
-#else
-#define VBSS_WIDE_NAME(function) function##_plain
-#endif
-#if defined(VBSS_HAVE_WIDE)
-#define VBSS_WIDE_CALL(wide, function, ...) \
-    ((wide) ? function##_wide(__VA_ARGS__) : function##_plain(__VA_ARGS__))
-#else
-#define VBSS_WIDE_CALL(wide, function, ...) ((void)(wide), function##_plain(__VA_ARGS__))
-#endif
-/* Whether this processor and this build have the wide copies. */
-bool vbss_wide_is_there(void);
+#include "base/wide.h"
+#include "solver/block.h"
 
 /* ---- time integration (integration.c)
  *

@@ -1,9 +1,9 @@
-/* Four doubles side by side, and 3x3 blocks made of them.
+/* Four doubles side by side.
  *
  * Lanes are independent entries, never summed across, so the bits do not depend on how many of them
  * the processor takes at a time. */
-#ifndef VBSS_SOLVER_LANES_H
-#define VBSS_SOLVER_LANES_H
+#ifndef VBSS_BASE_LANES_H
+#define VBSS_BASE_LANES_H
 
 #include "base/linear.h"
 
@@ -96,12 +96,6 @@ static inline lanes lanes_make(double x, double y, double z)
 
 #endif
 
-/* A 3x3 matrix as the three lanes of its columns: column[c] holds the rows of column c; the fourth
- * lane is padding and stays zero. */
-typedef struct block {
-    lanes column[3];
-} block;
-
 static inline lanes lanes_from(vec3 v)
 {
     return lanes_make(v.x, v.y, v.z);
@@ -110,24 +104,6 @@ static inline lanes lanes_from(vec3 v)
 static inline vec3 lanes_vec3(lanes v)
 {
     return vec3_make(lanes_at(v, 0), lanes_at(v, 1), lanes_at(v, 2));
-}
-
-static inline mat3 block_mat3(const block *b)
-{
-    mat3 m;
-    for (int r = 0; r < 3; r++) {
-        for (int c = 0; c < 3; c++) {
-            m.m[r][c] = lanes_at(b->column[c], r);
-        }
-    }
-    return m;
-}
-
-static inline void block_set(block *b, mat3 m)
-{
-    for (int c = 0; c < 3; c++) {
-        b->column[c] = lanes_from(vec3_make(m.m[0][c], m.m[1][c], m.m[2][c]));
-    }
 }
 
 #endif

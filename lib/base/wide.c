@@ -1,0 +1,32 @@
+/* Whether the hot loops can be run with AVX2. */
+#include "base/wide.h"
+
+#if defined(VBSS_HAVE_WIDE)
+
+#include <cpuid.h>
+
+/* The processor has AVX2, and the system keeps the wide registers. */
+bool vbss_wide_is_there(void)
+{
+    unsigned a, b, c, d;
+    if (__get_cpuid(1, &a, &b, &c, &d) == 0 || (c & bit_OSXSAVE) == 0 || (c & bit_AVX) == 0) {
+        return false;
+    }
+    unsigned low, high;
+    __asm__ volatile("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
+    const unsigned sse_and_avx_state = 6;
+    if ((low & sse_and_avx_state) != sse_and_avx_state ||
+        __get_cpuid_count(7, 0, &a, &b, &c, &d) == 0) {
+        return false;
+    }
+    return (b & bit_AVX2) != 0;
+}
+
+#else
+
+bool vbss_wide_is_there(void)
+{
+    return false;
+}
+
+#endif

@@ -1,0 +1,24 @@
+/* Hot loops that exist twice: for any processor, and with AVX2.
+ *
+ * A file of such loops names its functions VBSS_WIDE_NAME(function) and is compiled a second time with
+ * VBSS_WIDE defined. Lanes are independent entries, so both give the same bits. */
+#ifndef VBSS_BASE_WIDE_H
+#define VBSS_BASE_WIDE_H
+
+#include <stdbool.h>
+
+#if defined(VBSS_WIDE)
+#define VBSS_WIDE_NAME(function) function##_wide
+#else
+#define VBSS_WIDE_NAME(function) function##_plain
+#endif
+#if defined(VBSS_HAVE_WIDE)
+#define VBSS_WIDE_CALL(wide, function, ...) \
+    ((wide) ? function##_wide(__VA_ARGS__) : function##_plain(__VA_ARGS__))
+#else
+#define VBSS_WIDE_CALL(wide, function, ...) ((void)(wide), function##_plain(__VA_ARGS__))
+#endif
+/* Whether this processor and this build have the wide copies. */
+bool vbss_wide_is_there(void);
+
+#endif

@@ -1,0 +1,31 @@
+/* 3x3 blocks of the system, column by column in lanes. */
+#ifndef VBSS_SOLVER_BLOCK_H
+#define VBSS_SOLVER_BLOCK_H
+
+#include "base/lanes.h"
+
+/* A 3x3 matrix as the three lanes of its columns: column[c] holds the rows of column c; the fourth
+ * lane is padding and stays zero. */
+typedef struct block {
+    lanes column[3];
+} block;
+
+static inline mat3 block_mat3(const block *b)
+{
+    mat3 m;
+    for (int r = 0; r < 3; r++) {
+        for (int c = 0; c < 3; c++) {
+            m.m[r][c] = lanes_at(b->column[c], r);
+        }
+    }
+    return m;
+}
+
+static inline void block_set(block *b, mat3 m)
+{
+    for (int c = 0; c < 3; c++) {
+        b->column[c] = lanes_from(vec3_make(m.m[0][c], m.m[1][c], m.m[2][c]));
+    }
+}
+
+#endif
