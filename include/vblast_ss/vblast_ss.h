@@ -8,6 +8,7 @@
 #define VBLAST_SS_VBLAST_SS_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/collision.h>
 #include <vblast_ss/thread.h>
 
 #endif

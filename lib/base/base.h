@@ -41,6 +41,13 @@ _Static_assert(sizeof(double) == 8 && DBL_MANT_DIG == 53, "double must be IEEE 7
 #define VBSS_PRINTF(format_index, first_index)
 #endif
 
+/* For functions whose constant arguments shall be known inside. */
+#if defined(__GNUC__)
+#define VBSS_ALWAYS_INLINE static inline __attribute__((always_inline))
+#else
+#define VBSS_ALWAYS_INLINE static inline
+#endif
+
 /* ---- failing (message.c): keeps the code and a text that names argument and value, returns the
  * code. A NULL context is allowed: then there is nobody to keep the text. */
 vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *format, ...)

@@ -1,100 +1,147 @@
 /* Four doubles side by side.
  *
  * Lanes are independent entries, never summed across, so the bits do not depend on how many of them
- * the processor takes at a time. */
+ * the processor takes at a time: four, two (compilers keep vectors that are wider than a register in
+ * memory), or one. */
 #ifndef VBSS_BASE_LANES_H
 #define VBSS_BASE_LANES_H
 
+#include <stdint.h>
+
 #include "base/linear.h"
+
+enum { LANES = 4 };
+
+/* ---- what a register holds, and lanes made of it */
 
 #if defined(__GNUC__) && defined(__AVX__)
 
-typedef double lanes __attribute__((vector_size(32)));
-static inline lanes lanes_mul(double s, lanes v)
-{
-    return s * v;
-}
-static inline lanes lanes_add(lanes a, lanes b)
-{
-    return a + b;
-}
-static inline lanes lanes_sub(lanes a, lanes b)
-{
-    return a - b;
-}
+typedef double lanes_part __attribute__((vector_size(32)));
+typedef int64_t lanes_part_mask __attribute__((vector_size(32)));
+typedef lanes_part lanes;
+typedef lanes_part_mask lanes_mask;
+#define LANES_OF(type, part, a, b, c) return part(a, b, c)
+
 static inline double lanes_at(lanes v, int i)
 {
     return v[i];
 }
-static inline lanes lanes_make(double x, double y, double z)
+static inline bool lanes_mask_at(lanes_mask v, int i)
 {
-    lanes v = {x, y, z, 0.0};
+    return v[i] != 0;
+}
+static inline lanes lanes_load(const double *from)
+{
+    lanes v = {from[0], from[1], from[2], from[3]};
     return v;
 }
 
 #elif defined(__GNUC__)
 
-/* Two halves that fit a register: compilers keep wider vectors in memory. */
-typedef double half_lanes __attribute__((vector_size(16)));
+typedef double lanes_part __attribute__((vector_size(16)));
+typedef int64_t lanes_part_mask __attribute__((vector_size(16)));
 typedef struct lanes {
-    half_lanes low, high;
+    lanes_part low, high;
 } lanes;
-static inline lanes lanes_mul(double s, lanes v)
-{
-    lanes r = {s * v.low, s * v.high};
-    return r;
-}
-static inline lanes lanes_add(lanes a, lanes b)
-{
-    lanes r = {a.low + b.low, a.high + b.high};
-    return r;
-}
-static inline lanes lanes_sub(lanes a, lanes b)
-{
-    lanes r = {a.low - b.low, a.high - b.high};
-    return r;
-}
+typedef struct lanes_mask {
+    lanes_part_mask low, high;
+} lanes_mask;
+#define LANES_OF(type, part, a, b, c)                                    \
+    type r_ = {part(a.low, b.low, c.low), part(a.high, b.high, c.high)}; \
+    return r_
+
 static inline double lanes_at(lanes v, int i)
 {
     return i < 2 ? v.low[i] : v.high[i - 2];
 }
-static inline lanes lanes_make(double x, double y, double z)
+static inline bool lanes_mask_at(lanes_mask v, int i)
 {
-    lanes r = {{x, y}, {z, 0.0}};
-    return r;
+    return (i < 2 ? v.low[i] : v.high[i - 2]) != 0;
+}
+static inline lanes lanes_load(const double *from)
+{
+    lanes v = {{from[0], from[1]}, {from[2], from[3]}};
+    return v;
 }
 
 #else
 
+typedef double lanes_part;
+typedef int64_t lanes_part_mask;
 typedef struct lanes {
-    double at[4];
+    double at[LANES];
 } lanes;
-static inline lanes lanes_mul(double s, lanes v)
-{
-    lanes r = {{s * v.at[0], s * v.at[1], s * v.at[2], s * v.at[3]}};
-    return r;
-}
-static inline lanes lanes_add(lanes a, lanes b)
-{
-    lanes r = {{a.at[0] + b.at[0], a.at[1] + b.at[1], a.at[2] + b.at[2], a.at[3] + b.at[3]}};
-    return r;
-}
-static inline lanes lanes_sub(lanes a, lanes b)
-{
-    lanes r = {{a.at[0] - b.at[0], a.at[1] - b.at[1], a.at[2] - b.at[2], a.at[3] - b.at[3]}};
-    return r;
-}
+typedef struct lanes_mask {
+    int64_t at[LANES];
+} lanes_mask;
+#define LANES_OF(type, part, a, b, c)                   \
+    type r_;                                            \
+    for (int i_ = 0; i_ < LANES; i_++) {                \
+        r_.at[i_] = part(a.at[i_], b.at[i_], c.at[i_]); \
+    }                                                   \
+    return r_
+
 static inline double lanes_at(lanes v, int i)
 {
     return v.at[i];
 }
-static inline lanes lanes_make(double x, double y, double z)
+static inline bool lanes_mask_at(lanes_mask v, int i)
 {
-    lanes r = {{x, y, z, 0.0}};
-    return r;
+    return v.at[i] != 0;
+}
+static inline lanes lanes_load(const double *from)
+{
+    lanes v = {{from[0], from[1], from[2], from[3]}};
+    return v;
 }
 
 #endif
+
+/* ---- operations on a part; operations on lanes take unused arguments twice or thrice */
+
+#define LANES_ADD(a, b, unused) ((a) + (b))
+#define LANES_SUB(a, b, unused) ((a) - (b))
+#define LANES_TIMES(a, b, unused) ((a) * (b))
+#define LANES_OVER(a, b, unused) ((a) / (b))
+#define LANES_BOTH(a, b, unused) ((a) & (b))
+#define LANES_EITHER(a, b, unused) ((a) | (b))
+#define LANES_NOT(a, unused, unused_too) (~(a))
+#if defined(__GNUC__)
+#define LANES_LESS(a, b, unused) ((lanes_part_mask)((a) < (b)))
+#define LANES_CHOOSE(mask, a, b) \
+    ((lanes_part)(((mask) & (lanes_part_mask)(a)) | (~(mask) & (lanes_part_mask)(b))))
+#define LANES_ABS(a, unused, unused_too) \
+    ((lanes_part)((lanes_part_mask)(a)&INT64_C(0x7fffffffffffffff)))
+#else
+#define LANES_LESS(a, b, unused) (-(int64_t)((a) < (b)))
+#define LANES_CHOOSE(mask, a, b) ((mask) != 0 ? (a) : (b))
+#define LANES_ABS(a, unused, unused_too) fabs(a)
+#endif
+/* a > b ? a : b and a < b ? a : b, which processors have as one instruction */
+#if defined(__GNUC__) && defined(__AVX__)
+#define LANES_LARGER(a, b, unused) __builtin_ia32_maxpd256(a, b)
+#define LANES_SMALLER(a, b, unused) __builtin_ia32_minpd256(a, b)
+#elif defined(__GNUC__) && defined(__SSE2__)
+#define LANES_LARGER(a, b, unused) __builtin_ia32_maxpd(a, b)
+#define LANES_SMALLER(a, b, unused) __builtin_ia32_minpd(a, b)
+#else
+#define LANES_LARGER(a, b, unused) LANES_CHOOSE(LANES_LESS(b, a, b), a, b)
+#define LANES_SMALLER(a, b, unused) LANES_CHOOSE(LANES_LESS(a, b, b), a, b)
+#endif
+
+/* ---- making */
+
+static inline lanes lanes_make(double x, double y, double z)
+{
+    double all[LANES] = {x, y, z, 0.0};
+    return lanes_load(all);
+}
+
+static inline lanes lanes_all(double x)
+{
+    double all[LANES] = {x, x, x, x};
+    return lanes_load(all);
+}
 
 static inline lanes lanes_from(vec3 v)
 {
@@ -104,6 +151,104 @@ static inline lanes lanes_from(vec3 v)
 static inline vec3 lanes_vec3(lanes v)
 {
     return vec3_make(lanes_at(v, 0), lanes_at(v, 1), lanes_at(v, 2));
+}
+
+/* ---- arithmetic */
+
+static inline lanes lanes_add(lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_ADD, a, b, a);
+}
+
+static inline lanes lanes_sub(lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_SUB, a, b, a);
+}
+
+static inline lanes lanes_times(lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_TIMES, a, b, a);
+}
+
+static inline lanes lanes_over(lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_OVER, a, b, a);
+}
+
+static inline lanes lanes_mul(double s, lanes v)
+{
+    return lanes_times(lanes_all(s), v);
+}
+
+static inline lanes lanes_abs(lanes a)
+{
+    LANES_OF(lanes, LANES_ABS, a, a, a);
+}
+
+static inline lanes lanes_larger(lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_LARGER, a, b, a);
+}
+
+static inline lanes lanes_smaller(lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_SMALLER, a, b, a);
+}
+
+static inline lanes lanes_sqrt(lanes a)
+{
+    double roots[LANES] = {sqrt(lanes_at(a, 0)), sqrt(lanes_at(a, 1)), sqrt(lanes_at(a, 2)),
+                           sqrt(lanes_at(a, 3))};
+    return lanes_load(roots);
+}
+
+/* ---- comparing: false where one is NaN */
+
+static inline lanes_mask lanes_less(lanes a, lanes b)
+{
+    LANES_OF(lanes_mask, LANES_LESS, a, b, a);
+}
+
+static inline lanes_mask lanes_both(lanes_mask a, lanes_mask b)
+{
+    LANES_OF(lanes_mask, LANES_BOTH, a, b, a);
+}
+
+static inline lanes_mask lanes_either(lanes_mask a, lanes_mask b)
+{
+    LANES_OF(lanes_mask, LANES_EITHER, a, b, a);
+}
+
+static inline lanes_mask lanes_not(lanes_mask a)
+{
+    LANES_OF(lanes_mask, LANES_NOT, a, a, a);
+}
+
+/* a where the mask is set, else b */
+static inline lanes lanes_choose(lanes_mask mask, lanes a, lanes b)
+{
+    LANES_OF(lanes, LANES_CHOOSE, mask, a, b);
+}
+
+/* Bit i is set where lane i is. */
+static inline unsigned lanes_bits(lanes_mask mask)
+{
+#if defined(__GNUC__) && defined(__AVX__)
+    return (unsigned)__builtin_ia32_movmskpd256((lanes)mask);
+#elif defined(__GNUC__) && defined(__SSE2__)
+    return (unsigned)__builtin_ia32_movmskpd((lanes_part)mask.low) |
+           (unsigned)__builtin_ia32_movmskpd((lanes_part)mask.high) << 2;
+#else
+    return (unsigned)lanes_mask_at(mask, 0) | (unsigned)lanes_mask_at(mask, 1) << 1 |
+           (unsigned)lanes_mask_at(mask, 2) << 2 | (unsigned)lanes_mask_at(mask, 3) << 3;
+#endif
+}
+
+static inline void lanes_store(double *to, lanes v)
+{
+    for (int i = 0; i < LANES; i++) {
+        to[i] = lanes_at(v, i);
+    }
 }
 
 #endif

@@ -1,0 +1,607 @@
+/**
+ * @file collision.h
+ * @brief Closest points, continuous collision tests, and the search for pairs worth testing.
+ *
+ * Three ways to ask, each usable alone:
+ * - pure functions for one question: #vbss_closest_segments and its kin, #vbss_edges_test,
+ *   #vbss_point_triangle_test;
+ * - batches of questions in rows: #vbss_collision_test_batch;
+ * - shapes (chains, capsules, triangle meshes) that move: #vbss_collision_move, then
+ *   #vbss_collision_find_candidates, then #vbss_collision_find_impacts.
+ *
+ * A continuous test asks whether two features, whose vertices move evenly from their start to their end
+ * positions in the time from 0 to 1, come within the contact distance D of each other. With
+ * VBSS_COLLISION_CONSERVATIVE a miss is a proof, rounding included: docs/collision.md.
+ *
+ * Coordinates are at most 1e30 in magnitude; D is zero or from 1e-30 to 1e30. Lengths are in m, but
+ * nothing depends on it except the default unit of the paper's method.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_COLLISION_H
+#define VBLAST_SS_COLLISION_H
+
+#include <vblast_ss/base.h>
+
+/** Shapes, their candidates and impacts, batches, counters. */
+typedef struct vbss_collision vbss_collision;
+
+/** How continuous tests decide: a VBSS_COLLISION_ constant. */
+typedef int32_t vbss_collision_method;
+
+/** The constants of #vbss_collision_method. */
+enum {
+    /** Directional conservative advancement, the default: never misses. For D = 0 exact both ways. */
+    VBSS_COLLISION_CONSERVATIVE = 0,
+    /** The usual one: roots of the coplanarity cubic, an inside test at each, the distance at the
+     * end. May miss. */
+    VBSS_COLLISION_CUBIC = 1,
+    /** As in VBLaST-SS (Qi et al. 2017, algorithm 1): distance at the end, then a sign test and a
+     * linear time of impact. Often misses. */
+    VBSS_COLLISION_PAPER = 2
+};
+
+/** Which features a continuous test is about: a VBSS_PAIR_ constant. */
+typedef int32_t vbss_pair_kind;
+
+/** The constants of #vbss_pair_kind, with their four vertices. */
+enum {
+    VBSS_PAIR_EDGE_EDGE = 0,     /**< a0, a1 of edge a, then b0, b1 of edge b. */
+    VBSS_PAIR_POINT_TRIANGLE = 1 /**< The point (a), then b0, b1, b2 of the triangle. */
+};
+
+/** What an answer stands on: a VBSS_DECISION_ constant. */
+typedef int32_t vbss_decision;
+
+/** The constants of #vbss_decision. */
+enum {
+    /** Miss: planes that separate the features by more than D at all times. Hit: at `time` the
+     * distance is at most D plus the tolerance. */
+    VBSS_DECISION_PROVED = 0,
+    VBSS_DECISION_EXACT = 1,     /**< D = 0: true of the given numbers, without any tolerance. */
+    VBSS_DECISION_UNDECIDED = 2, /**< Neither could be shown; told as a hit. */
+    VBSS_DECISION_CLAIMED = 3    /**< Of CUBIC and PAPER, which prove nothing. */
+};
+
+/** Two closest points. */
+typedef struct vbss_closest {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;    /**< Zero. */
+    double distance;   /**< m; of capsules: negative by the penetration depth when they overlap. */
+    double normal[3];  /**< Unit vector from a to b; zero where there is none (axes that meet). */
+    double point_a[3]; /**< On a, m. */
+    double point_b[3]; /**< On b, m. */
+    double weights_a[3]; /**< point_a as a sum of a's vertices; of the axis for a capsule. */
+    double weights_b[3]; /**< point_b likewise. */
+} vbss_closest;
+
+/** What a continuous test found. */
+typedef struct vbss_impact {
+    uint32_t struct_size;   /**< Bytes of this struct that the library filled. */
+    int32_t hit;            /**< 1: they come within D; 0: they do not. */
+    vbss_decision decision; /**< What `hit` stands on. */
+    uint32_t passes;        /**< CONSERVATIVE: directions tried; else roots looked at. */
+    /** Hit: 0 to 1; with CONSERVATIVE there is no contact before, and at `time` they are within D plus
+     * the tolerance unless UNDECIDED. Miss: 1. */
+    double time;
+    double distance;   /**< Hit: of the features at `time`, m. Miss: 0. */
+    double normal[3];  /**< Hit: unit vector from a to b, or zero where none is known. Miss: 0. */
+    double weights[4]; /**< Hit: of the four vertices, summing to 1 on either feature. Miss: 0. */
+    double point_a[3]; /**< Hit: on a at `time`, m. Miss: 0. */
+    double point_b[3]; /**< Hit: on b at `time`, m. Miss: 0. */
+} vbss_impact;
+
+/** How to test and how much room there is. Fill it with #vbss_collision_config_init. */
+typedef struct vbss_collision_config {
+    uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
+    vbss_collision_method method; /**< Default VBSS_COLLISION_CONSERVATIVE. */
+    /** Contact distance D, m: 0, or 1e-30 to 1e30; default 0. Between shapes their radii are added. */
+    double thickness;
+    /** Share of D, 1e-12 to 1: a hit may be told of features that come no nearer than D (1 +
+     * tolerance); default 1e-3. Rounding sets a lower limit: docs/collision.md. Without effect on the
+     * answer when D = 0. */
+    double tolerance;
+    /** CONSERVATIVE: passes before a test gives up and tells a hit, 1 to 1000000; default 10000. Most
+     * take one or two; turning edges that keep a distance just above D took 400. */
+    uint32_t pass_limit;
+    uint32_t shape_capacity;  /**< Most shapes ever added, 0 to 65536; default 16. */
+    uint32_t pair_capacity;   /**< Most candidates at a time, 0 to 1e8; default 16384. */
+    uint32_t impact_capacity; /**< Most impacts at a time, 0 to 1e8; default 4096. */
+    /** Segments of one chain are no candidates when the arc between their nearest ends is shorter than
+     * `exclusion` times D, D being that of the pair; 0 to 1e3; default 1.6: a tube bent until it
+     * touches itself needs pi/2. Neighbours never are. */
+    double exclusion;
+    /** Candidates are also told when features come within D plus this, m, 0 to 1e3; default 0. */
+    double margin;
+    /** PAPER: edges are parallel when |a|^2 |b|^2 - (a.b)^2 is below this, in paper_unit^4; 0 to 1;
+     * default 1e-6. */
+    double paper_parallel;
+    double paper_unit; /**< PAPER: its unit of length, m, 1e-9 to 1e3; default 1e-3. */
+} vbss_collision_config;
+
+/** Questions in rows, answers in rows. Fill it with #vbss_collision_batch_init. */
+typedef struct vbss_collision_batch {
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    vbss_pair_kind kind;  /**< Of all questions. */
+    uint32_t count;       /**< Questions, at most 1e8. */
+    uint32_t stride;      /**< From one row to the next, at least count; in every array of rows. */
+    /** 12 rows: x of vertex 0 of every question, y of vertex 0, z, x of vertex 1, ...; m. */
+    const double *start;
+    const double *end;       /**< The same at time 1. */
+    const double *thickness; /**< D of each question, m; NULL: that of the configuration. */
+    int32_t *hit;            /**< Receives #vbss_impact.hit of each question. */
+    int32_t *decision;       /**< Receives #vbss_impact.decision; may be NULL. */
+    double *time;            /**< Receives #vbss_impact.time; may be NULL. */
+    double *normal;          /**< Receives 3 rows; may be NULL. */
+    double *weights;         /**< Receives 4 rows; may be NULL. */
+} vbss_collision_batch;
+
+/** An array of a collision object: a VBSS_COLLISION_VIEW_ constant. */
+typedef int32_t vbss_collision_field;
+
+/** The constants of #vbss_collision_field. */
+enum {
+    /** x 5 uint32_t: #vbss_pair_kind, shape and feature a, shape and feature b. A feature is an edge, a
+     * point (node) or a triangle. Sorted by these five numbers. */
+    VBSS_COLLISION_VIEW_CANDIDATES = 0,
+    VBSS_COLLISION_VIEW_IMPACTS = 1,   /**< uint32_t: index of the candidate, ascending. */
+    VBSS_COLLISION_VIEW_TIMES = 2,     /**< Of each impact: #vbss_impact.time. */
+    VBSS_COLLISION_VIEW_NORMALS = 3,   /**< x 3: #vbss_impact.normal. */
+    VBSS_COLLISION_VIEW_WEIGHTS = 4,   /**< x 4: #vbss_impact.weights. */
+    VBSS_COLLISION_VIEW_DECISIONS = 5, /**< uint32_t: #vbss_impact.decision. */
+    VBSS_COLLISION_VIEW_DISTANCES = 6  /**< #vbss_impact.distance, m. */
+};
+
+/** Counters of a collision object since its creation. */
+typedef struct vbss_collision_statistics {
+    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
+    uint32_t candidates;       /**< Of the last search. */
+    uint32_t impacts;          /**< Of the last search. */
+    uint32_t reserved;         /**< Zero. */
+    uint64_t queries;          /**< Continuous tests. */
+    uint64_t hits;             /**< Of these, hits. */
+    uint64_t undecided;        /**< Of these, undecided. */
+    uint64_t exact;            /**< Tests that needed exact arithmetic. */
+    uint64_t passes;           /**< CONSERVATIVE: directions tried. */
+    uint64_t sign_tests_ended; /**< PAPER: tests ended by the sign of w.w'. */
+    uint64_t boxes_tested;     /**< Pairs of boxes looked at by the searches for candidates. */
+    uint64_t searches;         /**< Searches for candidates. */
+} vbss_collision_statistics;
+
+/** How the paper's response finds direction and depth: a VBSS_RESPONSE_ constant. */
+typedef int32_t vbss_response_variant;
+
+/** The constants of #vbss_response_variant. */
+enum {
+    /** Algorithm 2 as printed: along the shortest vector at the end of the step. */
+    VBSS_RESPONSE_END_OF_STEP = 0,
+    /** Along the normal at the time of impact, by D. */
+    VBSS_RESPONSE_TIME_OF_IMPACT = 1
+};
+
+/** Displacements by the paper's response. */
+typedef struct vbss_response {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    /** 1: the paper leaves this case open (no relative motion along the direction, or features that meet
+     * at the end) and the rule of docs/paper-collision.md was used. */
+    int32_t completed;
+    double direction[3];     /**< q: unit vector from edge b to edge a, on the side of the start. */
+    double depth;            /**< u: what is to be restored along q, m. */
+    double share_a;          /**< Share of u that a moves along q; b moves -(1 - share_a) u q. */
+    double displacement[12]; /**< Of the four vertices at time 1, m. */
+} vbss_response;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- closest points */
+
+/**
+ * Closest points of two segments. Segments of length zero are points.
+ *
+ * @param a             two end points, m
+ * @param b             two end points, m
+ * @param[out] closest  receives points, distance, normal
+ * @param struct_size   `sizeof *closest` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_NOT_FINITE or
+ *         VBSS_ERROR_OUT_OF_RANGE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_closest_segments(const double a[6], const double b[6],
+                                           vbss_closest *closest, uint32_t struct_size);
+
+/**
+ * Closest points of a point (a) and a triangle (b). A triangle without area is its edges.
+ *
+ * @param point         m
+ * @param triangle      three corners, m
+ * @param[out] closest  receives points, distance, normal
+ * @param struct_size   `sizeof *closest` as the caller was compiled
+ * @return as #vbss_closest_segments
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_closest_point_triangle(const double point[3], const double triangle[9],
+                                                 vbss_closest *closest, uint32_t struct_size);
+
+/**
+ * Closest points of a segment (a) and a triangle (b); distance 0 where the segment goes through.
+ *
+ * @param segment       two end points, m
+ * @param triangle      three corners, m
+ * @param[out] closest  receives points, distance, normal
+ * @param struct_size   `sizeof *closest` as the caller was compiled
+ * @return as #vbss_closest_segments
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_closest_segment_triangle(const double segment[6],
+                                                   const double triangle[9], vbss_closest *closest,
+                                                   uint32_t struct_size);
+
+/**
+ * Closest points of the surfaces of two capsules, on the line between the closest points of their axes.
+ * The distance is negative when they overlap. Where the axes meet there is no such line: the points
+ * are those of the axes and the normal is zero.
+ *
+ * @param a             axis, two end points, m
+ * @param radius_a      m, 0 to 1e30
+ * @param b             axis, two end points, m
+ * @param radius_b      m, 0 to 1e30
+ * @param[out] closest  receives points, distance, normal; weights are those of the axes' points
+ * @param struct_size   `sizeof *closest` as the caller was compiled
+ * @return as #vbss_closest_segments
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_closest_capsules(const double a[6], double radius_a, const double b[6],
+                                           double radius_b, vbss_closest *closest,
+                                           uint32_t struct_size);
+
+/* ---- continuous tests */
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_config_init(vbss_collision_config *config,
+                                                uint32_t struct_size);
+
+/**
+ * Whether two moving edges come within D of each other. Edges of length zero are points; all cases,
+ * parallel and degenerate ones too, are answered. Needs no object.
+ *
+ * @param config       method, thickness, tolerance; NULL for the defaults. Capacities are not read.
+ * @param start        a0, a1, b0, b1 at time 0, m
+ * @param end          the same at time 1, m
+ * @param[out] impact  receives the answer
+ * @param struct_size  `sizeof *impact` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_ARITHMETIC_MODE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_edges_test(const vbss_collision_config *config, const double start[12],
+                                     const double end[12], vbss_impact *impact,
+                                     uint32_t struct_size);
+
+/**
+ * Whether a moving point and a moving triangle come within D of each other. Needs no object.
+ *
+ * @param config       method, thickness, tolerance; NULL for the defaults. Capacities are not read.
+ * @param start        the point, then the corners b0, b1, b2 at time 0, m
+ * @param end          the same at time 1, m
+ * @param[out] impact  receives the answer
+ * @param struct_size  `sizeof *impact` as the caller was compiled
+ * @return as #vbss_edges_test
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *config,
+                                              const double start[12], const double end[12],
+                                              vbss_impact *impact, uint32_t struct_size);
+
+/**
+ * The paper's response to a hit (algorithm 2): how far to move the four vertices at the end of the step
+ * so that the features are D apart again on the side they came from. Between the two vertices of an
+ * edge, or the three of a triangle, the shift of the contact point is shared by weights and inverse
+ * masses. Source, signs and the rules for what the paper leaves open: docs/paper-collision.md.
+ *
+ * @param kind            what the vertices are
+ * @param variant         printed, or with the time of impact
+ * @param impact          the hit, as a test with the same vertices told it; read by TIME_OF_IMPACT, may
+ *                        be NULL otherwise
+ * @param start           four vertices at time 0, m
+ * @param end             the same at time 1, m
+ * @param thickness       D, m, 0 to 1e30
+ * @param inverse_masses  of the vertices, 1/kg, 0 to 1e30; 0 for a vertex that cannot move: a feature of
+ *                        such vertices is rigid and the other takes all. At least one is above 0.
+ * @param[out] response   receives the displacements
+ * @param struct_size     `sizeof *response` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_NOT_FINITE or
+ *         VBSS_ERROR_OUT_OF_RANGE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant variant,
+                                         const vbss_impact *impact, const double start[12],
+                                         const double end[12], double thickness,
+                                         const double inverse_masses[4], vbss_response *response,
+                                         uint32_t struct_size);
+
+/* ---- the object */
+
+/**
+ * Creates a collision object without shapes.
+ *
+ * @param context         owner
+ * @param config          how; NULL for the defaults
+ * @param[out] collision  the new object; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_create(vbss_context *context,
+                                           const vbss_collision_config *config,
+                                           vbss_collision **collision);
+
+/**
+ * Destroys a collision object with its shapes.
+ *
+ * @param collision  the object; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_destroy(vbss_collision *collision);
+
+/**
+ * One test with the object's method and thickness, counted in its statistics.
+ *
+ * @param collision    the object
+ * @param kind         what the vertices are
+ * @param start        four vertices at time 0, m
+ * @param end          the same at time 1, m
+ * @param[out] impact  receives the answer
+ * @param struct_size  `sizeof *impact` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_kind kind,
+                                         const double start[12], const double end[12],
+                                         vbss_impact *impact, uint32_t struct_size);
+
+/**
+ * Fills a batch with the defaults: no questions.
+ *
+ * @param[out] batch   the batch to fill
+ * @param struct_size  `sizeof *batch` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t struct_size);
+
+/**
+ * Many tests, four at a time. The answers have the bits of #vbss_collision_test. Nothing is allocated.
+ *
+ * @param collision  the object: method, tolerance, counters
+ * @param batch      questions, and arrays for the answers
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure no answer is written
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
+                                               const vbss_collision_batch *batch);
+
+/* ---- shapes and the search */
+
+/**
+ * Adds a chain of capsules, such as a thread: node_count nodes, edge i joins the nodes i and i + 1.
+ * Allocates; its nodes are at the origin until #vbss_collision_move.
+ *
+ * @param collision     the object
+ * @param node_count    2 to 65537
+ * @param rest_lengths  of the node_count - 1 edges, m, 0 to 1e30: the arc that `exclusion` measures;
+ *                      NULL: neighbours alone are excluded. Copied.
+ * @param radius        m, 0 to 1e29
+ * @param[out] shape    names the shape, from 0 on, never used again in this object
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_count,
+                                              const double *rest_lengths, double radius,
+                                              uint32_t *shape);
+
+/**
+ * Adds capsules that move independently and collide with each other: edge i joins the nodes 2 i and
+ * 2 i + 1. Allocates; its nodes are at the origin until #vbss_collision_move.
+ *
+ * @param collision      the object
+ * @param capsule_count  1 to 32768
+ * @param radius         of all, m, 0 to 1e29
+ * @param[out] shape     names the shape, from 0 on, never used again in this object
+ * @return as #vbss_collision_add_chain
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint32_t capsule_count,
+                                                 double radius, uint32_t *shape);
+
+/**
+ * Adds a triangle mesh, open or closed. Its edges are those of its triangles, each once, sorted by
+ * their two nodes. Features that share a node are no candidates. Allocates; its nodes are at the origin
+ * until #vbss_collision_move.
+ *
+ * @param collision       the object
+ * @param node_count      3 to 65536
+ * @param triangles       three different nodes each
+ * @param triangle_count  1 to 131072
+ * @param radius          half the thickness of the sheet, m, 0 to 1e29
+ * @param[out] shape      names the shape, from 0 on, never used again in this object
+ * @return as #vbss_collision_add_chain
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_count,
+                                             const uint32_t *triangles, uint32_t triangle_count,
+                                             double radius, uint32_t *shape);
+
+/**
+ * Removes a shape; the others keep their names. Candidates and impacts are forgotten.
+ *
+ * @param collision  the object
+ * @param shape      which
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape);
+
+/**
+ * Says how a shape moves in the coming searches.
+ *
+ * @param collision   the object
+ * @param shape       which
+ * @param start       3 doubles a node at time 0, m; NULL: where the last move ended
+ * @param end         3 doubles a node at time 1, m
+ * @param node_count  nodes in the arrays, the shape's number of nodes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape,
+                                         const double *start, const double *end,
+                                         uint32_t node_count);
+
+/**
+ * Lists the pairs of features whose boxes, swept over the motion and inflated by the radii, `thickness`,
+ * the tolerance and `margin`, overlap: edges with edges, and points with triangles where a mesh takes
+ * part (points of chains, capsules and other meshes, and of the mesh itself). Complete; the list depends
+ * on the positions alone, not on what was searched before. Nothing is allocated. Impacts are forgotten.
+ *
+ * @param collision  the object
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (pair_capacity: there are no
+ *         candidates then), VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_find_candidates(vbss_collision *collision);
+
+/**
+ * Tests all candidates of the last search; the hits are the impacts. Nothing is allocated.
+ *
+ * @param collision  the object
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_CAPACITY (impact_capacity: there are no
+ *         impacts then), VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_find_impacts(vbss_collision *collision);
+
+/**
+ * A look at the candidates or the impacts.
+ *
+ * @param collision    the object
+ * @param field        which array
+ * @param[out] view    receives where the array is
+ * @param struct_size  `sizeof *view` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such field)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_get_view(vbss_collision *collision, vbss_collision_field field,
+                                             vbss_view *view, uint32_t struct_size);
+
+/**
+ * The nodes of an edge of a shape.
+ *
+ * @param collision   the object
+ * @param shape       which
+ * @param edge        which, as candidates name it
+ * @param[out] nodes  receives two nodes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t shape,
+                                             uint32_t edge, uint32_t nodes[2]);
+
+/**
+ * The object's counters.
+ *
+ * @param collision        the object
+ * @param[out] statistics  receives the numbers
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_get_statistics(vbss_collision *collision,
+                                                   vbss_collision_statistics *statistics,
+                                                   uint32_t struct_size);
+
+/**
+ * Saves the state: shapes, their motion, counters. Candidates and impacts are not saved; search again.
+ *
+ * @param collision     the object
+ * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param capacity      size of the buffer
+ * @param[out] written  bytes of the state, also when it does not fit
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes,
+                                         uint64_t capacity, uint64_t *written);
+
+/**
+ * Restores a saved state into this object or one created alike, with the same shapes added and removed.
+ * On failure the object is as it was. Candidates and impacts are forgotten.
+ *
+ * @param collision  the object
+ * @param bytes      the state
+ * @param count      its size
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *bytes,
+                                            uint64_t count);
+
+/**
+ * A number for the whole state: equal states, on any machine, have equal hashes.
+ *
+ * @param collision  the object
+ * @param[out] hash  receives it
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_get_hash(vbss_collision *collision, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,59 @@
+/* What conservative advancement works with; the same for one question and for rows. */
+#ifndef VBSS_COLLISION_CONSERVATIVE_H
+#define VBSS_COLLISION_CONSERVATIVE_H
+
+#include "collision/collision.h"
+
+/* Vertices 1, 2, 3 of a question relative to vertex 0. */
+typedef struct collision_relative {
+    vec3 start[3], end[3];
+    double size; /* largest coordinate */
+} collision_relative;
+
+/* Rounding of the volume of the four vertices as a share of the product of their largest coordinates,
+ * and the least of it that is no underflow: docs/collision.md derives both. */
+#define VOLUME_ROUNDING (32.0 * DBL_EPSILON)
+#define VOLUME_UNDERFLOW 1e-290
+
+typedef struct conservative_bounds {
+    double clear;           /* a direction that separates by this proves more than D */
+    double near_square;     /* features that are within the root of this have hit */
+    double rounding_square; /* vectors shorter than the root of this have no direction */
+} conservative_bounds;
+
+/* The least tolerance, as a share of size and D; how much of it a hit may use, a hair less than all, so
+ * that rounding does not let it beyond; and below which share of the size a vector is all rounding. */
+#define LEAST_TOLERANCE (64.0 * DBL_EPSILON)
+#define NEAR_SHARE 0.999
+#define ROUNDING_SHARE (16.0 * DBL_EPSILON)
+/* With D = 0: fourth powers of lengths might underflow below this size. */
+#define TINY_SIZE 1e-50
+
+/* With D = 0 exact arithmetic comes sooner: near contact it is the cheaper way. */
+#define ZERO_PASS_LIMIT 32u
+
+static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
+{
+    return thickness == 0.0 && limit > ZERO_PASS_LIMIT ? ZERO_PASS_LIMIT : limit;
+}
+
+/* size: the largest coordinate of the question relative to its first vertex. docs/collision.md derives
+ * that all rounding is below 16 eps size. */
+static inline conservative_bounds conservative_bounds_of(double tolerance, double thickness,
+                                                         double size)
+{
+    double least = LEAST_TOLERANCE * (size + thickness), wanted = tolerance * thickness;
+    double whole = wanted < least ? least : wanted;
+    double near = thickness + NEAR_SHARE * whole;
+    /* Then nothing is proved, all is left to exact arithmetic. */
+    bool tiny = thickness == 0.0 && size < TINY_SIZE;
+    double rounding = ROUNDING_SHARE * size;
+    conservative_bounds bounds = {thickness + 0.5 * whole, tiny ? DBL_MAX : near * near,
+                                  rounding * rounding};
+    return bounds;
+}
+
+/* Proved without thickness to be apart all the time; false says nothing. */
+bool vbss_collision_apart(const collision_question *question);
+
+#endif

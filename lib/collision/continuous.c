@@ -1,0 +1,174 @@
+/* The continuous tests as a host calls them: configurations, one question, counters. */
+#include "collision/collision.h"
+
+#include <string.h>
+
+_Static_assert(sizeof(vbss_collision_config) == 72, "published size");
+_Static_assert(sizeof(vbss_impact) == 136, "published size");
+
+static const vbss_collision_config defaults = {
+    .struct_size = sizeof(vbss_collision_config),
+    .method = VBSS_COLLISION_CONSERVATIVE,
+    .tolerance = 1e-3,
+    .pass_limit = 10000,
+    .shape_capacity = 16,
+    .pair_capacity = 16384,
+    .impact_capacity = 4096,
+    .exclusion = 1.6,
+    .paper_parallel = 1e-6,
+    .paper_unit = 1e-3,
+};
+static const uint32_t config_sizes[] = {72, 0};
+const vbss_layout vbss_collision_config_layout = {"vbss_collision_config", &defaults, config_sizes};
+static const uint32_t impact_sizes[] = {136, 0};
+static const vbss_layout impact_layout = {"vbss_impact", NULL, impact_sizes};
+
+vbss_result vbss_collision_config_init(vbss_collision_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&vbss_collision_config_layout, config, struct_size);
+}
+
+vbss_result vbss_collision_check_thickness(vbss_context *context, double thickness)
+{
+    if (thickness == 0.0) {
+        return VBSS_OK;
+    }
+    return vbss_check_range(context, thickness, COLLISION_THINNEST, COLLISION_FARTHEST,
+                            "thickness");
+}
+
+vbss_result vbss_collision_check_rules(vbss_context *context, const vbss_collision_config *c)
+{
+    VBSS_TRY(vbss_check_range(context, c->method, VBSS_COLLISION_CONSERVATIVE, VBSS_COLLISION_PAPER,
+                              "method"));
+    VBSS_TRY(vbss_collision_check_thickness(context, c->thickness));
+    VBSS_TRY(vbss_check_range(context, c->tolerance, 1e-12, 1.0, "tolerance"));
+    VBSS_TRY(vbss_check_range(context, c->pass_limit, 1.0, 1000000.0, "pass_limit"));
+    VBSS_TRY(vbss_check_range(context, c->paper_parallel, 0.0, 1.0, "paper_parallel"));
+    return vbss_check_range(context, c->paper_unit, 1e-9, 1e3, "paper_unit");
+}
+
+collision_rules vbss_collision_rules_of(const vbss_collision_config *config)
+{
+    collision_rules rules = {config->method,
+                             config->pass_limit,
+                             config->tolerance,
+                             config->paper_parallel,
+                             config->paper_unit,
+                             NULL,
+                             0};
+    return rules;
+}
+
+void vbss_collision_ask(const collision_rules *rules, const collision_question *question,
+                        collision_answer *answer, collision_counters *counters)
+{
+    switch (rules->method) {
+    case VBSS_COLLISION_CUBIC:
+        *answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
+        vbss_collision_cubic(rules, question, answer, counters);
+        break;
+    case VBSS_COLLISION_PAPER:
+        *answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
+        vbss_collision_paper(rules, question, answer, counters);
+        break;
+    default:
+        *answer = vbss_collision_miss(VBSS_DECISION_PROVED);
+        vbss_collision_conservative(rules, question, answer, counters);
+        break;
+    }
+    vbss_collision_count(counters, answer);
+}
+
+vbss_result vbss_collision_check_vertices(vbss_context *context, const double *start,
+                                          const double *end, size_t numbers)
+{
+    VBSS_TRY(vbss_check_pointer(context, start, "start"));
+    VBSS_TRY(vbss_check_pointer(context, end, "end"));
+    VBSS_TRY(vbss_check_finite(context, start, numbers, "start"));
+    VBSS_TRY(vbss_check_finite(context, end, numbers, "end"));
+    VBSS_TRY(vbss_check_range(context, vbss_largest(start, numbers), 0.0, COLLISION_FARTHEST,
+                              "largest coordinate of start"));
+    return vbss_check_range(context, vbss_largest(end, numbers), 0.0, COLLISION_FARTHEST,
+                            "largest coordinate of end");
+}
+
+/* The point of a feature at the time of the answer, from its vertices first .. last. */
+static vec3 point_at(const collision_question *q, const collision_answer *answer, int first,
+                     int last)
+{
+    vec3 point = vec3_zero();
+    for (int k = first; k <= last; k++) {
+        vec3 now = vec3_lerp(q->start[k], q->end[k], answer->time);
+        point = vec3_add_scaled(point, answer->weights[k], now);
+    }
+    return point;
+}
+
+vbss_result vbss_collision_write_impact(vbss_context *context, const collision_question *question,
+                                        const collision_answer *answer, vbss_impact *impact,
+                                        uint32_t struct_size)
+{
+    vbss_impact own = {
+        .struct_size = sizeof own,
+        .hit = answer->hit,
+        .decision = answer->decision,
+        .passes = answer->passes,
+        .time = answer->time,
+        .distance = answer->distance,
+    };
+    if (answer->hit != 0) {
+        int last_of_a = question->kind == VBSS_PAIR_EDGE_EDGE ? 1 : 0;
+        vec3_store(own.normal, answer->normal);
+        memcpy(own.weights, answer->weights, sizeof own.weights);
+        vec3_store(own.point_a, point_at(question, answer, 0, last_of_a));
+        vec3_store(own.point_b, point_at(question, answer, last_of_a + 1, 3));
+    }
+    return vbss_struct_write(context, &impact_layout, &own, impact, struct_size);
+}
+
+void vbss_collision_set_vertices(collision_question *question, const double start[12],
+                                 const double end[12])
+{
+    for (int k = 0; k < 4; k++) {
+        question->start[k] = vec3_load(start + 3 * (size_t)k);
+        question->end[k] = vec3_load(end + 3 * (size_t)k);
+    }
+}
+
+/* Without an object there is nobody to keep an error text. */
+static vbss_result test(const vbss_collision_config *config, vbss_pair_kind kind,
+                        const double *start, const double *end, vbss_impact *impact,
+                        uint32_t struct_size)
+{
+    vbss_collision_config own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(NULL, &vbss_collision_config_layout, config, &own));
+        VBSS_TRY(vbss_collision_check_rules(NULL, &own));
+    }
+    VBSS_TRY(vbss_collision_check_vertices(NULL, start, end, 12));
+    VBSS_TRY(vbss_check_arithmetic(NULL));
+    uint32_t limbs[COLLISION_STACK_LIMBS];
+    collision_rules rules = vbss_collision_rules_of(&own);
+    rules.limbs = limbs;
+    rules.limb_count = COLLISION_STACK_LIMBS;
+    collision_question question = {.kind = kind, .thickness = own.thickness};
+    vbss_collision_set_vertices(&question, start, end);
+    collision_counters counters = {0};
+    collision_answer answer;
+    vbss_collision_ask(&rules, &question, &answer, &counters);
+    return vbss_collision_write_impact(NULL, &question, &answer, impact, struct_size);
+}
+
+vbss_result vbss_edges_test(const vbss_collision_config *config, const double start[12],
+                            const double end[12], vbss_impact *impact, uint32_t struct_size)
+{
+    return test(config, VBSS_PAIR_EDGE_EDGE, start, end, impact, struct_size);
+}
+
+vbss_result vbss_point_triangle_test(const vbss_collision_config *config, const double start[12],
+                                     const double end[12], vbss_impact *impact,
+                                     uint32_t struct_size)
+{
+    return test(config, VBSS_PAIR_POINT_TRIANGLE, start, end, impact, struct_size);
+}

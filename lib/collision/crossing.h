@@ -1,0 +1,11 @@
+/* Certain crossings of zero thickness. */
+#ifndef VBSS_COLLISION_CROSSING_H
+#define VBSS_COLLISION_CROSSING_H
+
+#include "collision/conservative.h"
+
+/* True: the interiors of the features cross within 1e-6 of time t, the given doubles taken as they are.
+ * False: nothing is known. */
+bool vbss_collision_crosses(const collision_relative *relative, bool edges, double t);
+
+#endif

@@ -1,0 +1,422 @@
+/* Conservative advancement of four questions at a time, with the bits of conservative.c: each function
+ * here is the twin of one there or in closest.h, with choices in place of branches. What is rare (parallel
+ * edges, directions that prove nothing, exact arithmetic) is left to the scalar code. */
+#include "base/lanes.h"
+#include "collision/closest.h"
+#include "collision/conservative.h"
+#include "collision/rows.h"
+
+typedef struct vlanes {
+    lanes x, y, z;
+} vlanes;
+
+static inline vlanes v_add(vlanes a, vlanes b)
+{
+    vlanes r = {lanes_add(a.x, b.x), lanes_add(a.y, b.y), lanes_add(a.z, b.z)};
+    return r;
+}
+
+static inline vlanes v_sub(vlanes a, vlanes b)
+{
+    vlanes r = {lanes_sub(a.x, b.x), lanes_sub(a.y, b.y), lanes_sub(a.z, b.z)};
+    return r;
+}
+
+static inline vlanes v_scale(vlanes a, lanes s)
+{
+    vlanes r = {lanes_times(a.x, s), lanes_times(a.y, s), lanes_times(a.z, s)};
+    return r;
+}
+
+static inline vlanes v_add_scaled(vlanes a, lanes s, vlanes b)
+{
+    return v_add(a, v_scale(b, s));
+}
+
+static inline lanes v_dot(vlanes a, vlanes b)
+{
+    return lanes_add(lanes_add(lanes_times(a.x, b.x), lanes_times(a.y, b.y)),
+                     lanes_times(a.z, b.z));
+}
+
+static inline vlanes v_cross(vlanes a, vlanes b)
+{
+    vlanes r = {lanes_sub(lanes_times(a.y, b.z), lanes_times(a.z, b.y)),
+                lanes_sub(lanes_times(a.z, b.x), lanes_times(a.x, b.z)),
+                lanes_sub(lanes_times(a.x, b.y), lanes_times(a.y, b.x))};
+    return r;
+}
+
+static inline vlanes v_choose(lanes_mask mask, vlanes a, vlanes b)
+{
+    vlanes r = {lanes_choose(mask, a.x, b.x), lanes_choose(mask, a.y, b.y),
+                lanes_choose(mask, a.z, b.z)};
+    return r;
+}
+
+static inline lanes clamp_unit_lanes(lanes x)
+{
+    return lanes_smaller(lanes_larger(x, lanes_all(0.0)), lanes_all(1.0));
+}
+
+/* ---- the questions */
+
+typedef struct relative_lanes {
+    vlanes start[3], end[3];
+    lanes size;
+} relative_lanes;
+
+static inline vlanes larger_magnitudes(vlanes a, vlanes b)
+{
+    vlanes r = {lanes_larger(lanes_abs(a.x), lanes_abs(b.x)),
+                lanes_larger(lanes_abs(a.y), lanes_abs(b.y)),
+                lanes_larger(lanes_abs(a.z), lanes_abs(b.z))};
+    return r;
+}
+
+static inline lanes largest_of(vlanes magnitudes)
+{
+    return lanes_larger(lanes_larger(magnitudes.x, magnitudes.y), magnitudes.z);
+}
+
+static inline vlanes load_vertex(const double *rows, size_t stride, size_t vertex)
+{
+    const double *at = rows + 3 * vertex * stride;
+    vlanes v = {lanes_load(at), lanes_load(at + stride), lanes_load(at + 2 * stride)};
+    return v;
+}
+
+static inline void load_relative(const double *start, const double *end, size_t stride,
+                                 relative_lanes *m)
+{
+    vlanes start0 = load_vertex(start, stride, 0), end0 = load_vertex(end, stride, 0);
+    vlanes largest[3];
+    for (size_t k = 0; k < 3; k++) {
+        m->start[k] = v_sub(load_vertex(start, stride, k + 1), start0);
+        m->end[k] = v_sub(load_vertex(end, stride, k + 1), end0);
+        largest[k] = larger_magnitudes(m->start[k], m->end[k]);
+    }
+    m->size = largest_of(larger_magnitudes(larger_magnitudes(largest[0], largest[1]), largest[2]));
+}
+
+/* ---- closest points */
+
+typedef struct moment_lanes {
+    vlanes apart;
+    lanes square, weights[4];
+} moment_lanes;
+
+static inline lanes closest_on_edge_lanes(vlanes e, vlanes to)
+{
+    lanes zero = lanes_all(0.0), ee = v_dot(e, e);
+    return lanes_choose(lanes_less(zero, ee), clamp_unit_lanes(lanes_over(v_dot(e, to), ee)), zero);
+}
+
+static inline vlanes edges_apart_lanes(vlanes a, vlanes b, vlanes r, lanes s, lanes u)
+{
+    return v_sub(v_add_scaled(r, u, b), v_scale(a, s));
+}
+
+/* Where `which` says so. */
+static void closest_parallel_edges_lanes(lanes_mask which, vlanes a, vlanes b, vlanes r, lanes *s,
+                                         lanes *u, vlanes *apart)
+{
+    lanes s_best = *s, u_best = *u;
+    vlanes best = edges_apart_lanes(a, b, r, s_best, u_best);
+    lanes least = v_dot(best, best);
+    for (int end = 0; end < 4; end++) {
+        lanes at = lanes_all((double)(end & 1)), s_end = at, u_end = at;
+        if (end < 2) {
+            u_end = closest_on_edge_lanes(b, v_sub(v_scale(a, at), r));
+        } else {
+            s_end = closest_on_edge_lanes(a, v_add_scaled(r, at, b));
+        }
+        vlanes to = edges_apart_lanes(a, b, r, s_end, u_end);
+        lanes square = v_dot(to, to);
+        lanes_mask nearer = lanes_less(square, least);
+        least = lanes_choose(nearer, square, least);
+        best = v_choose(nearer, to, best);
+        s_best = lanes_choose(nearer, s_end, s_best);
+        u_best = lanes_choose(nearer, u_end, u_best);
+    }
+    *s = lanes_choose(which, s_best, *s);
+    *u = lanes_choose(which, u_best, *u);
+    *apart = v_choose(which, best, *apart);
+}
+
+static inline void closest_edges_lanes(vlanes a, vlanes b, vlanes r, moment_lanes *now)
+{
+    lanes zero = lanes_all(0.0), one = lanes_all(1.0);
+    lanes aa = v_dot(a, a), bb = v_dot(b, b), ab = v_dot(a, b), ar = v_dot(a, r), br = v_dot(b, r);
+    lanes determinant = lanes_sub(lanes_times(aa, bb), lanes_times(ab, ab));
+    lanes limit = lanes_times(lanes_times(lanes_all(CLOSEST_PARALLEL), aa), bb);
+    lanes inverse_aa = lanes_over(one, aa), inverse_bb = lanes_over(one, bb);
+    lanes first = lanes_sub(lanes_times(ar, bb), lanes_times(ab, br));
+    first = clamp_unit_lanes(lanes_over(first, determinant));
+    lanes u = lanes_times(lanes_sub(lanes_times(first, ab), br), inverse_bb);
+    u = clamp_unit_lanes(u);
+    lanes s = lanes_times(lanes_add(lanes_times(u, ab), ar), inverse_aa);
+    s = clamp_unit_lanes(s);
+    now->apart = edges_apart_lanes(a, b, r, s, u);
+    lanes_mask parallel = lanes_not(lanes_less(limit, determinant));
+    if (lanes_bits(parallel) != 0) {
+        lanes_mask angle = lanes_less(zero, determinant);
+        s = lanes_choose(angle, s, zero);
+        u = lanes_choose(angle, u, zero);
+        closest_parallel_edges_lanes(parallel, a, b, r, &s, &u, &now->apart);
+    }
+    now->weights[0] = lanes_sub(one, s);
+    now->weights[1] = s;
+    now->weights[2] = lanes_sub(one, u);
+    now->weights[3] = u;
+}
+
+static inline void closest_corners_lanes(const vlanes f[3], moment_lanes *now)
+{
+    lanes zero = lanes_all(0.0), one = lanes_all(1.0);
+    lanes *w = &now->weights[1];
+    vlanes best = f[0];
+    lanes least = v_dot(f[0], f[0]);
+    w[0] = one;
+    w[1] = w[2] = zero;
+    for (int k = 0; k < 3; k++) {
+        vlanes from = f[k], e = v_sub(f[(k + 1) % 3], from);
+        lanes s = closest_on_edge_lanes(e, v_scale(from, lanes_all(-1.0)));
+        vlanes to = v_add_scaled(from, s, e);
+        lanes square = v_dot(to, to);
+        lanes_mask nearer = lanes_less(square, least);
+        least = lanes_choose(nearer, square, least);
+        best = v_choose(nearer, to, best);
+        w[k] = lanes_choose(nearer, lanes_sub(one, s), w[k]);
+        w[(k + 1) % 3] = lanes_choose(nearer, s, w[(k + 1) % 3]);
+        w[(k + 2) % 3] = lanes_choose(nearer, zero, w[(k + 2) % 3]);
+    }
+    vlanes e1 = v_sub(f[1], f[0]), e2 = v_sub(f[2], f[0]), n = v_cross(e1, e2);
+    lanes nn = v_dot(n, n);
+    lanes w2 = v_dot(v_cross(f[0], e1), n), w1 = v_dot(v_cross(e2, f[0]), n);
+    lanes_mask foot =
+        lanes_both(lanes_both(lanes_less(zero, nn), lanes_less(zero, w1)),
+                   lanes_both(lanes_less(zero, w2), lanes_less(lanes_add(w1, w2), nn)));
+    lanes v1 = lanes_over(w1, nn), v2 = lanes_over(w2, nn);
+    vlanes to = v_add_scaled(v_add_scaled(f[0], v1, e1), v2, e2);
+    foot = lanes_both(foot, lanes_less(v_dot(to, to), least));
+    now->apart = v_choose(foot, to, best);
+    w[0] = lanes_choose(foot, lanes_sub(lanes_sub(one, v1), v2), w[0]);
+    w[1] = lanes_choose(foot, v1, w[1]);
+    w[2] = lanes_choose(foot, v2, w[2]);
+    now->weights[0] = one;
+}
+
+static inline void look(const relative_lanes *m, bool edges, bool first, lanes t, moment_lanes *now)
+{
+    vlanes at[3];
+    for (int k = 0; k < 3; k++) {
+        at[k] = first ? m->start[k] : v_add_scaled(m->start[k], t, v_sub(m->end[k], m->start[k]));
+    }
+    if (edges) {
+        closest_edges_lanes(at[0], v_sub(at[2], at[1]), at[1], now);
+    } else {
+        closest_corners_lanes(at, now);
+    }
+    now->square = v_dot(now->apart, now->apart);
+}
+
+/* ---- certificates */
+
+typedef struct projection_lanes {
+    lanes p0, p1, q0, q1, r0, r1;
+} projection_lanes;
+
+static inline lanes least_pair(bool edges, lanes p, lanes q, lanes r)
+{
+    lanes least = lanes_smaller(q, r);
+    return edges ? lanes_sub(least, lanes_larger(p, lanes_all(0.0))) : lanes_smaller(least, p);
+}
+
+static inline lanes_mask clear_throughout(const projection_lanes *g, bool edges, lanes clear,
+                                          lanes square)
+{
+    lanes least = lanes_smaller(least_pair(edges, g->p0, g->q0, g->r0),
+                                least_pair(edges, g->p1, g->q1, g->r1));
+    lanes needed = lanes_times(lanes_times(clear, clear), square);
+    lanes_mask too_little = lanes_less(lanes_times(least, least), needed);
+    return lanes_both(lanes_less(lanes_all(0.0), least), lanes_not(too_little));
+}
+
+/* A time as a fraction. */
+typedef struct fraction_lanes {
+    lanes above, below;
+} fraction_lanes;
+
+static inline fraction_lanes pair_until(lanes g0, lanes g1, lanes clear)
+{
+    lanes_mask falls = lanes_less(g1, clear);
+    fraction_lanes until = {lanes_choose(falls, lanes_sub(g0, clear), lanes_all(2.0)),
+                            lanes_choose(falls, lanes_sub(g0, g1), lanes_all(1.0))};
+    return until;
+}
+
+static inline fraction_lanes sooner(fraction_lanes a, fraction_lanes b)
+{
+    lanes_mask second = lanes_less(lanes_times(b.above, a.below), lanes_times(a.above, b.below));
+    fraction_lanes until = {lanes_choose(second, b.above, a.above),
+                            lanes_choose(second, b.below, a.below)};
+    return until;
+}
+
+static inline lanes projected(lanes g0, lanes g1, lanes t)
+{
+    return lanes_add(g0, lanes_times(t, lanes_sub(g1, g0)));
+}
+
+static inline lanes clear_until(const projection_lanes *g, bool edges, lanes t, lanes clear)
+{
+    lanes least = least_pair(edges, projected(g->p0, g->p1, t), projected(g->q0, g->q1, t),
+                             projected(g->r0, g->r1, t));
+    fraction_lanes until = sooner(pair_until(g->q0, g->q1, clear), pair_until(g->r0, g->r1, clear));
+    if (edges) {
+        fraction_lanes qp = pair_until(lanes_sub(g->q0, g->p0), lanes_sub(g->q1, g->p1), clear);
+        fraction_lanes rp = pair_until(lanes_sub(g->r0, g->p0), lanes_sub(g->r1, g->p1), clear);
+        until = sooner(until, sooner(qp, rp));
+    } else {
+        until = sooner(until, pair_until(g->p0, g->p1, clear));
+    }
+    return lanes_choose(lanes_less(least, clear), lanes_all(-1.0),
+                        lanes_over(until.above, until.below));
+}
+
+/* ---- zero thickness */
+
+static inline lanes_mask never_flat(const relative_lanes *m)
+{
+    vlanes yz0 = v_cross(m->start[1], m->start[2]), yz1 = v_cross(m->end[1], m->end[2]);
+    vlanes mixed = v_add(v_cross(m->start[1], m->end[2]), v_cross(m->end[1], m->start[2]));
+    lanes first = v_dot(m->start[0], yz0), last = v_dot(m->end[0], yz1);
+    lanes second = lanes_add(v_dot(m->end[0], yz0), v_dot(m->start[0], mixed));
+    lanes third = lanes_add(v_dot(m->start[0], yz1), v_dot(m->end[0], mixed));
+    lanes bound = lanes_all(VOLUME_ROUNDING);
+    for (int k = 0; k < 3; k++) {
+        bound = lanes_times(bound, largest_of(larger_magnitudes(m->start[k], m->end[k])));
+    }
+    lanes thrice = lanes_times(lanes_all(3.0), bound), zero = lanes_all(0.0);
+    lanes minus = lanes_sub(zero, bound), minus_thrice = lanes_sub(zero, thrice);
+    lanes_mask above =
+        lanes_both(lanes_both(lanes_less(bound, first), lanes_less(bound, last)),
+                   lanes_both(lanes_less(thrice, second), lanes_less(thrice, third)));
+    lanes_mask below =
+        lanes_both(lanes_both(lanes_less(first, minus), lanes_less(last, minus)),
+                   lanes_both(lanes_less(second, minus_thrice), lanes_less(third, minus_thrice)));
+    return lanes_both(lanes_less(lanes_all(VOLUME_UNDERFLOW), bound), lanes_either(above, below));
+}
+
+/* ---- the advance */
+
+typedef struct bounds_lanes {
+    lanes clear, near_square, rounding_square;
+} bounds_lanes;
+
+static inline bounds_lanes bounds_of(double tolerance, lanes thickness, lanes size)
+{
+    lanes least = lanes_times(lanes_all(LEAST_TOLERANCE), lanes_add(size, thickness));
+    lanes whole = lanes_larger(lanes_times(lanes_all(tolerance), thickness), least);
+    lanes near = lanes_add(thickness, lanes_times(lanes_all(NEAR_SHARE), whole));
+    lanes_mask tiny = lanes_both(lanes_less(thickness, lanes_all(COLLISION_THINNEST)),
+                                 lanes_less(size, lanes_all(TINY_SIZE)));
+    lanes rounding = lanes_times(lanes_all(ROUNDING_SHARE), size);
+    bounds_lanes b = {
+        lanes_add(thickness, lanes_times(lanes_all(0.5), whole)),
+        lanes_choose(tiny, lanes_all(DBL_MAX), lanes_times(near, near)),
+        lanes_times(rounding, rounding),
+    };
+    return b;
+}
+
+/* The answers, as a miss where not hit. */
+static inline void store_hits(const moment_lanes *now, lanes t, lanes distance, lanes_mask hit,
+                              collision_outcome *outcome)
+{
+    lanes zero = lanes_all(0.0), one = lanes_all(1.0), inverse = lanes_over(one, distance);
+    lanes_store(outcome->time, lanes_choose(hit, t, one));
+    lanes_store(outcome->distance, lanes_choose(hit, distance, zero));
+    lanes_store(outcome->normal[0], lanes_choose(hit, lanes_times(now->apart.x, inverse), zero));
+    lanes_store(outcome->normal[1], lanes_choose(hit, lanes_times(now->apart.y, inverse), zero));
+    lanes_store(outcome->normal[2], lanes_choose(hit, lanes_times(now->apart.z, inverse), zero));
+    for (int k = 0; k < 4; k++) {
+        lanes_store(outcome->weights[k], lanes_choose(hit, now->weights[k], zero));
+    }
+}
+
+/* Before the caller sees to the limit again. */
+enum { MOST_ROUNDS = 8 };
+
+static inline void advance(const collision_rules *rules, bool edges, bool first,
+                           collision_four *four, collision_outcome *outcome)
+{
+    relative_lanes m;
+    load_relative(four->start, four->end, four->stride, &m);
+    lanes zero = lanes_all(0.0), one = lanes_all(1.0), t = lanes_load(four->time);
+    lanes thickness = lanes_load(four->thickness);
+    bounds_lanes bounds = bounds_of(rules->tolerance, thickness, m.size);
+    lanes_mask none = lanes_less(zero, zero), hit = none, left = none, open = lanes_not(none);
+    lanes_mask exact = lanes_not(lanes_less(zero, thickness)), filtered = none;
+    if (first && lanes_bits(exact) != 0) {
+        filtered = lanes_both(exact, never_flat(&m));
+        open = lanes_not(filtered);
+    }
+    moment_lanes now;
+    unsigned open_bits = lanes_bits(open), rounds = 0;
+    do {
+        look(&m, edges, first, t, &now);
+        vlanes n = now.apart;
+        projection_lanes g = {v_dot(n, m.start[0]), v_dot(n, m.end[0]),   v_dot(n, m.start[1]),
+                              v_dot(n, m.end[1]),   v_dot(n, m.start[2]), v_dot(n, m.end[2])};
+        for (int i = 0; i < LANES; i++) {
+            four->passes[i] += open_bits >> i & 1u;
+        }
+        lanes_mask far = lanes_less(bounds.near_square, now.square);
+        hit = lanes_either(hit, lanes_both(open, lanes_not(far)));
+        open = lanes_both(open, far);
+        open = lanes_both(open, lanes_not(clear_throughout(&g, edges, bounds.clear, now.square)));
+        open_bits = lanes_bits(open);
+        if (open_bits != 0) {
+            lanes clear = lanes_times(bounds.clear, lanes_sqrt(now.square));
+            lanes until = clear_until(&g, edges, t, clear);
+            lanes_mask onward = lanes_less(t, until), to_end = lanes_less(one, until);
+            left = lanes_either(left, lanes_both(open, lanes_not(onward)));
+            open = lanes_both(lanes_both(open, onward), lanes_not(to_end));
+            open_bits = lanes_bits(open);
+            /* Who is done stays at its time, so that the closest points of a hit are those of the last
+             * look. */
+            t = lanes_choose(open, until, t);
+        }
+    } while (!first && (open_bits & (open_bits - 1)) != 0 && ++rounds < MOST_ROUNDS);
+    lanes distance = lanes_sqrt(now.square);
+    /* Vectors that are all rounding, and zero thickness, are for the scalar code. */
+    lanes_mask rounding = lanes_either(lanes_less(now.square, bounds.rounding_square),
+                                       lanes_less(now.square, lanes_all(1e-300)));
+    lanes_mask difficult = lanes_both(hit, lanes_either(rounding, exact));
+    hit = lanes_both(hit, lanes_not(difficult));
+    outcome->left = lanes_bits(lanes_either(left, difficult));
+    outcome->hit = lanes_bits(hit);
+    outcome->open = open_bits;
+    outcome->filtered = lanes_bits(filtered);
+    lanes_store(four->time, t);
+    store_hits(&now, t, distance, hit, outcome);
+}
+
+void VBSS_WIDE_NAME(vbss_collision_four)(const collision_rules *rules, vbss_pair_kind kind,
+                                         bool first, collision_four *four,
+                                         collision_outcome *outcome)
+{
+    if (kind == VBSS_PAIR_EDGE_EDGE) {
+        if (first) {
+            advance(rules, true, true, four, outcome);
+        } else {
+            advance(rules, true, false, four, outcome);
+        }
+    } else if (first) {
+        advance(rules, false, true, four, outcome);
+    } else {
+        advance(rules, false, false, four, outcome);
+    }
+}

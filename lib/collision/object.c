@@ -1,0 +1,186 @@
+/* How collision objects begin and end, and their counters. */
+#include "collision/shapes.h"
+
+#include <string.h>
+
+_Static_assert(sizeof(vbss_collision_statistics) == 80, "published size");
+
+static const uint32_t statistics_sizes[] = {80, 0};
+static const vbss_layout statistics_layout = {"vbss_collision_statistics", NULL, statistics_sizes};
+
+static vbss_result check_room(vbss_context *context, const vbss_collision_config *c)
+{
+    VBSS_TRY(vbss_check_range(context, c->shape_capacity, 0.0, 65536.0, "shape_capacity"));
+    VBSS_TRY(vbss_check_range(context, c->pair_capacity, 0.0, 1e8, "pair_capacity"));
+    VBSS_TRY(vbss_check_range(context, c->impact_capacity, 0.0, 1e8, "impact_capacity"));
+    VBSS_TRY(vbss_check_range(context, c->exclusion, 0.0, 1e3, "exclusion"));
+    return vbss_check_range(context, c->margin, 0.0, 1e3, "margin");
+}
+
+/* ---- memory: one table says what there is */
+
+enum { PARTS = 22 };
+
+static size_t list_parts(collision_object *c, vbss_array parts[PARTS])
+{
+    size_t shapes = c->config.shape_capacity, pairs = c->config.pair_capacity;
+    size_t impacts = c->config.impact_capacity;
+    const vbss_array all[] = {
+        {&c->shapes, shapes, sizeof(collision_shape *)},
+        {&c->living, shapes, sizeof *c->living},
+        {&c->partners, shapes, sizeof *c->partners},
+        {&c->top.boxes, shapes, sizeof *c->top.boxes},
+        {&c->top.order, shapes, sizeof *c->top.order},
+        {&c->top.group_boxes, vbss_collision_tree_groups(c->config.shape_capacity),
+         sizeof *c->top.group_boxes},
+        {&c->top.groups, vbss_collision_tree_groups(c->config.shape_capacity),
+         sizeof *c->top.groups},
+        {&c->search.parents_a, SEARCH_PARENTS, sizeof *c->search.parents_a},
+        {&c->search.parents_b, SEARCH_PARENTS, sizeof *c->search.parents_b},
+        {&c->search.pairs, pairs + TREE_LANES, sizeof *c->search.pairs},
+        {&c->spare, pairs, sizeof *c->spare},
+        {&c->buckets, SORT_BUCKETS, sizeof *c->buckets},
+        {&c->runs, (size_t)c->run_capacity + 1, sizeof *c->runs},
+        {&c->candidates, pairs, sizeof *c->candidates},
+        {&c->block, 1, sizeof *c->block},
+        {&c->rules.limbs, COLLISION_LIMBS, sizeof *c->rules.limbs},
+        {&c->impacts, impacts, sizeof *c->impacts},
+        {&c->times, impacts, sizeof *c->times},
+        {&c->distances, impacts, sizeof *c->distances},
+        {&c->normals, impacts, sizeof *c->normals},
+        {&c->weights, impacts, sizeof *c->weights},
+        {&c->decisions, impacts, sizeof *c->decisions},
+    };
+    _Static_assert(sizeof all == PARTS * sizeof(vbss_array), "the table has its length");
+    memcpy(parts, all, sizeof all);
+    return PARTS;
+}
+
+static void free_object(vbss_context *context, void *object)
+{
+    collision_object *c = object;
+    vbss_array parts[PARTS];
+    for (uint32_t i = 0; i < c->shape_count; i++) {
+        if (c->shapes[i] != NULL) {
+            vbss_collision_shape_free(context, c->shapes[i]);
+        }
+    }
+    vbss_release_arrays(context, parts, list_parts(c, parts));
+    vbss_release(context, c, 1, sizeof *c);
+}
+
+const vbss_kind vbss_collision_kind = {"collision object", VBSS_CODE('C', 'O', 'L', 'L'), 1,
+                                       free_object, vbss_collision_serialise};
+
+/* Two kinds of pairs of any two shapes, but no more runs than candidates. */
+static uint32_t most_runs(const vbss_collision_config *config)
+{
+    uint64_t shapes = config->shape_capacity, runs = 2 * shapes * shapes;
+    return runs < config->pair_capacity ? (uint32_t)runs : config->pair_capacity;
+}
+
+static vbss_result allocate(vbss_context *context, const vbss_collision_config *config,
+                            collision_object **collision)
+{
+    collision_object *c = vbss_allocate(context, 1, sizeof *c, "collision object");
+    vbss_array parts[PARTS];
+    if (c == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    c->context = context;
+    c->config = *config;
+    c->rules = vbss_collision_rules_of(config);
+    c->rules.limb_count = COLLISION_LIMBS;
+    c->wide = vbss_wide_is_there();
+    c->thickness = config->thickness;
+    c->run_capacity = most_runs(config);
+    c->search.pair_capacity = config->pair_capacity;
+    vbss_result result =
+        vbss_allocate_arrays(context, parts, list_parts(c, parts), "collision object");
+    if (result != VBSS_OK) {
+        free_object(context, c);
+        return result;
+    }
+    *collision = c;
+    return VBSS_OK;
+}
+
+/* ---- life */
+
+vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_config *config,
+                                  vbss_collision **collision)
+{
+    if (collision == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, collision, "collision");
+    }
+    *collision = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_collision_config own;
+    VBSS_TRY(vbss_config_init(&vbss_collision_config_layout, &own, sizeof own));
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &vbss_collision_config_layout, config, &own));
+    }
+    VBSS_TRY(vbss_collision_check_rules(context, &own));
+    VBSS_TRY(check_room(context, &own));
+
+    collision_object *c;
+    vbss_slot *slot = NULL;
+    VBSS_TRY(allocate(context, &own, &c));
+    vbss_result result = vbss_slot_create(context, &vbss_collision_kind, c, &slot);
+    if (result != VBSS_OK) {
+        free_object(context, c);
+        return result;
+    }
+    *collision = (vbss_collision *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_collision_destroy(vbss_collision *collision)
+{
+    return vbss_slot_destroy(collision, &vbss_collision_kind);
+}
+
+vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_collision_kind, &slot));
+    *collision = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **collision)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_collision_kind, &slot));
+    *collision = slot->object;
+    return VBSS_OK;
+}
+
+void vbss_collision_forget(collision_object *c)
+{
+    c->candidate_count = c->impact_count = 0;
+}
+
+vbss_result vbss_collision_get_statistics(vbss_collision *collision,
+                                          vbss_collision_statistics *statistics,
+                                          uint32_t struct_size)
+{
+    collision_object *c;
+    VBSS_TRY(vbss_collision_open(collision, &c));
+    const vbss_collision_statistics own = {
+        .struct_size = sizeof own,
+        .candidates = c->candidate_count,
+        .impacts = c->impact_count,
+        .queries = c->counters.queries,
+        .hits = c->counters.hits,
+        .undecided = c->counters.undecided,
+        .exact = c->counters.exact,
+        .passes = c->counters.passes,
+        .sign_tests_ended = c->counters.sign_tests_ended,
+        .boxes_tested = c->boxes_tested,
+        .searches = c->searches,
+    };
+    return vbss_struct_write(c->context, &statistics_layout, &own, statistics, struct_size);
+}

@@ -1,0 +1,104 @@
+/* The state of a collision object: what is saved, hashed and restored. Trees are not: they decide how
+ * fast a search is, not what it finds. Nor is the count of boxes tested, which depends on them. */
+#include "collision/shapes.h"
+
+/* The configuration that must be the same; what only sizes memory may differ. */
+static void visit_config(vbss_stream *stream, const collision_object *c)
+{
+    const double numbers[] = {c->thickness,     c->rules.tolerance,      c->config.exclusion,
+                              c->config.margin, c->rules.paper_parallel, c->rules.paper_unit};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 1, numbers[i]);
+    }
+    vbss_stream_same(stream, 2, (uint64_t)c->rules.method);
+    vbss_stream_same(stream, 3, c->rules.pass_limit);
+}
+
+static void visit_shape(vbss_stream *stream, collision_shape *s)
+{
+    size_t numbers = 3u * (size_t)s->node_count;
+    vbss_stream_same(stream, 11, s->topology);
+    vbss_stream_f64(stream, 12, &s->start[0].x, numbers);
+    vbss_stream_f64(stream, 13, &s->end[0].x, numbers);
+    if (stream->mode != VBSS_STREAM_READ) {
+        return;
+    }
+    vbss_collision_shape_moved(s);
+    if (vbss_largest(&s->start[0].x, numbers) > COLLISION_FARTHEST ||
+        vbss_largest(&s->end[0].x, numbers) > COLLISION_FARTHEST) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a coordinate is too large");
+    }
+}
+
+static void visit_counters(vbss_stream *stream, collision_object *c)
+{
+    vbss_stream_u64(stream, 20, &c->counters.queries, 1);
+    vbss_stream_u64(stream, 21, &c->counters.hits, 1);
+    vbss_stream_u64(stream, 22, &c->counters.undecided, 1);
+    vbss_stream_u64(stream, 23, &c->counters.exact, 1);
+    vbss_stream_u64(stream, 24, &c->counters.passes, 1);
+    vbss_stream_u64(stream, 25, &c->counters.sign_tests_ended, 1);
+    vbss_stream_u64(stream, 26, &c->searches, 1);
+}
+
+void vbss_collision_serialise(vbss_stream *stream, void *object)
+{
+    collision_object *c = object;
+    visit_config(stream, c);
+    vbss_stream_same(stream, 4, c->shape_count);
+    for (uint32_t name = 0; name < c->shape_count; name++) {
+        vbss_stream_same(stream, 10, c->shapes[name] != NULL);
+        if (c->shapes[name] != NULL) {
+            visit_shape(stream, c->shapes[name]);
+        }
+    }
+    visit_counters(stream, c);
+}
+
+/* ---- saving from outside */
+
+static vbss_result slot_of(const vbss_collision *collision, vbss_slot **slot)
+{
+    return vbss_slot_open(collision, &vbss_collision_kind, slot);
+}
+
+vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity,
+                                uint64_t *written)
+{
+    vbss_slot *slot;
+    VBSS_TRY(slot_of(collision, &slot));
+    VBSS_TRY(vbss_check_pointer(slot->context, written, "written"));
+    size_t need = 0;
+    VBSS_TRY(vbss_snapshot_size(slot, &need));
+    *written = need;
+    if (capacity < need) {
+        return vbss_fail(slot->context, VBSS_ERROR_CAPACITY,
+                         "collision object save: %llu bytes of %llu", (unsigned long long)capacity,
+                         (unsigned long long)need);
+    }
+    VBSS_TRY(vbss_check_pointer(slot->context, bytes, "bytes"));
+    return vbss_snapshot_save(slot, bytes, need, &need);
+}
+
+vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *bytes, uint64_t count)
+{
+    vbss_slot *slot;
+    VBSS_TRY(slot_of(collision, &slot));
+    if (count > SIZE_MAX) {
+        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT,
+                         "collision object restore: count is too large");
+    }
+    VBSS_TRY(vbss_snapshot_restore(slot, bytes, (size_t)count));
+    collision_object *c = slot->object;
+    vbss_collision_forget(c);
+    c->generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_collision_get_hash(vbss_collision *collision, uint64_t *hash)
+{
+    vbss_slot *slot;
+    VBSS_TRY(slot_of(collision, &slot));
+    VBSS_TRY(vbss_check_pointer(slot->context, hash, "hash"));
+    return vbss_snapshot_hash(slot, hash);
+}
