@@ -1,0 +1,37 @@
+# References for collision that are not ours, for tests and bench: libraries vbss_libccd and vbss_fcl,
+# if their packages are there. Who links them gets VBSS_HAVE_LIBCCD or VBSS_HAVE_FCL, the version. Not
+# for other machines or with sanitizers, which their packages are not for either.
+#
+# Included, not a folder of its own: a language holds for the folder that enables it, and each folder
+# that links FCL needs C++.
+if(CMAKE_CROSSCOMPILING OR VBSS_SANITIZE)
+  return()
+endif()
+find_package(PkgConfig QUIET)
+if(NOT PKG_CONFIG_FOUND)
+  return()
+endif()
+if(NOT TARGET vbss_libccd)
+  pkg_check_modules(ccd QUIET IMPORTED_TARGET GLOBAL ccd)
+  if(TARGET PkgConfig::ccd)
+    add_library(vbss_libccd STATIC ${CMAKE_CURRENT_LIST_DIR}/libccd_reference.c)
+    target_include_directories(vbss_libccd PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/tests)
+    target_link_libraries(vbss_libccd PRIVATE PkgConfig::ccd vbss_warnings m)
+    target_compile_definitions(vbss_libccd INTERFACE "VBSS_HAVE_LIBCCD=\"${ccd_VERSION}\"")
+  endif()
+endif()
+include(CheckLanguage)
+check_language(CXX)
+if(CMAKE_CXX_COMPILER)
+  enable_language(CXX)
+endif()
+if(CMAKE_CXX_COMPILER AND NOT TARGET vbss_fcl)
+  pkg_check_modules(fcl QUIET IMPORTED_TARGET GLOBAL fcl)
+  if(TARGET PkgConfig::fcl)
+    add_library(vbss_fcl STATIC ${CMAKE_CURRENT_LIST_DIR}/fcl_reference.cpp)
+    target_include_directories(vbss_fcl PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/tests)
+    target_link_libraries(vbss_fcl PRIVATE PkgConfig::fcl)
+    target_compile_features(vbss_fcl PRIVATE cxx_std_11)
+    target_compile_definitions(vbss_fcl INTERFACE "VBSS_HAVE_FCL=\"${fcl_VERSION}\"")
+  endif()
+endif()

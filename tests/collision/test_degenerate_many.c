@@ -1,0 +1,14 @@
+/* Degenerate queries without thickness, 100 000 a kind. */
+#include "degenerate_check.h"
+
+static void as_the_oracle_says(void **state)
+{
+    (void)state;
+    expect_degenerate_sets_right(6700, 100);
+}
+
+int test_degenerate_many(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_the_oracle_says)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,282 @@
+/* Saving, restoring, hashing; views and their generations. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "collision/shapes_model.h"
+#include "collision/shapes_object.h"
+#include "scenes/shapes_body.h"
+
+static const moving_shapes_options lives[] = {
+    {24, true, true}, {40, false, false}, {33, true, false}, {9, false, true}, {1, true, true}};
+enum { LIVES = sizeof lives / sizeof lives[0] };
+
+static void a_restored_object_goes_on_to_the_same_bits(void **state)
+{
+    (void)state;
+    for (int i = 0; i < LIVES; i++) {
+        moving_shapes_options options = lives[i];
+        const harness_body body = shapes_body(&options);
+        harness_save_restore_continue(&body, 1, 20);
+        harness_save_restore_continue(&body, 14, 20);
+    }
+}
+
+static void bad_snapshots_are_refused(void **state)
+{
+    (void)state;
+    for (int i = 0; i < LIVES; i++) {
+        moving_shapes_options options = lives[i];
+        const harness_body body = shapes_body(&options);
+        harness_refuses_bad_snapshots(&body, 9);
+    }
+}
+
+/* ---- the public functions */
+
+static uint64_t save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity)
+{
+    uint64_t written;
+    expect_ok(vbss_collision_save(collision, bytes, capacity, &written));
+    return written;
+}
+
+static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+{
+    (void)state;
+    object_fixture f;
+    uint8_t bytes[4096];
+    uint64_t need = 0, written = 0;
+    object_begin(&f);
+    vbss_collision *c = f.collision;
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_collision_save(c, bytes, sizeof bytes, NULL));
+    expect_result(VBSS_ERROR_CAPACITY, vbss_collision_save(c, NULL, 0, &need));
+    assert_in_range(need, 1, sizeof bytes);
+    for (uint64_t capacity = 0; capacity < need; capacity += 1 + capacity / 8) {
+        bytes[capacity] = 0x5a;
+        expect_result(VBSS_ERROR_CAPACITY, vbss_collision_save(c, bytes, capacity, &written));
+        assert_int_equal(written, need);
+        assert_int_equal(bytes[capacity], 0x5a);
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_collision_save(c, NULL, need, &written));
+    assert_int_equal(save(c, bytes, need), need);
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_collision_restore(c, NULL, need));
+    expect_result(VBSS_ERROR_TRUNCATED, vbss_collision_restore(c, bytes, need - 1));
+    expect_result(VBSS_ERROR_TRUNCATED, vbss_collision_restore(c, bytes, 0));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_collision_get_hash(c, NULL));
+    object_end(&f);
+}
+
+/* On failure the list stays, on success it is forgotten. */
+static void a_restore_forgets_what_was_found(void **state)
+{
+    (void)state;
+    object_fixture f;
+    uint8_t bytes[4096];
+    object_begin(&f);
+    uint64_t written = save(f.collision, bytes, sizeof bytes);
+    uint32_t count = shapes_statistics(f.collision).candidates;
+    assert_true(count > 0);
+    bytes[40] ^= 1u;
+    assert_true(vbss_collision_restore(f.collision, bytes, written) < 0);
+    assert_int_equal(shapes_statistics(f.collision).candidates, count);
+    bytes[40] ^= 1u;
+    expect_ok(vbss_collision_restore(f.collision, bytes, written));
+    assert_int_equal(shapes_statistics(f.collision).candidates, 0);
+    assert_int_equal(shapes_statistics(f.collision).impacts, 0);
+    assert_int_equal(shapes_view(f.collision, VBSS_COLLISION_VIEW_IMPACTS).count, 0);
+    object_end(&f);
+}
+
+static void expect_refused(object_fixture *f, vbss_collision *other, const uint8_t *bytes,
+                           uint64_t count)
+{
+    uint64_t hash = object_hash(other);
+    assert_true(hash != object_hash(f->collision));
+    expect_result(VBSS_ERROR_CORRUPT, vbss_collision_restore(other, bytes, count));
+    assert_true(object_hash(other) == hash);
+    expect_ok(vbss_collision_destroy(other));
+}
+
+static void snapshots_of_another_configuration_are_refused(void **state)
+{
+    (void)state;
+    static const size_t numbers[] = {offsetof(vbss_collision_config, thickness),
+                                     offsetof(vbss_collision_config, tolerance),
+                                     offsetof(vbss_collision_config, exclusion),
+                                     offsetof(vbss_collision_config, margin),
+                                     offsetof(vbss_collision_config, paper_parallel),
+                                     offsetof(vbss_collision_config, paper_unit)};
+    object_fixture f;
+    uint8_t bytes[4096];
+    vbss_collision_config config, kept;
+    object_begin(&f);
+    uint64_t count = save(f.collision, bytes, sizeof bytes);
+    expect_ok(vbss_collision_config_init(&kept, sizeof kept));
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        double value = 0.25;
+        config = kept;
+        memcpy((char *)&config + numbers[i], &value, sizeof value);
+        expect_refused(&f, object_make(f.context, &config), bytes, count);
+    }
+    config = kept;
+    config.method = VBSS_COLLISION_PAPER;
+    expect_refused(&f, object_make(f.context, &config), bytes, count);
+    config = kept;
+    config.pass_limit--;
+    expect_refused(&f, object_make(f.context, &config), bytes, count);
+    /* What only reserves memory may differ. */
+    config = kept;
+    config.shape_capacity = 3;
+    config.pair_capacity = config.impact_capacity = 500;
+    vbss_collision *alike = object_make(f.context, &config);
+    expect_ok(vbss_collision_restore(alike, bytes, count));
+    assert_true(object_hash(alike) == object_hash(f.collision));
+    object_end(&f);
+}
+
+static vbss_collision *begin_one(const object_fixture *f)
+{
+    vbss_collision *collision;
+    expect_ok(vbss_collision_create(f->context, NULL, &collision));
+    return collision;
+}
+
+/* Each differs from the first in one thing. */
+static void snapshots_of_other_shapes_are_refused(void **state)
+{
+    (void)state;
+    object_fixture f;
+    uint8_t bytes[4096];
+    uint32_t name;
+    const double rest[2][4] = {{1.0, 1.0, 1.0, 1.0}, {1.0, 1e-9, 1e-9, 1.0}};
+    const uint32_t triangles[2][6] = {{0, 1, 2, 2, 1, 3}, {0, 1, 2, 2, 0, 3}};
+    object_begin(&f);
+    expect_ok(vbss_collision_destroy(f.collision));
+    for (int way = 0; way < 7; way++) {
+        f.collision = begin_one(&f);
+        expect_ok(vbss_collision_add_chain(f.collision, 5, rest[0], 0.1, &name));
+        expect_ok(vbss_collision_add_mesh(f.collision, 4, triangles[0], 2, 0.1, &name));
+        uint64_t count = save(f.collision, bytes, sizeof bytes);
+        vbss_collision *other = begin_one(&f);
+        expect_ok(vbss_collision_add_chain(other, way == 0 ? 6 : 5,
+                                           way == 1 ? NULL : rest[way == 2], way == 3 ? 0.11 : 0.1,
+                                           &name));
+        expect_ok(vbss_collision_add_mesh(other, 4, triangles[way == 4], 2, 0.1, &name));
+        if (way == 5) {
+            expect_ok(vbss_collision_remove(other, name));
+        } else if (way == 6) {
+            expect_ok(vbss_collision_add_capsules(other, 1, 0.1, &name));
+        }
+        if (way == 1) { /* neighbours alone are excluded, as with these rest lengths */
+            expect_ok(vbss_collision_restore(other, bytes, count));
+            expect_ok(vbss_collision_destroy(other));
+        } else {
+            expect_refused(&f, other, bytes, count);
+        }
+        expect_ok(vbss_collision_destroy(f.collision));
+    }
+    object_end(&f);
+}
+
+/* ---- hashes */
+
+static void hashes_differ_when_anything_differs(void **state)
+{
+    (void)state;
+    object_fixture f;
+    uint64_t seen[100];
+    uint32_t count = 0;
+    double x[2][18] = {{0.0}};
+    object_begin(&f);
+    seen[count++] = object_hash(f.collision);
+    for (int i = 0; i < 36; i++) {
+        x[i / 18][i % 18] = 1e-9;
+        expect_ok(vbss_collision_move(f.collision, OBJECT_CAPSULES, x[0], x[1], 6));
+        seen[count++] = object_hash(f.collision);
+    }
+    expect_ok(vbss_collision_find_candidates(f.collision));
+    seen[count++] = object_hash(f.collision);
+    expect_ok(vbss_collision_find_impacts(f.collision));
+    seen[count++] = object_hash(f.collision);
+    expect_ok(vbss_collision_remove(f.collision, OBJECT_MESH));
+    seen[count++] = object_hash(f.collision);
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t k = 0; k < i; k++) {
+            assert_true(seen[i] != seen[k]);
+        }
+    }
+    object_end(&f);
+}
+
+/* ---- views */
+
+static void views_have_their_sizes(void **state)
+{
+    (void)state;
+    static const struct {
+        vbss_type type;
+        uint32_t components;
+    } wanted[] = {{VBSS_TYPE_U32, 5}, {VBSS_TYPE_U32, 1}, {VBSS_TYPE_F64, 1}, {VBSS_TYPE_F64, 3},
+                  {VBSS_TYPE_F64, 4}, {VBSS_TYPE_U32, 1}, {VBSS_TYPE_F64, 1}};
+    object_fixture f;
+    object_begin(&f);
+    vbss_collision_statistics s = shapes_statistics(f.collision);
+    assert_true(s.impacts > 0 && s.impacts < s.candidates);
+    for (vbss_collision_field field = 0; field < 7; field++) {
+        vbss_view view = shapes_view(f.collision, field);
+        assert_int_equal(view.struct_size, sizeof view);
+        assert_int_equal(view.type, wanted[field].type);
+        assert_int_equal(view.components, wanted[field].components);
+        assert_true(view.stride_bytes >=
+                    wanted[field].components * (view.type == VBSS_TYPE_F64 ? 8u : 4u));
+        assert_int_equal(view.count,
+                         field == VBSS_COLLISION_VIEW_CANDIDATES ? s.candidates : s.impacts);
+        assert_non_null(view.data);
+    }
+    const vbss_collision_field none[] = {-1, 7, INT32_MAX, INT32_MIN};
+    for (int i = 0; i < 4; i++) {
+        vbss_view view;
+        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_collision_get_view(f.collision, none[i], &view, sizeof view));
+    }
+    object_end(&f);
+}
+
+static void the_generation_changes_with_every_edit(void **state)
+{
+    (void)state;
+    object_fixture f;
+    uint8_t bytes[4096];
+    object_begin(&f);
+    uint64_t written = save(f.collision, bytes, sizeof bytes);
+    uint64_t before = shapes_view(f.collision, VBSS_COLLISION_VIEW_TIMES).generation;
+    expect_ok(vbss_collision_restore(f.collision, bytes, written));
+    const int edits = OBJECT_EDITS - 3; /* tests change the counters alone */
+    for (int i = 0; i <= edits; i++) {
+        for (int k = OBJECT_EDITS; k < OBJECT_CALLS; k++) {
+            expect_ok(object_calls[k](f.collision)); /* looking changes nothing */
+        }
+        uint64_t now = shapes_view(f.collision, VBSS_COLLISION_VIEW_CANDIDATES).generation;
+        assert_true(now != before);
+        assert_true(shapes_view(f.collision, VBSS_COLLISION_VIEW_TIMES).generation == now);
+        expect_ok(i < edits ? object_calls[i](f.collision) : VBSS_OK);
+        before = now;
+    }
+    object_end(&f);
+}
+
+int test_object_state(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_restored_object_goes_on_to_the_same_bits),
+        cmocka_unit_test(bad_snapshots_are_refused),
+        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
+        cmocka_unit_test(a_restore_forgets_what_was_found),
+        cmocka_unit_test(snapshots_of_another_configuration_are_refused),
+        cmocka_unit_test(snapshots_of_other_shapes_are_refused),
+        cmocka_unit_test(hashes_differ_when_anything_differs),
+        cmocka_unit_test(views_have_their_sizes),
+        cmocka_unit_test(the_generation_changes_with_every_edit),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,260 @@
+/* The paper's response: distance and side are restored, by whom the paper says; then what it leaves
+ * open; then what is refused. a lies along x, or in the plane z = 0 for the triangle (then b). */
+#include <stdlib.h>
+
+#include "collision/closest.h"
+#include "collision/paper_ask.h"
+
+#define EDGE -1, 0, 0, 1, 0, 0
+#define TRIANGLE 0, 0, 0, 2, 0, 0, 0, 2, 0
+#define D 0.25
+
+static const double equal[4] = {1, 1, 1, 1}, rigid_a[4] = {0, 0, 2, 3}, rigid_b[4] = {2, 3, 0, 0};
+
+static vbss_response respond(vbss_response_variant variant, const vbss_impact *impact,
+                             const question *q, const double masses[4])
+{
+    vbss_response r;
+    expect_ok(
+        vbss_paper_response(q->kind, variant, impact, q->start, q->end, D, masses, &r, sizeof r));
+    assert_int_equal(sizeof r, r.struct_size);
+    expect_finite(r.direction, (int)((sizeof r - offsetof(vbss_response, direction)) / 8));
+    expect_near(1.0, vec3_norm(vec3_load(r.direction)), 1e-15);
+    return r;
+}
+
+static vbss_response at_end(const question *q, const double masses[4])
+{
+    return respond(VBSS_RESPONSE_END_OF_STEP, NULL, q, masses);
+}
+
+/* From b to a between points with these weights, after the response. */
+static vec3 apart_after(const question *q, const double positions[12], const vbss_response *r,
+                        const double weights[4])
+{
+    vec3 apart = vec3_zero();
+    for (size_t k = 0; k < 4; k++) {
+        vec3 x = vec3_add(vec3_load(positions + 3 * k), vec3_load(r->displacement + 3 * k));
+        bool of_a = k < (q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1);
+        apart = vec3_add_scaled(apart, of_a ? weights[k] : -weights[k], x);
+    }
+    return apart;
+}
+
+static void expect_q(double z, const vbss_response *r)
+{
+    assert_true(r->direction[0] == 0.0 && r->direction[1] == 0.0 && r->direction[2] == z);
+}
+
+/* b, over the middle of a or of itself at z = 1, ends at `end`; a moves by `way`. */
+static question sinking(double end, double way)
+{
+    question q = {VBSS_PAIR_EDGE_EDGE,
+                  {EDGE, 0, -1, 1, 0, 1, 1},
+                  {-1, 0, way, 1, 0, way, 0, -1, end, 0, 1, end}};
+    return q;
+}
+
+static const double middle[4] = {.5, .5, .5, .5};
+
+static void expect_restored(const question *q, const vbss_response *r, const double weights[4])
+{
+    vec3 apart = apart_after(q, q->end, r, weights);
+    expect_near(D, vec3_norm(apart), 1e-14);
+    expect_near(D, vec3_dot(apart, vec3_load(r->direction)), 1e-14);
+}
+
+static void edges_that_passed_are_put_back_by_who_moved(void **state)
+{
+    (void)state;
+    question q = sinking(-.1, 0);
+    vbss_response r = at_end(&q, equal);
+    expect_q(-1.0, &r); /* b was above, so from b to a is down */
+    expect_near(D + .1, r.depth, 1e-15);
+    expect_near(0.0, r.share_a, 0.0);
+    expect_near(D + .1, r.displacement[8], 1e-15);
+    expect_near(D + .1, r.displacement[11], 1e-15);
+    assert_int_equal(0, r.completed);
+    expect_restored(&q, &r, middle);
+    /* Both came, a by 0.3 and b by 0.9. */
+    q = sinking(.1, .3);
+    r = at_end(&q, equal);
+    expect_near(D + .2, r.depth, 1e-15);
+    expect_near(.25, r.share_a, 1e-15);
+    assert_int_equal(0, r.completed);
+    expect_restored(&q, &r, middle);
+    /* Near, not through. */
+    q = sinking(.1, 0);
+    r = at_end(&q, equal);
+    expect_q(-1.0, &r);
+    expect_near(D - .1, r.depth, 1e-15);
+    expect_restored(&q, &r, middle);
+}
+
+/* Rounding gives their lines a normal, which is not to be believed. */
+static void parallel_edges_that_passed_are_put_back_too(void **state)
+{
+    (void)state;
+    question q = {VBSS_PAIR_EDGE_EDGE,
+                  {0, 0, 0, .1, .2, .3, 3, 0, -1, 4, 2, 2},
+                  {0, 0, 0, .1, .2, .3, -.3, 0, .1, .7, 2, 3.1}};
+    vbss_response r = at_end(&q, equal);
+    assert_int_equal(0, r.completed);
+    expect_near(-3.0 / sqrt(10.0), r.direction[0], 1e-14);
+    expect_near(1.0 / sqrt(10.0), r.direction[2], 1e-14);
+    expect_near(D + .1 * sqrt(10.0), r.depth, 1e-14);
+    vec3 x[4];
+    double at_a, at_b; /* any pair of points is closest; the library takes these */
+    load_at(&q, 1.0, 1.0, x);
+    closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]), &at_a, &at_b);
+    const double weights[4] = {1.0 - at_a, at_a, 1.0 - at_b, at_b};
+    expect_restored(&q, &r, weights);
+}
+
+static void shares_of_a_chase_leave_the_unit_interval(void **state)
+{
+    (void)state;
+    question q = sinking(-1.2, -1); /* a flees by 1, b follows by 2.2 */
+    vbss_response r = at_end(&q, equal);
+    expect_near(-1.0 / 1.2, r.share_a, 1e-14);
+    assert_int_equal(0, r.completed);
+    expect_restored(&q, &r, middle);
+    assert_true(r.displacement[2] > 0.0); /* a is drawn back towards b, its motion undone */
+}
+
+static void rigid_side_stays_where_it_is(void **state)
+{
+    (void)state;
+    const double *masses[] = {rigid_a, rigid_b};
+    for (int k = 0; k < 2; k++) {
+        question q = sinking(-.1, k == 0 ? .1 : 0); /* whoever it was that moved */
+        vbss_response r = at_end(&q, masses[k]);
+        expect_near(k, r.share_a, 0.0);
+        assert_int_equal(0, r.completed);
+        expect_restored(&q, &r, middle);
+        for (int i = 0; i < 6; i++) {
+            assert_true(r.displacement[6 * k + i] == 0.0);
+        }
+    }
+}
+
+static void point_and_triangle_are_put_back_likewise(void **state)
+{
+    (void)state;
+    const double weights[4] = {1, .5, .25, .25}, rigid_point[4] = {0, 1, 2, 3};
+    const double rigid_triangle[4] = {5, 0, 0, 0};
+    question q = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 1, TRIANGLE}, {.5, .5, -.1, TRIANGLE}};
+    const double *masses[] = {equal, rigid_point, rigid_triangle};
+    const double shares[] = {1, 0, 1};
+    for (int k = 0; k < 3; k++) {
+        vbss_response r = at_end(&q, masses[k]);
+        expect_q(1.0, &r);
+        expect_near(D + .1, r.depth, 1e-15);
+        expect_near(shares[k], r.share_a, 0.0);
+        assert_int_equal(0, r.completed);
+        expect_restored(&q, &r, weights);
+    }
+    /* Beside the triangle, the vector from the corner counts. */
+    question out = {VBSS_PAIR_POINT_TRIANGLE, {-.06, -.08, 1, TRIANGLE}, {-.06, -.08, 0, TRIANGLE}};
+    vbss_response r = at_end(&out, equal);
+    expect_near(D - .1, r.depth, 1e-15);
+    expect_near(-.6, r.direction[0], 1e-14);
+    assert_int_equal(1, r.completed); /* in the plane at the end, so it has no side there */
+}
+
+/* Restores D at the time of impact; at the end, what was passed since remains. */
+static void time_of_impact_moves_by_the_thickness(void **state)
+{
+    (void)state;
+    const double corners[4] = {1, .5, .25, .25};
+    question edges = sinking(-.1, 0);
+    question point = {VBSS_PAIR_POINT_TRIANGLE, {.5, .5, 1, TRIANGLE}, {.5, .5, -.1, TRIANGLE}};
+    const question *asked[] = {&edges, &point};
+    const double *weights[] = {middle, corners};
+    const vbss_collision_method methods[] = {VBSS_COLLISION_PAPER, VBSS_COLLISION_CUBIC,
+                                             VBSS_COLLISION_CONSERVATIVE};
+    for (int k = 0; k < 6; k++) {
+        const question *q = asked[k / 3];
+        vbss_impact hit = ask(methods[k % 3], 0.0, q).impact;
+        expect_near(10.0 / 11.0, hit.time, 1e-12);
+        vbss_response r = respond(VBSS_RESPONSE_TIME_OF_IMPACT, &hit, q, equal);
+        expect_near(k < 3 ? -1.0 : 1.0, r.direction[2], 1e-14);
+        expect_near(D, r.depth, 0.0);
+        expect_near(k < 3 ? 0.0 : 1.0, r.share_a, 1e-14);
+        assert_int_equal(0, r.completed);
+        double then[12];
+        for (int i = 0; i < 12; i++) {
+            then[i] = (1.0 - hit.time) * q->start[i] + hit.time * q->end[i];
+        }
+        vec3 q_way = vec3_load(r.direction);
+        expect_near(D, vec3_dot(apart_after(q, then, &r, weights[k / 3]), q_way), 1e-12);
+        expect_near(D - .1, vec3_dot(apart_after(q, q->end, &r, weights[k / 3]), q_way), 1e-12);
+    }
+}
+
+/* Through, and found near at the end: its normal leads on, its time is that of the end. */
+static void hit_at_the_end_is_put_back_as_of_the_end(void **state)
+{
+    (void)state;
+    question q = sinking(-.1, 0);
+    vbss_impact hit = ask(VBSS_COLLISION_PAPER, D, &q).impact;
+    assert_true(hit.time == 1.0 && hit.normal[2] == -1.0);
+    vbss_response r = respond(VBSS_RESPONSE_TIME_OF_IMPACT, &hit, &q, equal);
+    vbss_response same = at_end(&q, equal);
+    assert_memory_equal(&same, &r, sizeof r);
+    expect_restored(&q, &r, middle);
+}
+
+/* ---- any hit */
+
+/* The contact points come to lie D apart along q, whoever moves; only what may move does. */
+static void restores_contact_points(harness_source *source, void *user)
+{
+    uint32_t *restored = user;
+    question q = draw_question(source, DRAWN_EVENLY);
+    double masses[4], sum = 0.0;
+    for (int k = 0; k < 4; k++) {
+        masses[k] = harness_draw_below(source, 3) != 0 ? harness_draw_real(source, .1, 10.0) : 0.0;
+        sum += masses[k];
+    }
+    vbss_impact hit = ask(VBSS_COLLISION_CUBIC, 0.0, &q).impact;
+    if (hit.hit == 0 || sum == 0.0) {
+        return;
+    }
+    vbss_response r = respond(VBSS_RESPONSE_TIME_OF_IMPACT, &hit, &q, masses);
+    vec3 at_impact = vec3_sub(vec3_load(hit.point_a), vec3_load(hit.point_b)), moved = vec3_zero();
+    double scale = 1.0;
+    for (size_t k = 0; k < 4; k++) {
+        bool of_a = k < (q.kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1);
+        vec3 way = vec3_load(r.displacement + 3 * k);
+        moved = vec3_add_scaled(moved, of_a ? hit.weights[k] : -hit.weights[k], way);
+        scale = vec3_norm(way) > scale ? vec3_norm(way) : scale;
+        assert_true(masses[k] > 0.0 || vec3_norm(way) == 0.0);
+    }
+    vec3 wanted = vec3_scale(vec3_load(r.direction), D);
+    expect_near(0.0, vec3_distance(wanted, vec3_add(at_impact, moved)), 1e-12 * scale);
+    ++*restored;
+}
+
+static void contact_points_move_by_exactly_the_depth(void **state)
+{
+    (void)state;
+    uint32_t restored = 0;
+    harness_property("response restores", 10000, restores_contact_points, &restored);
+    assert_true(getenv("VBSS_PROPERTY_CASE") != NULL || restored > 500);
+}
+
+int test_paper_response(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(edges_that_passed_are_put_back_by_who_moved),
+        harness_test(parallel_edges_that_passed_are_put_back_too),
+        harness_test(shares_of_a_chase_leave_the_unit_interval),
+        harness_test(rigid_side_stays_where_it_is),
+        harness_test(point_and_triangle_are_put_back_likewise),
+        harness_test(time_of_impact_moves_by_the_thickness),
+        harness_test(hit_at_the_end_is_put_back_as_of_the_end),
+        harness_test(contact_points_move_by_exactly_the_depth),
+    };
+    return cmocka_run_group_tests_name("paper_response", tests, NULL, NULL);
+}
