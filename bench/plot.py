@@ -3,6 +3,7 @@
 
 For each file, beside it:
   <suite>-work-precision.svg  error against time, a curve a method   (scenes with N and an error)
+  <suite>-speed-error.svg     wrong answers against time             (sets of questions: fp and fn)
   <suite>-methods.svg         time and errors, a dot a method        (scenes without N)
   <suite>-growth.svg          time against N, a curve a method       (scenes with several N)
   <suite>-percentiles.svg     median, p99, p99.9, max of a step      (stepped cases)
@@ -12,10 +13,11 @@ import os
 import sys
 
 sys.dont_write_bytecode = True  # nothing is left beside the scripts
+from matplotlib.ticker import NullLocator  # noqa: E402
 from plot_suite import (Suite, axis_name, draw_curve, grid_of_panels, legend_beside,  # noqa: E402
                         legend_or_label, plt, set_log, short, times, unique)
 
-KINDS = ["work-precision", "methods", "growth", "percentiles"]
+KINDS = ["work-precision", "speed-error", "methods", "growth", "percentiles"]
 # One hue, light to dark: the tail is lightest.
 PERCENTILES = [("max", "max_us", "#DCE6F1"), ("p99.9", "p999_us", "#A6C3DF"),
                ("p99", "p99_us", "#5B94C4"), ("median", "median_us", "#08519C")]
@@ -89,6 +91,59 @@ def plot_work_precision(suite):
     return suite.save(figure, "work-precision", "error against time (best: lower left; labels: N)")
 
 
+# Counter, what it is a share of, and its axis.
+WRONG_ANSWERS = [("fn", lambda c: c.number("positives"), "true hits missed (%)"),
+                 ("fp", lambda c: c.number("queries") - c.number("positives"),
+                  "true misses told as hits (%)")]
+LEAST_SHARE = 0.01  # %; below it the axis is linear, down to 0
+
+
+def draw_speed_error(suite, axes, cases, counter, possible):
+    seconds, _ = times(cases)
+    shares = [100 * c.number(counter) / max(possible(c), 1) for c in cases]
+    for i, (case, x, share) in enumerate(zip(cases, seconds, shares)):
+        # The first methods lie on top.
+        axes.plot(x, share, suite.marker[case.method], color=suite.colour[case.method],
+                  markersize=6, linestyle="", clip_on=False, zorder=4 - i / len(cases),
+                  label=case.method)
+    set_log(axes.xaxis, seconds)
+    axes.set_yscale("symlog", linthresh=LEAST_SHARE, linscale=0.6)
+    axes.set_ylim(0, 100)
+    axes.set_yticks([0, 0.01, 0.1, 1, 10, 100], ["0", "0.01", "0.1", "1", "10", "100"])
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.grid(which="major", color="#EEEEEE")
+    axes.spines["bottom"].set_color("#009E73" if counter == "fn" else "#BBBBBB")
+
+
+def plot_speed_error(suite):
+    """A row a set, missed hits beside invented ones: who stands on the lower edge has none."""
+    scenes = []
+    for scene in unique(c.scene for c in suite.timed() if not c.label):
+        cases = [c for c in suite.scene(scene) if not c.label]
+        if all(c.number(name) is not None for c in cases for name in ("fp", "fn", "queries")):
+            scenes.append((scene, cases))
+    names = [scene for scene, _ in scenes]
+    # A set that is a part of another one adds nothing here.
+    scenes = [(s, cases) for s, cases in scenes if not any(s.startswith(n + "-") for n in names)]
+    if not scenes:
+        return None
+    figure, grid = plt.subplots(len(scenes), 2, squeeze=False,
+                                figsize=(10.6, 2.3 * len(scenes) + 0.8))
+    for row, (scene, cases) in zip(grid, scenes):
+        for axes, (counter, possible, name) in zip(row, WRONG_ANSWERS):
+            draw_speed_error(suite, axes, cases, counter, possible)
+            axes.set_ylabel(name, fontsize=8)
+            axes.set_xlabel("CPU time per question (ns)", fontsize=8)
+        row[0].set_title(f"{scene}: {cases[0].number('queries'):.0f} questions, "
+                         f"{cases[0].number('positives'):.0f} hits", loc="left", fontsize=9)
+    shown = {}  # one legend for all: not every method takes every set
+    for axes in grid.flat:
+        shown.update((label, handle) for handle, label in zip(*axes.get_legend_handles_labels()))
+    grid[0][1].legend(shown.values(), shown.keys(), frameon=False, fontsize=8, loc="upper left",
+                      bbox_to_anchor=(1.02, 1.0))
+    return suite.save(figure, "speed-error", "wrong answers against time (best: lower left)")
+
+
 def plot_methods(suite):
     """Scenes without N have one point a method: dots in rows are read faster than such curves."""
     groups = {}
@@ -115,7 +170,8 @@ def plot_methods(suite):
         for method in methods:
             row[0].plot([], [], suite.marker[method], color=suite.colour[method], label=method)
         legend = row[0].legend(frameon=False, fontsize=8, ncol=len(methods), loc="lower left",
-                               bbox_to_anchor=(0, 1), borderpad=0.1, handletextpad=0.2)
+                               bbox_to_anchor=(0, 1), borderpad=0.1, handletextpad=0.2,
+                               columnspacing=2.0 if len(methods) < 10 else 1.0)
         legend.set_in_layout(False)  # it may be wider than its panel: let it, and only
         row[0].set_title(" ", fontsize=9)  # keep its line free
     return suite.save(figure, "methods", "time and error by method (left is better)")
@@ -220,7 +276,7 @@ def plot_percentiles(suite):
 def main(paths):
     plt.rcParams.update({"font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
                          "svg.hashsalt": "vbss", "axes.axisbelow": True})
-    plots = [plot_work_precision, plot_methods, plot_growth, plot_percentiles]
+    plots = [plot_work_precision, plot_speed_error, plot_methods, plot_growth, plot_percentiles]
     for path in paths:
         suite = Suite(path)
         made = {plot(suite) for plot in plots}
