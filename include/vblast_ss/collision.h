@@ -58,9 +58,12 @@ enum {
     /** Miss: planes that separate the features by more than D at all times. Hit: at `time` the
      * distance is at most D plus the tolerance. */
     VBSS_DECISION_PROVED = 0,
-    VBSS_DECISION_EXACT = 1,     /**< D = 0: true of the given numbers, without any tolerance. */
-    VBSS_DECISION_UNDECIDED = 2, /**< Neither could be shown; told as a hit. */
-    VBSS_DECISION_CLAIMED = 3    /**< Of CUBIC and PAPER, which prove nothing. */
+    VBSS_DECISION_EXACT = 1, /**< D = 0: true of the given numbers, without any tolerance. */
+    /** Neither could be shown; told as a hit. D > 0: pass_limit was reached. D = 0: the bits of the
+     * coordinates spread over more binary places than there is memory for: some 400 in a call without
+     * an object; with one, any doubles have fitted so far. */
+    VBSS_DECISION_UNDECIDED = 2,
+    VBSS_DECISION_CLAIMED = 3 /**< Of CUBIC and PAPER, which prove nothing. */
 };
 
 /** Two closest points. */
@@ -175,15 +178,15 @@ typedef int32_t vbss_response_variant;
 enum {
     /** Algorithm 2 as printed: along the shortest vector at the end of the step. */
     VBSS_RESPONSE_END_OF_STEP = 0,
-    /** Along the normal at the time of impact, by D. */
+    /** Along the normal at the time of impact, by D: D apart in the positions of that time. */
     VBSS_RESPONSE_TIME_OF_IMPACT = 1
 };
 
 /** Displacements by the paper's response. */
 typedef struct vbss_response {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    /** 1: the paper leaves this case open (no relative motion along the direction, or features that meet
-     * at the end) and the rule of docs/paper-collision.md was used. */
+    /** 1: the paper leaves this case open, such as no relative motion along the direction, or features
+     * that meet at the end, and a rule of docs/paper-collision.md was used. */
     int32_t completed;
     double direction[3];     /**< q: unit vector from edge b to edge a, on the side of the start. */
     double depth;            /**< u: what is to be restored along q, m. */
@@ -310,14 +313,15 @@ VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *confi
 
 /**
  * The paper's response to a hit (algorithm 2): how far to move the four vertices at the end of the step
- * so that the features are D apart again on the side they came from. Between the two vertices of an
- * edge, or the three of a triangle, the shift of the contact point is shared by weights and inverse
- * masses. Source, signs and the rules for what the paper leaves open: docs/paper-collision.md.
+ * so that the features are D apart on the side they came from; with TIME_OF_IMPACT, D more than they have
+ * come nearer since. Between the two vertices of an edge, or the three of a triangle, the shift of the
+ * contact point is shared by weights and inverse masses. Source, signs and the rules for what the paper
+ * leaves open: docs/paper-collision.md.
  *
  * @param kind            what the vertices are
  * @param variant         printed, or with the time of impact
- * @param impact          the hit, as a test with the same vertices told it; read by TIME_OF_IMPACT, may
- *                        be NULL otherwise
+ * @param impact          the hit, as a test with the same vertices told it; TIME_OF_IMPACT needs it,
+ *                        END_OF_STEP takes its normal when there is no other, and may have NULL
  * @param start           four vertices at time 0, m
  * @param end             the same at time 1, m
  * @param thickness       D, m, 0 to 1e30
@@ -325,8 +329,8 @@ VBSS_API vbss_result vbss_point_triangle_test(const vbss_collision_config *confi
  *                        such vertices is rigid and the other takes all. At least one is above 0.
  * @param[out] response   receives the displacements
  * @param struct_size     `sizeof *response` as the caller was compiled
- * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_NOT_FINITE or
- *         VBSS_ERROR_OUT_OF_RANGE
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
+ *         VBSS_ERROR_NOT_FINITE or VBSS_ERROR_OUT_OF_RANGE
  * @threads any thread, any time
  * @since 0.1
  */

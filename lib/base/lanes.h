@@ -46,8 +46,8 @@ typedef struct lanes {
 typedef struct lanes_mask {
     lanes_part_mask low, high;
 } lanes_mask;
-#define LANES_OF(type, part, a, b, c)                                    \
-    type r_ = {part(a.low, b.low, c.low), part(a.high, b.high, c.high)}; \
+#define LANES_OF(type, part, a, b, c)                                                \
+    type r_ = {part((a).low, (b).low, (c).low), part((a).high, (b).high, (c).high)}; \
     return r_
 
 static inline double lanes_at(lanes v, int i)
@@ -74,11 +74,11 @@ typedef struct lanes {
 typedef struct lanes_mask {
     int64_t at[LANES];
 } lanes_mask;
-#define LANES_OF(type, part, a, b, c)                   \
-    type r_;                                            \
-    for (int i_ = 0; i_ < LANES; i_++) {                \
-        r_.at[i_] = part(a.at[i_], b.at[i_], c.at[i_]); \
-    }                                                   \
+#define LANES_OF(type, part, a, b, c)                         \
+    type r_;                                                  \
+    for (int i_ = 0; i_ < LANES; i_++) {                      \
+        r_.at[i_] = part((a).at[i_], (b).at[i_], (c).at[i_]); \
+    }                                                         \
     return r_
 
 static inline double lanes_at(lanes v, int i)

@@ -7,7 +7,7 @@
 
 #include "base/base.h"
 
-/* Edges whose squared sine is below this are taken for parallel: the general formula loses digits. */
+/* Edges whose squared sine is below this are taken for parallel: products of dot products lose digits. */
 #define CLOSEST_PARALLEL 1e-6
 
 /* NaN becomes 0. */
@@ -31,18 +31,43 @@ static inline vec3 edges_apart(vec3 a, vec3 b, vec3 r, double s, double u)
     return vec3_sub(vec3_add_scaled(r, u, b), vec3_scale(a, s));
 }
 
-/* The best of what is given and of the four ends, each with its closest point on the other edge. */
+/* What each edge says about itself and the other. */
+typedef struct edge_products {
+    double aa, bb, ab, ar, br;
+} edge_products;
+
+VBSS_ALWAYS_INLINE edge_products products_of_edges(vec3 a, vec3 b, vec3 r)
+{
+    edge_products p = {vec3_norm_squared(a), vec3_norm_squared(b), vec3_dot(a, b), vec3_dot(a, r),
+                       vec3_dot(b, r)};
+    return p;
+}
+
+/* From a first guess of s: u, then s again. Divisions do not wait for each other, and nothing branches. */
+VBSS_ALWAYS_INLINE void closest_from(edge_products p, double first, double *s, double *u)
+{
+    double inverse_aa = 1.0 / p.aa, inverse_bb = 1.0 / p.bb;
+    *u = clamp_unit((clamp_unit(first) * p.ab - p.br) * inverse_bb);
+    *s = clamp_unit((*u * p.ab + p.ar) * inverse_aa);
+}
+
+/* The best of where the lines come nearest, by cross products, and of the four ends, each with its
+ * closest point on the other edge. */
 static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
 {
+    vec3 n = vec3_cross(a, b);
+    double nn = vec3_norm_squared(n);
+    *s = *u = 0.0;
+    if (nn > 0.0) { /* so neither is a point */
+        closest_from(products_of_edges(a, b, r), vec3_dot(vec3_cross(r, b), n) / nn, s, u);
+    }
     vec3 best = edges_apart(a, b, r, *s, *u);
     double least = vec3_norm_squared(best);
     for (int end = 0; end < 4; end++) {
-        double at = (double)(end & 1), s_end, u_end;
+        double at = (double)(end & 1), s_end = at, u_end = at;
         if (end < 2) {
-            s_end = at;
             u_end = closest_on_edge(b, vec3_sub(vec3_scale(a, at), r));
         } else {
-            u_end = at;
             s_end = closest_on_edge(a, vec3_add_scaled(r, at, b));
         }
         vec3 apart = edges_apart(a, b, r, s_end, u_end);
@@ -59,22 +84,18 @@ static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, dou
 
 /* Closest points of edge a, which begins at the origin, and edge b, which begins at r: shares s and u of
  * the way along them. Returns the vector from a to b. */
-static inline vec3 closest_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
+VBSS_ALWAYS_INLINE vec3 closest_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
 {
-    double aa = vec3_norm_squared(a), bb = vec3_norm_squared(b), ab = vec3_dot(a, b);
-    double ar = vec3_dot(a, r), br = vec3_dot(b, r);
-    double determinant = aa * bb - ab * ab;
-    *s = *u = 0.0;
-    if (determinant > 0.0) { /* so neither is a point */
-        /* Without branches, and with divisions that do not wait for each other. */
-        double inverse_aa = 1.0 / aa, inverse_bb = 1.0 / bb;
-        double first = clamp_unit((ar * bb - ab * br) / determinant);
-        *u = clamp_unit((first * ab - br) * inverse_bb);
-        *s = clamp_unit((*u * ab + ar) * inverse_aa);
+    edge_products p = products_of_edges(a, b, r);
+    double determinant = p.aa * p.bb - p.ab * p.ab;
+    if (!(determinant > CLOSEST_PARALLEL * p.aa * p.bb)) { /* also when one has no length */
+        double s_best, u_best; /* of their own: s and u stay in registers */
+        vec3 apart = closest_parallel_edges(a, b, r, &s_best, &u_best);
+        *s = s_best;
+        *u = u_best;
+        return apart;
     }
-    if (!(determinant > CLOSEST_PARALLEL * aa * bb)) {
-        return closest_parallel_edges(a, b, r, s, u);
-    }
+    closest_from(p, (p.ar * p.bb - p.ab * p.br) / determinant, s, u);
     return edges_apart(a, b, r, *s, *u);
 }
 

@@ -360,7 +360,8 @@ static void decide_exactly(const collision_rules *rules, const collision_questio
         return;
     }
     uint32_t passes = answer->passes;
-    exact_truth truth = vbss_collision_exact(question, rules->limbs, rules->limb_count);
+    workspace w = {.limbs = rules->limbs, .capacity = rules->limb_count};
+    exact_truth truth = vbss_collision_exact(question, &w);
     counters->exact++;
     if (truth == EXACT_MISS) {
         *answer = vbss_collision_miss(VBSS_DECISION_EXACT);

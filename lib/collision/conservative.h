@@ -23,7 +23,7 @@ typedef struct conservative_bounds {
 
 /* The least tolerance, as a share of size and D; how much of it a hit may use, a hair less than all, so
  * that rounding does not let it beyond; and below which share of the size a vector is all rounding. */
-#define LEAST_TOLERANCE (64.0 * DBL_EPSILON)
+#define LEAST_TOLERANCE (128.0 * DBL_EPSILON)
 #define NEAR_SHARE 0.999
 #define ROUNDING_SHARE (16.0 * DBL_EPSILON)
 /* With D = 0: fourth powers of lengths might underflow below this size. */
@@ -38,7 +38,7 @@ static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
 }
 
 /* size: the largest coordinate of the question relative to its first vertex. docs/collision.md derives
- * that all rounding is below 16 eps size. */
+ * that all rounding is below half of it. */
 static inline conservative_bounds conservative_bounds_of(double tolerance, double thickness,
                                                          double size)
 {

@@ -7,7 +7,8 @@
 
 #include "base/double_double.h"
 #include "collision/conservative.h"
-#include "collision/integers.h"
+
+_Static_assert((int)COLLISION_LIMBS <= (int)WORKSPACE_LIMBS, "integers find all their limbs");
 
 typedef struct ivec {
     polynomial x, y, z;
@@ -333,7 +334,7 @@ static bool may_touch(const collision_question *q, const int vertices[3])
     return !vbss_collision_apart(&pair);
 }
 
-static exact_truth decide(const collision_question *q, workspace *w)
+exact_truth vbss_collision_exact(const collision_question *q, workspace *w)
 {
     int last = last_exponent(q);
     bool edges = q->kind == VBSS_PAIR_EDGE_EDGE, hit = false;
@@ -355,10 +356,4 @@ static exact_truth decide(const collision_question *q, workspace *w)
         return EXACT_UNKNOWN;
     }
     return hit ? EXACT_HIT : EXACT_MISS;
-}
-
-exact_truth vbss_collision_exact(const collision_question *q, uint32_t *limbs, uint32_t capacity)
-{
-    workspace w = {.limbs = limbs, .capacity = capacity};
-    return decide(q, &w);
 }

@@ -3,6 +3,7 @@
 #define VBSS_COLLISION_EXACT_H
 
 #include "collision/collision.h"
+#include "collision/integers.h"
 
 typedef enum exact_truth {
     EXACT_MISS,
@@ -10,9 +11,7 @@ typedef enum exact_truth {
     EXACT_UNKNOWN /* the magnitudes differ by more than the memory for integers holds */
 } exact_truth;
 
-/* Whether the features meet at some time from 0 to 1, the given doubles taken as they are. Works in
- * `limbs`. */
-exact_truth vbss_collision_exact(const collision_question *question, uint32_t *limbs,
-                                 uint32_t capacity);
+/* Whether the features meet at some time from 0 to 1, the given doubles taken as they are. */
+exact_truth vbss_collision_exact(const collision_question *question, workspace *w);
 
 #endif

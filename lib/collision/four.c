@@ -117,11 +117,32 @@ static inline vlanes edges_apart_lanes(vlanes a, vlanes b, vlanes r, lanes s, la
     return v_sub(v_add_scaled(r, u, b), v_scale(a, s));
 }
 
-/* Where `which` says so. */
-static void closest_parallel_edges_lanes(lanes_mask which, vlanes a, vlanes b, vlanes r, lanes *s,
-                                         lanes *u, vlanes *apart)
+typedef struct edge_products_lanes {
+    lanes aa, bb, ab, ar, br;
+} edge_products_lanes;
+
+static inline void closest_from_lanes(const edge_products_lanes *p, lanes first, lanes *s, lanes *u)
 {
-    lanes s_best = *s, u_best = *u;
+    lanes one = lanes_all(1.0);
+    lanes inverse_aa = lanes_over(one, p->aa), inverse_bb = lanes_over(one, p->bb);
+    lanes along_b = lanes_sub(lanes_times(clamp_unit_lanes(first), p->ab), p->br);
+    *u = clamp_unit_lanes(lanes_times(along_b, inverse_bb));
+    lanes along_a = lanes_add(lanes_times(*u, p->ab), p->ar);
+    *s = clamp_unit_lanes(lanes_times(along_a, inverse_aa));
+}
+
+/* Where `which` says so. */
+static inline void closest_parallel_edges_lanes(lanes_mask which, const edge_products_lanes *p,
+                                                vlanes a, vlanes b, vlanes r, lanes *s, lanes *u,
+                                                vlanes *apart)
+{
+    lanes zero = lanes_all(0.0), s_best, u_best;
+    vlanes n = v_cross(a, b);
+    lanes nn = v_dot(n, n);
+    lanes_mask angle = lanes_less(zero, nn);
+    closest_from_lanes(p, lanes_over(v_dot(v_cross(r, b), n), nn), &s_best, &u_best);
+    s_best = lanes_choose(angle, s_best, zero);
+    u_best = lanes_choose(angle, u_best, zero);
     vlanes best = edges_apart_lanes(a, b, r, s_best, u_best);
     lanes least = v_dot(best, best);
     for (int end = 0; end < 4; end++) {
@@ -146,24 +167,16 @@ static void closest_parallel_edges_lanes(lanes_mask which, vlanes a, vlanes b, v
 
 static inline void closest_edges_lanes(vlanes a, vlanes b, vlanes r, moment_lanes *now)
 {
-    lanes zero = lanes_all(0.0), one = lanes_all(1.0);
-    lanes aa = v_dot(a, a), bb = v_dot(b, b), ab = v_dot(a, b), ar = v_dot(a, r), br = v_dot(b, r);
-    lanes determinant = lanes_sub(lanes_times(aa, bb), lanes_times(ab, ab));
-    lanes limit = lanes_times(lanes_times(lanes_all(CLOSEST_PARALLEL), aa), bb);
-    lanes inverse_aa = lanes_over(one, aa), inverse_bb = lanes_over(one, bb);
-    lanes first = lanes_sub(lanes_times(ar, bb), lanes_times(ab, br));
-    first = clamp_unit_lanes(lanes_over(first, determinant));
-    lanes u = lanes_times(lanes_sub(lanes_times(first, ab), br), inverse_bb);
-    u = clamp_unit_lanes(u);
-    lanes s = lanes_times(lanes_add(lanes_times(u, ab), ar), inverse_aa);
-    s = clamp_unit_lanes(s);
+    lanes one = lanes_all(1.0), s, u;
+    edge_products_lanes p = {v_dot(a, a), v_dot(b, b), v_dot(a, b), v_dot(a, r), v_dot(b, r)};
+    lanes determinant = lanes_sub(lanes_times(p.aa, p.bb), lanes_times(p.ab, p.ab));
+    lanes limit = lanes_times(lanes_times(lanes_all(CLOSEST_PARALLEL), p.aa), p.bb);
+    lanes first = lanes_sub(lanes_times(p.ar, p.bb), lanes_times(p.ab, p.br));
+    closest_from_lanes(&p, lanes_over(first, determinant), &s, &u);
     now->apart = edges_apart_lanes(a, b, r, s, u);
     lanes_mask parallel = lanes_not(lanes_less(limit, determinant));
     if (lanes_bits(parallel) != 0) {
-        lanes_mask angle = lanes_less(zero, determinant);
-        s = lanes_choose(angle, s, zero);
-        u = lanes_choose(angle, u, zero);
-        closest_parallel_edges_lanes(parallel, a, b, r, &s, &u, &now->apart);
+        closest_parallel_edges_lanes(parallel, &p, a, b, r, &s, &u, &now->apart);
     }
     now->weights[0] = lanes_sub(one, s);
     now->weights[1] = s;

@@ -68,7 +68,7 @@ typedef struct block {
 static void store_answer(const collision_rows *rows, uint32_t i, const collision_outcome *o,
                          unsigned lane)
 {
-    rows->hit[i] = o->hit >> lane & 1u;
+    rows->hit[i] = (int32_t)(o->hit >> lane & 1u);
     if (rows->decision != NULL) {
         rows->decision[i] = VBSS_DECISION_PROVED;
     }
@@ -90,7 +90,7 @@ static void store_answer(const collision_rows *rows, uint32_t i, const collision
 static void store_four(const collision_rows *rows, uint32_t i, const collision_outcome *o)
 {
     for (uint32_t k = 0; k < 4; k++) {
-        rows->hit[i + k] = o->hit >> k & 1u;
+        rows->hit[i + k] = (int32_t)(o->hit >> k & 1u);
     }
     for (uint32_t k = 0; rows->decision != NULL && k < 4; k++) {
         rows->decision[i + k] = VBSS_DECISION_PROVED;

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/little_endian.h"
 #include "collision/shapes_model.h"
 #include "collision/shapes_object.h"
 
@@ -186,6 +187,33 @@ static void bad_moves_are_told(void **state)
     object_end(&f);
 }
 
+/* Behind a right checksum, one coordinate at a time. */
+static void states_with_bad_coordinates_are_refused(void **state)
+{
+    (void)state;
+    object_fixture f;
+    uint8_t bytes[4096];
+    uint64_t count, hash;
+    object_begin(&f);
+    for (int i = 0; i < 36; i++) {
+        const double mark = 0.123456789, bad = i % 2 == 0 ? 1.01e30 : -DBL_MAX;
+        double x[2][18] = {{0.0}};
+        uint64_t at = 0;
+        x[i / 18][i % 18] = mark;
+        expect_ok(vbss_collision_move(f.collision, OBJECT_CAPSULES, x[0], x[1], 6));
+        expect_ok(vbss_collision_find_candidates(f.collision));
+        hash = object_hash(f.collision);
+        expect_ok(vbss_collision_save(f.collision, bytes, sizeof bytes, &count));
+        while (at + 8 < count && load_little_endian(bytes + at, 8) != harness_bits(mark)) {
+            at++;
+        }
+        store_little_endian(bytes + at, harness_bits(bad), 8);
+        harness_seal_snapshot(bytes, count);
+        unchanged(&f, VBSS_ERROR_CORRUPT, vbss_collision_restore(f.collision, bytes, count), hash);
+    }
+    object_end(&f);
+}
+
 /* ---- capacity */
 
 static void more_candidates_than_there_is_room_for_are_told(void **state)
@@ -203,6 +231,10 @@ static void more_candidates_than_there_is_room_for_are_told(void **state)
         expect_ok(vbss_collision_config_init(&config, sizeof config));
         config.pair_capacity = room;
         tight = object_make_unsearched(context, &config);
+        object_move(tight, 1.0); /* rests: less to find */
+        shapes_find(tight, &count);
+        assert_in_range(count, 1, most - 6);
+        object_move(tight, 0.0); /* back: as much as there was on the way */
         uint64_t hash = object_hash(tight);
         for (int again = 0; again < 2 && room < most; again++) {
             expect_result(VBSS_ERROR_CAPACITY, vbss_collision_find_candidates(tight));
@@ -253,6 +285,7 @@ int test_object_refusals(void)
         cmocka_unit_test(bad_configurations_are_told),
         cmocka_unit_test(bad_shapes_are_told),
         cmocka_unit_test(bad_moves_are_told),
+        cmocka_unit_test(states_with_bad_coordinates_are_refused),
         cmocka_unit_test(more_candidates_than_there_is_room_for_are_told),
         cmocka_unit_test(an_object_without_room_searches_nothing),
     };

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "scenes/collision_sets.h"
+#include "scenes/moving_shapes.h"
 #include "scenes/rod.h"
 #include "scenes/thread_scenes.h"
 
@@ -136,9 +138,114 @@ static void run_thread_paper(uint64_t *hashes, size_t count)
     run_thread(THREAD_SCENE_RELEASE, VBSS_METHOD_PAPER, hashes, count);
 }
 
+/* ---- collision: degenerate questions to every method, without thickness and with it */
+
+static void add_impact(vbss_stream *stream, vbss_impact *impact)
+{
+    vbss_stream_i32(stream, 1, &impact->hit, 1);
+    vbss_stream_i32(stream, 2, &impact->decision, 1);
+    vbss_stream_u32(stream, 3, &impact->passes, 1);
+    vbss_stream_f64(stream, 4, &impact->time, 1);
+    vbss_stream_f64(stream, 5, &impact->distance, 1);
+    vbss_stream_f64(stream, 6, impact->normal, 3);
+    vbss_stream_f64(stream, 7, impact->weights, 4);
+    vbss_stream_f64(stream, 8, impact->point_a, 3);
+    vbss_stream_f64(stream, 9, impact->point_b, 3);
+}
+
+enum { ASKERS = 6 };
+
+static void create_askers(vbss_context *context, vbss_collision *askers[ASKERS])
+{
+    for (int k = 0; k < ASKERS; k++) {
+        vbss_collision_config config;
+        must(vbss_collision_config_init(&config, sizeof config));
+        config.method = (vbss_collision_method)(k / 2);
+        config.thickness = k % 2 == 0 ? 0.0 : 0.25;
+        config.paper_unit = 1.0;
+        must(vbss_collision_create(context, &config, &askers[k]));
+    }
+}
+
+static void run_collision_questions(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    vbss_collision *askers[ASKERS];
+    must(vbss_context_create(NULL, &context));
+    create_askers(context, askers);
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        collision_set set;
+        vbss_pair_kind kind = (vbss_pair_kind)(i % 2);
+        uint32_t which = (uint32_t)(i / 2) % collision_degenerate_count;
+        vbss_stream_begin_hash(&stream);
+        must(collision_set_degenerate(which, kind, 30, i, NULL, &set) ? VBSS_OK
+                                                                      : VBSS_ERROR_OUT_OF_MEMORY);
+        for (uint32_t q = 0; q < set.count; q++) {
+            for (int k = 0; k < ASKERS; k++) {
+                vbss_impact impact;
+                must(vbss_collision_test(askers[k], kind, set.queries[q].start, set.queries[q].end,
+                                         &impact, sizeof impact));
+                add_impact(&stream, &impact);
+            }
+        }
+        collision_set_release(&set);
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(vbss_context_destroy(context));
+}
+
+/* ---- collision: shapes that move, their candidates and impacts */
+
+static void add_view(vbss_stream *stream, vbss_collision *collision, vbss_collision_field field)
+{
+    vbss_view view;
+    must(vbss_collision_get_view(collision, field, &view, sizeof view));
+    for (uint64_t i = 0; i < view.count; i++) {
+        const uint8_t *item = (const uint8_t *)view.data + i * view.stride_bytes;
+        for (uint32_t k = 0; k < view.components; k++) {
+            if (view.type == VBSS_TYPE_U32) {
+                uint32_t value = ((const uint32_t *)(const void *)item)[k];
+                vbss_stream_u32(stream, 1, &value, 1);
+            } else {
+                double value = ((const double *)(const void *)item)[k];
+                vbss_stream_f64(stream, 2, &value, 1);
+            }
+        }
+    }
+}
+
+static void run_collision_search(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    moving_shapes_options options = {.segment_count = 120, .capsules = true, .sheet = true};
+    vbss_collision_config config;
+    moving_shapes scene;
+    must(vbss_context_create(NULL, &context));
+    must(moving_shapes_config(&options, &config));
+    must(moving_shapes_create(context, &options, &config, &scene));
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        must(moving_shapes_step(&scene));
+        for (vbss_collision_field field = VBSS_COLLISION_VIEW_CANDIDATES;
+             field <= VBSS_COLLISION_VIEW_DISTANCES; field++) {
+            add_view(&stream, scene.collision, field);
+        }
+        uint64_t state;
+        must(vbss_collision_get_hash(scene.collision, &state));
+        vbss_stream_u64(&stream, 3, &state, 1);
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(moving_shapes_destroy(&scene));
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
+    {"collision-questions", 120, 4, run_collision_questions},
+    {"collision-search", 40, 2, run_collision_search},
     {"harness-rod", 200, 10, run_rod},
     {"thread-release", 200, 10, run_thread_release},
     {"thread-tugged", 200, 8, run_thread_tugged},

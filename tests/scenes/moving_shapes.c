@@ -146,6 +146,7 @@ static vbss_result add_shapes(moving_shapes *scene)
     if (o->sheet) {
         VBSS_TRY(add_sheet(scene, &shape));
     }
+    VBSS_TRY(moving_shapes_move(scene, 0)); /* from the origin */
     return moving_shapes_move(scene, 0);
 }
 
@@ -155,7 +156,7 @@ vbss_result moving_shapes_config(const moving_shapes_options *options,
                                  vbss_collision_config *config)
 {
     VBSS_TRY(vbss_collision_config_init(config, sizeof *config));
-    config->pair_capacity = 1000 + 100 * options->segment_count;
+    config->pair_capacity = 1000 + 20 * options->segment_count;
     config->impact_capacity = config->pair_capacity;
     return VBSS_OK;
 }
@@ -210,4 +211,26 @@ vbss_result moving_shapes_step(moving_shapes *scene)
     VBSS_TRY(moving_shapes_move(scene, s.searches + 1));
     VBSS_TRY(vbss_collision_find_candidates(scene->collision));
     return vbss_collision_find_impacts(scene->collision);
+}
+
+vbss_result moving_shapes_hash(const moving_shapes *scene, uint64_t *hash)
+{
+    vbss_stream stream;
+    uint64_t own;
+    VBSS_TRY(vbss_collision_get_hash(scene->collision, &own));
+    vbss_stream_begin_hash(&stream);
+    vbss_stream_u64(&stream, 1, &own, 1);
+    for (vbss_collision_field field = VBSS_COLLISION_VIEW_CANDIDATES;
+         field <= VBSS_COLLISION_VIEW_DISTANCES; field++) {
+        vbss_view view;
+        VBSS_TRY(vbss_collision_get_view(scene->collision, field, &view, sizeof view));
+        size_t count = (size_t)view.count * view.components; /* all of these are dense */
+        if (view.type == VBSS_TYPE_F64) {
+            vbss_stream_f64(&stream, 2, (double *)view.data, count); /* hashing only reads */
+        } else {
+            vbss_stream_u32(&stream, 3, (uint32_t *)view.data, count);
+        }
+    }
+    *hash = vbss_hash_end(&stream.hash);
+    return stream.result;
 }

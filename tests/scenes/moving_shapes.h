@@ -27,7 +27,7 @@ typedef enum moving_shape { MOVING_THREAD, MOVING_CAPSULES, MOVING_SHEET } movin
 /* The configuration that suits: capacities for the size, everything else the defaults. */
 vbss_result moving_shapes_config(const moving_shapes_options *options,
                                  vbss_collision_config *config);
-/* The shapes in the order of moving_shape, those that there are; already moved to step 0. */
+/* The shapes in the order of moving_shape, those that there are; at rest in their places of step 0. */
 vbss_result moving_shapes_create(vbss_context *context, const moving_shapes_options *options,
                                  const vbss_collision_config *config, moving_shapes *scene);
 /* Destroys the object too. */
@@ -40,5 +40,7 @@ void moving_shapes_place(const moving_shapes_options *options, moving_shape shap
 vbss_result moving_shapes_move(moving_shapes *scene, uint64_t step);
 /* The next step: moves, searches, tests. Steps are counted by the object's searches. */
 vbss_result moving_shapes_step(moving_shapes *scene);
+/* Of the object's state and of all that was found last. */
+vbss_result moving_shapes_hash(const moving_shapes *scene, uint64_t *hash);
 
 #endif
