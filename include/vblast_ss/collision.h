@@ -155,7 +155,7 @@ enum {
     VBSS_COLLISION_VIEW_DISTANCES = 6  /**< #vbss_impact.distance, m. */
 };
 
-/** Counters of a collision object since its creation. */
+/** Counters of a collision object since its creation. Searches and tests that fail are not counted. */
 typedef struct vbss_collision_statistics {
     uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
     uint32_t candidates;       /**< Of the last search. */
@@ -167,8 +167,8 @@ typedef struct vbss_collision_statistics {
     uint64_t exact;            /**< Tests that needed exact arithmetic. */
     uint64_t passes;           /**< CONSERVATIVE: directions tried. */
     uint64_t sign_tests_ended; /**< PAPER: tests ended by the sign of w.w'. */
-    uint64_t boxes_tested;     /**< Pairs of boxes looked at by the searches for candidates. */
-    uint64_t searches;         /**< Searches for candidates. */
+    uint64_t boxes_tested; /**< Pairs of boxes looked at by the searches; not part of the state. */
+    uint64_t searches;     /**< Searches for candidates. */
 } vbss_collision_statistics;
 
 /** How the paper's response finds direction and depth: a VBSS_RESPONSE_ constant. */
@@ -422,7 +422,7 @@ VBSS_API vbss_result vbss_collision_test_batch(vbss_collision *collision,
  * @param node_count    2 to 65537
  * @param rest_lengths  of the node_count - 1 edges, m, 0 to 1e30: the arc that `exclusion` measures;
  *                      NULL: neighbours alone are excluded. Copied.
- * @param radius        m, 0 to 1e29
+ * @param radius        m, 0 or 1e-30 to 1e29
  * @param[out] shape    names the shape, from 0 on, never used again in this object
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
  *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
@@ -439,7 +439,7 @@ VBSS_API vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_
  *
  * @param collision      the object
  * @param capsule_count  1 to 32768
- * @param radius         of all, m, 0 to 1e29
+ * @param radius         of all, m, 0 or 1e-30 to 1e29
  * @param[out] shape     names the shape, from 0 on, never used again in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
@@ -457,7 +457,7 @@ VBSS_API vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint
  * @param node_count      3 to 65536
  * @param triangles       three different nodes each
  * @param triangle_count  1 to 131072
- * @param radius          half the thickness of the sheet, m, 0 to 1e29
+ * @param radius          half the thickness of the sheet, m, 0 or 1e-30 to 1e29
  * @param[out] shape      names the shape, from 0 on, never used again in this object
  * @return as #vbss_collision_add_chain
  * @threads one thread at a time per context
@@ -480,7 +480,24 @@ VBSS_API vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t
 VBSS_API vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape);
 
 /**
- * Says how a shape moves in the coming searches.
+ * Says which shapes a shape is searched with: those whose category has a bit in its mask, and in whose mask
+ * its category has a bit. Of itself too: without a common bit a thread or a mesh does not collide with
+ * itself. Candidates and impacts are forgotten.
+ *
+ * @param collision  the object
+ * @param shape      which
+ * @param category   bits; 1 when the shape was added
+ * @param mask       bits; all when the shape was added
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such shape) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape,
+                                               uint32_t category, uint32_t mask);
+
+/**
+ * Says how a shape moves in the coming searches. Candidates and impacts are forgotten.
  *
  * @param collision   the object
  * @param shape       which

@@ -155,6 +155,12 @@ static bool walk_points(collision_object *c, uint32_t a, uint32_t b)
     return walk(c, &w, VBSS_PAIR_POINT_TRIANGLE, a, b);
 }
 
+static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
+{
+    const collision_shape *s = c->shapes[c->living[a]], *other = c->shapes[c->living[b]];
+    return (s->category & other->mask) == 0 || (other->category & s->mask) == 0;
+}
+
 static bool find_pairs(collision_object *c)
 {
     c->run_count = c->search.pair_count = 0;
@@ -164,6 +170,9 @@ static bool find_pairs(collision_object *c)
                                         &c->top.boxes[b], c->partners);
         for (uint32_t i = 0; i < count; i++) {
             uint32_t a = c->partners[i];
+            if (filtered_out(c, a, b)) {
+                continue;
+            }
             if (a <= b && !walk_edges(c, a, b)) {
                 return false;
             }

@@ -89,6 +89,8 @@ static vbss_result make(collision_object *c, collision_shape_kind kind, const ui
     s->edge_count = counts[1];
     s->triangle_count = counts[2];
     s->radius = radius;
+    s->category = 1;
+    s->mask = UINT32_MAX;
     s->reach = reach_of(&c->config, radius);
     list_parts(s, &list);
     vbss_result result = vbss_allocate_arrays(c->context, list.parts, list.count, "shape");
@@ -384,6 +386,20 @@ static vbss_result check_coordinates(const collision_object *c, const double *va
                      (unsigned long long)i, values[i], COLLISION_FARTHEST, COLLISION_FARTHEST);
 }
 
+vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape, uint32_t category,
+                                      uint32_t mask)
+{
+    collision_object *c;
+    collision_shape *s = NULL;
+    VBSS_TRY(vbss_collision_edit(collision, &c));
+    VBSS_TRY(vbss_collision_find_shape(c, shape, &s));
+    s->category = category;
+    s->mask = mask;
+    vbss_collision_forget(c);
+    c->generation++;
+    return VBSS_OK;
+}
+
 vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const double *start,
                                 const double *end, uint32_t node_count)
 {
@@ -401,6 +417,7 @@ vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const
     memcpy(s->start, start != NULL ? start : &s->end[0].x, bytes);
     memcpy(s->end, end, bytes);
     vbss_collision_shape_moved(s);
+    vbss_collision_forget(c); /* candidates of other places would miss */
     c->generation++;
     return VBSS_OK;
 }

@@ -97,7 +97,8 @@ typedef struct collision_shape {
      * edge far enough from the first of each group. */
     uint32_t *far_before, *far_after;
     uint64_t topology; /* hash of all that never changes */
-    bool boxes_known;  /* of the points, and around all, since the last move */
+    uint32_t category, mask;
+    bool boxes_known; /* of the points, and around all, since the last move */
     bool points_fit, edges_fit, triangles_fit; /* trees know the last move */
     collision_box root;                        /* around all */
     collision_tree point_tree, edge_tree, triangle_tree;

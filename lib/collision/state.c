@@ -20,6 +20,8 @@ static void visit_shape(vbss_stream *stream, collision_shape *s)
     vbss_stream_same(stream, 11, s->topology);
     vbss_stream_f64(stream, 12, &s->start[0].x, numbers);
     vbss_stream_f64(stream, 13, &s->end[0].x, numbers);
+    vbss_stream_u32(stream, 14, &s->category, 1);
+    vbss_stream_u32(stream, 15, &s->mask, 1);
     if (stream->mode != VBSS_STREAM_READ) {
         return;
     }

@@ -94,6 +94,10 @@ static vbss_result call_impacts(void *c)
 {
     return vbss_collision_find_impacts(c);
 }
+static vbss_result call_filter(void *c)
+{
+    return vbss_collision_set_filter(c, OBJECT_CAPSULES, 2, 3);
+}
 static vbss_result call_remove(void *c)
 {
     return vbss_collision_remove(c, OBJECT_CAPSULES);
@@ -143,9 +147,9 @@ static vbss_result call_statistics(void *c)
 }
 
 const harness_handle_call object_calls[OBJECT_CALLS] = {
-    call_chain,   call_capsules, call_mesh,           call_move, call_candidates,
-    call_impacts, call_remove,   object_call_restore, call_test, call_batch,
-    call_edge,    call_save,     call_hash,           call_view, call_statistics};
+    call_chain,  call_capsules, call_mesh,           call_move,      call_candidates, call_impacts,
+    call_filter, call_remove,   object_call_restore, call_test,      call_batch,      call_edge,
+    call_save,   call_hash,     call_view,           call_statistics};
 
 vbss_result object_write_out(vbss_collision *collision, int which, void *out, uint32_t size)
 {

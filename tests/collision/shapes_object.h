@@ -26,7 +26,7 @@ vbss_result object_write_out(vbss_collision *collision, int which, void *out, ui
 
 /* All other arguments are good. Those that change something come first, those that add a shape before
  * all; a restore has nothing good to read and is VBSS_ERROR_CORRUPT. */
-enum { OBJECT_EDITS = 10, OBJECT_CALLS = 15 };
+enum { OBJECT_EDITS = 11, OBJECT_CALLS = 16 };
 extern const harness_handle_call object_calls[OBJECT_CALLS];
 vbss_result object_call_restore(void *collision);
 
