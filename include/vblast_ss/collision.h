@@ -87,7 +87,9 @@ typedef struct vbss_impact {
     /** Hit: 0 to 1; with CONSERVATIVE there is no contact before, and at `time` they are within D plus
      * the tolerance unless UNDECIDED. Miss: 1. */
     double time;
-    double distance;   /**< Hit: of the features at `time`, m. Miss: 0. */
+    /** Hit: of the features at `time`, m; of CUBIC and PAPER: between what they take for the points of
+     * contact. Miss: 0. */
+    double distance;
     double normal[3];  /**< Hit: unit vector from a to b, or zero where none is known. Miss: 0. */
     double weights[4]; /**< Hit: of the four vertices, summing to 1 on either feature. Miss: 0. */
     double point_a[3]; /**< Hit: on a at `time`, m. Miss: 0. */

@@ -41,11 +41,14 @@ _Static_assert(sizeof(double) == 8 && DBL_MANT_DIG == 53, "double must be IEEE 7
 #define VBSS_PRINTF(format_index, first_index)
 #endif
 
-/* For functions whose constant arguments shall be known inside. */
+/* For functions whose constant arguments shall be known inside; and for what shall stay out of the way
+ * of what is asked more often. */
 #if defined(__GNUC__)
 #define VBSS_ALWAYS_INLINE static inline __attribute__((always_inline))
+#define VBSS_NEVER_INLINE static __attribute__((noinline))
 #else
 #define VBSS_ALWAYS_INLINE static inline
+#define VBSS_NEVER_INLINE static
 #endif
 
 /* ---- failing (message.c): keeps the code and a text that names argument and value, returns the

@@ -43,12 +43,17 @@ VBSS_ALWAYS_INLINE edge_products products_of_edges(vec3 a, vec3 b, vec3 r)
     return p;
 }
 
-/* From a first guess of s: u, then s again. Divisions do not wait for each other, and nothing branches. */
-VBSS_ALWAYS_INLINE void closest_from(edge_products p, double first, double *s, double *u)
+/* From where the lines come nearest: u, and where that is beyond an end of b, s again. Divisions do not
+ * wait for each other. */
+VBSS_ALWAYS_INLINE void closest_from(edge_products p, double line_s, double *s, double *u)
 {
     double inverse_aa = 1.0 / p.aa, inverse_bb = 1.0 / p.bb;
-    *u = clamp_unit((clamp_unit(first) * p.ab - p.br) * inverse_bb);
-    *s = clamp_unit((*u * p.ab + p.ar) * inverse_aa);
+    *s = clamp_unit(line_s);
+    double along = (*s * p.ab - p.br) * inverse_bb;
+    *u = clamp_unit(along);
+    if (along < 0.0 || along > 1.0) {
+        *s = clamp_unit((*u * p.ab + p.ar) * inverse_aa);
+    }
 }
 
 /* The best of where the lines come nearest, by cross products, and of the four ends, each with its

@@ -163,8 +163,8 @@ VBSS_ALWAYS_INLINE double clear_until(const projection *g, bool edges, double t,
 
 /* Other directions, for when the one along the shortest vector was too inexact: the common normal, and
  * of edges the vector made normal to the longer one. */
-static double clear_otherwise(const collision_relative *m, bool edges, const moment *now, double t,
-                              double clear, vec3 *direction)
+VBSS_NEVER_INLINE double clear_otherwise(const collision_relative *m, bool edges, const moment *now,
+                                         double t, double clear, vec3 *direction)
 {
     vec3 a = at_time(m, 0, t), q = at_time(m, 1, t), b = vec3_sub(at_time(m, 2, t), q);
     vec3 others[2];
@@ -276,14 +276,14 @@ VBSS_ALWAYS_INLINE bool hits_at_start(const collision_relative *m, const collisi
 }
 
 /* What is not decided at the start: out of the way of what is. */
-static void advance_edges(const collision_relative *m, const collision_rules *rules,
-                          double thickness, moment *now, collision_answer *answer)
+VBSS_NEVER_INLINE void advance_edges(const collision_relative *m, const collision_rules *rules,
+                                     double thickness, moment *now, collision_answer *answer)
 {
     advance(m, rules, true, thickness, now, answer);
 }
 
-static void advance_triangle(const collision_relative *m, const collision_rules *rules,
-                             double thickness, moment *now, collision_answer *answer)
+VBSS_NEVER_INLINE void advance_triangle(const collision_relative *m, const collision_rules *rules,
+                                        double thickness, moment *now, collision_answer *answer)
 {
     advance(m, rules, false, thickness, now, answer);
 }

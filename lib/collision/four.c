@@ -121,14 +121,16 @@ typedef struct edge_products_lanes {
     lanes aa, bb, ab, ar, br;
 } edge_products_lanes;
 
-static inline void closest_from_lanes(const edge_products_lanes *p, lanes first, lanes *s, lanes *u)
+static inline void closest_from_lanes(const edge_products_lanes *p, lanes line_s, lanes *s,
+                                      lanes *u)
 {
-    lanes one = lanes_all(1.0);
+    lanes zero = lanes_all(0.0), one = lanes_all(1.0), first = clamp_unit_lanes(line_s);
     lanes inverse_aa = lanes_over(one, p->aa), inverse_bb = lanes_over(one, p->bb);
-    lanes along_b = lanes_sub(lanes_times(clamp_unit_lanes(first), p->ab), p->br);
-    *u = clamp_unit_lanes(lanes_times(along_b, inverse_bb));
-    lanes along_a = lanes_add(lanes_times(*u, p->ab), p->ar);
-    *s = clamp_unit_lanes(lanes_times(along_a, inverse_aa));
+    lanes along = lanes_times(lanes_sub(lanes_times(first, p->ab), p->br), inverse_bb);
+    *u = clamp_unit_lanes(along);
+    lanes again = lanes_times(lanes_add(lanes_times(*u, p->ab), p->ar), inverse_aa);
+    lanes_mask beyond = lanes_either(lanes_less(along, zero), lanes_less(one, along));
+    *s = lanes_choose(beyond, clamp_unit_lanes(again), first);
 }
 
 /* Where `which` says so. */
