@@ -305,16 +305,14 @@ VBSS_ALWAYS_INLINE void ask(const collision_rules *rules, const collision_questi
     }
 }
 
-static void ask_edges(const collision_rules *rules, const collision_question *question,
-                      collision_answer *answer)
+static void ask_either(const collision_rules *rules, const collision_question *question,
+                       collision_answer *answer)
 {
-    ask(rules, question, true, answer);
-}
-
-static void ask_triangle(const collision_rules *rules, const collision_question *question,
-                         collision_answer *answer)
-{
-    ask(rules, question, false, answer);
+    if (question->kind == VBSS_PAIR_EDGE_EDGE) {
+        ask(rules, question, true, answer);
+    } else {
+        ask(rules, question, false, answer);
+    }
 }
 
 /* ---- zero thickness */
@@ -346,7 +344,7 @@ bool vbss_collision_apart(const collision_question *question)
 {
     static const collision_rules rules = {.pass_limit = ZERO_PASS_LIMIT};
     collision_answer answer = vbss_collision_miss(VBSS_DECISION_PROVED);
-    (question->kind == VBSS_PAIR_EDGE_EDGE ? ask_edges : ask_triangle)(&rules, question, &answer);
+    ask_either(&rules, question, &answer);
     return answer.hit == 0;
 }
 
@@ -380,7 +378,7 @@ static void without_thickness(const collision_rules *rules, const collision_ques
     if (never_flat(&m)) {
         return;
     }
-    (question->kind == VBSS_PAIR_EDGE_EDGE ? ask_edges : ask_triangle)(rules, question, answer);
+    ask_either(rules, question, answer);
     if (answer->hit != 0) {
         decide_exactly(rules, question, &m, answer, counters);
     }
@@ -391,10 +389,8 @@ void vbss_collision_conservative(const collision_rules *rules, const collision_q
 {
     if (question->thickness == 0.0) {
         without_thickness(rules, question, answer, counters);
-    } else if (question->kind == VBSS_PAIR_EDGE_EDGE) {
-        ask_edges(rules, question, answer);
     } else {
-        ask_triangle(rules, question, answer);
+        ask_either(rules, question, answer);
     }
     counters->passes += answer->passes;
 }

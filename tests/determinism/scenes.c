@@ -244,9 +244,9 @@ static void run_collision_search(uint64_t *hashes, size_t count)
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
+    {"harness-rod", 200, 10, run_rod},
     {"collision-questions", 120, 4, run_collision_questions},
     {"collision-search", 40, 2, run_collision_search},
-    {"harness-rod", 200, 10, run_rod},
     {"thread-release", 200, 10, run_thread_release},
     {"thread-tugged", 200, 8, run_thread_tugged},
     {"thread-cut", 100, 10, run_thread_cut}, /* the cut is at step 40, inside the short form */
