@@ -37,7 +37,7 @@ typedef struct collision_rules {
 } collision_rules;
 /* Enough for any doubles; and what fits on a stack, enough if the bits of the coordinates spread over no
  * more than some 300 binary places. */
-enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 1950 };
+enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 2900 };
 
 typedef struct collision_question {
     vbss_pair_kind kind;

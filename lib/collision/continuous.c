@@ -136,6 +136,17 @@ void vbss_collision_set_vertices(collision_question *question, const double star
     }
 }
 
+/* With memory for exact decisions on the stack; apart, so that nothing else is called on top of it. */
+VBSS_NEVER_INLINE void ask_on_stack(collision_rules *rules, const collision_question *question,
+                                    collision_answer *answer)
+{
+    uint32_t limbs[COLLISION_STACK_LIMBS];
+    collision_counters counters = {0};
+    rules->limbs = limbs;
+    rules->limb_count = COLLISION_STACK_LIMBS;
+    vbss_collision_ask(rules, question, answer, &counters);
+}
+
 /* Without an object there is nobody to keep an error text. */
 static vbss_result test(const vbss_collision_config *config, vbss_pair_kind kind,
                         const double *start, const double *end, vbss_impact *impact,
@@ -148,15 +159,11 @@ static vbss_result test(const vbss_collision_config *config, vbss_pair_kind kind
     }
     VBSS_TRY(vbss_collision_check_vertices(NULL, start, end, 12));
     VBSS_TRY(vbss_check_arithmetic(NULL));
-    uint32_t limbs[COLLISION_STACK_LIMBS];
     collision_rules rules = vbss_collision_rules_of(&own);
-    rules.limbs = limbs;
-    rules.limb_count = COLLISION_STACK_LIMBS;
     collision_question question = {.kind = kind, .thickness = own.thickness};
     vbss_collision_set_vertices(&question, start, end);
-    collision_counters counters = {0};
     collision_answer answer;
-    vbss_collision_ask(&rules, &question, &answer, &counters);
+    ask_on_stack(&rules, &question, &answer);
     return vbss_collision_write_impact(NULL, &question, &answer, impact, struct_size);
 }
 

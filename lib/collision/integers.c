@@ -1,9 +1,15 @@
 /* Sums and products of integers of any size. */
 #include "collision/integers.h"
 
-#include <string.h>
-
 enum { LIMB_BITS = 32 };
+
+/* Not the library's: each of its functions would count with 4 KiB of stack (docs/abi.md). */
+static void clear_limbs(uint32_t *limbs, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        limbs[i] = 0;
+    }
+}
 
 static uint32_t *take(workspace *w, uint32_t count)
 {
@@ -40,7 +46,7 @@ integer vbss_integer_make(workspace *w, uint64_t magnitude, uint32_t shift, int3
     if (limbs == NULL) {
         return integer_zero();
     }
-    memset(limbs, 0, count * sizeof *limbs);
+    clear_limbs(limbs, count);
     uint64_t low = (uint32_t)magnitude, high = magnitude >> LIMB_BITS;
     low <<= rest;
     high = (high << rest) + (low >> LIMB_BITS);
@@ -111,7 +117,7 @@ integer vbss_integer_multiply(workspace *w, integer a, integer b)
         return integer_zero();
     }
     const uint32_t *of_a = limbs_of(w, a), *of_b = limbs_of(w, b);
-    memset(limbs, 0, count * sizeof *limbs);
+    clear_limbs(limbs, count);
     for (uint32_t i = 0; i < a.count; i++) {
         uint64_t carry = 0, here = of_a[i];
         for (uint32_t k = 0; k < b.count; k++) {
@@ -135,7 +141,7 @@ integer vbss_integer_shift(workspace *w, integer a, uint32_t bits)
     if (limbs == NULL) {
         return integer_zero();
     }
-    memset(limbs, 0, whole * sizeof *limbs);
+    clear_limbs(limbs, whole);
     uint64_t carry = 0;
     for (uint32_t i = 0; i < a.count; i++) {
         carry += (uint64_t)w->limbs[a.first + i] << rest;
@@ -163,7 +169,9 @@ void vbss_integers_keep(workspace *w, uint32_t mark, integer *const *kept, int c
             return;
         }
         uint32_t source = lowest->first, size = lowest->count;
-        memmove(w->limbs + w->used, w->limbs + source, size * sizeof *w->limbs);
+        for (uint32_t i = 0; i < size; i++) { /* downwards, so the places may overlap */
+            w->limbs[w->used + i] = w->limbs[source + i];
+        }
         for (int i = 0; i < count; i++) {
             if (kept[i]->sign != 0 && kept[i]->first == source) {
                 kept[i]->first = (uint16_t)w->used;
