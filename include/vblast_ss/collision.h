@@ -60,7 +60,7 @@ enum {
     VBSS_DECISION_PROVED = 0,
     VBSS_DECISION_EXACT = 1, /**< D = 0: true of the given numbers, without any tolerance. */
     /** Neither could be shown; told as a hit. D > 0: pass_limit was reached. D = 0: the bits of the
-     * coordinates spread over more binary places than there is memory for: some 400 in a call without
+     * coordinates spread over more binary places than there is memory for: some 250 in a call without
      * an object; with one, any doubles have fitted so far. */
     VBSS_DECISION_UNDECIDED = 2,
     VBSS_DECISION_CLAIMED = 3 /**< Of CUBIC and PAPER, which prove nothing. */

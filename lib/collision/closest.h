@@ -8,7 +8,7 @@
 #include "base/base.h"
 
 /* Edges whose squared sine is below this are taken for parallel: products of dot products lose digits. */
-#define CLOSEST_PARALLEL 1e-6
+#define CLOSEST_PARALLEL 1e-4
 
 /* NaN becomes 0. */
 static inline double clamp_unit(double x)

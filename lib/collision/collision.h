@@ -35,8 +35,8 @@ typedef struct collision_rules {
     uint32_t *limbs;
     uint32_t limb_count;
 } collision_rules;
-/* Enough for any doubles; and what fits on a stack, enough if the bits of the coordinates spread over no
- * more than some 300 binary places. */
+/* Enough for any doubles so far; and what fits on a stack, enough if the bits of the coordinates spread
+ * over no more than some 250 binary places. */
 enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 2900 };
 
 typedef struct collision_question {

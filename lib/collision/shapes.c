@@ -359,11 +359,11 @@ vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
     VBSS_TRY(vbss_collision_find_shape(c, shape, &s));
-    vbss_collision_shape_free(c->context, s);
-    c->shapes[shape] = NULL;
+    c->shapes[shape] = NULL; /* first: the host's release may look at the object */
     c->living_known = false;
     vbss_collision_forget(c);
     c->generation++;
+    vbss_collision_shape_free(c->context, s);
     return VBSS_OK;
 }
 

@@ -21,7 +21,7 @@ static inline int places_of(const collision_query *query)
 
 /* What is wrong with an answer; NULL: nothing. The time told is one before which nothing meets. Beyond
  * EXACT_PLACES, which a subnormal coordinate next to 1 exceeds, a hit may be told without proof. */
-enum { EXACT_PLACES = 400 };
+enum { EXACT_PLACES = 250 };
 static inline const char *degenerate_wrong(const collision_query *query, const vbss_impact *impact)
 {
     if (impact->decision == VBSS_DECISION_UNDECIDED) {

@@ -127,6 +127,48 @@ static void nothing_changes_from_inside_a_callback(void **state)
     harness_context_end(l.context, &memory);
 }
 
+/* Looks at the object whenever memory is given back. */
+typedef struct watcher {
+    harness_memory memory;
+    vbss_context_config inner;
+    vbss_collision *collision; /* NULL: nothing to look at */
+    uint64_t hash;
+} watcher;
+
+static void *pass_allocate(void *user, uint64_t size, uint64_t alignment)
+{
+    watcher *w = user;
+    return w->inner.allocate(w->inner.allocator_user, size, alignment);
+}
+
+static void look_and_release(void *user, void *block, uint64_t size, uint64_t alignment)
+{
+    watcher *w = user;
+    w->inner.release(w->inner.allocator_user, block, size, alignment);
+    if (w->collision != NULL) {
+        w->hash = object_hash(w->collision);
+    }
+}
+
+static void a_shape_is_gone_before_its_memory_is(void **state)
+{
+    (void)state;
+    watcher w = {.collision = NULL};
+    vbss_context *context;
+    vbss_context_config config;
+    expect_ok(vbss_context_config_init(&config, sizeof config));
+    w.inner = harness_watched_config(&w.memory);
+    config.allocate = pass_allocate;
+    config.release = look_and_release;
+    config.allocator_user = &w;
+    expect_ok(vbss_context_create(&config, &context));
+    vbss_collision *collision = w.collision = object_make(context, NULL);
+    expect_ok(vbss_collision_remove(collision, OBJECT_MESH));
+    assert_true(w.hash == object_hash(collision));
+    w.collision = NULL;
+    harness_context_end(context, &w.memory);
+}
+
 /* ---- memory */
 
 static vbss_result live(vbss_context *context, void *user)
@@ -261,6 +303,7 @@ int test_object(void)
         cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
         cmocka_unit_test(wrong_handles_are_told_by_every_call),
         cmocka_unit_test(nothing_changes_from_inside_a_callback),
+        cmocka_unit_test(a_shape_is_gone_before_its_memory_is),
         cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
         cmocka_unit_test(a_shape_without_memory_changes_nothing),
         cmocka_unit_test(searches_and_tests_allocate_nothing),
