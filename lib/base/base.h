@@ -231,6 +231,12 @@ vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t cap
 /* All or nothing: on any failure the object is as it was. */
 vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count);
 vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash);
+/* The same as hosts ask for them, with their arguments checked: of any kind of object. */
+vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t *bytes,
+                             uint64_t capacity, uint64_t *written);
+vbss_result vbss_object_restore(const void *handle, const vbss_kind *kind, const uint8_t *bytes,
+                                uint64_t count);
+vbss_result vbss_object_hash(const void *handle, const vbss_kind *kind, uint64_t *hash);
 
 /* ---- random numbers (random.c): PCG32, XSH-RR output. */
 typedef struct vbss_random {

@@ -153,3 +153,42 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
     vbss_release(context, backup, backup_bytes, 1);
     return result;
 }
+
+/* ---- for hosts */
+
+vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t *bytes,
+                             uint64_t capacity, uint64_t *written)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, kind, &slot));
+    VBSS_TRY(vbss_check_pointer(slot->context, written, "written"));
+    size_t need = 0;
+    VBSS_TRY(vbss_snapshot_size(slot, &need));
+    *written = need;
+    if (capacity < need) {
+        return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "%s save: %llu bytes of %llu",
+                         kind->name, (unsigned long long)capacity, (unsigned long long)need);
+    }
+    VBSS_TRY(vbss_check_pointer(slot->context, bytes, "bytes"));
+    return vbss_snapshot_save(slot, bytes, need, &need);
+}
+
+vbss_result vbss_object_restore(const void *handle, const vbss_kind *kind, const uint8_t *bytes,
+                                uint64_t count)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, kind, &slot));
+    if (count > SIZE_MAX) {
+        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: count is too large",
+                         kind->name);
+    }
+    return vbss_snapshot_restore(slot, bytes, (size_t)count);
+}
+
+vbss_result vbss_object_hash(const void *handle, const vbss_kind *kind, uint64_t *hash)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, kind, &slot));
+    VBSS_TRY(vbss_check_pointer(slot->context, hash, "hash"));
+    return vbss_snapshot_hash(slot, hash);
+}

@@ -59,39 +59,17 @@ void vbss_collision_serialise(vbss_stream *stream, void *object)
 
 /* ---- saving from outside */
 
-static vbss_result slot_of(const vbss_collision *collision, vbss_slot **slot)
-{
-    return vbss_slot_open(collision, &vbss_collision_kind, slot);
-}
-
 vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity,
                                 uint64_t *written)
 {
-    vbss_slot *slot;
-    VBSS_TRY(slot_of(collision, &slot));
-    VBSS_TRY(vbss_check_pointer(slot->context, written, "written"));
-    size_t need = 0;
-    VBSS_TRY(vbss_snapshot_size(slot, &need));
-    *written = need;
-    if (capacity < need) {
-        return vbss_fail(slot->context, VBSS_ERROR_CAPACITY,
-                         "collision object save: %llu bytes of %llu", (unsigned long long)capacity,
-                         (unsigned long long)need);
-    }
-    VBSS_TRY(vbss_check_pointer(slot->context, bytes, "bytes"));
-    return vbss_snapshot_save(slot, bytes, need, &need);
+    return vbss_object_save(collision, &vbss_collision_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *bytes, uint64_t count)
 {
-    vbss_slot *slot;
-    VBSS_TRY(slot_of(collision, &slot));
-    if (count > SIZE_MAX) {
-        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT,
-                         "collision object restore: count is too large");
-    }
-    VBSS_TRY(vbss_snapshot_restore(slot, bytes, (size_t)count));
-    collision_object *c = slot->object;
+    collision_object *c;
+    VBSS_TRY(vbss_object_restore(collision, &vbss_collision_kind, bytes, count));
+    VBSS_TRY(vbss_collision_open(collision, &c));
     vbss_collision_forget(c);
     c->generation++;
     return VBSS_OK;
@@ -99,8 +77,5 @@ vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *byt
 
 vbss_result vbss_collision_get_hash(vbss_collision *collision, uint64_t *hash)
 {
-    vbss_slot *slot;
-    VBSS_TRY(slot_of(collision, &slot));
-    VBSS_TRY(vbss_check_pointer(slot->context, hash, "hash"));
-    return vbss_snapshot_hash(slot, hash);
+    return vbss_object_hash(collision, &vbss_collision_kind, hash);
 }

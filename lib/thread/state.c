@@ -167,42 +167,18 @@ void vbss_thread_copy_motion(const thread_object *t, thread_motion *to, const th
 
 /* ---- saving from outside */
 
-static vbss_result slot_of(const vbss_thread *thread, vbss_slot **slot)
-{
-    return vbss_slot_open(thread, &vbss_thread_kind, slot);
-}
-
 vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
 {
-    vbss_slot *slot;
-    VBSS_TRY(slot_of(thread, &slot));
-    VBSS_TRY(vbss_check_pointer(slot->context, written, "written"));
-    size_t need = 0;
-    VBSS_TRY(vbss_snapshot_size(slot, &need));
-    *written = need;
-    if (capacity < need) {
-        return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "thread save: %llu bytes of %llu",
-                         (unsigned long long)capacity, (unsigned long long)need);
-    }
-    VBSS_TRY(vbss_check_pointer(slot->context, bytes, "bytes"));
-    return vbss_snapshot_save(slot, bytes, need, &need);
+    return vbss_object_save(thread, &vbss_thread_kind, bytes, capacity, written);
 }
 
 vbss_result vbss_thread_restore(vbss_thread *thread, const uint8_t *bytes, uint64_t count)
 {
-    vbss_slot *slot;
-    VBSS_TRY(slot_of(thread, &slot));
-    if (count > SIZE_MAX) {
-        return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "thread restore: count is too large");
-    }
-    return vbss_snapshot_restore(slot, bytes, (size_t)count);
+    return vbss_object_restore(thread, &vbss_thread_kind, bytes, count);
 }
 
 vbss_result vbss_thread_get_hash(vbss_thread *thread, uint64_t *hash)
 {
-    vbss_slot *slot;
-    VBSS_TRY(slot_of(thread, &slot));
-    VBSS_TRY(vbss_check_pointer(slot->context, hash, "hash"));
-    return vbss_snapshot_hash(slot, hash);
+    return vbss_object_hash(thread, &vbss_thread_kind, hash);
 }
