@@ -35,6 +35,17 @@ static inline double vbss_larger(double a, double b)
     return a > b || a != a ? a : b;
 }
 
+/* The second when one is NaN. */
+static inline double lesser(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double greater(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 /* ---- vec3 */
 
 static inline vec3 vec3_make(double x, double y, double z)

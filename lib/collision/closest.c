@@ -1,6 +1,7 @@
 /* Closest points as a host asks for them. */
 #include "collision/closest.h"
 
+#include "base/double_double.h"
 #include "collision/collision.h"
 
 _Static_assert(sizeof(vbss_closest) == 136, "published size");
@@ -29,31 +30,68 @@ static void store_point(double point[3], const double *vertices, const double *w
     vec3_store(point, sum);
 }
 
-/* Weights are set; apart leads from a to b. */
+/* A vector from a to b, `scale` times as long as it is. */
+typedef struct scaled {
+    vec3 apart;
+    double scale;
+} scaled;
+
+static double length_of(scaled s)
+{
+    return vec3_norm(s.apart) / s.scale;
+}
+
+/* Weights are set. */
 static vbss_result finish(vbss_closest *own, const double *a, int vertices_of_a, const double *b,
-                          int vertices_of_b, vec3 apart, vbss_closest *closest,
+                          int vertices_of_b, scaled apart, vbss_closest *closest,
                           uint32_t struct_size)
 {
     own->struct_size = sizeof *own;
-    own->distance = vec3_norm(apart);
-    vec3_store(own->normal, vec3_unit_or(apart, vec3_zero()));
+    own->distance = length_of(apart);
+    vec3_store(own->normal, vec3_unit_or(apart.apart, vec3_zero()));
     store_point(own->point_a, a, own->weights_a, vertices_of_a);
     store_point(own->point_b, b, own->weights_b, vertices_of_b);
     return vbss_struct_write(NULL, &closest_layout, own, closest, struct_size);
 }
 
-/* Shares of the way along two segments. */
-static vec3 segments(const double a[6], const double b[6], double *s, double *u)
+/* The power of two that brings the largest coordinate to between 1 and 2: products of four lengths shall
+ * not underflow, however small they are. */
+static double scale_of(const vec3 *relative, int count)
 {
-    vec3 from = vertex(a, 0), begin = vertex(b, 0);
-    return closest_edges(vec3_sub(vertex(a, 1), from), vec3_sub(vertex(b, 1), begin),
-                         vec3_sub(begin, from), s, u);
+    uint64_t exponent = 0;
+    for (int k = 0; k < count; k++) {
+        double largest =
+            greater(greater(fabs(relative[k].x), fabs(relative[k].y)), fabs(relative[k].z));
+        uint64_t here = bits_of(largest) >> 52;
+        exponent = here > exponent ? here : exponent;
+    }
+    return double_of((UINT64_C(2046) - (exponent > 0 ? exponent : 1)) << 52);
 }
 
-static vec3 axes(const double a[6], const double b[6], vbss_closest *own)
+static double scale_all(vec3 *relative, int count)
+{
+    double scale = scale_of(relative, count);
+    for (int k = 0; k < count; k++) {
+        relative[k] = vec3_scale(relative[k], scale);
+    }
+    return scale;
+}
+
+/* Shares of the way along two segments. */
+static scaled segments(const double a[6], const double b[6], double *s, double *u)
+{
+    vec3 from = vertex(a, 0), begin = vertex(b, 0);
+    vec3 v[3] = {vec3_sub(vertex(a, 1), from), vec3_sub(vertex(b, 1), begin),
+                 vec3_sub(begin, from)};
+    double scale = scale_all(v, 3);
+    scaled apart = {closest_edges(v[0], v[1], v[2], s, u), scale};
+    return apart;
+}
+
+static scaled axes(const double a[6], const double b[6], vbss_closest *own)
 {
     double s, u;
-    vec3 apart = segments(a, b, &s, &u);
+    scaled apart = segments(a, b, &s, &u);
     own->weights_a[0] = 1.0 - s;
     own->weights_a[1] = s;
     own->weights_b[0] = 1.0 - u;
@@ -67,17 +105,19 @@ vbss_result vbss_closest_segments(const double a[6], const double b[6], vbss_clo
     VBSS_TRY(check(a, 6, "a"));
     VBSS_TRY(check(b, 6, "b"));
     vbss_closest own = {0};
-    vec3 apart = axes(a, b, &own);
+    scaled apart = axes(a, b, &own);
     return finish(&own, a, 2, b, 2, apart, closest, struct_size);
 }
 
-static vec3 corners(vec3 point, const double triangle[9], double weights[3])
+static scaled corners(vec3 point, const double triangle[9], double weights[3])
 {
     vec3 f[3];
     for (int k = 0; k < 3; k++) {
         f[k] = vec3_sub(vertex(triangle, k), point);
     }
-    return closest_corners(f, weights);
+    double scale = scale_all(f, 3);
+    scaled apart = {closest_corners(f, weights), scale};
+    return apart;
 }
 
 vbss_result vbss_closest_point_triangle(const double point[3], const double triangle[9],
@@ -87,7 +127,7 @@ vbss_result vbss_closest_point_triangle(const double point[3], const double tria
     VBSS_TRY(check(triangle, 9, "triangle"));
     vbss_closest own = {0};
     own.weights_a[0] = 1.0;
-    vec3 apart = corners(vertex(point, 0), triangle, own.weights_b);
+    scaled apart = corners(vertex(point, 0), triangle, own.weights_b);
     return finish(&own, point, 1, triangle, 3, apart, closest, struct_size);
 }
 
@@ -96,10 +136,11 @@ static bool goes_through(const double segment[6], const double triangle[9], doub
                          double weights[3])
 {
     vec3 corner = vertex(triangle, 0);
-    vec3 n =
-        vec3_cross(vec3_sub(vertex(triangle, 1), corner), vec3_sub(vertex(triangle, 2), corner));
-    double from = vec3_dot(n, vec3_sub(vertex(segment, 0), corner));
-    double to = vec3_dot(n, vec3_sub(vertex(segment, 1), corner));
+    vec3 v[4] = {vec3_sub(vertex(triangle, 1), corner), vec3_sub(vertex(triangle, 2), corner),
+                 vec3_sub(vertex(segment, 0), corner), vec3_sub(vertex(segment, 1), corner)};
+    scale_all(v, 4);
+    vec3 n = vec3_cross(v[0], v[1]);
+    double from = vec3_dot(n, v[2]), to = vec3_dot(n, v[3]);
     if (!((from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0))) {
         return false;
     }
@@ -121,14 +162,15 @@ vbss_result vbss_closest_segment_triangle(const double segment[6], const double 
         for (int k = 0; k < 3; k++) {
             own.weights_b[k] = weights[k];
         }
-        return finish(&own, segment, 2, triangle, 3, vec3_zero(), closest, struct_size);
+        scaled none = {vec3_zero(), 1.0};
+        return finish(&own, segment, 2, triangle, 3, none, closest, struct_size);
     }
-    vec3 best = vec3_zero();
+    scaled best = {vec3_zero(), 1.0};
     double least = DBL_MAX;
     for (int end = 0; end < 2; end++) {
-        vec3 apart = corners(vertex(segment, end), triangle, weights);
-        if (vec3_norm_squared(apart) < least) {
-            least = vec3_norm_squared(apart);
+        scaled apart = corners(vertex(segment, end), triangle, weights);
+        if (length_of(apart) < least) {
+            least = length_of(apart);
             best = apart;
             own.weights_a[0] = 1.0 - (double)end;
             own.weights_a[1] = (double)end;
@@ -142,9 +184,9 @@ vbss_result vbss_closest_segment_triangle(const double segment[6], const double 
         double edge[6], u;
         vec3_store(edge, vertex(triangle, k));
         vec3_store(edge + 3, vertex(triangle, next));
-        vec3 apart = segments(segment, edge, &share, &u);
-        if (vec3_norm_squared(apart) < least) {
-            least = vec3_norm_squared(apart);
+        scaled apart = segments(segment, edge, &share, &u);
+        if (length_of(apart) < least) {
+            least = length_of(apart);
             best = apart;
             own.weights_a[0] = 1.0 - share;
             own.weights_a[1] = share;
@@ -164,8 +206,9 @@ vbss_result vbss_closest_capsules(const double a[6], double radius_a, const doub
     VBSS_TRY(vbss_check_range(NULL, radius_a, 0.0, COLLISION_FARTHEST, "radius_a"));
     VBSS_TRY(vbss_check_range(NULL, radius_b, 0.0, COLLISION_FARTHEST, "radius_b"));
     vbss_closest own = {.struct_size = sizeof own};
-    vec3 apart = axes(a, b, &own), normal = vec3_unit_or(apart, vec3_zero());
-    own.distance = vec3_norm(apart) - radius_a - radius_b;
+    scaled apart = axes(a, b, &own);
+    vec3 normal = vec3_unit_or(apart.apart, vec3_zero());
+    own.distance = length_of(apart) - radius_a - radius_b;
     vec3_store(own.normal, normal);
     store_point(own.point_a, a, own.weights_a, 2);
     store_point(own.point_b, b, own.weights_b, 2);

@@ -11,21 +11,16 @@
 #include "collision/crossing.h"
 #include "collision/exact.h"
 
-static inline double larger_of(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 /* Component by component, in magnitude. */
 static inline vec3 larger_magnitudes(vec3 a, vec3 b)
 {
-    return vec3_make(larger_of(fabs(a.x), fabs(b.x)), larger_of(fabs(a.y), fabs(b.y)),
-                     larger_of(fabs(a.z), fabs(b.z)));
+    return vec3_make(greater(fabs(a.x), fabs(b.x)), greater(fabs(a.y), fabs(b.y)),
+                     greater(fabs(a.z), fabs(b.z)));
 }
 
 static inline double largest_of(vec3 magnitudes)
 {
-    return larger_of(larger_of(magnitudes.x, magnitudes.y), magnitudes.z);
+    return greater(greater(magnitudes.x, magnitudes.y), magnitudes.z);
 }
 
 static inline void start_relative(const collision_question *q, collision_relative *m)
@@ -92,16 +87,11 @@ static inline projection project(const collision_relative *m, vec3 n)
     return g;
 }
 
-static inline double smaller_of(double a, double b)
-{
-    return a < b ? a : b;
-}
-
 /* The least of the pairs: b's vertices q and r less a's, 0 and p; or the corners p, q, r less the point. */
 VBSS_ALWAYS_INLINE double least_pair(bool edges, double p, double q, double r)
 {
-    double least = smaller_of(q, r);
-    return edges ? least - larger_of(p, 0.0) : smaller_of(least, p);
+    double least = lesser(q, r);
+    return edges ? least - greater(p, 0.0) : lesser(least, p);
 }
 
 /* Whether n, of which |n|^2 is `square`, separates by `clear` from start to end: what most misses are.
@@ -110,30 +100,8 @@ VBSS_ALWAYS_INLINE bool clear_throughout(const projection *g, bool edges, double
                                          double square)
 {
     double least =
-        smaller_of(least_pair(edges, g->p0, g->q0, g->r0), least_pair(edges, g->p1, g->q1, g->r1));
+        lesser(least_pair(edges, g->p0, g->q0, g->r0), least_pair(edges, g->p1, g->q1, g->r1));
     return least > 0.0 && least * least >= clear * clear * square;
-}
-
-/* A time as a fraction: comparing needs no division. */
-typedef struct fraction {
-    double above, below; /* below > 0 */
-} fraction;
-
-/* One pair of vertices, separated by g0 at the start and g1 at the end: the time until which it is by
- * `clear`, 2 if to the end. */
-static inline fraction pair_until(double g0, double g1, double clear)
-{
-    fraction until = {2.0, 1.0};
-    if (g1 < clear) {
-        until.above = g0 - clear;
-        until.below = g0 - g1;
-    }
-    return until;
-}
-
-static inline fraction sooner(fraction a, fraction b)
-{
-    return b.above * a.below < a.above * b.below ? b : a;
 }
 
 static inline double projected(double g0, double g1, double t)
@@ -141,24 +109,30 @@ static inline double projected(double g0, double g1, double t)
     return g0 + t * (g1 - g0);
 }
 
+/* How steeply a pair falls below `clear`: what it lacks at the end over what it has to spare now. The
+ * steepest pair is the first. What is not a number has nothing to lack. */
+static inline double steeper(double steepest, double now, double end, double clear)
+{
+    return greater((clear - end) / (now - clear), steepest);
+}
+
 /* The time until which all pairs are separated by `clear`, from t on: above 1 if to the end; -1 if they are
  * not at t. With `clear` |n| times a distance, n separates by that. */
 VBSS_ALWAYS_INLINE double clear_until(const projection *g, bool edges, double t, double clear)
 {
-    double least = least_pair(edges, projected(g->p0, g->p1, t), projected(g->q0, g->q1, t),
-                              projected(g->r0, g->r1, t));
-    if (!(least >= clear)) {
+    double p = projected(g->p0, g->p1, t), q = projected(g->q0, g->q1, t);
+    double r = projected(g->r0, g->r1, t);
+    if (!(least_pair(edges, p, q, r) >= clear)) {
         return -1.0;
     }
-    fraction until = sooner(pair_until(g->q0, g->q1, clear), pair_until(g->r0, g->r1, clear));
+    double steepest = steeper(steeper(0.0, q, g->q1, clear), r, g->r1, clear);
     if (edges) {
-        fraction qp = pair_until(g->q0 - g->p0, g->q1 - g->p1, clear);
-        fraction rp = pair_until(g->r0 - g->p0, g->r1 - g->p1, clear);
-        until = sooner(until, sooner(qp, rp));
+        double others = steeper(0.0, q - p, g->q1 - g->p1, clear);
+        steepest = greater(steepest, steeper(others, r - p, g->r1 - g->p1, clear));
     } else {
-        until = sooner(until, pair_until(g->p0, g->p1, clear));
+        steepest = steeper(steepest, p, g->p1, clear);
     }
-    return until.above / until.below;
+    return steepest > 0.0 ? t + (1.0 - t) / (1.0 + steepest) : 2.0;
 }
 
 /* Other directions, for when the one along the shortest vector was too inexact: the common normal, and
@@ -221,10 +195,10 @@ static inline vec3 normal_of(const moment *now, double distance, double rounding
 
 /* From the first look on, which has not hit. */
 VBSS_ALWAYS_INLINE void advance(const collision_relative *m, const collision_rules *rules,
-                                bool edges, double thickness, moment *now, collision_answer *answer)
+                                bool edges, uint32_t limit, double thickness, moment *now,
+                                collision_answer *answer)
 {
     conservative_bounds bounds = conservative_bounds_of(rules->tolerance, thickness, m->size);
-    uint32_t limit = conservative_pass_limit(rules->pass_limit, thickness);
     double t = 0.0;
     vec3 last = vec3_zero();
     for (;; answer->passes++) {
@@ -277,19 +251,22 @@ VBSS_ALWAYS_INLINE bool hits_at_start(const collision_relative *m, const collisi
 
 /* What is not decided at the start: out of the way of what is. */
 VBSS_NEVER_INLINE void advance_edges(const collision_relative *m, const collision_rules *rules,
-                                     double thickness, moment *now, collision_answer *answer)
+                                     uint32_t limit, double thickness, moment *now,
+                                     collision_answer *answer)
 {
-    advance(m, rules, true, thickness, now, answer);
+    advance(m, rules, true, limit, thickness, now, answer);
 }
 
 VBSS_NEVER_INLINE void advance_triangle(const collision_relative *m, const collision_rules *rules,
-                                        double thickness, moment *now, collision_answer *answer)
+                                        uint32_t limit, double thickness, moment *now,
+                                        collision_answer *answer)
 {
-    advance(m, rules, false, thickness, now, answer);
+    advance(m, rules, false, limit, thickness, now, answer);
 }
 
-VBSS_ALWAYS_INLINE void ask(const collision_rules *rules, const collision_question *question,
-                            bool edges, collision_answer *answer)
+VBSS_ALWAYS_INLINE void ask(const collision_rules *rules, uint32_t limit,
+                            const collision_question *question, bool edges,
+                            collision_answer *answer)
 {
     collision_relative m;
     moment now;
@@ -299,19 +276,20 @@ VBSS_ALWAYS_INLINE void ask(const collision_rules *rules, const collision_questi
     }
     end_relative(question, &m);
     if (edges) {
-        advance_edges(&m, rules, question->thickness, &now, answer);
+        advance_edges(&m, rules, limit, question->thickness, &now, answer);
     } else {
-        advance_triangle(&m, rules, question->thickness, &now, answer);
+        advance_triangle(&m, rules, limit, question->thickness, &now, answer);
     }
 }
 
-static void ask_either(const collision_rules *rules, const collision_question *question,
-                       collision_answer *answer)
+/* In at most `limit` passes. */
+static void ask_either(const collision_rules *rules, uint32_t limit,
+                       const collision_question *question, collision_answer *answer)
 {
     if (question->kind == VBSS_PAIR_EDGE_EDGE) {
-        ask(rules, question, true, answer);
+        ask(rules, limit, question, true, answer);
     } else {
-        ask(rules, question, false, answer);
+        ask(rules, limit, question, false, answer);
     }
 }
 
@@ -331,8 +309,8 @@ static bool never_flat(const collision_relative *m)
     double first = vec3_dot(m->start[0], yz0), last = vec3_dot(m->end[0], yz1);
     double second = vec3_dot(m->end[0], yz0) + vec3_dot(m->start[0], mixed); /* three times */
     double third = vec3_dot(m->start[0], yz1) + vec3_dot(m->end[0], mixed);
-    double bound = VOLUME_ROUNDING * largest(m->start[0], m->end[0]) *
-                   largest(m->start[1], m->end[1]) * largest(m->start[2], m->end[2]);
+    double bound = largest(m->start[0], m->end[0]) * largest(m->start[1], m->end[1]) *
+                   largest(m->start[2], m->end[2]) * VOLUME_ROUNDING;
     if (!(bound > VOLUME_UNDERFLOW)) {
         return false;
     }
@@ -342,31 +320,22 @@ static bool never_flat(const collision_relative *m)
 
 bool vbss_collision_apart(const collision_question *question)
 {
-    static const collision_rules rules = {.pass_limit = ZERO_PASS_LIMIT};
+    static const collision_rules rules = {.tolerance = 0.0};
     collision_answer answer = vbss_collision_miss(VBSS_DECISION_PROVED);
-    ask_either(&rules, question, &answer);
+    ask_either(&rules, ZERO_PASS_LIMIT, question, &answer);
     return answer.hit == 0;
 }
 
-/* Features that came within rounding of each other: whether they meet. */
-static void decide_exactly(const collision_rules *rules, const collision_question *question,
-                           const collision_relative *m, collision_answer *answer,
-                           collision_counters *counters)
+/* Features that were not proved apart: whether they meet. */
+static exact_truth decide(const collision_rules *rules, const collision_question *question,
+                          const collision_relative *m, double t, collision_counters *counters)
 {
-    answer->decision = VBSS_DECISION_EXACT;
-    if (vbss_collision_crosses(m, question->kind == VBSS_PAIR_EDGE_EDGE, answer->time)) {
-        return;
+    if (vbss_collision_crosses(m, question->kind == VBSS_PAIR_EDGE_EDGE, t)) {
+        return EXACT_HIT;
     }
-    uint32_t passes = answer->passes;
     workspace w = {.limbs = rules->limbs, .capacity = rules->limb_count};
-    exact_truth truth = vbss_collision_exact(question, &w);
     counters->exact++;
-    if (truth == EXACT_MISS) {
-        *answer = vbss_collision_miss(VBSS_DECISION_EXACT);
-        answer->passes = passes;
-    } else if (truth == EXACT_UNKNOWN) {
-        answer->decision = VBSS_DECISION_UNDECIDED;
-    }
+    return vbss_collision_exact(question, &w);
 }
 
 static void without_thickness(const collision_rules *rules, const collision_question *question,
@@ -378,10 +347,25 @@ static void without_thickness(const collision_rules *rules, const collision_ques
     if (never_flat(&m)) {
         return;
     }
-    ask_either(rules, question, answer);
-    if (answer->hit != 0) {
-        decide_exactly(rules, question, &m, answer, counters);
+    uint32_t limit = conservative_pass_limit(rules->pass_limit, 0.0);
+    ask_either(rules, limit, question, answer);
+    if (answer->hit == 0) {
+        return;
     }
+    exact_truth truth = decide(rules, question, &m, answer->time, counters);
+    if (truth == EXACT_MISS) {
+        uint32_t passes = answer->passes;
+        *answer = vbss_collision_miss(VBSS_DECISION_EXACT);
+        answer->passes = passes;
+        return;
+    }
+    if (answer->decision == VBSS_DECISION_UNDECIDED && rules->pass_limit > limit) {
+        /* It ended on the way: on to the place of contact, if that is not too far. */
+        limit = rules->pass_limit < ZERO_HIT_PASS_LIMIT ? rules->pass_limit : ZERO_HIT_PASS_LIMIT;
+        *answer = vbss_collision_miss(VBSS_DECISION_PROVED);
+        ask_either(rules, limit, question, answer);
+    }
+    answer->decision = truth == EXACT_HIT ? VBSS_DECISION_EXACT : VBSS_DECISION_UNDECIDED;
 }
 
 void vbss_collision_conservative(const collision_rules *rules, const collision_question *question,
@@ -390,7 +374,7 @@ void vbss_collision_conservative(const collision_rules *rules, const collision_q
     if (question->thickness == 0.0) {
         without_thickness(rules, question, answer, counters);
     } else {
-        ask_either(rules, question, answer);
+        ask_either(rules, rules->pass_limit, question, answer);
     }
     counters->passes += answer->passes;
 }

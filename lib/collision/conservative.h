@@ -29,8 +29,9 @@ typedef struct conservative_bounds {
 /* With D = 0: fourth powers of lengths might underflow below this size. */
 #define TINY_SIZE 1e-50
 
-/* With D = 0 exact arithmetic comes sooner: near contact it is the cheaper way. */
+/* With D = 0 exact arithmetic comes sooner; a hit may then take more passes to come near its place. */
 #define ZERO_PASS_LIMIT 32u
+#define ZERO_HIT_PASS_LIMIT 256u
 
 static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
 {

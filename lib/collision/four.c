@@ -258,46 +258,31 @@ static inline lanes_mask clear_throughout(const projection_lanes *g, bool edges,
     return lanes_both(lanes_less(lanes_all(0.0), least), lanes_not(too_little));
 }
 
-/* A time as a fraction. */
-typedef struct fraction_lanes {
-    lanes above, below;
-} fraction_lanes;
-
-static inline fraction_lanes pair_until(lanes g0, lanes g1, lanes clear)
-{
-    lanes_mask falls = lanes_less(g1, clear);
-    fraction_lanes until = {lanes_choose(falls, lanes_sub(g0, clear), lanes_all(2.0)),
-                            lanes_choose(falls, lanes_sub(g0, g1), lanes_all(1.0))};
-    return until;
-}
-
-static inline fraction_lanes sooner(fraction_lanes a, fraction_lanes b)
-{
-    lanes_mask second = lanes_less(lanes_times(b.above, a.below), lanes_times(a.above, b.below));
-    fraction_lanes until = {lanes_choose(second, b.above, a.above),
-                            lanes_choose(second, b.below, a.below)};
-    return until;
-}
-
 static inline lanes projected(lanes g0, lanes g1, lanes t)
 {
     return lanes_add(g0, lanes_times(t, lanes_sub(g1, g0)));
 }
 
+static inline lanes steeper(lanes steepest, lanes now, lanes end, lanes clear)
+{
+    return lanes_larger(lanes_over(lanes_sub(clear, end), lanes_sub(now, clear)), steepest);
+}
+
 static inline lanes clear_until(const projection_lanes *g, bool edges, lanes t, lanes clear)
 {
-    lanes least = least_pair(edges, projected(g->p0, g->p1, t), projected(g->q0, g->q1, t),
-                             projected(g->r0, g->r1, t));
-    fraction_lanes until = sooner(pair_until(g->q0, g->q1, clear), pair_until(g->r0, g->r1, clear));
+    lanes p = projected(g->p0, g->p1, t), q = projected(g->q0, g->q1, t);
+    lanes r = projected(g->r0, g->r1, t), zero = lanes_all(0.0), one = lanes_all(1.0);
+    lanes steepest = steeper(steeper(zero, q, g->q1, clear), r, g->r1, clear);
     if (edges) {
-        fraction_lanes qp = pair_until(lanes_sub(g->q0, g->p0), lanes_sub(g->q1, g->p1), clear);
-        fraction_lanes rp = pair_until(lanes_sub(g->r0, g->p0), lanes_sub(g->r1, g->p1), clear);
-        until = sooner(until, sooner(qp, rp));
+        lanes others = steeper(zero, lanes_sub(q, p), lanes_sub(g->q1, g->p1), clear);
+        others = steeper(others, lanes_sub(r, p), lanes_sub(g->r1, g->p1), clear);
+        steepest = lanes_larger(steepest, others);
     } else {
-        until = sooner(until, pair_until(g->p0, g->p1, clear));
+        steepest = steeper(steepest, p, g->p1, clear);
     }
-    return lanes_choose(lanes_less(least, clear), lanes_all(-1.0),
-                        lanes_over(until.above, until.below));
+    lanes falls = lanes_add(t, lanes_over(lanes_sub(one, t), lanes_add(one, steepest)));
+    lanes until = lanes_choose(lanes_less(zero, steepest), falls, lanes_all(2.0));
+    return lanes_choose(lanes_less(least_pair(edges, p, q, r), clear), lanes_all(-1.0), until);
 }
 
 /* ---- zero thickness */
@@ -309,10 +294,11 @@ static inline lanes_mask never_flat(const relative_lanes *m)
     lanes first = v_dot(m->start[0], yz0), last = v_dot(m->end[0], yz1);
     lanes second = lanes_add(v_dot(m->end[0], yz0), v_dot(m->start[0], mixed));
     lanes third = lanes_add(v_dot(m->start[0], yz1), v_dot(m->end[0], mixed));
-    lanes bound = lanes_all(VOLUME_ROUNDING);
-    for (int k = 0; k < 3; k++) {
+    lanes bound = largest_of(larger_magnitudes(m->start[0], m->end[0]));
+    for (int k = 1; k < 3; k++) {
         bound = lanes_times(bound, largest_of(larger_magnitudes(m->start[k], m->end[k])));
     }
+    bound = lanes_times(bound, lanes_all(VOLUME_ROUNDING));
     lanes thrice = lanes_times(lanes_all(3.0), bound), zero = lanes_all(0.0);
     lanes minus = lanes_sub(zero, bound), minus_thrice = lanes_sub(zero, thrice);
     lanes_mask above =

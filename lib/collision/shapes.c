@@ -128,6 +128,7 @@ static void publish(collision_object *c, collision_shape *s, uint32_t *name)
     *name = c->shape_count;
     c->shapes[c->shape_count++] = s;
     c->living_known = false;
+    vbss_collision_forget(c);
     c->generation++;
 }
 

@@ -16,16 +16,6 @@ typedef struct collision_box {
     double low[4], high[4];
 } collision_box;
 
-static inline double lesser(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static inline double greater(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 /* Overlaps nothing, adds nothing. */
 static inline collision_box box_none(void)
 {

@@ -47,6 +47,11 @@ typedef struct place {
     long double x, y, z;
 } place;
 
+static inline place load_place(vec3 x)
+{
+    return (place){(long double)x.x, (long double)x.y, (long double)x.z};
+}
+
 static inline place along(place from, place to, long double share)
 {
     return (place){from.x + share * (to.x - from.x), from.y + share * (to.y - from.y),
@@ -112,7 +117,7 @@ static inline double smallest_distance(const feature *a, const feature *b)
     for (int k = 0; k < 5; k++) {
         bool of_a = k < 2;
         vec3 x = of_a ? vertex(a, k % a->count) : vertex(b, (k - 2) % b->count);
-        *(of_a ? &q.a[k] : &q.b[k - 2]) = (place){x.x, x.y, x.z};
+        *(of_a ? &q.a[k] : &q.b[k - 2]) = load_place(x);
     }
     q.p = q.a[0];
     return (double)sqrtl(b->count == 2   ? least(from_edge_to_edge, &q)

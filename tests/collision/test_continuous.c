@@ -67,7 +67,7 @@ static void expect_hit(const collision_query *query, const vbss_impact *impact)
 static void expect_nothing_before(const collision_query *query, const vbss_impact *impact)
 {
     for (int i = 0; i <= 8 && impact->time > 0.0; i++) {
-        long double t = impact->time * (i / (impact->hit ? 9.0L : 8.0L));
+        long double t = (long double)impact->time * (i / (impact->hit ? 9.0L : 8.0L));
         assert_true((double)collision_distance(query, t) >
                     query->thickness - 1e-14 * size_of(query));
     }
@@ -248,7 +248,7 @@ static void spread_magnitudes_are_decided_through_an_object(void **state)
         const double triangle[12] = {0.1, 0.1, 0, -1, -1, 0, 1, -1, 0, 0, 1, 0};
         memcpy(query.start, i % 2 == 0 ? edges : triangle, sizeof edges);
         memcpy(query.end, query.start, sizeof edges);
-        for (int k = i % 2 == 0 ? 2 : 1; k < 4; k++) {
+        for (size_t k = i % 2 == 0 ? 2 : 1; k < 4; k++) {
             query.start[3 * k + 2] = heights[i / 4].from;
             query.end[3 * k + 2] = heights[i / 4].to;
             query.end[3 * k] += i / 2 % 2 == 0 ? 0.0 : 1.0 / 3.0;

@@ -235,8 +235,8 @@ static void many_that_need_many_passes(void **state)
     (void)state;
     collision_rules rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
     rules.tolerance = 1e-9;
-    static collision_query slow[MOST];
-    collision_set picked = {.queries = slow};
+    collision_set picked;
+    assert_true(collision_set_begin(&picked, "slow", MOST));
     for (uint32_t i = 0; i < collision_family_count; i++) {
         collision_set set;
         make_set(i, 43, &set);
@@ -244,7 +244,7 @@ static void many_that_need_many_passes(void **state)
             vbss_collision_config config = config_of(&set.queries[k]);
             config.tolerance = rules.tolerance;
             if (ask(&config, &set.queries[k]).passes > 8) {
-                slow[picked.count++] = set.queries[k];
+                picked.queries[picked.count++] = set.queries[k];
             }
         }
         collision_set_release(&set);
@@ -254,6 +254,7 @@ static void many_that_need_many_passes(void **state)
     make_table(&picked, 0, picked.count, STRIDE, false);
     collision_counters c = expect_same(&rules);
     assert_true(c.passes > 10 * (uint64_t)picked.count);
+    collision_set_release(&picked);
 }
 
 /* ---- sizes and outputs */
