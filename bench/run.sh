@@ -71,6 +71,10 @@ for suite in "${suites[@]}"; do
     fi
     if [[ -f $json ]]; then
         written+=("$json")
+        if [[ -f bench/$suite/bars.py ]]; then
+            echo
+            /usr/bin/python3 "bench/$suite/bars.py" "$json"
+        fi
     fi
 done
 

@@ -109,11 +109,12 @@ static void end_calls(void)
     context = NULL;
 }
 
-static bool begin_calls(const query_rows *rows)
+static bool begin_method(const query_rows *rows, vbss_collision_method method)
 {
     vbss_collision_config config;
     if (vbss_context_create(NULL, &context) == VBSS_OK &&
         vbss_collision_config_init(&config, sizeof config) == VBSS_OK) {
+        config.method = method;
         config.thickness = rows->thickness;
         if (vbss_collision_create(context, &config, &object) == VBSS_OK) {
             return true;
@@ -121,6 +122,16 @@ static bool begin_calls(const query_rows *rows)
     }
     end_calls();
     return false;
+}
+
+static bool begin_calls(const query_rows *rows)
+{
+    return begin_method(rows, VBSS_COLLISION_CONSERVATIVE);
+}
+
+static bool begin_paper_calls(const query_rows *rows)
+{
+    return begin_method(rows, VBSS_COLLISION_PAPER);
 }
 
 static void run_calls(const query_rows *rows, query_answers *answers)
@@ -190,6 +201,49 @@ static void run_wide_rows(const query_rows *rows, query_answers *answers)
 static void run_plain_rows(const query_rows *rows, query_answers *answers)
 {
     run_rows(rows, answers, false);
+}
+
+/* ---- the public batch */
+
+static void end_batch(void)
+{
+    end_rows();
+    end_calls();
+}
+
+static bool begin_batch(const query_rows *rows)
+{
+    if (!begin_rows(rows)) {
+        return false;
+    }
+    if (!begin_calls(rows)) {
+        end_rows();
+        return false;
+    }
+    return true;
+}
+
+static void run_batch(const query_rows *rows, query_answers *answers)
+{
+    const size_t n = rows->count;
+    vbss_collision_batch batch;
+    bool told = vbss_collision_batch_init(&batch, sizeof batch) == VBSS_OK;
+    batch.kind = rows->kind;
+    batch.count = batch.stride = rows->count;
+    batch.start = rows->start;
+    batch.end = rows->end;
+    batch.hit = answers->hit;
+    batch.decision = decisions;
+    batch.time = numbers;
+    batch.normal = numbers + 2 * n;
+    batch.weights = numbers + 5 * n;
+    told = told && vbss_collision_test_batch(object, &batch) == VBSS_OK;
+    answers->undecided = 0;
+    for (uint32_t i = 0; i < rows->count; i++) {
+        answers->hit[i] = told ? answers->hit[i] : -1;
+        answers->undecided += decisions[i] == VBSS_DECISION_UNDECIDED;
+    }
+    bench_keep_memory(numbers);
 }
 
 static bool same_bits(double a, double b)
@@ -265,6 +319,22 @@ const query_method query_conservative_batch_plain = {.name = "conservative-batch
                                                      .run = run_plain_rows,
                                                      .finish = compare_rows,
                                                      .end = end_rows};
+const query_method query_batch_call = {.name = "conservative-batch-call",
+                                       .note = "the same by vbss_collision_test_batch",
+                                       .edges = true,
+                                       .points = true,
+                                       .thin = true,
+                                       .begin = begin_batch,
+                                       .run = run_batch,
+                                       .end = end_batch};
+const query_method query_paper_call = {.name = "paper-call",
+                                       .note = "paper by vbss_collision_test",
+                                       .edges = true,
+                                       .points = true,
+                                       .thin = true,
+                                       .begin = begin_paper_calls,
+                                       .run = run_calls,
+                                       .end = end_calls};
 const query_method query_cubic = {.name = "cubic",
                                   .note = "roots of the coplanarity cubic, distance at the end",
                                   .edges = true,

@@ -16,7 +16,7 @@
 #include "collision/query_method.h"
 #include "collision/query_sets.h"
 
-enum { METHODS = 14, MAX_SETS = 40 };
+enum { METHODS = 16, MAX_SETS = 40 };
 
 static const struct {
     const char *name;
@@ -29,7 +29,9 @@ static const struct {
     {.method = &query_conservative_call, .never_misses = true},
     {.method = &query_conservative_batch, .never_misses = true},
     {.method = &query_conservative_batch_plain, .never_misses = true},
+    {.method = &query_batch_call, .never_misses = true},
     {.method = &query_paper},
+    {.method = &query_paper_call},
     {.method = &query_paper_metres},
     {.method = &query_cubic},
     {.method = &query_accd_coarse},

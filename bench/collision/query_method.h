@@ -59,6 +59,7 @@ typedef struct query_method {
 /* Ours: ours.c. */
 extern const query_method query_conservative, query_conservative_fine, query_conservative_call;
 extern const query_method query_conservative_batch, query_conservative_batch_plain;
+extern const query_method query_batch_call, query_paper_call;
 extern const query_method query_paper, query_paper_metres, query_cubic;
 /* Additive conservative advancement: accd.c. */
 extern const query_method query_accd_coarse, query_accd_fine;

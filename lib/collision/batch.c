@@ -25,7 +25,8 @@ vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_kind kind,
     collision_object *c;
     VBSS_TRY(vbss_collision_edit(collision, &c));
     VBSS_TRY(check_kind(c->context, kind));
-    VBSS_TRY(vbss_collision_check_vertices(c->context, start, end, 12));
+    VBSS_TRY(vbss_collision_check_coordinates(c->context, start, 12, "start"));
+    VBSS_TRY(vbss_collision_check_coordinates(c->context, end, 12, "end"));
     VBSS_TRY(vbss_check_pointer(c->context, impact, "impact"));
     VBSS_TRY(vbss_check_arithmetic(c->context));
     collision_question question = {.kind = kind, .thickness = c->thickness};
@@ -51,7 +52,8 @@ static vbss_result check_rows(vbss_context *context, const vbss_collision_batch 
     VBSS_TRY(vbss_check_pointer(context, b->end, "end"));
     for (size_t row = 0; row < 12; row++) {
         size_t at = row * b->stride;
-        VBSS_TRY(vbss_collision_check_vertices(context, b->start + at, b->end + at, b->count));
+        VBSS_TRY(vbss_collision_check_coordinates(context, b->start + at, b->count, "start"));
+        VBSS_TRY(vbss_collision_check_coordinates(context, b->end + at, b->count, "end"));
     }
     for (uint32_t i = 0; b->thickness != NULL && i < b->count; i++) {
         VBSS_TRY(vbss_collision_check_thickness(context, b->thickness[i]));

@@ -10,9 +10,7 @@ static const vbss_layout closest_layout = {"vbss_closest", NULL, closest_sizes};
 
 static vbss_result check(const double *coordinates, size_t count, const char *name)
 {
-    VBSS_TRY(vbss_check_pointer(NULL, coordinates, name));
-    VBSS_TRY(vbss_check_finite(NULL, coordinates, count, name));
-    return vbss_check_range(NULL, vbss_largest(coordinates, count), 0.0, COLLISION_FARTHEST, name);
+    return vbss_collision_check_coordinates(NULL, coordinates, count, name);
 }
 
 static vec3 vertex(const double *coordinates, int k)

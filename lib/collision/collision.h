@@ -19,9 +19,9 @@
 #define COLLISION_THINNEST 1e-30 /* D, unless zero */
 /* D: zero, or in its range. */
 vbss_result vbss_collision_check_thickness(vbss_context *context, double thickness);
-/* Coordinates of vertices, `numbers` in each array. */
-vbss_result vbss_collision_check_vertices(vbss_context *context, const double *start,
-                                          const double *end, size_t numbers);
+/* Finite and not beyond the farthest. */
+vbss_result vbss_collision_check_coordinates(vbss_context *context, const double *values,
+                                             size_t count, const char *name);
 
 /* ---- one continuous test */
 

@@ -80,17 +80,24 @@ void vbss_collision_ask(const collision_rules *rules, const collision_question *
     vbss_collision_count(counters, answer);
 }
 
-vbss_result vbss_collision_check_vertices(vbss_context *context, const double *start,
-                                          const double *end, size_t numbers)
+vbss_result vbss_collision_check_coordinates(vbss_context *context, const double *values,
+                                             size_t count, const char *name)
 {
-    VBSS_TRY(vbss_check_pointer(context, start, "start"));
-    VBSS_TRY(vbss_check_pointer(context, end, "end"));
-    VBSS_TRY(vbss_check_finite(context, start, numbers, "start"));
-    VBSS_TRY(vbss_check_finite(context, end, numbers, "end"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(start, numbers), 0.0, COLLISION_FARTHEST,
-                              "largest coordinate of start"));
-    return vbss_check_range(context, vbss_largest(end, numbers), 0.0, COLLISION_FARTHEST,
-                            "largest coordinate of end");
+    VBSS_TRY(vbss_check_pointer(context, values, name));
+    bool sound = true;
+    for (size_t i = 0; i < count; i++) {
+        sound &= fabs(values[i]) <= COLLISION_FARTHEST;
+    }
+    if (sound) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_check_finite(context, values, count, name));
+    size_t i = 0;
+    while (fabs(values[i]) <= COLLISION_FARTHEST) {
+        i++;
+    }
+    return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s[%llu] is %g, outside [-%g, %g]", name,
+                     (unsigned long long)i, values[i], COLLISION_FARTHEST, COLLISION_FARTHEST);
 }
 
 /* The point of a feature at the time of the answer, from its vertices first .. last. */
@@ -157,7 +164,8 @@ static vbss_result test(const vbss_collision_config *config, vbss_pair_kind kind
         VBSS_TRY(vbss_config_read(NULL, &vbss_collision_config_layout, config, &own));
         VBSS_TRY(vbss_collision_check_rules(NULL, &own));
     }
-    VBSS_TRY(vbss_collision_check_vertices(NULL, start, end, 12));
+    VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
+    VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
     VBSS_TRY(vbss_check_arithmetic(NULL));
     collision_rules rules = vbss_collision_rules_of(&own);
     collision_question question = {.kind = kind, .thickness = own.thickness};

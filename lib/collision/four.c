@@ -372,7 +372,7 @@ static inline void advance(const collision_rules *rules, bool edges, bool first,
         projection_lanes g = {v_dot(n, m.start[0]), v_dot(n, m.end[0]),   v_dot(n, m.start[1]),
                               v_dot(n, m.end[1]),   v_dot(n, m.start[2]), v_dot(n, m.end[2])};
         for (int i = 0; i < LANES; i++) {
-            four->passes[i] += open_bits >> i & 1u;
+            four->passes[i] = (first ? 0 : four->passes[i]) + (open_bits >> i & 1u);
         }
         lanes_mask far = lanes_less(bounds.near_square, now.square);
         hit = lanes_either(hit, lanes_both(open, lanes_not(far)));

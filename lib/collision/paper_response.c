@@ -282,7 +282,8 @@ vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant varia
     VBSS_TRY(vbss_check_range(NULL, kind, VBSS_PAIR_EDGE_EDGE, VBSS_PAIR_POINT_TRIANGLE, "kind"));
     VBSS_TRY(vbss_check_range(NULL, variant, VBSS_RESPONSE_END_OF_STEP,
                               VBSS_RESPONSE_TIME_OF_IMPACT, "variant"));
-    VBSS_TRY(vbss_collision_check_vertices(NULL, start, end, 12));
+    VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
+    VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
     VBSS_TRY(vbss_check_range(NULL, thickness, 0.0, COLLISION_FARTHEST, "thickness"));
     VBSS_TRY(check_masses(inverse_masses));
     hit_pair pair = {.kind = kind, .thickness = thickness};

@@ -368,25 +368,6 @@ vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
     return VBSS_OK;
 }
 
-static vbss_result check_coordinates(const collision_object *c, const double *values, size_t count,
-                                     const char *name)
-{
-    bool sound = true;
-    for (size_t i = 0; i < count; i++) {
-        sound &= fabs(values[i]) <= COLLISION_FARTHEST;
-    }
-    if (sound) {
-        return VBSS_OK;
-    }
-    VBSS_TRY(vbss_check_finite(c->context, values, count, name));
-    size_t i = 0;
-    while (fabs(values[i]) <= COLLISION_FARTHEST) {
-        i++;
-    }
-    return vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "%s[%llu] is %g, outside [-%g, %g]", name,
-                     (unsigned long long)i, values[i], COLLISION_FARTHEST, COLLISION_FARTHEST);
-}
-
 vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape, uint32_t category,
                                       uint32_t mask)
 {
@@ -412,9 +393,9 @@ vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const
     VBSS_TRY(vbss_check_pointer(c->context, end, "end"));
     size_t numbers = 3u * (size_t)node_count, bytes = node_count * sizeof(vec3);
     if (start != NULL) {
-        VBSS_TRY(check_coordinates(c, start, numbers, "start"));
+        VBSS_TRY(vbss_collision_check_coordinates(c->context, start, numbers, "start"));
     }
-    VBSS_TRY(check_coordinates(c, end, numbers, "end"));
+    VBSS_TRY(vbss_collision_check_coordinates(c->context, end, numbers, "end"));
     memcpy(s->start, start != NULL ? start : &s->end[0].x, bytes);
     memcpy(s->end, end, bytes);
     vbss_collision_shape_moved(s);

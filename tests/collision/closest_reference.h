@@ -41,15 +41,28 @@ static inline void set_vertex(feature *f, int k, vec3 x)
     vec3_store(f->x + 3 * (size_t)k, x);
 }
 
+/* The largest coordinate, relative to a's first vertex or not. */
+static inline double size_of(const feature *a, const feature *b, bool relative)
+{
+    double size = 0.0, at[3];
+    for (int k = 0; k < a->count + b->count; k++) {
+        vec3 x = k < a->count ? vertex(a, k) : vertex(b, k - a->count);
+        vec3_store(at, relative ? vec3_sub(x, vertex(a, 0)) : x);
+        size = fmax(size, vbss_largest(at, 3));
+    }
+    return size;
+}
+
 /* ---- the reference: a distance to a convex set is convex along a line, so thirds find its least */
 
 typedef struct place {
     long double x, y, z;
 } place;
 
-static inline place load_place(vec3 x)
+static inline place load_place(vec3 x, int power)
 {
-    return (place){(long double)x.x, (long double)x.y, (long double)x.z};
+    return (place){(long double)ldexp(x.x, power), (long double)ldexp(x.y, power),
+                   (long double)ldexp(x.z, power)};
 }
 
 static inline place along(place from, place to, long double share)
@@ -114,30 +127,21 @@ static inline long double from_edge_to_triangle(const ask *q, long double share)
 static inline double smallest_distance(const feature *a, const feature *b)
 {
     ask q;
+    double size = size_of(a, b, false);
+    int power = size > 0.0 ? ilogb(size) : 0; /* in numbers about 1: no square underflows */
     for (int k = 0; k < 5; k++) {
         bool of_a = k < 2;
         vec3 x = of_a ? vertex(a, k % a->count) : vertex(b, (k - 2) % b->count);
-        *(of_a ? &q.a[k] : &q.b[k - 2]) = load_place(x);
+        *(of_a ? &q.a[k] : &q.b[k - 2]) = load_place(x, -power);
     }
     q.p = q.a[0];
-    return (double)sqrtl(b->count == 2   ? least(from_edge_to_edge, &q)
+    long double square = b->count == 2   ? least(from_edge_to_edge, &q)
                          : a->count == 1 ? least(from_point_to_slice, &q)
-                                         : least(from_edge_to_triangle, &q));
+                                         : least(from_edge_to_triangle, &q);
+    return ldexp((double)sqrtl(square), power);
 }
 
 /* ---- what every answer is */
-
-/* The largest coordinate, relative to a's first vertex or not. */
-static inline double size_of(const feature *a, const feature *b, bool relative)
-{
-    double size = 0.0, at[3];
-    for (int k = 0; k < a->count + b->count; k++) {
-        vec3 x = k < a->count ? vertex(a, k) : vertex(b, k - a->count);
-        vec3_store(at, relative ? vec3_sub(x, vertex(a, 0)) : x);
-        size = fmax(size, vbss_largest(at, 3));
-    }
-    return size;
-}
 
 static inline void expect_point(const feature *f, const double weights[3], const double point[3],
                                 double rounding)
