@@ -365,7 +365,9 @@ static void without_thickness(const collision_rules *rules, const collision_ques
         *answer = vbss_collision_miss(VBSS_DECISION_PROVED);
         ask_either(rules, limit, question, answer);
     }
-    answer->decision = truth == EXACT_HIT ? VBSS_DECISION_EXACT : VBSS_DECISION_UNDECIDED;
+    if (answer->hit != 0) { /* else more passes have proved a miss of what was unknown */
+        answer->decision = truth == EXACT_HIT ? VBSS_DECISION_EXACT : VBSS_DECISION_UNDECIDED;
+    }
 }
 
 void vbss_collision_conservative(const collision_rules *rules, const collision_question *question,
