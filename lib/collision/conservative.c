@@ -110,10 +110,14 @@ static inline double projected(double g0, double g1, double t)
 }
 
 /* How steeply a pair falls below `clear`: what it lacks at the end over what it has to spare now. The
- * steepest pair is the first. What is not a number has nothing to lack. */
+ * steepest pair is the first. */
 static inline double steeper(double steepest, double now, double end, double clear)
 {
-    return greater((clear - end) / (now - clear), steepest);
+    double lack = clear - end, spare = now - clear;
+    if (spare == 0.0) { /* as a division would have it */
+        return lack > 0.0 ? (double)INFINITY : steepest;
+    }
+    return greater(lack / spare, steepest);
 }
 
 /* The time until which all pairs are separated by `clear`, from t on: above 1 if to the end; -1 if they are
