@@ -144,14 +144,15 @@ void vbss_collision_set_vertices(collision_question *question, const double star
 }
 
 /* With memory for exact decisions on the stack; apart, so that nothing else is called on top of it. */
-VBSS_NEVER_INLINE void ask_on_stack(collision_rules *rules, const collision_question *question,
-                                    collision_answer *answer)
+VBSS_NEVER_INLINE void ask_on_stack(const collision_rules *rules,
+                                    const collision_question *question, collision_answer *answer)
 {
     uint32_t limbs[COLLISION_STACK_LIMBS];
     collision_counters counters = {0};
-    rules->limbs = limbs;
-    rules->limb_count = COLLISION_STACK_LIMBS;
-    vbss_collision_ask(rules, question, answer, &counters);
+    collision_rules own = *rules;
+    own.limbs = limbs;
+    own.limb_count = COLLISION_STACK_LIMBS;
+    vbss_collision_ask(&own, question, answer, &counters);
 }
 
 /* Without an object there is nobody to keep an error text. */

@@ -28,16 +28,18 @@ static void short_edges_beside_long_ones_are_not_missed(void **state)
 {
     (void)state;
     double length = 1.0;
-    for (int i = 0; i < 17; i++, length *= 1e-3) {
+    for (int i = 0; i < 17; i++) {
         double half = length * 1e-20;
-        for (int n = 0; n < 60 && half > 1e-290; n++, half *= 1e-4) {
+        for (int n = 0; n < 60 && half > 1e-290; n++) {
             for (int k = 0; k < 20; k++) {
                 assert_true(sweep_hits(0.0, length, half, k));
                 if (length < 1e-13) {
                     assert_true(sweep_hits(1e-30, length, half, k));
                 }
             }
+            half *= 1e-4;
         }
+        length *= 1e-3;
     }
 }
 

@@ -22,11 +22,14 @@ def look(g):
     database = g.library("archive").parent.parent / "compile_commands.json"
     if not database.is_file():
         raise gate.Problem("no compile_commands.json: configure with a preset")
-    units = {unit["file"] for unit in json.loads(database.read_text())}
+    text = database.read_text()
+    units = {unit["file"] for unit in json.loads(text)}
+    # clang ignores most flags of gcc's optimiser, and stops at this one.
+    (g.work / "compile_commands.json").write_text(text.replace(" -fno-tree-loop-distribute-patterns", ""))
     files = sorted(f for f in units if f.endswith(".c") and f.startswith(str(g.source / "")))
     # What CMake made (the mains of the test executables) stands in the build folder.
     made = str(g.source / "build") + "/"
-    return check(g, database.parent, [f for f in files if not f.startswith(made)])
+    return check(g, g.work, [f for f in files if not f.startswith(made)])
 
 
 def canary(g):
