@@ -109,10 +109,9 @@ typedef struct vbss_collision_config {
      * answer when D = 0. */
     double tolerance;
     /** CONSERVATIVE: passes before a test gives up and tells a hit, 1 to 1000000; default 10000. Most
-     * take one or two; turning edges that keep a distance just above D took 400, features 400 D long
-     * 5500. With D = 0 at most 256 are made. Exact decisions are not limited by it: they take some 10 us,
-     * 0.3 ms where bits spread over 100 binary places, 3 ms at 250, and up to 0.6 s with subnormal
-     * numbers beside 1. */
+     * take one or two; edges that turn about each other just above D take hundreds. With D = 0 at most 256
+     * are made. Exact decisions are not limited by it: they take some 10 us, milliseconds where bits
+     * spread over hundreds of binary places, and up to a second with subnormal numbers beside 1. */
     uint32_t pass_limit;
     uint32_t shape_capacity;  /**< Most shapes ever added, 0 to 65536; default 16. */
     uint32_t pair_capacity;   /**< Most candidates at a time, 0 to 1e8; default 16384. */
