@@ -1,9 +1,10 @@
 /* Collision: what two features do to each other, and which features to ask about.
  *
- * Bottom up: closest points (closest.h, closest.c); one continuous test by one of three methods
- * (conservative.c with filter.c and exact.c, cubic.c, paper_test.c); the same in rows (rows.c); shapes
- * with their trees (shapes.c, tree.c), the search (candidates.c), and the tests of what it found
- * (impacts.c). The paper's response stands alone (paper_response.c).
+ * Bottom up: closest points (closest.h, closest.c); one continuous test by one of three methods:
+ * conservative.c, without thickness with crossing.c and exact.c on polynomials.c and integers.c; cubic.c;
+ * paper_test.c; continuous.c chooses. The same in rows (rows.c, four.c). Shapes (shapes.c, boxes.c,
+ * tree.c), the search (candidates.c, walk.c), the tests of what it found (impacts.c), and the object that
+ * holds them (object.c, batch.c, views.c, state.c). The paper's response stands alone (paper_response.c).
  *
  * Vertices: a0 a1 b0 b1 of two edges; the point and b0 b1 b2 of a triangle. They move evenly from
  * start (time 0) to end (time 1). D is the contact distance. */
