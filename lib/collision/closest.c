@@ -39,16 +39,22 @@ static double length_of(scaled s)
     return vec3_norm(s.apart) / s.scale;
 }
 
-/* Weights are set. */
-static vbss_result finish(vbss_closest *own, const double *a, int vertices_of_a, const double *b,
-                          int vertices_of_b, scaled apart, vbss_closest *closest,
-                          uint32_t struct_size)
+/* Weights are set; the rest follows. */
+static void fill(vbss_closest *own, const double *a, int vertices_of_a, const double *b,
+                 int vertices_of_b, scaled apart)
 {
     own->struct_size = sizeof *own;
     own->distance = length_of(apart);
     vec3_store(own->normal, vec3_unit_or(apart.apart, vec3_zero()));
     store_point(own->point_a, a, own->weights_a, vertices_of_a);
     store_point(own->point_b, b, own->weights_b, vertices_of_b);
+}
+
+static vbss_result finish(vbss_closest *own, const double *a, int vertices_of_a, const double *b,
+                          int vertices_of_b, scaled apart, vbss_closest *closest,
+                          uint32_t struct_size)
+{
+    fill(own, a, vertices_of_a, b, vertices_of_b, apart);
     return vbss_struct_write(NULL, &closest_layout, own, closest, struct_size);
 }
 
@@ -203,13 +209,10 @@ vbss_result vbss_closest_capsules(const double a[6], double radius_a, const doub
     VBSS_TRY(check(b, 6, "b"));
     VBSS_TRY(vbss_check_range(NULL, radius_a, 0.0, COLLISION_FARTHEST, "radius_a"));
     VBSS_TRY(vbss_check_range(NULL, radius_b, 0.0, COLLISION_FARTHEST, "radius_b"));
-    vbss_closest own = {.struct_size = sizeof own};
-    scaled apart = axes(a, b, &own);
-    vec3 normal = vec3_unit_or(apart.apart, vec3_zero());
-    own.distance = length_of(apart) - radius_a - radius_b;
-    vec3_store(own.normal, normal);
-    store_point(own.point_a, a, own.weights_a, 2);
-    store_point(own.point_b, b, own.weights_b, 2);
+    vbss_closest own = {0};
+    fill(&own, a, 2, b, 2, axes(a, b, &own));
+    own.distance = own.distance - radius_a - radius_b;
+    vec3 normal = vec3_load(own.normal);
     vec3_store(own.point_a, vec3_add_scaled(vec3_load(own.point_a), radius_a, normal));
     vec3_store(own.point_b, vec3_add_scaled(vec3_load(own.point_b), -radius_b, normal));
     return vbss_struct_write(NULL, &closest_layout, &own, closest, struct_size);

@@ -64,14 +64,9 @@ VBSS_ALWAYS_INLINE void look_at(bool edges, vec3 p, vec3 q, vec3 r, moment *now)
     now->square = vec3_norm_squared(now->apart);
 }
 
-static inline vec3 at_time(const collision_relative *m, int k, double t)
-{
-    return vec3_add_scaled(m->start[k], t, vec3_sub(m->end[k], m->start[k]));
-}
-
 VBSS_ALWAYS_INLINE void look(const collision_relative *m, bool edges, double t, moment *now)
 {
-    look_at(edges, at_time(m, 0, t), at_time(m, 1, t), at_time(m, 2, t), now);
+    look_at(edges, relative_at(m, 0, t), relative_at(m, 1, t), relative_at(m, 2, t), now);
 }
 
 /* ---- certificates: a direction n times the vectors of the vertices, at the start (0) and the end (1) */
@@ -144,7 +139,7 @@ VBSS_ALWAYS_INLINE double clear_until(const projection *g, bool edges, double t,
 VBSS_NEVER_INLINE double clear_otherwise(const collision_relative *m, bool edges, const moment *now,
                                          double t, double clear, vec3 *direction)
 {
-    vec3 a = at_time(m, 0, t), q = at_time(m, 1, t), b = vec3_sub(at_time(m, 2, t), q);
+    vec3 a = relative_at(m, 0, t), q = relative_at(m, 1, t), b = vec3_sub(relative_at(m, 2, t), q);
     vec3 others[2];
     others[0] = vec3_cross(edges ? a : vec3_sub(q, a), b);
     int count = 1;

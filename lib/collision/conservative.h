@@ -10,6 +10,11 @@ typedef struct collision_relative {
     double size; /* largest coordinate */
 } collision_relative;
 
+static inline vec3 relative_at(const collision_relative *m, int vertex, double t)
+{
+    return vec3_add_scaled(m->start[vertex], t, vec3_sub(m->end[vertex], m->start[vertex]));
+}
+
 /* Rounding of the volume of the four vertices as a share of the product of their largest coordinates,
  * and the least of it that is no underflow: docs/collision.md derives both. */
 #define VOLUME_ROUNDING (32.0 * DBL_EPSILON)

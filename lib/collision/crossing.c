@@ -19,19 +19,16 @@ typedef struct vectors {
 
 static vectors vectors_at(const collision_relative *m, bool edges, double t)
 {
-    vec3 at[3];
-    for (int k = 0; k < 3; k++) {
-        at[k] = vec3_add_scaled(m->start[k], t, vec3_sub(m->end[k], m->start[k]));
-    }
+    vec3 p = relative_at(m, 0, t), q = relative_at(m, 1, t), r = relative_at(m, 2, t);
     vectors v;
     if (edges) {
-        v.a = at[0];
-        v.b = vec3_sub(at[2], at[1]);
-        v.c = at[1];
+        v.a = p;
+        v.b = vec3_sub(r, q);
+        v.c = q;
     } else {
-        v.a = vec3_sub(at[1], at[0]);
-        v.b = vec3_sub(at[2], at[0]);
-        v.c = vec3_neg(at[0]);
+        v.a = vec3_sub(q, p);
+        v.b = vec3_sub(r, p);
+        v.c = vec3_neg(p);
     }
     return v;
 }

@@ -139,6 +139,32 @@ static void hits_without_thickness_are_told_near_their_place(void **state)
     assert_true(t.most_passes > 32 && t.most_passes <= 256);
 }
 
+/* ---- small integers, and one number of which the last bit is `places` below their first */
+
+static void spread(harness_source *source, void *user)
+{
+    double start[12], end[12];
+    uint32_t *hits = user, place = harness_draw_below(source, 24);
+    for (int i = 0; i < 12; i++) {
+        start[i] = (double)harness_draw_below(source, 5) - 2.0;
+        end[i] = (double)harness_draw_below(source, 5) - 2.0;
+    }
+    double tiny =
+        harness_draw_real(source, 1.0, 2.0) * 0x1p-196; /* 2 has bit 1, the last is -248 */
+    *(place < 12 ? &start[place] : &end[place - 12]) = tiny;
+    vbss_impact impact = ask(0.0, start, end);
+    assert_true(impact.decision != VBSS_DECISION_UNDECIDED);
+    *hits += impact.hit != 0;
+}
+
+static void two_hundred_and_fifty_places_are_decided_without_an_object(void **state)
+{
+    (void)state;
+    uint32_t hits = 0;
+    harness_property("spread", 20000, spread, &hits);
+    assert_true(hits > 1000);
+}
+
 int test_extremes(void)
 {
     const struct CMUnitTest tests[] = {
@@ -146,6 +172,7 @@ int test_extremes(void)
         harness_test(questions_of_any_unit),
         harness_test(crossings_are_told_at_their_time),
         harness_test(hits_without_thickness_are_told_near_their_place),
+        harness_test(two_hundred_and_fifty_places_are_decided_without_an_object),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,6 +53,9 @@ void collision_query_fill(collision_query *query, vbss_pair_kind kind, double th
 typedef void (*collision_draw)(vbss_random *random, collision_motion *m);
 void collision_set_fill(collision_set *set, uint32_t capacity, vbss_pair_kind kind,
                         collision_draw draw, vbss_random *random);
+/* The same from the beginning, with random numbers of a sequence of its own; false when memory is short. */
+bool collision_set_make(collision_set *set, const char *name, uint32_t count, vbss_pair_kind kind,
+                        collision_draw draw, uint64_t seed, uint64_t sequence);
 /* Lengths in mm; the contact distance of all sets that have one. */
 #define COLLISION_THICKNESS 0.25
 /* Works out hit and clearance by branch and bound (collision_truth.c). False, and the query is to be

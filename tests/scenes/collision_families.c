@@ -271,11 +271,6 @@ _Static_assert(sizeof families / sizeof families[0] ==
 
 bool collision_set_family(uint32_t family, uint32_t count, uint64_t seed, collision_set *set)
 {
-    if (!collision_set_begin(set, collision_family_names[family], count)) {
-        return false;
-    }
-    vbss_random random;
-    vbss_random_seed(&random, seed, 100 + family);
-    collision_set_fill(set, count, VBSS_PAIR_EDGE_EDGE, families[family], &random);
-    return true;
+    return collision_set_make(set, collision_family_names[family], count, VBSS_PAIR_EDGE_EDGE,
+                              families[family], seed, 100 + family);
 }

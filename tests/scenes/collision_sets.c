@@ -38,6 +38,18 @@ void collision_set_fill(collision_set *set, uint32_t capacity, vbss_pair_kind ki
     }
 }
 
+bool collision_set_make(collision_set *set, const char *name, uint32_t count, vbss_pair_kind kind,
+                        collision_draw draw, uint64_t seed, uint64_t sequence)
+{
+    if (!collision_set_begin(set, name, count)) {
+        return false;
+    }
+    vbss_random random;
+    vbss_random_seed(&random, seed, sequence);
+    collision_set_fill(set, count, kind, draw, &random);
+    return true;
+}
+
 uint64_t collision_set_hash(const collision_set *set)
 {
     vbss_stream stream;
