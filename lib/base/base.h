@@ -138,7 +138,8 @@ typedef struct vbss_slot {
     const vbss_kind *kind;
     vbss_context *context;
     void *object;
-    uint64_t ordinal; /* order of creation in the context: the object's identity in logs */
+    uint64_t ordinal;  /* order of creation in the context: the object's identity in logs */
+    const void *owner; /* the object that has it, which alone may step or end it; NULL: the host */
 } vbss_slot;
 /* Puts a finished object behind a new handle; on failure the caller still owns the object. */
 vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
@@ -151,8 +152,13 @@ void vbss_slot_fill(vbss_slot *slot, void *object);
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot);
 /* The same for a call that changes something: VBSS_ERROR_BUSY inside a callback of the context. */
 vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot);
+/* The same for what only the host may do while nobody else has the object: VBSS_ERROR_IN_SCENE. */
+vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slot **slot);
 /* Destroys the object; the handle is told from then on. NULL is VBSS_OK. */
 vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
+/* A handle for an object inside another, which uses it by its public functions. The context does not know
+ * it: whoever made the object ends it. */
+vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object);
 /* A context pointer from the host, to look at or to change what it owns. */
 vbss_result vbss_context_open(const vbss_context *context);
 vbss_result vbss_context_edit(vbss_context *context);

@@ -80,6 +80,29 @@ vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot
     return VBSS_OK;
 }
 
+vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slot **slot)
+{
+    vbss_slot *found = NULL;
+    *slot = NULL;
+    VBSS_TRY(vbss_slot_edit(handle, kind, &found));
+    if (found->owner != NULL) {
+        return vbss_fail(found->context, VBSS_ERROR_IN_SCENE, "%s %llu belongs to a scene",
+                         kind->name, (unsigned long long)found->ordinal);
+    }
+    *slot = found;
+    return VBSS_OK;
+}
+
+vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object)
+{
+    vbss_slot slot = {.tag = VBSS_TAG_SLOT,
+                      .state = SLOT_ALIVE,
+                      .kind = kind,
+                      .context = context,
+                      .object = object};
+    return slot;
+}
+
 static void retire(vbss_slot *slot)
 {
     void *object = slot->object;
@@ -95,7 +118,7 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
         return VBSS_OK;
     }
     vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit(handle, kind, &slot));
+    VBSS_TRY(vbss_slot_edit_unowned(handle, kind, &slot));
     retire(slot);
     return VBSS_OK;
 }

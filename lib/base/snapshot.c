@@ -178,6 +178,10 @@ vbss_result vbss_object_restore(const void *handle, const vbss_kind *kind, const
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(handle, kind, &slot));
+    if (slot->owner != NULL) {
+        return vbss_fail(slot->context, VBSS_ERROR_IN_SCENE, "%s restore: it belongs to a scene",
+                         kind->name);
+    }
     if (count > SIZE_MAX) {
         return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: count is too large",
                          kind->name);

@@ -158,7 +158,8 @@ static bool walk_points(collision_object *c, uint32_t a, uint32_t b)
 static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
 {
     const collision_shape *s = c->shapes[c->living[a]], *other = c->shapes[c->living[b]];
-    return (s->category & other->mask) == 0 || (other->category & s->mask) == 0;
+    return (a == b && s->rigid) || (s->category & other->mask) == 0 ||
+           (other->category & s->mask) == 0;
 }
 
 static bool find_pairs(collision_object *c)

@@ -56,7 +56,7 @@ static size_t list_parts(collision_object *c, vbss_array parts[PARTS])
     return PARTS;
 }
 
-static void free_object(vbss_context *context, void *object)
+void vbss_collision_free(vbss_context *context, void *object)
 {
     collision_object *c = object;
     vbss_array parts[PARTS];
@@ -70,7 +70,7 @@ static void free_object(vbss_context *context, void *object)
 }
 
 const vbss_kind vbss_collision_kind = {"collision object", VBSS_CODE('C', 'O', 'L', 'L'), 1,
-                                       free_object, vbss_collision_serialise};
+                                       vbss_collision_free, vbss_collision_serialise};
 
 /* Two kinds of pairs of any two shapes, but no more runs than candidates. */
 static uint32_t most_runs(const vbss_collision_config *config)
@@ -79,8 +79,8 @@ static uint32_t most_runs(const vbss_collision_config *config)
     return runs < config->pair_capacity ? (uint32_t)runs : config->pair_capacity;
 }
 
-static vbss_result allocate(vbss_context *context, const vbss_collision_config *config,
-                            collision_object **collision)
+vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
+                                    collision_object **collision)
 {
     collision_object *c = vbss_allocate(context, 1, sizeof *c, "collision object");
     vbss_array parts[PARTS];
@@ -98,7 +98,7 @@ static vbss_result allocate(vbss_context *context, const vbss_collision_config *
     vbss_result result =
         vbss_allocate_arrays(context, parts, list_parts(c, parts), "collision object");
     if (result != VBSS_OK) {
-        free_object(context, c);
+        vbss_collision_free(context, c);
         return result;
     }
     *collision = c;
@@ -127,10 +127,10 @@ vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_co
 
     collision_object *c;
     vbss_slot *slot = NULL;
-    VBSS_TRY(allocate(context, &own, &c));
+    VBSS_TRY(vbss_collision_allocate(context, &own, &c));
     vbss_result result = vbss_slot_create(context, &vbss_collision_kind, c, &slot);
     if (result != VBSS_OK) {
-        free_object(context, c);
+        vbss_collision_free(context, c);
         return result;
     }
     *collision = (vbss_collision *)slot;

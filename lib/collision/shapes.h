@@ -88,6 +88,7 @@ typedef struct collision_shape {
     uint32_t *far_before, *far_after;
     uint64_t topology; /* hash of all that never changes */
     uint32_t category, mask;
+    bool rigid;       /* never a pair with itself */
     bool boxes_known; /* of the points, and around all, since the last move */
     bool points_fit, edges_fit, triangles_fit; /* trees know the last move */
     collision_box root;                        /* around all */
@@ -205,6 +206,10 @@ typedef struct collision_object {
 } collision_object;
 
 extern const vbss_kind vbss_collision_kind;
+/* An object of a checked configuration, without a handle; and its end. */
+vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
+                                    collision_object **collision);
+void vbss_collision_free(vbss_context *context, void *object);
 vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision);
 vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **collision);
 /* The living shape of that name, or VBSS_ERROR_OUT_OF_RANGE. */

@@ -95,11 +95,11 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
 {
     thread_object *t;
     if (piece == NULL) {
-        VBSS_TRY(vbss_thread_edit(thread, &t));
+        VBSS_TRY(vbss_thread_edit_alone(thread, &t));
         return vbss_check_pointer(t->context, piece, "piece");
     }
     *piece = NULL;
-    VBSS_TRY(vbss_thread_edit(thread, &t));
+    VBSS_TRY(vbss_thread_edit_alone(thread, &t));
     double length = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         length += t->rest[i];

@@ -96,40 +96,64 @@ static void divide_sections(thread_object *t)
     }
 }
 
-/* ---- the system of a thread alone: held nodes are given; a node on a spring and its neighbours are a
+/* ---- the thread's chain in a system: held nodes are given; a node on a spring and its neighbours are a
  * group of separators, as wide as the bending reaches */
 
-static vbss_result build_pattern(thread_object *t)
+uint32_t vbss_thread_reach(const thread_object *t)
 {
-    vbss_system *s = t->system;
-    uint32_t n = t->node_count, first = 0;
-    vbss_system_begin(s);
-    VBSS_TRY(vbss_system_add_chain(s, n, &first));
+    return t->config.bending == VBSS_BENDING_SPLINE ? THREAD_REACH : THREAD_REACH - 1;
+}
+
+static void set_roles(const thread_object *t, vbss_system *s, uint32_t first,
+                      const uint8_t *separators)
+{
+    uint32_t n = t->node_count;
+    for (uint32_t i = 0; separators != NULL && i < n; i++) {
+        if (separators[i] != 0) {
+            vbss_system_set_role(s, first + i, VBSS_ROLE_SEPARATOR);
+        }
+    }
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
         if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
             uint32_t low = a->node > 0 ? a->node - 1 : 0;
             low = low + THREAD_REACH <= n ? low : n > THREAD_REACH ? n - THREAD_REACH : 0;
             for (uint32_t i = low; i < low + THREAD_REACH && i < n; i++) {
-                vbss_system_set_role(s, i, VBSS_ROLE_SEPARATOR);
+                vbss_system_set_role(s, first + i, VBSS_ROLE_SEPARATOR);
             }
         }
     }
     for (uint32_t i = 0; i < n; i++) {
         if (t->held[i] != 0) {
-            vbss_system_set_role(s, i, VBSS_ROLE_GIVEN);
+            vbss_system_set_role(s, first + i, VBSS_ROLE_GIVEN);
         }
     }
-    uint32_t reach = t->config.bending == VBSS_BENDING_SPLINE ? THREAD_REACH : THREAD_REACH - 1;
+}
+
+vbss_result vbss_thread_register(thread_object *t, vbss_system *s, const uint8_t *separators,
+                                 uint32_t *first)
+{
+    uint32_t n = t->node_count, reach = vbss_thread_reach(t);
+    VBSS_TRY(vbss_system_add_chain(s, n, first));
+    set_roles(t, s, *first, separators);
     for (uint32_t i = 0; i < n; i++) {
         for (uint32_t k = 1; k <= THREAD_REACH; k++) {
             t->couplings[i][k - 1] = VBSS_NO_COUPLING;
             if (k <= reach && i + k < n) {
-                VBSS_TRY(vbss_system_couple(s, i, i + k, &t->couplings[i][k - 1]));
+                VBSS_TRY(
+                    vbss_system_couple(s, *first + i, *first + i + k, &t->couplings[i][k - 1]));
             }
         }
     }
-    return vbss_system_analyse(s);
+    return VBSS_OK;
+}
+
+static vbss_result build_pattern(thread_object *t)
+{
+    uint32_t first = 0;
+    vbss_system_begin(t->system);
+    VBSS_TRY(vbss_thread_register(t, t->system, NULL, &first));
+    return vbss_system_analyse(t->system);
 }
 
 vbss_result vbss_thread_layout(thread_object *t)
@@ -143,9 +167,19 @@ vbss_result vbss_thread_layout(thread_object *t)
     divide_sections(t);
     if (t->config.method == VBSS_METHOD_OURS) {
         vbss_thread_build_bending(t);
-        VBSS_TRY(build_pattern(t));
     }
     t->layout_known = true;
+    t->pattern_known = false;
+    return VBSS_OK;
+}
+
+vbss_result vbss_thread_pattern(thread_object *t)
+{
+    VBSS_TRY(vbss_thread_layout(t));
+    if (!t->pattern_known && t->config.method == VBSS_METHOD_OURS) {
+        VBSS_TRY(build_pattern(t));
+        t->pattern_known = true;
+    }
     return VBSS_OK;
 }
 

@@ -5,6 +5,8 @@
  * The norm is smoothed below a thousandth of k: a straight thread has no plane to bend in. */
 #include "thread/thread.h"
 
+#include <string.h>
+
 /* A cell: its curvature is the turn from one chord to the next, or to a clamp's direction, over its
  * length; of the chords before and behind the node those that take part. */
 typedef struct cell {
@@ -115,4 +117,10 @@ vec3 vbss_thread_rest_curvature_slope(const thread_object *t, uint32_t node)
         }
     }
     return slope;
+}
+
+void vbss_thread_update_rest_pull(thread_object *t)
+{
+    memset(t->rest_pull, 0, t->node_count * sizeof *t->rest_pull);
+    vbss_thread_add_rest_curvature(t, t->trial, t->rest_pull);
 }

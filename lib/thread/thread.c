@@ -334,6 +334,14 @@ vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread)
     return VBSS_OK;
 }
 
+vbss_result vbss_thread_edit_alone(vbss_thread *handle, thread_object **thread)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit_unowned(handle, &vbss_thread_kind, &slot));
+    *thread = slot->object;
+    return VBSS_OK;
+}
+
 void vbss_thread_changed(thread_object *t)
 {
     t->generation++;
@@ -371,20 +379,25 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
     return VBSS_OK;
 }
 
-vbss_result vbss_thread_step(vbss_thread *thread, double h)
+void vbss_thread_finish_step(thread_object *t, double h)
 {
-    thread_object *t;
-    VBSS_TRY(vbss_thread_edit(thread, &t));
-    VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
-    VBSS_TRY(vbss_check_arithmetic(t->context));
-    VBSS_TRY(vbss_thread_layout(t));
-    VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
-                                                   : vbss_thread_implicit_step(t, h));
     vbss_thread_attachments_arrive(t, h);
     vbss_thread_note_reactions(t);
     t->placed = false;
     t->generation++;
     t->statistics.steps++;
     t->statistics.time += h;
+}
+
+vbss_result vbss_thread_step(vbss_thread *thread, double h)
+{
+    thread_object *t;
+    VBSS_TRY(vbss_thread_edit_alone(thread, &t));
+    VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
+    VBSS_TRY(vbss_check_arithmetic(t->context));
+    VBSS_TRY(vbss_thread_pattern(t));
+    VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
+                                                   : vbss_thread_implicit_step(t, h));
+    vbss_thread_finish_step(t, h);
     return VBSS_OK;
 }

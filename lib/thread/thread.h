@@ -117,12 +117,12 @@ typedef struct thread_object {
     vbss_thread_statistics statistics;
 
     /* what follows from rest lengths and attachments (layout.c) */
-    bool layout_known;
-    uint32_t *held;       /* per node: 1 + place of its PIN or CLAMP, or 0 */
-    double *mass;         /* per node, attached masses included */
-    double *inverse_rest; /* per segment, 1/m */
-    double shortest_rest; /* m */
-    uint32_t *sections;   /* first node of each section: held nodes and both ends divide */
+    bool layout_known, pattern_known; /* pattern: of its own system */
+    uint32_t *held;                   /* per node: 1 + place of its PIN or CLAMP, or 0 */
+    double *mass;                     /* per node, attached masses included */
+    double *inverse_rest;             /* per segment, 1/m */
+    double shortest_rest;             /* m */
+    uint32_t *sections; /* first node of each section: held nodes and both ends divide */
     uint32_t section_count;
     double (*bending)[THREAD_WINDOW]; /* OURS: row i, factors of x[i] .. x[i + 4], N/m */
     thread_moment *moments;           /* OURS: scratch of bending.c */
@@ -155,6 +155,10 @@ void vbss_thread_free(vbss_context *context, void *object);
 /* The living thread of a handle, to look at or to change. */
 vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread);
 vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread);
+/* The same for what is a scene's business while the thread belongs to one. */
+vbss_result vbss_thread_edit_alone(vbss_thread *handle, thread_object **thread);
+/* The end of a step of h seconds, alone or in a scene. */
+void vbss_thread_finish_step(thread_object *t, double h);
 /* After every change that is not a step: views are old, accelerations unknown. */
 void vbss_thread_changed(thread_object *t);
 
@@ -174,10 +178,18 @@ void vbss_thread_attachments_arrive(thread_object *t, double h);
 /* reactions.c: at the end of a step, when attachments have arrived. */
 void vbss_thread_note_reactions(thread_object *t);
 
-/* layout.c: for a step; and for looking, with clamps where they are now. */
+/* layout.c: what follows from rest lengths and attachments; with the pattern of its own system; and for
+ * looking, with clamps where they are now. */
 vbss_result vbss_thread_layout(thread_object *t);
+vbss_result vbss_thread_pattern(thread_object *t);
 vbss_result vbss_thread_prepare(thread_object *t);
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
+/* Neighbours on either side that a node is coupled with. */
+uint32_t vbss_thread_reach(const thread_object *t);
+/* The thread's chain in a system: a block a node, from `first` on. `separators` marks nodes in which
+ * others take part, in groups as wide as the reach; may be NULL. */
+vbss_result vbss_thread_register(thread_object *t, vbss_system *s, const uint8_t *separators,
+                                 uint32_t *first);
 /* bending.c: fills bending, clamps, arcs of method OURS. */
 void vbss_thread_build_bending(thread_object *t);
 /* energy.c: of bending, rest curvature included; method PAPER has its own. */
@@ -215,6 +227,25 @@ void vbss_thread_assemble_plain(const thread_object *t, const thread_stage *stag
                                 vbss_system *system, uint32_t first_block);
 void vbss_thread_assemble_wide(const thread_object *t, const thread_stage *stage,
                                vbss_system *system, uint32_t first_block);
+
+/* trial.c: the trial state of a part of a step. Predict fills it, with held nodes at the end of the part;
+ * false says that this is no smooth motion. Strains are those of the trial state. */
+bool vbss_thread_predict(thread_object *t, thread_stage *stage);
+/* Free nodes go back to where the part began; strains are not measured. */
+void vbss_thread_start_from_rest(thread_object *t);
+/* Moves the trial state by the increments u of the nodes. Returns the largest distance that forces left out
+ * of balance would move a node: what a further linearisation could change. */
+double vbss_thread_advance(thread_object *t, const thread_stage *stage, const vec3 *u);
+/* Where nothing sound was found: all free nodes stop where they are. False: not even that is finite. */
+bool vbss_thread_stop(thread_object *t);
+/* The trial state becomes the state. */
+void vbss_thread_commit(thread_object *t, const vbss_integration *in);
+/* The largest strain of the trial state beyond that of the tensions. */
+double vbss_thread_strain_beyond_tension(const thread_object *t);
+/* The compression under which a straight thread with its inertia as foundation buckles at a free end. */
+double vbss_thread_carried_load(const thread_object *t, double inertia);
+/* rest_curvature.c: what rest curvature pulls in the trial state. */
+void vbss_thread_update_rest_pull(thread_object *t);
 
 /* section_damping.c: v <- v - share (v - rigid motion of the section), free nodes first .. last. */
 void vbss_thread_damp_section(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
