@@ -28,4 +28,21 @@ static inline void block_set(block *b, mat3 m)
     }
 }
 
+static inline void block_transpose(block *to, const block *from)
+{
+    for (int i = 0; i < 3; i++) {
+        to->column[i] = lanes_make(lanes_at(from->column[0], i), lanes_at(from->column[1], i),
+                                   lanes_at(from->column[2], i));
+    }
+}
+
+/* What others add to a block of the separators. */
+static inline void block_add(block *b, mat3 m)
+{
+    for (int c = 0; c < 3; c++) {
+        lanes add = lanes_from(vec3_make(m.m[0][c], m.m[1][c], m.m[2][c]));
+        b->column[c] = lanes_add(b->column[c], add);
+    }
+}
+
 #endif

@@ -85,15 +85,16 @@ static vbss_result order_separators(vbss_system *s)
 /* ---- fill */
 
 /* lists: heads of the couplings of each column, heads of the children of each position in the
- * elimination tree, and the next child; all ended by 0 (children are counted from 1). */
+ * elimination tree, and the next child; all ended by 0 (children are counted from 1). Of a run's column
+ * that meets separators only, the first entry that was not passed on yet. */
 typedef struct symbolic {
-    uint32_t *coupling_head, *child_head, *child_next;
+    uint32_t *coupling_head, *child_head, *child_next, *rest;
 } symbolic;
 
 static symbolic begin_symbolic(vbss_system *s)
 {
     uint32_t n = s->block_capacity;
-    symbolic y = {s->lists, s->lists + n, s->lists + 2 * (size_t)n};
+    symbolic y = {s->lists, s->lists + n, s->lists + 2 * (size_t)n, s->lists + 3 * (size_t)n};
     for (uint32_t k = 0; k < s->active_count; k++) {
         y.coupling_head[k] = y.child_head[k] = y.child_next[k] = 0;
         s->marks[k] = UINT32_MAX;
@@ -125,7 +126,13 @@ static vbss_result insert(vbss_system *s, uint32_t begin, uint32_t row, uint32_t
     return VBSS_OK;
 }
 
-static vbss_result fill_column(vbss_system *s, symbolic *y, uint32_t k, uint32_t *fill)
+static void hang(symbolic *y, uint32_t column, uint32_t parent)
+{
+    y->child_next[column] = y->child_head[parent];
+    y->child_head[parent] = column + 1;
+}
+
+static vbss_result begin_column(vbss_system *s, const symbolic *y, uint32_t k)
 {
     uint32_t begin = s->entry_count;
     s->column_start[k] = begin;
@@ -135,21 +142,52 @@ static vbss_result fill_column(vbss_system *s, symbolic *y, uint32_t k, uint32_t
         s->marks[row] = k;
         VBSS_TRY(insert(s, begin, row, c));
     }
+    return VBSS_OK;
+}
+
+/* Of what stands from entry `from` on in a column that is eliminated earlier. */
+static vbss_result fill_from(vbss_system *s, uint32_t k, uint32_t column, uint32_t from,
+                             uint32_t *fill)
+{
+    for (uint32_t e = from; e < s->column_start[column + 1]; e++) {
+        uint32_t row = s->entries[e].row;
+        if (row != k && s->marks[row] != k) {
+            s->marks[row] = k;
+            VBSS_TRY(insert(s, s->column_start[k], row, (*fill)++));
+        }
+    }
+    return VBSS_OK;
+}
+
+static vbss_result fill_run(vbss_system *s, symbolic *y, uint32_t k, uint32_t *fill)
+{
+    VBSS_TRY(begin_column(s, y, k));
     for (uint32_t child = y->child_head[k]; child != 0; child = y->child_next[child - 1]) {
-        for (uint32_t e = s->column_start[child - 1]; e < s->column_start[child]; e++) {
-            uint32_t row = s->entries[e].row;
-            if (row != k && s->marks[row] != k) {
-                s->marks[row] = k;
-                VBSS_TRY(insert(s, begin, row, (*fill)++));
-            }
+        VBSS_TRY(fill_from(s, k, child - 1, s->column_start[child - 1], fill));
+    }
+    uint32_t begin = s->column_start[k];
+    s->column_start[k + 1] = s->entry_count;
+    y->rest[k] = begin;
+    if (s->entry_count > begin) {
+        hang(y, k, s->entries[begin].row);
+    }
+    return VBSS_OK;
+}
+
+/* A separator's column as condensing leaves it: separators are not eliminated here. A run's column that
+ * meets separators only joins all of them: it is passed on from one to the next. */
+static vbss_result fill_separator(vbss_system *s, symbolic *y, uint32_t k, uint32_t *fill)
+{
+    VBSS_TRY(begin_column(s, y, k));
+    for (uint32_t child = y->child_head[k], next; child != 0; child = next) {
+        uint32_t column = child - 1, rest = ++y->rest[column];
+        next = y->child_next[column];
+        VBSS_TRY(fill_from(s, k, column, rest, fill));
+        if (rest < s->column_start[column + 1]) {
+            hang(y, column, s->entries[rest].row);
         }
     }
     s->column_start[k + 1] = s->entry_count;
-    if (s->entry_count > begin) {
-        uint32_t parent = s->entries[begin].row;
-        y->child_next[k] = y->child_head[parent];
-        y->child_head[parent] = k + 1;
-    }
     return VBSS_OK;
 }
 
@@ -190,17 +228,6 @@ static vbss_result list_products(vbss_system *s)
     return VBSS_OK;
 }
 
-/* Entries of the separators' columns have numbers of their own as well. */
-static vbss_result check_pairs(const vbss_system *s)
-{
-    uint32_t pairs = s->entry_count - s->separator_first_entry;
-    bool separators = s->active_count > s->run_count;
-    return !separators || pairs <= s->pair_capacity
-               ? VBSS_OK
-               : vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separator pairs",
-                           s->pair_capacity);
-}
-
 vbss_result vbss_system_analyse(vbss_system *s)
 {
     order_runs(s);
@@ -209,14 +236,15 @@ vbss_result vbss_system_analyse(vbss_system *s)
     uint32_t fill = s->coupling_count + 1;
     s->entry_count = 0;
     s->column_start[0] = 0;
-    s->separator_first_entry = 0;
-    for (uint32_t k = 0; k < s->active_count; k++) {
-        if (k == s->run_count) {
-            s->separator_first_entry = s->entry_count;
-        }
-        VBSS_TRY(fill_column(s, &y, k, &fill));
+    for (uint32_t k = 0; k < s->run_count; k++) {
+        VBSS_TRY(fill_run(s, &y, k, &fill));
     }
-    VBSS_TRY(check_pairs(s));
+    s->separator_first_entry = s->entry_count;
+    for (uint32_t k = s->run_count; k < s->active_count; k++) {
+        VBSS_TRY(fill_separator(s, &y, k, &fill));
+    }
+    s->pair_count = s->entry_count - s->separator_first_entry;
     s->fill_count = fill - (s->coupling_count + 1);
-    return list_products(s);
+    VBSS_TRY(list_products(s));
+    return vbss_system_order_separators(s);
 }

@@ -7,8 +7,10 @@
  * condensed runs stay. Knows no suture.
  *
  * One way through, each arrow a function:
- *   pattern:  begin -> add_chain, couple, set_role -> analyse
+ *   pattern:  begin -> add_chain, set_role, couple, couple_once -> analyse -> (places asked for)
  *   numbers:  clear -> (bodies set) -> condense -> take_separators -> (contacts add) -> solve
+ * where take_separators -> (contacts add) -> solve_separators may go round as often as the contacts need,
+ * and finish then gives the runs their increments: solve is solve_separators and finish.
  * Nothing here allocates after vbss_system_create; nothing survives a step that is not rebuilt. */
 #ifndef VBSS_SOLVER_SOLVER_H
 #define VBSS_SOLVER_SOLVER_H
@@ -54,6 +56,8 @@ typedef enum vbss_role {
 
 /* The coupling that swallows what is added to it: of a given block, or of none. */
 #define VBSS_NO_COUPLING 0u
+/* Where nothing stands: no separator, or not in the pattern. */
+#define VBSS_NO_PLACE UINT32_MAX
 
 /* An entry of the factor: the block in row `row` of a column, both counted in elimination order. */
 typedef struct vbss_entry {
@@ -75,6 +79,35 @@ typedef struct vbss_pivot {
     vec3 y;            /* right-hand side after elimination of what came before, L^-1 of it */
 } vbss_pivot;
 
+/* An entry of the separators' factor, seen from its row. */
+typedef struct vbss_earlier {
+    uint32_t column, entry;
+} vbss_earlier;
+
+/* A pair of the pattern: its later row, and the place of the block in that row. */
+typedef struct vbss_pair {
+    uint32_t row, place;
+} vbss_pair;
+
+/* Elimination of the separators, in an order of its own. A separator counts by block number, a position
+ * by elimination, both from 0 on. */
+typedef struct vbss_elimination {
+    uint32_t *order;        /* position -> separator */
+    uint32_t *position;     /* separator -> position */
+    uint32_t *column_start; /* position -> first entry of its column; one more at the end */
+    uint32_t *rows;         /* of entries: positions, ascending in a column */
+    uint32_t *row_start;    /* position -> first of its row; one more at the end */
+    vbss_earlier *earlier;  /* entries by rows, columns ascending */
+    uint32_t *pair_start;   /* position -> first of the pattern's pairs in its column; one more */
+    vbss_pair *pairs;
+    uint64_t *near;  /* scratch of analyse: rows of bits, who is coupled with whom */
+    uint32_t *keys;  /* scratch of analyse */
+    uint32_t *entry; /* scratch of the numbers: row -> entry of the column at hand */
+    /* L without the pivots; and D^-1 U, transposed */
+    block *lower, *upper;
+    lanes *x;
+} vbss_elimination;
+
 typedef struct vbss_system {
     vbss_context *context;
     uint32_t block_capacity, coupling_capacity, separator_capacity, pair_capacity, entry_capacity,
@@ -85,8 +118,12 @@ typedef struct vbss_system {
     uint8_t *roles;
     vbss_coupling *couplings; /* from 1 on */
     uint32_t *chain_ends;     /* first block after each chain */
+    uint32_t *chain_of;       /* block -> chain */
+    uint32_t *known;          /* couplings by hash, for couple_once; 0 is free */
+    uint32_t known_capacity;  /* a power of two */
+    uint32_t known_count;     /* couplings from 1 on that stand there */
 
-    /* analysed; positions count in elimination order, runs first */
+    /* analysed; positions count in elimination order, runs first, then separators by block number */
     uint32_t run_count, active_count, entry_count, fill_count;
     uint32_t *order;        /* position -> block */
     uint32_t *place;        /* block -> position */
@@ -104,16 +141,18 @@ typedef struct vbss_system {
     vec3 *solution; /* increments; zero for given blocks */
     vbss_pivot *pivots;
 
-    /* the separators' system: diagonals, and both blocks of each pair */
-    mat3 *separator_diagonal, *separator_lower, *separator_upper;
-    vec3 *separator_rhs;
-    uint32_t separator_first_entry;
+    /* the separators' system: both blocks of each pair, then diagonals; what condensing left, and the
+     * copy to which others add */
+    uint32_t separator_first_entry, pair_count;
+    block *separator_base, *separator_blocks;
+    vec3 *separator_base_rhs, *separator_rhs;
+    vbss_elimination elimination;
     uint64_t tiny_pivots; /* met so far: each one a solve that failed */
     bool wide;            /* hot loops with AVX2 */
 } vbss_system;
 
 /* Room for chains of `blocks` blocks in all, coupled to `reach` neighbours on either side, of which
- * `separators` may be separators, with `pairs` of them coupled or filled in. Separators come in groups
+ * `separators` (at most 65535) may be separators, with `pairs` of them coupled or filled in. Separators come in groups
  * of at least `reach` neighbours: past a narrower one a run is coupled with the next, and what it fills
  * in may not find room. */
 vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
@@ -125,8 +164,11 @@ void vbss_system_begin(vbss_system *system);
 vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t *first);
 void vbss_system_set_role(vbss_system *system, uint32_t block, vbss_role role);
 /* Two different blocks; the same pair only once. VBSS_NO_COUPLING when one of them is given, so set
- * the roles first. */
+ * the roles first. Blocks of two chains must both be separators: else VBSS_ERROR_OUT_OF_RANGE. */
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling);
+/* The same, but a pair that is coupled already, by whomever, gets the coupling that it has. */
+vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b,
+                                    uint32_t *coupling);
 vbss_result vbss_system_analyse(vbss_system *system);
 
 /* The numbers. Whoever registered a chain or a coupling sets its diagonals, right-hand sides and
@@ -137,20 +179,38 @@ void vbss_system_clear(vbss_system *system);
 
 /* Eliminates the runs. False: a pivot was too small. */
 bool vbss_system_condense(vbss_system *system);
-/* Copies what condensing left for the separators, where others may add to it. */
+
+/* The separators' system, as often as wanted after one condense.
+ *
+ * Where the block in the row of one separator and the column of another stands in separator_blocks, and
+ * the right-hand side of one in separator_rhs; the same until analyse. VBSS_NO_PLACE if there is none:
+ * a pair has places when it is coupled, or joined by runs; what the elimination of separators fills in
+ * has none. Blocks of a pair in both directions are two places. */
+uint32_t vbss_system_place(const vbss_system *system, uint32_t row, uint32_t column);
+uint32_t vbss_system_rhs_place(const vbss_system *system, uint32_t row);
+/* Copies what condensing left into separator_blocks and separator_rhs, where others may add to it (and
+ * subtract, and make it unsymmetric). */
 void vbss_system_take_separators(vbss_system *system);
-/* From take to solve: the block in the row of separator a and the column of b, and the right-hand side
- * of a. NULL for what is not in the pattern, or no separator. */
-mat3 *vbss_system_separator_block(vbss_system *system, uint32_t a, uint32_t b);
-vec3 *vbss_system_separator_rhs(vbss_system *system, uint32_t a);
-/* Factorises the separators' system, in place, and works out all increments. False: a pivot was too
- * small. */
+/* Factorises that and puts the separators' increments into the solution, those of the runs not. What was
+ * added stays as it is. False: a pivot was too small. */
+bool vbss_system_solve_separators(vbss_system *system);
+/* The increments of all others. */
+void vbss_system_finish(vbss_system *system);
+/* solve_separators and finish. */
 bool vbss_system_solve(vbss_system *system);
 
-/* Both copies of condense.c: elimination of the runs, and for the end of vbss_system_solve the runs'
+/* ---- parts of these, not for others */
+
+/* Of analyse: the order of the separators' elimination and its fill. */
+vbss_result vbss_system_order_separators(vbss_system *system);
+/* Both copies of condense.c and of eliminate.c: elimination of the runs, and of the separators; the runs'
  * increments from the separators'. */
 bool vbss_system_condense_plain(vbss_system *system);
 bool vbss_system_condense_wide(vbss_system *system);
+/* After condense: its result as separator_base and separator_base_rhs. */
+void vbss_system_keep_separators(vbss_system *system);
+bool vbss_system_solve_separators_plain(vbss_system *system);
+bool vbss_system_solve_separators_wide(vbss_system *system);
 void vbss_system_return_to_runs_plain(vbss_system *system);
 void vbss_system_return_to_runs_wide(vbss_system *system);
 void vbss_system_return_to_runs(vbss_system *system);

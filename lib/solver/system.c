@@ -5,17 +5,22 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 21 };
+enum { PARTS = 37 };
+#define MOST_SEPARATORS 65535u /* two of their numbers are one key */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
 {
     size_t blocks = s->block_capacity, entries = s->entry_capacity;
     size_t numbers = entries + s->coupling_capacity + 1, separators = s->separator_capacity;
-    size_t pairs = s->pair_capacity;
+    size_t pairs = s->pair_capacity, words = (separators + 63) / 64;
+    size_t places = 2 * pairs + separators;
+    vbss_elimination *e = &s->elimination;
     const vbss_array all[PARTS] = {
         {&s->roles, blocks, sizeof *s->roles},
         {&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
+        {&s->chain_of, blocks, sizeof *s->chain_of},
+        {&s->known, s->known_capacity, sizeof *s->known},
         {&s->order, blocks, sizeof *s->order},
         {&s->place, blocks, sizeof *s->place},
         {&s->column_start, blocks + 1, sizeof *s->column_start},
@@ -23,25 +28,53 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->product_start, blocks, sizeof *s->product_start},
         {&s->products, s->product_capacity, sizeof *s->products},
         {&s->marks, blocks, sizeof *s->marks},
-        {&s->lists, 3 * blocks, sizeof *s->lists},
+        {&s->lists, 4 * blocks, sizeof *s->lists},
         {&s->diagonal, blocks, sizeof *s->diagonal},
         {&s->numbers, numbers, sizeof *s->numbers},
         {&s->scaled, numbers, sizeof *s->scaled},
         {&s->rhs, blocks, sizeof *s->rhs},
         {&s->solution, blocks, sizeof *s->solution},
         {&s->pivots, blocks, sizeof *s->pivots},
-        {&s->separator_diagonal, separators, sizeof *s->separator_diagonal},
-        {&s->separator_lower, pairs, sizeof *s->separator_lower},
-        {&s->separator_upper, pairs, sizeof *s->separator_upper},
+        {&s->separator_base, places, sizeof *s->separator_base},
+        {&s->separator_blocks, places, sizeof *s->separator_blocks},
+        {&s->separator_base_rhs, separators, sizeof *s->separator_base_rhs},
         {&s->separator_rhs, separators, sizeof *s->separator_rhs},
+        {&e->order, separators, sizeof *e->order},
+        {&e->position, separators, sizeof *e->position},
+        {&e->column_start, separators + 1, sizeof *e->column_start},
+        {&e->rows, pairs, sizeof *e->rows},
+        {&e->row_start, separators + 1, sizeof *e->row_start},
+        {&e->earlier, pairs, sizeof *e->earlier},
+        {&e->pair_start, separators + 1, sizeof *e->pair_start},
+        {&e->pairs, pairs, sizeof *e->pairs},
+        {&e->near, separators * words, sizeof *e->near},
+        {&e->keys, separators, sizeof *e->keys},
+        {&e->entry, separators, sizeof *e->entry},
+        {&e->lower, pairs, sizeof *e->lower},
+        {&e->upper, pairs, sizeof *e->upper},
+        {&e->x, separators, sizeof *e->x},
     };
     memcpy(parts, all, sizeof all);
+}
+
+/* Half of it stays free. */
+static uint32_t room_for_known(uint32_t couplings)
+{
+    uint32_t room = 2;
+    while (room / 2 <= couplings && room <= UINT32_MAX / 2) {
+        room *= 2;
+    }
+    return room;
 }
 
 vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
                                uint32_t separators, uint32_t pairs, vbss_system **system)
 {
     *system = NULL;
+    if (separators > MOST_SEPARATORS) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "system: more than %u separators",
+                         MOST_SEPARATORS);
+    }
     vbss_system *s = vbss_allocate(context, 1, sizeof *s, "system");
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -54,6 +87,7 @@ vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t 
     s->pair_capacity = pairs;
     s->coupling_capacity = blocks * reach + pairs;
     s->entry_capacity = blocks * rows + pairs;
+    s->known_capacity = room_for_known(s->coupling_capacity);
     s->product_capacity = blocks * (rows * (rows - 1) / 2);
     vbss_array parts[PARTS];
     list_parts(s, parts);
@@ -82,6 +116,7 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system)
 void vbss_system_begin(vbss_system *system)
 {
     system->block_count = system->coupling_count = system->chain_count = 0;
+    system->known_count = 0;
     memset(&system->couplings[VBSS_NO_COUPLING], 0, sizeof *system->couplings);
 }
 
@@ -93,6 +128,9 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
     }
     *first = system->block_count;
     memset(system->roles + system->block_count, VBSS_ROLE_RUN, count);
+    for (uint32_t b = *first; b < *first + count; b++) {
+        system->chain_of[b] = system->chain_count;
+    }
     system->block_count += count;
     system->chain_ends[system->chain_count++] = system->block_count;
     return VBSS_OK;
@@ -106,8 +144,15 @@ void vbss_system_set_role(vbss_system *system, uint32_t b, vbss_role role)
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling)
 {
     *coupling = VBSS_NO_COUPLING;
-    if (system->roles[a] == VBSS_ROLE_GIVEN || system->roles[b] == VBSS_ROLE_GIVEN) {
+    uint8_t one = system->roles[a], other = system->roles[b];
+    if (one == VBSS_ROLE_GIVEN || other == VBSS_ROLE_GIVEN) {
         return VBSS_OK;
+    }
+    if (system->chain_of[a] != system->chain_of[b] &&
+        (one == VBSS_ROLE_RUN || other == VBSS_ROLE_RUN)) {
+        return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "system: blocks %u and %u of two chains are coupled, and not separators",
+                         a, b);
     }
     if (system->coupling_count == system->coupling_capacity) {
         return vbss_fail(system->context, VBSS_ERROR_CAPACITY, "system: more than %u couplings",
@@ -118,6 +163,40 @@ vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint
     c->high = a > b ? a : b;
     c->low = a > b ? b : a;
     return VBSS_OK;
+}
+
+/* ---- couplings by hash: open addressing, which only ever tells whether a pair is there */
+
+/* Where the coupling of two blocks stands, or could. */
+static uint32_t *known_place(vbss_system *s, uint32_t high, uint32_t low)
+{
+    uint64_t mixed = (((uint64_t)high << 32) + low) * UINT64_C(0x9e3779b97f4a7c15);
+    uint32_t at = (uint32_t)(mixed >> 32) & (s->known_capacity - 1);
+    for (;; at = (at + 1) & (s->known_capacity - 1)) {
+        const vbss_coupling *c = &s->couplings[s->known[at]];
+        if (s->known[at] == VBSS_NO_COUPLING || (c->high == high && c->low == low)) {
+            return &s->known[at];
+        }
+    }
+}
+
+/* Only who asks pays. */
+static void know_all(vbss_system *s)
+{
+    if (s->known_count == 0) {
+        memset(s->known, 0, s->known_capacity * sizeof *s->known);
+    }
+    while (s->known_count < s->coupling_count) {
+        const vbss_coupling *c = &s->couplings[++s->known_count];
+        *known_place(s, c->high, c->low) = s->known_count;
+    }
+}
+
+vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling)
+{
+    know_all(system);
+    *coupling = *known_place(system, a > b ? a : b, a > b ? b : a);
+    return *coupling != VBSS_NO_COUPLING ? VBSS_OK : vbss_system_couple(system, a, b, coupling);
 }
 
 void vbss_system_clear(vbss_system *system)

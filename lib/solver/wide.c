@@ -1,12 +1,21 @@
-/* Which copy of the elimination is run. */
+/* Which copy of the eliminations is run. */
 #include "solver/solver.h"
 
 bool vbss_system_condense(vbss_system *system)
 {
-    return VBSS_WIDE_CALL(system->wide, vbss_system_condense, system);
+    if (!VBSS_WIDE_CALL(system->wide, vbss_system_condense, system)) {
+        return false;
+    }
+    vbss_system_keep_separators(system);
+    return true;
 }
 
 void vbss_system_return_to_runs(vbss_system *system)
 {
     VBSS_WIDE_CALL(system->wide, vbss_system_return_to_runs, system);
+}
+
+bool vbss_system_solve_separators(vbss_system *system)
+{
+    return vbss_system_solve_separators_plain(system);
 }

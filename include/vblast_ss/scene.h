@@ -1,0 +1,451 @@
+/**
+ * @file scene.h
+ * @brief A scene: threads, rigid tools and a floor that touch, rub and are stepped together.
+ *
+ * Bodies are added to a scene and numbered from 1 on; body 0 is the world: the floor, and what is
+ * pinned in space. A thread that was added belongs to the scene until it is removed: stepping, cutting,
+ * restoring or destroying it alone is VBSS_ERROR_IN_SCENE, while attaching, moving and looking go on as
+ * before. Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied
+ * to a given pose by a spring and a damper, so that what stops the thread stops the tool) or free.
+ *
+ * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
+ * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
+ * through anything. Method PAPER is that of VBLaST-SS (Qi et al. 2017): explicit steps, edge tests at
+ * both ends of a step, displacements as response, no friction, knots held by pins.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_SCENE_H
+#define VBLAST_SS_SCENE_H
+
+#include <vblast_ss/base.h>
+#include <vblast_ss/thread.h>
+
+/** A scene. */
+typedef struct vbss_scene vbss_scene;
+
+/** What to do when a step finds no acceptable state at once: a VBSS_MODE_ constant. */
+typedef int32_t vbss_scene_mode;
+
+/** The constants of #vbss_scene_mode. */
+enum {
+    /** A bounded number of attempts in a step; then what is left of the step is cut short where it
+     * would harm, which is counted in `clamped`. */
+    VBSS_MODE_REAL_TIME = 0,
+    /** Halves as often as halving_limit allows; clamps only after that. */
+    VBSS_MODE_OFFLINE = 1
+};
+
+/** How to make a scene. Fill it with #vbss_scene_config_init, then change what you need. */
+typedef struct vbss_scene_config {
+    uint32_t struct_size;        /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;          /**< Default VBSS_METHOD_OURS; threads must have the same. */
+    vbss_scene_mode mode;        /**< Default VBSS_MODE_REAL_TIME. */
+    uint32_t thread_capacity;    /**< Most threads at a time, 0 to 64; default 4. */
+    uint32_t node_capacity;      /**< Most nodes of all threads, 0 to 65537; default 1024. */
+    uint32_t rigid_capacity;     /**< Most rigid bodies at a time, 0 to 256; default 4. */
+    uint32_t capsule_capacity;   /**< Most capsules of all of them, 0 to 4096; default 16. */
+    uint32_t pin_capacity;       /**< Most pins at a time, 0 to 256; default 8. */
+    uint32_t contact_capacity;   /**< Most contacts that may close at a time, 0 to 65536; default 1024. */
+    uint32_t candidate_capacity; /**< Most pairs looked at, 0 to 1e7; default 16384. */
+    uint32_t event_capacity;     /**< Most events of a step that are kept, 0 to 65536; default 256. */
+    int32_t floor;               /**< 1: there is a floor, all that is above a plane; default 0. */
+    double floor_normal[3];      /**< Up, of any length from 1e-100 to 1e100; default (0, 1, 0). */
+    double floor_height;         /**< Of the plane along its normal, m, each at most 1e3; default 0. */
+    double floor_friction;       /**< Coefficient, 0 to 10; default 0.3. */
+    /** Coefficient of friction of threads with each other, 0 to 10; default 0.3 (silk on silk; the
+     * literature has 0.1 to 0.4). */
+    double thread_friction;
+    /** Normal and tangential stiffness of a contact, N/m, 1e3 to 1e9; default 2e5: 5 um at 1 N. */
+    double contact_stiffness;
+    /** Contacts are looked for within this distance beyond touching, m, 0 to 0.1; default 1e-4. */
+    double contact_margin;
+    /** Largest stretch error that a step may leave, 1e-9 to 1e-1; default 1e-3. */
+    double stretch_tolerance;
+    /** Largest penetration that a step may leave, as a share of the distance of touching, 1e-3 to 0.5;
+     * default 0.1. A state that has more may only have less afterwards. */
+    double penetration_tolerance;
+    uint32_t linearisation_limit; /**< Of an attempt, 1 to 100; default 12. */
+    uint32_t state_limit;   /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 24. */
+    uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
+    uint32_t attempt_limit; /**< REAL_TIME: attempts in a step, 1 to 1000; default 16. */
+    /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
+    uint32_t paper_pass_limit;
+    uint32_t reserved; /**< Zero. */
+    /** PAPER: distance kept beyond touching (the paper's eps_D), m, 0 to 1e-2; default 0. */
+    double paper_thickness;
+} vbss_scene_config;
+
+/** How a rigid body moves: a VBSS_RIGID_ constant. */
+typedef int32_t vbss_rigid_kind;
+
+/** The constants of #vbss_rigid_kind. */
+enum {
+    VBSS_RIGID_DRIVEN = 0,  /**< Exactly as told; stopped only by the guard. */
+    VBSS_RIGID_COUPLED = 1, /**< A proxy, tied to the pose it is told by a virtual coupling. */
+    VBSS_RIGID_FREE = 2     /**< As forces say. */
+};
+
+/** One capsule of a rigid body, in the frame of the body. */
+typedef struct vbss_capsule {
+    double begin[3]; /**< An end of the axis, m. */
+    double end[3];   /**< The other; may be the same: a ball. */
+    double radius;   /**< m, 1e-6 to 1. */
+} vbss_capsule;
+
+/** How to make a rigid body. Fill it with #vbss_rigid_config_init, then change what you need. */
+typedef struct vbss_rigid_config {
+    uint32_t struct_size;         /**< Size of this struct in bytes, set by the init function. */
+    vbss_rigid_kind kind;         /**< Default VBSS_RIGID_DRIVEN. */
+    uint32_t capsule_count;       /**< 1 to 256. */
+    uint32_t reserved;            /**< Zero. */
+    const vbss_capsule *capsules; /**< capsule_count of them; copied. */
+    double position[3];           /**< Of the origin of the frame, m, each at most 1e3; default 0. */
+    double orientation[4];        /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double velocity[3];           /**< Of the origin, m/s, each at most 1e5; COUPLED, FREE; default 0. */
+    double angular_velocity[3];   /**< rad/s, each at most 1e6; COUPLED, FREE; default 0. */
+    /** Of the body, kg, 1e-9 to 1e3; default 0.02. It is spread over the capsules as if they were solid and
+     * of one material; overlaps count twice. */
+    double mass;
+    double gravity[3];           /**< m/s^2, each at most 1e6; default 0: hands carry their tools. */
+    double friction;             /**< Coefficient with all others, 0 to 10; default 0.15. Of two bodies the geometric mean counts. */
+    double stiffness;            /**< COUPLED: N/m, 0 to 1e9; default 2000. */
+    double damping;              /**< COUPLED: N s/m, 0 to 1e6; default 5. */
+    double turning_stiffness;    /**< COUPLED: N m/rad, 0 to 1e9; default 2. */
+    double turning_damping;      /**< COUPLED: N m s/rad, 0 to 1e6; default 0.005. */
+} vbss_rigid_config;
+
+/** Where a rigid body is and what acts on it. */
+typedef struct vbss_rigid_state {
+    uint32_t struct_size;       /**< Bytes of this struct that the library filled. */
+    vbss_rigid_kind kind;       /**< As it was made. */
+    double position[3];         /**< Of the origin of its frame, m. */
+    double orientation[4];      /**< w, x, y, z; body to world. */
+    double velocity[3];         /**< Of the origin, m/s. */
+    double angular_velocity[3]; /**< World frame, rad/s. */
+    double target_position[3];  /**< Where it was told to be. */
+    double target_orientation[4]; /**< The same. */
+    /** What the hand feels, N: the opposite of the coupling's force; of a driven body the sum of its
+     * contacts and pins. Zero for a free body. */
+    double hand_force[3];
+    double hand_torque[3];    /**< The same about the origin of its frame, N m. */
+    double contact_force[3];  /**< Of all contacts and pins on it in the last step, N. */
+    double contact_torque[3]; /**< The same about the origin of its frame, N m. */
+} vbss_rigid_state;
+
+/** An array of a scene: a VBSS_SCENE_VIEW_ constant. */
+typedef int32_t vbss_scene_field;
+
+/** The constants of #vbss_scene_field. Contacts are those that carried a force at the end of the last
+ * step, in the order of their features; of method PAPER, those that were responded to. */
+enum {
+    /** x 5 uint32_t: #vbss_contact_kind, body a, feature a, body b, feature b. A feature is a segment or a
+     * node of a thread, a capsule of a rigid body (times two plus its end, where an end is meant), 0 of
+     * the floor. */
+    VBSS_SCENE_VIEW_CONTACTS = 0,
+    VBSS_SCENE_VIEW_CONTACT_POINTS = 1,  /**< x 3: between the two surfaces, m. */
+    VBSS_SCENE_VIEW_CONTACT_NORMALS = 2, /**< x 3: unit, from b to a. */
+    VBSS_SCENE_VIEW_CONTACT_FORCES = 3,  /**< x 3: of b on a, N. */
+    VBSS_SCENE_VIEW_CONTACT_GAPS = 4,    /**< Distance of the surfaces, negative when they overlap, m. */
+    VBSS_SCENE_VIEW_EVENTS = 5           /**< x 4 uint32_t: #vbss_event_kind, two bodies, a number. */
+};
+
+/** Which features a contact is between: a VBSS_CONTACT_ constant. */
+typedef int32_t vbss_contact_kind;
+
+/** The constants of #vbss_contact_kind. */
+enum {
+    VBSS_CONTACT_SEGMENTS = 0,       /**< Two segments of threads. */
+    VBSS_CONTACT_NODE_CAPSULE = 1,   /**< A smoothed point of a fine thread, and a capsule. */
+    VBSS_CONTACT_SEGMENT_CAPSULE = 2, /**< A segment of a coarse thread, and a capsule. */
+    VBSS_CONTACT_NODE_FLOOR = 3,     /**< A node of a thread, and the floor. */
+    VBSS_CONTACT_CAPSULES = 4,       /**< Two capsules of different bodies. */
+    VBSS_CONTACT_CAPSULE_FLOOR = 5   /**< An end of a capsule, and the floor. */
+};
+
+/** What happened in a step: a VBSS_EVENT_ constant. */
+typedef int32_t vbss_event_kind;
+
+/** The constants of #vbss_event_kind. */
+enum {
+    VBSS_EVENT_TOUCH = 1,   /**< Two bodies that did not touch do; a body with itself too. */
+    VBSS_EVENT_PART = 2,    /**< Two bodies that touched do no longer. */
+    VBSS_EVENT_CLAMPED = 3, /**< The step was cut short; the number is the share of it in 1/65536 that was lost. */
+    VBSS_EVENT_LOST = 4     /**< Events beyond the capacity; the number says how many. */
+};
+
+/** Counters since creation, and figures of the last step. */
+typedef struct vbss_scene_statistics {
+    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
+    uint32_t contacts;         /**< That carry a force after the last step. */
+    uint32_t rows;             /**< That might have closed in its last part. */
+    uint32_t separators;       /**< Blocks of the system in its last part that contacts take part in. */
+    uint64_t steps;            /**< Calls of #vbss_scene_step that succeeded. */
+    uint64_t parts;            /**< Accepted parts of steps; equal to steps if none was divided. */
+    uint64_t attempts;         /**< Tries, rejected ones included. */
+    uint64_t linearisations;   /**< Of all attempts. */
+    uint64_t state_solves;     /**< Solves of the separators' system. */
+    uint64_t patterns;         /**< How often its pattern was worked out. */
+    uint64_t rejected_states;  /**< Attempts rejected: states of the contacts not found. */
+    uint64_t rejected_stretch; /**< Stretch error or shape not converged. */
+    uint64_t rejected_depth;   /**< Penetration. */
+    uint64_t rejected_guard;   /**< Something would have passed, or come too near. */
+    uint64_t rejected_singular; /**< A pivot was too small, or numbers not finite. */
+    uint64_t loose_states;     /**< Attempts accepted with up to 5 % of residual in the contact law. */
+    uint64_t loose_stretch;    /**< Parts accepted with more stretch error than the tolerance. */
+    uint64_t clamped;          /**< Parts cut short by the guard. */
+    uint64_t recovering;       /**< Parts accepted that began with too much penetration and have less now. */
+    uint64_t guard_pairs;      /**< Pairs that the guard has tested. */
+    double last_penetration;   /**< Largest after the last step, m. */
+    double penetration;        /**< Largest so far, m. */
+    double last_stretch_error; /**< max |length / rest length - 1 - T / EA| after the last step. */
+    double stretch_error;      /**< Largest so far. */
+    double last_residual;      /**< Of the contact law after the last part, N. */
+    double time;               /**< Simulated so far, s. */
+} vbss_scene_statistics;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size);
+
+/**
+ * Creates a scene without bodies. All memory that steps need is allocated here.
+ *
+ * @param context     owner
+ * @param config      how; NULL for the defaults
+ * @param[out] scene  the new scene; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
+                                       vbss_scene **scene);
+
+/**
+ * Destroys a scene with its rigid bodies; its threads are the host's again.
+ *
+ * @param scene  the scene; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
+
+/**
+ * Adds a thread of the same context, which belongs to the scene until it is removed.
+ *
+ * @param scene      the scene
+ * @param thread     the thread, of the scene's method, with a radius above 0
+ * @param[out] body  its number in the scene, from 1 on, never used again
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_NULL_ARGUMENT,
+ *         VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body);
+
+/**
+ * Fills a configuration of a rigid body with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_size);
+
+/**
+ * Adds a rigid body.
+ *
+ * @param scene      the scene
+ * @param config     how
+ * @param[out] body  its number in the scene, from 1 on, never used again
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config,
+                                          uint32_t *body);
+
+/**
+ * Removes a body, with the pins on it. A thread is the host's again.
+ *
+ * @param scene  the scene
+ * @param body   its number, not 0
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such body) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
+
+/**
+ * Says where a driven or coupled body, or the pose it is tied to, shall be at the end of the next step; it
+ * moves there evenly in the step and then stays.
+ *
+ * @param scene        the scene
+ * @param body         a rigid body, not a free one
+ * @param position     of the origin of its frame, m, each at most 1e3
+ * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves it
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such body, or a value), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body,
+                                           const double position[3], const double *orientation);
+
+/**
+ * Pins a node of a thread to a point of a body; the node is taken there within the next step and then
+ * moves with the body. OURS: the node's motion is eliminated in favour of the body's, which feels its
+ * force, at any ratio of masses. PAPER, driven bodies and the world: the node moves as the body does.
+ * The node must not be held otherwise; it becomes the end of a section.
+ *
+ * @param scene     the scene
+ * @param thread    number of the thread in the scene
+ * @param node      0 to its number of nodes - 1
+ * @param body      number of a rigid body; 0: the world
+ * @param point     m, in the frame of the body, each at most 1e3; NULL: where the node is now
+ * @param[out] pin  names the pin, from 1 on, never used again
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (also:
+ *         the node is held already), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (pins, or the thread's
+ *         attachments) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node,
+                                           uint32_t body, const double *point, uint32_t *pin);
+
+/**
+ * Removes a pin.
+ *
+ * @param scene  the scene
+ * @param pin    its name
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such pin) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
+
+/**
+ * Moves everything forward in time. Nothing is allocated. On failure the scene is as it was before the
+ * step.
+ *
+ * @param scene  the scene
+ * @param h      s, 1e-7 to 0.1
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (contacts or candidates), VBSS_ERROR_ARITHMETIC_MODE
+ *         or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_step(vbss_scene *scene, double h);
+
+/**
+ * Where a rigid body is and what acts on it.
+ *
+ * @param scene        the scene
+ * @param body         its number
+ * @param[out] state   receives the numbers
+ * @param struct_size  `sizeof *state` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such rigid body)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_state *state,
+                                          uint32_t struct_size);
+
+/**
+ * A look at one of the scene's arrays.
+ *
+ * @param scene        the scene
+ * @param field        which
+ * @param[out] view    receives where the array is
+ * @param struct_size  `sizeof *view` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such field)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_view *view,
+                                         uint32_t struct_size);
+
+/**
+ * The scene's counters.
+ *
+ * @param scene            the scene
+ * @param[out] statistics  receives the numbers
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene,
+                                               vbss_scene_statistics *statistics,
+                                               uint32_t struct_size);
+
+/**
+ * Saves the state of the scene and all its bodies, to go back to it or to go on elsewhere to the same
+ * bits.
+ *
+ * @param scene         the scene
+ * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param capacity      size of the buffer
+ * @param[out] written  bytes of the state, also when it does not fit
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity,
+                                     uint64_t *written);
+
+/**
+ * Restores a saved state into this scene or one made alike: the same bodies added in the same order. On
+ * failure the scene is as it was.
+ *
+ * @param scene  the scene
+ * @param bytes  the state
+ * @param count  its size
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY
+ *         or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count);
+
+/**
+ * XXH64 of the state of the scene and its bodies, counters included: equal states have equal hashes, on
+ * every machine.
+ *
+ * @param scene      the scene
+ * @param[out] hash  the hash
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_hash(vbss_scene *scene, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,180 @@
+/* Contact: rows that keep features of any bodies apart, rub them against each other, or tie them.
+ *
+ * A row knows no body: its two sides are a short list of terms, each a block of the system and a map
+ * from that block's increment to the motion of the contact point: a weight (a node), or a weight and an
+ * arm (the rotation of a rigid body: u = w dtheta x arm). u, of side a relative to side b, is the sum.
+ *
+ *   begin -> add rows -> recall -> register, pattern -> find_places -> (solve) until good -> keep
+ *
+ * rows.c lists rows and remembers them from step to step; law.c is the law of contact and friction;
+ * states.c finds their states together with the increments of all blocks; weld.c eliminates a node that
+ * is a point of a rigid body; state.c saves what is remembered. docs/contact.md derives all of it. */
+#ifndef VBSS_CONTACT_CONTACT_H
+#define VBSS_CONTACT_CONTACT_H
+
+#include "base/base.h"
+#include "solver/solver.h"
+
+/* ---- rows */
+
+/* Two features of three terms each, or a node welded to a body, which has two. */
+enum { CONTACT_TERMS = 8 };
+
+typedef struct contact_term {
+    uint32_t block;
+    bool turns; /* the block is a rotation increment */
+    double weight;
+    vec3 arm; /* turns: from the centre of mass to the contact point */
+} contact_term;
+
+/* Which features: what the order of the rows, and memory, go by. */
+typedef struct contact_key {
+    uint32_t kind, body_a, a, body_b, b;
+} contact_key;
+int vbss_contact_compare(const contact_key *x, const contact_key *y);
+
+typedef enum contact_state { CONTACT_OPEN, CONTACT_STICK, CONTACT_SLIP } contact_state;
+
+typedef struct contact_row {
+    contact_key key;
+    uint32_t term_count;
+    contact_term terms[CONTACT_TERMS];
+    bool
+        bilateral; /* also pulls: a grasp, a hole; with friction it holds in the plane, without slip */
+    double stiffness;    /* normal and tangential, N/m */
+    double friction;     /* coefficient */
+    double augmentation; /* r of Alart and Curnier, N/m */
+    vec3 normal;         /* unit, from b to a */
+    double gap;          /* at the trial state, m */
+    vec3 slid;           /* of a against b from the begin of the part to the trial state, m */
+    double at[2];        /* where on the features: for whoever makes rows */
+    vec3 point;          /* between the surfaces: the same */
+    double touching, gap_before,
+        depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
+
+    /* what was found last */
+    contact_state state;
+    double pressure; /* normal force on a, N */
+    vec3 rubbing;    /* tangential force on a, N */
+    vec3 held;       /* the same at the begin of the part: what friction remembers */
+    vec3 way;        /* SLIP: unit, of the rubbing */
+    double share;    /* SLIP: friction pressure / |augmented rubbing| */
+
+    uint32_t first_place; /* into the set's places; UINT32_MAX: no term has an equation */
+} contact_row;
+
+/* What is kept of a row with a force until the next part. */
+typedef struct contact_memory {
+    contact_key key;
+    uint32_t state;
+    double pressure, share;
+    vec3 rubbing;
+} contact_memory;
+
+typedef struct contact_counters {
+    uint64_t solves; /* of the separators' system */
+    uint64_t loose;  /* states taken with a residual */
+} contact_counters;
+
+typedef struct contact_weld contact_weld;
+
+typedef struct contact_set {
+    vbss_context *context;
+    uint32_t capacity, count, memory_count;
+    contact_row *rows;      /* ascending keys */
+    contact_memory *memory; /* the same */
+    contact_memory *marked; /* memory as it was at the last mark */
+    uint32_t marked_count;
+    uint8_t *recalled; /* of the memory: found again */
+    uint32_t *places;  /* of each row: of its blocks row by row, then of its right-hand sides */
+    uint32_t place_count, place_capacity;
+    double residual; /* of the law after the last solve, N */
+    contact_counters counters;
+} contact_set;
+
+vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contact_set **set);
+void vbss_contact_destroy(vbss_context *context, contact_set *set);
+
+/* rows.c. A new list, as new rows come; NULL: no more room. Keys come in any order and are sorted. */
+void vbss_contact_begin(contact_set *set);
+contact_row *vbss_contact_add(contact_set *set, const contact_key *key);
+void vbss_contact_sort(contact_set *set);
+/* States and forces of the last part, for rows that were there or whose neighbours were. */
+void vbss_contact_recall(contact_set *set);
+/* Remembers the rows with a force: the part is accepted. */
+void vbss_contact_keep(contact_set *set);
+void vbss_contact_forget(contact_set *set);
+/* What is remembered, to come back to it. */
+void vbss_contact_mark(contact_set *set);
+void vbss_contact_return(contact_set *set);
+/* Largest overlap over all unilateral rows as gaps are now, m; and whether all are within what is allowed. */
+double vbss_contact_depth(const contact_set *set);
+bool vbss_contact_depth_is_allowed(const contact_set *set);
+
+/* pattern.c. Couples the blocks of each row, as far as they are separators; then where they stand, or that
+ * they stand where those of the last list with the same keys did. */
+vbss_result vbss_contact_register(const contact_set *set, vbss_system *system);
+void vbss_contact_find_places(contact_set *set, const vbss_system *system);
+void vbss_contact_number_places(contact_set *set);
+/* Adds to the separators' system what the rows say in their states: stiffness and forces. */
+void vbss_contact_assemble(const contact_set *set, vbss_system *system);
+
+/* ---- the law (law.c) */
+
+/* Adds the forces and tangents of a row in its state; `normals` and so on: of each of its terms, how u's
+ * part along a direction changes with the block. */
+typedef struct contact_tangent {
+    uint32_t count; /* directions */
+    vec3 left[3];   /* force along these */
+    vec3 right[3];  /* when u moves along those */
+    double stiffness[3];
+    vec3 force; /* on a, at the trial state */
+} contact_tangent;
+void vbss_contact_linear_law(const contact_row *row, contact_tangent *tangent);
+/* The state, forces and gap after the row's sides moved by u against each other: what comes next. Returns
+ * whether the state stays; residual is that of the law, N. */
+bool vbss_contact_next_state(contact_row *row, vec3 u, double *residual);
+/* The tangential force that is remembered, turned into a row's tangent plane with its length. */
+vec3 vbss_contact_turn_into_plane(vec3 force, vec3 normal);
+
+/* ---- welds (weld.c): a node that is a point of a rigid body */
+
+enum { WELD_NEIGHBOURS = 8 };
+struct contact_weld {
+    uint32_t slave, translation, rotation; /* blocks */
+    vec3 arm;                              /* from the centre of mass to the node */
+    uint32_t neighbour_count;
+    uint32_t neighbours[WELD_NEIGHBOURS]; /* separators that the node is coupled with */
+};
+/* Couples the body's blocks with the node's neighbours: after these are registered. */
+vbss_result vbss_weld_register(const contact_weld *weld, vbss_system *system);
+/* Moves the node's rows and columns in the separators' system to the body; its own equation says that
+ * nothing moves. Exact: the body's increments are those of the joined system. */
+void vbss_weld_eliminate(const contact_weld *weld, vbss_system *system);
+/* The increment of the node that follows from the body's. */
+vec3 vbss_weld_increment(const contact_weld *weld, const vbss_system *system);
+
+/* ---- states (states.c) */
+
+typedef struct contact_search {
+    vbss_system *system; /* condensed */
+    const contact_weld *welds;
+    uint32_t weld_count;
+    uint32_t limit;     /* solves */
+    double force_share; /* of the largest pressure: residual of the law that is none */
+    double least_force; /* N: the same, added */
+    double loose_share; /* of the largest pressure: what may be left at the limit */
+} contact_search;
+typedef enum contact_outcome {
+    CONTACT_FOUND,
+    CONTACT_LOOSE,
+    CONTACT_LOST,
+    CONTACT_SINGULAR
+} contact_outcome;
+/* States of all rows and increments of all separators: primal-dual active set. */
+contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search);
+
+/* state.c */
+void vbss_contact_serialise(vbss_stream *stream, uint16_t first_tag, contact_set *set);
+
+#endif

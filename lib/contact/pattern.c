@@ -1,0 +1,106 @@
+/* Where rows stand in the system, and what they add there. */
+#include "contact/contact.h"
+
+static bool is_separator(const vbss_system *system, uint32_t b)
+{
+    return system->roles[b] == VBSS_ROLE_SEPARATOR;
+}
+
+vbss_result vbss_contact_register(const contact_set *set, vbss_system *system)
+{
+    uint32_t coupling;
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_row *row = &set->rows[i];
+        for (uint32_t p = 0; p < row->term_count; p++) {
+            uint32_t a = row->terms[p].block;
+            for (uint32_t q = p + 1; is_separator(system, a) && q < row->term_count; q++) {
+                uint32_t b = row->terms[q].block;
+                if (a != b && is_separator(system, b)) {
+                    VBSS_TRY(vbss_system_couple_once(system, a, b, &coupling));
+                }
+            }
+        }
+    }
+    return VBSS_OK;
+}
+
+void vbss_contact_number_places(contact_set *set)
+{
+    set->place_count = 0;
+    for (uint32_t i = 0; i < set->count; i++) {
+        uint32_t n = set->rows[i].term_count;
+        set->rows[i].first_place = set->place_count;
+        set->place_count += n * (n + 1);
+    }
+}
+
+void vbss_contact_find_places(contact_set *set, const vbss_system *system)
+{
+    vbss_contact_number_places(set);
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_row *row = &set->rows[i];
+        uint32_t n = row->term_count, *place = set->places + row->first_place;
+        for (uint32_t p = 0; p < n; p++) {
+            for (uint32_t q = 0; q < n; q++) {
+                *place++ = vbss_system_place(system, row->terms[p].block, row->terms[q].block);
+            }
+        }
+        for (uint32_t p = 0; p < n; p++) {
+            *place++ = vbss_system_rhs_place(system, row->terms[p].block);
+        }
+    }
+}
+
+/* How much u moves along a direction when the term's block changes; and what a force along it does to
+ * the block. */
+static vec3 map_to_block(const contact_term *term, vec3 direction)
+{
+    vec3 v = term->turns ? vec3_cross(term->arm, direction) : direction;
+    return vec3_scale(v, term->weight);
+}
+
+static inline void add_product(block *to, vec3 left, vec3 right)
+{
+    lanes l = lanes_from(left);
+    to->column[0] = lanes_add(to->column[0], lanes_mul(right.x, l));
+    to->column[1] = lanes_add(to->column[1], lanes_mul(right.y, l));
+    to->column[2] = lanes_add(to->column[2], lanes_mul(right.z, l));
+}
+
+static void add_row(const contact_set *set, const contact_row *row, vbss_system *system)
+{
+    contact_tangent t;
+    uint32_t n = row->term_count;
+    const uint32_t *places = set->places + row->first_place;
+    vec3 left[3][CONTACT_TERMS], right[3][CONTACT_TERMS];
+    vbss_contact_linear_law(row, &t);
+    if (t.count == 0) {
+        return;
+    }
+    for (uint32_t p = 0; p < n; p++) {
+        uint32_t rhs = places[n * n + p];
+        for (uint32_t d = 0; d < t.count; d++) {
+            left[d][p] = vec3_scale(map_to_block(&row->terms[p], t.left[d]), t.stiffness[d]);
+            right[d][p] = map_to_block(&row->terms[p], t.right[d]);
+        }
+        if (rhs != VBSS_NO_PLACE) {
+            vec3 *f = &system->separator_rhs[rhs];
+            *f = vec3_add(*f, map_to_block(&row->terms[p], t.force));
+        }
+    }
+    for (uint32_t p = 0; p < n; p++) {
+        for (uint32_t q = 0; q < n; q++) {
+            uint32_t place = places[p * n + q];
+            for (uint32_t d = 0; place != VBSS_NO_PLACE && d < t.count; d++) {
+                add_product(&system->separator_blocks[place], left[d][p], right[d][q]);
+            }
+        }
+    }
+}
+
+void vbss_contact_assemble(const contact_set *set, vbss_system *system)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        add_row(set, &set->rows[i], system);
+    }
+}

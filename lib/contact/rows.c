@@ -1,0 +1,228 @@
+/* Rows of a part of a step, and what is remembered of them until the next. */
+#include "contact/contact.h"
+
+#include <string.h>
+
+/* ---- memory of the set */
+
+enum { PARTS = 5 };
+
+static void list_parts(contact_set *s, vbss_array parts[PARTS])
+{
+    const vbss_array all[PARTS] = {
+        {&s->rows, s->capacity, sizeof *s->rows},
+        {&s->memory, s->capacity, sizeof *s->memory},
+        {&s->marked, s->capacity, sizeof *s->marked},
+        {&s->recalled, s->capacity, sizeof *s->recalled},
+        {&s->places, s->place_capacity, sizeof *s->places},
+    };
+    memcpy(parts, all, sizeof all);
+}
+
+vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contact_set **set)
+{
+    vbss_array parts[PARTS];
+    contact_set *s = vbss_allocate(context, 1, sizeof *s, "contacts");
+    *set = NULL;
+    if (s == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    s->context = context;
+    s->capacity = capacity;
+    s->place_capacity = capacity * CONTACT_TERMS * (CONTACT_TERMS + 1);
+    list_parts(s, parts);
+    vbss_result result = vbss_allocate_arrays(context, parts, PARTS, "contacts");
+    if (result != VBSS_OK) {
+        vbss_contact_destroy(context, s);
+        return result;
+    }
+    *set = s;
+    return VBSS_OK;
+}
+
+void vbss_contact_destroy(vbss_context *context, contact_set *set)
+{
+    vbss_array parts[PARTS];
+    if (set == NULL) {
+        return;
+    }
+    list_parts(set, parts);
+    vbss_release_arrays(context, parts, PARTS);
+    vbss_release(context, set, 1, sizeof *set);
+}
+
+/* ---- the list */
+
+int vbss_contact_compare(const contact_key *x, const contact_key *y)
+{
+    const uint32_t p[5] = {x->kind, x->body_a, x->a, x->body_b, x->b};
+    const uint32_t q[5] = {y->kind, y->body_a, y->a, y->body_b, y->b};
+    for (int i = 0; i < 5; i++) {
+        if (p[i] != q[i]) {
+            return p[i] < q[i] ? -1 : 1;
+        }
+    }
+    return 0;
+}
+
+void vbss_contact_begin(contact_set *set)
+{
+    set->count = set->place_count = 0;
+}
+
+contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
+{
+    if (set->count == set->capacity) {
+        return NULL;
+    }
+    contact_row *row = &set->rows[set->count++];
+    *row = (contact_row){.key = *key, .first_place = UINT32_MAX};
+    return row;
+}
+
+/* Rows come nearly in order. */
+void vbss_contact_sort(contact_set *set)
+{
+    for (uint32_t i = 1; i < set->count; i++) {
+        uint32_t to = i;
+        while (to > 0 && vbss_contact_compare(&set->rows[to - 1].key, &set->rows[i].key) > 0) {
+            to--;
+        }
+        if (to < i) {
+            contact_row row = set->rows[i];
+            memmove(&set->rows[to + 1], &set->rows[to], (i - to) * sizeof *set->rows);
+            set->rows[to] = row;
+        }
+    }
+}
+
+double vbss_contact_depth(const contact_set *set)
+{
+    double depth = 0.0;
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (!set->rows[i].bilateral) {
+            depth = greater(-set->rows[i].gap, depth);
+        }
+    }
+    return depth;
+}
+
+bool vbss_contact_depth_is_allowed(const contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_row *row = &set->rows[i];
+        if (!row->bilateral && !(-row->gap <= row->depth_allowed)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- memory from part to part */
+
+static void remind(contact_row *row, const contact_memory *m)
+{
+    row->state = (contact_state)m->state;
+    row->pressure = m->pressure;
+    row->held = row->rubbing = vbss_contact_turn_into_plane(m->rubbing, row->normal);
+    if (row->state == CONTACT_SLIP) {
+        double size = vec3_norm(row->rubbing);
+        row->way = vec3_scale(row->rubbing, size > 0.0 ? 1.0 / size : 0.0);
+        row->share = m->share;
+        if (!(size > 0.0)) {
+            row->state = CONTACT_STICK;
+        }
+    }
+}
+
+/* The place of a key in the memory, or where it would be. */
+static uint32_t find(const contact_set *set, const contact_key *key)
+{
+    uint32_t low = 0, high = set->memory_count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (vbss_contact_compare(&set->memory[middle].key, key) < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* A contact that has slid on to the next features. */
+static void recall_neighbour(contact_set *set, contact_row *row)
+{
+    for (uint32_t da = 0; da < 3; da++) {
+        for (uint32_t db = 0; db < 3; db++) {
+            contact_key key =
+                row->key; /* one below the first is the largest number, which nobody has */
+            key.a += da - 1;
+            key.b += db - 1;
+            uint32_t m = find(set, &key);
+            if (m < set->memory_count && !set->recalled[m] &&
+                vbss_contact_compare(&set->memory[m].key, &key) == 0) {
+                set->recalled[m] = 1;
+                remind(row, &set->memory[m]);
+                return;
+            }
+        }
+    }
+}
+
+void vbss_contact_recall(contact_set *set)
+{
+    memset(set->recalled, 0, set->memory_count * sizeof *set->recalled);
+    uint32_t m = 0;
+    for (uint32_t i = 0; i < set->count; i++) {
+        contact_row *row = &set->rows[i];
+        row->state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN;
+        row->pressure = 0.0;
+        row->rubbing = row->held = vec3_zero();
+        while (m < set->memory_count && vbss_contact_compare(&set->memory[m].key, &row->key) < 0) {
+            m++;
+        }
+        if (m < set->memory_count && vbss_contact_compare(&set->memory[m].key, &row->key) == 0) {
+            remind(row, &set->memory[m]);
+            set->recalled[m] = 1;
+        }
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (set->rows[i].state == CONTACT_OPEN) {
+            recall_neighbour(set, &set->rows[i]);
+        }
+    }
+}
+
+void vbss_contact_keep(contact_set *set)
+{
+    set->memory_count = 0;
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_row *row = &set->rows[i];
+        if (row->state != CONTACT_OPEN) {
+            contact_memory *m = &set->memory[set->memory_count++];
+            m->key = row->key;
+            m->state = (uint32_t)row->state;
+            m->pressure = row->pressure;
+            m->share = row->share;
+            m->rubbing = row->rubbing;
+        }
+    }
+}
+
+void vbss_contact_forget(contact_set *set)
+{
+    set->memory_count = 0;
+}
+
+void vbss_contact_mark(contact_set *set)
+{
+    memcpy(set->marked, set->memory, set->memory_count * sizeof *set->memory);
+    set->marked_count = set->memory_count;
+}
+
+void vbss_contact_return(contact_set *set)
+{
+    memcpy(set->memory, set->marked, set->marked_count * sizeof *set->memory);
+    set->memory_count = set->marked_count;
+}

@@ -1,0 +1,71 @@
+/* A node that is a point of a rigid body: u = dx + dtheta x arm, so its rows and columns go to the body's.
+ *
+ * With P the matrix that makes the increments of all from those that are left, the joined system is
+ * P^T S P. No penalty: the ratio of masses does not matter. */
+#include "contact/contact.h"
+
+/* ---- blocks as matrices: there are few welds */
+
+static mat3 read_block(const vbss_system *system, uint32_t row, uint32_t column)
+{
+    uint32_t place = vbss_system_place(system, row, column);
+    return place == VBSS_NO_PLACE ? mat3_zero() : block_mat3(&system->separator_blocks[place]);
+}
+
+static void write_block(vbss_system *system, uint32_t row, uint32_t column, mat3 m)
+{
+    uint32_t place = vbss_system_place(system, row, column);
+    if (place != VBSS_NO_PLACE) {
+        block_set(&system->separator_blocks[place], m);
+    }
+}
+
+static void add_block(vbss_system *system, uint32_t row, uint32_t column, mat3 m)
+{
+    write_block(system, row, column, mat3_add(read_block(system, row, column), m));
+}
+
+vbss_result vbss_weld_register(const contact_weld *weld, vbss_system *system)
+{
+    for (uint32_t i = 0; i < weld->neighbour_count; i++) {
+        uint32_t coupling, neighbour = weld->neighbours[i];
+        VBSS_TRY(vbss_system_couple_once(system, weld->translation, neighbour, &coupling));
+        VBSS_TRY(vbss_system_couple_once(system, weld->rotation, neighbour, &coupling));
+    }
+    return VBSS_OK;
+}
+
+void vbss_weld_eliminate(const contact_weld *weld, vbss_system *system)
+{
+    const uint32_t s = weld->slave, t = weld->translation, r = weld->rotation;
+    const mat3 map = mat3_scale(mat3_cross(weld->arm), -1.0), back = mat3_transpose(map);
+    for (uint32_t i = 0; i < weld->neighbour_count; i++) {
+        uint32_t j = weld->neighbours[i];
+        mat3 row = read_block(system, s, j), column = read_block(system, j, s);
+        add_block(system, t, j, row);
+        add_block(system, r, j, mat3_mul(back, row));
+        add_block(system, j, t, column);
+        add_block(system, j, r, mat3_mul(column, map));
+        write_block(system, s, j, mat3_zero());
+        write_block(system, j, s, mat3_zero());
+    }
+    mat3 own = read_block(system, s, s);
+    add_block(system, t, t, own);
+    add_block(system, t, r, mat3_mul(own, map));
+    add_block(system, r, t, mat3_mul(back, own));
+    add_block(system, r, r, mat3_mul(back, mat3_mul(own, map)));
+    write_block(system, s, s, mat3_identity());
+
+    vec3 *slave = &system->separator_rhs[vbss_system_rhs_place(system, s)];
+    vec3 *force = &system->separator_rhs[vbss_system_rhs_place(system, t)];
+    vec3 *torque = &system->separator_rhs[vbss_system_rhs_place(system, r)];
+    *force = vec3_add(*force, *slave);
+    *torque = vec3_add(*torque, mat3_mul_vec3(back, *slave));
+    *slave = vec3_zero();
+}
+
+vec3 vbss_weld_increment(const contact_weld *weld, const vbss_system *system)
+{
+    return vec3_add(system->solution[weld->translation],
+                    vec3_cross(system->solution[weld->rotation], weld->arm));
+}

@@ -1,0 +1,340 @@
+/* What might touch in a part of a step: pairs of features that are near, as far as they may move.
+ *
+ * The search lists pairs whose swept boxes come near; of these, those become rows that are nearer than the
+ * distance of touching, the margin, and what they may approach each other. How far things may move is
+ * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
+#include "scene/scene.h"
+
+#include <string.h>
+
+/* Velocities are taken for so much more: they change within the part. */
+#define AHEAD 1.2
+
+/* ---- ways */
+
+static void set_thread_ways(scene_object *s, const scene_thread *b, const scene_part *part)
+{
+    const thread_object *t = b->thread;
+    vec3 *ways = s->ways + b->first_node;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        ways[i] = part->again ? vec3_sub(t->trial[i], t->now.x[i])
+                              : vec3_scale(t->now.v[i], AHEAD * part->h);
+    }
+    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
+        const thread_attachment *a = &t->attachments[place];
+        if (a->id != 0 && vbss_thread_holds(a->kind)) {
+            vec3 there = vbss_thread_attachment_position(a, part->end);
+            ways[a->node] = vec3_sub(there, t->now.x[a->node]);
+        }
+    }
+}
+
+static void set_capsule_ways(scene_object *s, const scene_rigid *r, const scene_part *part)
+{
+    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    vbss_rigid_motion to;
+    if (r->kind == VBSS_RIGID_DRIVEN) {
+        to = vbss_rigid_given(&r->body, &p);
+    } else {
+        vbss_rigid_predict(&r->body, &p, &to);
+    }
+    for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[i];
+        vec3 axis[2], *ways = s->ways + s->config.node_capacity + 2 * (size_t)i;
+        vbss_scene_place_capsule(c, r->body.now.at, c->now);
+        vbss_scene_place_capsule(c, to.at, axis);
+        for (int k = 0; k < 2; k++) {
+            ways[k] = part->again ? vec3_sub(c->trial[k], c->now[k]) : vec3_sub(axis[k], c->now[k]);
+        }
+    }
+}
+
+static void set_ways(scene_object *s, const scene_part *part)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            set_thread_ways(s, &s->bodies[i].thread, part);
+        } else if (s->bodies[i].kind == BODY_RIGID) {
+            set_capsule_ways(s, &s->bodies[i].rigid, part);
+        }
+    }
+}
+
+/* ---- the search */
+
+static vbss_result move_shape(scene_object *s, const scene_body *b)
+{
+    uint32_t count = 0;
+    const vec3 *ways = s->ways;
+    vec3 *start = s->vertices;
+    if (b->kind == BODY_THREAD) {
+        const thread_object *t = b->thread.thread;
+        count = t->node_count;
+        ways += b->thread.first_node;
+        memcpy(start, t->now.x, count * sizeof *start);
+    } else {
+        const scene_rigid *r = &b->rigid;
+        count = 2 * r->capsule_count;
+        ways += s->config.node_capacity + 2 * (size_t)r->first_capsule;
+        for (uint32_t i = 0; i < count; i++) {
+            start[i] = s->capsules[r->first_capsule + i / 2].now[i % 2];
+        }
+    }
+    vec3 *end = start + count;
+    for (uint32_t i = 0; i < count; i++) {
+        end[i] = vec3_add(start[i], ways[i]);
+    }
+    return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
+}
+
+static vbss_result search(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind != BODY_GONE) {
+            VBSS_TRY(move_shape(s, &s->bodies[i]));
+        }
+    }
+    return vbss_collision_find_candidates(scene_collision(s));
+}
+
+/* ---- rows */
+
+/* The largest approach of any point of one feature to any of the other is that of two vertices. */
+static double reach_of(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t count_b)
+{
+    double largest = 0.0;
+    for (uint32_t i = 0; i < count_a; i++) {
+        for (uint32_t k = 0; k < count_b; k++) {
+            vec3 way = count_b > 0 ? vec3_sub(a[i], b[k]) : a[i];
+            largest = vbss_larger(vec3_norm_squared(way), largest);
+        }
+    }
+    return sqrt(largest);
+}
+
+static const vec3 *ways_of_node(const scene_object *s, const scene_body *b, uint32_t node)
+{
+    return s->ways + b->thread.first_node + node;
+}
+
+static const vec3 *ways_of_capsule(const scene_object *s, const scene_body *b, uint32_t capsule)
+{
+    return s->ways + s->config.node_capacity + 2 * (size_t)(b->rigid.first_capsule + capsule);
+}
+
+static bool add_row(scene_object *s, const contact_key *key, double reach)
+{
+    contact_row *row = vbss_contact_add(s->contacts, key);
+    if (row == NULL) {
+        return false;
+    }
+    if (!vbss_scene_lay_row(s, row, reach + s->config.contact_margin)) {
+        s->contacts->count--;
+    }
+    return true;
+}
+
+/* Where the thread is fine against the capsule, its smoothed nodes touch; else its segments. */
+static bool is_fine(const thread_object *t, uint32_t segment, double radius)
+{
+    return t->rest[segment] <= radius;
+}
+
+static bool listed(const scene_object *s, const collision_candidate *like, uint32_t a)
+{
+    const collision_object *c = s->collision;
+    uint32_t low = 0, high = c->candidate_count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        const collision_candidate *q = &c->candidates[middle];
+        bool before = q->shape_a != like->shape_a   ? q->shape_a < like->shape_a
+                      : q->a != a                   ? q->a < a
+                      : q->shape_b != like->shape_b ? q->shape_b < like->shape_b
+                                                    : q->b < like->b;
+        low = before ? middle + 1 : low;
+        high = before ? high : middle;
+    }
+    const collision_candidate *q = &c->candidates[low];
+    return low < c->candidate_count && q->shape_a == like->shape_a && q->a == a &&
+           q->shape_b == like->shape_b && q->b == like->b;
+}
+
+typedef struct thread_meets {
+    const scene_body *thread, *rigid;
+    uint32_t segment, capsule;
+} thread_meets;
+
+static bool add_node_row(scene_object *s, const thread_meets *m, uint32_t node)
+{
+    const contact_key key = {VBSS_CONTACT_NODE_CAPSULE, m->thread->number, node, m->rigid->number,
+                             m->capsule};
+    uint32_t last = m->thread->thread.thread->node_count - 1;
+    uint32_t first = node > 0 ? node - 1 : 0, end = node < last ? node + 1 : last;
+    double reach = reach_of(ways_of_node(s, m->thread, first), end - first + 1,
+                            ways_of_capsule(s, m->rigid, m->capsule), 2);
+    return add_row(s, &key, reach);
+}
+
+/* Nodes come with the segment before them, unless that is not near: so each comes once. */
+static bool add_thread_rows(scene_object *s, const collision_candidate *q, const thread_meets *m,
+                            bool thread_first)
+{
+    const thread_object *t = m->thread->thread.thread;
+    double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
+    if (!is_fine(t, m->segment, radius)) {
+        const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
+                                 m->rigid->number, m->capsule};
+        double reach = reach_of(ways_of_node(s, m->thread, m->segment), 2,
+                                ways_of_capsule(s, m->rigid, m->capsule), 2);
+        return add_row(s, &key, reach);
+    }
+    bool before = m->segment > 0 && is_fine(t, m->segment - 1, radius);
+    if (before) {
+        collision_candidate like = *q;
+        if (thread_first) {
+            before = listed(s, &like, m->segment - 1);
+        } else {
+            like.b = m->segment - 1;
+            before = listed(s, &like, q->a);
+        }
+    }
+    return (before || add_node_row(s, m, m->segment)) && add_node_row(s, m, m->segment + 1);
+}
+
+static bool add_pair(scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
+        const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
+        return add_row(s, &key, reach_of(ways_of_node(s, a, q->a), 2, ways_of_node(s, b, q->b), 2));
+    }
+    if (a->kind == BODY_RIGID && b->kind == BODY_RIGID) {
+        const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
+        return add_row(s, &key,
+                       reach_of(ways_of_capsule(s, a, q->a), 2, ways_of_capsule(s, b, q->b), 2));
+    }
+    bool first = a->kind == BODY_THREAD;
+    const thread_meets m = {first ? a : b, first ? b : a, first ? q->a : q->b, first ? q->b : q->a};
+    return add_thread_rows(s, q, &m, first);
+}
+
+/* ---- the floor */
+
+static bool add_floor_rows(scene_object *s, const scene_body *b)
+{
+    bool thread = b->kind == BODY_THREAD;
+    uint32_t count = thread ? b->thread.thread->node_count : 2 * b->rigid.capsule_count;
+    for (uint32_t i = 0; i < count; i++) {
+        const contact_key key = {thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_CAPSULE_FLOOR,
+                                 b->number, i, 0, 0};
+        const vec3 *way = thread ? ways_of_node(s, b, i) : ways_of_capsule(s, b, i / 2) + i % 2;
+        /* Only what comes down can meet it. */
+        double down = greater(-vec3_dot(*way, s->floor_normal), 0.0);
+        if (!add_row(s, &key, down)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- contacts that are there twice: at a node where two segments meet */
+
+static uint32_t find_row(const contact_set *set, const contact_key *key)
+{
+    uint32_t low = 0, high = set->count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    bool there = low < set->count && vbss_contact_compare(&set->rows[low].key, key) == 0;
+    return there ? low : UINT32_MAX;
+}
+
+/* The point at the end of a segment is that at the begin of the next, which keeps it. */
+static bool is_double(const contact_set *set, const contact_row *row)
+{
+    contact_key key = row->key;
+    bool end_a = row->at[0] == 1.0, end_b = row->at[1] == 1.0;
+    if (!end_a && !end_b) {
+        return false;
+    }
+    key.a += end_a;
+    key.b += end_b && key.kind == VBSS_CONTACT_SEGMENTS;
+    uint32_t other = find_row(set, &key);
+    if (other == UINT32_MAX) {
+        return false;
+    }
+    const contact_row *next = &set->rows[other];
+    double at[2] = {end_a ? 0.0 : row->at[0], end_b ? 0.0 : row->at[1]};
+    return fabs(next->at[0] - at[0]) < 1e-9 && fabs(next->at[1] - at[1]) < 1e-9;
+}
+
+static void remove_doubles(contact_set *set)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->recalled[i] = set->rows[i].key.kind <= VBSS_CONTACT_SEGMENT_CAPSULE &&
+                           set->rows[i].key.kind != VBSS_CONTACT_NODE_CAPSULE &&
+                           is_double(set, &set->rows[i]);
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (set->recalled[i] == 0) {
+            if (kept < i) {
+                set->rows[kept] = set->rows[i];
+            }
+            kept++;
+        }
+    }
+    set->count = kept;
+}
+
+/* ---- all of it */
+
+static void note_near(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        s->bodies[i].thread.near = false;
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->rows[i].key;
+        scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
+        a->thread.near = true;
+        if (b != NULL) {
+            b->thread.near = true;
+        }
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        if (s->pins[i].id != 0 && s->pins[i].attachment == 0) {
+            vbss_scene_body(s, s->pins[i].thread)->thread.near = true;
+        }
+    }
+}
+
+bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
+{
+    contact_set *set = s->contacts;
+    set_ways(s, part);
+    if (search(s) != VBSS_OK) {
+        return false;
+    }
+    vbss_contact_begin(set);
+    for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
+        if (!add_pair(s, &s->collision->candidates[i])) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; s->config.floor != 0 && i < s->place_count; i++) {
+        if (s->bodies[i].kind != BODY_GONE && !add_floor_rows(s, &s->bodies[i])) {
+            return false;
+        }
+    }
+    vbss_contact_sort(set);
+    remove_doubles(set);
+    note_near(s);
+    return true;
+}

@@ -1,0 +1,44 @@
+/* The trial state of a part becomes the state. */
+#include "scene/scene.h"
+
+/* A motion that needs halving is not smooth: so many steps more are damped. */
+enum { SETTLING_STEPS = 2 };
+
+static void commit_thread(scene_thread *b, double h)
+{
+    thread_object *t = b->thread;
+    vbss_thread_commit(t, &b->integration);
+    t->statistics.first_order += b->damped;
+    t->last_part = h;
+    t->fresh = false;
+}
+
+void vbss_scene_commit(scene_object *s, const scene_part *part)
+{
+    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            commit_thread(&b->thread, part->h);
+        } else if (b->kind == BODY_RIGID) {
+            scene_rigid *r = &b->rigid;
+            if (r->kind == VBSS_RIGID_DRIVEN) {
+                r->body.now = r->predicted;
+            } else {
+                vbss_rigid_commit(&r->body, &p, &r->predicted, &r->trial);
+                r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
+            }
+        }
+    }
+    vbss_contact_keep(s->contacts);
+    s->statistics.parts++;
+}
+
+void vbss_scene_unsettle(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            s->bodies[i].thread.thread->settling = SETTLING_STEPS + 1;
+        }
+    }
+}

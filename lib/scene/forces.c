@@ -1,0 +1,66 @@
+/* What contacts and pins do to the rigid bodies, and what is shown of contacts. */
+#include "scene/scene.h"
+
+static void add_force(scene_body *b, vec3 point, vec3 force)
+{
+    if (b != NULL && b->kind == BODY_RIGID) {
+        scene_rigid *r = &b->rigid;
+        vec3 arm = vec3_sub(point, r->body.now.at.position);
+        r->force = vec3_add(r->force, force);
+        r->torque = vec3_add(r->torque, vec3_cross(arm, force));
+    }
+}
+
+static void show_contact(scene_object *s, const contact_row *row, vec3 force)
+{
+    uint32_t i = s->contact_count++;
+    const contact_key *key = &row->key;
+    const uint32_t features[5] = {key->kind, key->body_a, key->a, key->body_b, key->b};
+    for (int k = 0; k < 5; k++) {
+        s->contact_features[i][k] = features[k];
+    }
+    s->contact_points[i] = row->point;
+    s->contact_normals[i] = row->normal;
+    s->contact_forces[i] = force;
+    s->contact_gaps[i] = row->gap;
+}
+
+static void add_contacts(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_row *row = &s->contacts->rows[i];
+        if (row->state == CONTACT_OPEN) {
+            continue;
+        }
+        vec3 force = vec3_add_scaled(row->rubbing, row->pressure, row->normal);
+        show_contact(s, row, force);
+        add_force(vbss_scene_body(s, row->key.body_a), row->point, force);
+        add_force(vbss_scene_body(s, row->key.body_b), row->point, vec3_neg(force));
+    }
+}
+
+/* The body holds the node against what the thread and its inertia do. */
+static void add_pins(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        scene_body *b = vbss_scene_body(s, p->body);
+        if (p->id == 0 || b == NULL) {
+            continue;
+        }
+        const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+        vec3 holding = vbss_thread_implicit_force(t, p->node);
+        add_force(b, t->now.x[p->node], vec3_neg(holding));
+    }
+}
+
+void vbss_scene_note_forces(scene_object *s)
+{
+    s->contact_count = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
+    }
+    add_contacts(s);
+    add_pins(s);
+    s->statistics.contacts = s->contact_count;
+}

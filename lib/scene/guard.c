@@ -1,0 +1,184 @@
+/* The guard: whether anything would pass through anything between begin and trial state of a part.
+ *
+ * Axes are kept at half the distance of touching by one-sided continuous tests: a miss is a proof. Contacts
+ * rest near the whole distance, so the guard sleeps unless something goes wrong. Pairs that begin nearer than
+ * half must not come much nearer still, so that a bad state can be left. */
+#include "scene/scene.h"
+
+#include "collision/closest.h"
+
+#include <string.h>
+
+/* Share of the distance of touching; and of the distance at the begin where that is smaller. */
+#define GUARDED 0.5
+#define GUARDED_WHEN_NEARER 0.9
+/* The floor: how much of its radius a node or the end of a capsule may be above it at least. */
+#define GUARDED_ABOVE_FLOOR 0.5
+
+static vbss_result move_shape(scene_object *s, const scene_body *b)
+{
+    uint32_t count = 0;
+    vec3 *start = s->vertices;
+    if (b->kind == BODY_THREAD) {
+        const thread_object *t = b->thread.thread;
+        return vbss_collision_move(scene_collision(s), b->shape, &t->now.x->x, &t->trial->x,
+                                   t->node_count);
+    }
+    const scene_rigid *r = &b->rigid;
+    count = 2 * r->capsule_count;
+    for (uint32_t i = 0; i < count; i++) {
+        start[i] = s->capsules[r->first_capsule + i / 2].now[i % 2];
+        start[count + i] = s->capsules[r->first_capsule + i / 2].trial[i % 2];
+    }
+    return vbss_collision_move(scene_collision(s), b->shape, &start->x, &start[count].x, count);
+}
+
+/* ---- pairs, in blocks of rows */
+
+static void put_vertex(collision_block *rows, size_t vertex, uint32_t at, vec3 start, vec3 end)
+{
+    rows->start[3 * vertex][at] = start.x;
+    rows->start[3 * vertex + 1][at] = start.y;
+    rows->start[3 * vertex + 2][at] = start.z;
+    rows->end[3 * vertex][at] = end.x;
+    rows->end[3 * vertex + 1][at] = end.y;
+    rows->end[3 * vertex + 2][at] = end.z;
+}
+
+static double radius_of(const scene_object *s, uint32_t shape, uint32_t feature)
+{
+    const scene_body *b = &s->bodies[s->shape_places[shape]];
+    return b->kind == BODY_THREAD ? b->thread.thread->config.radius
+                                  : s->capsules[b->rigid.first_capsule + feature].radius;
+}
+
+static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
+{
+    const collision_shape *a = s->collision->shapes[q->shape_a];
+    const collision_shape *b = s->collision->shapes[q->shape_b];
+    for (uint32_t k = 0; k < 2; k++) {
+        uint32_t p = a->edges[q->a][k], r = b->edges[q->b][k];
+        put_vertex(s->block, k, at, a->start[p], a->end[p]);
+        put_vertex(s->block, 2 + k, at, b->start[r], b->end[r]);
+    }
+    s->block->thickness[at] =
+        GUARDED * (radius_of(s, q->shape_a, q->a) + radius_of(s, q->shape_b, q->b));
+}
+
+static void ask(scene_object *s, uint32_t count)
+{
+    collision_block *b = s->block;
+    const collision_rows rows = {.kind = VBSS_PAIR_EDGE_EDGE,
+                                 .count = count,
+                                 .stride = IMPACT_BLOCK,
+                                 .start = b->start[0],
+                                 .end = b->end[0],
+                                 .thickness = b->thickness,
+                                 .hit = b->hit,
+                                 .decision = b->decision,
+                                 .time = b->time};
+    vbss_collision_ask_rows(&s->collision->rules, s->collision->wide, &rows,
+                            &s->collision->counters);
+}
+
+static double distance_at_begin(const scene_object *s, const collision_candidate *q)
+{
+    const collision_shape *a = s->collision->shapes[q->shape_a];
+    const collision_shape *b = s->collision->shapes[q->shape_b];
+    const uint32_t *p = a->edges[q->a], *r = b->edges[q->b];
+    double at[2];
+    vec3 apart = closest_edges(vec3_sub(a->start[p[1]], a->start[p[0]]),
+                               vec3_sub(b->start[r[1]], b->start[r[0]]),
+                               vec3_sub(b->start[r[0]], a->start[p[0]]), &at[0], &at[1]);
+    return vec3_norm(apart);
+}
+
+/* Share of the part after which a pair that hit comes too near; 1: it does not, but began nearer than that. */
+static double time_of_hit(scene_object *s, const collision_candidate *q, double time,
+                          double thickness)
+{
+    double distance = distance_at_begin(s, q);
+    if (distance > thickness * (1.0 + 2.0 * s->collision->rules.tolerance)) {
+        return time;
+    }
+    put_pair(s, q, 0);
+    s->block->thickness[0] = GUARDED_WHEN_NEARER * distance;
+    ask(s, 1);
+    return s->block->hit[0] != 0 ? s->block->time[0] : 1.0;
+}
+
+static double earliest_hit(scene_object *s)
+{
+    const collision_object *c = s->collision;
+    double earliest = 1.0;
+    for (uint32_t first = 0; first < c->candidate_count; first += IMPACT_BLOCK) {
+        uint32_t left = c->candidate_count - first,
+                 count = left < IMPACT_BLOCK ? left : IMPACT_BLOCK;
+        double time[IMPACT_BLOCK], thickness[IMPACT_BLOCK];
+        bool hit[IMPACT_BLOCK];
+        for (uint32_t i = 0; i < count; i++) {
+            put_pair(s, &c->candidates[first + i], i);
+        }
+        ask(s, count);
+        s->statistics.guard_pairs += count;
+        for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
+            hit[i] = s->block->hit[i] != 0;
+            time[i] = s->block->time[i];
+            thickness[i] = s->block->thickness[i];
+        }
+        for (uint32_t i = 0; i < count; i++) {
+            if (hit[i]) {
+                double t = time_of_hit(s, &c->candidates[first + i], time[i], thickness[i]);
+                earliest = lesser(t, earliest);
+            }
+        }
+    }
+    return earliest;
+}
+
+/* ---- the floor */
+
+static double earliest_below_floor(const scene_object *s, vec3 begin, vec3 end, double radius)
+{
+    double above = vec3_dot(begin, s->floor_normal) - s->config.floor_height;
+    double then = vec3_dot(end, s->floor_normal) - s->config.floor_height;
+    double least = GUARDED_ABOVE_FLOOR * radius;
+    if (above < least) { /* it began there */
+        least = above - (1.0 - GUARDED_WHEN_NEARER) * fabs(above);
+    }
+    return then >= least ? 1.0 : (above - least) / (above - then);
+}
+
+static double earliest_through_floor(const scene_object *s)
+{
+    double earliest = 1.0;
+    for (uint32_t i = 0; s->config.floor != 0 && i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const thread_object *t = b->thread.thread;
+        const scene_rigid *r = &b->rigid;
+        for (uint32_t k = 0; b->kind == BODY_THREAD && k < t->node_count; k++) {
+            double at = earliest_below_floor(s, t->now.x[k], t->trial[k], t->config.radius);
+            earliest = lesser(at, earliest);
+        }
+        for (uint32_t k = 0; b->kind == BODY_RIGID && k < 2 * r->capsule_count; k++) {
+            const scene_capsule *c = &s->capsules[r->first_capsule + k / 2];
+            double at = earliest_below_floor(s, c->now[k % 2], c->trial[k % 2], c->radius);
+            earliest = lesser(at, earliest);
+        }
+    }
+    return earliest;
+}
+
+scene_verdict vbss_scene_guard(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind != BODY_GONE && move_shape(s, &s->bodies[i]) != VBSS_OK) {
+            return VERDICT_SINGULAR; /* coordinates that are no place */
+        }
+    }
+    if (vbss_collision_find_candidates(scene_collision(s)) != VBSS_OK) {
+        return VERDICT_FULL;
+    }
+    s->earliest = lesser(earliest_hit(s), earliest_through_floor(s));
+    return s->earliest < 1.0 ? VERDICT_GUARD : VERDICT_ACCEPTED;
+}

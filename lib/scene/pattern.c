@@ -1,0 +1,225 @@
+/* Which blocks are separators, and the pattern of the system: made anew only when it is another. */
+#include "scene/scene.h"
+
+#include <string.h>
+
+enum { MARK_NONE, MARK_SEPARATOR };
+
+/* ---- marks */
+
+static void mark_node(scene_object *s, const scene_body *b, uint32_t node)
+{
+    s->marks[b->thread.first_node + node] = MARK_SEPARATOR;
+}
+
+static void mark_near(scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
+{
+    uint32_t last = b->thread.thread->node_count - 1;
+    for (uint32_t i = low; i <= high && i <= last; i++) {
+        mark_node(s, b, i);
+    }
+}
+
+static void mark_side(scene_object *s, const contact_key *key, uint32_t number, uint32_t feature)
+{
+    const scene_body *b = vbss_scene_body(s, number);
+    if (b == NULL || b->kind != BODY_THREAD) {
+        return;
+    }
+    switch (key->kind) {
+    case VBSS_CONTACT_NODE_CAPSULE:
+        mark_near(s, b, feature > 0 ? feature - 1 : 0, feature + 1);
+        break;
+    case VBSS_CONTACT_NODE_FLOOR:
+        mark_node(s, b, feature);
+        break;
+    default:
+        mark_near(s, b, feature, feature + 1);
+    }
+}
+
+static void mark_welds(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            const scene_body *b = vbss_scene_body(s, p->thread);
+            uint32_t reach = vbss_thread_reach(b->thread.thread);
+            mark_near(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
+        }
+    }
+}
+
+/* Groups must be as wide as the reach, and a shorter run between two is not worth its fill. */
+static void widen(const thread_object *t, uint8_t *marks)
+{
+    uint32_t n = t->node_count, reach = vbss_thread_reach(t), since = reach + 1;
+    for (uint32_t i = 0; i < n; i++) {
+        if (marks[i] != MARK_NONE) {
+            for (uint32_t k = 1; since <= reach && k <= since; k++) {
+                marks[i - k] = MARK_SEPARATOR;
+            }
+            since = 0;
+        } else {
+            since += since <= reach;
+        }
+    }
+    uint32_t width = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        if (marks[i] != MARK_NONE) {
+            width++;
+        } else if (width > 0 && width < reach) {
+            marks[i] = MARK_SEPARATOR;
+            width++;
+        } else {
+            width = 0;
+        }
+    }
+    for (; width > 0 && width < reach && width < n; width++) {
+        marks[n - 1 - width] = MARK_SEPARATOR; /* at the end it grows backward */
+    }
+}
+
+static void set_marks(scene_object *s)
+{
+    memset(s->marks, MARK_NONE, s->node_count);
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->rows[i].key;
+        mark_side(s, key, key->body_a, key->a);
+        mark_side(s, key, key->body_b, key->b);
+    }
+    mark_welds(s);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            const thread_object *t = s->bodies[i].thread.thread;
+            widen(t, s->marks + s->bodies[i].thread.first_node);
+        }
+    }
+}
+
+/* ---- welds */
+
+static void list_welds(scene_object *s)
+{
+    s->weld_count = 0;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id == 0 || p->attachment != 0) {
+            continue;
+        }
+        const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
+        uint32_t first = t->thread.first_block, n = t->thread.thread->node_count;
+        uint32_t reach = vbss_thread_reach(t->thread.thread);
+        contact_weld *w = &s->welds[s->weld_count++];
+        *w = (contact_weld){.slave = first + p->node,
+                            .translation = b->rigid.blocks.first,
+                            .rotation = b->rigid.blocks.first + 1};
+        for (uint32_t k = 1; k <= reach; k++) {
+            if (p->node >= k) {
+                w->neighbours[w->neighbour_count++] = first + p->node - k;
+            }
+            if (p->node + k < n) {
+                w->neighbours[w->neighbour_count++] = first + p->node + k;
+            }
+        }
+    }
+}
+
+void vbss_scene_set_weld_arms(scene_object *s)
+{
+    uint32_t w = 0;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
+            s->welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
+        }
+    }
+}
+
+/* ---- the pattern */
+
+static uint64_t hash_of_pattern(const scene_object *s)
+{
+    vbss_hash hash;
+    vbss_hash_begin(&hash);
+    vbss_hash_add(&hash, s->marks, s->node_count);
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        vbss_hash_add(&hash, &s->contacts->rows[i].key, sizeof(contact_key));
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        const uint32_t words[5] = {p->id, p->thread, p->node, p->body, p->attachment};
+        vbss_hash_add(&hash, words, sizeof words);
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const uint32_t words[2] = {(uint32_t)b->kind, b->number};
+        vbss_hash_add(&hash, words, sizeof words);
+        if (b->kind == BODY_THREAD) {
+            const thread_object *t = b->thread.thread;
+            for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+                const thread_attachment *a = &t->attachments[k];
+                const uint32_t attached[3] = {a->id, (uint32_t)a->kind, a->node};
+                vbss_hash_add(&hash, attached, sizeof attached);
+            }
+        }
+    }
+    return vbss_hash_end(&hash) | 1u;
+}
+
+static vbss_result register_bodies(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            VBSS_TRY(vbss_thread_register(b->thread.thread, s->system,
+                                          s->marks + b->thread.first_node, &b->thread.first_block));
+        } else if (b->kind == BODY_RIGID) {
+            vbss_role role =
+                b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_GIVEN : VBSS_ROLE_SEPARATOR;
+            VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
+        }
+    }
+    return VBSS_OK;
+}
+
+/* Blocks by body, in the order in which they are registered; rows need them before the pattern. */
+void vbss_scene_number_blocks(scene_object *s)
+{
+    uint32_t first = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            b->thread.first_block = first;
+            first += b->thread.thread->node_count;
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.blocks.first = first;
+            first += 2;
+        }
+    }
+}
+
+vbss_result vbss_scene_build_pattern(scene_object *s)
+{
+    set_marks(s);
+    uint64_t pattern = hash_of_pattern(s);
+    if (pattern == s->pattern) {
+        vbss_contact_number_places(s->contacts);
+        return VBSS_OK;
+    }
+    s->pattern = 0;
+    s->statistics.patterns++;
+    vbss_system_begin(s->system);
+    VBSS_TRY(register_bodies(s));
+    s->first_contact_coupling = s->system->coupling_count + 1;
+    list_welds(s);
+    for (uint32_t i = 0; i < s->weld_count; i++) {
+        VBSS_TRY(vbss_weld_register(&s->welds[i], s->system));
+    }
+    VBSS_TRY(vbss_contact_register(s->contacts, s->system));
+    VBSS_TRY(vbss_system_analyse(s->system));
+    vbss_contact_find_places(s->contacts, s->system);
+    s->pattern = pattern;
+    return VBSS_OK;
+}

@@ -1,0 +1,145 @@
+/* Nodes of threads that are points of bodies.
+ *
+ * On the world and on driven bodies a pin is an attachment of the thread that is moved along; on others it
+ * is a weld: lib/contact eliminates the node's motion in favour of the body's. */
+#include "scene/scene.h"
+
+static vbss_result check_node(const scene_object *s, const scene_body *thread, uint32_t node)
+{
+    const thread_object *t = thread->thread.thread;
+    VBSS_TRY(vbss_check_range(s->context, node, 0.0, t->node_count - 1.0, "node"));
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        if (a->id != 0 && a->node == node && vbss_thread_holds(a->kind)) {
+            return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held already", node);
+        }
+    }
+    if (vbss_scene_weld_of(s, thread->number, node) != NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", node);
+    }
+    return VBSS_OK;
+}
+
+static scene_pin *free_place(const scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        if (s->pins[i].id == 0) {
+            return &s->pins[i];
+        }
+    }
+    vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u pins", s->config.pin_capacity);
+    return NULL;
+}
+
+/* Where the pinned point will be at the end of the next step. */
+static vec3 aim(const scene_body *b, vec3 point)
+{
+    return b == NULL ? point : pose_apply(b->rigid.body.end, point);
+}
+
+static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position, uint32_t *id)
+{
+    vbss_thread_attachment a;
+    VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
+    a.kind = VBSS_ATTACHMENT_PIN;
+    a.node = node;
+    vec3_store(a.position, position);
+    return vbss_thread_attach((vbss_thread *)thread->thread.slot, &a, id);
+}
+
+vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node, uint32_t body,
+                                  const double *point, uint32_t *pin)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, pin, "pin"));
+    scene_body *t = vbss_scene_find_body(s, thread, BODY_THREAD);
+    scene_body *b = body == 0 ? NULL : vbss_scene_find_body(s, body, BODY_RIGID);
+    if (t == NULL || (body != 0 && b == NULL)) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    VBSS_TRY(check_node(s, t, node));
+    if (point != NULL) {
+        VBSS_TRY(vbss_check_finite(s->context, point, 3, "point"));
+        VBSS_TRY(vbss_check_range(s->context, vbss_largest(point, 3), 0.0, 1e3, "point"));
+    }
+    scene_pin *p = free_place(s);
+    if (p == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    vec3 here = t->thread.thread->now.x[node];
+    vec3 at = point != NULL ? vec3_load(point) : here;
+    if (b != NULL) {
+        at = point != NULL ? pose_apply_inverse(b->rigid.frame, at)
+                           : pose_apply_inverse(b->rigid.body.now.at, here);
+    }
+    uint32_t attachment = 0;
+    if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || s->config.method == VBSS_METHOD_PAPER) {
+        VBSS_TRY(attach(t, node, aim(b, at), &attachment));
+    }
+    const scene_pin own = {++s->last_pin, thread, node, body, attachment, at};
+    *p = own;
+    *pin = own.id;
+    s->generation++;
+    return VBSS_OK;
+}
+
+static void forget(scene_object *s, scene_pin *p)
+{
+    scene_body *t = vbss_scene_body(s, p->thread);
+    if (p->attachment != 0 && t != NULL) {
+        /* The host may have detached it already. */
+        (void)vbss_thread_detach((vbss_thread *)t->thread.slot, p->attachment);
+    }
+    *p = (scene_pin){0};
+}
+
+vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    for (uint32_t i = 0; pin != 0 && i < s->config.pin_capacity; i++) {
+        if (s->pins[i].id == pin) {
+            forget(s, &s->pins[i]);
+            s->generation++;
+            return VBSS_OK;
+        }
+    }
+    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no pin %u", pin);
+}
+
+void vbss_scene_forget_pins_of(scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        scene_pin *p = &s->pins[i];
+        if (p->id != 0 && (p->thread == number || p->body == number)) {
+            forget(s, p);
+        }
+    }
+}
+
+const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint32_t node)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0 && p->thread == thread && p->node == node) {
+            return p;
+        }
+    }
+    return NULL;
+}
+
+void vbss_scene_aim_pins(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
+        for (uint32_t k = 0; p->attachment != 0 && k < t->thread.thread->config.attachment_capacity;
+             k++) {
+            thread_attachment *a = &t->thread.thread->attachments[k];
+            if (a->id == p->attachment) {
+                a->target = aim(b, p->point);
+            }
+        }
+    }
+}

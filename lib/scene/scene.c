@@ -1,0 +1,260 @@
+/* How scenes begin and end. */
+#include "scene/scene.h"
+
+#include <string.h>
+
+_Static_assert(sizeof(vbss_scene_config) == 160, "published size");
+_Static_assert(sizeof(vbss_scene_statistics) == 192, "published size");
+
+static const vbss_scene_config defaults = {
+    .struct_size = sizeof(vbss_scene_config),
+    .method = VBSS_METHOD_OURS,
+    .mode = VBSS_MODE_REAL_TIME,
+    .thread_capacity = 4,
+    .node_capacity = 1024,
+    .rigid_capacity = 4,
+    .capsule_capacity = 16,
+    .pin_capacity = 8,
+    .contact_capacity = 1024,
+    .candidate_capacity = 16384,
+    .event_capacity = 256,
+    .floor_normal = {0.0, 1.0, 0.0},
+    .floor_friction = 0.3,
+    .thread_friction = 0.3,
+    .contact_stiffness = 2e5,
+    .contact_margin = 1e-4,
+    .stretch_tolerance = 1e-3,
+    .penetration_tolerance = 0.1,
+    .linearisation_limit = 12,
+    .state_limit = 24,
+    .halving_limit = 5,
+    .attempt_limit = 16,
+    .paper_pass_limit = 4,
+};
+static const uint32_t config_sizes[] = {160, 0};
+static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
+static const uint32_t statistics_sizes[] = {192, 0};
+static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
+
+vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+typedef struct range {
+    const char *name;
+    double value, low, high;
+} range;
+
+static vbss_result check(vbss_context *context, const vbss_scene_config *c)
+{
+    const range ranges[] = {
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"mode", c->mode, VBSS_MODE_REAL_TIME, VBSS_MODE_OFFLINE},
+        {"thread_capacity", c->thread_capacity, 0.0, 64.0},
+        {"node_capacity", c->node_capacity, 0.0, 65537.0},
+        {"rigid_capacity", c->rigid_capacity, 0.0, 256.0},
+        {"capsule_capacity", c->capsule_capacity, 0.0, 4096.0},
+        {"pin_capacity", c->pin_capacity, 0.0, 256.0},
+        {"contact_capacity", c->contact_capacity, 0.0, 65536.0},
+        {"candidate_capacity", c->candidate_capacity, 0.0, 1e7},
+        {"event_capacity", c->event_capacity, 0.0, 65536.0},
+        {"floor", c->floor, 0.0, 1.0},
+        {"floor_height", c->floor_height, -1e3, 1e3},
+        {"floor_friction", c->floor_friction, 0.0, 10.0},
+        {"thread_friction", c->thread_friction, 0.0, 10.0},
+        {"contact_stiffness", c->contact_stiffness, 1e3, 1e9},
+        {"contact_margin", c->contact_margin, 0.0, 0.1},
+        {"stretch_tolerance", c->stretch_tolerance, 1e-9, 0.1},
+        {"penetration_tolerance", c->penetration_tolerance, 1e-3, 0.5},
+        {"linearisation_limit", c->linearisation_limit, 1.0, 100.0},
+        {"state_limit", c->state_limit, 1.0, 1000.0},
+        {"halving_limit", c->halving_limit, 0.0, 10.0},
+        {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
+        {"reserved", c->reserved, 0.0, 0.0},
+        {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
+        {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        const range *r = &ranges[i];
+        VBSS_TRY(vbss_check_range(context, r->value, r->low, r->high, r->name));
+    }
+    VBSS_TRY(vbss_check_finite(context, c->floor_normal, 3, "floor_normal"));
+    return vbss_check_range(context, vec3_norm(vec3_load(c->floor_normal)), 1e-100, 1e100,
+                            "length of floor_normal");
+}
+
+/* ---- memory */
+
+enum { PARTS = 20 };
+
+static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
+{
+    size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
+    size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
+    size_t contacts = s->config.contact_capacity;
+    const vbss_array all[] = {
+        {&s->bodies, s->place_capacity, sizeof *s->bodies},
+        {&s->capsules, capsules, sizeof *s->capsules},
+        {&s->pins, s->config.pin_capacity, sizeof *s->pins},
+        {&s->marks, nodes, sizeof *s->marks},
+        {&s->ways, nodes + 2 * capsules, sizeof *s->ways},
+        {&s->vertices, 2 * vertices, sizeof *s->vertices},
+        {&s->welds, s->config.pin_capacity, sizeof *s->welds},
+        {&s->block, 1, sizeof *s->block},
+        {&s->solids, capsules, sizeof *s->solids},
+        {&s->touches, contacts, sizeof *s->touches},
+        {&s->touches_before, contacts, sizeof *s->touches_before},
+        {&s->events, s->config.event_capacity, sizeof *s->events},
+        {&s->contact_features, contacts, sizeof *s->contact_features},
+        {&s->contact_points, contacts, sizeof *s->contact_points},
+        {&s->contact_normals, contacts, sizeof *s->contact_normals},
+        {&s->contact_forces, contacts, sizeof *s->contact_forces},
+        {&s->contact_gaps, contacts, sizeof *s->contact_gaps},
+        {&s->shape_places, SCENE_SHAPES, sizeof *s->shape_places},
+    };
+    _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
+    memcpy(parts, all, sizeof all);
+    return sizeof all / sizeof all[0];
+}
+
+static void free_object(vbss_context *context, void *object)
+{
+    scene_object *s = object;
+    vbss_array parts[PARTS];
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            vbss_scene_release_thread(&s->bodies[i]);
+        }
+    }
+    if (s->collision != NULL) {
+        vbss_collision_free(context, s->collision);
+    }
+    vbss_contact_destroy(context, s->contacts);
+    vbss_system_destroy(context, s->system);
+    vbss_release_arrays(context, parts, list_parts(s, parts));
+    vbss_release(context, s, 1, sizeof *s);
+}
+
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 1, free_object,
+                                   vbss_scene_serialise};
+
+static vbss_result make_collision(scene_object *s)
+{
+    vbss_collision_config c;
+    VBSS_TRY(vbss_collision_config_init(&c, sizeof c));
+    c.shape_capacity = SCENE_SHAPES;
+    c.pair_capacity = s->config.candidate_capacity;
+    c.impact_capacity = s->config.candidate_capacity;
+    c.margin = s->config.contact_margin;
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        c.method = VBSS_COLLISION_PAPER;
+        c.thickness = s->config.paper_thickness;
+        c.margin = 0.0;
+    }
+    VBSS_TRY(vbss_collision_allocate(s->context, &c, &s->collision));
+    s->collision_slot = vbss_slot_inside(s->context, &vbss_collision_kind, s->collision);
+    return VBSS_OK;
+}
+
+/* Each node may be a separator; beside its neighbours along the thread it is coupled by contacts, and
+ * elimination fills in more. */
+#define PAIRS_OF_A_SEPARATOR 24u
+
+static vbss_result make_parts(scene_object *s)
+{
+    vbss_array parts[PARTS];
+    uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
+    VBSS_TRY(vbss_allocate_arrays(s->context, parts, list_parts(s, parts), "scene"));
+    VBSS_TRY(make_collision(s));
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_contact_create(s->context, s->config.contact_capacity, &s->contacts));
+    return vbss_system_create(s->context, blocks, THREAD_REACH, blocks,
+                              PAIRS_OF_A_SEPARATOR * blocks, &s->system);
+}
+
+/* ---- life */
+
+vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
+                              vbss_scene **scene)
+{
+    if (scene == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, scene, "scene");
+    }
+    *scene = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_scene_config own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
+    }
+    VBSS_TRY(check(context, &own));
+    scene_object *s = vbss_allocate(context, 1, sizeof *s, "scene");
+    if (s == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    s->context = context;
+    s->config = own;
+    s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
+    s->node_capacity = own.node_capacity;
+    s->place_capacity = own.thread_capacity + own.rigid_capacity;
+    vbss_slot *slot = NULL;
+    vbss_result result = make_parts(s);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(context, &vbss_scene_kind, s, &slot);
+    }
+    if (result != VBSS_OK) {
+        free_object(context, s);
+        return result;
+    }
+    *scene = (vbss_scene *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_destroy(vbss_scene *scene)
+{
+    return vbss_slot_destroy(scene, &vbss_scene_kind);
+}
+
+vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_scene_kind, &slot));
+    *scene = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_edit(vbss_scene *handle, scene_object **scene)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_scene_kind, &slot));
+    *scene = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
+                                      uint32_t struct_size)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    vbss_scene_statistics own = s->statistics;
+    own.struct_size = sizeof own;
+    return vbss_struct_write(s->context, &statistics_layout, &own, statistics, struct_size);
+}
+
+vbss_result vbss_scene_step(vbss_scene *scene, double h)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    VBSS_TRY(s->config.method == VBSS_METHOD_PAPER ? vbss_scene_paper_step(s, h)
+                                                   : vbss_scene_ours_step(s, h));
+    s->generation++;
+    s->statistics.steps++;
+    s->statistics.time += h;
+    return VBSS_OK;
+}

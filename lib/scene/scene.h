@@ -1,0 +1,216 @@
+/* The inside of a scene, shared by the files of lib/scene.
+ *
+ * scene.c makes and ends scenes, bodies.c and pins.c what is in them. A step (step.c) reads
+ *   tool poses -> predict -> candidates -> solve -> guard -> events -> tool forces
+ * each of which is a file; the middle ones are an attempt at a part of the step, undone and halved when
+ * what it finds is not accepted, and cut short in the end (clamp.c). Method PAPER: paper_step.c. */
+#ifndef VBSS_SCENE_SCENE_H
+#define VBSS_SCENE_SCENE_H
+
+#include <vblast_ss/scene.h>
+
+#include "collision/shapes.h"
+#include "contact/contact.h"
+#include "solver/rigid.h"
+#include "thread/thread.h"
+
+/* Bodies ever added, and so shapes. */
+enum { SCENE_SHAPES = 4096 };
+
+/* ---- bodies */
+
+typedef enum body_kind { BODY_GONE, BODY_THREAD, BODY_RIGID } body_kind;
+
+typedef struct scene_thread {
+    vbss_slot *slot; /* of the thread's handle */
+    thread_object *thread;
+    uint32_t first_block; /* in the system */
+    uint32_t first_node;  /* in arrays over the nodes of all threads */
+    uint32_t calm;        /* steps since something was near it, up to a few */
+    bool near;            /* something is, in this part */
+    bool damped;          /* this part is made by backward Euler */
+    vbss_integration integration;
+    thread_stage stage;
+    /* before the step */
+    vbss_thread_statistics kept;
+    double kept_part;
+    uint32_t kept_settling;
+    bool kept_fresh;
+} scene_thread;
+
+typedef struct scene_rigid {
+    vbss_rigid_kind kind;
+    vbss_rigid body; /* its begin and end: the target, crossed evenly in a step */
+    pose frame;      /* of centre of mass and principal axes, in the frame the host sees */
+    double friction;
+    uint32_t first_capsule, capsule_count;
+    vbss_rigid_blocks blocks;
+    vbss_rigid_motion predicted;
+    pose trial;
+    vec3 force, torque;     /* of contacts and pins in the last part; about the centre of mass */
+    vbss_rigid_pull pull;   /* of the coupling in the last part */
+    vbss_rigid_motion kept; /* before the step */
+} scene_rigid;
+
+typedef struct scene_body {
+    body_kind kind;
+    uint32_t number; /* in the scene */
+    uint32_t shape;  /* name in the collision object */
+    scene_thread thread;
+    scene_rigid rigid;
+} scene_body;
+
+/* In the principal frame of its body; and where its axis is. */
+typedef struct scene_capsule {
+    uint32_t owner; /* place of the body */
+    vec3 local[2];
+    double radius;
+    vec3 now[2], trial[2];
+} scene_capsule;
+
+typedef struct scene_pin {
+    uint32_t id;                 /* 0: the place is free */
+    uint32_t thread, node, body; /* numbers; body 0: the world */
+    uint32_t attachment;         /* of the thread, for driven bodies and the world; 0: a weld */
+    vec3 point;                  /* in the principal frame of the body, or in the world */
+} scene_pin;
+
+typedef struct scene_touch {
+    uint32_t body_a, body_b;
+} scene_touch;
+
+/* ---- a part of a step */
+
+/* What becomes of an attempt. */
+typedef enum scene_verdict {
+    VERDICT_ACCEPTED,
+    VERDICT_STATES,   /* of the contacts were not found */
+    VERDICT_STRETCH,  /* a thread's shape was not */
+    VERDICT_DEPTH,    /* too much penetration */
+    VERDICT_GUARD,    /* something would pass */
+    VERDICT_SINGULAR, /* not even numbers */
+    VERDICT_FULL      /* no room: the step fails */
+} scene_verdict;
+
+typedef struct scene_part {
+    double step;       /* length of the whole step, s */
+    double begin, end; /* shares of it */
+    double h;          /* length of the part, s */
+    bool again;        /* ways are those of the attempt before */
+} scene_part;
+
+typedef struct scene_object {
+    vbss_context *context;
+    vbss_scene_config config;
+    vec3 floor_normal;
+
+    /* what is in it */
+    scene_body *bodies;
+    uint32_t place_count, place_capacity; /* places used so far; of bodies that may be gone */
+    uint32_t last_number;
+    uint32_t node_count, node_capacity; /* of all threads */
+    scene_capsule *capsules;
+    uint32_t capsule_count;
+    scene_pin *pins;
+    uint32_t last_pin;
+
+    /* what a part works with: nothing here outlives it, but for what can be made again */
+    collision_object *collision;
+    vbss_slot collision_slot; /* its handle, nobody else's */
+    uint32_t *shape_places;   /* of the body of each shape */
+    contact_set *contacts;
+    vbss_system *system;
+    uint32_t first_contact_coupling; /* those from here on are nobody's but the contacts' */
+    uint64_t pattern; /* hash of what the system's pattern was made for; 0: of nothing */
+    uint8_t *marks;   /* of all nodes: separators */
+    vec3 *ways;       /* of all nodes, then of both ends of all capsules: how far they may move */
+    vec3 *vertices;   /* of one shape, start and end */
+    contact_weld *welds;
+    uint32_t weld_count;
+    collision_block *block;
+    vbss_rigid_capsule *solids; /* to weigh a new body */
+    bool recovering;            /* the part began with more penetration than is allowed */
+    bool lagging;               /* the last part was cut short: what is driven is behind */
+    double earliest; /* share of the part after which something would pass; 1: nothing does */
+
+    /* what is left of the last step */
+    scene_touch *touches, *touches_before; /* ascending */
+    uint32_t touch_count;
+    uint32_t (*events)[4];
+    uint32_t event_count, lost_events;
+    uint64_t generation;
+    vbss_scene_statistics statistics, kept; /* kept: before the step */
+
+    /* views */
+    uint32_t contact_count;
+    uint32_t (*contact_features)[5];
+    vec3 *contact_points, *contact_normals, *contact_forces;
+    double *contact_gaps;
+} scene_object;
+
+extern const vbss_kind vbss_scene_kind;
+vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene);
+vbss_result vbss_scene_edit(vbss_scene *handle, scene_object **scene);
+static inline vbss_collision *scene_collision(scene_object *s)
+{
+    return (vbss_collision *)&s->collision_slot;
+}
+
+/* bodies.c: the living body of a number; NULL and VBSS_ERROR_OUT_OF_RANGE, told. The thread of a number; the
+ * rigid body. */
+scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_kind kind);
+/* The same, untold. */
+scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
+/* Where the axis of a capsule is when its body is there. */
+void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2]);
+void vbss_scene_release_thread(scene_body *body);
+
+/* pins.c */
+void vbss_scene_forget_pins_of(scene_object *s, uint32_t number);
+/* The weld of a node, or NULL. */
+const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint32_t node);
+/* Attached nodes shall be where their driven bodies will be. */
+void vbss_scene_aim_pins(scene_object *s);
+
+/* ---- an attempt, in order */
+
+/* predict.c: trial states, from where the part begins. */
+void vbss_scene_predict(scene_object *s, const scene_part *part);
+/* candidates.c: rows of what might touch. False: no room. */
+bool vbss_scene_find_rows(scene_object *s, const scene_part *part);
+/* features.c: how the sides of a row lie at the begin of the part; false: too far apart to touch in it. */
+bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach);
+/* All that a row is beside that, in the trial state with the normal of the begin; and with that of the trial
+ * state, for a further linearisation. */
+void vbss_scene_set_rows(scene_object *s, const scene_part *part);
+void vbss_scene_refresh_rows(scene_object *s);
+/* pattern.c: which blocks are separators, and the system's pattern. */
+void vbss_scene_number_blocks(scene_object *s);
+vbss_result vbss_scene_build_pattern(scene_object *s);
+void vbss_scene_set_weld_arms(scene_object *s);
+/* solve.c: bodies and contacts, one system. */
+scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part);
+/* guard.c */
+scene_verdict vbss_scene_guard(scene_object *s);
+/* commit.c: the trial state becomes the state; and what says that motion is not smooth. */
+void vbss_scene_commit(scene_object *s, const scene_part *part);
+void vbss_scene_unsettle(scene_object *s);
+/* clamp.c: as much of the trial state as does no harm becomes the state. Returns the share. */
+double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part);
+
+/* ---- around it */
+
+/* state.c */
+void vbss_scene_serialise(vbss_stream *stream, void *object);
+
+vbss_result vbss_scene_ours_step(scene_object *s, double h);  /* step.c */
+vbss_result vbss_scene_paper_step(scene_object *s, double h); /* paper_step.c */
+/* events.c: at the end of a step. */
+void vbss_scene_begin_events(scene_object *s);
+void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,
+                          uint32_t number);
+void vbss_scene_note_touches(scene_object *s);
+/* forces.c: what contacts and pins do to the rigid bodies; views of contacts. */
+void vbss_scene_note_forces(scene_object *s);
+
+#endif

@@ -1,0 +1,156 @@
+/* Bodies and contacts, one system: linearised until threads have their lengths.
+ *
+ *   assemble bodies -> condense -> states of the contacts -> all increments -> trial state -> rows
+ */
+#include "scene/scene.h"
+
+#include <string.h>
+
+/* Residual of the law of contact that is none: a share of the largest pressure and a force; and what may be
+ * left when states cycle. */
+#define FORCE_SHARE 1e-3
+#define LEAST_FORCE 1e-7
+#define LOOSE_SHARE 0.05
+/* Numbers beyond this are no motion. */
+#define TOO_FAR 1e100
+
+/* ---- one linearisation */
+
+static void assemble(scene_object *s, const scene_part *part)
+{
+    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    vbss_system *system = s->system;
+    vbss_system_clear(system);
+    uint32_t first = s->first_contact_coupling;
+    memset(&system->numbers[first], 0,
+           (system->coupling_count + 1 - first) * sizeof *system->numbers);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.stage,
+                           system, b->thread.first_block);
+        } else if (b->kind == BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+            vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
+                                &b->rigid.blocks);
+        }
+    }
+}
+
+static scene_verdict find_increments(scene_object *s, const scene_part *part)
+{
+    const contact_search search = {.system = s->system,
+                                   .welds = s->welds,
+                                   .weld_count = s->weld_count,
+                                   .limit = s->config.state_limit,
+                                   .force_share = FORCE_SHARE,
+                                   .least_force = LEAST_FORCE,
+                                   .loose_share = LOOSE_SHARE};
+    assemble(s, part);
+    vbss_scene_set_weld_arms(s);
+    s->statistics.linearisations++;
+    if (!vbss_system_condense(s->system)) {
+        return VERDICT_SINGULAR;
+    }
+    contact_outcome found = vbss_contact_find_states(s->contacts, &search);
+    if (found == CONTACT_SINGULAR) {
+        return VERDICT_SINGULAR;
+    }
+    for (uint32_t i = 0; i < s->weld_count; i++) {
+        s->system->solution[s->welds[i].slave] = vbss_weld_increment(&s->welds[i], s->system);
+    }
+    vbss_system_finish(s->system);
+    return found == CONTACT_LOST ? VERDICT_STATES : VERDICT_ACCEPTED;
+}
+
+/* ---- the trial state moves on */
+
+static void advance_rigid(scene_object *s, scene_rigid *r)
+{
+    if (r->kind != VBSS_RIGID_DRIVEN) {
+        vbss_rigid_advance(&r->trial, s->system->solution[r->blocks.first],
+                           s->system->solution[r->blocks.first + 1]);
+        for (uint32_t c = 0; c < r->capsule_count; c++) {
+            scene_capsule *capsule = &s->capsules[r->first_capsule + c];
+            vbss_scene_place_capsule(capsule, r->trial, capsule->trial);
+        }
+    }
+}
+
+static void place_welded_nodes(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+            const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
+            t->trial[p->node] = pose_apply(r->trial, p->point);
+        }
+    }
+}
+
+typedef struct shape_error {
+    bool finite, converged;
+    double stretch;
+} shape_error;
+
+static shape_error advance(scene_object *s)
+{
+    shape_error e = {true, true, 0.0};
+    double left[64];
+    uint32_t threads = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            left[threads++] = vbss_thread_advance(b->thread.thread, &b->thread.stage,
+                                                  s->system->solution + b->thread.first_block);
+        } else if (b->kind == BODY_RIGID) {
+            advance_rigid(s, &b->rigid);
+        }
+    }
+    place_welded_nodes(s);
+    threads = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind != BODY_THREAD) {
+            continue;
+        }
+        thread_object *t = b->thread.thread;
+        vbss_thread_measure(t, t->trial, t->strains);
+        double stretch = vbss_thread_note_stretch(t, t->trial_tension), far = left[threads++];
+        bool near = b->thread.near;
+        /* What contact holds is not free to go where the estimate says. */
+        bool shape = near || far <= t->config.position_tolerance;
+        double tolerance = near ? s->config.stretch_tolerance : t->config.stretch_tolerance;
+        e.finite = e.finite && stretch < TOO_FAR;
+        e.converged = e.converged && shape && stretch <= tolerance;
+        e.stretch = vbss_larger(stretch, e.stretch);
+    }
+    return e;
+}
+
+scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
+{
+    shape_error e = {true, false, 0.0};
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD &&
+            s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
+            vbss_thread_update_rest_pull(s->bodies[i].thread.thread);
+        }
+    }
+    for (uint32_t k = 0; k < s->config.linearisation_limit; k++) {
+        scene_verdict verdict = find_increments(s, part);
+        if (verdict != VERDICT_ACCEPTED) {
+            return verdict;
+        }
+        e = advance(s);
+        if (!e.finite) {
+            return VERDICT_SINGULAR;
+        }
+        vbss_scene_refresh_rows(s);
+        if (e.converged) {
+            bool shallow = vbss_contact_depth_is_allowed(s->contacts);
+            return shallow ? VERDICT_ACCEPTED : VERDICT_DEPTH;
+        }
+    }
+    return e.stretch <= s->config.stretch_tolerance ? VERDICT_ACCEPTED : VERDICT_STRETCH;
+}

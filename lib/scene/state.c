@@ -1,0 +1,131 @@
+/* The state of a scene and all its bodies: saved, hashed and restored. */
+#include "scene/scene.h"
+
+static void visit_config(vbss_stream *stream, const scene_object *s)
+{
+    const vbss_scene_config *c = &s->config;
+    const double numbers[] = {c->floor_normal[0],       c->floor_normal[1], c->floor_normal[2],
+                              c->floor_height,          c->floor_friction,  c->thread_friction,
+                              c->contact_stiffness,     c->contact_margin,  c->stretch_tolerance,
+                              c->penetration_tolerance, c->paper_thickness};
+    const uint32_t choices[] = {(uint32_t)c->method,    (uint32_t)c->mode,   (uint32_t)c->floor,
+                                c->linearisation_limit, c->state_limit,      c->halving_limit,
+                                c->attempt_limit,       c->paper_pass_limit, c->pin_capacity};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 1, numbers[i]);
+    }
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        vbss_stream_same(stream, 2, choices[i]);
+    }
+}
+
+static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid *r)
+{
+    vbss_stream_same(stream, 20, (uint64_t)r->kind);
+    vbss_stream_same(stream, 21, r->capsule_count);
+    vbss_stream_same_f64(stream, 22, r->friction);
+    for (uint32_t i = 0; i < r->capsule_count; i++) {
+        const scene_capsule *c = &s->capsules[r->first_capsule + i];
+        const double numbers[] = {c->local[0].x, c->local[0].y, c->local[0].z, c->local[1].x,
+                                  c->local[1].y, c->local[1].z, c->radius};
+        for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+            vbss_stream_same_f64(stream, 23, numbers[k]);
+        }
+    }
+    vbss_rigid_serialise(stream, 30, &r->body);
+    vbss_stream_f64(stream, 50, &r->force.x, 3);
+    vbss_stream_f64(stream, 51, &r->torque.x, 3);
+    vbss_stream_f64(stream, 52, &r->pull.force.x, 3);
+    vbss_stream_f64(stream, 53, &r->pull.torque.x, 3);
+}
+
+static void visit_thread(vbss_stream *stream, scene_thread *b)
+{
+    vbss_stream_u32(stream, 60, &b->calm, 1);
+    vbss_section outer = vbss_stream_open(stream, vbss_thread_kind.code, vbss_thread_kind.version);
+    vbss_thread_serialise(stream, b->thread);
+    vbss_stream_close(stream, outer);
+}
+
+static void visit_bodies(vbss_stream *stream, scene_object *s)
+{
+    vbss_stream_same(stream, 10, s->place_count);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        vbss_stream_same(stream, 11, (uint64_t)b->kind);
+        if (b->kind == BODY_GONE) {
+            continue;
+        }
+        vbss_stream_same(stream, 12, b->number);
+        if (b->kind == BODY_THREAD) {
+            vbss_stream_same(stream, 13, b->thread.thread->node_count);
+            visit_thread(stream, &b->thread);
+        } else {
+            visit_rigid(stream, s, &b->rigid);
+        }
+    }
+}
+
+static void visit_pins(vbss_stream *stream, scene_object *s)
+{
+    vbss_stream_u32(stream, 70, &s->last_pin, 1);
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        scene_pin *p = &s->pins[i];
+        uint32_t words[5] = {p->id, p->thread, p->node, p->body, p->attachment};
+        vbss_stream_u32(stream, 71, words, 5);
+        vbss_stream_f64(stream, 72, &p->point.x, 3);
+        const scene_pin read = {words[0], words[1], words[2], words[3], words[4], p->point};
+        *p = read;
+        if (stream->mode != VBSS_STREAM_READ || stream->trusted || p->id == 0) {
+            continue;
+        }
+        const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
+        bool thread = t != NULL && t->kind == BODY_THREAD && p->node < t->thread.thread->node_count;
+        bool body = p->body == 0 ? p->attachment != 0 : b != NULL && b->kind == BODY_RIGID;
+        if (!thread || !body || p->id > s->last_pin) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pin");
+        }
+    }
+}
+
+static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
+{
+    vbss_stream_u32(stream, 80, &s->contacts, 3);         /* contacts, rows, separators */
+    vbss_stream_u64(stream, 81, &s->steps, 16);           /* steps .. guard_pairs */
+    vbss_stream_f64(stream, 82, &s->last_penetration, 6); /* .. time */
+}
+
+void vbss_scene_serialise(vbss_stream *stream, void *object)
+{
+    scene_object *s = object;
+    visit_config(stream, s);
+    vbss_stream_u32(stream, 3, &s->last_number, 1);
+    visit_bodies(stream, s);
+    visit_pins(stream, s);
+    if (s->contacts != NULL) {
+        vbss_contact_serialise(stream, 90, s->contacts);
+    }
+    vbss_stream_count(stream, 110, &s->touch_count, s->config.contact_capacity);
+    vbss_stream_u32(stream, 111, &s->touches->body_a, 2 * (size_t)s->touch_count);
+    visit_statistics(stream, &s->statistics);
+    if (stream->mode == VBSS_STREAM_READ) {
+        s->pattern = 0;
+        s->contact_count = s->event_count = 0;
+        s->generation++;
+    }
+}
+
+vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity, uint64_t *written)
+{
+    return vbss_object_save(scene, &vbss_scene_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count)
+{
+    return vbss_object_restore(scene, &vbss_scene_kind, bytes, count);
+}
+
+vbss_result vbss_scene_get_hash(vbss_scene *scene, uint64_t *hash)
+{
+    return vbss_object_hash(scene, &vbss_scene_kind, hash);
+}

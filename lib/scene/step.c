@@ -1,0 +1,214 @@
+/* A step of method OURS:
+ *   tool poses -> predict -> candidates -> solve -> guard -> events -> tool forces
+ * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
+ * made again, in halves; after the last the step is cut short where it would harm. */
+#include "scene/scene.h"
+
+#include <string.h>
+
+/* ---- as it was, if the step fails */
+
+static vbss_result keep(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            VBSS_TRY(vbss_thread_layout(t));
+            vbss_thread_copy_motion(t, &t->kept, &t->now);
+            b->thread.kept = t->statistics;
+            b->thread.kept_fresh = t->fresh;
+            b->thread.kept_settling = t->settling;
+            b->thread.kept_part = t->last_part;
+            t->statistics.last_iterations = 0;
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.kept = b->rigid.body.now;
+        }
+    }
+    s->kept = s->statistics;
+    vbss_contact_mark(s->contacts);
+    return VBSS_OK;
+}
+
+static void go_back(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            vbss_thread_copy_motion(t, &t->now, &t->kept);
+            t->statistics = b->thread.kept;
+            t->fresh = b->thread.kept_fresh;
+            t->settling = b->thread.kept_settling;
+            t->last_part = b->thread.kept_part;
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.body.now = b->rigid.kept;
+        }
+    }
+    s->statistics = s->kept;
+    vbss_contact_return(s->contacts);
+}
+
+/* ---- an attempt */
+
+static void allow_depth(scene_object *s)
+{
+    s->recovering = false;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_row *row = &s->contacts->rows[i];
+        double share = s->config.penetration_tolerance * row->touching;
+        bool deep = -row->gap_before > share;
+        row->depth_allowed = deep ? -row->gap_before : share;
+        s->recovering = s->recovering || deep;
+    }
+}
+
+static scene_verdict attempt(scene_object *s, const scene_part *part)
+{
+    s->statistics.attempts++;
+    if (!vbss_scene_find_rows(s, part)) {
+        return VERDICT_FULL;
+    }
+    vbss_scene_predict(s, part);
+    vbss_scene_number_blocks(s);
+    vbss_scene_set_rows(s, part);
+    vbss_contact_recall(s->contacts);
+    allow_depth(s);
+    if (vbss_scene_build_pattern(s) != VBSS_OK) {
+        return VERDICT_FULL;
+    }
+    scene_verdict verdict = vbss_scene_solve(s, part);
+    return verdict == VERDICT_ACCEPTED ? vbss_scene_guard(s) : verdict;
+}
+
+static void count(scene_object *s, scene_verdict verdict)
+{
+    vbss_scene_statistics *c = &s->statistics;
+    c->rejected_states += verdict == VERDICT_STATES;
+    c->rejected_stretch += verdict == VERDICT_STRETCH;
+    c->rejected_depth += verdict == VERDICT_DEPTH;
+    c->rejected_guard += verdict == VERDICT_GUARD;
+    c->rejected_singular += verdict == VERDICT_SINGULAR;
+}
+
+/* ---- parts */
+
+static double smallest_part(const scene_object *s)
+{
+    double part = 1.0;
+    for (uint32_t k = 0; k < s->config.halving_limit; k++) {
+        part *= 0.5;
+    }
+    return part;
+}
+
+static void note_errors(scene_object *s)
+{
+    double stretch = 0.0, depth = 0.0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            const thread_object *t = s->bodies[i].thread.thread;
+            stretch = greater(t->statistics.last_stretch_error, stretch);
+        }
+    }
+    depth = vbss_contact_depth(s->contacts);
+    s->statistics.last_stretch_error = stretch;
+    s->statistics.stretch_error = greater(stretch, s->statistics.stretch_error);
+    s->statistics.last_penetration = depth;
+    s->statistics.penetration = greater(depth, s->statistics.penetration);
+    s->statistics.loose_stretch += stretch > s->config.stretch_tolerance;
+    s->statistics.last_residual = s->contacts->residual;
+}
+
+/* The parts are dyadic, so they sum to 1 exactly. */
+static vbss_result make_parts(scene_object *s, double h)
+{
+    const double smallest = smallest_part(s);
+    const bool bounded = s->config.mode == VBSS_MODE_REAL_TIME;
+    scene_part part = {.step = h};
+    double size = 1.0;
+    uint32_t attempts = 0;
+    s->lagging = false;
+    while (part.begin < 1.0) {
+        part.end = part.begin + size < 1.0 ? part.begin + size : 1.0;
+        part.h = h * (part.end - part.begin);
+        scene_verdict verdict = attempt(s, &part);
+        attempts++;
+        if (verdict == VERDICT_FULL) {
+            return VBSS_ERROR_CAPACITY;
+        }
+        if (verdict == VERDICT_ACCEPTED) {
+            vbss_scene_commit(s, &part);
+            s->statistics.recovering += s->recovering;
+            s->lagging = false;
+        } else {
+            count(s, verdict);
+            bool over = bounded && attempts >= s->config.attempt_limit;
+            if (verdict == VERDICT_GUARD && !part.again && !over) {
+                part.again = true; /* now it is known where things go */
+                continue;
+            }
+            part.again = false;
+            if (size > smallest && !over) {
+                vbss_scene_unsettle(s);
+                size *= 0.5;
+                continue;
+            }
+            double lost = 1.0 - vbss_scene_clamp(s, verdict, &part);
+            double share = lost * (part.end - part.begin);
+            vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * share));
+            vbss_scene_unsettle(s);
+            s->lagging = true;
+            size = over ? 1.0 : size;
+        }
+        note_errors(s);
+        part.again = false;
+        part.begin = part.end;
+    }
+    return VBSS_OK;
+}
+
+/* ---- the step */
+
+static void arrive(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            vbss_thread_finish_step(t, h);
+            t->settling -= t->settling > 0;
+            b->thread.calm = b->thread.near ? 0 : b->thread.calm + (b->thread.calm < 16);
+            for (uint32_t k = 0; s->lagging && k < t->config.attachment_capacity; k++) {
+                thread_attachment *a = &t->attachments[k];
+                if (a->id != 0 && vbss_thread_holds(a->kind)) {
+                    a->position = t->now.x[a->node]; /* held back; it goes on from here */
+                }
+            }
+        } else if (b->kind == BODY_RIGID) {
+            scene_rigid *r = &b->rigid;
+            r->body.begin =
+                r->kind == VBSS_RIGID_DRIVEN && s->lagging ? r->body.now.at : r->body.end;
+        }
+    }
+}
+
+vbss_result vbss_scene_ours_step(scene_object *s, double h)
+{
+    vbss_scene_aim_pins(s);
+    VBSS_TRY(keep(s));
+    vbss_scene_begin_events(s);
+    vbss_result result = make_parts(s, h);
+    if (result != VBSS_OK) {
+        go_back(s);
+        return result;
+    }
+    arrive(s, h);
+    vbss_scene_note_touches(s);
+    vbss_scene_note_forces(s);
+    s->statistics.rows = s->contacts->count;
+    s->statistics.state_solves = s->contacts->counters.solves;
+    s->statistics.loose_states = s->contacts->counters.loose;
+    s->statistics.separators = s->system->active_count - s->system->run_count;
+    return VBSS_OK;
+}

@@ -1,0 +1,206 @@
+/* The separators' block LU, column by column, each from the working blocks and the columns before it; and
+ * the way back. Pivoting inside blocks only. */
+#include "solver/solver.h"
+
+/* A pivot below this share of its block's largest number has lost its digits. */
+#define SMALLEST_PIVOT 1e-15
+
+/* ---- 3x3 with row exchanges */
+
+typedef struct pivoted {
+    double m[3][3];    /* L below the diagonal, U above */
+    double inverse[3]; /* of U's diagonal */
+    int row[3];        /* where each row came from */
+} pivoted;
+
+static bool factor(const block *a, pivoted *p)
+{
+    double largest = 0.0;
+    for (int i = 0; i < 3; i++) {
+        p->row[i] = i;
+        for (int j = 0; j < 3; j++) {
+            p->m[i][j] = lanes_at(a->column[j], i);
+            largest = fabs(p->m[i][j]) > largest ? fabs(p->m[i][j]) : largest;
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        int best = k;
+        for (int i = k + 1; i < 3; i++) {
+            best = fabs(p->m[i][k]) > fabs(p->m[best][k]) ? i : best;
+        }
+        for (int j = 0; j < 3; j++) {
+            double kept = p->m[k][j];
+            p->m[k][j] = p->m[best][j];
+            p->m[best][j] = kept;
+        }
+        int kept = p->row[k];
+        p->row[k] = p->row[best];
+        p->row[best] = kept;
+        if (!(fabs(p->m[k][k]) > SMALLEST_PIVOT * largest)) { /* NaN fails */
+            return false;
+        }
+        p->inverse[k] = 1.0 / p->m[k][k];
+        for (int i = k + 1; i < 3; i++) {
+            p->m[i][k] *= p->inverse[k];
+            for (int j = k + 1; j < 3; j++) {
+                p->m[i][j] -= p->m[i][k] * p->m[k][j];
+            }
+        }
+    }
+    return true;
+}
+
+/* D^-1 of rows, each of them lanes. */
+static inline void solve_rows(const pivoted *p, block *rows)
+{
+    lanes y0 = rows->column[p->row[0]];
+    lanes y1 = lanes_sub(rows->column[p->row[1]], lanes_mul(p->m[1][0], y0));
+    lanes y2 = lanes_sub(rows->column[p->row[2]], lanes_mul(p->m[2][0], y0));
+    lanes z = lanes_mul(p->inverse[2], lanes_sub(y2, lanes_mul(p->m[2][1], y1)));
+    lanes y = lanes_mul(p->inverse[1], lanes_sub(y1, lanes_mul(p->m[1][2], z)));
+    lanes x = lanes_sub(y0, lanes_mul(p->m[0][1], y));
+    rows->column[0] = lanes_mul(p->inverse[0], lanes_sub(x, lanes_mul(p->m[0][2], z)));
+    rows->column[1] = y;
+    rows->column[2] = z;
+}
+
+static inline lanes solve_vector(const pivoted *p, lanes b)
+{
+    double in[LANES];
+    lanes_store(in, b);
+    double y0 = in[p->row[0]];
+    double y1 = in[p->row[1]] - p->m[1][0] * y0;
+    double y2 = in[p->row[2]] - p->m[2][0] * y0 - p->m[2][1] * y1;
+    double z = y2 * p->inverse[2];
+    double y = (y1 - p->m[1][2] * z) * p->inverse[1];
+    double x = (y0 - p->m[0][1] * y - p->m[0][2] * z) * p->inverse[0];
+    return lanes_make(x, y, z);
+}
+
+/* ---- products */
+
+/* A block whose every number fills the lanes. */
+typedef struct spread {
+    lanes m[3][3];
+} spread;
+
+static inline spread spread_block(const block *b)
+{
+    spread f;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            f.m[i][j] = lanes_all(lanes_at(b->column[i], j));
+        }
+    }
+    return f;
+}
+
+/* column j of to -= sum over i of m[i][j] times column i of from */
+static inline void subtract_product(block *to, const block *from, const spread *f)
+{
+    lanes a = from->column[0], b = from->column[1], c = from->column[2];
+    for (int j = 0; j < 3; j++) {
+        lanes t = lanes_sub(to->column[j], lanes_times(f->m[0][j], a));
+        t = lanes_sub(t, lanes_times(f->m[1][j], b));
+        to->column[j] = lanes_sub(t, lanes_times(f->m[2][j], c));
+    }
+}
+
+/* to -= from (column lanes) times a vector */
+static inline lanes minus_times(lanes to, const block *from, lanes v)
+{
+    to = lanes_sub(to, lanes_mul(lanes_at(v, 0), from->column[0]));
+    to = lanes_sub(to, lanes_mul(lanes_at(v, 1), from->column[1]));
+    return lanes_sub(to, lanes_mul(lanes_at(v, 2), from->column[2]));
+}
+
+/* ---- a column */
+
+/* What stands in the working blocks, and zero where elimination will fill. */
+static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
+{
+    const block zero = {{lanes_all(0.0), lanes_all(0.0), lanes_all(0.0)}};
+    for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
+        e->entry[e->rows[f]] = f;
+        e->lower[f] = e->upper[f] = zero;
+    }
+    for (uint32_t p = e->pair_start[k]; p < e->pair_start[k + 1]; p++) {
+        uint32_t f = e->entry[e->pairs[p].row];
+        e->lower[f] = s->separator_blocks[e->pairs[p].place];
+        block_transpose(&e->upper[f], &s->separator_blocks[e->pairs[p].place ^ 1u]);
+    }
+}
+
+/* Column k of L and row k of U, as far as an earlier column changes them: `from` is the first of that
+ * column's entries behind its entry in row k. */
+static void subtract_column(vbss_elimination *e, uint32_t from, uint32_t end)
+{
+    const spread below = spread_block(&e->upper[from - 1]);
+    for (uint32_t f = from; f < end; f++) {
+        subtract_product(&e->lower[e->entry[e->rows[f]]], &e->lower[f], &below);
+    }
+    const spread right = spread_block(&e->lower[from - 1]);
+    for (uint32_t f = from; f < end; f++) {
+        subtract_product(&e->upper[e->entry[e->rows[f]]], &e->upper[f], &right);
+    }
+}
+
+static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
+{
+    uint32_t separator = e->order[k];
+    block diagonal = s->separator_blocks[2 * s->pair_count + separator];
+    lanes rhs = lanes_from(s->separator_rhs[separator]);
+    load_column(s, e, k);
+    for (uint32_t r = e->row_start[k]; r < e->row_start[k + 1]; r++) {
+        uint32_t column = e->earlier[r].column, f = e->earlier[r].entry;
+        const spread u = spread_block(&e->upper[f]);
+        subtract_product(&diagonal, &e->lower[f], &u);
+        rhs = minus_times(rhs, &e->lower[f], e->x[column]);
+        subtract_column(e, f + 1, e->column_start[column + 1]);
+    }
+    pivoted p;
+    if (!factor(&diagonal, &p)) {
+        return false;
+    }
+    e->x[k] = solve_vector(&p, rhs);
+    for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
+        solve_rows(&p, &e->upper[f]);
+    }
+    return true;
+}
+
+/* ---- the whole */
+
+/* Sums of products lane by lane; added up in one written order at the end. */
+static lanes return_to(const vbss_elimination *e, uint32_t k)
+{
+    lanes sums[3] = {lanes_all(0.0), lanes_all(0.0), lanes_all(0.0)};
+    for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
+        lanes later = e->x[e->rows[f]];
+        for (int i = 0; i < 3; i++) {
+            sums[i] = lanes_add(sums[i], lanes_times(e->upper[f].column[i], later));
+        }
+    }
+    double total[3];
+    for (int i = 0; i < 3; i++) {
+        total[i] = lanes_at(sums[i], 0) + lanes_at(sums[i], 1) + lanes_at(sums[i], 2);
+    }
+    return lanes_sub(e->x[k], lanes_make(total[0], total[1], total[2]));
+}
+
+bool VBSS_WIDE_NAME(vbss_system_solve_separators)(vbss_system *s)
+{
+    vbss_elimination *e = &s->elimination;
+    uint32_t count = s->active_count - s->run_count;
+    for (uint32_t k = 0; k < count; k++) {
+        if (!eliminate(s, e, k)) {
+            s->tiny_pivots++;
+            return false;
+        }
+    }
+    for (uint32_t k = count; k > 0; k--) {
+        e->x[k - 1] = return_to(e, k - 1);
+        s->solution[s->order[s->run_count + e->order[k - 1]]] = lanes_vec3(e->x[k - 1]);
+    }
+    return true;
+}
