@@ -35,6 +35,14 @@ int vbss_contact_compare(const contact_key *x, const contact_key *y);
 
 typedef enum contact_state { CONTACT_OPEN, CONTACT_STICK, CONTACT_SLIP } contact_state;
 
+typedef struct contact_found {
+    contact_state state;
+    double pressure; /* normal force on a, N */
+    vec3 rubbing;    /* tangential force on a, N */
+    vec3 way;        /* SLIP: unit, of the rubbing */
+    double share;    /* SLIP: friction pressure / |augmented rubbing| */
+} contact_found;
+
 typedef struct contact_row {
     contact_key key;
     uint32_t term_count;
@@ -52,13 +60,8 @@ typedef struct contact_row {
     double touching, gap_before,
         depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
 
-    /* what was found last */
-    contact_state state;
-    double pressure; /* normal force on a, N */
-    vec3 rubbing;    /* tangential force on a, N */
-    vec3 held;       /* the same at the begin of the part: what friction remembers */
-    vec3 way;        /* SLIP: unit, of the rubbing */
-    double share;    /* SLIP: friction pressure / |augmented rubbing| */
+    contact_found is; /* found last */
+    vec3 held;        /* rubbing at the begin of the part: what friction remembers */
 
     uint32_t first_place; /* into the set's places; UINT32_MAX: no term has an equation */
 } contact_row;
@@ -85,8 +88,9 @@ typedef struct contact_set {
     contact_memory *memory; /* the same */
     contact_memory *marked; /* memory as it was at the last mark */
     uint32_t marked_count;
-    uint8_t *recalled; /* of the memory: found again */
-    uint32_t *places;  /* of each row: of its blocks row by row, then of its right-hand sides */
+    uint8_t *recalled;   /* of the memory: found again */
+    contact_found *next; /* of the rows: what the last solve says */
+    uint32_t *places;    /* of each row: of its blocks row by row, then of its right-hand sides */
     uint32_t place_count, place_capacity;
     double residual; /* of the law after the last solve, N */
     contact_counters counters;
@@ -131,9 +135,9 @@ typedef struct contact_tangent {
     vec3 force; /* on a, at the trial state */
 } contact_tangent;
 void vbss_contact_linear_law(const contact_row *row, contact_tangent *tangent);
-/* The state, forces and gap after the row's sides moved by u against each other: what comes next. Returns
- * whether the state stays; residual is that of the law, N. */
-bool vbss_contact_next_state(contact_row *row, vec3 u, double *residual);
+/* What the row's state and forces are after its sides moved by u against each other. Returns by how much the
+ * law is missed in the state that it is in, N. */
+double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *next);
 /* The tangential force that is remembered, turned into a row's tangent plane with its length. */
 vec3 vbss_contact_turn_into_plane(vec3 force, vec3 normal);
 
@@ -160,10 +164,13 @@ typedef struct contact_search {
     vbss_system *system; /* condensed */
     const contact_weld *welds;
     uint32_t weld_count;
-    uint32_t limit;     /* solves */
-    double force_share; /* of the largest pressure: residual of the law that is none */
-    double least_force; /* N: the same, added */
-    double loose_share; /* of the largest pressure: what may be left at the limit */
+    uint32_t limit; /* solves */
+    /* What is none: a force, as a share of the largest pressure and N added; overlap of an open row, as a share
+     * of the distance of touching. */
+    double force_share, least_force, slack;
+    /* What may be left after so many solves. */
+    uint32_t patience;
+    double loose_share, loose_overlap;
 } contact_search;
 typedef enum contact_outcome {
     CONTACT_FOUND,

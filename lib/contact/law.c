@@ -33,7 +33,7 @@ static double stiffness_across(const contact_row *row)
 {
     double r = row->augmentation, k = row->stiffness;
     /* 1 / ((1 - share) / (share r) + 1 / k) */
-    return row->share * r * k / ((1.0 - row->share) * k + row->share * r);
+    return row->is.share * r * k / ((1.0 - row->is.share) * k + row->is.share * r);
 }
 
 void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
@@ -42,7 +42,7 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
     const double k = row->stiffness, pressure = -k * row->gap;
     t->count = 0;
     t->force = vec3_zero();
-    if (row->state == CONTACT_OPEN) {
+    if (row->is.state == CONTACT_OPEN) {
         return;
     }
     t->count = 1;
@@ -53,7 +53,7 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
         return;
     }
     vec3 slid = along_plane(row->slid, n);
-    if (row->state == CONTACT_STICK) {
+    if (row->is.state == CONTACT_STICK) {
         t->count = 3;
         t->left[1] = t->right[1] = vec3_any_normal(n);
         t->left[2] = t->right[2] = vec3_cross(n, t->left[1]);
@@ -61,13 +61,13 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
         t->force = vec3_add(t->force, vec3_add_scaled(row->held, -k, slid));
         return;
     }
-    vec3 across = vec3_cross(n, row->way);
+    vec3 across = vec3_cross(n, row->is.way);
     double kappa = stiffness_across(row);
     t->count = 2;
-    t->left[0] = vec3_add_scaled(n, row->friction, row->way);
+    t->left[0] = vec3_add_scaled(n, row->friction, row->is.way);
     t->left[1] = t->right[1] = across;
     t->stiffness[1] = kappa;
-    t->force = vec3_add_scaled(t->force, row->friction * pressure, row->way);
+    t->force = vec3_add_scaled(t->force, row->friction * pressure, row->is.way);
     double back = vec3_dot(across, slid) - vec3_dot(across, row->held) / k;
     t->force = vec3_add_scaled(t->force, -kappa * back, across);
 }
@@ -76,80 +76,66 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
 static vec3 rubbing_after(const contact_row *row, vec3 moved, double pressure, vec3 *slip)
 {
     const double k = row->stiffness;
-    vec3 rubbing;
-    if (row->state == CONTACT_STICK) {
+    if (row->is.state == CONTACT_STICK) {
         *slip = vec3_zero();
         return vec3_add_scaled(row->held, -k, moved);
     }
-    vec3 across = vec3_cross(row->normal, row->way);
+    vec3 across = vec3_cross(row->normal, row->is.way);
     double back = vec3_dot(across, moved) - vec3_dot(across, row->held) / k;
-    rubbing = vec3_scale(row->way, row->friction * pressure);
+    vec3 rubbing = vec3_scale(row->is.way, row->friction * pressure);
     rubbing = vec3_add_scaled(rubbing, -stiffness_across(row) * back, across);
     *slip = vec3_add_scaled(moved, 1.0 / k, vec3_sub(rubbing, row->held));
     return rubbing;
 }
 
-static void begin_to_slip(contact_row *row, vec3 way, double augmented)
+static void slip_along(const contact_row *row, vec3 way, double augmented, contact_found *next)
 {
-    double share = row->friction * row->pressure / augmented;
-    row->state = CONTACT_SLIP;
-    row->way = way;
-    row->share = share < LARGEST_SHARE ? share : LARGEST_SHARE;
+    double share = row->friction * next->pressure / augmented;
+    next->state = CONTACT_SLIP;
+    next->way = way;
+    next->share = share < LARGEST_SHARE ? share : LARGEST_SHARE;
 }
 
 /* It was open, and is closed now. */
-static void close_row(contact_row *row, vec3 moved)
+static void close_row(const contact_row *row, vec3 moved, contact_found *next)
 {
     double way = vec3_norm(moved);
-    row->state = CONTACT_STICK;
-    row->rubbing = vec3_zero();
+    next->state = CONTACT_STICK;
     if (row->friction > 0.0 && way > STARTS_TO_SLIP) {
         vec3 back = vec3_scale(moved, -1.0 / way);
-        begin_to_slip(row, back, row->friction * row->pressure + row->augmentation * way);
-        row->rubbing = vec3_scale(back, row->friction * row->pressure);
+        double most = row->friction * next->pressure;
+        slip_along(row, back, most + row->augmentation * way, next);
+        next->rubbing = vec3_scale(back, most);
     }
 }
 
-bool vbss_contact_next_state(contact_row *row, vec3 u, double *residual)
+double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *next)
 {
-    const contact_state used = row->state;
     double pressure = -row->stiffness * (row->gap + vec3_dot(row->normal, u));
-    *residual = 0.0;
+    *next = (contact_found){.state = CONTACT_OPEN};
     if (!row->bilateral && !(pressure > 0.0)) {
-        row->state = CONTACT_OPEN;
-        row->pressure = 0.0;
-        row->rubbing = vec3_zero();
-        *residual = used == CONTACT_OPEN ? 0.0 : -pressure;
-        return used == CONTACT_OPEN;
+        return row->is.state == CONTACT_OPEN ? 0.0 : -pressure;
     }
-    row->pressure = pressure;
-    vec3 moved = along_plane(vec3_add(row->slid, u), row->normal);
-    if (row->bilateral) {
-        row->state = CONTACT_STICK;
-        row->rubbing =
-            row->friction > 0.0 ? vec3_add_scaled(row->held, -row->stiffness, moved) : vec3_zero();
-        return used == CONTACT_STICK;
+    vec3 moved = along_plane(vec3_add(row->slid, u), row->normal), slip;
+    next->pressure = pressure;
+    if (row->is.state == CONTACT_OPEN) {
+        close_row(row, moved, next);
+        return pressure;
     }
-    if (used == CONTACT_OPEN) {
-        *residual = pressure;
-        close_row(row, moved);
-        return false;
-    }
+    next->state = CONTACT_STICK;
     if (row->friction == 0.0) {
-        row->rubbing = vec3_zero();
-        return true;
+        return 0.0;
     }
-    vec3 slip, rubbing = rubbing_after(row, moved, pressure, &slip);
-    vec3 augmented = vec3_add_scaled(rubbing, -row->augmentation, slip);
-    double size = vec3_norm(augmented), most = row->friction * fabs(pressure);
-    vec3 allowed = augmented;
-    row->rubbing = rubbing;
-    row->state = CONTACT_STICK;
-    if (size > most) {
-        vec3 way = vec3_scale(augmented, 1.0 / size);
-        allowed = vec3_scale(way, most);
-        begin_to_slip(row, way, size);
+    next->rubbing = rubbing_after(row, moved, pressure, &slip);
+    if (row->bilateral) {
+        return 0.0;
     }
-    *residual = vec3_distance(rubbing, allowed);
-    return row->state == used;
+    vec3 augmented = vec3_add_scaled(next->rubbing, -row->augmentation, slip);
+    double size = vec3_norm(augmented), most = row->friction * pressure;
+    if (size <= most) {
+        return vec3_distance(next->rubbing, augmented);
+    }
+    vec3 way = vec3_scale(augmented, 1.0 / size);
+    slip_along(row, way, size, next);
+    return vec3_distance(next->rubbing, vec3_scale(way, most));
 }

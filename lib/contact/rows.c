@@ -5,7 +5,7 @@
 
 /* ---- memory of the set */
 
-enum { PARTS = 5 };
+enum { PARTS = 6 };
 
 static void list_parts(contact_set *s, vbss_array parts[PARTS])
 {
@@ -14,6 +14,7 @@ static void list_parts(contact_set *s, vbss_array parts[PARTS])
         {&s->memory, s->capacity, sizeof *s->memory},
         {&s->marked, s->capacity, sizeof *s->marked},
         {&s->recalled, s->capacity, sizeof *s->recalled},
+        {&s->next, s->capacity, sizeof *s->next},
         {&s->places, s->place_capacity, sizeof *s->places},
     };
     memcpy(parts, all, sizeof all);
@@ -122,15 +123,15 @@ bool vbss_contact_depth_is_allowed(const contact_set *set)
 
 static void remind(contact_row *row, const contact_memory *m)
 {
-    row->state = (contact_state)m->state;
-    row->pressure = m->pressure;
-    row->held = row->rubbing = vbss_contact_turn_into_plane(m->rubbing, row->normal);
-    if (row->state == CONTACT_SLIP) {
-        double size = vec3_norm(row->rubbing);
-        row->way = vec3_scale(row->rubbing, size > 0.0 ? 1.0 / size : 0.0);
-        row->share = m->share;
+    row->is.state = (contact_state)m->state;
+    row->is.pressure = m->pressure;
+    row->held = row->is.rubbing = vbss_contact_turn_into_plane(m->rubbing, row->normal);
+    if (row->is.state == CONTACT_SLIP) {
+        double size = vec3_norm(row->is.rubbing);
+        row->is.way = vec3_scale(row->is.rubbing, size > 0.0 ? 1.0 / size : 0.0);
+        row->is.share = m->share;
         if (!(size > 0.0)) {
-            row->state = CONTACT_STICK;
+            row->is.state = CONTACT_STICK;
         }
     }
 }
@@ -176,9 +177,9 @@ void vbss_contact_recall(contact_set *set)
     uint32_t m = 0;
     for (uint32_t i = 0; i < set->count; i++) {
         contact_row *row = &set->rows[i];
-        row->state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN;
-        row->pressure = 0.0;
-        row->rubbing = row->held = vec3_zero();
+        row->is.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN;
+        row->is.pressure = 0.0;
+        row->is.rubbing = row->held = vec3_zero();
         while (m < set->memory_count && vbss_contact_compare(&set->memory[m].key, &row->key) < 0) {
             m++;
         }
@@ -188,7 +189,7 @@ void vbss_contact_recall(contact_set *set)
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {
-        if (set->rows[i].state == CONTACT_OPEN) {
+        if (set->rows[i].is.state == CONTACT_OPEN) {
             recall_neighbour(set, &set->rows[i]);
         }
     }
@@ -199,13 +200,13 @@ void vbss_contact_keep(contact_set *set)
     set->memory_count = 0;
     for (uint32_t i = 0; i < set->count; i++) {
         const contact_row *row = &set->rows[i];
-        if (row->state != CONTACT_OPEN) {
+        if (row->is.state != CONTACT_OPEN) {
             contact_memory *m = &set->memory[set->memory_count++];
             m->key = row->key;
-            m->state = (uint32_t)row->state;
-            m->pressure = row->pressure;
-            m->share = row->share;
-            m->rubbing = row->rubbing;
+            m->state = (uint32_t)row->is.state;
+            m->pressure = row->is.pressure;
+            m->share = row->is.share;
+            m->rubbing = row->is.rubbing;
         }
     }
 }

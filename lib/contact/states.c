@@ -29,41 +29,67 @@ static vec3 moved_by(const contact_row *row, const vbss_system *system)
     return u;
 }
 
+/* ---- the look after a solve */
+
+/* Of an open row, overlap is what misses the law; of a closed one, a force. */
 typedef struct look {
-    bool same;
-    double residual, pressure; /* largest, N */
+    double force, pressure; /* largest, N */
+    double overlap;         /* largest, as a share of the distance of touching */
 } look;
 
-static look look_at_states(contact_set *set, const vbss_system *system)
+static bool is_open(const contact_found *found)
 {
-    look l = {true, 0.0, 0.0};
+    return found->state == CONTACT_OPEN;
+}
+
+static look look_at_rows(contact_set *set, const contact_search *search)
+{
+    look l = {0.0, 0.0, 0.0};
     for (uint32_t i = 0; i < set->count; i++) {
-        contact_row *row = &set->rows[i];
-        double residual;
-        bool same = vbss_contact_next_state(row, moved_by(row, system), &residual);
-        l.same = l.same && same;
-        l.residual = vbss_larger(residual, l.residual);
-        l.pressure = greater(fabs(row->pressure), l.pressure);
+        const contact_row *row = &set->rows[i];
+        contact_found *next = &set->next[i];
+        double missed = vbss_contact_next_state(row, moved_by(row, search->system), next);
+        if (is_open(&row->is)) {
+            double overlap = missed / (row->stiffness * row->touching);
+            if (overlap <= search->slack) { /* a hair is no reason to close */
+                *next = row->is;
+                overlap = 0.0;
+            }
+            l.overlap = vbss_larger(overlap, l.overlap);
+        } else {
+            l.force = vbss_larger(missed, l.force);
+            l.pressure = greater(next->pressure, l.pressure);
+        }
     }
     return l;
 }
 
+static void take_found(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->rows[i].is = set->next[i];
+    }
+}
+
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
 {
-    look l = {false, 0.0, 0.0};
     for (uint32_t k = 0; k < search->limit; k++) {
         if (!solve(set, search)) {
             return CONTACT_SINGULAR;
         }
-        l = look_at_states(set, search->system);
-        set->residual = l.residual;
-        if (l.residual <= search->force_share * l.pressure + search->least_force) {
+        const look l = look_at_rows(set, search);
+        set->residual = l.force;
+        take_found(set);
+        if (l.overlap == 0.0 && l.force <= search->force_share * l.pressure + search->least_force) {
             return CONTACT_FOUND;
         }
-    }
-    if (l.residual <= search->loose_share * l.pressure) {
-        set->counters.loose++;
-        return CONTACT_LOOSE;
+        /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
+         * is small then, and the next part finds it. */
+        if (k + 1 >= search->patience && l.overlap <= search->loose_overlap &&
+            l.force <= search->loose_share * l.pressure + search->least_force) {
+            set->counters.loose++;
+            return CONTACT_LOOSE;
+        }
     }
     return CONTACT_LOST;
 }

@@ -270,19 +270,6 @@ void vbss_scene_refresh_rows(scene_object *s)
         const scene_body *b = vbss_scene_body(s, row->key.body_b);
         const side d = side_of(s, &row->key, a, 0);
         const side e = b == NULL ? d : side_of(s, &row->key, b, 1);
-        if (b != NULL) {
-            double at[2];
-            vec3 apart = closest(d.trial, e.trial, at);
-            double distance = vec3_norm(apart);
-            vec3 normal = vec3_scale(apart, distance > NO_DISTANCE ? 1.0 / distance : 0.0);
-            if (vec3_dot(normal, row->normal) > SAME_SIDE) {
-                row->normal = normal;
-                row->at[0] = at[0];
-                row->at[1] = at[1];
-                row->held = vbss_contact_turn_into_plane(row->held, normal);
-                row->way = vec3_unit_or(vbss_contact_turn_into_plane(row->way, normal), row->way);
-            }
-        }
         place_row(s, row, a, b, &d, &e);
     }
 }

@@ -29,10 +29,10 @@ static void add_contacts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
-        if (row->state == CONTACT_OPEN) {
+        if (row->is.state == CONTACT_OPEN) {
             continue;
         }
-        vec3 force = vec3_add_scaled(row->rubbing, row->pressure, row->normal);
+        vec3 force = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
         show_contact(s, row, force);
         add_force(vbss_scene_body(s, row->key.body_a), row->point, force);
         add_force(vbss_scene_body(s, row->key.body_b), row->point, vec3_neg(force));

@@ -6,11 +6,14 @@
 
 #include <string.h>
 
-/* Residual of the law of contact that is none: a share of the largest pressure and a force; and what may be
- * left when states cycle. */
+/* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
+ * contact_search tells the units. */
 #define FORCE_SHARE 1e-3
 #define LEAST_FORCE 1e-7
+#define SLACK 1e-4
+#define PATIENCE 6u
 #define LOOSE_SHARE 0.05
+#define LOOSE_OVERLAP 0.02
 /* Numbers beyond this are no motion. */
 #define TOO_FAR 1e100
 
@@ -44,7 +47,10 @@ static scene_verdict find_increments(scene_object *s, const scene_part *part)
                                    .limit = s->config.state_limit,
                                    .force_share = FORCE_SHARE,
                                    .least_force = LEAST_FORCE,
-                                   .loose_share = LOOSE_SHARE};
+                                   .slack = SLACK,
+                                   .patience = PATIENCE,
+                                   .loose_share = LOOSE_SHARE,
+                                   .loose_overlap = LOOSE_OVERLAP};
     assemble(s, part);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
