@@ -71,25 +71,71 @@ static void take_found(contact_set *set)
     }
 }
 
-contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
+/* ---- the search */
+
+/* From this overlap on, as a share of the distance of touching, rows that close all at once would throw
+ * each other about: they are softened first, and stiffened again in steps as their states settle. */
+#define DEEP 0.2
+#define SOFTEST (1.0 / 256.0)
+#define STIFFER 16.0
+/* Solves of one softness at most, and what is settled while soft. */
+enum { SOFT_SOLVES = 5 };
+#define SOFT_OVERLAP 0.05
+
+static void scale_stiffness(contact_set *set, double factor)
 {
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->rows[i].stiffness *= factor;
+    }
+}
+
+static contact_outcome search_states(contact_set *set, const contact_search *search,
+                                     double *softness)
+{
+    uint32_t solves = 0; /* with this softness */
     for (uint32_t k = 0; k < search->limit; k++) {
         if (!solve(set, search)) {
             return CONTACT_SINGULAR;
         }
         const look l = look_at_rows(set, search);
+        double none = search->force_share * l.pressure + search->least_force;
+        double little = search->loose_share * l.pressure + search->least_force;
         set->residual = l.force;
+        solves++;
+        if (k < 2 && l.overlap > DEEP && *softness == 1.0) { /* as they were, but soft */
+            scale_stiffness(set, SOFTEST);
+            *softness = SOFTEST;
+            solves = 0;
+            take_found(set);
+            continue;
+        }
         take_found(set);
-        if (l.overlap == 0.0 && l.force <= search->force_share * l.pressure + search->least_force) {
+        if (*softness < 1.0) {
+            bool settled = l.overlap <= SOFT_OVERLAP && l.force <= little;
+            if (settled || solves >= SOFT_SOLVES) {
+                scale_stiffness(set, STIFFER);
+                *softness *= STIFFER;
+                solves = 0;
+            }
+            continue;
+        }
+        if (l.overlap == 0.0 && l.force <= none) {
             return CONTACT_FOUND;
         }
         /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
          * is small then, and the next part finds it. */
-        if (k + 1 >= search->patience && l.overlap <= search->loose_overlap &&
-            l.force <= search->loose_share * l.pressure + search->least_force) {
+        if (solves >= search->patience && l.overlap <= search->loose_overlap && l.force <= little) {
             set->counters.loose++;
             return CONTACT_LOOSE;
         }
     }
     return CONTACT_LOST;
+}
+
+contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
+{
+    double softness = 1.0;
+    contact_outcome found = search_states(set, search, &softness);
+    scale_stiffness(set, 1.0 / softness); /* powers of two: exact */
+    return found;
 }

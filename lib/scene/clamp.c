@@ -28,17 +28,44 @@ static double sound_share(scene_object *s, scene_verdict verdict)
     return s->earliest < 1.0 ? SAFE_SHARE * s->earliest : 1.0;
 }
 
-static void take_thread(scene_thread *b, double share, double h)
+/* ---- the trial state becomes the share of itself */
+
+static void shorten_thread(thread_object *t, double share)
 {
-    thread_object *t = b->thread;
-    double speed = VELOCITY_LEFT * share / h;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        /* At 0 it may be no state at all, not even finite. */
+        vec3 way = share > 0.0 ? vec3_sub(t->trial[i], t->now.x[i]) : vec3_zero();
+        t->trial[i] = vec3_add_scaled(t->now.x[i], share, way);
+    }
+}
+
+static void shorten_rigid(scene_object *s, scene_rigid *r, double share)
+{
+    const pose begin = r->body.now.at, whole = r->trial;
+    r->trial = begin;
+    if (share > 0.0) {
+        vec3 way = vec3_sub(whole.position, begin.position);
+        vec3 turn = vbss_quat_to_rotation_vector(
+            quat_mul(whole.orientation, quat_conjugate(begin.orientation)));
+        r->trial.position = vec3_add_scaled(begin.position, share, way);
+        r->trial.orientation = quat_unit(
+            quat_mul(vbss_quat_from_rotation_vector(vec3_scale(turn, share)), begin.orientation));
+    }
+    for (uint32_t c = 0; c < r->capsule_count; c++) {
+        scene_capsule *capsule = &s->capsules[r->first_capsule + c];
+        vbss_scene_place_capsule(capsule, r->trial, capsule->trial);
+    }
+}
+
+/* ---- and the state */
+
+static void take_thread(thread_object *t, double h)
+{
     for (uint32_t i = 0; i < t->node_count; i++) {
         vec3 way = vec3_sub(t->trial[i], t->now.x[i]);
-        way = share > 0.0 ? way : vec3_zero(); /* of no state at all: not even finite */
-        t->now.x[i] = vec3_add_scaled(t->now.x[i], share, way);
-        t->now.v[i] = vec3_scale(way, speed);
+        t->now.x[i] = t->trial[i];
+        t->now.v[i] = vec3_scale(way, VELOCITY_LEFT / h);
         t->now.a[i] = t->now.q[i] = vec3_zero();
-        t->trial[i] = t->now.x[i];
     }
     vbss_thread_measure(t, t->now.x, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
@@ -50,25 +77,15 @@ static void take_thread(scene_thread *b, double share, double h)
     t->statistics.forced++;
 }
 
-static void take_rigid(scene_object *s, scene_rigid *r, double share, double h)
+static void take_rigid(scene_rigid *r, double h)
 {
     vbss_rigid_motion *now = &r->body.now;
     vec3 way = vec3_sub(r->trial.position, now->at.position);
     vec3 turn = vbss_quat_to_rotation_vector(
         quat_mul(r->trial.orientation, quat_conjugate(now->at.orientation)));
-    if (share == 0.0) {
-        way = turn = vec3_zero();
-    }
-    now->at.position = vec3_add_scaled(now->at.position, share, way);
-    now->at.orientation = quat_unit(
-        quat_mul(vbss_quat_from_rotation_vector(vec3_scale(turn, share)), now->at.orientation));
-    now->v = vec3_scale(way, VELOCITY_LEFT * share / h);
-    now->w = vec3_scale(turn, VELOCITY_LEFT * share / h);
-    r->trial = now->at;
-    for (uint32_t c = 0; c < r->capsule_count; c++) {
-        scene_capsule *capsule = &s->capsules[r->first_capsule + c];
-        vbss_scene_place_capsule(capsule, r->trial, capsule->trial);
-    }
+    now->at = r->trial;
+    now->v = vec3_scale(way, VELOCITY_LEFT / h);
+    now->w = vec3_scale(turn, VELOCITY_LEFT / h);
 }
 
 double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part)
@@ -76,9 +93,17 @@ double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part
     double share = sound_share(s, verdict);
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
-            take_thread(&s->bodies[i].thread, share, part->h);
+            shorten_thread(s->bodies[i].thread.thread, share);
         } else if (s->bodies[i].kind == BODY_RIGID) {
-            take_rigid(s, &s->bodies[i].rigid, share, part->h);
+            shorten_rigid(s, &s->bodies[i].rigid, share);
+        }
+    }
+    vbss_scene_show_part(s);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            take_thread(s->bodies[i].thread.thread, part->h);
+        } else if (s->bodies[i].kind == BODY_RIGID) {
+            take_rigid(&s->bodies[i].rigid, part->h);
         }
     }
     s->statistics.parts++;

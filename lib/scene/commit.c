@@ -13,9 +13,17 @@ static void commit_thread(scene_thread *b, double h)
     t->fresh = false;
 }
 
+void vbss_scene_show_part(const scene_object *s)
+{
+    if (s->watch != NULL) {
+        s->watch(s->watcher, s);
+    }
+}
+
 void vbss_scene_commit(scene_object *s, const scene_part *part)
 {
     const vbss_rigid_part p = {part->step, part->begin, part->end};
+    vbss_scene_show_part(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {

@@ -99,7 +99,8 @@ typedef struct scene_part {
     bool again;        /* ways are those of the attempt before */
 } scene_part;
 
-typedef struct scene_object {
+typedef struct scene_object scene_object;
+struct scene_object {
     vbss_context *context;
     vbss_scene_config config;
     vec3 floor_normal;
@@ -133,6 +134,10 @@ typedef struct scene_object {
     bool lagging;               /* the last part was cut short: what is driven is behind */
     double earliest; /* share of the part after which something would pass; 1: nothing does */
 
+    /* Tests look at every part that is taken, while its begin and its end are both there. */
+    void (*watch)(void *watcher, const struct scene_object *scene);
+    void *watcher;
+
     /* what is left of the last step */
     scene_touch *touches, *touches_before; /* ascending */
     uint32_t touch_count;
@@ -146,7 +151,7 @@ typedef struct scene_object {
     uint32_t (*contact_features)[5];
     vec3 *contact_points, *contact_normals, *contact_forces;
     double *contact_gaps;
-} scene_object;
+};
 
 extern const vbss_kind vbss_scene_kind;
 vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene);
@@ -192,7 +197,8 @@ void vbss_scene_set_weld_arms(scene_object *s);
 scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part);
 /* guard.c */
 scene_verdict vbss_scene_guard(scene_object *s);
-/* commit.c: the trial state becomes the state; and what says that motion is not smooth. */
+/* commit.c: shows the part to whoever watches; the trial state becomes the state; and what says that motion is not smooth. */
+void vbss_scene_show_part(const scene_object *s);
 void vbss_scene_commit(scene_object *s, const scene_part *part);
 void vbss_scene_unsettle(scene_object *s);
 /* clamp.c: as much of the trial state as does no harm becomes the state. Returns the share. */

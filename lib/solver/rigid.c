@@ -1,15 +1,17 @@
 /* The motion of a rigid body: free flight, its equations in the system, what follows for velocities. */
 #include "solver/rigid.h"
 
+/* The most that a body turns in one part, half of what could be told from turning the other way: a
+ * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. */
+#define MOST_TURN 1.5707963267948966
+
 /* ---- turning */
 
 /* The turn, in the world, that takes one orientation to another the shortest way. Of the difference of
  * the quaternions, so that equal ones give zero to the bit: else a body would wake up by rounding. */
 static vec3 turn_between(quat from, quat to)
 {
-    double sign = quat_dot(from, to) < 0.0 ? -1.0 : 1.0;
-    quat difference = quat_make(sign * to.w - from.w, sign * to.x - from.x, sign * to.y - from.y,
-                                sign * to.z - from.z);
+    quat difference = quat_make(to.w - from.w, to.x - from.x, to.y - from.y, to.z - from.z);
     quat turn = quat_mul(difference, quat_conjugate(from));
     turn.w += 1.0;
     return vbss_quat_to_rotation_vector(turn);
@@ -56,10 +58,20 @@ vec3 vbss_rigid_angular_momentum(const vbss_rigid *rigid, const vbss_rigid_motio
     return quat_rotate(motion->at.orientation, times(rigid->inertia, spin));
 }
 
-static vec3 angular_velocity(const vbss_rigid *rigid, quat orientation, vec3 angular_momentum)
+static vec3 without_inertia(const vbss_rigid *rigid, quat orientation, vec3 angular_momentum)
 {
     vec3 own = quat_rotate_back(orientation, angular_momentum);
     return quat_rotate(orientation, times(inverse_moments(rigid), own));
+}
+
+/* With one refinement: a quaternion is unit to rounding only, and always on the same side while a body
+ * turns slowly; the angular momentum would fade. */
+static vec3 angular_velocity(const vbss_rigid *rigid, quat orientation, vec3 angular_momentum)
+{
+    vbss_rigid_motion motion = {pose_make(vec3_zero(), orientation), vec3_zero(),
+                                without_inertia(rigid, orientation, angular_momentum)};
+    vec3 left = vec3_sub(angular_momentum, vbss_rigid_angular_momentum(rigid, &motion));
+    return vec3_add(motion.w, without_inertia(rigid, orientation, left));
 }
 
 /* ---- free flight */
@@ -99,8 +111,9 @@ void vbss_rigid_predict(const vbss_rigid *rigid, const vbss_rigid_part *part,
 {
     const vbss_rigid_motion *now = &rigid->now;
     double h = length_of(part), kept = 1.0 / (1.0 + h * rigid->drag);
+    double turn = h * vec3_norm(now->w), slower = turn > MOST_TURN ? MOST_TURN / turn : 1.0;
     vec3 v = vec3_scale(vec3_add_scaled(now->v, h, rigid->gravity), kept);
-    vec3 turning = vec3_scale(vbss_rigid_angular_momentum(rigid, now), kept);
+    vec3 turning = vec3_scale(vbss_rigid_angular_momentum(rigid, now), kept * slower);
     quat orientation = flown(rigid, now->at.orientation, turning, h);
     predicted->at = pose_make(vec3_add_scaled(now->at.position, h, v), orientation);
     predicted->v = v;
@@ -199,7 +212,9 @@ void vbss_rigid_assemble(const vbss_rigid *rigid, const vbss_rigid_part *part,
 void vbss_rigid_advance(pose *trial, vec3 dx, vec3 dtheta)
 {
     trial->position = vec3_add(trial->position, dx);
-    trial->orientation = quat_unit(turned(trial->orientation, dtheta));
+    if (vec3_norm_squared(dtheta) != 0.0) { /* to the bit: what nothing turns flies on as it was */
+        trial->orientation = quat_unit(turned(trial->orientation, dtheta));
+    }
 }
 
 static vec3 settled(vec3 speed)
@@ -275,7 +290,7 @@ void vbss_rigid_serialise(vbss_stream *stream, uint16_t first_tag, vbss_rigid *r
     vbss_stream_f64(stream, (uint16_t)(first_tag + 7), &rigid->now.w.x, 3);
     visit_pose(stream, (uint16_t)(first_tag + 8), &rigid->begin);
     visit_pose(stream, (uint16_t)(first_tag + 10), &rigid->end);
-    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !vbss_rigid_is_sound(rigid)) {
+    if (stream->mode == VBSS_STREAM_READ && !vbss_rigid_is_sound(rigid)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such rigid body");
     }
 }
