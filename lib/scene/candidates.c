@@ -181,6 +181,9 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
 {
     const thread_object *t = m->thread->thread.thread;
     double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
+    if (vbss_scene_comes_from(s, m->thread, m->segment, m->rigid, radius + t->config.radius)) {
+        return true;
+    }
     if (!is_fine(t, m->segment, radius)) {
         const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
                                  m->rigid->number, m->capsule};

@@ -65,6 +65,18 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
         GUARDED * (radius_of(s, q->shape_a, q->a) + radius_of(s, q->shape_b, q->b));
 }
 
+/* The thread and the body that it is pinned to. */
+static bool may_meet(const scene_object *s, const collision_candidate *q, double touching)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (a->kind == b->kind) {
+        return false;
+    }
+    return a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, touching)
+                                  : vbss_scene_comes_from(s, b, q->b, a, touching);
+}
+
 static void ask(scene_object *s, uint32_t count)
 {
     collision_block *b = s->block;
@@ -127,8 +139,9 @@ static double earliest_hit(scene_object *s)
             thickness[i] = s->block->thickness[i];
         }
         for (uint32_t i = 0; i < count; i++) {
-            if (hit[i]) {
-                double t = time_of_hit(s, &c->candidates[first + i], time[i], thickness[i]);
+            const collision_candidate *q = &c->candidates[first + i];
+            if (hit[i] && !may_meet(s, q, thickness[i] / GUARDED)) {
+                double t = time_of_hit(s, q, time[i], thickness[i]);
                 earliest = lesser(t, earliest);
             }
         }

@@ -31,6 +31,33 @@ static scene_pin *free_place(const scene_object *s)
     return NULL;
 }
 
+/* A thread comes out of what it is pinned to: within this arc, in distances of touching, the two do not touch.
+ * It is that within which a thread does not touch itself. */
+#define PIN_ARC 1.6
+
+bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint32_t segment,
+                           const scene_body *rigid, double touching)
+{
+    const double *rest = thread->thread.thread->rest;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id == 0 || p->thread != thread->number || p->body != rigid->number) {
+            continue;
+        }
+        double arc = 0.0, most = PIN_ARC * touching;
+        for (uint32_t k = p->node; k < segment && arc < most; k++) {
+            arc += rest[k];
+        }
+        for (uint32_t k = segment + 1; k < p->node && arc < most; k++) {
+            arc += rest[k];
+        }
+        if (arc < most) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* Where the pinned point will be at the end of the next step. */
 static vec3 aim(const scene_body *b, vec3 point)
 {

@@ -174,6 +174,9 @@ void vbss_scene_release_thread(scene_body *body);
 void vbss_scene_forget_pins_of(scene_object *s, uint32_t number);
 /* The weld of a node, or NULL. */
 const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint32_t node);
+/* Whether a segment is so near to a pin on the body, along the thread, that they do not touch. */
+bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint32_t segment,
+                           const scene_body *rigid, double touching);
 /* Attached nodes shall be where their driven bodies will be. */
 void vbss_scene_aim_pins(scene_object *s);
 

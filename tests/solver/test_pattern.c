@@ -29,13 +29,14 @@ static void a_coupling_holds_the_rows_of_the_higher_block(void **state)
         twin_compare(t);
         if (pattern % 8 == 7) { /* nothing condensed: what was added, as it was added */
             twin_write(t);
+            assert_true(vbss_system_condense(t->system));
             vbss_system_take_separators(t->system);
-            const mat3 *rows_of_high = vbss_system_separator_block(t->system, 1, 0);
-            const mat3 *rows_of_low = vbss_system_separator_block(t->system, 0, 1);
+            const mat3 rows_of_high = block_mat3(twin_block(t, 1, 0));
+            const mat3 rows_of_low = block_mat3(twin_block(t, 0, 1));
             for (int i = 0; i < 3; i++) {
                 for (int j = 0; j < 3; j++) {
-                    expect_same_bits(m.m[i][j], rows_of_high->m[i][j]);
-                    expect_same_bits(m.m[i][j], rows_of_low->m[j][i]);
+                    expect_same_bits(m.m[i][j], rows_of_high.m[i][j]);
+                    expect_same_bits(m.m[i][j], rows_of_low.m[j][i]);
                 }
             }
         }
@@ -45,8 +46,8 @@ static void a_coupling_holds_the_rows_of_the_higher_block(void **state)
 
 /* ---- which pairs there are */
 
-/* Blocks met from `from` over couplings, going on from runs only, or from everything. */
-static void reach_from(const twin *t, uint32_t from, bool runs_only, bool *met)
+/* Blocks met from `from` over couplings, going on from runs only. */
+static void reach_from(const twin *t, uint32_t from, bool *met)
 {
     memset(met, 0, t->blocks * sizeof *met);
     met[from] = true;
@@ -56,7 +57,7 @@ static void reach_from(const twin *t, uint32_t from, bool runs_only, bool *met)
             uint32_t ends[2] = {t->coupling[c].high, t->coupling[c].low};
             for (int i = 0; i < 2; i++) {
                 uint32_t a = ends[i], b = ends[1 - i];
-                bool through = a == from || !runs_only || t->roles[a] == VBSS_ROLE_RUN;
+                bool through = a == from || t->roles[a] == VBSS_ROLE_RUN;
                 if (met[a] && through && !met[b] && t->roles[a] != VBSS_ROLE_GIVEN &&
                     t->roles[b] != VBSS_ROLE_GIVEN) {
                     met[b] = more = true;
@@ -69,32 +70,37 @@ static void reach_from(const twin *t, uint32_t from, bool runs_only, bool *met)
 static void pairs_of_separators(harness_source *source, void *user)
 {
     (void)user;
-    static bool through_runs[TWIN_BLOCKS], at_all[TWIN_BLOCKS];
+    static bool met[TWIN_BLOCKS];
+    static uint32_t taken[2 * TWIN_BLOCKS * TWIN_BLOCKS];
     twin *t = &subject;
     twin_draw_chains(t, source, 40);
     twin_draw_roles(t, source, TWIN_MIXED);
     twin_draw_numbers(t, source);
     twin_begin(t);
     expect_ok(twin_register(t));
+    uint32_t wanted = 0, count = twin_separators(t);
+    memset(taken, 0, sizeof taken);
     for (uint32_t a = 0; a < t->blocks; a++) {
         bool separator = t->roles[a] == VBSS_ROLE_SEPARATOR;
-        assert_true((vbss_system_separator_rhs(t->system, a) != NULL) == separator);
-        reach_from(t, a, true, through_runs);
-        reach_from(t, a, false, at_all);
+        uint32_t rhs = vbss_system_rhs_place(t->system, a);
+        assert_true(separator ? rhs < count : rhs == VBSS_NO_PLACE);
+        reach_from(t, a, met);
         for (uint32_t b = 0; b < t->blocks; b++) {
-            const mat3 *m = vbss_system_separator_block(t->system, a, b);
-            if (!separator || t->roles[b] != VBSS_ROLE_SEPARATOR || !at_all[b]) {
-                assert_null(m);
-            } else if (through_runs[b]) {
-                assert_non_null(m);
-                assert_true(a == b || m != vbss_system_separator_block(t->system, b, a));
+            uint32_t place = vbss_system_place(t->system, a, b);
+            if (!separator || t->roles[b] != VBSS_ROLE_SEPARATOR || !met[b]) {
+                assert_int_equal(place, VBSS_NO_PLACE);
+            } else {
+                assert_true(place < count + 2 * t->system->pair_count);
+                assert_int_equal(taken[place]++, 0); /* nobody else's */
+                wanted++;
             }
         }
     }
+    assert_int_equal(wanted, count + 2 * t->system->pair_count);
     twin_end(t);
 }
 
-static void pairs_are_there_when_coupled_or_joined_by_a_run_and_null_when_apart(void **state)
+static void pairs_have_places_when_coupled_or_joined_by_runs_and_nobody_else_has(void **state)
 {
     (void)state;
     harness_property("pairs of separators", 200, pairs_of_separators, NULL);
@@ -211,7 +217,7 @@ int test_pattern(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(a_coupling_holds_the_rows_of_the_higher_block),
-        harness_test(pairs_are_there_when_coupled_or_joined_by_a_run_and_null_when_apart),
+        harness_test(pairs_have_places_when_coupled_or_joined_by_runs_and_nobody_else_has),
         harness_test(runs_are_eliminated_toward_their_separators_and_fill_nothing),
         harness_test(runs_without_separators_are_eliminated_from_both_ends_in_turn),
         harness_test(a_new_chain_has_no_roles_yet),

@@ -48,9 +48,7 @@ static void begin_with_contacts(twin *t, harness_source *source, twin_roles kind
 /* A term of one block of the matrix, into both systems. */
 static void add_to_both(twin *t, uint32_t row, uint32_t column, mat3 m)
 {
-    mat3 *to = vbss_system_separator_block(t->system, row, column);
-    assert_non_null(to);
-    *to = mat3_add(*to, m);
+    block_add(twin_block(t, row, column), m);
     plain_add(&t->plain, row, column, m);
 }
 
@@ -73,7 +71,7 @@ static void add_contacts(twin *t, harness_source *source)
         mat3 own = mat3_add(mat3_identity(), mat3_cross(harness_draw_vec3(source, -1.0, 1.0)));
         add_to_both(t, a, a, own);
         vec3 force = harness_draw_vec3(source, -1.0, 1.0);
-        vec3 *rhs = vbss_system_separator_rhs(t->system, a);
+        vec3 *rhs = twin_rhs(t, a);
         *rhs = vec3_add(*rhs, force);
         plain_add_rhs(&t->plain, a, force);
     }
@@ -166,11 +164,13 @@ static void rows_of_a_block_are_exchanged_where_its_diagonal_is_empty(void **sta
     vbss_system_take_separators(t->system);
     for (uint32_t b = 0; b < 6; b++) {
         double rhs[3];
+        mat3 m = mat3_zero();
         for (int i = 0; i < 3; i++) { /* row i: (i + 2) x[order of i] = (i + 2) (order of i + 1) */
-            vbss_system_separator_block(t->system, b, b)->m[i][orders[b][i]] = i + 2.0;
+            m.m[i][orders[b][i]] = i + 2.0;
             rhs[i] = (i + 2.0) * (orders[b][i] + 1.0);
         }
-        *vbss_system_separator_rhs(t->system, b) = vec3_load(rhs);
+        block_set(twin_block(t, b, b), m);
+        *twin_rhs(t, b) = vec3_load(rhs);
     }
     assert_true(vbss_system_solve(t->system));
     for (uint32_t b = 0; b < 6; b++) {

@@ -222,6 +222,20 @@ void twin_write_plain(twin *t)
     }
 }
 
+block *twin_block(twin *t, uint32_t row, uint32_t column)
+{
+    uint32_t place = vbss_system_place(t->system, row, column);
+    assert_int_not_equal(place, VBSS_NO_PLACE);
+    return &t->system->separator_blocks[place];
+}
+
+vec3 *twin_rhs(twin *t, uint32_t row)
+{
+    uint32_t place = vbss_system_rhs_place(t->system, row);
+    assert_int_not_equal(place, VBSS_NO_PLACE);
+    return &t->system->separator_rhs[place];
+}
+
 bool twin_solve(twin *t)
 {
     if (!vbss_system_condense(t->system)) {

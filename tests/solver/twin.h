@@ -63,6 +63,9 @@ vbss_result twin_register(twin *t);
 /* The numbers, after a clear. */
 void twin_write(twin *t);
 void twin_write_plain(twin *t);
+/* Of separators, after a take: the block in a row and a column, which must be there; the right-hand side. */
+block *twin_block(twin *t, uint32_t row, uint32_t column);
+vec3 *twin_rhs(twin *t, uint32_t row);
 /* Everything from condense on; the increments to x. */
 bool twin_solve(twin *t);
 /* Writes, solves, and compares with the plain band solve. */
