@@ -66,7 +66,7 @@ typedef struct vbss_scene_config {
      * default 0.1. A state that has more may only have less afterwards. */
     double penetration_tolerance;
     uint32_t linearisation_limit; /**< Of an attempt, 1 to 100; default 12. */
-    uint32_t state_limit;   /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 24. */
+    uint32_t state_limit;   /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 36. */
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
     uint32_t attempt_limit; /**< REAL_TIME: attempts in a step, 1 to 1000; default 16. */
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */

@@ -74,25 +74,51 @@ static void take_found(contact_set *set)
 /* ---- the search */
 
 /* From this overlap on, as a share of the distance of touching, rows that close all at once would throw
- * each other about: they are softened first, and stiffened again in steps as their states settle. */
+ * each other about; and after so many solves they do. Then all are softened, and stiffened again in steps as
+ * their states settle, or after some solves. */
 #define DEEP 0.2
+enum { DEEP_SOLVES = 2, LOST_SOLVES = 9, SOFT_SOLVES = 5 };
 #define SOFTEST (1.0 / 256.0)
 #define STIFFER 16.0
-/* Solves of one softness at most, and what is settled while soft. */
-enum { SOFT_SOLVES = 5 };
+/* What is settled while soft. */
 #define SOFT_OVERLAP 0.05
 
-static void scale_stiffness(contact_set *set, double factor)
+typedef struct stage {
+    double softness;
+    uint32_t solves; /* with this softness */
+    bool softened;   /* it has been, and will not be again */
+} stage;
+
+static void scale_stiffness(contact_set *set, stage *at, double factor)
 {
     for (uint32_t i = 0; i < set->count; i++) {
-        set->rows[i].stiffness *= factor;
+        set->rows[i].stiffness *= factor; /* a power of two: exact */
     }
+    at->softness *= factor;
+    at->solves = 0;
 }
 
-static contact_outcome search_states(contact_set *set, const contact_search *search,
-                                     double *softness)
+/* True: what was found is that of another stiffness than the rows', and no result. */
+static bool soften_or_stiffen(contact_set *set, stage *at, const look *l, double little)
 {
-    uint32_t solves = 0; /* with this softness */
+    if (at->softness < 1.0) {
+        bool settled = l->overlap <= SOFT_OVERLAP && l->force <= little;
+        if (settled || at->solves == SOFT_SOLVES) {
+            scale_stiffness(set, at, STIFFER);
+        }
+        return true;
+    }
+    bool deep = at->solves <= DEEP_SOLVES && l->overlap > DEEP;
+    if (!at->softened && (deep || at->solves == LOST_SOLVES)) {
+        at->softened = true;
+        scale_stiffness(set, at, SOFTEST);
+        return true;
+    }
+    return false;
+}
+
+static contact_outcome search_states(contact_set *set, const contact_search *search, stage *at)
+{
     for (uint32_t k = 0; k < search->limit; k++) {
         if (!solve(set, search)) {
             return CONTACT_SINGULAR;
@@ -101,22 +127,9 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
         double none = search->force_share * l.pressure + search->least_force;
         double little = search->loose_share * l.pressure + search->least_force;
         set->residual = l.force;
-        solves++;
-        if (k < 2 && l.overlap > DEEP && *softness == 1.0) { /* as they were, but soft */
-            scale_stiffness(set, SOFTEST);
-            *softness = SOFTEST;
-            solves = 0;
-            take_found(set);
-            continue;
-        }
         take_found(set);
-        if (*softness < 1.0) {
-            bool settled = l.overlap <= SOFT_OVERLAP && l.force <= little;
-            if (settled || solves >= SOFT_SOLVES) {
-                scale_stiffness(set, STIFFER);
-                *softness *= STIFFER;
-                solves = 0;
-            }
+        at->solves++;
+        if (soften_or_stiffen(set, at, &l, little)) {
             continue;
         }
         if (l.overlap == 0.0 && l.force <= none) {
@@ -124,7 +137,8 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
         }
         /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
          * is small then, and the next part finds it. */
-        if (solves >= search->patience && l.overlap <= search->loose_overlap && l.force <= little) {
+        bool patient = at->softened || at->solves >= search->patience;
+        if (patient && l.overlap <= search->loose_overlap && l.force <= little) {
             set->counters.loose++;
             return CONTACT_LOOSE;
         }
@@ -134,8 +148,8 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
 
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
 {
-    double softness = 1.0;
-    contact_outcome found = search_states(set, search, &softness);
-    scale_stiffness(set, 1.0 / softness); /* powers of two: exact */
+    stage at = {.softness = 1.0};
+    contact_outcome found = search_states(set, search, &at);
+    scale_stiffness(set, &at, 1.0 / at.softness);
     return found;
 }
