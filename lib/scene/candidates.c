@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* Velocities are taken for so much more: they change within the part. */
+/* Ways are taken for so much longer: velocities change within the part. */
 #define AHEAD 1.2
 
 /* ---- ways */
@@ -17,8 +17,8 @@ static void set_thread_ways(scene_object *s, const scene_thread *b, const scene_
     const thread_object *t = b->thread;
     vec3 *ways = s->ways + b->first_node;
     for (uint32_t i = 0; i < t->node_count; i++) {
-        ways[i] = part->again ? vec3_sub(t->trial[i], t->now.x[i])
-                              : vec3_scale(t->now.v[i], AHEAD * part->h);
+        ways[i] =
+            part->again ? vec3_sub(t->trial[i], t->now.x[i]) : vec3_scale(t->now.v[i], part->h);
     }
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
@@ -82,7 +82,7 @@ static vbss_result move_shape(scene_object *s, const scene_body *b)
     }
     vec3 *end = start + count;
     for (uint32_t i = 0; i < count; i++) {
-        end[i] = vec3_add(start[i], ways[i]);
+        end[i] = vec3_add_scaled(start[i], AHEAD, ways[i]);
     }
     return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
 }
@@ -109,7 +109,7 @@ static double reach_of(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t 
             largest = vbss_larger(vec3_norm_squared(way), largest);
         }
     }
-    return sqrt(largest);
+    return AHEAD * sqrt(largest);
 }
 
 static const vec3 *ways_of_node(const scene_object *s, const scene_body *b, uint32_t node)
@@ -233,7 +233,7 @@ static bool add_floor_rows(scene_object *s, const scene_body *b)
                                  b->number, i, 0, 0};
         const vec3 *way = thread ? ways_of_node(s, b, i) : ways_of_capsule(s, b, i / 2) + i % 2;
         /* Only what comes down can meet it. */
-        double down = greater(-vec3_dot(*way, s->floor_normal), 0.0);
+        double down = AHEAD * greater(-vec3_dot(*way, s->floor_normal), 0.0);
         if (!add_row(s, &key, down)) {
             return false;
         }
@@ -301,7 +301,7 @@ static void remove_doubles(contact_set *set)
 static void note_near(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
-        s->bodies[i].thread.near = false;
+        s->bodies[i].thread.near = s->bodies[i].thread.welded = false;
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_key *key = &s->contacts->rows[i].key;
@@ -313,7 +313,7 @@ static void note_near(scene_object *s)
     }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         if (s->pins[i].id != 0 && s->pins[i].attachment == 0) {
-            vbss_scene_body(s, s->pins[i].thread)->thread.near = true;
+            vbss_scene_body(s, s->pins[i].thread)->thread.welded = true;
         }
     }
 }

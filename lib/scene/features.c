@@ -6,18 +6,24 @@
 
 #include "collision/closest.h"
 
-/* Weights that make the spline point of a node: a thread's C1 curve, so that contact moves on smoothly. */
-#define SPLINE_NODE 0.75
-#define SPLINE_NEIGHBOUR 0.125
+/* Weights of a node and its neighbours that make the point of a smooth curve: on a polygon round a circle they
+ * give Coulomb friction the law of the rope to second order of the turn between segments. */
+#define SMOOTH_NODE (11.0 / 12.0)
+#define SMOOTH_NEIGHBOUR (1.0 / 24.0)
 /* r of the law, N/m: of rows that a thread takes part in. Larger by a thousand, states cycle. */
 #define THREAD_AUGMENTATION 3.0
+/* The same of rigid bodies alone, as a share of mass / h^2: well below the inertia that a point of them has, or
+ * slip one way and the other way follow each other. */
+#define RIGID_AUGMENTATION 0.01
 /* A normal that turns by more than 60 degrees in one part belongs to another side. */
 #define SAME_SIDE 0.5
+/* Share of the distance of touching below which axes may be about to pass. */
+#define STILL_APART 0.5
 /* Axes nearer than this have no direction, m. */
 #define NO_DISTANCE 1e-12
 
 typedef struct side {
-    vec3 begin[2], trial[2]; /* ends of the feature's axis */
+    vec3 begin[2], ahead[2], trial[2]; /* ends of the feature's axis: ahead is where they may go */
     double radius;
     uint32_t nodes; /* of a thread that take part; 0: a capsule */
     uint32_t node;
@@ -25,12 +31,14 @@ typedef struct side {
 
 /* ---- what a feature is */
 
-static side segment_side(const scene_body *b, uint32_t segment)
+static side segment_side(const scene_object *s, const scene_body *b, uint32_t segment)
 {
+    const vec3 *ways = s->ways + b->thread.first_node;
     const thread_object *t = b->thread.thread;
     side d = {.radius = t->config.radius, .nodes = 2, .node = segment};
     for (uint32_t k = 0; k < 2; k++) {
         d.begin[k] = t->now.x[segment + k];
+        d.ahead[k] = vec3_add(d.begin[k], ways[segment + k]);
         d.trial[k] = t->trial[segment + k];
     }
     return d;
@@ -42,30 +50,36 @@ static bool is_smoothed(const thread_object *t, uint32_t node)
     return node > 0 && node + 1 < t->node_count;
 }
 
-static vec3 spline_point(const thread_object *t, const vec3 *x, uint32_t node)
+static vec3 smooth_point(const thread_object *t, const vec3 *x, uint32_t node)
 {
     if (!is_smoothed(t, node)) {
         return x[node];
     }
     vec3 beside = vec3_add(x[node - 1], x[node + 1]);
-    return vec3_add_scaled(vec3_scale(x[node], SPLINE_NODE), SPLINE_NEIGHBOUR, beside);
+    return vec3_add_scaled(vec3_scale(x[node], SMOOTH_NODE), SMOOTH_NEIGHBOUR, beside);
 }
 
-static side node_side(const scene_body *b, uint32_t node, bool smooth)
+static side node_side(const scene_object *s, const scene_body *b, uint32_t node, bool smooth)
 {
+    const vec3 *ways = s->ways + b->thread.first_node;
     const thread_object *t = b->thread.thread;
     side d = {.radius = t->config.radius, .nodes = 1, .node = node};
-    d.begin[0] = d.begin[1] = smooth ? spline_point(t, t->now.x, node) : t->now.x[node];
-    d.trial[0] = d.trial[1] = smooth ? spline_point(t, t->trial, node) : t->trial[node];
+    d.begin[0] = d.begin[1] = smooth ? smooth_point(t, t->now.x, node) : t->now.x[node];
+    d.ahead[0] = vec3_add(d.begin[0], smooth ? smooth_point(t, ways, node) : ways[node]);
+    d.ahead[1] = d.ahead[0];
+    d.trial[0] = d.trial[1] = smooth ? smooth_point(t, t->trial, node) : t->trial[node];
     return d;
 }
 
 static side capsule_side(const scene_object *s, const scene_body *b, uint32_t capsule)
 {
-    const scene_capsule *c = &s->capsules[b->rigid.first_capsule + capsule];
+    uint32_t number = b->rigid.first_capsule + capsule;
+    const scene_capsule *c = &s->capsules[number];
+    const vec3 *ways = s->ways + s->config.node_capacity + 2 * (size_t)number;
     side d = {.radius = c->radius};
     for (int k = 0; k < 2; k++) {
         d.begin[k] = c->now[k];
+        d.ahead[k] = vec3_add(c->now[k], ways[k]);
         d.trial[k] = c->trial[k];
     }
     return d;
@@ -119,10 +133,10 @@ static void add_terms(const scene_object *s, contact_row *row, const scene_body 
     }
     bool smooth =
         row->key.kind == VBSS_CONTACT_NODE_CAPSULE && is_smoothed(b->thread.thread, d->node);
-    add_node_term(s, row, b, d->node, sign * (smooth ? SPLINE_NODE : 1.0));
+    add_node_term(s, row, b, d->node, sign * (smooth ? SMOOTH_NODE : 1.0));
     if (smooth) {
-        add_node_term(s, row, b, d->node - 1, sign * SPLINE_NEIGHBOUR);
-        add_node_term(s, row, b, d->node + 1, sign * SPLINE_NEIGHBOUR);
+        add_node_term(s, row, b, d->node - 1, sign * SMOOTH_NEIGHBOUR);
+        add_node_term(s, row, b, d->node + 1, sign * SMOOTH_NEIGHBOUR);
     }
 }
 
@@ -164,7 +178,7 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
     if (b != NULL && b->rigid.kind != VBSS_RIGID_DRIVEN) {
         mass = lesser(mass, b->rigid.body.mass);
     }
-    return mass / (h * h);
+    return RIGID_AUGMENTATION * mass / (h * h);
 }
 
 static side side_of(const scene_object *s, const contact_key *key, const scene_body *b, int which)
@@ -172,13 +186,13 @@ static side side_of(const scene_object *s, const contact_key *key, const scene_b
     uint32_t feature = which == 0 ? key->a : key->b;
     switch (key->kind) {
     case VBSS_CONTACT_SEGMENTS:
-        return segment_side(b, feature);
+        return segment_side(s, b, feature);
     case VBSS_CONTACT_NODE_CAPSULE:
-        return which == 0 ? node_side(b, feature, true) : capsule_side(s, b, feature);
+        return which == 0 ? node_side(s, b, feature, true) : capsule_side(s, b, feature);
     case VBSS_CONTACT_SEGMENT_CAPSULE:
-        return which == 0 ? segment_side(b, feature) : capsule_side(s, b, feature);
+        return which == 0 ? segment_side(s, b, feature) : capsule_side(s, b, feature);
     case VBSS_CONTACT_NODE_FLOOR:
-        return node_side(b, feature, false);
+        return node_side(s, b, feature, false);
     case VBSS_CONTACT_CAPSULES:
         return capsule_side(s, b, feature);
     default: { /* one end of a capsule */
@@ -233,6 +247,7 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
         return row->gap_before < reach;
     }
     const side e = side_of(s, &row->key, b, 1);
+    double at[2];
     vec3 apart = closest(d.begin, e.begin, row->at);
     double distance = vec3_norm(apart);
     /* Axes that meet: as good as any direction that is across both. */
@@ -242,6 +257,19 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
     row->normal = distance > NO_DISTANCE ? vec3_scale(apart, 1.0 / distance) : across;
     row->touching = d.radius + e.radius;
     row->gap_before = distance - row->touching;
+    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. Not between
+     * threads, where R is so small that a normal of velocities that are a little wrong makes them worse:
+     * tight knots would tremble. */
+    if (row->key.kind == VBSS_CONTACT_SEGMENTS) {
+        return row->gap_before < reach;
+    }
+    vec3 then = closest(d.ahead, e.ahead, at);
+    double later = vec3_norm(then);
+    if (later > STILL_APART * row->touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
+        row->normal = vec3_scale(then, 1.0 / later);
+        row->at[0] = at[0];
+        row->at[1] = at[1];
+    }
     return row->gap_before < reach;
 }
 

@@ -25,6 +25,25 @@ static void show_contact(scene_object *s, const contact_row *row, vec3 force)
     s->contact_gaps[i] = row->gap;
 }
 
+/* The body that a block moves, or that holds it: a rigid one, by its translation or by a pin. */
+static scene_body *bearer_of(scene_object *s, uint32_t b)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *body = &s->bodies[i];
+        if (body->kind == BODY_RIGID && body->rigid.blocks.first == b) {
+            return body;
+        }
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->attachment != 0 &&
+            vbss_scene_body(s, p->thread)->thread.first_block + p->node == b) {
+            return vbss_scene_body(s, p->body);
+        }
+    }
+    return NULL;
+}
+
 static void add_contacts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
@@ -34,8 +53,12 @@ static void add_contacts(scene_object *s)
         }
         vec3 force = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
         show_contact(s, row, force);
-        add_force(vbss_scene_body(s, row->key.body_a), row->point, force);
-        add_force(vbss_scene_body(s, row->key.body_b), row->point, vec3_neg(force));
+        for (uint32_t k = 0; k < row->term_count; k++) {
+            const contact_term *term = &row->terms[k];
+            if (!term->turns) {
+                add_force(bearer_of(s, term->block), row->point, vec3_scale(force, term->weight));
+            }
+        }
     }
 }
 

@@ -11,7 +11,7 @@ static bool is_damped(const scene_thread *b, double h)
     double last = t->last_part;
     /* Accelerations carried over from a part of quite another length would gain energy. */
     bool another = last > 0.0 && !(h < 2.1 * last && last < 2.1 * h);
-    return t->fresh || t->settling > 0 || b->near || b->calm < CALM_STEPS || another;
+    return t->fresh || t->settling > 0 || b->near || b->welded || b->calm < CALM_STEPS || another;
 }
 
 static void predict_thread(scene_thread *b, const scene_part *part)
@@ -29,7 +29,8 @@ static void predict_thread(scene_thread *b, const scene_part *part)
         b->integration = vbss_integration_backward_euler(part->h);
         (void)vbss_thread_predict(t, stage);
     }
-    if (b->near) { /* gaps are known where the part begins, and what lies behind a gap is not */
+    if (b->near ||
+        b->welded) { /* gaps are known where the part begins, and what lies behind a gap is not */
         vbss_thread_start_from_rest(t);
         vbss_thread_measure(t, t->trial, t->strains);
     }

@@ -28,6 +28,7 @@ typedef struct scene_thread {
     uint32_t first_node;  /* in arrays over the nodes of all threads */
     uint32_t calm;        /* steps since something was near it, up to a few */
     bool near;            /* something is, in this part */
+    bool welded;          /* a node of it to a body that moves as forces say */
     bool damped;          /* this part is made by backward Euler */
     vbss_integration integration;
     thread_stage stage;

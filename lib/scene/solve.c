@@ -124,7 +124,7 @@ static shape_error advance(scene_object *s)
         vbss_thread_measure(t, t->trial, t->strains);
         double stretch = vbss_thread_note_stretch(t, t->trial_tension), far = left[threads++];
         bool near = b->thread.near;
-        /* What contact holds is not free to go where the estimate says. */
+        /* What contact holds is not free to go where the estimate says, nor is it worth so much. */
         bool shape = near || far <= t->config.position_tolerance;
         double tolerance = near ? s->config.stretch_tolerance : t->config.stretch_tolerance;
         e.finite = e.finite && stretch < TOO_FAR;
