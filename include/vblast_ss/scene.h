@@ -38,21 +38,22 @@ enum {
 
 /** How to make a scene. Fill it with #vbss_scene_config_init, then change what you need. */
 typedef struct vbss_scene_config {
-    uint32_t struct_size;        /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;          /**< Default VBSS_METHOD_OURS; threads must have the same. */
-    vbss_scene_mode mode;        /**< Default VBSS_MODE_REAL_TIME. */
-    uint32_t thread_capacity;    /**< Most threads at a time, 0 to 64; default 4. */
-    uint32_t node_capacity;      /**< Most nodes of all threads, 0 to 65537; default 1024. */
-    uint32_t rigid_capacity;     /**< Most rigid bodies at a time, 0 to 256; default 4. */
-    uint32_t capsule_capacity;   /**< Most capsules of all of them, 0 to 4096; default 16. */
-    uint32_t pin_capacity;       /**< Most pins at a time, 0 to 256; default 8. */
-    uint32_t contact_capacity;   /**< Most contacts that may close at a time, 0 to 65536; default 1024. */
+    uint32_t struct_size;      /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;        /**< Default VBSS_METHOD_OURS; threads must have the same. */
+    vbss_scene_mode mode;      /**< Default VBSS_MODE_REAL_TIME. */
+    uint32_t thread_capacity;  /**< Most threads at a time, 0 to 64; default 4. */
+    uint32_t node_capacity;    /**< Most nodes of all threads, 0 to 65537; default 1024. */
+    uint32_t rigid_capacity;   /**< Most rigid bodies at a time, 0 to 256; default 4. */
+    uint32_t capsule_capacity; /**< Most capsules of all of them, 0 to 4096; default 16. */
+    uint32_t pin_capacity;     /**< Most pins at a time, 0 to 256; default 8. */
+    uint32_t
+        contact_capacity; /**< Most contacts that may close at a time, 0 to 65536; default 1024. */
     uint32_t candidate_capacity; /**< Most pairs looked at, 0 to 1e7; default 16384. */
-    uint32_t event_capacity;     /**< Most events of a step that are kept, 0 to 65536; default 256. */
-    int32_t floor;               /**< 1: there is a floor, all that is above a plane; default 0. */
-    double floor_normal[3];      /**< Up, of any length from 1e-100 to 1e100; default (0, 1, 0). */
-    double floor_height;         /**< Of the plane along its normal, m, each at most 1e3; default 0. */
-    double floor_friction;       /**< Coefficient, 0 to 10; default 0.3. */
+    uint32_t event_capacity; /**< Most events of a step that are kept, 0 to 65536; default 256. */
+    int32_t floor;           /**< 1: there is a floor, all that is above a plane; default 0. */
+    double floor_normal[3];  /**< Up, of any length from 1e-100 to 1e100; default (0, 1, 0). */
+    double floor_height;     /**< Of the plane along its normal, m, each at most 1e3; default 0. */
+    double floor_friction;   /**< Coefficient, 0 to 10; default 0.3. */
     /** Coefficient of friction of threads with each other, 0 to 10; default 0.3 (silk on silk; the
      * literature has 0.1 to 0.4). */
     double thread_friction;
@@ -66,7 +67,8 @@ typedef struct vbss_scene_config {
      * default 0.1. A state that has more may only have less afterwards. */
     double penetration_tolerance;
     uint32_t linearisation_limit; /**< Of an attempt, 1 to 100; default 12. */
-    uint32_t state_limit;   /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 36. */
+    uint32_t
+        state_limit; /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 36. */
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
     uint32_t attempt_limit; /**< REAL_TIME: attempts in a step, 1 to 1000; default 16. */
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
@@ -100,30 +102,32 @@ typedef struct vbss_rigid_config {
     uint32_t capsule_count;       /**< 1 to 256. */
     uint32_t reserved;            /**< Zero. */
     const vbss_capsule *capsules; /**< capsule_count of them; copied. */
-    double position[3];           /**< Of the origin of the frame, m, each at most 1e3; default 0. */
-    double orientation[4];        /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
-    double velocity[3];           /**< Of the origin, m/s, each at most 1e5; COUPLED, FREE; default 0. */
-    double angular_velocity[3];   /**< rad/s, each at most 1e6; COUPLED, FREE; default 0. */
+    double position[3]; /**< Of the origin of the frame, m, each at most 1e3; default 0. */
+    double
+        orientation[4]; /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double velocity[3]; /**< Of the origin, m/s, each at most 1e5; COUPLED, FREE; default 0. */
+    double angular_velocity[3]; /**< rad/s, each at most 1e6; COUPLED, FREE; default 0. */
     /** Of the body, kg, 1e-9 to 1e3; default 0.02. It is spread over the capsules as if they were solid and
      * of one material; overlaps count twice. */
     double mass;
-    double gravity[3];           /**< m/s^2, each at most 1e6; default 0: hands carry their tools. */
-    double friction;             /**< Coefficient with all others, 0 to 10; default 0.15. Of two bodies the geometric mean counts. */
-    double stiffness;            /**< COUPLED: N/m, 0 to 1e9; default 2000. */
-    double damping;              /**< COUPLED: N s/m, 0 to 1e6; default 5. */
-    double turning_stiffness;    /**< COUPLED: N m/rad, 0 to 1e9; default 2. */
-    double turning_damping;      /**< COUPLED: N m s/rad, 0 to 1e6; default 0.005. */
+    double gravity[3]; /**< m/s^2, each at most 1e6; default 0: hands carry their tools. */
+    double
+        friction; /**< Coefficient with all others, 0 to 10; default 0.15. Of two bodies the geometric mean counts. */
+    double stiffness;         /**< COUPLED: N/m, 0 to 1e9; default 2000. */
+    double damping;           /**< COUPLED: N s/m, 0 to 1e6; default 5. */
+    double turning_stiffness; /**< COUPLED: N m/rad, 0 to 1e9; default 2. */
+    double turning_damping;   /**< COUPLED: N m s/rad, 0 to 1e6; default 0.005. */
 } vbss_rigid_config;
 
 /** Where a rigid body is and what acts on it. */
 typedef struct vbss_rigid_state {
-    uint32_t struct_size;       /**< Bytes of this struct that the library filled. */
-    vbss_rigid_kind kind;       /**< As it was made. */
-    double position[3];         /**< Of the origin of its frame, m. */
-    double orientation[4];      /**< w, x, y, z; body to world. */
-    double velocity[3];         /**< Of the origin, m/s. */
-    double angular_velocity[3]; /**< World frame, rad/s. */
-    double target_position[3];  /**< Where it was told to be. */
+    uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
+    vbss_rigid_kind kind;         /**< As it was made. */
+    double position[3];           /**< Of the origin of its frame, m. */
+    double orientation[4];        /**< w, x, y, z; body to world. */
+    double velocity[3];           /**< Of the origin, m/s. */
+    double angular_velocity[3];   /**< World frame, rad/s. */
+    double target_position[3];    /**< Where it was told to be. */
     double target_orientation[4]; /**< The same. */
     /** What the hand feels, N: the opposite of the coupling's force; of a driven body the sum of its
      * contacts and pins. Zero for a free body. */
@@ -146,8 +150,9 @@ enum {
     VBSS_SCENE_VIEW_CONTACT_POINTS = 1,  /**< x 3: between the two surfaces, m. */
     VBSS_SCENE_VIEW_CONTACT_NORMALS = 2, /**< x 3: unit, from b to a. */
     VBSS_SCENE_VIEW_CONTACT_FORCES = 3,  /**< x 3: of b on a, N. */
-    VBSS_SCENE_VIEW_CONTACT_GAPS = 4,    /**< Distance of the surfaces, negative when they overlap, m. */
-    VBSS_SCENE_VIEW_EVENTS = 5           /**< x 4 uint32_t: #vbss_event_kind, two bodies, a number. */
+    VBSS_SCENE_VIEW_CONTACT_GAPS =
+        4,                     /**< Distance of the surfaces, negative when they overlap, m. */
+    VBSS_SCENE_VIEW_EVENTS = 5 /**< x 4 uint32_t: #vbss_event_kind, two bodies, a number. */
 };
 
 /** Which features a contact is between: a VBSS_CONTACT_ constant. */
@@ -155,12 +160,12 @@ typedef int32_t vbss_contact_kind;
 
 /** The constants of #vbss_contact_kind. */
 enum {
-    VBSS_CONTACT_SEGMENTS = 0,       /**< Two segments of threads. */
-    VBSS_CONTACT_NODE_CAPSULE = 1,   /**< A smoothed point of a fine thread, and a capsule. */
+    VBSS_CONTACT_SEGMENTS = 0,        /**< Two segments of threads. */
+    VBSS_CONTACT_NODE_CAPSULE = 1,    /**< A smoothed point of a fine thread, and a capsule. */
     VBSS_CONTACT_SEGMENT_CAPSULE = 2, /**< A segment of a coarse thread, and a capsule. */
-    VBSS_CONTACT_NODE_FLOOR = 3,     /**< A node of a thread, and the floor. */
-    VBSS_CONTACT_CAPSULES = 4,       /**< Two capsules of different bodies. */
-    VBSS_CONTACT_CAPSULE_FLOOR = 5   /**< An end of a capsule, and the floor. */
+    VBSS_CONTACT_NODE_FLOOR = 3,      /**< A node of a thread, and the floor. */
+    VBSS_CONTACT_CAPSULES = 4,        /**< Two capsules of different bodies. */
+    VBSS_CONTACT_CAPSULE_FLOOR = 5    /**< An end of a capsule, and the floor. */
 };
 
 /** What happened in a step: a VBSS_EVENT_ constant. */
@@ -168,33 +173,35 @@ typedef int32_t vbss_event_kind;
 
 /** The constants of #vbss_event_kind. */
 enum {
-    VBSS_EVENT_TOUCH = 1,   /**< Two bodies that did not touch do; a body with itself too. */
-    VBSS_EVENT_PART = 2,    /**< Two bodies that touched do no longer. */
-    VBSS_EVENT_CLAMPED = 3, /**< The step was cut short; the number is the share of it in 1/65536 that was lost. */
-    VBSS_EVENT_LOST = 4     /**< Events beyond the capacity; the number says how many. */
+    VBSS_EVENT_TOUCH = 1, /**< Two bodies that did not touch do; a body with itself too. */
+    VBSS_EVENT_PART = 2,  /**< Two bodies that touched do no longer. */
+    VBSS_EVENT_CLAMPED =
+        3, /**< The step was cut short; the number is the share of it in 1/65536 that was lost. */
+    VBSS_EVENT_LOST = 4 /**< Events beyond the capacity; the number says how many. */
 };
 
 /** Counters since creation, and figures of the last step. */
 typedef struct vbss_scene_statistics {
-    uint32_t struct_size;      /**< Bytes of this struct that the library filled. */
-    uint32_t contacts;         /**< That carry a force after the last step. */
-    uint32_t rows;             /**< That might have closed in its last part. */
-    uint32_t separators;       /**< Blocks of the system in its last part that contacts take part in. */
-    uint64_t steps;            /**< Calls of #vbss_scene_step that succeeded. */
-    uint64_t parts;            /**< Accepted parts of steps; equal to steps if none was divided. */
-    uint64_t attempts;         /**< Tries, rejected ones included. */
-    uint64_t linearisations;   /**< Of all attempts. */
-    uint64_t state_solves;     /**< Solves of the separators' system. */
-    uint64_t patterns;         /**< How often its pattern was worked out. */
-    uint64_t rejected_states;  /**< Attempts rejected: states of the contacts not found. */
-    uint64_t rejected_stretch; /**< Stretch error or shape not converged. */
-    uint64_t rejected_depth;   /**< Penetration. */
-    uint64_t rejected_guard;   /**< Something would have passed, or come too near. */
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t contacts;    /**< That carry a force after the last step. */
+    uint32_t rows;        /**< That might have closed in its last part. */
+    uint32_t separators;  /**< Blocks of the system in its last part that contacts take part in. */
+    uint64_t steps;       /**< Calls of #vbss_scene_step that succeeded. */
+    uint64_t parts;       /**< Accepted parts of steps; equal to steps if none was divided. */
+    uint64_t attempts;    /**< Tries, rejected ones included. */
+    uint64_t linearisations;    /**< Of all attempts. */
+    uint64_t state_solves;      /**< Solves of the separators' system. */
+    uint64_t patterns;          /**< How often its pattern was worked out; not part of the state. */
+    uint64_t rejected_states;   /**< Attempts rejected: states of the contacts not found. */
+    uint64_t rejected_stretch;  /**< Stretch error or shape not converged. */
+    uint64_t rejected_depth;    /**< Penetration. */
+    uint64_t rejected_guard;    /**< Something would have passed, or come too near. */
     uint64_t rejected_singular; /**< A pivot was too small, or numbers not finite. */
-    uint64_t loose_states;     /**< Attempts accepted with up to 5 % of residual in the contact law. */
-    uint64_t loose_stretch;    /**< Parts accepted with more stretch error than the tolerance. */
-    uint64_t clamped;          /**< Parts cut short by the guard. */
-    uint64_t recovering;       /**< Parts accepted that began with too much penetration and have less now. */
+    uint64_t loose_states;  /**< Attempts accepted with up to 5 % of residual in the contact law. */
+    uint64_t loose_stretch; /**< Parts accepted with more stretch error than the tolerance. */
+    uint64_t clamped;       /**< Parts cut short by the guard. */
+    uint64_t
+        recovering; /**< Parts accepted that began with too much penetration and have less now. */
     uint64_t guard_pairs;      /**< Pairs that the guard has tested. */
     double last_penetration;   /**< Largest after the last step, m. */
     double penetration;        /**< Largest so far, m. */
@@ -398,8 +405,7 @@ VBSS_API vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field fie
  * @threads one thread at a time per context
  * @since 0.1
  */
-VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene,
-                                               vbss_scene_statistics *statistics,
+VBSS_API vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
                                                uint32_t struct_size);
 
 /**

@@ -90,8 +90,10 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
 
 static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 {
-    vbss_stream_u32(stream, 80, &s->contacts, 3);         /* contacts, rows, separators */
-    vbss_stream_u64(stream, 81, &s->steps, 16);           /* steps .. guard_pairs */
+    vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
+    vbss_stream_u64(stream, 81, &s->steps, 5);    /* steps .. state_solves */
+    /* Not patterns, which depends on what is still known of the last one. */
+    vbss_stream_u64(stream, 83, &s->rejected_states, 10); /* .. guard_pairs */
     vbss_stream_f64(stream, 82, &s->last_penetration, 6); /* .. time */
 }
 
