@@ -1,0 +1,12 @@
+/* Suite contact: its groups of cases. */
+#ifndef VBSS_BENCH_CONTACT_H
+#define VBSS_BENCH_CONTACT_H
+
+#include "harness/bench.h"
+
+/* knot_cases.c: knots that are pulled tight, and held; of both methods. */
+void add_knot_cases(bench *b);
+/* resolution.c: what is gained by finer meshes and shorter steps. */
+void add_resolution_cases(bench *b);
+
+#endif

@@ -1,0 +1,73 @@
+/* Knots that are pulled until they bear 2 N, and then held: ours on the mesh that a tight knot needs, the
+ * paper's on its own 30 segments and steps of 1/150 s, and on ours. */
+#include <stdio.h>
+#include <string.h>
+
+#include "contact/bench_contact.h"
+#include "contact/pulled_knot.h"
+
+typedef struct kind_case {
+    const char *scene;
+    knot_kind kind;
+    bool cylinder;
+    vbss_method method;
+    double finest, coarsest; /* m */
+    double h;                /* s */
+} kind_case;
+
+#define FINE 0.3e-3
+/* With this the double overhand has 213 nodes. */
+#define COARSE 1.8e-3
+#define PAPER_SEGMENT 5e-3
+#define PAPER_STEP (1.0 / 150.0)
+#define OUR_STEP 1e-3
+
+static const kind_case cases[] = {
+    {"overhand", KNOT_OVERHAND, false, VBSS_METHOD_OURS, FINE, COARSE, OUR_STEP},
+    {"double-overhand", KNOT_DOUBLE_OVERHAND, false, VBSS_METHOD_OURS, FINE, COARSE, OUR_STEP},
+    {"square", KNOT_SQUARE, true, VBSS_METHOD_OURS, FINE, COARSE, OUR_STEP},
+    {"granny", KNOT_GRANNY, true, VBSS_METHOD_OURS, FINE, COARSE, OUR_STEP},
+    {"surgeon", KNOT_SURGEON, true, VBSS_METHOD_OURS, FINE, COARSE, OUR_STEP},
+    {"fls-knot", KNOT_FLS, true, VBSS_METHOD_OURS, FINE, COARSE, OUR_STEP},
+    {"overhand", KNOT_OVERHAND, false, VBSS_METHOD_PAPER, FINE, COARSE, OUR_STEP},
+    {"double-overhand", KNOT_DOUBLE_OVERHAND, false, VBSS_METHOD_PAPER, FINE, COARSE, OUR_STEP},
+    {"double-overhand", KNOT_DOUBLE_OVERHAND, false, VBSS_METHOD_PAPER, PAPER_SEGMENT,
+     PAPER_SEGMENT, PAPER_STEP},
+    {"fls-knot", KNOT_FLS, true, VBSS_METHOD_PAPER, FINE, COARSE, OUR_STEP},
+};
+enum { CASES = sizeof cases / sizeof cases[0], PHASES = 2 };
+
+static pulled_knot knots[CASES][PHASES];
+
+/* How many nodes the mesh has. */
+static uint32_t count_nodes(const pulled_knot *k)
+{
+    static vec3 positions[KNOT_NODES];
+    static double rest[KNOT_NODES];
+    knot_line line;
+    return knot_make(&k->options.knot, KNOT_NODES, positions, rest, &line) == VBSS_OK
+               ? line.node_count
+               : 0;
+}
+
+static void set(pulled_knot *k, const kind_case *c, bool held)
+{
+    pulled_knot_init(k, c->kind, c->method);
+    k->options.knot.cylinder = c->cylinder;
+    k->options.knot.finest = c->finest;
+    k->options.knot.coarsest = c->coarsest;
+    k->h = c->h;
+    k->held = held;
+    snprintf(k->name, sizeof k->name, "contact/%s%s/%s/%u", c->scene, held ? "-held" : "",
+             c->method == VBSS_METHOD_OURS ? "ours" : "paper", (unsigned)count_nodes(k));
+}
+
+void add_knot_cases(bench *b)
+{
+    for (size_t held = 0; held < PHASES; held++) {
+        for (size_t i = 0; i < CASES; i++) {
+            set(&knots[i][held], &cases[i], held == 1);
+            pulled_knot_add(b, &knots[i][held]);
+        }
+    }
+}

@@ -1,0 +1,213 @@
+#include "contact/pulled_knot.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "collision/closest.h"
+#include "scene/scene.h"
+
+#define LOAD_N 2.0
+#define LOAD_REACHED_N 1.99
+#define SPEED 0.025
+#define HELD_STEPS 1000u
+/* Steps between looks at the strands' distance. */
+#define LOOK_EVERY 16u
+
+void pulled_knot_init(pulled_knot *k, knot_kind kind, vbss_method method)
+{
+    *k = (pulled_knot){.h = 1e-3, .most_steps = 4000};
+    (void)contact_scene_init(&k->options, CONTACT_SCENE_PULLED);
+    k->options.knot.kind = kind;
+    k->options.knot.length = 0.15;
+    k->options.pull = (contact_pull){SPEED, LOAD_N, 0.0};
+    k->options.scene.method = k->options.thread.method = method;
+    if (method == VBSS_METHOD_PAPER) {
+        k->options.knot.rest = KNOT_REST_CHORDS;
+    }
+}
+
+/* ---- looking */
+
+static const thread_object *inside(const pulled_knot *k)
+{
+    thread_object *t = NULL;
+    (void)vbss_thread_open(k->scene.threads[0], &t);
+    return t;
+}
+
+/* Of segments that are further apart along the thread than touching strands are. */
+static double least_distance(const thread_object *t)
+{
+    double least = 1.0, apart = 3.2 * t->config.radius;
+    for (uint32_t a = 0; a + 1 < t->node_count; a++) {
+        double arc = 0.0;
+        for (uint32_t b = a + 2; b + 1 < t->node_count; b++) {
+            arc += t->rest[b - 1];
+            if (arc < apart) {
+                continue;
+            }
+            double s, u;
+            vec3 way = closest_edges(vec3_sub(t->now.x[a + 1], t->now.x[a]),
+                                     vec3_sub(t->now.x[b + 1], t->now.x[b]),
+                                     vec3_sub(t->now.x[b], t->now.x[a]), &s, &u);
+            least = lesser(vec3_norm(way), least);
+        }
+    }
+    return least;
+}
+
+static double taken_up(const thread_object *t)
+{
+    double length = 0.0;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        length += t->rest[i];
+    }
+    return length - vec3_distance(t->now.x[0], t->now.x[t->node_count - 1]);
+}
+
+static uint64_t rejected(const vbss_scene_statistics *s)
+{
+    return s->rejected_states + s->rejected_stretch + s->rejected_depth + s->rejected_guard +
+           s->rejected_singular;
+}
+
+static bool loaded(const pulled_knot *k)
+{
+    return contact_scene_pull_felt(&k->scene) >= LOAD_REACHED_N;
+}
+
+/* ---- running */
+
+bool pulled_knot_make(pulled_knot *k)
+{
+    return vbss_context_create(NULL, &k->context) == VBSS_OK &&
+           contact_scene_create(k->context, &k->options, &k->scene) == VBSS_OK;
+}
+
+bool pulled_knot_run(pulled_knot *k)
+{
+    for (k->steps_to_load = 0; k->steps_to_load < k->most_steps && !loaded(k); k->steps_to_load++) {
+        if (contact_scene_step(&k->scene, k->h) != VBSS_OK) {
+            return false;
+        }
+    }
+    k->taken_up = taken_up(inside(k));
+    return true;
+}
+
+static bool save(pulled_knot *k)
+{
+    vbss_scene_statistics s;
+    k->scene_at_begin = k->scene;
+    if (vbss_scene_save(k->scene.scene, NULL, 0, &k->saved_bytes) != VBSS_ERROR_CAPACITY ||
+        (k->saved = malloc(k->saved_bytes)) == NULL ||
+        vbss_scene_get_statistics(k->scene.scene, &s, sizeof s) != VBSS_OK) {
+        return false;
+    }
+    k->rejected_at_begin = rejected(&s);
+    return vbss_scene_save(k->scene.scene, k->saved, k->saved_bytes, &k->saved_bytes) == VBSS_OK;
+}
+
+/* A pulled case must know how many steps it takes, so it is run once before. */
+static int set_up(void *user)
+{
+    pulled_knot *k = user;
+    k->looks = 0;
+    k->least_distance = 1.0;
+    if (!pulled_knot_make(k) || (!k->held && !save(k)) || !pulled_knot_run(k) ||
+        (k->held && !save(k))) {
+        return 1;
+    }
+    return 0;
+}
+
+static uint32_t count_steps(void *user)
+{
+    const pulled_knot *k = user;
+    return k->held ? HELD_STEPS : k->steps_to_load;
+}
+
+static int restore(void *user)
+{
+    pulled_knot *k = user;
+    k->scene = k->scene_at_begin;
+    return vbss_scene_restore(k->scene.scene, k->saved, k->saved_bytes) == VBSS_OK ? 0 : 1;
+}
+
+static int step(void *user, uint32_t index)
+{
+    pulled_knot *k = user;
+    (void)index;
+    return contact_scene_step(&k->scene, k->h) == VBSS_OK ? 0 : 1;
+}
+
+static uint64_t hash(void *user)
+{
+    pulled_knot *k = user;
+    uint64_t value = 0;
+    (void)contact_scene_hash(&k->scene, &value);
+    if (k->looks < count_steps(k) && k->looks++ % LOOK_EVERY == 0) {
+        k->least_distance = lesser(least_distance(inside(k)), k->least_distance);
+    }
+    return value;
+}
+
+static bool topology_kept(const pulled_knot *k)
+{
+    const thread_object *t = inside(k);
+    knot_type right = knot_type_of_kind(k->options.knot.kind, k->options.knot.mirrored), found;
+    return knot_type_of(t->now.x, t->node_count, &found) && knot_type_same(found, right);
+}
+
+static void finish(void *user, bench_result *result)
+{
+    pulled_knot *k = user;
+    const thread_object *t = inside(k);
+    vbss_scene_statistics s;
+    if (vbss_scene_get_statistics(k->scene.scene, &s, sizeof s) != VBSS_OK) {
+        bench_fail(result, "no statistics");
+        return;
+    }
+    bench_simulated_step(result, 1e6 * k->h);
+    bench_counter(result, "penetration_um",
+                  1e6 * greater(2.0 * t->config.radius - k->least_distance, 0.0));
+    bench_counter(result, "stretch_max", t->statistics.stretch_error);
+    bench_counter(result, "topology_kept", topology_kept(k) ? 1.0 : 0.0);
+    bench_counter(result, "contacts", s.contacts);
+    bench_counter(result, "separators", s.separators);
+    bench_counter(result, "retries", (double)(rejected(&s) - k->rejected_at_begin));
+    bench_counter(result, "clamped", (double)s.clamped);
+    bench_counter(result, "force_N", contact_scene_pull_felt(&k->scene));
+    bench_counter(result, "taken_up_mm", 1e3 * taken_up(t));
+    if (k->more != NULL) {
+        k->more(result);
+    }
+}
+
+void pulled_knot_end(pulled_knot *k)
+{
+    vbss_context_destroy(k->context);
+    free(k->saved);
+    k->context = NULL;
+    k->saved = NULL;
+}
+
+static void tear_down(void *user)
+{
+    pulled_knot_end(user);
+}
+
+void pulled_knot_add(bench *b, pulled_knot *k)
+{
+    bench_add_stepped(b, &(bench_stepped){.name = k->name,
+                                          .user = k,
+                                          .dt_us = 1e6 * k->h,
+                                          .deadline_us = 1e6 * k->h,
+                                          .setup = set_up,
+                                          .count = count_steps,
+                                          .restore = restore,
+                                          .step = step,
+                                          .hash = hash,
+                                          .finish = finish,
+                                          .teardown = tear_down});
+}

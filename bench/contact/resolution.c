@@ -1,0 +1,58 @@
+/* What a finer mesh and a shorter step gain: the length that an overhand knot takes up until it bears 2 N,
+ * against the same knot on a mesh finer than all. Error beside cost. */
+#include <math.h>
+#include <stdio.h>
+
+#include "contact/bench_contact.h"
+#include "contact/pulled_knot.h"
+
+#define REFERENCE_SEGMENT 0.2e-3
+#define REFERENCE_STEP 0.5e-3
+static const double segments[] = {2.5e-3, 1.25e-3, 0.625e-3, 0.5e-3, 0.4e-3, 0.3e-3, 0.25e-3};
+static const double steps[] = {2e-3, 1e-3, 0.5e-3};
+enum { SEGMENTS = sizeof segments / sizeof segments[0], STEPS = sizeof steps / sizeof steps[0] };
+
+static pulled_knot knots[STEPS][SEGMENTS];
+
+static void set(pulled_knot *k, double segment, double h)
+{
+    pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_OURS);
+    k->options.knot.finest = segment;
+    k->options.knot.coarsest = greater(segment, 2e-3);
+    k->h = h;
+}
+
+/* Once for all cases. */
+static double reference_mm(void)
+{
+    static double known = -1.0;
+    if (known < 0.0) {
+        pulled_knot k;
+        set(&k, REFERENCE_SEGMENT, REFERENCE_STEP);
+        known = pulled_knot_make(&k) && pulled_knot_run(&k) ? 1e3 * k.taken_up : (double)NAN;
+        pulled_knot_end(&k);
+    }
+    return known;
+}
+
+static void add_error(bench_result *result)
+{
+    double reference = reference_mm();
+    bench_counter(result, "reference_mm", reference);
+    bench_counter(result, "taken_up_error_mm",
+                  fabs(bench_counter_value(result, "taken_up_mm") - reference));
+}
+
+void add_resolution_cases(bench *b)
+{
+    for (size_t h = 0; h < STEPS; h++) {
+        for (size_t i = 0; i < SEGMENTS; i++) {
+            pulled_knot *k = &knots[h][i];
+            set(k, segments[i], steps[h]);
+            k->more = add_error;
+            snprintf(k->name, sizeof k->name, "contact/resolution/ours-%gms/%g", 1e3 * steps[h],
+                     1e6 * segments[i]);
+            pulled_knot_add(b, k);
+        }
+    }
+}
