@@ -197,6 +197,7 @@ typedef struct vbss_scene_statistics {
     uint64_t rejected_depth;    /**< Penetration. */
     uint64_t rejected_guard;    /**< Something would have passed, or come too near. */
     uint64_t rejected_singular; /**< A pivot was too small, or numbers not finite. */
+    uint64_t rejected_full;     /**< More candidates or contacts than there is room for. */
     uint64_t loose_states;  /**< Attempts accepted with up to 5 % of residual in the contact law. */
     uint64_t loose_stretch; /**< Parts accepted with more stretch error than the tolerance. */
     uint64_t clamped;       /**< Parts cut short by the guard. */

@@ -7,9 +7,12 @@
 /* Of the way to the first hit; and of the velocity that is left. */
 #define SAFE_SHARE 0.9
 #define VELOCITY_LEFT 0.1
+/* Halves of the share that are tried before nothing moves at all. */
+enum { SHORTENINGS = 4 };
 /* A trial state that is longer than this is no state to go to. */
 #define UNSOUND_STRETCH 0.05
 
+/* Whether the trial state is one to go to at least in part, and how far. */
 static double sound_share(scene_object *s, scene_verdict verdict)
 {
     double stretch = 0.0;
@@ -19,11 +22,12 @@ static double sound_share(scene_object *s, scene_verdict verdict)
             stretch = vbss_larger(vbss_thread_strain_beyond_tension(t), stretch);
         }
     }
-    if (verdict == VERDICT_SINGULAR || !(stretch <= UNSOUND_STRETCH)) {
+    if (verdict == VERDICT_SINGULAR || verdict == VERDICT_FULL || !(stretch <= UNSOUND_STRETCH)) {
         return 0.0;
     }
-    if (verdict != VERDICT_GUARD && vbss_scene_guard(s) == VERDICT_SINGULAR) {
-        return 0.0;
+    scene_verdict seen = vbss_scene_guard(s);
+    if (seen != VERDICT_ACCEPTED && seen != VERDICT_GUARD) {
+        return 0.0; /* nobody has looked at all of it */
     }
     return s->earliest < 1.0 ? SAFE_SHARE * s->earliest : 1.0;
 }
@@ -88,9 +92,8 @@ static void take_rigid(scene_rigid *r, double h)
     now->w = vec3_scale(turn, VELOCITY_LEFT / h);
 }
 
-double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part)
+static void shorten(scene_object *s, double share)
 {
-    double share = sound_share(s, verdict);
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             shorten_thread(s->bodies[i].thread.thread, share);
@@ -98,6 +101,26 @@ double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part
             shorten_rigid(s, &s->bodies[i].rigid, share);
         }
     }
+}
+
+/* Bodies that turn do not shorten along the straight ways that the guard has looked at: it looks again. */
+static double shorten_safely(scene_object *s, double share)
+{
+    shorten(s, share);
+    for (uint32_t k = 0; k < SHORTENINGS && share > 0.0; k++) {
+        if (vbss_scene_guard(s) == VERDICT_ACCEPTED) {
+            return share;
+        }
+        shorten(s, 0.5);
+        share *= 0.5;
+    }
+    shorten(s, 0.0);
+    return 0.0;
+}
+
+double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part)
+{
+    double share = shorten_safely(s, sound_share(s, verdict));
     vbss_scene_show_part(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {

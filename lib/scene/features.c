@@ -257,10 +257,10 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
     row->normal = distance > NO_DISTANCE ? vec3_scale(apart, 1.0 / distance) : across;
     row->touching = d.radius + e.radius;
     row->gap_before = distance - row->touching;
-    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. Not between
-     * threads, where R is so small that a normal of velocities that are a little wrong makes them worse:
-     * tight knots would tremble. */
-    if (row->key.kind == VBSS_CONTACT_SEGMENTS) {
+    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. Not of
+     * segments, whose normals jump, or turn fast as R is small: velocities that are a little wrong would make
+     * them worse, and tight knots tremble. */
+    if (row->key.kind == VBSS_CONTACT_SEGMENTS || row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE) {
         return row->gap_before < reach;
     }
     vec3 then = closest(d.ahead, e.ahead, at);

@@ -52,6 +52,11 @@ static double radius_of(const scene_object *s, uint32_t shape, uint32_t feature)
                                   : s->capsules[b->rigid.first_capsule + feature].radius;
 }
 
+static double touching_of(const scene_object *s, const collision_candidate *q)
+{
+    return radius_of(s, q->shape_a, q->a) + radius_of(s, q->shape_b, q->b);
+}
+
 static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
 {
     const collision_shape *a = s->collision->shapes[q->shape_a];
@@ -61,8 +66,8 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
         put_vertex(s->block, k, at, a->start[p], a->end[p]);
         put_vertex(s->block, 2 + k, at, b->start[r], b->end[r]);
     }
-    s->block->thickness[at] =
-        GUARDED * (radius_of(s, q->shape_a, q->a) + radius_of(s, q->shape_b, q->b));
+    /* First as near as contact may let them come: what it has looked at is seldom nearer. */
+    s->block->thickness[at] = (1.0 - s->config.penetration_tolerance) * touching_of(s, q);
 }
 
 /* The thread and the body that it is pinned to. */
@@ -105,18 +110,25 @@ static double distance_at_begin(const scene_object *s, const collision_candidate
     return vec3_norm(apart);
 }
 
-/* Share of the part after which a pair that hit comes too near; 1: it does not, but began nearer than that. */
-static double time_of_hit(scene_object *s, const collision_candidate *q, double time,
-                          double thickness)
+static double time_at(scene_object *s, const collision_candidate *q, double thickness)
 {
-    double distance = distance_at_begin(s, q);
-    if (distance > thickness * (1.0 + 2.0 * s->collision->rules.tolerance)) {
-        return time;
-    }
     put_pair(s, q, 0);
-    s->block->thickness[0] = GUARDED_WHEN_NEARER * distance;
+    s->block->thickness[0] = thickness;
     ask(s, 1);
     return s->block->hit[0] != 0 ? s->block->time[0] : 1.0;
+}
+
+/* Share of the part after which a pair that hit comes too near; 1: it does not. What begins near is a row, and
+ * contact has seen to it; what comes from further away may be none. */
+static double time_of_hit(scene_object *s, const collision_candidate *q, double time)
+{
+    double touching = touching_of(s, q), distance = distance_at_begin(s, q);
+    if (distance >= touching + s->config.contact_margin) {
+        return time;
+    }
+    double guarded = GUARDED * touching;
+    bool near = distance <= guarded * (1.0 + 2.0 * s->collision->rules.tolerance);
+    return time_at(s, q, near ? GUARDED_WHEN_NEARER * distance : guarded);
 }
 
 static double earliest_hit(scene_object *s)
@@ -126,7 +138,7 @@ static double earliest_hit(scene_object *s)
     for (uint32_t first = 0; first < c->candidate_count; first += IMPACT_BLOCK) {
         uint32_t left = c->candidate_count - first,
                  count = left < IMPACT_BLOCK ? left : IMPACT_BLOCK;
-        double time[IMPACT_BLOCK], thickness[IMPACT_BLOCK];
+        double time[IMPACT_BLOCK];
         bool hit[IMPACT_BLOCK];
         for (uint32_t i = 0; i < count; i++) {
             put_pair(s, &c->candidates[first + i], i);
@@ -136,12 +148,11 @@ static double earliest_hit(scene_object *s)
         for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
             hit[i] = s->block->hit[i] != 0;
             time[i] = s->block->time[i];
-            thickness[i] = s->block->thickness[i];
         }
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[first + i];
-            if (hit[i] && !may_meet(s, q, thickness[i] / GUARDED)) {
-                double t = time_of_hit(s, q, time[i], thickness[i]);
+            if (hit[i] && !may_meet(s, q, touching_of(s, q))) {
+                double t = time_of_hit(s, q, time[i]);
                 earliest = lesser(t, earliest);
             }
         }

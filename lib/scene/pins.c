@@ -161,7 +161,8 @@ void vbss_scene_aim_pins(scene_object *s)
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
-        for (uint32_t k = 0; p->attachment != 0 && k < t->thread.thread->config.attachment_capacity;
+        for (uint32_t k = 0;
+             p->id != 0 && p->attachment != 0 && k < t->thread.thread->config.attachment_capacity;
              k++) {
             thread_attachment *a = &t->thread.thread->attachments[k];
             if (a->id == p->attachment) {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 _Static_assert(sizeof(vbss_scene_config) == 160, "published size");
-_Static_assert(sizeof(vbss_scene_statistics) == 192, "published size");
+_Static_assert(sizeof(vbss_scene_statistics) == 200, "published size");
 
 static const vbss_scene_config defaults = {
     .struct_size = sizeof(vbss_scene_config),
@@ -33,7 +33,7 @@ static const vbss_scene_config defaults = {
 };
 static const uint32_t config_sizes[] = {160, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
-static const uint32_t statistics_sizes[] = {192, 0};
+static const uint32_t statistics_sizes[] = {200, 0};
 static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)

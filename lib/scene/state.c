@@ -76,7 +76,13 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
         vbss_stream_f64(stream, 72, &p->point.x, 3);
         const scene_pin read = {words[0], words[1], words[2], words[3], words[4], p->point};
         *p = read;
-        if (stream->mode != VBSS_STREAM_READ || stream->trusted || p->id == 0) {
+        if (stream->mode != VBSS_STREAM_READ || stream->trusted) {
+            continue;
+        }
+        if (p->id == 0) {
+            if (p->thread != 0 || p->node != 0 || p->body != 0 || p->attachment != 0) {
+                vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pin");
+            }
             continue;
         }
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
@@ -93,7 +99,7 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
     vbss_stream_u64(stream, 81, &s->steps, 5);    /* steps .. state_solves */
     /* Not patterns, which depends on what is still known of the last one. */
-    vbss_stream_u64(stream, 83, &s->rejected_states, 10); /* .. guard_pairs */
+    vbss_stream_u64(stream, 83, &s->rejected_states, 11); /* .. guard_pairs */
     vbss_stream_f64(stream, 82, &s->last_penetration, 6); /* .. time */
 }
 

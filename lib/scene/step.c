@@ -89,6 +89,7 @@ static void count(scene_object *s, scene_verdict verdict)
     c->rejected_depth += verdict == VERDICT_DEPTH;
     c->rejected_guard += verdict == VERDICT_GUARD;
     c->rejected_singular += verdict == VERDICT_SINGULAR;
+    c->rejected_full += verdict == VERDICT_FULL;
 }
 
 /* ---- parts */
@@ -134,8 +135,8 @@ static vbss_result make_parts(scene_object *s, double h)
         part.h = h * (part.end - part.begin);
         scene_verdict verdict = attempt(s, &part);
         attempts++;
-        if (verdict == VERDICT_FULL) {
-            return VBSS_ERROR_CAPACITY;
+        if (verdict == VERDICT_FULL && size == smallest) {
+            return VBSS_ERROR_CAPACITY; /* nothing is known of what would be met */
         }
         if (verdict == VERDICT_ACCEPTED) {
             vbss_scene_commit(s, &part);
@@ -149,7 +150,7 @@ static vbss_result make_parts(scene_object *s, double h)
                 continue;
             }
             part.again = false;
-            if (size > smallest && !over) {
+            if (size > smallest && (!over || verdict == VERDICT_FULL)) {
                 vbss_scene_unsettle(s);
                 size *= 0.5;
                 continue;
