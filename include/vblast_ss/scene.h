@@ -63,8 +63,8 @@ typedef struct vbss_scene_config {
     double contact_margin;
     /** Largest stretch error that a step may leave, 1e-9 to 1e-1; default 1e-3. */
     double stretch_tolerance;
-    /** Largest penetration that a step may leave, as a share of the distance of touching, 1e-3 to 0.5;
-     * default 0.1. A state that has more may only have less afterwards. */
+    /** Largest penetration that a step may leave, as a share of the diameter of the thinner one, 1e-3 to
+     * 0.5; default 0.1. A state that has more may only have less afterwards. */
     double penetration_tolerance;
     uint32_t linearisation_limit; /**< Of an attempt, 1 to 100; default 12. */
     uint32_t

@@ -57,7 +57,7 @@ typedef struct contact_row {
     vec3 slid;           /* of a against b from the begin of the part to the trial state, m */
     double at[2];        /* where on the features: for whoever makes rows */
     vec3 point;          /* between the surfaces: the same */
-    double touching, gap_before,
+    double thickness, gap_before,
         depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
 
     contact_found is; /* found last */
@@ -166,7 +166,7 @@ typedef struct contact_search {
     uint32_t weld_count;
     uint32_t limit; /* solves */
     /* What is none: a force, as a share of the largest pressure and N added; overlap of an open row, as a share
-     * of the distance of touching. */
+     * of the thickness. */
     double force_share, least_force, slack;
     /* What may be left after so many solves. */
     uint32_t patience;

@@ -34,7 +34,7 @@ static vec3 moved_by(const contact_row *row, const vbss_system *system)
 /* Of an open row, overlap is what misses the law; of a closed one, a force. */
 typedef struct look {
     double force, pressure; /* largest, N */
-    double overlap;         /* largest, as a share of the distance of touching */
+    double overlap;         /* largest, as a share of the thickness */
 } look;
 
 static bool is_open(const contact_found *found)
@@ -50,7 +50,7 @@ static look look_at_rows(contact_set *set, const contact_search *search)
         contact_found *next = &set->next[i];
         double missed = vbss_contact_next_state(row, moved_by(row, search->system), next);
         if (is_open(&row->is)) {
-            double overlap = missed / (row->stiffness * row->touching);
+            double overlap = missed / (row->stiffness * row->thickness);
             if (overlap <= search->slack) { /* a hair is no reason to close */
                 *next = row->is;
                 overlap = 0.0;
@@ -73,7 +73,7 @@ static void take_found(contact_set *set)
 
 /* ---- the search */
 
-/* From this overlap on, as a share of the distance of touching, rows that close all at once would throw
+/* From this overlap on, as a share of the thickness, rows that close all at once would throw
  * each other about; and after so many solves they do. Then all are softened, and stiffened again in steps as
  * their states settle, or after some solves. */
 #define DEEP 0.2

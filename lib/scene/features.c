@@ -242,7 +242,7 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
     if (b == NULL) {
         row->normal = s->floor_normal;
         row->at[0] = row->at[1] = 0.0;
-        row->touching = d.radius;
+        row->thickness = 2.0 * d.radius;
         row->gap_before = vec3_dot(row->normal, d.begin[0]) - s->config.floor_height - d.radius;
         return row->gap_before < reach;
     }
@@ -255,8 +255,9 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
         vec3_unit_or(vec3_cross(vec3_sub(d.begin[1], d.begin[0]), vec3_sub(e.begin[1], e.begin[0])),
                      vec3_make(0.0, 1.0, 0.0));
     row->normal = distance > NO_DISTANCE ? vec3_scale(apart, 1.0 / distance) : across;
-    row->touching = d.radius + e.radius;
-    row->gap_before = distance - row->touching;
+    double touching = d.radius + e.radius;
+    row->thickness = 2.0 * lesser(d.radius, e.radius);
+    row->gap_before = distance - touching;
     /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. Not of
      * segments, whose normals jump, or turn fast as R is small: velocities that are a little wrong would make
      * them worse, and tight knots tremble. */
@@ -265,7 +266,7 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
     }
     vec3 then = closest(d.ahead, e.ahead, at);
     double later = vec3_norm(then);
-    if (later > STILL_APART * row->touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
+    if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
         row->normal = vec3_scale(then, 1.0 / later);
         row->at[0] = at[0];
         row->at[1] = at[1];

@@ -57,6 +57,12 @@ static double touching_of(const scene_object *s, const collision_candidate *q)
     return radius_of(s, q->shape_a, q->a) + radius_of(s, q->shape_b, q->b);
 }
 
+/* Of the thinner one. */
+static double thickness_of(const scene_object *s, const collision_candidate *q)
+{
+    return 2.0 * lesser(radius_of(s, q->shape_a, q->a), radius_of(s, q->shape_b, q->b));
+}
+
 static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
 {
     const collision_shape *a = s->collision->shapes[q->shape_a];
@@ -67,7 +73,8 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
         put_vertex(s->block, 2 + k, at, b->start[r], b->end[r]);
     }
     /* First as near as contact may let them come: what it has looked at is seldom nearer. */
-    s->block->thickness[at] = (1.0 - s->config.penetration_tolerance) * touching_of(s, q);
+    double allowed = s->config.penetration_tolerance * thickness_of(s, q);
+    s->block->thickness[at] = touching_of(s, q) - allowed;
 }
 
 /* The thread and the body that it is pinned to. */

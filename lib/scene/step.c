@@ -56,7 +56,7 @@ static void allow_depth(scene_object *s)
     s->recovering = false;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
-        double share = s->config.penetration_tolerance * row->touching;
+        double share = s->config.penetration_tolerance * row->thickness;
         bool deep = -row->gap_before > share;
         row->depth_allowed = deep ? -row->gap_before : share;
         s->recovering = s->recovering || deep;
