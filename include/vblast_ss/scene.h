@@ -42,7 +42,7 @@ typedef struct vbss_scene_config {
     vbss_method method;        /**< Default VBSS_METHOD_OURS; threads must have the same. */
     vbss_scene_mode mode;      /**< Default VBSS_MODE_REAL_TIME. */
     uint32_t thread_capacity;  /**< Most threads at a time, 0 to 64; default 4. */
-    uint32_t node_capacity;    /**< Most nodes of all threads, 0 to 65537; default 1024. */
+    uint32_t node_capacity;    /**< Most nodes of all threads, 0 to 8192; default 1024. */
     uint32_t rigid_capacity;   /**< Most rigid bodies at a time, 0 to 256; default 4. */
     uint32_t capsule_capacity; /**< Most capsules of all of them, 0 to 4096; default 16. */
     uint32_t pin_capacity;     /**< Most pins at a time, 0 to 256; default 8. */

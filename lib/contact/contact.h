@@ -143,12 +143,14 @@ vec3 vbss_contact_turn_into_plane(vec3 force, vec3 normal);
 
 /* ---- welds (weld.c): a node that is a point of a rigid body */
 
-enum { WELD_NEIGHBOURS = 8 };
+/* Three on either side, and the bodies of those of them that are welded too. */
+enum { WELD_NEIGHBOURS = 18 };
 struct contact_weld {
     uint32_t slave, translation, rotation; /* blocks */
     vec3 arm;                              /* from the centre of mass to the node */
     uint32_t neighbour_count;
-    uint32_t neighbours[WELD_NEIGHBOURS]; /* separators that the node is coupled with */
+    /* Separators that the node is coupled with; of those that earlier welds have eliminated, the bodies too. */
+    uint32_t neighbours[WELD_NEIGHBOURS];
 };
 /* Couples the body's blocks with the node's neighbours: after these are registered. */
 vbss_result vbss_weld_register(const contact_weld *weld, vbss_system *system);

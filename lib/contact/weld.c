@@ -29,6 +29,9 @@ vbss_result vbss_weld_register(const contact_weld *weld, vbss_system *system)
 {
     for (uint32_t i = 0; i < weld->neighbour_count; i++) {
         uint32_t coupling, neighbour = weld->neighbours[i];
+        if (neighbour == weld->translation || neighbour == weld->rotation) {
+            continue; /* coupled by the body */
+        }
         VBSS_TRY(vbss_system_couple_once(system, weld->translation, neighbour, &coupling));
         VBSS_TRY(vbss_system_couple_once(system, weld->rotation, neighbour, &coupling));
     }

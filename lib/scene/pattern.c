@@ -99,6 +99,20 @@ static void set_marks(scene_object *s)
 
 /* ---- welds */
 
+/* Neighbours that earlier welds have eliminated: their bodies have taken over. */
+static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
+{
+    uint32_t count = w->neighbour_count;
+    for (const contact_weld *before = s->welds; before < w; before++) {
+        for (uint32_t k = 0; k < count; k++) {
+            if (w->neighbours[k] == before->slave) {
+                w->neighbours[w->neighbour_count++] = before->translation;
+                w->neighbours[w->neighbour_count++] = before->rotation;
+            }
+        }
+    }
+}
+
 static void list_welds(scene_object *s)
 {
     s->weld_count = 0;
@@ -122,6 +136,7 @@ static void list_welds(scene_object *s)
                 w->neighbours[w->neighbour_count++] = first + p->node + k;
             }
         }
+        add_bodies_of_neighbours(s, w);
     }
 }
 

@@ -52,7 +52,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
         {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
         {"mode", c->mode, VBSS_MODE_REAL_TIME, VBSS_MODE_OFFLINE},
         {"thread_capacity", c->thread_capacity, 0.0, 64.0},
-        {"node_capacity", c->node_capacity, 0.0, 65537.0},
+        {"node_capacity", c->node_capacity, 0.0, 8192.0},
         {"rigid_capacity", c->rigid_capacity, 0.0, 256.0},
         {"capsule_capacity", c->capsule_capacity, 0.0, 4096.0},
         {"pin_capacity", c->pin_capacity, 0.0, 256.0},
