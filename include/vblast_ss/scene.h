@@ -354,7 +354,7 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
 
 /**
  * Moves everything forward in time. Nothing is allocated. On failure the scene is as it was before the
- * step.
+ * step, but without events.
  *
  * @param scene  the scene
  * @param h      s, 1e-7 to 0.1

@@ -94,6 +94,9 @@ typedef struct contact_set {
     uint32_t place_count, place_capacity;
     double residual; /* of the law after the last solve, N */
     contact_counters counters;
+    /* the last two at the last mark */
+    double marked_residual;
+    contact_counters marked_counters;
 } contact_set;
 
 vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contact_set **set);

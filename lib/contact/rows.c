@@ -220,10 +220,14 @@ void vbss_contact_mark(contact_set *set)
 {
     memcpy(set->marked, set->memory, set->memory_count * sizeof *set->memory);
     set->marked_count = set->memory_count;
+    set->marked_residual = set->residual;
+    set->marked_counters = set->counters;
 }
 
 void vbss_contact_return(contact_set *set)
 {
     memcpy(set->memory, set->marked, set->marked_count * sizeof *set->memory);
     set->memory_count = set->marked_count;
+    set->residual = set->marked_residual;
+    set->counters = set->marked_counters;
 }

@@ -104,7 +104,12 @@ vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t n
     if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || s->config.method == VBSS_METHOD_PAPER) {
         VBSS_TRY(attach(t, node, aim(b, at), &attachment));
     }
-    const scene_pin own = {++s->last_pin, thread, node, body, attachment, at};
+    const scene_pin own = {.id = ++s->last_pin,
+                           .thread = thread,
+                           .node = node,
+                           .body = body,
+                           .attachment = attachment,
+                           .point = at};
     *p = own;
     *pin = own.id;
     s->generation++;
@@ -156,18 +161,43 @@ const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint
     return NULL;
 }
 
+/* NULL when the host has detached it. */
+static thread_attachment *find_attachment(const scene_body *thread, uint32_t id)
+{
+    thread_object *t = thread->thread.thread;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        if (t->attachments[i].id == id) {
+            return &t->attachments[i];
+        }
+    }
+    return NULL;
+}
+
 void vbss_scene_aim_pins(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        scene_pin *p = &s->pins[i];
+        if (p->id == 0 || p->attachment == 0) {
+            continue;
+        }
+        thread_attachment *a = find_attachment(vbss_scene_body(s, p->thread), p->attachment);
+        if (a != NULL) {
+            p->kept = a->target;
+            a->target = aim(vbss_scene_body(s, p->body), p->point);
+        }
+    }
+}
+
+void vbss_scene_aim_pins_back(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
-        for (uint32_t k = 0;
-             p->id != 0 && p->attachment != 0 && k < t->thread.thread->config.attachment_capacity;
-             k++) {
-            thread_attachment *a = &t->thread.thread->attachments[k];
-            if (a->id == p->attachment) {
-                a->target = aim(b, p->point);
-            }
+        if (p->id == 0 || p->attachment == 0) {
+            continue;
+        }
+        thread_attachment *a = find_attachment(vbss_scene_body(s, p->thread), p->attachment);
+        if (a != NULL) {
+            a->target = p->kept;
         }
     }
 }

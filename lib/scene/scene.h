@@ -51,6 +51,7 @@ typedef struct scene_rigid {
     vec3 force, torque;     /* of contacts and pins in the last part; about the centre of mass */
     vbss_rigid_pull pull;   /* of the coupling in the last part */
     vbss_rigid_motion kept; /* before the step */
+    vbss_rigid_pull kept_pull;
 } scene_rigid;
 
 typedef struct scene_body {
@@ -74,6 +75,7 @@ typedef struct scene_pin {
     uint32_t thread, node, body; /* numbers; body 0: the world */
     uint32_t attachment;         /* of the thread, for driven bodies and the world; 0: a weld */
     vec3 point;                  /* in the principal frame of the body, or in the world */
+    vec3 kept;                   /* where its attachment was to go before the step */
 } scene_pin;
 
 typedef struct scene_touch {
@@ -180,6 +182,7 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
                            const scene_body *rigid, double touching);
 /* Attached nodes shall be where their driven bodies will be. */
 void vbss_scene_aim_pins(scene_object *s);
+void vbss_scene_aim_pins_back(scene_object *s);
 
 /* ---- an attempt, in order */
 

@@ -74,7 +74,12 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
         uint32_t words[5] = {p->id, p->thread, p->node, p->body, p->attachment};
         vbss_stream_u32(stream, 71, words, 5);
         vbss_stream_f64(stream, 72, &p->point.x, 3);
-        const scene_pin read = {words[0], words[1], words[2], words[3], words[4], p->point};
+        const scene_pin read = {.id = words[0],
+                                .thread = words[1],
+                                .node = words[2],
+                                .body = words[3],
+                                .attachment = words[4],
+                                .point = p->point};
         *p = read;
         if (stream->mode != VBSS_STREAM_READ || stream->trusted) {
             continue;

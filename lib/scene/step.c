@@ -23,6 +23,7 @@ static vbss_result keep(scene_object *s)
             t->statistics.last_iterations = 0;
         } else if (b->kind == BODY_RIGID) {
             b->rigid.kept = b->rigid.body.now;
+            b->rigid.kept_pull = b->rigid.pull;
         }
     }
     s->kept = s->statistics;
@@ -43,10 +44,14 @@ static void go_back(scene_object *s)
             t->last_part = b->thread.kept_part;
         } else if (b->kind == BODY_RIGID) {
             b->rigid.body.now = b->rigid.kept;
+            b->rigid.pull = b->rigid.kept_pull;
         }
     }
     s->statistics = s->kept;
     vbss_contact_return(s->contacts);
+    vbss_scene_aim_pins_back(s);
+    vbss_scene_begin_events(s);
+    s->generation++;
 }
 
 /* ---- an attempt */
