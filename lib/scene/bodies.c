@@ -145,6 +145,7 @@ void vbss_scene_release_thread(scene_body *b)
     b->thread.slot->owner = NULL;
     if (b->thread.slot->object == t) { /* it may have ended with the context */
         t->pattern_known = false;
+        memset(t->welded, 0, t->node_count * sizeof *t->welded);
     }
 }
 

@@ -104,6 +104,7 @@ vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t n
     if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || s->config.method == VBSS_METHOD_PAPER) {
         VBSS_TRY(attach(t, node, aim(b, at), &attachment));
     }
+    t->thread.thread->welded[node] = attachment == 0;
     const scene_pin own = {.id = ++s->last_pin,
                            .thread = thread,
                            .node = node,
@@ -119,6 +120,9 @@ vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t n
 static void forget(scene_object *s, scene_pin *p)
 {
     scene_body *t = vbss_scene_body(s, p->thread);
+    if (p->attachment == 0 && t != NULL) {
+        t->thread.thread->welded[p->node] = 0;
+    }
     if (p->attachment != 0 && t != NULL) {
         /* The host may have detached it already. */
         (void)vbss_thread_detach((vbss_thread *)t->thread.slot, p->attachment);

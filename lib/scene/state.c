@@ -1,6 +1,8 @@
 /* The state of a scene and all its bodies: saved, hashed and restored. */
 #include "scene/scene.h"
 
+#include <string.h>
+
 static void visit_config(vbss_stream *stream, const scene_object *s)
 {
     const vbss_scene_config *c = &s->config;
@@ -66,6 +68,24 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
     }
 }
 
+/* A weld is to a body that moves as forces say, of a node that nothing else holds. */
+static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const scene_body *body,
+                                const thread_object *t)
+{
+    if (p->attachment != 0) {
+        return true;
+    }
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        if (a->id != 0 && a->node == p->node && vbss_thread_holds(a->kind)) {
+            return false;
+        }
+    }
+    return s->config.method == VBSS_METHOD_OURS && body != NULL &&
+           body->rigid.kind != VBSS_RIGID_DRIVEN &&
+           vbss_scene_weld_of(s, p->thread, p->node) == p; /* those before it are read */
+}
+
 static void visit_pins(vbss_stream *stream, scene_object *s)
 {
     vbss_stream_u32(stream, 70, &s->last_pin, 1);
@@ -93,7 +113,8 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
         bool thread = t != NULL && t->kind == BODY_THREAD && p->node < t->thread.thread->node_count;
         bool body = p->body == 0 ? p->attachment != 0 : b != NULL && b->kind == BODY_RIGID;
-        if (!thread || !body || p->id > s->last_pin) {
+        if (!thread || !body || p->id > s->last_pin ||
+            !is_weld_or_attached(s, p, b, t->thread.thread)) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pin");
         }
     }
@@ -106,6 +127,25 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     /* Not patterns, which depends on what is still known of the last one. */
     vbss_stream_u64(stream, 83, &s->rejected_states, 11); /* .. guard_pairs */
     vbss_stream_f64(stream, 82, &s->last_penetration, 6); /* .. time */
+}
+
+/* So that nobody else holds those nodes. */
+static void note_welds(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            thread_object *t = s->bodies[i].thread.thread;
+            memset(t->welded, 0, t->node_count * sizeof *t->welded);
+        }
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        const scene_body *t = vbss_scene_body(s, p->thread);
+        if (p->id != 0 && p->attachment == 0 && t != NULL && t->kind == BODY_THREAD &&
+            p->node < t->thread.thread->node_count) { /* it may be refused yet */
+            t->thread.thread->welded[p->node] = 1;
+        }
+    }
 }
 
 void vbss_scene_serialise(vbss_stream *stream, void *object)
@@ -122,6 +162,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     vbss_stream_u32(stream, 111, &s->touches->body_a, 2 * (size_t)s->touch_count);
     visit_statistics(stream, &s->statistics);
     if (stream->mode == VBSS_STREAM_READ) {
+        note_welds(s);
         s->pattern = 0;
         s->contact_count = s->event_count = 0;
         s->generation++;

@@ -49,6 +49,10 @@ static vbss_result check(const thread_object *t, const vbss_thread_attachment *a
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
+    if (t->welded[a->node] != 0 && vbss_thread_holds(a->kind)) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by a body of its scene",
+                         a->node);
+    }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *other = &t->attachments[i];
         if (other->id != 0 && other->node == a->node && vbss_thread_holds(other->kind) &&

@@ -152,6 +152,7 @@ static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
         {&t->kept.tension, n, sizeof(double)},
         {&t->attachments, t->config.attachment_capacity, sizeof *t->attachments},
         {&t->held, n, sizeof *t->held},
+        {&t->welded, n, sizeof *t->welded},
         {&t->mass, n, sizeof *t->mass},
         {&t->inverse_rest, n, sizeof *t->inverse_rest},
         {&t->sections, n, sizeof *t->sections},

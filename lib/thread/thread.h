@@ -119,6 +119,7 @@ typedef struct thread_object {
     /* what follows from rest lengths and attachments (layout.c) */
     bool layout_known, pattern_known; /* pattern: of its own system */
     uint32_t *held;                   /* per node: 1 + place of its PIN or CLAMP, or 0 */
+    uint8_t *welded;                  /* per node: a body of its scene holds it */
     double *mass;                     /* per node, attached masses included */
     double *inverse_rest;             /* per segment, 1/m */
     double shortest_rest;             /* m */
