@@ -8,5 +8,7 @@
 void add_knot_cases(bench *b);
 /* resolution.c: what is gained by finer meshes and shorter steps. */
 void add_resolution_cases(bench *b);
+/* peers.c: the overhand by others beside ours. */
+void add_peer_cases(bench *b);
 
 #endif

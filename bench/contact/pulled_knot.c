@@ -35,25 +35,30 @@ static const thread_object *inside(const pulled_knot *k)
     return t;
 }
 
-/* Of segments that are further apart along the thread than touching strands are. */
-static double least_distance(const thread_object *t)
+double pulled_knot_least_distance(const vec3 *x, uint32_t nodes, const double *rest, double length,
+                                  double apart)
 {
-    double least = 1.0, apart = 3.2 * t->config.radius;
-    for (uint32_t a = 0; a + 1 < t->node_count; a++) {
+    double least = 1.0;
+    for (uint32_t a = 0; a + 1 < nodes; a++) {
         double arc = 0.0;
-        for (uint32_t b = a + 2; b + 1 < t->node_count; b++) {
-            arc += t->rest[b - 1];
+        for (uint32_t b = a + 2; b + 1 < nodes; b++) {
+            arc += rest != NULL ? rest[b - 1] : length;
             if (arc < apart) {
                 continue;
             }
             double s, u;
-            vec3 way = closest_edges(vec3_sub(t->now.x[a + 1], t->now.x[a]),
-                                     vec3_sub(t->now.x[b + 1], t->now.x[b]),
-                                     vec3_sub(t->now.x[b], t->now.x[a]), &s, &u);
+            vec3 way = closest_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
+                                     vec3_sub(x[b], x[a]), &s, &u);
             least = lesser(vec3_norm(way), least);
         }
     }
     return least;
+}
+
+static double least_distance(const thread_object *t)
+{
+    return pulled_knot_least_distance(t->now.x, t->node_count, t->rest, 0.0,
+                                      3.2 * t->config.radius);
 }
 
 static double taken_up(const thread_object *t)

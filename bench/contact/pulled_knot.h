@@ -40,4 +40,8 @@ void pulled_knot_add(bench *b, pulled_knot *k);
 bool pulled_knot_make(pulled_knot *k);
 bool pulled_knot_run(pulled_knot *k);
 void pulled_knot_end(pulled_knot *k);
+/* Of axes of segments that are at least `apart` from each other along the thread, m. Rest lengths, or one for
+ * all with NULL. */
+double pulled_knot_least_distance(const vec3 *x, uint32_t nodes, const double *rest, double length,
+                                  double apart);
 #endif
