@@ -122,8 +122,31 @@ static const vec3 *ways_of_capsule(const scene_object *s, const scene_body *b, u
     return s->ways + s->config.node_capacity + 2 * (size_t)(b->rigid.first_capsule + capsule);
 }
 
+/* The floor, a driven body, nodes that are all held: nothing about them can be changed. */
+static bool is_given(const scene_object *s, uint32_t kind, uint32_t number, uint32_t feature)
+{
+    const scene_body *b = vbss_scene_body(s, number);
+    if (b == NULL || b->kind == BODY_RIGID) {
+        return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
+    }
+    const thread_object *t = b->thread.thread;
+    bool alone = kind == VBSS_CONTACT_NODE_FLOOR, smooth = kind == VBSS_CONTACT_NODE_CAPSULE;
+    uint32_t first = smooth && feature > 0 ? feature - 1 : feature;
+    uint32_t end = feature + (alone ? 1u : 2u);
+    for (uint32_t k = first; k < end && k < t->node_count; k++) {
+        if (t->held[k] == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool add_row(scene_object *s, const contact_key *key, double reach)
 {
+    if (is_given(s, key->kind, key->body_a, key->a) &&
+        is_given(s, key->kind, key->body_b, key->b)) {
+        return true;
+    }
     contact_row *row = vbss_contact_add(s->contacts, key);
     if (row == NULL) {
         return false;
