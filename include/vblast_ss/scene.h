@@ -11,7 +11,7 @@
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
  * through anything. Method PAPER is that of VBLaST-SS (Qi et al. 2017): explicit steps, edge tests at
- * both ends of a step, displacements as response, no friction, knots held by pins.
+ * both ends of a step, displacements as response, no friction, knots held by pins: docs/paper-scene.md.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -180,7 +180,9 @@ enum {
     VBSS_EVENT_LOST = 4 /**< Events beyond the capacity; the number says how many. */
 };
 
-/** Counters since creation, and figures of the last step. */
+/** Counters since creation, and figures of the last step. Method PAPER counts its passes of detection and
+ * response in `attempts`, pairs tested in `guard_pairs`, those listed last in `rows`, and steps whose last pass still
+ * moved something in `loose_states`; its stretch error is max |length / rest length - 1|. */
 typedef struct vbss_scene_statistics {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t contacts;    /**< That carry a force after the last step. */
@@ -323,7 +325,8 @@ VBSS_API vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body,
 /**
  * Pins a node of a thread to a point of a body; the node is taken there within the next step and then
  * moves with the body. OURS: the node's motion is eliminated in favour of the body's, which feels its
- * force, at any ratio of masses. PAPER, driven bodies and the world: the node moves as the body does.
+ * force, at any ratio of masses. PAPER (to keep a knot, pin the nearest node of both strands of a crossing), driven
+ * bodies and the world: the node moves as the body does.
  * The node must not be held otherwise; it becomes the end of a section.
  *
  * @param scene     the scene

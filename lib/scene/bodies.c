@@ -360,6 +360,7 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     }
     told.position = vec3_load(position);
     r->body.end = pose_mul(told, r->frame);
+    vbss_scene_aim_pins(s); /* a step that fails shall find nothing to undo */
     s->generation++;
     return VBSS_OK;
 }

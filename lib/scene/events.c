@@ -42,18 +42,27 @@ static void insert(scene_object *s, scene_touch touch)
     s->touch_count++;
 }
 
+static void list_touches(scene_object *s)
+{
+    s->touch_count = 0;
+    for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->memory_count; i++) {
+        const contact_key *key = &s->contacts->memory[i].key;
+        const scene_touch touch = {key->body_a, key->body_b};
+        insert(s, touch);
+    }
+    for (uint32_t i = 0; i < s->hit_count; i++) { /* PAPER */
+        const scene_touch touch = {s->hits[i].key.body_a, s->hits[i].key.body_b};
+        insert(s, touch);
+    }
+}
+
 void vbss_scene_note_touches(scene_object *s)
 {
     uint32_t count = s->touch_count;
     scene_touch *old = s->touches;
     s->touches = s->touches_before;
     s->touches_before = old;
-    s->touch_count = 0;
-    for (uint32_t i = 0; i < s->contacts->memory_count; i++) {
-        const contact_key *key = &s->contacts->memory[i].key;
-        const scene_touch touch = {key->body_a, key->body_b};
-        insert(s, touch);
-    }
+    list_touches(s);
     uint32_t o = 0, n = 0;
     while (o < count || n < s->touch_count) {
         bool gone = n == s->touch_count || (o < count && before(old[o], s->touches[n]));

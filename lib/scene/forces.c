@@ -11,18 +11,18 @@ static void add_force(scene_body *b, vec3 point, vec3 force)
     }
 }
 
-static void show_contact(scene_object *s, const contact_row *row, vec3 force)
+static void show_contact(scene_object *s, const scene_hit *hit)
 {
     uint32_t i = s->contact_count++;
-    const contact_key *key = &row->key;
+    const contact_key *key = &hit->key;
     const uint32_t features[5] = {key->kind, key->body_a, key->a, key->body_b, key->b};
     for (int k = 0; k < 5; k++) {
         s->contact_features[i][k] = features[k];
     }
-    s->contact_points[i] = row->point;
-    s->contact_normals[i] = row->normal;
-    s->contact_forces[i] = force;
-    s->contact_gaps[i] = row->gap;
+    s->contact_points[i] = hit->point;
+    s->contact_normals[i] = hit->normal;
+    s->contact_forces[i] = hit->force;
+    s->contact_gaps[i] = hit->gap;
 }
 
 /* The body that a block moves, or that holds it: a rigid one, by its translation or by a pin. */
@@ -52,13 +52,25 @@ static void add_contacts(scene_object *s)
             continue;
         }
         vec3 force = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
-        show_contact(s, row, force);
+        const scene_hit hit = {row->key, row->normal, force, row->point, row->gap};
+        show_contact(s, &hit);
         for (uint32_t k = 0; k < row->term_count; k++) {
             const contact_term *term = &row->terms[k];
             if (!term->turns) {
                 add_force(bearer_of(s, term->block), row->point, vec3_scale(force, term->weight));
             }
         }
+    }
+}
+
+/* PAPER */
+static void add_hits(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->hit_count; i++) {
+        const scene_hit *hit = &s->hits[i];
+        show_contact(s, hit);
+        add_force(vbss_scene_body(s, hit->key.body_a), hit->point, hit->force);
+        add_force(vbss_scene_body(s, hit->key.body_b), hit->point, vec3_neg(hit->force));
     }
 }
 
@@ -72,7 +84,9 @@ static void add_pins(scene_object *s)
             continue;
         }
         const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
-        vec3 holding = vbss_thread_implicit_force(t, p->node);
+        vec3 holding = s->config.method == VBSS_METHOD_PAPER
+                           ? vbss_thread_paper_force(t, p->node)
+                           : vbss_thread_implicit_force(t, p->node);
         add_force(b, t->now.x[p->node], vec3_neg(holding));
     }
 }
@@ -83,7 +97,10 @@ void vbss_scene_note_forces(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
     }
-    add_contacts(s);
+    if (s->contacts != NULL) {
+        add_contacts(s);
+    }
+    add_hits(s);
     add_pins(s);
     s->statistics.contacts = s->contact_count;
 }

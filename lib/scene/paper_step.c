@@ -1,6 +1,189 @@
+/* A step of method PAPER (Qi et al. 2017): what docs/paper-scene.md tells in full.
+ *   tool poses -> threads, each by its own explicit steps -> passes of detection and response, until
+ *   nothing hits -> events -> tool forces
+ * Rigid bodies go where they are told, whatever is in their way. No friction, no guard. */
 #include "scene/scene.h"
+
+/* ---- as it was, if the step fails */
+
+static vbss_result keep(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            VBSS_TRY(vbss_thread_layout(t));
+            vbss_thread_copy_motion(t, &t->kept, &t->now);
+            b->thread.kept = t->statistics;
+        }
+    }
+    s->kept = s->statistics;
+    return VBSS_OK;
+}
+
+static void go_back(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            thread_object *t = s->bodies[i].thread.thread;
+            vbss_thread_copy_motion(t, &t->now, &t->kept);
+            t->statistics = s->bodies[i].thread.kept;
+        }
+    }
+    s->statistics = s->kept;
+    s->hit_count = 0;
+}
+
+/* ---- where everything goes */
+
+/* The capsules' axes at both ends of the step, for the tests and for the search. */
+static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid *r, double h)
+{
+    const vbss_rigid_part whole = {h, 0.0, 1.0};
+    uint32_t count = 2 * r->capsule_count;
+    vec3 *start = s->vertices, *end = start + count;
+    r->predicted = vbss_rigid_given(&r->body, &whole);
+    r->trial = r->predicted.at;
+    for (uint32_t i = 0; i < r->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[r->first_capsule + i];
+        vbss_scene_place_capsule(c, r->body.now.at, c->now);
+        vbss_scene_place_capsule(c, r->trial, c->trial);
+        for (uint32_t k = 0; k < 2; k++) {
+            start[2 * i + k] = c->now[k];
+            end[2 * i + k] = c->trial[k];
+        }
+    }
+    return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
+}
+
+static vbss_result move_bodies(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            VBSS_TRY(vbss_thread_paper_step(b->thread.thread, h));
+        } else if (b->kind == BODY_RIGID) {
+            VBSS_TRY(move_rigid(s, b, &b->rigid, h));
+        }
+    }
+    return VBSS_OK;
+}
+
+/* ---- passes */
+
+/* Far below what collision refuses; a sum is finite only if all its terms are. */
+static bool is_sound(const scene_object *s)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const thread_object *t = s->bodies[i].thread.thread;
+        for (uint32_t k = 0; s->bodies[i].kind == BODY_THREAD && k < t->node_count; k++) {
+            sum += vec3_norm_squared(t->now.x[k]) + vec3_norm_squared(t->now.v[k]);
+        }
+    }
+    return sum < 1e50;
+}
+
+static vbss_result search(scene_object *s)
+{
+    return is_sound(s) ? vbss_scene_paper_search(s) : VBSS_ERROR_NOT_FINITE;
+}
+
+static vbss_result make_passes(scene_object *s, double h)
+{
+    s->hit_count = 0;
+    s->hits_of_pass = 1;
+    for (uint32_t pass = 0; s->hits_of_pass > 0 && pass < s->config.paper_pass_limit; pass++) {
+        VBSS_TRY(search(s));
+        VBSS_TRY(vbss_scene_paper_pass(s, h));
+        s->statistics.attempts++;
+    }
+    if (s->hits_of_pass == 0) {
+        return VBSS_OK;
+    }
+    s->statistics.loose_states++;
+    return search(s); /* what the last pass has moved is near others now */
+}
+
+/* ---- the end of the step */
+
+/* Responses have stretched what the projection had not. */
+static double note_stretch(thread_object *t)
+{
+    vbss_thread_statistics *c = &t->statistics;
+    vbss_thread_measure(t, t->now.x, t->strains);
+    c->last_stretch = c->last_stretch_error = 0.0;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        double stretch = t->strains[i].excess / t->rest[i];
+        c->last_stretch = greater(stretch, c->last_stretch);
+        c->last_stretch_error = greater(fabs(stretch), c->last_stretch_error);
+    }
+    c->stretch_error = greater(c->last_stretch_error, c->stretch_error);
+    return c->last_stretch_error;
+}
+
+static void arrive(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            vbss_thread_finish_step(b->thread.thread, h);
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.body.now = b->rigid.predicted;
+            b->rigid.body.begin = b->rigid.body.end;
+        }
+    }
+}
+
+static void note_errors(scene_object *s, double h)
+{
+    vbss_scene_statistics *c = &s->statistics;
+    double stretch = 0.0, depth = vbss_scene_paper_measure(s, h);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            stretch = greater(note_stretch(s->bodies[i].thread.thread), stretch);
+        }
+    }
+    c->last_stretch_error = stretch;
+    c->stretch_error = greater(stretch, c->stretch_error);
+    c->last_penetration = depth;
+    c->penetration = greater(depth, c->penetration);
+    c->loose_stretch += stretch > s->config.stretch_tolerance;
+    c->rows = s->collision->candidate_count;
+    c->parts++;
+}
+
+/* The hand that leads a coupled body feels what one that drives it would. */
+static void note_hands(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == BODY_RIGID && r->kind == VBSS_RIGID_COUPLED) {
+            r->pull.force = vec3_neg(r->force);
+            r->pull.torque = vec3_neg(r->torque);
+        }
+    }
+}
+
 vbss_result vbss_scene_paper_step(scene_object *s, double h)
 {
-    (void)h;
-    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "not yet");
+    VBSS_TRY(keep(s));
+    vbss_result result = move_bodies(s, h);
+    if (result == VBSS_OK) {
+        result = make_passes(s, h);
+    }
+    if (result != VBSS_OK) {
+        go_back(s);
+        return result != VBSS_ERROR_NOT_FINITE
+                   ? result
+                   : vbss_fail(s->context, result, "scene step: no finite state after step %llu",
+                               (unsigned long long)s->statistics.steps);
+    }
+    vbss_scene_begin_events(s);
+    note_errors(s, h);
+    arrive(s, h);
+    vbss_scene_note_touches(s);
+    vbss_scene_note_forces(s);
+    note_hands(s);
+    return VBSS_OK;
 }

@@ -180,28 +180,13 @@ static thread_attachment *find_attachment(const scene_body *thread, uint32_t id)
 void vbss_scene_aim_pins(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
-        scene_pin *p = &s->pins[i];
-        if (p->id == 0 || p->attachment == 0) {
-            continue;
-        }
-        thread_attachment *a = find_attachment(vbss_scene_body(s, p->thread), p->attachment);
-        if (a != NULL) {
-            p->kept = a->target;
-            a->target = aim(vbss_scene_body(s, p->body), p->point);
-        }
-    }
-}
-
-void vbss_scene_aim_pins_back(scene_object *s)
-{
-    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         if (p->id == 0 || p->attachment == 0) {
             continue;
         }
         thread_attachment *a = find_attachment(vbss_scene_body(s, p->thread), p->attachment);
         if (a != NULL) {
-            a->target = p->kept;
+            a->target = aim(vbss_scene_body(s, p->body), p->point);
         }
     }
 }

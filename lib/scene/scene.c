@@ -93,6 +93,7 @@ static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
     size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
+    size_t hits = s->config.method == VBSS_METHOD_PAPER ? contacts : 0;
     const vbss_array all[] = {
         {&s->bodies, s->place_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
@@ -103,6 +104,7 @@ static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
         {&s->welds, s->config.pin_capacity, sizeof *s->welds},
         {&s->block, 1, sizeof *s->block},
         {&s->solids, capsules, sizeof *s->solids},
+        {&s->hits, hits, sizeof *s->hits},
         {&s->touches, contacts, sizeof *s->touches},
         {&s->touches_before, contacts, sizeof *s->touches_before},
         {&s->events, s->config.event_capacity, sizeof *s->events},

@@ -75,12 +75,20 @@ typedef struct scene_pin {
     uint32_t thread, node, body; /* numbers; body 0: the world */
     uint32_t attachment;         /* of the thread, for driven bodies and the world; 0: a weld */
     vec3 point;                  /* in the principal frame of the body, or in the world */
-    vec3 kept;                   /* where its attachment was to go before the step */
 } scene_pin;
 
 typedef struct scene_touch {
     uint32_t body_a, body_b;
 } scene_touch;
+
+/* PAPER: a pair that was responded to in the step under way. */
+typedef struct scene_hit {
+    contact_key key;
+    vec3 normal; /* unit, from b to a */
+    vec3 force;  /* of b on a, N; while there are passes mass times displacement */
+    vec3 point;  /* between the surfaces */
+    double gap;
+} scene_hit;
 
 /* ---- a part of a step */
 
@@ -141,6 +149,9 @@ struct scene_object {
     void (*watch)(void *watcher, const struct scene_object *scene);
     void *watcher;
 
+    scene_hit *hits; /* PAPER, ascending keys */
+    uint32_t hit_count, hits_of_pass;
+
     /* what is left of the last step */
     scene_touch *touches, *touches_before; /* ascending */
     uint32_t touch_count;
@@ -182,7 +193,6 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
                            const scene_body *rigid, double touching);
 /* Attached nodes shall be where their driven bodies will be. */
 void vbss_scene_aim_pins(scene_object *s);
-void vbss_scene_aim_pins_back(scene_object *s);
 
 /* ---- an attempt, in order */
 
@@ -218,6 +228,11 @@ void vbss_scene_serialise(vbss_stream *stream, void *object);
 
 vbss_result vbss_scene_ours_step(scene_object *s, double h);  /* step.c */
 vbss_result vbss_scene_paper_step(scene_object *s, double h); /* paper_step.c */
+/* paper_contacts.c: what is near; all of it once, tested and moved apart. At the end, before anything arrives:
+ * where the surfaces of what was moved are, and its forces; the deepest overlap of what is near. */
+vbss_result vbss_scene_paper_search(scene_object *s);
+vbss_result vbss_scene_paper_pass(scene_object *s, double h);
+double vbss_scene_paper_measure(scene_object *s, double h);
 /* events.c: at the end of a step. */
 void vbss_scene_begin_events(scene_object *s);
 void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,

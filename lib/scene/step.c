@@ -49,7 +49,6 @@ static void go_back(scene_object *s)
     }
     s->statistics = s->kept;
     vbss_contact_return(s->contacts);
-    vbss_scene_aim_pins_back(s);
     vbss_scene_begin_events(s);
     s->generation++;
 }
@@ -201,7 +200,6 @@ static void arrive(scene_object *s, double h)
 
 vbss_result vbss_scene_ours_step(scene_object *s, double h)
 {
-    vbss_scene_aim_pins(s);
     VBSS_TRY(keep(s));
     vbss_scene_begin_events(s);
     vbss_result result = make_parts(s, h);

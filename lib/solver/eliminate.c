@@ -8,45 +8,58 @@
 /* ---- 3x3 with row exchanges */
 
 typedef struct pivoted {
-    double m[3][3];    /* L below the diagonal, U above */
+    double l10, l20, l21, u01, u02, u12;
     double inverse[3]; /* of U's diagonal */
     int row[3];        /* where each row came from */
 } pivoted;
 
+static inline double largest_of(const block *a)
+{
+    lanes most = lanes_larger(lanes_abs(a->column[0]), lanes_abs(a->column[1]));
+    most = lanes_larger(most, lanes_abs(a->column[2]));
+    double x = lanes_at(most, 0), y = lanes_at(most, 1), z = lanes_at(most, 2);
+    double xy = x > y ? x : y;
+    return xy > z ? xy : z;
+}
+
+/* Rows i, j, k: the first is chosen by the first column, the second by what is left of the second. Pivots
+ * are compared so that NaN fails. */
 static bool factor(const block *a, pivoted *p)
 {
-    double largest = 0.0;
-    for (int i = 0; i < 3; i++) {
-        p->row[i] = i;
-        for (int j = 0; j < 3; j++) {
-            p->m[i][j] = lanes_at(a->column[j], i);
-            largest = fabs(p->m[i][j]) > largest ? fabs(p->m[i][j]) : largest;
-        }
+    double smallest = SMALLEST_PIVOT * largest_of(a), c0[LANES], c1[LANES], c2[LANES];
+    lanes_store(c0, a->column[0]);
+    lanes_store(c1, a->column[1]);
+    lanes_store(c2, a->column[2]);
+    int i = fabs(c0[1]) > fabs(c0[0]) ? 1 : 0;
+    i = fabs(c0[2]) > fabs(c0[i]) ? 2 : i;
+    int j = i == 1 ? 0 : 1, k = i == 2 ? 0 : 2;
+    if (!(fabs(c0[i]) > smallest)) {
+        return false;
     }
-    for (int k = 0; k < 3; k++) {
-        int best = k;
-        for (int i = k + 1; i < 3; i++) {
-            best = fabs(p->m[i][k]) > fabs(p->m[best][k]) ? i : best;
-        }
-        for (int j = 0; j < 3; j++) {
-            double kept = p->m[k][j];
-            p->m[k][j] = p->m[best][j];
-            p->m[best][j] = kept;
-        }
-        int kept = p->row[k];
-        p->row[k] = p->row[best];
-        p->row[best] = kept;
-        if (!(fabs(p->m[k][k]) > SMALLEST_PIVOT * largest)) { /* NaN fails */
-            return false;
-        }
-        p->inverse[k] = 1.0 / p->m[k][k];
-        for (int i = k + 1; i < 3; i++) {
-            p->m[i][k] *= p->inverse[k];
-            for (int j = k + 1; j < 3; j++) {
-                p->m[i][j] -= p->m[i][k] * p->m[k][j];
-            }
-        }
+    p->inverse[0] = 1.0 / c0[i];
+    p->u01 = c1[i];
+    p->u02 = c2[i];
+    double lj = c0[j] * p->inverse[0], lk = c0[k] * p->inverse[0];
+    double j1 = c1[j] - lj * p->u01, k1 = c1[k] - lk * p->u01;
+    double j2 = c2[j] - lj * p->u02, k2 = c2[k] - lk * p->u02;
+    bool exchanged = fabs(k1) > fabs(j1);
+    double u11 = exchanged ? k1 : j1;
+    if (!(fabs(u11) > smallest)) {
+        return false;
     }
+    p->inverse[1] = 1.0 / u11;
+    p->u12 = exchanged ? k2 : j2;
+    p->l10 = exchanged ? lk : lj;
+    p->l20 = exchanged ? lj : lk;
+    p->l21 = (exchanged ? j1 : k1) * p->inverse[1];
+    double u22 = (exchanged ? j2 : k2) - p->l21 * p->u12;
+    if (!(fabs(u22) > smallest)) {
+        return false;
+    }
+    p->inverse[2] = 1.0 / u22;
+    p->row[0] = i;
+    p->row[1] = exchanged ? k : j;
+    p->row[2] = exchanged ? j : k;
     return true;
 }
 
@@ -54,12 +67,12 @@ static bool factor(const block *a, pivoted *p)
 static inline void solve_rows(const pivoted *p, block *rows)
 {
     lanes y0 = rows->column[p->row[0]];
-    lanes y1 = lanes_sub(rows->column[p->row[1]], lanes_mul(p->m[1][0], y0));
-    lanes y2 = lanes_sub(rows->column[p->row[2]], lanes_mul(p->m[2][0], y0));
-    lanes z = lanes_mul(p->inverse[2], lanes_sub(y2, lanes_mul(p->m[2][1], y1)));
-    lanes y = lanes_mul(p->inverse[1], lanes_sub(y1, lanes_mul(p->m[1][2], z)));
-    lanes x = lanes_sub(y0, lanes_mul(p->m[0][1], y));
-    rows->column[0] = lanes_mul(p->inverse[0], lanes_sub(x, lanes_mul(p->m[0][2], z)));
+    lanes y1 = lanes_sub(rows->column[p->row[1]], lanes_mul(p->l10, y0));
+    lanes y2 = lanes_sub(rows->column[p->row[2]], lanes_mul(p->l20, y0));
+    lanes z = lanes_mul(p->inverse[2], lanes_sub(y2, lanes_mul(p->l21, y1)));
+    lanes y = lanes_mul(p->inverse[1], lanes_sub(y1, lanes_mul(p->u12, z)));
+    lanes x = lanes_sub(y0, lanes_mul(p->u01, y));
+    rows->column[0] = lanes_mul(p->inverse[0], lanes_sub(x, lanes_mul(p->u02, z)));
     rows->column[1] = y;
     rows->column[2] = z;
 }
@@ -69,11 +82,11 @@ static inline lanes solve_vector(const pivoted *p, lanes b)
     double in[LANES];
     lanes_store(in, b);
     double y0 = in[p->row[0]];
-    double y1 = in[p->row[1]] - p->m[1][0] * y0;
-    double y2 = in[p->row[2]] - p->m[2][0] * y0 - p->m[2][1] * y1;
+    double y1 = in[p->row[1]] - p->l10 * y0;
+    double y2 = in[p->row[2]] - p->l20 * y0 - p->l21 * y1;
     double z = y2 * p->inverse[2];
-    double y = (y1 - p->m[1][2] * z) * p->inverse[1];
-    double x = (y0 - p->m[0][1] * y - p->m[0][2] * z) * p->inverse[0];
+    double y = (y1 - p->u12 * z) * p->inverse[1];
+    double x = (y0 - p->u01 * y - p->u02 * z) * p->inverse[0];
     return lanes_make(x, y, z);
 }
 
@@ -116,17 +129,27 @@ static inline lanes minus_times(lanes to, const block *from, lanes v)
 
 /* ---- a column */
 
+/* Lane by lane: whole blocks would be copied in halves of lanes, which the processor then has to put
+ * together again. */
+static inline void copy_block(block *to, const block *from)
+{
+    for (int i = 0; i < 3; i++) {
+        to->column[i] = from->column[i];
+    }
+}
+
 /* What stands in the working blocks, and zero where elimination will fill. */
 static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
 {
-    const block zero = {{lanes_all(0.0), lanes_all(0.0), lanes_all(0.0)}};
     for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
-        e->entry[e->rows[f]] = f;
-        e->lower[f] = e->upper[f] = zero;
+        e->entry_in[e->rows[f]] = f;
+        for (int i = 0; i < 3; i++) {
+            e->lower[f].column[i] = e->upper[f].column[i] = lanes_all(0.0);
+        }
     }
     for (uint32_t p = e->pair_start[k]; p < e->pair_start[k + 1]; p++) {
-        uint32_t f = e->entry[e->pairs[p].row];
-        e->lower[f] = s->separator_blocks[e->pairs[p].place];
+        uint32_t f = e->entry_in[e->pairs[p].row];
+        copy_block(&e->lower[f], &s->separator_blocks[e->pairs[p].place]);
         block_transpose(&e->upper[f], &s->separator_blocks[e->pairs[p].place ^ 1u]);
     }
 }
@@ -137,18 +160,19 @@ static void subtract_column(vbss_elimination *e, uint32_t from, uint32_t end)
 {
     const spread below = spread_block(&e->upper[from - 1]);
     for (uint32_t f = from; f < end; f++) {
-        subtract_product(&e->lower[e->entry[e->rows[f]]], &e->lower[f], &below);
+        subtract_product(&e->lower[e->entry_in[e->rows[f]]], &e->lower[f], &below);
     }
     const spread right = spread_block(&e->lower[from - 1]);
     for (uint32_t f = from; f < end; f++) {
-        subtract_product(&e->upper[e->entry[e->rows[f]]], &e->upper[f], &right);
+        subtract_product(&e->upper[e->entry_in[e->rows[f]]], &e->upper[f], &right);
     }
 }
 
 static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
 {
     uint32_t separator = e->order[k];
-    block diagonal = s->separator_blocks[2 * s->pair_count + separator];
+    block diagonal;
+    copy_block(&diagonal, &s->separator_blocks[2 * s->pair_count + separator]);
     lanes rhs = lanes_from(s->separator_rhs[separator]);
     load_column(s, e, k);
     for (uint32_t r = e->row_start[k]; r < e->row_start[k + 1]; r++) {

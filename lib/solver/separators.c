@@ -53,7 +53,7 @@ void vbss_system_keep_separators(vbss_system *s)
         s->separator_base_rhs[separator] = s->rhs[s->order[k]];
         for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
             const block *lower = &s->numbers[s->entries[e].index];
-            block *pair = &s->separator_base[2 * (e - s->separator_first_entry)];
+            block *pair = &s->separator_base[2 * (size_t)(e - s->separator_first_entry)];
             pair[0] = *lower;
             block_transpose(&pair[1], lower);
         }

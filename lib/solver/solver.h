@@ -89,23 +89,32 @@ typedef struct vbss_pair {
     uint32_t row, place;
 } vbss_pair;
 
-/* Elimination of the separators, in an order of its own. A separator counts by block number, a position
- * by elimination, both from 0 on. */
+/* Neighbours of a separator that are left, and those of them that an elimination joined last. */
+typedef struct vbss_degree {
+    uint32_t neighbours, joined;
+} vbss_degree;
+
+/* Elimination of the separators, in an order of its own. Separators count by block number, positions in
+ * this order, both from 0 on. */
 typedef struct vbss_elimination {
     uint32_t *order;        /* position -> separator */
     uint32_t *position;     /* separator -> position */
     uint32_t *column_start; /* position -> first entry of its column; one more at the end */
     uint32_t *rows;         /* of entries: positions, ascending in a column */
-    uint32_t *row_start;    /* position -> first of its row; one more at the end */
+    uint32_t *row_start;    /* position -> first entry of its row; one more at the end */
     vbss_earlier *earlier;  /* entries by rows, columns ascending */
-    uint32_t *pair_start;   /* position -> first of the pattern's pairs in its column; one more */
-    vbss_pair *pairs;
-    uint64_t *near;  /* scratch of analyse: rows of bits, who is coupled with whom */
-    uint32_t *keys;  /* scratch of analyse */
-    uint32_t *entry; /* scratch of the numbers: row -> entry of the column at hand */
-    /* L without the pivots; and D^-1 U, transposed */
-    block *lower, *upper;
-    lanes *x;
+    uint32_t *pair_start;   /* position -> first pair of its column; one more at the end */
+    vbss_pair *pairs;       /* what is not filled in */
+    block *lower, *upper;   /* entries of L with the pivots, and of U without, transposed */
+    lanes *x;               /* right-hand sides, then increments, by position */
+
+    /* scratch of analyse: who is coupled with whom as rows of bits, how many they are, who is next */
+    uint64_t *near;
+    vbss_degree *degrees;
+    int64_t *keys;
+    uint32_t *next; /* free places of buckets */
+    /* scratch of the numbers: row -> entry of the column at hand */
+    uint32_t *entry_in;
 } vbss_elimination;
 
 typedef struct vbss_system {
@@ -121,7 +130,9 @@ typedef struct vbss_system {
     uint32_t *chain_of;       /* block -> chain */
     uint32_t *known;          /* couplings by hash, for couple_once; 0 is free */
     uint32_t known_capacity;  /* a power of two */
-    uint32_t known_count;     /* couplings from 1 on that stand there */
+    uint32_t known_count;     /* of couplings, from 1 on: those that stand there */
+    uint32_t *bare;           /* couplings that no body sets: of couple_once */
+    uint32_t bare_count;
 
     /* analysed; positions count in elimination order, runs first, then separators by block number */
     uint32_t run_count, active_count, entry_count, fill_count;
@@ -152,9 +163,9 @@ typedef struct vbss_system {
 } vbss_system;
 
 /* Room for chains of `blocks` blocks in all, coupled to `reach` neighbours on either side, of which
- * `separators` (at most 65535) may be separators, with `pairs` of them coupled or filled in. Separators come in groups
- * of at least `reach` neighbours: past a narrower one a run is coupled with the next, and what it fills
- * in may not find room. */
+ * `separators` (but no more than 16384) may be separators, with `pairs` of them coupled, joined by runs or filled
+ * in. Separators come in groups of at least `reach` neighbours: past a narrower one a run is coupled with
+ * the next, and what it fills in may not find room. */
 vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
                                uint32_t separators, uint32_t pairs, vbss_system **system);
 void vbss_system_destroy(vbss_context *context, vbss_system *system);
@@ -166,7 +177,8 @@ void vbss_system_set_role(vbss_system *system, uint32_t block, vbss_role role);
 /* Two different blocks; the same pair only once. VBSS_NO_COUPLING when one of them is given, so set
  * the roles first. Blocks of two chains must both be separators: else VBSS_ERROR_OUT_OF_RANGE. */
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling);
-/* The same, but a pair that is coupled already, by whomever, gets the coupling that it has. */
+/* For who only adds: a pair that is coupled already gets the coupling that it has; else it is coupled, and
+ * its numbers are emptied by clear. After all calls of vbss_system_couple. */
 vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b,
                                     uint32_t *coupling);
 vbss_result vbss_system_analyse(vbss_system *system);
@@ -174,45 +186,47 @@ vbss_result vbss_system_analyse(vbss_system *system);
 /* The numbers. Whoever registered a chain or a coupling sets its diagonals, right-hand sides and
  * numbers in every round; others may add to them afterwards. Diagonals are symmetric. A coupling's
  * block has the rows of the block that is eliminated later: of the higher one unless it is `flipped`;
- * its transpose is meant with it. clear prepares what nobody sets: fill. */
+ * its transpose is meant with it. clear empties what nobody sets: fill, and what only couple_once coupled. */
 void vbss_system_clear(vbss_system *system);
 
 /* Eliminates the runs. False: a pivot was too small. */
 bool vbss_system_condense(vbss_system *system);
 
-/* The separators' system, as often as wanted after one condense.
+/* ---- the separators' system, as often as wanted after one condense
  *
  * Where the block in the row of one separator and the column of another stands in separator_blocks, and
- * the right-hand side of one in separator_rhs; the same until analyse. VBSS_NO_PLACE if there is none:
- * a pair has places when it is coupled, or joined by runs; what the elimination of separators fills in
- * has none. Blocks of a pair in both directions are two places. */
+ * the right-hand side of one in separator_rhs; the same until analyse. The two blocks of a pair are two
+ * places. VBSS_NO_PLACE when there is none: pairs have places that are coupled, or joined by runs; what
+ * the elimination of separators fills in has none. */
 uint32_t vbss_system_place(const vbss_system *system, uint32_t row, uint32_t column);
 uint32_t vbss_system_rhs_place(const vbss_system *system, uint32_t row);
-/* Copies what condensing left into separator_blocks and separator_rhs, where others may add to it (and
- * subtract, and make it unsymmetric). */
+/* Copies what condensing left into separator_blocks and separator_rhs, where others may add to it and make
+ * it unsymmetric. */
 void vbss_system_take_separators(vbss_system *system);
-/* Factorises that and puts the separators' increments into the solution, those of the runs not. What was
- * added stays as it is. False: a pivot was too small. */
+/* Factorises what stands there, which stays as it is, and puts the separators' increments into the
+ * solution; those of the runs not. False: a pivot was too small. */
 bool vbss_system_solve_separators(vbss_system *system);
-/* The increments of all others. */
+/* Then all other increments. */
 void vbss_system_finish(vbss_system *system);
 /* solve_separators and finish. */
 bool vbss_system_solve(vbss_system *system);
 
-/* ---- parts of these, not for others */
+/* ---- parts of the above */
 
-/* Of analyse: the order of the separators' elimination and its fill. */
+/* Of analyse: the order of the separators' elimination and what it fills in. */
 vbss_result vbss_system_order_separators(vbss_system *system);
-/* Both copies of condense.c and of eliminate.c: elimination of the runs, and of the separators; the runs'
- * increments from the separators'. */
+/* Of condense: what it left, in the order of places. */
+void vbss_system_keep_separators(vbss_system *system);
+/* Of finish: the runs' increments from the separators'. */
+void vbss_system_return_to_runs(vbss_system *system);
+/* Both copies of separator_order.c, condense.c and eliminate.c. */
+vbss_result vbss_system_order_separators_plain(vbss_system *system);
+vbss_result vbss_system_order_separators_wide(vbss_system *system);
 bool vbss_system_condense_plain(vbss_system *system);
 bool vbss_system_condense_wide(vbss_system *system);
-/* After condense: its result as separator_base and separator_base_rhs. */
-void vbss_system_keep_separators(vbss_system *system);
 bool vbss_system_solve_separators_plain(vbss_system *system);
 bool vbss_system_solve_separators_wide(vbss_system *system);
 void vbss_system_return_to_runs_plain(vbss_system *system);
 void vbss_system_return_to_runs_wide(vbss_system *system);
-void vbss_system_return_to_runs(vbss_system *system);
 
 #endif

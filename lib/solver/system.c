@@ -5,8 +5,8 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 37 };
-#define MOST_SEPARATORS 65535u /* two of their numbers are one key */
+enum { PARTS = 40 };
+#define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
 {
@@ -20,6 +20,7 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
         {&s->chain_of, blocks, sizeof *s->chain_of},
+        {&s->bare, s->coupling_capacity, sizeof *s->bare},
         {&s->known, s->known_capacity, sizeof *s->known},
         {&s->order, blocks, sizeof *s->order},
         {&s->place, blocks, sizeof *s->place},
@@ -47,12 +48,14 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&e->earlier, pairs, sizeof *e->earlier},
         {&e->pair_start, separators + 1, sizeof *e->pair_start},
         {&e->pairs, pairs, sizeof *e->pairs},
-        {&e->near, separators * words, sizeof *e->near},
-        {&e->keys, separators, sizeof *e->keys},
-        {&e->entry, separators, sizeof *e->entry},
         {&e->lower, pairs, sizeof *e->lower},
         {&e->upper, pairs, sizeof *e->upper},
         {&e->x, separators, sizeof *e->x},
+        {&e->near, separators * words, sizeof *e->near},
+        {&e->degrees, separators, sizeof *e->degrees},
+        {&e->keys, separators, sizeof *e->keys},
+        {&e->next, separators, sizeof *e->next},
+        {&e->entry_in, separators, sizeof *e->entry_in},
     };
     memcpy(parts, all, sizeof all);
 }
@@ -71,10 +74,6 @@ vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t 
                                uint32_t separators, uint32_t pairs, vbss_system **system)
 {
     *system = NULL;
-    if (separators > MOST_SEPARATORS) {
-        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "system: more than %u separators",
-                         MOST_SEPARATORS);
-    }
     vbss_system *s = vbss_allocate(context, 1, sizeof *s, "system");
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -83,7 +82,7 @@ vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t 
     s->context = context;
     s->wide = vbss_wide_is_there();
     s->block_capacity = blocks;
-    s->separator_capacity = separators;
+    s->separator_capacity = separators < MOST_SEPARATORS ? separators : MOST_SEPARATORS;
     s->pair_capacity = pairs;
     s->coupling_capacity = blocks * reach + pairs;
     s->entry_capacity = blocks * rows + pairs;
@@ -116,7 +115,7 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system)
 void vbss_system_begin(vbss_system *system)
 {
     system->block_count = system->coupling_count = system->chain_count = 0;
-    system->known_count = 0;
+    system->known_count = system->bare_count = 0;
     memset(&system->couplings[VBSS_NO_COUPLING], 0, sizeof *system->couplings);
 }
 
@@ -151,8 +150,8 @@ vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint
     if (system->chain_of[a] != system->chain_of[b] &&
         (one == VBSS_ROLE_RUN || other == VBSS_ROLE_RUN)) {
         return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "system: blocks %u and %u of two chains are coupled, and not separators",
-                         a, b);
+                         "system: blocks %u and %u are of two chains, and not both separators", a,
+                         b);
     }
     if (system->coupling_count == system->coupling_capacity) {
         return vbss_fail(system->context, VBSS_ERROR_CAPACITY, "system: more than %u couplings",
@@ -196,12 +195,23 @@ vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b,
 {
     know_all(system);
     *coupling = *known_place(system, a > b ? a : b, a > b ? b : a);
-    return *coupling != VBSS_NO_COUPLING ? VBSS_OK : vbss_system_couple(system, a, b, coupling);
+    if (*coupling == VBSS_NO_COUPLING) {
+        VBSS_TRY(vbss_system_couple(system, a, b, coupling));
+        if (*coupling != VBSS_NO_COUPLING) { /* neither is given */
+            system->bare[system->bare_count++] = *coupling;
+        }
+    }
+    return VBSS_OK;
 }
+
+/* ---- the numbers */
 
 void vbss_system_clear(vbss_system *system)
 {
     /* Fill stands behind the couplings. */
     block *fill = system->numbers + system->coupling_count + 1;
     memset(fill, 0, system->fill_count * sizeof *fill);
+    for (uint32_t i = 0; i < system->bare_count; i++) {
+        memset(&system->numbers[system->bare[i]], 0, sizeof *system->numbers);
+    }
 }

@@ -1,0 +1,322 @@
+/* Method PAPER: a pass over all pairs that are near. Each is tested between begin and end of the step, as
+ * far as responses have moved the end by now (algorithm 1), and what hits is moved at once (algorithm 2).
+ * What the paper leaves open and how it was chosen: docs/paper-scene.md. */
+#include "scene/scene.h"
+
+#include "collision/closest.h"
+
+#include <string.h>
+
+/* A response of less than this share of D is rounding. */
+#define NO_DEPTH 1e-9
+/* No node is moved by more than so many times the contact point's shift: two free ones of equal mass never are
+ * by more than 1.21. Near a held node the other has a long lever. */
+#define LEVER 1.25
+/* Axes nearer than this have no direction, m. */
+#define NO_DISTANCE 1e-12
+
+/* ---- features */
+
+/* A segment of a thread, or the axis of a capsule; a node of a thread alone: the floor. */
+typedef struct feature {
+    const vec3 *start;
+    vec3 *end, *speed; /* speed NULL: nothing moves it */
+    double radius;
+    double mass[2], mobility[2]; /* of its ends; mobility, 1/kg, 0: held */
+} feature;
+
+static feature thread_feature(const thread_object *t, uint32_t node, uint32_t count)
+{
+    feature f = {t->kept.x + node, t->now.x + node, t->now.v + node, t->config.radius, {0}, {0}};
+    for (uint32_t k = 0; k < count; k++) {
+        f.mass[k] = t->mass[node + k];
+        f.mobility[k] = t->held[node + k] != 0 ? 0.0 : 1.0 / f.mass[k];
+    }
+    return f;
+}
+
+static feature feature_of(const scene_object *s, const scene_body *b, uint32_t i)
+{
+    if (b->kind == BODY_THREAD) {
+        return thread_feature(b->thread.thread, i, 2);
+    }
+    scene_capsule *c = &s->capsules[b->rigid.first_capsule + i];
+    feature f = {c->now, c->trial, NULL, c->radius, {0}, {0}};
+    return f;
+}
+
+static bool moves(const feature *f)
+{
+    return f->mobility[0] > 0.0 || f->mobility[1] > 0.0;
+}
+
+/* From b to a at the end, and where on each. */
+static vec3 apart_at_end(const feature *a, const feature *b, double at[2])
+{
+    return vec3_neg(closest_edges(vec3_sub(a->end[1], a->end[0]), vec3_sub(b->end[1], b->end[0]),
+                                  vec3_sub(b->end[0], a->end[0]), &at[0], &at[1]));
+}
+
+/* ---- pairs of them */
+
+typedef struct pair {
+    contact_key key;
+    feature a, b;
+} pair;
+
+/* Threads come first, whatever the order in which bodies were added. False: these two do not touch. */
+static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    uint32_t i = q->a, k = q->b;
+    if (a->kind == BODY_RIGID) {
+        const scene_body *thread = b;
+        b = a;
+        a = thread;
+        i = q->b;
+        k = q->a;
+    }
+    if (a->kind == BODY_RIGID) {
+        return false;
+    }
+    bool rigid = b->kind == BODY_RIGID;
+    uint32_t kind = rigid ? VBSS_CONTACT_SEGMENT_CAPSULE : VBSS_CONTACT_SEGMENTS;
+    const pair own = {{kind, a->number, i, b->number, k}, feature_of(s, a, i), feature_of(s, b, k)};
+    *p = own;
+    return !rigid || !vbss_scene_comes_from(s, a, i, b, p->a.radius + p->b.radius);
+}
+
+/* ---- what was responded to, in the order of the features */
+
+static uint32_t place_of(const scene_object *s, const contact_key *key)
+{
+    uint32_t low = 0, high = s->hit_count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        bool below = vbss_contact_compare(&s->hits[middle].key, key) < 0;
+        low = below ? middle + 1 : low;
+        high = below ? high : middle;
+    }
+    return low;
+}
+
+static vbss_result note_hit(scene_object *s, const contact_key *key, vec3 normal, vec3 push)
+{
+    uint32_t i = place_of(s, key);
+    if (i == s->hit_count || vbss_contact_compare(&s->hits[i].key, key) != 0) {
+        if (s->hit_count == s->config.contact_capacity) {
+            return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
+                             "there are more contacts than contact_capacity, %u", s->hit_count);
+        }
+        memmove(&s->hits[i + 1], &s->hits[i], (s->hit_count - i) * sizeof *s->hits);
+        s->hits[i] = (scene_hit){.key = *key};
+        s->hit_count++;
+    }
+    s->hits[i].normal = normal;
+    s->hits[i].force = vec3_add(s->hits[i].force, push);
+    return VBSS_OK;
+}
+
+/* ---- a pair of segments or axes */
+
+static vbss_impact ask(scene_object *s, const feature *a, const feature *b, double thickness)
+{
+    collision_question question = {.kind = VBSS_PAIR_EDGE_EDGE, .thickness = thickness};
+    collision_answer answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
+    for (int k = 0; k < 2; k++) {
+        question.start[k] = a->start[k];
+        question.end[k] = a->end[k];
+        question.start[2 + k] = b->start[k];
+        question.end[2 + k] = b->end[k];
+    }
+    vbss_collision_ask(&s->collision->rules, &question, &answer, &s->collision->counters);
+    vbss_impact impact = {.struct_size = sizeof impact, .hit = answer.hit, .time = answer.time};
+    vec3_store(impact.normal, answer.normal);
+    memcpy(impact.weights, answer.weights, sizeof impact.weights);
+    return impact;
+}
+
+static vbss_result respond(const feature *a, const feature *b, double thickness,
+                           const vbss_impact *impact, vbss_response *response)
+{
+    double start[12], end[12];
+    const double mobility[4] = {a->mobility[0], a->mobility[1], b->mobility[0], b->mobility[1]};
+    for (size_t k = 0; k < 2; k++) {
+        vec3_store(start + 3 * k, a->start[k]);
+        vec3_store(end + 3 * k, a->end[k]);
+        vec3_store(start + 6 + 3 * k, b->start[k]);
+        vec3_store(end + 6 + 3 * k, b->end[k]);
+    }
+    return vbss_paper_response(VBSS_PAIR_EDGE_EDGE, VBSS_RESPONSE_END_OF_STEP, impact, start, end,
+                               thickness, mobility, response, sizeof *response);
+}
+
+static void limit_side(double displacement[6], double share, double wanted, double depth)
+{
+    double factor = share != 0.0 ? wanted / share : 0.0, most = LEVER * wanted * depth;
+    double largest = factor * greater(vec3_norm(vec3_load(displacement)),
+                                      vec3_norm(vec3_load(displacement + 3)));
+    factor *= largest > most ? most / largest : 1.0;
+    for (int k = 0; k < 6; k++) {
+        displacement[k] *= factor;
+    }
+}
+
+/* Shares beyond 0 ... 1, of one side that flees, and long levers: printed, and what makes knots explode. */
+static void limit_response(vbss_response *r)
+{
+    double share = clamp_unit(r->share_a);
+    limit_side(r->displacement, r->share_a, share, r->depth);
+    limit_side(r->displacement + 6, 1.0 - r->share_a, 1.0 - share, r->depth);
+}
+
+/* Positions at once, velocities by as much over the step. Returns mass times displacement. */
+static vec3 displace(const feature *f, const double displacement[6], double h)
+{
+    vec3 push = vec3_zero();
+    for (size_t k = 0; k < 2; k++) {
+        vec3 way = vec3_load(displacement + 3 * k);
+        if (f->speed != NULL && f->mobility[k] > 0.0) {
+            f->end[k] = vec3_add(f->end[k], way);
+            f->speed[k] = vec3_add_scaled(f->speed[k], 1.0 / h, way);
+            push = vec3_add_scaled(push, f->mass[k], way);
+        }
+    }
+    return push;
+}
+
+static vbss_result meet(scene_object *s, const contact_key *key, const feature *a, const feature *b,
+                        double h)
+{
+    double thickness = a->radius + b->radius + s->config.paper_thickness;
+    vbss_response response;
+    vbss_impact impact = ask(s, a, b, thickness);
+    s->statistics.guard_pairs++;
+    if (impact.hit == 0) {
+        return VBSS_OK;
+    }
+    if (respond(a, b, thickness, &impact, &response) != VBSS_OK) {
+        return VBSS_ERROR_NOT_FINITE; /* beyond all that collision takes */
+    }
+    limit_response(&response);
+    vec3 push = displace(a, response.displacement, h);
+    vec3 back = vec3_neg(displace(b, response.displacement + 6, h));
+    if (vec3_norm_squared(back) > vec3_norm_squared(push)) { /* the paper's shares do not balance */
+        push = back;
+    }
+    if (response.depth < NO_DEPTH * thickness || vec3_norm_squared(push) == 0.0) {
+        return VBSS_OK;
+    }
+    s->hits_of_pass++;
+    return note_hit(s, key, vec3_load(response.direction), push);
+}
+
+static vbss_result meet_candidate(scene_object *s, const collision_candidate *q, double h)
+{
+    pair p;
+    bool meets = pair_of(s, q, &p) && (moves(&p.a) || moves(&p.b));
+    return meets ? meet(s, &p.key, &p.a, &p.b, h) : VBSS_OK;
+}
+
+/* ---- the floor: nodes below it are put on it */
+
+static double height_of(const scene_object *s, vec3 x)
+{
+    return vec3_dot(x, s->floor_normal) - s->config.floor_height;
+}
+
+static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
+{
+    const thread_object *t = b->thread.thread;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        const feature f = thread_feature(t, i, 1);
+        double thickness = f.radius + s->config.paper_thickness;
+        double depth = thickness - height_of(s, f.end[0]);
+        if (depth <= NO_DEPTH * thickness || f.mobility[0] == 0.0) {
+            continue;
+        }
+        double displacement[6] = {0.0};
+        vec3_store(displacement, vec3_scale(s->floor_normal, depth));
+        const contact_key key = {VBSS_CONTACT_NODE_FLOOR, b->number, i, 0, 0};
+        s->hits_of_pass++;
+        VBSS_TRY(note_hit(s, &key, s->floor_normal, displace(&f, displacement, h)));
+    }
+    return VBSS_OK;
+}
+
+/* ---- a pass */
+
+vbss_result vbss_scene_paper_search(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            const thread_object *t = b->thread.thread;
+            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &t->kept.x->x, &t->now.x->x,
+                                         t->node_count));
+        }
+    }
+    return vbss_collision_find_candidates(scene_collision(s));
+}
+
+vbss_result vbss_scene_paper_pass(scene_object *s, double h)
+{
+    s->hits_of_pass = 0;
+    for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
+        VBSS_TRY(meet_candidate(s, &s->collision->candidates[i], h));
+    }
+    for (uint32_t i = 0; s->config.floor != 0 && i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            VBSS_TRY(meet_floor(s, &s->bodies[i], h));
+        }
+    }
+    return VBSS_OK;
+}
+
+/* ---- afterwards */
+
+/* Where the surfaces are, on the side that was responded to. */
+static void lay_hit(const scene_object *s, scene_hit *hit)
+{
+    const scene_body *a = vbss_scene_body(s, hit->key.body_a);
+    const scene_body *b = vbss_scene_body(s, hit->key.body_b);
+    if (b == NULL) {
+        const feature f = thread_feature(a->thread.thread, hit->key.a, 1);
+        hit->gap = height_of(s, f.end[0]) - f.radius;
+        hit->point = vec3_add_scaled(f.end[0], -f.radius - 0.5 * hit->gap, hit->normal);
+        return;
+    }
+    const feature f = feature_of(s, a, hit->key.a), g = feature_of(s, b, hit->key.b);
+    double at[2];
+    vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(f.end[0], f.end[1], at[0]);
+    double distance = vec3_norm(apart), side = vec3_dot(apart, hit->normal) < 0.0 ? -1.0 : 1.0;
+    if (distance > NO_DISTANCE) {
+        hit->normal = vec3_scale(apart, side / distance);
+    }
+    hit->gap = side * distance - f.radius - g.radius;
+    hit->point = vec3_add_scaled(here, -f.radius - 0.5 * hit->gap, hit->normal);
+}
+
+/* Overlap of what was near in the last search. */
+static double depth_of(const scene_object *s, const collision_candidate *q)
+{
+    double at[2];
+    pair p;
+    return pair_of(s, q, &p) ? p.a.radius + p.b.radius - vec3_norm(apart_at_end(&p.a, &p.b, at))
+                             : 0.0;
+}
+
+double vbss_scene_paper_measure(scene_object *s, double h)
+{
+    double depth = 0.0;
+    for (uint32_t i = 0; i < s->hit_count; i++) {
+        s->hits[i].force = vec3_scale(s->hits[i].force, 1.0 / (h * h));
+        lay_hit(s, &s->hits[i]);
+        depth = greater(-s->hits[i].gap, depth);
+    }
+    for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
+        depth = greater(depth_of(s, &s->collision->candidates[i]), depth);
+    }
+    return depth;
+}
