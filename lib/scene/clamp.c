@@ -118,15 +118,34 @@ static double shorten_safely(scene_object *s, double share)
     return 0.0;
 }
 
+/* Rows say what contact does where things are now, not what the attempt that is thrown away would have done. */
+static void settle_rows(scene_object *s)
+{
+    vbss_scene_lay_rows_again(s);
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_row *row = &s->contacts->rows[i];
+        double pressure = greater(-row->stiffness * row->gap, 0.0), most = row->friction * pressure;
+        vec3 rubbing = vbss_contact_turn_into_plane(row->held, row->normal);
+        double size = vec3_norm(rubbing);
+        row->is = (contact_found){.state = pressure > 0.0 ? CONTACT_STICK : CONTACT_OPEN,
+                                  .pressure = pressure,
+                                  .rubbing = size > most ? vec3_scale(rubbing, most / size) : rubbing};
+    }
+}
+
 double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part)
 {
+    const vbss_rigid_part p = {part->step, part->begin, part->end};
     double share = shorten_safely(s, sound_share(s, verdict));
     vbss_scene_show_part(s);
+    settle_rows(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             take_thread(s->bodies[i].thread.thread, part->h);
         } else if (s->bodies[i].kind == BODY_RIGID) {
-            take_rigid(&s->bodies[i].rigid, part->h);
+            scene_rigid *r = &s->bodies[i].rigid;
+            take_rigid(r, part->h);
+            r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
         }
     }
     s->statistics.parts++;

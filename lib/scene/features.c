@@ -302,3 +302,19 @@ void vbss_scene_refresh_rows(scene_object *s)
         place_row(s, row, a, b, &d, &e);
     }
 }
+
+void vbss_scene_lay_rows_again(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_row *row = &s->contacts->rows[i];
+        const scene_body *a = vbss_scene_body(s, row->key.body_a);
+        const scene_body *b = vbss_scene_body(s, row->key.body_b);
+        const side d = side_of(s, &row->key, a, 0);
+        const side e = b == NULL ? d : side_of(s, &row->key, b, 1);
+        if (b != NULL) {
+            vec3 apart = closest(d.trial, e.trial, row->at);
+            row->normal = vec3_unit_or(apart, row->normal);
+        }
+        place_row(s, row, a, b, &d, &e);
+    }
+}

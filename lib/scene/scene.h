@@ -206,6 +206,8 @@ bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach);
  * state, for a further linearisation. */
 void vbss_scene_set_rows(scene_object *s, const scene_part *part);
 void vbss_scene_refresh_rows(scene_object *s);
+/* As they lie in the trial state, with the normals that they have there. */
+void vbss_scene_lay_rows_again(scene_object *s);
 /* pattern.c: which blocks are separators, and the system's pattern. */
 void vbss_scene_number_blocks(scene_object *s);
 vbss_result vbss_scene_build_pattern(scene_object *s);
