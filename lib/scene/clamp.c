@@ -127,9 +127,10 @@ static void settle_rows(scene_object *s)
         double pressure = greater(-row->stiffness * row->gap, 0.0), most = row->friction * pressure;
         vec3 rubbing = vbss_contact_turn_into_plane(row->held, row->normal);
         double size = vec3_norm(rubbing);
-        row->is = (contact_found){.state = pressure > 0.0 ? CONTACT_STICK : CONTACT_OPEN,
-                                  .pressure = pressure,
-                                  .rubbing = size > most ? vec3_scale(rubbing, most / size) : rubbing};
+        row->is =
+            (contact_found){.state = pressure > 0.0 ? CONTACT_STICK : CONTACT_OPEN,
+                            .pressure = pressure,
+                            .rubbing = size > most ? vec3_scale(rubbing, most / size) : rubbing};
     }
 }
 

@@ -12,6 +12,9 @@
 /* Share of the distance of touching; and of the distance at the begin where that is smaller. */
 #define GUARDED 0.5
 #define GUARDED_WHEN_NEARER 0.9
+/* Share of the guarded distance below which what is cut short comes no nearer at all: pressed on and on it would
+ * end so near that no test could prove that it leaves. */
+#define NEAREST 0.1
 /* The floor: how much of its radius a node or the end of a capsule may be above it at least. */
 #define GUARDED_ABOVE_FLOOR 0.5
 
@@ -135,7 +138,8 @@ static double time_of_hit(scene_object *s, const collision_candidate *q, double 
     }
     double guarded = GUARDED * touching;
     bool near = distance <= guarded * (1.0 + 2.0 * s->collision->rules.tolerance);
-    return time_at(s, q, near ? GUARDED_WHEN_NEARER * distance : guarded);
+    double hit = time_at(s, q, near ? GUARDED_WHEN_NEARER * distance : guarded);
+    return hit < 1.0 && distance < NEAREST * guarded ? 0.0 : hit;
 }
 
 static double earliest_hit(scene_object *s)

@@ -125,50 +125,78 @@ static void note_errors(scene_object *s)
     s->statistics.last_residual = s->contacts->residual;
 }
 
-/* The parts are dyadic, so they sum to 1 exactly. */
+typedef struct progress {
+    scene_part part;
+    double size, smallest; /* shares of the step; dyadic, so that parts sum to 1 exactly */
+    uint32_t attempts;
+} progress;
+
+/* Whether the part is to be tried again: with the ways that are known now, or in halves. */
+static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
+{
+    bool bounded = s->config.mode == VBSS_MODE_REAL_TIME && verdict != VERDICT_FULL;
+    bool over = bounded && at->attempts >= s->config.attempt_limit;
+    if (verdict == VERDICT_GUARD && !at->part.again && !over) {
+        at->part.again = true;
+        return true;
+    }
+    at->part.again = false;
+    if (at->size > at->smallest && !over) {
+        vbss_scene_unsettle(s);
+        at->size *= 0.5;
+        return true;
+    }
+    return false;
+}
+
+static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
+{
+    double lost = 1.0 - vbss_scene_clamp(s, verdict, &at->part);
+    double share = lost * (at->part.end - at->part.begin);
+    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * share));
+    vbss_scene_unsettle(s);
+    s->lagging = true;
+}
+
+static void go_on(scene_object *s, progress *at)
+{
+    note_errors(s);
+    at->part.again = false;
+    at->part.begin = at->part.end;
+    double pairs = at->part.begin / (2.0 * at->size);
+    if (at->size < 1.0 && floor(pairs) == pairs) {
+        at->size *= 2.0;
+    }
+}
+
 static vbss_result make_parts(scene_object *s, double h)
 {
-    const double smallest = smallest_part(s);
-    const bool bounded = s->config.mode == VBSS_MODE_REAL_TIME;
-    scene_part part = {.step = h};
-    double size = 1.0;
-    uint32_t attempts = 0;
-    s->lagging = false;
-    while (part.begin < 1.0) {
-        part.end = part.begin + size < 1.0 ? part.begin + size : 1.0;
-        part.h = h * (part.end - part.begin);
-        scene_verdict verdict = attempt(s, &part);
-        attempts++;
-        if (verdict == VERDICT_FULL && size == smallest) {
-            return VBSS_ERROR_CAPACITY; /* nothing is known of what would be met */
-        }
+    progress at = {.part = {.step = h}, .size = 1.0, .smallest = smallest_part(s)};
+    scene_part *part = &at.part;
+    while (part->begin < 1.0) {
+        part->end = part->begin + at.size;
+        part->h = h * at.size;
+        scene_verdict verdict = attempt(s, part);
+        at.attempts++;
         if (verdict == VERDICT_ACCEPTED) {
-            vbss_scene_commit(s, &part);
+            vbss_scene_commit(s, part);
             s->statistics.recovering += s->recovering;
             s->lagging = false;
-        } else {
-            count(s, verdict);
-            bool over = bounded && attempts >= s->config.attempt_limit;
-            if (verdict == VERDICT_GUARD && !part.again && !over) {
-                part.again = true; /* now it is known where things go */
-                continue;
-            }
-            part.again = false;
-            if (size > smallest && (!over || verdict == VERDICT_FULL)) {
-                vbss_scene_unsettle(s);
-                size *= 0.5;
-                continue;
-            }
-            double lost = 1.0 - vbss_scene_clamp(s, verdict, &part);
-            double share = lost * (part.end - part.begin);
-            vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * share));
-            vbss_scene_unsettle(s);
-            s->lagging = true;
-            size = over ? 1.0 : size;
+            go_on(s, &at);
+            continue;
         }
-        note_errors(s);
-        part.again = false;
-        part.begin = part.end;
+        count(s, verdict);
+        if (try_again(s, &at, verdict)) {
+            continue;
+        }
+        if (verdict == VERDICT_FULL) { /* nothing is known of what would be met */
+            return vbss_fail(
+                s->context, VBSS_ERROR_CAPACITY,
+                "scene step: more is near than candidate_capacity %u or contact_capacity %u",
+                s->config.candidate_capacity, s->config.contact_capacity);
+        }
+        cut_short(s, &at, verdict);
+        go_on(s, &at);
     }
     return VBSS_OK;
 }
@@ -202,6 +230,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
 {
     VBSS_TRY(keep(s));
     vbss_scene_begin_events(s);
+    s->lagging = false;
     vbss_result result = make_parts(s, h);
     if (result != VBSS_OK) {
         go_back(s);
