@@ -118,13 +118,13 @@ struct scene_object {
 
     /* what is in it */
     scene_body *bodies;
-    uint32_t place_count, place_capacity; /* places used so far; of bodies that may be gone */
-    uint32_t last_number;
-    uint32_t node_count, node_capacity; /* of all threads */
     scene_capsule *capsules;
-    uint32_t capsule_count;
     scene_pin *pins;
-    uint32_t last_pin;
+    uint32_t place_count, place_capacity; /* places used so far; of bodies that may be gone */
+    uint32_t node_count, node_capacity;   /* of all threads */
+    uint32_t capsule_count;
+    uint32_t last_number, last_pin; /* the last that was given away */
+    uint32_t contact_count;         /* in the views */
 
     /* what a part works with: nothing here outlives it, but for what can be made again */
     collision_object *collision;
@@ -132,13 +132,13 @@ struct scene_object {
     uint32_t *shape_places;   /* of the body of each shape */
     contact_set *contacts;
     vbss_system *system;
-    uint32_t first_contact_coupling; /* those from here on are nobody's but the contacts' */
     uint64_t pattern; /* hash of what the system's pattern was made for; 0: of nothing */
     uint8_t *marks;   /* of all nodes: separators */
     vec3 *ways;       /* of all nodes, then of both ends of all capsules: how far they may move */
     vec3 *vertices;   /* of one shape, start and end */
     contact_weld *welds;
     uint32_t weld_count;
+    uint32_t first_contact_coupling; /* those from here on are nobody's but the contacts' */
     collision_block *block;
     vbss_rigid_capsule *solids; /* to weigh a new body */
     bool recovering;            /* the part began with more penetration than is allowed */
@@ -161,7 +161,6 @@ struct scene_object {
     vbss_scene_statistics statistics, kept; /* kept: before the step */
 
     /* views */
-    uint32_t contact_count;
     uint32_t (*contact_features)[5];
     vec3 *contact_points, *contact_normals, *contact_forces;
     double *contact_gaps;
