@@ -7,7 +7,7 @@
  *   above T = linear density * l^2 / h^2, 6 mN at 61 nodes and 1/4 ms. Each link is given h^2 l T
  *   more, four times the limit, and a drag that takes nine tenths of its turning a step; the torques
  *   at the joints are stable with it, too. The price is a tension that reads too high while the knot
- *   runs in; it goes with the square of the step.
+ *   runs in, in proportion to the step.
  * - Warm starting (off by default), and eight tenths of a penetration taken back in a step
  *   (two tenths by default): with the defaults the knot was lost at 61 nodes and 1/16 ms, each by
  *   itself was enough to keep it. Split impulses are off, as multibodies have none and would keep

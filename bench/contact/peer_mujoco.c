@@ -10,13 +10,13 @@
  *   more (`armature`), four times the limit, and a drag that takes nine tenths of its turning a
  *   step. That makes torques explicit in time stable, too: MuJoCo has no springs between free bodies,
  *   so EI comes as an applied force. The price is a tension that reads too high while the knot runs
- *   in; it goes with the square of the step. Damping instead, which MuJoCo takes implicitly, fails:
+ *   in, in proportion to the step. Damping instead, which MuJoCo takes implicitly, fails:
  *   it enters after the constraints are solved, and tears them.
  * - MuJoCo caps how hard constraints are (impedance 0.9999), in proportion to the bodies' inertia: links
  *   part by 1 to 30 %. The inertia it assumes for that is set such that a connect is a spring of
  *   EA / l. Contacts, impedance 0.999, are then springs of EA / (10 l).
- * - Time constants 2 h, the shortest it allows; tolerance 1e-4: below it only the time grows.
- *   impratio 10 and contact margins gained nothing; the noslip solver blew up.
+ * - Time constants 2 h, the shortest it allows; tolerance 1e-4: below it little but the time grows.
+ *   impratio 10 gained little; the noslip solver blew up.
  * - Millimetres, milligrams, milliseconds, where none of its smallest numbers is near.
  * This version has neither the composite `cable` nor implicitfast. */
 #include <math.h>
