@@ -1,7 +1,6 @@
 /* Knots that are pulled until they bear 2 N, and then held: ours on the mesh that a tight knot needs, the
  * paper's on its own 30 segments and steps of 1/150 s, and on ours. */
 #include <stdio.h>
-#include <string.h>
 
 #include "contact/bench_contact.h"
 #include "contact/pulled_knot.h"

@@ -168,6 +168,7 @@ void add_peer_cases(bench *b)
     for (uint32_t mesh = 0; mesh < MESHES; mesh++) {
         pulled_knot *k = &ours[mesh];
         pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_OURS);
+        k->hold_steps = HELD_STEPS; /* as peers */
         shape_of(mesh, &k->options.knot);
         k->options.knot.rest = KNOT_REST_ARCS;
         snprintf(k->name, sizeof k->name, "contact/overhand-uniform/ours/%u",

@@ -73,7 +73,7 @@ static double taken_up(const thread_object *t)
 static uint64_t rejected(const vbss_scene_statistics *s)
 {
     return s->rejected_states + s->rejected_stretch + s->rejected_depth + s->rejected_guard +
-           s->rejected_singular;
+           s->rejected_singular + s->rejected_full;
 }
 
 static bool loaded(const pulled_knot *k)
@@ -129,7 +129,7 @@ static int set_up(void *user)
 static uint32_t count_steps(void *user)
 {
     const pulled_knot *k = user;
-    return k->held ? HELD_STEPS : k->steps_to_load;
+    return k->held ? HELD_STEPS : k->steps_to_load + k->hold_steps;
 }
 
 static int restore(void *user)

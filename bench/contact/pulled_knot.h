@@ -13,6 +13,7 @@ typedef struct pulled_knot {
     contact_scene_options options;
     double h;                           /* s */
     bool held;                          /* what is timed begins when the load is reached */
+    uint32_t hold_steps;                /* not held: timed too, after the load is reached */
     uint32_t most_steps;                /* to get there */
     void (*more)(bench_result *result); /* called after its own counters; may be NULL */
 
@@ -29,7 +30,6 @@ typedef struct pulled_knot {
     uint32_t looks;
     double least_distance; /* of strands, m */
     double taken_up;       /* m, when the load is reached or the steps are over */
-    double stretch;
 } pulled_knot;
 
 /* A method's defaults for a kind of knot, pulled at 25 mm/s an end to 2 N. */

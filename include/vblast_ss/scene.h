@@ -10,8 +10,10 @@
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
- * through anything. Method PAPER is that of VBLaST-SS (Qi et al. 2017): explicit steps, edge tests at
- * both ends of a step, displacements as response, no friction, knots held by pins: docs/paper-scene.md.
+ * through anything, but for a thread near a pin on the body that it is pinned to (#vbss_scene_pin_thread)
+ * and segments that are too near along a thread to touch. Method PAPER is that of VBLaST-SS (Qi et al.
+ * 2017): explicit steps, edge tests at both ends of a step, displacements as response, no friction, knots
+ * held by pins: docs/paper-scene.md.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -70,7 +72,9 @@ typedef struct vbss_scene_config {
     uint32_t
         state_limit; /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 36. */
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
-    uint32_t attempt_limit; /**< REAL_TIME: attempts in a step, 1 to 1000; default 16. */
+    /** REAL_TIME: attempts in a step after which nothing is halved again, 1 to 1000; default 16. What is left
+     * of the step is tried once a part. */
+    uint32_t attempt_limit;
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;
     uint32_t reserved; /**< Zero. */
@@ -106,7 +110,9 @@ typedef struct vbss_rigid_config {
     double
         orientation[4]; /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
     double velocity[3]; /**< Of the origin, m/s, each at most 1e5; COUPLED, FREE; default 0. */
-    double angular_velocity[3]; /**< rad/s, each at most 1e6; COUPLED, FREE; default 0. */
+    /** rad/s, each at most 1e6; COUPLED, FREE; default 0. A body turns by a quarter of a turn in a part of a
+     * step at most: a faster one slows down. */
+    double angular_velocity[3];
     /** Of the body, kg, 1e-9 to 1e3; default 0.02. It is spread over the capsules as if they were solid and
      * of one material; overlaps count twice. */
     double mass;
@@ -245,7 +251,7 @@ VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_c
                                        vbss_scene **scene);
 
 /**
- * Destroys a scene with its rigid bodies; its threads are the host's again.
+ * Destroys a scene with its rigid bodies and pins; its threads are the host's again.
  *
  * @param scene  the scene; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -280,7 +286,7 @@ VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *threa
 VBSS_API vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_size);
 
 /**
- * Adds a rigid body.
+ * Adds a rigid body. A scene takes at most 4096 bodies, threads as well, in its life.
  *
  * @param scene      the scene
  * @param config     how
@@ -308,7 +314,8 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
 
 /**
  * Says where a driven or coupled body, or the pose it is tied to, shall be at the end of the next step; it
- * moves there evenly in the step and then stays.
+ * moves there evenly in the step, turning the shortest way, and then stays. Of several calls before a step the last
+ * counts. Between two steps it shall turn by less than half a turn.
  *
  * @param scene        the scene
  * @param body         a rigid body, not a free one
@@ -327,7 +334,9 @@ VBSS_API vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body,
  * moves with the body. OURS: the node's motion is eliminated in favour of the body's, which feels its
  * force, at any ratio of masses. PAPER (to keep a knot, pin the nearest node of both strands of a crossing), driven
  * bodies and the world: the node moves as the body does.
- * The node must not be held otherwise; it becomes the end of a section.
+ * The node must not be held otherwise; on driven bodies and the world it becomes the end of a section, and
+ * the pin is an attachment of the thread: who detaches that has a pin that holds nothing. The thread does not
+ * touch the body within 1.6 times the distance of touching of the pin, along the thread.
  *
  * @param scene     the scene
  * @param thread    number of the thread in the scene

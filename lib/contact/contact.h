@@ -82,7 +82,6 @@ typedef struct contact_counters {
 typedef struct contact_weld contact_weld;
 
 typedef struct contact_set {
-    vbss_context *context;
     uint32_t capacity, count, memory_count;
     contact_row *rows;      /* ascending keys */
     contact_memory *memory; /* the same */
@@ -110,7 +109,6 @@ void vbss_contact_sort(contact_set *set);
 void vbss_contact_recall(contact_set *set);
 /* Remembers the rows with a force: the part is accepted. */
 void vbss_contact_keep(contact_set *set);
-void vbss_contact_forget(contact_set *set);
 /* What is remembered, to come back to it. */
 void vbss_contact_mark(contact_set *set);
 void vbss_contact_return(contact_set *set);
@@ -128,8 +126,8 @@ void vbss_contact_assemble(const contact_set *set, vbss_system *system);
 
 /* ---- the law (law.c) */
 
-/* Adds the forces and tangents of a row in its state; `normals` and so on: of each of its terms, how u's
- * part along a direction changes with the block. */
+/* The force of a row in its state, and how it changes with u: the sum over the directions of
+ * stiffness * left (right . u) is taken off it. */
 typedef struct contact_tangent {
     uint32_t count; /* directions */
     vec3 left[3];   /* force along these */

@@ -28,7 +28,6 @@ vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contac
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    s->context = context;
     s->capacity = capacity;
     s->place_capacity = capacity * CONTACT_TERMS * (CONTACT_TERMS + 1);
     list_parts(s, parts);
@@ -209,11 +208,6 @@ void vbss_contact_keep(contact_set *set)
             m->rubbing = row->is.rubbing;
         }
     }
-}
-
-void vbss_contact_forget(contact_set *set)
-{
-    set->memory_count = 0;
 }
 
 void vbss_contact_mark(contact_set *set)

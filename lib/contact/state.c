@@ -13,6 +13,7 @@ void vbss_contact_serialise(vbss_stream *stream, uint16_t first_tag, contact_set
         vbss_stream_f64(stream, (uint16_t)(first_tag + 5), &m->share, 1);
         bool check = stream->mode == VBSS_STREAM_READ && !stream->trusted;
         if (check && (m->state > (uint32_t)CONTACT_SLIP || m->state == (uint32_t)CONTACT_OPEN ||
+                      !(m->share >= 0.0 && m->share <= 1.0) ||
                       (i > 0 && vbss_contact_compare(&m[-1].key, &m->key) >= 0))) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such contact");
         }

@@ -250,7 +250,6 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
     r->capsule_count = c->capsule_count;
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         scene_capsule *to = &s->capsules[s->capsule_count++];
-        to->owner = (uint32_t)(b - s->bodies);
         to->local[0] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].begin));
         to->local[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
         to->radius = c->capsules[i].radius;
@@ -359,7 +358,11 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
         VBSS_TRY(read_orientation(s->context, orientation, &told.orientation));
     }
     told.position = vec3_load(position);
+    const quat before = r->body.end.orientation;
     r->body.end = pose_mul(told, r->frame);
+    if (orientation == NULL) { /* to the bit: rounding would turn it */
+        r->body.end.orientation = before;
+    }
     vbss_scene_aim_pins(s); /* a step that fails shall find nothing to undo */
     s->generation++;
     return VBSS_OK;

@@ -105,8 +105,7 @@ static double reach_of(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t 
     double largest = 0.0;
     for (uint32_t i = 0; i < count_a; i++) {
         for (uint32_t k = 0; k < count_b; k++) {
-            vec3 way = count_b > 0 ? vec3_sub(a[i], b[k]) : a[i];
-            largest = vbss_larger(vec3_norm_squared(way), largest);
+            largest = vbss_larger(vec3_norm_squared(vec3_sub(a[i], b[k])), largest);
         }
     }
     return AHEAD * sqrt(largest);
@@ -198,13 +197,14 @@ static bool add_node_row(scene_object *s, const thread_meets *m, uint32_t node)
     return add_row(s, &key, reach);
 }
 
-/* Nodes come with the segment before them, unless that is not near: so each comes once. */
+/* Nodes come with the segment before them, unless that is not near or does not touch: so each comes once. */
 static bool add_thread_rows(scene_object *s, const collision_candidate *q, const thread_meets *m,
                             bool thread_first)
 {
     const thread_object *t = m->thread->thread.thread;
     double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
-    if (vbss_scene_comes_from(s, m->thread, m->segment, m->rigid, radius + t->config.radius)) {
+    double touching = radius + t->config.radius;
+    if (vbss_scene_comes_from(s, m->thread, m->segment, m->rigid, touching)) {
         return true;
     }
     if (!is_fine(t, m->segment, radius)) {
@@ -214,7 +214,8 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
                                 ways_of_capsule(s, m->rigid, m->capsule), 2);
         return add_row(s, &key, reach);
     }
-    bool before = m->segment > 0 && is_fine(t, m->segment - 1, radius);
+    bool before = m->segment > 0 && is_fine(t, m->segment - 1, radius) &&
+                  !vbss_scene_comes_from(s, m->thread, m->segment - 1, m->rigid, touching);
     if (before) {
         collision_candidate like = *q;
         if (thread_first) {
@@ -285,12 +286,13 @@ static uint32_t find_row(const contact_set *set, const contact_key *key)
 static bool is_double(const contact_set *set, const contact_row *row)
 {
     contact_key key = row->key;
-    bool end_a = row->at[0] == 1.0, end_b = row->at[1] == 1.0;
+    bool end_a = row->at[0] == 1.0; /* after the end of a capsule nothing follows */
+    bool end_b = row->at[1] == 1.0 && key.kind == VBSS_CONTACT_SEGMENTS;
     if (!end_a && !end_b) {
         return false;
     }
     key.a += end_a;
-    key.b += end_b && key.kind == VBSS_CONTACT_SEGMENTS;
+    key.b += end_b;
     uint32_t other = find_row(set, &key);
     if (other == UINT32_MAX) {
         return false;

@@ -36,7 +36,7 @@ static scene_body *bearer_of(scene_object *s, uint32_t b)
     }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->attachment != 0 &&
+        if (p->attachment != 0 && vbss_scene_pin_holds(s, p) &&
             vbss_scene_body(s, p->thread)->thread.first_block + p->node == b) {
             return vbss_scene_body(s, p->body);
         }
@@ -80,7 +80,7 @@ static void add_pins(scene_object *s)
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         scene_body *b = vbss_scene_body(s, p->body);
-        if (p->id == 0 || b == NULL) {
+        if (b == NULL || !vbss_scene_pin_holds(s, p)) {
             continue;
         }
         const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;

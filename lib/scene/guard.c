@@ -7,8 +7,6 @@
 
 #include "collision/closest.h"
 
-#include <string.h>
-
 /* Share of the distance of touching; and of the distance at the begin where that is smaller. */
 #define GUARDED 0.5
 #define GUARDED_WHEN_NEARER 0.9

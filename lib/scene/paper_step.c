@@ -32,6 +32,8 @@ static void go_back(scene_object *s)
     }
     s->statistics = s->kept;
     s->hit_count = 0;
+    vbss_scene_begin_events(s);
+    s->generation++;
 }
 
 /* ---- where everything goes */

@@ -31,6 +31,27 @@ static scene_pin *free_place(const scene_object *s)
     return NULL;
 }
 
+/* NULL when the host has detached it. */
+static thread_attachment *find_attachment(const scene_body *thread, uint32_t id)
+{
+    thread_object *t = thread->thread.thread;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        if (t->attachments[i].id == id) {
+            return &t->attachments[i];
+        }
+    }
+    return NULL;
+}
+
+bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin)
+{
+    if (pin->id == 0 || pin->attachment == 0) {
+        return pin->id != 0;
+    }
+    const scene_body *thread = vbss_scene_body(s, pin->thread);
+    return thread != NULL && find_attachment(thread, pin->attachment) != NULL;
+}
+
 /* A thread comes out of what it is pinned to: within this arc, in distances of touching, the two do not touch.
  * It is that within which a thread does not touch itself. */
 #define PIN_ARC 1.6
@@ -41,7 +62,8 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
     const double *rest = thread->thread.thread->rest;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        if (p->id == 0 || p->thread != thread->number || p->body != rigid->number) {
+        if (p->thread != thread->number || p->body != rigid->number ||
+            !vbss_scene_pin_holds(s, p)) {
             continue;
         }
         double arc = 0.0, most = PIN_ARC * touching;
@@ -123,8 +145,7 @@ static void forget(scene_object *s, scene_pin *p)
     if (p->attachment == 0 && t != NULL) {
         t->thread.thread->welded[p->node] = 0;
     }
-    if (p->attachment != 0 && t != NULL) {
-        /* The host may have detached it already. */
+    if (p->attachment != 0 && t != NULL && find_attachment(t, p->attachment) != NULL) {
         (void)vbss_thread_detach((vbss_thread *)t->thread.slot, p->attachment);
     }
     *p = (scene_pin){0};
@@ -160,18 +181,6 @@ const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint
         const scene_pin *p = &s->pins[i];
         if (p->id != 0 && p->attachment == 0 && p->thread == thread && p->node == node) {
             return p;
-        }
-    }
-    return NULL;
-}
-
-/* NULL when the host has detached it. */
-static thread_attachment *find_attachment(const scene_body *thread, uint32_t id)
-{
-    thread_object *t = thread->thread.thread;
-    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        if (t->attachments[i].id == id) {
-            return &t->attachments[i];
         }
     }
     return NULL;

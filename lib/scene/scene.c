@@ -51,7 +51,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
     const range ranges[] = {
         {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
         {"mode", c->mode, VBSS_MODE_REAL_TIME, VBSS_MODE_OFFLINE},
-        {"thread_capacity", c->thread_capacity, 0.0, 64.0},
+        {"thread_capacity", c->thread_capacity, 0.0, SCENE_THREADS},
         {"node_capacity", c->node_capacity, 0.0, 8192.0},
         {"rigid_capacity", c->rigid_capacity, 0.0, 256.0},
         {"capsule_capacity", c->capsule_capacity, 0.0, 4096.0},
@@ -147,7 +147,7 @@ static vbss_result make_collision(scene_object *s)
     VBSS_TRY(vbss_collision_config_init(&c, sizeof c));
     c.shape_capacity = SCENE_SHAPES;
     c.pair_capacity = s->config.candidate_capacity;
-    c.impact_capacity = s->config.candidate_capacity;
+    c.impact_capacity = 0; /* nobody asks for them: guard.c and paper_contacts.c ask themselves */
     c.margin = s->config.contact_margin;
     if (s->config.method == VBSS_METHOD_PAPER) {
         c.method = VBSS_COLLISION_PAPER;
@@ -218,6 +218,17 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
 
 vbss_result vbss_scene_destroy(vbss_scene *scene)
 {
+    scene_object *s;
+    if (scene == NULL) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    /* Threads leave without pins, as when they are removed. */
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            vbss_scene_forget_pins_of(s, s->bodies[i].number);
+        }
+    }
     return vbss_slot_destroy(scene, &vbss_scene_kind);
 }
 

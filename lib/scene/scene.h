@@ -1,7 +1,7 @@
 /* The inside of a scene, shared by the files of lib/scene.
  *
  * scene.c makes and ends scenes, bodies.c and pins.c what is in them. A step (step.c) reads
- *   tool poses -> predict -> candidates -> solve -> guard -> events -> tool forces
+ *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
  * each of which is a file; the middle ones are an attempt at a part of the step, undone and halved when
  * what it finds is not accepted, and cut short in the end (clamp.c). Method PAPER: paper_step.c. */
 #ifndef VBSS_SCENE_SCENE_H
@@ -14,8 +14,8 @@
 #include "solver/rigid.h"
 #include "thread/thread.h"
 
-/* Bodies ever added, and so shapes. */
-enum { SCENE_SHAPES = 4096 };
+/* Bodies ever added, and so shapes; threads at a time. */
+enum { SCENE_SHAPES = 4096, SCENE_THREADS = 64 };
 
 /* ---- bodies */
 
@@ -64,7 +64,6 @@ typedef struct scene_body {
 
 /* In the principal frame of its body; and where its axis is. */
 typedef struct scene_capsule {
-    uint32_t owner; /* place of the body */
     vec3 local[2];
     double radius;
     vec3 now[2], trial[2];
@@ -185,6 +184,8 @@ void vbss_scene_release_thread(scene_body *body);
 
 /* pins.c */
 void vbss_scene_forget_pins_of(scene_object *s, uint32_t number);
+/* Whether it still holds its node: the host may have detached the attachment. */
+bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin);
 /* The weld of a node, or NULL. */
 const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint32_t node);
 /* Whether a segment is so near to a pin on the body, along the thread, that they do not touch. */
@@ -195,14 +196,14 @@ void vbss_scene_aim_pins(scene_object *s);
 
 /* ---- an attempt, in order */
 
-/* predict.c: trial states, from where the part begins. */
-void vbss_scene_predict(scene_object *s, const scene_part *part);
 /* candidates.c: rows of what might touch. False: no room. */
 bool vbss_scene_find_rows(scene_object *s, const scene_part *part);
+/* predict.c: trial states, from where the part begins. */
+void vbss_scene_predict(scene_object *s, const scene_part *part);
 /* features.c: how the sides of a row lie at the begin of the part; false: too far apart to touch in it. */
 bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach);
-/* All that a row is beside that, in the trial state with the normal of the begin; and with that of the trial
- * state, for a further linearisation. */
+/* All that a row is beside that, in the trial state; and what a further linearisation changes. The normal
+ * stays. */
 void vbss_scene_set_rows(scene_object *s, const scene_part *part);
 void vbss_scene_refresh_rows(scene_object *s);
 /* As they lie in the trial state, with the normals that they have there. */

@@ -102,7 +102,7 @@ typedef struct shape_error {
 static shape_error advance(scene_object *s)
 {
     shape_error e = {true, true, 0.0};
-    double left[64];
+    double left[SCENE_THREADS];
     uint32_t threads = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -154,9 +154,11 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
         }
         vbss_scene_refresh_rows(s);
         if (e.converged) {
-            bool shallow = vbss_contact_depth_is_allowed(s->contacts);
-            return shallow ? VERDICT_ACCEPTED : VERDICT_DEPTH;
+            break;
         }
     }
-    return e.stretch <= s->config.stretch_tolerance ? VERDICT_ACCEPTED : VERDICT_STRETCH;
+    if (!e.converged && !(e.stretch <= s->config.stretch_tolerance)) {
+        return VERDICT_STRETCH;
+    }
+    return vbss_contact_depth_is_allowed(s->contacts) ? VERDICT_ACCEPTED : VERDICT_DEPTH;
 }

@@ -43,10 +43,14 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
 
 static void visit_thread(vbss_stream *stream, scene_thread *b)
 {
+    const uint32_t nodes = b->thread->node_count;
     vbss_stream_u32(stream, 60, &b->calm, 1);
     vbss_section outer = vbss_stream_open(stream, vbss_thread_kind.code, vbss_thread_kind.version);
     vbss_thread_serialise(stream, b->thread);
     vbss_stream_close(stream, outer);
+    if (b->thread->node_count != nodes) { /* the scene's arrays are numbered for these */
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another number of nodes");
+    }
 }
 
 static void visit_bodies(vbss_stream *stream, scene_object *s)

@@ -1,10 +1,8 @@
 /* A step of method OURS:
- *   tool poses -> predict -> candidates -> solve -> guard -> events -> tool forces
+ *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
  * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
  * made again, in halves; after the last the step is cut short where it would harm. */
 #include "scene/scene.h"
-
-#include <string.h>
 
 /* ---- as it was, if the step fails */
 
