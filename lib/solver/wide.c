@@ -22,5 +22,5 @@ bool vbss_system_solve_separators(vbss_system *system)
 
 vbss_result vbss_system_order_separators(vbss_system *system)
 {
-    return vbss_system_order_separators_plain(system); /* the wide copy wants a line in CMakeLists.txt */
+    return VBSS_WIDE_CALL(system->wide, vbss_system_order_separators, system);
 }

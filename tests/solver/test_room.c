@@ -170,6 +170,28 @@ static void more_separators_than_there_is_room_for_are_told_and_fewer_work_again
     twin_end(t);
 }
 
+static void there_is_never_room_for_more_than_16384_separators(void **state)
+{
+    (void)state;
+    enum { MANY = 16385 };
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_system *system;
+    uint32_t first;
+    expect_ok(vbss_system_create(context, MANY, 0, MANY, 0, &system));
+    vbss_system_begin(system);
+    expect_ok(vbss_system_add_chain(system, MANY, &first));
+    for (uint32_t b = 1; b < MANY; b++) {
+        vbss_system_set_role(system, b, VBSS_ROLE_SEPARATOR);
+    }
+    expect_ok(vbss_system_analyse(system));
+    vbss_system_set_role(system, 0, VBSS_ROLE_SEPARATOR);
+    expect_result(VBSS_ERROR_CAPACITY, vbss_system_analyse(system));
+    expect_text(context, "more than 16384 separators");
+    vbss_system_destroy(context, system);
+    harness_context_end(context, &memory);
+}
+
 /* One separator does not part runs that are coupled past it: their columns meet all separators
  * behind, for which there is no room in general. */
 static void runs_coupled_past_many_narrow_separators_are_told(void **state)
@@ -217,6 +239,7 @@ int test_room(void)
         harness_test(more_blocks_than_there_is_room_for_are_told),
         harness_test(more_couplings_than_there_is_room_for_are_told),
         harness_test(more_separators_than_there_is_room_for_are_told_and_fewer_work_again),
+        harness_test(there_is_never_room_for_more_than_16384_separators),
         harness_test(runs_coupled_past_many_narrow_separators_are_told),
         harness_test(each_allocation_that_fails_is_told_and_leaves_nothing),
     };

@@ -1,88 +1,23 @@
-#include "solver/twin.h"
+#include "solver/contacts.h"
 
 static twin subject;
 
-/* ---- systems with contacts: separators coupled far apart, and additions to them */
+/* ---- systems with contacts */
 
 enum { CONTACTS = 12 };
-
-static bool coupled(const twin *t, uint32_t a, uint32_t b)
-{
-    for (uint32_t c = 0; c < t->couplings; c++) {
-        const twin_coupling *k = &t->coupling[c];
-        if ((k->high == a && k->low == b) || (k->high == b && k->low == a)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Also between chains, and from one end of a chain to the other. */
-static void draw_contacts(twin *t, harness_source *source)
-{
-    for (uint32_t i = 0; i < CONTACTS; i++) {
-        uint32_t a = harness_draw_below(source, t->blocks);
-        uint32_t b = harness_draw_below(source, t->blocks);
-        if (a != b && t->roles[a] == VBSS_ROLE_SEPARATOR && t->roles[b] == VBSS_ROLE_SEPARATOR &&
-            !coupled(t, a, b)) {
-            t->coupling[t->couplings++] = (twin_coupling){a > b ? a : b, a > b ? b : a, i % 2 == 0,
-                                                          mat3_zero(), VBSS_NO_COUPLING};
-        }
-    }
-}
 
 static void begin_with_contacts(twin *t, harness_source *source, twin_roles kind)
 {
     twin_draw_chains(t, source, 40);
     twin_draw_roles(t, source, kind);
     twin_draw_numbers(t, source);
-    draw_contacts(t, source);
+    contacts_draw(t, source, CONTACTS);
     /* Room for the contacts' couplings, and for runs past narrow separators. */
     twin_begin_with(t, t->blocks + CONTACTS, t->reach + twin_separators(t), twin_separators(t));
     expect_ok(twin_register(t));
     twin_write(t);
     twin_write_plain(t);
     assert_true(vbss_system_condense(t->system));
-}
-
-/* A term of one block of the matrix, into both systems. */
-static void add_to_both(twin *t, uint32_t row, uint32_t column, mat3 m)
-{
-    block_add(twin_block(t, row, column), m);
-    plain_add(&t->plain, row, column, m);
-}
-
-static mat3 draw_mat3(harness_source *source, double size)
-{
-    vec3 a = harness_draw_vec3(source, -size, size);
-    vec3 b = harness_draw_vec3(source, -size, size);
-    vec3 c = harness_draw_vec3(source, -size, size);
-    return mat3_rows(a, b, c);
-}
-
-/* Like friction: what couples a and b is far from symmetric, but takes no energy away, so that
- * rows need no exchange between blocks. */
-static void add_contacts(twin *t, harness_source *source)
-{
-    for (uint32_t a = 0; a < t->blocks; a++) {
-        if (t->roles[a] != VBSS_ROLE_SEPARATOR) {
-            continue;
-        }
-        mat3 own = mat3_add(mat3_identity(), mat3_cross(harness_draw_vec3(source, -1.0, 1.0)));
-        add_to_both(t, a, a, own);
-        vec3 force = harness_draw_vec3(source, -1.0, 1.0);
-        vec3 *rhs = twin_rhs(t, a);
-        *rhs = vec3_add(*rhs, force);
-        plain_add_rhs(&t->plain, a, force);
-    }
-    for (uint32_t c = 0; c < t->couplings; c++) {
-        const twin_coupling *k = &t->coupling[c];
-        if (t->roles[k->high] == VBSS_ROLE_SEPARATOR && t->roles[k->low] == VBSS_ROLE_SEPARATOR) {
-            mat3 m = draw_mat3(source, 0.5), other = draw_mat3(source, 0.01);
-            add_to_both(t, k->high, k->low, m);
-            add_to_both(t, k->low, k->high, mat3_sub(other, mat3_transpose(m)));
-        }
-    }
 }
 
 static void solve_and_compare(twin *t)
@@ -102,7 +37,7 @@ static void with_contacts(harness_source *source, void *user)
     twin *t = &subject;
     begin_with_contacts(t, source, *kind);
     vbss_system_take_separators(t->system);
-    add_contacts(t, source);
+    contacts_add(t, source);
     solve_and_compare(t);
     plain_end(&t->plain);
     twin_end(t);
@@ -127,7 +62,7 @@ static void taken_twice(harness_source *source, void *user)
         plain_end(&t->plain);
         twin_write_plain(t);
         vbss_system_take_separators(t->system);
-        add_contacts(t, source);
+        contacts_add(t, source);
         solve_and_compare(t);
     }
     plain_end(&t->plain);
@@ -181,11 +116,79 @@ static void rows_of_a_block_are_exchanged_where_its_diagonal_is_empty(void **sta
     twin_end(t);
 }
 
+/* ---- many */
+
+/* Strands of 500, each beside the next: b - A x from what stands in the places. */
+static void thousands_of_separators_are_solved(void **state)
+{
+    (void)state;
+    enum { STRANDS = 4, LENGTH = 500, ALL = STRANDS * LENGTH };
+    static uint32_t ends[3 * ALL][2];
+    static vec3 defect[ALL];
+    harness_source source = {0};
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_system *s;
+    vbss_random_seed(&source.random, 1, 0);
+    uint32_t first, coupling, count = 0;
+    expect_ok(vbss_system_create(context, ALL, 2, ALL, 40 * ALL, &s));
+    vbss_system_begin(s);
+    for (uint32_t i = 0; i < STRANDS; i++) {
+        expect_ok(vbss_system_add_chain(s, LENGTH, &first));
+    }
+    for (uint32_t b = 0; b < ALL; b++) {
+        vbss_system_set_role(s, b, VBSS_ROLE_SEPARATOR);
+    }
+    for (uint32_t b = 0; b < ALL; b++) {
+        const uint32_t others[3] = {b + 1, b + LENGTH, b + LENGTH + 1};
+        for (uint32_t i = 0; i < 3; i++) {
+            bool along = i == 0 && (b + 1) % LENGTH != 0, beside = i > 0 && others[i] < ALL;
+            if (along || beside) {
+                expect_ok(vbss_system_couple_once(s, b, others[i], &coupling));
+                ends[count][0] = b;
+                ends[count++][1] = others[i];
+            }
+        }
+    }
+    expect_ok(vbss_system_analyse(s));
+    vbss_system_clear(s);
+    for (uint32_t b = 0; b < ALL; b++) {
+        double own = harness_draw_real(&source, 8.0, 9.0);
+        block_set(&s->diagonal[b], mat3_diagonal(own, own, own));
+        s->rhs[b] = harness_draw_vec3(&source, -1.0, 1.0);
+    }
+    assert_true(vbss_system_condense(s));
+    vbss_system_take_separators(s);
+    for (uint32_t c = 0; c < 2 * count; c++) {
+        const uint32_t *pair = ends[c / 2];
+        vec3 a = harness_draw_vec3(&source, -1.0, 1.0), b = harness_draw_vec3(&source, -1.0, 1.0);
+        block_add(&s->separator_blocks[vbss_system_place(s, pair[c % 2], pair[1 - c % 2])],
+                  mat3_outer(a, b));
+    }
+    assert_true(vbss_system_solve(s));
+    for (uint32_t b = 0; b < ALL; b++) {
+        const mat3 own = block_mat3(&s->separator_blocks[vbss_system_place(s, b, b)]);
+        defect[b] = vec3_sub(s->separator_rhs[vbss_system_rhs_place(s, b)],
+                             mat3_mul_vec3(own, s->solution[b]));
+    }
+    for (uint32_t c = 0; c < 2 * count; c++) {
+        uint32_t row = ends[c / 2][c % 2], column = ends[c / 2][1 - c % 2];
+        const mat3 m = block_mat3(&s->separator_blocks[vbss_system_place(s, row, column)]);
+        defect[row] = vec3_sub(defect[row], mat3_mul_vec3(m, s->solution[column]));
+    }
+    for (uint32_t b = 0; b < ALL; b++) {
+        expect_near(0.0, vec3_norm(defect[b]), 1e-14);
+    }
+    vbss_system_destroy(context, s);
+    harness_context_end(context, &memory);
+}
+
 int test_separators(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(what_others_add_to_separators_counts_where_it_was_added),
         harness_test(separators_taken_again_have_forgotten_what_was_added),
+        harness_test(thousands_of_separators_are_solved),
         harness_test(rows_of_a_block_are_exchanged_where_its_diagonal_is_empty),
     };
     return cmocka_run_group_tests_name("solver.separators", tests, NULL, NULL);

@@ -1,0 +1,166 @@
+#include <string.h>
+
+#include "solver/twin.h"
+
+/* ---- couple_once */
+
+enum { BLOCKS = 24, CHAINS = 3 };
+
+typedef struct fixture {
+    harness_memory memory;
+    vbss_context *context;
+    vbss_system *system;
+} fixture;
+
+/* Three chains of eight separators. */
+static void begin_chains(vbss_system *s)
+{
+    uint32_t first;
+    vbss_system_begin(s);
+    for (uint32_t chain = 0; chain < CHAINS; chain++) {
+        expect_ok(vbss_system_add_chain(s, BLOCKS / CHAINS, &first));
+    }
+    for (uint32_t b = 0; b < BLOCKS; b++) {
+        vbss_system_set_role(s, b, VBSS_ROLE_SEPARATOR);
+    }
+}
+
+static void begin(fixture *f, uint32_t pairs)
+{
+    f->context = harness_context(&f->memory);
+    expect_ok(vbss_system_create(f->context, BLOCKS, 0, BLOCKS, pairs, &f->system));
+    begin_chains(f->system);
+}
+
+static void end(fixture *f)
+{
+    vbss_system_destroy(f->context, f->system);
+    harness_context_end(f->context, &f->memory);
+}
+
+static void expect_text(vbss_context *context, const char *wanted)
+{
+    vbss_result result;
+    const char *text;
+    expect_ok(vbss_context_get_last_error(context, &result, &text));
+    assert_non_null(strstr(text, wanted));
+}
+
+/* What bodies couple, then what others ask for, against a table. */
+static void couple_often(harness_source *source, void *user)
+{
+    (void)user;
+    fixture f;
+    begin(&f, BLOCKS * BLOCKS / 2);
+    for (int round = 0; round < 3; round++) { /* each has forgotten the one before */
+        uint32_t handles[BLOCKS][BLOCKS] = {{0}}, count = 0;
+        uint32_t bodies = harness_draw_below(source, 60);
+        begin_chains(f.system);
+        for (uint32_t i = 0; i < 300; i++) {
+            uint32_t a = harness_draw_below(source, BLOCKS);
+            uint32_t b = harness_draw_below(source, BLOCKS), coupling = 77;
+            if (a == b || (i < bodies && handles[a][b] != 0)) {
+                continue;
+            }
+            if (i < bodies) {
+                expect_ok(vbss_system_couple(f.system, a, b, &coupling));
+            } else {
+                expect_ok(vbss_system_couple_once(f.system, a, b, &coupling));
+            }
+            if (handles[a][b] == 0) {
+                handles[a][b] = handles[b][a] = ++count;
+            }
+            assert_int_equal(coupling, handles[a][b]);
+            assert_int_equal(f.system->coupling_count, count);
+        }
+        expect_ok(vbss_system_analyse(f.system));
+        assert_int_equal(f.system->pair_count, count);
+    }
+    end(&f);
+}
+
+static void a_pair_that_is_coupled_already_gets_the_coupling_that_it_has(void **state)
+{
+    (void)state;
+    harness_property("couple once", 100, couple_often, NULL);
+}
+
+static void what_is_there_already_needs_no_room(void **state)
+{
+    (void)state;
+    fixture f;
+    uint32_t one, other;
+    begin(&f, 2);
+    expect_ok(vbss_system_couple(f.system, 0, 8, &one));
+    expect_ok(vbss_system_couple_once(f.system, 3, 1, &other));
+    expect_ok(vbss_system_couple_once(f.system, 8, 0, &other));
+    assert_int_equal(other, one);
+    expect_result(VBSS_ERROR_CAPACITY, vbss_system_couple_once(f.system, 3, 2, &other));
+    expect_text(f.context, "more than 2 couplings");
+    assert_int_equal(other, VBSS_NO_COUPLING);
+    expect_ok(vbss_system_couple_once(f.system, 0, 8, &other));
+    assert_int_equal(other, one);
+    vbss_system_set_role(f.system, 4, VBSS_ROLE_GIVEN);
+    expect_ok(vbss_system_couple_once(f.system, 4, 5, &other));
+    assert_int_equal(other, VBSS_NO_COUPLING);
+    end(&f);
+}
+
+static void numbers_that_no_body_sets_are_empty_after_a_clear(void **state)
+{
+    (void)state;
+    fixture f;
+    uint32_t own, shared, bare;
+    begin(&f, 8);
+    const mat3 ones = {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}};
+    expect_ok(vbss_system_couple(f.system, 0, 1, &own));
+    expect_ok(vbss_system_couple_once(f.system, 1, 9, &bare));
+    expect_ok(vbss_system_couple_once(f.system, 1, 0, &shared));
+    expect_ok(vbss_system_analyse(f.system));
+    block_set(&f.system->numbers[own], ones);
+    block_set(&f.system->numbers[bare], ones);
+    vbss_system_clear(f.system);
+    assert_true(block_mat3(&f.system->numbers[own]).m[2][1] == 1.0);
+    for (int i = 0; i < 9; i++) {
+        expect_same_bits(0.0, block_mat3(&f.system->numbers[bare]).m[i / 3][i % 3]);
+    }
+    end(&f);
+}
+
+/* ---- couplings between chains */
+
+static void a_run_is_not_coupled_with_another_chain(void **state)
+{
+    (void)state;
+    fixture f;
+    uint32_t coupling;
+    begin(&f, 8);
+    for (uint32_t roles = 0; roles < 4; roles++) {
+        begin_chains(f.system);
+        vbss_system_set_role(f.system, 7, (roles & 1) != 0 ? VBSS_ROLE_RUN : VBSS_ROLE_SEPARATOR);
+        vbss_system_set_role(f.system, 8, (roles & 2) != 0 ? VBSS_ROLE_RUN : VBSS_ROLE_SEPARATOR);
+        expect_ok(vbss_system_couple(f.system, 6, 7, &coupling)); /* of one chain: as they are */
+        vbss_result wanted = roles != 0 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK;
+        expect_result(wanted, vbss_system_couple(f.system, 7, 8, &coupling));
+        if (roles != 0) {
+            expect_text(f.context, "blocks 7 and 8");
+            assert_int_equal(coupling, VBSS_NO_COUPLING);
+            expect_result(wanted, vbss_system_couple_once(f.system, 8, 7, &coupling));
+        }
+        assert_int_equal(f.system->coupling_count, roles != 0 ? 1 : 2);
+        vbss_system_set_role(f.system, 7, VBSS_ROLE_GIVEN); /* has no equation */
+        expect_ok(vbss_system_couple_once(f.system, 7, 10, &coupling));
+    }
+    end(&f);
+}
+
+int test_couplings(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(a_pair_that_is_coupled_already_gets_the_coupling_that_it_has),
+        harness_test(what_is_there_already_needs_no_room),
+        harness_test(numbers_that_no_body_sets_are_empty_after_a_clear),
+        harness_test(a_run_is_not_coupled_with_another_chain),
+    };
+    return cmocka_run_group_tests_name("solver.couplings", tests, NULL, NULL);
+}
