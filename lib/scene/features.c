@@ -314,7 +314,24 @@ void vbss_scene_lay_rows_again(scene_object *s)
         if (b != NULL) {
             vec3 apart = closest(d.trial, e.trial, row->at);
             row->normal = vec3_unit_or(apart, row->normal);
+            row->held = vbss_contact_turn_into_plane(row->held, row->normal);
+            row->is.way =
+                vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
         }
         place_row(s, row, a, b, &d, &e);
+    }
+}
+
+void vbss_scene_measure_gaps(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_row *row = &s->contacts->rows[i];
+        const scene_body *b = vbss_scene_body(s, row->key.body_b);
+        if (b != NULL) {
+            const side d = side_of(s, &row->key, vbss_scene_body(s, row->key.body_a), 0);
+            const side e = side_of(s, &row->key, b, 1);
+            double at[2];
+            row->gap = vec3_norm(closest(d.trial, e.trial, at)) - d.radius - e.radius;
+        }
     }
 }

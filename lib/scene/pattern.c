@@ -227,7 +227,6 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     s->statistics.patterns++;
     vbss_system_begin(s->system);
     VBSS_TRY(register_bodies(s));
-    s->first_contact_coupling = s->system->coupling_count + 1;
     list_welds(s);
     for (uint32_t i = 0; i < s->weld_count; i++) {
         VBSS_TRY(vbss_weld_register(&s->welds[i], s->system));

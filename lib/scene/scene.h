@@ -137,7 +137,6 @@ struct scene_object {
     vec3 *vertices;   /* of one shape, start and end */
     contact_weld *welds;
     uint32_t weld_count;
-    uint32_t first_contact_coupling; /* those from here on are nobody's but the contacts' */
     collision_block *block;
     vbss_rigid_capsule *solids; /* to weigh a new body */
     bool recovering;            /* the part began with more penetration than is allowed */
@@ -208,6 +207,8 @@ void vbss_scene_set_rows(scene_object *s, const scene_part *part);
 void vbss_scene_refresh_rows(scene_object *s);
 /* As they lie in the trial state, with the normals that they have there. */
 void vbss_scene_lay_rows_again(scene_object *s);
+/* Gaps in the trial state, whatever the normals. */
+void vbss_scene_measure_gaps(scene_object *s);
 /* pattern.c: which blocks are separators, and the system's pattern. */
 void vbss_scene_number_blocks(scene_object *s);
 vbss_result vbss_scene_build_pattern(scene_object *s);

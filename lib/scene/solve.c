@@ -4,8 +4,6 @@
  */
 #include "scene/scene.h"
 
-#include <string.h>
-
 /* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
  * contact_search tells the units. */
 #define FORCE_SHARE 1e-3
@@ -14,6 +12,9 @@
 #define PATIENCE 6u
 #define LOOSE_SHARE 0.05
 #define LOOSE_OVERLAP 0.02
+/* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
+ * slid far is too near, it goes on with new ones, so often. */
+enum { TURNS = 3 };
 /* Numbers beyond this are no motion. */
 #define TOO_FAR 1e100
 
@@ -24,9 +25,6 @@ static void assemble(scene_object *s, const scene_part *part)
     const vbss_rigid_part p = {part->step, part->begin, part->end};
     vbss_system *system = s->system;
     vbss_system_clear(system);
-    uint32_t first = s->first_contact_coupling;
-    memset(&system->numbers[first], 0,
-           (system->coupling_count + 1 - first) * sizeof *system->numbers);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
@@ -134,16 +132,11 @@ static shape_error advance(scene_object *s)
     return e;
 }
 
-scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
+/* Linearises until threads have their lengths; k counts on. */
+static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_t *k)
 {
     shape_error e = {true, false, 0.0};
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD &&
-            s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
-            vbss_thread_update_rest_pull(s->bodies[i].thread.thread);
-        }
-    }
-    for (uint32_t k = 0; k < s->config.linearisation_limit; k++) {
+    while (*k < s->config.linearisation_limit && !e.converged) {
         scene_verdict verdict = find_increments(s, part);
         if (verdict != VERDICT_ACCEPTED) {
             return verdict;
@@ -153,12 +146,35 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
             return VERDICT_SINGULAR;
         }
         vbss_scene_refresh_rows(s);
-        if (e.converged) {
-            break;
+        ++*k;
+    }
+    bool found = e.converged || e.stretch <= s->config.stretch_tolerance;
+    return found ? VERDICT_ACCEPTED : VERDICT_STRETCH;
+}
+
+scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
+{
+    uint32_t k = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD &&
+            s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
+            vbss_thread_update_rest_pull(s->bodies[i].thread.thread);
         }
     }
-    if (!e.converged && !(e.stretch <= s->config.stretch_tolerance)) {
-        return VERDICT_STRETCH;
+    for (uint32_t turns = 0;; turns++) {
+        scene_verdict verdict = find_shape(s, part, &k);
+        if (verdict != VERDICT_ACCEPTED) {
+            return verdict;
+        }
+        bool shallow = vbss_contact_depth_is_allowed(s->contacts);
+        vbss_scene_measure_gaps(s);
+        if (vbss_contact_depth_is_allowed(s->contacts)) {
+            return VERDICT_ACCEPTED;
+        }
+        if (turns == TURNS || k >= s->config.linearisation_limit) {
+            /* The next part pushes apart what has slid so far; and counts as recovering. */
+            return shallow ? VERDICT_ACCEPTED : VERDICT_DEPTH;
+        }
+        vbss_scene_lay_rows_again(s);
     }
-    return vbss_contact_depth_is_allowed(s->contacts) ? VERDICT_ACCEPTED : VERDICT_DEPTH;
 }
