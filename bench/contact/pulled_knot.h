@@ -11,16 +11,18 @@
 typedef struct pulled_knot {
     char name[64];
     contact_scene_options options;
-    double h;                           /* s */
-    bool held;                          /* what is timed begins when the load is reached */
-    uint32_t hold_steps;                /* not held: timed too, after the load is reached */
-    uint32_t most_steps;                /* to get there */
+    double h;            /* s */
+    bool held;           /* what is timed begins when the load is reached */
+    bool pinned;         /* the nodes of both strands that are nearest to a crossing, in space */
+    uint32_t hold_steps; /* not held: timed too, after the load is reached */
+    uint32_t most_steps; /* to get there */
     void (*more)(bench_result *result); /* called after its own counters; may be NULL */
 
     /* of a run */
     vbss_context *context;
     contact_scene scene;
     uint32_t steps_to_load;
+    bool broken; /* it did not get there: no finite state */
     /* where timing begins */
     contact_scene scene_at_begin;
     uint8_t *saved;

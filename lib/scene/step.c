@@ -53,6 +53,9 @@ static void go_back(scene_object *s)
 
 /* ---- an attempt */
 
+/* Share of what is allowed by which a part that begins too deep may go deeper. */
+#define DEEPER 0.1
+
 static void allow_depth(scene_object *s)
 {
     s->recovering = false;
@@ -60,7 +63,8 @@ static void allow_depth(scene_object *s)
         contact_row *row = &s->contacts->rows[i];
         double share = s->config.penetration_tolerance * row->thickness;
         bool deep = -row->gap_before > share;
-        row->depth_allowed = deep ? -row->gap_before : share;
+        /* A hair more may be needed on the way out, and rounding at rest. */
+        row->depth_allowed = deep ? -row->gap_before + DEEPER * share : share;
         s->recovering = s->recovering || deep;
     }
 }
