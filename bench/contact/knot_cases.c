@@ -23,7 +23,8 @@ typedef struct kind_case {
 #define PAPER_STEP (1.0 / 150.0)
 #define OUR_STEP 1e-3
 
-/* The paper's method has lost a fine knot after some ms; its own is pulled for two seconds. */
+/* The paper's method has lost a fine knot after some ms; its own is pulled for two
+ * seconds, whatever it bears: its explicit springs never show the load. */
 enum { OURS_STEPS = 4000, LOST_STEPS = 20, PAPER_STEPS = 300 };
 /* A size at which the polyline of 5 mm is the knot. */
 #define PAPER_SIZE 3.1e-3

@@ -8,7 +8,6 @@
 
 #define LOAD_N 2.0
 #define LOAD_REACHED_N 1.99
-#define SILK_EA_N 427.0
 #define SPEED 0.025
 #define HELD_STEPS 1000u
 /* Steps between looks at the strands' distance. */
@@ -77,12 +76,8 @@ static uint64_t rejected(const vbss_scene_statistics *s)
            s->rejected_singular + s->rejected_full;
 }
 
-/* The paper's explicit springs are far too weak for the load: there it is the stretch that silk would have. */
 static bool loaded(const pulled_knot *k)
 {
-    if (k->options.scene.method == VBSS_METHOD_PAPER) {
-        return inside(k)->statistics.last_stretch_error >= LOAD_N / SILK_EA_N;
-    }
     return contact_scene_pull_felt(&k->scene) >= LOAD_REACHED_N;
 }
 
