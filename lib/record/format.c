@@ -1,0 +1,154 @@
+/* How a log is laid out, little-endian:
+ *   front   "VBSL", u32 format
+ *   record  u32 length, u32 its complement, a section of the stream (code, version, fields), u64 checksum
+ * The checksum is XXH64 of the checksum before it (at first: the front) and all of the record before it. A
+ * record whose code begins with a small letter may be passed over by who does not know it. */
+#include <string.h>
+
+#include "base/little_endian.h"
+#include "record/record.h"
+
+#define MAGIC VBSS_CODE('V', 'B', 'S', 'L')
+#define FORMAT 1u
+#define SMALL_LETTER 0x20u
+/* The least a section needs. */
+#define SECTION_BYTES 16u
+
+static uint64_t link_of(uint64_t chain, const uint8_t *record, size_t count)
+{
+    uint8_t before[8];
+    vbss_hash hash;
+    store_little_endian(before, chain, 8);
+    vbss_hash_begin(&hash);
+    vbss_hash_add(&hash, before, sizeof before);
+    vbss_hash_add(&hash, record, count);
+    return vbss_hash_end(&hash);
+}
+
+/* ---- writing */
+
+void vbss_log_begin(log_writer *log)
+{
+    store_little_endian(log->bytes, (uint64_t)FORMAT << 32 | MAGIC, LOG_FRONT);
+    log->chain = load_little_endian(log->bytes, LOG_FRONT);
+    log->used = LOG_FRONT;
+}
+
+size_t vbss_log_room(const log_writer *log)
+{
+    return log->taken ? log->capacity : log->capacity - log->used;
+}
+
+void vbss_log_open(log_writer *log, vbss_stream *stream)
+{
+    log->used = log->taken ? 0 : log->used;
+    log->taken = false;
+    vbss_stream_begin_write(stream, log->bytes + log->used + LOG_BEFORE,
+                            log->capacity - log->used - LOG_BEFORE - LOG_AFTER);
+}
+
+vbss_result vbss_log_seal(log_writer *log, const vbss_stream *stream)
+{
+    uint8_t *record = log->bytes + log->used;
+    size_t covered = LOG_BEFORE + stream->position;
+    if (stream->result != VBSS_OK) {
+        return stream->result;
+    }
+    store_little_endian(record, stream->position, 4);
+    store_little_endian(record + 4, ~(uint64_t)stream->position, 4);
+    log->chain = link_of(log->chain, record, covered);
+    store_little_endian(record + covered, log->chain, LOG_AFTER);
+    log->used += covered + LOG_AFTER;
+    return VBSS_OK;
+}
+
+/* ---- reading */
+
+static vbss_result fail_at(const log_reader *log, vbss_result result, size_t at,
+                           const char *problem)
+{
+    return vbss_fail(log->context, result, "log, byte %llu of %llu: %s", (unsigned long long)at,
+                     (unsigned long long)log->count, problem);
+}
+
+vbss_result vbss_log_corrupt(const log_reader *log, size_t at, const char *problem)
+{
+    return fail_at(log, VBSS_ERROR_CORRUPT, at, problem);
+}
+
+vbss_result vbss_log_read_front(log_reader *log)
+{
+    if (log->count < LOG_FRONT) {
+        return fail_at(log, VBSS_ERROR_TRUNCATED, log->count, "it ends before it begins");
+    }
+    log->chain = load_little_endian(log->bytes, LOG_FRONT);
+    if ((uint32_t)log->chain != MAGIC) {
+        return vbss_log_corrupt(log, 0, "this is no log");
+    }
+    if (log->chain >> 32 != FORMAT) {
+        return fail_at(log, VBSS_ERROR_DATA_VERSION, 4, "a format that this library does not read");
+    }
+    log->at = LOG_FRONT;
+    return VBSS_OK;
+}
+
+/* The record at `at`, whatever it is. */
+static vbss_result find(const log_reader *log, log_found *found)
+{
+    const uint8_t *record = log->bytes + log->at;
+    size_t left = log->count - log->at;
+    if (left < LOG_BEFORE) {
+        return fail_at(log, VBSS_ERROR_TRUNCATED, log->count, "it is cut off: there is no end");
+    }
+    uint64_t length = load_little_endian(record, 4);
+    if ((length ^ load_little_endian(record + 4, 4)) != UINT32_MAX || length < SECTION_BYTES) {
+        return vbss_log_corrupt(log, log->at, "no record begins here");
+    }
+    if (left < LOG_BEFORE + LOG_AFTER || length > left - LOG_BEFORE - LOG_AFTER) {
+        return fail_at(log, VBSS_ERROR_TRUNCATED, log->at, "it is cut off in the record here");
+    }
+    found->payload = record + LOG_BEFORE;
+    found->length = (size_t)length;
+    found->at = log->at;
+    found->code = (uint32_t)load_little_endian(found->payload + 4, 4);
+    return VBSS_OK;
+}
+
+vbss_result vbss_log_next(log_reader *log, log_found *found)
+{
+    log_reader next = *log;
+    bool known = false;
+    while (!known) {
+        VBSS_TRY(find(&next, found));
+        size_t covered = LOG_BEFORE + found->length;
+        const uint8_t *record = next.bytes + next.at;
+        next.chain = link_of(next.chain, record, covered);
+        if (next.chain != load_little_endian(record + covered, LOG_AFTER)) {
+            return vbss_log_corrupt(log, found->at, "the checksum of the record here differs");
+        }
+        next.at += covered + LOG_AFTER;
+        known = found->code == LOG_HEAD || found->code == LOG_SNAPSHOT || found->code == LOG_STEP ||
+                found->code == LOG_END;
+        if (!known && (found->code & SMALL_LETTER) == 0) {
+            return fail_at(log, VBSS_ERROR_DATA_VERSION, found->at,
+                           "a record of a kind that this library does not know");
+        }
+    }
+    *log = next;
+    return VBSS_OK;
+}
+
+vbss_result vbss_log_read_all(const log_reader *log, const log_found *found,
+                              const vbss_stream *stream)
+{
+    size_t at = found->at + LOG_BEFORE + stream->position;
+    vbss_result result = stream->result;
+    if (result == VBSS_OK) {
+        return stream->position == found->length
+                   ? VBSS_OK
+                   : vbss_log_corrupt(log, at, "data follow the fields");
+    }
+    /* The record is all there: fields that need more were never written. */
+    bool beyond = result == VBSS_ERROR_TRUNCATED || result == VBSS_ERROR_CAPACITY;
+    return fail_at(log, beyond ? VBSS_ERROR_CORRUPT : result, at, stream->problem);
+}

@@ -1,0 +1,156 @@
+/* How a log begins: who wrote it, the scene's configuration, and the snapshot. */
+#include <string.h>
+
+#include "record/record.h"
+
+#define CONFIG VBSS_CODE('C', 'O', 'N', 'F')
+
+/* ---- the configuration of the scene */
+
+_Static_assert(sizeof(vbss_scene_config) == 160, "new fields must be listed, with a new version");
+
+typedef enum field_type { FIELD_U32, FIELD_F64 } field_type;
+typedef struct field {
+    const char *name;
+    size_t offset;
+    field_type type;
+    uint32_t count;
+    bool room; /* only sizes memory: may differ in a replay */
+} field;
+
+#define WORD(name)                                                    \
+    {                                                                 \
+#name, offsetof(vbss_scene_config, name), FIELD_U32, 1, false \
+    }
+#define ROOM(name)                                                   \
+    {                                                                \
+#name, offsetof(vbss_scene_config, name), FIELD_U32, 1, true \
+    }
+#define NUMBER(name)                                                  \
+    {                                                                 \
+#name, offsetof(vbss_scene_config, name), FIELD_F64, 1, false \
+    }
+
+/* The place in the table is the tag: new fields are appended. */
+static const field fields[] = {
+    WORD(method),
+    WORD(mode),
+    ROOM(thread_capacity),
+    ROOM(node_capacity),
+    ROOM(rigid_capacity),
+    ROOM(capsule_capacity),
+    WORD(pin_capacity), /* the state has a place for each */
+    ROOM(contact_capacity),
+    ROOM(candidate_capacity),
+    ROOM(event_capacity),
+    WORD(floor),
+    {"floor_normal", offsetof(vbss_scene_config, floor_normal), FIELD_F64, 3, false},
+    NUMBER(floor_height),
+    NUMBER(floor_friction),
+    NUMBER(thread_friction),
+    NUMBER(contact_stiffness),
+    NUMBER(contact_margin),
+    NUMBER(stretch_tolerance),
+    NUMBER(penetration_tolerance),
+    WORD(linearisation_limit),
+    WORD(state_limit),
+    WORD(halving_limit),
+    WORD(attempt_limit),
+    WORD(paper_pass_limit),
+    NUMBER(paper_thickness),
+};
+enum { FIELDS = sizeof fields / sizeof fields[0] };
+
+static void visit_config(vbss_stream *stream, vbss_scene_config *config)
+{
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 1);
+    for (uint32_t i = 0; i < FIELDS; i++) {
+        uint16_t tag = (uint16_t)i;
+        void *value = (char *)config + fields[i].offset;
+        if (fields[i].type == FIELD_U32) {
+            vbss_stream_u32(stream, tag, value, fields[i].count);
+        } else {
+            vbss_stream_f64(stream, tag, value, fields[i].count);
+        }
+    }
+    vbss_stream_close(stream, outer);
+}
+
+vbss_result vbss_log_compare_config(const log_head *head, const scene_object *s)
+{
+    for (size_t i = 0; i < FIELDS; i++) {
+        const char *wanted = (const char *)&head->scene + fields[i].offset;
+        const char *found = (const char *)&s->config + fields[i].offset;
+        size_t size = fields[i].type == FIELD_U32 ? sizeof(uint32_t) : sizeof(double);
+        if (!fields[i].room && memcmp(wanted, found, size * fields[i].count) != 0) {
+            return vbss_fail(s->context, VBSS_ERROR_CORRUPT,
+                             "the scene's %s is not that of the log", fields[i].name);
+        }
+    }
+    return VBSS_OK;
+}
+
+/* ---- bytes of any number */
+
+vbss_result vbss_log_make_blob(vbss_context *context, log_blob *blob, const void *bytes,
+                               size_t count)
+{
+    blob->bytes = vbss_allocate(context, count + 1, 1, "part of a log");
+    if (blob->bytes == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    blob->count = (uint32_t)count;
+    if (count > 0 && bytes != NULL) {
+        memcpy(blob->bytes, bytes, count);
+    }
+    return VBSS_OK;
+}
+
+static void free_blob(vbss_context *context, log_blob *blob)
+{
+    vbss_release(context, blob->bytes, (size_t)blob->count + 1, 1);
+    *blob = (log_blob){0};
+}
+
+static void visit_blob(vbss_stream *stream, uint16_t tag, vbss_context *context, log_blob *blob)
+{
+    uint32_t count = blob->count, most = UINT32_MAX;
+    bool reading = stream->mode == VBSS_STREAM_READ;
+    if (reading && stream->capacity - stream->position < most) {
+        most = (uint32_t)(stream->capacity - stream->position);
+    }
+    vbss_stream_count(stream, tag, &count, most);
+    if (reading && stream->result == VBSS_OK &&
+        vbss_log_make_blob(context, blob, NULL, count) != VBSS_OK) {
+        vbss_stream_refuse(stream, VBSS_ERROR_OUT_OF_MEMORY, "no memory for a part of the log");
+    }
+    vbss_stream_u8(stream, (uint16_t)(tag + 1), blob->bytes, count);
+}
+
+/* ---- records */
+
+void vbss_log_visit_head(vbss_stream *stream, log_head *head)
+{
+    vbss_section outer = vbss_stream_open(stream, LOG_HEAD, 1);
+    vbss_stream_u32(stream, 1, &head->library_version, 1);
+    visit_blob(stream, 2, head->context, &head->build_info);
+    vbss_stream_u32(stream, 4, &head->hash_interval, 1);
+    vbss_stream_count(stream, 5, &head->input_capacity, 65536);
+    visit_blob(stream, 6, head->context, &head->note);
+    visit_config(stream, &head->scene);
+    vbss_stream_close(stream, outer);
+}
+
+void vbss_log_visit_snapshot(vbss_stream *stream, log_head *head)
+{
+    vbss_section outer = vbss_stream_open(stream, LOG_SNAPSHOT, 1);
+    visit_blob(stream, 1, head->context, &head->snapshot);
+    vbss_stream_close(stream, outer);
+}
+
+void vbss_log_free_head(log_head *head)
+{
+    free_blob(head->context, &head->build_info);
+    free_blob(head->context, &head->note);
+    free_blob(head->context, &head->snapshot);
+}

@@ -1,0 +1,74 @@
+/* What a host tells a scene, told by the host itself or once more from a log. */
+#include "record/record.h"
+
+_Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
+
+const log_input_shape vbss_log_input_shapes[INPUT_KINDS] = {
+    [INPUT_MOVE_RIGID] = {2, 7}, [INPUT_PIN] = {4, 3},  [INPUT_UNPIN] = {1, 0},
+    [INPUT_ATTACH] = {3, 12},    [INPUT_MOVE] = {3, 6}, [INPUT_DETACH] = {2, 0},
+};
+
+vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    const scene_body *b = vbss_scene_find_body(s, body, BODY_THREAD);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *thread = (vbss_thread *)b->thread.slot;
+    return VBSS_OK;
+}
+
+static vbss_result attach(vbss_thread *thread, const log_input *input, uint32_t *id)
+{
+    const double *n = input->numbers;
+    vbss_thread_attachment a;
+    VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
+    a.kind = (vbss_attachment_kind)input->words[1];
+    a.node = input->words[2];
+    vec3_store(a.position, vec3_load(n));
+    vec3_store(a.direction, vec3_load(n + 3));
+    vec3_store(a.force, vec3_load(n + 6));
+    a.stiffness = n[9];
+    a.damping = n[10];
+    a.mass = n[11];
+    return vbss_thread_attach(thread, &a, id);
+}
+
+vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *input, uint32_t *id)
+{
+    const uint32_t *w = input->words;
+    const double *n = input->numbers;
+    vbss_thread *thread = NULL;
+    uint32_t unwanted, *name = id != NULL ? id : &unwanted;
+    if (kind >= INPUT_ATTACH) {
+        VBSS_TRY(vbss_log_find_thread(scene, w[0], &thread));
+    }
+    switch (kind) {
+    case INPUT_MOVE_RIGID:
+        return vbss_scene_move_rigid(scene, w[0], n, w[1] != 0 ? n + 3 : NULL);
+    case INPUT_PIN:
+        return vbss_scene_pin_thread(scene, w[0], w[1], w[2], w[3] != 0 ? n : NULL, name);
+    case INPUT_UNPIN:
+        return vbss_scene_unpin_thread(scene, w[0]);
+    case INPUT_ATTACH:
+        return attach(thread, input, name);
+    case INPUT_MOVE:
+        return vbss_thread_move(thread, w[1], n, w[2] != 0 ? n + 3 : NULL);
+    default: /* INPUT_DETACH: no other gets here */
+        return vbss_thread_detach(thread, w[1]);
+    }
+}
+
+log_edits vbss_log_edits_of(const scene_object *s)
+{
+    /* All of them only grow, and threads come and go with a change of the scene's own. */
+    log_edits edits = {s->generation, 0};
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            edits.threads += s->bodies[i].thread.thread->generation;
+        }
+    }
+    return edits;
+}

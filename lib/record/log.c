@@ -1,0 +1,190 @@
+/* Reading: a log is opened, tells about itself, and is read from step to step without a scene. */
+#include "record/record.h"
+
+_Static_assert(sizeof(vbss_replay_info) == 48, "published size");
+
+static const uint32_t info_sizes[] = {48, 0};
+static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
+static const uint32_t scene_config_sizes[] = {160, 0};
+static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
+
+/* ---- life */
+
+static void free_object(vbss_context *context, void *object)
+{
+    replay_object *p = object;
+    vbss_log_free_head(&p->head);
+    vbss_log_free_inputs(context, &p->step);
+    vbss_release(context, p, 1, sizeof *p);
+}
+
+/* The state of a replay is the scene's; its own is how far it is. */
+static void visit_replay(vbss_stream *stream, void *object)
+{
+    replay_object *p = object;
+    vbss_stream_u64(stream, 1, &p->report.step, 1);
+}
+
+static const vbss_kind kind = {"replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_object,
+                               visit_replay};
+
+/* The next record, to be visited. */
+static vbss_result begin_record(log_reader *log, log_found *found, vbss_stream *stream)
+{
+    VBSS_TRY(vbss_log_next(log, found));
+    vbss_stream_begin_read(stream, found->payload, found->length);
+    return VBSS_OK;
+}
+
+static vbss_result read_begin(replay_object *p)
+{
+    log_found found;
+    vbss_stream stream;
+    VBSS_TRY(vbss_log_read_front(&p->log));
+    VBSS_TRY(begin_record(&p->log, &found, &stream));
+    vbss_log_visit_head(&stream, &p->head);
+    VBSS_TRY(vbss_log_read_all(&p->log, &found, &stream));
+    VBSS_TRY(begin_record(&p->log, &found, &stream));
+    vbss_log_visit_snapshot(&stream, &p->head);
+    VBSS_TRY(vbss_log_read_all(&p->log, &found, &stream));
+    p->begin = p->log;
+    p->report.position = p->log.at;
+    p->step.input_capacity = p->head.input_capacity;
+    return vbss_log_make_inputs(p->context, &p->step);
+}
+
+static vbss_result open_log(vbss_context *context, const uint8_t *bytes, size_t count,
+                            replay_object **replay)
+{
+    replay_object *p = vbss_allocate(context, 1, sizeof *p, "replay");
+    if (p == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    p->context = p->head.context = p->log.context = context;
+    p->log.bytes = bytes;
+    p->log.count = count;
+    vbss_result result = read_begin(p);
+    if (result != VBSS_OK) {
+        free_object(context, p);
+        return result;
+    }
+    *replay = p;
+    return VBSS_OK;
+}
+
+vbss_result vbss_replay_create(vbss_context *context, const uint8_t *bytes, uint64_t count,
+                               vbss_replay **replay)
+{
+    replay_object *p;
+    vbss_slot *slot = NULL;
+    if (replay == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, replay, "replay");
+    }
+    *replay = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
+    if (count > SIZE_MAX) {
+        return vbss_fail(context, VBSS_ERROR_CORRUPT, "the log is larger than any memory");
+    }
+    VBSS_TRY(open_log(context, bytes, (size_t)count, &p));
+    vbss_result result = vbss_slot_create(context, &kind, p, &slot);
+    if (result != VBSS_OK) {
+        free_object(context, p);
+        return result;
+    }
+    *replay = (vbss_replay *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_replay_destroy(vbss_replay *replay)
+{
+    return vbss_slot_destroy(replay, &kind);
+}
+
+static vbss_result open_handle(const vbss_replay *handle, replay_object **replay)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
+    *replay = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_replay_edit(vbss_replay *handle, replay_object **replay)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &kind, &slot));
+    *replay = slot->object;
+    return VBSS_OK;
+}
+
+/* ---- what it says about itself */
+
+vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, uint32_t struct_size)
+{
+    replay_object *p;
+    VBSS_TRY(open_handle(replay, &p));
+    const vbss_replay_info own = {
+        .struct_size = sizeof own,
+        .library_version = p->head.library_version,
+        .hash_interval = p->head.hash_interval,
+        .note_bytes = p->head.note.count,
+        .snapshot_bytes = p->head.snapshot.count,
+        .log_bytes = p->log.count,
+        .build_info = (const char *)p->head.build_info.bytes,
+        .note = p->head.note.bytes,
+    };
+    return vbss_struct_write(p->context, &info_layout, &own, info, struct_size);
+}
+
+vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config *config)
+{
+    replay_object *p;
+    VBSS_TRY(open_handle(replay, &p));
+    VBSS_TRY(vbss_check_pointer(p->context, config, "config"));
+    vbss_scene_config own = p->head.scene;
+    own.struct_size = sizeof own;
+    return vbss_struct_write(p->context, &scene_config_layout, &own, config, config->struct_size);
+}
+
+/* ---- from step to step */
+
+vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step *step, bool *end)
+{
+    log_reader next = *log;
+    log_found found;
+    vbss_stream stream;
+    VBSS_TRY(begin_record(&next, &found, &stream));
+    *end = found.code == LOG_END;
+    if (*end) {
+        vbss_log_visit_end(&stream, step);
+    } else {
+        vbss_log_visit_step(&stream, step);
+    }
+    VBSS_TRY(vbss_log_read_all(log, &found, &stream));
+    if (step->number != steps_before + (*end ? 0 : 1)) {
+        return vbss_log_corrupt(log, found.at, "another step was expected");
+    }
+    if (*end && next.at != next.count) {
+        return vbss_log_corrupt(log, next.at, "data follow the end");
+    }
+    *log = next;
+    return VBSS_OK;
+}
+
+vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
+{
+    replay_object *p;
+    VBSS_TRY(vbss_replay_edit(replay, &p));
+    VBSS_TRY(vbss_check_pointer(p->context, steps, "steps"));
+    log_reader log = p->begin;
+    log_step step = p->step;
+    bool end = false;
+    *steps = 0;
+    while (!end) {
+        VBSS_TRY(vbss_log_read_step(&log, *steps, &step, &end));
+        *steps += !end;
+    }
+    return VBSS_OK;
+}

@@ -1,0 +1,274 @@
+/* Writing: how records begin, what a step appends, and how they end. */
+#include <string.h>
+
+#include "record/record.h"
+
+_Static_assert(sizeof(vbss_record_config) == 32, "published size");
+
+static const vbss_record_config defaults = {
+    .struct_size = sizeof(vbss_record_config),
+    .hash_interval = 1,
+    .input_capacity = 64,
+    .buffer_bytes = 1u << 20,
+};
+static const uint32_t config_sizes[] = {32, 0};
+static const vbss_layout config_layout = {"vbss_record_config", &defaults, config_sizes};
+
+vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+static vbss_result check(vbss_context *context, const vbss_record_config *c)
+{
+    VBSS_TRY(vbss_check_range(context, c->hash_interval, 1.0, 1e9, "hash_interval"));
+    VBSS_TRY(vbss_check_range(context, c->input_capacity, 0.0, 65536.0, "input_capacity"));
+    VBSS_TRY(vbss_check_range(context, c->note_bytes, 0.0, 16777216.0, "note_bytes"));
+    VBSS_TRY(
+        vbss_check_range(context, (double)c->buffer_bytes, 4096.0, 1073741824.0, "buffer_bytes"));
+    return c->note_bytes == 0 ? VBSS_OK : vbss_check_pointer(context, c->note, "note");
+}
+
+/* ---- the begin of a log */
+
+/* What stands in it, but for the snapshot's bytes. */
+static vbss_result fill_head(const scene_object *s, const vbss_record_config *c, log_head *head)
+{
+    const char *build_info = vbss_build_info();
+    head->library_version = vbss_version();
+    head->hash_interval = c->hash_interval;
+    head->input_capacity = c->input_capacity;
+    head->scene = s->config;
+    VBSS_TRY(vbss_log_make_blob(s->context, &head->build_info, build_info, strlen(build_info)));
+    return vbss_log_make_blob(s->context, &head->note, c->note, c->note_bytes);
+}
+
+static vbss_result fill_snapshot(const vbss_slot *scene, log_head *head)
+{
+    size_t need = 0;
+    VBSS_TRY(vbss_snapshot_size(scene, &need));
+    if (need > UINT32_MAX - 1024) {
+        return vbss_fail(scene->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
+    }
+    VBSS_TRY(vbss_log_make_blob(scene->context, &head->snapshot, NULL, need));
+    return vbss_snapshot_save(scene, head->snapshot.bytes, need, &need);
+}
+
+/* Bytes of the begin of the log. */
+static size_t measure_head(log_head *head)
+{
+    vbss_stream stream, snapshot;
+    vbss_stream_begin_measure(&stream);
+    vbss_log_visit_head(&stream, head);
+    vbss_stream_begin_measure(&snapshot);
+    vbss_log_visit_snapshot(&snapshot, head);
+    return LOG_FRONT + log_record_bytes(&stream) + log_record_bytes(&snapshot);
+}
+
+static vbss_result write_head(log_writer *log, log_head *head)
+{
+    vbss_stream stream;
+    vbss_log_begin(log);
+    vbss_log_open(log, &stream);
+    vbss_log_visit_head(&stream, head);
+    VBSS_TRY(vbss_log_seal(log, &stream));
+    vbss_log_open(log, &stream);
+    vbss_log_visit_snapshot(&stream, head);
+    return vbss_log_seal(log, &stream);
+}
+
+static size_t measure_end(log_step *step)
+{
+    vbss_stream stream;
+    vbss_stream_begin_measure(&stream);
+    vbss_log_visit_end(&stream, step);
+    return log_record_bytes(&stream);
+}
+
+/* ---- life */
+
+static void free_object(vbss_context *context, void *object)
+{
+    record_object *r = object;
+    vbss_log_free_inputs(context, &r->step);
+    vbss_release(context, r->log.bytes, r->log.capacity, 1);
+    vbss_release(context, r, 1, sizeof *r);
+}
+
+/* A log is no state to go back to; what can be told of it is how long it is. */
+static void visit_record(vbss_stream *stream, void *object)
+{
+    record_object *r = object;
+    vbss_stream_u64(stream, 1, &r->step.number, 1);
+}
+
+static const vbss_kind kind = {"record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_object,
+                               visit_record};
+
+static vbss_result make_parts(record_object *r, const vbss_slot *scene, const vbss_record_config *c,
+                              log_head *head)
+{
+    r->step.input_capacity = c->input_capacity;
+    VBSS_TRY(vbss_log_make_inputs(r->context, &r->step));
+    VBSS_TRY(fill_head(scene->object, c, head));
+    VBSS_TRY(fill_snapshot(scene, head));
+    r->end_bytes = measure_end(&r->step);
+    r->log.capacity = measure_head(head) + (size_t)c->buffer_bytes + r->end_bytes;
+    r->log.bytes = vbss_allocate(r->context, r->log.capacity, 1, "log");
+    return r->log.bytes == NULL ? VBSS_ERROR_OUT_OF_MEMORY : write_head(&r->log, head);
+}
+
+static vbss_result make(const vbss_slot *scene, const vbss_record_config *c, record_object *r)
+{
+    log_head head = {.context = r->context};
+    vbss_result result = make_parts(r, scene, c, &head);
+    vbss_log_free_head(&head);
+    r->hash_interval = c->hash_interval;
+    r->seen = vbss_log_edits_of(scene->object);
+    return result;
+}
+
+vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *config,
+                               vbss_record **record)
+{
+    vbss_slot *from, *slot = NULL;
+    if (record == NULL) {
+        VBSS_TRY(vbss_slot_open(scene, &vbss_scene_kind, &from));
+        return vbss_check_pointer(from->context, record, "record");
+    }
+    *record = NULL;
+    VBSS_TRY(vbss_slot_edit(scene, &vbss_scene_kind, &from));
+    vbss_context *context = from->context;
+    vbss_record_config own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
+    }
+    VBSS_TRY(check(context, &own));
+    record_object *r = vbss_allocate(context, 1, sizeof *r, "record");
+    if (r == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    r->context = context;
+    r->scene = scene;
+    vbss_result result = make(from, &own, r);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(context, &kind, r, &slot);
+    }
+    if (result != VBSS_OK) {
+        free_object(context, r);
+        return result;
+    }
+    *record = (vbss_record *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_record_destroy(vbss_record *record)
+{
+    return vbss_slot_destroy(record, &kind);
+}
+
+vbss_result vbss_record_edit(vbss_record *handle, record_object **record)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &kind, &slot));
+    *record = slot->object;
+    return VBSS_OK;
+}
+
+/* ---- growing */
+
+static bool knows_all(const record_object *r, const scene_object *s)
+{
+    log_edits now = vbss_log_edits_of(s);
+    return now.scene == r->seen.scene && now.threads == r->seen.threads;
+}
+
+vbss_result vbss_record_ready(const record_object *r, scene_object **scene)
+{
+    if (r->ended) {
+        return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended");
+    }
+    VBSS_TRY(vbss_scene_open(r->scene, scene));
+    return knows_all(r, *scene) ? VBSS_OK
+                                : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
+                                            "the scene was changed past the record after step %llu",
+                                            (unsigned long long)r->step.number);
+}
+
+static vbss_result check_room(const record_object *r, log_step *next)
+{
+    vbss_stream stream;
+    vbss_stream_begin_measure(&stream);
+    vbss_log_visit_step(&stream, next);
+    size_t need = log_record_bytes(&stream) + r->end_bytes;
+    return need <= vbss_log_room(&r->log)
+               ? VBSS_OK
+               : vbss_fail(
+                     r->context, VBSS_ERROR_CAPACITY,
+                     "the log has room for %llu bytes more, the step needs %llu: take it first",
+                     (unsigned long long)vbss_log_room(&r->log), (unsigned long long)need);
+}
+
+vbss_result vbss_record_step(vbss_record *record, double h)
+{
+    record_object *r;
+    scene_object *s = NULL;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_record_ready(r, &s));
+    log_step next = r->step;
+    next.number++;
+    next.h = h;
+    VBSS_TRY(check_room(r, &next));
+    vbss_result result = vbss_scene_step(r->scene, h);
+    r->seen = vbss_log_edits_of(s); /* a step that was undone may have left its mark */
+    if (result != VBSS_OK) {
+        return result;
+    }
+    next.hashed = next.number % r->hash_interval == 0;
+    next.hash = 0;
+    if (next.hashed) {
+        VBSS_TRY(vbss_scene_get_hash(r->scene, &next.hash));
+    }
+    vbss_stream stream;
+    vbss_log_open(&r->log, &stream);
+    vbss_log_visit_step(&stream, &next);
+    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    next.input_count = 0;
+    r->step = next;
+    return VBSS_OK;
+}
+
+vbss_result vbss_record_end(vbss_record *record)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    if (r->ended) {
+        return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended before");
+    }
+    /* The hash of what the steps have made, if that is still there. */
+    const vbss_slot *scene = (const vbss_slot *)r->scene;
+    log_step last = r->step;
+    last.hash = 0;
+    last.hashed = scene->object != NULL && last.input_count == 0 && knows_all(r, scene->object);
+    if (last.hashed) {
+        VBSS_TRY(vbss_snapshot_hash(scene, &last.hash));
+    }
+    vbss_stream stream;
+    vbss_log_open(&r->log, &stream);
+    vbss_log_visit_end(&stream, &last);
+    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    r->ended = true;
+    return VBSS_OK;
+}
+
+vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_t *count)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, bytes, "bytes"));
+    VBSS_TRY(vbss_check_pointer(r->context, count, "count"));
+    *bytes = r->log.bytes;
+    *count = r->log.taken ? 0 : r->log.used;
+    r->log.taken = true;
+    return VBSS_OK;
+}

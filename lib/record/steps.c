@@ -1,0 +1,74 @@
+/* What a log says of each step, and how it ends. */
+#include "record/record.h"
+
+/* Inputs follow one another as they were told; tags of words from 16 on, of numbers from 32. */
+enum { WORDS = 16, NUMBERS = 32 };
+
+static void visit_inputs(vbss_stream *stream, log_step *step)
+{
+    vbss_stream_count(stream, 3, &step->input_count, step->input_capacity);
+    vbss_stream_u8(stream, 4, step->kinds, step->input_count);
+    for (uint32_t i = 0; i < step->input_count && stream->result == VBSS_OK; i++) {
+        uint8_t kind = step->kinds[i];
+        log_input *input = &step->inputs[i];
+        if (kind == 0 || kind >= INPUT_KINDS) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such input");
+            return;
+        }
+        const log_input_shape shape = vbss_log_input_shapes[kind];
+        vbss_stream_u32(stream, (uint16_t)(WORDS + kind), input->words, shape.words);
+        if (shape.numbers > 0) {
+            vbss_stream_f64(stream, (uint16_t)(NUMBERS + kind), input->numbers, shape.numbers);
+        }
+    }
+}
+
+static void visit_hash(vbss_stream *stream, log_step *step)
+{
+    uint64_t words[3] = {step->number, step->hashed, step->hash};
+    vbss_stream_u64(stream, 1, words, 3);
+    step->number = words[0];
+    step->hashed = words[1];
+    step->hash = words[2];
+    if (step->hashed > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    }
+}
+
+void vbss_log_visit_step(vbss_stream *stream, log_step *step)
+{
+    vbss_section outer = vbss_stream_open(stream, LOG_STEP, 1);
+    visit_hash(stream, step);
+    vbss_stream_f64(stream, 2, &step->h, 1);
+    visit_inputs(stream, step);
+    vbss_stream_close(stream, outer);
+}
+
+void vbss_log_visit_end(vbss_stream *stream, log_step *step)
+{
+    vbss_section outer = vbss_stream_open(stream, LOG_END, 1);
+    visit_hash(stream, step);
+    vbss_stream_close(stream, outer);
+}
+
+/* ---- memory */
+
+static void list(log_step *step, vbss_array arrays[2])
+{
+    arrays[0] = (vbss_array){&step->kinds, step->input_capacity, sizeof *step->kinds};
+    arrays[1] = (vbss_array){&step->inputs, step->input_capacity, sizeof *step->inputs};
+}
+
+vbss_result vbss_log_make_inputs(vbss_context *context, log_step *step)
+{
+    vbss_array arrays[2];
+    list(step, arrays);
+    return vbss_allocate_arrays(context, arrays, 2, "inputs of a log");
+}
+
+void vbss_log_free_inputs(vbss_context *context, log_step *step)
+{
+    vbss_array arrays[2];
+    list(step, arrays);
+    vbss_release_arrays(context, arrays, 2);
+}

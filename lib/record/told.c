@@ -1,0 +1,110 @@
+/* What a host tells the scene through its record: the same as without, and noted. */
+#include <string.h>
+
+#include "record/record.h"
+
+static vbss_result check_room(const record_object *r)
+{
+    return r->step.input_count < r->step.input_capacity
+               ? VBSS_OK
+               : vbss_fail(r->context, VBSS_ERROR_CAPACITY, "more than %u inputs before a step",
+                           r->step.input_capacity);
+}
+
+static void note(record_object *r, const scene_object *s, uint8_t kind, const log_input *input)
+{
+    uint32_t place = r->step.input_count++;
+    r->step.kinds[place] = kind;
+    r->step.inputs[place] = *input;
+    r->seen = vbss_log_edits_of(s);
+}
+
+static vbss_result tell(record_object *r, uint8_t kind, const log_input *input, uint32_t *id)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_record_ready(r, &s));
+    VBSS_TRY(check_room(r));
+    VBSS_TRY(vbss_log_tell(r->scene, kind, input, id));
+    note(r, s, kind, input);
+    return VBSS_OK;
+}
+
+vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
+                                   const double *orientation)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, position, "position"));
+    log_input input = {.words = {body, orientation != NULL}};
+    memcpy(input.numbers, position, 3 * sizeof(double));
+    if (orientation != NULL) {
+        memcpy(input.numbers + 3, orientation, 4 * sizeof(double));
+    }
+    return tell(r, INPUT_MOVE_RIGID, &input, NULL);
+}
+
+vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
+                                   uint32_t body, const double *point, uint32_t *pin)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, pin, "pin"));
+    log_input input = {.words = {thread, node, body, point != NULL}};
+    if (point != NULL) {
+        memcpy(input.numbers, point, 3 * sizeof(double));
+    }
+    return tell(r, INPUT_PIN, &input, pin);
+}
+
+vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    const log_input input = {.words = {pin}};
+    return tell(r, INPUT_UNPIN, &input, NULL);
+}
+
+/* The thread reads the struct, as it may be one of another version. */
+vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
+                               const vbss_thread_attachment *attachment, uint32_t *id)
+{
+    record_object *r;
+    scene_object *s;
+    vbss_thread *handle;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_record_ready(r, &s));
+    VBSS_TRY(check_room(r));
+    VBSS_TRY(vbss_log_find_thread(r->scene, thread, &handle));
+    VBSS_TRY(vbss_thread_attach(handle, attachment, id));
+    log_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
+    memcpy(input.numbers, attachment->position, 3 * sizeof(double));
+    memcpy(input.numbers + 3, attachment->direction, 3 * sizeof(double));
+    memcpy(input.numbers + 6, attachment->force, 3 * sizeof(double));
+    input.numbers[9] = attachment->stiffness;
+    input.numbers[10] = attachment->damping;
+    input.numbers[11] = attachment->mass;
+    note(r, s, INPUT_ATTACH, &input);
+    return VBSS_OK;
+}
+
+vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, uint32_t id,
+                                        const double target[3], const double *direction)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, target, "target"));
+    log_input input = {.words = {thread, id, direction != NULL}};
+    memcpy(input.numbers, target, 3 * sizeof(double));
+    if (direction != NULL) {
+        memcpy(input.numbers + 3, direction, 3 * sizeof(double));
+    }
+    return tell(r, INPUT_MOVE, &input, NULL);
+}
+
+vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    const log_input input = {.words = {thread, id}};
+    return tell(r, INPUT_DETACH, &input, NULL);
+}

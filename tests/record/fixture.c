@@ -1,0 +1,307 @@
+#include "fixture.h"
+
+#include "base/little_endian.h"
+
+enum { NODES = 31 };
+
+stage_options stage_defaults(void)
+{
+    const stage_options options = {0.3, 0.15, 1e-8, 256, VBSS_METHOD_OURS};
+    return options;
+}
+
+/* ---- the scene */
+
+static vbss_result add_capsule(stage *s, const stage_options *options, vbss_rigid_kind kind,
+                               vec3 at, double half_length, uint32_t *body)
+{
+    vbss_rigid_config config;
+    vbss_capsule capsule = {{0.0, 0.0, -half_length}, {0.0, 0.0, half_length}, 2e-3};
+    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
+    config.kind = options->method == VBSS_METHOD_PAPER ? VBSS_RIGID_DRIVEN : kind;
+    config.capsules = &capsule;
+    config.capsule_count = 1;
+    config.friction = options->tool_friction;
+    vec3_store(config.position, at);
+    return vbss_scene_add_rigid(s->scene, &config, body);
+}
+
+static vbss_result make_thread(stage *s, const stage_options *options)
+{
+    vbss_thread_config config;
+    VBSS_TRY(vbss_thread_config_init(&config, sizeof config));
+    config.method = options->method;
+    config.segment_count = NODES - 1;
+    config.length = 0.09;
+    config.bending_stiffness = options->bending_stiffness;
+    config.start[1] = 0.03;
+    config.damping = 20.0;
+    return vbss_thread_create(s->context, &config, &s->thread);
+}
+
+vbss_result stage_make(stage *s, const stage_options *options)
+{
+    vbss_scene_config config;
+    uint32_t pin;
+    VBSS_TRY(make_thread(s, options));
+    VBSS_TRY(vbss_scene_config_init(&config, sizeof config));
+    config.method = options->method;
+    config.thread_friction = options->thread_friction;
+    config.contact_capacity = options->contact_capacity;
+    config.candidate_capacity = 1024;
+    config.node_capacity = NODES;
+    config.floor = 1;
+    VBSS_TRY(vbss_scene_create(s->context, &config, &s->scene));
+    VBSS_TRY(vbss_scene_add_thread(s->scene, s->thread, &s->body));
+    const vec3 at[3] = {{0.093, 0.03, 0.0}, {0.04, 0.02, 0.0}, {0.06, 0.0021, 0.02}};
+    VBSS_TRY(add_capsule(s, options, VBSS_RIGID_DRIVEN, at[0], 0.0, &s->tools[0]));
+    VBSS_TRY(add_capsule(s, options, VBSS_RIGID_DRIVEN, at[1], 0.02, &s->tools[1]));
+    VBSS_TRY(add_capsule(s, options, VBSS_RIGID_COUPLED, at[2], 0.0, &s->ball));
+    VBSS_TRY(vbss_scene_pin_thread(s->scene, s->body, 0, 0, NULL, &pin));
+    return vbss_scene_pin_thread(s->scene, s->body, NODES - 1, s->tools[0], NULL, &pin);
+}
+
+vbss_result stage_leave(stage *s)
+{
+    VBSS_TRY(vbss_scene_destroy(s->scene));
+    return vbss_thread_destroy(s->thread);
+}
+
+void stage_begin(stage *s, const stage_options *options)
+{
+    const stage_options defaults = stage_defaults();
+    memset(s, 0, sizeof *s);
+    s->context = harness_context(&s->memory);
+    expect_ok(stage_make(s, options != NULL ? options : &defaults));
+}
+
+void stage_end(stage *s)
+{
+    harness_context_end(s->context, &s->memory);
+}
+
+/* ---- what is told: through the record, or past it */
+
+static void move_rigid(stage *s, vbss_record *record, uint32_t body, vec3 at, const double *turned)
+{
+    double position[3];
+    vec3_store(position, at);
+    expect_ok(record != NULL ? vbss_record_move_rigid(record, body, position, turned)
+                             : vbss_scene_move_rigid(s->scene, body, position, turned));
+}
+
+static void attach(stage *s, vbss_record *record, vbss_attachment_kind kind, uint32_t node,
+                   uint32_t *id)
+{
+    vbss_thread_attachment a;
+    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
+    a.kind = kind;
+    a.node = node;
+    a.position[0] = 0.045;
+    a.position[1] = 0.035;
+    a.direction[1] = 0.1;
+    a.force[2] = 1e-3;
+    a.stiffness = 2.0;
+    a.damping = 1e-3;
+    a.mass = 1e-5;
+    expect_ok(record != NULL ? vbss_record_attach(record, s->body, &a, id)
+                             : vbss_thread_attach(s->thread, &a, id));
+}
+
+static void move(stage *s, vbss_record *record, uint32_t id, vec3 to, const double *direction)
+{
+    double target[3];
+    vec3_store(target, to);
+    expect_ok(record != NULL ? vbss_record_move_attachment(record, s->body, id, target, direction)
+                             : vbss_thread_move(s->thread, id, target, direction));
+}
+
+static void detach(stage *s, vbss_record *record, uint32_t id)
+{
+    expect_ok(record != NULL ? vbss_record_detach(record, s->body, id)
+                             : vbss_thread_detach(s->thread, id));
+}
+
+/* A node to the ball, a tenth of a millimetre beside where it is. */
+static void pin(stage *s, vbss_record *record, uint32_t node)
+{
+    vbss_rigid_state ball;
+    vbss_view view;
+    double x[3], point[3];
+    expect_ok(vbss_scene_get_rigid(s->scene, s->ball, &ball, sizeof ball));
+    expect_ok(vbss_thread_get_view(s->thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    memcpy(x, (const char *)view.data + (size_t)node * view.stride_bytes, sizeof x);
+    const double *q = ball.orientation;
+    pose at = pose_make(vec3_load(ball.position), quat_make(q[0], q[1], q[2], q[3]));
+    vec3_store(point, vec3_add(pose_apply_inverse(at, vec3_load(x)), vec3_make(0.0, 1e-4, 0.0)));
+    expect_ok(record != NULL
+                  ? vbss_record_pin_thread(record, s->body, node, s->ball, point, &s->pin)
+                  : vbss_scene_pin_thread(s->scene, s->body, node, s->ball, point, &s->pin));
+}
+
+static void unpin(stage *s, vbss_record *record)
+{
+    expect_ok(record != NULL ? vbss_record_unpin_thread(record, s->pin)
+                             : vbss_scene_unpin_thread(s->scene, s->pin));
+}
+
+/* In a round of 40 steps everything that can be told is. */
+void stage_tell(stage *s, vbss_record *record)
+{
+    double t = 1e-3 * s->step;
+    const double turned[4] = {1.0, 0.0, 0.2 * vbss_sin(40.0 * t), 0.0};
+    const double direction[3] = {1.0, vbss_sin(30.0 * t), 0.0};
+    uint32_t phase = s->step % 40;
+    vec3 sway = vec3_make(-0.01 * (1.0 - vbss_cos(20.0 * t)), 0.004 * vbss_sin(25.0 * t), 0.0);
+    move_rigid(s, record, s->tools[0], vec3_add(vec3_make(0.093, 0.03, 0.0), sway), NULL);
+    move_rigid(s, record, s->tools[1], vec3_make(0.04, 0.02 + 0.014 * vbss_sin(15.0 * t), 0.0),
+               turned);
+    if (phase % 4 == 1) {
+        move_rigid(s, record, s->ball, vec3_make(0.06 + 0.01 * t, 0.001, 0.02), NULL);
+    }
+    if (phase == 3) {
+        attach(s, record, VBSS_ATTACHMENT_FORCE, 10, &s->force);
+    } else if (phase > 3 && phase < 20) {
+        move(s, record, s->force, vec3_make(0.0, 0.0, 2e-3 * vbss_sin(100.0 * t)), NULL);
+    } else if (phase == 20) {
+        detach(s, record, s->force);
+        attach(s, record, VBSS_ATTACHMENT_CLAMP, 22, &s->clamp);
+    } else if (phase > 20 && phase < 30) {
+        move(s, record, s->clamp, vec3_make(0.06, 0.035, 0.002), direction);
+    } else if (phase == 30) {
+        detach(s, record, s->clamp);
+        pin(s, record, 26);
+    } else if (phase == 37) {
+        unpin(s, record);
+    }
+}
+
+void stage_step(stage *s, vbss_record *record)
+{
+    stage_tell(s, record);
+    expect_ok(record != NULL ? vbss_record_step(record, 1e-3) : vbss_scene_step(s->scene, 1e-3));
+    s->step++;
+}
+
+uint64_t stage_hash(stage *s)
+{
+    uint64_t hash;
+    expect_ok(vbss_scene_get_hash(s->scene, &hash));
+    return hash;
+}
+
+vbss_result empty_scene(vbss_context *context, vbss_scene **scene)
+{
+    vbss_scene_config config;
+    VBSS_TRY(vbss_scene_config_init(&config, sizeof config));
+    config.thread_capacity = config.rigid_capacity = 1;
+    config.node_capacity = config.capsule_capacity = config.pin_capacity = 2;
+    config.contact_capacity = config.candidate_capacity = config.event_capacity = 16;
+    return vbss_scene_create(context, &config, scene);
+}
+
+/* ---- logs */
+
+void log_take(log_bytes *log, vbss_record *record)
+{
+    const uint8_t *bytes;
+    uint64_t count;
+    expect_ok(vbss_record_take(record, &bytes, &count));
+    log->bytes = realloc(log->bytes, log->count + (size_t)count + 1);
+    assert_non_null(log->bytes);
+    memcpy(log->bytes + log->count, bytes, (size_t)count);
+    log->count += (size_t)count;
+}
+
+log_bytes log_of(stage *s, const vbss_record_config *config, uint32_t steps)
+{
+    log_bytes log = {NULL, 0};
+    vbss_record *record;
+    expect_ok(vbss_record_create(s->scene, config, &record));
+    for (uint32_t i = 0; i < steps; i++) {
+        stage_step(s, record);
+        if (i % 7 == 3) {
+            log_take(&log, record);
+        }
+    }
+    expect_ok(vbss_record_end(record));
+    log_take(&log, record);
+    expect_ok(vbss_record_destroy(record));
+    return log;
+}
+
+log_bytes log_copy(const log_bytes *log)
+{
+    log_bytes copy = {malloc(log->count + 1), log->count};
+    assert_non_null(copy.bytes);
+    memcpy(copy.bytes, log->bytes, log->count);
+    return copy;
+}
+
+void log_free(log_bytes *log)
+{
+    free(log->bytes);
+    *log = (log_bytes){NULL, 0};
+}
+
+bool log_next_place(const log_bytes *log, log_place *place)
+{
+    place->at = place->next == 0 ? 8 : place->next;
+    if (place->at == log->count) {
+        return false;
+    }
+    place->next = place->at + 16 + (size_t)load_little_endian(log->bytes + place->at, 4);
+    assert_true(place->next <= log->count);
+    place->code = (uint32_t)load_little_endian(log->bytes + place->at + 12, 4);
+    return true;
+}
+
+log_place log_find(const log_bytes *log, uint32_t code, uint32_t n)
+{
+    log_place place = {0, 0, 0};
+    while (n > 0) {
+        assert_true(log_next_place(log, &place));
+        n -= place.code == code;
+    }
+    return place;
+}
+
+void log_seal(log_bytes *log)
+{
+    log_place place = {0, 0, 0};
+    uint8_t before[8];
+    memcpy(before, log->bytes, 8);
+    while (log_next_place(log, &place)) {
+        vbss_hash hash;
+        vbss_hash_begin(&hash);
+        vbss_hash_add(&hash, before, 8);
+        vbss_hash_add(&hash, log->bytes + place.at, place.next - 8 - place.at);
+        store_little_endian(before, vbss_hash_end(&hash), 8);
+        memcpy(log->bytes + place.next - 8, before, 8);
+    }
+}
+
+/* ---- replays */
+
+vbss_replay *replay_of(stage *s, const log_bytes *log)
+{
+    vbss_replay *replay;
+    expect_ok(vbss_replay_create(s->context, log->bytes, log->count, &replay));
+    return replay;
+}
+
+vbss_result replay_all(vbss_replay *replay, vbss_replay_report *report)
+{
+    vbss_result result;
+    do {
+        result = vbss_replay_step(replay, report, sizeof *report);
+    } while (report->outcome == VBSS_REPLAY_STEPPED);
+    return result;
+}
+
+const char *last_text(vbss_context *context)
+{
+    const char *text;
+    expect_ok(vbss_context_get_last_error(context, NULL, &text));
+    return text;
+}

@@ -1,0 +1,184 @@
+/* How records and replays begin and end: structs they take and give, and their memory. */
+#include "fixture.h"
+
+/* ---- the size protocols */
+
+static vbss_result init_config(void *config, uint32_t struct_size)
+{
+    return vbss_record_config_init(config, struct_size);
+}
+
+static vbss_result create_and_destroy(vbss_context *context, const void *config)
+{
+    vbss_scene *scene;
+    vbss_record *record;
+    VBSS_TRY(empty_scene(context, &scene));
+    vbss_result result = vbss_record_create(scene, config, &record);
+    assert_true((record == NULL) == (result != VBSS_OK));
+    VBSS_TRY(vbss_record_destroy(record));
+    VBSS_TRY(vbss_scene_destroy(scene));
+    return result;
+}
+
+static void the_config_keeps_the_size_protocol(void **state)
+{
+    (void)state;
+    static const uint32_t sizes[] = {32, 0};
+    const harness_config config = {sizes, init_config, create_and_destroy};
+    harness_config_protocol(&config);
+}
+
+static vbss_result write_out(vbss_replay *replay, int which, void *out, uint32_t size)
+{
+    if (which == 2 && out != NULL) {
+        memcpy(out, &size, sizeof size);
+        return vbss_replay_get_scene_config(replay, out);
+    }
+    return which == 0   ? vbss_replay_get_info(replay, out, size)
+           : which == 1 ? vbss_replay_step(replay, out, size)
+                        : vbss_replay_get_scene_config(replay, out);
+}
+
+static void structs_that_go_out_keep_the_size_protocol(void **state)
+{
+    (void)state;
+    const uint32_t sizes[3] = {48, 48, 160};
+    stage s;
+    stage_begin(&s, NULL);
+    log_bytes log = log_of(&s, NULL, 3);
+    vbss_replay *replay = replay_of(&s, &log);
+    expect_ok(vbss_replay_begin(replay, s.scene));
+    uint64_t hash = stage_hash(&s);
+    for (int which = 0; which < 3; which++) {
+        unsigned char out[256];
+        uint32_t filled;
+        expect_result(VBSS_ERROR_NULL_ARGUMENT, write_out(replay, which, NULL, sizes[which]));
+        for (uint32_t size = 4; size < sizes[which]; size++) {
+            expect_result(VBSS_ERROR_STRUCT_SIZE, write_out(replay, which, out, size));
+        }
+        assert_true(stage_hash(&s) == hash); /* no step was made */
+        memset(out, 0xff, sizeof out);
+        expect_ok(write_out(replay, which, out, 200));
+        memcpy(&filled, out, sizeof filled);
+        assert_int_equal(filled, sizes[which]);
+        for (uint32_t i = sizes[which]; i < 200; i++) {
+            assert_int_equal(out[i], 0);
+        }
+        assert_int_equal(out[200], 0xff);
+        hash = stage_hash(&s);
+    }
+    stage_end(&s);
+    log_free(&log);
+}
+
+static void bad_configurations_are_told(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_record_config good, c;
+    expect_ok(vbss_record_config_init(&good, sizeof good));
+    const vbss_record_config bad[] = {
+        {good.struct_size, 0, 64, 0, 4096, NULL},
+        {good.struct_size, 1000000001u, 64, 0, 4096, NULL},
+        {good.struct_size, 1, 65537, 0, 4096, NULL},
+        {good.struct_size, 1, 64, 16777217, 4096, &good},
+        {good.struct_size, 1, 64, 0, 4095, NULL},
+        {good.struct_size, 1, 64, 0, (1u << 30) + 1, NULL},
+        {good.struct_size, 1, 64, 0, UINT64_MAX, NULL},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, create_and_destroy(context, &bad[i]));
+    }
+    c = good;
+    c.note_bytes = 5;
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, create_and_destroy(context, &c));
+    c.note = "five";
+    expect_ok(create_and_destroy(context, &c));
+    expect_ok(create_and_destroy(context, NULL));
+    harness_context_end(context, &memory);
+}
+
+/* ---- memory */
+
+static void steps_allocate_nothing(void **state)
+{
+    (void)state;
+    stage s;
+    vbss_record *record;
+    vbss_replay_report report;
+    stage_begin(&s, NULL);
+    log_bytes log = {NULL, 0};
+    expect_ok(vbss_record_create(s.scene, NULL, &record));
+    uint64_t calls = s.memory.calls;
+    for (uint32_t i = 0; i < 80; i++) {
+        stage_step(&s, record);
+        log_take(&log, record);
+    }
+    expect_ok(vbss_record_end(record));
+    assert_int_equal(s.memory.calls, calls);
+    log_take(&log, record);
+    expect_ok(vbss_record_destroy(record));
+    vbss_replay *replay = replay_of(&s, &log);
+    expect_ok(vbss_replay_begin(replay, s.scene));
+    calls = s.memory.calls;
+    expect_ok(replay_all(replay, &report));
+    assert_int_equal(report.agreed_step, 80);
+    assert_int_equal(s.memory.calls, calls);
+    stage_end(&s);
+    log_free(&log);
+}
+
+/* Allocations of a record, then of a replay of another's log; the stage's own fail in tests of scenes. */
+static vbss_result live(vbss_context *context, void *user)
+{
+    const log_bytes *log = user;
+    const stage_options options = stage_defaults();
+    stage s = {.context = context};
+    vbss_record *record = NULL;
+    vbss_replay *replay = NULL;
+    vbss_result result = stage_make(&s, &options);
+    if (result == VBSS_OK) {
+        result = vbss_record_create(s.scene, NULL, &record);
+    }
+    if (result == VBSS_OK) {
+        stage_step(&s, record);
+        expect_ok(vbss_record_end(record));
+        result = vbss_replay_create(context, log->bytes, log->count, &replay);
+    }
+    if (result == VBSS_OK) {
+        result = vbss_replay_begin(replay, s.scene);
+    }
+    if (result == VBSS_OK) {
+        vbss_replay_report report;
+        expect_ok(replay_all(replay, &report));
+        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+    }
+    VBSS_TRY(vbss_replay_destroy(replay));
+    VBSS_TRY(vbss_record_destroy(record));
+    VBSS_TRY(stage_leave(&s));
+    return result;
+}
+
+static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+{
+    (void)state;
+    stage s;
+    stage_begin(&s, NULL);
+    log_bytes log = log_of(&s, NULL, 4);
+    harness_fail_every_allocation(live, &log);
+    log_free(&log);
+    stage_end(&s);
+}
+
+int test_life(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_config_keeps_the_size_protocol),
+        cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
+        cmocka_unit_test(bad_configurations_are_told),
+        cmocka_unit_test(steps_allocate_nothing),
+        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
