@@ -80,15 +80,23 @@ vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot
     return VBSS_OK;
 }
 
+static vbss_result check_unowned(const vbss_slot *slot)
+{
+    if (slot->owner != NULL) {
+        return vbss_fail(slot->context, VBSS_ERROR_IN_SCENE, "%s %llu belongs to a scene",
+                         slot->kind->name, (unsigned long long)slot->ordinal);
+    }
+    return vbss_context_edit(slot->context);
+}
+
 vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slot **slot)
 {
-    vbss_slot *found = NULL;
     *slot = NULL;
-    VBSS_TRY(vbss_slot_edit(handle, kind, &found));
-    if (found->owner != NULL) {
-        return vbss_fail(found->context, VBSS_ERROR_IN_SCENE, "%s %llu belongs to a scene",
-                         kind->name, (unsigned long long)found->ordinal);
+    vbss_slot *found = find(handle, kind);
+    if (found == NULL) {
+        return VBSS_ERROR_INVALID_HANDLE;
     }
+    VBSS_TRY(check_unowned(found));
     *slot = found;
     return VBSS_OK;
 }
@@ -117,8 +125,11 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
     if (handle == NULL) {
         return VBSS_OK;
     }
-    vbss_slot *slot;
-    VBSS_TRY(vbss_slot_edit_unowned(handle, kind, &slot));
+    vbss_slot *slot = find(handle, kind);
+    if (slot == NULL) {
+        return VBSS_ERROR_INVALID_HANDLE;
+    }
+    VBSS_TRY(check_unowned(slot));
     retire(slot);
     return VBSS_OK;
 }

@@ -32,6 +32,7 @@ typedef struct scene_thread {
     bool damped;          /* this part is made by backward Euler */
     vbss_integration integration;
     thread_stage stage;
+    double left; /* how far forces left out of balance would move a node, m */
     /* before the step */
     vbss_thread_statistics kept;
     double kept_part;
@@ -106,6 +107,7 @@ typedef struct scene_part {
     double step;       /* length of the whole step, s */
     double begin, end; /* shares of it */
     double h;          /* length of the part, s */
+    bool straight;     /* rows keep their normals: with new ones no shape was found */
     bool again;        /* ways are those of the attempt before */
 } scene_part;
 
@@ -140,6 +142,7 @@ struct scene_object {
     collision_block *block;
     vbss_rigid_capsule *solids; /* to weigh a new body */
     bool recovering;            /* the part began with more penetration than is allowed */
+    bool turned;                /* the last attempt failed with new normals */
     bool lagging;               /* the last part was cut short: what is driven is behind */
     double earliest; /* share of the part after which something would pass; 1: nothing does */
 

@@ -100,19 +100,16 @@ typedef struct shape_error {
 static shape_error advance(scene_object *s)
 {
     shape_error e = {true, true, 0.0};
-    double left[SCENE_THREADS];
-    uint32_t threads = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
-            left[threads++] = vbss_thread_advance(b->thread.thread, &b->thread.stage,
-                                                  s->system->solution + b->thread.first_block);
+            b->thread.left = vbss_thread_advance(b->thread.thread, &b->thread.stage,
+                                                 s->system->solution + b->thread.first_block);
         } else if (b->kind == BODY_RIGID) {
             advance_rigid(s, &b->rigid);
         }
     }
     place_welded_nodes(s);
-    threads = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind != BODY_THREAD) {
@@ -120,7 +117,7 @@ static shape_error advance(scene_object *s)
         }
         thread_object *t = b->thread.thread;
         vbss_thread_measure(t, t->trial, t->strains);
-        double stretch = vbss_thread_note_stretch(t, t->trial_tension), far = left[threads++];
+        double stretch = vbss_thread_note_stretch(t, t->trial_tension), far = b->thread.left;
         bool near = b->thread.near;
         /* What contact holds is not free to go where the estimate says, nor is it worth so much. */
         bool shape = near || far <= t->config.position_tolerance;
@@ -155,6 +152,7 @@ static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_
 scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
 {
     uint32_t k = 0;
+    s->turned = false;
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD &&
             s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
@@ -164,6 +162,7 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
     for (uint32_t turns = 0;; turns++) {
         scene_verdict verdict = find_shape(s, part, &k);
         if (verdict != VERDICT_ACCEPTED) {
+            s->turned = turns > 0;
             return verdict;
         }
         bool shallow = vbss_contact_depth_is_allowed(s->contacts);
@@ -171,7 +170,8 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
         if (vbss_contact_depth_is_allowed(s->contacts)) {
             return VERDICT_ACCEPTED;
         }
-        if (turns == TURNS || k >= s->config.linearisation_limit) {
+        if (turns == (part->straight ? 0u : (uint32_t)TURNS) ||
+            k >= s->config.linearisation_limit) {
             /* The next part pushes apart what has slid so far; and counts as recovering. */
             return shallow ? VERDICT_ACCEPTED : VERDICT_DEPTH;
         }

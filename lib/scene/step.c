@@ -142,7 +142,11 @@ static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
         at->part.again = true;
         return true;
     }
-    at->part.again = false;
+    if (s->turned && !at->part.straight && !over) {
+        at->part.straight = true;
+        return true;
+    }
+    at->part.again = at->part.straight = false;
     if (at->size > at->smallest && !over) {
         vbss_scene_unsettle(s);
         at->size *= 0.5;
@@ -163,7 +167,7 @@ static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
 static void go_on(scene_object *s, progress *at)
 {
     note_errors(s);
-    at->part.again = false;
+    at->part.again = at->part.straight = false;
     at->part.begin = at->part.end;
     double pairs = at->part.begin / (2.0 * at->size);
     if (at->size < 1.0 && floor(pairs) == pairs) {
