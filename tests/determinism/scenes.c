@@ -5,6 +5,7 @@
 #include "scenes/collision_sets.h"
 #include "scenes/moving_shapes.h"
 #include "scenes/rod.h"
+#include "scenes/scene_scenes.h"
 #include "scenes/thread_scenes.h"
 
 /* A scene that cannot run has no hash; a wrong one would only puzzle. */
@@ -241,6 +242,33 @@ static void run_collision_search(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- whole scenes, hashed after every 5 steps */
+
+static void run_scene(scene_scene_kind kind, uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    vbss_scene *scene;
+    must(vbss_context_create(NULL, &context));
+    must(scene_scene_create(context, kind, &scene));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 5; k++) {
+            must(scene_scene_step(scene, kind));
+        }
+        must(vbss_scene_get_hash(scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
+static void run_scene_knot(uint64_t *hashes, size_t count)
+{
+    run_scene(SCENE_SCENE_KNOT, hashes, count);
+}
+
+static void run_scene_tools(uint64_t *hashes, size_t count)
+{
+    run_scene(SCENE_SCENE_TOOLS, hashes, count);
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -251,5 +279,7 @@ const golden_scene golden_scenes[] = {
     {"thread-tugged", 200, 8, run_thread_tugged},
     {"thread-cut", 100, 10, run_thread_cut}, /* the cut is at step 40, inside the short form */
     {"thread-paper", 20, 2, run_thread_paper},
+    {"scene-knot", 64, 2, run_scene_knot}, /* tight at 58 */
+    {"scene-tools", 80, 6, run_scene_tools},
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

@@ -6,7 +6,7 @@
 
 /* m: from where the rod comes that strikes; how far a tool is drawn out. */
 #define CONTACT_STRIKE_AWAY 0.01
-#define CONTACT_DRAWN_OUT 0.06
+#define CONTACT_DRAWN_OUT 0.1
 
 vbss_result contact_build_knot(vbss_context *context, contact_scene *scene);
 vbss_result contact_build_pulled_open(vbss_context *context, contact_scene *scene);

@@ -1,0 +1,134 @@
+/* A few blocks with masses, pushed, and rows between them: lib/contact on a system that fits on a page. */
+#ifndef VBSS_TESTS_FEW_BLOCKS_H
+#define VBSS_TESTS_FEW_BLOCKS_H
+
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "harness/harness.h"
+
+enum { FEW_BLOCKS = 8, FEW_ROWS = 64 };
+
+typedef struct few_blocks {
+    harness_memory memory;
+    vbss_context *context;
+    vbss_system *system;
+    contact_set *set;
+    contact_search search; /* as a scene has it, but strict: nothing is loose */
+    uint32_t count;
+    vbss_role roles[FEW_BLOCKS];
+    mat3 stiffness[FEW_BLOCKS]; /* inertia included */
+    vec3 force[FEW_BLOCKS];
+} few_blocks;
+
+static inline void few_begin(few_blocks *f, uint32_t count)
+{
+    memset(f, 0, sizeof *f);
+    f->context = harness_context(&f->memory);
+    f->count = count;
+    expect_ok(vbss_system_create(f->context, FEW_BLOCKS, 1, FEW_BLOCKS, FEW_BLOCKS * FEW_BLOCKS,
+                                 &f->system));
+    expect_ok(vbss_contact_create(f->context, FEW_ROWS, &f->set));
+    f->search = (contact_search){.system = f->system,
+                                 .limit = 24,
+                                 .force_share = 1e-9,
+                                 .least_force = 1e-12,
+                                 .slack = 0.0,
+                                 .patience = 1000};
+    for (uint32_t i = 0; i < FEW_BLOCKS; i++) {
+        f->roles[i] = VBSS_ROLE_SEPARATOR;
+        f->stiffness[i] = mat3_identity();
+    }
+}
+
+static inline void few_end(few_blocks *f)
+{
+    vbss_contact_destroy(f->context, f->set);
+    vbss_system_destroy(f->context, f->system);
+    harness_context_end(f->context, &f->memory);
+}
+
+/* A row of a block against the world. */
+static inline contact_row *few_plane(few_blocks *f, uint32_t feature, uint32_t b, vec3 normal)
+{
+    const contact_key key = {3, 1, feature, 0, 0};
+    contact_row *row = vbss_contact_add(f->set, &key);
+    assert_non_null(row);
+    row->normal = normal;
+    row->stiffness = 2e5;
+    row->augmentation = 3.0;
+    row->thickness = 1e-3;
+    row->term_count = 1;
+    row->terms[0] = (contact_term){.block = b, .weight = 1.0};
+    return row;
+}
+
+static inline void few_register(few_blocks *f)
+{
+    uint32_t first;
+    vbss_system_begin(f->system);
+    expect_ok(vbss_system_add_chain(f->system, f->count, &first));
+    for (uint32_t i = 0; i < f->count; i++) {
+        vbss_system_set_role(f->system, i, f->roles[i]);
+    }
+    expect_ok(vbss_contact_register(f->set, f->system));
+    expect_ok(vbss_system_analyse(f->system));
+    vbss_contact_find_places(f->set, f->system);
+}
+
+static inline contact_outcome few_solve(few_blocks *f)
+{
+    few_register(f);
+    vbss_system_clear(f->system);
+    memset(f->system->numbers, 0, (f->system->coupling_count + 1) * sizeof *f->system->numbers);
+    for (uint32_t i = 0; i < f->count; i++) {
+        block_set(&f->system->diagonal[i], f->stiffness[i]);
+        f->system->rhs[i] = f->force[i];
+    }
+    assert_true(vbss_system_condense(f->system));
+    contact_outcome found = vbss_contact_find_states(f->set, &f->search);
+    if (found != CONTACT_SINGULAR) {
+        vbss_system_finish(f->system);
+    }
+    return found;
+}
+
+/* How far side a of a row has come against side b. */
+static inline vec3 few_moved(const few_blocks *f, const contact_row *row)
+{
+    vec3 u = vec3_zero();
+    for (uint32_t p = 0; p < row->term_count; p++) {
+        const contact_term *t = &row->terms[p];
+        vec3 d = f->system->solution[t->block];
+        u = vec3_add_scaled(u, t->weight, t->turns ? vec3_cross(d, t->arm) : d);
+    }
+    return u;
+}
+
+static inline vec3 across(vec3 v, vec3 normal)
+{
+    return vec3_add_scaled(v, -vec3_dot(v, normal), normal);
+}
+
+/* The law itself, in closed form: elastic, then cut back to the cone. */
+static inline vec3 few_law(const contact_row *row, vec3 u)
+{
+    vec3 n = row->normal;
+    double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
+    if (!row->bilateral && pressure <= 0.0) {
+        return vec3_zero();
+    }
+    if (row->friction == 0.0) {
+        return vec3_scale(n, pressure);
+    }
+    vec3 moved = across(vec3_add(row->slid, u), n);
+    vec3 rubbing = vec3_add_scaled(row->held, -row->stiffness, moved);
+    double size = vec3_norm(rubbing), most = row->friction * pressure;
+    if (!row->bilateral && size > most) {
+        rubbing = vec3_scale(rubbing, most / size);
+    }
+    return vec3_add_scaled(rubbing, pressure, n);
+}
+
+#endif

@@ -1,0 +1,357 @@
+/* The list of rows, and what is remembered of them from part to part. */
+#include "few_blocks.h"
+
+typedef struct list {
+    harness_memory memory;
+    vbss_context *context;
+    contact_set *set;
+} list;
+
+static void list_begin(list *l, uint32_t capacity)
+{
+    l->context = harness_context(&l->memory);
+    expect_ok(vbss_contact_create(l->context, capacity, &l->set));
+}
+
+static void list_end(list *l)
+{
+    vbss_contact_destroy(l->context, l->set);
+    harness_context_end(l->context, &l->memory);
+}
+
+static contact_row *add(list *l, uint32_t a, uint32_t b)
+{
+    const contact_key key = {0, 1, a, 1, b};
+    contact_row *row = vbss_contact_add(l->set, &key);
+    assert_non_null(row);
+    row->normal = vec3_make(0.0, 1.0, 0.0);
+    return row;
+}
+
+static void close_with(contact_row *row, double pressure)
+{
+    row->is.state = CONTACT_STICK;
+    row->is.pressure = pressure;
+    row->is.rubbing = vec3_make(0.1 * pressure, 0.0, 0.0);
+}
+
+/* ---- the list */
+
+static int sign(int x)
+{
+    return (x > 0) - (x < 0);
+}
+
+static void keys_compare_word_by_word(void **state)
+{
+    (void)state;
+    const contact_key low = {1, 2, 3, 4, 5};
+    for (int word = 0; word < 5; word++) {
+        for (int later = word; later < 5; later++) {
+            contact_key high = low;
+            uint32_t *words = &high.kind;
+            words[word]++;
+            words[later] = later > word ? 0 : words[later]; /* earlier words count first */
+            assert_int_equal(sign(vbss_contact_compare(&low, &high)), -1);
+            assert_int_equal(sign(vbss_contact_compare(&high, &low)), 1);
+        }
+    }
+    const contact_key largest = {UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
+    assert_int_equal(vbss_contact_compare(&low, &low), 0);
+    assert_int_equal(sign(vbss_contact_compare(&largest, &low)), 1);
+}
+
+static void rows_come_until_there_is_no_room(void **state)
+{
+    (void)state;
+    for (uint32_t capacity = 0; capacity <= 5; capacity++) {
+        list l;
+        list_begin(&l, capacity);
+        for (int again = 0; again < 2; again++) {
+            const contact_key key = {0, 1, 99, 1, 99};
+            for (uint32_t i = 0; i < capacity; i++) {
+                contact_row *row = add(&l, i, 7);
+                assert_int_equal(row->key.a, i);
+                assert_int_equal(row->term_count, 0); /* nothing is left of who was there before */
+                assert_int_equal(row->is.state, CONTACT_OPEN);
+                assert_false(row->bilateral);
+                row->term_count = 3;
+                row->bilateral = true;
+                close_with(row, 1.0);
+            }
+            assert_null(vbss_contact_add(l.set, &key));
+            assert_int_equal(l.set->count, capacity);
+            vbss_contact_begin(l.set);
+            assert_int_equal(l.set->count, 0);
+        }
+        list_end(&l);
+    }
+}
+
+static void rows_are_sorted(harness_source *source, void *user)
+{
+    (void)user;
+    list l;
+    uint32_t count = harness_draw_below(source, 40), sum = 0;
+    list_begin(&l, 40);
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t a = harness_draw_below(source, 6);
+        contact_row *row = add(&l, a, 100 + i); /* each but once */
+        row->key.kind = harness_draw_below(source, 3);
+        row->gap = row->key.b;
+        sum += row->key.b;
+    }
+    vbss_contact_sort(l.set);
+    assert_int_equal(l.set->count, count);
+    for (uint32_t i = 0; i < count; i++) {
+        const contact_row *row = &l.set->rows[i];
+        assert_true(i == 0 || vbss_contact_compare(&row[-1].key, &row->key) < 0);
+        expect_near(row->key.b, row->gap, 0.0); /* all of it moved */
+        sum -= row->key.b;
+    }
+    assert_int_equal(sum, 0);
+    list_end(&l);
+}
+
+static void sorting_orders_and_loses_nothing(void **state)
+{
+    (void)state;
+    harness_property("sort", 200, rows_are_sorted, NULL);
+}
+
+static void depth_is_of_what_cannot_pull(void **state)
+{
+    (void)state;
+    list l;
+    list_begin(&l, 3);
+    expect_near(0.0, vbss_contact_depth(l.set), 0.0);
+    assert_true(vbss_contact_depth_is_allowed(l.set));
+    add(&l, 0, 0)->gap = 1.0;
+    expect_near(0.0, vbss_contact_depth(l.set), 0.0);
+    contact_row *deep = add(&l, 1, 0), *tied = add(&l, 2, 0);
+    deep->gap = -2e-5;
+    tied->gap = -1.0;
+    tied->bilateral = true;
+    expect_near(2e-5, vbss_contact_depth(l.set), 0.0);
+    assert_false(vbss_contact_depth_is_allowed(l.set));
+    deep->depth_allowed = 2e-5;
+    assert_true(vbss_contact_depth_is_allowed(l.set));
+    deep->gap = (double)NAN; /* never a good depth */
+    assert_false(vbss_contact_depth_is_allowed(l.set));
+    list_end(&l);
+}
+
+/* ---- memory */
+
+static void what_was_closed_is_remembered(void **state)
+{
+    (void)state;
+    list l;
+    list_begin(&l, 8);
+    close_with(add(&l, 1, 1), 1.0);
+    add(&l, 2, 2); /* open: nothing to remember */
+    contact_row *slips = add(&l, 3, 3);
+    close_with(slips, 3.0);
+    slips->is.state = CONTACT_SLIP;
+    slips->is.share = 0.25;
+    contact_row *stands = add(&l, 9, 9); /* SLIP without a force has no way */
+    stands->is = (contact_found){.state = CONTACT_SLIP, .pressure = 1.0, .share = 0.5};
+    vbss_contact_keep(l.set);
+    assert_int_equal(l.set->memory_count, 3);
+
+    vbss_contact_begin(l.set);
+    contact_row *one = add(&l, 1, 1), *two = add(&l, 2, 5), *three = add(&l, 3, 3);
+    contact_row *tied = add(&l, 5, 5), *nine = add(&l, 9, 9);
+    tied->bilateral = true;
+    three->normal = vec3_make(0.0, 0.6, 0.8);
+    vbss_contact_recall(l.set);
+    assert_int_equal(one->is.state, CONTACT_STICK);
+    expect_near(1.0, one->is.pressure, 0.0);
+    expect_near(0.1, one->held.x, 1e-16);
+    expect_near(0.1, one->is.rubbing.x, 1e-16);
+    assert_int_equal(two->is.state, CONTACT_OPEN);
+    assert_int_equal(tied->is.state, CONTACT_STICK);
+    assert_int_equal(three->is.state, CONTACT_SLIP);
+    expect_near(0.25, three->is.share, 0.0);
+    expect_near(1.0, three->is.way.x, 1e-15);
+    expect_near(0.3, vec3_norm(three->held), 1e-15);
+    expect_near(0.0, vec3_dot(three->held, three->normal), 1e-16);
+    assert_int_equal(nine->is.state, CONTACT_STICK);
+    l.set->memory_count = 0;
+    vbss_contact_recall(l.set);
+    assert_int_equal(one->is.state, CONTACT_OPEN);
+    expect_near(0.0, vec3_norm(one->held), 0.0);
+    list_end(&l);
+}
+
+/* A contact that has moved on by one feature on either side, or on both. */
+static void a_neighbour_takes_over(void **state)
+{
+    (void)state;
+    for (uint32_t da = 0; da < 4; da++) {
+        for (uint32_t db = 0; db < 4; db++) {
+            list l;
+            list_begin(&l, 4);
+            close_with(add(&l, 10, 20), 1.0);
+            vbss_contact_keep(l.set);
+            vbss_contact_begin(l.set);
+            contact_row *row = add(&l, 8 + da, 18 + db);
+            row->is.state = CONTACT_SLIP; /* forgotten */
+            vbss_contact_recall(l.set);
+            bool near = da > 0 && db > 0; /* 9 .. 11; 8 is two away */
+            assert_int_equal(row->is.state, near ? CONTACT_STICK : CONTACT_OPEN);
+            expect_near(near ? 0.1 : 0.0, row->held.x, 1e-16);
+            list_end(&l);
+        }
+    }
+}
+
+static void what_is_remembered_is_taken_once(void **state)
+{
+    (void)state;
+    list l;
+    list_begin(&l, 8);
+    close_with(add(&l, 10, 20), 1.0);
+    vbss_contact_keep(l.set);
+    vbss_contact_begin(l.set);
+    contact_row *before = add(&l, 9, 20), *itself = add(&l, 10, 20), *after = add(&l, 11, 20);
+    vbss_contact_recall(l.set); /* by its own row first, although a neighbour comes before */
+    assert_int_equal(before->is.state, CONTACT_OPEN);
+    assert_int_equal(itself->is.state, CONTACT_STICK);
+    assert_int_equal(after->is.state, CONTACT_OPEN);
+    vbss_contact_begin(l.set);
+    before = add(&l, 9, 20);
+    after = add(&l, 11, 20);
+    vbss_contact_recall(l.set); /* by one of two neighbours */
+    assert_int_equal(before->is.state + after->is.state, CONTACT_STICK);
+    /* Others are no neighbours: of another kind, another body, or round the end of the numbers. */
+    vbss_contact_begin(l.set);
+    add(&l, 9, 20)->key.kind = 1;
+    add(&l, 9, 20)->key.body_a = 2;
+    add(&l, 9, 20)->key.body_b = 2;
+    vbss_contact_sort(l.set);
+    vbss_contact_recall(l.set);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(l.set->rows[i].is.state, CONTACT_OPEN);
+    }
+    list_end(&l);
+}
+
+static void an_attempt_that_failed_is_forgotten(void **state)
+{
+    (void)state;
+    list l;
+    list_begin(&l, 8);
+    close_with(add(&l, 1, 1), 1.0);
+    close_with(add(&l, 2, 2), 2.0);
+    vbss_contact_keep(l.set);
+    vbss_contact_mark(l.set);
+    for (int k = 0; k < 2; k++) {
+        vbss_contact_begin(l.set);
+        close_with(add(&l, 1, 1), 5.0);
+        vbss_contact_keep(l.set);
+        assert_int_equal(l.set->memory_count, 1);
+        vbss_contact_return(l.set); /* as often as wanted */
+        assert_int_equal(l.set->memory_count, 2);
+        expect_near(1.0, l.set->memory[0].pressure, 0.0);
+        expect_near(2.0, l.set->memory[1].pressure, 0.0);
+    }
+    vbss_contact_begin(l.set);
+    vbss_contact_keep(l.set);
+    vbss_contact_mark(l.set); /* of nothing */
+    close_with(add(&l, 1, 1), 5.0);
+    vbss_contact_keep(l.set);
+    vbss_contact_return(l.set);
+    assert_int_equal(l.set->memory_count, 0);
+    list_end(&l);
+}
+
+/* ---- saved */
+
+static vbss_result read(list *l, const uint8_t *bytes, size_t count)
+{
+    vbss_stream stream;
+    vbss_stream_begin_read(&stream, bytes, count);
+    vbss_contact_serialise(&stream, 90, l->set);
+    return stream.result;
+}
+
+static size_t write(list *l, uint8_t *bytes, size_t capacity)
+{
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, bytes, capacity);
+    vbss_contact_serialise(&stream, 90, l->set);
+    expect_ok(stream.result);
+    return stream.position;
+}
+
+static void memory_is_saved_and_nonsense_refused(void **state)
+{
+    (void)state;
+    list l, other;
+    uint8_t bytes[2048], again[2048];
+    list_begin(&l, 4);
+    list_begin(&other, 2);
+    close_with(add(&l, 1, 1), 1.0);
+    close_with(add(&l, 2, 2), 2.0);
+    l.set->rows[1].is.state = CONTACT_SLIP;
+    l.set->residual = 0.125;
+    l.set->counters = (contact_counters){7, 3};
+    vbss_contact_keep(l.set);
+    size_t count = write(&l, bytes, sizeof bytes);
+    expect_ok(read(&other, bytes, count));
+    assert_int_equal(other.set->memory_count, 2);
+    assert_int_equal(other.set->counters.solves, 7);
+    assert_int_equal(write(&other, again, sizeof again), count);
+    assert_memory_equal(bytes, again, count);
+
+    contact_memory *m = l.set->memory, good = m[1];
+    for (int k = 0; k < 4; k++) {
+        m[1] = good;
+        m[1].state = k == 0 ? CONTACT_OPEN : k == 1 ? CONTACT_SLIP + 1u : m[1].state;
+        m[1].key = k == 2 ? m[0].key : m[1].key; /* twice */
+        m[1].key.a = k == 3 ? 0 : m[1].key.a;    /* in disorder */
+        count = write(&l, bytes, sizeof bytes);
+        expect_result(VBSS_ERROR_CORRUPT, read(&other, bytes, count));
+    }
+    m[1] = m[2] = good; /* more than there is room for */
+    m[2].key.a = 3;
+    l.set->memory_count = 3;
+    count = write(&l, bytes, sizeof bytes);
+    assert_true(read(&other, bytes, count) < 0);
+    assert_true(other.set->memory_count <= 2);
+    list_end(&other);
+    list_end(&l);
+}
+
+static vbss_result attempt(vbss_context *context, void *user)
+{
+    contact_set *set;
+    (void)user;
+    VBSS_TRY(vbss_contact_create(context, 16, &set));
+    vbss_contact_destroy(context, set);
+    return VBSS_OK;
+}
+
+static void every_failing_allocation_is_told(void **state)
+{
+    (void)state;
+    harness_fail_every_allocation(attempt, NULL);
+}
+
+int test_rows(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(keys_compare_word_by_word),
+        cmocka_unit_test(rows_come_until_there_is_no_room),
+        harness_test(sorting_orders_and_loses_nothing),
+        cmocka_unit_test(depth_is_of_what_cannot_pull),
+        cmocka_unit_test(what_was_closed_is_remembered),
+        cmocka_unit_test(a_neighbour_takes_over),
+        cmocka_unit_test(what_is_remembered_is_taken_once),
+        cmocka_unit_test(an_attempt_that_failed_is_forgotten),
+        cmocka_unit_test(memory_is_saved_and_nonsense_refused),
+        cmocka_unit_test(every_failing_allocation_is_told),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

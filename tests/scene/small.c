@@ -1,0 +1,200 @@
+#include "scene/small.h"
+
+#include <stdlib.h>
+
+void small_begin(small *s)
+{
+    memset(s, 0, sizeof *s);
+    s->context = harness_context(&s->memory);
+    expect_ok(vbss_scene_config_init(&s->config, sizeof s->config));
+    expect_ok(vbss_thread_config_init(&s->thread, sizeof s->thread));
+    expect_ok(vbss_rigid_config_init(&s->rigid, sizeof s->rigid));
+    s->config.thread_capacity = s->config.rigid_capacity = 8;
+    s->config.node_capacity = 200;
+    s->config.contact_capacity = 256;
+    s->config.candidate_capacity = 4096;
+    s->thread.gravity[1] = 0.0;
+}
+
+void small_create(small *s)
+{
+    expect_ok(vbss_scene_create(s->context, &s->config, &s->scene));
+}
+
+void small_begin_scene(small *s)
+{
+    small_begin(s);
+    small_create(s);
+}
+
+void small_end(small *s)
+{
+    harness_context_end(s->context, &s->memory);
+}
+
+/* ---- bodies */
+
+uint32_t small_thread(small *s, vec3 begin, vec3 end, uint32_t segments, vbss_thread **thread)
+{
+    vbss_thread *made;
+    uint32_t body = 0;
+    s->thread.segment_count = segments;
+    s->thread.length = vec3_distance(begin, end);
+    vec3_store(s->thread.start, begin);
+    vec3_store(s->thread.direction, vec3_sub(end, begin));
+    expect_ok(vbss_thread_create(s->context, &s->thread, &made));
+    expect_ok(vbss_scene_add_thread(s->scene, made, &body));
+    if (thread != NULL) {
+        *thread = made;
+    }
+    return body;
+}
+
+uint32_t small_capsule(small *s, vbss_rigid_kind kind, vec3 begin, vec3 end, double radius)
+{
+    vbss_capsule capsule = {.radius = radius};
+    uint32_t body = 0;
+    vec3_store(capsule.begin, begin);
+    vec3_store(capsule.end, end);
+    s->rigid.kind = kind;
+    s->rigid.capsules = &capsule;
+    s->rigid.capsule_count = 1;
+    expect_ok(vbss_scene_add_rigid(s->scene, &s->rigid, &body));
+    s->rigid.capsules = NULL;
+    return body;
+}
+
+uint32_t small_stick(small *s, vbss_rigid_kind kind, vec3 middle, vec3 half, double radius)
+{
+    vec3_store(s->rigid.position, middle);
+    uint32_t body = small_capsule(s, kind, vec3_neg(half), half, radius);
+    vec3_store(s->rigid.position, vec3_zero());
+    return body;
+}
+
+void small_move(small *s, uint32_t body, vec3 position)
+{
+    double p[3];
+    vec3_store(p, position);
+    expect_ok(vbss_scene_move_rigid(s->scene, body, p, NULL));
+}
+
+uint32_t small_pin(small *s, uint32_t thread, uint32_t node, uint32_t body)
+{
+    uint32_t pin = 0;
+    expect_ok(vbss_scene_pin_thread(s->scene, thread, node, body, NULL, &pin));
+    return pin;
+}
+
+void small_pin_ends(small *s, uint32_t thread, uint32_t nodes)
+{
+    (void)small_pin(s, thread, 0, 0);
+    (void)small_pin(s, thread, nodes - 1, 0);
+}
+
+void small_steps(small *s, uint32_t count, double h)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        expect_ok(vbss_scene_step(s->scene, h));
+    }
+}
+
+/* ---- looks */
+
+uint64_t small_hash(const small *s)
+{
+    uint64_t hash = 0;
+    expect_ok(vbss_scene_get_hash(s->scene, &hash));
+    return hash;
+}
+
+vbss_scene_statistics small_statistics(const small *s)
+{
+    vbss_scene_statistics statistics;
+    expect_ok(vbss_scene_get_statistics(s->scene, &statistics, sizeof statistics));
+    return statistics;
+}
+
+vbss_rigid_state small_rigid(const small *s, uint32_t body)
+{
+    vbss_rigid_state state;
+    expect_ok(vbss_scene_get_rigid(s->scene, body, &state, sizeof state));
+    return state;
+}
+
+vec3 small_position(const small *s, uint32_t body)
+{
+    vbss_rigid_state state = small_rigid(s, body);
+    return vec3_load(state.position);
+}
+
+vbss_view small_view(const small *s, vbss_scene_field field)
+{
+    vbss_view view;
+    expect_ok(vbss_scene_get_view(s->scene, field, &view, sizeof view));
+    return view;
+}
+
+static vec3 vector_of(vbss_view view, uint64_t i)
+{
+    double v[3];
+    assert_true(i < view.count);
+    memcpy(v, (const char *)view.data + i * view.stride_bytes, sizeof v);
+    return vec3_load(v);
+}
+
+vec3 small_vector(const small *s, vbss_scene_field field, uint64_t i)
+{
+    return vector_of(small_view(s, field), i);
+}
+
+vec3 small_node(vbss_thread *thread, uint32_t node)
+{
+    vbss_view view;
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    return vector_of(view, node);
+}
+
+double small_tension(vbss_thread *thread, uint32_t segment)
+{
+    vbss_view view;
+    double tension;
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_TENSIONS, &view, sizeof view));
+    assert_true(segment < view.count);
+    memcpy(&tension, (const char *)view.data + (size_t)segment * view.stride_bytes, sizeof tension);
+    return tension;
+}
+
+small_state small_save(const small *s)
+{
+    small_state state = {NULL, 0};
+    uint64_t need;
+    expect_result(VBSS_ERROR_CAPACITY, vbss_scene_save(s->scene, NULL, 0, &need));
+    state.bytes = malloc(need);
+    assert_non_null(state.bytes);
+    expect_ok(vbss_scene_save(s->scene, state.bytes, need, &state.count));
+    assert_int_equal(state.count, need);
+    return state;
+}
+
+scene_object *small_object(const small *s)
+{
+    scene_object *object;
+    expect_ok(vbss_scene_open(s->scene, &object));
+    return object;
+}
+
+uint32_t small_events(const small *s, vbss_event_kind kind, uint32_t event[4])
+{
+    vbss_view view = small_view(s, VBSS_SCENE_VIEW_EVENTS);
+    uint32_t count = 0;
+    for (uint64_t i = 0; i < view.count; i++) {
+        uint32_t words[4];
+        memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
+        if (words[0] == (uint32_t)kind) {
+            memcpy(event, words, sizeof words);
+            count++;
+        }
+    }
+    return count;
+}

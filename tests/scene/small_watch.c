@@ -1,0 +1,56 @@
+#include "scene/small_watch.h"
+
+#include "oracle/passing.h"
+
+enum { MOST_CHAINS = 40 };
+
+static void look_below(small_watch *w, const scene_object *s, vec3 x)
+{
+    double above = vec3_dot(x, s->floor_normal) - s->config.floor_height;
+    if (s->config.floor != 0) {
+        w->below += above > 0.0 ? 0 : 1;
+        w->nearest_floor = lesser(above, w->nearest_floor);
+    }
+}
+
+static void watch(void *watcher, const scene_object *s)
+{
+    small_watch *w = watcher;
+    passing_chain chains[MOST_CHAINS];
+    size_t count = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const thread_object *t = b->thread.thread;
+        const scene_rigid *r = &b->rigid;
+        if (b->kind == BODY_THREAD) {
+            chains[count++] = (passing_chain){t->now.x, t->trial, t->node_count, false};
+        }
+        for (uint32_t k = 0; b->kind == BODY_THREAD && k < t->node_count; k++) {
+            look_below(w, s, t->trial[k]);
+        }
+        for (uint32_t k = 0; b->kind == BODY_RIGID && k < r->capsule_count; k++) {
+            const scene_capsule *c = &s->capsules[r->first_capsule + k];
+            chains[count++] = (passing_chain){c->now, c->trial, 2, false};
+            look_below(w, s, c->trial[0]);
+            look_below(w, s, c->trial[1]);
+        }
+        assert_true(count < MOST_CHAINS);
+    }
+    w->parts++;
+    w->passed += passing_count(chains, count, NULL);
+}
+
+void small_watch_begin(small *s, small_watch *w)
+{
+    scene_object *object = small_object(s);
+    *w = (small_watch){.nearest_floor = 1e9};
+    object->watch = watch;
+    object->watcher = w;
+}
+
+void small_watch_expect_nothing(const small_watch *w)
+{
+    assert_true(w->parts > 0);
+    assert_int_equal(w->passed, 0);
+    assert_int_equal(w->below, 0);
+}

@@ -1,0 +1,232 @@
+/* Where the memory of scenes goes: failing allocations, steps without any, capacities that are met. */
+#include <stdlib.h>
+
+#include "scene/small.h"
+#include "scenes/scene_body.h"
+
+static const vbss_capsule ball = {{0.0, 0.02, 0.0}, {0.0, 0.02, 0.0}, 1e-3};
+
+typedef struct plan {
+    vbss_scene_config scene;
+    vbss_thread_config thread;
+    vbss_rigid_config rigid;
+} plan;
+
+static vbss_result fill(vbss_scene *scene, vbss_thread *thread, const plan *p)
+{
+    uint32_t line, body, pin;
+    VBSS_TRY(vbss_scene_add_thread(scene, thread, &line));
+    VBSS_TRY(vbss_scene_add_rigid(scene, &p->rigid, &body));
+    VBSS_TRY(vbss_scene_pin_thread(scene, line, 0, body, NULL, &pin));
+    VBSS_TRY(vbss_scene_step(scene, 1e-3));
+    uint64_t need = 0, count = 0;
+    (void)vbss_scene_save(scene, NULL, 0, &need);
+    uint8_t *bytes = malloc(need);
+    vbss_result result = vbss_scene_save(scene, bytes, need, &count);
+    if (result == VBSS_OK) {
+        result = vbss_scene_restore(scene, bytes, count);
+    }
+    free(bytes);
+    VBSS_TRY(result);
+    VBSS_TRY(vbss_scene_remove(scene, body));
+    return vbss_scene_remove(scene, line);
+}
+
+static vbss_result attempt(vbss_context *context, void *user)
+{
+    const plan *p = user;
+    vbss_scene *scene;
+    vbss_thread *thread = NULL;
+    uint64_t hash;
+    VBSS_TRY(vbss_scene_create(context, &p->scene, &scene));
+    vbss_result result = vbss_thread_create(context, &p->thread, &thread);
+    if (result == VBSS_OK) {
+        result = fill(scene, thread, p);
+    }
+    VBSS_TRY(vbss_scene_get_hash(scene, &hash)); /* whatever failed, it is a scene */
+    VBSS_TRY(vbss_scene_destroy(scene));
+    VBSS_TRY(vbss_thread_destroy(thread));
+    return result;
+}
+
+static void every_failing_allocation_is_told_and_nothing_is_lost(void **state)
+{
+    (void)state;
+    plan p;
+    expect_ok(vbss_scene_config_init(&p.scene, sizeof p.scene));
+    expect_ok(vbss_thread_config_init(&p.thread, sizeof p.thread));
+    expect_ok(vbss_rigid_config_init(&p.rigid, sizeof p.rigid));
+    p.scene.node_capacity = 20;
+    p.scene.contact_capacity = p.scene.candidate_capacity = 16;
+    p.scene.event_capacity = 4;
+    p.thread.segment_count = 6;
+    p.rigid.capsules = &ball;
+    p.rigid.capsule_count = 1;
+    p.rigid.kind = VBSS_RIGID_FREE;
+    harness_fail_every_allocation(attempt, &p);
+    p.scene.floor = 1;
+    p.rigid.kind = VBSS_RIGID_DRIVEN;
+    harness_fail_every_allocation(attempt, &p);
+    p.scene.floor = 0;
+    p.scene.method = p.thread.method = VBSS_METHOD_PAPER;
+    harness_fail_every_allocation(attempt, &p);
+}
+
+/* What fails leaves the scene as it was, and what comes afterwards finds all its room. */
+static void a_body_that_found_no_memory_is_not_there(void **state)
+{
+    (void)state;
+    for (uint64_t k = 1; k <= 12; k++) {
+        small s;
+        small_begin_scene(&s);
+        vbss_thread *thread;
+        uint32_t body = 77, other = 77;
+        s.thread.segment_count = 5;
+        expect_ok(vbss_thread_create(s.context, &s.thread, &thread));
+        s.rigid.capsules = &ball;
+        s.rigid.capsule_count = 1;
+        uint64_t hash = small_hash(&s);
+        s.memory.fail_call = s.memory.calls + k;
+        vbss_result result = vbss_scene_add_thread(s.scene, thread, &body);
+        vbss_result second = vbss_scene_add_rigid(s.scene, &s.rigid, &other);
+        bool failed = s.memory.failures > 0;
+        s.memory.fail_call = 0;
+        assert_int_equal(failed,
+                         result == VBSS_ERROR_OUT_OF_MEMORY || second == VBSS_ERROR_OUT_OF_MEMORY);
+        if (result != VBSS_OK && second != VBSS_OK) {
+            assert_true(small_hash(&s) == hash);
+        }
+        assert_true((result == VBSS_OK) == (body != 77));
+        assert_true((second == VBSS_OK) == (other != 77));
+        if (result != VBSS_OK) {
+            expect_ok(vbss_thread_step(thread, 1e-3)); /* still the host's */
+            expect_ok(vbss_scene_add_thread(s.scene, thread, &body));
+        }
+        if (second != VBSS_OK) {
+            expect_ok(vbss_scene_add_rigid(s.scene, &s.rigid, &other));
+        }
+        small_steps(&s, 3, 1e-3);
+        small_end(&s);
+    }
+}
+
+static void steps_allocate_nothing(void **state)
+{
+    (void)state;
+    scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
+    for (int k = 0; k < 2; k++) {
+        harness_body body = scene_as_body(&kinds[k]);
+        assert_int_equal(harness_step_allocations(&body, 60), 0);
+    }
+}
+
+/* ---- what there is room for */
+
+typedef struct crowd {
+    small s;
+    uint64_t hash;
+} crowd;
+
+/* A thread above a floor, a tool that comes, a thread pinned to it: nothing touches yet, all will. */
+static void begin_crowd(crowd *c, uint32_t contacts, uint32_t candidates)
+{
+    small *s = &c->s;
+    small_begin(s);
+    s->config.floor = 1;
+    s->config.contact_capacity = contacts;
+    s->config.candidate_capacity = candidates;
+    small_create(s);
+    s->thread.gravity[1] = -9.81;
+    small_thread(s, vec3_make(0.0, 5e-3, 0.0), vec3_make(0.02, 5e-3, 0.0), 20, NULL);
+    uint32_t tool = small_stick(s, VBSS_RIGID_DRIVEN, vec3_make(0.01, 8e-3, 0.0),
+                                vec3_make(0.0, 0.0, 3e-3), 1e-3);
+    uint32_t line =
+        small_thread(s, vec3_make(0.01, 8e-3, 3e-3), vec3_make(0.01, 8e-3, 0.01), 8, NULL);
+    small_pin(s, line, 0, tool);
+}
+
+/* Steps until one has no room; that has changed nothing, nor has the same step again. */
+static uint32_t crowd_steps(crowd *c)
+{
+    for (uint32_t i = 0; i < 80; i++) {
+        small_move(&c->s, 2, vec3_make(0.01, 8e-3 - 1e-4 * i, 0.0));
+        c->hash = small_hash(&c->s);
+        vbss_result result = vbss_scene_step(c->s.scene, 1e-3);
+        if (result != VBSS_OK) {
+            expect_result(VBSS_ERROR_CAPACITY, result);
+            assert_true(small_hash(&c->s) == c->hash);
+            expect_result(VBSS_ERROR_CAPACITY, vbss_scene_step(c->s.scene, 1e-3));
+            assert_true(small_hash(&c->s) == c->hash);
+            return i;
+        }
+    }
+    return 80;
+}
+
+static void a_step_without_room_changes_nothing(void **state)
+{
+    (void)state;
+    const uint32_t contacts[] = {0, 1, 5, 12, 16}, candidates[] = {0, 1, 2, 3};
+    for (int k = 0; k < 9; k++) {
+        crowd c;
+        begin_crowd(&c, k < 5 ? contacts[k] : 256, k < 5 ? 4096 : candidates[k - 5]);
+        assert_true(crowd_steps(&c) < 80);
+        /* Without what crowds it, it goes on. */
+        expect_ok(vbss_scene_remove(c.s.scene, 1));
+        expect_ok(vbss_scene_remove(c.s.scene, 3));
+        small_move(&c.s, 2, vec3_make(0.01, 8e-3, 0.0));
+        small_steps(&c.s, 2, 1e-3);
+        small_end(&c.s);
+    }
+    crowd enough;
+    begin_crowd(&enough, 256, 4096);
+    assert_int_equal(crowd_steps(&enough), 80);
+    small_end(&enough.s);
+}
+
+/* Also when parts of the step were made before: a thread flies at the floor, halved on the way. */
+static void a_step_that_fails_in_its_middle_changes_nothing(void **state)
+{
+    (void)state;
+    uint32_t in_the_middle = 0;
+    for (uint32_t contacts = 1; contacts < 40; contacts++) {
+        small s;
+        vbss_thread *thread;
+        double v[63] = {0.0};
+        small_begin(&s);
+        s.config.floor = 1;
+        s.config.mode = VBSS_MODE_OFFLINE;
+        s.config.contact_capacity = contacts;
+        small_create(&s);
+        small_thread(&s, vec3_make(0.0, 0.012, 0.0), vec3_make(0.02, 0.002, 0.0), 20, &thread);
+        for (int i = 0; i < 21; i++) {
+            v[3 * i + 1] = -5.0 - 0.5 * i;
+        }
+        expect_ok(vbss_thread_set_state(thread, NULL, v, 21));
+        for (int i = 0; i < 10; i++) {
+            uint64_t hash = small_hash(&s);
+            if (vbss_scene_step(s.scene, 1e-3) != VBSS_OK) {
+                scene_object *object = small_object(&s);
+                assert_true(small_hash(&s) == hash);
+                /* What is left behind of the attempts shows how far it came. */
+                double end = object->bodies[0].thread.stage.part_end;
+                in_the_middle += end > 0.0 && end < 1.0;
+                break;
+            }
+        }
+        small_end(&s);
+    }
+    assert_true(in_the_middle > 0);
+}
+
+int test_scene_memory(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
+        cmocka_unit_test(a_body_that_found_no_memory_is_not_there),
+        cmocka_unit_test(steps_allocate_nothing),
+        cmocka_unit_test(a_step_without_room_changes_nothing),
+        cmocka_unit_test(a_step_that_fails_in_its_middle_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,192 @@
+/* Every bad name, number and NULL that calls on a scene are given: its status, and that the scene is as it was to
+ * the bit. */
+#include <fenv.h>
+
+#include "scene/small_subject.h"
+
+static void bad_threads_are_told(void **state)
+{
+    (void)state;
+    subject t;
+    uint32_t body = 77;
+    vbss_thread *paper, *large, *good;
+    begin_subject(&t);
+    t.s.thread.segment_count = 2;
+    expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &good));
+    t.s.thread.method = VBSS_METHOD_PAPER;
+    expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &paper));
+    t.s.thread.method = VBSS_METHOD_OURS;
+    t.s.thread.segment_count = 7; /* of 20 nodes 13 are taken */
+    expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &large));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_add_thread(t.s.scene, paper, &body));
+    unchanged(&t, VBSS_ERROR_CAPACITY, vbss_scene_add_thread(t.s.scene, large, &body));
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_add_thread(t.s.scene, good, NULL));
+    unchanged(&t, VBSS_ERROR_IN_SCENE, vbss_scene_add_thread(t.s.scene, t.thread, &body));
+    assert_int_equal(body, 77);
+    expect_ok(vbss_thread_step(large, 1e-3)); /* and is not the scene's */
+    expect_ok(vbss_scene_add_thread(t.s.scene, good, &body));
+    small_end(&t.s);
+    tiny_scene(&t.s);
+    t.s.config.thread_capacity = 1;
+    small_create(&t.s);
+    t.s.thread.segment_count = 2;
+    for (int k = 0; k < 2; k++) {
+        expect_ok(vbss_thread_create(t.s.context, &t.s.thread, &good));
+        expect_result(k == 0 ? VBSS_OK : VBSS_ERROR_CAPACITY,
+                      vbss_scene_add_thread(t.s.scene, good, &body));
+    }
+    small_end(&t.s);
+}
+
+static void bad_names_and_moves_are_told(void **state)
+{
+    (void)state;
+    subject t;
+    const double zero[3] = {0.0, 0.0, 0.0};
+    begin_subject(&t);
+    const uint32_t nobody[] = {0, t.free + 1, UINT32_MAX};
+    for (int k = 0; k < 3; k++) {
+        vbss_rigid_state state_of;
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_remove(t.s.scene, nobody[k]));
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_move_rigid(t.s.scene, nobody[k], zero, NULL));
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_get_rigid(t.s.scene, nobody[k], &state_of, sizeof state_of));
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_unpin_thread(t.s.scene, k == 1 ? t.weld + 1 : nobody[k]));
+    }
+    vbss_rigid_state state_of;
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_scene_get_rigid(t.s.scene, t.line, &state_of, sizeof state_of));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(t.s.scene, t.line, zero, NULL));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(t.s.scene, t.free, zero, NULL));
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_move_rigid(t.s.scene, t.driven, NULL, NULL));
+    for (int c = 0; c < 4; c++) {
+        for (int k = 0; k < 4; k++) {
+            double p[3] = {0.0, 0.0, 0.0}, q[4] = {1.0, 0.0, 0.0, 0.0};
+            vbss_result wanted = k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE;
+            q[c] = k < 3 ? harness_bad_numbers[k] : 1e101;
+            unchanged(&t, wanted, vbss_scene_move_rigid(t.s.scene, t.driven, p, q));
+            p[c % 3] = k < 3 ? harness_bad_numbers[k] : 1.001e3;
+            unchanged(&t, wanted, vbss_scene_move_rigid(t.s.scene, t.driven, p, NULL));
+        }
+    }
+    const double none[4] = {0.0, 0.0, 0.0, 0.0};
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_move_rigid(t.s.scene, t.driven, zero, none));
+    small_end(&t.s);
+}
+
+static void bad_pins_are_told(void **state)
+{
+    (void)state;
+    subject t;
+    uint32_t pin = 77;
+    vbss_scene *scene;
+    begin_subject(&t);
+    scene = t.s.scene;
+    const uint32_t nobody[] = {0, t.driven, 99};
+    for (int k = 0; k < 3; k++) {
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_pin_thread(scene, nobody[k], 3, 0, NULL, &pin));
+    }
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(scene, t.line, 3, 99, NULL, &pin));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_scene_pin_thread(scene, t.line, 3, t.line, NULL, &pin));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_pin_thread(scene, t.line, 13, 0, NULL, &pin));
+    unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+              vbss_scene_pin_thread(scene, t.line, UINT32_MAX, 0, NULL, &pin));
+    const uint32_t bodies[] = {0, t.driven, t.free};
+    for (int k = 0; k < 3; k++) { /* held by a pin, and by a weld */
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_pin_thread(scene, t.line, 0, bodies[k], NULL, &pin));
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_pin_thread(scene, t.line, 12, bodies[k], NULL, &pin));
+    }
+    for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 4; k++) {
+            double p[3] = {0.0, 0.0, 0.0};
+            vbss_result wanted = k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE;
+            p[c] = k < 3 ? harness_bad_numbers[k] : -1.001e3;
+            unchanged(&t, wanted, vbss_scene_pin_thread(scene, t.line, 3, t.free, p, &pin));
+        }
+    }
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_pin_thread(scene, t.line, 3, 0, NULL, NULL));
+    assert_int_equal(pin, 77);
+    expect_ok(vbss_scene_pin_thread(scene, t.line, 5, 0, NULL, &pin));
+    t.hash = small_hash(&t.s);
+    t.generation = small_view(&t.s, VBSS_SCENE_VIEW_EVENTS).generation;
+    unchanged(&t, VBSS_ERROR_CAPACITY, vbss_scene_pin_thread(scene, t.line, 7, 0, NULL, &pin));
+    small_end(&t.s);
+}
+
+static void a_thread_without_room_for_attachments_is_not_pinned(void **state)
+{
+    (void)state;
+    small s;
+    uint32_t pin = 77;
+    tiny_scene(&s);
+    small_create(&s);
+    s.thread.attachment_capacity = 0;
+    uint32_t line = small_thread(&s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), 5, NULL);
+    uint64_t hash = small_hash(&s);
+    expect_result(VBSS_ERROR_CAPACITY, vbss_scene_pin_thread(s.scene, line, 0, 0, NULL, &pin));
+    assert_int_equal(pin, 77);
+    assert_true(small_hash(&s) == hash);
+    small_end(&s);
+}
+
+static void bad_steps_views_and_buffers_are_told(void **state)
+{
+    (void)state;
+    subject t;
+    vbss_view view;
+    uint64_t written;
+    begin_subject(&t);
+    const double wrong[] = {0.0, -1e-3, 0.99e-7, 0.1001, DBL_MAX, -DBL_MAX, 5e-324};
+    for (int k = 0; k < 7; k++) {
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE, vbss_scene_step(t.s.scene, wrong[k]));
+    }
+    for (int k = 0; k < 3; k++) {
+        unchanged(&t, VBSS_ERROR_NOT_FINITE, vbss_scene_step(t.s.scene, harness_bad_numbers[k]));
+    }
+    const vbss_scene_field none[] = {-1, 6, INT32_MAX, INT32_MIN};
+    for (int k = 0; k < 4; k++) {
+        unchanged(&t, VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_get_view(t.s.scene, none[k], &view, sizeof view));
+    }
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_get_hash(t.s.scene, NULL));
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_save(t.s.scene, NULL, 0, NULL));
+    unchanged(&t, VBSS_ERROR_CAPACITY, vbss_scene_save(t.s.scene, NULL, 0, &written));
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_save(t.s.scene, NULL, written, &written));
+    unchanged(&t, VBSS_ERROR_NULL_ARGUMENT, vbss_scene_restore(t.s.scene, NULL, written));
+    small_end(&t.s);
+}
+
+static void a_step_with_other_rounding_is_refused(void **state)
+{
+    (void)state;
+    subject t;
+    begin_subject(&t);
+    const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(fesetround(modes[k]), 0);
+        vbss_result result = vbss_scene_step(t.s.scene, 1e-3);
+        fesetround(FE_TONEAREST);
+        unchanged(&t, VBSS_ERROR_ARITHMETIC_MODE, result);
+    }
+    small_steps(&t.s, 1, 1e-3);
+    small_end(&t.s);
+}
+
+int test_scene_refused_calls(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(bad_threads_are_told),
+        cmocka_unit_test(bad_names_and_moves_are_told),
+        cmocka_unit_test(bad_pins_are_told),
+        cmocka_unit_test(a_thread_without_room_for_attachments_is_not_pinned),
+        cmocka_unit_test(bad_steps_views_and_buffers_are_told),
+        cmocka_unit_test(a_step_with_other_rounding_is_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,273 @@
+/* Saving, restoring, hashing of whole scenes. */
+#include <stdlib.h>
+
+#include "scene/small.h"
+#include "scenes/scene_body.h"
+
+static scene_scene_kind kinds[] = {SCENE_SCENE_KNOT, SCENE_SCENE_TOOLS};
+
+/* The knot is in contact from the first steps on, and tight at 290; the tools press from 20 on. */
+static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+{
+    (void)state;
+    const size_t moments[] = {1, 5, 12, 40};
+    for (int k = 0; k < 2; k++) {
+        harness_body body = scene_as_body(&kinds[k]);
+        for (int i = 0; i < 4; i++) {
+            harness_save_restore_continue(&body, moments[i], 30);
+        }
+    }
+}
+
+static void a_knot_that_is_tight_goes_on_to_the_same_bits(void **state)
+{
+    (void)state;
+    harness_body body = scene_as_body(&kinds[0]);
+    harness_save_restore_continue(&body, 270, 40);
+}
+
+/* What hosts see comes back too, and what has happened does not happen again. */
+static void expect_alike(const small *x, const small *y)
+{
+    const scene_object *a = small_object(x), *b = small_object(y);
+    for (uint32_t i = 0; i < a->place_count; i++) {
+        if (a->bodies[i].kind == BODY_RIGID) {
+            vbss_rigid_state p = small_rigid(x, a->bodies[i].number);
+            vbss_rigid_state q = small_rigid(y, b->bodies[i].number);
+            assert_memory_equal(&p, &q, sizeof p);
+        }
+    }
+    vbss_scene_statistics p = small_statistics(x), q = small_statistics(y);
+    q.patterns = p.patterns; /* what is still known of the last one is nobody's state */
+    assert_memory_equal(&p, &q, sizeof p);
+}
+
+static void expect_events_alike(const small *x, const small *y)
+{
+    vbss_view a = small_view(x, VBSS_SCENE_VIEW_EVENTS), b = small_view(y, VBSS_SCENE_VIEW_EVENTS);
+    assert_int_equal(a.count, b.count);
+    if (a.count > 0) {
+        assert_memory_equal(a.data, b.data, a.count * a.stride_bytes);
+    }
+}
+
+static void what_is_shown_comes_back_too(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        small s, other;
+        small_begin(&s);
+        small_begin(&other);
+        expect_ok(scene_scene_create(s.context, kinds[k], &s.scene));
+        expect_ok(scene_scene_create(other.context, kinds[k], &other.scene));
+        for (int i = 0; i < 30; i++) {
+            expect_ok(scene_scene_step(s.scene, kinds[k]));
+        }
+        small_state kept = small_save(&s);
+        expect_ok(vbss_scene_restore(other.scene, kept.bytes, kept.count));
+        expect_alike(&s, &other);
+        for (int i = 0; i < 20; i++) {
+            expect_ok(scene_scene_step(s.scene, kinds[k]));
+            expect_ok(scene_scene_step(other.scene, kinds[k]));
+            expect_alike(&s, &other);
+            expect_events_alike(&s, &other);
+        }
+        free(kept.bytes);
+        small_end(&other);
+        small_end(&s);
+    }
+}
+
+/* ---- what a state belongs to */
+
+static void make_pair(small *s, uint32_t segments, double radius)
+{
+    small_thread(s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), segments, NULL);
+    small_capsule(s, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.01, 0.0), vec3_make(0.01, 0.01, 0.0),
+                  radius);
+}
+
+static void states_of_other_scenes_are_refused(void **state)
+{
+    (void)state;
+    static const size_t numbers[] = {offsetof(vbss_scene_config, floor_height),
+                                     offsetof(vbss_scene_config, floor_friction),
+                                     offsetof(vbss_scene_config, thread_friction),
+                                     offsetof(vbss_scene_config, contact_stiffness),
+                                     offsetof(vbss_scene_config, contact_margin),
+                                     offsetof(vbss_scene_config, stretch_tolerance),
+                                     offsetof(vbss_scene_config, penetration_tolerance),
+                                     offsetof(vbss_scene_config, floor_normal[0])};
+    static const size_t choices[] = {offsetof(vbss_scene_config, mode),
+                                     offsetof(vbss_scene_config, floor),
+                                     offsetof(vbss_scene_config, state_limit),
+                                     offsetof(vbss_scene_config, linearisation_limit),
+                                     offsetof(vbss_scene_config, halving_limit),
+                                     offsetof(vbss_scene_config, attempt_limit),
+                                     offsetof(vbss_scene_config, pin_capacity)};
+    enum {
+        NUMBERS = sizeof numbers / sizeof numbers[0],
+        CHOICES = sizeof choices / sizeof choices[0]
+    };
+    small s;
+    small_begin_scene(&s);
+    make_pair(&s, 5, 1e-3);
+    small_state kept = small_save(&s);
+    const vbss_scene_config config = s.config;
+    const uint64_t first = small_hash(&s);
+    for (int k = 0; k < NUMBERS + CHOICES + 4; k++) {
+        s.config = config;
+        if (k < NUMBERS) {
+            double value;
+            memcpy(&value, (char *)&s.config + numbers[k], sizeof value);
+            value = value > 0.0 ? 0.999 * value : 0.001;
+            memcpy((char *)&s.config + numbers[k], &value, sizeof value);
+        } else if (k < NUMBERS + CHOICES) {
+            uint32_t value;
+            memcpy(&value, (char *)&s.config + choices[k - NUMBERS], sizeof value);
+            value = value > 0 ? value - 1 : 1;
+            memcpy((char *)&s.config + choices[k - NUMBERS], &value, sizeof value);
+        }
+        small_create(&s);
+        make_pair(&s, k == NUMBERS + CHOICES ? 6 : 5, k == NUMBERS + CHOICES + 1 ? 1.1e-3 : 1e-3);
+        if (k == NUMBERS + CHOICES + 2) { /* one more, one less */
+            small_capsule(&s, VBSS_RIGID_FREE, vec3_zero(), vec3_zero(), 1e-3);
+        } else if (k == NUMBERS + CHOICES + 3) {
+            expect_ok(vbss_scene_remove(s.scene, 2));
+        }
+        uint64_t hash = small_hash(&s);
+        assert_true(hash != first);
+        assert_true(vbss_scene_restore(s.scene, kept.bytes, kept.count) < 0);
+        assert_true(small_hash(&s) == hash);
+        small_steps(&s, 1, 1e-3);
+        expect_ok(vbss_scene_destroy(s.scene));
+    }
+    s.config = config; /* what only reserves memory may differ */
+    s.config.node_capacity = 300;
+    s.config.contact_capacity = 100;
+    s.config.candidate_capacity = 1000;
+    s.config.thread_capacity = 2;
+    s.config.event_capacity = 3;
+    small_create(&s);
+    make_pair(&s, 5, 1e-3);
+    small_steps(&s, 3, 1e-3);
+    expect_ok(vbss_scene_restore(s.scene, kept.bytes, kept.count));
+    assert_true(small_hash(&s) == first);
+    free(kept.bytes);
+    small_end(&s);
+}
+
+static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
+{
+    (void)state;
+    small s;
+    uint8_t bytes[8192];
+    uint64_t written = 0;
+    small_begin_scene(&s);
+    make_pair(&s, 5, 1e-3);
+    small_state good = small_save(&s);
+    assert_in_range(good.count, 1, sizeof bytes);
+    for (uint64_t capacity = 0; capacity < good.count; capacity += 1 + capacity / 8) {
+        bytes[capacity] = 0x5a;
+        expect_result(VBSS_ERROR_CAPACITY, vbss_scene_save(s.scene, bytes, capacity, &written));
+        assert_int_equal(written, good.count);
+        assert_int_equal(bytes[capacity], 0x5a);
+    }
+    expect_result(VBSS_ERROR_TRUNCATED, vbss_scene_restore(s.scene, good.bytes, good.count - 1));
+    expect_result(VBSS_ERROR_TRUNCATED, vbss_scene_restore(s.scene, good.bytes, 0));
+    free(good.bytes);
+    small_end(&s);
+}
+
+/* ---- hashes */
+
+static uint32_t note(uint64_t seen[], uint32_t count, const small *s)
+{
+    uint64_t hash = small_hash(s);
+    for (uint32_t i = 0; i < count; i++) {
+        assert_true(seen[i] != hash);
+    }
+    assert_true(hash == small_hash(s)); /* looking changes nothing */
+    seen[count] = hash;
+    return count + 1;
+}
+
+static void hashes_differ_when_anything_differs(void **state)
+{
+    (void)state;
+    small s;
+    vbss_thread *thread;
+    uint64_t seen[64];
+    uint32_t count = 0, pins[2];
+    const double turned[4] = {1.0, 1e-9, 0.0, 0.0}, place[3] = {0.0, 0.01, 0.0};
+    small_begin_scene(&s);
+    count = note(seen, count, &s);
+    uint32_t line = small_thread(&s, vec3_zero(), vec3_make(0.01, 0.0, 0.0), 5, &thread);
+    count = note(seen, count, &s);
+    vec3 here = vec3_make(0.0, 0.01, 0.0);
+    uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, here, vec3_make(1e-3, 0.0, 0.0), 1e-3);
+    count = note(seen, count, &s);
+    s.rigid.friction *= 1.001;
+    small_stick(&s, VBSS_RIGID_FREE, vec3_make(0.0, 0.05, 0.0), vec3_make(1e-3, 0.0, 0.0), 1e-3);
+    count = note(seen, count, &s);
+    small_move(&s, tool, vec3_make(1e-9, 0.01, 0.0));
+    count = note(seen, count, &s);
+    expect_ok(vbss_scene_move_rigid(s.scene, tool, place, turned));
+    count = note(seen, count, &s);
+    pins[0] = small_pin(&s, line, 0, tool);
+    count = note(seen, count, &s);
+    pins[1] = small_pin(&s, line, 5, 0);
+    count = note(seen, count, &s);
+    small_steps(&s, 1, 1e-3);
+    count = note(seen, count, &s);
+    for (int k = 0; k < 2; k++) {
+        expect_ok(vbss_scene_unpin_thread(s.scene, pins[k]));
+        count = note(seen, count, &s);
+    }
+    double v[18] = {0.0};
+    for (int i = 0; i < 18; i++) {
+        v[i] = 1e-9;
+        expect_ok(vbss_thread_set_state(thread, NULL, v, 6));
+        count = note(seen, count, &s);
+    }
+    expect_ok(vbss_scene_remove(s.scene, line));
+    count = note(seen, count, &s);
+    small_end(&s);
+}
+
+/* Two scenes made alike and driven alike are alike, whatever else lives in their contexts. */
+static void equal_lives_have_equal_hashes(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        small one, two;
+        vbss_thread *other;
+        small_begin(&one);
+        small_begin(&two);
+        expect_ok(vbss_thread_create(two.context, &two.thread, &other));
+        expect_ok(scene_scene_create(one.context, kinds[k], &one.scene));
+        expect_ok(scene_scene_create(two.context, kinds[k], &two.scene));
+        for (int i = 0; i < 60; i++) {
+            expect_ok(scene_scene_step(one.scene, kinds[k]));
+            expect_ok(vbss_thread_step(other, 1e-3));
+            expect_ok(scene_scene_step(two.scene, kinds[k]));
+            assert_true(small_hash(&one) == small_hash(&two));
+        }
+        small_end(&two);
+        small_end(&one);
+    }
+}
+
+int test_scene_state(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
+        cmocka_unit_test(a_knot_that_is_tight_goes_on_to_the_same_bits),
+        cmocka_unit_test(what_is_shown_comes_back_too),
+        cmocka_unit_test(states_of_other_scenes_are_refused),
+        cmocka_unit_test(a_buffer_that_is_too_small_is_told_with_the_size),
+        cmocka_unit_test(hashes_differ_when_anything_differs),
+        cmocka_unit_test(equal_lives_have_equal_hashes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
