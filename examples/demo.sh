@@ -6,19 +6,22 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 .ci/install-packages demo
 
 out=build/demo
-mkdir -p "$out"
+mkdir -p "$out/knots"
 echo "== building (release)"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
-cmake --build --preset release --target embed_c embed_cpp >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp knot_gallery >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 
 {
     echo "== embedding in C"
     ./build/release/examples/embed_c
     echo "== embedding in C++"
     ./build/release/examples/embed_cpp
+    echo "== tying knots"
+    ./build/release/examples/knots/knot_gallery "$out/knots"
     echo "== the golden scenes, built here: the same bits as everywhere"
     python3 -B tests/determinism/matrix.py --work "$out/golden" --only gcc-O3
 } | tee "$out/report.txt"
 
 echo
-echo "The library is in build/release/lib, this report in $out/report.txt."
+echo "The library is in build/release/lib, this report in $out/report.txt,"
+echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>.svg."

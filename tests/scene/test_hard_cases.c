@@ -92,6 +92,7 @@ static void a_hand_is_teleported(void **state)
         expect_ok(vbss_thread_move(hand->thread, hand->id, target, NULL));
         expect_ok(vbss_scene_step(c.scene.scene, c.h));
         hard_run(&c, 300); /* the hands pull again */
+        hard_expect_calm(&c, 100);
         hard_tell(&c);
         hard_expect_kept(&c);
         hard_expect_same_knot(&c);
