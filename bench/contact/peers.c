@@ -182,7 +182,7 @@ void add_peer_cases(bench *b)
     bench_add_skipped(b, "contact/overhand-uniform/bullet", "Bullet is not installed");
 #endif
 #if defined(BENCH_HAVE_MUJOCO)
-    add_peer(b, 2, &contact_mujoco, 2);
+    add_peer(b, 2, &contact_mujoco, 1);
 #else
     bench_add_skipped(b, "contact/overhand-uniform/mujoco", "MuJoCo is not installed");
 #endif
