@@ -173,7 +173,8 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
         if (turns == (part->straight ? 0u : (uint32_t)TURNS) ||
             k >= s->config.linearisation_limit) {
             /* The next part pushes apart what has slid so far; and counts as recovering. */
-            return shallow ? VERDICT_ACCEPTED : VERDICT_DEPTH;
+            s->turned = !part->straight;
+            return shallow && part->straight ? VERDICT_ACCEPTED : VERDICT_DEPTH;
         }
         vbss_scene_lay_rows_again(s);
     }

@@ -142,12 +142,14 @@ static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
         at->part.again = true;
         return true;
     }
-    if (s->turned && !at->part.straight && !over) {
+    bool least = at->size <= at->smallest;
+    /* What is deep already is no better for being halved. */
+    if (s->turned && !at->part.straight && (least || over || s->recovering)) {
         at->part.straight = true;
         return true;
     }
     at->part.again = at->part.straight = false;
-    if (at->size > at->smallest && !over) {
+    if (!least && !over) {
         vbss_scene_unsettle(s);
         at->size *= 0.5;
         return true;
