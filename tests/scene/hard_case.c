@@ -292,9 +292,7 @@ void hard_expect_kept(hard_case *c)
     assert_true(s.last_stretch_error <= stretch);
     double allowed = c->scene.options.scene.penetration_tolerance;
     assert_true(c->deepest <= allowed + 1e-6 || s.recovering > 0 || s.clamped > 0);
-    /* A mesh that is too coarse for its knot is pressed together by the guard alone, as far as it lets it. */
-    bool fine = c->scene.options.knot.finest <= 6.0 * c->scene.options.thread.radius;
-    assert_true(c->deepest < (fine ? 0.6 : 1.0));
+    assert_true(c->deepest < 0.6);
 }
 
 void hard_expect_same_knot(const hard_case *c)
