@@ -221,7 +221,9 @@ static void nothing_to_hold_on_to_is_told(void **state)
 static void what_closes_deep_is_softened_and_ends_right(void **state)
 {
     (void)state;
-    for (double share = 0.1; share < 300.0; share *= 2.0) { /* of the distance of touching */
+    double share = 0.05;           /* of the distance of touching */
+    for (int i = 0; i < 12; i++) { /* to 200 */
+        share *= 2.0;
         few_blocks f;
         few_begin(&f, 3);
         f.search.force_share = 1e-3; /* as a scene asks */

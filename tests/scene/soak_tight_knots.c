@@ -36,21 +36,21 @@ static bool chance(soak *s, double probability)
 
 static void draw_knot(soak *s, contact_scene_options *o, double stiffness)
 {
-    static const knot_kind kinds[] = {
-        KNOT_OVERHAND,        KNOT_OVERHAND,        KNOT_OVERHAND,     KNOT_DOUBLE_OVERHAND,
-        KNOT_DOUBLE_OVERHAND, KNOT_DOUBLE_OVERHAND, KNOT_SQUARE,       KNOT_SQUARE,
-        KNOT_GRANNY,          KNOT_SURGEON,         KNOT_HALF_HITCHES, KNOT_FLS};
-    knot_kind kind = kinds[vbss_random_below(&s->random, sizeof kinds / sizeof *kinds)];
+    /* Most are small, as steps are many. */
+    static const knot_kind rare[] = {KNOT_SQUARE, KNOT_GRANNY,       KNOT_SURGEON,
+                                     KNOT_FLS,    KNOT_HALF_HITCHES, KNOT_REVERSED_HALF_HITCHES};
+    uint32_t which = vbss_random_below(&s->random, 18);
+    knot_kind kind = which < 6 ? rare[which] : which < 14 ? KNOT_OVERHAND : KNOT_DOUBLE_OVERHAND;
     knot_shape_init(&o->knot, kind);
     /* What is stiff is tied loosely, or it springs open at once. */
     double size = stiffness > 1e-8 ? vbss_exp(vbss_log(stiffness / 1e-8) / 4.0) : 1.0;
     o->knot.size *= size;
     o->knot.cylinder = chance(s, 0.15);
     o->knot.mirrored = chance(s, 0.5);
-    double parts = kind == KNOT_OVERHAND || kind == KNOT_DOUBLE_OVERHAND ? 0.06
+    double parts = kind == KNOT_OVERHAND || kind == KNOT_DOUBLE_OVERHAND ? 0.05
                    : kind == KNOT_FLS                                    ? 0.12
                                                                          : 0.09;
-    o->knot.length = parts * size * (o->knot.cylinder ? 1.3 : 1.0) + draw(s, 0.0, 0.03);
+    o->knot.length = parts * size * (o->knot.cylinder ? 1.3 : 1.0) + draw(s, 0.0, 0.02);
     o->knot.finest = draw(s, 0.25e-3, 0.5e-3) * (size > 1.5 ? 1.5 : 1.0);
     if (chance(s, 0.1)) {
         o->knot.finest = o->knot.coarsest = draw(s, 0.8e-3, 1.25e-3);
@@ -67,7 +67,7 @@ static void draw_options(soak *s, contact_scene_options *o)
     o->thread.bending = (vbss_bending)vbss_random_below(&s->random, 2);
     o->thread.gravity[1] = chance(s, 0.5) ? -9.81 : 0.0;
     /* Without it nothing holds: bounded, but slow. */
-    o->scene.thread_friction = chance(s, 0.05) ? draw(s, 0.0, 0.1) : draw(s, 0.1, 1.0);
+    o->scene.thread_friction = chance(s, 0.01) ? draw(s, 0.0, 0.1) : draw(s, 0.1, 1.0);
     o->tool_friction = draw(s, 0.0, 0.5);
     o->pull.force = draw_power_of_ten(s, -0.5, 0.4);
     o->pull.speed = draw_power_of_ten(s, -1.7, -0.6);

@@ -30,13 +30,14 @@ static inline vbss_result scene_body_destroy(void *handle)
     return vbss_scene_destroy(handle);
 }
 
-static inline harness_body scene_as_body(scene_scene_kind *kind)
+static inline harness_body scene_as_body(void *kind)
 {
+    const scene_scene_kind *which = kind;
     harness_body body = {"scene",
                          &vbss_scene_kind,
                          scene_body_create,
                          NULL,
-                         *kind == SCENE_SCENE_KNOT ? scene_body_step_knot : scene_body_step_tools,
+                         *which == SCENE_SCENE_KNOT ? scene_body_step_knot : scene_body_step_tools,
                          scene_body_destroy,
                          kind};
     return body;
