@@ -221,8 +221,8 @@ static void nothing_to_hold_on_to_is_told(void **state)
 static void what_closes_deep_is_softened_and_ends_right(void **state)
 {
     (void)state;
-    double share = 0.05;           /* of the distance of touching */
-    for (int i = 0; i < 12; i++) { /* to 200 */
+    double share = 0.05;                             /* of the distance of touching */
+    for (int doubled = 0; doubled < 12; doubled++) { /* to 200 */
         share *= 2.0;
         few_blocks f;
         few_begin(&f, 3);
