@@ -8,20 +8,11 @@
 #define TURN_RADIUS 1.2 /* between throws */
 #define BIGHT 2.0       /* least radius of the loop below */
 #define LEAD 0.6        /* straight, at either end */
-#define SPACING 0.2     /* of control points */
 
 /* The cylinder's surface is passed at this many sums of both radii from its axis, at least. */
 #define CLEARANCE 1.4
 
-enum { MOST_THROWS = 3 };
-
-/* wraps[i] of throw i from the bottom, 0: a mere crossing; signs: +1 right-handed. */
-typedef struct flat_knot {
-    uint32_t throws;
-    int wraps[MOST_THROWS], signs[MOST_THROWS];
-} flat_knot;
-
-static const flat_knot flat_knots[] = {
+static const knot_pile flat_knots[] = {
     [KNOT_LOOP] = {1, {0}, {1}},
     [KNOT_OVERHAND] = {1, {1}, {1}},
     [KNOT_DOUBLE_OVERHAND] = {1, {2}, {1}},
@@ -94,19 +85,19 @@ static double bight_radius(const knot_shape *shape)
     return shape->cylinder ? greater(least, clear) : least;
 }
 
-static void put_flat_knot(const knot_shape *shape, const flat_knot *knot, knot_curve *curve)
+void knot_path_pile(const knot_pile *pile, double size, double radius, knot_curve *curve)
 {
-    uint32_t top = knot->throws - 1;
-    double strand_height = STRAND * shape->size;
-    strand throws[MOST_THROWS];
+    uint32_t top = pile->throws - 1;
+    double strand_height = STRAND * size;
+    strand throws[KNOT_PILE_THROWS];
     for (uint32_t i = 0; i <= top; i++) {
-        throws[i] = (strand){.size = shape->size,
-                             .height = i * 2.0 * (TURN_RADIUS + STRAND) * shape->size,
-                             .half_turns = 2 * knot->wraps[i] + 1,
+        throws[i] = (strand){.size = size,
+                             .height = i * 2.0 * (TURN_RADIUS + STRAND) * size,
+                             .half_turns = 2 * pile->wraps[i] + 1,
                              .direction = (top - i) % 2 == 0 ? 1 : -1,
-                             .sign = knot->signs[i] * (shape->mirrored ? -1 : 1)};
+                             .sign = pile->signs[i]};
     }
-    double half = half_width(&throws[top]), lead = LEAD * shape->size;
+    double half = half_width(&throws[top]), lead = LEAD * size;
     double z = throws[top].height + strand_height;
     knot_curve_straight(curve, vec3_make(-half - lead, 0.0, z), vec3_make(-half, 0.0, z));
     for (uint32_t i = top + 1; i-- > 0;) {
@@ -117,7 +108,7 @@ static void put_flat_knot(const knot_shape *shape, const flat_knot *knot, knot_c
                      throws[i - 1].height + strand_height);
         }
     }
-    double low = -strand_height - 2.0 * bight_radius(shape), wide = half_width(&throws[0]);
+    double low = -strand_height - 2.0 * radius, wide = half_width(&throws[0]);
     int side = throws[0].direction;
     put_turn(curve, side, wide, -strand_height, 0.0, low);
     put_turn(curve, -side, 0.0, low, wide, -strand_height);
@@ -138,11 +129,15 @@ void knot_path(const knot_shape *shape, knot_curve *curve, knot_line *line)
 {
     bool hitches = shape->kind == KNOT_HALF_HITCHES || shape->kind == KNOT_REVERSED_HALF_HITCHES;
     double radius = bight_radius(shape), x = 0.0, z = -radius;
-    knot_curve_begin(curve, SPACING * shape->size);
+    knot_curve_begin(curve, KNOT_PATH_SPACING * shape->size);
     if (hitches) {
         knot_path_hitches(shape, radius, curve, &x);
     } else {
-        put_flat_knot(shape, &flat_knots[shape->kind], curve);
+        knot_pile pile = flat_knots[shape->kind];
+        for (uint32_t i = 0; i < pile.throws && shape->mirrored; i++) {
+            pile.signs[i] = -pile.signs[i];
+        }
+        knot_path_pile(&pile, shape->size, radius, curve);
         z -= STRAND * shape->size;
     }
     if (shape->cylinder) {

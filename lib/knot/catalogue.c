@@ -1,0 +1,108 @@
+/* The invariants of connected sums of torus knots T(2, 2 k + 1), and which such sum has given ones.
+ *
+ * Determinants multiply, the others add. v2 of the sum of a, b, c knots with k = 1, 2, 3 is a + 3 b + 6 c, its
+ * determinant 3^a 5^b 7^c. That and v3 tell all 210 sums of at most four such knots apart. */
+#include "knot/knot.h"
+
+/* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
+#define PRIME 2147483647
+
+/* 1e9 theta / pi of X_TRISTRAM: 2 acos(0.911) / pi = 0.27062320040. No odd / (2 k + 1) with k below 2048 is nearer than
+ * 1e-7. */
+#define TRISTRAM_1E9 270623200
+
+enum { MOST_THROWS = 4, MOST_WRAPS = 3 };
+
+/* Roots exp(i theta) of the Alexander polynomial of T(2, 2 k + 1) lie at odd multiples of pi / (2 k + 1) below pi; at
+ * each the signature at theta, 0 near 0, goes 2 away. */
+static int32_t roots_before_tristram(int32_t wraps)
+{
+    /* the odd numbers up to x are (floor(x) + 1) / 2 */
+    int64_t below = ((2 * (int64_t)wraps + 1) * TRISTRAM_1E9) / 1000000000;
+    return (int32_t)((below + 1) / 2);
+}
+
+static int64_t capped_product(int64_t a, int64_t b)
+{
+    return a > INT64_MAX / b ? INT64_MAX : a * b;
+}
+
+knot_invariants vbss_knot_invariants_of(const knot_factors *factors)
+{
+    knot_invariants sum = {.determinant = 1, .known = true};
+    for (uint32_t i = 0; i < factors->count; i++) {
+        int64_t k = factors->factors[i].wraps;
+        int32_t s = factors->factors[i].handedness;
+        sum.determinant = capped_product(sum.determinant, 2 * k + 1);
+        sum.v2 += k * (k + 1) / 2;
+        sum.v3 += s * (k * (k + 1) * (2 * k + 1) / 6);
+        sum.signature -= 2 * s * factors->factors[i].wraps;
+        sum.signature_tristram -= 2 * s * roots_before_tristram(factors->factors[i].wraps);
+    }
+    return sum;
+}
+
+/* As determinant.c can tell it. */
+static int64_t told(int64_t determinant)
+{
+    int64_t rest = determinant % PRIME;
+    return rest > PRIME / 2 ? PRIME - rest : rest;
+}
+
+/* What is not known is not the same. */
+bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
+{
+    return a.known && b.known && told(a.determinant) == told(b.determinant) && a.v2 == b.v2 &&
+           a.v3 == b.v3 && a.signature == b.signature &&
+           a.signature_tristram == b.signature_tristram;
+}
+
+/* ---- the way back */
+
+/* How many knots of each number of wraps make up the determinant; false when none do. */
+static bool count_wraps(int64_t determinant, uint32_t counts[MOST_WRAPS])
+{
+    uint32_t count = 0;
+    for (uint32_t k = 1; k <= MOST_WRAPS; k++) {
+        int64_t factor = 2 * k + 1;
+        counts[k - 1] = 0;
+        while (determinant > 1 && determinant % factor == 0 && count <= MOST_THROWS) {
+            determinant /= factor;
+            counts[k - 1]++;
+            count++;
+        }
+    }
+    return determinant == 1 && count <= MOST_THROWS;
+}
+
+static void add(knot_factors *factors, uint32_t count, int32_t wraps, int32_t handedness)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        factors->factors[factors->count++] =
+            (knot_factor){.wraps = wraps, .handedness = handedness};
+    }
+}
+
+bool vbss_knot_match(knot_invariants invariants, knot_factors *factors)
+{
+    uint32_t counts[MOST_WRAPS];
+    *factors = (knot_factors){.count = 0};
+    if (!count_wraps(invariants.determinant, counts)) {
+        return false;
+    }
+    uint32_t choices = (counts[0] + 1) * (counts[1] + 1) * (counts[2] + 1);
+    for (uint32_t choice = 0; choice < choices; choice++) {
+        *factors = (knot_factors){.count = 0};
+        for (uint32_t k = MOST_WRAPS, rest = choice; k > 0; k--) {
+            uint32_t count = counts[k - 1], left = rest % (count + 1);
+            rest /= count + 1;
+            add(factors, count - left, (int32_t)k, 1);
+            add(factors, left, (int32_t)k, -1);
+        }
+        if (vbss_knot_invariants_same(vbss_knot_invariants_of(factors), invariants)) {
+            return true;
+        }
+    }
+    *factors = (knot_factors){.count = 0};
+    return false;
+}

@@ -1,0 +1,225 @@
+/* Gauss codes: whether one can be drawn in the plane, and what Reidemeister's first two moves take away. */
+#include "knot/knot.h"
+
+#include <string.h>
+
+enum { NO_ENTRY = 0xffff };
+
+void vbss_knot_code_arrays(knot_code *code, uint32_t capacity, vbss_array arrays[KNOT_CODE_ARRAYS])
+{
+    code->capacity = capacity;
+    arrays[0] = (vbss_array){&code->crossing, 2 * (size_t)capacity, sizeof *code->crossing};
+    arrays[1] = (vbss_array){&code->over, 2 * (size_t)capacity, sizeof *code->over};
+    arrays[2] = (vbss_array){&code->at, 2 * (size_t)capacity, sizeof *code->at};
+    arrays[3] = (vbss_array){&code->sign, capacity, sizeof *code->sign};
+    arrays[4] = (vbss_array){&code->scratch, 4 * (size_t)capacity, sizeof *code->scratch};
+}
+
+void vbss_knot_code_copy(knot_code *to, const knot_code *from)
+{
+    size_t entries = 2 * (size_t)from->n;
+    to->n = from->n;
+    memcpy(to->crossing, from->crossing, entries * sizeof *to->crossing);
+    memcpy(to->over, from->over, entries * sizeof *to->over);
+    memcpy(to->at, from->at, entries * sizeof *to->at);
+    memcpy(to->sign, from->sign, from->n * sizeof *to->sign);
+}
+
+/* Of each entry: the other one of its crossing. False: not every crossing has two, one over the other. */
+static bool find_mates(const knot_code *code, uint16_t *mate, uint16_t *first)
+{
+    for (uint32_t c = 0; c < code->n; c++) {
+        first[c] = NO_ENTRY;
+    }
+    for (uint32_t e = 0; e < 2 * code->n; e++) {
+        uint32_t c = code->crossing[e];
+        mate[e] = NO_ENTRY;
+        if (c >= code->n) {
+            return false;
+        }
+        if (first[c] == NO_ENTRY) {
+            first[c] = (uint16_t)e;
+            continue;
+        }
+        uint32_t other = first[c];
+        if (mate[other] != NO_ENTRY || code->over[e] == code->over[other]) {
+            return false;
+        }
+        mate[e] = (uint16_t)other;
+        mate[other] = (uint16_t)e;
+    }
+    return true; /* n pairs in 2 n entries */
+}
+
+/* ---- planarity: Euler's formula for one curve */
+
+enum { FORWARD = 1, BACKWARD = 2 };
+
+/* Walks round a face, which is on the left, from the arc after entry e on. */
+static void walk_round(const knot_code *code, const uint16_t *mate, uint16_t *seen, uint32_t e,
+                       uint32_t way)
+{
+    uint32_t last = 2 * code->n - 1;
+    while ((seen[e] & way) == 0) {
+        seen[e] |= (uint16_t)way;
+        uint32_t here = way == BACKWARD ? e : e == last ? 0 : e + 1;
+        /* Seen along the curve, the other strand goes from right to left: */
+        bool leftward = (code->over[here] != 0) == (code->sign[code->crossing[here]] > 0);
+        uint32_t other = mate[here];
+        bool onward = leftward == (way == FORWARD);
+        e = onward ? other : other == 0 ? last : other - 1;
+        way = onward ? FORWARD : BACKWARD;
+    }
+}
+
+bool vbss_knot_code_is_planar(const knot_code *code)
+{
+    uint16_t *mate = code->scratch, *seen = code->scratch + 2 * (size_t)code->n;
+    if (code->n == 0) {
+        return true;
+    }
+    if (!find_mates(code, mate, seen)) {
+        return false;
+    }
+    memset(seen, 0, 2 * (size_t)code->n * sizeof *seen);
+    uint32_t faces = 0;
+    for (uint32_t e = 0; e < 2 * code->n; e++) {
+        for (uint32_t way = FORWARD; way <= BACKWARD; way++) {
+            faces += (seen[e] & way) == 0 ? 1 : 0;
+            walk_round(code, mate, seen, e, way);
+        }
+    }
+    return faces == code->n + 2;
+}
+
+/* ---- moves I and II: entries become links of a ring
+ *
+ * While it is worked on, `crossing` holds mates and `over` flags. What is to be looked at again waits in a stack
+ * that lives in the links of entries that are gone, of which every move leaves more than it needs. */
+
+enum { OVER = 1, POSITIVE = 2, GONE = 4 };
+
+typedef struct knot_ring {
+    uint16_t *mate, *next, *previous;
+    uint8_t *flags;
+    uint32_t left; /* entries */
+    uint32_t
+        stack; /* an entry that is gone: `next` of it is the one below, `previous` what to look at */
+} knot_ring;
+
+static knot_ring ring_of(knot_code *code)
+{
+    uint32_t count = 2 * code->n;
+    knot_ring r = {code->crossing, code->scratch, code->scratch + count,
+                   code->over,     count,         NO_ENTRY};
+    uint16_t *first = code->scratch;
+    for (uint32_t c = 0; c < code->n; c++) {
+        first[c] = NO_ENTRY;
+    }
+    for (uint32_t e = 0; e < count; e++) {
+        uint32_t c = code->crossing[e], other = first[c];
+        r.flags[e] =
+            (uint8_t)((code->over[e] != 0 ? OVER : 0) | (code->sign[c] > 0 ? POSITIVE : 0));
+        if (other == NO_ENTRY) {
+            first[c] = (uint16_t)e;
+        } else {
+            r.mate[e] = (uint16_t)other;
+            r.mate[other] = (uint16_t)e;
+        }
+    }
+    for (uint32_t e = 0; e < count; e++) {
+        r.next[e] = (uint16_t)(e + 1 == count ? 0 : e + 1);
+        r.previous[e] = (uint16_t)(e == 0 ? count - 1 : e - 1);
+    }
+    return r;
+}
+
+/* Two entries that follow each other; what stands before them then. */
+static uint32_t unlink_two(knot_ring *r, uint32_t first, uint32_t second)
+{
+    uint32_t before = r->previous[first], behind = r->next[second];
+    r->next[before] = (uint16_t)behind;
+    r->previous[behind] = (uint16_t)before;
+    r->flags[first] |= GONE;
+    r->flags[second] |= GONE;
+    r->left -= 2;
+    return before;
+}
+
+static void look_again(knot_ring *r, uint32_t at, uint32_t room)
+{
+    r->next[room] = (uint16_t)r->stack;
+    r->previous[room] = (uint16_t)at;
+    r->stack = room;
+}
+
+/* What entry e and the next do. */
+static bool take_away(knot_ring *r, uint32_t e)
+{
+    uint32_t next = r->next[e], mate = r->mate[e], mate_of_next = r->mate[next];
+    if (next == mate) { /* I: a loop */
+        look_again(r, unlink_two(r, e, next), e);
+        return true;
+    }
+    bool same_way = r->next[mate] == mate_of_next, other_way = r->next[mate_of_next] == mate;
+    if (!(same_way || other_way) ||
+        ((r->flags[e] ^ r->flags[next]) & (OVER | POSITIVE)) != POSITIVE) {
+        return false;
+    }
+    /* II: one strand over the other and back */
+    uint32_t before = unlink_two(r, e, next);
+    uint32_t first = same_way ? mate : mate_of_next, second = same_way ? mate_of_next : mate;
+    uint32_t before_mates = unlink_two(r, first, second);
+    look_again(r, before, e);
+    look_again(r, before_mates, first);
+    return true;
+}
+
+static void take_away_all(knot_ring *r)
+{
+    uint32_t count = r->left;
+    for (uint32_t e = 0; e < count; e++) {
+        uint32_t at = e;
+        while (at != NO_ENTRY) {
+            if ((r->flags[at] & GONE) == 0) {
+                take_away(r, at);
+            }
+            uint32_t room = r->stack;
+            at = room == NO_ENTRY ? NO_ENTRY : r->previous[room];
+            r->stack = room == NO_ENTRY ? NO_ENTRY : r->next[room];
+        }
+    }
+}
+
+/* What is left becomes a code again, in its order. Links are not needed any more: `next` of the second passage of a
+ * crossing is told its number by the first. */
+static void close_ranks(knot_code *code, const knot_ring *r, uint32_t count)
+{
+    uint32_t to = 0, visited = 0;
+    for (uint32_t e = 0; e < count; e++) {
+        uint8_t flags = r->flags[e];
+        if ((flags & GONE) != 0) {
+            continue;
+        }
+        uint32_t mate = r->mate[e];
+        if (mate > e) {
+            code->sign[visited] = (flags & POSITIVE) != 0 ? 1 : -1;
+            r->next[mate] = r->next[e] = (uint16_t)visited++;
+        }
+        code->crossing[to] = r->next[e];
+        code->over[to] = (flags & OVER) != 0;
+        code->at[to++] = code->at[e];
+    }
+    code->n = visited;
+}
+
+void vbss_knot_code_simplify(knot_code *code, knot_work *work)
+{
+    uint32_t count = 2 * code->n;
+    *work -= 4 * (knot_work)count;
+    if (count > 0) {
+        knot_ring ring = ring_of(code);
+        take_away_all(&ring);
+        close_ranks(code, &ring, count);
+    }
+}

@@ -1,0 +1,148 @@
+/* Reading one closed curve: reduced, projected until a diagram comes apart into twist regions, compared with
+ * invariants. */
+#include "knot/knot.h"
+
+void vbss_knot_curve_begin(knot_curve *curve, bool checked)
+{
+    curve->stage = KNOT_CURVE_REDUCE;
+    curve->checked = checked;
+    curve->overflowed = curve->has_best = false;
+    curve->direction = 0;
+    curve->best = 0;
+    curve->reading = (knot_reading){.reason = VBSS_KNOT_REASON_NONE};
+    curve->counts.closures++;
+    vbss_knot_reduction_begin(&curve->reduction, &curve->polygon, NULL, 0);
+}
+
+static void end_reading(knot_curve *curve, vbss_knot_reason reason)
+{
+    curve->reading.reason = reason;
+    curve->stage = KNOT_CURVE_READ;
+}
+
+/* One diagram. The first that is certified ends it; otherwise the one with fewest crossings is kept. */
+static void project(knot_curve *curve, knot_work *work)
+{
+    knot_code *code = &curve->codes[1 - curve->best], *best = &curve->codes[curve->best];
+    vec3 direction = vbss_knot_direction(curve->direction++);
+    curve->counts.projections++;
+    knot_diagram diagram =
+        vbss_knot_project(&curve->projector, &curve->polygon, direction, code, work);
+    if (diagram != KNOT_DIAGRAM_PLAIN) {
+        curve->counts.degenerate += diagram == KNOT_DIAGRAM_DEGENERATE;
+        curve->counts.overflows += diagram == KNOT_DIAGRAM_FULL;
+        curve->overflowed |= diagram == KNOT_DIAGRAM_FULL;
+        return;
+    }
+    vbss_knot_code_simplify(code, work);
+    if (curve->has_best && code->n > best->n) {
+        return;
+    }
+    curve->best = 1 - curve->best;
+    curve->has_best = true;
+    curve->reading.crossings = code->n;
+    curve->reading.certified = vbss_knot_twists(code, &curve->reading.factors);
+}
+
+static void compute(knot_curve *curve, knot_work *work)
+{
+    const knot_code *code = &curve->codes[curve->best];
+    knot_reading *r = &curve->reading;
+    knot_invariants *v = &r->invariants;
+    if (code->n > curve->algebra.capacity) {
+        end_reading(curve, VBSS_KNOT_REASON_CAPACITY);
+        return;
+    }
+    v->determinant = vbss_knot_determinant(&curve->algebra, code, work);
+    vbss_knot_vassiliev(code, &v->v2, &v->v3, work);
+    v->known =
+        vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, work) &&
+        vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_1000, &v->signature_tristram,
+                            work);
+    if (!v->known) {
+        end_reading(curve, VBSS_KNOT_REASON_DEGENERATE);
+    } else if (r->certified) {
+        bool same = vbss_knot_invariants_same(vbss_knot_invariants_of(&r->factors), *v);
+        r->throws = same;
+        end_reading(curve, same ? VBSS_KNOT_REASON_NONE : VBSS_KNOT_REASON_CONFLICT);
+    } else {
+        r->throws = vbss_knot_match(*v, &r->factors);
+        end_reading(curve, VBSS_KNOT_REASON_NONE);
+    }
+}
+
+static void finish_projecting(knot_curve *curve)
+{
+    if (!curve->has_best) {
+        end_reading(curve,
+                    curve->overflowed ? VBSS_KNOT_REASON_CAPACITY : VBSS_KNOT_REASON_DEGENERATE);
+        return;
+    }
+    curve->counts.certified += curve->reading.certified;
+    if (curve->reading.certified && !curve->checked) {
+        curve->reading.throws = true;
+        curve->reading.invariants = vbss_knot_invariants_of(&curve->reading.factors);
+        end_reading(curve, VBSS_KNOT_REASON_NONE);
+        return;
+    }
+    curve->stage = KNOT_CURVE_COMPUTE;
+}
+
+bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work)
+{
+    while (*work > 0 && curve->stage != KNOT_CURVE_READ) {
+        switch (curve->stage) {
+        case KNOT_CURVE_REDUCE:
+            if (vbss_knot_reduction_go_on(&curve->reduction, work)) {
+                curve->counts.removed += curve->reduction.removed;
+                curve->stage = KNOT_CURVE_PROJECT;
+            }
+            break;
+        case KNOT_CURVE_PROJECT:
+            if (curve->reading.certified || curve->direction >= curve->direction_limit) {
+                finish_projecting(curve);
+            } else {
+                project(curve, work);
+            }
+            break;
+        case KNOT_CURVE_COMPUTE:
+            compute(curve, work);
+            break;
+        case KNOT_CURVE_READ:
+            break;
+        }
+    }
+    return curve->stage == KNOT_CURVE_READ;
+}
+
+/* ---- comparing */
+
+static int64_t number_of(const knot_factors *f, int32_t wraps, int32_t handedness)
+{
+    int64_t count = 0;
+    for (uint32_t i = 0; i < f->count; i++) {
+        count += f->factors[i].wraps == wraps && f->factors[i].handedness == handedness;
+    }
+    return count;
+}
+
+static bool same_throws(const knot_factors *a, const knot_factors *b)
+{
+    bool same = a->count == b->count;
+    for (uint32_t i = 0; i < a->count && same; i++) {
+        const knot_factor *f = &a->factors[i];
+        same = number_of(a, f->wraps, f->handedness) == number_of(b, f->wraps, f->handedness);
+    }
+    return same;
+}
+
+bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b)
+{
+    if (a->reason != VBSS_KNOT_REASON_NONE || b->reason != VBSS_KNOT_REASON_NONE) {
+        return false;
+    }
+    if (a->certified && b->certified) {
+        return same_throws(&a->factors, &b->factors);
+    }
+    return vbss_knot_invariants_same(a->invariants, b->invariants);
+}

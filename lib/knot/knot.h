@@ -1,0 +1,465 @@
+/* The inside of knot detectors, shared by the files of lib/knot.
+ *
+ * From the host's polyline to the verdict: input.c copies what is shown; winding.c looks at it in every
+ * step. A reading of the topology is a job (job.c) on a copy: core.c reduces the thread once with all that
+ * its ends will be closed by as obstacles, closing.c closes it this way and that, and curve.c reads one closed curve:
+ * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, code.c simplifies
+ * it, twist.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
+ * invariants, catalogue.c compares. throws.c finds where the throws lie, verdict.c makes of it what hosts see,
+ * detector.c is the step. paper_loops.c and paper_throws.c are method PROJECTION. */
+#ifndef VBSS_KNOT_KNOT_H
+#define VBSS_KNOT_KNOT_H
+
+#include <vblast_ss/knot.h>
+
+#include "base/base.h"
+
+enum { KNOT_THROWS = 8, KNOT_AXIS_POINTS = 4 };
+
+/* Operations left to spend, each about a nanosecond. A stage goes on while this is above zero and takes off what
+ * it did, at least 1 a piece, so that where it stops does not depend on how the work was sliced. */
+typedef int64_t knot_work;
+
+/* ---- what is shown (input.c) */
+
+typedef struct knot_tool {
+    uint32_t point_count;
+    vbss_knot_held held;
+    vec3 axis[KNOT_AXIS_POINTS];
+    double radius[KNOT_AXIS_POINTS - 1];
+    double held_place; /* HELD_NEEDLE: that of the last point */
+} knot_tool;
+
+/* Points run from the tail's end on; where two successive ones were the same only one is kept. */
+typedef struct knot_scene {
+    uint32_t point_count, tool_count;
+    bool has_holes;
+    bool may_have_passed;
+    double tissue_place; /* between the holes; -1 when there are none */
+    vec3 away;           /* unit; zero when it is to be found */
+    vec3 *points;
+    double *places; /* of each point in the host's numbers, ascending or descending */
+    knot_tool *tools;
+} knot_scene;
+
+/* The point at a place in the scene's own numbers, and the length of line between two of those, m. */
+vec3 vbss_knot_point_at(const knot_scene *scene, double place);
+double vbss_knot_length(const knot_scene *scene, double from, double to);
+/* A range of places in the host's numbers, ascending. */
+void vbss_knot_show_places(const knot_scene *scene, const double own[2], double shown[2]);
+
+/* ---- winding.c */
+
+typedef struct knot_winding {
+    double turns, run_turns;
+    double run_places[2],
+        run_heights[2]; /* places in the scene's own numbers; host's in the detector */
+    uint32_t runs;
+    int32_t sense; /* +1: from the tissue's end of the run towards the tip */
+} knot_winding;
+void vbss_knot_wind(const knot_scene *scene, uint32_t tool, knot_winding *winding);
+
+/* ---- polygons */
+
+/* `place`: of each vertex on the thread; negative on a closure. `stays`: 1 keeps it through a reduction. A closed
+ * polygon has an edge from the last vertex to the first. */
+typedef struct knot_polygon {
+    vec3 *x;
+    double *place;
+    uint8_t *stays;
+    uint32_t count, capacity;
+    bool closed;
+} knot_polygon;
+
+typedef struct knot_edge {
+    vec3 begin, end;
+} knot_edge;
+
+/* Whether it is certain that the triangle a, b, c and the segment p, q have no point in common, or only a
+ * corner of the triangle that is (to the bit) an end of the segment. False: they may. */
+bool vbss_knot_misses(vec3 a, vec3 b, vec3 c, vec3 p, vec3 q);
+
+/* Removes vertices whose triangle with both neighbours is hit by nothing: no other edge of the polygon and no
+ * obstacle, which touch a triangle at most at its corners a and c, where they end. Sweeps until none can go. */
+typedef struct knot_reduction {
+    uint32_t capacity;     /* of vertices and obstacles together */
+    knot_polygon *polygon; /* what is reduced; its arrays hold the result in the end */
+    const knot_edge *obstacles;
+    uint32_t obstacle_count;
+    uint32_t left; /* vertices that are still there */
+    uint32_t at;   /* the vertex looked at next */
+    uint32_t removed_in_sweep;
+    uint64_t removed; /* since the begin of the reduction */
+    /* What else it takes is its own: */
+    uint32_t first_edge, now;
+    knot_work owed;
+    int16_t *boxes;     /* of edges and obstacles, side by side in lanes */
+    uint32_t *blockers; /* of each vertex: the edge that was in its way, and when that was found */
+    uint32_t *links;
+} knot_reduction;
+enum { KNOT_REDUCTION_ARRAYS = 3 };
+void vbss_knot_reduction_arrays(knot_reduction *r, uint32_t capacity,
+                                vbss_array arrays[KNOT_REDUCTION_ARRAYS]);
+void vbss_knot_reduction_begin(knot_reduction *r, knot_polygon *polygon, const knot_edge *obstacles,
+                               uint32_t obstacle_count);
+/* True when it is done. */
+bool vbss_knot_reduction_go_on(knot_reduction *r, knot_work *work);
+
+/* ---- diagrams: Gauss codes of a closed polygon */
+
+/* 2 n entries in the order of the curve from vertex 0 on. */
+typedef struct knot_code {
+    uint32_t n, capacity; /* crossings */
+    uint16_t *crossing;   /* of each entry: 0 to n - 1 */
+    uint8_t *over;        /* of each entry: 1 over, 0 under */
+    double *at;           /* of each entry: vertex of the polygon + fraction of the edge after it */
+    int8_t *sign;         /* of each crossing: +1 right-handed (that of right-handed 3_1) */
+    uint16_t *scratch;    /* 4 a crossing */
+} knot_code;
+enum { KNOT_CODE_ARRAYS = 5 };
+void vbss_knot_code_arrays(knot_code *code, uint32_t capacity, vbss_array arrays[KNOT_CODE_ARRAYS]);
+void vbss_knot_code_copy(knot_code *to, const knot_code *from); /* of equal capacity at least */
+
+typedef enum knot_diagram {
+    KNOT_DIAGRAM_PLAIN,      /* every crossing is certain, planarity was checked */
+    KNOT_DIAGRAM_DEGENERATE, /* some crossing is not: another direction may do */
+    KNOT_DIAGRAM_FULL        /* more than capacity crossings */
+} knot_diagram;
+
+/* projection.c: what is nearer to the eye, which looks against `direction` (unit), is over. */
+typedef struct knot_projector {
+    uint32_t capacity; /* of vertices */
+    double *flat;      /* what it takes */
+    double *boxes;
+    uint32_t *order;
+} knot_projector;
+enum { KNOT_PROJECTOR_ARRAYS = 3 };
+void vbss_knot_projector_arrays(knot_projector *p, uint32_t capacity,
+                                vbss_array arrays[KNOT_PROJECTOR_ARRAYS]);
+knot_diagram vbss_knot_project(knot_projector *p, const knot_polygon *polygon, vec3 direction,
+                               knot_code *code, knot_work *work);
+/* The k-th of a fixed sequence of generic directions, unit. */
+vec3 vbss_knot_direction(uint32_t k);
+
+/* code.c: faces = crossings + 2. */
+bool vbss_knot_code_is_planar(const knot_code *code);
+/* Reidemeister moves I and II that lower the number of crossings, until there is none. `at` of what stays is kept. */
+void vbss_knot_code_simplify(knot_code *code, knot_work *work);
+
+/* ---- invariants of a code of a knot */
+
+/* Memory for them, for n crossings at most. */
+typedef struct knot_algebra {
+    uint32_t capacity;
+    double *real;      /* (n + 2)^2 */
+    uint64_t *modular; /* (n + 2)^2 */
+    uint32_t *index;   /* 16 (n + 2) */
+} knot_algebra;
+enum { KNOT_ALGEBRA_ARRAYS = 3 };
+void vbss_knot_algebra_arrays(knot_algebra *a, uint32_t capacity,
+                              vbss_array arrays[KNOT_ALGEBRA_ARRAYS]);
+
+/* determinant.c: exact if below 2^30; 1 for the unknot. */
+int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_code *code, knot_work *work);
+/* signature.c: at theta = 2 acos(x); by Kashaev's matrix, its inertia proved by two factorisations, shifted by more
+ * than rounding moves an eigenvalue. False when that cannot be done. X_ORDINARY: at -1, where it is the signature. */
+#define KNOT_X_TRISTRAM_1000 911 /* thousandths: theta = 0.2704 pi, between pi/5 and 3 pi/11 */
+#define KNOT_X_ORDINARY_1000 0
+bool vbss_knot_signature(knot_algebra *algebra, const knot_code *code, uint32_t x_1000,
+                         int32_t *signature, knot_work *work);
+/* vassiliev.c: v2 and v3 by Gauss diagram formulas; right-handed 3_1: 1, 1. */
+void vbss_knot_vassiliev(const knot_code *code, int64_t *v2, int64_t *v3, knot_work *work);
+
+typedef struct knot_invariants {
+    int64_t determinant, v2, v3;
+    int32_t signature, signature_tristram;
+    bool known; /* false when a signature could not be told */
+} knot_invariants;
+
+/* ---- what a code is made of (twist.c) and what invariants allow (catalogue.c) */
+
+/* A summand T(2, 2 wraps + 1) of a connected sum. Its entries of the code lie in [first, last], each
+ * of its two strands in one half: first ... strand_end, strand_begin ... last (as entry numbers). */
+typedef struct knot_factor {
+    int32_t wraps, handedness;
+    uint32_t first, strand_end, strand_begin, last;
+} knot_factor;
+typedef struct knot_factors {
+    uint32_t count;
+    bool
+        nested; /* each within the middle of the next: the order of stacked throws from the inside out */
+    knot_factor factors[KNOT_THROWS];
+} knot_factors;
+/* True when the code is, as it stands, a connected sum of such diagrams (none: the unknot) and no more than KNOT_THROWS.
+ * Entry 0 follows the point at infinity, so what is inside is known. */
+bool vbss_knot_twists(const knot_code *code, knot_factors *factors);
+
+/* Invariants of a connected sum of throws. */
+knot_invariants vbss_knot_invariants_of(const knot_factors *factors);
+bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b);
+/* The only sum of at most four throws of at most three wraps with these invariants, throws with more wraps first; false when there is none. */
+bool vbss_knot_match(knot_invariants invariants, knot_factors *factors);
+
+/* Name, faults and notation of throws from the tissue outward. Only wraps, handedness and flags are read. */
+typedef struct knot_verdict {
+    uint32_t throw_count;
+    vbss_knot_throw throws[KNOT_THROWS];
+    bool other; /* a knot that is no stack of throws */
+    vbss_knot_reason reason;
+} knot_verdict;
+vbss_knot_name vbss_knot_name_of(const knot_verdict *verdict);
+uint32_t vbss_knot_faults_of(const knot_verdict *verdict);
+enum { KNOT_NOTATION = 32 };
+void vbss_knot_notation_of(const knot_verdict *verdict, char text[KNOT_NOTATION]);
+
+/* slip.c: (kT - kL) / (kT + kL), k the total turning of the line between two places. */
+double vbss_knot_slip(const knot_scene *scene, const double tail_places[2],
+                      const double long_places[2]);
+
+/* ---- method PROJECTION */
+
+typedef struct knot_loop {
+    uint32_t tool, first, last, inside; /* as the view shows them */
+    vec3 meeting[2];                    /* where the pair's projections cross, on each segment */
+    bool first_is_above;
+} knot_loop;
+typedef struct knot_paper {
+    uint32_t capacity; /* of points */
+    uint32_t loop_count, loop_capacity;
+    knot_loop *loops;
+    double *flat; /* 2 a point, then heights */
+    vbss_random random;
+} knot_paper;
+enum { KNOT_PAPER_ARRAYS = 2 };
+void vbss_knot_paper_arrays(knot_paper *p, uint32_t capacity, vbss_array arrays[KNOT_PAPER_ARRAYS]);
+/* What is found about one tool: appends its loops to p->loops (all of them, inside or not). */
+void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_scene *scene,
+                           uint32_t tool);
+/* Loops of `tool` that one segment crosses so that they tie, and crossings that do not. */
+typedef struct knot_paper_throw {
+    uint32_t loops, undone;
+    bool first_is_above, inside_out; /* of the crossing that ties most */
+    uint32_t segment;
+} knot_paper_throw;
+knot_paper_throw vbss_knot_paper_throws(knot_paper *p, const vbss_knot_config *config,
+                                        const knot_scene *scene, uint32_t tool);
+
+/* ---- one closed curve (curve.c) */
+
+typedef struct knot_reading {
+    vbss_knot_reason reason; /* NONE: it was read */
+    uint32_t crossings;
+    bool certified; /* taken apart into twist regions */
+    bool
+        throws; /* `factors` hold: certified, or the invariants are those of one sum of throws only */
+    knot_factors factors;
+    knot_invariants invariants; /* when checked, or not certified */
+} knot_reading;
+
+typedef struct knot_counts {
+    uint64_t closures, certified, projections, degenerate, overflows, removed;
+} knot_counts;
+
+typedef enum knot_curve_stage {
+    KNOT_CURVE_REDUCE,
+    KNOT_CURVE_PROJECT,
+    KNOT_CURVE_COMPUTE,
+    KNOT_CURVE_READ
+} knot_curve_stage;
+
+typedef struct knot_curve {
+    knot_polygon polygon; /* filled by whoever begins */
+    knot_reduction reduction;
+    knot_projector projector;
+    knot_code codes[2]; /* the one being made, and the best so far */
+    knot_algebra algebra;
+    knot_curve_stage stage;
+    bool checked; /* invariants are computed even if it is certified */
+    bool overflowed, has_best;
+    uint32_t direction, direction_limit, best;
+    knot_reading reading;
+    knot_counts counts;
+} knot_curve;
+void vbss_knot_curve_begin(knot_curve *curve, bool checked);
+bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work);
+/* The same certain answer. */
+bool vbss_knot_readings_agree(const knot_reading *a, const knot_reading *b);
+
+/* ---- closing (closing.c): how a thread is continued to infinity */
+
+enum {
+    KNOT_CLOSURES = 16,
+    /* Rays of both ends, one of the tissue, two paths through tools. */
+    KNOT_OBSTACLES = 2 * (1 + KNOT_CLOSURES) + 1 + 2 * (KNOT_AXIS_POINTS + 1),
+    KNOT_FIXED = 3, /* vertices that a core has besides the thread's: tissue, two holds */
+    KNOT_CLOSING = 2 * (KNOT_AXIS_POINTS + 1) + 4 /* and those that close a curve */
+};
+
+/* From a point on the thread to infinity: a polyline and the direction in which it goes on. */
+typedef struct knot_way {
+    uint32_t count;
+    vec3 points[KNOT_AXIS_POINTS + 1]; /* the first lies on the thread */
+    vec3 out;                          /* unit */
+} knot_way;
+
+typedef struct knot_closing {
+    double far; /* m; all of the thread is within an eighth of it of `centre` */
+    vec3 centre;
+    bool ends_free;  /* closing in the direction 0 of each end is beyond doubt */
+    uint32_t others; /* other directions to compare with */
+    vec3 tail_out[1 + KNOT_CLOSURES], long_out[1 + KNOT_CLOSURES];
+    bool has_tissue;
+    vec3 away;
+    /* Through the tools: from where they hold; place < 0: none holds that limb near its end. */
+    double tail_hold, long_hold;
+    knot_way tail_way, long_way;
+} knot_closing;
+void vbss_knot_closing_of(knot_closing *closing, const vbss_knot_config *config,
+                          const knot_scene *scene);
+knot_way vbss_knot_way_out(vec3 from, vec3 out);
+/* Appends the thread's continuation before its first and after its last vertex, and closes it far outside.
+ * The polygon's first vertices are left free for it: see begin. */
+void vbss_knot_close_begin(const knot_closing *closing, knot_polygon *polygon,
+                           const knot_way *tail);
+void vbss_knot_close_end(const knot_closing *closing, knot_polygon *polygon, const knot_way *tail,
+                         const knot_way *end);
+void vbss_knot_polygon_add(knot_polygon *polygon, vec3 x, double place, bool stays);
+/* The thread between two places. */
+void vbss_knot_polygon_add_thread(knot_polygon *polygon, const knot_scene *scene, double from,
+                                  double to);
+
+/* ---- core.c: the thread reduced once, with all the ways its ends are closed by in the way */
+
+typedef struct knot_core {
+    knot_polygon polygon; /* open */
+    knot_reduction reduction;
+    knot_edge *obstacles;
+} knot_core;
+void vbss_knot_core_begin(knot_core *core, const knot_closing *closing, const knot_scene *scene);
+bool vbss_knot_core_go_on(knot_core *core, knot_work *work);
+
+/* ---- throws.c: where the throws lie and in which order, found on the thread itself */
+
+typedef struct knot_located {
+    bool located, ordered, stray;
+    int32_t wraps, handedness;
+    double tail_places[2], long_places[2]; /* in the scene's own numbers */
+} knot_located;
+
+typedef enum knot_locate_stage {
+    KNOT_LOCATE_PROJECT, /* the whole thread, its crossings keep their places */
+    KNOT_LOCATE_CHECK,   /* sub-chains between the throws confirm the order */
+    KNOT_LOCATE_SHRINK,  /* otherwise: sub-chains shrunk until they lose a throw */
+    KNOT_LOCATE_DONE
+} knot_locate_stage;
+
+typedef struct knot_locating {
+    const knot_scene *scene;
+    const knot_closing *closing;
+    const knot_reading *whole; /* what there is to find */
+    knot_polygon polygon;      /* the thread closed */
+    knot_locate_stage stage;
+    uint32_t direction, direction_limit;
+    uint32_t level; /* CHECK, SHRINK: throws that are left inside */
+    uint32_t side, halvings, tries;
+    bool reading;   /* a sub-chain is being read */
+    double cuts[2]; /* SHRINK: the outer sub-chain of this level */
+    double low, high, found[2];
+    bool certified; /* a diagram of the whole thread came apart: that too proves what it is */
+    uint32_t count;
+    knot_located throws[KNOT_THROWS];
+} knot_locating;
+void vbss_knot_locating_begin(knot_locating *locating, const knot_scene *scene,
+                              const knot_closing *closing, const knot_reading *whole,
+                              uint32_t direction_limit);
+/* Uses the curve for its own readings. */
+bool vbss_knot_locating_go_on(knot_locating *locating, knot_curve *curve, knot_work *work);
+
+/* ---- job.c: one reading of the topology */
+
+typedef enum knot_job_stage {
+    KNOT_JOB_IDLE,
+    KNOT_JOB_CORE,
+    KNOT_JOB_CURVES,
+    KNOT_JOB_LOCATE,
+    KNOT_JOB_DONE
+} knot_job_stage;
+
+/* The closed curves of a reading, in the order in which they are read. */
+typedef enum knot_curve_kind {
+    KNOT_CURVE_OUTWARD,
+    KNOT_CURVE_TAIL,  /* the tail limb and the ray away from the tissue */
+    KNOT_CURVE_LONG,  /* the same of the long limb */
+    KNOT_CURVE_TOOLS, /* ends continued through the tools that hold them */
+    KNOT_CURVE_OTHERS /* and the following: other directions */
+} knot_curve_kind;
+
+typedef struct knot_job {
+    knot_scene scene; /* a copy of what was shown */
+    uint64_t step;    /* when */
+    knot_job_stage stage;
+    uint32_t curve; /* KNOT_JOB_CURVES: a knot_curve_kind or more */
+    bool curve_began;
+    knot_closing closing;
+    knot_core core;
+    knot_curve reader;
+    knot_locating locating;
+    knot_work spent;
+    /* What was read. */
+    knot_reading outward, tail, long_limb, tools;
+    bool has_tools;
+    uint32_t agreeing;
+} knot_job;
+bool vbss_knot_job_is_active(const knot_job *job);
+/* Reads the scene in it. */
+void vbss_knot_job_begin(knot_job *job, const vbss_knot_config *config, uint64_t step);
+/* True when it is done; what is then left of `work` stays. */
+bool vbss_knot_job_go_on(knot_job *job, const vbss_knot_config *config, knot_work *work);
+
+/* ---- the detector (detector.c) */
+
+typedef struct knot_tool_state {
+    bool wrapped;
+    bool wrong_way; /* told since it was wrapped */
+    vbss_knot_held held;
+    knot_winding winding;
+} knot_tool_state;
+
+typedef struct knot_event {
+    uint32_t kind, numbers[3];
+} knot_event;
+
+typedef struct knot_detector {
+    vbss_context *context;
+    vbss_knot_config config;
+    knot_scene shown; /* in the last step */
+    knot_tool_state *tools;
+    knot_job job;
+    knot_paper paper;
+    bool due;                  /* a reading is wanted as soon as there is none under way */
+    uint64_t steps, job_began; /* job_began: step, of the last */
+    vbss_knot_state state;
+    knot_verdict verdict;
+    knot_event *events;
+    uint32_t event_count, events_lost;
+    vbss_knot_statistics figures; /* without those of the reading under way */
+    uint32_t *loop_rows;          /* x 4, for the view */
+    uint64_t generation;
+} knot_detector;
+extern const vbss_kind vbss_knot_kind;
+vbss_result vbss_knot_open(const vbss_knot_detector *handle, knot_detector **detector);
+/* input.c: checks all of it, then copies it to `scene`, which has room. */
+vbss_result vbss_knot_show(const knot_detector *detector, const vbss_knot_input *input,
+                           knot_scene *scene);
+void vbss_knot_scene_copy(knot_scene *to, const knot_scene *from);
+void vbss_knot_tell(knot_detector *detector, vbss_knot_event kind, uint32_t a, uint32_t b,
+                    uint32_t c);
+/* verdict.c: what a reading that ended changes. */
+void vbss_knot_conclude(knot_detector *detector);
+/* What is being tied, from winding and the last reading. */
+void vbss_knot_conclude_next(knot_detector *detector);
+/* Adds the counts of a reading that ended, or is under way, to figures. */
+void vbss_knot_count_job(const knot_job *job, vbss_knot_statistics *figures);
+void vbss_knot_serialise(vbss_stream *stream, void *object);
+
+#endif

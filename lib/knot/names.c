@@ -1,0 +1,211 @@
+/* What a knot is called, what keeps it from being 2=1=1, and how it is written. All the same for its
+ * mirror image. Throws in one limb alone do not belong to the stack.
+ *
+ * Where the order of the throws is not known, only what holds in every order is told. */
+#include "knot/knot.h"
+
+#include <string.h>
+
+typedef struct stack {
+    uint32_t count;
+    bool in_order; /* or all orders read the same */
+    const vbss_knot_throw *throws[KNOT_THROWS];
+} stack;
+
+/* All orders of two throws of as many wraps read the same, up to a mirror; so do those of equal throws. */
+static bool reads_the_same(const stack *s)
+{
+    bool wraps = true, handedness = true;
+    for (uint32_t i = 1; i < s->count; i++) {
+        wraps = wraps && s->throws[i]->wraps == s->throws[0]->wraps;
+        handedness = handedness && s->throws[i]->handedness == s->throws[0]->handedness;
+    }
+    return wraps && (handedness || s->count == 2);
+}
+
+static stack stack_of(const knot_verdict *verdict)
+{
+    stack s = {.in_order = true};
+    for (uint32_t i = 0; i < verdict->throw_count; i++) {
+        const vbss_knot_throw *one = &verdict->throws[i];
+        if ((one->flags & VBSS_KNOT_THROW_STRAY) == 0) {
+            s.throws[s.count++] = one;
+            s.in_order = s.in_order && (one->flags & VBSS_KNOT_THROW_ORDERED) != 0;
+        }
+    }
+    s.in_order = s.in_order || reads_the_same(&s);
+    return s;
+}
+
+static bool same_hand(const stack *s, uint32_t i)
+{
+    return s->throws[i]->handedness == s->throws[i - 1]->handedness;
+}
+
+/* ---- the name */
+
+static vbss_knot_name name_of_one(int32_t wraps)
+{
+    switch (wraps) {
+    case 1:
+        return VBSS_KNOT_NAME_SINGLE;
+    case 2:
+        return VBSS_KNOT_NAME_DOUBLE;
+    case 3:
+        return VBSS_KNOT_NAME_TRIPLE;
+    default:
+        return VBSS_KNOT_NAME_STACK;
+    }
+}
+
+static vbss_knot_name name_of_two(const stack *s)
+{
+    if (s->throws[1]->wraps != 1) {
+        return VBSS_KNOT_NAME_STACK;
+    }
+    switch (s->throws[0]->wraps) {
+    case 1:
+        return same_hand(s, 1) ? VBSS_KNOT_NAME_GRANNY : VBSS_KNOT_NAME_SQUARE;
+    case 2:
+        return same_hand(s, 1) ? VBSS_KNOT_NAME_SURGEONS_GRANNY : VBSS_KNOT_NAME_SURGEONS;
+    default:
+        return VBSS_KNOT_NAME_STACK;
+    }
+}
+
+static bool is_fls(const stack *s)
+{
+    return s->count == 3 && s->throws[0]->wraps == 2 && s->throws[1]->wraps == 1 &&
+           s->throws[2]->wraps == 1 && !same_hand(s, 1) && !same_hand(s, 2);
+}
+
+vbss_knot_name vbss_knot_name_of(const knot_verdict *verdict)
+{
+    const stack s = stack_of(verdict);
+    if (verdict->other) {
+        return VBSS_KNOT_NAME_OTHER;
+    }
+    if (s.count == 0) {
+        return VBSS_KNOT_NAME_NONE;
+    }
+    if (!s.in_order) { /* no name but this one is that of all orders */
+        return VBSS_KNOT_NAME_STACK;
+    }
+    if (s.count == 1) {
+        return name_of_one(s.throws[0]->wraps);
+    }
+    if (s.count == 2) {
+        return name_of_two(&s);
+    }
+    return is_fls(&s) ? VBSS_KNOT_NAME_FLS : VBSS_KNOT_NAME_STACK;
+}
+
+/* ---- faults */
+
+static uint32_t faults_in_order(const stack *s)
+{
+    uint32_t faults = s->count > 0 && s->throws[0]->wraps != 2 ? VBSS_KNOT_FAULT_FIRST : 0;
+    for (uint32_t i = 1; i < s->count; i++) {
+        faults |= s->throws[i]->wraps != 1 ? VBSS_KNOT_FAULT_LATER : 0;
+        faults |= same_hand(s, i) ? VBSS_KNOT_FAULT_GRANNY : 0;
+    }
+    return faults;
+}
+
+/* None has two wraps; two have not one; the hands cannot alternate. */
+static uint32_t faults_in_every_order(const stack *s)
+{
+    uint32_t doubles = 0, not_single = 0;
+    int32_t hands = 0;
+    for (uint32_t i = 0; i < s->count; i++) {
+        doubles += s->throws[i]->wraps == 2;
+        not_single += s->throws[i]->wraps != 1;
+        hands += s->throws[i]->handedness;
+    }
+    uint32_t faults = VBSS_KNOT_FAULT_ORDER;
+    faults |= doubles == 0 ? VBSS_KNOT_FAULT_FIRST : 0;
+    faults |= not_single > 1 ? VBSS_KNOT_FAULT_LATER : 0;
+    return faults | (hands > 1 || hands < -1 ? VBSS_KNOT_FAULT_GRANNY : 0);
+}
+
+uint32_t vbss_knot_faults_of(const knot_verdict *verdict)
+{
+    const stack s = stack_of(verdict);
+    uint32_t faults = verdict->reason != VBSS_KNOT_REASON_NONE ? VBSS_KNOT_FAULT_UNCERTAIN : 0;
+    faults |= s.count < verdict->throw_count ? VBSS_KNOT_FAULT_STRAY : 0;
+    for (uint32_t i = 0; i < s.count; i++) {
+        faults |= s.throws[i]->flags & VBSS_KNOT_THROW_HITCH ? VBSS_KNOT_FAULT_HITCH : 0;
+    }
+    if (verdict->other) { /* there is no stack whose throws could be counted */
+        return faults | VBSS_KNOT_FAULT_TYPE;
+    }
+    faults |= s.count < 3 ? VBSS_KNOT_FAULT_FEW : 0;
+    faults |= s.count > 3 ? VBSS_KNOT_FAULT_MANY : 0;
+    return faults | (s.in_order ? faults_in_order(&s) : faults_in_every_order(&s));
+}
+
+/* ---- notation */
+
+/* Nothing is left out silently: what does not fit ends in "..". */
+typedef struct writer {
+    char *text;
+    uint32_t length, safe; /* `safe`: the last length that leaves room for ".." */
+    bool full;
+} writer;
+
+/* A sign (0: none), and a number (0: none) after it. */
+static void append(writer *w, char sign, int32_t number)
+{
+    char piece[12];
+    uint32_t count = 0;
+    for (int32_t rest = number; rest > 0; rest /= 10) {
+        piece[count++] = (char)('0' + rest % 10);
+    }
+    if (sign != 0) {
+        piece[count++] = sign;
+    }
+    w->full = w->full || w->length + count >= KNOT_NOTATION;
+    if (w->full) {
+        return;
+    }
+    while (count > 0) {
+        w->text[w->length++] = piece[--count];
+    }
+    w->safe = w->length + 2 < KNOT_NOTATION ? w->length : w->safe;
+}
+
+static void append_strays(writer *w, const knot_verdict *verdict)
+{
+    char sign = '(';
+    for (uint32_t i = 0; i < verdict->throw_count; i++) {
+        if (verdict->throws[i].flags & VBSS_KNOT_THROW_STRAY) {
+            append(w, sign, verdict->throws[i].wraps);
+            sign = '+';
+        }
+    }
+    append(w, ')', 0);
+}
+
+void vbss_knot_notation_of(const knot_verdict *verdict, char text[KNOT_NOTATION])
+{
+    const stack s = stack_of(verdict);
+    writer w = {.text = text};
+    memset(text, 0, KNOT_NOTATION);
+    if (verdict->other) {
+        append(&w, '?', 0);
+    }
+    for (uint32_t i = 0; i < s.count && !verdict->other; i++) {
+        char sign = i == 0 ? 0 : !s.in_order ? '+' : same_hand(&s, i) ? 'x' : '=';
+        append(&w, sign, s.throws[i]->wraps);
+    }
+    if (s.count < verdict->throw_count) {
+        if (w.length > 0) {
+            append(&w, ' ', 0);
+        }
+        append_strays(&w, verdict);
+    }
+    if (w.full) {
+        memset(text + w.safe, 0, KNOT_NOTATION - w.safe);
+        memcpy(text + w.safe, "..", 2);
+    }
+}

@@ -1,0 +1,181 @@
+/* Method PROJECTION, criterion 1: loops of the thread that are closed round a tool in the projection along
+ * it (Qi et al. 2017, section 5, algorithm 4), with what it misses and invents: docs/paper-knots.md.
+ *
+ * The tool's line has no ends here, a loop ends at the first segment that crosses it, and the next is sought
+ * behind that segment: as the paper has it. It is left open at which end segment 0 is. */
+#include "knot/paper.h"
+
+#include "base/lanes.h"
+
+/* A loop takes three segments at least, so that all of sixteen tools have room. */
+enum { PAPER_TOOLS = 16, LOOP_SEGMENTS = 3 };
+
+void vbss_knot_paper_arrays(knot_paper *p, uint32_t capacity, vbss_array arrays[KNOT_PAPER_ARRAYS])
+{
+    p->capacity = capacity;
+    p->loop_capacity = PAPER_TOOLS * (capacity / LOOP_SEGMENTS);
+    arrays[0] = (vbss_array){&p->loops, p->loop_capacity, sizeof *p->loops};
+    /* The last lanes may read beyond the last point. */
+    arrays[1] = (vbss_array){&p->flat, 3 * (size_t)capacity + LANES, sizeof *p->flat};
+}
+
+/* ---- the projection */
+
+paper_plane vbss_knot_paper_plane(const vbss_knot_config *config, const knot_tool *tool)
+{
+    vec3 tip = tool->axis[tool->point_count - 1], behind = tool->axis[tool->point_count - 2];
+    paper_plane plane;
+    plane.up = vec3_unit_or(vec3_sub(behind, tip), vec3_make(0.0, 0.0, 1.0));
+    plane.at = vec3_add_scaled(tip, config->plane_offset, plane.up);
+    plane.x = vec3_any_normal(plane.up);
+    plane.y = vec3_cross(plane.up, plane.x);
+    return plane;
+}
+
+paper_point vbss_knot_paper_flat(const paper_plane *plane, vec3 point)
+{
+    vec3 r = vec3_sub(point, plane->at);
+    paper_point flat = {vec3_dot(r, plane->x), vec3_dot(r, plane->y)};
+    return flat;
+}
+
+double vbss_knot_paper_height(const paper_plane *plane, vec3 point)
+{
+    return vec3_dot(vec3_sub(point, plane->at), plane->up);
+}
+
+void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot_scene *scene)
+{
+    double *x = p->flat, *y = x + p->capacity, *heights = y + p->capacity;
+    for (uint32_t k = 0; k < scene->point_count; k++) {
+        paper_point flat = vbss_knot_paper_flat(plane, scene->points[k]);
+        x[k] = flat.x;
+        y[k] = flat.y;
+        heights[k] = vbss_knot_paper_height(plane, scene->points[k]);
+    }
+}
+
+/* ---- the even-odd rule */
+
+/* A corner as the ray sees it: how far along, and on which side. */
+static inline paper_point from_ray(paper_point ray, double x, double y)
+{
+    paper_point seen = {ray.x * x + ray.y * y, ray.x * y - ray.y * x};
+    return seen;
+}
+
+/* Of two corners one of which is on the left and the other is not, so that a corner on the ray is counted
+ * once. */
+static inline bool ray_meets(paper_point a, paper_point b)
+{
+    if ((a.y < 0.0) == (b.y < 0.0)) {
+        return false;
+    }
+    double along = a.x * b.y - b.x * a.y; /* times b.y - a.y */
+    return b.y > a.y ? along > 0.0 : along < 0.0;
+}
+
+bool vbss_knot_paper_inside(knot_paper *p, paper_point meeting, uint32_t first, uint32_t last,
+                            paper_point point)
+{
+    const double *x = paper_x(p), *y = paper_y(p);
+    paper_point ray;
+    vbss_sincos(6.283185307179586 * vbss_random_uniform(&p->random), &ray.y, &ray.x);
+    paper_point begin = from_ray(ray, meeting.x - point.x, meeting.y - point.y), a = begin;
+    bool odd = false;
+    for (uint32_t k = first + 1; k <= last; k++) {
+        paper_point b = from_ray(ray, x[k] - point.x, y[k] - point.y);
+        odd ^= ray_meets(a, b);
+        a = b;
+    }
+    return odd ^ ray_meets(a, begin);
+}
+
+/* ---- algorithm 4 */
+
+static inline double cross(double ax, double ay, double bx, double by)
+{
+    return ax * by - ay * bx;
+}
+
+/* Where along each the projections of two segments cross. A point on the other's line counts as on its left, so
+ * that a crossing at a point is one of one segment. */
+static bool segments_cross(const knot_paper *p, uint32_t i, uint32_t j, double *s, double *u)
+{
+    const double *x = paper_x(p), *y = paper_y(p);
+    double ax = x[i + 1] - x[i], ay = y[i + 1] - y[i];
+    double bx = x[j + 1] - x[j], by = y[j + 1] - y[j];
+    double a0 = cross(bx, by, x[i] - x[j], y[i] - y[j]);
+    double a1 = cross(bx, by, x[i + 1] - x[j], y[i + 1] - y[j]);
+    double b0 = cross(ax, ay, x[j] - x[i], y[j] - y[i]);
+    double b1 = cross(ax, ay, x[j + 1] - x[i], y[j + 1] - y[i]);
+    if ((a0 < 0.0) == (a1 < 0.0) || (b0 < 0.0) == (b1 < 0.0)) {
+        return false;
+    }
+    *s = a0 / (a0 - a1);
+    *u = b0 / (b0 - b1);
+    return true;
+}
+
+/* Which of the four segments from j on have a box that meets that of segment i, as bits. */
+static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32_t j)
+{
+    const double *x = paper_x(p) + j, *y = paper_y(p) + j;
+    lanes x0 = lanes_load(x), x1 = lanes_load(x + 1), y0 = lanes_load(y), y1 = lanes_load(y + 1);
+    lanes_mask across = lanes_either(lanes_less(lanes_larger(x0, x1), box[0]),
+                                     lanes_less(box[1], lanes_smaller(x0, x1)));
+    lanes_mask along = lanes_either(lanes_less(lanes_larger(y0, y1), box[2]),
+                                    lanes_less(box[3], lanes_smaller(y0, y1)));
+    return 15u & ~lanes_bits(lanes_either(across, along));
+}
+
+/* The first segment before i and not next to it that crosses it, going towards the tail's end; `i` when there is
+ * none. */
+static uint32_t next_crossing(const knot_paper *p, uint32_t i, double *s, double *u)
+{
+    const double *x = paper_x(p), *y = paper_y(p);
+    lanes box[4] = {lanes_all(lesser(x[i], x[i + 1])), lanes_all(greater(x[i], x[i + 1])),
+                    lanes_all(lesser(y[i], y[i + 1])), lanes_all(greater(y[i], y[i + 1]))};
+    for (uint32_t end = i - 1; end > 0;) {
+        uint32_t begin = end > LANES ? end - LANES : 0;
+        unsigned near = near_four(p, box, begin);
+        for (uint32_t j = end; near != 0 && j-- > begin;) {
+            if ((near >> (j - begin) & 1u) != 0 && segments_cross(p, i, j, s, u)) {
+                return j;
+            }
+        }
+        end = begin;
+    }
+    return i;
+}
+
+static void record(knot_paper *p, const paper_plane *plane, const knot_scene *scene, uint32_t tool,
+                   uint32_t i, uint32_t j, double s, double u)
+{
+    const vec3 *x = scene->points;
+    knot_loop loop = {.tool = tool, .first = j, .last = i};
+    loop.meeting[0] = vec3_lerp(x[j], x[j + 1], u);
+    loop.meeting[1] = vec3_lerp(x[i], x[i + 1], s);
+    loop.first_is_above = vbss_knot_paper_height(plane, loop.meeting[0]) >
+                          vbss_knot_paper_height(plane, loop.meeting[1]);
+    paper_point t = {0.0, 0.0}, meeting = vbss_knot_paper_flat(plane, loop.meeting[0]);
+    loop.inside = vbss_knot_paper_inside(p, meeting, j, i, t) ? 1 : 0;
+    p->loops[p->loop_count++] = loop;
+}
+
+/* The paper's segment 0 is the last one here, at the long limb's end. */
+void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_scene *scene,
+                           uint32_t tool)
+{
+    paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);
+    vbss_knot_paper_project(p, &plane, scene);
+    uint32_t left = scene->point_count - 1; /* segments not used yet: 0 to left - 1 */
+    while (left >= LOOP_SEGMENTS && p->loop_count < p->loop_capacity) {
+        double s, u;
+        uint32_t i = left - 1, j = next_crossing(p, i, &s, &u);
+        if (j < i) {
+            record(p, &plane, scene, tool, i, j, s, u);
+        }
+        left = j;
+    }
+}

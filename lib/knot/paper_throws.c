@@ -1,0 +1,94 @@
+/* Method PROJECTION, criterion 2: a thread segment that crosses the plane P inside loops that are closed round
+ * a tool (Qi et al. 2017, section 5). What the paper leaves open, and why it stands as it does here, is
+ * told in docs/paper-knots.md. */
+#include "knot/paper.h"
+
+/* Where a segment crosses P. */
+typedef struct crossing {
+    uint32_t segment;
+    vec3 at;
+    paper_point flat;
+    bool rising; /* towards the handle, in the order of the thread */
+} crossing;
+
+/* Which strand of the pair the crossing segment belongs to: 0 it comes before the loop, nearer along the thread
+ * to the pair's first segment; 1 after it; -1 it is part of the loop, on the polygon itself. */
+static int strand_of(const knot_loop *loop, const knot_scene *scene, const crossing *c)
+{
+    if (c->segment < loop->first || c->segment > loop->last) {
+        return c->segment < loop->first ? 0 : 1;
+    }
+    if (c->segment != loop->first && c->segment != loop->last) {
+        return -1;
+    }
+    int end = c->segment == loop->first ? 0 : 1;
+    vec3 begin = scene->points[c->segment];
+    bool before = vec3_norm_squared(vec3_sub(c->at, begin)) <
+                  vec3_norm_squared(vec3_sub(loop->meeting[end], begin));
+    return before == (end == 0) ? end : -1;
+}
+
+typedef struct verdict {
+    bool inside, ties, inside_out;
+} verdict;
+
+static verdict judge(knot_paper *p, const paper_plane *plane, const knot_scene *scene,
+                     const knot_loop *loop, const crossing *c)
+{
+    verdict v = {false, false, false};
+    int strand = strand_of(loop, scene, c);
+    if (strand < 0) {
+        return v;
+    }
+    paper_point meeting = vbss_knot_paper_flat(plane, loop->meeting[0]);
+    v.inside = vbss_knot_paper_inside(p, meeting, loop->first, loop->last, c->flat);
+    /* Each strand is walked away from the loop, towards its own end. */
+    v.inside_out = strand == 0 ? !c->rising : c->rising;
+    bool above = loop->first_is_above == (strand == 0);
+    v.ties = v.inside && above == v.inside_out;
+    return v;
+}
+
+/* How many loops of the tool the segment crosses so that they tie. */
+static void count(knot_paper *p, const paper_plane *plane, const knot_scene *scene, uint32_t tool,
+                  const crossing *c, knot_paper_throw *found)
+{
+    knot_paper_throw here = {.segment = c->segment};
+    for (uint32_t k = 0; k < p->loop_count; k++) {
+        const knot_loop *loop = &p->loops[k];
+        if (loop->tool != tool || loop->inside == 0) {
+            continue;
+        }
+        verdict v = judge(p, plane, scene, loop, c);
+        if (v.ties && here.loops == 0) {
+            here.first_is_above = loop->first_is_above;
+            here.inside_out = v.inside_out;
+        }
+        here.loops += v.ties ? 1 : 0;
+        found->undone += v.inside && !v.ties ? 1 : 0;
+    }
+    if (here.loops > found->loops) {
+        here.undone = found->undone;
+        *found = here;
+    }
+}
+
+knot_paper_throw vbss_knot_paper_throws(knot_paper *p, const vbss_knot_config *config,
+                                        const knot_scene *scene, uint32_t tool)
+{
+    knot_paper_throw found = {0};
+    paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);
+    vbss_knot_paper_project(p, &plane, scene);
+    const double *heights = paper_heights(p);
+    for (uint32_t k = 0; k + 1 < scene->point_count; k++) {
+        double a = heights[k], b = heights[k + 1];
+        if ((a < 0.0) == (b < 0.0)) {
+            continue;
+        }
+        crossing c = {.segment = k, .rising = a < 0.0};
+        c.at = vec3_lerp(scene->points[k], scene->points[k + 1], a / (a - b));
+        c.flat = vbss_knot_paper_flat(&plane, c.at);
+        count(p, &plane, scene, tool, &c, &found);
+    }
+    return found;
+}

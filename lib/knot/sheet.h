@@ -1,0 +1,32 @@
+/* A closed polygon seen along a direction, its edges side by side in lanes and in boxes. For projection.c. */
+#ifndef VBSS_KNOT_SHEET_H
+#define VBSS_KNOT_SHEET_H
+
+#include "base/lanes.h"
+#include "knot/knot.h"
+
+enum { SHEET_NO_ENTRY = 0xffff };
+
+typedef struct knot_sheet {
+    uint32_t count;       /* of edges; edge i begins at vertex i */
+    uint32_t groups;      /* of LANES edges each */
+    double *x, *y, *z;    /* of vertices; the first stands again behind the last */
+    double *dx, *dy, *dz; /* along edges */
+    double *bound;        /* those of two edges add up to what their turns may be wrong by */
+    double *low_x, *high_x, *low_y, *high_y; /* of edges, then of groups from `grouped` on */
+    uint32_t grouped, spare;
+    double size, error;          /* largest coordinate; what any may be wrong by */
+    uint32_t *longs, long_count; /* edges without boxes */
+    uint32_t *heads;             /* of each edge: its first passage */
+    knot_code *code;
+    knot_diagram diagram; /* what it is so far */
+    int64_t looked_at;    /* groups of edges that one edge was compared with */
+} knot_sheet;
+
+/* False: some coordinates are no numbers. */
+bool vbss_knot_sheet_lay(knot_sheet *sheet, knot_projector *p, const knot_polygon *polygon,
+                         vec3 direction, knot_code *code);
+/* Two boxes from `spare` on are for edges that have none of their own. */
+void vbss_knot_sheet_box(knot_sheet *sheet, uint32_t edge, uint32_t to);
+
+#endif

@@ -1,0 +1,289 @@
+/* The Levine-Tristram signature by the matrix of R. Kashaev, "On symmetric matrices associated with oriented link
+ * diagrams", arXiv 1801.04632; that it gives this signature is proved by D. Cimasoni and L. Ferretti, Fundamenta
+ * Mathematicae 266 (2024), and J. Liu, arXiv 2311.01923. A row a face; a crossing of sign s adds the form
+ *   s ((left + right + x (front + back))^2 - (1 - x^2) (front - back)^2).
+ *
+ * Two faces that share an arc are left out: all these forms vanish where the values of successive faces across the
+ * curve obey next = -2 x this - previous, and the values on these two faces tell all others. What is left is
+ * singular only where Delta(t) = 0, 4 - 4 x^2 = 2 - t - 1/t. Conway's polynomial is integral and begins with 1, so
+ * that its rational roots are 1/k and -1/k, and 4 - 4 x^2 is none of these for any x in thousandths below 1.
+ *
+ * How many eigenvalues are positive and negative is proved: the matrix is factored twice, shifted down and up by more than
+ * rounding can move an eigenvalue. As many as are positive after the former, and negative after the latter, are so. */
+#include "knot/faces.h"
+
+#include <string.h>
+
+/* J. R. Bunch and L. Kaufman, "Some stable methods for calculating inertia and solving symmetric linear systems",
+ * Mathematics of Computation 31 (1977): (1 + sqrt 17) / 8. */
+#define PIVOT_SHARE 0.6403882032022076
+/* Rows times the rounding of as many updates, a hundred roundings each, of numbers up to LARGEST_ENTRY. */
+#define SHIFT_BY_SQUARE_OF_ROWS 1e-11
+#define LARGEST_ENTRY 1e3
+
+typedef struct form {
+    uint32_t size;
+    double *a;                          /* size x size, both halves */
+    double *first, *second;             /* columns of pivots, at the rows listed */
+    double *first_share, *second_share; /* how much of them is taken off, at the rows listed */
+    uint32_t *row;                      /* of each face; `size` when it is left out */
+    uint32_t *degree;                   /* other entries of each row that are not zero */
+    uint32_t *active, active_count;     /* rows that are left */
+    uint32_t *list, list_count;         /* of these where a pivot's column is not zero */
+    double largest;
+    uint64_t steps;
+} form;
+
+static form form_in(const knot_algebra *algebra, uint32_t n)
+{
+    double *behind = algebra->real + (size_t)n * n;
+    uint32_t *index = algebra->index + KNOT_CORNERS * n;
+    return (form){.size = n,
+                  .a = algebra->real,
+                  .first = behind,
+                  .second = behind + n,
+                  .first_share = behind + 2 * (size_t)n,
+                  .second_share = behind + 3 * (size_t)n,
+                  .row = index,
+                  .degree = index + (n + 2),
+                  .active = index + 2 * (n + 2),
+                  .list = index + 3 * (n + 2)};
+}
+
+/* ---- the matrix */
+
+/* The face with most corners, and of those beside it the one with most, are left out. */
+static void number_rows(form *f, const uint32_t *corners)
+{
+    uint32_t faces = f->size + 2, corner_count = KNOT_CORNERS * f->size, most = 0, beside = faces;
+    uint32_t *degree = f->degree;
+    memset(degree, 0, faces * sizeof *degree);
+    for (uint32_t i = 0; i < corner_count; i++) {
+        degree[corners[i]]++;
+    }
+    for (uint32_t i = 1; i < faces; i++) {
+        most = degree[i] > degree[most] ? i : most;
+    }
+    for (uint32_t i = 0; i < corner_count; i++) {
+        uint32_t next =
+            corners[i % KNOT_CORNERS == KNOT_CORNERS - 1 ? i + 1 - KNOT_CORNERS : i + 1];
+        uint32_t other = corners[i] == most ? next : corners[i];
+        if ((corners[i] == most || next == most) &&
+            (beside == faces || degree[other] > degree[beside])) {
+            beside = other;
+        }
+    }
+    for (uint32_t i = 0, row = 0; i < faces; i++) {
+        bool stays = i != most && i != beside;
+        f->row[i] = stays ? row : f->size;
+        row += stays ? 1 : 0;
+    }
+}
+
+static void add_to(form *f, uint32_t i, uint32_t j, double value)
+{
+    double *entry = &f->a[(size_t)i * f->size + j], old = *entry;
+    *entry = old + value;
+    if (i != j) {
+        f->degree[i] += (*entry != 0.0 ? 1u : 0u) - (old != 0.0 ? 1u : 0u);
+    }
+}
+
+static void fill(form *f, const knot_code *code, const uint32_t *corners, double x, double shift)
+{
+    const double own = 2.0 * x * x - 1.0;
+    const double block[KNOT_CORNERS][KNOT_CORNERS] = {
+        {own, x, 1.0, x}, {x, 1.0, x, 1.0}, {1.0, x, own, x}, {x, 1.0, x, 1.0}};
+    memset(f->a, 0, (size_t)f->size * f->size * sizeof *f->a);
+    memset(f->degree, 0, f->size * sizeof *f->degree);
+    for (uint32_t i = 0; i < f->size; i++) {
+        f->a[(size_t)i * f->size + i] = shift;
+        f->active[i] = i;
+    }
+    f->active_count = f->size;
+    for (uint32_t c = 0; c < code->n; c++) {
+        for (uint32_t p = 0; p < KNOT_CORNERS; p++) {
+            uint32_t i = f->row[corners[KNOT_CORNERS * c + p]];
+            for (uint32_t q = 0; q < KNOT_CORNERS && i < f->size; q++) {
+                uint32_t j = f->row[corners[KNOT_CORNERS * c + q]];
+                if (j < f->size) {
+                    add_to(f, i, j, code->sign[c] > 0 ? block[p][q] : -block[p][q]);
+                }
+            }
+        }
+    }
+}
+
+/* ---- pivots: L D L^T in an order that fills in little */
+
+static void retire(form *f, uint32_t row)
+{
+    uint32_t i = 0;
+    while (f->active[i] != row) {
+        i++;
+    }
+    f->active[i] = f->active[--f->active_count];
+}
+
+static uint32_t sparsest(const form *f)
+{
+    uint32_t best = f->active[0];
+    for (uint32_t i = 1; i < f->active_count; i++) {
+        uint32_t row = f->active[i];
+        best = f->degree[row] < f->degree[best] ? row : best;
+    }
+    return best;
+}
+
+/* The largest other entry in a row, and where. */
+static double largest_beside(const form *f, uint32_t row, uint32_t *where)
+{
+    const double *entries = f->a + (size_t)row * f->size;
+    double largest = 0.0;
+    for (uint32_t i = 0; i < f->active_count; i++) {
+        uint32_t j = f->active[i];
+        if (j != row && fabs(entries[j]) > largest) {
+            largest = fabs(entries[j]);
+            *where = j;
+        }
+    }
+    return largest;
+}
+
+static double at(const form *f, uint32_t i, uint32_t j)
+{
+    return f->a[(size_t)i * f->size + j];
+}
+
+/* Takes the pivots' part off all that is listed. */
+static void take_off(form *f, bool both)
+{
+    size_t size = f->size;
+    double largest = f->largest;
+    for (uint32_t p = 0; p < f->list_count; p++) {
+        uint32_t i = f->list[p], filled = 0;
+        double *row = f->a + i * size, share = f->first_share[p];
+        double second_share = both ? f->second_share[p] : 0.0;
+        for (uint32_t q = 0; q <= p; q++) {
+            uint32_t j = f->list[q];
+            double old = row[j], part = share * f->first[q];
+            part += both ? second_share * f->second[q] : 0.0;
+            double value = old - part;
+            row[j] = value;
+            f->a[j * size + i] = value;
+            largest = greater(largest, fabs(value));
+            if (old == 0.0 && q < p) {
+                f->degree[j]++;
+                filled++;
+            }
+        }
+        f->degree[i] += filled;
+    }
+    f->largest = largest;
+    f->steps += 40 + 2 * (uint64_t)f->active_count +
+                (uint64_t)f->list_count * f->list_count * (both ? 3 : 2) / 2;
+}
+
+/* +1 or -1: the sign of the pivot; 0: it is none. */
+static int eliminate_one(form *f, uint32_t k)
+{
+    const double *row = f->a + (size_t)k * f->size;
+    double pivot = row[k];
+    retire(f, k);
+    f->list_count = 0;
+    for (uint32_t i = 0; i < f->active_count; i++) {
+        uint32_t j = f->active[i];
+        if (row[j] != 0.0) {
+            f->degree[j]--;
+            f->first[f->list_count] = row[j];
+            f->first_share[f->list_count] = row[j] / pivot;
+            f->list[f->list_count++] = j;
+        }
+    }
+    take_off(f, false);
+    return (pivot > 0.0) - (pivot < 0.0);
+}
+
+/* Of which one eigenvalue is positive, one negative. */
+static void eliminate_two(form *f, uint32_t k, uint32_t r)
+{
+    const double *row_k = f->a + (size_t)k * f->size, *row_r = f->a + (size_t)r * f->size;
+    double beside = row_k[r], d_k = row_k[k] / beside, d_r = row_r[r] / beside;
+    double scale = 1.0 / (beside * (d_k * d_r - 1.0));
+    retire(f, k);
+    retire(f, r);
+    f->list_count = 0;
+    for (uint32_t i = 0; i < f->active_count; i++) {
+        uint32_t j = f->active[i];
+        double a = row_k[j], b = row_r[j];
+        if (a != 0.0 || b != 0.0) {
+            f->degree[j] -= (a != 0.0 ? 1u : 0u) + (b != 0.0 ? 1u : 0u);
+            f->first[f->list_count] = a;
+            f->second[f->list_count] = b;
+            f->first_share[f->list_count] = (d_r * a - b) * scale;
+            f->second_share[f->list_count] = (d_k * b - a) * scale;
+            f->list[f->list_count++] = j;
+        }
+    }
+    take_off(f, true);
+}
+
+/* Counts positive and negative eigenvalues; overwrites the matrix. False when it is singular, or entries have
+ * grown. */
+static bool count_signs(form *f, uint32_t *positive, uint32_t *negative)
+{
+    *positive = *negative = 0;
+    f->largest = 0.0;
+    while (f->active_count > 0) {
+        uint32_t k = sparsest(f), r = k;
+        double beside = largest_beside(f, k, &r), own = fabs(at(f, k, k));
+        if (own < PIVOT_SHARE * beside) {
+            uint32_t s = r;
+            double beside_r = largest_beside(f, r, &s), own_r = fabs(at(f, r, r));
+            if (own * beside_r < PIVOT_SHARE * beside * beside) {
+                if (own_r < PIVOT_SHARE * beside_r) {
+                    eliminate_two(f, k, r);
+                    ++*positive;
+                    ++*negative;
+                    continue;
+                }
+                k = r;
+            }
+        }
+        int sign = at(f, k, k) != 0.0 ? eliminate_one(f, k) : 0;
+        if (sign == 0) {
+            return false;
+        }
+        ++*(sign > 0 ? positive : negative);
+    }
+    return f->largest <= LARGEST_ENTRY;
+}
+
+bool vbss_knot_signature(knot_algebra *algebra, const knot_code *code, uint32_t x_1000,
+                         int32_t *signature, knot_work *work)
+{
+    uint32_t n = code->n, positive = 0, negative = 0, rest = 0;
+    knot_faces faces;
+    *signature = 0;
+    *work -= 200;
+    if (n == 0) {
+        return true;
+    }
+    if (!vbss_knot_find_faces(algebra, code, &faces)) {
+        return false;
+    }
+    double x = (double)x_1000 / 1000.0, shift = SHIFT_BY_SQUARE_OF_ROWS * n * n;
+    form f = form_in(algebra, n);
+    number_rows(&f, algebra->index);
+    fill(&f, code, algebra->index, x, -shift);
+    bool sure = count_signs(&f, &positive, &rest);
+    fill(&f, code, algebra->index, x, shift);
+    sure = count_signs(&f, &rest, &negative) && sure && positive + negative == n;
+    *work -= (knot_work)(f.steps + 100 * (uint64_t)n + (uint64_t)n * n / 2);
+    int32_t twice = (int32_t)positive - (int32_t)negative;
+    for (uint32_t c = 0; c < n; c++) {
+        twice -= code->sign[c];
+    }
+    *signature = twice / 2;
+    return sure && twice % 4 == 0; /* that of a knot is even */
+}

@@ -1,0 +1,362 @@
+/* Where on the thread the throws lie, and which comes after which.
+ *
+ * The whole thread's diagram keeps the places of its crossings: if it comes apart as it is, the throws' strands
+ * can be read off, nested about the tissue. Sub-chains cut between the throws must then have just the throws inside. If
+ * no diagram of the whole thread comes apart, sub-chains are shrunk until they lose a throw. */
+#include "knot/knot.h"
+
+#include <string.h>
+
+enum { HALVINGS = 7, TRIES = 8 };
+
+/* ---- sub-chains */
+
+static void begin_part(const knot_locating *l, knot_curve *curve, double from, double until)
+{
+    const knot_scene *scene = l->scene;
+    vec3 first = vbss_knot_point_at(scene, from), last = vbss_knot_point_at(scene, until);
+    vec3 centre = l->closing->has_tissue ? vbss_knot_point_at(scene, scene->tissue_place)
+                                         : vbss_knot_point_at(scene, 0.5 * (from + until));
+    const vec3 outward = vec3_sub(first, centre), onward = vec3_sub(last, centre);
+    knot_way tail = vbss_knot_way_out(first, vec3_unit_or(outward, l->closing->tail_out[0]));
+    knot_way end = vbss_knot_way_out(last, vec3_unit_or(onward, l->closing->long_out[0]));
+    vbss_knot_close_begin(l->closing, &curve->polygon, &tail);
+    vbss_knot_polygon_add_thread(&curve->polygon, scene, from, until);
+    vbss_knot_close_end(l->closing, &curve->polygon, &tail, &end);
+    vbss_knot_curve_begin(curve, false);
+}
+
+/* Throws of a kind among factors, and among those found. */
+static uint32_t count_factors(const knot_factors *f, int32_t wraps, int32_t handedness)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < f->count; i++) {
+        count += f->factors[i].wraps == wraps && f->factors[i].handedness == handedness;
+    }
+    return count;
+}
+
+static uint32_t count_found(const knot_locating *l, uint32_t until, int32_t wraps,
+                            int32_t handedness)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < until; i++) {
+        count += l->throws[i].wraps == wraps && l->throws[i].handedness == handedness;
+    }
+    return count;
+}
+
+static bool has_first_throws(const knot_locating *l, const knot_reading *r, uint32_t count)
+{
+    bool same = r->reason == VBSS_KNOT_REASON_NONE && r->throws && r->factors.count == count;
+    for (uint32_t i = 0; i < count && same; i++) {
+        const knot_located *t = &l->throws[i];
+        same = count_found(l, count, t->wraps, t->handedness) ==
+               count_factors(&r->factors, t->wraps, t->handedness);
+    }
+    return same;
+}
+
+/* ---- read off the whole thread */
+
+static double place_of(const knot_polygon *p, double at)
+{
+    uint32_t i = (uint32_t)at, next = i + 1 < p->count ? i + 1 : 0;
+    double a = p->place[i], b = p->place[next];
+    if (a >= 0.0 && b >= 0.0) {
+        return a + (at - i) * (b - a);
+    }
+    return greater(a, b); /* beyond an end: that end */
+}
+
+/* Whether a throw lies in one limb alone; without tissue nobody knows. */
+static bool is_stray(const knot_locating *l, const knot_located *t)
+{
+    double tissue = l->scene->tissue_place;
+    return l->closing->has_tissue && (t->long_places[1] < tissue || t->tail_places[0] > tissue);
+}
+
+/* The tissue lies inside it, but not between its strands: a diagram that shows them shifted tells no places. */
+static bool is_shifted(const knot_locating *l, const knot_located *t)
+{
+    double tissue = l->scene->tissue_place;
+    return l->closing->has_tissue && !t->stray &&
+           (t->tail_places[1] > tissue || t->long_places[0] < tissue);
+}
+
+static bool is_inside(const knot_located *a, const knot_located *b)
+{
+    return b->tail_places[1] <= a->tail_places[0] && a->long_places[1] <= b->long_places[0];
+}
+
+/* About the tissue first, from the inside out; then stray ones, along the thread. */
+static void sort_throws(knot_locating *l)
+{
+    for (uint32_t i = 1; i < l->count; i++) {
+        knot_located moving = l->throws[i];
+        uint32_t at = i;
+        while (at > 0) {
+            const knot_located *other = &l->throws[at - 1];
+            bool before = moving.stray != other->stray ? other->stray
+                          : moving.stray ? moving.tail_places[0] < other->tail_places[0]
+                                         : moving.tail_places[0] > other->tail_places[0];
+            if (!before) {
+                break;
+            }
+            l->throws[at] = *other;
+            at--;
+        }
+        l->throws[at] = moving;
+    }
+}
+
+static bool take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
+{
+    bool shifted = false;
+    l->count = f->count;
+    for (uint32_t i = 0; i < f->count; i++) {
+        const knot_factor *factor = &f->factors[i];
+        knot_located *t = &l->throws[i];
+        *t = (knot_located){
+            .located = true, .wraps = factor->wraps, .handedness = factor->handedness};
+        t->tail_places[0] = place_of(&l->polygon, code->at[factor->first]);
+        t->tail_places[1] = place_of(&l->polygon, code->at[factor->strand_end]);
+        t->long_places[0] = place_of(&l->polygon, code->at[factor->strand_begin]);
+        t->long_places[1] = place_of(&l->polygon, code->at[factor->last]);
+        t->stray = is_stray(l, t);
+        shifted |= is_shifted(l, t);
+    }
+    sort_throws(l);
+    uint32_t about = 0;
+    bool nested = true;
+    for (uint32_t i = 0; i < l->count && !l->throws[i].stray; i++) {
+        nested = nested && (i == 0 || is_inside(&l->throws[i - 1], &l->throws[i]));
+        about++;
+    }
+    for (uint32_t i = 0; i < about; i++) {
+        l->throws[i].ordered = nested;
+    }
+    return !shifted;
+}
+
+static void project(knot_locating *l, knot_curve *curve, knot_work *work)
+{
+    knot_code *code = &curve->codes[0];
+    knot_factors factors;
+    if (l->direction >= l->direction_limit) {
+        l->stage = KNOT_LOCATE_SHRINK;
+        return;
+    }
+    vec3 direction = vbss_knot_direction(l->direction++);
+    curve->counts.projections++;
+    if (vbss_knot_project(&curve->projector, &l->polygon, direction, code, work) !=
+        KNOT_DIAGRAM_PLAIN) {
+        return;
+    }
+    vbss_knot_code_simplify(code, work);
+    if (vbss_knot_twists(code, &factors) && take_off(l, code, &factors) &&
+        has_first_throws(l, l->whole, l->count)) {
+        l->certified = true;
+        l->level = 0;
+        l->reading = false;
+        l->stage = KNOT_LOCATE_CHECK;
+    }
+}
+
+/* ---- the order, confirmed */
+
+static void check(knot_locating *l, knot_curve *curve, knot_work *work)
+{
+    if (l->reading) {
+        if (vbss_knot_curve_go_on(curve, work)) {
+            l->reading = false;
+            if (!has_first_throws(l, &curve->reading, l->level)) {
+                if (l->direction_limit > l->direction + 2) {
+                    l->direction_limit = l->direction + 2;
+                }
+                l->stage = KNOT_LOCATE_PROJECT; /* another diagram may place them better */
+            }
+        }
+        return;
+    }
+    l->level++;
+    if (l->level >= l->count || !l->throws[l->level].ordered || l->throws[l->level].stray) {
+        l->stage = KNOT_LOCATE_DONE;
+        return;
+    }
+    const knot_located *inner = &l->throws[l->level - 1], *outer = &l->throws[l->level];
+    double from = 0.5 * (inner->tail_places[0] + outer->tail_places[1]);
+    double until = 0.5 * (inner->long_places[1] + outer->long_places[0]);
+    begin_part(l, curve, from, until);
+    l->reading = true;
+}
+
+/* ---- shrinking */
+
+static uint32_t throws_in(const knot_reading *r)
+{
+    return r->reason == VBSS_KNOT_REASON_NONE && r->throws ? r->factors.count : KNOT_THROWS + 1;
+}
+
+static void begin_level(knot_locating *l, uint32_t level)
+{
+    l->level = level;
+    l->side = 0;
+    l->halvings = l->tries = 0;
+    l->low = l->cuts[0];
+    l->high = l->scene->tissue_place;
+    l->reading = false;
+}
+
+static void begin_shrinking(knot_locating *l)
+{
+    l->count = l->whole->factors.count;
+    memset(l->throws, 0, sizeof l->throws);
+    for (uint32_t i = 0; i < l->count; i++) {
+        l->throws[i].wraps = l->whole->factors.factors[i].wraps;
+        l->throws[i].handedness = l->whole->factors.factors[i].handedness;
+        l->throws[i].ordered = l->count == 1;
+    }
+    l->cuts[0] = 0.0;
+    l->cuts[1] = l->scene->point_count - 1.0;
+    begin_level(l, l->count);
+}
+
+/* How far inside the limits of this level the next sub-chain is cut. */
+static double inner_cut(const knot_locating *l, uint32_t side)
+{
+    return l->found[side] + 0.03 * l->tries * (l->scene->tissue_place - l->found[side]);
+}
+
+/* What the sub-chain had that `inside` has not is the throw of this level. */
+static bool take_throw(knot_locating *l, const knot_reading *inside)
+{
+    knot_located *t = &l->throws[l->level - 1];
+    for (uint32_t i = 0; i < l->level; i++) {
+        const knot_located had = l->throws[i];
+        uint32_t now =
+            inside == NULL ? 0 : count_factors(&inside->factors, had.wraps, had.handedness);
+        if (count_found(l, l->level, had.wraps, had.handedness) != now + 1) {
+            continue;
+        }
+        l->throws[i] = *t;
+        *t = had;
+        t->located = t->ordered = true;
+        t->tail_places[0] = l->found[0];
+        t->long_places[1] = l->found[1];
+        t->tail_places[1] = inside == NULL ? l->scene->tissue_place : inner_cut(l, 0);
+        t->long_places[0] = inside == NULL ? l->scene->tissue_place : inner_cut(l, 1);
+        return inside == NULL || has_first_throws(l, inside, l->level - 1);
+    }
+    return false;
+}
+
+/* Gives up what is further inside. */
+static void leave_unordered(knot_locating *l)
+{
+    for (uint32_t i = 0; i < l->level; i++) {
+        l->throws[i].located = l->throws[i].ordered = false;
+    }
+    l->stage = KNOT_LOCATE_DONE;
+}
+
+static void take_part(knot_locating *l, const knot_reading *r)
+{
+    uint32_t inside = throws_in(r);
+    if (l->side < 2) {
+        double middle = 0.5 * (l->low + l->high);
+        *(inside == l->level ? &l->low : &l->high) = middle;
+        if (++l->halvings == HALVINGS) {
+            l->found[l->side++] = l->low;
+            l->halvings = 0;
+            l->low = l->cuts[1];
+            l->high = l->scene->tissue_place;
+        }
+        return;
+    }
+    if (inside == l->level - 1) {
+        if (!take_throw(l, r)) {
+            leave_unordered(l);
+            return;
+        }
+        l->cuts[0] = inner_cut(l, 0);
+        l->cuts[1] = inner_cut(l, 1);
+        begin_level(l, l->level - 1);
+    } else if (++l->tries == TRIES) {
+        leave_unordered(l);
+    }
+}
+
+static void shrink(knot_locating *l, knot_curve *curve, knot_work *work)
+{
+    if (l->direction <= l->direction_limit) { /* has not begun */
+        l->direction = l->direction_limit + 1;
+        begin_shrinking(l);
+        if (!l->closing->has_tissue) {
+            leave_unordered(l);
+        }
+        return;
+    }
+    if (l->reading) {
+        if (vbss_knot_curve_go_on(curve, work)) {
+            l->reading = false;
+            take_part(l, &curve->reading);
+        }
+        return;
+    }
+    if (l->side == 2 && l->level == 1) {
+        take_throw(l, NULL);
+        l->stage = KNOT_LOCATE_DONE;
+        return;
+    }
+    double middle = 0.5 * (l->low + l->high);
+    double from = l->side == 0 ? middle : l->side == 1 ? l->cuts[0] : inner_cut(l, 0);
+    double until = l->side == 1 ? middle : l->side == 0 ? l->cuts[1] : inner_cut(l, 1);
+    begin_part(l, curve, from, until);
+    l->reading = true;
+}
+
+/* ---- the whole */
+
+void vbss_knot_locating_begin(knot_locating *l, const knot_scene *scene,
+                              const knot_closing *closing, const knot_reading *whole,
+                              uint32_t direction_limit)
+{
+    l->scene = scene;
+    l->closing = closing;
+    l->whole = whole;
+    l->count = 0;
+    l->certified = false;
+    l->direction = 0;
+    l->direction_limit = direction_limit;
+    if (!whole->throws || whole->factors.count == 0) {
+        l->stage = KNOT_LOCATE_DONE;
+        return;
+    }
+    l->stage = KNOT_LOCATE_PROJECT;
+    knot_way tail = vbss_knot_way_out(scene->points[0], closing->tail_out[0]);
+    knot_way end = vbss_knot_way_out(scene->points[scene->point_count - 1], closing->long_out[0]);
+    vbss_knot_close_begin(closing, &l->polygon, &tail);
+    vbss_knot_polygon_add_thread(&l->polygon, scene, 0.0, scene->point_count - 1.0);
+    vbss_knot_close_end(closing, &l->polygon, &tail, &end);
+}
+
+bool vbss_knot_locating_go_on(knot_locating *l, knot_curve *curve, knot_work *work)
+{
+    while (*work > 0 && l->stage != KNOT_LOCATE_DONE) {
+        switch (l->stage) {
+        case KNOT_LOCATE_PROJECT:
+            project(l, curve, work);
+            break;
+        case KNOT_LOCATE_CHECK:
+            check(l, curve, work);
+            break;
+        case KNOT_LOCATE_SHRINK:
+            shrink(l, curve, work);
+            break;
+        case KNOT_LOCATE_DONE:
+            break;
+        }
+    }
+    return l->stage == KNOT_LOCATE_DONE;
+}

@@ -1,0 +1,208 @@
+/* Whether a segment certainly misses a triangle.
+ *
+ * Every certificate is a linear function of space (or of a coordinate plane, which is one of space too)
+ * that has the two on different sides: where it is positive on the one and not on the other they have no
+ * point in common. Comparing coordinates is exact; what is computed comes with a bound of its error, and what
+ * is within that bound is not certain. Only the volumes are more than one function. */
+#include "knot/knot.h"
+#include "knot/triangle.h"
+
+static bool same(vec3 p, vec3 q)
+{
+    return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
+/* ---- values with a bound of their error */
+
+typedef struct near_value {
+    double low, high;
+} near_value;
+
+/* Half units in the last place of the sum of sizes: 3 are enough for a product of differences less another (see
+ * orientation.h), 5 for three products of differences; what is left covers the rounding of the bounds. */
+#define NEAR_ERROR 8.9e-16
+
+static near_value near_make(double value, double size)
+{
+    double error = NEAR_ERROR * size + ORIENTATION_UNDERFLOW;
+    near_value r = {value - error, value + error};
+    return r;
+}
+
+/* (t - s) x (x - s) */
+static near_value turn(const double s[2], const double t[2], const double x[2])
+{
+    double left = (t[0] - s[0]) * (x[1] - s[1]), right = (t[1] - s[1]) * (x[0] - s[0]);
+    return near_make(left - right, fabs(left) + fabs(right));
+}
+
+/* (t - s) . (x - s) */
+static near_value along(vec3 s, vec3 t, vec3 x)
+{
+    double i = (t.x - s.x) * (x.x - s.x), j = (t.y - s.y) * (x.y - s.y),
+           k = (t.z - s.z) * (x.z - s.z);
+    return near_make(i + j + k, fabs(i) + fabs(j) + fabs(k));
+}
+
+static bool certainly_apart(near_value v, near_value w)
+{
+    return (v.low > 0.0 && w.high < 0.0) || (v.high < 0.0 && w.low > 0.0);
+}
+
+static bool certainly_alike(near_value v, near_value w)
+{
+    return (v.low > 0.0 && w.low > 0.0) || (v.high < 0.0 && w.high < 0.0);
+}
+
+static void drop(int axis, vec3 v, double flat[2])
+{
+    flat[0] = axis == 0 ? v.y : v.x;
+    flat[1] = axis == 2 ? v.y : v.z;
+}
+
+/* ---- a segment from corner s of the triangle s, t, u to q */
+
+/* A function that is zero at s, positive (or not negative) at q and not positive (negative) at t and u */
+static bool leaves_along(double s, double t, double u, double q)
+{
+    return (q > s && t <= s && u <= s) || (q < s && t >= s && u >= s) ||
+           (q >= s && t < s && u < s) || (q <= s && t > s && u > s);
+}
+
+static bool leaves_in_view(const double s[2], const double t[2], const double u[2],
+                           const double q[2])
+{
+    near_value tu = turn(s, t, u), tq = turn(s, t, q);
+    if (certainly_apart(tu, tq)) {
+        return true;
+    }
+    near_value uq = turn(s, u, q);
+    /* t is where u is not, as seen from s; and q sees both on one side if they see it on different ones. */
+    near_value ut = {-tu.high, -tu.low};
+    return certainly_apart(ut, uq) || certainly_alike(tq, uq);
+}
+
+static bool leaves(vec3 s, vec3 t, vec3 u, vec3 q)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        double flat[4][2];
+        drop(axis, s, flat[0]);
+        drop(axis, t, flat[1]);
+        drop(axis, u, flat[2]);
+        drop(axis, q, flat[3]);
+        if (leaves_in_view(flat[0], flat[1], flat[2], flat[3])) {
+            return true;
+        }
+    }
+    near_value qt = along(s, q, t), qu = along(s, q, u);
+    if (qt.high < 0.0 && qu.high < 0.0) {
+        return true;
+    }
+    near_value tu = along(s, t, u);
+    return tu.low > 0.0 && (qt.high < 0.0 || qu.high < 0.0);
+}
+
+static bool misses_from_corner(const knot_triangle *triangle, vec3 s, vec3 t, vec3 u, vec3 q)
+{
+    if (same(s, q)) {
+        return true;
+    }
+    return knot_triangle_side(triangle, q) != 0 || leaves_along(s.x, t.x, u.x, q.x) ||
+           leaves_along(s.y, t.y, u.y, q.y) || leaves_along(s.z, t.z, u.z, q.z) ||
+           leaves(s, t, u, q);
+}
+
+/* ---- a segment that shares no corner */
+
+/* Whether the line through a and b has all of the segment on one side of the triangle. */
+static bool line_parts(const double a[2], const double b[2], const double c[2], const double p[2],
+                       const double q[2])
+{
+    near_value vc = turn(a, b, c), vp = turn(a, b, p), vq = turn(a, b, q);
+    return (vp.low > 0.0 && vq.low > 0.0 && vp.low > vc.high && vq.low > vc.high) ||
+           (vp.high < 0.0 && vq.high < 0.0 && vp.high < vc.low && vq.high < vc.low);
+}
+
+static bool apart_in_view(const double a[2], const double b[2], const double c[2],
+                          const double p[2], const double q[2])
+{
+    near_value va = turn(p, q, a), vb = turn(p, q, b);
+    return (certainly_alike(va, vb) && certainly_alike(va, turn(p, q, c))) ||
+           line_parts(a, b, c, p, q) || line_parts(b, c, a, p, q) || line_parts(c, a, b, p, q);
+}
+
+static bool apart_in_some_view(const knot_triangle *t, vec3 p, vec3 q)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        double flat[5][2];
+        drop(axis, t->a, flat[0]);
+        drop(axis, t->b, flat[1]);
+        drop(axis, t->c, flat[2]);
+        drop(axis, p, flat[3]);
+        drop(axis, q, flat[4]);
+        if (apart_in_view(flat[0], flat[1], flat[2], flat[3], flat[4])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool apart_along(double a, double b, double c, double p, double q)
+{
+    return (p < a && p < b && p < c && q < a && q < b && q < c) ||
+           (p > a && p > b && p > c && q > a && q > b && q > c);
+}
+
+/* Whether the line passes by: of the volumes of the segment with ab, bc and ca two differ in sign.
+ *
+ * A point of the line in the triangle, with weights la, lb, lc there, has lb ab = lc ca, lc bc = la ab and
+ * la ca = lb bc. Two of different sign leave all weight on the corner between those two edges, which is then on the line;
+ * but then both are zero. */
+static bool line_passes(const knot_triangle *t, vec3 p, vec3 q, bool *hits)
+{
+    vec3 d = vec3_sub(q, p), a = vec3_sub(t->a, p), b = vec3_sub(t->b, p), c = vec3_sub(t->c, p);
+    area da = area_of(d, a), db = area_of(d, b);
+    int ab = area_side(&da, b), bc = area_side(&db, c), ca = -area_side(&da, c);
+    *hits = ab * bc * ca != 0;
+    return ab * bc < 0 || ab * ca < 0 || bc * ca < 0;
+}
+
+bool vbss_knot_triangle_misses(const knot_triangle *t, vec3 p, vec3 q)
+{
+    int sides = knot_triangle_side(t, p) * knot_triangle_side(t, q);
+    if (sides > 0) {
+        return true;
+    }
+    if (same(p, t->a)) {
+        return misses_from_corner(t, t->a, t->b, t->c, q);
+    }
+    if (same(p, t->c)) {
+        return misses_from_corner(t, t->c, t->a, t->b, q);
+    }
+    if (same(p, t->b)) {
+        return misses_from_corner(t, t->b, t->c, t->a, q);
+    }
+    if (same(q, t->a)) {
+        return misses_from_corner(t, t->a, t->b, t->c, p);
+    }
+    if (same(q, t->c)) {
+        return misses_from_corner(t, t->c, t->a, t->b, p);
+    }
+    if (same(q, t->b)) {
+        return misses_from_corner(t, t->b, t->c, t->a, p);
+    }
+    bool line_hits = false;
+    if (line_passes(t, p, q, &line_hits)) {
+        return true;
+    }
+    return !(line_hits && sides < 0) &&
+           (apart_along(t->a.x, t->b.x, t->c.x, p.x, q.x) ||
+            apart_along(t->a.y, t->b.y, t->c.y, p.y, q.y) ||
+            apart_along(t->a.z, t->b.z, t->c.z, p.z, q.z) || apart_in_some_view(t, p, q));
+}
+
+bool vbss_knot_misses(vec3 a, vec3 b, vec3 c, vec3 p, vec3 q)
+{
+    knot_triangle t = knot_triangle_make(a, b, c);
+    return vbss_knot_triangle_misses(&t, p, q);
+}

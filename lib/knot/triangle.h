@@ -1,0 +1,27 @@
+/* A triangle that many segments are asked about. */
+#ifndef VBSS_KNOT_TRIANGLE_H
+#define VBSS_KNOT_TRIANGLE_H
+
+#include "knot/orientation.h"
+
+typedef struct knot_triangle {
+    vec3 a, b, c;
+    area plane; /* (b - a) x (c - a) */
+} knot_triangle;
+
+static inline knot_triangle knot_triangle_make(vec3 a, vec3 b, vec3 c)
+{
+    knot_triangle t = {a, b, c, area_of(vec3_sub(b, a), vec3_sub(c, a))};
+    return t;
+}
+
+/* On which side of its plane; 0: not certain. */
+static inline int knot_triangle_side(const knot_triangle *t, vec3 p)
+{
+    return area_side(&t->plane, vec3_sub(p, t->a));
+}
+
+/* vbss_knot_misses of that triangle. */
+bool vbss_knot_triangle_misses(const knot_triangle *t, vec3 p, vec3 q);
+
+#endif

@@ -1,0 +1,101 @@
+/* A diagram taken apart into twist regions: proof that a knot is a connected sum of torus knots.
+ *
+ * An interval of the code that holds both entries of each of its crossings is met by a circle in the plane
+ * that meets the rest nowhere (its ends are the only edges between the two sets of crossings, and what cuts a
+ * connected plane graph in two is a circle of the dual): a summand, and without it the code is that of the rest.
+ * What reads 1 ... m 1 ... m, alternating, with equal signs, is to the letter the code of the closed braid of two
+ * strands and m crossings, T(2, m); codes with signs determine diagrams on the sphere. So does each cyclic
+ * shift, which reads the same with other letters. Even m cannot alternate; 1 ... m m ... 1 is no such block.
+ *
+ * Entries are stacked; a block that is complete on top is taken off. A block has no smaller interval of that kind, and
+ * between its entries lie such intervals only, which end before it does: so they all are found, inner ones first. */
+#include "knot/knot.h"
+
+enum { LEAST_CROSSINGS = 3 };
+
+/* Whether the 2 m entries are a block; they are known to hold some crossing as the last of each half. */
+static bool is_block(const knot_code *code, const uint16_t *entries, uint32_t m)
+{
+    int8_t sign = code->sign[code->crossing[entries[0]]];
+    bool over = code->over[entries[0]] != 0;
+    for (uint32_t i = m; i-- > 0;) {
+        uint32_t first = entries[i], second = entries[m + i];
+        uint32_t crossing = code->crossing[first];
+        bool over_first = over != (i % 2 == 1); /* m is odd: the second is the other one */
+        if (code->crossing[second] != crossing || code->sign[crossing] != sign ||
+            (code->over[first] != 0) != over_first || (code->over[second] != 0) == over_first) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static knot_factor factor_of(const knot_code *code, const uint16_t *entries, uint32_t m)
+{
+    knot_factor factor = {.wraps = (int32_t)(m / 2),
+                          .handedness = code->sign[code->crossing[entries[0]]] > 0 ? 1 : -1,
+                          .first = entries[0],
+                          .strand_end = entries[m - 1],
+                          .strand_begin = entries[m],
+                          .last = entries[2 * m - 1]};
+    return factor;
+}
+
+static bool are_nested(const knot_factors *factors)
+{
+    for (uint32_t i = 1; i < factors->count; i++) {
+        const knot_factor *inner = &factors->factors[i - 1], *outer = &factors->factors[i];
+        if (inner->first < outer->strand_end || inner->last > outer->strand_begin) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* How many crossings the block has that ends on top, if the stack can hold it; else 0. */
+static uint32_t crossings_on_top(uint32_t first, uint32_t top)
+{
+    uint32_t m = top - first;
+    return m >= LEAST_CROSSINGS && m % 2 == 1 && top + 1 >= 2 * m ? m : 0;
+}
+
+static bool take_apart(const knot_code *code, knot_factors *factors)
+{
+    uint16_t *stack = code->scratch, *first = stack + 2 * (size_t)code->n, *seen = first + code->n;
+    uint32_t height = 0;
+    for (uint32_t i = 0; i < code->n; i++) {
+        seen[i] = 0;
+    }
+    for (uint32_t entry = 0; entry < 2 * code->n; entry++) {
+        uint32_t crossing = code->crossing[entry];
+        if (crossing >= code->n || seen[crossing] == 2) {
+            return false;
+        }
+        stack[height++] = (uint16_t)entry;
+        if (++seen[crossing] == 1) {
+            first[crossing] = (uint16_t)(height - 1);
+            continue;
+        }
+        uint32_t m = crossings_on_top(first[crossing], height - 1);
+        if (m == 0 || !is_block(code, stack + (height - 2 * m), m)) {
+            continue;
+        }
+        if (factors->count == KNOT_THROWS) {
+            return false;
+        }
+        height -= 2 * m;
+        factors->factors[factors->count++] = factor_of(code, stack + height, m);
+    }
+    return height == 0;
+}
+
+bool vbss_knot_twists(const knot_code *code, knot_factors *factors)
+{
+    *factors = (knot_factors){.count = 0};
+    if (code->n > UINT16_MAX / 2 || !take_apart(code, factors)) {
+        *factors = (knot_factors){.count = 0};
+        return false;
+    }
+    factors->nested = are_nested(factors);
+    return true;
+}

@@ -1,0 +1,102 @@
+/* Vassiliev's invariants of degree 2 and 3 by the sums over parts of the Gauss diagram of M. Polyak and
+ * O. Viro, "Gauss diagram formulas for Vassiliev invariants", International Mathematics Research Notices
+ * 1994 (11). A crossing is an arrow from its entry over to its entry under; each part counts the product of its signs.
+ *
+ * v2: two arrows p and x that are met as x under, p over, x over, p under, from entry 0 on.
+ * v3: three arrows, wherever the circle is entered. From the entry under of one of them, x, the circle falls into the part
+ * until x over and the rest; p goes from the part to the rest and q from the rest to the part, and p is
+ * over before q is under. If q is over before p is under that is half a part; if it is after, a whole one that is met from all
+ * three of its arrows. So six times v3 is the sum of 3 for the former and 2 for the latter. */
+#include "knot/knot.h"
+
+typedef struct circle {
+    const knot_code *code;
+    uint32_t entries;
+    uint16_t *mate;  /* of each entry: the other one at its crossing */
+    uint16_t *under; /* of the arrows p met so far: how far from the entry under of x theirs is */
+    int16_t *sign;   /* and their signs */
+} circle;
+
+typedef struct sums {
+    int64_t twos, sixths; /* v2, and six times v3 */
+    uint64_t steps;
+} sums;
+
+static void find_mates(circle *c)
+{
+    uint16_t *first = c->under;
+    for (uint32_t i = 0; i < c->code->n; i++) {
+        first[i] = UINT16_MAX;
+    }
+    for (uint32_t e = 0; e < c->entries; e++) {
+        uint16_t *met = &first[c->code->crossing[e]];
+        if (*met == UINT16_MAX) {
+            *met = (uint16_t)e;
+        } else {
+            c->mate[e] = *met;
+            c->mate[*met] = (uint16_t)e;
+        }
+    }
+}
+
+/* From one place of the circle on to another. */
+static uint32_t distance(const circle *c, uint32_t from, uint32_t to)
+{
+    return to >= from ? to - from : to + c->entries - from;
+}
+
+/* Of the p met so far, with q over at some distance. */
+static int32_t parts_with(const circle *c, uint32_t count, uint32_t q_over)
+{
+    int32_t sum = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        sum += c->under[i] < q_over ? 2 * c->sign[i] : 3 * c->sign[i];
+    }
+    return sum;
+}
+
+/* All parts with the arrow x whose entry under this is. */
+static void add_parts(const circle *c, uint32_t begin, sums *all)
+{
+    const knot_code *code = c->code;
+    uint32_t length = distance(c, begin, c->mate[begin]), to_end = c->entries - begin, count = 0;
+    int64_t twos = 0, sixths = 0;
+    for (uint32_t i = 1, e = begin + 1; i < length; i++, e++) {
+        e = e == c->entries ? 0 : e;
+        uint32_t far = distance(c, begin, c->mate[e]);
+        int8_t sign = code->sign[code->crossing[e]];
+        if (far < length) {
+            continue;
+        }
+        if (code->over[e] != 0) {
+            c->under[count] = (uint16_t)far;
+            c->sign[count] = sign;
+            count++;
+            twos += far < to_end ? sign : 0;
+        } else {
+            sixths += (int64_t)sign * parts_with(c, count, far);
+            all->steps += count / 4;
+        }
+    }
+    int8_t sign = code->sign[code->crossing[begin]];
+    all->twos += length < to_end ? twos * sign : 0;
+    all->sixths += sixths * sign;
+    all->steps += 2 * length;
+}
+
+void vbss_knot_vassiliev(const knot_code *code, int64_t *v2, int64_t *v3, knot_work *work)
+{
+    uint32_t n = code->n;
+    circle c = {code, 2 * n, code->scratch, code->scratch + 2 * n,
+                (int16_t *)code->scratch + 3 * n};
+    sums all = {0, 0, 0};
+    find_mates(&c);
+    for (uint32_t e = 0; e < c.entries; e++) {
+        if (code->over[e] == 0) {
+            add_parts(&c, e, &all);
+        }
+    }
+    *v2 = all.twos;
+    *v3 = all.sixths / 6;
+    *work -= 50 + 10 * (knot_work)n + (knot_work)all.steps;
+}

@@ -1,0 +1,328 @@
+/* What hosts see of a reading that ended: throws with their verdicts, and events for all that changed. Nothing is
+ * latched: a throw that the next certain reading does not show is revoked. */
+#include "knot/knot.h"
+
+static uint32_t hand_number(int32_t handedness)
+{
+    return handedness > 0 ? 2 : 1;
+}
+
+/* ---- throws */
+
+/* Throws of a kind that a reading has, less those of the same kind before number `until` of the verdict. */
+static int32_t left_in(const knot_reading *r, const knot_verdict *v, uint32_t until,
+                       const vbss_knot_throw *kind)
+{
+    int32_t count = 0;
+    for (uint32_t i = 0; i < r->factors.count; i++) {
+        count += r->factors.factors[i].wraps == kind->wraps &&
+                 r->factors.factors[i].handedness == kind->handedness;
+    }
+    for (uint32_t i = 0; i < until; i++) {
+        count -= v->throws[i].wraps == kind->wraps && v->throws[i].handedness == kind->handedness;
+    }
+    return count;
+}
+
+static bool was_read(const knot_reading *r)
+{
+    return r->reason == VBSS_KNOT_REASON_NONE && r->throws;
+}
+
+static void fill_throw(const knot_detector *d, const knot_located *from, vbss_knot_throw *to)
+{
+    const knot_scene *scene = &d->job.scene;
+    *to = (vbss_knot_throw){.struct_size = sizeof *to,
+                            .wraps = from->wraps,
+                            .handedness = from->handedness,
+                            .reading_step = d->job.step,
+                            .formed_step = d->job.step};
+    to->flags |= from->ordered ? VBSS_KNOT_THROW_ORDERED : 0u;
+    to->flags |= from->stray ? VBSS_KNOT_THROW_STRAY : 0u;
+    bool certified = d->job.outward.certified || d->job.locating.certified;
+    to->verdict = certified && (from->ordered || from->stray) ? VBSS_KNOT_VERDICT_CERTIFIED
+                                                              : VBSS_KNOT_VERDICT_FORMED;
+    if (!from->located) {
+        return;
+    }
+    to->flags |= VBSS_KNOT_THROW_LOCATED;
+    vbss_knot_show_places(scene, from->tail_places, to->tail_places);
+    vbss_knot_show_places(scene, from->long_places, to->long_places);
+    to->slip = vbss_knot_slip(scene, from->tail_places, from->long_places);
+    to->tail_length = vbss_knot_length(scene, 0.0, from->tail_places[0]);
+    to->flags |= from->stray || fabs(to->slip) < d->config.slip_limit ? 0u : VBSS_KNOT_THROW_HITCH;
+    to->flags |= to->tail_length < d->config.tail_least ? VBSS_KNOT_THROW_REVOCABLE : 0u;
+}
+
+/* A throw that one limb has alone is stray, wherever it lies. */
+static void mark_strays(knot_verdict *v, const knot_reading *limb)
+{
+    uint32_t count = was_read(limb) ? limb->factors.count : 0;
+    for (uint32_t k = 0; k < count; k++) {
+        const knot_factor *f = &limb->factors.factors[k];
+        bool marked = false;
+        for (uint32_t i = v->throw_count; i-- > 0 && !marked;) {
+            vbss_knot_throw *t = &v->throws[i];
+            marked = t->wraps == f->wraps && t->handedness == f->handedness &&
+                     !(t->flags & VBSS_KNOT_THROW_LOCATED) && !(t->flags & VBSS_KNOT_THROW_STRAY);
+            t->flags |= marked ? VBSS_KNOT_THROW_STRAY : 0u;
+        }
+    }
+}
+
+/* Strays as both theta edges show them: what is sure must agree with that. */
+static void doubt_strays(const knot_job *job, knot_verdict *v)
+{
+    uint32_t strays = 0;
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        strays += (v->throws[i].flags & VBSS_KNOT_THROW_STRAY) != 0;
+    }
+    bool agree = was_read(&job->tail) && was_read(&job->long_limb) &&
+                 job->tail.factors.count + job->long_limb.factors.count == strays;
+    for (uint32_t i = 0; i < v->throw_count && job->closing.has_tissue && !agree; i++) {
+        v->throws[i].verdict = VBSS_KNOT_VERDICT_FORMED;
+    }
+}
+
+static void mark_relations(knot_verdict *v, const knot_reading *tools, bool has_tools)
+{
+    const vbss_knot_throw *before = NULL;
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        vbss_knot_throw *t = &v->throws[i];
+        if (has_tools && was_read(tools) && left_in(tools, v, i, t) <= 0) {
+            t->flags |= VBSS_KNOT_THROW_REVOCABLE;
+        }
+        if (t->flags & VBSS_KNOT_THROW_STRAY) {
+            continue;
+        }
+        if (before != NULL && before->handedness == t->handedness) {
+            t->flags |= VBSS_KNOT_THROW_GRANNY;
+        }
+        before = t;
+    }
+}
+
+static void list_throws(const knot_detector *d, knot_verdict *v)
+{
+    const knot_job *job = &d->job;
+    *v = (knot_verdict){.reason = VBSS_KNOT_REASON_NONE};
+    v->other = !job->outward.throws;
+    if (v->other) {
+        return;
+    }
+    v->throw_count = job->outward.factors.count;
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        fill_throw(d, &job->locating.throws[i], &v->throws[i]);
+    }
+    mark_strays(v, &job->tail);
+    mark_strays(v, &job->long_limb);
+    doubt_strays(job, v);
+    mark_relations(v, &job->tools, job->has_tools);
+}
+
+/* ---- what changed */
+
+static bool is_same_throw(const vbss_knot_throw *a, const vbss_knot_throw *b)
+{
+    return a->wraps == b->wraps && a->handedness == b->handedness &&
+           ((a->flags ^ b->flags) & VBSS_KNOT_THROW_STRAY) == 0;
+}
+
+static void tell_gone(knot_detector *d, uint32_t i)
+{
+    const vbss_knot_throw *t = &d->verdict.throws[i];
+    d->figures.revoked++;
+    vbss_knot_tell(d, VBSS_KNOT_EVENT_REVOKED, i, (uint32_t)t->wraps, hand_number(t->handedness));
+}
+
+static void tell_changes(knot_detector *d, knot_verdict *v)
+{
+    knot_verdict *old = &d->verdict;
+    uint32_t same = 0;
+    while (same < old->throw_count && same < v->throw_count &&
+           is_same_throw(&old->throws[same], &v->throws[same])) {
+        v->throws[same].formed_step = old->throws[same].formed_step;
+        same++;
+    }
+    for (uint32_t i = old->throw_count; i-- > same;) {
+        tell_gone(d, i);
+    }
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        const vbss_knot_throw *t = &v->throws[i];
+        bool was_certified = i < same && old->throws[i].verdict == VBSS_KNOT_VERDICT_CERTIFIED;
+        bool is_certified = t->verdict == VBSS_KNOT_VERDICT_CERTIFIED;
+        uint32_t wraps = (uint32_t)t->wraps, hand = hand_number(t->handedness);
+        if (i >= same) {
+            bool stray = (t->flags & VBSS_KNOT_THROW_STRAY) != 0;
+            vbss_knot_tell(d, stray ? VBSS_KNOT_EVENT_STRAY : VBSS_KNOT_EVENT_FORMED, i, wraps,
+                           hand);
+        }
+        if (is_certified && !was_certified) {
+            vbss_knot_tell(d, VBSS_KNOT_EVENT_CERTIFIED, i, wraps, hand);
+        } else if (was_certified && !is_certified) {
+            tell_gone(d, i);
+        }
+    }
+}
+
+static vbss_knot_verdict least_verdict(const knot_verdict *v)
+{
+    if (v->reason != VBSS_KNOT_REASON_NONE) {
+        return VBSS_KNOT_VERDICT_UNCERTAIN;
+    }
+    if (v->other) {
+        return VBSS_KNOT_VERDICT_FORMED;
+    }
+    vbss_knot_verdict least =
+        v->throw_count > 0 ? VBSS_KNOT_VERDICT_CERTIFIED : VBSS_KNOT_VERDICT_NONE;
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        least = v->throws[i].verdict < least ? v->throws[i].verdict : least;
+    }
+    return least;
+}
+
+/* ---- what is being tied */
+
+/* The one throw that withdrawing the tools would add. */
+static const knot_factor *added_by_tools(const knot_job *job)
+{
+    const knot_factors *now = &job->outward.factors, *then = &job->tools.factors;
+    const knot_factor *added = NULL;
+    uint32_t kept = 0;
+    if (!job->has_tools || !was_read(&job->tools) || !was_read(&job->outward)) {
+        return NULL;
+    }
+    bool used[KNOT_THROWS] = {false};
+    for (uint32_t i = 0; i < then->count; i++) {
+        bool found = false;
+        for (uint32_t k = 0; k < now->count && !found; k++) {
+            found = !used[k] && now->factors[k].wraps == then->factors[i].wraps &&
+                    now->factors[k].handedness == then->factors[i].handedness;
+            used[k] |= found;
+        }
+        kept += found;
+        added = found ? added : &then->factors[i];
+    }
+    return kept == now->count && then->count == kept + 1 ? added : NULL;
+}
+
+/* The law of wraps: |w| in (k, k + 1] signed turns towards the tip give k wraps, left-handed when w > 0. */
+static void set_wrapping(vbss_knot_state *state, uint32_t tool, const knot_winding *w)
+{
+    int32_t wraps = 0;
+    while (wraps < 99 && fabs(w->run_turns) > wraps + 1.0) {
+        wraps++;
+    }
+    state->next_verdict = VBSS_KNOT_VERDICT_WRAPPING;
+    state->next_tool = tool;
+    state->next_wraps = w->sense > 0 ? wraps : 0;
+    state->next_handedness = w->run_turns > 0.0 ? -1 : 1;
+}
+
+void vbss_knot_conclude_next(knot_detector *d)
+{
+    vbss_knot_state *state = &d->state;
+    const knot_winding *most = NULL;
+    bool passed = state->next_verdict == VBSS_KNOT_VERDICT_PASSED;
+    for (uint32_t i = 0; i < d->shown.tool_count; i++) {
+        const knot_winding *w = &d->tools[i].winding;
+        if (d->tools[i].wrapped && (most == NULL || fabs(w->run_turns) > fabs(most->run_turns))) {
+            most = w;
+            if (!passed) {
+                set_wrapping(state, i, w);
+            }
+        }
+    }
+    if (most == NULL && !passed) {
+        state->next_verdict = VBSS_KNOT_VERDICT_NONE;
+        state->next_wraps = state->next_handedness = 0;
+        state->next_tool = 0;
+    }
+}
+
+static void conclude_passing(knot_detector *d)
+{
+    vbss_knot_state *state = &d->state;
+    const knot_factor *added = added_by_tools(&d->job);
+    bool had = state->next_verdict == VBSS_KNOT_VERDICT_PASSED;
+    if (added == NULL) {
+        state->next_verdict = VBSS_KNOT_VERDICT_NONE; /* or what winding says */
+    } else {
+        if (!had || state->next_wraps != added->wraps ||
+            state->next_handedness != added->handedness) {
+            uint32_t tool = state->next_tool; /* that the thread winds round */
+            vbss_knot_tell(d, VBSS_KNOT_EVENT_PASSED, tool, (uint32_t)added->wraps,
+                           hand_number(added->handedness));
+        }
+        state->next_verdict = VBSS_KNOT_VERDICT_PASSED;
+        state->next_wraps = added->wraps;
+        state->next_handedness = added->handedness;
+    }
+    vbss_knot_conclude_next(d);
+}
+
+/* ---- the whole */
+
+static vbss_knot_reason reason_of(const knot_detector *d)
+{
+    const knot_job *job = &d->job;
+    if (job->outward.reason != VBSS_KNOT_REASON_NONE) {
+        return job->outward.reason;
+    }
+    uint32_t differing = job->closing.others - job->agreeing;
+    return differing > d->config.closure_tolerance ? VBSS_KNOT_REASON_ENDS : VBSS_KNOT_REASON_NONE;
+}
+
+static void show_reading(knot_detector *d)
+{
+    const knot_job *job = &d->job;
+    const knot_reading *r = &job->outward;
+    vbss_knot_state *s = &d->state;
+    s->crossings = r->crossings;
+    s->certified = r->certified || job->locating.certified;
+    s->signature = r->invariants.signature;
+    s->signature_tristram = r->invariants.signature_tristram;
+    s->determinant = r->invariants.determinant;
+    s->v2 = r->invariants.v2;
+    s->v3 = r->invariants.v3;
+    s->closures = job->closing.others;
+    s->closures_agreeing = job->agreeing;
+    s->ends_free = job->closing.ends_free;
+    s->reading_step = job->step;
+}
+
+void vbss_knot_conclude(knot_detector *d)
+{
+    knot_verdict v;
+    vbss_knot_reason reason = reason_of(d);
+    show_reading(d);
+    if (reason == VBSS_KNOT_REASON_NONE) {
+        list_throws(d, &v);
+        tell_changes(d, &v);
+        d->verdict = v;
+        conclude_passing(d);
+    } else { /* what is known of the throws is kept, and no longer sure */
+        d->figures.uncertain++;
+        if (d->verdict.reason != reason) {
+            vbss_knot_tell(d, VBSS_KNOT_EVENT_UNCERTAIN, (uint32_t)reason, 0, 0);
+        }
+        d->verdict.reason = reason;
+        if (!d->job.has_tools) {
+            d->state.next_verdict = VBSS_KNOT_VERDICT_NONE;
+            vbss_knot_conclude_next(d);
+        }
+    }
+    vbss_knot_state *s = &d->state;
+    s->name = vbss_knot_name_of(&d->verdict);
+    s->faults = vbss_knot_faults_of(&d->verdict);
+    s->throw_count = d->verdict.throw_count;
+    s->verdict = least_verdict(&d->verdict);
+    s->reason = reason;
+    d->figures.readings++;
+    if (d->figures.most_work < (uint64_t)d->job.spent) {
+        d->figures.most_work = (uint64_t)d->job.spent;
+    }
+    vbss_knot_count_job(&d->job, &d->figures);
+    vbss_knot_tell(d, VBSS_KNOT_EVENT_READ, s->throw_count, (uint32_t)s->name,
+                   (uint32_t)s->verdict);
+}

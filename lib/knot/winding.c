@@ -1,0 +1,439 @@
+/* How often the thread goes round a tool.
+ *
+ * Planes across the axis, right sections at both ends and half way between the pieces at joints, bound one
+ * cell for each capsule. In a cell a point has two coordinates across the axis. The bend turns those of one cell
+ * into those of the next, without twist, so that both agree on the plane between: a *run* of thread
+ * through cells is one flat polygon, and its turns are those about the origin. They are counted where it
+ * crosses the half-line y = 0, x < 0; only the ends of a run need angles.
+ *
+ * Thread through the axis itself passes it, by definition, on the side of x > 0. The strand in a tool's own
+ * jaws does that, so it is left out, and ends a run: all thread about held_place that stays within the
+ * capsules, where no other thread can be. What is held outside them has a definite side, and counts.
+ *
+ * `sense` compares where a quarter and where three quarters of the turns are done: the ends of a run only
+ * lead to and away from what is wound. */
+#include "knot/knot.h"
+
+#include "base/lanes.h"
+
+#define FULL_TURN 6.283185307179586
+
+enum { PIECES = KNOT_AXIS_POINTS - 1 };
+_Static_assert(KNOT_AXIS_POINTS == (int)LANES, "a lane for each plane");
+
+/* Coordinates across the axis, right-handed about the direction from tip to handle. */
+typedef struct chart {
+    vec3 e1, e2;
+    double offset1, offset2;
+} chart;
+
+typedef struct winder {
+    const knot_scene *scene;
+    vec3 tip;
+    uint32_t pieces;
+    lanes nx, ny, nz, offset; /* plane k is over piece k and under piece k - 1 */
+    chart charts[PIECES];
+    vec3 ups[PIECES];                      /* unit, towards the handle */
+    double lengths[PIECES], bases[PIECES]; /* bases: of axis from the tip to the piece */
+    knot_winding *winding;
+    /* The run that is walked, and its last point so far. */
+    bool open;
+    uint32_t piece, first_piece;
+    int32_t crossings;
+    double x, y, place, first_angle, first_place;
+    /* The run that winds most. */
+    double most_angle;
+    uint32_t most_pieces[2];
+    /* What is looked for: where `crossings` steps away from zero to this, first or last. 0: nothing. */
+    int32_t wanted;
+    bool wants_last, found, ended;
+    double found_place;
+    uint32_t found_piece;
+} winder;
+
+/* ---- the tool */
+
+static void put_plane(double rows[4][LANES], uint32_t k, vec3 normal, vec3 at)
+{
+    rows[0][k] = normal.x;
+    rows[1][k] = normal.y;
+    rows[2][k] = normal.z;
+    rows[3][k] = -vec3_dot(normal, at);
+}
+
+static void put_chart(chart *c, vec3 e1, vec3 up, vec3 at)
+{
+    c->e1 = vec3_unit_or(vec3_add_scaled(e1, -vec3_dot(e1, up), up), vec3_any_normal(up));
+    c->e2 = vec3_cross(up, c->e1);
+    c->offset1 = -vec3_dot(c->e1, at);
+    c->offset2 = -vec3_dot(c->e2, at);
+}
+
+static void set_up(winder *w, const knot_scene *scene, const knot_tool *tool)
+{
+    double rows[4][LANES] = {{0.0}, {0.0}, {0.0}, {0.0}};
+    uint32_t n = tool->point_count - 1;
+    w->scene = scene;
+    w->pieces = n;
+    w->tip = tool->axis[n];
+    vec3 up = vec3_make(0.0, 0.0, 1.0), e1 = vec3_any_normal(up);
+    double base = 0.0;
+    for (uint32_t c = n; c-- > 0;) {
+        vec3 under = vec3_sub(tool->axis[c + 1], w->tip);
+        vec3 piece = vec3_sub(tool->axis[c], tool->axis[c + 1]);
+        vec3 below = up;
+        up = vec3_unit_or(piece, below);
+        w->ups[c] = up;
+        w->lengths[c] = vec3_norm(piece);
+        w->bases[c] = base;
+        base += w->lengths[c];
+        e1 = c + 1 == n ? vec3_any_normal(up) : quat_rotate(quat_between(below, up), e1);
+        put_chart(&w->charts[c], e1, up, under);
+        /* Scaled so that heights are lengths along the axis; half way between is nowhere when the tool is folded. */
+        double straight = 1.0 + vec3_dot(below, up);
+        bool end = c + 1 == n || straight < 1e-6;
+        put_plane(rows, c + 1, end ? up : vec3_scale(vec3_add(below, up), 1.0 / straight), under);
+    }
+    put_plane(rows, 0, up, vec3_sub(tool->axis[0], w->tip));
+    w->nx = lanes_load(rows[0]);
+    w->ny = lanes_load(rows[1]);
+    w->nz = lanes_load(rows[2]);
+    w->offset = lanes_load(rows[3]);
+}
+
+/* Turns all charts so that the half-line where turns are counted comes to lie at this angle of now. */
+static void spin(winder *w, double angle)
+{
+    double s, c;
+    vbss_sincos(angle, &s, &c);
+    for (uint32_t k = 0; k < w->pieces; k++) {
+        chart *to = &w->charts[k], from = *to;
+        to->e1 = vec3_neg(vec3_add_scaled(vec3_scale(from.e1, c), s, from.e2));
+        to->e2 = vec3_add_scaled(vec3_scale(from.e1, s), -c, from.e2);
+        to->offset1 = -(c * from.offset1 + s * from.offset2);
+        to->offset2 = s * from.offset1 - c * from.offset2;
+    }
+    w->most_angle -= angle - 0.5 * FULL_TURN;
+}
+
+/* ---- points */
+
+/* Over each plane, of a point seen from the tip. */
+VBSS_ALWAYS_INLINE lanes heights_over(const winder *w, vec3 x)
+{
+    lanes h = lanes_add(lanes_mul(x.x, w->nx), lanes_mul(x.y, w->ny));
+    return lanes_add(lanes_add(h, lanes_mul(x.z, w->nz)), w->offset);
+}
+
+/* Bit k: on or over plane k. */
+VBSS_ALWAYS_INLINE uint32_t sides(lanes heights)
+{
+    return ~lanes_bits(lanes_less(heights, lanes_all(0.0)));
+}
+
+/* The point at a place, from the tip. */
+static vec3 point_at(const winder *w, double place)
+{
+    uint32_t i = (uint32_t)place, last = w->scene->point_count - 2;
+    i = i < last ? i : last;
+    vec3 x = vec3_lerp(w->scene->points[i], w->scene->points[i + 1], place - (double)i);
+    return vec3_sub(x, w->tip);
+}
+
+/* How far from the tip along the axis a place in the cell of a piece is, by its distances from both planes. */
+static double height_at(const winder *w, double place, uint32_t piece)
+{
+    lanes heights = heights_over(w, point_at(w, place));
+    double over = greater(lanes_at(heights, (int)piece + 1), 0.0);
+    double under = greater(-lanes_at(heights, (int)piece), 0.0);
+    double part = over + under > 0.0 ? over / (over + under) : 0.0;
+    return w->bases[piece] + w->lengths[piece] * part;
+}
+
+/* ---- runs */
+
+static void begin_run(winder *w, uint32_t piece, vec3 x, double place)
+{
+    const chart *c = &w->charts[piece];
+    w->open = true;
+    w->piece = w->first_piece = piece;
+    w->place = w->first_place = place;
+    w->crossings = 0;
+    w->x = vec3_dot(c->e1, x) + c->offset1;
+    w->y = vec3_dot(c->e2, x) + c->offset2;
+    w->first_angle = vbss_atan2(w->y + 0.0, w->x + 0.0); /* of the axis itself: 0 */
+}
+
+static void end_run(winder *w)
+{
+    if (!w->open) {
+        return;
+    }
+    w->open = false;
+    if (w->wanted != 0) {
+        return;
+    }
+    double angle = vbss_atan2(w->y + 0.0, w->x + 0.0) - w->first_angle;
+    double turns = angle / FULL_TURN + (double)w->crossings;
+    knot_winding *winding = w->winding;
+    winding->turns += turns;
+    if (winding->runs == 0 || fabs(turns) > fabs(winding->run_turns)) {
+        winding->run_turns = turns;
+        winding->run_places[0] = w->first_place;
+        winding->run_places[1] = w->place;
+        w->most_angle = w->first_angle;
+        w->most_pieces[0] = w->first_piece;
+        w->most_pieces[1] = w->piece;
+    }
+    winding->runs++;
+}
+
+VBSS_NEVER_INLINE void look(winder *w, double y, double place, int32_t step)
+{
+    bool outward = (w->wanted > 0) == (step > 0);
+    if (outward && w->crossings == w->wanted && (w->wants_last || !w->found)) {
+        w->found = true;
+        w->ended = !w->wants_last;
+        w->found_place = w->place + w->y / (w->y - y) * (place - w->place);
+        w->found_piece = w->piece;
+    }
+}
+
+/* The next point of a run, in the cell where the last one was or on its border. */
+VBSS_ALWAYS_INLINE void go_to(winder *w, vec3 point, double place)
+{
+    const chart *c = &w->charts[w->piece];
+    double x = vec3_dot(c->e1, point) + c->offset1, y = vec3_dot(c->e2, point) + c->offset2;
+    if ((y < 0.0) != (w->y < 0.0)) {
+        double across = w->x * y - w->y * x;
+        int32_t step = y < 0.0 ? across > 0.0 : -(across < 0.0);
+        w->crossings += step;
+        if (w->wanted != 0 && step != 0) {
+            look(w, y, place, step);
+        }
+    }
+    w->x = x;
+    w->y = y;
+    w->place = place;
+}
+
+/* The part of a segment in the cell of a piece; false when it is none. What two cells have in common is cut at the
+ * same fraction, to the bit. */
+static bool clip(lanes a, lanes b, uint32_t piece, double part[2])
+{
+    part[0] = 0.0;
+    part[1] = 1.0;
+    for (uint32_t k = piece; k <= piece + 1; k++) {
+        double ha = lanes_at(a, (int)k), hb = lanes_at(b, (int)k);
+        if ((ha < 0.0) != (hb < 0.0)) {
+            double t = ha / (ha - hb);
+            bool enters = (hb < 0.0) == (k == piece);
+            part[0] = enters ? greater(part[0], t) : part[0];
+            part[1] = enters ? part[1] : lesser(part[1], t);
+        }
+    }
+    return part[0] < part[1];
+}
+
+/* A segment, between these places, that is not in one cell. `touched`: bits of pieces. */
+VBSS_NEVER_INLINE void cross_planes(winder *w, vec3 a, vec3 b, double from, double to,
+                                    uint32_t touched)
+{
+    lanes heights_a = heights_over(w, a), heights_b = heights_over(w, b);
+    double reached = 0.0;
+    while (touched != 0) {
+        double part[2] = {2.0, 2.0}, other[2];
+        uint32_t piece = PIECES;
+        for (uint32_t c = 0; c < w->pieces; c++) {
+            if ((touched >> c & 1u) == 0) {
+                continue;
+            }
+            if (!clip(heights_a, heights_b, c, other)) {
+                touched &= ~(1u << c);
+            } else if (other[0] < part[0]) {
+                part[0] = other[0];
+                part[1] = other[1];
+                piece = c;
+            }
+        }
+        if (piece == PIECES) {
+            break;
+        }
+        touched &= ~(1u << piece);
+        /* Cells next to each other have nothing in common; others may, far from a bent tool. */
+        double begin = greater(part[0], reached), end = part[1];
+        if (begin >= end) {
+            continue;
+        }
+        double begin_place = from + begin * (to - from),
+               end_place = end < 1.0 ? from + end * (to - from) : to;
+        bool next = piece == w->piece || piece + 1 == w->piece || piece == w->piece + 1;
+        if (w->open && w->place == begin_place && next) {
+            w->piece = piece;
+        } else {
+            end_run(w);
+            begin_run(w, piece, vec3_lerp(a, b, begin), begin_place);
+        }
+        go_to(w, vec3_lerp(a, b, end), end_place);
+        reached = end;
+    }
+}
+
+/* All runs from a place to a later one. */
+static void walk(winder *w, double from, double to)
+{
+    uint32_t pieces = (1u << w->pieces) - 1u, i = (uint32_t)from;
+    vec3 a = point_at(w, from);
+    uint32_t over_a = sides(heights_over(w, a));
+    while (from < to && !w->ended) {
+        i++;
+        double next = lesser((double)i, to);
+        vec3 b = (double)i <= to ? vec3_sub(w->scene->points[i], w->tip) : point_at(w, to);
+        uint32_t over_b = sides(heights_over(w, b)), both = over_a & over_b, any = over_a | over_b;
+        uint32_t inside = ~any & both >> 1 & pieces, touched = ~both & any >> 1 & pieces;
+        if (w->open && w->place == from && (inside >> w->piece & 1u) != 0) {
+            go_to(w, b, next);
+        } else if (touched != 0) {
+            cross_planes(w, a, b, from, next, touched);
+        }
+        a = b;
+        over_a = over_b;
+        from = next;
+    }
+    end_run(w);
+}
+
+/* ---- the strand in the jaws */
+
+/* Where a t^2 + 2 b t + c <= 0, if anywhere; [0, 1] when everywhere. */
+static bool solve(double a, double b, double c, double part[2])
+{
+    bool moves = a > 1e-100;
+    double d = b * b - a * c, root = sqrt(greater(d, 0.0));
+    part[0] = moves ? (-b - root) / a : 0.0;
+    part[1] = moves ? (-b + root) / a : 1.0;
+    return moves ? d >= 0.0 : c <= 0.0;
+}
+
+static bool cross_ball(vec3 centre, double radius, vec3 x, vec3 way, double part[2])
+{
+    vec3 m = vec3_sub(x, centre);
+    return solve(vec3_dot(way, way), vec3_dot(m, way), vec3_dot(m, m) - radius * radius, part);
+}
+
+static bool cross_tube(const winder *w, uint32_t c, vec3 lower, double radius, vec3 x, vec3 way,
+                       double part[2])
+{
+    vec3 m = vec3_sub(x, lower), up = w->ups[c];
+    double height = vec3_dot(m, up), rise = vec3_dot(way, up), slab[2];
+    double half = 0.5 * w->lengths[c], off = height - half;
+    bool beside = solve(rise * rise, rise * off, off * off - half * half, slab);
+    vec3 flat_m = vec3_add_scaled(m, -height, up), flat_way = vec3_add_scaled(way, -rise, up);
+    bool near = solve(vec3_dot(flat_way, flat_way), vec3_dot(flat_m, flat_way),
+                      vec3_dot(flat_m, flat_m) - radius * radius, part);
+    part[0] = greater(part[0], slab[0]);
+    part[1] = lesser(part[1], slab[1]);
+    return beside && near;
+}
+
+/* The fraction of the way from x up to which it stays within capsules; 0 when x is in none. */
+static double stays_within(const winder *w, const knot_tool *tool, vec3 x, vec3 way)
+{
+    double reached = 0.0, before, part[2];
+    do { /* from the capsule that is left to one that is entered by then */
+        before = reached;
+        for (uint32_t c = 0; c < w->pieces; c++) {
+            vec3 upper = vec3_sub(tool->axis[c], w->tip),
+                 lower = vec3_sub(tool->axis[c + 1], w->tip);
+            for (int k = 0; k < 3; k++) {
+                double r = tool->radius[c];
+                bool hit = k == 2 ? cross_tube(w, c, lower, r, x, way, part)
+                                  : cross_ball(k == 0 ? upper : lower, r, x, way, part);
+                if (hit && part[0] <= reached && part[1] > reached) {
+                    reached = part[1];
+                }
+            }
+        }
+    } while (reached > before && reached < 1.0);
+    return reached;
+}
+
+/* Where the thread about a held place leaves the capsules, in one direction. */
+static double leave_jaws(const winder *w, const knot_tool *tool, double place, bool forward)
+{
+    double last = (double)(w->scene->point_count - 1), end = forward ? last : 0.0;
+    while (place != end) {
+        double next = forward ? floor(place) + 1.0 : -floor(-place) - 1.0;
+        vec3 x = point_at(w, place);
+        double part = stays_within(w, tool, x, vec3_sub(point_at(w, next), x));
+        if (part < 1.0) {
+            return place + part * (next - place);
+        }
+        place = next;
+    }
+    return end;
+}
+
+/* ---- which way it winds */
+
+/* Looks in the run for where this part of its turns is done, for the first or for the last time. */
+static bool find_part(winder *w, double part, bool last)
+{
+    const knot_winding *winding = w->winding;
+    double turns = part * fabs(winding->run_turns), sign = winding->run_turns < 0.0 ? -1.0 : 1.0;
+    if (fabs(turns - floor(turns + 0.5)) < 1e-3) {
+        turns -= 2e-3; /* the run shall not begin on the half-line */
+    }
+    spin(w, w->most_angle + sign * turns * FULL_TURN);
+    w->wanted = (int32_t)sign * (1 + (int32_t)floor(turns));
+    w->wants_last = last;
+    w->found = false;
+    walk(w, winding->run_places[0], winding->run_places[1]);
+    w->ended = false;
+    return w->found;
+}
+
+/* The long limb is what is wound as a rule, so that the tissue is before the run when it is not known where. */
+static int32_t find_sense(winder *w, const knot_tool *tool)
+{
+    if (!(fabs(w->winding->run_turns) >= 0.5) || !find_part(w, 0.25, false)) {
+        return 0;
+    }
+    double place = w->found_place, width = 0.1 * tool->radius[w->found_piece];
+    double down = height_at(w, place, w->found_piece);
+    if (!find_part(w, 0.75, true)) {
+        return 0;
+    }
+    down -= height_at(w, w->found_place, w->found_piece);
+    if (w->scene->tissue_place > 0.5 * (place + w->found_place)) {
+        down = -down;
+    }
+    return down > width ? 1 : down < -width ? -1 : 0;
+}
+
+void vbss_knot_wind(const knot_scene *scene, uint32_t tool_index, knot_winding *winding)
+{
+    const knot_tool *tool = &scene->tools[tool_index];
+    winder w = {0};
+    knot_winding none = {0};
+    *winding = none;
+    w.winding = winding;
+    set_up(&w, scene, tool);
+    double last = (double)(scene->point_count - 1), leaves = last, returns = last;
+    if (tool->held != VBSS_KNOT_HELD_NOTHING) {
+        double place = greater(0.0, lesser(tool->held_place, last));
+        leaves = leave_jaws(&w, tool, place, false);
+        returns = leave_jaws(&w, tool, place, true);
+    }
+    bool held = leaves < returns;
+    walk(&w, 0.0, held ? leaves : last);
+    if (held) {
+        walk(&w, returns, last);
+    }
+    if (winding->runs > 0) {
+        for (int k = 0; k < 2; k++) {
+            winding->run_heights[k] = height_at(&w, winding->run_places[k], w.most_pieces[k]);
+        }
+        winding->sense = find_sense(&w, tool);
+    }
+}
