@@ -1,7 +1,8 @@
 /* The invariants of connected sums of torus knots T(2, 2 k + 1), and which such sum has given ones.
  *
  * Determinants multiply, the others add. v2 of the sum of a, b, c knots with k = 1, 2, 3 is a + 3 b + 6 c, its
- * determinant 3^a 5^b 7^c. That and v3 tell all 210 sums of at most four such knots apart. */
+ * determinant 3^a 5^b 7^c. Of the right-handed less the left-handed of each, x, y and z, v3 is x + 5 y + 14 z, -sigma / 2 is
+ * x + 2 y + 3 z and, at X_TRISTRAM, y + z: three equations with one solution, so all sums are told apart. */
 #include "knot/knot.h"
 
 /* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
@@ -11,7 +12,7 @@
  * 1e-7. */
 #define TRISTRAM_1E9 270623200
 
-enum { MOST_THROWS = 4, MOST_WRAPS = 3 };
+enum { MOST_WRAPS = 3 };
 
 /* Roots exp(i theta) of the Alexander polynomial of T(2, 2 k + 1) lie at odd multiples of pi / (2 k + 1) below pi; at
  * each the signature at theta, 0 near 0, goes 2 away. */
@@ -66,13 +67,13 @@ static bool count_wraps(int64_t determinant, uint32_t counts[MOST_WRAPS])
     for (uint32_t k = 1; k <= MOST_WRAPS; k++) {
         int64_t factor = 2 * k + 1;
         counts[k - 1] = 0;
-        while (determinant > 1 && determinant % factor == 0 && count <= MOST_THROWS) {
+        while (determinant > 1 && determinant % factor == 0 && count <= KNOT_THROWS) {
             determinant /= factor;
             counts[k - 1]++;
             count++;
         }
     }
-    return determinant == 1 && count <= MOST_THROWS;
+    return determinant == 1 && count <= KNOT_THROWS;
 }
 
 static void add(knot_factors *factors, uint32_t count, int32_t wraps, int32_t handedness)

@@ -1,11 +1,11 @@
-/* The determinant of a knot, |Delta(-1)|: that of the Goeritz matrix, without one of its rows and columns, of the colour
- * of the chessboard that has fewer faces. (The matrix of colourings, one row a crossing, has the same
- * determinant and twice as many rows.) A row a face; each crossing joins two of them, with +1 where its strand
- * over sweeps them when it turns to the left, and with -1 where it does not.
+/* The determinant of a knot, |Delta(-1)|: that of the Goeritz matrix, without one of its rows and
+ * columns, of the colour of the chessboard that has fewer faces. (The matrix of colourings, one row a
+ * crossing, has the same determinant and twice as many rows.) A row a face; each crossing joins two of
+ * them, with +1 where its strand over sweeps them when it turns to the left, and with -1 where it does not.
  *
- * Modulo a prime, so nothing is rounded. The determinant counts, with signs, spanning trees of that graph, so
- * of n edges those that are as many as there are rows: at most binomial(n, n/2). One prime is enough for 32 crossings,
- * and two are for 64. */
+ * Modulo a prime, so nothing is rounded. The determinant counts, with signs, spanning trees of that graph, which
+ * are choices of so many of n edges as there are rows: at most binomial(n, n/2). One prime is enough for
+ * 32 crossings, and two are for 64. */
 #include "knot/faces.h"
 
 #include <string.h>
@@ -49,7 +49,7 @@ static uint64_t inverse(uint64_t x, uint32_t below)
     return result;
 }
 
-/* ---- the matrix: `size` rows, rows[face - first] is one or beyond */
+/* ---- the matrix */
 
 typedef struct graph {
     const knot_algebra *algebra;
@@ -89,7 +89,7 @@ static void fill(const graph *g, uint64_t prime)
     uint64_t *a = g->algebra->modular;
     memset(a, 0, (size_t)g->size * g->size * sizeof *a);
     for (uint32_t c = 0; c < g->code->n; c++) {
-        const uint32_t *corner = g->algebra->index + KNOT_CORNERS * c;
+        const uint32_t *corner = g->algebra->index + (size_t)KNOT_CORNERS * c;
         bool ahead = corner[KNOT_FRONT] - g->first < g->count;
         uint32_t p = g->row[corner[ahead ? KNOT_FRONT : KNOT_LEFT] - g->first];
         uint32_t q = g->row[corner[ahead ? KNOT_BACK : KNOT_RIGHT] - g->first];
@@ -144,7 +144,7 @@ static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_work 
             }
         }
     }
-    *work -= (knot_work)(2 * steps);
+    *work -= (knot_work)(3 * steps);
     return reduced(product * inverse(factors, below), below);
 }
 
@@ -162,7 +162,7 @@ static int64_t least_size(uint64_t first, uint64_t second)
 int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_code *code, knot_work *work)
 {
     knot_faces faces;
-    *work -= 200 + 40 * (knot_work)code->n;
+    *work -= 50 + 45 * (knot_work)code->n;
     if (code->n == 0) {
         return 1;
     }
@@ -175,7 +175,7 @@ int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_code *code, knot
                even ? 0 : faces.even,
                even ? faces.even : faces.count - faces.even,
                0,
-               algebra->index + KNOT_CORNERS * code->n};
+               algebra->index + (size_t)KNOT_CORNERS * code->n};
     g.size = g.count - 1;
     order_rows(&g);
     const uint64_t p = prime_of(BELOW_FIRST);

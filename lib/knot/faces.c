@@ -68,18 +68,20 @@ static uint32_t walk_round(sides *s, uint32_t colour, uint32_t count)
 bool vbss_knot_find_faces(const knot_algebra *algebra, const knot_code *code, knot_faces *faces)
 {
     uint32_t n = code->n, *corners = algebra->index;
-    sides s = {code, 2 * n, corners + KNOT_CORNERS * n, corners + 2 * KNOT_CORNERS * n};
+    sides s = {code, 2 * n, corners + (size_t)KNOT_CORNERS * n,
+               corners + 2 * (size_t)KNOT_CORNERS * n};
     memset(s.face, 0xff, 4 * (size_t)n * sizeof *s.face);
     find_mates(&s, corners);
     faces->even = walk_round(&s, 0, 0);
     faces->count = walk_round(&s, 1, faces->even);
     for (uint32_t e = 0; e < s.entries; e++) {
         if (crossed_leftward(&s, e)) { /* from the right of the two strands */
-            uint32_t *corner = corners + KNOT_CORNERS * code->crossing[e], arriving = before(&s, e);
-            corner[KNOT_FRONT] = s.face[2 * e];
-            corner[KNOT_LEFT] = s.face[2 * arriving];
-            corner[KNOT_BACK] = s.face[2 * arriving + 1];
-            corner[KNOT_RIGHT] = s.face[2 * e + 1];
+            uint32_t *corner = corners + (size_t)KNOT_CORNERS * code->crossing[e],
+                     arriving = before(&s, e);
+            corner[KNOT_FRONT] = s.face[2 * (size_t)e];
+            corner[KNOT_LEFT] = s.face[2 * (size_t)arriving];
+            corner[KNOT_BACK] = s.face[2 * (size_t)arriving + 1];
+            corner[KNOT_RIGHT] = s.face[2 * (size_t)e + 1];
         }
     }
     return n > 0 && faces->count == n + 2;

@@ -197,7 +197,7 @@ bool vbss_knot_twists(const knot_code *code, knot_factors *factors);
 /* Invariants of a connected sum of throws. */
 knot_invariants vbss_knot_invariants_of(const knot_factors *factors);
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b);
-/* The only sum of at most four throws of at most three wraps with these invariants, throws with more wraps first; false when there is none. */
+/* The only sum of at most KNOT_THROWS throws of at most three wraps with these invariants; false when there is none. */
 bool vbss_knot_match(knot_invariants invariants, knot_factors *factors);
 
 /* Name, faults and notation of throws from the tissue outward. Only wraps, handedness and flags are read. */
@@ -366,8 +366,9 @@ typedef struct knot_locating {
     double cuts[2]; /* SHRINK: the outer sub-chain of this level */
     double low, high, found[2];
     bool certified; /* a diagram of the whole thread came apart: that too proves what it is */
+    bool has_spare; /* `spare` are the places that a shifted diagram shows */
     uint32_t count;
-    knot_located throws[KNOT_THROWS];
+    knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
 } knot_locating;
 void vbss_knot_locating_begin(knot_locating *locating, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,

@@ -12,23 +12,17 @@
 /* Work in about nanoseconds, as measured. */
 enum { WORK_SKIP = 2, WORK_VISIT = 40, WORK_EDGE = 12, WORK_REMOVE = 20, WORK_CLOSE_UP = 12 };
 
-/* ---- what it has: slots are those of the obstacles, filled up to a full group, then one a vertex, which stands for
- * the edge after it as well */
+/* ---- what it has: a slot an obstacle, then a slot a vertex, which is that of the edge after it as well */
 
 static uint32_t groups_of(uint32_t slots)
 {
     return (slots + BOX_LANES - 1) / BOX_LANES;
 }
 
-static uint32_t slots_of(uint32_t capacity)
-{
-    return (groups_of(capacity) + 1) * BOX_LANES;
-}
-
 void vbss_knot_reduction_arrays(knot_reduction *r, uint32_t capacity,
                                 vbss_array arrays[KNOT_REDUCTION_ARRAYS])
 {
-    uint32_t slots = slots_of(capacity), groups = groups_of(slots);
+    uint32_t groups = groups_of(capacity), slots = groups * BOX_LANES;
     vbss_array wanted[KNOT_REDUCTION_ARRAYS] = {
         {&r->boxes, ((size_t)groups + groups_of(groups)) * BOX_GROUP + 4 * (size_t)slots,
          sizeof(int16_t)},
@@ -44,8 +38,8 @@ void vbss_knot_reduction_arrays(knot_reduction *r, uint32_t capacity,
 typedef struct parts {
     uint32_t first, end; /* slots of vertices */
     uint32_t groups, supers;
-    int16_t *edges, *hulls,
-        *corners;              /* boxes of edges and of groups of them; numbers of vertices */
+    int16_t *edges, *hulls;    /* boxes of edges, and of eight of them */
+    int16_t *corners;          /* the vertices on the grid */
     uint32_t *blocker, *asked; /* the edge in the way of a vertex, and when that was found */
     uint32_t *next, *before;   /* next is the vertex itself where it is gone */
     uint32_t *born;            /* when an edge became what it is */
@@ -53,15 +47,15 @@ typedef struct parts {
 
 static parts parts_of(const knot_reduction *r)
 {
-    uint32_t all = slots_of(r->capacity);
+    uint32_t groups = groups_of(r->capacity), all = groups * BOX_LANES;
     parts p;
     p.first = r->first_edge;
     p.end = p.first + r->polygon->count;
     p.groups = groups_of(p.end);
     p.supers = groups_of(p.groups);
     p.edges = r->boxes;
-    p.hulls = p.edges + (size_t)groups_of(all) * BOX_GROUP;
-    p.corners = p.hulls + (size_t)groups_of(groups_of(all)) * BOX_GROUP;
+    p.hulls = p.edges + (size_t)groups * BOX_GROUP;
+    p.corners = p.hulls + (size_t)groups_of(groups) * BOX_GROUP;
     p.blocker = r->blockers;
     p.asked = p.blocker + all;
     p.next = r->links;
@@ -138,7 +132,7 @@ void vbss_knot_reduction_begin(knot_reduction *r, knot_polygon *polygon, const k
     r->polygon = polygon;
     r->obstacles = obstacles;
     r->obstacle_count = obstacle_count;
-    r->first_edge = groups_of(obstacle_count) * BOX_LANES;
+    r->first_edge = obstacle_count;
     r->left = polygon->count;
     r->removed = 0;
     r->now = 1;
@@ -153,14 +147,10 @@ void vbss_knot_reduction_begin(knot_reduction *r, knot_polygon *polygon, const k
         p.born[s] = 1;
     }
     for (uint32_t s = 0; s < p.first; s++) {
-        box b = box_empty();
-        if (s < obstacle_count) {
-            int16_t begin[4], end[4];
-            box_round(&grid, obstacles[s].begin, begin);
-            box_round(&grid, obstacles[s].end, end);
-            b = box_of_corners(begin, end);
-        }
-        boxes_set(p.edges, s, b);
+        int16_t begin[4], end[4];
+        box_round(&grid, obstacles[s].begin, begin);
+        box_round(&grid, obstacles[s].end, end);
+        boxes_set(p.edges, s, box_of_corners(begin, end));
         p.born[s] = 1;
     }
     link_all(r);
@@ -349,6 +339,7 @@ bool vbss_knot_reduction_go_on(knot_reduction *r, knot_work *work)
     while (*work > 0) {
         if (r->at >= p.end) {
             if (r->removed_in_sweep == 0) {
+                *work -= 1;
                 return true;
             }
             *work -= (knot_work)WORK_CLOSE_UP * r->polygon->count + 1;

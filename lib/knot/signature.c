@@ -1,21 +1,24 @@
-/* The Levine-Tristram signature by the matrix of R. Kashaev, "On symmetric matrices associated with oriented link
- * diagrams", arXiv 1801.04632; that it gives this signature is proved by D. Cimasoni and L. Ferretti, Fundamenta
- * Mathematicae 266 (2024), and J. Liu, arXiv 2311.01923. A row a face; a crossing of sign s adds the form
+/* The Levine-Tristram signature by the matrix of R. Kashaev, "On symmetric matrices associated with
+ * oriented link diagrams", arXiv 1801.04632; that it gives this signature is proved by D. Cimasoni and
+ * L. Ferretti, Fundamenta Mathematicae 266 (2024), and J. Liu, arXiv 2311.01923. A row a face; a crossing
+ * of sign s adds the form
  *   s ((left + right + x (front + back))^2 - (1 - x^2) (front - back)^2).
  *
- * Two faces that share an arc are left out: all these forms vanish where the values of successive faces across the
- * curve obey next = -2 x this - previous, and the values on these two faces tell all others. What is left is
- * singular only where Delta(t) = 0, 4 - 4 x^2 = 2 - t - 1/t. Conway's polynomial is integral and begins with 1, so
- * that its rational roots are 1/k and -1/k, and 4 - 4 x^2 is none of these for any x in thousandths below 1.
+ * Two faces that share an arc are left out: all these forms vanish where the values of successive faces
+ * across the curve obey next = -2 x this - previous, and the values on these two faces tell all others.
+ * What is left is singular only where Delta(t) = 0, 4 - 4 x^2 = 2 - t - 1/t. Conway's polynomial is
+ * integral and begins with 1, so that its rational roots are 1/k and -1/k, and -(4 - 4 x^2) is none of
+ * these for any x in thousandths below 1.
  *
- * How many eigenvalues are positive and negative is proved: the matrix is factored twice, shifted down and up by more than
- * rounding can move an eigenvalue. As many as are positive after the former, and negative after the latter, are so. */
+ * How many eigenvalues are positive and negative is proved: the matrix is factored twice, shifted down and
+ * up by more than rounding can move an eigenvalue. At least as many are positive as after the former, and
+ * negative as after the latter; if these are all, that is how many there are. */
 #include "knot/faces.h"
 
 #include <string.h>
 
-/* J. R. Bunch and L. Kaufman, "Some stable methods for calculating inertia and solving symmetric linear systems",
- * Mathematics of Computation 31 (1977): (1 + sqrt 17) / 8. */
+/* J. R. Bunch and L. Kaufman, "Some stable methods for calculating inertia and solving symmetric linear
+ * systems", Mathematics of Computation 31 (1977): (1 + sqrt 17) / 8. */
 #define PIVOT_SHARE 0.6403882032022076
 /* Rows times the rounding of as many updates, a hundred roundings each, of numbers up to LARGEST_ENTRY. */
 #define SHIFT_BY_SQUARE_OF_ROWS 1e-11
@@ -37,7 +40,7 @@ typedef struct form {
 static form form_in(const knot_algebra *algebra, uint32_t n)
 {
     double *behind = algebra->real + (size_t)n * n;
-    uint32_t *index = algebra->index + KNOT_CORNERS * n;
+    uint32_t *index = algebra->index + (size_t)KNOT_CORNERS * n;
     return (form){.size = n,
                   .a = algebra->real,
                   .first = behind,
@@ -46,8 +49,8 @@ static form form_in(const knot_algebra *algebra, uint32_t n)
                   .second_share = behind + 3 * (size_t)n,
                   .row = index,
                   .degree = index + (n + 2),
-                  .active = index + 2 * (n + 2),
-                  .list = index + 3 * (n + 2)};
+                  .active = index + 2 * ((size_t)n + 2),
+                  .list = index + 3 * ((size_t)n + 2)};
 }
 
 /* ---- the matrix */
@@ -279,7 +282,7 @@ bool vbss_knot_signature(knot_algebra *algebra, const knot_code *code, uint32_t 
     bool sure = count_signs(&f, &positive, &rest);
     fill(&f, code, algebra->index, x, shift);
     sure = count_signs(&f, &rest, &negative) && sure && positive + negative == n;
-    *work -= (knot_work)(f.steps + 100 * (uint64_t)n + (uint64_t)n * n / 2);
+    *work -= (knot_work)(f.steps + 40 * (uint64_t)n + (uint64_t)n * n / 2);
     int32_t twice = (int32_t)positive - (int32_t)negative;
     for (uint32_t c = 0; c < n; c++) {
         twice -= code->sign[c];

@@ -124,7 +124,8 @@ static bool is_tool_sound(const knot_tool *t, uint32_t points)
         double x[3];
         vec3_store(x, t->axis[i]);
         sound = vbss_largest(x, 3) <= 1e3 &&
-                (i == 0 || vec3_distance(t->axis[i], t->axis[i - 1]) >= 1e-9);
+                (i == 0 || (vec3_distance(t->axis[i], t->axis[i - 1]) >= 1e-9 &&
+                            t->radius[i - 1] >= 0.0 && t->radius[i - 1] <= 1.0));
     }
     return sound;
 }
@@ -141,6 +142,21 @@ static void visit_tool(vbss_stream *stream, knot_tool *t, uint32_t points)
     if (!is_tool_sound(t, points)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no tool is like this");
     }
+}
+
+/* Numbers of the host's points, all one way. */
+static bool are_places_sound(const knot_scene *scene, const vbss_knot_config *config)
+{
+    bool sound = true;
+    for (uint32_t i = 0; i < scene->point_count && sound; i++) {
+        double at = scene->places[i];
+        sound = at >= 0.0 && at < config->point_capacity && at == floor(at);
+        if (i > 0 && sound) {
+            bool ascends = scene->places[1] > scene->places[0];
+            sound = ascends ? at > scene->places[i - 1] : at < scene->places[i - 1];
+        }
+    }
+    return sound;
 }
 
 static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, knot_scene *scene)
@@ -164,7 +180,8 @@ static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, kno
     bool sound = vbss_largest(away, 3) <= 1.0 + 1e-9 && scene->tissue_place >= -1.0 &&
                  scene->tissue_place <= scene->point_count - 1.0 &&
                  scene->has_holes == (scene->tissue_place >= 0.0) &&
-                 vbss_largest(&scene->points[0].x, 3 * (size_t)scene->point_count) <= 1e3;
+                 vbss_largest(&scene->points[0].x, 3 * (size_t)scene->point_count) <= 1e3 &&
+                 are_places_sound(scene, config);
     if (!sound) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no thread is like this");
     }
@@ -194,9 +211,9 @@ static void visit_job(vbss_stream *stream, knot_detector *d)
     }
     knot_work work = spent > INT64_MAX ? INT64_MAX : (knot_work)spent;
     vbss_knot_job_begin(job, &d->config, step);
-    if (vbss_knot_job_go_on(job, &d->config, &work)) {
+    if (vbss_knot_job_go_on(job, &d->config, &work) || job->spent != (knot_work)spent) {
         job->stage = KNOT_JOB_IDLE;
-        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "more work than there was to do");
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a reading does not stop after such work");
     }
 }
 
@@ -213,10 +230,6 @@ void vbss_knot_serialise(vbss_stream *stream, void *object)
     visit_verdict(stream, d);
     visit_figures(stream, &d->figures);
     visit_job(stream, d);
-    if (stream->mode == VBSS_STREAM_READ) { /* belonged to the last step */
-        d->event_count = d->events_lost = d->paper.loop_count = 0;
-        d->generation++;
-    }
 }
 
 vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8_t *bytes, uint64_t capacity,
@@ -228,7 +241,12 @@ vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8_t *bytes
 vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8_t *bytes,
                                        uint64_t count)
 {
-    return vbss_object_restore(detector, &vbss_knot_kind, bytes, count);
+    knot_detector *d;
+    VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
+    VBSS_TRY(vbss_knot_open(detector, &d));
+    d->event_count = d->events_lost = d->paper.loop_count = 0; /* belonged to the last step */
+    d->generation++;
+    return VBSS_OK;
 }
 
 vbss_result vbss_knot_detector_get_hash(vbss_knot_detector *detector, uint64_t *hash)

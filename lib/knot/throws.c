@@ -69,19 +69,40 @@ static double place_of(const knot_polygon *p, double at)
     return greater(a, b); /* beyond an end: that end */
 }
 
-/* Whether a throw lies in one limb alone; without tissue nobody knows. */
-static bool is_stray(const knot_locating *l, const knot_located *t)
+/* Where a throw lies on both limbs: the ranges of its own crossings before and after the tissue, or of its two
+ * strands when nobody knows where that is or the throw is in one limb alone. False when the ranges are not its
+ * strands: a diagram of a half hitch, or one in which the throw looks like one. */
+static bool take_places(const knot_locating *l, const knot_code *code, const knot_factors *f,
+                        uint32_t number, knot_located *t)
 {
-    double tissue = l->scene->tissue_place;
-    return l->closing->has_tissue && (t->long_places[1] < tissue || t->tail_places[0] > tissue);
-}
-
-/* The tissue lies inside it, but not between its strands: a diagram that shows them shifted tells no places. */
-static bool is_shifted(const knot_locating *l, const knot_located *t)
-{
-    double tissue = l->scene->tissue_place;
-    return l->closing->has_tissue && !t->stray &&
-           (t->tail_places[1] > tissue || t->long_places[0] < tissue);
+    const knot_factor *own = &f->factors[number];
+    const double tissue = l->scene->tissue_place;
+    uint32_t split[2] = {own->strand_end, own->strand_begin};
+    t->stray = l->closing->has_tissue && (place_of(&l->polygon, code->at[own->last]) < tissue ||
+                                          place_of(&l->polygon, code->at[own->first]) > tissue);
+    if (l->closing->has_tissue && !t->stray) {
+        split[0] = own->first;
+        split[1] = own->last;
+        for (uint32_t e = own->first; e <= own->last; e++) {
+            bool inner = false;
+            for (uint32_t i = 0; i < f->count && !inner; i++) {
+                const knot_factor *other = &f->factors[i];
+                inner = other->first > own->first && other->last < own->last && e >= other->first &&
+                        e <= other->last;
+            }
+            bool before = place_of(&l->polygon, code->at[e]) <= tissue;
+            if (!inner && before) {
+                split[0] = e;
+            } else if (!inner && e < split[1]) {
+                split[1] = e;
+            }
+        }
+    }
+    t->tail_places[0] = place_of(&l->polygon, code->at[own->first]);
+    t->tail_places[1] = place_of(&l->polygon, code->at[split[0]]);
+    t->long_places[0] = place_of(&l->polygon, code->at[split[1]]);
+    t->long_places[1] = place_of(&l->polygon, code->at[own->last]);
+    return split[0] == own->strand_end && split[1] == own->strand_begin;
 }
 
 static bool is_inside(const knot_located *a, const knot_located *b)
@@ -110,21 +131,16 @@ static void sort_throws(knot_locating *l)
     }
 }
 
+/* False when a throw looks like a half hitch: another direction may show its strands. */
 static bool take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
 {
-    bool shifted = false;
+    bool strands = true;
     l->count = f->count;
     for (uint32_t i = 0; i < f->count; i++) {
-        const knot_factor *factor = &f->factors[i];
         knot_located *t = &l->throws[i];
         *t = (knot_located){
-            .located = true, .wraps = factor->wraps, .handedness = factor->handedness};
-        t->tail_places[0] = place_of(&l->polygon, code->at[factor->first]);
-        t->tail_places[1] = place_of(&l->polygon, code->at[factor->strand_end]);
-        t->long_places[0] = place_of(&l->polygon, code->at[factor->strand_begin]);
-        t->long_places[1] = place_of(&l->polygon, code->at[factor->last]);
-        t->stray = is_stray(l, t);
-        shifted |= is_shifted(l, t);
+            .located = true, .wraps = f->factors[i].wraps, .handedness = f->factors[i].handedness};
+        strands &= take_places(l, code, f, i, t);
     }
     sort_throws(l);
     uint32_t about = 0;
@@ -136,15 +152,29 @@ static bool take_off(knot_locating *l, const knot_code *code, const knot_factors
     for (uint32_t i = 0; i < about; i++) {
         l->throws[i].ordered = nested;
     }
-    return !shifted;
+    return strands;
 }
 
+static void begin_check(knot_locating *l)
+{
+    l->certified = true;
+    l->level = 0;
+    l->reading = false;
+    l->stage = KNOT_LOCATE_CHECK;
+}
+
+/* The first diagram that shows the strands of all throws; else the first that comes apart. */
 static void project(knot_locating *l, knot_curve *curve, knot_work *work)
 {
     knot_code *code = &curve->codes[0];
     knot_factors factors;
     if (l->direction >= l->direction_limit) {
         l->stage = KNOT_LOCATE_SHRINK;
+        if (l->has_spare) {
+            memcpy(l->throws, l->spare, sizeof l->throws);
+            l->has_spare = false;
+            begin_check(l);
+        }
         return;
     }
     vec3 direction = vbss_knot_direction(l->direction++);
@@ -154,12 +184,18 @@ static void project(knot_locating *l, knot_curve *curve, knot_work *work)
         return;
     }
     vbss_knot_code_simplify(code, work);
-    if (vbss_knot_twists(code, &factors) && take_off(l, code, &factors) &&
-        has_first_throws(l, l->whole, l->count)) {
-        l->certified = true;
-        l->level = 0;
-        l->reading = false;
-        l->stage = KNOT_LOCATE_CHECK;
+    if (!vbss_knot_twists(code, &factors)) {
+        return;
+    }
+    bool strands = take_off(l, code, &factors);
+    if (!has_first_throws(l, l->whole, l->count)) {
+        return;
+    }
+    if (strands) {
+        begin_check(l);
+    } else if (!l->has_spare) {
+        memcpy(l->spare, l->throws, sizeof l->throws);
+        l->has_spare = true;
     }
 }
 
@@ -326,7 +362,7 @@ void vbss_knot_locating_begin(knot_locating *l, const knot_scene *scene,
     l->closing = closing;
     l->whole = whole;
     l->count = 0;
-    l->certified = false;
+    l->certified = l->has_spare = false;
     l->direction = 0;
     l->direction_limit = direction_limit;
     if (!whole->throws || whole->factors.count == 0) {

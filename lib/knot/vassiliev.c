@@ -1,12 +1,12 @@
 /* Vassiliev's invariants of degree 2 and 3 by the sums over parts of the Gauss diagram of M. Polyak and
- * O. Viro, "Gauss diagram formulas for Vassiliev invariants", International Mathematics Research Notices
- * 1994 (11). A crossing is an arrow from its entry over to its entry under; each part counts the product of its signs.
+ * O. Viro, "Gauss diagram formulas for Vassiliev invariants", International Mathematics Research
+ * Notices 1994 (11). A crossing is an arrow from its entry over to its entry under; each part counts the product of its signs.
  *
  * v2: two arrows p and x that are met as x under, p over, x over, p under, from entry 0 on.
- * v3: three arrows, wherever the circle is entered. From the entry under of one of them, x, the circle falls into the part
- * until x over and the rest; p goes from the part to the rest and q from the rest to the part, and p is
- * over before q is under. If q is over before p is under that is half a part; if it is after, a whole one that is met from all
- * three of its arrows. So six times v3 is the sum of 3 for the former and 2 for the latter. */
+ * v3: three arrows, wherever the circle is entered. From x under the circle falls into the part until
+ * x over and the rest; p goes from the part to the rest and q from the rest to the part, and p is over
+ * before q is under. If q is over before p is under that counts half; if after, it counts whole, but is met
+ * from all three of its arrows. So six times v3 is the sum of 3 for the former and 2 for the latter. */
 #include "knot/knot.h"
 
 typedef struct circle {
@@ -70,7 +70,7 @@ static void add_parts(const circle *c, uint32_t begin, sums *all)
         }
         if (code->over[e] != 0) {
             c->under[count] = (uint16_t)far;
-            c->sign[count] = sign;
+            c->sign[count] = (int16_t)sign;
             count++;
             twos += far < to_end ? sign : 0;
         } else {
@@ -79,16 +79,16 @@ static void add_parts(const circle *c, uint32_t begin, sums *all)
         }
     }
     int8_t sign = code->sign[code->crossing[begin]];
-    all->twos += length < to_end ? twos * sign : 0;
+    all->twos += twos * sign;
     all->sixths += sixths * sign;
-    all->steps += 2 * length;
+    all->steps += 3 * (uint64_t)length;
 }
 
 void vbss_knot_vassiliev(const knot_code *code, int64_t *v2, int64_t *v3, knot_work *work)
 {
     uint32_t n = code->n;
-    circle c = {code, 2 * n, code->scratch, code->scratch + 2 * n,
-                (int16_t *)code->scratch + 3 * n};
+    circle c = {code, 2 * n, code->scratch, code->scratch + 2 * (size_t)n,
+                (int16_t *)code->scratch + 3 * (size_t)n};
     sums all = {0, 0, 0};
     find_mates(&c);
     for (uint32_t e = 0; e < c.entries; e++) {

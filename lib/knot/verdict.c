@@ -39,9 +39,10 @@ static void fill_throw(const knot_detector *d, const knot_located *from, vbss_kn
                             .formed_step = d->job.step};
     to->flags |= from->ordered ? VBSS_KNOT_THROW_ORDERED : 0u;
     to->flags |= from->stray ? VBSS_KNOT_THROW_STRAY : 0u;
-    bool certified = d->job.outward.certified || d->job.locating.certified;
-    to->verdict = certified && (from->ordered || from->stray) ? VBSS_KNOT_VERDICT_CERTIFIED
-                                                              : VBSS_KNOT_VERDICT_FORMED;
+    bool proved = d->job.outward.certified || d->job.locating.certified;
+    bool clear = d->job.agreeing == d->job.closing.others; /* of the ends */
+    to->verdict = proved && clear && (from->ordered || from->stray) ? VBSS_KNOT_VERDICT_CERTIFIED
+                                                                    : VBSS_KNOT_VERDICT_FORMED;
     if (!from->located) {
         return;
     }

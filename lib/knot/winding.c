@@ -1,10 +1,10 @@
 /* How often the thread goes round a tool.
  *
- * Planes across the axis, right sections at both ends and half way between the pieces at joints, bound one
- * cell for each capsule. In a cell a point has two coordinates across the axis. The bend turns those of one cell
- * into those of the next, without twist, so that both agree on the plane between: a *run* of thread
- * through cells is one flat polygon, and its turns are those about the origin. They are counted where it
- * crosses the half-line y = 0, x < 0; only the ends of a run need angles.
+ * Planes across the axis, right sections at both ends and half way between the pieces at joints, bound
+ * one cell for each capsule. In a cell a point has two coordinates across the axis. The bend turns those
+ * of one cell into those of the next, without twist, so that both agree on the plane between: a *run* of
+ * thread through cells is one flat polygon, and its turns are those about the origin. They are counted
+ * where it crosses the half-line y = 0, x < 0; only the ends of a run need angles.
  *
  * Thread through the axis itself passes it, by definition, on the side of x > 0. The strand in a tool's own
  * jaws does that, so it is left out, and ends a run: all thread about held_place that stays within the
@@ -89,7 +89,7 @@ static void set_up(winder *w, const knot_scene *scene, const knot_tool *tool)
         base += w->lengths[c];
         e1 = c + 1 == n ? vec3_any_normal(up) : quat_rotate(quat_between(below, up), e1);
         put_chart(&w->charts[c], e1, up, under);
-        /* Scaled so that heights are lengths along the axis; half way between is nowhere when the tool is folded. */
+        /* Heights are lengths along the axis. A tool that is folded has nothing half way between. */
         double straight = 1.0 + vec3_dot(below, up);
         bool end = c + 1 == n || straight < 1e-6;
         put_plane(rows, c + 1, end ? up : vec3_scale(vec3_add(below, up), 1.0 / straight), under);
@@ -191,7 +191,7 @@ static void end_run(winder *w)
 VBSS_NEVER_INLINE void look(winder *w, double y, double place, int32_t step)
 {
     bool outward = (w->wanted > 0) == (step > 0);
-    if (outward && w->crossings == w->wanted && (w->wants_last || !w->found)) {
+    if (outward && w->crossings == w->wanted) {
         w->found = true;
         w->ended = !w->wants_last;
         w->found_place = w->place + w->y / (w->y - y) * (place - w->place);
@@ -217,9 +217,9 @@ VBSS_ALWAYS_INLINE void go_to(winder *w, vec3 point, double place)
     w->place = place;
 }
 
-/* The part of a segment in the cell of a piece; false when it is none. What two cells have in common is cut at the
- * same fraction, to the bit. */
-static bool clip(lanes a, lanes b, uint32_t piece, double part[2])
+/* The part of a segment in the cell of a piece, if it is not all beyond one plane; there is none when it
+ * would end before it begins. Cells that meet are left and entered at the same fraction, to the bit. */
+static void clip(lanes a, lanes b, uint32_t piece, double part[2])
 {
     part[0] = 0.0;
     part[1] = 1.0;
@@ -232,10 +232,9 @@ static bool clip(lanes a, lanes b, uint32_t piece, double part[2])
             part[1] = enters ? part[1] : lesser(part[1], t);
         }
     }
-    return part[0] < part[1];
 }
 
-/* A segment, between these places, that is not in one cell. `touched`: bits of pieces. */
+/* A segment, between these places, that may touch the cells of these pieces: bits. */
 VBSS_NEVER_INLINE void cross_planes(winder *w, vec3 a, vec3 b, double from, double to,
                                     uint32_t touched)
 {
@@ -243,30 +242,22 @@ VBSS_NEVER_INLINE void cross_planes(winder *w, vec3 a, vec3 b, double from, doub
     double reached = 0.0;
     while (touched != 0) {
         double part[2] = {2.0, 2.0}, other[2];
-        uint32_t piece = PIECES;
+        uint32_t piece = 0;
         for (uint32_t c = 0; c < w->pieces; c++) {
-            if ((touched >> c & 1u) == 0) {
-                continue;
-            }
-            if (!clip(heights_a, heights_b, c, other)) {
-                touched &= ~(1u << c);
-            } else if (other[0] < part[0]) {
+            clip(heights_a, heights_b, c, other);
+            if ((touched >> c & 1u) != 0 && other[0] < part[0]) {
                 part[0] = other[0];
                 part[1] = other[1];
                 piece = c;
             }
         }
-        if (piece == PIECES) {
-            break;
-        }
         touched &= ~(1u << piece);
-        /* Cells next to each other have nothing in common; others may, far from a bent tool. */
+        /* What cells have in common, far from a bent tool, belongs to the one entered first. */
         double begin = greater(part[0], reached), end = part[1];
         if (begin >= end) {
             continue;
         }
-        double begin_place = from + begin * (to - from),
-               end_place = end < 1.0 ? from + end * (to - from) : to;
+        double begin_place = from + begin * (to - from);
         bool next = piece == w->piece || piece + 1 == w->piece || piece == w->piece + 1;
         if (w->open && w->place == begin_place && next) {
             w->piece = piece;
@@ -274,7 +265,7 @@ VBSS_NEVER_INLINE void cross_planes(winder *w, vec3 a, vec3 b, double from, doub
             end_run(w);
             begin_run(w, piece, vec3_lerp(a, b, begin), begin_place);
         }
-        go_to(w, vec3_lerp(a, b, end), end_place);
+        go_to(w, vec3_lerp(a, b, end), end < 1.0 ? from + end * (to - from) : to);
         reached = end;
     }
 }
@@ -381,8 +372,8 @@ static bool find_part(winder *w, double part, bool last)
 {
     const knot_winding *winding = w->winding;
     double turns = part * fabs(winding->run_turns), sign = winding->run_turns < 0.0 ? -1.0 : 1.0;
-    if (fabs(turns - floor(turns + 0.5)) < 1e-3) {
-        turns -= 2e-3; /* the run shall not begin on the half-line */
+    if (fabs(turns - floor(turns + 0.5)) < 1e-6) {
+        turns -= 2e-6; /* the run shall not begin on the half-line */
     }
     spin(w, w->most_angle + sign * turns * FULL_TURN);
     w->wanted = (int32_t)sign * (1 + (int32_t)floor(turns));
@@ -393,7 +384,7 @@ static bool find_part(winder *w, double part, bool last)
     return w->found;
 }
 
-/* The long limb is what is wound as a rule, so that the tissue is before the run when it is not known where. */
+/* As a rule the long limb is what winds: the tissue is before the run unless it is known to be after. */
 static int32_t find_sense(winder *w, const knot_tool *tool)
 {
     if (!(fabs(w->winding->run_turns) >= 0.5) || !find_part(w, 0.25, false)) {

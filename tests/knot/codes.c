@@ -17,11 +17,11 @@ knot_code *codes_make(void)
 {
     knot_code *code = or_abort(calloc(1, sizeof *code));
     code->capacity = CODES_MOST;
-    code->crossing = or_abort(calloc(2 * CODES_MOST, sizeof *code->crossing));
-    code->over = or_abort(calloc(2 * CODES_MOST, sizeof *code->over));
-    code->at = or_abort(calloc(2 * CODES_MOST, sizeof *code->at));
+    code->crossing = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->crossing));
+    code->over = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->over));
+    code->at = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->at));
     code->sign = or_abort(calloc(CODES_MOST, sizeof *code->sign));
-    code->scratch = or_abort(calloc(4 * CODES_MOST, sizeof *code->scratch));
+    code->scratch = or_abort(calloc(4 * (size_t)CODES_MOST, sizeof *code->scratch));
     return code;
 }
 

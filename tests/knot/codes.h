@@ -21,8 +21,8 @@ bool codes_braid(knot_code *code, const int *word, size_t letters);
 void codes_torus(knot_code *code, int p, int q);
 
 /* Knots of the tables, with invariants in the library's conventions, of the closure of this very word. Words:
- * T. A. Gittings, "Minimum braids", arXiv math/0401051, some as their mirror image, as KnotInfo has them. The tests compute
- * the invariants anew by other ways (colourings, Seifert's matrix, Jones' polynomial): v3 is from there. */
+ * T. A. Gittings, "Minimum braids", arXiv math/0401051, some as their mirror image, as KnotInfo has them.
+ * Tests compute the numbers by other ways too (Seifert's matrix, Jones' polynomial): v3 is from there. */
 typedef struct codes_known {
     const char *name;
     int letters, word[CODES_WORD];
