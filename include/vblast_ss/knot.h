@@ -511,7 +511,7 @@ VBSS_API vbss_result vbss_knot_detector_save(vbss_knot_detector *detector, uint8
  * @param count     its size
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
  *         VBSS_ERROR_CORRUPT (also: of another detector), VBSS_ERROR_DATA_VERSION,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY; on failure nothing has changed
+ *         VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY; on failure nothing has changed
  * @threads one thread at a time per context
  * @since 0.1
  */

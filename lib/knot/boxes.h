@@ -43,6 +43,22 @@ typedef struct box {
     int16_t low[3], high[3];
 } box;
 
+static inline int16_t box_lesser(int16_t a, int16_t b)
+{
+    if (a < b) {
+        return a;
+    }
+    return b;
+}
+
+static inline int16_t box_greater(int16_t a, int16_t b)
+{
+    if (a > b) {
+        return a;
+    }
+    return b;
+}
+
 static inline box box_empty(void)
 {
     box b = {{BOX_LAST, BOX_LAST, BOX_LAST}, {-BOX_LAST - 1, -BOX_LAST - 1, -BOX_LAST - 1}};
@@ -52,8 +68,8 @@ static inline box box_empty(void)
 static inline box box_hull(box a, box b)
 {
     for (int i = 0; i < 3; i++) {
-        a.low[i] = a.low[i] < b.low[i] ? a.low[i] : b.low[i];
-        a.high[i] = a.high[i] > b.high[i] ? a.high[i] : b.high[i];
+        a.low[i] = box_lesser(a.low[i], b.low[i]);
+        a.high[i] = box_greater(a.high[i], b.high[i]);
     }
     return a;
 }
@@ -62,8 +78,8 @@ static inline box box_of_corners(const int16_t p[4], const int16_t q[4])
 {
     box b;
     for (int i = 0; i < 3; i++) {
-        b.low[i] = p[i] < q[i] ? p[i] : q[i];
-        b.high[i] = p[i] > q[i] ? p[i] : q[i];
+        b.low[i] = box_lesser(p[i], q[i]);
+        b.high[i] = box_greater(p[i], q[i]);
     }
     return b;
 }
@@ -73,7 +89,7 @@ static inline box box_of_corners(const int16_t p[4], const int16_t q[4])
 static inline void boxes_set(int16_t *groups, uint32_t i, box b)
 {
     int16_t *at = groups + (size_t)(i / BOX_LANES) * BOX_GROUP + i % BOX_LANES;
-    for (int k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 3; k++) {
         at[k * BOX_LANES] = b.low[k];
         at[(3 + k) * BOX_LANES] = b.high[k];
     }
@@ -83,7 +99,7 @@ static inline box boxes_get(const int16_t *groups, uint32_t i)
 {
     const int16_t *at = groups + (size_t)(i / BOX_LANES) * BOX_GROUP + i % BOX_LANES;
     box b;
-    for (int k = 0; k < 3; k++) {
+    for (size_t k = 0; k < 3; k++) {
         b.low[k] = at[k * BOX_LANES];
         b.high[k] = at[(3 + k) * BOX_LANES];
     }

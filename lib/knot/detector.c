@@ -291,6 +291,9 @@ static bool is_due(const knot_detector *d)
 
 static void begin_reading(knot_detector *d)
 {
+    if (vbss_knot_job_is_active(&d->job)) { /* dropped, but its work was done */
+        vbss_knot_count_job(&d->job, &d->figures);
+    }
     vbss_knot_scene_copy(&d->job.scene, &d->shown);
     vbss_knot_job_begin(&d->job, &d->config, d->steps);
     d->job_began = d->steps;
@@ -332,7 +335,8 @@ static void read_at_once(knot_detector *d)
 
 static uint32_t shown_segment(const knot_scene *scene, uint32_t segment)
 {
-    return (uint32_t)lesser(scene->places[segment], scene->places[segment + 1]);
+    double begin = scene->places[segment], end = scene->places[segment + 1];
+    return (uint32_t)(end > begin ? end - 1.0 : end);
 }
 
 static void show_loops(knot_detector *d)
@@ -365,7 +369,7 @@ static void find_loops(knot_detector *d)
     }
     show_loops(d);
     s->next_wraps = (int32_t)s->loops;
-    s->next_verdict = s->loops > 0 ? VBSS_KNOT_VERDICT_FORMED : VBSS_KNOT_VERDICT_NONE;
+    s->next_verdict = s->loops > 0 ? VBSS_KNOT_VERDICT_PASSED : VBSS_KNOT_VERDICT_NONE;
     if (s->loops > 0 && s->loops != before) {
         vbss_knot_tell(d, VBSS_KNOT_EVENT_FORMED, 0, s->loops, 0);
     } else if (s->loops == 0 && before > 0) {

@@ -117,13 +117,22 @@ double vbss_knot_length(const knot_scene *scene, double from, double to)
     return from < to ? length + vec3_distance(last, vbss_knot_point_at(scene, to)) : 0.0;
 }
 
+/* Where a segment of the scene begins in the host's numbers: points that were left out stand before its own, and only
+ * the last step to its end has any length. */
+static double segment_begin(const knot_scene *scene, uint32_t i)
+{
+    double end = scene->places[i + 1];
+    return end > scene->places[i] ? end - 1.0 : end + 1.0;
+}
+
 static double shown_place(const knot_scene *scene, double place)
 {
     uint32_t i = (uint32_t)place;
-    if (i + 1 >= scene->point_count) {
-        return scene->places[scene->point_count - 1];
+    if (i + 1 >= scene->point_count || place <= i) {
+        return scene->places[i + 1 >= scene->point_count ? scene->point_count - 1 : i];
     }
-    return scene->places[i] + (place - i) * (scene->places[i + 1] - scene->places[i]);
+    double begin = segment_begin(scene, i);
+    return begin + (place - i) * (scene->places[i + 1] - begin);
 }
 
 void vbss_knot_show_places(const knot_scene *scene, const double own[2], double shown[2])
@@ -147,12 +156,12 @@ static double own_place(const knot_scene *scene, bool reversed, uint32_t shown, 
             high = middle;
         }
     }
-    double a = reversed ? shown - 1.0 - scene->places[low] : scene->places[low];
-    double b = reversed ? shown - 1.0 - scene->places[high] : scene->places[high];
-    if (low == high || b <= a) {
+    if (low == high) {
         return low;
     }
-    return low + greater(0.0, lesser(1.0, (wanted - a) / (b - a))) * (high - low);
+    double part = fabs(place - segment_begin(scene, low));
+    bool within = reversed ? place < segment_begin(scene, low) : place > segment_begin(scene, low);
+    return within ? low + lesser(part, 1.0) : low;
 }
 
 static double nearest_place(const knot_scene *scene, vec3 x)

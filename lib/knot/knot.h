@@ -347,7 +347,8 @@ typedef struct knot_located {
 } knot_located;
 
 typedef enum knot_locate_stage {
-    KNOT_LOCATE_PROJECT, /* the whole thread, its crossings keep their places */
+    KNOT_LOCATE_REDUCE, /* the whole thread, only so far that its vertices tell places well enough */
+    KNOT_LOCATE_PROJECT, /* whose crossings then have their places */
     KNOT_LOCATE_CHECK,   /* sub-chains between the throws confirm the order */
     KNOT_LOCATE_SHRINK,  /* otherwise: sub-chains shrunk until they lose a throw */
     KNOT_LOCATE_DONE
@@ -358,8 +359,11 @@ typedef struct knot_locating {
     const knot_closing *closing;
     const knot_reading *whole; /* what there is to find */
     knot_polygon polygon;      /* the thread closed */
+    knot_edge ray;             /* away from the tissue */
     knot_locate_stage stage;
+    uint32_t round; /* REDUCE: each goes further */
     uint32_t direction, direction_limit;
+    bool shrinking; /* has begun */
     uint32_t level; /* CHECK, SHRINK: throws that are left inside */
     uint32_t side, halvings, tries;
     bool reading;   /* a sub-chain is being read */
@@ -370,7 +374,7 @@ typedef struct knot_locating {
     uint32_t count;
     knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
 } knot_locating;
-void vbss_knot_locating_begin(knot_locating *locating, const knot_scene *scene,
+void vbss_knot_locating_begin(knot_locating *locating, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
                               uint32_t direction_limit);
 /* Uses the curve for its own readings. */

@@ -10,7 +10,7 @@
 
 #define NONE UINT32_MAX
 /* Work in about nanoseconds, as measured. */
-enum { WORK_SKIP = 2, WORK_VISIT = 40, WORK_EDGE = 12, WORK_REMOVE = 20, WORK_CLOSE_UP = 12 };
+enum { WORK_SKIP = 2, WORK_VISIT = 55, WORK_EDGE = 12, WORK_REMOVE = 15, WORK_CLOSE_UP = 5 };
 
 /* ---- what it has: a slot an obstacle, then a slot a vertex, which is that of the edge after it as well */
 

@@ -242,8 +242,9 @@ vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8
                                        uint64_t count)
 {
     knot_detector *d;
-    VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
     VBSS_TRY(vbss_knot_open(detector, &d));
+    VBSS_TRY(vbss_check_arithmetic(d->context)); /* a reading is done again */
+    VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
     d->event_count = d->events_lost = d->paper.loop_count = 0; /* belonged to the last step */
     d->generation++;
     return VBSS_OK;

@@ -1,13 +1,17 @@
 /* Where on the thread the throws lie, and which comes after which.
  *
- * The whole thread's diagram keeps the places of its crossings: if it comes apart as it is, the throws' strands
- * can be read off, nested about the tissue. Sub-chains cut between the throws must then have just the throws inside. If
- * no diagram of the whole thread comes apart, sub-chains are shrunk until they lose a throw. */
+ * The thread is reduced again, but only between vertices that stay, so that the crossings of its diagrams have
+ * places: if one comes apart, the throws' strands can be read off, nested about the tissue. Sub-chains cut between the
+ * throws must then have just the throws inside. If no diagram comes apart, or they have not, sub-chains are shrunk until
+ * they lose a throw. */
 #include "knot/knot.h"
 
 #include <string.h>
 
-enum { HALVINGS = 7, TRIES = 8 };
+enum { HALVINGS = 7, TRIES = 8, ROUNDS = 3 };
+
+/* Segments between vertices that stay, a round; none stay in the last. */
+static const uint32_t spacings[ROUNDS] = {6, 16, 0};
 
 /* ---- sub-chains */
 
@@ -163,18 +167,64 @@ static void begin_check(knot_locating *l)
     l->stage = KNOT_LOCATE_CHECK;
 }
 
+/* The thread closed; the tissue's place stays, and its ray is in the way of moves. */
+static void begin_round(knot_locating *l, knot_curve *curve)
+{
+    const knot_scene *scene = l->scene;
+    const double last = scene->point_count - 1.0, tissue = scene->tissue_place;
+    knot_polygon *p = &l->polygon;
+    knot_way tail = vbss_knot_way_out(scene->points[0], l->closing->tail_out[0]);
+    knot_way end =
+        vbss_knot_way_out(scene->points[scene->point_count - 1], l->closing->long_out[0]);
+    vbss_knot_close_begin(l->closing, p, &tail);
+    if (l->closing->has_tissue) {
+        vbss_knot_polygon_add_thread(p, scene, 0.0, tissue);
+        vec3 in = p->x[p->count - 1];
+        p->stays[p->count - 1] = true;
+        l->ray = (knot_edge){in, vec3_add_scaled(in, l->closing->far, l->closing->away)};
+        vbss_knot_polygon_add_thread(p, scene, tissue, last);
+    } else {
+        vbss_knot_polygon_add_thread(p, scene, 0.0, last);
+    }
+    vbss_knot_close_end(l->closing, p, &tail, &end);
+    p->stays[0] = p->stays[p->count - 1] = true; /* far away: between them there is no thread */
+    uint32_t spacing = spacings[l->round++];
+    for (uint32_t i = 1; i < p->count && spacing > 0; i += spacing) {
+        p->stays[i] = true;
+    }
+    vbss_knot_reduction_begin(&curve->reduction, p, &l->ray, l->closing->has_tissue ? 1 : 0);
+    l->direction = 0;
+    l->stage = KNOT_LOCATE_REDUCE;
+}
+
+static void reduce(knot_locating *l, knot_curve *curve, knot_work *work)
+{
+    if (vbss_knot_reduction_go_on(&curve->reduction, work)) {
+        curve->counts.removed += curve->reduction.removed;
+        l->stage = KNOT_LOCATE_PROJECT;
+    }
+}
+
+static void end_round(knot_locating *l, knot_curve *curve)
+{
+    if (l->has_spare) {
+        memcpy(l->throws, l->spare, sizeof l->throws);
+        l->has_spare = false;
+        begin_check(l);
+    } else if (l->round < ROUNDS) {
+        begin_round(l, curve);
+    } else {
+        l->stage = KNOT_LOCATE_SHRINK;
+    }
+}
+
 /* The first diagram that shows the strands of all throws; else the first that comes apart. */
 static void project(knot_locating *l, knot_curve *curve, knot_work *work)
 {
     knot_code *code = &curve->codes[0];
     knot_factors factors;
     if (l->direction >= l->direction_limit) {
-        l->stage = KNOT_LOCATE_SHRINK;
-        if (l->has_spare) {
-            memcpy(l->throws, l->spare, sizeof l->throws);
-            l->has_spare = false;
-            begin_check(l);
-        }
+        end_round(l, curve);
         return;
     }
     vec3 direction = vbss_knot_direction(l->direction++);
@@ -207,10 +257,8 @@ static void check(knot_locating *l, knot_curve *curve, knot_work *work)
         if (vbss_knot_curve_go_on(curve, work)) {
             l->reading = false;
             if (!has_first_throws(l, &curve->reading, l->level)) {
-                if (l->direction_limit > l->direction + 2) {
-                    l->direction_limit = l->direction + 2;
-                }
-                l->stage = KNOT_LOCATE_PROJECT; /* another diagram may place them better */
+                l->direction = l->direction_limit; /* another round may place them better */
+                l->stage = KNOT_LOCATE_PROJECT;
             }
         }
         return;
@@ -325,8 +373,8 @@ static void take_part(knot_locating *l, const knot_reading *r)
 
 static void shrink(knot_locating *l, knot_curve *curve, knot_work *work)
 {
-    if (l->direction <= l->direction_limit) { /* has not begun */
-        l->direction = l->direction_limit + 1;
+    if (!l->shrinking) {
+        l->shrinking = true;
         begin_shrinking(l);
         if (!l->closing->has_tissue) {
             leave_unordered(l);
@@ -354,7 +402,7 @@ static void shrink(knot_locating *l, knot_curve *curve, knot_work *work)
 
 /* ---- the whole */
 
-void vbss_knot_locating_begin(knot_locating *l, const knot_scene *scene,
+void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
                               uint32_t direction_limit)
 {
@@ -362,25 +410,22 @@ void vbss_knot_locating_begin(knot_locating *l, const knot_scene *scene,
     l->closing = closing;
     l->whole = whole;
     l->count = 0;
-    l->certified = l->has_spare = false;
-    l->direction = 0;
+    l->certified = l->has_spare = l->shrinking = false;
     l->direction_limit = direction_limit;
-    if (!whole->throws || whole->factors.count == 0) {
-        l->stage = KNOT_LOCATE_DONE;
-        return;
+    l->round = 0;
+    l->stage = KNOT_LOCATE_DONE;
+    if (whole->throws && whole->factors.count > 0) {
+        begin_round(l, curve);
     }
-    l->stage = KNOT_LOCATE_PROJECT;
-    knot_way tail = vbss_knot_way_out(scene->points[0], closing->tail_out[0]);
-    knot_way end = vbss_knot_way_out(scene->points[scene->point_count - 1], closing->long_out[0]);
-    vbss_knot_close_begin(closing, &l->polygon, &tail);
-    vbss_knot_polygon_add_thread(&l->polygon, scene, 0.0, scene->point_count - 1.0);
-    vbss_knot_close_end(closing, &l->polygon, &tail, &end);
 }
 
 bool vbss_knot_locating_go_on(knot_locating *l, knot_curve *curve, knot_work *work)
 {
     while (*work > 0 && l->stage != KNOT_LOCATE_DONE) {
         switch (l->stage) {
+        case KNOT_LOCATE_REDUCE:
+            reduce(l, curve, work);
+            break;
         case KNOT_LOCATE_PROJECT:
             project(l, curve, work);
             break;

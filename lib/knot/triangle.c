@@ -18,13 +18,9 @@ typedef struct near_value {
     double low, high;
 } near_value;
 
-/* Half units in the last place of the sum of sizes: 3 are enough for a product of differences less another (see
- * orientation.h), 5 for three products of differences; what is left covers the rounding of the bounds. */
-#define NEAR_ERROR 8.9e-16
-
 static near_value near_make(double value, double size)
 {
-    double error = NEAR_ERROR * size + ORIENTATION_UNDERFLOW;
+    double error = KNOT_CLEARANCE * size + ORIENTATION_UNDERFLOW;
     near_value r = {value - error, value + error};
     return r;
 }
@@ -162,7 +158,7 @@ static bool line_passes(const knot_triangle *t, vec3 p, vec3 q, bool *hits)
 {
     vec3 d = vec3_sub(q, p), a = vec3_sub(t->a, p), b = vec3_sub(t->b, p), c = vec3_sub(t->c, p);
     area da = area_of(d, a), db = area_of(d, b);
-    int ab = area_side(&da, b), bc = area_side(&db, c), ca = -area_side(&da, c);
+    int ab = clear_side(&da, b), bc = clear_side(&db, c), ca = -clear_side(&da, c);
     *hits = ab * bc * ca != 0;
     return ab * bc < 0 || ab * ca < 0 || bc * ca < 0;
 }

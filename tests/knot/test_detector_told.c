@@ -1,0 +1,166 @@
+/* What a detector tells of knots: its state, and the throws. */
+#include "knot/detector_rig.h"
+#include "scenes/knot_body.h"
+
+static void the_state_tells_the_knot(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *knot;
+        vbss_knot_name name;
+        uint32_t throws, faults, crossings;
+        int32_t signature, tristram;
+        int64_t determinant, v2, v3;
+    } knots[] = {
+        {"", VBSS_KNOT_NAME_NONE, 0, VBSS_KNOT_FAULT_FEW, 0, 0, 0, 1, 0, 0},
+        {"1", VBSS_KNOT_NAME_SINGLE, 1, VBSS_KNOT_FAULT_FEW | VBSS_KNOT_FAULT_FIRST, 3, -2, 0, 3, 1,
+         1},
+        {"2", VBSS_KNOT_NAME_DOUBLE, 1, VBSS_KNOT_FAULT_FEW, 5, -4, -2, 5, 3, 5},
+        {"1=1", VBSS_KNOT_NAME_SQUARE, 2, VBSS_KNOT_FAULT_FEW | VBSS_KNOT_FAULT_FIRST, 6, 0, 0, 9,
+         2, 0},
+        {"2x1", VBSS_KNOT_NAME_SURGEONS_GRANNY, 2, VBSS_KNOT_FAULT_FEW | VBSS_KNOT_FAULT_GRANNY, 8,
+         -6, -2, 15, 4, 6},
+        {"2=1=1", VBSS_KNOT_NAME_FLS, 3, 0, 11, -4, -2, 45, 5, 5},
+    };
+    for (size_t i = 0; i < sizeof knots / sizeof knots[0]; i++) {
+        detector_rig r;
+        detector_rig_begin(&r);
+        detector_rig_create(&r);
+        detector_rig_tie(&r, knots[i].knot, 200);
+        detector_rig_judge(&r);
+        vbss_knot_state s = detector_rig_state(&r);
+        assert_int_equal(s.name, knots[i].name);
+        assert_int_equal(s.verdict, i == 0 ? VBSS_KNOT_VERDICT_NONE : VBSS_KNOT_VERDICT_CERTIFIED);
+        assert_int_equal(s.reason, VBSS_KNOT_REASON_NONE);
+        assert_int_equal(s.throw_count, knots[i].throws);
+        assert_int_equal(s.faults, knots[i].faults);
+        assert_int_equal(s.crossings, knots[i].crossings);
+        assert_int_equal(s.certified, 1);
+        assert_int_equal(s.signature, knots[i].signature);
+        assert_int_equal(s.signature_tristram, knots[i].tristram);
+        assert_true(s.determinant == knots[i].determinant);
+        assert_true(s.v2 == knots[i].v2 && s.v3 == knots[i].v3);
+        assert_int_equal(s.ends_free, 1);
+        assert_int_equal(s.closures, 0); /* nothing else to compare with */
+        assert_int_equal(s.steps, 1);
+        assert_int_equal(s.reading_step, 1);
+        detector_rig_expect_notation(&r, knots[i].knot);
+        detector_rig_end(&r);
+    }
+}
+
+static void throws_are_counted_from_the_tissue_outward(void **state)
+{
+    (void)state;
+    detector_rig r;
+    vbss_knot_throw t = {0};
+    detector_rig_begin(&r);
+    detector_rig_create(&r);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_knot_detector_get_throw(r.detector, 0, &t, sizeof t));
+    detector_rig_tie(&r, "2=1x1", 200);
+    detector_rig_judge(&r);
+    double inside[2] = {r.line.tissue_place, r.line.tissue_place};
+    const uint32_t sure = VBSS_KNOT_THROW_LOCATED | VBSS_KNOT_THROW_ORDERED;
+    for (uint32_t i = 0; i < 3; i++) {
+        t = detector_rig_throw(&r, i);
+        assert_int_equal(t.verdict, VBSS_KNOT_VERDICT_CERTIFIED);
+        assert_int_equal(t.wraps, i == 0 ? 2 : 1);
+        assert_int_equal(t.handedness, i == 0 ? 1 : -1);
+        assert_int_equal(t.flags, i == 2 ? sure | VBSS_KNOT_THROW_GRANNY : sure);
+        assert_int_equal(t.reserved, 0);
+        assert_true(0.0 < t.tail_places[0] && t.tail_places[0] < t.tail_places[1]);
+        assert_true(t.tail_places[1] <= inside[0] && inside[1] <= t.long_places[0]);
+        assert_true(t.long_places[0] < t.long_places[1] && t.long_places[1] < r.line.count - 1.0);
+        double length = 0.0; /* of the tail beyond it */
+        vec3 last = r.line.x[0];
+        for (uint32_t k = 1; k < t.tail_places[0]; k++) {
+            length += vec3_distance(last, r.line.x[k]);
+            last = r.line.x[k];
+        }
+        length += vec3_distance(last, thread_line_at(&r.line, t.tail_places[0]));
+        expect_near(length, t.tail_length, 1e-9);
+        assert_true(length > 5e-3 && fabs(t.slip) < 0.5);
+        inside[0] = t.tail_places[0];
+        inside[1] = t.long_places[1];
+    }
+    const uint32_t none[] = {3, KNOT_THROWS, UINT32_MAX};
+    for (int i = 0; i < 3; i++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_knot_detector_get_throw(r.detector, none[i], &t, sizeof t));
+    }
+    detector_rig_end(&r);
+}
+
+static void throws_tell_when_they_were_formed_and_last_seen(void **state)
+{
+    (void)state;
+    detector_rig r;
+    detector_rig_begin(&r);
+    detector_rig_create(&r);
+    detector_rig_tie(&r, "2", 100);
+    detector_rig_judge(&r);
+    detector_rig_tie(&r, "2=1", 150);
+    detector_rig_steps(&r, 6);
+    detector_rig_judge(&r);
+    assert_true(detector_rig_throw(&r, 0).formed_step == 1);
+    assert_true(detector_rig_throw(&r, 1).formed_step == 8 ||
+                detector_rig_throw(&r, 1).formed_step == 2); /* if that was read at once */
+    assert_true(detector_rig_throw(&r, 0).reading_step == 8);
+    assert_true(detector_rig_throw(&r, 1).reading_step == 8);
+    detector_rig_end(&r);
+}
+
+/* The script of the moving knot, as a detector follows it: wound, passed, tied, undone; to either side. */
+static void a_knot_is_followed_while_it_is_tied(void **state)
+{
+    (void)state;
+    knot_body_options options[] = {{VBSS_KNOT_TOPOLOGY, 15000}, {VBSS_KNOT_PROJECTION, 15000}};
+    for (int i = 0; i < 2; i++) {
+        harness_memory memory;
+        vbss_context *context = harness_context(&memory);
+        void *detector = NULL;
+        expect_ok(knot_body_create(context, &options[i], &detector));
+        detector_rig r = {.context = context, .detector = detector};
+        for (uint64_t step = 0; step < 4 * MOVING_KNOT_PERIOD; step++) {
+            expect_ok(knot_body_step(detector));
+            vbss_knot_state s = detector_rig_state(&r);
+            const uint64_t at = step % MOVING_KNOT_PERIOD;
+            assert_in_range(s.next_verdict, VBSS_KNOT_VERDICT_NONE, VBSS_KNOT_VERDICT_PASSED);
+            if (i == 1) {
+                continue;
+            }
+            if (at == 12 || at == 89) {
+                assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_NONE);
+                assert_int_equal(s.throw_count, 0);
+            } else if (at == 25) {
+                assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_WRAPPING);
+            } else if (at == 46) {
+                assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_PASSED);
+            } else if (at == 65) {
+                assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_CERTIFIED);
+                assert_int_equal(s.throw_count, 1);
+                assert_int_equal(detector_rig_throw(&r, 0).wraps, moving_knot_wraps(step));
+                assert_int_equal(detector_rig_throw(&r, 0).handedness,
+                                 moving_knot_handedness(step));
+            }
+            if (at == 46 || at == 28) {
+                assert_int_equal(s.next_tool, 0);
+                assert_int_equal(s.next_wraps, moving_knot_wraps(step));
+                assert_int_equal(s.next_handedness, moving_knot_handedness(step));
+            }
+        }
+        harness_context_end(context, &memory);
+    }
+}
+
+int test_detector_told(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_state_tells_the_knot),
+        cmocka_unit_test(throws_are_counted_from_the_tissue_outward),
+        cmocka_unit_test(throws_tell_when_they_were_formed_and_last_seen),
+        cmocka_unit_test(a_knot_is_followed_while_it_is_tied),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
