@@ -35,13 +35,19 @@ static void project(knot_curve *curve, knot_work *work)
         return;
     }
     vbss_knot_code_simplify(code, work);
-    if (curve->has_best && code->n > best->n) {
-        return;
+    knot_factors factors;
+    bool certified = vbss_knot_twists(code, &factors);
+    if (!certified && code->n <= curve->algebra.capacity) {
+        vbss_knot_code_untangle(code, &curve->codes[2], KNOT_TRIES, work);
+        certified = vbss_knot_twists(code, &factors);
     }
-    curve->best = 1 - curve->best;
-    curve->has_best = true;
-    curve->reading.crossings = code->n;
-    curve->reading.certified = vbss_knot_twists(code, &curve->reading.factors);
+    if (certified || !curve->has_best || code->n < best->n) {
+        curve->best = 1 - curve->best;
+        curve->has_best = true;
+        curve->reading.crossings = code->n;
+        curve->reading.certified = certified;
+        curve->reading.factors = factors;
+    }
 }
 
 static void compute(knot_curve *curve, knot_work *work)

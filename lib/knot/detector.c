@@ -53,8 +53,8 @@ static vbss_result check_config(vbss_context *context, const vbss_knot_config *c
 /* ---- memory: one table says what there is */
 
 enum {
-    PARTS = 6 + 2 + 2 * (3 + KNOT_REDUCTION_ARRAYS) + KNOT_PROJECTOR_ARRAYS + 2 * KNOT_CODE_ARRAYS +
-            KNOT_ALGEBRA_ARRAYS + 1 + 3 + KNOT_PAPER_ARRAYS + 1
+    PARTS = 6 + 2 + 2 * (3 + KNOT_REDUCTION_ARRAYS) + KNOT_PROJECTOR_ARRAYS +
+            KNOT_CODES * KNOT_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS + 1 + 3 + KNOT_PAPER_ARRAYS + 1
 };
 
 static uint32_t list_scene(knot_scene *scene, const vbss_knot_config *c, vbss_array *parts)
@@ -92,7 +92,7 @@ static uint32_t list_parts(knot_detector *d, vbss_array parts[PARTS])
     n += KNOT_REDUCTION_ARRAYS;
     vbss_knot_projector_arrays(&curve->projector, vertices, parts + n);
     n += KNOT_PROJECTOR_ARRAYS;
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < KNOT_CODES; i++) {
         vbss_knot_code_arrays(&curve->codes[i], c->crossing_capacity, parts + n);
         n += KNOT_CODE_ARRAYS;
     }

@@ -3,8 +3,8 @@
  * From the host's polyline to the verdict: input.c copies what is shown; winding.c looks at it in every
  * step. A reading of the topology is a job (job.c) on a copy: core.c reduces the thread once with all that
  * its ends will be closed by as obstacles, closing.c closes it this way and that, and curve.c reads one closed curve:
- * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, code.c simplifies
- * it, twist.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
+ * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, code.c and untangle.c
+ * simplify it, twist.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
  * invariants, catalogue.c compares. throws.c finds where the throws lie, verdict.c makes of it what hosts see,
  * detector.c is the step. paper_loops.c and paper_throws.c are method PROJECTION. */
 #ifndef VBSS_KNOT_KNOT_H
@@ -145,6 +145,10 @@ vec3 vbss_knot_direction(uint32_t k);
 bool vbss_knot_code_is_planar(const knot_code *code);
 /* Reidemeister moves I and II that lower the number of crossings, until there is none. `at` of what stays is kept. */
 void vbss_knot_code_simplify(knot_code *code, knot_work *work);
+/* untangle.c: lays strands that pass over (or under) all they meet where they meet less, `tries` strands at most, and
+ * simplifies. True when crossings became fewer. `at` of passages that were laid anew is between those of their
+ * neighbours, ascending, no more. Nothing is done when n + 2 is more than the capacity of `spare`, which is overwritten. */
+bool vbss_knot_code_untangle(knot_code *code, knot_code *spare, uint32_t tries, knot_work *work);
 
 /* ---- invariants of a code of a knot */
 
@@ -267,11 +271,13 @@ typedef enum knot_curve_stage {
     KNOT_CURVE_READ
 } knot_curve_stage;
 
+enum { KNOT_CODES = 3, KNOT_TRIES = 64 /* strands that are laid anew in a diagram */ };
+
 typedef struct knot_curve {
     knot_polygon polygon; /* filled by whoever begins */
     knot_reduction reduction;
     knot_projector projector;
-    knot_code codes[2]; /* the one being made, and the best so far */
+    knot_code codes[KNOT_CODES]; /* the one being made, the best so far, and a spare one */
     knot_algebra algebra;
     knot_curve_stage stage;
     bool checked; /* invariants are computed even if it is certified */
@@ -369,8 +375,8 @@ typedef struct knot_locating {
     bool reading;   /* a sub-chain is being read */
     double cuts[2]; /* SHRINK: the outer sub-chain of this level */
     double low, high, found[2];
-    bool certified; /* a diagram of the whole thread came apart: that too proves what it is */
-    bool has_spare; /* `spare` are the places that a shifted diagram shows */
+    bool certified;   /* a diagram of the whole thread came apart: that too proves what it is */
+    uint32_t quality; /* of `spare`, the places that a less good diagram shows; 0: none */
     uint32_t count;
     knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
 } knot_locating;

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-enum { HALVINGS = 7, TRIES = 8, ROUNDS = 3 };
+enum { HALVINGS = 7, TRIES = 8, ROUNDS = 3, DIRECTIONS = 6 };
 
 /* Segments between vertices that stay, a round; none stay in the last. */
 static const uint32_t spacings[ROUNDS] = {6, 16, 0};
@@ -135,16 +135,21 @@ static void sort_throws(knot_locating *l)
     }
 }
 
-/* False when a throw looks like a half hitch: another direction may show its strands. */
-static bool take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
+/* How well a diagram shows where the throws lie: by strands, or as half hitches, which another direction may show by
+ * strands; not at all when something crosses beyond the ends. */
+enum { SHOWS_NOTHING = 0, SHOWS_PLACES = 1, SHOWS_STRANDS = 2 };
+
+static uint32_t take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
 {
-    bool strands = true;
+    bool strands = true, on_thread = true;
     l->count = f->count;
     for (uint32_t i = 0; i < f->count; i++) {
         knot_located *t = &l->throws[i];
         *t = (knot_located){
             .located = true, .wraps = f->factors[i].wraps, .handedness = f->factors[i].handedness};
         strands &= take_places(l, code, f, i, t);
+        on_thread &= lesser(lesser(t->tail_places[0], t->tail_places[1]),
+                            lesser(t->long_places[0], t->long_places[1])) >= 0.0;
     }
     sort_throws(l);
     uint32_t about = 0;
@@ -156,7 +161,7 @@ static bool take_off(knot_locating *l, const knot_code *code, const knot_factors
     for (uint32_t i = 0; i < about; i++) {
         l->throws[i].ordered = nested;
     }
-    return strands;
+    return !on_thread ? SHOWS_NOTHING : strands ? SHOWS_STRANDS : SHOWS_PLACES;
 }
 
 static void begin_check(knot_locating *l)
@@ -207,9 +212,9 @@ static void reduce(knot_locating *l, knot_curve *curve, knot_work *work)
 
 static void end_round(knot_locating *l, knot_curve *curve)
 {
-    if (l->has_spare) {
+    if (l->quality > 0) {
         memcpy(l->throws, l->spare, sizeof l->throws);
-        l->has_spare = false;
+        l->quality = 0;
         begin_check(l);
     } else if (l->round < ROUNDS) {
         begin_round(l, curve);
@@ -218,11 +223,28 @@ static void end_round(knot_locating *l, knot_curve *curve)
     }
 }
 
-/* The first diagram that shows the strands of all throws; else the first that comes apart. */
+/* Strands that were laid anew have no places of their own. */
+static uint32_t take_apart(knot_locating *l, knot_curve *curve, knot_code *code, knot_work *work)
+{
+    knot_factors factors;
+    bool anew = false;
+    if (!vbss_knot_twists(code, &factors)) {
+        anew = vbss_knot_code_untangle(code, &curve->codes[1], KNOT_TRIES, work);
+        if (!anew || !vbss_knot_twists(code, &factors)) {
+            return 0;
+        }
+    }
+    uint32_t shows = take_off(l, code, &factors);
+    if (shows == SHOWS_NOTHING || !has_first_throws(l, l->whole, l->count)) {
+        return 0;
+    }
+    return 2 * shows - anew;
+}
+
+/* The first diagram that shows the strands of all throws as they lie; else the best. */
 static void project(knot_locating *l, knot_curve *curve, knot_work *work)
 {
     knot_code *code = &curve->codes[0];
-    knot_factors factors;
     if (l->direction >= l->direction_limit) {
         end_round(l, curve);
         return;
@@ -234,18 +256,12 @@ static void project(knot_locating *l, knot_curve *curve, knot_work *work)
         return;
     }
     vbss_knot_code_simplify(code, work);
-    if (!vbss_knot_twists(code, &factors)) {
-        return;
-    }
-    bool strands = take_off(l, code, &factors);
-    if (!has_first_throws(l, l->whole, l->count)) {
-        return;
-    }
-    if (strands) {
+    uint32_t quality = take_apart(l, curve, code, work);
+    if (quality == 2 * SHOWS_STRANDS) {
         begin_check(l);
-    } else if (!l->has_spare) {
+    } else if (quality > l->quality) {
         memcpy(l->spare, l->throws, sizeof l->throws);
-        l->has_spare = true;
+        l->quality = quality;
     }
 }
 
@@ -410,8 +426,9 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
     l->closing = closing;
     l->whole = whole;
     l->count = 0;
-    l->certified = l->has_spare = l->shrinking = false;
-    l->direction_limit = direction_limit;
+    l->certified = l->shrinking = false;
+    l->quality = 0;
+    l->direction_limit = direction_limit < DIRECTIONS ? direction_limit : DIRECTIONS;
     l->round = 0;
     l->stage = KNOT_LOCATE_DONE;
     if (whole->throws && whole->factors.count > 0) {

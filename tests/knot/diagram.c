@@ -135,7 +135,7 @@ void diagram_expect_code(const char *entries, const char *signs, const knot_code
     for (uint32_t c = 0; c < code->n; c++) {
         sign_text[c] = code->sign[c] > 0 ? '+' : '-';
     }
-    text[2 * code->n] = sign_text[code->n] = '\0';
+    text[2 * (size_t)code->n] = sign_text[code->n] = '\0';
     assert_string_equal(entries, text);
     assert_string_equal(signs, sign_text);
 }
@@ -217,7 +217,7 @@ int64_t diagram_v2(const knot_code *code)
     for (uint32_t a = 0; a < n; a++) {
         for (uint32_t b = 0; b < n; b++) {
             if (under[a] < over[b] && over[b] < over[a] && over[a] < under[b]) {
-                sum += code->sign[a] * code->sign[b];
+                sum += code->sign[a] == code->sign[b] ? 1 : -1;
             }
         }
     }

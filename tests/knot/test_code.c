@@ -106,7 +106,9 @@ static void set_trefoil_with(insertions into, char sign_d, char sign_e)
 {
     char entries[32] = "", signs[8] = "", order[8] = "";
     for (size_t k = 0; k <= 6; k++) {
-        strcat(entries, into[k]);
+        for (const char *letter = into[k]; *letter != '\0'; letter++) {
+            append(entries, *letter);
+        }
         if (k < 6) {
             append(entries, trefoil[k]);
         }

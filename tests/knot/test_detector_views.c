@@ -227,7 +227,7 @@ static void events_beyond_the_capacity_are_counted(void **state)
 static void figures_never_fall_and_add_up(void **state)
 {
     (void)state;
-    knot_body_options options = {VBSS_KNOT_TOPOLOGY, 2500};
+    knot_body_options options = {VBSS_KNOT_TOPOLOGY, 15000};
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     void *detector = NULL;

@@ -332,7 +332,8 @@ static void directions_are_generic_and_lie_all_about(void **state)
         vec3 a = vbss_knot_direction(k);
         expect_near(1.0, vec3_norm(a), 1e-15);
         for (int i = 0; i < 27; i++) {
-            vec3 b = vec3_make(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+            int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+            vec3 b = vec3_make(x, y, z);
             assert_true(i == 13 || vec3_dot(a, vec3_unit_or(b, up)) < vbss_cos(0.07));
         }
         for (uint32_t j = 0; j < k; j++) {

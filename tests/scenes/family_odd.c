@@ -4,6 +4,7 @@
 #include "scenes/clutter.h"
 #include "scenes/isotopy.h"
 #include "scenes/knot_families.h"
+#include "scenes/wrap_scripts.h"
 
 #define PI 3.141592653589793
 #define SIZE 1e-3 /* m: of the stacks */
@@ -176,6 +177,20 @@ bool family_withdrawn(uint64_t seed, uint32_t segments, family_case *made)
     made->throws = 0;
     return put_straight(line, vec3_add(end, vec3_make(1e-3, -20e-3, -4e-3)), 1e-3) &&
            family_carry(seed, segments, 0.2 + 0.2 * (double)(seed % 4), 0.0, made);
+}
+
+/* ---- what so many turns about a tool have tied, on the right side and on the wrong one */
+
+bool family_wraps(uint64_t seed, uint32_t segments, family_case *made)
+{
+    script_frame frame;
+    if (!wrap_script_frame(0, (uint32_t)(seed % 26), 1.0, 400, &frame)) {
+        return false;
+    }
+    *made = (family_case){.truth = FAMILY_THROWS, .throws = frame.throws, .line = frame.line};
+    memcpy(made->wraps, frame.throw_wraps, sizeof made->wraps);
+    memcpy(made->signs, frame.throw_signs, sizeof made->signs);
+    return family_carry(seed, segments, 0.1 + 0.2 * (double)(seed % 4), 0.0, made);
 }
 
 /* ---- closed curves, opened where they are furthest out */

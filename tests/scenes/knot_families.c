@@ -162,6 +162,7 @@ const family families[FAMILIES] = {
     {"round its own limb", 36, 60, family_own_limb},
     {"beside the drain", 36, 60, family_beside_drain},
     {"withdrawn", 6, 30, family_withdrawn},
+    {"wraps", 26, 60, family_wraps},
     {"torus knots", 10, 60, family_torus},
     {"other knots", 8, 60, family_other},
     {"ends inside", 216, 60, family_ends_inside},

@@ -27,7 +27,7 @@ typedef struct family {
     bool (*make)(uint64_t seed, uint32_t segments, family_case *made);
 } family;
 
-enum { FAMILIES = 19 };
+enum { FAMILIES = 20 };
 extern const family families[FAMILIES];
 
 /* The family of that name; NULL when there is none. */
@@ -41,6 +41,7 @@ bool family_stray(uint64_t seed, uint32_t segments, family_case *made);
 bool family_own_limb(uint64_t seed, uint32_t segments, family_case *made);
 bool family_beside_drain(uint64_t seed, uint32_t segments, family_case *made);
 bool family_withdrawn(uint64_t seed, uint32_t segments, family_case *made);
+bool family_wraps(uint64_t seed, uint32_t segments, family_case *made);
 bool family_torus(uint64_t seed, uint32_t segments, family_case *made);
 bool family_other(uint64_t seed, uint32_t segments, family_case *made);
 bool family_ends_inside(uint64_t seed, uint32_t segments, family_case *made);

@@ -85,7 +85,7 @@ static double bight_radius(const knot_shape *shape)
     return shape->cylinder ? greater(least, clear) : least;
 }
 
-void knot_path_pile(const knot_pile *pile, double size, double radius, knot_curve *curve)
+vec3 knot_path_put_pile(const knot_pile *pile, double size, double radius, knot_curve *curve)
 {
     uint32_t top = pile->throws - 1;
     double strand_height = STRAND * size;
@@ -122,7 +122,13 @@ void knot_path_pile(const knot_pile *pile, double size, double radius, knot_curv
         }
     }
     knot_curve_straight(curve, vec3_make(half, 0.0, z), vec3_make(half + lead, 0.0, z));
-    knot_curve_finish(curve, vec3_make(half + lead, 0.0, z));
+    return vec3_make(half + lead, 0.0, z);
+}
+
+void knot_path_pile(const knot_pile *pile, double size, double radius, knot_curve *curve)
+{
+    vec3 end = knot_path_put_pile(pile, size, radius, curve);
+    knot_curve_finish(curve, end);
 }
 
 void knot_path(const knot_shape *shape, knot_curve *curve, knot_line *line)

@@ -23,6 +23,8 @@ void knot_path(const knot_shape *shape, knot_curve *curve, knot_line *line);
 
 /* At least one throw; below them a loop of that radius, whose middle is the middle of the curve. */
 void knot_path_pile(const knot_pile *pile, double size, double radius, knot_curve *curve);
+/* The same as a part of a longer curve, which goes on at the point returned; the pile begins opposite to it. */
+vec3 knot_path_put_pile(const knot_pile *pile, double size, double radius, knot_curve *curve);
 
 /* Half hitches, with the loop's radius, and where along x its centre is. */
 void knot_path_hitches(const knot_shape *shape, double loop_radius, knot_curve *curve,

@@ -347,6 +347,16 @@ static bool ray_is_plain(const swept_line *line, uint32_t k)
     return true;
 }
 
+/* Edges i to j, few, go so straight on that none can meet another. */
+static bool goes_on(const swept_line *line, uint32_t i, uint32_t j)
+{
+    bool on = j - i <= 6;
+    for (uint32_t k = i + 1; k <= j && on; k++) {
+        on = vec3_dot(direction(line, i), direction(line, k)) > 0.8;
+    }
+    return on;
+}
+
 static bool blocks_are_apart(const swept_line *line, uint32_t a, uint32_t b)
 {
     for (uint32_t i = a * SWEPT_BLOCK; i < (a + 1) * SWEPT_BLOCK && i < line->last; i++) {
@@ -356,7 +366,7 @@ static bool blocks_are_apart(const swept_line *line, uint32_t a, uint32_t b)
             double least = line->margin + strays(line, i) + strays(line, j);
             vec3 r = line->x[j], s = line->x[j + 1];
             if (!apart(lower(p, q), higher(p, q), lower(r, s), higher(r, s), least) &&
-                segment_segment(p, q, r, s) <= least) {
+                segment_segment(p, q, r, s) <= least && !goes_on(line, i, j)) {
                 return false;
             }
         }
