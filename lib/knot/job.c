@@ -134,7 +134,8 @@ static void read_curves(knot_job *job, const vbss_knot_config *config, knot_work
         }
     } else if (job->curve >= KNOT_CURVE_OTHERS + job->closing.others) {
         vbss_knot_locating_begin(&job->locating, &job->reader, &job->scene, &job->closing,
-                                 &job->outward, config->direction_limit);
+                                 &job->outward, &job->tail, &job->long_limb,
+                                 config->direction_limit);
         job->stage = KNOT_JOB_LOCATE;
     } else if (!is_wanted(job, job->curve)) {
         job->curve++;

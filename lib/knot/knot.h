@@ -364,8 +364,10 @@ typedef struct knot_locating {
     const knot_scene *scene;
     const knot_closing *closing;
     const knot_reading *whole; /* what there is to find */
-    knot_polygon polygon;      /* the thread closed */
-    knot_edge ray;             /* away from the tissue */
+    const knot_reading
+        *limbs[2]; /* tail and long limb with the tissue's ray: what is in them alone is stray */
+    knot_polygon polygon; /* the thread closed */
+    knot_edge ray;        /* away from the tissue */
     knot_locate_stage stage;
     uint32_t round; /* REDUCE: each goes further */
     uint32_t direction, direction_limit;
@@ -382,6 +384,7 @@ typedef struct knot_locating {
 } knot_locating;
 void vbss_knot_locating_begin(knot_locating *locating, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
+                              const knot_reading *tail, const knot_reading *long_limb,
                               uint32_t direction_limit);
 /* Uses the curve for its own readings. */
 bool vbss_knot_locating_go_on(knot_locating *locating, knot_curve *curve, knot_work *work);

@@ -188,6 +188,7 @@ static void append_strays(writer *w, const knot_verdict *verdict)
 
 void vbss_knot_notation_of(const knot_verdict *verdict, char text[KNOT_NOTATION])
 {
+    static const char joints[] = {'\0', '=', 'x', '+'};
     const stack s = stack_of(verdict);
     writer w = {.text = text};
     memset(text, 0, KNOT_NOTATION);
@@ -195,8 +196,11 @@ void vbss_knot_notation_of(const knot_verdict *verdict, char text[KNOT_NOTATION]
         append(&w, '?', 0);
     }
     for (uint32_t i = 0; i < s.count && !verdict->other; i++) {
-        char sign = i == 0 ? 0 : !s.in_order ? '+' : same_hand(&s, i) ? 'x' : '=';
-        append(&w, sign, s.throws[i]->wraps);
+        uint32_t joint = 0;
+        if (i > 0) {
+            joint = !s.in_order ? 3 : same_hand(&s, i) ? 2 : 1;
+        }
+        append(&w, joints[joint], s.throws[i]->wraps);
     }
     if (s.count < verdict->throw_count) {
         if (w.length > 0) {
@@ -206,6 +210,6 @@ void vbss_knot_notation_of(const knot_verdict *verdict, char text[KNOT_NOTATION]
     }
     if (w.full) {
         memset(text + w.safe, 0, KNOT_NOTATION - w.safe);
-        memcpy(text + w.safe, "..", 2);
+        text[w.safe] = text[w.safe + 1] = '.';
     }
 }

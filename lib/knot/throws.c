@@ -30,6 +30,11 @@ static void begin_part(const knot_locating *l, knot_curve *curve, double from, d
     vbss_knot_curve_begin(curve, false);
 }
 
+static bool was_read(const knot_reading *r)
+{
+    return r->reason == VBSS_KNOT_REASON_NONE && r->throws;
+}
+
 /* Throws of a kind among factors, and among those found. */
 static uint32_t count_factors(const knot_factors *f, int32_t wraps, int32_t handedness)
 {
@@ -223,6 +228,28 @@ static void end_round(knot_locating *l, knot_curve *curve)
     }
 }
 
+/* Whether what lies in one limb alone is what the limb has. Moves of a code know nothing of the tissue's ray: a
+ * diagram may show a throw beside the tissue that is about it, or the reverse. */
+static bool has_strays(const knot_locating *l)
+{
+    uint32_t found[2] = {0, 0};
+    bool same = true;
+    for (uint32_t i = 0; i < l->count && same; i++) {
+        const knot_located *t = &l->throws[i];
+        uint32_t side = t->tail_places[0] > l->scene->tissue_place, alike = 0;
+        for (uint32_t k = 0; k < l->count && t->stray; k++) {
+            const knot_located *other = &l->throws[k];
+            alike += other->stray && other->wraps == t->wraps &&
+                     other->handedness == t->handedness &&
+                     (other->tail_places[0] > l->scene->tissue_place) == (side == 1);
+        }
+        found[side] += t->stray;
+        same =
+            !t->stray || alike == count_factors(&l->limbs[side]->factors, t->wraps, t->handedness);
+    }
+    return same && found[0] == l->limbs[0]->factors.count && found[1] == l->limbs[1]->factors.count;
+}
+
 /* Strands that were laid anew have no places of their own. */
 static uint32_t take_apart(knot_locating *l, knot_curve *curve, knot_code *code, knot_work *work)
 {
@@ -235,7 +262,8 @@ static uint32_t take_apart(knot_locating *l, knot_curve *curve, knot_code *code,
         }
     }
     uint32_t shows = take_off(l, code, &factors);
-    if (shows == SHOWS_NOTHING || !has_first_throws(l, l->whole, l->count)) {
+    if (shows == SHOWS_NOTHING || !has_first_throws(l, l->whole, l->count) ||
+        (l->closing->has_tissue && !has_strays(l))) {
         return 0;
     }
     return 2 * shows - anew;
@@ -392,7 +420,8 @@ static void shrink(knot_locating *l, knot_curve *curve, knot_work *work)
     if (!l->shrinking) {
         l->shrinking = true;
         begin_shrinking(l);
-        if (!l->closing->has_tissue) {
+        if (!l->closing->has_tissue || l->limbs[0]->factors.count > 0 ||
+            l->limbs[1]->factors.count > 0) {
             leave_unordered(l);
         }
         return;
@@ -420,19 +449,27 @@ static void shrink(knot_locating *l, knot_curve *curve, knot_work *work)
 
 void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
+                              const knot_reading *tail, const knot_reading *long_limb,
                               uint32_t direction_limit)
 {
     l->scene = scene;
     l->closing = closing;
     l->whole = whole;
+    l->limbs[0] = tail;
+    l->limbs[1] = long_limb;
     l->count = 0;
     l->certified = l->shrinking = false;
     l->quality = 0;
     l->direction_limit = direction_limit < DIRECTIONS ? direction_limit : DIRECTIONS;
     l->round = 0;
     l->stage = KNOT_LOCATE_DONE;
-    if (whole->throws && whole->factors.count > 0) {
-        begin_round(l, curve);
+    if (!whole->throws || whole->factors.count == 0) {
+        return;
+    }
+    begin_round(l, curve);
+    if (closing->has_tissue && !(was_read(tail) && was_read(long_limb))) {
+        begin_shrinking(l);
+        leave_unordered(l);
     }
 }
 

@@ -71,7 +71,7 @@ static void mark_strays(knot_verdict *v, const knot_reading *limb)
     }
 }
 
-/* Strays as both theta edges show them: what is sure must agree with that. */
+/* What is sure must agree with what both theta edges show in one limb alone. */
 static void doubt_strays(const knot_job *job, knot_verdict *v)
 {
     uint32_t strays = 0;

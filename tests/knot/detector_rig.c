@@ -65,6 +65,21 @@ void detector_rig_tie(detector_rig *r, const char *notation, uint32_t segments)
     vec3_store(r->input.away, r->line.away);
 }
 
+void detector_rig_figure_eight(detector_rig *r)
+{
+    const uint32_t count = 160;
+    for (uint32_t i = 0; i < count; i++) { /* opened where it is farthest out */
+        double t = 0.02 + (TURN - 0.04) * i / (count - 1), sine, cosine;
+        vbss_sincos(3.0 * t, &sine, &cosine);
+        double radius = 2.0 + vbss_cos(2.0 * t);
+        vec3 x = vec3_make(radius * cosine, radius * sine, vbss_sin(4.0 * t));
+        x.x = i == 0 || i + 1 == count ? 9.0 : x.x; /* limbs */
+        vec3_store(r->points[i], vec3_scale(x, 2e-3));
+    }
+    show_points(r, count);
+    r->input.hole_count = 0;
+}
+
 static vbss_knot_tool *add_tool(detector_rig *r, vec3 handle, vec3 tip)
 {
     assert_true(r->input.tool_count < RIG_TOOLS);

@@ -33,6 +33,8 @@ void detector_rig_end(detector_rig *r);
 /* Shows a knot tied over tissue, told in notation, such as "2=1x1", in so many segments; the first throw is
  * right-handed. */
 void detector_rig_tie(detector_rig *r, const char *notation, uint32_t segments);
+/* Shows a knot that is no stack of throws: the figure eight, 4_1. */
+void detector_rig_figure_eight(detector_rig *r);
 /* Adds tools that the thread does not go round: [0] holds the tail near its end, [1] the needle, [2] nothing. */
 void detector_rig_add_tools(detector_rig *r, uint32_t count);
 /* Adds a straight tool along z near the origin and a thread that winds about it: signed turns towards the tip. */

@@ -49,6 +49,27 @@ static void the_state_tells_the_knot(void **state)
     }
 }
 
+static void a_knot_that_is_no_stack_of_throws_is_told(void **state)
+{
+    (void)state;
+    detector_rig r;
+    detector_rig_begin(&r);
+    detector_rig_create(&r);
+    detector_rig_figure_eight(&r);
+    detector_rig_judge(&r);
+    vbss_knot_state s = detector_rig_state(&r);
+    assert_int_equal(s.name, VBSS_KNOT_NAME_OTHER);
+    assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_FORMED);
+    assert_int_equal(s.throw_count, 0);
+    assert_true(s.faults & VBSS_KNOT_FAULT_TYPE);
+    assert_int_equal(s.crossings, 4);
+    assert_int_equal(s.certified, 0);
+    assert_int_equal(s.signature, 0);
+    assert_true(s.determinant == 5 && s.v2 == -1 && s.v3 == 0);
+    detector_rig_expect_notation(&r, "?");
+    detector_rig_end(&r);
+}
+
 static void throws_are_counted_from_the_tissue_outward(void **state)
 {
     (void)state;
@@ -111,6 +132,33 @@ static void throws_tell_when_they_were_formed_and_last_seen(void **state)
     detector_rig_end(&r);
 }
 
+/* Some steps after anything has happened, so that it was read. */
+static void expect_stage(const detector_rig *r, uint64_t step)
+{
+    const uint64_t at = step % MOVING_KNOT_PERIOD;
+    const int32_t wraps = moving_knot_wraps(step);
+    vbss_knot_state s = detector_rig_state(r);
+    if (at == 5 || at == 89 || (at == 65 && wraps == 0)) {
+        assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_NONE);
+        assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_NONE);
+        assert_int_equal(s.next_wraps, 0);
+        assert_int_equal(s.next_handedness, 0);
+        assert_int_equal(s.throw_count, 0);
+    } else if (at == 28 || (at == 46 && wraps > 0)) {
+        assert_int_equal(s.next_verdict,
+                         at == 28 ? VBSS_KNOT_VERDICT_WRAPPING : VBSS_KNOT_VERDICT_PASSED);
+        assert_int_equal(s.next_tool, 0);
+        assert_int_equal(s.next_wraps, wraps);
+        assert_int_equal(s.next_handedness, moving_knot_handedness(step));
+        assert_true(at == 46 || detector_rig_winding(r, 0).sense == (wraps > 0 ? 1 : -1));
+    } else if (at == 65) {
+        assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_CERTIFIED);
+        assert_int_equal(s.throw_count, 1);
+        assert_int_equal(detector_rig_throw(r, 0).wraps, wraps);
+        assert_int_equal(detector_rig_throw(r, 0).handedness, moving_knot_handedness(step));
+    }
+}
+
 /* The script of the moving knot, as a detector follows it: wound, passed, tied, undone; to either side. */
 static void a_knot_is_followed_while_it_is_tied(void **state)
 {
@@ -124,43 +172,94 @@ static void a_knot_is_followed_while_it_is_tied(void **state)
         detector_rig r = {.context = context, .detector = detector};
         for (uint64_t step = 0; step < 4 * MOVING_KNOT_PERIOD; step++) {
             expect_ok(knot_body_step(detector));
-            vbss_knot_state s = detector_rig_state(&r);
-            const uint64_t at = step % MOVING_KNOT_PERIOD;
-            assert_in_range(s.next_verdict, VBSS_KNOT_VERDICT_NONE, VBSS_KNOT_VERDICT_PASSED);
-            if (i == 1) {
-                continue;
+            if (i == 0) {
+                expect_stage(&r, step);
             }
-            if (at == 12 || at == 89) {
-                assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_NONE);
-                assert_int_equal(s.throw_count, 0);
-            } else if (at == 25) {
-                assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_WRAPPING);
-            } else if (at == 46) {
-                assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_PASSED);
-            } else if (at == 65) {
-                assert_int_equal(s.verdict, VBSS_KNOT_VERDICT_CERTIFIED);
-                assert_int_equal(s.throw_count, 1);
-                assert_int_equal(detector_rig_throw(&r, 0).wraps, moving_knot_wraps(step));
-                assert_int_equal(detector_rig_throw(&r, 0).handedness,
-                                 moving_knot_handedness(step));
-            }
-            if (at == 46 || at == 28) {
-                assert_int_equal(s.next_tool, 0);
-                assert_int_equal(s.next_wraps, moving_knot_wraps(step));
-                assert_int_equal(s.next_handedness, moving_knot_handedness(step));
-            }
+            assert_in_range(detector_rig_state(&r).next_verdict, VBSS_KNOT_VERDICT_NONE,
+                            VBSS_KNOT_VERDICT_PASSED);
         }
         harness_context_end(context, &memory);
     }
+}
+
+/* ---- when they are read */
+
+static uint64_t begun(detector_rig *r, uint32_t steps)
+{
+    uint64_t before = detector_rig_statistics(r).readings;
+    detector_rig_steps(r, steps); /* a reading begins in one and ends in the next */
+    return detector_rig_statistics(r).readings - before;
+}
+
+static void readings_begin_at_intervals(void **state)
+{
+    (void)state;
+    const uint32_t intervals[] = {0, 1, 2, 3, 20, UINT32_MAX};
+    for (int i = 0; i < 6; i++) {
+        detector_rig r;
+        detector_rig_begin(&r);
+        r.config.work_limit = 1000000000;
+        r.config.interval = intervals[i];
+        detector_rig_create(&r);
+        detector_rig_tie(&r, "1", 60);
+        detector_rig_add_tools(&r, 3);
+        r.tools[0].held = VBSS_KNOT_HELD_NOTHING;
+        assert_true(begun(&r, 1) == 0);
+        uint64_t last = 0, least = intervals[i] < 2 ? 2 : intervals[i];
+        for (int k = 2; k <= 100; k++) {
+            uint64_t ended = begun(&r, 1);
+            bool wanted = k == 2 || (intervals[i] > 0 && (uint64_t)(k - 2) % least == 0);
+            assert_true(ended == wanted);
+            last = ended ? detector_rig_state(&r).reading_step : last;
+            assert_true(last == detector_rig_state(&r).reading_step);
+            assert_true(!ended || last == (uint64_t)k - 1);
+        }
+        detector_rig_end(&r);
+    }
+}
+
+static void readings_begin_at_events(void **state)
+{
+    (void)state;
+    detector_rig r;
+    detector_rig_begin(&r);
+    r.config.interval = 0;
+    r.config.work_limit = 1000000000;
+    detector_rig_create(&r);
+    detector_rig_wind(&r, 0.2);
+    assert_true(begun(&r, 200) == 1);
+    r.input.may_have_passed = 1;
+    assert_true(begun(&r, 2) == 1);
+    r.input.may_have_passed = 0;
+    assert_true(begun(&r, 200) == 1); /* of the second of those steps */
+    assert_true(begun(&r, 200) == 0);
+    r.input.point_count = 90;
+    assert_true(begun(&r, 200) == 1);
+    r.tools[0].held = VBSS_KNOT_HELD_NEEDLE;
+    assert_true(begun(&r, 200) == 1);
+    r.tools[0].held = VBSS_KNOT_HELD_THREAD; /* and then every 20 steps, as long as it does */
+    assert_true(begun(&r, 202) == 11);
+    r.tools[0].held = VBSS_KNOT_HELD_NOTHING;
+    assert_true(begun(&r, 200) == 1);
+    r.input.tool_count = 0;
+    detector_rig_wind(&r, 0.9); /* and as long as it winds */
+    assert_true(begun(&r, 202) == 11);
+    r.input.tool_count = 0;
+    detector_rig_wind(&r, 0.2);
+    assert_true(begun(&r, 200) == 1);
+    detector_rig_end(&r);
 }
 
 int test_detector_told(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_state_tells_the_knot),
+        cmocka_unit_test(a_knot_that_is_no_stack_of_throws_is_told),
         cmocka_unit_test(throws_are_counted_from_the_tissue_outward),
         cmocka_unit_test(throws_tell_when_they_were_formed_and_last_seen),
         cmocka_unit_test(a_knot_is_followed_while_it_is_tied),
+        cmocka_unit_test(readings_begin_at_intervals),
+        cmocka_unit_test(readings_begin_at_events),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

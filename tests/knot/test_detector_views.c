@@ -81,7 +81,13 @@ static void winding_is_that_of_the_tools_that_were_shown(void **state)
     detector_rig_steps(&r, 1);
     expect_result(VBSS_ERROR_OUT_OF_RANGE,
                   vbss_knot_detector_get_winding(r.detector, 0, &w, sizeof w));
-    assert_int_equal(detector_rig_state(&r).next_verdict, VBSS_KNOT_VERDICT_NONE);
+    s = detector_rig_state(&r);
+    assert_int_equal(s.next_verdict, VBSS_KNOT_VERDICT_NONE);
+    assert_int_equal(s.next_wraps, 0);
+    assert_int_equal(s.next_handedness, 0);
+    r.input.tool_count = 1; /* another one, for all that is known */
+    detector_rig_steps(&r, 1);
+    assert_int_equal(detector_rig_events(&r, VBSS_KNOT_EVENT_WRAPPED, NULL), 1);
     detector_rig_end(&r);
 }
 

@@ -15,15 +15,21 @@ _Static_assert(TAIL + DRAIN + LIMB + COIL + NEEDLE + 1 == MOVING_KNOT_POINTS, "a
 
 /* Signed turns about the grasper, looking from its tip to its handle, that a throw is wound with. */
 static const double turns_of[] = {1.5, -2.5, -1.5, 2.5};
+enum { THROWS = 4, WRONG_WAY = 2 };
+
+static uint64_t throw_at(uint64_t step)
+{
+    return step / MOVING_KNOT_PERIOD % THROWS;
+}
 
 static double turns_at(uint64_t step)
 {
-    return turns_of[step / MOVING_KNOT_PERIOD % 4];
+    return turns_of[throw_at(step)];
 }
 
 int32_t moving_knot_wraps(uint64_t step)
 {
-    return fabs(turns_at(step)) > 2.0 ? 2 : 1;
+    return throw_at(step) == WRONG_WAY ? 0 : fabs(turns_at(step)) > 2.0 ? 2 : 1;
 }
 
 int32_t moving_knot_handedness(uint64_t step)
@@ -89,13 +95,15 @@ static void lay_thread(uint64_t step, moving_knot *shown)
     go_to(&l, swayed(vec3_make(0.01, 0.0, -0.004), 1.0, step), TAIL / 4);
     go_to(&l, vec3_make(0.004, 0.0, -TISSUE_DEPTH), TAIL / 2);
     go_to(&l, vec3_make(-0.004, 0.0, -TISSUE_DEPTH), DRAIN);
-    go_to(&l, swayed(beside_tool(-0.014, COIL_RADIUS, 0.0), 2.0, step), LIMB);
+    bool wrong = throw_at(step) == WRONG_WAY;
+    const double from = wrong ? -0.004 : -0.014, to = wrong ? -0.014 : -0.004;
+    go_to(&l, swayed(beside_tool(from, COIL_RADIUS, 0.0), 2.0, step), LIMB);
     for (uint32_t i = 1; i <= COIL; i++) {
         double share = (double)i / COIL;
-        vec3 x = beside_tool(-0.014 + 0.01 * share, COIL_RADIUS, turns * share);
+        vec3 x = beside_tool(from + share * (to - from), COIL_RADIUS, turns * share);
         put(&l, swayed(x, 2.0 + share, step));
     }
-    go_to(&l, beside_tool(-0.003, 0.07, turns), NEEDLE);
+    go_to(&l, beside_tool(to, 0.07, turns), NEEDLE);
 }
 
 /* ---- the tools */

@@ -1,5 +1,6 @@
 /* A throw that is tied and comes undone again, by formula: the long limb is wound round a grasper, which takes the
- * tail, draws it through and lets go; then the tail slips back. Each time with other wraps, to the other side.
+ * tail, draws it through and lets go; then the tail slips back. Each of four times with other wraps or to the other
+ * side; the third time the limb is wound towards the handle, which ties nothing.
  * For tests and the determinism table: what is shown is worked out from the number of the step alone, so that a
  * restored detector goes on as the saved one.
  *
@@ -32,7 +33,7 @@ typedef struct moving_knot {
 /* Small capacities; a reading begins every 3 steps, if the last one has ended. */
 vbss_result moving_knot_config(vbss_knot_config *config);
 vbss_result moving_knot_show(uint64_t step, moving_knot *shown);
-/* Of the throw that is tied when this is shown. */
+/* Of the throw that is tied when this is shown; 0 wraps: nothing is. */
 int32_t moving_knot_wraps(uint64_t step);
 int32_t moving_knot_handedness(uint64_t step);
 /* Shows what comes after the steps that the detector has taken. */

@@ -1,0 +1,195 @@
+/* The stories' truth: what the oracle sees when nothing is held, the turns of the thread about the tool, stages. */
+#include "scenes/wrap_scripts.h"
+
+#include <string.h>
+
+#include "harness/harness.h"
+#include "oracle/knot_type.h"
+
+#define PI 3.141592653589793
+
+enum { MOMENTS = 40 };
+
+static script_frame frame;
+
+static double moment(int i)
+{
+    return (double)i / MOMENTS;
+}
+
+static void all_moments(void (*check)(uint32_t script, double t))
+{
+    for (uint32_t script = 0; script < WRAP_SCRIPTS; script++) {
+        for (uint32_t variant = 0; variant < wrap_scripts[script].variants; variant++) {
+            for (int i = 0; i <= MOMENTS; i++) {
+                assert_true(wrap_script_frame(script, variant, moment(i), 240, &frame));
+                check(script, moment(i));
+            }
+        }
+    }
+}
+
+/* While W holds the tail its end may lie in the loops. */
+static void check_type(uint32_t script, double t)
+{
+    (void)script;
+    (void)t;
+    knot_type type,
+        wanted = knot_type_of_throws(frame.throws, frame.throw_wraps, frame.throw_signs);
+    if (frame.stage != SCRIPT_OPEN && frame.stage != SCRIPT_PASSED) {
+        assert_true(knot_type_of(frame.line.x, frame.line.count, &type));
+        assert_true(knot_type_same(wanted, type));
+    }
+}
+
+static void the_oracle_sees_what_is_tied(void **state)
+{
+    (void)state;
+    all_moments(check_type);
+}
+
+/* Signed turns of all that is beside W, looking from its tip to its handle (+x). */
+static double turns_about_w(void)
+{
+    const script_tool *w = &frame.tools[SCRIPT_W];
+    vec3 tip = w->axis[w->points - 1];
+    double sum = 0.0;
+    for (uint32_t i = 0; i + 1 < frame.line.count; i++) {
+        vec3 a = vec3_sub(frame.line.x[i], tip), b = vec3_sub(frame.line.x[i + 1], tip);
+        if (a.x > 0.0 && b.x > 0.0) {
+            sum += vbss_atan2(a.y * b.z - a.z * b.y, a.y * b.y + a.z * b.z);
+        }
+    }
+    return sum / (2.0 * PI);
+}
+
+static void check_turns(uint32_t script, double t)
+{
+    (void)script;
+    if (t < 0.44 || frame.tools[SCRIPT_W].axis[2].x > 10e-3) { /* no tail beside it, or no loop */
+        expect_near(frame.turns, turns_about_w(), 0.12);
+        assert_int_equal(frame.turns == 0.0, frame.sense == 0);
+    }
+}
+
+static void turns_are_those_of_the_thread(void **state)
+{
+    (void)state;
+    all_moments(check_turns);
+}
+
+/* Strands keep clear of the shaft, but for what the jaws hold. */
+static void check_room(uint32_t script, double t)
+{
+    (void)script;
+    (void)t;
+    const script_tool *w = &frame.tools[SCRIPT_W];
+    vec3 tip = w->axis[2];
+    for (uint32_t i = 0; i < frame.line.count; i++) {
+        vec3 from = vec3_sub(frame.line.x[i], tip);
+        double out = sqrt(from.y * from.y + from.z * from.z);
+        if (from.x > 1e-3 && w->held == SCRIPT_HELD_THREAD) {
+            assert_true(out > 1.2e-3);
+        }
+    }
+    if (w->held == SCRIPT_HELD_THREAD) {
+        vec3 jaws = thread_line_at(&frame.line, w->held_place);
+        assert_true(vec3_distance(jaws, tip) < 1.2e-3);
+    }
+    vec3 needle = frame.tools[SCRIPT_N].axis[1];
+    expect_near(0.0, vec3_distance(needle, frame.line.x[frame.line.count - 1]), 1e-15);
+}
+
+static void tools_are_where_they_can_be(void **state)
+{
+    (void)state;
+    all_moments(check_room);
+}
+
+/* ---- the law, and how each story ends */
+
+static void turns_tie_what_the_law_says(void **state)
+{
+    (void)state;
+    for (uint32_t variant = 0; variant < 26; variant++) {
+        double turns = 0.5 * (variant % 13) - 3.0;
+        bool to_handle = variant >= 13;
+        int wraps = to_handle ? 0 : fabs(turns) > 2.0 ? 2 : fabs(turns) > 1.0 ? 1 : 0;
+        assert_true(wrap_script_frame(0, variant, 1.0, 240, &frame));
+        assert_int_equal(wraps > 0 ? 1 : 0, frame.throws);
+        assert_int_equal(wraps, frame.wraps);
+        assert_int_equal(wraps == 0 ? 0 : turns > 0.0 ? -1 : 1, frame.sign);
+        assert_true(wrap_script_frame(0, variant, 0.44, 240, &frame));
+        expect_near(turns, frame.turns, 1e-12);
+    }
+}
+
+static uint32_t script_named(const char *name)
+{
+    uint32_t script = 0;
+    while (script < WRAP_SCRIPTS && strcmp(wrap_scripts[script].name, name) != 0) {
+        script++;
+    }
+    assert_true(script < WRAP_SCRIPTS);
+    return script;
+}
+
+static const struct ending {
+    const char *name;
+    uint32_t throws;
+    bool passes, forms; /* on the way */
+} endings[] = {
+    {"second throw", 2, true, true},          {"third throw", 3, true, true},
+    {"both limbs pulled", 1, true, true},     {"one limb pulled", 1, true, true},
+    {"same hand again", 2, true, true},       {"wraps towards the handle", 0, false, false},
+    {"bight of the tail", 0, false, false},   {"tail dropped", 0, true, false},
+    {"tail backs out", 0, true, true},        {"counter-wrap", 0, false, false},
+    {"loop beyond the tip", 0, false, false}, {"loop on the floor", 0, false, false},
+    {"needle goes back", 0, false, false},    {"needle withdrawn", 0, true, true},
+};
+
+static void stories_end_as_they_say(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++) {
+        uint32_t script = script_named(endings[k].name);
+        for (uint32_t variant = 0; variant < wrap_scripts[script].variants; variant++) {
+            bool passes = false, forms = false;
+            for (int i = 0; i <= MOMENTS; i++) {
+                assert_true(wrap_script_frame(script, variant, moment(i), 240, &frame));
+                passes = passes || frame.stage == SCRIPT_PASSED;
+                forms = forms || frame.stage == SCRIPT_FORMED;
+            }
+            assert_int_equal(endings[k].throws, frame.throws);
+            assert_int_equal(endings[k].passes, passes);
+            assert_int_equal(endings[k].forms, forms);
+            bool alternate = frame.throws < 2 || frame.throw_signs[frame.throws - 1] !=
+                                                     frame.throw_signs[frame.throws - 2];
+            assert_int_equal(strcmp(endings[k].name, "same hand again") != 0, alternate);
+            bool withdrawn = strcmp(endings[k].name, "needle withdrawn") == 0;
+            assert_int_equal(withdrawn, frame.line.tissue_place < 0.0);
+        }
+    }
+}
+
+static void what_makes_no_sense_is_refused(void **state)
+{
+    (void)state;
+    assert_false(wrap_script_frame(WRAP_SCRIPTS, 0, 0.5, 240, &frame));
+    assert_false(wrap_script_frame(0, 0, -0.1, 240, &frame));
+    assert_false(wrap_script_frame(1, 0, 1.0, 8, &frame));
+    assert_false(wrap_script_frame(0, 0, 0.5, STACK_POINTS, &frame));
+}
+
+int test_wrap_scripts(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_oracle_sees_what_is_tied),
+        cmocka_unit_test(turns_are_those_of_the_thread),
+        cmocka_unit_test(tools_are_where_they_can_be),
+        cmocka_unit_test(turns_tie_what_the_law_says),
+        cmocka_unit_test(stories_end_as_they_say),
+        cmocka_unit_test(what_makes_no_sense_is_refused),
+    };
+    return cmocka_run_group_tests_name("wrap scripts", tests, NULL, NULL);
+}
