@@ -44,7 +44,7 @@ typedef struct vbss_knot_config {
     uint32_t tool_capacity;  /**< Most tools, 0 to 16; default 4. */
     uint32_t
         crossing_capacity;    /**< Most crossings that a diagram may have before it is simplified, 8
-                                     to 2048; default 256. A quarter of them may be left. */
+                                     to 2048; default 512. A quarter of them may be left. */
     uint32_t direction_limit; /**< Directions of projection that are tried, 1 to 64; default 12. */
     /** Directions in which the ends are closed besides straight outward, 0 to 16; default 8. */
     uint32_t closure_count;

@@ -37,7 +37,7 @@ static void project(knot_curve *curve, knot_work *work)
     vbss_knot_code_simplify(code, work);
     knot_factors factors;
     bool certified = vbss_knot_twists(code, &factors);
-    if (!certified && code->n <= curve->algebra.capacity) {
+    if (!certified) {
         vbss_knot_code_untangle(code, &curve->codes[2], KNOT_TRIES, work);
         certified = vbss_knot_twists(code, &factors);
     }

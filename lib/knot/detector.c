@@ -9,7 +9,7 @@ static const vbss_knot_config config_defaults = {.struct_size = sizeof(vbss_knot
                                                  .method = VBSS_KNOT_TOPOLOGY,
                                                  .point_capacity = 1024,
                                                  .tool_capacity = 4,
-                                                 .crossing_capacity = 256,
+                                                 .crossing_capacity = 512,
                                                  .direction_limit = 12,
                                                  .closure_count = 8,
                                                  .closure_tolerance = 2,

@@ -11,7 +11,7 @@ typedef struct sides {
     uint32_t *mate; /* of each entry: the other one at its crossing */
 } sides;
 
-enum { NO_FACE = UINT32_MAX };
+#define NO_FACE UINT32_MAX
 
 static void find_mates(sides *s, uint32_t *first)
 {

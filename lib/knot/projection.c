@@ -8,7 +8,7 @@
 /* What is too near to be told, in shares of an edge: a vertex, or another crossing; of the polygon's size: the
  * strand above. */
 #define NEAR_PLACE 1e-6
-#define NEAR_HEIGHT 1e-9
+#define NEAR_HEIGHT 1e-12
 
 /* ---- two edges */
 

@@ -461,6 +461,7 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
     l->certified = l->shrinking = false;
     l->quality = 0;
     l->direction_limit = direction_limit < DIRECTIONS ? direction_limit : DIRECTIONS;
+    curve->direction_limit = l->direction_limit; /* sub-chains are many */
     l->round = 0;
     l->stage = KNOT_LOCATE_DONE;
     if (!whole->throws || whole->factors.count == 0) {

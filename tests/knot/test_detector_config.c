@@ -19,7 +19,7 @@ static void the_defaults_are_those_that_are_documented(void **state)
                                      .method = VBSS_KNOT_TOPOLOGY,
                                      .point_capacity = 1024,
                                      .tool_capacity = 4,
-                                     .crossing_capacity = 256,
+                                     .crossing_capacity = 512,
                                      .direction_limit = 12,
                                      .closure_count = 8,
                                      .closure_tolerance = 2,

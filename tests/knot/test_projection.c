@@ -250,7 +250,7 @@ static void what_is_uncertain_is_degenerate(void **state)
     static const vec3 back[] = {{0, 0, 0}, {4, 0, 0}, {2, 0, 1}, {2, 4, 1}};
     static const vec3 upright[] = {{0, 0, 0}, {4, 0, 0}, {4, 0, 1}, {2, 4, 1}};
     static const vec3 touching[] = {{0, 0, 0},     {4, 0, 0},      {4, 4, 0},
-                                    {1, 4, 1e-10}, {1, -4, 1e-10}, {0, -4, 0}};
+                                    {1, 4, 1e-13}, {1, -4, 1e-13}, {0, -4, 0}};
     static const vec3 three_at_once[] = {{-2, 0, 0}, {2, 0, 0},  {2, 2, 0}, {-2, -2, 1},
                                          {2, -3, 1}, {2, -2, 2}, {-2, 2, 2}};
     static const vec3 side_by_side[] = {{0, 0, 0},  {4, 0, 0},         {4, 4, 0},        {1, 4, 1},
@@ -270,8 +270,8 @@ static void what_is_uncertain_is_degenerate(void **state)
 static void a_gap_that_is_small_is_a_gap(void **state)
 {
     (void)state;
-    static const vec3 x[] = {{0, 0, 0},    {4, 0, 0},     {4, 4, 0},
-                             {1, 4, 1e-7}, {1, -4, 1e-7}, {0, -4, 0}};
+    static const vec3 x[] = {{0, 0, 0},     {4, 0, 0},      {4, 4, 0},
+                             {1, 4, 1e-10}, {1, -4, 1e-10}, {0, -4, 0}};
     set_polygon(x, 6);
     project_up();
     assert_int_equal(1, d.code.n);

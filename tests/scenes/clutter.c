@@ -1,7 +1,5 @@
 #include "scenes/clutter.h"
 
-#include <string.h>
-
 #include "scenes/knot_path.h"
 
 #define PI 3.141592653589793

@@ -1,9 +1,10 @@
 /* Families of threads that are no plain stacks of throws. */
+#include "scenes/family_odd.h"
+
 #include <string.h>
 
 #include "scenes/clutter.h"
 #include "scenes/isotopy.h"
-#include "scenes/knot_families.h"
 #include "scenes/wrap_scripts.h"
 
 #define PI 3.141592653589793

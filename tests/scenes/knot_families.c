@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "scenes/clutter.h"
+#include "scenes/family_odd.h"
 #include "scenes/isotopy.h"
 
 enum { BASE_SEGMENTS = 500, CARRY_TRIES = 6 };

@@ -69,7 +69,6 @@ typedef struct scene {
     double tip;     /* of W along the axis */
     bool holds;     /* the tail */
     bool no_tissue; /* the thread has left it */
-    bool open;      /* an end that nothing holds lies within */
     double full;    /* turns in the end */
 } scene;
 

@@ -33,9 +33,9 @@ typedef struct script_tool {
 typedef enum script_stage {
     SCRIPT_NOTHING,  /* no throw is being tied, or it would tie nothing */
     SCRIPT_WRAPPING, /* the limb winds about W: |turns| says how far */
-    SCRIPT_PASSED,   /* the tail is in the jaws: tied if they withdraw */
-    SCRIPT_FORMED,   /* the tail's end is through */
-    SCRIPT_OPEN      /* an end that nothing holds lies in the loops: no truth */
+    SCRIPT_PASSED, /* the tail is in the jaws, its end not through: tied if they withdraw with it */
+    SCRIPT_FORMED, /* the tail's end is through */
+    SCRIPT_OPEN    /* an end that nothing holds lies in the loops: no truth */
 } script_stage;
 
 typedef struct script_frame {
