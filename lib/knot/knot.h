@@ -379,6 +379,7 @@ typedef struct knot_locating {
     double low, high, found[2];
     bool certified;   /* a diagram of the whole thread came apart: that too proves what it is */
     uint32_t quality; /* of `spare`, the places that a less good diagram shows; 0: none */
+    double extent;    /* and of how much of the thread */
     uint32_t count;
     knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
 } knot_locating;

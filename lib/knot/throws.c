@@ -269,7 +269,19 @@ static uint32_t take_apart(knot_locating *l, knot_curve *curve, knot_code *code,
     return 2 * shows - anew;
 }
 
-/* The first diagram that shows the strands of all throws as they lie; else the best. */
+/* How much of the thread is said to be in throws: a crossing of a throw may be seen far from the others. */
+static double extent_of(const knot_locating *l)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < l->count; i++) {
+        const knot_located *t = &l->throws[i];
+        sum += fabs(t->tail_places[1] - t->tail_places[0]) +
+               fabs(t->long_places[1] - t->long_places[0]);
+    }
+    return sum;
+}
+
+/* The diagram that shows the strands of all throws as they lie, in the least of the thread; else the best. */
 static void project(knot_locating *l, knot_curve *curve, knot_work *work)
 {
     knot_code *code = &curve->codes[0];
@@ -285,11 +297,14 @@ static void project(knot_locating *l, knot_curve *curve, knot_work *work)
     }
     vbss_knot_code_simplify(code, work);
     uint32_t quality = take_apart(l, curve, code, work);
-    if (quality == 2 * SHOWS_STRANDS) {
-        begin_check(l);
-    } else if (quality > l->quality) {
+    if (quality == 0) {
+        return;
+    }
+    double extent = extent_of(l);
+    if (quality > l->quality || (quality == l->quality && extent < l->extent)) {
         memcpy(l->spare, l->throws, sizeof l->throws);
         l->quality = quality;
+        l->extent = extent;
     }
 }
 

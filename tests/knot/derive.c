@@ -1,6 +1,7 @@
 #include "knot/derive.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define MARGIN 4e-6 /* m */
@@ -265,4 +266,56 @@ void derive_whole_of(const family_case *from, const derive_whole *how, family_ca
             line->holes[i] = thread_line_at(line, line->hole_places[i]);
         }
     }
+}
+
+/* ---- judged */
+
+static void count_fault(judge_counts *counts, const char *what)
+{
+    judge_counts one = {.heard = 1, .wrong = 1};
+    snprintf(one.first, sizeof one.first, "%s: it is refused", what);
+    judge_add_up(counts, &one);
+}
+
+static void hear(judge *j, family_case *c, bool tail_last, const char *what, judge_counts *counts)
+{
+    judge_saying saying;
+    if (tail_last) {
+        thread_line_reverse(&c->line);
+    }
+    vbss_knot_input in = judge_input_of(&c->line);
+    in.reversed = tail_last ? 1 : 0;
+    if (judge_hear(j, &in, &saying) != VBSS_OK) {
+        count_fault(counts, what);
+        return;
+    }
+    judge_count(counts, &saying, c, tail_last, what);
+}
+
+bool derive_and_judge(judge *j, const family *f, uint64_t seed, uint32_t segments,
+                      uint32_t configurations, judge_counts *counts)
+{
+    static family_case made, shown;
+    static derivation d;
+    char what[120];
+    if (!f->make(seed, segments, &made)) {
+        return false;
+    }
+    snprintf(what, sizeof what, "%s, seed %llu, %u segments", f->name, (unsigned long long)seed,
+             segments);
+    hear(j, &made, false, what, counts);
+    if (made.truth == FAMILY_OPEN || !derive_begin(&d, &made)) {
+        return true;
+    }
+    vbss_random random;
+    vbss_random_seed(&random, seed, segments);
+    for (uint32_t k = 0; k < configurations; k++) {
+        derive_move(&d, &random);
+        derive_whole how = derive_draw(&random);
+        derive_whole_of(&d.from, &how, &shown);
+        snprintf(what, sizeof what, "%s, seed %llu, %u segments, configuration %u", f->name,
+                 (unsigned long long)seed, segments, k);
+        hear(j, &shown, k % 4 == 3, what, counts);
+    }
+    return true;
 }

@@ -4,7 +4,7 @@
 #ifndef VBSS_TESTS_KNOT_DERIVE_H
 #define VBSS_TESTS_KNOT_DERIVE_H
 
-#include "scenes/knot_families.h"
+#include "knot/judge.h"
 #include "scenes/swept.h"
 
 typedef struct derivation {
@@ -35,5 +35,10 @@ derive_whole derive_plain(void);
 derive_whole derive_draw(vbss_random *random);
 /* Fewer are doubled or inserted when there is no room. */
 void derive_whole_of(const family_case *from, const derive_whole *how, family_case *to);
+
+/* A case of a family, so many configurations made of it, each judged and counted; every fourth is given from the long
+ * limb's end on. False when the case could not be made. */
+bool derive_and_judge(judge *j, const family *f, uint64_t seed, uint32_t segments,
+                      uint32_t configurations, judge_counts *counts);
 
 #endif

@@ -27,6 +27,17 @@ void judge_end(judge *j)
     (void)vbss_context_destroy(j->context);
 }
 
+/* Where the detector sees the tissue when it is shown both holes: the truth is about that place. Points given twice do
+ * not count. */
+static bool lies_between_holes(const thread_line *line)
+{
+    bool plain = 0.5 * (line->hole_places[0] + line->hole_places[1]) == line->tissue_place;
+    for (uint32_t i = (uint32_t)line->hole_places[0]; i < line->hole_places[1] && plain; i++) {
+        plain = vec3_distance(line->x[i], line->x[i + 1]) > 0.0;
+    }
+    return plain;
+}
+
 vbss_knot_input judge_input_of(const thread_line *line)
 {
     vbss_knot_input in;
@@ -36,14 +47,13 @@ vbss_knot_input judge_input_of(const thread_line *line)
     if (line->tissue_place < 0.0) {
         return in;
     }
-    double middle = 0.5 * (line->hole_places[0] + line->hole_places[1]);
     vec3_store(in.away, line->away);
     in.hole_count = 2;
     for (int i = 0; i < 2; i++) {
         in.hole_places[i] = line->hole_places[i];
         vec3_store(in.holes[i], line->holes[i]);
     }
-    if (middle != line->tissue_place) { /* the truth is about that place */
+    if (!lies_between_holes(line)) {
         in.hole_count = 1;
         in.hole_places[0] = line->tissue_place;
         vec3_store(in.holes[0], thread_line_at(line, line->tissue_place));
