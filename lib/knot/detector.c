@@ -3,53 +3,6 @@
 
 #include <string.h>
 
-static const uint32_t config_sizes[] = {96, 0};
-_Static_assert(sizeof(vbss_knot_config) == 96, "published size");
-static const vbss_knot_config config_defaults = {.struct_size = sizeof(vbss_knot_config),
-                                                 .method = VBSS_KNOT_TOPOLOGY,
-                                                 .point_capacity = 1024,
-                                                 .tool_capacity = 4,
-                                                 .crossing_capacity = 512,
-                                                 .direction_limit = 12,
-                                                 .closure_count = 8,
-                                                 .closure_tolerance = 2,
-                                                 .work_limit = 15000,
-                                                 .interval = 20,
-                                                 .event_capacity = 64,
-                                                 .tail_reach = 0.03,
-                                                 .tail_least = 0.003,
-                                                 .wrap_turns = 0.75,
-                                                 .slip_limit = 0.6,
-                                                 .plane_offset = -0.002,
-                                                 .seed = 1};
-static const vbss_layout config_layout = {"vbss_knot_config", &config_defaults, config_sizes};
-
-vbss_result vbss_knot_config_init(vbss_knot_config *config, uint32_t struct_size)
-{
-    return vbss_config_init(&config_layout, config, struct_size);
-}
-
-static vbss_result check_config(vbss_context *context, const vbss_knot_config *c)
-{
-    VBSS_TRY(
-        vbss_check_range(context, c->method, VBSS_KNOT_TOPOLOGY, VBSS_KNOT_PROJECTION, "method"));
-    VBSS_TRY(vbss_check_range(context, c->point_capacity, 2.0, 8192.0, "point_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->tool_capacity, 0.0, 16.0, "tool_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->crossing_capacity, 8.0, 2048.0, "crossing_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->direction_limit, 1.0, 64.0, "direction_limit"));
-    VBSS_TRY(vbss_check_range(context, c->closure_count, 0.0, KNOT_CLOSURES, "closure_count"));
-    VBSS_TRY(
-        vbss_check_range(context, c->closure_tolerance, 0.0, KNOT_CLOSURES, "closure_tolerance"));
-    VBSS_TRY(vbss_check_range(context, c->work_limit, 100.0, 1e9, "work_limit"));
-    VBSS_TRY(vbss_check_range(context, c->event_capacity, 8.0, 4096.0, "event_capacity"));
-    VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
-    VBSS_TRY(vbss_check_range(context, c->tail_reach, 0.0, 1.0, "tail_reach"));
-    VBSS_TRY(vbss_check_range(context, c->tail_least, 0.0, 1.0, "tail_least"));
-    VBSS_TRY(vbss_check_range(context, c->wrap_turns, 0.1, 2.0, "wrap_turns"));
-    VBSS_TRY(vbss_check_range(context, c->slip_limit, 0.0, 1.0, "slip_limit"));
-    return vbss_check_range(context, c->plane_offset, -1.0, 1.0, "plane_offset");
-}
-
 /* ---- memory: one table says what there is */
 
 enum {
@@ -169,11 +122,11 @@ vbss_result vbss_knot_detector_create(vbss_context *context, const vbss_knot_con
     VBSS_TRY(vbss_context_open(context));
     VBSS_TRY(vbss_context_edit(context));
     vbss_knot_config own;
-    VBSS_TRY(vbss_config_init(&config_layout, &own, sizeof own));
+    VBSS_TRY(vbss_config_init(&vbss_knot_config_layout, &own, sizeof own));
     if (config != NULL) {
-        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
+        VBSS_TRY(vbss_config_read(context, &vbss_knot_config_layout, config, &own));
     }
-    VBSS_TRY(check_config(context, &own));
+    VBSS_TRY(vbss_knot_check_config(context, &own));
 
     knot_detector *d;
     vbss_slot *slot = NULL;
@@ -331,52 +284,7 @@ static void read_at_once(knot_detector *d)
     end_reading(d);
 }
 
-/* ---- method PROJECTION */
-
-static uint32_t shown_segment(const knot_scene *scene, uint32_t segment)
-{
-    double begin = scene->places[segment], end = scene->places[segment + 1];
-    return (uint32_t)(end > begin ? end - 1.0 : end);
-}
-
-static void show_loops(knot_detector *d)
-{
-    for (uint32_t i = 0; i < d->paper.loop_count; i++) {
-        const knot_loop *loop = &d->paper.loops[i];
-        const uint32_t row[] = {loop->tool, shown_segment(&d->shown, loop->first),
-                                shown_segment(&d->shown, loop->last), loop->inside};
-        memcpy(d->loop_rows + 4 * (size_t)i, row, sizeof row);
-    }
-}
-
-/* The tool with most loops that tie; the throw has as many wraps, and no handedness. */
-static void find_loops(knot_detector *d)
-{
-    vbss_knot_state *s = &d->state;
-    const uint32_t before = s->loops;
-    s->loops = s->undone = 0;
-    d->paper.loop_count = 0;
-    for (uint32_t i = 0; i < d->shown.tool_count; i++) {
-        vbss_knot_paper_loops(&d->paper, &d->config, &d->shown, i);
-    }
-    for (uint32_t i = 0; i < d->shown.tool_count; i++) {
-        knot_paper_throw t = vbss_knot_paper_throws(&d->paper, &d->config, &d->shown, i);
-        s->undone += t.undone;
-        if (t.loops > s->loops) {
-            s->loops = t.loops;
-            s->next_tool = i;
-        }
-    }
-    show_loops(d);
-    s->next_wraps = (int32_t)s->loops;
-    s->next_verdict = s->loops > 0 ? VBSS_KNOT_VERDICT_PASSED : VBSS_KNOT_VERDICT_NONE;
-    if (s->loops > 0 && s->loops != before) {
-        vbss_knot_tell(d, VBSS_KNOT_EVENT_FORMED, 0, s->loops, 0);
-    } else if (s->loops == 0 && before > 0) {
-        d->figures.revoked++;
-        vbss_knot_tell(d, VBSS_KNOT_EVENT_REVOKED, 0, before, 0);
-    }
-}
+/* ---- both methods */
 
 static vbss_result look(vbss_knot_detector *detector, const vbss_knot_input *input, bool at_once)
 {
@@ -391,7 +299,7 @@ static vbss_result look(vbss_knot_detector *detector, const vbss_knot_input *inp
     d->due |= d->shown.may_have_passed || d->shown.point_count != points;
     d->due |= look_at_tools(d);
     if (d->config.method == VBSS_KNOT_PROJECTION) {
-        find_loops(d);
+        vbss_knot_paper_step(d);
     } else if (at_once) {
         vbss_knot_conclude_next(d);
         read_at_once(d);

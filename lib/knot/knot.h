@@ -5,8 +5,8 @@
  * its ends will be closed by as obstacles, closing.c closes it this way and that, and curve.c reads one closed curve:
  * reduction.c shortens it by moves that hit nothing (triangle.c), projection.c makes a diagram, code.c and untangle.c
  * simplify it, twist.c takes it apart into torus knots, determinant.c, signature.c and vassiliev.c compute
- * invariants, catalogue.c compares. throws.c finds where the throws lie, verdict.c makes of it what hosts see,
- * detector.c is the step. paper_loops.c and paper_throws.c are method PROJECTION. */
+ * invariants, catalogue.c compares. throws.c finds where the throws lie (places.c, sub_chains.c), verdict.c makes of it
+ * what hosts see, detector.c is the step. paper_step.c, paper_loops.c and paper_throws.c are method PROJECTION. */
 #ifndef VBSS_KNOT_KNOT_H
 #define VBSS_KNOT_KNOT_H
 
@@ -383,6 +383,27 @@ typedef struct knot_locating {
     uint32_t count;
     knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
 } knot_locating;
+/* places.c: throws of a kind among factors, and among the first ones located. */
+uint32_t vbss_knot_count_factors(const knot_factors *factors, int32_t wraps, int32_t handedness);
+uint32_t vbss_knot_count_found(const knot_locating *locating, uint32_t until, int32_t wraps,
+                               int32_t handedness);
+/* Whether a reading has just the first throws located. */
+bool vbss_knot_has_first_throws(const knot_locating *locating, const knot_reading *reading,
+                                uint32_t count);
+/* How well a diagram shows where the throws lie, which are then located: by strands, or as half hitches, which another
+ * direction may show by strands; not at all when something crosses beyond the ends. */
+enum { KNOT_SHOWS_NOTHING = 0, KNOT_SHOWS_PLACES = 1, KNOT_SHOWS_STRANDS = 2 };
+uint32_t vbss_knot_take_off(knot_locating *locating, const knot_code *code,
+                            const knot_factors *factors);
+bool vbss_knot_has_strays(const knot_locating *locating);
+double vbss_knot_extent_of(const knot_locating *locating);
+/* sub_chains.c: one piece of work each; they set the stage when they are done. */
+void vbss_knot_check_order(knot_locating *locating, knot_curve *curve, knot_work *work);
+void vbss_knot_begin_shrinking(knot_locating *locating);
+void vbss_knot_shrink(knot_locating *locating, knot_curve *curve, knot_work *work);
+/* Gives up what is not ordered yet. */
+void vbss_knot_leave_unordered(knot_locating *locating);
+/* throws.c */
 void vbss_knot_locating_begin(knot_locating *locating, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
                               const knot_reading *tail, const knot_reading *long_limb,
@@ -463,6 +484,11 @@ typedef struct knot_detector {
 } knot_detector;
 extern const vbss_kind vbss_knot_kind;
 vbss_result vbss_knot_open(const vbss_knot_detector *handle, knot_detector **detector);
+/* config.c */
+extern const vbss_layout vbss_knot_config_layout;
+vbss_result vbss_knot_check_config(vbss_context *context, const vbss_knot_config *config);
+/* paper_step.c */
+void vbss_knot_paper_step(knot_detector *detector);
 /* input.c: checks all of it, then copies it to `scene`, which has room. */
 vbss_result vbss_knot_show(const knot_detector *detector, const vbss_knot_input *input,
                            knot_scene *scene);

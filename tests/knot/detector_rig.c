@@ -95,7 +95,8 @@ void detector_rig_add_tools(detector_rig *r, uint32_t count)
 {
     static const double handles[RIG_TOOLS][3] = {
         {-0.15, 0.05, 0.15}, {0.2, -0.02, 0.2}, {0.0, 0.3, 0.3}};
-    for (uint32_t i = 0; i < count; i++) {
+    assert_true(count <= RIG_TOOLS);
+    for (uint32_t i = 0; i < count && i < RIG_TOOLS; i++) {
         const double place = i == 0 ? 1.5 : i == 1 ? r->input.point_count - 1.0 : 0.0;
         uint32_t first = (uint32_t)place;
         vec3 tip = vec3_load(r->points[first]);

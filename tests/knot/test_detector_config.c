@@ -164,9 +164,9 @@ static void bad_numbers_of_a_configuration_are_told(void **state)
             expect_config(&r, VBSS_ERROR_OUT_OF_RANGE, numbers[i].name);
         }
         *at = numbers[i].low;
-        expect_config(&r, VBSS_OK, NULL);
+        expect_config(&r, VBSS_OK, "");
         *at = numbers[i].high;
-        expect_config(&r, VBSS_OK, NULL);
+        expect_config(&r, VBSS_OK, "");
         *at = kept;
     }
     detector_rig_end(&r);
@@ -197,9 +197,9 @@ static void bad_counts_of_a_configuration_are_told(void **state)
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         uint32_t *at = (uint32_t *)(void *)((char *)&r.config + choices[i].offset), kept = *at;
         *at = choices[i].low;
-        expect_config(&r, VBSS_OK, NULL);
+        expect_config(&r, VBSS_OK, "");
         *at = choices[i].high;
-        expect_config(&r, VBSS_OK, NULL);
+        expect_config(&r, VBSS_OK, "");
         if (choices[i].high < UINT32_MAX) {
             *at = choices[i].high + 1;
             expect_config(&r, VBSS_ERROR_OUT_OF_RANGE, choices[i].name);

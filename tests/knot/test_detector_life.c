@@ -196,7 +196,7 @@ static void steps_allocate_nothing(void **state)
     (void)state;
     for (int i = 0; i < 2; i++) {
         const harness_body body = knot_body(&both[i]);
-        assert_int_equal(harness_step_allocations(&body, 2 * MOVING_KNOT_PERIOD), 0);
+        assert_int_equal(harness_step_allocations(&body, (size_t)2 * MOVING_KNOT_PERIOD), 0);
     }
     detector_rig r;
     detector_rig_begin(&r);

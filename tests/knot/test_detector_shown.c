@@ -81,8 +81,9 @@ static void places_are_those_of_the_host(void **state)
         twice.input = r.input;
         memcpy(twice.tools, r.tools, sizeof r.tools);
         for (uint32_t i = 0; i < r.line.count; i++) {
-            memcpy(twice.points[2 * i], r.points[i], sizeof r.points[i]);
-            memcpy(twice.points[2 * i + 1], r.points[i], sizeof r.points[i]);
+            for (size_t k = 2 * (size_t)i; k < 2 * (size_t)i + 2; k++) {
+                memcpy(twice.points[k], r.points[i], sizeof r.points[i]);
+            }
         }
         /* Segment i is now 2 i + 1, between the second of a pair and the first of the next. */
         twice.input.points = twice.points[0];

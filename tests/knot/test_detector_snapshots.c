@@ -133,7 +133,8 @@ static void nonsense_in_the_copied_thread_is_refused(void **state)
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         uint64_t bits;
         memcpy(&bits, &wrong[i].value, sizeof bits);
-        refuse_changed(&r, &good, field(&good, wrong[i].tag, 0) + 8 * wrong[i].number, bits);
+        refuse_changed(&r, &good, field(&good, wrong[i].tag, 0) + 8 * (size_t)wrong[i].number,
+                       bits);
     }
     uint8_t *axis = field(&good, 73, 0); /* no length between two points */
     uint64_t bits, kept[3];

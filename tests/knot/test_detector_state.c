@@ -20,7 +20,7 @@ static void a_restored_detector_goes_on_to_the_same_bits(void **state)
     (void)state;
     for (int i = 0; i < LIVES; i++) {
         const harness_body body = knot_body(&lives[i]);
-        for (size_t before = 1; before < 2 * MOVING_KNOT_PERIOD; before += 7) {
+        for (size_t before = 1; before < (size_t)2 * MOVING_KNOT_PERIOD; before += 7) {
             harness_save_restore_continue(&body, before, 30);
         }
     }

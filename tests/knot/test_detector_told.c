@@ -170,7 +170,7 @@ static void a_knot_is_followed_while_it_is_tied(void **state)
         void *detector = NULL;
         expect_ok(knot_body_create(context, &options[i], &detector));
         detector_rig r = {.context = context, .detector = detector};
-        for (uint64_t step = 0; step < 4 * MOVING_KNOT_PERIOD; step++) {
+        for (uint64_t step = 0; step < (uint64_t)4 * MOVING_KNOT_PERIOD; step++) {
             expect_ok(knot_body_step(detector));
             if (i == 0) {
                 expect_stage(&r, step);
