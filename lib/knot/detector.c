@@ -76,6 +76,7 @@ static void forget(knot_detector *d)
 {
     d->steps = d->job_began = 0;
     d->due = true;
+    d->doubted = false;
     d->shown.point_count = d->shown.tool_count = 0;
     d->event_count = d->events_lost = 0;
     d->job.stage = KNOT_JOB_IDLE;
@@ -249,13 +250,14 @@ static void begin_reading(knot_detector *d)
     }
     vbss_knot_scene_copy(&d->job.scene, &d->shown);
     vbss_knot_job_begin(&d->job, &d->config, d->steps);
+    d->job.scene.may_have_passed = d->doubted;
     d->job_began = d->steps;
-    d->due = false;
+    d->due = d->doubted = false;
 }
 
-static void end_reading(knot_detector *d)
+static void end_reading(knot_detector *d, bool follows)
 {
-    vbss_knot_conclude(d);
+    vbss_knot_conclude(d, follows);
     d->job.stage = KNOT_JOB_IDLE;
 }
 
@@ -269,7 +271,7 @@ static void read_topology(knot_detector *d)
         d->figures.most_step_work =
             spent > d->figures.most_step_work ? spent : d->figures.most_step_work;
         if (done) {
-            end_reading(d);
+            end_reading(d, !d->job.scene.may_have_passed);
         }
     } else if (is_due(d)) {
         begin_reading(d);
@@ -281,7 +283,7 @@ static void read_at_once(knot_detector *d)
     knot_work work = INT64_MAX;
     begin_reading(d);
     vbss_knot_job_go_on(&d->job, &d->config, &work);
-    end_reading(d);
+    end_reading(d, false);
 }
 
 /* ---- both methods */
@@ -296,7 +298,8 @@ static vbss_result look(vbss_knot_detector *detector, const vbss_knot_input *inp
     d->generation++;
     d->steps++;
     d->event_count = d->events_lost = 0;
-    d->due |= d->shown.may_have_passed || d->shown.point_count != points;
+    d->doubted |= d->shown.may_have_passed;
+    d->due |= d->doubted || d->shown.point_count != points;
     d->due |= look_at_tools(d);
     if (d->config.method == VBSS_KNOT_PROJECTION) {
         vbss_knot_paper_step(d);

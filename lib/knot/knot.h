@@ -356,7 +356,6 @@ typedef enum knot_locate_stage {
     KNOT_LOCATE_REDUCE, /* the whole thread, only so far that its vertices tell places well enough */
     KNOT_LOCATE_PROJECT, /* whose crossings then have their places */
     KNOT_LOCATE_CHECK,   /* sub-chains between the throws confirm the order */
-    KNOT_LOCATE_SHRINK,  /* otherwise: sub-chains shrunk until they lose a throw */
     KNOT_LOCATE_DONE
 } knot_locate_stage;
 
@@ -364,21 +363,17 @@ typedef struct knot_locating {
     const knot_scene *scene;
     const knot_closing *closing;
     const knot_reading *whole; /* what there is to find */
-    const knot_reading
-        *limbs[2]; /* tail and long limb with the tissue's ray: what is in them alone is stray */
+    /* Tail and long limb with the tissue's ray: what is in them alone is stray. */
+    const knot_reading *limbs[2];
     knot_polygon polygon; /* the thread closed */
     knot_edge ray;        /* away from the tissue */
     knot_locate_stage stage;
-    uint32_t round; /* REDUCE: each goes further */
+    uint32_t round; /* REDUCE */
     uint32_t direction, direction_limit;
-    bool shrinking; /* has begun */
-    uint32_t level; /* CHECK, SHRINK: throws that are left inside */
-    uint32_t side, halvings, tries;
-    bool reading;   /* a sub-chain is being read */
-    double cuts[2]; /* SHRINK: the outer sub-chain of this level */
-    double low, high, found[2];
+    uint32_t level;   /* CHECK: throws inside the sub-chain */
+    bool reading;     /* a sub-chain is being read */
     bool certified;   /* a diagram of the whole thread came apart: that too proves what it is */
-    uint32_t quality; /* of `spare`, the places that a less good diagram shows; 0: none */
+    uint32_t quality; /* of `spare`, the places that the best diagram shows; 0: none */
     double extent;    /* and of how much of the thread */
     uint32_t count;
     knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
@@ -397,12 +392,8 @@ uint32_t vbss_knot_take_off(knot_locating *locating, const knot_code *code,
                             const knot_factors *factors);
 bool vbss_knot_has_strays(const knot_locating *locating);
 double vbss_knot_extent_of(const knot_locating *locating);
-/* sub_chains.c: one piece of work each; they set the stage when they are done. */
+/* sub_chains.c: one piece of work; it sets the stage when it is done. */
 void vbss_knot_check_order(knot_locating *locating, knot_curve *curve, knot_work *work);
-void vbss_knot_begin_shrinking(knot_locating *locating);
-void vbss_knot_shrink(knot_locating *locating, knot_curve *curve, knot_work *work);
-/* Gives up what is not ordered yet. */
-void vbss_knot_leave_unordered(knot_locating *locating);
 /* throws.c */
 void vbss_knot_locating_begin(knot_locating *locating, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
@@ -473,6 +464,7 @@ typedef struct knot_detector {
     knot_job job;
     knot_paper paper;
     bool due;                  /* a reading is wanted as soon as there is none under way */
+    bool doubted;              /* it may not be the thread that was read before */
     uint64_t steps, job_began; /* job_began: step, of the last */
     vbss_knot_state state;
     knot_verdict verdict;
@@ -495,8 +487,8 @@ vbss_result vbss_knot_show(const knot_detector *detector, const vbss_knot_input 
 void vbss_knot_scene_copy(knot_scene *to, const knot_scene *from);
 void vbss_knot_tell(knot_detector *detector, vbss_knot_event kind, uint32_t a, uint32_t b,
                     uint32_t c);
-/* verdict.c: what a reading that ended changes. */
-void vbss_knot_conclude(knot_detector *detector);
+/* verdict.c: what a reading that ended changes. `follows`: the thread is the one of the last reading, moved. */
+void vbss_knot_conclude(knot_detector *detector, bool follows);
 /* What is being tied, from winding and the last reading. */
 void vbss_knot_conclude_next(knot_detector *detector);
 /* Adds the counts of a reading that ended, or is under way, to figures. */

@@ -168,6 +168,7 @@ static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, kno
         return;
     }
     visit_bool(stream, 82, &scene->has_holes);
+    visit_bool(stream, 87, &scene->may_have_passed);
     vbss_stream_f64(stream, 83, &scene->tissue_place, 1);
     vbss_stream_f64(stream, 84, &scene->away.x, 3);
     vbss_stream_f64(stream, 85, &scene->points[0].x, 3 * (size_t)scene->point_count);
@@ -224,6 +225,7 @@ void vbss_knot_serialise(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 3, &d->steps, 1);
     vbss_stream_u64(stream, 4, &d->job_began, 1);
     visit_bool(stream, 5, &d->due);
+    visit_bool(stream, 7, &d->doubted);
     vbss_random_serialise(stream, 6, &d->paper.random);
     visit_tools(stream, d);
     visit_state(stream, &d->state);

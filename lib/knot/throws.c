@@ -2,16 +2,17 @@
  *
  * The thread is reduced again, but only between vertices that stay, so that the crossings of its diagrams have
  * places: if one comes apart, the throws' strands can be read off, nested about the tissue (places.c). Sub-chains cut
- * between the throws must then have just the throws inside. If no diagram comes apart, or they have not, sub-chains
- * are shrunk until they lose a throw (sub_chains.c). */
+ * between the throws must then have just the throws inside (sub_chains.c). If no diagram comes apart, or they have not,
+ * nothing is told of places and order. (Shrinking sub-chains until they lose a throw was tried: the ray of a cut limb may
+ * undo an inner throw as well as the outermost, 2 orders of 130 000 were wrong.) */
 #include "knot/knot.h"
 
 #include <string.h>
 
-enum { ROUNDS = 3, DIRECTIONS = 6 };
+enum { ROUNDS = 6, DIRECTIONS = 6 };
 
-/* Segments between vertices that stay, a round; none stay in the last. */
-static const uint32_t spacings[ROUNDS] = {6, 16, 0};
+/* Segments between vertices that stay, a round; 0: none stay. */
+static const uint32_t spacings[ROUNDS] = {6, 16, 0, 10, 24, 4};
 
 /* ---- rounds */
 
@@ -61,6 +62,18 @@ static void reduce(knot_locating *l, knot_curve *curve, knot_work *work)
     }
 }
 
+/* What there is, but not where. */
+static void leave_unordered(knot_locating *l)
+{
+    l->count = l->whole->factors.count;
+    for (uint32_t i = 0; i < l->count; i++) {
+        const knot_factor *f = &l->whole->factors.factors[i];
+        l->throws[i] = (knot_located){
+            .wraps = f->wraps, .handedness = f->handedness, .ordered = l->count == 1};
+    }
+    l->stage = KNOT_LOCATE_DONE;
+}
+
 static void end_round(knot_locating *l, knot_curve *curve)
 {
     if (l->quality > 0) {
@@ -70,7 +83,7 @@ static void end_round(knot_locating *l, knot_curve *curve)
     } else if (l->round < ROUNDS) {
         begin_round(l, curve);
     } else {
-        l->stage = KNOT_LOCATE_SHRINK;
+        leave_unordered(l);
     }
 }
 
@@ -140,7 +153,7 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
     l->limbs[0] = tail;
     l->limbs[1] = long_limb;
     l->count = 0;
-    l->certified = l->shrinking = false;
+    l->certified = false;
     l->quality = 0;
     l->direction_limit = direction_limit < DIRECTIONS ? direction_limit : DIRECTIONS;
     curve->direction_limit = l->direction_limit; /* sub-chains are many */
@@ -151,8 +164,7 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
     }
     begin_round(l, curve);
     if (closing->has_tissue && !(was_read(tail) && was_read(long_limb))) {
-        vbss_knot_begin_shrinking(l);
-        vbss_knot_leave_unordered(l);
+        leave_unordered(l);
     }
 }
 
@@ -168,9 +180,6 @@ bool vbss_knot_locating_go_on(knot_locating *l, knot_curve *curve, knot_work *wo
             break;
         case KNOT_LOCATE_CHECK:
             vbss_knot_check_order(l, curve, work);
-            break;
-        case KNOT_LOCATE_SHRINK:
-            vbss_knot_shrink(l, curve, work);
             break;
         case KNOT_LOCATE_DONE:
             break;

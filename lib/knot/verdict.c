@@ -29,6 +29,13 @@ static bool was_read(const knot_reading *r)
     return r->reason == VBSS_KNOT_REASON_NONE && r->throws;
 }
 
+/* What it is was proved, and its ends are clear of it. */
+static bool is_sure(const knot_job *job)
+{
+    return (job->outward.certified || job->locating.certified) &&
+           job->agreeing == job->closing.others;
+}
+
 static void fill_throw(const knot_detector *d, const knot_located *from, vbss_knot_throw *to)
 {
     const knot_scene *scene = &d->job.scene;
@@ -39,10 +46,8 @@ static void fill_throw(const knot_detector *d, const knot_located *from, vbss_kn
                             .formed_step = d->job.step};
     to->flags |= from->ordered ? VBSS_KNOT_THROW_ORDERED : 0u;
     to->flags |= from->stray ? VBSS_KNOT_THROW_STRAY : 0u;
-    bool proved = d->job.outward.certified || d->job.locating.certified;
-    bool clear = d->job.agreeing == d->job.closing.others; /* of the ends */
-    to->verdict = proved && clear && (from->ordered || from->stray) ? VBSS_KNOT_VERDICT_CERTIFIED
-                                                                    : VBSS_KNOT_VERDICT_FORMED;
+    to->verdict = is_sure(&d->job) && (from->ordered || from->stray) ? VBSS_KNOT_VERDICT_CERTIFIED
+                                                                     : VBSS_KNOT_VERDICT_FORMED;
     if (!from->located) {
         return;
     }
@@ -85,6 +90,62 @@ static void doubt_strays(const knot_job *job, knot_verdict *v)
     }
 }
 
+/* ---- order by history: what was in order before and is still there keeps it, what came is outermost */
+
+static int32_t count_kind(const knot_verdict *v, const vbss_knot_throw *kind)
+{
+    int32_t count = 0;
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        count += v->throws[i].wraps == kind->wraps && v->throws[i].handedness == kind->handedness;
+    }
+    return count;
+}
+
+/* All in order, or none, and nothing stray. */
+static bool is_plain(const knot_verdict *v, uint32_t ordered)
+{
+    bool plain = true;
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        plain = plain &&
+                (v->throws[i].flags & (VBSS_KNOT_THROW_ORDERED | VBSS_KNOT_THROW_STRAY)) == ordered;
+    }
+    return plain;
+}
+
+static void put_first(knot_verdict *v, uint32_t at, const vbss_knot_throw *kind, bool sure)
+{
+    uint32_t found = at;
+    while (found < v->throw_count && (v->throws[found].wraps != kind->wraps ||
+                                      v->throws[found].handedness != kind->handedness)) {
+        found++;
+    }
+    if (found < v->throw_count) {
+        vbss_knot_throw moving = v->throws[found];
+        v->throws[found] = v->throws[at];
+        v->throws[at] = moving;
+        v->throws[at].verdict = sure ? kind->verdict : v->throws[at].verdict;
+    }
+}
+
+static void order_by_history(const knot_verdict *before, knot_verdict *v, bool sure)
+{
+    bool grown = v->throw_count == before->throw_count || v->throw_count == before->throw_count + 1;
+    bool kept = grown && before->throw_count > 0 && is_plain(before, VBSS_KNOT_THROW_ORDERED) &&
+                is_plain(v, 0);
+    for (uint32_t i = 0; i < before->throw_count && kept; i++) {
+        kept = count_kind(v, &before->throws[i]) >= count_kind(before, &before->throws[i]);
+    }
+    if (!kept) {
+        return;
+    }
+    for (uint32_t i = 0; i < before->throw_count; i++) {
+        put_first(v, i, &before->throws[i], sure);
+    }
+    for (uint32_t i = 0; i < v->throw_count; i++) {
+        v->throws[i].flags |= VBSS_KNOT_THROW_ORDERED;
+    }
+}
+
 static void mark_relations(knot_verdict *v, const knot_reading *tools, bool has_tools)
 {
     const vbss_knot_throw *before = NULL;
@@ -103,7 +164,7 @@ static void mark_relations(knot_verdict *v, const knot_reading *tools, bool has_
     }
 }
 
-static void list_throws(const knot_detector *d, knot_verdict *v)
+static void list_throws(const knot_detector *d, bool follows, knot_verdict *v)
 {
     const knot_job *job = &d->job;
     *v = (knot_verdict){.reason = VBSS_KNOT_REASON_NONE};
@@ -118,6 +179,9 @@ static void list_throws(const knot_detector *d, knot_verdict *v)
     mark_strays(v, &job->tail);
     mark_strays(v, &job->long_limb);
     doubt_strays(job, v);
+    if (follows) {
+        order_by_history(&d->verdict, v, is_sure(job));
+    }
     mark_relations(v, &job->tools, job->has_tools);
 }
 
@@ -292,13 +356,13 @@ static void show_reading(knot_detector *d)
     s->reading_step = job->step;
 }
 
-void vbss_knot_conclude(knot_detector *d)
+void vbss_knot_conclude(knot_detector *d, bool follows)
 {
     knot_verdict v;
     vbss_knot_reason reason = reason_of(d);
     show_reading(d);
     if (reason == VBSS_KNOT_REASON_NONE) {
-        list_throws(d, &v);
+        list_throws(d, follows, &v);
         tell_changes(d, &v);
         d->verdict = v;
         conclude_passing(d);

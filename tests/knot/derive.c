@@ -196,6 +196,7 @@ derive_whole derive_draw(vbss_random *random)
     how.shift = kind == 2 ? vec3_scale(shift, vbss_exp(far)) : vec3_zero();
     how.doubled = kind == 3 ? vbss_random_uniform(random) : 0.0;
     how.inserted = kind == 4 ? vbss_random_below(random, 200) : 0;
+    how.no_tissue = kind == 5;
     how.seed = vbss_random_u64(random);
     return how;
 }
@@ -260,6 +261,9 @@ void derive_whole_of(const family_case *from, const derive_whole *how, family_ca
         line->x[i] = placed(how, line->x[i]);
     }
     change_points(line, how);
+    if (how->no_tissue && to->stray_wraps == 0) {
+        thread_line_leave_tissue(line);
+    }
     if (line->tissue_place >= 0.0) {
         line->away = quat_rotate(how->turn, line->away);
         for (int i = 0; i < 2; i++) {

@@ -29,6 +29,7 @@ typedef struct derive_whole {
     vec3 shift;        /* m */
     double doubled;    /* share of the points that are given twice */
     uint32_t inserted; /* points on edges, anywhere */
+    bool no_tissue;    /* nobody knows where it is: only where no throw is stray */
     uint64_t seed;     /* of those */
 } derive_whole;
 derive_whole derive_plain(void);

@@ -232,9 +232,9 @@ vbss_result moving_knot_hash(vbss_knot_detector *detector, uint64_t *hash)
         VBSS_TRY(vbss_knot_detector_get_throw(detector, i, &t, sizeof t));
         add_throw(&stream, &t);
     }
-    for (uint32_t i = 0; i < MOVING_KNOT_TOOLS; i++) {
-        vbss_knot_winding w;
-        VBSS_TRY(vbss_knot_detector_get_winding(detector, i, &w, sizeof w));
+    vbss_knot_winding w;
+    for (uint32_t i = 0; vbss_knot_detector_get_winding(detector, i, &w, sizeof w) == VBSS_OK;
+         i++) {
         add_winding(&stream, &w);
     }
     *hash = vbss_hash_end(&stream.hash);

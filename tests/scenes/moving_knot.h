@@ -38,7 +38,7 @@ int32_t moving_knot_wraps(uint64_t step);
 int32_t moving_knot_handedness(uint64_t step);
 /* Shows what comes after the steps that the detector has taken. */
 vbss_result moving_knot_step(vbss_knot_detector *detector);
-/* Of the detector's state and of all that hosts can see after a step. */
+/* Of any detector's state and of all that hosts can see after a step. */
 vbss_result moving_knot_hash(vbss_knot_detector *detector, uint64_t *hash);
 
 #endif
