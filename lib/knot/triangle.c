@@ -28,8 +28,8 @@ static near_value near_make(double value, double size)
 /* (t - s) x (x - s) */
 static near_value turn(const double s[2], const double t[2], const double x[2])
 {
-    double left = (t[0] - s[0]) * (x[1] - s[1]), right = (t[1] - s[1]) * (x[0] - s[0]);
-    return near_make(left - right, fabs(left) + fabs(right));
+    double u = t[0] - s[0], v = t[1] - s[1], p = x[0] - s[0], q = x[1] - s[1];
+    return near_make(u * q - v * p, (fabs(u) + fabs(v)) * (fabs(p) + fabs(q)));
 }
 
 /* (t - s) . (x - s) */
@@ -145,8 +145,10 @@ static bool apart_in_some_view(const knot_triangle *t, vec3 p, vec3 q)
 
 static bool apart_along(double a, double b, double c, double p, double q)
 {
-    return (p < a && p < b && p < c && q < a && q < b && q < c) ||
-           (p > a && p > b && p > c && q > a && q > b && q > c);
+    double low = lesser(a, lesser(b, c)), high = greater(a, greater(b, c));
+    double first = lesser(p, q), last = greater(p, q);
+    double clear = KNOT_CLEARANCE * (greater(high, last) - lesser(low, first));
+    return last < low - clear || first > high + clear;
 }
 
 /* Whether the line passes by: of the volumes of the segment with ab, bc and ca two differ in sign.

@@ -12,7 +12,7 @@
 static inline int clear_side(const area *a, vec3 w)
 {
     double value = w.x * a->value.x + w.y * a->value.y + w.z * a->value.z;
-    double size = fabs(w.x) * a->size.x + fabs(w.y) * a->size.y + fabs(w.z) * a->size.z;
+    double size = (fabs(w.x) + fabs(w.y) + fabs(w.z)) * (a->size.x + a->size.y + a->size.z);
     return certain_sign(value, KNOT_CLEARANCE * size + ORIENTATION_UNDERFLOW);
 }
 
