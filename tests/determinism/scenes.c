@@ -3,10 +3,12 @@
 #include <stdlib.h>
 
 #include "scenes/collision_sets.h"
+#include "scenes/moving_knot.h"
 #include "scenes/moving_shapes.h"
 #include "scenes/rod.h"
 #include "scenes/scene_scenes.h"
 #include "scenes/thread_scenes.h"
+#include "scenes/throw_stack.h"
 
 /* A scene that cannot run has no hash; a wrong one would only puzzle. */
 static void must(vbss_result result)
@@ -269,6 +271,77 @@ static void run_scene_tools(uint64_t *hashes, size_t count)
     run_scene(SCENE_SCENE_TOOLS, hashes, count);
 }
 
+/* ---- knots: one that is tied and comes undone, seen by both methods; and stacks of throws that are judged */
+
+enum { WATCHERS = 2, JUDGE = 2, KNOT_DETECTORS };
+
+static void create_knot_detectors(vbss_context *context, vbss_knot_detector *d[KNOT_DETECTORS])
+{
+    for (int k = 0; k < KNOT_DETECTORS; k++) {
+        vbss_knot_config config;
+        must(moving_knot_config(&config));
+        config.method = k == 1 ? VBSS_KNOT_PROJECTION : VBSS_KNOT_TOPOLOGY;
+        config.work_limit = 2500; /* readings last over some steps */
+        if (k == JUDGE) {
+            config.point_capacity = 400;
+            config.crossing_capacity = 256;
+        }
+        must(vbss_knot_detector_create(context, &config, &d[k]));
+    }
+}
+
+static void judge_stack(vbss_knot_detector *judge, size_t number)
+{
+    throw_stack stack;
+    thread_line line;
+    vbss_knot_input input;
+    vbss_random random;
+    vbss_random_seed(&random, 6, number);
+    throw_stack_init(&stack);
+    stack.segments = 160 + 40 * (uint32_t)(number % 4);
+    stack.unevenness = 0.1 * (double)(number % 3);
+    stack.seed = number;
+    for (size_t k = 0; k <= number % 4; k++) {
+        int wraps = 1 + (int)vbss_random_below(&random, 2);
+        throw_stack_add(&stack, wraps, vbss_random_below(&random, 2) == 0 ? -1 : 1);
+    }
+    must(throw_stack_make(&stack, &line) ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE);
+    must(vbss_knot_input_init(&input, sizeof input));
+    input.points = &line.x[0].x;
+    input.point_count = line.count;
+    input.hole_count = 2;
+    for (int i = 0; i < 2; i++) {
+        input.hole_places[i] = line.hole_places[i];
+    }
+    vec3_store(input.away, line.away);
+    must(vbss_knot_detector_judge(judge, &input));
+}
+
+static void run_knots(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    vbss_knot_detector *detectors[KNOT_DETECTORS];
+    must(vbss_context_create(NULL, &context));
+    create_knot_detectors(context, detectors);
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        for (int k = 0; k < 10 * WATCHERS; k++) {
+            must(moving_knot_step(detectors[k % WATCHERS]));
+        }
+        if (i % 4 == 0) { /* to make one takes long */
+            judge_stack(detectors[JUDGE], i / 4);
+        }
+        for (int k = 0; k < KNOT_DETECTORS; k++) {
+            uint64_t own;
+            must(moving_knot_hash(detectors[k], &own));
+            vbss_stream_u64(&stream, 1, &own, 1);
+        }
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -281,5 +354,6 @@ const golden_scene golden_scenes[] = {
     {"thread-paper", 20, 2, run_thread_paper},
     {"scene-knot", 64, 2, run_scene_knot}, /* tight at 58 */
     {"scene-tools", 80, 6, run_scene_tools},
+    {"knots", 72, 4, run_knots}, /* two rounds of all that the moving knot does */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];
