@@ -45,7 +45,7 @@ typedef struct vbss_knot_config {
     uint32_t
         crossing_capacity;    /**< Most crossings that a diagram may have before it is simplified, 8
                                      to 2048; default 512. A quarter of them may be left. */
-    uint32_t direction_limit; /**< Directions of projection that are tried, 1 to 64; default 12. */
+    uint32_t direction_limit; /**< Directions of projection that are tried, 1 to 64; default 6. */
     /** Directions in which the ends are closed besides straight outward, 0 to 16; default 8. */
     uint32_t closure_count;
     /** Of these the most that may contradict the outward closure, 0 to 16; default 2. With more an end lies inside
@@ -143,8 +143,7 @@ enum {
     VBSS_KNOT_REASON_ENDS = 1,       /**< Closures differ: an end lies inside the knot. */
     VBSS_KNOT_REASON_DEGENERATE = 2, /**< The thread touches itself in every projection. */
     VBSS_KNOT_REASON_CAPACITY = 3,   /**< More crossings than there is room for. */
-    VBSS_KNOT_REASON_CONFLICT =
-        4 /**< Twist regions and invariants, or order and sub-chains, differ. */
+    VBSS_KNOT_REASON_CONFLICT = 4    /**< Twist regions and invariants differ. */
 };
 
 /** The name of a knot, the same for its mirror image: a VBSS_KNOT_NAME_ constant. */
@@ -182,10 +181,12 @@ enum {
 /** Flags of a throw: bits. */
 enum {
     VBSS_KNOT_THROW_LOCATED = 1, /**< Its places on the limbs are known. */
-    VBSS_KNOT_THROW_ORDERED = 2, /**< Its position in the stack is known. */
-    VBSS_KNOT_THROW_GRANNY = 4,  /**< Same handedness as the throw before. */
-    VBSS_KNOT_THROW_STRAY = 8,   /**< In one limb alone: not round the other. */
-    VBSS_KNOT_THROW_HITCH = 16,  /**< |slip| is at least slip_limit. */
+    /** Its position in the stack is known: sub-chains show it, or (in #vbss_knot_detector_step) the throws
+     * were in this order when they were read before, and at most one came. */
+    VBSS_KNOT_THROW_ORDERED = 2,
+    VBSS_KNOT_THROW_GRANNY = 4, /**< Same handedness as the throw before. */
+    VBSS_KNOT_THROW_STRAY = 8,  /**< In one limb alone: not round the other. */
+    VBSS_KNOT_THROW_HITCH = 16, /**< |slip| is at least slip_limit. */
     VBSS_KNOT_THROW_REVOCABLE =
         32 /**< Its tail is shorter than tail_least, or undone if tools withdraw. */
 };

@@ -8,7 +8,7 @@ static const vbss_knot_config config_defaults = {.struct_size = sizeof(vbss_knot
                                                  .point_capacity = 1024,
                                                  .tool_capacity = 4,
                                                  .crossing_capacity = 512,
-                                                 .direction_limit = 12,
+                                                 .direction_limit = 6,
                                                  .closure_count = 8,
                                                  .closure_tolerance = 2,
                                                  .work_limit = 15000,

@@ -20,10 +20,23 @@ static void end_reading(knot_curve *curve, vbss_knot_reason reason)
     curve->stage = KNOT_CURVE_READ;
 }
 
-/* One diagram. The first that is certified ends it; otherwise the one with fewest crossings is kept. */
+/* The first diagram that is certified ends it; otherwise the one with fewest crossings is kept. */
+static void keep(knot_curve *curve, bool certified, const knot_factors *factors)
+{
+    const knot_code *code = &curve->codes[1 - curve->best], *best = &curve->codes[curve->best];
+    if (certified || !curve->has_best || code->n < best->n) {
+        curve->best = 1 - curve->best;
+        curve->has_best = true;
+        curve->reading.crossings = code->n;
+        curve->reading.certified = certified;
+        curve->reading.factors = *factors;
+    }
+    curve->stage = KNOT_CURVE_PROJECT;
+}
+
 static void project(knot_curve *curve, knot_work *work)
 {
-    knot_code *code = &curve->codes[1 - curve->best], *best = &curve->codes[curve->best];
+    knot_code *code = &curve->codes[1 - curve->best];
     vec3 direction = vbss_knot_direction(curve->direction++);
     curve->counts.projections++;
     knot_diagram diagram =
@@ -36,35 +49,48 @@ static void project(knot_curve *curve, knot_work *work)
     }
     vbss_knot_code_simplify(code, work);
     knot_factors factors;
-    bool certified = vbss_knot_twists(code, &factors);
-    if (!certified) {
-        vbss_knot_code_untangle(code, &curve->codes[2], KNOT_TRIES, work);
-        certified = vbss_knot_twists(code, &factors);
-    }
-    if (certified || !curve->has_best || code->n < best->n) {
-        curve->best = 1 - curve->best;
-        curve->has_best = true;
-        curve->reading.crossings = code->n;
-        curve->reading.certified = certified;
-        curve->reading.factors = factors;
+    if (vbss_knot_twists(code, &factors)) {
+        keep(curve, true, &factors);
+    } else {
+        curve->tries = KNOT_TRIES;
+        curve->stage = KNOT_CURVE_UNTANGLE;
     }
 }
 
+static void untangle(knot_curve *curve, knot_work *work)
+{
+    knot_code *code = &curve->codes[1 - curve->best];
+    if (!vbss_knot_code_untangle(code, &curve->codes[2], &curve->tries, work)) {
+        knot_factors factors;
+        bool certified = vbss_knot_twists(code, &factors);
+        keep(curve, certified, &factors);
+    }
+}
+
+/* One invariant at a time. */
 static void compute(knot_curve *curve, knot_work *work)
 {
     const knot_code *code = &curve->codes[curve->best];
     knot_reading *r = &curve->reading;
     knot_invariants *v = &r->invariants;
-    if (code->n > curve->algebra.capacity) {
-        end_reading(curve, VBSS_KNOT_REASON_CAPACITY);
+    switch (curve->computed++) {
+    case 0:
+        v->determinant = vbss_knot_determinant(&curve->algebra, code, work);
         return;
+    case 1:
+        vbss_knot_vassiliev(code, &v->v2, &v->v3, work);
+        return;
+    case 2:
+        v->known =
+            vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, work);
+        return;
+    case 3:
+        v->known = v->known && vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_1000,
+                                                   &v->signature_tristram, work);
+        return;
+    default:
+        break;
     }
-    v->determinant = vbss_knot_determinant(&curve->algebra, code, work);
-    vbss_knot_vassiliev(code, &v->v2, &v->v3, work);
-    v->known =
-        vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, work) &&
-        vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_1000, &v->signature_tristram,
-                            work);
     if (!v->known) {
         end_reading(curve, VBSS_KNOT_REASON_DEGENERATE);
     } else if (r->certified) {
@@ -91,7 +117,11 @@ static void finish_projecting(knot_curve *curve)
         end_reading(curve, VBSS_KNOT_REASON_NONE);
         return;
     }
+    curve->computed = 0;
     curve->stage = KNOT_CURVE_COMPUTE;
+    if (curve->codes[curve->best].n > curve->algebra.capacity) {
+        end_reading(curve, VBSS_KNOT_REASON_CAPACITY);
+    }
 }
 
 bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work)
@@ -110,6 +140,9 @@ bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work)
             } else {
                 project(curve, work);
             }
+            break;
+        case KNOT_CURVE_UNTANGLE:
+            untangle(curve, work);
             break;
         case KNOT_CURVE_COMPUTE:
             compute(curve, work);

@@ -145,10 +145,11 @@ vec3 vbss_knot_direction(uint32_t k);
 bool vbss_knot_code_is_planar(const knot_code *code);
 /* Reidemeister moves I and II that lower the number of crossings, until there is none. `at` of what stays is kept. */
 void vbss_knot_code_simplify(knot_code *code, knot_work *work);
-/* untangle.c: lays strands that pass over (or under) all they meet where they meet less, `tries` strands at most, and
- * simplifies. True when crossings became fewer. `at` of passages that were laid anew is between those of their
- * neighbours, ascending, no more. Nothing is done when n + 2 is more than the capacity of `spare`, which is overwritten. */
-bool vbss_knot_code_untangle(knot_code *code, knot_code *spare, uint32_t tries, knot_work *work);
+/* untangle.c: lays the first strand that passes over (or under) all it meets and can meet less where it does, and
+ * simplifies; looks at `tries` strands at most, and takes off those. False when there is none: call it until then.
+ * `at` of passages that were laid anew is between those of their neighbours, ascending, no more. Nothing is done when
+ * n + 2 is more than the capacity of `spare`, which is overwritten. */
+bool vbss_knot_code_untangle(knot_code *code, knot_code *spare, uint32_t *tries, knot_work *work);
 
 /* ---- invariants of a code of a knot */
 
@@ -267,11 +268,12 @@ typedef struct knot_counts {
 typedef enum knot_curve_stage {
     KNOT_CURVE_REDUCE,
     KNOT_CURVE_PROJECT,
+    KNOT_CURVE_UNTANGLE,
     KNOT_CURVE_COMPUTE,
     KNOT_CURVE_READ
 } knot_curve_stage;
 
-enum { KNOT_CODES = 3, KNOT_TRIES = 64 /* strands that are laid anew in a diagram */ };
+enum { KNOT_CODES = 3, KNOT_TRIES = 400 /* strands that are laid anew in a diagram */ };
 
 typedef struct knot_curve {
     knot_polygon polygon; /* filled by whoever begins */
@@ -283,6 +285,7 @@ typedef struct knot_curve {
     bool checked; /* invariants are computed even if it is certified */
     bool overflowed, has_best;
     uint32_t direction, direction_limit, best;
+    uint32_t tries, computed; /* UNTANGLE: strands left to look at; COMPUTE: invariants so far */
     knot_reading reading;
     knot_counts counts;
 } knot_curve;
@@ -355,7 +358,8 @@ typedef struct knot_located {
 typedef enum knot_locate_stage {
     KNOT_LOCATE_REDUCE, /* the whole thread, only so far that its vertices tell places well enough */
     KNOT_LOCATE_PROJECT, /* whose crossings then have their places */
-    KNOT_LOCATE_CHECK,   /* sub-chains between the throws confirm the order */
+    KNOT_LOCATE_UNTANGLE,
+    KNOT_LOCATE_CHECK, /* sub-chains between the throws confirm the order */
     KNOT_LOCATE_DONE
 } knot_locate_stage;
 
@@ -373,6 +377,8 @@ typedef struct knot_locating {
     uint32_t level;   /* CHECK: throws inside the sub-chain */
     bool reading;     /* a sub-chain is being read */
     bool certified;   /* a diagram of the whole thread came apart: that too proves what it is */
+    uint32_t tries;   /* UNTANGLE: strands left to look at */
+    bool anew;        /* the diagram has strands that were laid anew */
     uint32_t quality; /* of `spare`, the places that the best diagram shows; 0: none */
     double extent;    /* and of how much of the thread */
     uint32_t count;

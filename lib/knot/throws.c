@@ -89,29 +89,29 @@ static void end_round(knot_locating *l, knot_curve *curve)
 
 /* ---- diagrams */
 
-/* Strands that were laid anew have no places of their own. */
-static uint32_t take_apart(knot_locating *l, knot_curve *curve, knot_code *code, knot_work *work)
+/* Keeps the diagram that shows the strands of all throws as they lie, in the least of the thread; else the best.
+ * Strands that were laid anew have no places of their own. */
+static void keep_places(knot_locating *l, const knot_code *code, const knot_factors *factors)
 {
-    knot_factors factors;
-    bool anew = false;
-    if (!vbss_knot_twists(code, &factors)) {
-        anew = vbss_knot_code_untangle(code, &curve->codes[1], KNOT_TRIES, work);
-        if (!anew || !vbss_knot_twists(code, &factors)) {
-            return 0;
-        }
-    }
-    uint32_t shows = vbss_knot_take_off(l, code, &factors);
+    l->stage = KNOT_LOCATE_PROJECT;
+    uint32_t shows = vbss_knot_take_off(l, code, factors);
     if (shows == KNOT_SHOWS_NOTHING || !vbss_knot_has_first_throws(l, l->whole, l->count) ||
         (l->closing->has_tissue && !vbss_knot_has_strays(l))) {
-        return 0;
+        return;
     }
-    return 2 * shows - anew;
+    uint32_t quality = 2 * shows - l->anew;
+    double extent = vbss_knot_extent_of(l);
+    if (quality > l->quality || (quality == l->quality && extent < l->extent)) {
+        memcpy(l->spare, l->throws, sizeof l->throws);
+        l->quality = quality;
+        l->extent = extent;
+    }
 }
 
-/* The diagram that shows the strands of all throws as they lie, in the least of the thread; else the best. */
 static void project(knot_locating *l, knot_curve *curve, knot_work *work)
 {
     knot_code *code = &curve->codes[0];
+    knot_factors factors;
     if (l->direction >= l->direction_limit) {
         end_round(l, curve);
         return;
@@ -123,15 +123,26 @@ static void project(knot_locating *l, knot_curve *curve, knot_work *work)
         return;
     }
     vbss_knot_code_simplify(code, work);
-    uint32_t quality = take_apart(l, curve, code, work);
-    if (quality == 0) {
+    l->anew = false;
+    if (vbss_knot_twists(code, &factors)) {
+        keep_places(l, code, &factors);
+    } else if (l->quality < 2 * KNOT_SHOWS_STRANDS - 1) { /* it could not become better */
+        l->tries = KNOT_TRIES;
+        l->stage = KNOT_LOCATE_UNTANGLE;
+    }
+}
+
+static void untangle(knot_locating *l, knot_curve *curve, knot_work *work)
+{
+    knot_code *code = &curve->codes[0];
+    knot_factors factors;
+    if (vbss_knot_code_untangle(code, &curve->codes[1], &l->tries, work)) {
+        l->anew = true;
         return;
     }
-    double extent = vbss_knot_extent_of(l);
-    if (quality > l->quality || (quality == l->quality && extent < l->extent)) {
-        memcpy(l->spare, l->throws, sizeof l->throws);
-        l->quality = quality;
-        l->extent = extent;
+    l->stage = KNOT_LOCATE_PROJECT;
+    if (l->anew && vbss_knot_twists(code, &factors)) {
+        keep_places(l, code, &factors);
     }
 }
 
@@ -177,6 +188,9 @@ bool vbss_knot_locating_go_on(knot_locating *l, knot_curve *curve, knot_work *wo
             break;
         case KNOT_LOCATE_PROJECT:
             project(l, curve, work);
+            break;
+        case KNOT_LOCATE_UNTANGLE:
+            untangle(l, curve, work);
             break;
         case KNOT_LOCATE_CHECK:
             vbss_knot_check_order(l, curve, work);

@@ -279,14 +279,14 @@ static bool lower(knot_code *code, knot_code *spare, uint32_t *tries, knot_work 
     return false;
 }
 
-bool vbss_knot_code_untangle(knot_code *code, knot_code *spare, uint32_t tries, knot_work *work)
+bool vbss_knot_code_untangle(knot_code *code, knot_code *spare, uint32_t *tries, knot_work *work)
 {
-    uint32_t n = code->n;
-    if (n + 2 > spare->capacity) { /* three numbers a face, and the way */
+    if (code->n <= 2 || code->n + 2 > spare->capacity) { /* three numbers a face, and the way */
         return false;
     }
-    while (code->n > 2 && lower(code, spare, &tries, work)) {
+    bool lowered = lower(code, spare, tries, work);
+    if (lowered) {
         vbss_knot_code_simplify(code, work);
     }
-    return code->n < n;
+    return lowered;
 }

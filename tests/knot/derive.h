@@ -8,11 +8,11 @@
 #include "scenes/swept.h"
 
 typedef struct derivation {
-    family_case from;   /* what is moved about: its line is that of the last step */
+    family_case from; /* what is moved about: its line is that of the last step */
     swept_line line, spare;
-    uint32_t marks[3];  /* vertices: hole, tissue, hole */
+    uint32_t marks[3]; /* vertices: hole, tissue, hole */
     bool has_marks;
-    vec3 out[2];        /* each end is outermost that way */
+    vec3 out[2];                    /* each end is outermost that way */
     uint64_t moved, removed, split; /* vertices so far */
 } derivation;
 

@@ -34,7 +34,12 @@ static void run(harness_soak *out)
         if (all.wrong > wrong) {
             harness_soak_fail(out, "%llu wrong; %s", (unsigned long long)counts.wrong,
                               counts.first);
+        } else if (counts.uncertain > 0) { /* one in a thousand may be */
+            fprintf(stderr, "%s\n", counts.first);
         }
+    }
+    if (100 * all.uncertain > all.heard) {
+        harness_soak_fail(out, "%llu uncertain", (unsigned long long)all.uncertain);
     }
     judge_end(&j);
     harness_soak_figure(out, "made", (double)made);

@@ -20,7 +20,7 @@ static void the_defaults_are_those_that_are_documented(void **state)
                                      .point_capacity = 1024,
                                      .tool_capacity = 4,
                                      .crossing_capacity = 512,
-                                     .direction_limit = 12,
+                                     .direction_limit = 6,
                                      .closure_count = 8,
                                      .closure_tolerance = 2,
                                      .work_limit = 15000,

@@ -70,8 +70,8 @@ static void expect_invariants(eye *e, knot_code *code, knot_invariants wanted)
     v.determinant = vbss_knot_determinant(&e->algebra, code, &work);
     vbss_knot_vassiliev(code, &v.v2, &v.v3, &work);
     assert_true(vbss_knot_signature(&e->algebra, code, KNOT_X_ORDINARY_1000, &v.signature, &work));
-    assert_true(vbss_knot_signature(&e->algebra, code, KNOT_X_TRISTRAM_1000,
-                                    &v.signature_tristram, &work));
+    assert_true(
+        vbss_knot_signature(&e->algebra, code, KNOT_X_TRISTRAM_1000, &v.signature_tristram, &work));
     assert_true(vbss_knot_invariants_same(v, wanted));
 }
 
@@ -82,8 +82,7 @@ static knot_invariants truth_of(const family_case *c)
         f.factors[f.count++] = (knot_factor){.wraps = c->wraps[i], .handedness = c->signs[i]};
     }
     if (c->stray_wraps > 0) {
-        f.factors[f.count++] =
-            (knot_factor){.wraps = c->stray_wraps, .handedness = c->stray_sign};
+        f.factors[f.count++] = (knot_factor){.wraps = c->stray_wraps, .handedness = c->stray_sign};
     }
     return vbss_knot_invariants_of(&f);
 }

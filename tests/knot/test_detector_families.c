@@ -7,7 +7,8 @@
 
 enum { SEEDS = 12, CONFIGURATIONS = 10 };
 
-/* Least shares of what is heard, per mille, of families that are no knots of other kinds; measured, less a margin. */
+/* The least number of cases made, of 240, and least shares of what is heard, per mille: measured (938 to 944), less a
+ * margin. One family of nineteen is of knots that cannot be certified. */
 typedef struct least {
     uint32_t segments, made, certified, ordered;
 } least;
@@ -51,28 +52,28 @@ static void nothing_is_wrong_at(const least *l)
 static void nothing_is_wrong_at_60_segments(void **state)
 {
     (void)state;
-    const least l = {60, 200, 900, 900};
+    const least l = {60, 210, 925, 925};
     nothing_is_wrong_at(&l);
 }
 
 static void nothing_is_wrong_at_120_segments(void **state)
 {
     (void)state;
-    const least l = {120, 230, 900, 900};
+    const least l = {120, 235, 930, 930};
     nothing_is_wrong_at(&l);
 }
 
 static void nothing_is_wrong_at_240_segments(void **state)
 {
     (void)state;
-    const least l = {240, 235, 900, 900};
+    const least l = {240, 235, 930, 930};
     nothing_is_wrong_at(&l);
 }
 
 static void nothing_is_wrong_at_300_segments(void **state)
 {
     (void)state;
-    const least l = {300, 235, 900, 900};
+    const least l = {300, 235, 930, 930};
     nothing_is_wrong_at(&l);
 }
 
