@@ -16,7 +16,7 @@ cmake --build --preset release --target embed_c embed_cpp knot_gallery >>"$out/b
     ./build/release/examples/embed_c
     echo "== embedding in C++"
     ./build/release/examples/embed_cpp
-    echo "== tying knots"
+    echo "== tying knots, and what the detector says of them"
     ./build/release/examples/knots/knot_gallery "$out/knots"
     echo "== the golden scenes, built here: the same bits as everywhere"
     python3 -B tests/determinism/matrix.py --work "$out/golden" --only gcc-O3
@@ -24,4 +24,4 @@ cmake --build --preset release --target embed_c embed_cpp knot_gallery >>"$out/b
 
 echo
 echo "The library is in build/release/lib, this report in $out/report.txt,"
-echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>.svg."
+echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>-throws.png (as told), <knot>.svg."

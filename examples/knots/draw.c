@@ -35,15 +35,21 @@ static double tension_at(const double *tensions, uint32_t n, uint32_t segment, d
     return here + fabs(t - 0.5) * (beside - here);
 }
 
-static painter_colour colour_at(const double *tensions, uint32_t n, uint32_t segment, double t)
+painter_colour draw_by_tension(const void *tensions, uint32_t segment, double t)
 {
-    if (tensions != NULL) {
-        return painter_ramp(tension_at(tensions, n, segment, t), 0.0, FULL_TENSION);
-    }
-    return segment < n / 2 ? PAINTER_SKY : PAINTER_ORANGE;
+    const draw_tensions *d = tensions;
+    return painter_ramp(tension_at(d->tensions, d->node_count, segment, t), 0.0, FULL_TENSION);
 }
 
-static void add_segment(curve *c, const vec3 *x, uint32_t n, uint32_t i, const double *tensions)
+painter_colour draw_by_limb(const void *knot, uint32_t segment, double t)
+{
+    const gallery_knot *g = knot;
+    (void)t;
+    return segment < g->knot.node_count / 2 ? PAINTER_SKY : PAINTER_ORANGE;
+}
+
+static void add_segment(curve *c, const vec3 *x, uint32_t n, uint32_t i, draw_colour *colour,
+                        const void *user)
 {
     double length = vec3_distance(x[i], x[i + 1]);
     vec3 begin = slope(x, n, i, length), end = slope(x, n, i + 1, length);
@@ -55,17 +61,17 @@ static void add_segment(curve *c, const vec3 *x, uint32_t n, uint32_t i, const d
         at = vec3_add_scaled(at, t * t * (3.0 - 2.0 * t), x[i + 1]);
         at = vec3_add_scaled(at, t * u * u, begin);
         c->x[c->count] = vec3_add_scaled(at, -t * t * u, end);
-        c->colours[c->count++] = colour_at(tensions, n, i, t + 0.5 / parts);
+        c->colours[c->count++] = colour(user, i, t + 0.5 / parts);
     }
 }
 
 bool draw_thread(painter *p, const gallery_knot *g, const vec3 *x, uint32_t first, uint32_t last,
-                 const double *tensions)
+                 draw_colour *colour, const void *user)
 {
     static curve c;
     c.count = 0;
     for (uint32_t i = first; i < last; i++) {
-        add_segment(&c, x, g->knot.node_count, i, tensions);
+        add_segment(&c, x, g->knot.node_count, i, colour, user);
     }
     c.x[c.count++] = x[last];
     return painter_add_chain(p, &c.x[0].x, c.count, 0, g->knot.options.thread.radius,

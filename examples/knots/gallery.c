@@ -1,19 +1,26 @@
-/* Ties the knots of surgery, tight, round a drain where they belong there; prints how that went and paints
- * them: `knot_gallery <folder>` writes <knot>.png (tight, from two sides, coloured by tension), <knot>.svg
- * and <knot>-stages.png (loose, in between, tight) into that folder, which must be there. */
+/* Ties the knots of surgery, tight, round a drain where they belong there; prints how that went and what the knot
+ * detector says of them, and paints them: `knot_gallery <folder>` writes <knot>.png (tight, from two sides,
+ * coloured by tension), <knot>.svg, <knot>-stages.png (loose, in between, tight) and <knot>-throws.png and .svg
+ * (loose and tight, coloured by throw) into that folder, which must be there. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "knots/gallery.h"
 
 static gallery_knot knots[] = {
-    {.file = "overhand", .title = "overhand", .kind = KNOT_OVERHAND, .width = 3e-3},
+    {.file = "overhand",
+     .title = "overhand",
+     .notation = "1",
+     .kind = KNOT_OVERHAND,
+     .width = 3e-3},
     {.file = "double-overhand",
      .title = "double overhand",
+     .notation = "2",
      .kind = KNOT_DOUBLE_OVERHAND,
      .width = 3.5e-3},
     {.file = "square",
      .title = "square 1=1",
+     .notation = "1=1",
      .kind = KNOT_SQUARE,
      .cylinder = true,
      .width = 5.5e-3,
@@ -21,6 +28,7 @@ static gallery_knot knots[] = {
      .elevation = 0.3},
     {.file = "granny",
      .title = "granny 1x1",
+     .notation = "1x1",
      .kind = KNOT_GRANNY,
      .cylinder = true,
      .width = 5.5e-3,
@@ -28,6 +36,7 @@ static gallery_knot knots[] = {
      .elevation = 0.3},
     {.file = "surgeon",
      .title = "surgeon's 2=1",
+     .notation = "2=1",
      .kind = KNOT_SURGEON,
      .cylinder = true,
      .width = 5.5e-3,
@@ -35,6 +44,7 @@ static gallery_knot knots[] = {
      .elevation = 0.3},
     {.file = "fls",
      .title = "FLS 2=1=1",
+     .notation = "2=1=1",
      .kind = KNOT_FLS,
      .cylinder = true,
      .width = 5.5e-3,
@@ -42,6 +52,7 @@ static gallery_knot knots[] = {
      .elevation = 0.3},
     {.file = "half-hitches",
      .title = "half hitches",
+     .notation = "1x1",
      .kind = KNOT_HALF_HITCHES,
      .cylinder = true,
      .width = 5.5e-3,
@@ -69,14 +80,15 @@ static void print_row(const gallery_knot *g)
     fflush(stdout);
 }
 
-/* Ties, prints and paints one; false when it is not as it should be. */
+/* Ties, prints, judges and paints one; false when it is not as it should be. */
 static bool show(gallery_knot *g, const char *folder)
 {
     bool tied = gallery_tie(g);
     if (tied) {
         print_row(g);
     }
-    bool good = tied && g->tight && g->topology_kept && gallery_paint(g, folder);
+    bool good = tied && g->tight && g->topology_kept && gallery_judge(g) &&
+                gallery_paint(g, folder) && gallery_paint_throws(g, folder);
     gallery_end(g);
     return good;
 }
@@ -91,6 +103,9 @@ int main(int argc, char **argv)
     print_head();
     for (int i = 0; i < KNOTS && good; i++) {
         good = show(&knots[i], argv[1]);
+    }
+    for (int i = 0; i < KNOTS && knots[i].frames_judged > 0; i++) {
+        good = gallery_report(&knots[i]) && good;
     }
     return good ? EXIT_SUCCESS : EXIT_FAILURE;
 }

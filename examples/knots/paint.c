@@ -1,13 +1,12 @@
 /* The pictures of a knot: tight, from two sides, and a strip of how it became so. */
 #include <stdio.h>
-#include <string.h>
 
 #include "knots/draw.h"
+#include "knots/panels.h"
 
 /* Of one picture, pixels; strips have three or four panels side by side. */
 enum { WIDTH = 680, HEIGHT = 600, PANEL_WIDTH = 420, PANEL_HEIGHT = 400, PANELS = 4 };
-/* Between panels, pixels; across one, m; where they are seen from, rad. */
-enum { SEAM = 2 };
+/* Across a panel, m; where they are seen from, rad. */
 #define PANEL_METRES 15e-3
 #define PANEL_AZIMUTH 0.35
 #define PANEL_ELEVATION 0.35
@@ -67,8 +66,9 @@ static bool add_tight(painter *p, const gallery_knot *g, vec3 middle, double nea
     while (last - 1 > first && vec3_distance(x[last - 1], middle) > near * g->width) {
         last--;
     }
+    const draw_tensions colours = {tensions.data, g->knot.node_count};
     snprintf(text, sizeof text, "%s, %.2f N at both ends", g->title, g->force);
-    return draw_thread(p, g, x, first, last, tensions.data) &&
+    return draw_thread(p, g, x, first, last, draw_by_tension, &colours) &&
            painter_add_text(p, 16, 28, text, PAINTER_BLACK) == PAINTER_OK &&
            painter_add_ramp(p, "0 N", "2 N") == PAINTER_OK &&
            painter_add_scale_bar(p, 1e-3, "1 mm") == PAINTER_OK;
@@ -156,21 +156,11 @@ static bool paint_panel(painter *p, const gallery_knot *g, const gallery_frame *
                         uint8_t *pixels)
 {
     painter_clear(p);
-    return draw_thread(p, g, f->x, 0, g->knot.node_count - 1, NULL) &&
+    return draw_thread(p, g, f->x, 0, g->knot.node_count - 1, draw_by_limb, g) &&
            draw_cylinder(p, g, 0.0, true) && draw_pegs(p, g, f) &&
            draw_seen_from(p, vec3_zero(), PANEL_AZIMUTH, PANEL_ELEVATION, PANEL_METRES) &&
            painter_add_text(p, 12, 24, text, PAINTER_BLACK) == PAINTER_OK &&
            painter_paint(p, pixels, (size_t)3 * PANEL_WIDTH * PANEL_HEIGHT) == PAINTER_OK;
-}
-
-static void put_panel(const uint8_t *panel, size_t index, size_t count, uint8_t *strip)
-{
-    const size_t row_bytes = (size_t)3 * PANEL_WIDTH;
-    for (size_t row = 0; row < PANEL_HEIGHT; row++) {
-        uint8_t *to = strip + row_bytes * (row * count + index);
-        memcpy(to, panel + row_bytes * row, row_bytes);
-        memset(to, 0xff, index > 0 ? (size_t)3 * SEAM : 0);
-    }
 }
 
 static bool paint_stages(const gallery_knot *g, const char *folder)
@@ -189,7 +179,7 @@ static bool paint_stages(const gallery_knot *g, const char *folder)
         if (!paint_panel(p, g, frames[i], text, panel)) {
             return complain(g, p);
         }
-        put_panel(panel, i, count, strip);
+        panels_put(panel, PANEL_WIDTH, PANEL_HEIGHT, i, count, strip);
     }
     painter_destroy(p);
     return painter_save_png(path, strip, (int)count * PANEL_WIDTH, PANEL_HEIGHT) == PAINTER_OK ||

@@ -10,7 +10,7 @@
 #define STEP 1e-3
 enum { MOST_STEPS = 5000, HELD_STEPS = 300, FRAME_EVERY = 10 };
 
-static double processor_us(void)
+double gallery_processor_us(void)
 {
     struct timespec now;
     return clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now) == 0
@@ -67,9 +67,9 @@ static vbss_result keep_frame(gallery_knot *g)
 static vbss_result step(gallery_knot *g, double *us)
 {
     uint32_t stage = tied_knot_stage(&g->knot);
-    double begin = processor_us();
+    double begin = gallery_processor_us();
     VBSS_TRY(tied_knot_step(&g->knot, STEP));
-    *us = processor_us() - begin;
+    *us = gallery_processor_us() - begin;
     bool laid = tied_knot_stage(&g->knot) != stage;
     return laid || g->knot.steps % FRAME_EVERY == 0 ? keep_frame(g) : VBSS_OK;
 }
@@ -116,15 +116,20 @@ static vbss_result tie(gallery_knot *g)
     return look(g);
 }
 
+void gallery_complain(const gallery_knot *g, vbss_result result)
+{
+    const char *text = "";
+    if (g->context != NULL) {
+        (void)vbss_context_get_last_error(g->context, NULL, &text);
+    }
+    fprintf(stderr, "%s: %s %s\n", g->title, vbss_result_name(result), text);
+}
+
 bool gallery_tie(gallery_knot *g)
 {
     vbss_result result = tie(g);
     if (result != VBSS_OK) {
-        const char *text = "";
-        if (g->context != NULL) {
-            (void)vbss_context_get_last_error(g->context, NULL, &text);
-        }
-        fprintf(stderr, "%s: %s %s\n", g->title, vbss_result_name(result), text);
+        gallery_complain(g, result);
     }
     return result == VBSS_OK;
 }

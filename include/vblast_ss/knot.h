@@ -52,7 +52,7 @@ typedef struct vbss_knot_config {
      * the knot, and the verdict is uncertain. */
     uint32_t closure_tolerance;
     /** TOPOLOGY: operations (about a nanosecond each) that a step spends on it at most, but for the last
-     * indivisible piece, 100 to 1e9; default 15000. */
+     * indivisible piece, 100 to 1e9; default 8000. */
     uint32_t work_limit;
     /** TOPOLOGY: a new reading of the topology begins this many steps after the last one began, if that has ended;
      * 0: at events only; default 20. */
@@ -130,7 +130,7 @@ enum {
     VBSS_KNOT_VERDICT_WRAPPING = 1,  /**< The thread winds round a tool. */
     VBSS_KNOT_VERDICT_PASSED = 2,    /**< Tied if the tools withdraw with what they hold. */
     VBSS_KNOT_VERDICT_FORMED = 3,    /**< The ends are through; invariants agree. */
-    VBSS_KNOT_VERDICT_CERTIFIED = 4, /**< Proved: twist regions, ends, order. */
+    VBSS_KNOT_VERDICT_CERTIFIED = 4, /**< Its type is proved, its ends clear, its order known. */
     VBSS_KNOT_VERDICT_UNCERTAIN = 5  /**< Cannot be told; `reason` says why. */
 };
 

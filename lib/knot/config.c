@@ -11,7 +11,7 @@ static const vbss_knot_config config_defaults = {.struct_size = sizeof(vbss_knot
                                                  .direction_limit = 6,
                                                  .closure_count = 8,
                                                  .closure_tolerance = 2,
-                                                 .work_limit = 15000,
+                                                 .work_limit = 8000,
                                                  .interval = 20,
                                                  .event_capacity = 64,
                                                  .tail_reach = 0.03,

@@ -24,11 +24,23 @@ static vec3 shown_point(const vbss_knot_input *in, uint32_t i)
     return vec3_load(x);
 }
 
+/* Whether they are all numbers in range, asked at once; which one is not is asked afterwards. */
+static bool are_points_sound(const vbss_knot_input *in)
+{
+    bool sound = true;
+    for (uint32_t i = 0; i < in->point_count; i++) {
+        vec3 x = shown_point(in, i);
+        sound &= fabs(x.x) <= 1e3 && fabs(x.y) <= 1e3 && fabs(x.z) <= 1e3;
+    }
+    return sound;
+}
+
 static vbss_result check_points(vbss_context *context, const vbss_knot_input *in)
 {
     VBSS_TRY(vbss_check_pointer(context, in->points, "points"));
     VBSS_TRY(vbss_check_range(context, in->stride_bytes, 24.0, 1e9, "stride_bytes"));
-    for (uint32_t i = 0; i < in->point_count; i++) {
+    const bool sound = are_points_sound(in);
+    for (uint32_t i = 0; i < in->point_count && !sound; i++) {
         double x[3];
         vec3_store(x, shown_point(in, i));
         VBSS_TRY(vbss_check_finite(context, x, 3, "points"));

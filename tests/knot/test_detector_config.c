@@ -23,7 +23,7 @@ static void the_defaults_are_those_that_are_documented(void **state)
                                      .direction_limit = 6,
                                      .closure_count = 8,
                                      .closure_tolerance = 2,
-                                     .work_limit = 15000,
+                                     .work_limit = 8000,
                                      .interval = 20,
                                      .event_capacity = 64,
                                      .tail_reach = 0.03,
