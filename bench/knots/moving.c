@@ -41,14 +41,14 @@ typedef struct row {
     script_frame *frame;
     vbss_knot_tool tools[SCRIPT_TOOLS];
     vbss_knot_input input;
-    uint32_t at; /* step */
     /* counted in the first repetition */
-    bool counted;
     uint64_t reading_step;
     told_counts told;
     double steps_sum, steps_most;    /* from what was shown to what is told of it */
     uint32_t passed_at, passed_most; /* from a throw that is passed to when that is told */
     uint32_t readings;
+    uint32_t at; /* step */
+    bool counted;
 } row;
 
 static row rows[2 * SIZES + 1];
@@ -315,8 +315,8 @@ void add_moving_cases(bench *b)
     for (int i = 0; i < SIZES; i++) {
         if (!bench_is_quick(b) || sizes[i] == 240) {
             add(b, &rows[i], MOVING_SWAYING, sizes[i]);
-            add(b, &rows[SIZES + i], MOVING_OPEN, sizes[i]);
+            add(b, &rows[(size_t)SIZES + i], MOVING_OPEN, sizes[i]);
         }
     }
-    add(b, &rows[2 * SIZES], MOVING_TYING, 240);
+    add(b, &rows[2 * (size_t)SIZES], MOVING_TYING, 240);
 }

@@ -20,7 +20,7 @@ void shown_set_end(void)
 static uint32_t make_pool(const family *of, uint32_t segments, uint32_t wanted, family_case *pool)
 {
     uint32_t made = 0;
-    for (uint64_t seed = 0; seed < TRIES * wanted && made < wanted; seed++) {
+    for (uint64_t seed = 0; seed < (uint64_t)TRIES * wanted && made < wanted; seed++) {
         made += of->make(APART * seed, segments, &pool[made]);
     }
     return made;
@@ -58,7 +58,7 @@ const shown_set *shown_set_of(const family *of, uint32_t segments, uint32_t coun
     uint32_t wanted = count < POOL ? count : POOL;
     family_case *pool = malloc(wanted * sizeof *pool);
     uint32_t made = pool != NULL ? make_pool(of, segments, wanted, pool) : 0;
-    if (made > wanted / 4) {
+    if (made > 0 && made > wanted / 4) {
         kept = (shown_set){.family = of, .segments = segments, .count = count};
         kept.cases = malloc(count * sizeof *kept.cases);
         kept.inputs = calloc(count, sizeof *kept.inputs);

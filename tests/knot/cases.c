@@ -26,7 +26,7 @@ int begin_cases(void **state)
 {
     (void)state;
     judge_begin(&cases_judge);
-    cases = malloc(FAMILIES * SEEDS * sizeof *cases);
+    cases = malloc((size_t)FAMILIES * SEEDS * sizeof *cases);
     if (cases == NULL || !judge_make(&cases_judge)) {
         return 1;
     }

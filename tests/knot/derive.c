@@ -211,9 +211,7 @@ static void insert(thread_line *line, uint32_t i, double share)
     double *places[3] = {&line->hole_places[0], &line->tissue_place, &line->hole_places[1]};
     for (int k = 0; k < 3; k++) {
         double at = *places[k] - i;
-        if (at >= 1.0) {
-            *places[k] += 1.0;
-        } else if (at > 0.0 && share <= 0.0) { /* all the length lies after the second */
+        if (at >= 1.0 || (at > 0.0 && share <= 0.0)) { /* 0: all the length lies after the second */
             *places[k] += 1.0;
         } else if (at > 0.0) {
             *places[k] = at < share ? i + at / share : i + 1.0 + (at - share) / (1.0 - share);

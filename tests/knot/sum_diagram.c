@@ -16,18 +16,18 @@ void sum_begin(sum_diagram *d)
 
 void sum_insert(sum_diagram *d, uint32_t at, uint32_t wraps, int handedness, bool over)
 {
-    uint32_t m = 2 * wraps + 1, n = d->code.n, behind = 2 * n - at;
+    const size_t m = 2 * (size_t)wraps + 1, n = d->code.n, behind = 2 * n - at;
     assert_true(n + m <= SUM_CROSSINGS);
     memmove(d->crossing + at + 2 * m, d->crossing + at, behind * sizeof *d->crossing);
     memmove(d->over + at + 2 * m, d->over + at, behind * sizeof *d->over);
     memmove(d->owner + at + 2 * m, d->owner + at, behind * sizeof *d->owner);
-    for (uint32_t i = 0; i < 2 * m; i++) {
+    for (size_t i = 0; i < 2 * m; i++) {
         d->crossing[at + i] = (uint16_t)(n + i % m);
         d->over[at + i] = over != (i % 2 == 1);
         d->owner[at + i] = d->blocks;
     }
     memset(d->sign + n, handedness, m);
-    d->code.n += m;
+    d->code.n += (uint32_t)m;
     if (d->wanted.count < KNOT_THROWS) {
         d->wanted.factors[d->wanted.count++] =
             (knot_factor){.wraps = (int32_t)wraps, .handedness = handedness};
@@ -102,7 +102,7 @@ static bool is_standard(const sum_diagram *d, const uint32_t *live, uint32_t len
 
 bool sum_comes_apart(const sum_diagram *d)
 {
-    uint32_t live[2 * SUM_CROSSINGS], count = 2 * d->code.n, blocks = 0;
+    uint32_t live[2 * SUM_CROSSINGS] = {0}, count = 2 * d->code.n, blocks = 0;
     for (uint32_t i = 0; i < count; i++) {
         live[i] = i;
     }

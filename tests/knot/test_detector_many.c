@@ -15,7 +15,7 @@ static void nothing_of_a_hundred_thousand_is_wrong(void **state)
     judge_begin(&j);
     assert_true(judge_make(&j));
     for (int f = 0; f < FAMILIES; f++) {
-        for (uint64_t seed = 0; seed < SIZES * SEEDS; seed++, asked++) {
+        for (uint64_t seed = 0; seed < (uint64_t)SIZES * SEEDS; seed++, asked++) {
             made += derive_and_judge(&j, &families[f], FIRST_SEED + seed, segments[seed % SIZES],
                                      CONFIGURATIONS, &all);
         }

@@ -185,7 +185,7 @@ static void only_one_of_all_types_has_no_fault(void **state)
         assert_int_equal(vbss_knot_name_of(&v) == VBSS_KNOT_NAME_FLS, fls);
         assert_int_equal(vbss_knot_faults_of(&v) == 0, fls);
         for (uint32_t k = 0; k < 3; k++) {
-            assert_int_equal(text[2 * k], '0' + v.throws[k].wraps);
+            assert_int_equal(text[2 * (size_t)k], '0' + v.throws[k].wraps);
         }
         for (int k = 0; k < 2; k++) {
             assert_int_equal(text[2 * k + 1], (throws[k] < 0) == (throws[k + 1] < 0) ? 'x' : '=');

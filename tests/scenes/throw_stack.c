@@ -153,7 +153,7 @@ bool throw_stack_make(const throw_stack *stack, thread_line *line)
         return false;
     }
     measure m = {{stack->tail, stack->limb}, knot_curve_length(&curve), stack->coarseness};
-    double lengths[STACK_POINTS], middle = 0.5 * m.knot;
+    double lengths[STACK_POINTS] = {0.0}, middle = 0.5 * m.knot;
     place_points(stack, &m, lengths);
     if (!shows(&curve, lengths, stack->segments, stack->size)) {
         return false;
