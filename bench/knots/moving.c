@@ -33,8 +33,8 @@ typedef struct row {
     char name[64];
     moving_kind kind;
     uint32_t segments, steps;
+    uint32_t at; /* step, of a run */
 
-    /* of a run */
     vbss_context *context;
     vbss_knot_detector *detector;
     family_case *base, *shown; /* what sways, and where it is; or only its truth */
@@ -47,7 +47,6 @@ typedef struct row {
     double steps_sum, steps_most;    /* from what was shown to what is told of it */
     uint32_t passed_at, passed_most; /* from a throw that is passed to when that is told */
     uint32_t readings;
-    uint32_t at; /* step */
     bool counted;
 } row;
 
@@ -315,7 +314,7 @@ void add_moving_cases(bench *b)
     for (int i = 0; i < SIZES; i++) {
         if (!bench_is_quick(b) || sizes[i] == 240) {
             add(b, &rows[i], MOVING_SWAYING, sizes[i]);
-            add(b, &rows[(size_t)SIZES + i], MOVING_OPEN, sizes[i]);
+            add(b, &rows[(size_t)SIZES + (size_t)i], MOVING_OPEN, sizes[i]);
         }
     }
     add(b, &rows[2 * (size_t)SIZES], MOVING_TYING, 240);
