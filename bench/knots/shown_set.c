@@ -39,7 +39,10 @@ static quat random_turn(uint64_t seed)
 
 static void show(const family_case *pool, uint32_t made)
 {
-    for (uint32_t i = 0; i < kept.count && made > 0; i++) {
+    if (made == 0) {
+        return;
+    }
+    for (uint32_t i = 0; i < kept.count; i++) {
         derive_whole how = derive_plain();
         how.mirrored = (i / made & 1) != 0;
         how.reversed = (i / made & 2) != 0;
