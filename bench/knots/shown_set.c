@@ -39,15 +39,13 @@ static quat random_turn(uint64_t seed)
 
 static void show(const family_case *pool, uint32_t made)
 {
-    if (made == 0) {
-        return;
-    }
+    const uint32_t shapes = made > 0 ? made : 1;
     for (uint32_t i = 0; i < kept.count; i++) {
         derive_whole how = derive_plain();
-        how.mirrored = (i / made & 1) != 0;
-        how.reversed = (i / made & 2) != 0;
+        how.mirrored = (i / shapes & 1) != 0;
+        how.reversed = (i / shapes & 2) != 0;
         how.turn = random_turn(i);
-        derive_whole_of(&pool[i % made], &how, &kept.cases[i]);
+        derive_whole_of(&pool[i % shapes], &how, &kept.cases[i]);
         kept.inputs[i] = judge_input_of(&kept.cases[i].line);
     }
 }
