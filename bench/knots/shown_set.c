@@ -39,14 +39,17 @@ static quat random_turn(uint64_t seed)
 
 static void show(const family_case *pool, uint32_t made)
 {
-    const uint32_t shapes = made > 0 ? made : 1;
-    for (uint32_t i = 0; i < kept.count; i++) {
+    for (uint32_t i = 0, which = 0, round = 0; i < kept.count; i++) {
         derive_whole how = derive_plain();
-        how.mirrored = (i / shapes & 1) != 0;
-        how.reversed = (i / shapes & 2) != 0;
+        how.mirrored = (round & 1) != 0;
+        how.reversed = (round & 2) != 0;
         how.turn = random_turn(i);
-        derive_whole_of(&pool[i % shapes], &how, &kept.cases[i]);
+        derive_whole_of(&pool[which], &how, &kept.cases[i]);
         kept.inputs[i] = judge_input_of(&kept.cases[i].line);
+        if (++which == made) {
+            which = 0;
+            round++;
+        }
     }
 }
 
