@@ -374,13 +374,13 @@ typedef struct knot_locating {
     knot_locate_stage stage;
     uint32_t round; /* REDUCE */
     uint32_t direction, direction_limit;
-    uint32_t level;   /* CHECK: throws inside the sub-chain */
-    bool reading;     /* a sub-chain is being read */
-    bool certified;   /* a diagram of the whole thread came apart: that too proves what it is */
-    uint32_t tries;   /* UNTANGLE: strands left to look at */
-    bool anew;        /* the diagram has strands that were laid anew */
-    uint32_t quality; /* of `spare`, the places that the best diagram shows; 0: none */
-    double extent;    /* and of how much of the thread */
+    uint32_t level;  /* CHECK: throws inside the sub-chain */
+    bool reading;    /* a sub-chain is being read */
+    bool certified;  /* a diagram of the whole thread came apart: that too proves what it is */
+    uint32_t tries;  /* UNTANGLE: strands left to look at */
+    bool anew;       /* the diagram has strands that were laid anew */
+    bool has_spare;  /* `spare` are the places that the best diagram shows */
+    bool spare_anew; /* only such as have strands that were laid anew */
     uint32_t count;
     knot_located throws[KNOT_THROWS], spare[KNOT_THROWS];
 } knot_locating;
@@ -391,13 +391,12 @@ uint32_t vbss_knot_count_found(const knot_locating *locating, uint32_t until, in
 /* Whether a reading has just the first throws located. */
 bool vbss_knot_has_first_throws(const knot_locating *locating, const knot_reading *reading,
                                 uint32_t count);
-/* How well a diagram shows where the throws lie, which are then located: by strands, or as half hitches, which another
- * direction may show by strands; not at all when something crosses beyond the ends. */
-enum { KNOT_SHOWS_NOTHING = 0, KNOT_SHOWS_PLACES = 1, KNOT_SHOWS_STRANDS = 2 };
-uint32_t vbss_knot_take_off(knot_locating *locating, const knot_code *code,
-                            const knot_factors *factors);
+/* Locates the throws as a diagram shows them; false when something crosses beyond the ends. */
+bool vbss_knot_take_off(knot_locating *locating, const knot_code *code,
+                        const knot_factors *factors);
 bool vbss_knot_has_strays(const knot_locating *locating);
-double vbss_knot_extent_of(const knot_locating *locating);
+/* Of how much of the thread it takes, in segments. */
+double vbss_knot_extent_of(const knot_located *located);
 /* sub_chains.c: one piece of work; it sets the stage when it is done. */
 void vbss_knot_check_order(knot_locating *locating, knot_curve *curve, knot_work *work);
 /* throws.c */

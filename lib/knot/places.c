@@ -46,9 +46,8 @@ static double place_of(const knot_polygon *p, double at)
 }
 
 /* Where a throw lies on both limbs: the ranges of its own crossings before and after the tissue, or of its two
- * strands when nobody knows where that is or the throw is in one limb alone. False when the ranges are not its
- * strands: a diagram of a half hitch, or one in which the throw looks like one. */
-static bool take_places(const knot_locating *l, const knot_code *code, const knot_factors *f,
+ * strands when nobody knows where that is or the throw is in one limb alone. (Of a half hitch they are not its strands.) */
+static void take_places(const knot_locating *l, const knot_code *code, const knot_factors *f,
                         uint32_t number, knot_located *t)
 {
     const knot_factor *own = &f->factors[number];
@@ -78,7 +77,6 @@ static bool take_places(const knot_locating *l, const knot_code *code, const kno
     t->tail_places[1] = place_of(&l->polygon, code->at[split[0]]);
     t->long_places[0] = place_of(&l->polygon, code->at[split[1]]);
     t->long_places[1] = place_of(&l->polygon, code->at[own->last]);
-    return split[0] == own->strand_end && split[1] == own->strand_begin;
 }
 
 static bool is_inside(const knot_located *a, const knot_located *b)
@@ -107,15 +105,15 @@ static void sort_throws(knot_locating *l)
     }
 }
 
-uint32_t vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
+bool vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
 {
-    bool strands = true, on_thread = true;
+    bool on_thread = true;
     l->count = f->count;
     for (uint32_t i = 0; i < f->count; i++) {
         knot_located *t = &l->throws[i];
         *t = (knot_located){
             .located = true, .wraps = f->factors[i].wraps, .handedness = f->factors[i].handedness};
-        strands &= take_places(l, code, f, i, t);
+        take_places(l, code, f, i, t);
         on_thread &= lesser(lesser(t->tail_places[0], t->tail_places[1]),
                             lesser(t->long_places[0], t->long_places[1])) >= 0.0;
     }
@@ -129,7 +127,7 @@ uint32_t vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_
     for (uint32_t i = 0; i < about; i++) {
         l->throws[i].ordered = nested;
     }
-    return !on_thread ? KNOT_SHOWS_NOTHING : strands ? KNOT_SHOWS_STRANDS : KNOT_SHOWS_PLACES;
+    return on_thread;
 }
 
 /* ---- what they agree with */
@@ -156,14 +154,8 @@ bool vbss_knot_has_strays(const knot_locating *l)
     return same && found[0] == l->limbs[0]->factors.count && found[1] == l->limbs[1]->factors.count;
 }
 
-/* How much of the thread is said to be in throws: a crossing of a throw may be seen far from the others. */
-double vbss_knot_extent_of(const knot_locating *l)
+double vbss_knot_extent_of(const knot_located *t)
 {
-    double sum = 0.0;
-    for (uint32_t i = 0; i < l->count; i++) {
-        const knot_located *t = &l->throws[i];
-        sum += fabs(t->tail_places[1] - t->tail_places[0]) +
-               fabs(t->long_places[1] - t->long_places[0]);
-    }
-    return sum;
+    return fabs(t->tail_places[1] - t->tail_places[0]) +
+           fabs(t->long_places[1] - t->long_places[0]);
 }

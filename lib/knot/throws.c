@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-enum { ROUNDS = 6, DIRECTIONS = 6 };
+enum { ROUNDS = 6 };
 
 /* Segments between vertices that stay, a round; 0: none stay. */
 static const uint32_t spacings[ROUNDS] = {6, 16, 0, 10, 24, 4};
@@ -76,9 +76,9 @@ static void leave_unordered(knot_locating *l)
 
 static void end_round(knot_locating *l, knot_curve *curve)
 {
-    if (l->quality > 0) {
+    if (l->has_spare) {
         memcpy(l->throws, l->spare, sizeof l->throws);
-        l->quality = 0;
+        l->has_spare = false;
         begin_check(l);
     } else if (l->round < ROUNDS) {
         begin_round(l, curve);
@@ -89,22 +89,38 @@ static void end_round(knot_locating *l, knot_curve *curve)
 
 /* ---- diagrams */
 
-/* Keeps the diagram that shows the strands of all throws as they lie, in the least of the thread; else the best.
- * Strands that were laid anew have no places of their own. */
+static bool is_same_stack(const knot_locating *l)
+{
+    bool same = true;
+    for (uint32_t i = 0; i < l->count && same; i++) {
+        const knot_located *a = &l->throws[i], *b = &l->spare[i];
+        same = a->wraps == b->wraps && a->handedness == b->handedness && a->stray == b->stray &&
+               a->ordered == b->ordered;
+    }
+    return same;
+}
+
+/* Of all diagrams that show the same stack each throw has the places where it takes the least of the thread: a
+ * crossing of it may be seen far from the others. Strands that were laid anew have no places of their own: such diagrams
+ * are kept only until there is another. */
 static void keep_places(knot_locating *l, const knot_code *code, const knot_factors *factors)
 {
     l->stage = KNOT_LOCATE_PROJECT;
-    uint32_t shows = vbss_knot_take_off(l, code, factors);
-    if (shows == KNOT_SHOWS_NOTHING || !vbss_knot_has_first_throws(l, l->whole, l->count) ||
+    if (!vbss_knot_take_off(l, code, factors) ||
+        !vbss_knot_has_first_throws(l, l->whole, l->count) ||
         (l->closing->has_tissue && !vbss_knot_has_strays(l))) {
         return;
     }
-    uint32_t quality = 2 * shows - l->anew;
-    double extent = vbss_knot_extent_of(l);
-    if (quality > l->quality || (quality == l->quality && extent < l->extent)) {
+    if (!l->has_spare || (l->spare_anew && !l->anew)) {
         memcpy(l->spare, l->throws, sizeof l->throws);
-        l->quality = quality;
-        l->extent = extent;
+        l->has_spare = true;
+        l->spare_anew = l->anew;
+    } else if (l->spare_anew == l->anew && is_same_stack(l)) {
+        for (uint32_t i = 0; i < l->count; i++) {
+            if (vbss_knot_extent_of(&l->throws[i]) < vbss_knot_extent_of(&l->spare[i])) {
+                l->spare[i] = l->throws[i];
+            }
+        }
     }
 }
 
@@ -126,7 +142,7 @@ static void project(knot_locating *l, knot_curve *curve, knot_work *work)
     l->anew = false;
     if (vbss_knot_twists(code, &factors)) {
         keep_places(l, code, &factors);
-    } else if (l->quality < 2 * KNOT_SHOWS_STRANDS - 1) { /* it could not become better */
+    } else if (!l->has_spare || l->spare_anew) {
         l->tries = KNOT_TRIES;
         l->stage = KNOT_LOCATE_UNTANGLE;
     }
@@ -165,9 +181,8 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
     l->limbs[1] = long_limb;
     l->count = 0;
     l->certified = false;
-    l->quality = 0;
-    l->direction_limit = direction_limit < DIRECTIONS ? direction_limit : DIRECTIONS;
-    curve->direction_limit = l->direction_limit; /* sub-chains are many */
+    l->has_spare = false;
+    l->direction_limit = 2 * direction_limit; /* they are for places too */
     l->round = 0;
     l->stage = KNOT_LOCATE_DONE;
     if (!whole->throws || whole->factors.count == 0) {
