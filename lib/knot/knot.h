@@ -395,7 +395,9 @@ bool vbss_knot_has_first_throws(const knot_locating *locating, const knot_readin
 bool vbss_knot_take_off(knot_locating *locating, const knot_code *code,
                         const knot_factors *factors);
 bool vbss_knot_has_strays(const knot_locating *locating);
-/* Of how much of the thread it takes, in segments. */
+/* Whether a lies between the strands of b. */
+bool vbss_knot_is_inside(const knot_located *a, const knot_located *b);
+/* How much of the thread it takes, in segments. */
 double vbss_knot_extent_of(const knot_located *located);
 /* sub_chains.c: one piece of work; it sets the stage when it is done. */
 void vbss_knot_check_order(knot_locating *locating, knot_curve *curve, knot_work *work);

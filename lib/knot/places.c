@@ -79,7 +79,7 @@ static void take_places(const knot_locating *l, const knot_code *code, const kno
     t->long_places[1] = place_of(&l->polygon, code->at[own->last]);
 }
 
-static bool is_inside(const knot_located *a, const knot_located *b)
+bool vbss_knot_is_inside(const knot_located *a, const knot_located *b)
 {
     return b->tail_places[1] <= a->tail_places[0] && a->long_places[1] <= b->long_places[0];
 }
@@ -121,7 +121,7 @@ bool vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_fact
     uint32_t about = 0;
     bool nested = true;
     for (uint32_t i = 0; i < l->count && !l->throws[i].stray; i++) {
-        nested = nested && (i == 0 || is_inside(&l->throws[i - 1], &l->throws[i]));
+        nested = nested && (i == 0 || vbss_knot_is_inside(&l->throws[i - 1], &l->throws[i]));
         about++;
     }
     for (uint32_t i = 0; i < about; i++) {

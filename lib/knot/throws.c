@@ -100,6 +100,19 @@ static bool is_same_stack(const knot_locating *l)
     return same;
 }
 
+/* Whether it takes less of the thread, and lies between those it lay between. */
+static bool is_better_place(const knot_locating *l, uint32_t i)
+{
+    const knot_located *t = &l->throws[i], *inner = &l->spare[i], *outer = &l->spare[i];
+    if (t->ordered) {
+        inner = i > 0 ? inner - 1 : inner;
+        outer = i + 1 < l->count && l->spare[i + 1].ordered ? outer + 1 : outer;
+    }
+    return vbss_knot_extent_of(t) < vbss_knot_extent_of(&l->spare[i]) &&
+           (inner == &l->spare[i] || vbss_knot_is_inside(inner, t)) &&
+           (outer == &l->spare[i] || vbss_knot_is_inside(t, outer));
+}
+
 /* Of all diagrams that show the same stack each throw has the places where it takes the least of the thread: a
  * crossing of it may be seen far from the others. Strands that were laid anew have no places of their own: such diagrams
  * are kept only until there is another. */
@@ -117,7 +130,7 @@ static void keep_places(knot_locating *l, const knot_code *code, const knot_fact
         l->spare_anew = l->anew;
     } else if (l->spare_anew == l->anew && is_same_stack(l)) {
         for (uint32_t i = 0; i < l->count; i++) {
-            if (vbss_knot_extent_of(&l->throws[i]) < vbss_knot_extent_of(&l->spare[i])) {
+            if (is_better_place(l, i)) {
                 l->spare[i] = l->throws[i];
             }
         }
