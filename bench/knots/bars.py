@@ -57,7 +57,11 @@ def bars(cases, quick):
         yield "one closure, 240 segments, mean us of the slowest family", max(r["mean_us"] for r in once), "< 100", \
             lambda v: v < 100.0
         yield "mean us of all families", mean(once), "< 100", lambda v: v < 100.0
-        yield "p99 us of the slowest family", max(r["p99_us"] for r in once), "< 300", lambda v: v < 300.0
+        high = cases.get(("high-stacks", "closure", "240"))
+        yield "p99 us of the slowest family of up to three throws", \
+            max(r["p99_us"] for r in once if r is not high), "< 300", lambda v: v < 300.0
+        if high:
+            yield "p99 us of four to eight throws", high["p99_us"], "< 300", lambda v: v < 300.0
         yield "mean over families of their p99 us", sum(r["p99_us"] for r in once) / len(once), "< 300", \
             lambda v: v < 300.0
     projection = [(cases[s, "projection", n], right) for (s, n), right in PAPER_RIGHT.items()
