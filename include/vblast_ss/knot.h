@@ -104,7 +104,8 @@ typedef struct vbss_knot_input {
     uint32_t tool_count;   /**< 0 (default) to tool_capacity. */
     const vbss_knot_tool *tools; /**< tool_count of them; may be NULL when there are none. */
     /** 0 (default): it is not known where the thread goes through tissue; 1: at one point; 2: in at the
-     * first, out at the second. */
+     * first, out at the second. Without tissue nothing is stray, and throws are told in the order in which
+     * they nest. */
     uint32_t hole_count;
     /** 1: the points are given from the long limb's end on; places too count from there. Default 0. */
     uint32_t reversed;
