@@ -20,7 +20,7 @@ typedef struct near_value {
 
 static near_value near_make(double value, double size)
 {
-    double error = KNOT_CLEARANCE * size + ORIENTATION_UNDERFLOW;
+    double error = KNOT_CLEARANCE * size + KNOT_UNDERFLOW;
     near_value r = {value - error, value + error};
     return r;
 }
