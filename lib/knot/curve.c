@@ -156,21 +156,13 @@ bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work)
 
 /* ---- comparing */
 
-static int64_t number_of(const knot_factors *f, int32_t wraps, int32_t handedness)
-{
-    int64_t count = 0;
-    for (uint32_t i = 0; i < f->count; i++) {
-        count += f->factors[i].wraps == wraps && f->factors[i].handedness == handedness;
-    }
-    return count;
-}
-
 static bool same_throws(const knot_factors *a, const knot_factors *b)
 {
     bool same = a->count == b->count;
     for (uint32_t i = 0; i < a->count && same; i++) {
         const knot_factor *f = &a->factors[i];
-        same = number_of(a, f->wraps, f->handedness) == number_of(b, f->wraps, f->handedness);
+        same = vbss_knot_count_factors(a, f->wraps, f->handedness) ==
+               vbss_knot_count_factors(b, f->wraps, f->handedness);
     }
     return same;
 }

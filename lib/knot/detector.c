@@ -258,6 +258,7 @@ static void begin_reading(knot_detector *d)
 static void end_reading(knot_detector *d, bool follows)
 {
     vbss_knot_conclude(d, follows);
+    d->doubted |= !follows && d->verdict.reason != VBSS_KNOT_REASON_NONE;
     d->job.stage = KNOT_JOB_IDLE;
 }
 
@@ -299,7 +300,7 @@ static vbss_result look(vbss_knot_detector *detector, const vbss_knot_input *inp
     d->steps++;
     d->event_count = d->events_lost = 0;
     d->doubted |= d->shown.may_have_passed;
-    d->due |= d->doubted || d->shown.point_count != points;
+    d->due |= d->shown.may_have_passed || d->shown.point_count != points;
     d->due |= look_at_tools(d);
     if (d->config.method == VBSS_KNOT_PROJECTION) {
         vbss_knot_paper_step(d);

@@ -261,6 +261,12 @@ typedef struct knot_reading {
     knot_invariants invariants; /* when checked, or not certified */
 } knot_reading;
 
+/* It was read, and what it has are throws (or nothing). */
+static inline bool knot_was_read(const knot_reading *r)
+{
+    return r->reason == VBSS_KNOT_REASON_NONE && r->throws;
+}
+
 typedef struct knot_counts {
     uint64_t closures, certified, projections, degenerate, overflows, removed;
 } knot_counts;

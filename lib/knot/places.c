@@ -24,7 +24,7 @@ uint32_t vbss_knot_count_found(const knot_locating *l, uint32_t until, int32_t w
 
 bool vbss_knot_has_first_throws(const knot_locating *l, const knot_reading *r, uint32_t count)
 {
-    bool same = r->reason == VBSS_KNOT_REASON_NONE && r->throws && r->factors.count == count;
+    bool same = knot_was_read(r) && r->factors.count == count;
     for (uint32_t i = 0; i < count && same; i++) {
         const knot_located *t = &l->throws[i];
         same = vbss_knot_count_found(l, count, t->wraps, t->handedness) ==

@@ -177,11 +177,6 @@ static void untangle(knot_locating *l, knot_curve *curve, knot_work *work)
 
 /* ---- the whole */
 
-static bool was_read(const knot_reading *r)
-{
-    return r->reason == VBSS_KNOT_REASON_NONE && r->throws;
-}
-
 void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_scene *scene,
                               const knot_closing *closing, const knot_reading *whole,
                               const knot_reading *tail, const knot_reading *long_limb,
@@ -202,7 +197,7 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
         return;
     }
     begin_round(l, curve);
-    if (closing->has_tissue && !(was_read(tail) && was_read(long_limb))) {
+    if (closing->has_tissue && !(knot_was_read(tail) && knot_was_read(long_limb))) {
         leave_unordered(l);
     }
 }

@@ -24,11 +24,6 @@ static int32_t left_in(const knot_reading *r, const knot_verdict *v, uint32_t un
     return count;
 }
 
-static bool was_read(const knot_reading *r)
-{
-    return r->reason == VBSS_KNOT_REASON_NONE && r->throws;
-}
-
 /* What it is was proved, and its ends are clear of it. */
 static bool is_sure(const knot_job *job)
 {
@@ -63,7 +58,7 @@ static void fill_throw(const knot_detector *d, const knot_located *from, vbss_kn
 /* A throw that one limb has alone is stray, wherever it lies. */
 static void mark_strays(knot_verdict *v, const knot_reading *limb)
 {
-    uint32_t count = was_read(limb) ? limb->factors.count : 0;
+    uint32_t count = knot_was_read(limb) ? limb->factors.count : 0;
     for (uint32_t k = 0; k < count; k++) {
         const knot_factor *f = &limb->factors.factors[k];
         bool marked = false;
@@ -83,7 +78,7 @@ static void doubt_strays(const knot_job *job, knot_verdict *v)
     for (uint32_t i = 0; i < v->throw_count; i++) {
         strays += (v->throws[i].flags & VBSS_KNOT_THROW_STRAY) != 0;
     }
-    bool agree = was_read(&job->tail) && was_read(&job->long_limb) &&
+    bool agree = knot_was_read(&job->tail) && knot_was_read(&job->long_limb) &&
                  job->tail.factors.count + job->long_limb.factors.count == strays;
     for (uint32_t i = 0; i < v->throw_count && job->closing.has_tissue && !agree; i++) {
         v->throws[i].verdict = VBSS_KNOT_VERDICT_FORMED;
@@ -151,7 +146,7 @@ static void mark_relations(knot_verdict *v, const knot_reading *tools, bool has_
     const vbss_knot_throw *before = NULL;
     for (uint32_t i = 0; i < v->throw_count; i++) {
         vbss_knot_throw *t = &v->throws[i];
-        if (has_tools && was_read(tools) && left_in(tools, v, i, t) <= 0) {
+        if (has_tools && knot_was_read(tools) && left_in(tools, v, i, t) <= 0) {
             t->flags |= VBSS_KNOT_THROW_REVOCABLE;
         }
         if (t->flags & VBSS_KNOT_THROW_STRAY) {
@@ -254,7 +249,7 @@ static const knot_factor *added_by_tools(const knot_job *job)
     const knot_factors *now = &job->outward.factors, *then = &job->tools.factors;
     const knot_factor *added = NULL;
     uint32_t kept = 0;
-    if (!job->has_tools || !was_read(&job->tools) || !was_read(&job->outward)) {
+    if (!job->has_tools || !knot_was_read(&job->tools) || !knot_was_read(&job->outward)) {
         return NULL;
     }
     bool used[KNOT_THROWS] = {false};

@@ -46,6 +46,7 @@ static void follow(const thread_line *line, bool may_have_passed)
     const uint64_t began = state.steps;
     do {
         expect_ok(vbss_knot_detector_step(detector, &in));
+        in.may_have_passed = 0; /* told once */
         expect_ok(vbss_knot_detector_get_state(detector, &state, sizeof state));
         assert_true(state.steps < began + 10000);
     } while (state.reading_step <= began);
@@ -149,11 +150,52 @@ static void certainty_is_remembered(void **state)
     end();
 }
 
+/* The first thread with an end inside that cannot be told. */
+static void make_uncertain(thread_line *line)
+{
+    static family_case open;
+    vbss_knot_state now = {.verdict = VBSS_KNOT_VERDICT_NONE};
+    for (uint64_t seed = 0; now.verdict != VBSS_KNOT_VERDICT_UNCERTAIN; seed++) {
+        assert_true(seed < 1000);
+        if (family_named("ends inside")->make(seed, 120, &open)) {
+            vbss_knot_input in = input_of(&open.line);
+            expect_ok(vbss_knot_detector_judge(detector, &in));
+            expect_ok(vbss_knot_detector_get_state(detector, &now, sizeof now));
+        }
+    }
+    *line = open.line;
+}
+
+/* It may be another thread, and its first reading tells nothing: the next one must not follow the thread before. */
+static void doubt_outlives_a_reading_that_tells_nothing(void **state)
+{
+    (void)state;
+    static thread_line unknown;
+    uint64_t seed = 0;
+    begin();
+    make_uncertain(&unknown);
+    assert_true(find_unordered(&seed));
+    for (int doubted = 0; doubted < 2; doubted++) {
+        vbss_knot_state now;
+        expect_ok(vbss_knot_detector_reset(detector));
+        make_plain(3);
+        follow(&plain, false);
+        follow(&unknown, doubted == 1);
+        expect_ok(vbss_knot_detector_get_state(detector, &now, sizeof now));
+        assert_int_equal(VBSS_KNOT_VERDICT_UNCERTAIN, now.verdict);
+        follow(&tied.line, false);
+        expect_ok(vbss_knot_detector_get_state(detector, &now, sizeof now));
+        assert_int_equal(doubted, (now.faults & VBSS_KNOT_FAULT_ORDER) != 0);
+    }
+    end();
+}
+
 int test_detector_history(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(order_is_remembered),
         cmocka_unit_test(certainty_is_remembered),
+        cmocka_unit_test(doubt_outlives_a_reading_that_tells_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,34 +1,5 @@
 /* Signed turns about bent tools, and of any polyline against the sum of its angles. */
-#include "harness/harness.h"
-#include "knot/knot.h"
-
-#define PI 3.141592653589793
-
-enum { MOST = 400 };
-
-typedef struct line {
-    vec3 points[MOST];
-    uint32_t count;
-} line;
-
-static knot_winding wind(const line *l, knot_tool tool)
-{
-    line copy = *l;
-    knot_scene scene = {.point_count = copy.count,
-                        .tool_count = 1,
-                        .tissue_place = -1.0,
-                        .points = copy.points,
-                        .tools = &tool};
-    knot_winding winding;
-    vbss_knot_wind(&scene, 0, &winding);
-    assert_true(isfinite(winding.turns) && isfinite(winding.run_turns));
-    for (int k = 0; k < 2; k++) {
-        assert_true(isfinite(winding.run_heights[k]));
-        assert_true(winding.run_places[k] >= 0.0 && winding.run_places[k] <= copy.count - 1);
-    }
-    assert_in_range(winding.sense + 1, 0, 2);
-    return winding;
-}
+#include "knot/winding_rig.h"
 
 static knot_tool bent_tool(harness_source *source, uint32_t points, double bend)
 {

@@ -1,34 +1,5 @@
 /* Signed turns about a finite tool: what a projection takes for a loop, and strands in the jaws. */
-#include "harness/harness.h"
-#include "knot/knot.h"
-
-#define PI 3.141592653589793
-
-enum { MOST = 400 };
-
-typedef struct line {
-    vec3 points[MOST];
-    uint32_t count;
-} line;
-
-static knot_winding wind(const line *l, knot_tool tool)
-{
-    line copy = *l;
-    knot_scene scene = {.point_count = copy.count,
-                        .tool_count = 1,
-                        .tissue_place = -1.0,
-                        .points = copy.points,
-                        .tools = &tool};
-    knot_winding winding;
-    vbss_knot_wind(&scene, 0, &winding);
-    assert_true(isfinite(winding.turns) && isfinite(winding.run_turns));
-    for (int k = 0; k < 2; k++) {
-        assert_true(isfinite(winding.run_heights[k]));
-        assert_true(winding.run_places[k] >= 0.0 && winding.run_places[k] <= copy.count - 1);
-    }
-    assert_in_range(winding.sense + 1, 0, 2);
-    return winding;
-}
+#include "knot/winding_rig.h"
 
 /* A shaft of 300 mm from above to the origin. */
 static knot_tool shaft(void)
