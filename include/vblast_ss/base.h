@@ -58,7 +58,8 @@
     X(VBSS_ERROR_TRUNCATED, -11, "the data end too early")                                        \
     X(VBSS_ERROR_CORRUPT, -12, "the data are damaged or not what this call reads")                \
     X(VBSS_ERROR_DATA_VERSION, -13, "the data were written by a newer version of the library")    \
-    X(VBSS_ERROR_IN_SCENE, -14, "not allowed while the object belongs to a scene")
+    X(VBSS_ERROR_IN_SCENE, -14, "not allowed while the object belongs to a scene")                \
+    X(VBSS_ERROR_DEVICE, -15, "a device failed, or is not there")
 
 /** Status of a call: VBSS_OK (0) or a negative VBSS_ERROR_ constant. */
 typedef int32_t vbss_result;

@@ -9,6 +9,7 @@
 
 #include <vblast_ss/base.h>
 #include <vblast_ss/collision.h>
+#include <vblast_ss/device.h>
 #include <vblast_ss/knot.h>
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>

@@ -20,6 +20,8 @@ static void numbers_are_pinned(void **state)
     assert_int_equal(VBSS_ERROR_TRUNCATED, -11);
     assert_int_equal(VBSS_ERROR_CORRUPT, -12);
     assert_int_equal(VBSS_ERROR_DATA_VERSION, -13);
+    assert_int_equal(VBSS_ERROR_IN_SCENE, -14);
+    assert_int_equal(VBSS_ERROR_DEVICE, -15);
     assert_int_equal(VBSS_LOG_NONE, 0);
     assert_int_equal(VBSS_LOG_ERROR, 1);
     assert_int_equal(VBSS_LOG_WARNING, 2);

@@ -1,0 +1,211 @@
+/* Calling the host's functions, and the structs that pass through them. */
+#include <string.h>
+
+#include "device/device.h"
+
+_Static_assert(sizeof(vbss_device_sample) == 160, "published size");
+_Static_assert(sizeof(vbss_device_capabilities) == 128, "published size");
+_Static_assert(sizeof(vbss_device_adapter) == 8 + 8 * sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_output_result) <= DEVICE_ROOM, "room for all structs");
+
+static const vbss_device_adapter adapter_defaults = {.struct_size = sizeof(vbss_device_adapter)};
+static const uint32_t adapter_sizes[] = {8u + 8u * (uint32_t)sizeof(void *), 0};
+const vbss_layout vbss_device_adapter_layout = {"vbss_device_adapter", &adapter_defaults,
+                                                adapter_sizes};
+
+static const vbss_device_sample sample_defaults = {.struct_size = sizeof(vbss_device_sample),
+                                                   .orientation = {1.0, 0.0, 0.0, 0.0}};
+static const uint32_t sample_sizes[] = {160, 0};
+const vbss_layout vbss_device_sample_layout = {"vbss_device_sample", &sample_defaults,
+                                               sample_sizes};
+
+static const vbss_device_capabilities capabilities_defaults = {
+    .struct_size = sizeof(vbss_device_capabilities)};
+static const uint32_t capabilities_sizes[] = {128, 0};
+const vbss_layout vbss_device_capabilities_layout = {"vbss_device_capabilities",
+                                                     &capabilities_defaults, capabilities_sizes};
+
+vbss_result vbss_device_adapter_init(vbss_device_adapter *adapter, uint32_t struct_size)
+{
+    return vbss_config_init(&vbss_device_adapter_layout, adapter, struct_size);
+}
+
+vbss_result vbss_device_sample_init(vbss_device_sample *sample, uint32_t struct_size)
+{
+    return vbss_config_init(&vbss_device_sample_layout, sample, struct_size);
+}
+
+vbss_result vbss_device_capabilities_init(vbss_device_capabilities *capabilities,
+                                          uint32_t struct_size)
+{
+    return vbss_config_init(&vbss_device_capabilities_layout, capabilities, struct_size);
+}
+
+vbss_result vbss_device_check_adapter(vbss_context *context, const vbss_device_adapter *a,
+                                      bool first)
+{
+    VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
+    if (a->read == NULL && (first || a->write == NULL)) {
+        return vbss_fail(context, VBSS_ERROR_NULL_ARGUMENT, "the adapter has no function 'read'");
+    }
+    return VBSS_OK;
+}
+
+/* What an adapter finds behind a struct that it knows longer than this library is zero. */
+static void *cleared_room(device_source *s)
+{
+    return memset(s->room, 0, DEVICE_ROOM);
+}
+
+/* ---- texts */
+
+static void keep_text(char *to, size_t room, const char *from)
+{
+    size_t bytes = strlen(from);
+    bytes = bytes < room ? bytes : room - 1;
+    memcpy(to, from, bytes);
+    to[bytes] = '\0';
+}
+
+/* What an adapter says of its failure, as far as it ends within the room it was given. */
+void vbss_device_note_failure(vbss_context *context, device_source *s, vbss_result result)
+{
+    s->failed = result;
+    memset(s->text, 0, sizeof s->text);
+    if (s->adapter.explain != NULL) {
+        bool outer = vbss_callback_begin(context);
+        s->adapter.explain(s->adapter.user, s->text, DEVICE_TEXT);
+        vbss_callback_end(context, outer);
+        s->text[DEVICE_TEXT - 1] = '\0';
+    }
+}
+
+static vbss_result fail(vbss_context *context, device_source *s, vbss_result result,
+                        const char *what)
+{
+    vbss_device_note_failure(context, s, result);
+    return vbss_fail(context, VBSS_ERROR_DEVICE, "%s %s: %d, %s", s->name, what, result,
+                     s->text[0] == '\0' ? "no reason is given" : s->text);
+}
+
+/* ---- life */
+
+static vbss_result call_open(vbss_context *context, device_source *s)
+{
+    bool outer = vbss_callback_begin(context);
+    vbss_result result = s->adapter.open(s->adapter.user);
+    vbss_callback_end(context, outer);
+    return result;
+}
+
+static vbss_result call_describe(vbss_context *context, device_source *s,
+                                 vbss_device_capabilities *capabilities)
+{
+    bool outer = vbss_callback_begin(context);
+    vbss_result result = s->adapter.describe(s->adapter.user, capabilities);
+    vbss_callback_end(context, outer);
+    return result;
+}
+
+static vbss_result check_capabilities(vbss_context *context, const vbss_device_capabilities *c)
+{
+    const double limits[] = {c->max_force, c->max_continuous_force, c->max_torque,
+                             c->max_continuous_torque, c->max_damping};
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        VBSS_TRY(vbss_check_range(context, limits[i], 0.0, 1e6, "a limit of the adapter"));
+    }
+    VBSS_TRY(vbss_check_range(context, c->max_stiffness, 0.0, 1e9, "max_stiffness"));
+    VBSS_TRY(vbss_check_range(context, c->update_rate, 0.0, 1e9, "update_rate"));
+    for (int i = 0; i < 3; i++) {
+        VBSS_TRY(vbss_check_range(context, c->workspace_low[i], -1e3, 1e3, "workspace_low"));
+        VBSS_TRY(vbss_check_range(context, c->workspace_high[i], c->workspace_low[i], 1e3,
+                                  "workspace_high"));
+    }
+    return VBSS_OK;
+}
+
+static vbss_result describe(vbss_context *context, device_source *s)
+{
+    if (s->adapter.describe == NULL) {
+        s->capabilities.signals = s->adapter.read != NULL ? DEVICE_SIGNALS : 0;
+        s->capabilities.outputs = DEVICE_OUTPUTS;
+    } else {
+        memcpy(cleared_room(s), &capabilities_defaults, sizeof capabilities_defaults);
+        vbss_result result = call_describe(context, s, (vbss_device_capabilities *)s->room);
+        if (result != VBSS_OK) {
+            return fail(context, s, result, "cannot be described");
+        }
+        memcpy(&s->capabilities, s->room, sizeof s->capabilities);
+    }
+    s->capabilities.signals &= s->adapter.read != NULL ? DEVICE_SIGNALS : 0;
+    s->capabilities.outputs &= s->adapter.write != NULL ? DEVICE_OUTPUTS : 0;
+    return check_capabilities(context, &s->capabilities);
+}
+
+vbss_result vbss_device_open_source(vbss_context *context, device_source *s)
+{
+    keep_text(s->name, sizeof s->name, s->adapter.name != NULL ? s->adapter.name : "device");
+    if (s->adapter.open != NULL) {
+        vbss_result result = call_open(context, s);
+        if (result != VBSS_OK) {
+            return fail(context, s, result, "cannot be opened");
+        }
+    }
+    vbss_result result = describe(context, s);
+    if (result != VBSS_OK) {
+        vbss_device_close_source(context, s);
+    }
+    return result;
+}
+
+void vbss_device_close_source(vbss_context *context, device_source *s)
+{
+    if (s->adapter.close != NULL) {
+        bool outer = vbss_callback_begin(context);
+        s->adapter.close(s->adapter.user);
+        vbss_callback_end(context, outer);
+    }
+}
+
+/* ---- in a step */
+
+vbss_result vbss_device_read_source(vbss_context *context, device_source *s, double now,
+                                    const vbss_device_sample **sample)
+{
+    vbss_device_sample *room = cleared_room(s);
+    *room = sample_defaults;
+    *sample = room;
+    bool outer = vbss_callback_begin(context);
+    vbss_result result = s->adapter.read(s->adapter.user, now, room);
+    vbss_callback_end(context, outer);
+    if (result != VBSS_OK) {
+        vbss_device_note_failure(context, s, result);
+    }
+    return result;
+}
+
+bool vbss_device_write_source(vbss_context *context, device_source *s, double now,
+                              const vbss_output_result *output, uint32_t outputs)
+{
+    if (s->adapter.write == NULL) {
+        return true;
+    }
+    const double zero[3] = {0.0, 0.0, 0.0};
+    vbss_output_result own = *output;
+    own.solenoid = (outputs & VBSS_DEVICE_OUT_SOLENOID) != 0 ? own.solenoid : 0;
+    if ((outputs & VBSS_DEVICE_OUT_FORCE) == 0) {
+        memcpy(own.force, zero, sizeof zero);
+    }
+    if ((outputs & VBSS_DEVICE_OUT_TORQUE) == 0) {
+        memcpy(own.torque, zero, sizeof zero);
+    }
+    memcpy(cleared_room(s), &own, sizeof own);
+    bool outer = vbss_callback_begin(context);
+    vbss_result result =
+        s->adapter.write(s->adapter.user, now, (const vbss_output_result *)s->room);
+    vbss_callback_end(context, outer);
+    if (result != VBSS_OK) {
+        vbss_device_note_failure(context, s, result);
+    }
+    return result == VBSS_OK;
+}

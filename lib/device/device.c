@@ -1,0 +1,265 @@
+/* How devices begin and end: adapters opened, described, and what follows from what they can do. */
+#include <string.h>
+
+#include "device/device.h"
+
+_Static_assert(sizeof(vbss_device_config) == 64 + 2 * sizeof(void *), "no hidden padding");
+
+static const vbss_device_config config_defaults = {
+    .struct_size = sizeof(vbss_device_config),
+    .tool = VBSS_DEVICE_TOOL_NEEDLE_DRIVER,
+    .second_signals = DEVICE_JAW_SIGNALS,
+    .clock = VBSS_DEVICE_CLOCK_OWN,
+    .stop_when_lost = 1,
+    .jaw_timeout = 0.1,
+    .velocity_time = 0.005,
+    .norm_tolerance = 1e-3,
+    .max_stiffness = 400.0,
+    .max_damping = 4.0,
+};
+static const uint32_t config_sizes[] = {64u + 2u * (uint32_t)sizeof(void *), 0};
+static const vbss_layout config_layout = {"vbss_device_config", &config_defaults, config_sizes};
+
+vbss_result vbss_device_config_init(vbss_device_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+static vbss_result check_config(vbss_context *context, const vbss_device_config *c)
+{
+    VBSS_TRY(
+        vbss_check_range(context, c->tool, VBSS_DEVICE_TOOL_NONE, VBSS_DEVICE_TOOL_SHEARS, "tool"));
+    VBSS_TRY(vbss_check_range(context, c->second_signals, 0.0, DEVICE_SIGNALS, "second_signals"));
+    VBSS_TRY(vbss_check_range(context, c->clock, VBSS_DEVICE_CLOCK_OWN, VBSS_DEVICE_CLOCK_SHARED,
+                              "clock"));
+    VBSS_TRY(vbss_check_range(context, c->stop_when_lost, 0.0, 1.0, "stop_when_lost"));
+    VBSS_TRY(vbss_check_range(context, c->clutch_orientation, 0.0, 1.0, "clutch_orientation"));
+    VBSS_TRY(vbss_check_range(context, c->jaw_timeout, 1e-4, 1e3, "jaw_timeout"));
+    VBSS_TRY(vbss_check_range(context, c->velocity_time, 0.0, 10.0, "velocity_time"));
+    VBSS_TRY(vbss_check_range(context, c->norm_tolerance, 0.0, 0.5, "norm_tolerance"));
+    VBSS_TRY(vbss_check_range(context, c->max_stiffness, 0.0, 1e6, "max_stiffness"));
+    return vbss_check_range(context, c->max_damping, 0.0, 1e6, "max_damping");
+}
+
+/* ---- what the adapters can do together */
+
+uint32_t vbss_device_routed(const device_object *d, uint32_t source)
+{
+    if (d->source_count == 1) {
+        return DEVICE_SIGNALS;
+    }
+    const uint32_t groups[] = {DEVICE_POSE_SIGNALS | DEVICE_MOTION_SIGNALS, DEVICE_JAW_SIGNALS};
+    uint32_t second = d->config.second_signals;
+    for (int i = 0; i < 2; i++) { /* what belongs together comes from one */
+        second |= (second & groups[i]) != 0 ? groups[i] : 0u;
+    }
+    return source == 1 ? second : DEVICE_SIGNALS & ~second;
+}
+
+/* Forces belong to the arm, which comes first; the solenoid to the handle's electronics, which come second. */
+uint32_t vbss_device_driven(const device_object *d, uint32_t source)
+{
+    uint32_t own = d->sources[source].capabilities.outputs;
+    if (d->source_count == 1) {
+        return own;
+    }
+    uint32_t other = d->sources[1 - source].capabilities.outputs;
+    return source == 0 ? own & ~(other & VBSS_DEVICE_OUT_SOLENOID)
+                       : own & ~(other & ~(uint32_t)VBSS_DEVICE_OUT_SOLENOID);
+}
+
+static double lower(double limit, double device)
+{
+    return device > 0.0 ? lesser(limit, device) : limit;
+}
+
+/* A slow device is not stale between two of its samples. */
+static double waited_for(double timeout, const vbss_device_capabilities *c)
+{
+    return c->update_rate > 0.0 ? greater(timeout, 2.5 / c->update_rate) : timeout;
+}
+
+static const vbss_device_capabilities *capabilities_for(const device_object *d, uint32_t output)
+{
+    uint32_t second = d->source_count == 2 && (vbss_device_driven(d, 1) & output) != 0;
+    return &d->sources[second].capabilities;
+}
+
+static void set_limits(device_object *d)
+{
+    const vbss_device_capabilities *force = capabilities_for(d, VBSS_DEVICE_OUT_FORCE);
+    const vbss_device_capabilities *torque = capabilities_for(d, VBSS_DEVICE_OUT_TORQUE);
+    uint32_t jaw = d->source_count == 2 && (vbss_device_routed(d, 1) & DEVICE_JAW_SIGNALS) != 0;
+    uint32_t arm =
+        d->source_count == 2 && (vbss_device_routed(d, 1) & VBSS_DEVICE_HAS_POSITION) != 0;
+    vbss_output_config *l = &d->limits;
+    l->max_force = lower(l->max_force, force->max_force);
+    l->continuous_force = lower(l->continuous_force, force->max_continuous_force);
+    l->max_torque = lower(l->max_torque, torque->max_torque);
+    l->continuous_torque = lower(l->continuous_torque, torque->max_continuous_torque);
+    l->input_timeout = waited_for(l->input_timeout, &d->sources[arm].capabilities);
+    d->jaw_timeout = waited_for(d->config.jaw_timeout, &d->sources[jaw].capabilities);
+}
+
+/* ---- life */
+
+static void free_object(vbss_context *context, device_object *d)
+{
+    for (uint32_t i = 0; i < DEVICE_SOURCES; i++) {
+        vbss_release(context, d->sources[i].room, DEVICE_ROOM / sizeof(uint64_t), sizeof(uint64_t));
+    }
+    vbss_release(context, d, 1, sizeof *d);
+}
+
+static void end_object(vbss_context *context, void *object)
+{
+    device_object *d = object;
+    vbss_device_latch(d);
+    for (uint32_t i = d->source_count; i > 0; i--) {
+        vbss_device_close_source(context, &d->sources[i - 1]);
+    }
+    free_object(context, d);
+}
+
+const vbss_kind vbss_device_kind = {"device", VBSS_CODE('D', 'E', 'V', 'I'), 1, end_object,
+                                    vbss_device_visit};
+
+static void begin_state(device_object *d)
+{
+    d->orientation = quat_identity();
+    d->turn = quat_identity();
+    d->held = d->shown = pose_identity();
+    d->tool = d->config.tool;
+    d->jaw.opening = 1.0;
+    d->pose.age = d->opening.age = -1.0;
+    vbss_device_forget_motion(&d->motion);
+    vbss_output_begin(&d->limits, &d->output);
+}
+
+static vbss_result open_sources(device_object *d)
+{
+    for (uint32_t i = 0; i < d->source_count; i++) {
+        vbss_result result = vbss_device_open_source(d->context, &d->sources[i]);
+        if (result != VBSS_OK) {
+            while (i-- > 0) {
+                vbss_device_close_source(d->context, &d->sources[i]);
+            }
+            return result;
+        }
+    }
+    return VBSS_OK;
+}
+
+static vbss_result make(vbss_context *context, const device_object *wanted, vbss_slot **slot)
+{
+    device_object *d = vbss_allocate(context, 1, sizeof *d, "device");
+    if (d == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    *d = *wanted;
+    vbss_array rooms[DEVICE_SOURCES];
+    for (uint32_t i = 0; i < DEVICE_SOURCES; i++) {
+        rooms[i] =
+            (vbss_array){&d->sources[i].room, DEVICE_ROOM / sizeof(uint64_t), sizeof(uint64_t)};
+    }
+    vbss_result result = vbss_allocate_arrays(context, rooms, DEVICE_SOURCES, "device");
+    if (result == VBSS_OK) {
+        result = vbss_slot_reserve(context, &vbss_device_kind, slot);
+    }
+    if (result == VBSS_OK) { /* last, as it touches the world outside */
+        result = open_sources(d);
+    }
+    if (result != VBSS_OK) {
+        free_object(context, d);
+        return result;
+    }
+    set_limits(d);
+    begin_state(d);
+    vbss_slot_fill(*slot, d);
+    return VBSS_OK;
+}
+
+static vbss_result read_adapter(device_object *d, const vbss_device_adapter *adapter)
+{
+    vbss_device_adapter *own = &d->sources[d->source_count].adapter;
+    VBSS_TRY(vbss_config_read(d->context, &vbss_device_adapter_layout, adapter, own));
+    VBSS_TRY(vbss_device_check_adapter(d->context, own, d->source_count == 0));
+    d->source_count++;
+    return VBSS_OK;
+}
+
+static vbss_result read_configs(device_object *d, const vbss_device_config *config)
+{
+    vbss_context *context = d->context;
+    d->config = config_defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, &d->config));
+    }
+    VBSS_TRY(check_config(context, &d->config));
+    VBSS_TRY(vbss_device_calibration_init(&d->calibration, sizeof d->calibration));
+    VBSS_TRY(vbss_output_config_init(&d->limits, sizeof d->limits));
+    if (d->config.calibration != NULL) {
+        VBSS_TRY(vbss_config_read(context, &vbss_device_calibration_layout, d->config.calibration,
+                                  &d->calibration));
+    }
+    if (d->config.output != NULL) {
+        VBSS_TRY(
+            vbss_config_read(context, &vbss_output_config_layout, d->config.output, &d->limits));
+    }
+    d->config.calibration = NULL; /* the host's, no longer needed */
+    d->config.output = NULL;
+    VBSS_TRY(vbss_device_check_calibration(context, &d->calibration));
+    d->frame = vbss_device_frame_of(&d->calibration);
+    return vbss_output_check_config(context, &d->limits);
+}
+
+vbss_result vbss_device_create(vbss_context *context, const vbss_device_adapter *first,
+                               const vbss_device_adapter *second, const vbss_device_config *config,
+                               vbss_device **device)
+{
+    if (device == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, device, "device");
+    }
+    *device = NULL;
+    VBSS_TRY(vbss_context_edit(context));
+    device_object wanted = {.context = context};
+    vbss_slot *slot = NULL;
+    VBSS_TRY(read_adapter(&wanted, first));
+    if (second != NULL) {
+        VBSS_TRY(read_adapter(&wanted, second));
+    }
+    VBSS_TRY(read_configs(&wanted, config));
+    VBSS_TRY(make(context, &wanted, &slot));
+    *device = (vbss_device *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_device_destroy(vbss_device *device)
+{
+    return vbss_slot_destroy(device, &vbss_device_kind);
+}
+
+vbss_result vbss_device_open(const vbss_device *handle, device_object **device)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_device_kind, &slot));
+    *device = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_device_edit(vbss_device *handle, device_object **device)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_device_kind, &slot));
+    *device = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_device_check_now(const device_object *d, double now)
+{
+    VBSS_TRY(vbss_check_range(d->context, now, -1e9, 1e9, "now"));
+    return !d->begun || now >= d->now
+               ? VBSS_OK
+               : vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "now is %g, after %g", now, d->now);
+}

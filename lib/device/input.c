@@ -1,0 +1,142 @@
+/* A read: all adapters asked -> how old what they said is -> the world's frame. */
+#include "device/device.h"
+
+_Static_assert(sizeof(vbss_device_input) == 208, "published size");
+static const uint32_t input_sizes[] = {208, 0};
+static const vbss_layout input_layout = {"vbss_device_input", NULL, input_sizes};
+
+/* ---- how old it is */
+
+/* True while it is stale; events and count when that has changed. */
+static bool grow_old(device_object *d, device_part *part, double now, double timeout,
+                     uint32_t stale_event, uint32_t fresh_event, uint64_t *count)
+{
+    if (!part->known) {
+        return false;
+    }
+    double from = d->config.clock == VBSS_DEVICE_CLOCK_SHARED ? part->time : part->heard;
+    bool was = part->stale, first = part->age < 0.0;
+    part->age = greater(now - from, 0.0);
+    part->stale = part->age > timeout;
+    if (part->stale && (!was || first)) {
+        d->events |= stale_event;
+        (*count)++;
+    } else if (!part->stale && (was || first)) {
+        d->events |= fresh_event;
+    }
+    return part->stale;
+}
+
+static void look_at_ages(device_object *d, double now)
+{
+    vbss_device_statistics *f = &d->statistics;
+    if (grow_old(d, &d->pose, now, d->limits.input_timeout, VBSS_DEVICE_EVENT_STALE,
+                 VBSS_DEVICE_EVENT_FRESH, &f->pose_stale)) {
+        f->pose_stale_reads++;
+        d->velocity = d->spin = vec3_zero();
+        vbss_device_forget_motion(&d->motion);
+    }
+    grow_old(d, &d->opening, now, d->jaw_timeout, VBSS_DEVICE_EVENT_JAW_STALE,
+             VBSS_DEVICE_EVENT_JAW_FRESH, &f->jaw_stale);
+    f->oldest_pose = greater(f->oldest_pose, d->pose.age);
+}
+
+/* ---- the world */
+
+pose vbss_device_calibrated(const device_object *d)
+{
+    return pose_make(vbss_device_position_to_world(&d->calibration, &d->frame, d->position),
+                     vbss_device_orientation_to_world(&d->frame, d->orientation));
+}
+
+/* What the clutch holds stays; the rest follows the hand. */
+static void show_pose(device_object *d, vbss_device_input *in)
+{
+    pose p = vbss_device_calibrated(d);
+    vec3 velocity = vbss_device_velocity_to_world(&d->calibration, &d->frame, d->velocity);
+    vec3 spin = vbss_device_spin_to_world(&d->frame, d->spin);
+    double along[3];
+    p.position = vec3_add(p.position, d->shift);
+    p.orientation = quat_unit(quat_mul(p.orientation, d->turn));
+    if (d->clutched) {
+        p.position = d->held.position;
+        velocity = vec3_zero();
+        if (d->config.clutch_orientation != 0) {
+            p.orientation = d->held.orientation;
+            spin = vec3_zero();
+        }
+    }
+    in->clamped = vbss_device_keep_inside(&d->calibration, &p.position);
+    vec3_store(along, velocity);
+    for (int i = 0; i < 3; i++) { /* what is held does not move */
+        in->velocity[i] = (in->clamped >> i & 1u) != 0 ? 0.0 : along[i];
+    }
+    vec3_store(in->position, p.position);
+    vec3_store(in->angular_velocity, spin);
+    in->orientation[0] = p.orientation.w;
+    vec3_store(in->orientation + 1, vec3_make(p.orientation.x, p.orientation.y, p.orientation.z));
+    d->shown = p;
+}
+
+static vbss_device_status status_of(const device_object *d)
+{
+    if (d->sources[0].lost || d->sources[1].lost) {
+        return VBSS_DEVICE_LOST;
+    }
+    if (!d->pose.known) {
+        return VBSS_DEVICE_WAITING;
+    }
+    return d->pose.stale ? VBSS_DEVICE_STALE : VBSS_DEVICE_READY;
+}
+
+static uint32_t stale_signals(const device_object *d)
+{
+    uint32_t stale = d->pose.stale ? DEVICE_POSE_SIGNALS | DEVICE_MOTION_SIGNALS : 0u;
+    stale |= d->opening.stale ? DEVICE_JAW_SIGNALS : 0u;
+    return stale & d->known;
+}
+
+static void show(device_object *d, uint32_t buttons_before, vbss_device_input *in)
+{
+    in->status = status_of(d);
+    in->valid = d->known;
+    in->stale = stale_signals(d);
+    in->events = d->events;
+    in->buttons = d->buttons;
+    in->pressed = d->buttons & ~buttons_before;
+    in->released = buttons_before & ~d->buttons;
+    in->tool = d->tool;
+    in->jaw_closed = d->jaw.closed;
+    in->clutched = d->clutched;
+    in->stopped = d->output.stopped;
+    in->time = d->pose.time;
+    in->age = d->pose.age;
+    in->jaw_age = d->opening.age;
+    in->jaw = d->jaw.opening;
+    in->jaw_raw = d->jaw_raw;
+    in->temperature = d->temperature;
+    show_pose(d, in);
+}
+
+vbss_result vbss_device_read(vbss_device *device, double now, vbss_device_input *input,
+                             uint32_t struct_size)
+{
+    device_object *d;
+    VBSS_TRY(vbss_device_edit(device, &d));
+    VBSS_TRY(vbss_check_arithmetic(d->context));
+    VBSS_TRY(vbss_device_check_now(d, now));
+    vbss_device_input own = {.struct_size = sizeof own};
+    VBSS_TRY(vbss_struct_write(d->context, &input_layout, &own, input, struct_size));
+    uint32_t buttons_before = d->buttons;
+    d->events = 0;
+    d->begun = true;
+    d->now = d->read_at = now;
+    d->statistics.reads++;
+    for (uint32_t i = 0; i < d->source_count; i++) {
+        vbss_device_ask(d, i, now);
+    }
+    look_at_ages(d, now);
+    show(d, buttons_before, &own);
+    d->statistics.clamped_reads += d->pose.known && own.clamped != 0 ? 1 : 0;
+    return vbss_struct_write(d->context, &input_layout, &own, input, struct_size);
+}

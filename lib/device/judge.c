@@ -1,0 +1,79 @@
+/* What is wrong with a sample. One that is wrong anywhere is refused whole: what else it says is not to be
+ * believed. */
+#include "device/device.h"
+
+/* So long every sample is older than the last: the adapter's clock has begun anew, s. */
+#define PATIENCE 0.1
+/* A shared clock may be that far ahead: a sample is measured while the host goes on, s. */
+#define AHEAD 0.1
+
+static bool are_finite(const double *values, int count)
+{
+    for (int i = 0; i < count; i++) {
+        if (!isfinite(values[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool is_finite(const vbss_device_sample *s, uint32_t valid)
+{
+    return ((valid & VBSS_DEVICE_HAS_POSITION) == 0 || are_finite(s->position, 3)) &&
+           ((valid & VBSS_DEVICE_HAS_ORIENTATION) == 0 || are_finite(s->orientation, 4)) &&
+           ((valid & VBSS_DEVICE_HAS_VELOCITY) == 0 || are_finite(s->velocity, 3)) &&
+           ((valid & VBSS_DEVICE_HAS_ANGULAR_VELOCITY) == 0 ||
+            are_finite(s->angular_velocity, 3)) &&
+           ((valid & VBSS_DEVICE_HAS_JAW_RAW) == 0 || isfinite(s->jaw_raw)) &&
+           ((valid & VBSS_DEVICE_HAS_JAW) == 0 || isfinite(s->jaw)) &&
+           ((valid & VBSS_DEVICE_HAS_TEMPERATURE) == 0 || isfinite(s->temperature));
+}
+
+static bool is_in_range(const vbss_device_sample *s, uint32_t valid)
+{
+    return ((valid & VBSS_DEVICE_HAS_POSITION) == 0 || vbss_largest(s->position, 3) <= 1e3) &&
+           ((valid & VBSS_DEVICE_HAS_VELOCITY) == 0 || vbss_largest(s->velocity, 3) <= 1e3) &&
+           ((valid & VBSS_DEVICE_HAS_ANGULAR_VELOCITY) == 0 ||
+            vbss_largest(s->angular_velocity, 3) <= 1e4) &&
+           ((valid & VBSS_DEVICE_HAS_JAW_RAW) == 0 || fabs(s->jaw_raw) <= 1e6) &&
+           ((valid & VBSS_DEVICE_HAS_JAW) == 0 || (s->jaw >= 0.0 && s->jaw <= 1.0)) &&
+           ((valid & VBSS_DEVICE_HAS_TEMPERATURE) == 0 || fabs(s->temperature) <= 1e3) &&
+           ((valid & VBSS_DEVICE_HAS_TOOL) == 0 ||
+            (s->tool >= VBSS_DEVICE_TOOL_NONE && s->tool <= VBSS_DEVICE_TOOL_SHEARS));
+}
+
+/* The squares of huge numbers overflow to infinity, which is no length of 1 either. */
+static bool is_unit(const double q[4], double tolerance)
+{
+    double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    return fabs(length - 1.0) <= tolerance;
+}
+
+device_verdict vbss_device_judge(const device_source *s, const vbss_device_sample *sample,
+                                 uint32_t valid, double now, const vbss_device_config *config,
+                                 bool *restarted)
+{
+    if (!isfinite(sample->time)) {
+        return DEVICE_NOT_FINITE;
+    }
+    if (s->timed && sample->time >= s->time && sample->time < s->time + DEVICE_LEAST_ADVANCE) {
+        return DEVICE_REPEATED;
+    }
+    bool older = s->timed && sample->time < s->time;
+    if (older && now - s->heard <= PATIENCE) {
+        return DEVICE_OUT_OF_ORDER;
+    }
+    if (!is_finite(sample, valid)) {
+        return DEVICE_NOT_FINITE;
+    }
+    if (fabs(sample->time) > 1e9 || !is_in_range(sample, valid) ||
+        (config->clock == VBSS_DEVICE_CLOCK_SHARED && sample->time > now + AHEAD)) {
+        return DEVICE_OUT_OF_RANGE;
+    }
+    if ((valid & VBSS_DEVICE_HAS_ORIENTATION) != 0 &&
+        !is_unit(sample->orientation, config->norm_tolerance)) {
+        return DEVICE_NOT_UNIT;
+    }
+    *restarted = older;
+    return DEVICE_TAKEN;
+}

@@ -1,0 +1,209 @@
+/* The state of the device layer: saved, hashed and restored. What adapters keep is theirs. */
+#include "device/device.h"
+
+void vbss_device_visit_bool(vbss_stream *stream, uint16_t tag, bool *value)
+{
+    uint32_t word = *value;
+    vbss_stream_u32(stream, tag, &word, 1);
+    if (word > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "neither yes nor no");
+    }
+    *value = word != 0;
+}
+
+static void visit_quat(vbss_stream *stream, uint16_t tag, quat *q)
+{
+    vbss_stream_f64(stream, tag, &q->w, 4);
+    if (!(fabs(quat_dot(*q, *q) - 1.0) < 1e-9)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "an orientation is not of length 1");
+    }
+}
+
+/* At most so large: what is computed from it stays finite. */
+static void visit_vec3(vbss_stream *stream, uint16_t tag, vec3 *v, double most)
+{
+    double x[3];
+    vbss_stream_f64(stream, tag, &v->x, 3);
+    vec3_store(x, *v);
+    if (!(vbss_largest(x, 3) <= most)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a vector is too long");
+    }
+}
+
+/* ---- what a device was made with */
+
+static void visit_config(vbss_stream *stream, const device_object *d)
+{
+    const vbss_device_config *c = &d->config;
+    const uint32_t words[] = {(uint32_t)c->tool, c->second_signals,     (uint32_t)c->clock,
+                              c->stop_when_lost, c->clutch_orientation, d->source_count};
+    const double numbers[] = {d->jaw_timeout, c->velocity_time, c->norm_tolerance};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        vbss_stream_same(stream, 1, words[i]);
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 2, numbers[i]);
+    }
+    for (uint32_t i = 0; i < d->source_count; i++) {
+        vbss_stream_same(stream, 3, d->sources[i].capabilities.outputs);
+    }
+    vbss_output_visit_config(stream, &d->limits);
+}
+
+/* Read into a copy: no frame can be made of a calibration that is none. */
+static void visit_calibration(vbss_stream *stream, device_object *d)
+{
+    vbss_device_calibration c = d->calibration;
+    double *const numbers[] = {&c.scale,    &c.force_scale,  &c.jaw_closed,
+                               &c.jaw_open, &c.jaw_margin,   &c.jaw_play,
+                               &c.jaw_time, &c.jaw_close_at, &c.jaw_open_at};
+    vbss_stream_i32(stream, 10, c.axes, 3);
+    vbss_stream_f64(stream, 11, c.rotation, 9);
+    vbss_stream_f64(stream, 12, c.offset, 3);
+    vbss_stream_f64(stream, 13, c.mount, 4);
+    vbss_stream_f64(stream, 14, c.workspace_low, 3);
+    vbss_stream_f64(stream, 15, c.workspace_high, 3);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_f64(stream, 16, numbers[i], 1);
+    }
+    if (stream->mode != VBSS_STREAM_READ || stream->result != VBSS_OK) {
+        return;
+    }
+    if (vbss_device_check_calibration(NULL, &c) != VBSS_OK) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no calibration is like this");
+        return;
+    }
+    d->calibration = c;
+    d->frame = vbss_device_frame_of(&c);
+}
+
+/* ---- what came in */
+
+static void visit_source(vbss_stream *stream, device_source *s)
+{
+    vbss_device_visit_bool(stream, 20, &s->lost);
+    vbss_device_visit_bool(stream, 21, &s->fault);
+    vbss_device_visit_bool(stream, 22, &s->mute);
+    vbss_device_visit_bool(stream, 23, &s->timed);
+    vbss_stream_f64(stream, 24, &s->time, 1);
+    vbss_stream_f64(stream, 25, &s->heard, 1);
+}
+
+static void visit_part(vbss_stream *stream, device_part *part)
+{
+    vbss_device_visit_bool(stream, 30, &part->known);
+    vbss_device_visit_bool(stream, 31, &part->stale);
+    vbss_stream_f64(stream, 32, &part->time, 1);
+    vbss_stream_f64(stream, 33, &part->heard, 1);
+    vbss_stream_f64(stream, 34, &part->age, 1);
+}
+
+static void visit_motion(vbss_stream *stream, device_motion *m)
+{
+    vbss_device_visit_bool(stream, 40, &m->placed);
+    vbss_device_visit_bool(stream, 41, &m->moving);
+    vbss_device_visit_bool(stream, 42, &m->oriented);
+    vbss_device_visit_bool(stream, 43, &m->spinning);
+    vbss_stream_f64(stream, 44, &m->time, 1);
+    visit_vec3(stream, 45, &m->position, 1e3);
+    visit_vec3(stream, 46, &m->velocity, 1e10);
+    visit_vec3(stream, 47, &m->spin, 1e10);
+    visit_quat(stream, 48, &m->orientation);
+}
+
+static void visit_jaw(vbss_stream *stream, device_jaw *jaw)
+{
+    vbss_device_visit_bool(stream, 50, &jaw->known);
+    vbss_device_visit_bool(stream, 51, &jaw->closed);
+    vbss_stream_f64(stream, 52, &jaw->filtered, 1);
+    vbss_stream_f64(stream, 53, &jaw->play, 1);
+    vbss_stream_f64(stream, 54, &jaw->opening, 1);
+    if (!(jaw->opening >= 0.0 && jaw->opening <= 1.0)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no jaws are that open");
+    }
+}
+
+static void visit_sample(vbss_stream *stream, device_object *d)
+{
+    vbss_stream_u32(stream, 60, &d->known, 1);
+    visit_vec3(stream, 61, &d->position, 1e3);
+    visit_vec3(stream, 62, &d->velocity, 1e10);
+    visit_vec3(stream, 63, &d->spin, 1e10);
+    visit_quat(stream, 64, &d->orientation);
+    vbss_stream_f64(stream, 65, &d->jaw_raw, 1);
+    vbss_stream_f64(stream, 66, &d->temperature, 1);
+    vbss_stream_u32(stream, 67, &d->buttons, 1);
+    vbss_stream_i32(stream, 68, &d->tool, 1);
+    vbss_device_visit_bool(stream, 69, &d->clutched);
+    vbss_device_visit_bool(stream, 70, &d->unwritten);
+    visit_vec3(stream, 71, &d->shift, 1e7);
+    visit_quat(stream, 72, &d->turn);
+    visit_vec3(stream, 73, &d->held.position, 1e3);
+    visit_quat(stream, 74, &d->held.orientation);
+    visit_vec3(stream, 75, &d->shown.position, 1e3);
+    visit_quat(stream, 76, &d->shown.orientation);
+    if (d->tool < VBSS_DEVICE_TOOL_NONE || d->tool > VBSS_DEVICE_TOOL_SHEARS) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "there is no such tool");
+    }
+}
+
+/* ---- figures */
+
+static void visit_figures(vbss_stream *stream, vbss_device_statistics *f)
+{
+    uint64_t *const counts[] = {&f->reads,         &f->writes,           &f->jaw_refused,
+                                &f->pose_stale,    &f->pose_stale_reads, &f->jaw_stale,
+                                &f->clamped_reads, &f->clutches};
+    uint64_t *const pairs[] = {f->accepted,     f->repeated, f->out_of_order, f->not_finite,
+                               f->out_of_range, f->not_unit, f->failed_reads, f->failed_writes,
+                               f->lost,         f->faults,   f->restarts};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        vbss_stream_u64(stream, 80, counts[i], 1);
+    }
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
+        vbss_stream_u64(stream, 81, pairs[i], 2);
+    }
+    vbss_stream_f64(stream, 82, &f->oldest_pose, 1);
+}
+
+void vbss_device_visit(vbss_stream *stream, void *object)
+{
+    device_object *d = object;
+    visit_config(stream, d);
+    visit_calibration(stream, d);
+    vbss_device_visit_bool(stream, 4, &d->begun);
+    vbss_device_visit_bool(stream, 5, &d->written);
+    vbss_stream_f64(stream, 6, &d->now, 1);
+    vbss_stream_f64(stream, 7, &d->read_at, 1);
+    vbss_stream_f64(stream, 8, &d->written_at, 1);
+    const double times[] = {d->now, d->read_at, d->written_at};
+    if (vbss_largest(times, 3) > 1e9 || d->read_at > d->now || d->written_at > d->now) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no host's clock says so");
+    }
+    for (uint32_t i = 0; i < d->source_count; i++) {
+        visit_source(stream, &d->sources[i]);
+    }
+    visit_part(stream, &d->pose);
+    visit_part(stream, &d->opening);
+    visit_motion(stream, &d->motion);
+    visit_jaw(stream, &d->jaw);
+    visit_sample(stream, d);
+    vbss_output_visit(stream, &d->limits, &d->output);
+    visit_figures(stream, &d->statistics);
+}
+
+vbss_result vbss_device_save(vbss_device *device, uint8_t *bytes, uint64_t capacity,
+                             uint64_t *written)
+{
+    return vbss_object_save(device, &vbss_device_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_device_restore(vbss_device *device, const uint8_t *bytes, uint64_t count)
+{
+    return vbss_object_restore(device, &vbss_device_kind, bytes, count);
+}
+
+vbss_result vbss_device_get_hash(vbss_device *device, uint64_t *hash)
+{
+    return vbss_object_hash(device, &vbss_device_kind, hash);
+}

@@ -1,0 +1,103 @@
+/* A write: command -> device's frame -> output stage -> adapters. */
+#include "device/device.h"
+
+/* ---- to the adapters */
+
+uint32_t vbss_device_send(device_object *d, const vbss_output_result *result)
+{
+    d->unwritten = false;
+    for (uint32_t i = 0; i < d->source_count; i++) {
+        device_source *s = &d->sources[i];
+        if (!vbss_device_write_source(d->context, s, d->now, result, vbss_device_driven(d, i))) {
+            d->statistics.failed_writes[i]++;
+            d->unwritten = true;
+        }
+    }
+    return d->unwritten ? VBSS_OUTPUT_NOT_WRITTEN : 0;
+}
+
+void vbss_device_latch(device_object *d)
+{
+    vbss_output_result nothing;
+    vbss_output_latch(&d->output);
+    vbss_output_tell(&d->limits, &d->output, VBSS_OUTPUT_STOPPED, &nothing);
+    vbss_device_send(d, &nothing);
+}
+
+/* ---- what is wanted */
+
+static bool has_output(const device_object *d, uint32_t output)
+{
+    return (d->sources[0].capabilities.outputs & output) != 0 ||
+           (d->sources[1].capabilities.outputs & output) != 0;
+}
+
+/* A faulty sensor or line, or an opening nobody knows: then the solenoid is off. */
+static bool is_doubtful(const device_object *d)
+{
+    return d->sources[0].mute || d->sources[1].mute || d->unwritten || d->opening.stale ||
+           d->sources[0].lost || d->sources[1].lost || d->clutched;
+}
+
+/* What the device knows itself, added to what the command says. */
+static output_demand completed(const device_object *d, output_demand demand)
+{
+    double age = d->pose.known ? d->pose.age + (d->now - d->read_at) : OUTPUT_NEVER;
+    demand.input_age =
+        demand.input_age > age || demand.input_age != demand.input_age ? demand.input_age : age;
+    demand.temperature = vbss_larger(demand.temperature, d->temperature);
+    demand.fault = demand.fault || d->sources[0].fault || d->sources[1].fault;
+    demand.held_off = is_doubtful(d);
+    if (d->clutched || !has_output(d, VBSS_DEVICE_OUT_FORCE)) {
+        demand.force = vec3_zero();
+    }
+    if (d->clutched || !has_output(d, VBSS_DEVICE_OUT_TORQUE)) {
+        demand.torque = vec3_zero();
+    }
+    return demand;
+}
+
+static vbss_result demand_of(const device_object *d, double h, const vbss_output_command *command,
+                             output_demand *demand)
+{
+    if (command == NULL) { /* in the device's frame already */
+        *demand = vbss_output_again(&d->output, h);
+        demand->input_age = 0.0; /* the device knows better */
+        return VBSS_OK;
+    }
+    vbss_output_command own;
+    VBSS_TRY(vbss_config_read(d->context, &vbss_output_command_layout, command, &own));
+    VBSS_TRY(vbss_output_check_command(d->context, &own));
+    *demand = vbss_output_demand_of(&own);
+    demand->force = vbss_device_force_to_device(&d->calibration, &d->frame, demand->force);
+    demand->torque = vbss_device_torque_to_device(&d->calibration, &d->frame, demand->torque);
+    return VBSS_OK;
+}
+
+vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output_command *command,
+                              vbss_output_result *result, uint32_t struct_size)
+{
+    device_object *d;
+    output_demand demand;
+    vbss_output_result own = {.struct_size = sizeof own};
+    VBSS_TRY(vbss_device_edit(device, &d));
+    VBSS_TRY(vbss_check_arithmetic(d->context));
+    VBSS_TRY(vbss_device_check_now(d, now));
+    double h = d->written ? now - d->written_at : 0.0;
+    VBSS_TRY(demand_of(d, h, command, &demand));
+    if (result != NULL) {
+        VBSS_TRY(
+            vbss_struct_write(d->context, &vbss_output_result_layout, &own, result, struct_size));
+    }
+    d->begun = d->written = true;
+    d->now = d->written_at = now;
+    d->statistics.writes++;
+    vbss_output_keep(&d->output, &demand);
+    demand = completed(d, demand);
+    uint32_t flags = vbss_output_advance(&d->limits, &d->output, h, &demand);
+    vbss_output_tell(&d->limits, &d->output, flags, &own);
+    own.flags |= vbss_device_send(d, &own);
+    return result == NULL ? VBSS_OK
+                          : vbss_struct_write(d->context, &vbss_output_result_layout, &own, result,
+                                              struct_size);
+}
