@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "scenes/collision_sets.h"
+#include "scenes/device_run.h"
 #include "scenes/moving_knot.h"
 #include "scenes/moving_shapes.h"
 #include "scenes/rod.h"
@@ -342,10 +343,50 @@ static void run_knots(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- the device layer with everything that can go wrong, hashed after every 5 steps with what went in and out */
+
+static void add_device_step(vbss_stream *stream, vbss_device_input *input,
+                            vbss_output_result *result)
+{
+    vbss_stream_u32(stream, 1, &input->events, 1);
+    vbss_stream_f64(stream, 2, input->position, 3);
+    vbss_stream_f64(stream, 3, input->orientation, 4);
+    vbss_stream_f64(stream, 4, input->velocity, 3);
+    vbss_stream_f64(stream, 5, input->angular_velocity, 3);
+    vbss_stream_f64(stream, 6, &input->jaw, 1);
+    vbss_stream_u32(stream, 7, &result->flags, 1);
+    vbss_stream_f64(stream, 8, result->force, 3);
+    vbss_stream_f64(stream, 9, result->torque, 3);
+}
+
+static void run_device(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    device_run run;
+    must(vbss_context_create(NULL, &context));
+    must(device_run_create(context, &run));
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        for (int k = 0; k < 5; k++) {
+            vbss_device_input input;
+            vbss_output_result result;
+            must(device_run_step(run.device, &input, &result));
+            add_device_step(&stream, &input, &result);
+        }
+        uint64_t state;
+        must(vbss_device_get_hash(run.device, &state));
+        vbss_stream_u64(&stream, 10, &state, 1);
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
     {"harness-rod", 200, 10, run_rod},
+    {"device-run", DEVICE_RUN_STEPS / 5, 20, run_device},
     {"collision-questions", 120, 4, run_collision_questions},
     {"collision-search", 40, 2, run_collision_search},
     {"thread-release", 200, 10, run_thread_release},

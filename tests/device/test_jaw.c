@@ -1,0 +1,136 @@
+/* The handle's opening: range, filter, play, closed or not, and the sensor that is broken. */
+#include "device/device.h"
+#include "harness/harness.h"
+
+static vbss_device_calibration range(double closed, double open)
+{
+    vbss_device_calibration c;
+    expect_ok(vbss_device_calibration_init(&c, sizeof c));
+    c.jaw_closed = closed;
+    c.jaw_open = open;
+    c.jaw_play = c.jaw_time = 0.0;
+    return c;
+}
+
+static void the_range_goes_either_way(void **state)
+{
+    (void)state;
+    vbss_device_calibration up = range(1.5, 2.0), down = range(2.0, 1.5);
+    for (int i = 0; i <= 8; i++) {
+        double raw = 1.5 + 0.0625 * i;
+        expect_near(i / 8.0, vbss_device_opening_of(&up, raw), 1e-15);
+        expect_near(1.0 - i / 8.0, vbss_device_opening_of(&down, raw), 1e-15);
+    }
+    expect_near(0.0, vbss_device_opening_of(&up, 1.4), 0.0);
+    expect_near(1.0, vbss_device_opening_of(&up, 2.1), 0.0);
+}
+
+static void a_broken_wire_is_not_believed(void **state)
+{
+    (void)state;
+    vbss_device_calibration c = range(2.0, 1.0);
+    c.jaw_margin = 0.25;
+    assert_true(vbss_device_believes_raw(&c, 2.25));
+    assert_true(vbss_device_believes_raw(&c, 0.75));
+    assert_false(vbss_device_believes_raw(&c, 2.26));
+    assert_false(vbss_device_believes_raw(&c, 0.0));
+    assert_false(vbss_device_believes_raw(&c, (double)NAN));
+}
+
+/* A step from 0 to 1 after n samples: 1 - exp(-n h / T), whatever the steps are. */
+static void the_filter_follows_the_exponential(void **state)
+{
+    (void)state;
+    vbss_device_calibration c = range(0.0, 1.0);
+    c.jaw_time = 0.02;
+    device_jaw jaw = {.known = false};
+    vbss_device_move_jaw(&jaw, &c, 0.0, 0.0);
+    double time = 0.0;
+    for (int i = 0; i < 40; i++) {
+        double h = i % 3 == 0 ? 0.004 : 0.001;
+        time += h;
+        vbss_device_move_jaw(&jaw, &c, 1.0, h);
+        expect_near(1.0 - vbss_exp(-time / 0.02), jaw.opening, 1e-14);
+    }
+}
+
+static void the_first_sample_is_taken_as_it_is(void **state)
+{
+    (void)state;
+    vbss_device_calibration c = range(0.0, 1.0);
+    c.jaw_time = 1.0;
+    c.jaw_play = 0.1;
+    for (int i = 0; i <= 10; i++) {
+        device_jaw jaw = {.known = false, .filtered = 7.0};
+        vbss_device_move_jaw(&jaw, &c, i / 10.0, 1e-3);
+        expect_near(i / 10.0, jaw.opening, 1e-15);
+    }
+}
+
+/* Noise of one step of the converter each way stays within the play; a movement larger than it comes through. */
+static void noise_within_the_play_is_not_seen(void **state)
+{
+    (void)state;
+    vbss_device_calibration c = range(0.0, 1.0);
+    c.jaw_play = 0.05;
+    device_jaw jaw = {.known = false};
+    vbss_device_move_jaw(&jaw, &c, 0.5, 0.0);
+    vbss_device_move_jaw(&jaw, &c, 0.52, 1e-3);
+    double rest = jaw.opening;
+    for (int i = 0; i < 100; i++) {
+        vbss_device_move_jaw(&jaw, &c, 0.52 - (i % 2) * 0.02, 1e-3);
+        expect_same_bits(rest, jaw.opening);
+    }
+    vbss_device_move_jaw(&jaw, &c, 0.6, 1e-3);
+    assert_true(jaw.opening > rest + 0.05);
+    double open = jaw.opening;
+    vbss_device_move_jaw(&jaw, &c, 0.551, 1e-3);
+    expect_same_bits(open, jaw.opening);
+    vbss_device_move_jaw(&jaw, &c, 0.549, 1e-3);
+    assert_true(jaw.opening < open);
+}
+
+static void the_play_keeps_both_ends(void **state)
+{
+    (void)state;
+    vbss_device_calibration c = range(0.0, 1.0);
+    c.jaw_play = 0.1;
+    device_jaw jaw = {.known = false};
+    vbss_device_move_jaw(&jaw, &c, 0.3, 0.0);
+    for (int i = 0; i < 5; i++) {
+        vbss_device_move_jaw(&jaw, &c, 1.0, 1e-3);
+        expect_near(1.0, jaw.opening, 1e-15);
+        vbss_device_move_jaw(&jaw, &c, 0.0, 1e-3);
+        expect_near(0.0, jaw.opening, 1e-15);
+        assert_true(jaw.closed);
+    }
+}
+
+static void jaws_close_and_open_at_different_openings(void **state)
+{
+    (void)state;
+    vbss_device_calibration c = range(0.0, 1.0);
+    c.jaw_close_at = 0.2;
+    c.jaw_open_at = 0.3;
+    const double way[] = {0.5, 0.25, 0.2, 0.25, 0.29, 0.3, 0.25, 0.21, 0.19};
+    const bool closed[] = {false, false, true, true, true, false, false, false, true};
+    device_jaw jaw = {.known = false};
+    for (size_t i = 0; i < sizeof way / sizeof way[0]; i++) {
+        vbss_device_move_jaw(&jaw, &c, way[i], 1e-3);
+        assert_int_equal(jaw.closed, closed[i]);
+    }
+}
+
+int test_jaw(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_range_goes_either_way),
+        cmocka_unit_test(a_broken_wire_is_not_believed),
+        cmocka_unit_test(the_filter_follows_the_exponential),
+        cmocka_unit_test(the_first_sample_is_taken_as_it_is),
+        cmocka_unit_test(noise_within_the_play_is_not_seen),
+        cmocka_unit_test(the_play_keeps_both_ends),
+        cmocka_unit_test(jaws_close_and_open_at_different_openings),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
