@@ -16,6 +16,7 @@
 #define VBLAST_SS_RECORD_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/grasper.h>
 #include <vblast_ss/scene.h>
 #include <vblast_ss/thread.h>
 
@@ -32,7 +33,7 @@ typedef struct vbss_record_config {
     uint32_t input_capacity; /**< Most inputs before a step, 0 to 65536; default 64. */
     uint32_t note_bytes;     /**< Size of the note, at most 2^24; default 0. */
     /** Room for what the host has not taken yet, beyond the begin of the log, in bytes, 4096 to 2^30;
-     * default 2^20. A step in which two tools move takes 262. */
+     * default 2^20. A step in which two tools move takes 262, one of two graspers 330. */
     uint64_t buffer_bytes;
     /** Anything the host wants to find in the log again, such as what its scene is made from; NULL
      * (default) when note_bytes is 0. Copied. */
@@ -148,6 +149,45 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
  */
 VBSS_API vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body,
                                             const double position[3], const double *orientation);
+
+/**
+ * #vbss_grasper_move of a grasper in the recorded scene.
+ *
+ * @param record       the record
+ * @param body         number of the grasper in the scene
+ * @param position     of the tip, m, each at most 1e3
+ * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves what was told
+ * @return as #vbss_record_move_rigid
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body,
+                                              const double position[3], const double *orientation);
+
+/**
+ * #vbss_grasper_set_opening of a grasper in the recorded scene.
+ *
+ * @param record   the record
+ * @param body     number of the grasper in the scene
+ * @param opening  of the handle, 0 closed to 1 open
+ * @return as #vbss_record_move_rigid
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening);
+
+/**
+ * #vbss_grasper_exchange of a grasper in the recorded scene.
+ *
+ * @param record  the record
+ * @param body    number of the grasper in the scene
+ * @param kind    what it shall be
+ * @return as #vbss_record_move_rigid
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_record_exchange(vbss_record *record, uint32_t body,
+                                          vbss_grasper_kind kind);
 
 /**
  * #vbss_scene_pin_thread of the recorded scene.

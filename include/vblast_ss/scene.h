@@ -21,6 +21,7 @@
 #define VBLAST_SS_SCENE_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/grasper.h>
 #include <vblast_ss/thread.h>
 
 /** A scene. */
@@ -77,7 +78,7 @@ typedef struct vbss_scene_config {
     uint32_t attempt_limit;
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;
-    uint32_t reserved; /**< Zero. */
+    uint32_t grasp_capacity; /**< Most places of threads in jaws at a time, 0 to 256; default 8. */
     /** PAPER: distance kept beyond touching (the paper's eps_D), m, 0 to 1e-2; default 0. */
     double paper_thickness;
 } vbss_scene_config;
@@ -171,7 +172,10 @@ enum {
     VBSS_CONTACT_SEGMENT_CAPSULE = 2, /**< A segment of a coarse thread, and a capsule. */
     VBSS_CONTACT_NODE_FLOOR = 3,      /**< A node of a thread, and the floor. */
     VBSS_CONTACT_CAPSULES = 4,        /**< Two capsules of different bodies. */
-    VBSS_CONTACT_CAPSULE_FLOOR = 5    /**< An end of a capsule, and the floor. */
+    VBSS_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule, and the floor. */
+    VBSS_CONTACT_GRASP =
+        6 /**< One of the three points of a thread that a grasper holds, three times the
+                            * number of the grasp plus which of them; and 0 of the grasper. */
 };
 
 /** What happened in a step: a VBSS_EVENT_ constant. */
@@ -183,7 +187,15 @@ enum {
     VBSS_EVENT_PART = 2,  /**< Two bodies that touched do no longer. */
     VBSS_EVENT_CLAMPED =
         3, /**< The step was cut short; the number is the share of it in 1/65536 that was lost. */
-    VBSS_EVENT_LOST = 4 /**< Events beyond the capacity; the number says how many. */
+    VBSS_EVENT_LOST = 4,       /**< Events beyond the capacity; the number says how many. */
+    VBSS_EVENT_GRASP = 5,      /**< Jaws hold a thread: thread, grasper, arc length in um. */
+    VBSS_EVENT_RELEASE = 6,    /**< They have opened and let it go: the same. */
+    VBSS_EVENT_TORN = 7,       /**< It was pulled out of them: the same. */
+    VBSS_EVENT_SLIP = 8,       /**< It begins to slide through them: the same. */
+    VBSS_EVENT_GRASP_LOST = 9, /**< Beyond grasp_capacity: thread, grasper; it is not held. */
+    VBSS_EVENT_CUT = 10,       /**< A thread, its new piece, and the arc length of the cut in um. */
+    VBSS_EVENT_EXCHANGED = 11, /**< A grasper, 0, and what it is now. */
+    VBSS_EVENT_NOT_EXCHANGED = 12 /**< A grasper, 0, and what it was to be. */
 };
 
 /** Counters since creation, and figures of the last step. Method PAPER counts its passes of detection and
@@ -219,6 +231,17 @@ typedef struct vbss_scene_statistics {
     double last_residual;      /**< Of the contact law after the last part, N. */
     double time;               /**< Simulated so far, s. */
 } vbss_scene_statistics;
+
+/** A place of a thread that a grasper holds. */
+typedef struct vbss_grasp {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t thread;      /**< Number of the thread in the scene. */
+    double arc_length;    /**< Of the middle of what is held, along the thread, unstretched, m. */
+    double position[3];   /**< Where that is, m. */
+    double force[3];      /**< Of the jaws on the thread after the last step, N. */
+    double limit;         /**< Largest force along their faces that they bear, N. */
+    double slid;          /**< Thread that has slid through since it was taken, m. */
+} vbss_grasp;
 
 #ifdef __cplusplus
 extern "C" {
@@ -301,7 +324,39 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_co
                                           uint32_t *body);
 
 /**
- * Removes a body, with the pins on it. A thread is the host's again.
+ * Adds a grasper of the same context, which belongs to the scene until it is removed: its tip where it was told to
+ * go last, at rest. It takes the place of a rigid body with three capsules.
+ *
+ * @param scene      the scene
+ * @param grasper    the grasper, of the scene's method
+ * @param[out] body  its number in the scene, from 1 on, never used again
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_NULL_ARGUMENT,
+ *         VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper,
+                                            uint32_t *body);
+
+/**
+ * A place of a thread that a grasper holds.
+ *
+ * @param scene        the scene
+ * @param tool         number of the grasper in the scene
+ * @param index        which of what it holds, from 0 on
+ * @param[out] grasp   receives the numbers
+ * @param struct_size  `sizeof *grasp` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (it does not hold so many)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
+                                          vbss_grasp *grasp, uint32_t struct_size);
+
+/**
+ * Removes a body, with the pins on it. A thread or grasper is the host's again.
  *
  * @param scene  the scene
  * @param body   its number, not 0

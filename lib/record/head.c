@@ -58,13 +58,17 @@ static const field fields[] = {
     WORD(attempt_limit),
     WORD(paper_pass_limit),
     NUMBER(paper_thickness),
+    WORD(grasp_capacity), /* since version 2 */
 };
-enum { FIELDS = sizeof fields / sizeof fields[0] };
+/* Of version 1, whose scenes had no graspers. */
+enum { FIELDS = sizeof fields / sizeof fields[0], FIELDS_1 = 25, GRASPS_1 = 8 };
 
 static void visit_config(vbss_stream *stream, vbss_scene_config *config)
 {
-    vbss_section outer = vbss_stream_open(stream, CONFIG, 1);
-    for (uint32_t i = 0; i < FIELDS; i++) {
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 2);
+    uint32_t count = stream->version >= 2 ? FIELDS : FIELDS_1;
+    config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
+    for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
         void *value = (char *)config + fields[i].offset;
         if (fields[i].type == FIELD_U32) {

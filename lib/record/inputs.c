@@ -4,8 +4,9 @@
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
 
 const log_input_shape vbss_log_input_shapes[INPUT_KINDS] = {
-    [INPUT_MOVE_RIGID] = {2, 7}, [INPUT_PIN] = {4, 3},  [INPUT_UNPIN] = {1, 0},
-    [INPUT_ATTACH] = {3, 12},    [INPUT_MOVE] = {3, 6}, [INPUT_DETACH] = {2, 0},
+    [INPUT_MOVE_RIGID] = {2, 7},   [INPUT_PIN] = {4, 3},         [INPUT_UNPIN] = {1, 0},
+    [INPUT_ATTACH] = {3, 12},      [INPUT_MOVE] = {3, 6},        [INPUT_DETACH] = {2, 0},
+    [INPUT_MOVE_GRASPER] = {2, 7}, [INPUT_SET_OPENING] = {1, 1}, [INPUT_EXCHANGE] = {2, 0},
 };
 
 vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
@@ -17,6 +18,21 @@ vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread *
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     *thread = (vbss_thread *)b->thread.slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    const scene_body *b = vbss_scene_find_body(s, body, BODY_RIGID);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    if (b->rigid.grasper == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no grasper", body);
+    }
+    *grasper = (vbss_grasper *)b->rigid.slot;
     return VBSS_OK;
 }
 
@@ -41,9 +57,13 @@ vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *inpu
     const uint32_t *w = input->words;
     const double *n = input->numbers;
     vbss_thread *thread = NULL;
+    vbss_grasper *grasper = NULL;
     uint32_t unwanted, *name = id != NULL ? id : &unwanted;
-    if (kind >= INPUT_ATTACH) {
+    if (kind >= INPUT_ATTACH && kind <= INPUT_DETACH) {
         VBSS_TRY(vbss_log_find_thread(scene, w[0], &thread));
+    }
+    if (kind >= INPUT_MOVE_GRASPER) {
+        VBSS_TRY(vbss_log_find_grasper(scene, w[0], &grasper));
     }
     switch (kind) {
     case INPUT_MOVE_RIGID:
@@ -56,18 +76,26 @@ vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *inpu
         return attach(thread, input, name);
     case INPUT_MOVE:
         return vbss_thread_move(thread, w[1], n, w[2] != 0 ? n + 3 : NULL);
-    default: /* INPUT_DETACH: no other gets here */
+    case INPUT_DETACH:
         return vbss_thread_detach(thread, w[1]);
+    case INPUT_MOVE_GRASPER:
+        return vbss_grasper_move(grasper, n, w[1] != 0 ? n + 3 : NULL);
+    case INPUT_SET_OPENING:
+        return vbss_grasper_set_opening(grasper, n[0]);
+    default: /* INPUT_EXCHANGE: no other gets here */
+        return vbss_grasper_exchange(grasper, (vbss_grasper_kind)w[1]);
     }
 }
 
 log_edits vbss_log_edits_of(const scene_object *s)
 {
     /* All of them only grow, and threads come and go with a change of the scene's own. */
-    log_edits edits = {s->generation, 0};
+    log_edits edits = {s->generation, 0, 0};
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             edits.threads += s->bodies[i].thread.thread->generation;
+        } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
+            edits.graspers += s->bodies[i].rigid.grasper->generation;
         }
     }
     return edits;

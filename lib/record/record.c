@@ -180,7 +180,8 @@ vbss_result vbss_record_edit(vbss_record *handle, record_object **record)
 static bool knows_all(const record_object *r, const scene_object *s)
 {
     log_edits now = vbss_log_edits_of(s);
-    return now.scene == r->seen.scene && now.threads == r->seen.threads;
+    return now.scene == r->seen.scene && now.threads == r->seen.threads &&
+           now.graspers == r->seen.graspers;
 }
 
 vbss_result vbss_record_ready(const record_object *r, scene_object **scene)

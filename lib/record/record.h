@@ -88,7 +88,12 @@ enum {
     INPUT_ATTACH = 4,
     INPUT_MOVE = 5,   /* words: thread, attachment, directed; numbers: target, direction */
     INPUT_DETACH = 6, /* words: thread, attachment */
-    INPUT_KINDS = 7
+    /* since version 2 of STEP */
+    INPUT_CUT = 7,          /* words: thread; numbers: arc length */
+    INPUT_MOVE_GRASPER = 8, /* words: body, turned; numbers: position, orientation */
+    INPUT_SET_OPENING = 9,  /* words: body; numbers: opening */
+    INPUT_EXCHANGE = 10,    /* words: body, kind */
+    INPUT_KINDS = 11
 };
 typedef struct log_input {
     uint32_t words[4];
@@ -101,9 +106,10 @@ extern const log_input_shape vbss_log_input_shapes[INPUT_KINDS];
 /* Tells it to the scene; id: of what came to be, may be NULL. */
 vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *input, uint32_t *id);
 vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
+vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper);
 /* Changes whenever the scene or a thread in it does. */
 typedef struct log_edits {
-    uint64_t scene, threads;
+    uint64_t scene, threads, graspers;
 } log_edits;
 log_edits vbss_log_edits_of(const scene_object *s);
 

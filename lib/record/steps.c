@@ -37,7 +37,7 @@ static void visit_hash(vbss_stream *stream, log_step *step)
 
 void vbss_log_visit_step(vbss_stream *stream, log_step *step)
 {
-    vbss_section outer = vbss_stream_open(stream, LOG_STEP, 1);
+    vbss_section outer = vbss_stream_open(stream, LOG_STEP, 2);
     visit_hash(stream, step);
     vbss_stream_f64(stream, 2, &step->h, 1);
     visit_inputs(stream, step);

@@ -29,8 +29,8 @@ static vbss_result tell(record_object *r, uint8_t kind, const log_input *input, 
     return VBSS_OK;
 }
 
-vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
-                                   const double *orientation)
+static vbss_result move(vbss_record *record, uint8_t kind, uint32_t body, const double position[3],
+                        const double *orientation)
 {
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
@@ -40,7 +40,13 @@ vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const dou
     if (orientation != NULL) {
         memcpy(input.numbers + 3, orientation, 4 * sizeof(double));
     }
-    return tell(r, INPUT_MOVE_RIGID, &input, NULL);
+    return tell(r, kind, &input, NULL);
+}
+
+vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
+                                   const double *orientation)
+{
+    return move(record, INPUT_MOVE_RIGID, body, position, orientation);
 }
 
 vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
@@ -107,4 +113,26 @@ vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id
     VBSS_TRY(vbss_record_edit(record, &r));
     const log_input input = {.words = {thread, id}};
     return tell(r, INPUT_DETACH, &input, NULL);
+}
+
+vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body, const double position[3],
+                                     const double *orientation)
+{
+    return move(record, INPUT_MOVE_GRASPER, body, position, orientation);
+}
+
+vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    const log_input input = {.words = {body}, .numbers = {opening}};
+    return tell(r, INPUT_SET_OPENING, &input, NULL);
+}
+
+vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_grasper_kind kind)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    const log_input input = {.words = {body, (uint32_t)kind}};
+    return tell(r, INPUT_EXCHANGE, &input, NULL);
 }

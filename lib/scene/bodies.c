@@ -52,7 +52,7 @@ scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_ki
 }
 
 /* A place for one more body of that kind; NULL, told. */
-static scene_body *new_place(scene_object *s, body_kind kind)
+scene_body *vbss_scene_new_place(scene_object *s, body_kind kind)
 {
     uint32_t capacity = kind == BODY_THREAD ? s->config.thread_capacity : s->config.rigid_capacity;
     uint32_t alive = 0, place = s->place_count;
@@ -68,8 +68,8 @@ static scene_body *new_place(scene_object *s, body_kind kind)
     return &s->bodies[place];
 }
 
-static void publish(scene_object *s, scene_body *b, body_kind kind, uint32_t shape,
-                    uint32_t *number)
+void vbss_scene_publish(scene_object *s, scene_body *b, body_kind kind, uint32_t shape,
+                        uint32_t *number)
 {
     uint32_t place = (uint32_t)(b - s->bodies);
     b->kind = kind;
@@ -123,7 +123,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     VBSS_TRY(vbss_scene_edit(scene, &s));
     VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, &slot));
     VBSS_TRY(check_thread(s, slot, body));
-    scene_body *b = new_place(s, BODY_THREAD);
+    scene_body *b = vbss_scene_new_place(s, BODY_THREAD);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
@@ -134,7 +134,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     b->thread.slot = slot;
     b->thread.thread = t;
     slot->owner = s;
-    publish(s, b, BODY_THREAD, shape, body);
+    vbss_scene_publish(s, b, BODY_THREAD, shape, body);
     number_nodes(s);
     return VBSS_OK;
 }
@@ -250,8 +250,9 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
     r->capsule_count = c->capsule_count;
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         scene_capsule *to = &s->capsules[s->capsule_count++];
-        to->local[0] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].begin));
-        to->local[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
+        to->local_end[0] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].begin));
+        to->local_end[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
+        vbss_scene_finish_capsule(to);
         to->radius = c->capsules[i].radius;
         vbss_scene_place_capsule(to, r->body.now.at, to->now);
     }
@@ -271,7 +272,7 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     VBSS_TRY(check_rigid(s, &own));
     VBSS_TRY(read_orientation(s->context, own.orientation, &orientation));
     VBSS_TRY(spread_mass(s, &own, &mass));
-    scene_body *b = new_place(s, BODY_RIGID);
+    scene_body *b = vbss_scene_new_place(s, BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
@@ -283,7 +284,7 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     *b = (scene_body){0};
     fill_rigid(&b->rigid, &own, &mass, orientation);
     add_capsules(s, b, &own);
-    publish(s, b, BODY_RIGID, shape, body);
+    vbss_scene_publish(s, b, BODY_RIGID, shape, body);
     return VBSS_OK;
 }
 
@@ -291,6 +292,19 @@ void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2
 {
     axis[0] = pose_apply(at, capsule->local[0]);
     axis[1] = pose_apply(at, capsule->local[1]);
+}
+
+void vbss_scene_place_trial(scene_capsule *capsule, pose at)
+{
+    capsule->trial[0] = pose_apply(at, capsule->local_trial[0]);
+    capsule->trial[1] = pose_apply(at, capsule->local_trial[1]);
+}
+
+void vbss_scene_finish_capsule(scene_capsule *capsule)
+{
+    for (int k = 0; k < 2; k++) {
+        capsule->local[k] = capsule->local_trial[k] = capsule->local_end[k];
+    }
 }
 
 /* ---- leaving */
@@ -318,10 +332,14 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u", body);
     }
     vbss_scene_forget_pins_of(s, body);
+    vbss_scene_forget_grasps_of(s, body);
     VBSS_TRY(vbss_collision_remove(scene_collision(s), b->shape));
     if (b->kind == BODY_THREAD) {
         vbss_scene_release_thread(b);
     } else {
+        if (b->rigid.grasper != NULL) {
+            vbss_scene_release_grasper(b);
+        }
         remove_capsules(s, &b->rigid);
     }
     b->kind = BODY_GONE;
@@ -350,6 +368,10 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     }
     scene_rigid *r = &b->rigid;
     pose told = pose_mul(r->body.end, pose_inverse(r->frame));
+    if (r->grasper != NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "body %u is a grasper: it goes where vbss_grasper_move says", body);
+    }
     if (r->kind == VBSS_RIGID_FREE) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is free", body);
     }

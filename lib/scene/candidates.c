@@ -40,11 +40,11 @@ static void set_capsule_ways(scene_object *s, const scene_rigid *r, const scene_
     }
     for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
-        vec3 axis[2], *ways = s->ways + s->config.node_capacity + 2 * (size_t)i;
+        vec3 *ways = s->ways + s->config.node_capacity + 2 * (size_t)i;
         vbss_scene_place_capsule(c, r->body.now.at, c->now);
-        vbss_scene_place_capsule(c, to.at, axis);
         for (int k = 0; k < 2; k++) {
-            ways[k] = part->again ? vec3_sub(c->trial[k], c->now[k]) : vec3_sub(axis[k], c->now[k]);
+            vec3 there = part->again ? c->trial[k] : pose_apply(to.at, c->local_trial[k]);
+            ways[k] = vec3_sub(there, c->now[k]);
         }
     }
 }
@@ -204,7 +204,7 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
     const thread_object *t = m->thread->thread.thread;
     double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
     double touching = radius + t->config.radius;
-    if (vbss_scene_comes_from(s, m->thread, m->segment, m->rigid, touching)) {
+    if (vbss_scene_comes_from(s, m->thread, m->segment, m->rigid, m->capsule, touching)) {
         return true;
     }
     if (!is_fine(t, m->segment, radius)) {
@@ -214,8 +214,9 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
                                 ways_of_capsule(s, m->rigid, m->capsule), 2);
         return add_row(s, &key, reach);
     }
-    bool before = m->segment > 0 && is_fine(t, m->segment - 1, radius) &&
-                  !vbss_scene_comes_from(s, m->thread, m->segment - 1, m->rigid, touching);
+    bool before =
+        m->segment > 0 && is_fine(t, m->segment - 1, radius) &&
+        !vbss_scene_comes_from(s, m->thread, m->segment - 1, m->rigid, m->capsule, touching);
     if (before) {
         collision_candidate like = *q;
         if (thread_first) {
@@ -346,6 +347,7 @@ static void note_near(scene_object *s)
 bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
 {
     contact_set *set = s->contacts;
+    vbss_scene_aim_capsules(s, part);
     set_ways(s, part);
     if (search(s) != VBSS_OK) {
         return false;
@@ -360,6 +362,9 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
         if (s->bodies[i].kind != BODY_GONE && !add_floor_rows(s, &s->bodies[i])) {
             return false;
         }
+    }
+    if (!vbss_scene_add_grasp_rows(s)) {
+        return false;
     }
     vbss_contact_sort(set);
     remove_doubles(set);

@@ -57,7 +57,11 @@ static void shorten_rigid(scene_object *s, scene_rigid *r, double share)
     }
     for (uint32_t c = 0; c < r->capsule_count; c++) {
         scene_capsule *capsule = &s->capsules[r->first_capsule + c];
-        vbss_scene_place_capsule(capsule, r->trial, capsule->trial);
+        for (int k = 0; k < 2; k++) {
+            vec3 way = vec3_sub(capsule->local_trial[k], capsule->local[k]);
+            capsule->local_trial[k] = vec3_add_scaled(capsule->local[k], share, way);
+        }
+        vbss_scene_place_trial(capsule, r->trial);
     }
 }
 
@@ -124,6 +128,12 @@ static void settle_rows(scene_object *s)
     vbss_scene_lay_rows_again(s);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
+        if (row->bilateral) {
+            contact_found now;
+            (void)vbss_contact_next_state(row, vec3_zero(), &now);
+            row->is = now;
+            continue;
+        }
         double pressure = greater(-row->stiffness * row->gap, 0.0), most = row->friction * pressure;
         vec3 rubbing = vbss_contact_turn_into_plane(row->held, row->normal);
         double size = vec3_norm(rubbing);
@@ -149,6 +159,7 @@ double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part
             r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
         }
     }
+    vbss_scene_commit_capsules(s);
     s->statistics.parts++;
     s->statistics.clamped++;
     return share;

@@ -20,6 +20,15 @@ void vbss_scene_show_part(const scene_object *s)
     }
 }
 
+void vbss_scene_commit_capsules(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[i];
+        c->local[0] = c->local_trial[0];
+        c->local[1] = c->local_trial[1];
+    }
+}
+
 void vbss_scene_commit(scene_object *s, const scene_part *part)
 {
     const vbss_rigid_part p = {part->step, part->begin, part->end};
@@ -38,6 +47,7 @@ void vbss_scene_commit(scene_object *s, const scene_part *part)
             }
         }
     }
+    vbss_scene_commit_capsules(s);
     vbss_contact_keep(s->contacts);
     s->statistics.parts++;
 }

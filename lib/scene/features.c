@@ -27,6 +27,7 @@ typedef struct side {
     double radius;
     uint32_t nodes; /* of a thread that take part; 0: a capsule */
     uint32_t node;
+    vec3 moved[2]; /* a jaw's axis: against its body */
 } side;
 
 /* ---- what a feature is */
@@ -81,6 +82,7 @@ static side capsule_side(const scene_object *s, const scene_body *b, uint32_t ca
         d.begin[k] = c->now[k];
         d.ahead[k] = vec3_add(c->now[k], ways[k]);
         d.trial[k] = c->trial[k];
+        d.moved[k] = vec3_sub(c->local_trial[k], c->local[k]);
     }
     return d;
 }
@@ -93,7 +95,7 @@ static void add_term(contact_row *row, uint32_t b, double weight)
     *term = (contact_term){.block = b, .weight = weight};
 }
 
-static void add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 point, double weight)
+void vbss_scene_add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 point, double weight)
 {
     contact_term *term = &row->terms[row->term_count + 1];
     add_term(row, r->blocks.first, weight);
@@ -105,8 +107,8 @@ static void add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 point, 
 }
 
 /* A node that is welded to a body moves as that does. */
-static void add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
-                          uint32_t node, double weight)
+void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
+                              uint32_t node, double weight)
 {
     const scene_pin *weld = vbss_scene_weld_of(s, b->number, node);
     if (weld == NULL) {
@@ -114,7 +116,7 @@ static void add_node_term(const scene_object *s, contact_row *row, const scene_b
         return;
     }
     const scene_rigid *r = &vbss_scene_body(s, weld->body)->rigid;
-    add_rigid_terms(row, r, pose_apply(r->trial, weld->point), weight);
+    vbss_scene_add_rigid_terms(row, r, pose_apply(r->trial, weld->point), weight);
 }
 
 /* The point at `at` of the feature's axis, `out` away from it, and the terms that move it. */
@@ -123,20 +125,20 @@ static void add_terms(const scene_object *s, contact_row *row, const scene_body 
 {
     if (d->nodes == 0) {
         vec3 point = vec3_add(vec3_lerp(d->trial[0], d->trial[1], at), out);
-        add_rigid_terms(row, &b->rigid, point, sign);
+        vbss_scene_add_rigid_terms(row, &b->rigid, point, sign);
         return;
     }
     if (d->nodes == 2) {
-        add_node_term(s, row, b, d->node, sign * (1.0 - at));
-        add_node_term(s, row, b, d->node + 1, sign * at);
+        vbss_scene_add_node_term(s, row, b, d->node, sign * (1.0 - at));
+        vbss_scene_add_node_term(s, row, b, d->node + 1, sign * at);
         return;
     }
     bool smooth =
         row->key.kind == VBSS_CONTACT_NODE_CAPSULE && is_smoothed(b->thread.thread, d->node);
-    add_node_term(s, row, b, d->node, sign * (smooth ? SMOOTH_NODE : 1.0));
+    vbss_scene_add_node_term(s, row, b, d->node, sign * (smooth ? SMOOTH_NODE : 1.0));
     if (smooth) {
-        add_node_term(s, row, b, d->node - 1, sign * SMOOTH_NEIGHBOUR);
-        add_node_term(s, row, b, d->node + 1, sign * SMOOTH_NEIGHBOUR);
+        vbss_scene_add_node_term(s, row, b, d->node - 1, sign * SMOOTH_NEIGHBOUR);
+        vbss_scene_add_node_term(s, row, b, d->node + 1, sign * SMOOTH_NEIGHBOUR);
     }
 }
 
@@ -148,7 +150,9 @@ static vec3 way_of(const scene_body *b, const side *d, double at, vec3 out)
     if (d->nodes == 0) { /* the surface turns with the body, beyond what the axis shows */
         const scene_rigid *r = &b->rigid;
         vec3 point = vec3_add(here, out);
-        vec3 there = pose_apply(r->body.now.at, pose_apply_inverse(r->trial, point));
+        vec3 moved = vec3_lerp(d->moved[0], d->moved[1], at);
+        vec3 there =
+            pose_apply(r->body.now.at, vec3_sub(pose_apply_inverse(r->trial, point), moved));
         way = vec3_sub(point, there);
     }
     return way;
@@ -280,6 +284,10 @@ void vbss_scene_set_rows(scene_object *s, const scene_part *part)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
+        if (row->bilateral) {
+            vbss_scene_lay_grasp_row(s, row);
+            continue;
+        }
         const scene_body *a = vbss_scene_body(s, row->key.body_a);
         const scene_body *b = vbss_scene_body(s, row->key.body_b);
         const side d = side_of(s, &row->key, a, 0);
@@ -295,6 +303,10 @@ void vbss_scene_refresh_rows(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
+        if (row->bilateral) {
+            vbss_scene_lay_grasp_row(s, row);
+            continue;
+        }
         const scene_body *a = vbss_scene_body(s, row->key.body_a);
         const scene_body *b = vbss_scene_body(s, row->key.body_b);
         const side d = side_of(s, &row->key, a, 0);
@@ -307,6 +319,10 @@ void vbss_scene_lay_rows_again(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
+        if (row->bilateral) {
+            vbss_scene_lay_grasp_row(s, row);
+            continue;
+        }
         const scene_body *a = vbss_scene_body(s, row->key.body_a);
         const scene_body *b = vbss_scene_body(s, row->key.body_b);
         const side d = side_of(s, &row->key, a, 0);
@@ -327,7 +343,7 @@ void vbss_scene_measure_gaps(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
         const scene_body *b = vbss_scene_body(s, row->key.body_b);
-        if (b != NULL) {
+        if (b != NULL && !row->bilateral) {
             const side d = side_of(s, &row->key, vbss_scene_body(s, row->key.body_a), 0);
             const side e = side_of(s, &row->key, b, 1);
             double at[2];

@@ -86,8 +86,8 @@ static bool may_meet(const scene_object *s, const collision_candidate *q, double
     if (a->kind == b->kind) {
         return false;
     }
-    return a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, touching)
-                                  : vbss_scene_comes_from(s, b, q->b, a, touching);
+    return a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, q->b, touching)
+                                  : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);
 }
 
 static void ask(scene_object *s, uint32_t count)

@@ -17,6 +17,7 @@ static vbss_result keep(scene_object *s)
             b->thread.kept = t->statistics;
         }
     }
+    vbss_scene_keep_tools(s);
     s->kept = s->statistics;
     return VBSS_OK;
 }
@@ -30,6 +31,7 @@ static void go_back(scene_object *s)
             t->statistics = s->bodies[i].thread.kept;
         }
     }
+    vbss_scene_return_tools(s);
     s->statistics = s->kept;
     s->hit_count = 0;
     vbss_scene_begin_events(s);
@@ -49,7 +51,7 @@ static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid 
     for (uint32_t i = 0; i < r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[r->first_capsule + i];
         vbss_scene_place_capsule(c, r->body.now.at, c->now);
-        vbss_scene_place_capsule(c, r->trial, c->trial);
+        vbss_scene_place_trial(c, r->trial);
         for (uint32_t k = 0; k < 2; k++) {
             start[2 * i + k] = c->now[k];
             end[2 * i + k] = c->trial[k];
@@ -169,7 +171,11 @@ static void note_hands(scene_object *s)
 
 vbss_result vbss_scene_paper_step(scene_object *s, double h)
 {
+    const scene_part whole = {.step = h, .begin = 0.0, .end = 1.0, .h = h};
     VBSS_TRY(keep(s));
+    vbss_scene_begin_events(s);
+    vbss_scene_take_tools(s, h);
+    vbss_scene_aim_capsules(s, &whole);
     vbss_result result = move_bodies(s, h);
     if (result == VBSS_OK) {
         result = make_passes(s, h);
@@ -181,11 +187,12 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
                    : vbss_fail(s->context, result, "scene step: no finite state after step %llu",
                                (unsigned long long)s->statistics.steps);
     }
-    vbss_scene_begin_events(s);
     note_errors(s, h);
     arrive(s, h);
+    vbss_scene_commit_capsules(s);
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);
     note_hands(s);
+    vbss_scene_settle_tools(s, h);
     return VBSS_OK;
 }

@@ -38,6 +38,19 @@ static void mark_side(scene_object *s, const contact_key *key, uint32_t number, 
     }
 }
 
+/* Nodes that a grasp holds between. */
+static void mark_held(scene_object *s, const contact_row *row)
+{
+    const scene_body *b = vbss_scene_body(s, row->key.body_a);
+    const thread_object *t = b->thread.thread;
+    for (uint32_t k = 0; k < row->term_count; k++) {
+        uint32_t node = row->terms[k].block - b->thread.first_block;
+        if (row->terms[k].block >= b->thread.first_block && node < t->node_count) {
+            mark_node(s, b, node);
+        }
+    }
+}
+
 static void mark_welds(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
@@ -85,6 +98,10 @@ static void set_marks(scene_object *s)
     memset(s->marks, MARK_NONE, s->node_count);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_key *key = &s->contacts->rows[i].key;
+        if (s->contacts->rows[i].bilateral) {
+            mark_held(s, &s->contacts->rows[i]);
+            continue;
+        }
         mark_side(s, key, key->body_a, key->a);
         mark_side(s, key, key->body_b, key->b);
     }
@@ -160,7 +177,11 @@ static uint64_t hash_of_pattern(const scene_object *s)
     vbss_hash_begin(&hash);
     vbss_hash_add(&hash, s->marks, s->node_count);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        vbss_hash_add(&hash, &s->contacts->rows[i].key, sizeof(contact_key));
+        const contact_row *row = &s->contacts->rows[i];
+        vbss_hash_add(&hash, &row->key, sizeof(contact_key));
+        for (uint32_t k = 0; row->bilateral && k < row->term_count; k++) { /* they slide on */
+            vbss_hash_add(&hash, &row->terms[k].block, sizeof row->terms[k].block);
+        }
     }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];

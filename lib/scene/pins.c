@@ -52,13 +52,16 @@ bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin)
     return thread != NULL && find_attachment(thread, pin->attachment) != NULL;
 }
 
-/* A thread comes out of what it is pinned to: within this arc, in distances of touching, the two do not touch.
- * It is that within which a thread does not touch itself. */
-#define PIN_ARC 1.6
-
 bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint32_t segment,
-                           const scene_body *rigid, double touching)
+                           const scene_body *rigid, uint32_t capsule, double touching)
 {
+    for (uint32_t i = 0; capsule != GRASPER_SHAFT && i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->thread == thread->number && g->tool == rigid->number &&
+            vbss_scene_is_held_at(s, g, segment, touching)) {
+            return true;
+        }
+    }
     const double *rest = thread->thread.thread->rest;
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
@@ -66,7 +69,7 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
             !vbss_scene_pin_holds(s, p)) {
             continue;
         }
-        double arc = 0.0, most = PIN_ARC * touching;
+        double arc = 0.0, most = SCENE_PIN_ARC * touching;
         for (uint32_t k = p->node; k < segment && arc < most; k++) {
             arc += rest[k];
         }
@@ -96,12 +99,9 @@ static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position
     return vbss_thread_attach((vbss_thread *)thread->thread.slot, &a, id);
 }
 
-vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node, uint32_t body,
-                                  const double *point, uint32_t *pin)
+static vbss_result pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
+                            const double *point, uint32_t *pin)
 {
-    scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
-    VBSS_TRY(vbss_check_pointer(s->context, pin, "pin"));
     scene_body *t = vbss_scene_find_body(s, thread, BODY_THREAD);
     scene_body *b = body == 0 ? NULL : vbss_scene_find_body(s, body, BODY_RIGID);
     if (t == NULL || (body != 0 && b == NULL)) {
@@ -139,6 +139,21 @@ vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t n
     return VBSS_OK;
 }
 
+vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node, uint32_t body,
+                                  const double *point, uint32_t *pin)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, pin, "pin"));
+    return pin_node(s, thread, node, body, point, pin);
+}
+
+vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
+                                   uint32_t *pin)
+{
+    return pin_node(s, thread, node, body, NULL, pin);
+}
+
 static void forget(scene_object *s, scene_pin *p)
 {
     scene_body *t = vbss_scene_body(s, p->thread);
@@ -151,16 +166,30 @@ static void forget(scene_object *s, scene_pin *p)
     *p = (scene_pin){0};
 }
 
-vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
+/* False: there is no such pin. */
+static bool unpin(scene_object *s, uint32_t pin)
 {
-    scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
     for (uint32_t i = 0; pin != 0 && i < s->config.pin_capacity; i++) {
         if (s->pins[i].id == pin) {
             forget(s, &s->pins[i]);
             s->generation++;
-            return VBSS_OK;
+            return true;
         }
+    }
+    return false;
+}
+
+void vbss_scene_unpin_in_step(scene_object *s, uint32_t pin)
+{
+    (void)unpin(s, pin); /* the host may have removed it */
+}
+
+vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    if (unpin(s, pin)) {
+        return VBSS_OK;
     }
     return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no pin %u", pin);
 }

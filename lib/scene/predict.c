@@ -49,8 +49,7 @@ static void predict_rigid(scene_object *s, scene_rigid *r, const scene_part *par
         r->trial = r->body.now.at;
     }
     for (uint32_t c = 0; c < r->capsule_count; c++) {
-        scene_capsule *capsule = &s->capsules[r->first_capsule + c];
-        vbss_scene_place_capsule(capsule, r->trial, capsule->trial);
+        vbss_scene_place_trial(&s->capsules[r->first_capsule + c], r->trial);
     }
 }
 

@@ -18,6 +18,7 @@ static const vbss_scene_config defaults = {
     .contact_capacity = 1024,
     .candidate_capacity = 16384,
     .event_capacity = 256,
+    .grasp_capacity = 8,
     .floor_normal = {0.0, 1.0, 0.0},
     .floor_friction = 0.3,
     .thread_friction = 0.3,
@@ -71,7 +72,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
         {"state_limit", c->state_limit, 1.0, 1000.0},
         {"halving_limit", c->halving_limit, 0.0, 10.0},
         {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
-        {"reserved", c->reserved, 0.0, 0.0},
+        {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
     };
@@ -86,7 +87,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
 
 /* ---- memory */
 
-enum { PARTS = 20 };
+enum { PARTS = 22 };
 
 static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
 {
@@ -98,6 +99,8 @@ static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
         {&s->bodies, s->place_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
         {&s->pins, s->config.pin_capacity, sizeof *s->pins},
+        {&s->grasps, s->config.grasp_capacity, sizeof *s->grasps},
+        {&s->kept_grasps, s->config.grasp_capacity, sizeof *s->kept_grasps},
         {&s->marks, nodes, sizeof *s->marks},
         {&s->ways, nodes + 2 * capsules, sizeof *s->ways},
         {&s->vertices, 2 * vertices, sizeof *s->vertices},
@@ -127,6 +130,8 @@ static void free_object(vbss_context *context, void *object)
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             vbss_scene_release_thread(&s->bodies[i]);
+        } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
+            vbss_scene_release_grasper(&s->bodies[i]);
         }
     }
     if (s->collision != NULL) {
@@ -138,7 +143,7 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 1, free_object,
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 2, free_object,
                                    vbss_scene_serialise};
 
 static vbss_result make_collision(scene_object *s)

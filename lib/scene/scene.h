@@ -11,11 +11,17 @@
 
 #include "collision/shapes.h"
 #include "contact/contact.h"
+#include "grasper/grasper.h"
 #include "solver/rigid.h"
 #include "thread/thread.h"
 
 /* Bodies ever added, and so shapes; threads at a time. */
 enum { SCENE_SHAPES = 4096, SCENE_THREADS = 64 };
+/* Strands between two jaws that are told apart; cuts of a step. */
+enum { SCENE_STRANDS = 8, SCENE_CUTS = 8 };
+/* What comes out of a body, or out of jaws, does not touch it within this arc, in distances of touching: that
+ * within which a thread does not touch itself. */
+#define SCENE_PIN_ARC 1.6
 
 /* ---- bodies */
 
@@ -53,6 +59,15 @@ typedef struct scene_rigid {
     vbss_rigid_pull pull;   /* of the coupling in the last part */
     vbss_rigid_motion kept; /* before the step */
     vbss_rigid_pull kept_pull;
+    /* of a tool; else NULL */
+    vbss_slot *slot; /* of the grasper's handle */
+    grasper_object *grasper;
+    bool has_closed; /* PAPER: the jaws, in this step */
+    pose kept_end;
+    struct kept_jaws {
+        vbss_grasper_kind kind, kind_told;
+        double angle, pressure;
+    } kept_jaws;
 } scene_rigid;
 
 typedef struct scene_body {
@@ -65,8 +80,11 @@ typedef struct scene_body {
 
 /* In the principal frame of its body; and where its axis is. */
 typedef struct scene_capsule {
-    vec3 local[2];
-    double radius;
+    vec3 local[2];       /* where it is in the body; jaws move against it */
+    vec3 local_end[2];   /* where it shall be at the end of the step */
+    vec3 local_trial[2]; /* at the end of the part under way */
+    vec3 kept[2];        /* before the step */
+    double radius, kept_radius;
     vec3 now[2], trial[2];
 } scene_capsule;
 
@@ -76,6 +94,28 @@ typedef struct scene_pin {
     uint32_t attachment;         /* of the thread, for driven bodies and the world; 0: a weld */
     vec3 point;                  /* in the principal frame of the body, or in the world */
 } scene_pin;
+
+/* A place of a thread in the jaws of a grasper. */
+typedef struct scene_grasp {
+    uint32_t id;           /* 0: free */
+    uint32_t thread, tool; /* numbers */
+    uint32_t segment;      /* of the middle of what is held; */
+    double into;           /* so far from the begin of that, unstretched, m */
+    double angle;          /* at which the jaws touch it */
+    double spacing;        /* of the points of the grip, m */
+    grip grip;
+    double slid, limit;
+    vec3 force;   /* on the thread, after the last step */
+    bool sliding; /* it slid in the last step */
+    bool let_go;  /* not held any more, but not clear of the jaws yet */
+    uint32_t pin; /* PAPER: of the node `segment`; 0: another tool leads */
+} scene_grasp;
+
+/* What shears close on in this step. */
+typedef struct scene_cut {
+    uint32_t thread, tool, segment;
+    double share;
+} scene_cut;
 
 typedef struct scene_touch {
     uint32_t body_a, body_b;
@@ -121,11 +161,15 @@ struct scene_object {
     scene_body *bodies;
     scene_capsule *capsules;
     scene_pin *pins;
+    scene_grasp *grasps, *kept_grasps;
     uint32_t place_count, place_capacity; /* places used so far; of bodies that may be gone */
     uint32_t node_count, node_capacity;   /* of all threads */
     uint32_t capsule_count;
-    uint32_t last_number, last_pin; /* the last that was given away */
-    uint32_t contact_count;         /* in the views */
+    uint32_t last_number, last_pin, last_grasp; /* the last that was given away */
+    uint32_t kept_last_grasp;
+    scene_cut cuts[SCENE_CUTS]; /* of the step under way */
+    uint32_t cut_count;
+    uint32_t contact_count; /* in the views */
 
     /* what a part works with: nothing here outlives it, but for what can be made again */
     collision_object *collision;
@@ -180,19 +224,66 @@ static inline vbss_collision *scene_collision(scene_object *s)
 scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_kind kind);
 /* The same, untold. */
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
-/* Where the axis of a capsule is when its body is there. */
+/* Where the axis of a capsule is when its body is there; and at the end of the part. */
 void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2]);
+void vbss_scene_place_trial(scene_capsule *capsule, pose at);
+/* It is where it shall be. */
+void vbss_scene_finish_capsule(scene_capsule *capsule);
 void vbss_scene_release_thread(scene_body *body);
+/* A place for one more body of that kind, or NULL, told; which then gets its number. */
+scene_body *vbss_scene_new_place(scene_object *s, body_kind kind);
+void vbss_scene_publish(scene_object *s, scene_body *b, body_kind kind, uint32_t shape,
+                        uint32_t *number);
 
-/* pins.c */
+/* tools.c: what graspers were told, before a step; what became of it, after; and as it was. */
+void vbss_scene_keep_tools(scene_object *s);
+void vbss_scene_return_tools(scene_object *s);
+void vbss_scene_take_tools(scene_object *s, double h);
+void vbss_scene_aim_capsules(scene_object *s, const scene_part *part);
+void vbss_scene_settle_tools(scene_object *s, double h);
+void vbss_scene_release_grasper(scene_body *b);
+
+/* grasps.c: the angle of a tool's jaws after the step, stopped by what they then hold; what it lets go as it
+ * opens; what happened to all that is held. */
+double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h);
+void vbss_scene_let_go(scene_object *s, const scene_body *tool);
+void vbss_scene_settle_grasps(scene_object *s, double h);
+uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool);
+void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number);
+/* Whether a segment is so near to what is held, along the thread, that the jaws do not touch it. */
+bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t segment,
+                           double touching);
+
+/* paper_grasps.c: what jaws have taken and let go, after a step; what the hand feels of it. */
+void vbss_scene_paper_settle_grasps(scene_object *s);
+vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool);
+
+/* grasp_rows.c: three rows a grasp, in a list that has begun; how one lies in the trial state, all of it or what
+ * a linearisation changes; a point of a thread that is held; the jaws' frame in the world. */
+bool vbss_scene_add_grasp_rows(scene_object *s);
+void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row);
+vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const vec3 *x,
+                           uint32_t point);
+pose vbss_scene_jaws_of(const scene_rigid *r, pose principal);
+
+/* shears.c */
+void vbss_scene_note_cut(scene_object *s, const scene_body *tool, const scene_body *thread,
+                         uint32_t segment, double share);
+void vbss_scene_make_cuts(scene_object *s);
+
+/* pins.c: what the public functions do. */
+vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
+                                   uint32_t *pin);
+void vbss_scene_unpin_in_step(scene_object *s, uint32_t pin);
 void vbss_scene_forget_pins_of(scene_object *s, uint32_t number);
 /* Whether it still holds its node: the host may have detached the attachment. */
 bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin);
 /* The weld of a node, or NULL. */
 const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint32_t node);
-/* Whether a segment is so near to a pin on the body, along the thread, that they do not touch. */
+/* Whether a segment is so near to a pin on the body, or to the jaws' grasp, along the thread, that it does not
+ * touch that capsule of it. */
 bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint32_t segment,
-                           const scene_body *rigid, double touching);
+                           const scene_body *rigid, uint32_t capsule, double touching);
 /* Attached nodes shall be where their driven bodies will be. */
 void vbss_scene_aim_pins(scene_object *s);
 
@@ -204,6 +295,10 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part);
 void vbss_scene_predict(scene_object *s, const scene_part *part);
 /* features.c: how the sides of a row lie at the begin of the part; false: too far apart to touch in it. */
 bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach);
+/* Terms of a node, and of a point of a rigid body. */
+void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
+                              uint32_t node, double weight);
+void vbss_scene_add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 point, double weight);
 /* All that a row is beside that, in the trial state; and what a further linearisation changes. The normal
  * stays. */
 void vbss_scene_set_rows(scene_object *s, const scene_part *part);
@@ -223,6 +318,7 @@ scene_verdict vbss_scene_guard(scene_object *s);
 /* commit.c: shows the part to whoever watches; the trial state becomes the state; and what says that motion is not smooth. */
 void vbss_scene_show_part(const scene_object *s);
 void vbss_scene_commit(scene_object *s, const scene_part *part);
+void vbss_scene_commit_capsules(scene_object *s);
 void vbss_scene_unsettle(scene_object *s);
 /* clamp.c: as much of the trial state as does no harm becomes the state. Returns the share. */
 double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part);

@@ -74,8 +74,7 @@ static void advance_rigid(scene_object *s, scene_rigid *r)
         vbss_rigid_advance(&r->trial, s->system->solution[r->blocks.first],
                            s->system->solution[r->blocks.first + 1]);
         for (uint32_t c = 0; c < r->capsule_count; c++) {
-            scene_capsule *capsule = &s->capsules[r->first_capsule + c];
-            vbss_scene_place_capsule(capsule, r->trial, capsule->trial);
+            vbss_scene_place_trial(&s->capsules[r->first_capsule + c], r->trial);
         }
     }
 }

@@ -19,20 +19,49 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         vbss_stream_same(stream, 2, choices[i]);
     }
+    if (stream->version >= 2) {
+        vbss_stream_same(stream, 4, c->grasp_capacity);
+    }
+}
+
+/* Its jaws may lag behind where they shall be. */
+static void visit_grasper(vbss_stream *stream, const scene_object *s, const scene_rigid *r)
+{
+    vbss_section outer =
+        vbss_stream_open(stream, vbss_grasper_kind_of_slot.code, vbss_grasper_kind_of_slot.version);
+    vbss_grasper_serialise(stream, r->grasper);
+    vbss_stream_close(stream, outer);
+    for (uint32_t i = 0; i < r->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[r->first_capsule + i];
+        vbss_stream_f64(stream, 24, &c->local[0].x, 3);
+        vbss_stream_f64(stream, 25, &c->local[1].x, 3);
+        vbss_stream_f64(stream, 26, &c->local_end[0].x, 3);
+        vbss_stream_f64(stream, 27, &c->local_end[1].x, 3);
+        vbss_stream_f64(stream, 28, &c->radius, 1);
+        if (stream->mode == VBSS_STREAM_READ && !(c->radius > 0.0)) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such jaws");
+        }
+    }
 }
 
 static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid *r)
 {
     vbss_stream_same(stream, 20, (uint64_t)r->kind);
     vbss_stream_same(stream, 21, r->capsule_count);
+    if (stream->version >= 2 || r->grasper != NULL) { /* before there were none */
+        vbss_stream_same(stream, 29, r->grasper != NULL);
+    }
     vbss_stream_same_f64(stream, 22, r->friction);
-    for (uint32_t i = 0; i < r->capsule_count; i++) {
+    for (uint32_t i = 0; r->grasper == NULL && i < r->capsule_count; i++) {
         const scene_capsule *c = &s->capsules[r->first_capsule + i];
         const double numbers[] = {c->local[0].x, c->local[0].y, c->local[0].z, c->local[1].x,
                                   c->local[1].y, c->local[1].z, c->radius};
         for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
             vbss_stream_same_f64(stream, 23, numbers[k]);
         }
+    }
+    if (r->grasper != NULL) {
+        visit_grasper(stream, s, r);
     }
     vbss_rigid_serialise(stream, 30, &r->body);
     vbss_stream_f64(stream, 50, &r->force.x, 3);
@@ -124,6 +153,70 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
     }
 }
 
+static void visit_grasp(vbss_stream *stream, scene_grasp *g)
+{
+    uint32_t words[] = {g->thread, g->tool, g->segment, g->sliding, g->let_go, g->pin};
+    double *numbers[] = {&g->into, &g->angle, &g->spacing, &g->grip.age, &g->slid, &g->limit};
+    vbss_stream_u32(stream, 121, words, sizeof words / sizeof words[0]);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_f64(stream, 122, numbers[i], 1);
+    }
+    vbss_stream_f64(stream, 123, &g->force.x, 3);
+    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
+        vbss_stream_f64(stream, 124, &g->grip.at[k].x, 3);
+    }
+    if (words[3] > 1 || words[4] > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    }
+    g->thread = words[0];
+    g->tool = words[1];
+    g->segment = words[2];
+    g->sliding = words[3] != 0;
+    g->let_go = words[4] != 0;
+    g->pin = words[5];
+}
+
+static bool is_grasp(const scene_object *s, const scene_grasp *g)
+{
+    const scene_body *t = vbss_scene_body(s, g->thread), *b = vbss_scene_body(s, g->tool);
+    if (t == NULL || t->kind != BODY_THREAD || b == NULL || b->kind != BODY_RIGID ||
+        b->rigid.grasper == NULL || g->id > s->last_grasp) {
+        return false;
+    }
+    const thread_object *thread = t->thread.thread;
+    bool paper = s->config.method == VBSS_METHOD_PAPER; /* holds a node, by a pin */
+    bool placed = g->segment + (paper ? 0 : 1) < thread->node_count && isfinite(g->into) &&
+                  fabs(g->into) <= 1e3 && isfinite(g->angle) && isfinite(g->slid) &&
+                  isfinite(g->limit) && vec3_is_finite(g->force) &&
+                  (paper ? g->spacing == 0.0 : g->spacing > 0.0) && g->spacing <= 0.1 &&
+                  g->grip.age >= 0.0 && isfinite(g->grip.age);
+    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
+        placed = placed && vec3_is_finite(g->grip.at[k]);
+    }
+    return placed;
+}
+
+static void visit_grasps(vbss_stream *stream, scene_object *s)
+{
+    if (stream->version < 2) {
+        memset(s->grasps, 0, s->config.grasp_capacity * sizeof *s->grasps);
+        return;
+    }
+    vbss_stream_u32(stream, 120, &s->last_grasp, 1);
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        vbss_stream_u32(stream, 125, &g->id, 1);
+        if (g->id != 0) {
+            visit_grasp(stream, g);
+        } else if (stream->mode == VBSS_STREAM_READ) {
+            *g = (scene_grasp){0};
+        }
+        if (g->id != 0 && stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_grasp(s, g)) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasp");
+        }
+    }
+}
+
 static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 {
     vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
@@ -159,6 +252,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     vbss_stream_u32(stream, 3, &s->last_number, 1);
     visit_bodies(stream, s);
     visit_pins(stream, s);
+    visit_grasps(stream, s);
     if (s->contacts != NULL) {
         vbss_contact_serialise(stream, 90, s->contacts);
     }

@@ -24,6 +24,7 @@ static vbss_result keep(scene_object *s)
             b->rigid.kept_pull = b->rigid.pull;
         }
     }
+    vbss_scene_keep_tools(s);
     s->kept = s->statistics;
     vbss_contact_mark(s->contacts);
     return VBSS_OK;
@@ -45,6 +46,7 @@ static void go_back(scene_object *s)
             b->rigid.pull = b->rigid.kept_pull;
         }
     }
+    vbss_scene_return_tools(s);
     s->statistics = s->kept;
     vbss_contact_return(s->contacts);
     vbss_scene_begin_events(s);
@@ -238,6 +240,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
 {
     VBSS_TRY(keep(s));
     vbss_scene_begin_events(s);
+    vbss_scene_take_tools(s, h);
     s->lagging = false;
     vbss_result result = make_parts(s, h);
     if (result != VBSS_OK) {
@@ -247,6 +250,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     arrive(s, h);
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);
+    vbss_scene_settle_tools(s, h);
     s->statistics.rows = s->contacts->count;
     s->statistics.state_solves = s->contacts->counters.solves;
     s->statistics.loose_states = s->contacts->counters.loose;

@@ -99,7 +99,7 @@ static void what_is_newer_is_told(void **state)
     const uint64_t steps[] = {0, 0, 0, 3, 5};
     for (int i = 0; i < 5; i++) {
         log_bytes log = log_copy(&d.good);
-        log.bytes[versions[i]] = 2;
+        log.bytes[versions[i]]++;
         log_seal(&log);
         damage_expect(&d, &log, VBSS_ERROR_DATA_VERSION, steps[i]);
         log_free(&log);

@@ -1,0 +1,223 @@
+/**
+ * @file grasper.h
+ * @brief A tool with a shaft and two jaws: needle driver or shears.
+ *
+ * A grasper does nothing alone: it is told where its tip shall be and how far its handle is open, is added to
+ * a scene (#vbss_scene_add_grasper), and moves, touches, holds and cuts when that is stepped. It is a *proxy*,
+ * tied to the pose it is told by a virtual coupling, so that what stops the tool is felt by the hand.
+ *
+ * Frame of the tool: the origin is the *tip*, midway between the ends of the axes of the closed jaws; +z goes
+ * along the shaft from the tip to the handle; the jaws open along x. Jaws that are bent lean toward -y, by
+ * the angle `bend` from the shaft's axis. The *pivot* is where they begin.
+ *
+ * Grasping, method OURS: the jaws close until what lies between them touches both, and hold it from then on
+ * by a compliant clamp over a short length of the thread, in position and direction. What it can bear grows
+ * with the pressure of the jaws, as Coulomb friction of both faces: beyond that the thread slides through,
+ * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close.
+ * Method PAPER (VBLaST-SS, Qi et al. 2017): a closed tool near the thread carries a node of it exactly;
+ * of two tools the first leads, the other changes nothing.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_GRASPER_H
+#define VBLAST_SS_GRASPER_H
+
+#include <vblast_ss/base.h>
+
+/** A tool with two jaws. */
+typedef struct vbss_grasper vbss_grasper;
+
+/** What a tool is: a VBSS_GRASPER_ constant. */
+typedef int32_t vbss_grasper_kind;
+
+/** The constants of #vbss_grasper_kind. */
+enum {
+    VBSS_GRASPER_NEEDLE_DRIVER = 1, /**< Jaws that hold. */
+    VBSS_GRASPER_SHEARS = 2         /**< Blades that cut. */
+};
+
+/** How to make a grasper. Fill it with #vbss_grasper_config_init, then change what you need. */
+typedef struct vbss_grasper_config {
+    uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;     /**< Default VBSS_METHOD_OURS; the scene's must be the same. */
+    vbss_grasper_kind kind; /**< With which it begins; default VBSS_GRASPER_NEEDLE_DRIVER. */
+    int32_t has_trocar;     /**< 1: the shaft goes through `trocar`; default 0: free. */
+    double trocar[3];       /**< Where the shaft enters, m, each at most 1e3; default 0. */
+    /* Two jaws, or blades, round fingers that touch along their length when closed. */
+    double driver_length; /**< Of a needle driver's, pivot to tip, m, 1e-4 to 1; default 13e-3. */
+    double driver_radius; /**< Of each, m, 1e-6 to 0.1, and less than the length; default 0.7e-3. */
+    double driver_bend;   /**< By which they lean from the shaft, rad, -1.5 to 1.5; default 0. */
+    /** Angle of each from the middle when the handle is open, rad, 1e-3 to 1.2; default 0.35. */
+    double driver_opening;
+    double shears_length;  /**< Of the blades of shears, the same; default 15e-3. */
+    double shears_radius;  /**< The same; default 0.7e-3. */
+    double shears_bend;    /**< The same; default 0. */
+    double shears_opening; /**< The same; default 0.35. */
+    double shaft_length;   /**< From the pivot on, m, 1e-3 to 10; default 0.15. */
+    double shaft_radius;   /**< m, 1e-6 to 0.1; default 2.5e-3. */
+    double friction;       /**< With all others but what is held, 0 to 10; default 0.15. */
+    double closing_force;  /**< Pressure of the jaws of a closed handle on what they hold, N,
+                               * 0 to 1e4; default 8. */
+    /** Angle that the jaws of a closed handle would close further if nothing held them, rad, 1e-3 to 1: the
+     * pressure grows over it from nothing to closing_force; default 0.1. */
+    double closing_angle;
+    double jaw_speed;      /**< Most of each jaw, rad/s, 1e-2 to 1e3; default 8. */
+    double grip_friction;  /**< Coefficient of each face with what is held, 0 to 10; default 0.5. */
+    double grip_length;    /**< Of thread that is held, m, 1e-5 to 1e-1; default 1e-3. */
+    double grip_stiffness; /**< Of the clamp as a whole, N/m, 1 to 1e6; default 3000. */
+    double mass;           /**< kg, 1e-4 to 1e2; default 0.02. */
+    double stiffness;      /**< Of the virtual coupling, N/m, 0 to 1e9; default 2000. */
+    double damping;        /**< N s/m, 0 to 1e6; default 5. */
+    double turning_stiffness; /**< N m/rad, 0 to 1e9; default 2. */
+    double turning_damping;   /**< N m s/rad, 0 to 1e6; default 0.02. */
+    /** Tools are exchanged only with empty jaws and with the tip further than exchange_distance from here,
+     * m, each at most 1e3; default 0. */
+    double exchange_centre[3];
+    double exchange_distance; /**< m, 0 to 1e3; default 0: anywhere. */
+    /** PAPER: k_s of the force to the hand, k_s (stretched length - length), N/m, 0 to 1e6; default 50. */
+    double paper_stiffness;
+    /** PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3. */
+    double paper_distance;
+} vbss_grasper_config;
+
+/** Where a grasper is, and what acts on it. */
+typedef struct vbss_grasper_state {
+    uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
+    vbss_grasper_kind kind;       /**< What it is now. */
+    uint32_t body;                /**< Its number in its scene; 0: it is in none. */
+    uint32_t grasp_count;         /**< Places of threads that it holds. */
+    double position[3];           /**< Of the tip, m. */
+    double orientation[4];        /**< w, x, y, z, unit. */
+    double velocity[3];           /**< Of the tip, m/s. */
+    double angular_velocity[3];   /**< rad/s. */
+    double target_position[3];    /**< Where the tip shall be, m. */
+    double target_orientation[4]; /**< What was told, as the trocar lets it be. */
+    double opening;               /**< Of the handle, as told. */
+    double jaw_angle;             /**< Of each jaw from the middle, rad. */
+    double pressure;              /**< Of the jaws on what they hold, N. */
+    double hand_force[3];         /**< On the hand at the tip, N; what a device shall exert. */
+    double hand_torque[3];        /**< On the hand about the tip, N m. */
+} vbss_grasper_state;
+
+/** Arrays to look at: a VBSS_GRASPER_VIEW_ constant. */
+typedef int32_t vbss_grasper_field;
+
+/** The constants of #vbss_grasper_field. */
+enum {
+    /** x 7: begin and end of the axis, radius, m; shaft, then the jaw at +x, then the one at -x. */
+    VBSS_GRASPER_VIEW_CAPSULES = 0
+};
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size);
+
+/**
+ * Creates a grasper with open jaws; its tip is at the origin until it is moved.
+ *
+ * @param context       owner
+ * @param config        how; NULL for the defaults
+ * @param[out] grasper  the new grasper; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config *config,
+                                         vbss_grasper **grasper);
+
+/**
+ * Destroys a grasper.
+ *
+ * @param grasper  the grasper; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_destroy(vbss_grasper *grasper);
+
+/**
+ * Says where the tip shall be at the end of the next step, and how the tool shall be turned. Before it is added
+ * to a scene, that is where it begins. With a trocar the tip goes where it is told, and the orientation is the
+ * told one turned the shortest way that takes the shaft through the trocar: what is left of it is the roll.
+ *
+ * @param grasper      the grasper
+ * @param position     of the tip, m, each at most 1e3
+ * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves what was told
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (also: the
+ *         trocar is nearer to the tip than the bent jaws reach aside), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
+                                       const double *orientation);
+
+/**
+ * Says how far the handle is open from the next step on. The jaws follow as fast as jaw_speed lets them.
+ *
+ * @param grasper  the grasper
+ * @param opening  0 closed to 1 open
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening);
+
+/**
+ * Says which tool it shall be: what the next step exchanges, or refuses, with an event either way, while it holds
+ * something or is where exchange_distance forbids it. What was refused is forgotten.
+ *
+ * @param grasper  the grasper
+ * @param kind     what it shall be; what it is already changes nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind);
+
+/**
+ * Where a grasper is and what acts on it.
+ *
+ * @param grasper      the grasper
+ * @param[out] state   receives the numbers
+ * @param struct_size  `sizeof *state` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
+                                            uint32_t struct_size);
+
+/**
+ * A look at one of the grasper's arrays, as it is after the last step.
+ *
+ * @param grasper      the grasper
+ * @param field        which
+ * @param[out] view    receives where the array is
+ * @param struct_size  `sizeof *view` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such field)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field field,
+                                           vbss_view *view, uint32_t struct_size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

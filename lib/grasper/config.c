@@ -1,0 +1,117 @@
+/* What a grasper can be: defaults, and every number checked. */
+#include "grasper/grasper.h"
+
+_Static_assert(sizeof(vbss_grasper_config) == 264, "published size");
+
+static const vbss_grasper_config defaults = {
+    .struct_size = sizeof(vbss_grasper_config),
+    .method = VBSS_METHOD_OURS,
+    .kind = VBSS_GRASPER_NEEDLE_DRIVER,
+    .driver_length = 13e-3,
+    .driver_radius = 0.7e-3,
+    .driver_opening = 0.35,
+    .shears_length = 15e-3,
+    .shears_radius = 0.7e-3,
+    .shears_opening = 0.35,
+    .shaft_length = 0.15,
+    .shaft_radius = 2.5e-3,
+    .friction = 0.15,
+    .closing_force = 8.0,
+    .closing_angle = 0.1,
+    .jaw_speed = 8.0,
+    .grip_friction = 0.5,
+    .grip_length = 1e-3,
+    .grip_stiffness = 3000.0,
+    .mass = 0.02,
+    .stiffness = 2000.0,
+    .damping = 5.0,
+    .turning_stiffness = 2.0,
+    .turning_damping = 0.02,
+    .paper_stiffness = 50.0,
+    .paper_distance = 2e-3,
+};
+static const uint32_t config_sizes[] = {264, 0};
+static const vbss_layout config_layout = {"vbss_grasper_config", &defaults, config_sizes};
+
+vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+typedef struct range {
+    const char *name;
+    double value, low, high;
+} range;
+
+static vbss_result check(vbss_context *context, const range *ranges, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const range *r = &ranges[i];
+        VBSS_TRY(vbss_check_range(context, r->value, r->low, r->high, r->name));
+    }
+    return VBSS_OK;
+}
+
+static vbss_result check_shape(vbss_context *context, const vbss_grasper_config *c)
+{
+    const range ranges[] = {
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"kind", c->kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS},
+        {"has_trocar", c->has_trocar, 0.0, 1.0},
+        {"trocar", c->trocar[0], -1e3, 1e3},
+        {"trocar", c->trocar[1], -1e3, 1e3},
+        {"trocar", c->trocar[2], -1e3, 1e3},
+        {"driver_length", c->driver_length, 1e-4, 1.0},
+        {"driver_radius", c->driver_radius, 1e-6, 0.1},
+        {"driver_bend", c->driver_bend, -1.5, 1.5},
+        {"driver_opening", c->driver_opening, 1e-3, 1.2},
+        {"shears_length", c->shears_length, 1e-4, 1.0},
+        {"shears_radius", c->shears_radius, 1e-6, 0.1},
+        {"shears_bend", c->shears_bend, -1.5, 1.5},
+        {"shears_opening", c->shears_opening, 1e-3, 1.2},
+        {"shaft_length", c->shaft_length, 1e-3, 10.0},
+        {"shaft_radius", c->shaft_radius, 1e-6, 0.1},
+    };
+    VBSS_TRY(check(context, ranges, sizeof ranges / sizeof ranges[0]));
+    if (c->driver_radius >= c->driver_length || c->shears_radius >= c->shears_length) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "jaws are thicker than they are long");
+    }
+    return VBSS_OK;
+}
+
+static vbss_result check_strength(vbss_context *context, const vbss_grasper_config *c)
+{
+    const range ranges[] = {
+        {"friction", c->friction, 0.0, 10.0},
+        {"closing_force", c->closing_force, 0.0, 1e4},
+        {"closing_angle", c->closing_angle, 1e-3, 1.0},
+        {"jaw_speed", c->jaw_speed, 1e-2, 1e3},
+        {"grip_friction", c->grip_friction, 0.0, 10.0},
+        {"grip_length", c->grip_length, 1e-5, 1e-1},
+        {"grip_stiffness", c->grip_stiffness, 1.0, 1e6},
+        {"mass", c->mass, 1e-4, 1e2},
+        {"stiffness", c->stiffness, 0.0, 1e9},
+        {"damping", c->damping, 0.0, 1e6},
+        {"turning_stiffness", c->turning_stiffness, 0.0, 1e9},
+        {"turning_damping", c->turning_damping, 0.0, 1e6},
+        {"exchange_centre", c->exchange_centre[0], -1e3, 1e3},
+        {"exchange_centre", c->exchange_centre[1], -1e3, 1e3},
+        {"exchange_centre", c->exchange_centre[2], -1e3, 1e3},
+        {"exchange_distance", c->exchange_distance, 0.0, 1e3},
+        {"paper_stiffness", c->paper_stiffness, 0.0, 1e6},
+        {"paper_distance", c->paper_distance, 0.0, 0.1},
+    };
+    return check(context, ranges, sizeof ranges / sizeof ranges[0]);
+}
+
+vbss_result vbss_grasper_read_config(vbss_context *context, const vbss_grasper_config *config,
+                                     vbss_grasper_config *own)
+{
+    if (config == NULL) {
+        *own = defaults;
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    VBSS_TRY(check_shape(context, own));
+    return check_strength(context, own);
+}

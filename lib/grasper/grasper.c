@@ -1,0 +1,211 @@
+/* How graspers begin and end, what they are told, and what they show. */
+#include "grasper/grasper.h"
+
+_Static_assert(sizeof(vbss_grasper_state) == 248, "published size");
+
+static const uint32_t state_sizes[] = {248, 0};
+static const vbss_layout state_layout = {"vbss_grasper_state", NULL, state_sizes};
+
+/* ---- life */
+
+static void free_grasper(vbss_context *context, void *object)
+{
+    vbss_release(context, object, 1, sizeof(grasper_object));
+}
+
+const vbss_kind vbss_grasper_kind_of_slot = {"grasper", VBSS_CODE('G', 'R', 'S', 'P'), 1,
+                                             free_grasper, vbss_grasper_serialise};
+
+/* Where it shall be; what it was told, where no shaft through the trocar can be so. */
+static pose target_of(const grasper_object *g)
+{
+    pose target = g->told;
+    return vbss_grasper_through_trocar(g, g->told, &target) ? target : g->told;
+}
+
+/* Outside a scene nothing keeps it from where it shall be. */
+static void arrive(grasper_object *g)
+{
+    if (g->body == 0) {
+        g->now = target_of(g);
+        vbss_grasper_show(g);
+    }
+    g->generation++;
+}
+
+void vbss_grasper_leave(grasper_object *g)
+{
+    g->body = g->grasp_count = 0;
+    g->pressure = 0.0;
+    g->velocity = g->angular_velocity = g->hand_force = g->hand_torque = vec3_zero();
+    arrive(g);
+}
+
+static void begin(grasper_object *g, const vbss_grasper_config *c)
+{
+    const vbss_grasper_jaws driver = {c->driver_length, c->driver_radius, c->driver_bend,
+                                      c->driver_opening};
+    const vbss_grasper_jaws shears = {c->shears_length, c->shears_radius, c->shears_bend,
+                                      c->shears_opening};
+    g->config = *c;
+    g->driver = driver;
+    g->shears = shears;
+    g->kind = g->kind_told = c->kind;
+    g->told = pose_identity();
+    g->opening = 1.0;
+    g->angle = vbss_grasper_jaws_now(g)->opening;
+    arrive(g);
+}
+
+vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config *config,
+                                vbss_grasper **grasper)
+{
+    if (grasper == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, grasper, "grasper");
+    }
+    *grasper = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_grasper_config own;
+    VBSS_TRY(vbss_grasper_read_config(context, config, &own));
+    grasper_object *g = vbss_allocate(context, 1, sizeof *g, "grasper");
+    if (g == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    vbss_slot *slot;
+    vbss_result result = vbss_slot_create(context, &vbss_grasper_kind_of_slot, g, &slot);
+    if (result != VBSS_OK) {
+        free_grasper(context, g);
+        return result;
+    }
+    g->context = context;
+    begin(g, &own);
+    *grasper = (vbss_grasper *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_grasper_destroy(vbss_grasper *grasper)
+{
+    return vbss_slot_destroy(grasper, &vbss_grasper_kind_of_slot);
+}
+
+vbss_result vbss_grasper_open(const vbss_grasper *handle, grasper_object **grasper)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_grasper_kind_of_slot, &slot));
+    *grasper = slot->object;
+    return VBSS_OK;
+}
+
+/* Also while a scene has it: it is told between the steps. */
+static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_grasper_kind_of_slot, &slot));
+    *grasper = slot->object;
+    return VBSS_OK;
+}
+
+/* ---- what it is told */
+
+static vbss_result read_orientation(vbss_context *context, const double q[4], quat *orientation)
+{
+    VBSS_TRY(vbss_check_finite(context, q, 4, "orientation"));
+    double largest = vbss_largest(q, 4);
+    VBSS_TRY(vbss_check_range(context, largest, 1e-100, 1e100, "length of orientation"));
+    double scale = 1.0 / largest;
+    *orientation = quat_unit(quat_make(q[0] * scale, q[1] * scale, q[2] * scale, q[3] * scale));
+    return VBSS_OK;
+}
+
+vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
+                              const double *orientation)
+{
+    grasper_object *g;
+    VBSS_TRY(edit(grasper, &g));
+    VBSS_TRY(vbss_check_pointer(g->context, position, "position"));
+    VBSS_TRY(vbss_check_finite(g->context, position, 3, "position"));
+    VBSS_TRY(vbss_check_range(g->context, vbss_largest(position, 3), 0.0, 1e3, "position"));
+    pose told = pose_make(vec3_load(position), g->told.orientation), target;
+    if (orientation != NULL) {
+        VBSS_TRY(read_orientation(g->context, orientation, &told.orientation));
+    }
+    if (!vbss_grasper_through_trocar(g, told, &target)) {
+        return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the tip is too near to its trocar for the shaft to go through it");
+    }
+    g->told = told;
+    arrive(g);
+    return VBSS_OK;
+}
+
+vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening)
+{
+    grasper_object *g;
+    VBSS_TRY(edit(grasper, &g));
+    VBSS_TRY(vbss_check_range(g->context, opening, 0.0, 1.0, "opening"));
+    g->opening = opening;
+    g->generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
+{
+    grasper_object *g;
+    VBSS_TRY(edit(grasper, &g));
+    VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS,
+                              "kind"));
+    g->kind_told = kind;
+    g->generation++;
+    return VBSS_OK;
+}
+
+/* ---- looking at it */
+
+static void store_pose(pose p, double position[3], double orientation[4])
+{
+    vec3_store(position, p.position);
+    orientation[0] = p.orientation.w;
+    orientation[1] = p.orientation.x;
+    orientation[2] = p.orientation.y;
+    orientation[3] = p.orientation.z;
+}
+
+vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
+                                   uint32_t struct_size)
+{
+    grasper_object *g;
+    VBSS_TRY(vbss_grasper_open(grasper, &g));
+    vbss_grasper_state own = {.struct_size = sizeof own,
+                              .kind = g->kind,
+                              .body = g->body,
+                              .grasp_count = g->grasp_count,
+                              .opening = g->opening,
+                              .jaw_angle = g->angle,
+                              .pressure = g->pressure};
+    store_pose(g->now, own.position, own.orientation);
+    store_pose(target_of(g), own.target_position, own.target_orientation);
+    vec3_store(own.velocity, g->velocity);
+    vec3_store(own.angular_velocity, g->angular_velocity);
+    vec3_store(own.hand_force, g->hand_force);
+    vec3_store(own.hand_torque, g->hand_torque);
+    return vbss_struct_write(g->context, &state_layout, &own, state, struct_size);
+}
+
+vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field field, vbss_view *view,
+                                  uint32_t struct_size)
+{
+    grasper_object *g;
+    VBSS_TRY(vbss_grasper_open(grasper, &g));
+    if (field != VBSS_GRASPER_VIEW_CAPSULES) {
+        return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE, "a grasper has no field %d", field);
+    }
+    const vbss_view own = {.type = VBSS_TYPE_F64,
+                           .components = sizeof g->shown[0] / sizeof(double),
+                           .stride_bytes = sizeof g->shown[0],
+                           .count = GRASPER_CAPSULES,
+                           .data = g->shown,
+                           .generation = g->generation};
+    return vbss_struct_write(g->context, &vbss_view_layout, &own, view, struct_size);
+}

@@ -1,0 +1,105 @@
+/* The inside of a grasper, shared by the files of lib/grasper; a scene moves it and lets it hold.
+ *
+ * config.c checks what a grasper shall be; grasper.c makes and ends graspers and is told where they
+ * shall go; trocar.c turns the shaft through its trocar; jaws.c says where the jaws are and how hard
+ * they close; grip.c what a held thread does when it is pulled; state.c saves. Three frames: the world;
+ * the tool's (origin the tip, z along the shaft); the jaws'
+ * (origin the pivot, x the way they open, z against the way they point: a place between them has z < 0). */
+#ifndef VBSS_GRASPER_GRASPER_H
+#define VBSS_GRASPER_GRASPER_H
+
+#include <vblast_ss/grasper.h>
+
+#include "base/base.h"
+
+/* Shaft, jaw at +x, jaw at -x. */
+enum { GRASPER_CAPSULES = 3, GRASPER_SHAFT = 0 };
+
+/* Of a needle driver or of shears. */
+typedef struct vbss_grasper_jaws {
+    double length, radius, bend, opening; /* as the configuration says */
+} vbss_grasper_jaws;
+
+typedef struct grasper_capsule {
+    vec3 axis[2]; /* in the tool's frame */
+    double radius;
+} grasper_capsule;
+
+typedef struct grasper_object {
+    vbss_context *context;
+    vbss_grasper_config config;
+    vbss_grasper_jaws driver, shears;
+    uint64_t generation;
+
+    /* the state: what it was told, what it is */
+    vbss_grasper_kind kind, kind_told;
+    pose told;       /* tool's frame; as the host said it, before the trocar */
+    double opening;  /* of the handle */
+    double angle;    /* of each jaw from the middle, at the end of the last step */
+    double pressure; /* N; with nothing held 0 */
+
+    /* what its scene found in the last step, to be shown */
+    uint32_t body, grasp_count;
+    pose now; /* tool's frame */
+    vec3 velocity, angular_velocity, hand_force, hand_torque;
+    double shown[GRASPER_CAPSULES][7]; /* the view */
+} grasper_object;
+
+/* grasper.c */
+extern const vbss_kind vbss_grasper_kind_of_slot;
+vbss_result vbss_grasper_open(const vbss_grasper *handle, grasper_object **grasper);
+/* Its scene lets it go: nothing moves it or acts on it, and it is where it shall be. */
+void vbss_grasper_leave(grasper_object *g);
+/* config.c. The caller's over the defaults, every number checked. */
+vbss_result vbss_grasper_read_config(vbss_context *context, const vbss_grasper_config *config,
+                                     vbss_grasper_config *own);
+/* state.c. Visits the state and what is shown, the configuration as what must be the same. */
+void vbss_grasper_serialise(vbss_stream *stream, void *object);
+
+/* trocar.c: where the tool's frame shall be; false: the trocar is too near to the tip for bent jaws. */
+bool vbss_grasper_through_trocar(const grasper_object *g, pose told, pose *target);
+
+/* jaws.c. The jaws that it has as the kind it is. */
+const vbss_grasper_jaws *vbss_grasper_jaws_now(const grasper_object *g);
+/* The jaws' frame in the tool's. */
+pose vbss_grasper_jaw_frame(const grasper_object *g);
+/* Capsules in the tool's frame with the jaws at that angle. Closed jaws (0) touch along their length. */
+void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
+                               grasper_capsule capsules[GRASPER_CAPSULES]);
+/* Where the handle would have the jaws, below 0 by up to closing_angle when it is squeezed. */
+double vbss_grasper_told_angle(const grasper_object *g);
+/* The angle after h seconds: toward the told one, as fast as they go, not below `least`. */
+double vbss_grasper_next_angle(const grasper_object *g, double h, double least);
+/* Of the jaws on what holds them at an angle, N. */
+double vbss_grasper_pressure_at(const grasper_object *g, double angle);
+/* The angle at which jaws touch a round thread at that distance from the pivot from both sides. */
+double vbss_grasper_touching_angle(double thread_diameter, double from_pivot);
+/* Distance between the facing surfaces of the jaws there. */
+double vbss_grasper_mouth(double angle, double from_pivot);
+/* For the view: capsules in the world as the tool lies now. */
+void vbss_grasper_show(grasper_object *g);
+
+/* ---- grip.c: a clamp that holds three points of a thread, half its length apart */
+
+enum { GRIP_POINTS = 3 };
+typedef struct grip {
+    vec3 at[GRIP_POINTS]; /* where they are held, in the jaws' frame */
+    double age; /* s since it was taken: the points come to the middle of the jaws in time */
+} grip;
+typedef struct grip_load {
+    vec3 force[GRIP_POINTS];   /* of the clamp on the thread, in the jaws' frame, N */
+    vec3 along;                /* unit: the way of the thread toward larger arc length */
+    double ahead[GRIP_POINTS]; /* of the middle so much arc length, m: less where the thread ends */
+    double pressure;           /* of the jaws on this place, N */
+    double h;                  /* length of the step, s */
+} grip_load;
+typedef struct grip_change {
+    double slid; /* the held place goes on by so much arc length, m */
+    bool torn;   /* it has come out between the jaws or over their end */
+} grip_change;
+/* What the jaws bear along their faces with that pressure, N. */
+double vbss_grip_limit(const grasper_object *g, double pressure);
+/* After a step: what exceeds the limits slides until it does not, and the rest settles into the jaws. */
+grip_change vbss_grip_yield(const grasper_object *g, grip *grip, const grip_load *load);
+
+#endif

@@ -1,0 +1,97 @@
+/* Where the jaws are, how they follow the handle, how hard they close. */
+#include "grasper/grasper.h"
+
+/* ---- where they are */
+
+const vbss_grasper_jaws *vbss_grasper_jaws_now(const grasper_object *g)
+{
+    return g->kind == VBSS_GRASPER_SHEARS ? &g->shears : &g->driver;
+}
+
+/* About x by as much as they lean: their z goes from the tip to the pivot. */
+pose vbss_grasper_jaw_frame(const grasper_object *g)
+{
+    const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
+    double sine, cosine, half_sine, half_cosine;
+    vbss_sincos(j->bend, &sine, &cosine);
+    vbss_sincos(0.5 * j->bend, &half_sine, &half_cosine);
+    return pose_make(vec3_make(0.0, j->length * sine, j->length * cosine),
+                     quat_make(half_cosine, -half_sine, 0.0, 0.0));
+}
+
+static grasper_capsule jaw_at(const vbss_grasper_jaws *j, pose frame, double angle, double side)
+{
+    double sine, cosine;
+    vbss_sincos(angle, &sine, &cosine);
+    vec3 begin = vec3_make(side * j->radius, 0.0, 0.0);
+    vec3 end = vec3_make(side * (j->radius + j->length * sine), 0.0, -j->length * cosine);
+    grasper_capsule jaw = {{pose_apply(frame, begin), pose_apply(frame, end)}, j->radius};
+    return jaw;
+}
+
+void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
+                               grasper_capsule capsules[GRASPER_CAPSULES])
+{
+    const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
+    pose frame = vbss_grasper_jaw_frame(g);
+    vec3 pivot = frame.position;
+    double length = g->config.shaft_length, radius = g->config.shaft_radius;
+    capsules[GRASPER_SHAFT] = (grasper_capsule){
+        {vec3_add(pivot,
+                  vec3_make(0.0, 0.0, lesser(radius, length))), /* its cap ends at the pivot */
+         vec3_add(pivot, vec3_make(0.0, 0.0, length))},
+        radius};
+    capsules[GRASPER_SHAFT + 1] = jaw_at(j, frame, angle, 1.0);
+    capsules[GRASPER_SHAFT + 2] = jaw_at(j, frame, angle, -1.0);
+}
+
+void vbss_grasper_show(grasper_object *g)
+{
+    grasper_capsule capsules[GRASPER_CAPSULES];
+    vbss_grasper_lay_capsules(g, g->angle, capsules);
+    for (int i = 0; i < GRASPER_CAPSULES; i++) {
+        vec3_store(g->shown[i], pose_apply(g->now, capsules[i].axis[0]));
+        vec3_store(g->shown[i] + 3, pose_apply(g->now, capsules[i].axis[1]));
+        g->shown[i][6] = capsules[i].radius;
+    }
+}
+
+/* ---- how they follow the handle */
+
+/* To the bit where the handle is all open or closed: open jaws at rest shall not move by rounding. */
+double vbss_grasper_told_angle(const grasper_object *g)
+{
+    double t = g->opening;
+    return t * vbss_grasper_jaws_now(g)->opening - (1.0 - t) * g->config.closing_angle;
+}
+
+/* What is between them by now holds them open, whatever their speed. */
+double vbss_grasper_next_angle(const grasper_object *g, double h, double least)
+{
+    double most = g->config.jaw_speed * h;
+    double nearer = lesser(g->angle + most, vbss_grasper_told_angle(g));
+    nearer = greater(g->angle - most, nearer);
+    return greater(nearer, greater(least, 0.0));
+}
+
+double vbss_grasper_pressure_at(const grasper_object *g, double angle)
+{
+    double share = (angle - vbss_grasper_told_angle(g)) / g->config.closing_angle;
+    return g->config.closing_force * greater(0.0, lesser(share, 1.0));
+}
+
+/* ---- what is between them */
+
+double vbss_grasper_touching_angle(double thread_diameter, double from_pivot)
+{
+    if (!(2.0 * from_pivot > thread_diameter)) {
+        return 0.5 * 3.141592653589793;
+    }
+    double sine = thread_diameter / (2.0 * from_pivot);
+    return vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
+}
+
+double vbss_grasper_mouth(double angle, double from_pivot)
+{
+    return 2.0 * from_pivot * vbss_sin(angle);
+}

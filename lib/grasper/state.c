@@ -1,0 +1,94 @@
+/* The state of a grasper: what is saved, hashed and restored. */
+#include "grasper/grasper.h"
+
+static void visit_config(vbss_stream *stream, const grasper_object *g)
+{
+    const vbss_grasper_config *c = &g->config;
+    const double numbers[] = {
+        c->trocar[0],
+        c->trocar[1],
+        c->trocar[2],
+        c->driver_length,
+        c->driver_radius,
+        c->driver_bend,
+        c->driver_opening,
+        c->shears_length,
+        c->shears_radius,
+        c->shears_bend,
+        c->shears_opening,
+        c->shaft_length,
+        c->shaft_radius,
+        c->friction,
+        c->closing_force,
+        c->closing_angle,
+        c->jaw_speed,
+        c->grip_friction,
+        c->grip_length,
+        c->grip_stiffness,
+        c->mass,
+        c->stiffness,
+        c->damping,
+        c->turning_stiffness,
+        c->turning_damping,
+        c->exchange_centre[0],
+        c->exchange_centre[1],
+        c->exchange_centre[2],
+        c->exchange_distance,
+        c->paper_stiffness,
+        c->paper_distance,
+    };
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 1, numbers[i]);
+    }
+    vbss_stream_same(stream, 2, (uint64_t)c->method);
+    vbss_stream_same(stream, 2, (uint64_t)c->kind);
+    vbss_stream_same(stream, 2, (uint64_t)c->has_trocar);
+    vbss_stream_same(stream, 3, g->body); /* a scene knows it by this number */
+}
+
+static bool is_kind(vbss_grasper_kind kind)
+{
+    return kind == VBSS_GRASPER_NEEDLE_DRIVER || kind == VBSS_GRASPER_SHEARS;
+}
+
+static bool is_unit(quat q)
+{
+    return fabs(quat_dot(q, q) - 1.0) < 1e-6;
+}
+
+static bool is_sound(const grasper_object *g)
+{
+    return is_kind(g->kind) && is_kind(g->kind_told) && is_unit(g->told.orientation) &&
+           vbss_largest(&g->told.position.x, 3) <= 1e3 && is_unit(g->now.orientation) &&
+           g->opening >= 0.0 && g->opening <= 1.0 && g->angle >= 0.0 && g->angle <= 1.6 &&
+           g->pressure >= 0.0 && g->pressure <= g->config.closing_force &&
+           (g->body != 0 || g->grasp_count == 0);
+}
+
+void vbss_grasper_serialise(vbss_stream *stream, void *object)
+{
+    grasper_object *g = object;
+    visit_config(stream, g);
+    vbss_stream_i32(stream, 10, &g->kind, 1);
+    vbss_stream_i32(stream, 11, &g->kind_told, 1);
+    vbss_stream_f64(stream, 12, &g->told.position.x, 3);
+    vbss_stream_f64(stream, 13, &g->told.orientation.w, 4);
+    vbss_stream_f64(stream, 14, &g->opening, 1);
+    vbss_stream_f64(stream, 15, &g->angle, 1);
+    vbss_stream_f64(stream, 16, &g->pressure, 1);
+    vbss_stream_u32(stream, 20, &g->grasp_count, 1);
+    vbss_stream_f64(stream, 21, &g->now.position.x, 3);
+    vbss_stream_f64(stream, 22, &g->now.orientation.w, 4);
+    vbss_stream_f64(stream, 23, &g->velocity.x, 3);
+    vbss_stream_f64(stream, 24, &g->angular_velocity.x, 3);
+    vbss_stream_f64(stream, 25, &g->hand_force.x, 3);
+    vbss_stream_f64(stream, 26, &g->hand_torque.x, 3);
+    if (stream->mode != VBSS_STREAM_READ) {
+        return;
+    }
+    if (!stream->trusted && !is_sound(g)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasper");
+    }
+    vbss_grasper_show(g);
+    g->generation++;
+}

@@ -1,0 +1,96 @@
+/* Rows that hold threads in the jaws of graspers: three springs a grasp, the same in all directions.
+ *
+ * A row is bilateral: its gap and what it has slid are where the thread's point is, seen from where it is
+ * held, so that nothing of it is remembered but what the grasp itself knows. */
+#include "scene/scene.h"
+
+/* Where along the thread a point is held: on a segment, and which share of it. */
+typedef struct place {
+    uint32_t segment;
+    double share;
+} place;
+
+/* From the segment of the grasp's middle, which is at hand. */
+static place place_of(const thread_object *t, const scene_grasp *g, double ahead)
+{
+    place p = {g->segment, g->into + ahead};
+    while (p.share < 0.0 && p.segment > 0) {
+        p.share += t->rest[--p.segment];
+    }
+    while (p.share > t->rest[p.segment] && p.segment + 2 < t->node_count) {
+        p.share -= t->rest[p.segment++];
+    }
+    p.share /= t->rest[p.segment];
+    p.share = p.share < 0.0 ? 0.0 : p.share > 1.0 ? 1.0 : p.share; /* the thread ends before */
+    return p;
+}
+
+static place place_of_point(const thread_object *t, const scene_grasp *g, uint32_t point)
+{
+    double half = 0.5 * (GRIP_POINTS - 1) * g->spacing;
+    return place_of(t, g, g->spacing * point - half);
+}
+
+vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const vec3 *x,
+                           uint32_t point)
+{
+    place p = place_of_point(t, g, point);
+    return vec3_lerp(x[p.segment], x[p.segment + 1], p.share);
+}
+
+pose vbss_scene_jaws_of(const scene_rigid *r, pose principal)
+{
+    pose tool = pose_mul(principal, pose_inverse(r->frame));
+    return pose_mul(tool, vbss_grasper_jaw_frame(r->grasper));
+}
+
+static void lay(scene_object *s, contact_row *row)
+{
+    const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];
+    const scene_body *b = vbss_scene_body(s, g->thread);
+    const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
+    const thread_object *t = b->thread.thread;
+    uint32_t point = row->key.a % GRIP_POINTS;
+    place p = place_of_point(t, g, point);
+    pose jaws = vbss_scene_jaws_of(r, r->trial);
+    vec3 held = pose_apply(jaws, g->grip.at[point]);
+    vec3 here = vec3_lerp(t->trial[p.segment], t->trial[p.segment + 1], p.share);
+    row->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
+    row->slid = vec3_sub(here, held);
+    row->gap = vec3_dot(row->normal, row->slid);
+    row->point = held;
+    row->at[0] = p.share;
+    row->term_count = 0;
+    vbss_scene_add_node_term(s, row, b, p.segment, 1.0 - p.share);
+    vbss_scene_add_node_term(s, row, b, p.segment + 1, p.share);
+    vbss_scene_add_rigid_terms(row, r, held, -1.0);
+}
+
+void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
+{
+    const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];
+    lay(s, row);
+    row->stiffness =
+        vbss_scene_body(s, g->tool)->rigid.grasper->config.grip_stiffness / GRIP_POINTS;
+    row->friction = 1.0; /* it has a stiffness along the plane too */
+    row->held = row->is.rubbing = vec3_zero();
+    row->is.state = CONTACT_STICK;
+}
+
+bool vbss_scene_add_grasp_rows(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        for (uint32_t k = 0; g->id != 0 && !g->let_go && k < GRIP_POINTS; k++) {
+            const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRIP_POINTS * i + k, g->tool,
+                                     0};
+            contact_row *row = vbss_contact_add(s->contacts, &key);
+            if (row == NULL) {
+                return false;
+            }
+            row->bilateral = true;
+            row->thickness = 1.0; /* it overlaps nothing */
+        }
+    }
+    return true;
+}

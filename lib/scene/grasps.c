@@ -1,0 +1,374 @@
+/* What graspers hold: taken by jaws that touch it from both sides, held by rows (grasp_rows.c), let go as
+ * it was. Between two steps what was pulled too hard slides. */
+#include "scene/scene.h"
+
+#include "collision/closest.h"
+
+/* Jaws give: a strand that they would touch within this angle of the one that stops them is held as well, rad. */
+#define GIVE 0.02
+/* How far beside the middle of the round jaws a strand may lie, as a share of their radius. */
+#define BESIDE 0.5
+
+/* ---- who holds what */
+
+static scene_grasp *free_grasp(const scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        if (s->grasps[i].id == 0) {
+            return &s->grasps[i];
+        }
+    }
+    return NULL;
+}
+
+uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        bool waits = s->config.method == VBSS_METHOD_PAPER && g->pin == 0;
+        count += g->id != 0 && g->tool == tool && !g->let_go && !waits;
+    }
+    return count;
+}
+
+void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && (g->thread == number || g->tool == number)) { /* pins are gone already */
+            *g = (scene_grasp){0};
+        }
+    }
+}
+
+static double arc_of(const scene_object *s, const scene_grasp *g)
+{
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    double arc = g->into;
+    for (uint32_t i = 0; i < g->segment; i++) {
+        arc += t->rest[i];
+    }
+    return arc;
+}
+
+/* Events tell places in micrometres. */
+static void tell(scene_object *s, vbss_event_kind kind, const scene_grasp *g)
+{
+    double arc = 1e6 * arc_of(s, g);
+    vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)greater(arc, 0.0));
+}
+
+/* ---- taking */
+
+/* A place of a thread between open jaws. */
+typedef struct strand {
+    const scene_body *thread;
+    uint32_t segment;
+    double share;  /* of it */
+    double beside; /* from the middle of the jaws, m */
+    double angle;  /* at which the jaws touch it from both sides */
+} strand;
+
+typedef struct mouth {
+    const grasper_object *grasper;
+    pose jaws;
+    strand strands[SCENE_STRANDS];
+    uint32_t count;
+} mouth;
+
+/* The place of a segment that is nearest to the middle of the jaws; false: not between them. */
+static bool is_between(const mouth *m, vec3 begin, vec3 end, double diameter, strand *found)
+{
+    const vbss_grasper_jaws *jaws = vbss_grasper_jaws_now(m->grasper);
+    double across = end.y - begin.y, share = across != 0.0 ? -begin.y / across : 0.0;
+    share = share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
+    vec3 at = vec3_lerp(begin, end, share);
+    double from_pivot = -at.z;
+    if (!(from_pivot > 0.0 && from_pivot <= jaws->length && fabs(at.y) <= BESIDE * jaws->radius)) {
+        return false;
+    }
+    double wide = vbss_grasper_mouth(m->grasper->angle, from_pivot);
+    found->share = share;
+    found->beside = fabs(at.y);
+    found->angle = vbss_grasper_touching_angle(diameter, from_pivot);
+    return fabs(at.x) <= 0.5 * wide;
+}
+
+static void look_along(const scene_object *s, const scene_body *b, mouth *m)
+{
+    const thread_object *t = b->thread.thread;
+    const double length = vbss_grasper_jaws_now(m->grasper)->length;
+    strand *last =
+        NULL; /* of a run of segments that all lie between: the one nearest to the middle */
+    (void)s;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        vec3 off = vec3_sub(t->now.x[i], m->jaws.position);
+        double reach = 1.1 * length + t->rest[i];
+        strand found = {.thread = b, .segment = i};
+        bool between = vec3_norm_squared(off) < reach * reach &&
+                       is_between(m, pose_apply_inverse(m->jaws, t->now.x[i]),
+                                  pose_apply_inverse(m->jaws, t->now.x[i + 1]),
+                                  2.0 * t->config.radius, &found);
+        if (!between) {
+            last = NULL;
+        } else if (last != NULL) {
+            if (found.beside < last->beside) {
+                *last = found;
+            }
+        } else if (m->count < SCENE_STRANDS) {
+            last = &m->strands[m->count++];
+            *last = found;
+        }
+    }
+}
+
+static void look_between(const scene_object *s, const scene_rigid *r, mouth *m)
+{
+    m->grasper = r->grasper;
+    m->jaws = vbss_scene_jaws_of(r, r->body.now.at);
+    m->count = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            look_along(s, &s->bodies[i], m);
+        }
+    }
+}
+
+static void take(scene_object *s, const scene_body *tool, const mouth *m, const strand *found)
+{
+    const thread_object *t = found->thread->thread.thread;
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) { /* held again before it had left */
+        scene_grasp *old = &s->grasps[i];
+        if (old->let_go && old->thread == found->thread->number && old->tool == tool->number) {
+            *old = (scene_grasp){0};
+        }
+    }
+    scene_grasp *g = free_grasp(s);
+    if (g == NULL) {
+        vbss_scene_add_event(s, VBSS_EVENT_GRASP_LOST, found->thread->number, tool->number, 0);
+        return;
+    }
+    *g = (scene_grasp){.id = ++s->last_grasp,
+                       .thread = found->thread->number,
+                       .tool = tool->number,
+                       .segment = found->segment,
+                       .into = found->share * t->rest[found->segment],
+                       .angle = found->angle,
+                       .spacing = m->grasper->config.grip_length / (GRIP_POINTS - 1)};
+    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
+        g->grip.at[k] = pose_apply_inverse(m->jaws, vbss_scene_held_point(g, t, t->now.x, k));
+    }
+    tell(s, VBSS_EVENT_GRASP, g);
+}
+
+/* The angle below which the jaws cannot close, for what is held. */
+static double held_angle(const scene_object *s, uint32_t tool)
+{
+    double angle = 0.0;
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->tool == tool && !g->let_go) {
+            angle = greater(g->angle, angle);
+        }
+    }
+    return angle;
+}
+
+double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
+{
+    grasper_object *g = tool->rigid.grasper;
+    double least = held_angle(s, tool->number);
+    double next = vbss_grasper_next_angle(g, h, least);
+    if (least > 0.0 || next >= g->angle) {
+        return next;
+    }
+    mouth m;
+    look_between(s, &tool->rigid, &m);
+    double stop = 0.0;
+    for (uint32_t i = 0; i < m.count; i++) {
+        stop = greater(m.strands[i].angle, stop);
+    }
+    if (stop < next) {
+        return next;
+    }
+    next = lesser(stop, g->angle); /* as it is, if it is squeezed a little already */
+    for (uint32_t i = 0; i < m.count; i++) {
+        if (m.strands[i].angle < stop - GIVE) {
+            continue;
+        }
+        if (g->kind == VBSS_GRASPER_SHEARS) {
+            vbss_scene_note_cut(s, tool, m.strands[i].thread, m.strands[i].segment,
+                                m.strands[i].share);
+        } else {
+            take(s, tool, &m, &m.strands[i]);
+        }
+    }
+    return next;
+}
+
+/* ---- letting go */
+
+void vbss_scene_let_go(scene_object *s, const scene_body *tool)
+{
+    double told = vbss_grasper_told_angle(tool->rigid.grasper);
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->tool == tool->number && !g->let_go && told > g->angle) {
+            tell(s, VBSS_EVENT_RELEASE, g);
+            g->let_go = true;
+            g->force = vec3_zero();
+        }
+    }
+}
+
+/* What was let go lies in the jaws, which do not touch it yet: they do once it has been clear of both. */
+static bool is_clear(const scene_object *s, const scene_grasp *g)
+{
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
+    for (uint32_t k = 1; k < r->capsule_count; k++) {
+        const scene_capsule *c = &s->capsules[r->first_capsule + k];
+        vec3 axis[2];
+        double touching = c->radius + t->config.radius;
+        vbss_scene_place_capsule(c, r->body.now.at, axis);
+        for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+            if (vbss_scene_is_held_at(s, g, i, touching)) {
+                double at[2];
+                vec3 apart = closest_edges(vec3_sub(t->now.x[i + 1], t->now.x[i]),
+                                           vec3_sub(axis[1], axis[0]),
+                                           vec3_sub(axis[0], t->now.x[i]), &at[0], &at[1]);
+                if (vec3_norm(apart) < touching) {
+                    return false;
+                }
+            }
+        }
+    }
+    return true;
+}
+
+bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t segment,
+                           double touching)
+{
+    const double *rest = vbss_scene_body(s, g->thread)->thread.thread->rest;
+    double most = SCENE_PIN_ARC * touching + g->spacing;
+    double arc = segment > g->segment   ? rest[g->segment] - g->into
+                 : segment < g->segment ? g->into
+                                        : 0.0;
+    for (uint32_t k = g->segment + 1; k < segment && arc < most; k++) {
+        arc += rest[k];
+    }
+    for (uint32_t k = segment + 1; k < g->segment && arc < most; k++) {
+        arc += rest[k];
+    }
+    return arc < most;
+}
+
+/* ---- after a step */
+
+static void slide(scene_object *s, scene_grasp *g, double way)
+{
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    g->into += way;
+    g->slid += fabs(way);
+    while (g->into < 0.0 && g->segment > 0) {
+        g->into += t->rest[--g->segment];
+    }
+    while (g->into > t->rest[g->segment] && g->segment + 2 < t->node_count) {
+        g->into -= t->rest[g->segment++];
+    }
+    bool sliding = way != 0.0;
+    if (sliding && !g->sliding) {
+        tell(s, VBSS_EVENT_SLIP, g);
+    }
+    g->sliding = sliding;
+}
+
+/* Over the end of the thread. */
+static bool is_over(const scene_object *s, const scene_grasp *g)
+{
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    return g->into < 0.0 || g->into > t->rest[g->segment];
+}
+
+/* Arc length that is held on one side of the middle: to the thread's end at most. */
+static double held_ahead(const thread_object *t, const scene_grasp *g, bool on)
+{
+    uint32_t i = g->segment;
+    double arc = on ? t->rest[i] - g->into : g->into;
+    while (arc < g->spacing && (on ? i + 2 < t->node_count : i > 0)) {
+        i = on ? i + 1 : i - 1;
+        arc += t->rest[i];
+    }
+    return greater(lesser(arc, g->spacing), 0.0);
+}
+
+static void settle(scene_object *s, scene_grasp *g, double h)
+{
+    const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    pose jaws = vbss_scene_jaws_of(r, r->body.now.at);
+    double stiffness = r->grasper->config.grip_stiffness / GRIP_POINTS;
+    vec3 way = vec3_sub(t->now.x[g->segment + 1], t->now.x[g->segment]);
+    uint32_t strands = vbss_scene_count_grasps(s, g->tool);
+    grip_load load = {
+        .pressure = r->grasper->pressure / strands,
+        .along = vec3_unit_or(quat_rotate_back(jaws.orientation, way), vec3_make(0.0, 1.0, 0.0)),
+        .ahead = {-held_ahead(t, g, false), 0.0, held_ahead(t, g, true)},
+        .h = h};
+    g->force = vec3_zero();
+    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
+        vec3 here = pose_apply_inverse(jaws, vbss_scene_held_point(g, t, t->now.x, k));
+        load.force[k] = vec3_scale(vec3_sub(g->grip.at[k], here), stiffness);
+        g->force = vec3_add(g->force, quat_rotate(jaws.orientation, load.force[k]));
+    }
+    g->limit = vbss_grip_limit(r->grasper, load.pressure);
+    grip_change change = vbss_grip_yield(r->grasper, &g->grip, &load);
+    slide(s, g, change.slid);
+    if (change.torn || is_over(s, g)) {
+        tell(s, VBSS_EVENT_TORN, g);
+        g->let_go = true;
+        g->force = vec3_zero();
+    }
+}
+
+void vbss_scene_settle_grasps(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && !g->let_go) {
+            settle(s, g, h);
+        } else if (g->id != 0 && is_clear(s, g)) {
+            *g = (scene_grasp){0};
+        }
+    }
+}
+
+vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
+                                 vbss_grasp *grasp, uint32_t struct_size)
+{
+    static const uint32_t sizes[] = {sizeof(vbss_grasp), 0};
+    static const vbss_layout layout = {"vbss_grasp", NULL, sizes};
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    uint32_t left = index;
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        if (g->id == 0 || g->tool != tool || g->let_go || left-- > 0) {
+            continue;
+        }
+        const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+        vbss_grasp own = {.struct_size = sizeof own,
+                          .thread = g->thread,
+                          .arc_length = arc_of(s, g),
+                          .limit = g->limit,
+                          .slid = g->slid};
+        vec3_store(own.position, s->config.method == VBSS_METHOD_PAPER
+                                     ? t->now.x[g->segment]
+                                     : vbss_scene_held_point(g, t, t->now.x, GRIP_POINTS / 2));
+        vec3_store(own.force, g->force);
+        return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
+    }
+    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u does not hold %u places", tool,
+                     index + 1);
+}

@@ -1,0 +1,145 @@
+/* Grasping by method PAPER: jaws that have just closed near a thread carry its nearest node exactly, and
+ * the first tool that has one leads; another waits until it is let go. The force to the hand is that of the
+ * springs of the two sections beside the node: docs/paper-scene.md. */
+#include "scene/scene.h"
+
+/* The grasp of a node that leads; NULL: nobody's. */
+static const scene_grasp *leader_of(const scene_object *s, uint32_t thread, uint32_t node)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->thread == thread && g->segment == node && g->pin != 0) {
+            return g;
+        }
+    }
+    return NULL;
+}
+
+static void tell(scene_object *s, vbss_event_kind kind, const scene_grasp *g)
+{
+    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+    double arc = 0.0;
+    for (uint32_t i = 0; i < g->segment; i++) {
+        arc += t->rest[i];
+    }
+    vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)(1e6 * arc));
+}
+
+/* Takes the node if nobody leads it; it is free, or a pin of the host's holds it. */
+static void lead(scene_object *s, scene_grasp *g)
+{
+    if (leader_of(s, g->thread, g->segment) == NULL &&
+        vbss_scene_pin_in_step(s, g->thread, g->segment, g->tool, &g->pin) == VBSS_OK) {
+        tell(s, VBSS_EVENT_GRASP, g);
+    }
+}
+
+/* The node nearest to the middle of the jaws' ends, within the distance; false: none. */
+static bool nearest_node(const scene_object *s, const scene_body *tool, scene_grasp *found)
+{
+    const grasper_object *g = tool->rigid.grasper;
+    pose at = pose_mul(tool->rigid.body.now.at, pose_inverse(tool->rigid.frame));
+    double nearest = g->config.paper_distance;
+    found->thread = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const thread_object *t = b->thread.thread;
+        for (uint32_t k = 0; b->kind == BODY_THREAD && k < t->node_count; k++) {
+            double distance = vec3_distance(t->now.x[k], at.position);
+            if (distance <= nearest) {
+                nearest = distance;
+                found->thread = b->number;
+                found->segment = k;
+            }
+        }
+    }
+    return found->thread != 0;
+}
+
+static void take(scene_object *s, const scene_body *tool)
+{
+    scene_grasp found = {.tool = tool->number};
+    if (!nearest_node(s, tool, &found)) {
+        return;
+    }
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        if (s->grasps[i].id == 0) {
+            found.id = ++s->last_grasp;
+            s->grasps[i] = found;
+            lead(s, &s->grasps[i]);
+            return;
+        }
+    }
+    vbss_scene_add_event(s, VBSS_EVENT_GRASP_LOST, found.thread, tool->number, 0);
+}
+
+static void let_go(scene_object *s, scene_grasp *g)
+{
+    if (g->pin != 0) {
+        tell(s, VBSS_EVENT_RELEASE, g);
+        vbss_scene_unpin_in_step(s, g->pin);
+    }
+    *g = (scene_grasp){0};
+}
+
+/* After the step, from which on the node is carried, or free: jaws that have opened let go first. */
+void vbss_scene_paper_settle_grasps(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && vbss_scene_body(s, g->tool)->rigid.grasper->angle > 0.0) {
+            let_go(s, g);
+        }
+    }
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->pin == 0) {
+            lead(s, g);
+        }
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_RIGID && b->rigid.grasper != NULL &&
+            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER && b->rigid.has_closed) {
+            b->rigid.has_closed = false;
+            take(s, b);
+        }
+    }
+}
+
+/* k_s (stretched length - length) toward the other end of a section that is stretched. */
+static vec3 pull_of_section(const thread_object *t, uint32_t from, uint32_t to, double stiffness)
+{
+    uint32_t low = from < to ? from : to, high = from < to ? to : from;
+    double length = 0.0, rest = 0.0;
+    for (uint32_t i = low; i < high; i++) {
+        length += vec3_distance(t->now.x[i], t->now.x[i + 1]);
+        rest += t->rest[i];
+    }
+    double size = stiffness * greater(length - rest, 0.0);
+    vec3 way = vec3_unit_or(vec3_sub(t->now.x[to], t->now.x[from]), vec3_zero());
+    return vec3_scale(way, size);
+}
+
+vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool)
+{
+    double stiffness = tool->rigid.grasper->config.paper_stiffness;
+    vec3 force = vec3_zero();
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        if (g->id == 0 || g->tool != tool->number || g->pin == 0) {
+            continue;
+        }
+        const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+        uint32_t node = g->segment, before = 0, after = t->node_count - 1;
+        for (uint32_t k = 0; k < t->node_count; k++) {
+            before = t->held[k] != 0 && k < node ? k : before;
+            after = t->held[t->node_count - 1 - k] != 0 && t->node_count - 1 - k > node
+                        ? t->node_count - 1 - k
+                        : after;
+        }
+        force = vec3_add(force, pull_of_section(t, node, before, stiffness));
+        force = vec3_add(force, pull_of_section(t, node, after, stiffness));
+    }
+    return force;
+}

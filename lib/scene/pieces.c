@@ -1,0 +1,191 @@
+/* Pieces that may yet be cut from a thread: what a cut needs is taken when the thread is added, a place among the
+ * bodies, a shape and a spare thread each, so that a cut neither allocates nor finds no room. A place keeps what
+ * it has: a state from before a cut is restored by undoing the cut, one from after it by making the piece. */
+#include "scene/scene.h"
+
+/* More nodes by a cut: it goes through a segment. */
+enum { NODES_OF_A_CUT = 2 };
+
+static bool is_spare(const scene_body *b)
+{
+    return b->reserved && b->kind == BODY_GONE;
+}
+
+/* ---- taken with a thread */
+
+vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t)
+{
+    uint32_t pieces = t->reserve->left, spares = 0, threads = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        spares += is_spare(&s->bodies[i]);
+        threads += s->bodies[i].kind == BODY_THREAD;
+    }
+    if (pieces > 0 && threads + spares + 1 + pieces > s->config.thread_capacity) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
+                         "the scene has room for %u threads, and of this one %u pieces may be cut",
+                         s->config.thread_capacity, pieces);
+    }
+    uint32_t taken = s->node_count + NODES_OF_A_CUT * spares;
+    if (t->node_count + NODES_OF_A_CUT * pieces > s->node_capacity - taken) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
+                         "the scene has room for %u nodes, %u of them for each cut",
+                         s->node_capacity, (uint32_t)NODES_OF_A_CUT);
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t *shape)
+{
+    uint32_t last = *shape;
+    vbss_result result = VBSS_OK;
+    for (uint32_t i = 0; result == VBSS_OK && i < t->reserve->left; i++) {
+        result =
+            vbss_collision_add_sleeping_chain(s->collision, t->node_count, t->config.radius, &last);
+    }
+    for (uint32_t name = *shape; result != VBSS_OK && name <= last; name++) {
+        (void)vbss_collision_remove(scene_collision(s), name);
+    }
+    return result;
+}
+
+static scene_body *free_place(scene_object *s)
+{
+    uint32_t place = 0;
+    while (place < s->place_count &&
+           (s->bodies[place].kind != BODY_GONE || s->bodies[place].reserved)) {
+        place++;
+    }
+    s->place_count = place == s->place_count ? place + 1 : s->place_count;
+    return &s->bodies[place];
+}
+
+void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_shape)
+{
+    vbss_slot *slot = NULL;
+    for (thread_object *spare = vbss_thread_take_spare(t, &slot); spare != NULL;
+         spare = vbss_thread_take_spare(t, &slot)) {
+        scene_body *b = free_place(s);
+        *b = (scene_body){.reserved = true, .shape = first_shape++};
+        b->thread.thread = spare;
+        b->thread.slot = slot;
+        s->shape_places[b->shape] = (uint32_t)(b - s->bodies);
+    }
+}
+
+void vbss_scene_return_spare(scene_body *b)
+{
+    vbss_thread_give_spare_back(b->thread.thread, b->thread.slot);
+    *b = (scene_body){.kind = BODY_GONE};
+}
+
+void vbss_scene_return_spares(scene_object *s, const thread_reserve *family)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD && s->bodies[i].thread.thread->reserve == family) {
+            return;
+        }
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (is_spare(b) && b->thread.thread->reserve == family) {
+            (void)vbss_collision_remove(scene_collision(s), b->shape);
+            vbss_scene_return_spare(b);
+        }
+    }
+}
+
+/* ---- pieces come to be, and cease */
+
+scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *thread)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (is_spare(b) && b->thread.thread->reserve == thread->thread.thread->reserve) {
+            return b;
+        }
+    }
+    return NULL;
+}
+
+void vbss_scene_make_piece(scene_object *s, scene_body *piece)
+{
+    piece->kind = BODY_THREAD;
+    vbss_slot_fill(piece->thread.slot, piece->thread.thread);
+    piece->thread.slot->owner = s;
+}
+
+void vbss_scene_unmake_piece(scene_object *s, scene_body *piece)
+{
+    const scene_thread kept = {.slot = piece->thread.slot, .thread = piece->thread.thread};
+    vbss_slot_empty(kept.slot);
+    vbss_collision_send_to_sleep(s->collision, piece->shape);
+    *piece = (scene_body){.reserved = true, .shape = piece->shape, .thread = kept};
+}
+
+/* ---- state */
+
+void vbss_scene_visit_piece(vbss_stream *stream, scene_object *s, scene_body *b)
+{
+    uint8_t made = b->kind == BODY_THREAD;
+    vbss_stream_u8(stream, 15, &made, 1);
+    if (made > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    } else if (stream->mode == VBSS_STREAM_READ && made != (b->kind == BODY_THREAD)) {
+        if (made != 0) {
+            vbss_scene_make_piece(s, b);
+        } else {
+            vbss_scene_unmake_piece(s, b);
+        }
+    }
+    if (b->kind == BODY_THREAD) {
+        uint32_t words[3] = {b->number, b->thread.before, b->thread.split};
+        vbss_stream_u32(stream, 16, words, 3);
+        b->number = words[0];
+        b->thread.before = words[1];
+        b->thread.split = words[2] != 0;
+        if (words[0] == 0 || words[0] > s->last_number || words[1] > s->last_number ||
+            words[2] > 1) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such piece");
+        }
+    }
+}
+
+/* Each number once, each thread within its shape, and all of them within the scene. */
+static bool fit(const scene_object *s)
+{
+    uint32_t nodes = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            uint32_t count = b->thread.thread->node_count;
+            if (count > s->collision->shapes[b->shape]->node_capacity ||
+                count > s->node_capacity - nodes) {
+                return false;
+            }
+            nodes += count;
+        }
+        if (b->kind != BODY_GONE && vbss_scene_body(s, b->number) != b) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void vbss_scene_finish_pieces(vbss_stream *stream, scene_object *s)
+{
+    if (stream->mode != VBSS_STREAM_READ || stream->result != VBSS_OK) {
+        return;
+    }
+    if (!fit(s)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pieces");
+        return;
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD && b->thread.thread->config.cut_capacity > 0) {
+            const thread_object *t = b->thread.thread;
+            vbss_collision_change_chain(s->collision, b->shape, t->node_count, t->rest);
+        }
+    }
+    vbss_scene_number_nodes(s);
+}
