@@ -147,9 +147,7 @@ void vbss_scene_release_grasper(scene_body *b)
     grasper_object *g = b->rigid.slot->object;
     b->rigid.slot->owner = NULL;
     if (g != NULL) { /* it may have ended with the context */
-        g->body = g->grasp_count = 0;
-        g->pressure = 0.0;
-        g->generation++;
+        vbss_grasper_leave(g);
     }
 }
 
@@ -222,13 +220,16 @@ static void exchange(scene_object *s, scene_body *b)
     pose tool = pose_mul(b->rigid.body.now.at, pose_inverse(b->rigid.frame));
     double far = vec3_distance(tool.position, vec3_load(c->exchange_centre));
     bool may = vbss_scene_count_grasps(s, b->number) == 0 && far >= c->exchange_distance;
-    uint32_t wanted = (uint32_t)g->kind_told;
-    if (may) {
-        g->kind = g->kind_told;
+    vbss_grasper_kind before = g->kind, wanted = g->kind_told;
+    pose target;
+    g->kind = may ? wanted : before;
+    if (!vbss_grasper_through_trocar(g, g->told, &target)) { /* jaws of another bend */
+        g->kind = before;
+        may = false;
     }
     g->kind_told = g->kind;
     vbss_scene_add_event(s, may ? VBSS_EVENT_EXCHANGED : VBSS_EVENT_NOT_EXCHANGED, b->number, 0,
-                         wanted);
+                         (uint32_t)wanted);
 }
 
 static void take_told(scene_object *s, scene_body *b, double h)

@@ -1,0 +1,215 @@
+/* Where the jaws are, how they follow the handle, how hard they press. */
+#include "fixture.h"
+
+static grasper_object tool(double length, double radius, double bend)
+{
+    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER, .opening = 1.0, .angle = 0.35};
+    g.driver = (vbss_grasper_jaws){length, radius, bend, 0.35};
+    g.shears = (vbss_grasper_jaws){2.0 * length, 3.0 * radius, -bend, 0.5};
+    g.config.shaft_length = 0.15;
+    g.config.shaft_radius = 2.5e-3;
+    g.config.closing_force = 8.0;
+    g.config.closing_angle = 0.1;
+    g.config.jaw_speed = 8.0;
+    return g;
+}
+
+/* ---- where they are */
+
+static void the_tip_is_midway_between_the_ends_of_closed_jaws(void **state)
+{
+    (void)state;
+    grasper_capsule c[GRASPER_CAPSULES];
+    for (int i = -15; i <= 15; i++) {
+        grasper_object g = tool(13e-3, 0.7e-3, 0.1 * i);
+        vbss_grasper_lay_capsules(&g, 0.0, c);
+        vec3 tip = vec3_lerp(c[1].axis[1], c[2].axis[1], 0.5);
+        expect_near_vec3(vec3_zero(), tip, 1e-17);
+        vec3 pivot = vec3_lerp(c[1].axis[0], c[2].axis[0], 0.5);
+        expect_near_vec3(vec3_make(0.0, 13e-3 * sin(0.1 * i), 13e-3 * cos(0.1 * i)), pivot, 1e-16);
+        expect_near_vec3(pivot, vbss_grasper_jaw_frame(&g).position, 1e-17);
+        /* the shaft goes along z and is round up to the pivot */
+        expect_near_vec3(vec3_add(pivot, vec3_make(0.0, 0.0, 2.5e-3)), c[0].axis[0], 1e-16);
+        expect_near_vec3(vec3_add(pivot, vec3_make(0.0, 0.0, 0.15)), c[0].axis[1], 1e-16);
+        expect_same_bits(2.5e-3, c[0].radius);
+    }
+}
+
+static void a_shaft_thicker_than_long_is_a_ball(void **state)
+{
+    (void)state;
+    grasper_capsule c[GRASPER_CAPSULES];
+    grasper_object g = tool(13e-3, 0.7e-3, 0.0);
+    g.config.shaft_radius = 0.1;
+    g.config.shaft_length = 1e-3;
+    vbss_grasper_lay_capsules(&g, 0.0, c);
+    expect_near_vec3(c[0].axis[0], c[0].axis[1], 0.0);
+}
+
+/* At every place of the one jaw the other is just twice the radius away. */
+static void closed_jaws_touch_along_their_length(void **state)
+{
+    (void)state;
+    grasper_capsule c[GRASPER_CAPSULES];
+    for (int i = -15; i <= 15; i++) {
+        grasper_object g = tool(13e-3, 0.7e-3, 0.1 * i);
+        vbss_grasper_lay_capsules(&g, 0.0, c);
+        for (int k = 0; k <= 20; k++) {
+            vec3 a = vec3_lerp(c[1].axis[0], c[1].axis[1], 0.05 * k);
+            vec3 b = vec3_lerp(c[2].axis[0], c[2].axis[1], 0.05 * k);
+            expect_near(c[1].radius + c[2].radius, vec3_distance(a, b), 1e-17);
+            expect_near(0.0, a.x + b.x, 0.0);
+        }
+    }
+}
+
+static void a_mouth_is_the_distance_of_the_facing_surfaces(harness_source *source, void *user)
+{
+    (void)user;
+    double length = harness_draw_real(source, 1e-3, 0.05);
+    double radius = harness_draw_real(source, 1e-4, 1e-3);
+    grasper_object g = tool(length, radius, harness_draw_real(source, -1.5, 1.5));
+    double angle = harness_draw_real(source, 0.0, 1.2);
+    double share = harness_draw_real(source, 0.0, 1.0);
+    grasper_capsule c[GRASPER_CAPSULES];
+    vbss_grasper_lay_capsules(&g, angle, c);
+    vec3 a = vec3_lerp(c[1].axis[0], c[1].axis[1], share);
+    vec3 b = vec3_lerp(c[2].axis[0], c[2].axis[1], share);
+    double apart = vec3_distance(a, b) - 2.0 * radius;
+    expect_near(apart, vbss_grasper_mouth(angle, share * length), 1e-15);
+    /* both open by the same angle, about the pivot, in the plane of x and the way they point */
+    vec3 down = quat_rotate(vbss_grasper_jaw_frame(&g).orientation, vec3_make(0.0, 0.0, -1.0));
+    for (int i = 1; i < GRASPER_CAPSULES; i++) {
+        vec3 way = vec3_scale(vec3_sub(c[i].axis[1], c[i].axis[0]), 1.0 / length);
+        expect_near(cos(angle), vec3_dot(way, down), 1e-12);
+        expect_near(i == 1 ? sin(angle) : -sin(angle), way.x, 1e-12);
+    }
+}
+
+static void mouths_are_distances(void **state)
+{
+    (void)state;
+    harness_property("a mouth is a distance", 1000, a_mouth_is_the_distance_of_the_facing_surfaces,
+                     NULL);
+}
+
+static void jaws_touch_where_their_mouth_is_the_diameter(void **state)
+{
+    (void)state;
+    const double diameter = 0.25e-3;
+    for (int i = 1; i <= 200; i++) {
+        double from_pivot = 0.126e-3 * i;
+        double angle = vbss_grasper_touching_angle(diameter, from_pivot);
+        expect_near(diameter, vbss_grasper_mouth(angle, from_pivot), 1e-18);
+        expect_near(asin(diameter / (2.0 * from_pivot)), angle, 1e-15);
+    }
+    const double near[] = {0.125e-3, 0.1e-3, 1e-300, 0.0, -1.0};
+    for (int i = 0; i < 5; i++) {
+        expect_same_bits(0.5 * 3.141592653589793, vbss_grasper_touching_angle(diameter, near[i]));
+    }
+    expect_same_bits(0.0, vbss_grasper_mouth(0.0, 0.01));
+}
+
+static void the_jaws_are_those_of_the_kind(void **state)
+{
+    (void)state;
+    grasper_object g = tool(13e-3, 0.7e-3, 0.2);
+    assert_ptr_equal(vbss_grasper_jaws_now(&g), &g.driver);
+    g.kind = VBSS_GRASPER_SHEARS;
+    assert_ptr_equal(vbss_grasper_jaws_now(&g), &g.shears);
+    expect_near(-26e-3 * sin(0.2), vbss_grasper_jaw_frame(&g).position.y, 1e-16);
+    expect_same_bits(0.5, vbss_grasper_told_angle(&g));
+}
+
+/* ---- how they follow the handle */
+
+static void the_handle_goes_from_squeezed_to_open(void **state)
+{
+    (void)state;
+    grasper_object g = tool(13e-3, 0.7e-3, 0.0);
+    expect_same_bits(0.35, vbss_grasper_told_angle(&g));
+    g.opening = 0.0;
+    expect_same_bits(-0.1, vbss_grasper_told_angle(&g));
+    double last = -1.0;
+    for (int i = 0; i <= 100; i++) {
+        g.opening = 0.01 * i;
+        double told = vbss_grasper_told_angle(&g);
+        expect_near(-0.1 + 0.45 * g.opening, told, 1e-15);
+        assert_true(told > last);
+        last = told;
+    }
+}
+
+static void jaws_go_as_fast_as_they_may(void **state)
+{
+    (void)state;
+    const double h = 1e-3, step = 8e-3;
+    grasper_object g = tool(13e-3, 0.7e-3, 0.0);
+    g.opening = 0.0;
+    for (int i = 0; i < 60; i++) {
+        double next = vbss_grasper_next_angle(&g, h, 0.0);
+        assert_true(next >= 0.0);
+        expect_near(greater(0.35 - step * (i + 1), 0.0), next, 1e-15);
+        g.angle = next;
+    }
+    expect_same_bits(0.0, g.angle);
+    expect_same_bits(0.0, vbss_grasper_next_angle(&g, h, -1.0));
+    g.opening = 1.0;
+    for (int i = 0; i < 60; i++) {
+        g.angle = vbss_grasper_next_angle(&g, h, 0.0);
+        expect_near(lesser(step * (i + 1), 0.35), g.angle, 1e-15);
+    }
+    expect_same_bits(0.35, g.angle);
+    expect_same_bits(0.35, vbss_grasper_next_angle(&g, h, -1.0));
+}
+
+static void what_is_between_them_stops_the_jaws(void **state)
+{
+    (void)state;
+    const double h = 1e-3;
+    grasper_object g = tool(13e-3, 0.7e-3, 0.0);
+    g.opening = 0.0;
+    for (int i = 0; i < 60; i++) {
+        g.angle = vbss_grasper_next_angle(&g, h, 0.02);
+    }
+    expect_same_bits(0.02, g.angle);
+    /* what comes between them opens them, faster than they go */
+    expect_same_bits(0.2, vbss_grasper_next_angle(&g, h, 0.2));
+    expect_same_bits(0.02, vbss_grasper_next_angle(&g, h, 0.02));
+    /* and does not keep them from opening */
+    g.opening = 1.0;
+    expect_near(0.028, vbss_grasper_next_angle(&g, h, 0.02), 1e-16);
+}
+
+static void pressure_grows_with_the_angle_they_are_kept_from(void **state)
+{
+    (void)state;
+    grasper_object g = tool(13e-3, 0.7e-3, 0.0);
+    g.opening = 0.0;
+    expect_same_bits(8.0, vbss_grasper_pressure_at(&g, 0.0));
+    expect_same_bits(8.0, vbss_grasper_pressure_at(&g, 0.3));
+    g.opening = 0.1 / 0.45; /* they would just close */
+    for (int i = 0; i <= 10; i++) {
+        expect_near(0.8 * i, vbss_grasper_pressure_at(&g, 0.01 * i), 1e-13);
+    }
+    g.opening = 1.0;
+    expect_same_bits(0.0, vbss_grasper_pressure_at(&g, 0.0));
+    expect_same_bits(0.0, vbss_grasper_pressure_at(&g, 0.35));
+}
+
+int test_jaws(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(the_tip_is_midway_between_the_ends_of_closed_jaws),
+        harness_test(a_shaft_thicker_than_long_is_a_ball),
+        harness_test(closed_jaws_touch_along_their_length),
+        harness_test(mouths_are_distances),
+        harness_test(jaws_touch_where_their_mouth_is_the_diameter),
+        harness_test(the_jaws_are_those_of_the_kind),
+        harness_test(the_handle_goes_from_squeezed_to_open),
+        harness_test(jaws_go_as_fast_as_they_may),
+        harness_test(what_is_between_them_stops_the_jaws),
+        harness_test(pressure_grows_with_the_angle_they_are_kept_from),
+    };
+    return cmocka_run_group_tests_name("grasper.jaws", tests, NULL, NULL);
+}
