@@ -8,7 +8,8 @@
  *
  * Frame of the tool: the origin is the *tip*, midway between the ends of the axes of the closed jaws; +z goes
  * along the shaft from the tip to the handle; the jaws open along x. Jaws that are bent lean toward -y, by
- * the angle `bend` from the shaft's axis. The *pivot* is where they begin.
+ * the angle `bend` from the shaft's axis. The *pivot* is where they begin; between it and the bend lies the *neck*,
+ * along the line of the jaws.
  *
  * Grasping, method OURS: the jaws close until what lies between them touches both, and hold it from then on
  * by a compliant clamp over a short length of the thread, in position and direction. What it can bear grows
@@ -45,15 +46,18 @@ typedef struct vbss_grasper_config {
     double trocar[3];       /**< Where the shaft enters, m, each at most 1e3; default 0. */
     /* Two jaws, or blades, round fingers that touch along their length when closed. */
     double driver_length; /**< Of a needle driver's, pivot to tip, m, 1e-4 to 1; default 13e-3. */
-    double driver_radius; /**< Of each, m, 1e-6 to 0.1, and less than the length; default 0.7e-3. */
+    double driver_radius; /**< Of each, m, 1e-6 to 0.1, and less than the length; default 0.5e-3. */
     double driver_bend;   /**< By which they lean from the shaft, rad, -1.5 to 1.5; default 0. */
     /** Angle of each from the middle when the handle is open, rad, 1e-3 to 1.2; default 0.35. */
     double driver_opening;
     double shears_length;  /**< Of the blades of shears, the same; default 15e-3. */
-    double shears_radius;  /**< The same; default 0.7e-3. */
+    double shears_radius;  /**< The same; default 0.5e-3. */
     double shears_bend;    /**< The same; default 0. */
     double shears_opening; /**< The same; default 0.35. */
-    double shaft_length;   /**< From the pivot on, m, 1e-3 to 10; default 0.15. */
+    double driver_neck;    /**< From the pivot back to the bend, m, 0 to 1; default 0. */
+    double shears_neck;    /**< The same; default 0. */
+    double neck_radius;    /**< Of both, m, 1e-6 to 0.1; default 1.2e-3. */
+    double shaft_length;   /**< From the bend on, m, 1e-3 to 10; default 0.15. */
     double shaft_radius;   /**< m, 1e-6 to 0.1; default 2.5e-3. */
     double friction;       /**< With all others but what is held, 0 to 10; default 0.15. */
     double closing_force;  /**< Pressure of the jaws of a closed handle on what they hold, N,
@@ -68,8 +72,8 @@ typedef struct vbss_grasper_config {
     double mass;           /**< kg, 1e-4 to 1e2; default 0.02. */
     double stiffness;      /**< Of the virtual coupling, N/m, 0 to 1e9; default 2000. */
     double damping;        /**< N s/m, 0 to 1e6; default 5. */
-    double turning_stiffness; /**< N m/rad, 0 to 1e9; default 2. */
-    double turning_damping;   /**< N m s/rad, 0 to 1e6; default 0.02. */
+    double turning_stiffness; /**< N m/rad, 0 to 1e9; default 5. */
+    double turning_damping;   /**< N m s/rad, 0 to 1e6; default 0.05. */
     /** Tools are exchanged only with empty jaws and with the tip further than exchange_distance from here,
      * m, each at most 1e3; default 0. */
     double exchange_centre[3];
@@ -79,6 +83,17 @@ typedef struct vbss_grasper_config {
     /** PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3. */
     double paper_distance;
 } vbss_grasper_config;
+
+/** A known tool: a VBSS_GRASPER_PRESET_ constant. */
+typedef int32_t vbss_grasper_preset;
+
+/** The constants of #vbss_grasper_preset. */
+enum {
+    VBSS_GRASPER_PRESET_STRAIGHT = 0, /**< A needle driver with straight jaws: the defaults. */
+    /** Jaws on a neck of 5 mm, bent by 0.8 rad: rolled about its shaft, the tool points its jaws at the other one,
+     * which can then go round them without meeting the shaft. */
+    VBSS_GRASPER_PRESET_ANGLED = 1
+};
 
 /** Where a grasper is, and what acts on it. */
 typedef struct vbss_grasper_state {
@@ -104,7 +119,7 @@ typedef int32_t vbss_grasper_field;
 
 /** The constants of #vbss_grasper_field. */
 enum {
-    /** x 7: begin and end of the axis, radius, m; shaft, then the jaw at +x, then the one at -x. */
+    /** x 7: begin and end of the axis, radius, m; shaft, the jaw at +x, the one at -x, neck. */
     VBSS_GRASPER_VIEW_CAPSULES = 0
 };
 
@@ -122,6 +137,19 @@ extern "C" {
  * @since 0.1
  */
 VBSS_API vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size);
+
+/**
+ * Sets length, radius, bend, opening and neck of the driver's jaws to those of a known tool.
+ *
+ * @param[in,out] config  an initialised configuration
+ * @param preset          which tool
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
+ *         such preset)
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_grasper_config_preset(vbss_grasper_config *config,
+                                                vbss_grasper_preset preset);
 
 /**
  * Creates a grasper with open jaws; its tip is at the origin until it is moved.

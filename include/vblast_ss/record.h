@@ -217,6 +217,20 @@ VBSS_API vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread
 VBSS_API vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin);
 
 /**
+ * #vbss_scene_cut_thread of the recorded scene.
+ *
+ * @param record      the record
+ * @param thread      number of the thread in the scene
+ * @param arc_length  of the cut from the thread's node 0, unstretched, m, within its length and not at an end
+ * @param[out] piece  number of the new body
+ * @return as #vbss_record_move_rigid; VBSS_ERROR_CAPACITY also: no cuts left
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
+                                            uint32_t *piece);
+
+/**
  * #vbss_thread_attach to a thread of the recorded scene.
  *
  * @param record      the record

@@ -5,13 +5,14 @@
  * Bodies are added to a scene and numbered from 1 on; body 0 is the world: the floor, and what is
  * pinned in space. A thread that was added belongs to the scene until it is removed: stepping, cutting,
  * restoring or destroying it alone is VBSS_ERROR_IN_SCENE, while attaching, moving and looking go on as
- * before. Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied
+ * before; it is cut in the scene (#vbss_scene_cut_thread). Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied
  * to a given pose by a spring and a damper, so that what stops the thread stops the tool) or free.
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
  * through anything, but for a thread near a pin on the body that it is pinned to (#vbss_scene_pin_thread)
- * and segments that are too near along a thread to touch. Method PAPER is that of VBLaST-SS (Qi et al.
+ * and segments that are too near along a thread to touch, also across a cut until its ends have come
+ * apart. Method PAPER is that of VBLaST-SS (Qi et al.
  * 2017): explicit steps, edge tests at both ends of a step, displacements as response, no friction, knots
  * held by pins: docs/paper-scene.md.
  *
@@ -193,7 +194,9 @@ enum {
     VBSS_EVENT_TORN = 7,       /**< It was pulled out of them: the same. */
     VBSS_EVENT_SLIP = 8,       /**< It begins to slide through them: the same. */
     VBSS_EVENT_GRASP_LOST = 9, /**< Beyond grasp_capacity: thread, grasper; it is not held. */
-    VBSS_EVENT_CUT = 10,       /**< A thread, its new piece, and the arc length of the cut in um. */
+    /** A thread, its new piece, and the arc length of the cut in um; 0 in place of the piece: it would have been cut,
+     * but all its cuts are made. */
+    VBSS_EVENT_CUT = 10,
     VBSS_EVENT_EXCHANGED = 11, /**< A grasper, 0, and what it is now. */
     VBSS_EVENT_NOT_EXCHANGED = 12 /**< A grasper, 0, and what it was to be. */
 };
@@ -284,14 +287,16 @@ VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_c
 VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
 
 /**
- * Adds a thread of the same context, which belongs to the scene until it is removed.
+ * Adds a thread of the same context, which belongs to the scene until it is removed. Its scene also has room, from
+ * then on, for each piece that may yet be cut from it: that of a thread, and of two nodes. The cuts left belong to the
+ * scene while a thread of the family does.
  *
  * @param scene      the scene
  * @param thread     the thread, of the scene's method, with a radius above 0
  * @param[out] body  its number in the scene, from 1 on, never used again
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_NULL_ARGUMENT,
- *         VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY (pieces
+ *         included), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -325,7 +330,7 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_co
 
 /**
  * Adds a grasper of the same context, which belongs to the scene until it is removed: its tip where it was told to
- * go last, at rest. It takes the place of a rigid body with three capsules.
+ * go last, at rest. It takes the place of a rigid body with four capsules.
  *
  * @param scene      the scene
  * @param grasper    the grasper, of the scene's method
@@ -420,6 +425,38 @@ VBSS_API vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, u
 VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
 
 /**
+ * Cuts a thread of the scene in two where it is, with its pins, attachments and contacts: the part beyond the cut
+ * becomes a body of its own, with node 0 at the cut. Nothing is allocated: room for as many pieces as cut_capacity
+ * allows was taken when the thread was added. Pieces can be cut again. A cut within 1 % of a segment, or 1e-7 m, of
+ * a node goes through the node, which the thread keeps with all that holds it. The ends at a cut do not touch each
+ * other until they have come apart. Contacts in the views keep the numbers of before the cut until the next step.
+ *
+ * @param scene       the scene
+ * @param thread      number of the thread in the scene
+ * @param arc_length  of the cut from the thread's node 0, unstretched, m, within its length and not at an end
+ * @param[out] piece  number of the new body, whose handle #vbss_scene_get_thread gives; also in an event
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no such thread, or
+ *         not within it), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY (no cuts left) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc_length,
+                                           uint32_t *piece);
+
+/**
+ * The handle of a thread in the scene, to look at it and to attach to it. That of a piece is destroyed when a state
+ * from before its cut is restored, and lives again with one from after it.
+ *
+ * @param scene        the scene
+ * @param body         number of the thread in the scene
+ * @param[out] thread  its handle; NULL when there is no such thread
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such thread)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
+
+/**
  * Moves everything forward in time. Nothing is allocated. On failure the scene is as it was before the
  * step, but without events.
  *
@@ -492,8 +529,9 @@ VBSS_API vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t
                                      uint64_t *written);
 
 /**
- * Restores a saved state into this scene or one made alike: the same bodies added in the same order. On
- * failure the scene is as it was.
+ * Restores a saved state into this scene or one made alike: the same bodies added in the same order. Cuts are part
+ * of the state: they are undone, and made, as it says; but a piece that was removed cannot be, and a body that was
+ * added after a cut has another number where nothing was cut. On failure the scene is as it was.
  *
  * @param scene  the scene
  * @param bytes  the state

@@ -148,6 +148,8 @@ vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void 
  * slot waits, as no handle of anybody, until it is filled or the context ends. */
 vbss_result vbss_slot_reserve(vbss_context *context, const vbss_kind *kind, vbss_slot **slot);
 void vbss_slot_fill(vbss_slot *slot, void *object);
+/* It waits again: the object is still there, but its handle is none until the slot is filled with it. */
+void vbss_slot_empty(vbss_slot *slot);
 /* The slot of a living handle of that kind; any other handle is VBSS_ERROR_INVALID_HANDLE. */
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot);
 /* The same for a call that changes something: VBSS_ERROR_BUSY inside a callback of the context. */

@@ -28,8 +28,16 @@ void vbss_slot_fill(vbss_slot *slot, void *object)
 {
     slot->state = SLOT_ALIVE;
     slot->object = object;
-    slot->ordinal = ++slot->context->last_ordinal;
+    slot->ordinal = slot->ordinal != 0 ? slot->ordinal : ++slot->context->last_ordinal;
     slot->context->objects_alive++;
+}
+
+void vbss_slot_empty(vbss_slot *slot)
+{
+    slot->state = SLOT_WAITING;
+    slot->object = NULL;
+    slot->owner = NULL;
+    slot->context->objects_alive--;
 }
 
 vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,

@@ -14,7 +14,7 @@ static void list_living(collision_object *c)
 {
     c->living_count = 0;
     for (uint32_t name = 0; name < c->shape_count; name++) {
-        if (c->shapes[name] != NULL) {
+        if (c->shapes[name] != NULL && !c->shapes[name]->asleep) {
             c->living[c->living_count++] = name;
         }
     }

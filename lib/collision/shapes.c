@@ -38,8 +38,8 @@ static void add_tree(part_list *list, collision_tree *tree, uint32_t features, b
 
 static void list_parts(collision_shape *s, part_list *list)
 {
-    uint32_t n = s->node_count, e = s->edge_count, t = s->triangle_count;
     bool chain = s->kind == SHAPE_CHAIN;
+    uint32_t n = s->node_capacity, e = chain ? n - 1 : s->edge_count, t = s->triangle_count;
     list->count = 0;
     add_part(list, &s->start, n, sizeof *s->start);
     add_part(list, &s->end, n, sizeof *s->end);
@@ -85,7 +85,7 @@ static vbss_result make(collision_object *c, collision_shape_kind kind, const ui
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     s->kind = kind;
-    s->node_count = counts[0];
+    s->node_count = s->node_capacity = counts[0];
     s->edge_count = counts[1];
     s->triangle_count = counts[2];
     s->radius = radius;
@@ -188,6 +188,21 @@ static void measure_arcs(collision_shape *s, const double *rest_lengths, const d
     }
 }
 
+static void measure_chain(const collision_object *c, collision_shape *s, const double *rest_lengths)
+{
+    double limit[2];
+    limit[0] = two_product(c->config.exclusion, vbss_collision_distance(c, s, s), &limit[1]);
+    measure_arcs(s, rest_lengths, limit);
+}
+
+static void number_edges(collision_shape *s)
+{
+    for (uint32_t i = 0; i < s->edge_count; i++) {
+        s->edges[i][0] = i;
+        s->edges[i][1] = i + 1;
+    }
+}
+
 static vbss_result check_chain(const collision_object *c, uint32_t node_count,
                                const double *rest_lengths)
 {
@@ -213,15 +228,54 @@ vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_co
     VBSS_TRY(check_new(c, radius, shape));
     const uint32_t counts[3] = {node_count, node_count - 1, 0};
     VBSS_TRY(make(c, SHAPE_CHAIN, counts, radius, &s));
-    for (uint32_t i = 0; i < s->edge_count; i++) {
-        s->edges[i][0] = i;
-        s->edges[i][1] = i + 1;
-    }
-    double limit[2];
-    limit[0] = two_product(c->config.exclusion, vbss_collision_distance(c, s, s), &limit[1]);
-    measure_arcs(s, rest_lengths, limit);
+    number_edges(s);
+    measure_chain(c, s, rest_lengths);
     publish(c, s, shape);
     return VBSS_OK;
+}
+
+/* ---- chains that change */
+
+vbss_result vbss_collision_add_sleeping_chain(collision_object *c, uint32_t node_capacity,
+                                              double radius, uint32_t *name)
+{
+    collision_shape *s = NULL;
+    const uint32_t counts[3] = {node_capacity, node_capacity - 1, 0};
+    VBSS_TRY(check_new(c, radius, name));
+    VBSS_TRY(make(c, SHAPE_CHAIN, counts, radius, &s));
+    number_edges(s);
+    s->asleep = true;
+    publish(c, s, name);
+    return VBSS_OK;
+}
+
+static void changed(collision_object *c, bool living)
+{
+    c->living_known = c->living_known && !living;
+    vbss_collision_forget(c);
+    c->generation++;
+}
+
+void vbss_collision_change_chain(collision_object *c, uint32_t name, uint32_t node_count,
+                                 const double *rest_lengths)
+{
+    collision_shape *s = c->shapes[name];
+    bool woken = s->asleep;
+    s->asleep = false;
+    s->node_count = node_count;
+    s->edge_count = node_count - 1;
+    vbss_collision_tree_set_count(&s->point_tree, s->node_count);
+    vbss_collision_tree_set_count(&s->edge_tree, s->edge_count);
+    measure_chain(c, s, rest_lengths);
+    s->topology = topology_of(s);
+    vbss_collision_shape_moved(s);
+    changed(c, woken);
+}
+
+void vbss_collision_send_to_sleep(collision_object *c, uint32_t name)
+{
+    c->shapes[name]->asleep = true;
+    changed(c, true);
 }
 
 /* ---- capsules */

@@ -69,6 +69,8 @@ static inline const collision_box *tree_root(const collision_tree *tree)
 
 /* ---- shapes (shapes.c) */
 
+typedef struct collision_object collision_object;
+
 typedef enum collision_shape_kind {
     SHAPE_CHAIN = 1,
     SHAPE_CAPSULES = 2,
@@ -78,6 +80,7 @@ typedef enum collision_shape_kind {
 typedef struct collision_shape {
     collision_shape_kind kind;
     uint32_t node_count, edge_count, triangle_count;
+    uint32_t node_capacity; /* of a chain: there is memory for so many; else node_count */
     double radius;
     double reach;      /* by which boxes are larger than the swept vertices, on every side */
     vec3 *start, *end; /* of the nodes */
@@ -89,6 +92,7 @@ typedef struct collision_shape {
     uint64_t topology; /* hash of all that never changes */
     uint32_t category, mask;
     bool rigid;       /* never a pair with itself */
+    bool asleep;      /* a chain that is nowhere yet: never found */
     bool boxes_known; /* of the points, and around all, since the last move */
     bool points_fit, edges_fit, triangles_fit; /* trees know the last move */
     collision_box root;                        /* around all */
@@ -98,6 +102,14 @@ typedef struct collision_shape {
 } collision_shape;
 
 void vbss_collision_shape_free(vbss_context *context, collision_shape *shape);
+
+/* Chains that change, for who has them inside: one that is nowhere yet; another number of nodes, up to its
+ * capacity, with other rest lengths, which wakes it and allocates nothing; and nowhere again. */
+vbss_result vbss_collision_add_sleeping_chain(collision_object *c, uint32_t node_capacity,
+                                              double radius, uint32_t *name);
+void vbss_collision_change_chain(collision_object *c, uint32_t name, uint32_t node_count,
+                                 const double *rest_lengths);
+void vbss_collision_send_to_sleep(collision_object *c, uint32_t name);
 
 /* ---- their boxes (boxes.c) */
 
@@ -174,7 +186,7 @@ typedef struct collision_block {
     int32_t hit[IMPACT_BLOCK], decision[IMPACT_BLOCK];
 } collision_block;
 
-typedef struct collision_object {
+struct collision_object {
     vbss_context *context;
     vbss_collision_config config;
     collision_rules rules;
@@ -203,7 +215,7 @@ typedef struct collision_object {
     double (*weights)[4];
     uint32_t *decisions;
     uint32_t impact_count;
-} collision_object;
+};
 
 extern const vbss_kind vbss_collision_kind;
 /* An object of a checked configuration, without a handle; and its end. */

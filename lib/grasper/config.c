@@ -1,18 +1,19 @@
 /* What a grasper can be: defaults, and every number checked. */
 #include "grasper/grasper.h"
 
-_Static_assert(sizeof(vbss_grasper_config) == 264, "published size");
+_Static_assert(sizeof(vbss_grasper_config) == 288, "published size");
 
 static const vbss_grasper_config defaults = {
     .struct_size = sizeof(vbss_grasper_config),
     .method = VBSS_METHOD_OURS,
     .kind = VBSS_GRASPER_NEEDLE_DRIVER,
     .driver_length = 13e-3,
-    .driver_radius = 0.7e-3,
+    .driver_radius = 0.5e-3,
     .driver_opening = 0.35,
     .shears_length = 15e-3,
-    .shears_radius = 0.7e-3,
+    .shears_radius = 0.5e-3,
     .shears_opening = 0.35,
+    .neck_radius = 1.2e-3,
     .shaft_length = 0.15,
     .shaft_radius = 2.5e-3,
     .friction = 0.15,
@@ -25,17 +26,33 @@ static const vbss_grasper_config defaults = {
     .mass = 0.02,
     .stiffness = 2000.0,
     .damping = 5.0,
-    .turning_stiffness = 2.0,
-    .turning_damping = 0.02,
+    .turning_stiffness = 5.0,
+    .turning_damping = 0.05,
     .paper_stiffness = 50.0,
     .paper_distance = 2e-3,
 };
-static const uint32_t config_sizes[] = {264, 0};
+static const uint32_t config_sizes[] = {288, 0};
 static const vbss_layout config_layout = {"vbss_grasper_config", &defaults, config_sizes};
 
 vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size)
 {
     return vbss_config_init(&config_layout, config, struct_size);
+}
+
+vbss_result vbss_grasper_config_preset(vbss_grasper_config *config, vbss_grasper_preset preset)
+{
+    vbss_grasper_config own; /* only to know the size for one of ours */
+    VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
+    if (preset != VBSS_GRASPER_PRESET_STRAIGHT && preset != VBSS_GRASPER_PRESET_ANGLED) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    bool angled = preset == VBSS_GRASPER_PRESET_ANGLED;
+    config->driver_length = defaults.driver_length;
+    config->driver_radius = defaults.driver_radius;
+    config->driver_opening = defaults.driver_opening;
+    config->driver_bend = angled ? 0.8 : 0.0;
+    config->driver_neck = angled ? 5e-3 : 0.0;
+    return VBSS_OK;
 }
 
 typedef struct range {
@@ -69,6 +86,9 @@ static vbss_result check_shape(vbss_context *context, const vbss_grasper_config 
         {"shears_radius", c->shears_radius, 1e-6, 0.1},
         {"shears_bend", c->shears_bend, -1.5, 1.5},
         {"shears_opening", c->shears_opening, 1e-3, 1.2},
+        {"driver_neck", c->driver_neck, 0.0, 1.0},
+        {"shears_neck", c->shears_neck, 0.0, 1.0},
+        {"neck_radius", c->neck_radius, 1e-6, 0.1},
         {"shaft_length", c->shaft_length, 1e-3, 10.0},
         {"shaft_radius", c->shaft_radius, 1e-6, 0.1},
     };

@@ -44,9 +44,9 @@ void vbss_grasper_leave(grasper_object *g)
 static void begin(grasper_object *g, const vbss_grasper_config *c)
 {
     const vbss_grasper_jaws driver = {c->driver_length, c->driver_radius, c->driver_bend,
-                                      c->driver_opening};
+                                      c->driver_opening, c->driver_neck};
     const vbss_grasper_jaws shears = {c->shears_length, c->shears_radius, c->shears_bend,
-                                      c->shears_opening};
+                                      c->shears_opening, c->shears_neck};
     g->config = *c;
     g->driver = driver;
     g->shears = shears;

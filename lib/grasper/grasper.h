@@ -12,12 +12,12 @@
 
 #include "base/base.h"
 
-/* Shaft, jaw at +x, jaw at -x. */
-enum { GRASPER_CAPSULES = 3, GRASPER_SHAFT = 0 };
+/* Shaft, jaw at +x, jaw at -x, neck. */
+enum { GRASPER_CAPSULES = 4, GRASPER_SHAFT = 0, GRASPER_JAW = 1, GRASPER_NECK = 3 };
 
 /* Of a needle driver or of shears. */
 typedef struct vbss_grasper_jaws {
-    double length, radius, bend, opening; /* as the configuration says */
+    double length, radius, bend, opening, neck; /* as the configuration says */
 } vbss_grasper_jaws;
 
 typedef struct grasper_capsule {
@@ -63,6 +63,8 @@ bool vbss_grasper_through_trocar(const grasper_object *g, pose told, pose *targe
 const vbss_grasper_jaws *vbss_grasper_jaws_now(const grasper_object *g);
 /* The jaws' frame in the tool's. */
 pose vbss_grasper_jaw_frame(const grasper_object *g);
+/* Where the shaft's axis begins, in the tool's frame. */
+vec3 vbss_grasper_bend_point(const grasper_object *g);
 /* Capsules in the tool's frame with the jaws at that angle. Closed jaws (0) touch along their length. */
 void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
                                grasper_capsule capsules[GRASPER_CAPSULES]);

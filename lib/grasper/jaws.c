@@ -19,6 +19,12 @@ pose vbss_grasper_jaw_frame(const grasper_object *g)
                      quat_make(half_cosine, -half_sine, 0.0, 0.0));
 }
 
+vec3 vbss_grasper_bend_point(const grasper_object *g)
+{
+    vec3 back = vec3_make(0.0, 0.0, vbss_grasper_jaws_now(g)->neck);
+    return pose_apply(vbss_grasper_jaw_frame(g), back);
+}
+
 static grasper_capsule jaw_at(const vbss_grasper_jaws *j, pose frame, double angle, double side)
 {
     double sine, cosine;
@@ -34,15 +40,17 @@ void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
 {
     const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
     pose frame = vbss_grasper_jaw_frame(g);
-    vec3 pivot = frame.position;
+    vec3 bend = vbss_grasper_bend_point(g);
     double length = g->config.shaft_length, radius = g->config.shaft_radius;
     capsules[GRASPER_SHAFT] = (grasper_capsule){
-        {vec3_add(pivot,
-                  vec3_make(0.0, 0.0, lesser(radius, length))), /* its cap ends at the pivot */
-         vec3_add(pivot, vec3_make(0.0, 0.0, length))},
+        {vec3_add(bend, vec3_make(0.0, 0.0, lesser(radius, length))), /* its cap ends at the bend */
+         vec3_add(bend, vec3_make(0.0, 0.0, length))},
         radius};
-    capsules[GRASPER_SHAFT + 1] = jaw_at(j, frame, angle, 1.0);
-    capsules[GRASPER_SHAFT + 2] = jaw_at(j, frame, angle, -1.0);
+    capsules[GRASPER_JAW] = jaw_at(j, frame, angle, 1.0);
+    capsules[GRASPER_JAW + 1] = jaw_at(j, frame, angle, -1.0);
+    /* It ends where the jaws begin, but for its cap, which would fill their mouth. */
+    vec3 front = pose_apply(frame, vec3_make(0.0, 0.0, lesser(g->config.neck_radius, j->neck)));
+    capsules[GRASPER_NECK] = (grasper_capsule){{front, bend}, g->config.neck_radius};
 }
 
 void vbss_grasper_show(grasper_object *g)

@@ -12,7 +12,7 @@ bool vbss_grasper_through_trocar(const grasper_object *g, pose told, pose *targe
     }
     vec3 way = vec3_sub(vec3_load(g->config.trocar), told.position);
     double far = vec3_norm(way);
-    double aside = vbss_grasper_jaw_frame(g).position.y, reach = fabs(aside);
+    double aside = vbss_grasper_bend_point(g).y, reach = fabs(aside);
     if (!(far > reach * (1.0 + 1e-9)) || !(far > IN_THE_TROCAR)) {
         return false;
     }

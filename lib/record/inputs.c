@@ -7,6 +7,7 @@ const log_input_shape vbss_log_input_shapes[INPUT_KINDS] = {
     [INPUT_MOVE_RIGID] = {2, 7},   [INPUT_PIN] = {4, 3},         [INPUT_UNPIN] = {1, 0},
     [INPUT_ATTACH] = {3, 12},      [INPUT_MOVE] = {3, 6},        [INPUT_DETACH] = {2, 0},
     [INPUT_MOVE_GRASPER] = {2, 7}, [INPUT_SET_OPENING] = {1, 1}, [INPUT_EXCHANGE] = {2, 0},
+    [INPUT_CUT] = {1, 1},
 };
 
 vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
@@ -78,6 +79,8 @@ vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *inpu
         return vbss_thread_move(thread, w[1], n, w[2] != 0 ? n + 3 : NULL);
     case INPUT_DETACH:
         return vbss_thread_detach(thread, w[1]);
+    case INPUT_CUT:
+        return vbss_scene_cut_thread(scene, w[0], n[0], name);
     case INPUT_MOVE_GRASPER:
         return vbss_grasper_move(grasper, n, w[1] != 0 ? n + 3 : NULL);
     case INPUT_SET_OPENING:

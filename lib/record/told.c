@@ -70,6 +70,16 @@ vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
     return tell(r, INPUT_UNPIN, &input, NULL);
 }
 
+vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
+                                   uint32_t *piece)
+{
+    record_object *r;
+    VBSS_TRY(vbss_record_edit(record, &r));
+    VBSS_TRY(vbss_check_pointer(r->context, piece, "piece"));
+    const log_input input = {.words = {thread}, .numbers = {arc_length}};
+    return tell(r, INPUT_CUT, &input, piece);
+}
+
 /* The thread reads the struct, as it may be one of another version. */
 vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
                                const vbss_thread_attachment *attachment, uint32_t *id)

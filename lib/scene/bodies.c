@@ -57,8 +57,9 @@ scene_body *vbss_scene_new_place(scene_object *s, body_kind kind)
     uint32_t capacity = kind == BODY_THREAD ? s->config.thread_capacity : s->config.rigid_capacity;
     uint32_t alive = 0, place = s->place_count;
     for (uint32_t i = s->place_count; i > 0; i--) {
-        alive += s->bodies[i - 1].kind == kind;
-        place = s->bodies[i - 1].kind == BODY_GONE ? i - 1 : place;
+        const scene_body *b = &s->bodies[i - 1];
+        alive += b->kind == kind || (b->reserved && b->kind == BODY_GONE && kind == BODY_THREAD);
+        place = b->kind == BODY_GONE && !b->reserved ? i - 1 : place;
     }
     if (alive == capacity || s->last_number == UINT32_MAX) {
         vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u such bodies",
@@ -96,15 +97,10 @@ static vbss_result check_thread(const scene_object *s, const vbss_slot *slot, ui
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the thread's method is not the scene's");
     }
-    if (t->node_count > s->node_capacity - s->node_count) {
-        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u nodes",
-                         s->node_capacity);
-    }
-    return VBSS_OK;
+    return vbss_scene_check_room(s, t);
 }
 
-/* Nodes of threads stand one behind the other in the order of their places. */
-static void number_nodes(scene_object *s)
+void vbss_scene_number_nodes(scene_object *s)
 {
     s->node_count = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -130,12 +126,14 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     thread_object *t = slot->object;
     VBSS_TRY(vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest, t->config.radius,
                                       &shape));
+    VBSS_TRY(vbss_scene_make_shapes(s, t, &shape));
     *b = (scene_body){0};
     b->thread.slot = slot;
     b->thread.thread = t;
     slot->owner = s;
     vbss_scene_publish(s, b, BODY_THREAD, shape, body);
-    number_nodes(s);
+    vbss_scene_place_spares(s, t, shape + 1);
+    vbss_scene_number_nodes(s);
     return VBSS_OK;
 }
 
@@ -335,7 +333,11 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     vbss_scene_forget_grasps_of(s, body);
     VBSS_TRY(vbss_collision_remove(scene_collision(s), b->shape));
     if (b->kind == BODY_THREAD) {
+        const thread_reserve *family = b->thread.thread->reserve;
         vbss_scene_release_thread(b);
+        b->kind = BODY_GONE;
+        b->reserved = false;
+        vbss_scene_return_spares(s, family);
     } else {
         if (b->rigid.grasper != NULL) {
             vbss_scene_release_grasper(b);
@@ -343,7 +345,7 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
         remove_capsules(s, &b->rigid);
     }
     b->kind = BODY_GONE;
-    number_nodes(s);
+    vbss_scene_number_nodes(s);
     s->pattern = 0;
     s->generation++;
     return VBSS_OK;

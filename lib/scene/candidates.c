@@ -234,6 +234,9 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
+        if (vbss_scene_adjoins(s, a, q->a, b, q->b)) {
+            return true;
+        }
         const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
         return add_row(s, &key, reach_of(ways_of_node(s, a, q->a), 2, ways_of_node(s, b, q->b), 2));
     }

@@ -76,6 +76,11 @@ void vbss_scene_note_touches(scene_object *s)
         o += !come;
         n += !gone;
     }
+    vbss_scene_show_lost(s);
+}
+
+void vbss_scene_show_lost(scene_object *s)
+{
     if (s->lost_events > 0 && s->config.event_capacity > 0) { /* in the place of the last */
         uint32_t *last = s->events[s->config.event_capacity - 1];
         last[0] = VBSS_EVENT_LOST;

@@ -51,7 +51,11 @@ static void add_contacts(scene_object *s)
         if (row->is.state == CONTACT_OPEN) {
             continue;
         }
-        vec3 force = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+        contact_found is = row->is;
+        if (row->bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
+            (void)vbss_contact_next_state(row, vec3_zero(), &is);
+        }
+        vec3 force = vec3_add_scaled(is.rubbing, is.pressure, row->normal);
         const scene_hit hit = {row->key, row->normal, force, row->point, row->gap};
         show_contact(s, &hit);
         for (uint32_t k = 0; k < row->term_count; k++) {

@@ -6,6 +6,8 @@
 
 /* Jaws give: a strand that they would touch within this angle of the one that stops them is held as well, rad. */
 #define GIVE 0.02
+/* As a share of touching: what was let go is still between the jaws. */
+#define STILL_BETWEEN 0.5
 /* How far beside the middle of the round jaws a strand may lie, as a share of their radius. */
 #define BESIDE 0.5
 
@@ -67,11 +69,13 @@ typedef struct strand {
     uint32_t segment;
     double share;  /* of it */
     double beside; /* from the middle of the jaws, m */
-    double angle;  /* at which the jaws touch it from both sides */
+    double from_pivot, diameter;
+    double angle; /* at which the jaws touch it from both sides, with what lies across from it */
 } strand;
 
 typedef struct mouth {
     const grasper_object *grasper;
+    uint32_t tool;
     pose jaws;
     strand strands[SCENE_STRANDS];
     uint32_t count;
@@ -91,8 +95,23 @@ static bool is_between(const mouth *m, vec3 begin, vec3 end, double diameter, st
     double wide = vbss_grasper_mouth(m->grasper->angle, from_pivot);
     found->share = share;
     found->beside = fabs(at.y);
-    found->angle = vbss_grasper_touching_angle(diameter, from_pivot);
+    found->from_pivot = from_pivot;
+    found->diameter = diameter;
     return fabs(at.x) <= 0.5 * wide;
+}
+
+/* What has just been torn out is not held again because it is still there. */
+static bool is_torn(const scene_object *s, const mouth *m, const scene_body *b, uint32_t segment)
+{
+    double touching = vbss_grasper_jaws_now(m->grasper)->radius + b->thread.thread->config.radius;
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        const scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->torn && g->tool == m->tool && g->thread == b->number &&
+            vbss_scene_is_held_at(s, g, segment, touching)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static void look_along(const scene_object *s, const scene_body *b, mouth *m)
@@ -101,12 +120,11 @@ static void look_along(const scene_object *s, const scene_body *b, mouth *m)
     const double length = vbss_grasper_jaws_now(m->grasper)->length;
     strand *last =
         NULL; /* of a run of segments that all lie between: the one nearest to the middle */
-    (void)s;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         vec3 off = vec3_sub(t->now.x[i], m->jaws.position);
         double reach = 1.1 * length + t->rest[i];
         strand found = {.thread = b, .segment = i};
-        bool between = vec3_norm_squared(off) < reach * reach &&
+        bool between = vec3_norm_squared(off) < reach * reach && !is_torn(s, m, b, i) &&
                        is_between(m, pose_apply_inverse(m->jaws, t->now.x[i]),
                                   pose_apply_inverse(m->jaws, t->now.x[i + 1]),
                                   2.0 * t->config.radius, &found);
@@ -123,8 +141,25 @@ static void look_along(const scene_object *s, const scene_body *b, mouth *m)
     }
 }
 
-static void look_between(const scene_object *s, const scene_rigid *r, mouth *m)
+/* Strands side by side between the same places of the jaws are pressed on one another. */
+static void stack(mouth *m)
 {
+    for (uint32_t i = 0; i < m->count; i++) {
+        strand *a = &m->strands[i];
+        double width = a->diameter;
+        for (uint32_t k = 0; k < m->count; k++) {
+            const strand *b = &m->strands[k];
+            double apart = fabs(a->from_pivot - b->from_pivot);
+            width += k != i && apart < 0.5 * (a->diameter + b->diameter) ? b->diameter : 0.0;
+        }
+        a->angle = vbss_grasper_touching_angle(width, a->from_pivot);
+    }
+}
+
+static void look_between(const scene_object *s, const scene_body *tool, mouth *m)
+{
+    const scene_rigid *r = &tool->rigid;
+    m->tool = tool->number;
     m->grasper = r->grasper;
     m->jaws = vbss_scene_jaws_of(r, r->body.now.at);
     m->count = 0;
@@ -133,6 +168,7 @@ static void look_between(const scene_object *s, const scene_rigid *r, mouth *m)
             look_along(s, &s->bodies[i], m);
         }
     }
+    stack(m);
 }
 
 static void take(scene_object *s, const scene_body *tool, const mouth *m, const strand *found)
@@ -184,7 +220,7 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
         return next;
     }
     mouth m;
-    look_between(s, &tool->rigid, &m);
+    look_between(s, tool, &m);
     double stop = 0.0;
     for (uint32_t i = 0; i < m.count; i++) {
         stop = greater(m.strands[i].angle, stop);
@@ -198,8 +234,7 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
             continue;
         }
         if (g->kind == VBSS_GRASPER_SHEARS) {
-            vbss_scene_note_cut(s, tool, m.strands[i].thread, m.strands[i].segment,
-                                m.strands[i].share);
+            vbss_scene_note_cut(s, m.strands[i].thread, m.strands[i].segment, m.strands[i].share);
         } else {
             take(s, tool, &m, &m.strands[i]);
         }
@@ -209,25 +244,12 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
 
 /* ---- letting go */
 
-void vbss_scene_let_go(scene_object *s, const scene_body *tool)
-{
-    double told = vbss_grasper_told_angle(tool->rigid.grasper);
-    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && g->tool == tool->number && !g->let_go && told > g->angle) {
-            tell(s, VBSS_EVENT_RELEASE, g);
-            g->let_go = true;
-            g->force = vec3_zero();
-        }
-    }
-}
-
-/* What was let go lies in the jaws, which do not touch it yet: they do once it has been clear of both. */
-static bool is_clear(const scene_object *s, const scene_grasp *g)
+/* Whether the axes of both jaws are that share of touching away from what was let go. */
+static bool is_clear(const scene_object *s, const scene_grasp *g, double share)
 {
     const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
     const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
-    for (uint32_t k = 1; k < r->capsule_count; k++) {
+    for (uint32_t k = GRASPER_JAW; k < GRASPER_NECK; k++) {
         const scene_capsule *c = &s->capsules[r->first_capsule + k];
         vec3 axis[2];
         double touching = c->radius + t->config.radius;
@@ -238,7 +260,7 @@ static bool is_clear(const scene_object *s, const scene_grasp *g)
                 vec3 apart = closest_edges(vec3_sub(t->now.x[i + 1], t->now.x[i]),
                                            vec3_sub(axis[1], axis[0]),
                                            vec3_sub(axis[0], t->now.x[i]), &at[0], &at[1]);
-                if (vec3_norm(apart) < touching) {
+                if (vec3_norm(apart) < share * touching) {
                     return false;
                 }
             }
@@ -262,6 +284,28 @@ bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t
         arc += rest[k];
     }
     return arc < most;
+}
+
+/* What is let go lies between the jaws, which touch it from now on. What was pulled into one of them, as the
+ * clamp gives way, is not touched before it has been clear of both: it might come out on the wrong side. */
+void vbss_scene_let_go(scene_object *s, const scene_body *tool)
+{
+    double told = vbss_grasper_told_angle(tool->rigid.grasper);
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id == 0 || g->tool != tool->number || !(told > g->angle)) {
+            continue;
+        }
+        g->torn = false;
+        if (!g->let_go) {
+            tell(s, VBSS_EVENT_RELEASE, g);
+            g->let_go = true;
+            g->force = vec3_zero();
+            if (is_clear(s, g, STILL_BETWEEN)) {
+                *g = (scene_grasp){0};
+            }
+        }
+    }
 }
 
 /* ---- after a step */
@@ -327,7 +371,7 @@ static void settle(scene_object *s, scene_grasp *g, double h)
     slide(s, g, change.slid);
     if (change.torn || is_over(s, g)) {
         tell(s, VBSS_EVENT_TORN, g);
-        g->let_go = true;
+        g->let_go = g->torn = true;
         g->force = vec3_zero();
     }
 }
@@ -338,7 +382,7 @@ void vbss_scene_settle_grasps(scene_object *s, double h)
         scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && !g->let_go) {
             settle(s, g, h);
-        } else if (g->id != 0 && is_clear(s, g)) {
+        } else if (g->id != 0 && is_clear(s, g, 1.0)) {
             *g = (scene_grasp){0};
         }
     }

@@ -78,13 +78,13 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
     s->block->thickness[at] = touching_of(s, q) - allowed;
 }
 
-/* The thread and the body that it is pinned to. */
+/* The thread and the body that it is pinned to; the two ends at a cut. */
 static bool may_meet(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     if (a->kind == b->kind) {
-        return false;
+        return a->kind == BODY_THREAD && vbss_scene_adjoins(s, a, q->a, b, q->b);
     }
     return a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, q->b, touching)
                                   : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);

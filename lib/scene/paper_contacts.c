@@ -84,7 +84,8 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
     uint32_t kind = rigid ? VBSS_CONTACT_SEGMENT_CAPSULE : VBSS_CONTACT_SEGMENTS;
     const pair own = {{kind, a->number, i, b->number, k}, feature_of(s, a, i), feature_of(s, b, k)};
     *p = own;
-    return !rigid || !vbss_scene_comes_from(s, a, i, b, k, p->a.radius + p->b.radius);
+    return rigid ? !vbss_scene_comes_from(s, a, i, b, k, p->a.radius + p->b.radius)
+                 : !vbss_scene_adjoins(s, a, i, b, k);
 }
 
 /* ---- what was responded to, in the order of the features */

@@ -190,6 +190,7 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     note_errors(s, h);
     arrive(s, h);
     vbss_scene_commit_capsules(s);
+    vbss_scene_part_pieces(s);
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);
     note_hands(s);

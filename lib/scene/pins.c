@@ -55,7 +55,9 @@ bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin)
 bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint32_t segment,
                            const scene_body *rigid, uint32_t capsule, double touching)
 {
-    for (uint32_t i = 0; capsule != GRASPER_SHAFT && i < s->config.grasp_capacity; i++) {
+    bool is_jaw =
+        rigid->rigid.grasper != NULL && capsule != GRASPER_SHAFT && capsule != GRASPER_NECK;
+    for (uint32_t i = 0; is_jaw && i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->thread == thread->number && g->tool == rigid->number &&
             vbss_scene_is_held_at(s, g, segment, touching)) {

@@ -132,6 +132,8 @@ static void free_object(vbss_context *context, void *object)
             vbss_scene_release_thread(&s->bodies[i]);
         } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
             vbss_scene_release_grasper(&s->bodies[i]);
+        } else if (s->bodies[i].reserved) {
+            vbss_scene_return_spare(&s->bodies[i]);
         }
     }
     if (s->collision != NULL) {

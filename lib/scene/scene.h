@@ -38,7 +38,9 @@ typedef struct scene_thread {
     bool damped;          /* this part is made by backward Euler */
     vbss_integration integration;
     thread_stage stage;
-    double left; /* how far forces left out of balance would move a node, m */
+    double left;     /* how far forces left out of balance would move a node, m */
+    uint32_t before; /* a piece: the body that it was cut from, until they are apart; else 0 */
+    bool split;      /* that cut went through a segment, of which both have a part */
     /* before the step */
     vbss_thread_statistics kept;
     double kept_part;
@@ -74,6 +76,8 @@ typedef struct scene_body {
     body_kind kind;
     uint32_t number; /* in the scene */
     uint32_t shape;  /* name in the collision object */
+    bool
+        reserved; /* for a piece: of kind BODY_GONE, but with shape and thread, until that is cut */
     scene_thread thread;
     scene_rigid rigid;
 } scene_body;
@@ -108,13 +112,14 @@ typedef struct scene_grasp {
     vec3 force;   /* on the thread, after the last step */
     bool sliding; /* it slid in the last step */
     bool let_go;  /* not held any more, but not clear of the jaws yet */
+    bool torn;    /* nor taken again before the handle has been opened */
     uint32_t pin; /* PAPER: of the node `segment`; 0: another tool leads */
 } scene_grasp;
 
 /* What shears close on in this step. */
 typedef struct scene_cut {
-    uint32_t thread, tool, segment;
-    double share;
+    uint32_t thread;
+    double arc_length;
 } scene_cut;
 
 typedef struct scene_touch {
@@ -267,9 +272,37 @@ vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const v
 pose vbss_scene_jaws_of(const scene_rigid *r, pose principal);
 
 /* shears.c */
-void vbss_scene_note_cut(scene_object *s, const scene_body *tool, const scene_body *thread,
-                         uint32_t segment, double share);
+void vbss_scene_note_cut(scene_object *s, const scene_body *thread, uint32_t segment, double share);
 void vbss_scene_make_cuts(scene_object *s);
+/* Nodes of threads stand one behind the other in the order of their places. */
+void vbss_scene_number_nodes(scene_object *s);
+
+/* pieces.c: what cuts need, taken when a thread is added. Whether there is room for it and its pieces; their
+ * shapes, after that of the thread, which goes as well if they cannot be made; their places. */
+vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t);
+vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t *shape);
+void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_shape);
+/* When none of the family is left. */
+void vbss_scene_return_spares(scene_object *s, const thread_reserve *family);
+void vbss_scene_return_spare(scene_body *b);
+/* The first place for a piece of that thread, or NULL; makes it a body, and undoes that. */
+scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *thread);
+void vbss_scene_make_piece(scene_object *s, scene_body *piece);
+void vbss_scene_unmake_piece(scene_object *s, scene_body *piece);
+/* State: whether there is a piece, and what only pieces have; then, when all bodies are read, what follows from
+ * their numbers of nodes. */
+void vbss_scene_visit_piece(vbss_stream *stream, scene_object *s, scene_body *b);
+void vbss_scene_finish_pieces(vbss_stream *stream, scene_object *s);
+
+/* cuts.c. Divides a thread between steps, or at the very end of one. Untold: VBSS_ERROR_OUT_OF_RANGE at an end,
+ * where nothing is cut; VBSS_ERROR_CAPACITY when no cut is left, which is an event. */
+vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_length,
+                               scene_body **piece);
+/* Whether two segments of threads are so near across a cut that they do not touch: the ends at a cut begin in
+ * the same place. Until they have come apart, which is seen at the end of a step. */
+bool vbss_scene_adjoins(const scene_object *s, const scene_body *a, uint32_t segment_a,
+                        const scene_body *b, uint32_t segment_b);
+void vbss_scene_part_pieces(scene_object *s);
 
 /* pins.c: what the public functions do. */
 vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
@@ -340,6 +373,7 @@ void vbss_scene_begin_events(scene_object *s);
 void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,
                           uint32_t number);
 void vbss_scene_note_touches(scene_object *s);
+void vbss_scene_show_lost(scene_object *s);
 /* forces.c: what contacts and pins do to the rigid bodies; views of contacts. */
 void vbss_scene_note_forces(scene_object *s);
 

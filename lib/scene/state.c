@@ -77,7 +77,8 @@ static void visit_thread(vbss_stream *stream, scene_thread *b)
     vbss_section outer = vbss_stream_open(stream, vbss_thread_kind.code, vbss_thread_kind.version);
     vbss_thread_serialise(stream, b->thread);
     vbss_stream_close(stream, outer);
-    if (b->thread->node_count != nodes) { /* the scene's arrays are numbered for these */
+    if (b->thread->config.cut_capacity == 0 &&
+        b->thread->node_count != nodes) { /* the scene's arrays are numbered for these */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another number of nodes");
     }
 }
@@ -87,18 +88,27 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
     vbss_stream_same(stream, 10, s->place_count);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
-        vbss_stream_same(stream, 11, (uint64_t)b->kind);
+        if (b->reserved) {
+            vbss_scene_visit_piece(stream, s, b);
+        } else {
+            vbss_stream_same(stream, 11, (uint64_t)b->kind);
+        }
         if (b->kind == BODY_GONE) {
             continue;
         }
-        vbss_stream_same(stream, 12, b->number);
+        if (!b->reserved) {
+            vbss_stream_same(stream, 12, b->number);
+        }
         if (b->kind == BODY_THREAD) {
-            vbss_stream_same(stream, 13, b->thread.thread->node_count);
+            if (b->thread.thread->config.cut_capacity == 0) {
+                vbss_stream_same(stream, 13, b->thread.thread->node_count);
+            }
             visit_thread(stream, &b->thread);
         } else {
             visit_rigid(stream, s, &b->rigid);
         }
     }
+    vbss_scene_finish_pieces(stream, s);
 }
 
 /* A weld is to a body that moves as forces say, of a node that nothing else holds. */
@@ -155,7 +165,7 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
 
 static void visit_grasp(vbss_stream *stream, scene_grasp *g)
 {
-    uint32_t words[] = {g->thread, g->tool, g->segment, g->sliding, g->let_go, g->pin};
+    uint32_t words[] = {g->thread, g->tool, g->segment, g->sliding, g->let_go, g->pin, g->torn};
     double *numbers[] = {&g->into, &g->angle, &g->spacing, &g->grip.age, &g->slid, &g->limit};
     vbss_stream_u32(stream, 121, words, sizeof words / sizeof words[0]);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
@@ -165,7 +175,7 @@ static void visit_grasp(vbss_stream *stream, scene_grasp *g)
     for (uint32_t k = 0; k < GRIP_POINTS; k++) {
         vbss_stream_f64(stream, 124, &g->grip.at[k].x, 3);
     }
-    if (words[3] > 1 || words[4] > 1) {
+    if (words[3] > 1 || words[4] > 1 || words[6] > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
     g->thread = words[0];
@@ -174,6 +184,7 @@ static void visit_grasp(vbss_stream *stream, scene_grasp *g)
     g->sliding = words[3] != 0;
     g->let_go = words[4] != 0;
     g->pin = words[5];
+    g->torn = words[6] != 0;
 }
 
 static bool is_grasp(const scene_object *s, const scene_grasp *g)

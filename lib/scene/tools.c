@@ -84,29 +84,22 @@ static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
     return VBSS_OK;
 }
 
-/* Mass is spread over the shaft and the jaws as they are now, as if solid; moving jaws do not change it. */
-static vbss_result spread_mass(const scene_object *s, const grasper_object *g,
-                               vbss_rigid_mass *mass)
+/* Radius of gyration about the tip, m: about that of what works there. */
+#define GYRATION 0.03
+
+/* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */
+static vbss_rigid_mass mass_of(const grasper_object *g)
 {
-    grasper_capsule laid[GRASPER_CAPSULES];
-    vbss_rigid_capsule solids[GRASPER_CAPSULES];
-    vbss_grasper_lay_capsules(g, g->angle, laid);
-    for (uint32_t i = 0; i < GRASPER_CAPSULES; i++) {
-        solids[i] = (vbss_rigid_capsule){laid[i].axis[0], laid[i].axis[1], laid[i].radius, 1000.0};
-    }
-    if (!vbss_rigid_mass_of_capsules(solids, GRASPER_CAPSULES, mass)) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the grasper has no mass");
-    }
-    mass->inertia = vec3_scale(mass->inertia, g->config.mass / mass->mass);
-    mass->mass = g->config.mass;
-    return VBSS_OK;
+    double moment = g->config.mass * GYRATION * GYRATION;
+    const vbss_rigid_mass mass = {
+        g->config.mass, {moment, moment, moment}, pose_make(vec3_zero(), quat_identity())};
+    return mass;
 }
 
 vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uint32_t *body)
 {
     scene_object *s;
     vbss_slot *slot;
-    vbss_rigid_mass mass;
     pose target;
     uint32_t shape = 0;
     VBSS_TRY(vbss_scene_edit(scene, &s));
@@ -117,7 +110,7 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the trocar is nearer to the tip than the jaws reach aside");
     }
-    VBSS_TRY(spread_mass(s, g, &mass));
+    const vbss_rigid_mass mass = mass_of(g);
     scene_body *b = vbss_scene_new_place(s, BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
@@ -242,7 +235,7 @@ static void take_told(scene_object *s, scene_body *b, double h)
         r->body.end = pose_mul(target, r->frame);
     }
     double before = g->angle;
-    if (s->config.method == VBSS_METHOD_PAPER) {
+    if (s->config.method == VBSS_METHOD_PAPER && g->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
         g->angle = vbss_grasper_next_angle(g, h, 0.0);
     } else {
         vbss_scene_let_go(s, b);

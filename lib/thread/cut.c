@@ -8,31 +8,27 @@
 #define SNAP 0.01
 #define SHORTEST 1e-7
 
-typedef struct place {
-    uint32_t segment; /* that is divided, or before the node that is doubled */
-    double share;     /* of the segment that stays; 1: its end node is doubled */
-} place;
-
-/* False: at an end. */
-static bool find_place(const thread_object *t, double arc_length, place *p)
+bool vbss_thread_find_cut(const thread_object *t, double arc_length, thread_cut *cut)
 {
-    uint32_t segments = t->node_count - 1;
+    uint32_t segments = t->node_count - 1, i = 0;
     double left = arc_length;
-    for (p->segment = 0; p->segment + 1 < segments && left > t->rest[p->segment]; p->segment++) {
-        left -= t->rest[p->segment];
+    for (; i + 1 < segments && left > t->rest[i]; i++) {
+        left -= t->rest[i];
     }
-    double l = t->rest[p->segment], snap = SNAP * l > SHORTEST ? SNAP : SHORTEST / l;
-    p->share = left / l;
-    if (p->share < snap) {
-        if (p->segment == 0) {
+    double l = t->rest[i], snap = SNAP * l > SHORTEST ? SNAP : SHORTEST / l;
+    double share = left / l;
+    if (!(share >= snap)) {
+        if (i == 0) {
             return false;
         }
-        p->segment--;
-        p->share = 1.0;
-    } else if (p->share > 1.0 - snap) {
-        p->share = 1.0;
+        i--;
+        share = 1.0;
+    } else if (share > 1.0 - snap) {
+        share = 1.0;
     }
-    return !(p->share == 1.0 && p->segment + 1 == segments);
+    bool doubled = share == 1.0;
+    *cut = (thread_cut){i, share, doubled ? i + 2 : i + 1, doubled ? i + 1 : i};
+    return !(doubled && i + 1 == segments);
 }
 
 /* Copies nodes from .. last of a thread to the front of its piece. */
@@ -56,40 +52,87 @@ static void set_node(thread_object *t, uint32_t node, vec3 x, vec3 v)
     t->now.a[node] = t->now.q[node] = vec3_zero();
 }
 
-static void divide(thread_object *t, thread_object *piece, place p)
+static void divide_nodes(thread_object *t, thread_object *piece, const thread_cut *cut)
 {
-    uint32_t end = p.segment + 1;
-    if (p.share == 1.0) {
+    uint32_t end = cut->segment + 1;
+    if (cut->share == 1.0) {
         copy_nodes(piece, 0, t, end);
     } else {
-        vec3 x = vec3_lerp(t->now.x[p.segment], t->now.x[end], p.share);
-        vec3 v = vec3_lerp(t->now.v[p.segment], t->now.v[end], p.share);
+        vec3 x = vec3_lerp(t->now.x[cut->segment], t->now.x[end], cut->share);
+        vec3 v = vec3_lerp(t->now.v[cut->segment], t->now.v[end], cut->share);
         copy_nodes(piece, 1, t, end);
         set_node(piece, 0, x, v);
-        piece->rest[0] = t->rest[p.segment] * (1.0 - p.share);
-        piece->now.tension[0] = t->now.tension[p.segment];
+        piece->rest[0] = t->rest[cut->segment] * (1.0 - cut->share);
+        piece->now.tension[0] = t->now.tension[cut->segment];
         set_node(t, end, x, v);
-        t->rest[p.segment] *= p.share;
+        t->rest[cut->segment] *= cut->share;
     }
     t->node_count = end + 1;
 }
 
-/* Attachments go with their nodes; old_end is the first node that went away, the new first node of
- * the piece is `shift` below its old number. */
-static void divide_attachments(thread_object *t, thread_object *piece, uint32_t old_end,
-                               uint32_t shift)
+/* What holds a node goes with it. */
+static void divide_holders(thread_object *t, thread_object *piece, const thread_cut *cut,
+                           uint32_t nodes_before)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         thread_attachment *a = &t->attachments[i];
         piece->attachments[i] = (thread_attachment){0};
-        if (a->id != 0 && a->node >= old_end) {
+        if (a->id != 0 && a->node >= cut->first_node) {
             piece->attachments[i] = *a;
-            piece->attachments[i].node -= shift;
+            piece->attachments[i].node -= cut->shift;
             *a = (thread_attachment){0};
         }
     }
     piece->last_id = t->last_id;
+    memset(piece->welded, 0, piece->node_count * sizeof *piece->welded);
+    for (uint32_t i = cut->first_node; i < nodes_before; i++) {
+        piece->welded[i - cut->shift] = t->welded[i];
+    }
+    memset(t->welded + cut->first_node, 0,
+           (t->node_capacity - cut->first_node) * sizeof *t->welded);
 }
+
+void vbss_thread_divide(thread_object *t, thread_object *piece, const thread_cut *cut)
+{
+    uint32_t nodes_before = t->node_count;
+    divide_nodes(t, piece, cut);
+    divide_holders(t, piece, cut, nodes_before);
+    piece->statistics = (vbss_thread_statistics){0};
+    piece->statistics.time = t->statistics.time;
+    piece->placed = t->placed;
+    piece->settling = t->settling;
+    piece->last_part = 0.0;
+    vbss_thread_changed(t);
+    vbss_thread_changed(piece);
+}
+
+/* ---- spares */
+
+thread_object *vbss_thread_take_spare(thread_object *t, vbss_slot **slot)
+{
+    thread_reserve *r = t->reserve;
+    if (r->left == 0) {
+        return NULL;
+    }
+    r->left--;
+    thread_object *spare = r->spares[r->left];
+    *slot = r->slots[r->left];
+    spare->reserve = r;
+    r->users++;
+    return spare;
+}
+
+void vbss_thread_give_spare_back(thread_object *spare, vbss_slot *slot)
+{
+    thread_reserve *r = spare->reserve;
+    spare->reserve = NULL;
+    r->spares[r->left] = spare;
+    r->slots[r->left] = slot;
+    r->left++;
+    vbss_thread_leave_reserve(spare->context, r);
+}
+
+/* ---- a thread alone */
 
 vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
 {
@@ -105,29 +148,18 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
         length += t->rest[i];
     }
     VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
-    place p;
-    if (!find_place(t, arc_length, &p)) {
+    thread_cut cut;
+    if (!vbss_thread_find_cut(t, arc_length, &cut)) {
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a cut at %g m is at an end",
                          arc_length);
     }
-    thread_reserve *r = t->reserve;
-    if (r->left == 0) {
-        return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "all %u cuts are made", r->capacity);
+    vbss_slot *slot;
+    thread_object *new_piece = vbss_thread_take_spare(t, &slot);
+    if (new_piece == NULL) {
+        return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "all %u cuts are made",
+                         t->reserve->capacity);
     }
-    thread_object *new_piece = r->spares[--r->left];
-    vbss_slot *slot = r->slots[r->left];
-    new_piece->reserve = r;
-    r->users++;
-    bool doubled = p.share == 1.0;
-    uint32_t end = p.segment + 1;
-    divide(t, new_piece, p);
-    divide_attachments(t, new_piece, doubled ? end + 1 : end, doubled ? end : end - 1);
-    new_piece->statistics = (vbss_thread_statistics){0};
-    new_piece->statistics.time = t->statistics.time;
-    new_piece->placed = t->placed;
-    new_piece->settling = t->settling;
-    vbss_thread_changed(t);
-    vbss_thread_changed(new_piece);
+    vbss_thread_divide(t, new_piece, &cut);
     vbss_slot_fill(slot, new_piece);
     *piece = (vbss_thread *)slot;
     return VBSS_OK;

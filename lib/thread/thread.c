@@ -216,7 +216,7 @@ static void free_memory(vbss_context *context, thread_object *t)
     vbss_release(context, t, 1, sizeof *t);
 }
 
-static void free_reserve(vbss_context *context, thread_reserve *r)
+void vbss_thread_leave_reserve(vbss_context *context, thread_reserve *r)
 {
     if (r == NULL || --r->users > 0) {
         return;
@@ -234,7 +234,7 @@ static void free_reserve(vbss_context *context, thread_reserve *r)
 void vbss_thread_free(vbss_context *context, void *object)
 {
     thread_object *t = object;
-    free_reserve(context, t->reserve);
+    vbss_thread_leave_reserve(context, t->reserve);
     free_memory(context, t);
 }
 

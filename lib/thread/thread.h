@@ -90,7 +90,8 @@ typedef struct thread_paper_row {
         ratio; /* of the tridiagonal system: right-hand side, then solution; elimination */
 } thread_paper_row;
 
-/* Spare threads for the pieces of a family of cuts; the last of the family gives it back. */
+/* Spare threads for the pieces of a family of cuts; the last user gives it back: the threads of the family, and
+ * the spares that a scene has taken. */
 typedef struct thread_reserve {
     uint32_t users, left, capacity;
     struct thread_object **spares;
@@ -153,11 +154,29 @@ extern const vbss_kind vbss_thread_kind;
 vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,
                                  uint32_t node_capacity, thread_object **thread);
 void vbss_thread_free(vbss_context *context, void *object);
+/* One user less. */
+void vbss_thread_leave_reserve(vbss_context *context, thread_reserve *reserve);
 /* The living thread of a handle, to look at or to change. */
 vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread);
 vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread);
 /* The same for what is a scene's business while the thread belongs to one. */
 vbss_result vbss_thread_edit_alone(vbss_thread *handle, thread_object **thread);
+/* cut.c: where a cut would be, which changes nothing. */
+typedef struct thread_cut {
+    uint32_t segment;    /* that is divided, or before the node that is doubled */
+    double share;        /* of the segment that stays; 1: its end node is doubled */
+    uint32_t first_node; /* the first that goes to the piece */
+    uint32_t shift;      /* by which its number is less there */
+} thread_cut;
+/* False: at an end, where nothing is cut. */
+bool vbss_thread_find_cut(const thread_object *t, double arc_length, thread_cut *cut);
+/* Nodes and attachments beyond the cut go to a spare thread of the same reserve. */
+void vbss_thread_divide(thread_object *t, thread_object *piece, const thread_cut *cut);
+/* Takes a spare from the reserve of a thread, with the slot of its handle; NULL: none is left. Whoever takes one
+ * keeps it as a piece, or gives it back; the reserve lives as long as anybody has one. */
+thread_object *vbss_thread_take_spare(thread_object *t, vbss_slot **slot);
+void vbss_thread_give_spare_back(thread_object *spare, vbss_slot *slot);
+
 /* The end of a step of h seconds, alone or in a scene. */
 void vbss_thread_finish_step(thread_object *t, double h);
 /* After every change that is not a step: views are old, accelerations unknown. */

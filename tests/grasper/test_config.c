@@ -16,7 +16,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void configs_of_all_sizes_are_told(void **state)
 {
     (void)state;
-    const uint32_t sizes[] = {264, 0};
+    const uint32_t sizes[] = {288, 0};
     const harness_config config = {sizes, init, create_and_destroy};
     harness_config_protocol(&config);
 }
@@ -77,37 +77,23 @@ typedef struct number {
     }
 
 static const number numbers[] = {
-    NUMBER(trocar[0], -1e3, 1e3),
-    NUMBER(trocar[1], -1e3, 1e3),
-    NUMBER(trocar[2], -1e3, 1e3),
-    NUMBER(driver_length, 1e-4, 1.0),
-    NUMBER(driver_radius, 1e-6, 0.1),
-    NUMBER(driver_bend, -1.5, 1.5),
-    NUMBER(driver_opening, 1e-3, 1.2),
-    NUMBER(shears_length, 1e-4, 1.0),
-    NUMBER(shears_radius, 1e-6, 0.1),
-    NUMBER(shears_bend, -1.5, 1.5),
-    NUMBER(shears_opening, 1e-3, 1.2),
-    NUMBER(shaft_length, 1e-3, 10.0),
-    NUMBER(shaft_radius, 1e-6, 0.1),
-    NUMBER(friction, 0.0, 10.0),
-    NUMBER(closing_force, 0.0, 1e4),
-    NUMBER(closing_angle, 1e-3, 1.0),
-    NUMBER(jaw_speed, 1e-2, 1e3),
-    NUMBER(grip_friction, 0.0, 10.0),
-    NUMBER(grip_length, 1e-5, 1e-1),
-    NUMBER(grip_stiffness, 1.0, 1e6),
-    NUMBER(mass, 1e-4, 1e2),
-    NUMBER(stiffness, 0.0, 1e9),
-    NUMBER(damping, 0.0, 1e6),
-    NUMBER(turning_stiffness, 0.0, 1e9),
-    NUMBER(turning_damping, 0.0, 1e6),
-    NUMBER(exchange_centre[0], -1e3, 1e3),
-    NUMBER(exchange_centre[1], -1e3, 1e3),
-    NUMBER(exchange_centre[2], -1e3, 1e3),
-    NUMBER(exchange_distance, 0.0, 1e3),
-    NUMBER(paper_stiffness, 0.0, 1e6),
-    NUMBER(paper_distance, 0.0, 0.1),
+    NUMBER(trocar[0], -1e3, 1e3),          NUMBER(trocar[1], -1e3, 1e3),
+    NUMBER(trocar[2], -1e3, 1e3),          NUMBER(driver_length, 1e-4, 1.0),
+    NUMBER(driver_radius, 1e-6, 0.1),      NUMBER(driver_bend, -1.5, 1.5),
+    NUMBER(driver_opening, 1e-3, 1.2),     NUMBER(shears_length, 1e-4, 1.0),
+    NUMBER(shears_radius, 1e-6, 0.1),      NUMBER(shears_bend, -1.5, 1.5),
+    NUMBER(shears_opening, 1e-3, 1.2),     NUMBER(driver_neck, 0.0, 1.0),
+    NUMBER(shears_neck, 0.0, 1.0),         NUMBER(neck_radius, 1e-6, 0.1),
+    NUMBER(shaft_length, 1e-3, 10.0),      NUMBER(shaft_radius, 1e-6, 0.1),
+    NUMBER(friction, 0.0, 10.0),           NUMBER(closing_force, 0.0, 1e4),
+    NUMBER(closing_angle, 1e-3, 1.0),      NUMBER(jaw_speed, 1e-2, 1e3),
+    NUMBER(grip_friction, 0.0, 10.0),      NUMBER(grip_length, 1e-5, 1e-1),
+    NUMBER(grip_stiffness, 1.0, 1e6),      NUMBER(mass, 1e-4, 1e2),
+    NUMBER(stiffness, 0.0, 1e9),           NUMBER(damping, 0.0, 1e6),
+    NUMBER(turning_stiffness, 0.0, 1e9),   NUMBER(turning_damping, 0.0, 1e6),
+    NUMBER(exchange_centre[0], -1e3, 1e3), NUMBER(exchange_centre[1], -1e3, 1e3),
+    NUMBER(exchange_centre[2], -1e3, 1e3), NUMBER(exchange_distance, 0.0, 1e3),
+    NUMBER(paper_stiffness, 0.0, 1e6),     NUMBER(paper_distance, 0.0, 0.1),
 };
 
 static void with_number(fixture *f, const number *n, double value, vbss_result wanted)
@@ -197,11 +183,37 @@ static void memory_that_fails_is_told(void **state)
     harness_fail_every_allocation(attempt, NULL);
 }
 
+static void presets_set_the_jaws_and_nothing_else(void **state)
+{
+    (void)state;
+    vbss_grasper_config c, usual;
+    expect_ok(vbss_grasper_config_init(&c, sizeof c));
+    expect_ok(vbss_grasper_config_init(&usual, sizeof usual));
+    c.stiffness = 400.0;
+    c.shears_bend = 0.3;
+    expect_ok(vbss_grasper_config_preset(&c, VBSS_GRASPER_PRESET_ANGLED));
+    expect_same_bits(0.8, c.driver_bend);
+    expect_same_bits(5e-3, c.driver_neck);
+    expect_same_bits(400.0, c.stiffness);
+    expect_same_bits(0.3, c.shears_bend);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_config_preset(&c, 2));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_config_preset(&c, -1));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_grasper_config_preset(NULL, 0));
+    expect_same_bits(0.8, c.driver_bend);
+    c.stiffness = usual.stiffness;
+    c.shears_bend = usual.shears_bend;
+    expect_ok(vbss_grasper_config_preset(&c, VBSS_GRASPER_PRESET_STRAIGHT));
+    assert_memory_equal(&c, &usual, sizeof c);
+}
+
 int test_config(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(configs_of_all_sizes_are_told), harness_test(no_configuration_is_the_default),
-        harness_test(bad_numbers_are_told),          harness_test(bad_choices_are_told),
+        harness_test(configs_of_all_sizes_are_told),
+        harness_test(no_configuration_is_the_default),
+        harness_test(bad_numbers_are_told),
+        harness_test(bad_choices_are_told),
+        harness_test(presets_set_the_jaws_and_nothing_else),
         harness_test(memory_that_fails_is_told),
     };
     return cmocka_run_group_tests_name("grasper.config", tests, NULL, NULL);

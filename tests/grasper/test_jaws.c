@@ -4,8 +4,8 @@
 static grasper_object tool(double length, double radius, double bend)
 {
     grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER, .opening = 1.0, .angle = 0.35};
-    g.driver = (vbss_grasper_jaws){length, radius, bend, 0.35};
-    g.shears = (vbss_grasper_jaws){2.0 * length, 3.0 * radius, -bend, 0.5};
+    g.driver = (vbss_grasper_jaws){length, radius, bend, 0.35, 0.0};
+    g.shears = (vbss_grasper_jaws){2.0 * length, 3.0 * radius, -bend, 0.5, 0.0};
     g.config.shaft_length = 0.15;
     g.config.shaft_radius = 2.5e-3;
     g.config.closing_force = 8.0;
@@ -33,6 +33,24 @@ static void the_tip_is_midway_between_the_ends_of_closed_jaws(void **state)
         expect_near_vec3(vec3_add(pivot, vec3_make(0.0, 0.0, 0.15)), c[0].axis[1], 1e-16);
         expect_same_bits(2.5e-3, c[0].radius);
     }
+}
+
+/* The neck goes on in the line of the jaws, and the shaft begins where it ends. */
+static void the_bend_lies_behind_the_neck(void **state)
+{
+    (void)state;
+    grasper_capsule c[GRASPER_CAPSULES];
+    grasper_object g = tool(13e-3, 0.7e-3, 0.8);
+    g.driver.neck = 5e-3;
+    g.config.neck_radius = 1.2e-3;
+    vbss_grasper_lay_capsules(&g, 0.0, c);
+    vec3 bend = vec3_make(0.0, 18e-3 * sin(0.8), 18e-3 * cos(0.8));
+    expect_near_vec3(bend, vbss_grasper_bend_point(&g), 1e-17);
+    expect_near_vec3(bend, c[GRASPER_NECK].axis[1], 1e-17);
+    expect_near_vec3(vec3_make(0.0, 14.2e-3 * sin(0.8), 14.2e-3 * cos(0.8)),
+                     c[GRASPER_NECK].axis[0], 1e-17); /* its cap ends at the pivot */
+    expect_same_bits(1.2e-3, c[GRASPER_NECK].radius);
+    expect_near_vec3(vec3_add(bend, vec3_make(0.0, 0.0, 2.5e-3)), c[GRASPER_SHAFT].axis[0], 1e-17);
 }
 
 static void a_shaft_thicker_than_long_is_a_ball(void **state)
@@ -79,7 +97,7 @@ static void a_mouth_is_the_distance_of_the_facing_surfaces(harness_source *sourc
     expect_near(apart, vbss_grasper_mouth(angle, share * length), 1e-15);
     /* both open by the same angle, about the pivot, in the plane of x and the way they point */
     vec3 down = quat_rotate(vbss_grasper_jaw_frame(&g).orientation, vec3_make(0.0, 0.0, -1.0));
-    for (int i = 1; i < GRASPER_CAPSULES; i++) {
+    for (int i = GRASPER_JAW; i < GRASPER_NECK; i++) {
         vec3 way = vec3_scale(vec3_sub(c[i].axis[1], c[i].axis[0]), 1.0 / length);
         expect_near(cos(angle), vec3_dot(way, down), 1e-12);
         expect_near(i == 1 ? sin(angle) : -sin(angle), way.x, 1e-12);
@@ -201,6 +219,7 @@ int test_jaws(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(the_tip_is_midway_between_the_ends_of_closed_jaws),
+        harness_test(the_bend_lies_behind_the_neck),
         harness_test(a_shaft_thicker_than_long_is_a_ball),
         harness_test(closed_jaws_touch_along_their_length),
         harness_test(mouths_are_distances),

@@ -91,7 +91,7 @@ static void in_a_scene_it_is_told_but_does_not_move(void **state)
     s = look(grasper);
     assert_int_equal(s.body + s.grasp_count, 0);
     expect_same_bits(0.5, s.position[0]);
-    expect_same_bits(0.5, g->shown[1][0] - f.config.driver_radius);
+    expect_near(0.5, g->shown[1][0] - f.config.driver_radius, 1e-15);
     expect_same_bits(0.0, s.pressure + s.velocity[1] + s.hand_force[2]);
     expect_ok(vbss_grasper_destroy(grasper));
     end(&f);
@@ -121,7 +121,10 @@ static void the_view_shows_its_capsules(void **state)
     for (int i = 0; i < GRASPER_CAPSULES; i++, shown += 7) {
         expect_near_vec3(pose_apply(g->told, laid[i].axis[0]), vec3_load(shown), 1e-15);
         expect_near_vec3(pose_apply(g->told, laid[i].axis[1]), vec3_load(shown + 3), 1e-15);
-        expect_same_bits(i == 0 ? f.config.shaft_radius : f.config.driver_radius, shown[6]);
+        expect_same_bits(i == GRASPER_SHAFT  ? f.config.shaft_radius
+                         : i == GRASPER_NECK ? f.config.neck_radius
+                                             : f.config.driver_radius,
+                         shown[6]);
     }
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_get_view(grasper, 1, &view, sizeof view));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_grasper_get_view(grasper, -1, &view, sizeof view));

@@ -1,11 +1,11 @@
 /* The shaft goes through its trocar, turned the shortest way from what was told. */
 #include "fixture.h"
 
-/* Of the trocar from the axis of the shaft, and how far it is up the shaft from the pivot. */
+/* Of the trocar from the axis of the shaft, and how far it is up the shaft from the bend. */
 static double off_the_shaft(const grasper_object *g, pose at, double *up)
 {
-    pose jaws = vbss_grasper_jaw_frame(g);
-    vec3 trocar = vec3_sub(pose_apply_inverse(at, vec3_load(g->config.trocar)), jaws.position);
+    vec3 bend = vbss_grasper_bend_point(g);
+    vec3 trocar = vec3_sub(pose_apply_inverse(at, vec3_load(g->config.trocar)), bend);
     *up = trocar.z;
     return sqrt(trocar.x * trocar.x + trocar.y * trocar.y);
 }
@@ -21,6 +21,7 @@ static void random_trocar(harness_source *source, vbss_grasper_config *c)
     vec3_store(c->trocar, harness_draw_vec3(source, -0.3, 0.3));
     c->driver_bend = harness_draw_real(source, -1.5, 1.5);
     c->driver_length = harness_draw_real(source, 5e-3, 50e-3);
+    c->driver_neck = harness_draw_real(source, 0.0, 20e-3);
 }
 
 /* Of all ways to the same axis the shortest turn has none of it about that axis. */
@@ -31,10 +32,12 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     random_trocar(source, &g.config);
     g.driver.length = g.config.driver_length;
     g.driver.bend = g.config.driver_bend;
+    g.driver.neck = g.config.driver_neck;
+    double to_bend = g.driver.length + g.driver.neck;
     pose told = pose_make(harness_draw_vec3(source, -0.3, 0.3), quat_identity()), target;
     told.orientation = harness_draw_unit_quat(source);
     vec3 way = vec3_sub(vec3_load(g.config.trocar), told.position);
-    double reach = fabs(g.driver.length * sin(g.driver.bend));
+    double reach = fabs(to_bend * sin(g.driver.bend));
     if (vec3_norm(way) <= 1.01 * reach) {
         return;
     }
@@ -45,8 +48,8 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     *worst = greater(*worst, off);
     expect_near(0.0, off, 1e-12);
     expect_near(vec3_norm(way) * vec3_norm(way),
-                reach * reach + (up + g.driver.length * cos(g.driver.bend)) *
-                                    (up + g.driver.length * cos(g.driver.bend)),
+                reach * reach +
+                    (up + to_bend * cos(g.driver.bend)) * (up + to_bend * cos(g.driver.bend)),
                 1e-12);
     /* the shaft lies toward the trocar, however the tool was told to lie */
     assert_true(up + g.driver.length * cos(g.driver.bend) > 0.0);

@@ -1,0 +1,371 @@
+/* Cutting a thread in a scene: its part beyond the cut becomes a body of its own, with all that held it, and
+ * what contact remembers goes with the features that it is about. */
+#include "scene/scene.h"
+
+#include "collision/closest.h"
+
+#include <string.h>
+
+/* A cut is no smooth motion: so many steps are damped. */
+enum { SETTLING_STEPS = 3 };
+
+/* ---- the ends at a cut */
+
+/* The arc from the end of one segment to the begin of the other across cuts; -1: they are not connected so,
+ * or by more than `most`. Both parts of a divided segment count as if each were all of it. */
+static double arc_across(const scene_object *s, const scene_body *a, uint32_t segment_a,
+                         const scene_body *b, uint32_t segment_b, double most)
+{
+    const scene_body *piece = b, *before = vbss_scene_body(s, b->thread.before);
+    double arc = 0.0;
+    bool divided = b->thread.split;
+    for (uint32_t k = divided && before == a && segment_a + 2 == a->thread.thread->node_count ? 1
+                                                                                              : 0;
+         k < segment_b && arc < most; k++) {
+        arc += b->thread.thread->rest[k];
+    }
+    for (uint32_t hops = 0; before != NULL && before != a && arc < most && hops < SCENE_THREADS;
+         hops++) {
+        const thread_object *t = before->thread.thread;
+        for (uint32_t k = 0; k + 1 < t->node_count && arc < most; k++) {
+            arc += t->rest[k];
+        }
+        piece = before;
+        before = vbss_scene_body(s, piece->thread.before);
+    }
+    if (before != a) {
+        return -1.0;
+    }
+    uint32_t end = a->thread.thread->node_count - 1;
+    end -= divided && piece == b && segment_b == 0;
+    for (uint32_t k = segment_a + 1; k < end && arc < most; k++) {
+        arc += a->thread.thread->rest[k];
+    }
+    return arc < most ? arc : -1.0;
+}
+
+/* A hair less: who asks for an exact multiple of the distance gets it, as within a chain. */
+#define HAIR 1e-12
+
+static double excluded_arc(const scene_object *s, const scene_body *a, const scene_body *b)
+{
+    const collision_object *c = s->collision;
+    return (1.0 - HAIR) * c->config.exclusion *
+           vbss_collision_distance(c, c->shapes[a->shape], c->shapes[b->shape]);
+}
+
+bool vbss_scene_adjoins(const scene_object *s, const scene_body *a, uint32_t segment_a,
+                        const scene_body *b, uint32_t segment_b)
+{
+    if (a == b || (a->thread.before == 0 && b->thread.before == 0)) {
+        return false;
+    }
+    double most = excluded_arc(s, a, b);
+    return arc_across(s, a, segment_a, b, segment_b, most) >= 0.0 ||
+           arc_across(s, b, segment_b, a, segment_a, most) >= 0.0;
+}
+
+static double distance(const thread_object *t, uint32_t i, const thread_object *u, uint32_t k)
+{
+    const vec3 *x = t->now.x + i, *y = u->now.x + k;
+    double at[2];
+    return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
+                                   &at[0], &at[1]));
+}
+
+/* Whether some of the one that adjoins the other is nearer than touching. */
+static bool overlap(const scene_object *s, const scene_body *a, const scene_body *b)
+{
+    const thread_object *t = a->thread.thread, *u = b->thread.thread;
+    double touching = t->config.radius + u->config.radius;
+    for (uint32_t k = 0; k + 1 < u->node_count; k++) {
+        uint32_t i = t->node_count - 1, first = i;
+        while (i > 0 && vbss_scene_adjoins(s, a, i - 1, b, k)) {
+            i--;
+            if (distance(t, i, u, k) < touching) {
+                return true;
+            }
+        }
+        if (i == first) {
+            return false; /* all that follow are further still */
+        }
+    }
+    return false;
+}
+
+void vbss_scene_part_pieces(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind != BODY_THREAD || b->thread.before == 0) {
+            continue;
+        }
+        const scene_body *before = vbss_scene_body(s, b->thread.before);
+        bool apart = true;
+        for (uint32_t hops = 0; apart && before != NULL && hops < SCENE_THREADS; hops++) {
+            apart = !overlap(s, before, b);
+            before = vbss_scene_body(s, before->thread.before);
+        }
+        b->thread.before = apart ? 0 : b->thread.before;
+    }
+}
+
+/* ---- what contact remembers */
+
+typedef struct renaming {
+    const scene_body *old, *piece;
+    thread_cut cut;
+} renaming;
+
+/* Where the axis of a feature is; false: it is none of two ends. */
+static bool axis_of(const scene_object *s, uint32_t number, uint32_t feature, vec3 axis[2])
+{
+    const scene_body *b = vbss_scene_body(s, number);
+    if (b == NULL) {
+        return false;
+    }
+    if (b->kind == BODY_THREAD) {
+        memcpy(axis, b->thread.thread->now.x + feature, 2 * sizeof *axis);
+    } else {
+        const scene_capsule *c = &s->capsules[b->rigid.first_capsule + feature];
+        vbss_scene_place_capsule(c, b->rigid.body.now.at, axis);
+    }
+    return true;
+}
+
+static bool is_cut_segment(const renaming *r, uint32_t number, uint32_t feature)
+{
+    return number == r->old->number && feature == r->cut.segment && r->cut.share < 1.0;
+}
+
+/* Which sides, by bits, lie on the cut segment beyond the cut. */
+static uint8_t sides_beyond(const scene_object *s, const renaming *r, const contact_key *key)
+{
+    bool segments = key->kind == VBSS_CONTACT_SEGMENTS;
+    bool a = (segments || key->kind == VBSS_CONTACT_SEGMENT_CAPSULE) &&
+             is_cut_segment(r, key->body_a, key->a);
+    bool b = segments && is_cut_segment(r, key->body_b, key->b);
+    vec3 x[2], y[2];
+    double at[2];
+    if (!(a || b) || !axis_of(s, key->body_a, key->a, x) || !axis_of(s, key->body_b, key->b, y)) {
+        return 0;
+    }
+    (void)closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]), &at[0],
+                        &at[1]);
+    return (uint8_t)((a && at[0] > r->cut.share) | (b && at[1] > r->cut.share) << 1);
+}
+
+static void rename_side(const renaming *r, bool node, bool beyond, uint32_t *number,
+                        uint32_t *feature)
+{
+    if (*number != r->old->number) {
+        return;
+    }
+    beyond = beyond || *feature >= r->cut.first_node || (!node && *feature > r->cut.segment);
+    if (beyond) {
+        *number = r->piece->number;
+        *feature -= r->cut.shift;
+    }
+}
+
+/* Shapes found first are side a. */
+static void turn_round(const scene_object *s, contact_memory *m)
+{
+    contact_key *k = &m->key;
+    if (k->kind == VBSS_CONTACT_SEGMENTS &&
+        vbss_scene_body(s, k->body_a)->shape > vbss_scene_body(s, k->body_b)->shape) {
+        *k = (contact_key){k->kind, k->body_b, k->b, k->body_a, k->a};
+        m->rubbing = vec3_neg(m->rubbing);
+    }
+}
+
+/* Ascending keys: Shell's gaps, as a whole run may have moved. */
+static void sort_memory(contact_set *set)
+{
+    uint32_t n = set->memory_count, gap = 1;
+    while (gap < n / 3) {
+        gap = 3 * gap + 1;
+    }
+    for (; gap > 0; gap /= 3) {
+        for (uint32_t i = gap; i < n; i++) {
+            const contact_memory m = set->memory[i];
+            uint32_t to = i;
+            while (to >= gap && vbss_contact_compare(&set->memory[to - gap].key, &m.key) > 0) {
+                set->memory[to] = set->memory[to - gap];
+                to -= gap;
+            }
+            set->memory[to] = m;
+        }
+    }
+}
+
+static void note_sides(scene_object *s, const renaming *r)
+{
+    contact_set *set = s->contacts;
+    for (uint32_t i = 0; set != NULL && i < set->memory_count; i++) {
+        set->recalled[i] = sides_beyond(s, r, &set->memory[i].key);
+    }
+}
+
+static void rename_memory(scene_object *s, const renaming *r)
+{
+    contact_set *set = s->contacts;
+    for (uint32_t i = 0; set != NULL && i < set->memory_count; i++) {
+        contact_memory *m = &set->memory[i];
+        contact_key *k = &m->key;
+        if (k->kind > VBSS_CONTACT_NODE_FLOOR) {
+            continue;
+        }
+        bool node = k->kind == VBSS_CONTACT_NODE_CAPSULE || k->kind == VBSS_CONTACT_NODE_FLOOR;
+        rename_side(r, node, (set->recalled[i] & 1u) != 0, &k->body_a, &k->a);
+        if (k->kind == VBSS_CONTACT_SEGMENTS) {
+            rename_side(r, false, (set->recalled[i] & 2u) != 0, &k->body_b, &k->b);
+        }
+        turn_round(s, m);
+    }
+    if (set != NULL) {
+        sort_memory(set);
+    }
+}
+
+/* ---- what holds it */
+
+/* Where the middle of what is held lies, both jaws keep all of it. */
+static void move_grasp(scene_grasp *g, const scene_body *old, const scene_body *piece,
+                       const thread_cut *cut)
+{
+    bool paper = g->spacing == 0.0;                         /* of a node */
+    double before = old->thread.thread->rest[cut->segment]; /* what is left of the segment */
+    bool on_cut = !paper && g->segment == cut->segment && cut->share < 1.0;
+    bool beyond = paper ? g->segment >= cut->first_node
+                        : g->segment > cut->segment || (on_cut && g->into > before);
+    if (g->id != 0 && g->thread == old->number && beyond) {
+        g->thread = piece->number;
+        g->segment -= cut->shift;
+        g->into -= on_cut ? before : 0.0;
+    }
+}
+
+static void move_to_piece(scene_object *s, const scene_body *old, const scene_body *piece,
+                          const thread_cut *cut)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        move_grasp(&s->grasps[i], old, piece, cut);
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->thread == old->number && p->node >= cut->first_node) {
+            p->thread = piece->number;
+            p->node -= cut->shift;
+        }
+    }
+}
+
+/* ---- the cut */
+
+static void settle(scene_body *b)
+{
+    thread_object *t = b->thread.thread;
+    t->settling = t->settling > SETTLING_STEPS ? t->settling : SETTLING_STEPS;
+    b->thread.calm = 0;
+    b->thread.near = b->thread.welded = false;
+}
+
+static void divide(scene_object *s, scene_body *old, scene_body *piece, const thread_cut *cut)
+{
+    thread_object *t = old->thread.thread, *u = piece->thread.thread;
+    vbss_thread_divide(t, u, cut);
+    vbss_scene_make_piece(s, piece);
+    piece->number = ++s->last_number;
+    for (uint32_t i = 0; i < s->place_count; i++) { /* what adjoined its end adjoins the piece's */
+        scene_body *b = &s->bodies[i];
+        b->thread.before = b->thread.before == old->number ? piece->number : b->thread.before;
+    }
+    piece->thread.before = old->number;
+    piece->thread.split = cut->share < 1.0;
+    vbss_collision_change_chain(s->collision, old->shape, t->node_count, t->rest);
+    vbss_collision_change_chain(s->collision, piece->shape, u->node_count, u->rest);
+    vbss_scene_number_nodes(s);
+}
+
+static void tell(scene_object *s, const scene_body *old, const scene_body *piece, double arc_length)
+{
+    uint32_t um = (uint32_t)(lesser(1e6 * arc_length, 4e9) + 0.5);
+    vbss_scene_add_event(s, VBSS_EVENT_CUT, old->number, piece != NULL ? piece->number : 0, um);
+    vbss_scene_show_lost(s);
+}
+
+vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_length,
+                               scene_body **piece)
+{
+    renaming r = {.old = thread};
+    *piece = NULL;
+    if (!(arc_length >= 0.0) || !vbss_thread_find_cut(thread->thread.thread, arc_length, &r.cut)) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    scene_body *b = vbss_scene_find_spare(s, thread);
+    if (b == NULL || s->last_number == UINT32_MAX) {
+        tell(s, thread, NULL, arc_length);
+        return VBSS_ERROR_CAPACITY;
+    }
+    r.piece = b;
+    note_sides(s, &r);
+    divide(s, thread, b, &r.cut);
+    move_to_piece(s, thread, b, &r.cut);
+    rename_memory(s, &r);
+    settle(thread);
+    settle(b);
+    tell(s, thread, b, arc_length);
+    s->pattern = 0;
+    s->generation++;
+    *piece = b;
+    return VBSS_OK;
+}
+
+/* ---- for hosts */
+
+static double length_of(const thread_object *t)
+{
+    double length = 0.0;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        length += t->rest[i];
+    }
+    return length;
+}
+
+vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc_length,
+                                  uint32_t *piece)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, piece, "piece"));
+    scene_body *b = vbss_scene_find_body(s, thread, BODY_THREAD), *new_piece;
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    VBSS_TRY(
+        vbss_check_range(s->context, arc_length, 0.0, length_of(b->thread.thread), "arc_length"));
+    vbss_result result = vbss_scene_cut_now(s, b, arc_length, &new_piece);
+    if (result == VBSS_ERROR_CAPACITY) {
+        return vbss_fail(s->context, result, "all cuts of body %u are made", thread);
+    }
+    if (result != VBSS_OK) {
+        return vbss_fail(s->context, result, "a cut at %g m is at an end", arc_length);
+    }
+    *piece = new_piece->number;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, thread, "thread"));
+    *thread = NULL;
+    const scene_body *b = vbss_scene_find_body(s, body, BODY_THREAD);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *thread = (vbss_thread *)b->thread.slot;
+    return VBSS_OK;
+}
