@@ -32,7 +32,13 @@ def bars(cases):
         yield "double overhand held at 2 N, median us", held["median_us"], "<= 100", lambda v: v <= 100.0
     if pulled:
         yield "double overhand pulled, median us, guard included", pulled["median_us"], "<= 300", lambda v: v <= 300.0
-    ours = [row for (s, m, _), row in cases.items() if m == "ours" and s != "resolution"]
+    for scene in ("throw-single", "throw-double"):
+        row = one(cases, scene, "ours")
+        if row:
+            yield f"{scene}, retries a step", row["attempts_per_step"] - 1.0, "<= 0.1", lambda v: v <= 0.1
+            yield f"{scene}, steps cut short", row["clamped"], "= 0", lambda v: v == 0
+            yield f"{scene}, p99 us", row["p99_us"], "<= 1500", lambda v: v <= 1500.0
+    ours = [row for (s, m, _), row in cases.items() if m == "ours" and "topology_kept" in row and s != "resolution"]
     if ours:
         yield "knots of ours that are no longer what they were", \
             sum(1 - row["topology_kept"] for row in ours), "= 0", lambda v: v == 0

@@ -6,6 +6,8 @@
 
 /* knot_cases.c: knots that are pulled tight, and held; of both methods. */
 void add_knot_cases(bench *b);
+/* throws.c: loops that slide along a tool and off its tip. */
+void add_throw_cases(bench *b);
 /* resolution.c: what is gained by finer meshes and shorter steps. */
 void add_resolution_cases(bench *b);
 /* peers.c: the overhand by others beside ours. */

@@ -66,6 +66,12 @@ typedef struct contact_row {
     uint32_t first_place; /* into the set's places; UINT32_MAX: no term has an equation */
 } contact_row;
 
+/* Where the search for states stands with a row: its sides have moved by u against each other, and all
+ * blocks balance when `force` acts on a, which is what the law says only when the search is over. */
+typedef struct contact_stand {
+    vec3 u, force;
+} contact_stand;
+
 /* What is kept of a row with a force until the next part. */
 typedef struct contact_memory {
     contact_key key;
@@ -89,7 +95,9 @@ typedef struct contact_set {
     uint32_t marked_count;
     uint8_t *recalled;   /* of the memory: found again */
     contact_found *next; /* of the rows: what the last solve says */
-    uint32_t *places;    /* of each row: of its blocks row by row, then of its right-hand sides */
+    contact_stand *here,
+        *there;       /* of the rows: where the last solve was left, where this one leads */
+    uint32_t *places; /* of each row: of its blocks row by row, then of its right-hand sides */
     uint32_t place_count, place_capacity;
     double residual; /* of the law after the last solve, N */
     contact_counters counters;
@@ -139,6 +147,11 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *tangent);
 /* What the row's state and forces are after its sides moved by u against each other. Returns by how much the
  * law is missed in the state that it is in, N. */
 double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *next);
+/* The force on a after u: as the equations have it in the row's state, and as the law has it. */
+vec3 vbss_contact_linear_force(const contact_row *row, vec3 u);
+vec3 vbss_contact_force(const contact_row *row, vec3 u);
+/* The state to go on with from where the search stands. */
+void vbss_contact_state_at(const contact_row *row, const contact_stand *at, contact_found *next);
 /* The tangential force that is remembered, turned into a row's tangent plane with its length. */
 vec3 vbss_contact_turn_into_plane(vec3 force, vec3 normal);
 

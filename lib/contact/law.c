@@ -7,8 +7,10 @@
  * 1991). Sticking is v = 0; slipping is linearised exactly, which makes the stiffness unsymmetric. */
 #include "contact/contact.h"
 
-/* A row that slips with all of its augmented force would have no stiffness across. */
-#define LARGEST_SHARE 0.999
+/* A row that slips with all of its augmented force sticks across. */
+#define LARGEST_SHARE 0.999999
+/* The way of a row that has just closed is a guess, which it shall be able to leave. */
+#define LARGEST_FIRST_SHARE 0.9
 /* A row that has just closed rubs against its motion if that is larger than this, m; else it sticks. */
 #define STARTS_TO_SLIP 1e-7
 
@@ -105,6 +107,7 @@ static void close_row(const contact_row *row, vec3 moved, contact_found *next)
         vec3 back = vec3_scale(moved, -1.0 / way);
         double most = row->friction * next->pressure;
         slip_along(row, back, most + row->augmentation * way, next);
+        next->share = lesser(next->share, LARGEST_FIRST_SHARE);
         next->rubbing = vec3_scale(back, most);
     }
 }
@@ -138,4 +141,71 @@ double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *ne
     vec3 way = vec3_scale(augmented, 1.0 / size);
     slip_along(row, way, size, next);
     return vec3_distance(next->rubbing, vec3_scale(way, most));
+}
+
+/* ---- where the search stands */
+
+vec3 vbss_contact_linear_force(const contact_row *row, vec3 u)
+{
+    const vec3 n = row->normal;
+    double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
+    if (row->is.state == CONTACT_OPEN) {
+        return vec3_zero();
+    }
+    if (row->friction == 0.0) {
+        return vec3_scale(n, pressure);
+    }
+    vec3 slip, moved = along_plane(vec3_add(row->slid, u), n);
+    return vec3_add_scaled(rubbing_after(row, moved, pressure, &slip), pressure, n);
+}
+
+/* Elastic, then cut back to the cone. */
+vec3 vbss_contact_force(const contact_row *row, vec3 u)
+{
+    const vec3 n = row->normal;
+    double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
+    if (!row->bilateral && !(pressure > 0.0)) {
+        return vec3_zero();
+    }
+    if (row->friction == 0.0) {
+        return vec3_scale(n, pressure);
+    }
+    vec3 moved = along_plane(vec3_add(row->slid, u), n);
+    vec3 rubbing = vec3_add_scaled(row->held, -row->stiffness, moved);
+    double size = vec3_norm(rubbing), most = row->friction * pressure;
+    if (!row->bilateral && size > most) {
+        rubbing = vec3_scale(rubbing, most / size);
+    }
+    return vec3_add_scaled(rubbing, pressure, n);
+}
+
+/* Whether it is closed is said by u; whether it slips, by the force with which blocks balance, as after a
+ * whole solve. */
+void vbss_contact_state_at(const contact_row *row, const contact_stand *at, contact_found *next)
+{
+    const vec3 n = row->normal;
+    double pressure = -row->stiffness * (row->gap + vec3_dot(n, at->u));
+    double pressed = vec3_dot(n, at->force);
+    *next = (contact_found){.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN};
+    if (row->bilateral || !(pressure > 0.0)) {
+        return;
+    }
+    vec3 moved = along_plane(vec3_add(row->slid, at->u), n);
+    if (!(pressed > 0.0)) {
+        next->pressure = pressure;
+        close_row(row, moved, next);
+        return;
+    }
+    next->state = CONTACT_STICK;
+    next->pressure = pressed;
+    if (row->friction == 0.0) {
+        return;
+    }
+    next->rubbing = along_plane(at->force, n);
+    vec3 slip = vec3_add_scaled(moved, 1.0 / row->stiffness, vec3_sub(next->rubbing, row->held));
+    vec3 augmented = vec3_add_scaled(next->rubbing, -row->augmentation, slip);
+    double size = vec3_norm(augmented);
+    if (size > row->friction * pressed) {
+        slip_along(row, vec3_scale(augmented, 1.0 / size), size, next);
+    }
 }

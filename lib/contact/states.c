@@ -1,7 +1,8 @@
 /* The states of all rows and the increments of all separators, found together.
  *
  * A primal-dual active set: solve with the rows in their states, look which states the solution has, and
- * again with those, until they are the same. Nothing is taken that was not looked at after its solve. */
+ * again with those, until they are the same. Nothing is taken that was not looked at after its solve. A solve
+ * that leads too far is followed part of the way, and the next goes on from the states there. */
 #include "contact/contact.h"
 
 static bool solve(contact_set *set, const contact_search *search)
@@ -48,7 +49,9 @@ static look look_at_rows(contact_set *set, const contact_search *search)
     for (uint32_t i = 0; i < set->count; i++) {
         const contact_row *row = &set->rows[i];
         contact_found *next = &set->next[i];
-        double missed = vbss_contact_next_state(row, moved_by(row, search->system), next);
+        vec3 u = moved_by(row, search->system);
+        double missed = vbss_contact_next_state(row, u, next);
+        set->there[i] = (contact_stand){u, vbss_contact_linear_force(row, u)};
         if (is_open(&row->is)) {
             double overlap = missed / (row->stiffness * row->thickness);
             if (overlap <= search->slack) { /* a hair is no reason to close */
@@ -58,7 +61,8 @@ static look look_at_rows(contact_set *set, const contact_search *search)
             l.overlap = vbss_larger(overlap, l.overlap);
         } else {
             l.force = vbss_larger(missed, l.force);
-            l.pressure = greater(next->pressure, l.pressure);
+            /* What a grasp pulls with says nothing of how much a contact matters. */
+            l.pressure = greater(row->bilateral ? 0.0 : next->pressure, l.pressure);
         }
     }
     return l;
@@ -68,6 +72,84 @@ static void take_found(contact_set *set)
 {
     for (uint32_t i = 0; i < set->count; i++) {
         set->rows[i].is = set->next[i];
+    }
+}
+
+/* ---- how far to follow a solve
+ *
+ * What the last solve led to and what this one leads to both balance, and so does all between them with forces
+ * between theirs. What those miss the law by does work along the way: while it is negative the law still
+ * drives on, and where it is zero contacts would come to rest. With given bounds of friction, that is
+ * where the energy is least along the way. */
+
+/* Nothing is cut when the work at the end is no larger than this share of that at the begin; and the place is
+ * good enough with such a share of that, or after so many looks. */
+#define DRIVEN_BACK 0.5
+#define AT_REST 0.1
+enum { LOOKS = 8 };
+/* Less than this share is no way to get on. */
+#define SHORTEST 0.005
+/* Where the law does not drive at all, and what comes is worse. */
+#define DOUBTED 0.5
+
+static contact_stand between(const contact_stand *a, const contact_stand *b, double share)
+{
+    return (contact_stand){vec3_lerp(a->u, b->u, share), vec3_lerp(a->force, b->force, share)};
+}
+
+static double work(const contact_set *set, double share)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_stand *here = &set->here[i], *there = &set->there[i];
+        const contact_stand at = between(here, there, share);
+        vec3 missed = vec3_sub(at.force, vbss_contact_force(&set->rows[i], at.u));
+        sum += vec3_dot(missed, vec3_sub(there->u, here->u));
+    }
+    return sum;
+}
+
+/* False position; an end that stays twice counts half (Illinois). */
+static double share_to_follow(const contact_set *set)
+{
+    double low = 0.0, high = 1.0, at_low = work(set, low), at_high = work(set, high);
+    const double begin = -at_low;
+    if (!(begin > 0.0)) { /* friction alone may drive there, and knows no least energy */
+        return at_high > -begin ? DOUBTED : 1.0;
+    }
+    if (!(at_high > DRIVEN_BACK * begin)) {
+        return 1.0;
+    }
+    double share = high, found = at_high;
+    for (int k = 0, side = 0; k < LOOKS && fabs(found) > AT_REST * begin; k++) {
+        share = low - at_low * (high - low) / (at_high - at_low);
+        found = work(set, share);
+        if (found > 0.0) {
+            high = share;
+            at_high = found;
+            at_low *= side > 0 ? 0.5 : 1.0;
+            side = 1;
+        } else {
+            low = share;
+            at_low = found;
+            at_high *= side < 0 ? 0.5 : 1.0;
+            side = -1;
+        }
+    }
+    return greater(share, SHORTEST);
+}
+
+/* Where the next solve goes on from; before the first there is nothing. */
+static void follow(contact_set *set, bool first)
+{
+    double share = first ? 1.0 : share_to_follow(set);
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (share < 1.0) {
+            set->here[i] = between(&set->here[i], &set->there[i], share);
+            vbss_contact_state_at(&set->rows[i], &set->here[i], &set->next[i]);
+        } else {
+            set->here[i] = set->there[i];
+        }
     }
 }
 
@@ -92,29 +174,47 @@ typedef struct stage {
 static void scale_stiffness(contact_set *set, stage *at, double factor)
 {
     for (uint32_t i = 0; i < set->count; i++) {
-        set->rows[i].stiffness *= factor; /* a power of two: exact */
+        if (!set->rows[i].bilateral) {        /* nothing about those is to be found */
+            set->rows[i].stiffness *= factor; /* a power of two: exact */
+        }
     }
     at->softness *= factor;
     at->solves = 0;
 }
 
-/* True: what was found is that of another stiffness than the rows', and no result. */
-static bool soften_or_stiffen(contact_set *set, stage *at, const look *l, double little)
+static void soften_or_stiffen(contact_set *set, stage *at, const look *l, double little)
 {
+    at->solves++;
     if (at->softness < 1.0) {
         bool settled = l->overlap <= SOFT_OVERLAP && l->force <= little;
         if (settled || at->solves == SOFT_SOLVES) {
             scale_stiffness(set, at, STIFFER);
         }
-        return true;
+        return;
     }
     bool deep = at->solves <= DEEP_SOLVES && l->overlap > DEEP;
     if (!at->softened && (deep || at->solves == LOST_SOLVES)) {
         at->softened = true;
         scale_stiffness(set, at, SOFTEST);
-        return true;
     }
-    return false;
+}
+
+/* What the last solve is worth: a result, or none yet. */
+static contact_outcome judge(const contact_search *search, const stage *at, const look *l)
+{
+    double none = search->force_share * l->pressure + search->least_force;
+    double little = search->loose_share * l->pressure + search->least_force;
+    if (at->softness < 1.0) { /* of another stiffness than the rows' */
+        return CONTACT_LOST;
+    }
+    if (l->overlap == 0.0 && l->force <= none) {
+        return CONTACT_FOUND;
+    }
+    /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
+     * is small then, and the next part finds it. */
+    bool patient = at->softened || at->solves + 1 >= search->patience;
+    bool loose = patient && l->overlap <= search->loose_overlap && l->force <= little;
+    return loose ? CONTACT_LOOSE : CONTACT_LOST;
 }
 
 static contact_outcome search_states(contact_set *set, const contact_search *search, stage *at)
@@ -124,24 +224,17 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
             return CONTACT_SINGULAR;
         }
         const look l = look_at_rows(set, search);
-        double none = search->force_share * l.pressure + search->least_force;
-        double little = search->loose_share * l.pressure + search->least_force;
+        contact_outcome outcome = judge(search, at, &l);
         set->residual = l.force;
+        if (outcome == CONTACT_LOST) {
+            follow(set, k == 0);
+        }
         take_found(set);
-        at->solves++;
-        if (soften_or_stiffen(set, at, &l, little)) {
-            continue;
+        if (outcome != CONTACT_LOST) {
+            set->counters.loose += outcome == CONTACT_LOOSE;
+            return outcome;
         }
-        if (l.overlap == 0.0 && l.force <= none) {
-            return CONTACT_FOUND;
-        }
-        /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
-         * is small then, and the next part finds it. */
-        bool patient = at->softened || at->solves >= search->patience;
-        if (patient && l.overlap <= search->loose_overlap && l.force <= little) {
-            set->counters.loose++;
-            return CONTACT_LOOSE;
-        }
+        soften_or_stiffen(set, at, &l, search->loose_share * l.pressure + search->least_force);
     }
     return CONTACT_LOST;
 }

@@ -39,8 +39,9 @@ vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint
     uint32_t last = *shape;
     vbss_result result = VBSS_OK;
     for (uint32_t i = 0; result == VBSS_OK && i < t->reserve->left; i++) {
-        result =
-            vbss_collision_add_sleeping_chain(s->collision, t->node_count, t->config.radius, &last);
+        /* as large as any of the family is, which may come later */
+        result = vbss_collision_add_sleeping_chain(s->collision, t->node_capacity, t->config.radius,
+                                                   &last);
     }
     for (uint32_t name = *shape; result != VBSS_OK && name <= last; name++) {
         (void)vbss_collision_remove(scene_collision(s), name);
@@ -150,7 +151,7 @@ void vbss_scene_visit_piece(vbss_stream *stream, scene_object *s, scene_body *b)
     }
 }
 
-/* Each number once, each thread within its shape, and all of them within the scene. */
+/* Each number once, each thread within its shape, and all of them within the scene, however they are cut. */
 static bool fit(const scene_object *s)
 {
     uint32_t nodes = 0;
@@ -164,6 +165,10 @@ static bool fit(const scene_object *s)
             }
             nodes += count;
         }
+        if (is_spare(b) && NODES_OF_A_CUT > s->node_capacity - nodes) {
+            return false;
+        }
+        nodes += is_spare(b) ? NODES_OF_A_CUT : 0;
         if (b->kind != BODY_GONE && vbss_scene_body(s, b->number) != b) {
             return false;
         }

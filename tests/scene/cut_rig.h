@@ -77,6 +77,7 @@ static inline void cut_expect_sound(const scene_object *s)
         const collision_shape *shape = s->collision->shapes[b->shape];
         assert_int_equal(b->thread.first_node, nodes);
         assert_int_equal(shape->node_count, t->node_count);
+        assert_true(shape->node_count <= shape->node_capacity);
         assert_false(shape->asleep);
         assert_int_equal(s->shape_places[b->shape], i);
         assert_ptr_equal(b->thread.slot->object, t);

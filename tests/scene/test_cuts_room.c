@@ -101,6 +101,26 @@ static void events_of_cuts_are_counted_when_there_is_no_room(void **state)
     small_end(&s);
 }
 
+/* A short part was there first, and has taken what cuts need. */
+static void longer_parts_of_a_family_may_come_later(void **state)
+{
+    (void)state;
+    small s;
+    vbss_thread *shorter = NULL, *longer;
+    uint32_t bodies[2];
+    small_begin_scene(&s);
+    longer = thread_of(&s, 40, 3);
+    expect_ok(vbss_thread_cut(longer, 35.5e-3, &shorter));
+    expect_ok(vbss_scene_add_thread(s.scene, shorter, &bodies[0]));
+    expect_ok(vbss_scene_add_thread(s.scene, longer, &bodies[1]));
+    for (int k = 0; k < 2; k++) { /* both pieces are nearly all of it */
+        bodies[1] = cut_at(&s, bodies[1], 0.5e-3, NULL);
+        cut_expect_sound(small_object(&s));
+        small_steps(&s, 3, 1e-3);
+    }
+    small_end(&s);
+}
+
 /* ---- leaving */
 
 static void pieces_leave_as_threads_do(void **state)
@@ -226,6 +246,7 @@ int test_cuts_room(void)
         cmocka_unit_test(a_thread_is_added_only_with_room_for_its_pieces),
         cmocka_unit_test(a_cut_too_many_is_an_event_and_nothing_else),
         cmocka_unit_test(events_of_cuts_are_counted_when_there_is_no_room),
+        cmocka_unit_test(longer_parts_of_a_family_may_come_later),
         cmocka_unit_test(pieces_leave_as_threads_do),
         cmocka_unit_test(scenes_with_pieces_end_in_any_order),
         cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),

@@ -1,0 +1,133 @@
+/* Throws that are tied round a tool: loops that slide along it and off its tip, where the states of contacts
+ * are hardest to find. What counts beside time is how often a step had to be tried again. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "contact/bench_contact.h"
+#include "scenes/throw_scenes.h"
+
+typedef struct throw_case {
+    char name[64];
+    bool twice;
+    vbss_context *context;
+    throw_scene scene, begin;
+    uint32_t steps, most_contacts;
+    uint8_t *saved;
+    uint64_t saved_bytes;
+    vbss_scene_statistics statistics_at_begin;
+} throw_case;
+
+enum { CASES = 2 };
+static throw_case cases[CASES];
+
+static bool make(throw_case *c)
+{
+    throw_scene_options options;
+    return vbss_context_create(NULL, &c->context) == VBSS_OK &&
+           throw_scene_init(&options, c->twice) == VBSS_OK &&
+           throw_scene_create(c->context, &options, &c->scene) == VBSS_OK;
+}
+
+static bool save(throw_case *c)
+{
+    c->begin = c->scene;
+    vbss_scene_statistics *s = &c->statistics_at_begin;
+    return vbss_scene_save(c->scene.scene, NULL, 0, &c->saved_bytes) == VBSS_ERROR_CAPACITY &&
+           (c->saved = malloc(c->saved_bytes)) != NULL &&
+           vbss_scene_get_statistics(c->scene.scene, s, sizeof *s) == VBSS_OK &&
+           vbss_scene_save(c->scene.scene, c->saved, c->saved_bytes, &c->saved_bytes) == VBSS_OK;
+}
+
+/* How many steps the hands take is known when it has been run once. */
+static int set_up(void *user)
+{
+    throw_case *c = user;
+    if (!make(c) || !save(c)) {
+        return 1;
+    }
+    for (c->steps = 0; c->scene.phase != THROW_DONE; c->steps++) {
+        vbss_scene_statistics s;
+        if (throw_scene_step(&c->scene) != VBSS_OK ||
+            vbss_scene_get_statistics(c->scene.scene, &s, sizeof s) != VBSS_OK) {
+            return 1;
+        }
+        c->most_contacts = s.contacts > c->most_contacts ? s.contacts : c->most_contacts;
+    }
+    return 0;
+}
+
+static uint32_t count_steps(void *user)
+{
+    return ((throw_case *)user)->steps;
+}
+
+static int restore(void *user)
+{
+    throw_case *c = user;
+    c->scene = c->begin;
+    return vbss_scene_restore(c->scene.scene, c->saved, c->saved_bytes) == VBSS_OK ? 0 : 1;
+}
+
+static int step(void *user, uint32_t index)
+{
+    (void)index;
+    return throw_scene_step(&((throw_case *)user)->scene) == VBSS_OK ? 0 : 1;
+}
+
+static uint64_t hash(void *user)
+{
+    uint64_t value = 0;
+    (void)vbss_scene_get_hash(((throw_case *)user)->scene.scene, &value);
+    return value;
+}
+
+static void finish(void *user, bench_result *result)
+{
+    throw_case *c = user;
+    const vbss_scene_statistics *b = &c->statistics_at_begin;
+    vbss_scene_statistics s;
+    if (vbss_scene_get_statistics(c->scene.scene, &s, sizeof s) != VBSS_OK) {
+        bench_fail(result, "no statistics");
+        return;
+    }
+    double steps = c->steps, tries = (double)(s.attempts - b->attempts);
+    bench_simulated_step(result, 1e6 * THROW_SCENE_STEP);
+    bench_counter(result, "penetration_um", 1e6 * s.penetration);
+    bench_counter(result, "stretch_max", s.stretch_error);
+    bench_counter(result, "contacts", c->most_contacts);
+    bench_counter(result, "retries", tries - (double)(s.parts - b->parts) + (double)s.clamped);
+    bench_counter(result, "clamped", (double)s.clamped);
+    bench_counter(result, "attempts_per_step", tries / steps);
+    bench_counter(result, "solves_per_step", (double)(s.state_solves - b->state_solves) / steps);
+    bench_counter(result, "loose_states", (double)s.loose_states);
+}
+
+static void tear_down(void *user)
+{
+    throw_case *c = user;
+    vbss_context_destroy(c->context);
+    free(c->saved);
+    c->context = NULL;
+    c->saved = NULL;
+}
+
+void add_throw_cases(bench *b)
+{
+    for (size_t i = 0; i < CASES; i++) {
+        throw_case *c = &cases[i];
+        c->twice = i == 1;
+        snprintf(c->name, sizeof c->name, "contact/throw-%s/ours/%u",
+                 c->twice ? "double" : "single", (unsigned)THROW_SCENE_NODES);
+        bench_add_stepped(b, &(bench_stepped){.name = c->name,
+                                              .user = c,
+                                              .dt_us = 1e6 * THROW_SCENE_STEP,
+                                              .deadline_us = 1e6 * THROW_SCENE_STEP,
+                                              .setup = set_up,
+                                              .count = count_steps,
+                                              .restore = restore,
+                                              .step = step,
+                                              .hash = hash,
+                                              .finish = finish,
+                                              .teardown = tear_down});
+    }
+}
