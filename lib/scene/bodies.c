@@ -126,7 +126,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     thread_object *t = slot->object;
     VBSS_TRY(vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest, t->config.radius,
                                       &shape));
-    VBSS_TRY(vbss_scene_make_shapes(s, t, &shape));
+    VBSS_TRY(vbss_scene_make_shapes(s, t, shape));
     *b = (scene_body){0};
     b->thread.slot = slot;
     b->thread.thread = t;

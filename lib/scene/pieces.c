@@ -34,16 +34,16 @@ vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t)
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t *shape)
+vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t shape)
 {
-    uint32_t last = *shape;
+    uint32_t last = shape;
     vbss_result result = VBSS_OK;
     for (uint32_t i = 0; result == VBSS_OK && i < t->reserve->left; i++) {
         /* as large as any of the family is, which may come later */
         result = vbss_collision_add_sleeping_chain(s->collision, t->node_capacity, t->config.radius,
                                                    &last);
     }
-    for (uint32_t name = *shape; result != VBSS_OK && name <= last; name++) {
+    for (uint32_t name = shape; result != VBSS_OK && name <= last; name++) {
         (void)vbss_collision_remove(scene_collision(s), name);
     }
     return result;
@@ -169,6 +169,10 @@ static bool fit(const scene_object *s)
             return false;
         }
         nodes += is_spare(b) ? NODES_OF_A_CUT : 0;
+        const scene_body *before = vbss_scene_body(s, b->thread.before);
+        if (b->kind == BODY_THREAD && before != NULL && before->kind != BODY_THREAD) {
+            return false;
+        }
         if (b->kind != BODY_GONE && vbss_scene_body(s, b->number) != b) {
             return false;
         }

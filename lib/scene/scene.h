@@ -280,7 +280,7 @@ void vbss_scene_number_nodes(scene_object *s);
 /* pieces.c: what cuts need, taken when a thread is added. Whether there is room for it and its pieces; their
  * shapes, after that of the thread, which goes as well if they cannot be made; their places. */
 vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t);
-vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t *shape);
+vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t shape);
 void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_shape);
 /* When none of the family is left. */
 void vbss_scene_return_spares(scene_object *s, const thread_reserve *family);

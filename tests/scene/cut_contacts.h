@@ -95,8 +95,8 @@ static inline uint32_t cut_expect_same(const remembered_list *before, remembered
         for (uint32_t k = 0; k < after->count && !found; k++) {
             bool same = !after->all[k].used && cut_became(&before->all[i], &after->all[k], false);
             bool round = !after->all[k].used && cut_became(&before->all[i], &after->all[k], true);
-            found = after->all[k].used = after->all[k].used || same || round;
             found = same || round;
+            after->all[k].used = after->all[k].used || found;
             turned += round && !same;
         }
         assert_true(found);
