@@ -10,6 +10,7 @@
 #include "scenes/scene_scenes.h"
 #include "scenes/thread_scenes.h"
 #include "scenes/throw_stack.h"
+#include "scenes/tool_run.h"
 
 /* A scene that cannot run has no hash; a wrong one would only puzzle. */
 static void must(vbss_result result)
@@ -272,6 +273,33 @@ static void run_scene_tools(uint64_t *hashes, size_t count)
     run_scene(SCENE_SCENE_TOOLS, hashes, count);
 }
 
+/* ---- graspers with all that they do, hashed after every 5 steps */
+
+static void run_graspers_by(vbss_method method, uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    tool_run run;
+    must(vbss_context_create(NULL, &context));
+    must(tool_run_create(context, method, &run));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 5; k++) {
+            must(tool_run_step(&run));
+        }
+        must(vbss_scene_get_hash(run.scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
+static void run_graspers(uint64_t *hashes, size_t count)
+{
+    run_graspers_by(VBSS_METHOD_OURS, hashes, count);
+}
+
+static void run_graspers_paper(uint64_t *hashes, size_t count)
+{
+    run_graspers_by(VBSS_METHOD_PAPER, hashes, count);
+}
+
 /* ---- knots: one that is tied and comes undone, seen by both methods; and stacks of throws that are judged */
 
 enum { WATCHERS = 2, JUDGE = 2, KNOT_DETECTORS };
@@ -395,6 +423,8 @@ const golden_scene golden_scenes[] = {
     {"thread-paper", 20, 2, run_thread_paper},
     {"scene-knot", 64, 2, run_scene_knot}, /* tight at 58 */
     {"scene-tools", 80, 6, run_scene_tools},
+    {"graspers", TOOL_RUN_STEPS / 5, 12, run_graspers}, /* both hold at 11 */
+    {"graspers-paper", 30, 12, run_graspers_paper},     /* then it loses the thread */
     {"knots", 72, 4, run_knots}, /* two rounds of all that the moving knot does */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];
