@@ -15,8 +15,9 @@
  * by a compliant clamp over a short length of the thread, in position and direction. What it can bear grows
  * with the pressure of the jaws, as Coulomb friction of both faces: beyond that the thread slides through,
  * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close.
- * Method PAPER (VBLaST-SS, Qi et al. 2017): a closed tool near the thread carries a node of it exactly;
- * of two tools the first leads, the other changes nothing.
+ * Method PAPER (VBLaST-SS, Qi et al. 2017): tools are where the hand is; one that closes near a thread carries
+ * its nearest node exactly; of two tools the first leads, the other changes nothing until that lets go.
+ * docs/graspers.md has the formulas and limits.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -45,33 +46,37 @@ typedef struct vbss_grasper_config {
     int32_t has_trocar;     /**< 1: the shaft goes through `trocar`; default 0: free. */
     double trocar[3];       /**< Where the shaft enters, m, each at most 1e3; default 0. */
     /* Two jaws, or blades, round fingers that touch along their length when closed. */
-    double driver_length; /**< Of a needle driver's, pivot to tip, m, 1e-4 to 1; default 13e-3. */
-    double driver_radius; /**< Of each, m, 1e-6 to 0.1, and less than the length; default 0.5e-3. */
+    double driver_length; /**< Of a driver's jaws, pivot to tip, m, 1e-4 to 1; default 13e-3. */
+    double driver_radius; /**< Of each jaw, m, 1e-6 to 0.1, below the length; default 0.5e-3. */
     double driver_bend;   /**< By which they lean from the shaft, rad, -1.5 to 1.5; default 0. */
     /** Angle of each from the middle when the handle is open, rad, 1e-3 to 1.2; default 0.35. */
     double driver_opening;
-    double shears_length;  /**< Of the blades of shears, the same; default 15e-3. */
-    double shears_radius;  /**< The same; default 0.5e-3. */
-    double shears_bend;    /**< The same; default 0. */
-    double shears_opening; /**< The same; default 0.35. */
+    double shears_length;  /**< Of the blades of shears, as driver_length; default 15e-3. */
+    double shears_radius;  /**< As driver_radius; default 0.5e-3. */
+    double shears_bend;    /**< As driver_bend; default 0. */
+    double shears_opening; /**< As driver_opening; default 0.35. */
     double driver_neck;    /**< From the pivot back to the bend, m, 0 to 1; default 0. */
-    double shears_neck;    /**< The same; default 0. */
+    double shears_neck;    /**< As driver_neck; default 0. */
     double neck_radius;    /**< Of both, m, 1e-6 to 0.1; default 1.2e-3. */
     double shaft_length;   /**< From the bend on, m, 1e-3 to 10; default 0.15. */
     double shaft_radius;   /**< m, 1e-6 to 0.1; default 2.5e-3. */
-    double friction;       /**< With all others but what is held, 0 to 10; default 0.15. */
+    double friction;       /**< Coefficient with all but what is held, 0 to 10; default 0.15. */
     double closing_force;  /**< Pressure of the jaws of a closed handle on what they hold, N,
                                * 0 to 1e4; default 8. */
     /** Angle that the jaws of a closed handle would close further if nothing held them, rad, 1e-3 to 1: the
      * pressure grows over it from nothing to closing_force; default 0.1. */
     double closing_angle;
-    double jaw_speed;      /**< Most of each jaw, rad/s, 1e-2 to 1e3; default 8. */
-    double grip_friction;  /**< Coefficient of each face with what is held, 0 to 10; default 0.5. */
-    double grip_length;    /**< Of thread that is held, m, 1e-5 to 1e-1; default 1e-3. */
-    double grip_stiffness; /**< Of the clamp as a whole, N/m, 1 to 1e6; default 3000. */
-    double mass;           /**< kg, 1e-4 to 1e2; default 0.02. */
-    double stiffness;      /**< Of the virtual coupling, N/m, 0 to 1e9; default 2000. */
-    double damping;        /**< N s/m, 0 to 1e6; default 5. */
+    double jaw_speed;     /**< Most of each jaw, rad/s, 1e-2 to 1e3; default 8. */
+    double grip_friction; /**< Coefficient of each face with what is held, 0 to 10; default 0.5. */
+    double grip_length;   /**< Of thread that is held, m, 1e-5 to 1e-1; default 1e-3. */
+    /** Of the clamp as a whole along the faces, N/m, 1 to 1e6; default 3000. From face to face it is 64 times as
+     * stiff. */
+    double grip_stiffness;
+    /** Of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of gyration of 30 mm. */
+    double mass;
+    /** Of the virtual coupling, N/m, 0 to 1e9; default 2000: for scripted hands; for haptic arms take 400. */
+    double stiffness;
+    double damping;           /**< N s/m, 0 to 1e6; default 5. */
     double turning_stiffness; /**< N m/rad, 0 to 1e9; default 5. */
     double turning_damping;   /**< N m s/rad, 0 to 1e6; default 0.05. */
     /** Tools are exchanged only with empty jaws and with the tip further than exchange_distance from here,
@@ -109,9 +114,10 @@ typedef struct vbss_grasper_state {
     double target_orientation[4]; /**< What was told, as the trocar lets it be. */
     double opening;               /**< Of the handle, as told. */
     double jaw_angle;             /**< Of each jaw from the middle, rad. */
-    double pressure;              /**< Of the jaws on what they hold, N. */
-    double hand_force[3];         /**< On the hand at the tip, N; what a device shall exert. */
-    double hand_torque[3];        /**< On the hand about the tip, N m. */
+    double pressure;              /**< Of the jaws on all that they hold, N. */
+    /** On the hand at the tip, N; what a device shall exert. PAPER: of the stretch of what it carries. */
+    double hand_force[3];
+    double hand_torque[3]; /**< On the hand about the tip, N m; PAPER: 0. */
 } vbss_grasper_state;
 
 /** Arrays to look at: a VBSS_GRASPER_VIEW_ constant. */
@@ -205,8 +211,9 @@ VBSS_API vbss_result vbss_grasper_move(vbss_grasper *grasper, const double posit
 VBSS_API vbss_result vbss_grasper_set_opening(vbss_grasper *grasper, double opening);
 
 /**
- * Says which tool it shall be: what the next step exchanges, or refuses, with an event either way, while it holds
- * something or is where exchange_distance forbids it. What was refused is forgotten.
+ * Says which tool it shall be. The next step of its scene exchanges it, or refuses to, with an event either way: while
+ * it holds something, is where exchange_distance forbids it, or too near to its trocar for the other jaws. What was
+ * refused is forgotten.
  *
  * @param grasper  the grasper
  * @param kind     what it shall be; what it is already changes nothing

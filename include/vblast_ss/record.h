@@ -2,9 +2,9 @@
  * @file record.h
  * @brief A log of a scene: where it began, what the host told it, hashes; and its replay.
  *
- * A *record* writes the log. It begins with a snapshot of the scene; from then on the host moves, pins
- * and steps the scene by the functions of this header, which do what those of scene.h and thread.h do and
- * note it. The library writes no files: the host takes what the log has grown by and appends it to its own.
+ * A *record* writes the log. It begins with a snapshot of the scene; from then on the host moves, pins, cuts
+ * and steps the scene by the functions of this header, which do what those of scene.h, thread.h and grasper.h
+ * do and note it. The library writes no files: the host takes what the log has grown by and appends it to its own.
  *
  * A *replay* reads a log, complete or cut off. It brings a scene that was made alike to where the record
  * began, tells it what the host told it then, steps it, and compares hashes: it ends, or names the
@@ -33,7 +33,7 @@ typedef struct vbss_record_config {
     uint32_t input_capacity; /**< Most inputs before a step, 0 to 65536; default 64. */
     uint32_t note_bytes;     /**< Size of the note, at most 2^24; default 0. */
     /** Room for what the host has not taken yet, beyond the begin of the log, in bytes, 4096 to 2^30;
-     * default 2^20. A step in which two tools move takes 262, one of two graspers 330. */
+     * default 2^20. A step in which two rigid bodies move takes 262, one in which two graspers move and open 320. */
     uint64_t buffer_bytes;
     /** Anything the host wants to find in the log again, such as what its scene is made from; NULL
      * (default) when note_bytes is 0. Copied. */
@@ -134,12 +134,12 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
 
 /**
  * #vbss_scene_move_rigid of the recorded scene. Like the functions below it fails without changing
- * anything as that does, and further with VBSS_ERROR_OUT_OF_RANGE after #vbss_record_end, or when the scene
- * or a thread in it was changed past the record since (then begin a new one), and with
+ * anything as that does, and further with VBSS_ERROR_OUT_OF_RANGE after #vbss_record_end, or when the scene,
+ * or a thread or grasper in it, was changed past the record since (then begin a new one), and with
  * VBSS_ERROR_CAPACITY when input_capacity is exhausted. An input belongs to the step that follows.
  *
  * @param record       the record
- * @param body         a rigid body, not a free one
+ * @param body         a rigid body, neither a free one nor a grasper
  * @param position     of the origin of its frame, m, each at most 1e3
  * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves it
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: the scene was destroyed), VBSS_ERROR_NULL_ARGUMENT,
@@ -366,7 +366,7 @@ VBSS_API vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps);
  *
  * @param replay  the replay
  * @param scene   a scene of the same context, made like the recorded one: the same configuration but for
- *                capacities, the same bodies added in the same order
+ *                capacities (those of pins and grasps are the same as well), the same bodies added in the same order
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_CORRUPT (another
  *         scene; a text names the field), VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION,
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY

@@ -1,12 +1,14 @@
 /**
  * @file scene.h
- * @brief A scene: threads, rigid tools and a floor that touch, rub and are stepped together.
+ * @brief A scene: threads, graspers, other rigid bodies and a floor that touch, rub and are stepped together.
  *
  * Bodies are added to a scene and numbered from 1 on; body 0 is the world: the floor, and what is
  * pinned in space. A thread that was added belongs to the scene until it is removed: stepping, cutting,
  * restoring or destroying it alone is VBSS_ERROR_IN_SCENE, while attaching, moving and looking go on as
- * before; it is cut in the scene (#vbss_scene_cut_thread). Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied
- * to a given pose by a spring and a damper, so that what stops the thread stops the tool) or free.
+ * before; it is cut in the scene (#vbss_scene_cut_thread). Rigid bodies are sets of capsules; they are driven (move
+ * exactly as told), coupled (a proxy tied to a given pose by a spring and a damper, so that what stops the
+ * thread stops the tool) or free. A grasper (grasper.h) is a coupled one with jaws that hold threads; of method
+ * PAPER a driven one.
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
@@ -47,7 +49,7 @@ typedef struct vbss_scene_config {
     vbss_scene_mode mode;      /**< Default VBSS_MODE_REAL_TIME. */
     uint32_t thread_capacity;  /**< Most threads at a time, 0 to 64; default 4. */
     uint32_t node_capacity;    /**< Most nodes of all threads, 0 to 8192; default 1024. */
-    uint32_t rigid_capacity;   /**< Most rigid bodies at a time, 0 to 256; default 4. */
+    uint32_t rigid_capacity;   /**< Most rigid bodies, graspers too, 0 to 256; default 4. */
     uint32_t capsule_capacity; /**< Most capsules of all of them, 0 to 4096; default 16. */
     uint32_t pin_capacity;     /**< Most pins at a time, 0 to 256; default 8. */
     uint32_t
@@ -176,7 +178,7 @@ enum {
     VBSS_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule, and the floor. */
     VBSS_CONTACT_GRASP =
         6 /**< One of the three points of a thread that a grasper holds, three times the
-                            * number of the grasp plus which of them; and 0 of the grasper. */
+                            * place of the grasp among all plus which of them; and 0 of the grasper. */
 };
 
 /** What happened in a step: a VBSS_EVENT_ constant. */
@@ -197,7 +199,7 @@ enum {
     /** A thread, its new piece, and the arc length of the cut in um; 0 in place of the piece: it would have been cut,
      * but all its cuts are made. */
     VBSS_EVENT_CUT = 10,
-    VBSS_EVENT_EXCHANGED = 11, /**< A grasper, 0, and what it is now. */
+    VBSS_EVENT_EXCHANGED = 11,    /**< A grasper, 0, and what it is now. */
     VBSS_EVENT_NOT_EXCHANGED = 12 /**< A grasper, 0, and what it was to be. */
 };
 
@@ -241,9 +243,11 @@ typedef struct vbss_grasp {
     uint32_t thread;      /**< Number of the thread in the scene. */
     double arc_length;    /**< Of the middle of what is held, along the thread, unstretched, m. */
     double position[3];   /**< Where that is, m. */
-    double force[3];      /**< Of the jaws on the thread after the last step, N. */
-    double limit;         /**< Largest force along their faces that they bear, N. */
-    double slid;          /**< Thread that has slid through since it was taken, m. */
+    /** Of the jaws on the thread in the last step, N: while it slides, above the limit by what the clamp gains in
+     * a step. */
+    double force[3];
+    double limit; /**< Largest force along their faces that they bear, N; PAPER: 0. */
+    double slid;  /**< Thread that has slid through since it was taken, m. */
 } vbss_grasp;
 
 #ifdef __cplusplus
@@ -277,7 +281,7 @@ VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_c
                                        vbss_scene **scene);
 
 /**
- * Destroys a scene with its rigid bodies and pins; its threads are the host's again.
+ * Destroys a scene with its rigid bodies and pins; its threads and graspers are the host's again.
  *
  * @param scene  the scene; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -336,8 +340,8 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_co
  * @param grasper    the grasper, of the scene's method
  * @param[out] body  its number in the scene, from 1 on, never used again
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_NULL_ARGUMENT,
- *         VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY,
- *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_OUT_OF_RANGE (another method; the trocar is nearer to the tip than the bent jaws reach
+ *         aside), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -361,7 +365,8 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
                                           vbss_grasp *grasp, uint32_t struct_size);
 
 /**
- * Removes a body, with the pins on it. A thread or grasper is the host's again.
+ * Removes a body, with its pins and grasps. A thread or grasper is the host's again; a grasper is then where it was
+ * told to be.
  *
  * @param scene  the scene
  * @param body   its number, not 0
@@ -378,7 +383,7 @@ VBSS_API vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body);
  * counts. Between two steps it shall turn by less than half a turn.
  *
  * @param scene        the scene
- * @param body         a rigid body, not a free one
+ * @param body         a rigid body, neither a free one nor a grasper (#vbss_grasper_move)
  * @param position     of the origin of its frame, m, each at most 1e3
  * @param orientation  w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves it
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no

@@ -51,6 +51,7 @@ typedef struct contact_row {
         bilateral; /* also pulls: a grasp, a hole; with friction it holds in the plane, without slip */
     double stiffness;    /* normal and tangential, N/m */
     double friction;     /* coefficient */
+    double along;        /* bilateral: share of the stiffness that it has in the plane; 0: all */
     double augmentation; /* r of Alart and Curnier, N/m */
     vec3 normal;         /* unit, from b to a */
     double gap;          /* at the trial state, m */

@@ -38,6 +38,12 @@ static double stiffness_across(const contact_row *row)
     return row->is.share * r * k / ((1.0 - row->is.share) * k + row->is.share * r);
 }
 
+/* STICK */
+static double stiffness_along(const contact_row *row)
+{
+    return row->bilateral && row->along > 0.0 ? row->along * row->stiffness : row->stiffness;
+}
+
 void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
 {
     const vec3 n = row->normal;
@@ -59,8 +65,8 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
         t->count = 3;
         t->left[1] = t->right[1] = vec3_any_normal(n);
         t->left[2] = t->right[2] = vec3_cross(n, t->left[1]);
-        t->stiffness[1] = t->stiffness[2] = k;
-        t->force = vec3_add(t->force, vec3_add_scaled(row->held, -k, slid));
+        t->stiffness[1] = t->stiffness[2] = stiffness_along(row);
+        t->force = vec3_add(t->force, vec3_add_scaled(row->held, -stiffness_along(row), slid));
         return;
     }
     vec3 across = vec3_cross(n, row->is.way);
@@ -80,7 +86,7 @@ static vec3 rubbing_after(const contact_row *row, vec3 moved, double pressure, v
     const double k = row->stiffness;
     if (row->is.state == CONTACT_STICK) {
         *slip = vec3_zero();
-        return vec3_add_scaled(row->held, -k, moved);
+        return vec3_add_scaled(row->held, -stiffness_along(row), moved);
     }
     vec3 across = vec3_cross(row->normal, row->is.way);
     double back = vec3_dot(across, moved) - vec3_dot(across, row->held) / k;

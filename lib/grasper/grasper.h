@@ -84,6 +84,8 @@ void vbss_grasper_show(grasper_object *g);
 /* ---- grip.c: a clamp that holds three points of a thread, half its length apart */
 
 enum { GRIP_POINTS = 3 };
+/* Faces do not give way as what they rub does: the clamp is so much stiffer across them. A power of two. */
+#define GRIP_ACROSS 64.0
 typedef struct grip {
     vec3 at[GRIP_POINTS]; /* where they are held, in the jaws' frame */
     double age; /* s since it was taken: the points come to the middle of the jaws in time */
@@ -94,6 +96,7 @@ typedef struct grip_load {
     double ahead[GRIP_POINTS]; /* of the middle so much arc length, m: less where the thread ends */
     double pressure;           /* of the jaws on this place, N */
     double h;                  /* length of the step, s */
+    bool stacked;              /* others lie between it and the middle of the jaws */
 } grip_load;
 typedef struct grip_change {
     double slid; /* the held place goes on by so much arc length, m */

@@ -18,7 +18,7 @@ enum { FIRST, MIDDLE, LAST };
 typedef struct clamp {
     grip *held;
     vec3 force[GRIP_POINTS]; /* of each on the thread, as it is by now */
-    double stiffness;        /* of each */
+    double stiffness;        /* of each, along the faces */
 } clamp;
 
 double vbss_grip_limit(const grasper_object *g, double pressure)
@@ -41,7 +41,8 @@ static void move_anchors(grip *held, vec3 by)
 static void ease(clamp *c, vec3 by)
 {
     for (int i = 0; i < GRIP_POINTS; i++) {
-        c->force[i] = vec3_add_scaled(c->force[i], -c->stiffness, by);
+        vec3 eased = vec3_make(GRIP_ACROSS * by.x, by.y, by.z);
+        c->force[i] = vec3_add_scaled(c->force[i], -c->stiffness, eased);
     }
 }
 
@@ -63,7 +64,8 @@ static void yield_across(clamp *c, double pressure)
 {
     double force = whole_force(c).x, excess = fabs(force) - pressure;
     if (excess > 0.0) {
-        give_way(c, vec3_make(copysign(excess, force) / (GRIP_POINTS * c->stiffness), 0.0, 0.0));
+        give_way(c, vec3_make(copysign(excess, force) / (GRIP_POINTS * GRIP_ACROSS * c->stiffness),
+                              0.0, 0.0));
     }
 }
 
@@ -139,7 +141,7 @@ static void settle(grip *held, const grip_load *load)
     if (left > 0.0) {
         vec3 way = vec3_unit_or(along_faces(load->along), vec3_make(0.0, 1.0, 0.0));
         way = vec3_unit_or(along_faces(vec3_sub(held->at[LAST], held->at[FIRST])), way);
-        vec3 middle = along_faces(held->at[MIDDLE]);
+        vec3 middle = load->stacked ? held->at[MIDDLE] : along_faces(held->at[MIDDLE]);
         double share = lesser(load->h / left, 1.0);
         for (int i = 0; i < GRIP_POINTS; i++) {
             vec3 goal = vec3_add_scaled(middle, load->ahead[i], way);

@@ -288,10 +288,11 @@ static void divide(scene_object *s, scene_body *old, scene_body *piece, const th
     vbss_scene_number_nodes(s);
 }
 
-static void tell(scene_object *s, const scene_body *old, const scene_body *piece, double arc_length)
+void vbss_scene_tell_cut(scene_object *s, const scene_body *thread, const scene_body *piece,
+                         double arc_length)
 {
     uint32_t um = (uint32_t)(lesser(1e6 * arc_length, 4e9) + 0.5);
-    vbss_scene_add_event(s, VBSS_EVENT_CUT, old->number, piece != NULL ? piece->number : 0, um);
+    vbss_scene_add_event(s, VBSS_EVENT_CUT, thread->number, piece != NULL ? piece->number : 0, um);
     vbss_scene_show_lost(s);
 }
 
@@ -305,7 +306,7 @@ vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_l
     }
     scene_body *b = vbss_scene_find_spare(s, thread);
     if (b == NULL || s->last_number == UINT32_MAX) {
-        tell(s, thread, NULL, arc_length);
+        vbss_scene_tell_cut(s, thread, NULL, arc_length);
         return VBSS_ERROR_CAPACITY;
     }
     r.piece = b;
@@ -315,7 +316,7 @@ vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_l
     rename_memory(s, &r);
     settle(thread);
     settle(b);
-    tell(s, thread, b, arc_length);
+    vbss_scene_tell_cut(s, thread, b, arc_length);
     s->pattern = 0;
     s->generation++;
     *piece = b;

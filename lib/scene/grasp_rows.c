@@ -71,7 +71,9 @@ void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
     const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];
     lay(s, row);
     row->stiffness =
-        vbss_scene_body(s, g->tool)->rigid.grasper->config.grip_stiffness / GRIP_POINTS;
+        GRIP_ACROSS *
+        (vbss_scene_body(s, g->tool)->rigid.grasper->config.grip_stiffness / GRIP_POINTS);
+    row->along = 1.0 / GRIP_ACROSS;
     row->friction = 1.0; /* it has a stiffness along the plane too */
     row->held = row->is.rubbing = vec3_zero();
     row->is.state = CONTACT_STICK;

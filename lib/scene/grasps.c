@@ -13,7 +13,7 @@
 
 /* ---- who holds what */
 
-static scene_grasp *free_grasp(const scene_object *s)
+scene_grasp *vbss_scene_free_grasp(const scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         if (s->grasps[i].id == 0) {
@@ -180,7 +180,7 @@ static void take(scene_object *s, const scene_body *tool, const mouth *m, const 
             *old = (scene_grasp){0};
         }
     }
-    scene_grasp *g = free_grasp(s);
+    scene_grasp *g = vbss_scene_free_grasp(s);
     if (g == NULL) {
         vbss_scene_add_event(s, VBSS_EVENT_GRASP_LOST, found->thread->number, tool->number, 0);
         return;
@@ -211,6 +211,20 @@ static double held_angle(const scene_object *s, uint32_t tool)
     return angle;
 }
 
+/* Of what the blades reach, what they cannot cut does not stop them. */
+static void let_through(scene_object *s, mouth *m, double next)
+{
+    uint32_t kept = 0;
+    for (uint32_t i = 0; i < m->count; i++) {
+        const strand *found = &m->strands[i];
+        const scene_strand at = {found->thread, found->segment, found->share};
+        if (found->angle < next || !vbss_scene_let_through(s, m->tool, &at, found->angle)) {
+            m->strands[kept++] = *found;
+        }
+    }
+    m->count = kept;
+}
+
 double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
 {
     grasper_object *g = tool->rigid.grasper;
@@ -221,6 +235,9 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     }
     mouth m;
     look_between(s, tool, &m);
+    if (g->kind == VBSS_GRASPER_SHEARS) {
+        let_through(s, &m, next);
+    }
     double stop = 0.0;
     for (uint32_t i = 0; i < m.count; i++) {
         stop = greater(m.strands[i].angle, stop);
@@ -234,7 +251,8 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
             continue;
         }
         if (g->kind == VBSS_GRASPER_SHEARS) {
-            vbss_scene_note_cut(s, m.strands[i].thread, m.strands[i].segment, m.strands[i].share);
+            const scene_strand at = {m.strands[i].thread, m.strands[i].segment, m.strands[i].share};
+            vbss_scene_note_cut(s, &at);
         } else {
             take(s, tool, &m, &m.strands[i]);
         }
@@ -359,11 +377,13 @@ static void settle(scene_object *s, scene_grasp *g, double h)
         .pressure = r->grasper->pressure / strands,
         .along = vec3_unit_or(quat_rotate_back(jaws.orientation, way), vec3_make(0.0, 1.0, 0.0)),
         .ahead = {-held_ahead(t, g, false), 0.0, held_ahead(t, g, true)},
-        .h = h};
+        .h = h,
+        .stacked = strands > 1};
     g->force = vec3_zero();
     for (uint32_t k = 0; k < GRIP_POINTS; k++) {
         vec3 here = pose_apply_inverse(jaws, vbss_scene_held_point(g, t, t->now.x, k));
         load.force[k] = vec3_scale(vec3_sub(g->grip.at[k], here), stiffness);
+        load.force[k].x *= GRIP_ACROSS;
         g->force = vec3_add(g->force, quat_rotate(jaws.orientation, load.force[k]));
     }
     g->limit = vbss_grip_limit(r->grasper, load.pressure);
@@ -376,14 +396,23 @@ static void settle(scene_object *s, scene_grasp *g, double h)
     }
 }
 
+void vbss_scene_forget_clear_grasps(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        scene_grasp *g = &s->grasps[i];
+        if (g->id != 0 && g->let_go && is_clear(s, g, 1.0)) {
+            *g = (scene_grasp){0};
+        }
+    }
+}
+
 void vbss_scene_settle_grasps(scene_object *s, double h)
 {
+    vbss_scene_forget_clear_grasps(s);
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && !g->let_go) {
             settle(s, g, h);
-        } else if (g->id != 0 && is_clear(s, g, 1.0)) {
-            *g = (scene_grasp){0};
         }
     }
 }

@@ -85,15 +85,16 @@ static void let_go(scene_object *s, scene_grasp *g)
 /* After the step, from which on the node is carried, or free: jaws that have opened let go first. */
 void vbss_scene_paper_settle_grasps(scene_object *s)
 {
+    vbss_scene_forget_clear_grasps(s); /* what blades were closed through */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && vbss_scene_body(s, g->tool)->rigid.grasper->angle > 0.0) {
+        if (g->id != 0 && !g->let_go && vbss_scene_body(s, g->tool)->rigid.grasper->angle > 0.0) {
             let_go(s, g);
         }
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && g->pin == 0) {
+        if (g->id != 0 && !g->let_go && g->pin == 0) {
             lead(s, g);
         }
     }

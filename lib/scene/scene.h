@@ -116,6 +116,13 @@ typedef struct scene_grasp {
     uint32_t pin; /* PAPER: of the node `segment`; 0: another tool leads */
 } scene_grasp;
 
+/* A place of a thread between jaws. */
+typedef struct scene_strand {
+    const scene_body *thread;
+    uint32_t segment;
+    double share; /* of it */
+} scene_strand;
+
 /* What shears close on in this step. */
 typedef struct scene_cut {
     uint32_t thread;
@@ -253,6 +260,10 @@ void vbss_scene_release_grasper(scene_body *b);
 double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h);
 void vbss_scene_let_go(scene_object *s, const scene_body *tool);
 void vbss_scene_settle_grasps(scene_object *s, double h);
+/* Those of what was let go that is clear of the jaws. */
+void vbss_scene_forget_clear_grasps(scene_object *s);
+/* A place for one more, or NULL. */
+scene_grasp *vbss_scene_free_grasp(const scene_object *s);
 uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool);
 void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number);
 /* Whether a segment is so near to what is held, along the thread, that the jaws do not touch it. */
@@ -271,8 +282,10 @@ vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const v
                            uint32_t point);
 pose vbss_scene_jaws_of(const scene_rigid *r, pose principal);
 
-/* shears.c */
-void vbss_scene_note_cut(scene_object *s, const scene_body *thread, uint32_t segment, double share);
+/* shears.c. What cannot be cut is let through, at that angle of the blades; false: it can be, or there is no room to
+ * remember it. */
+bool vbss_scene_let_through(scene_object *s, uint32_t tool, const scene_strand *at, double angle);
+void vbss_scene_note_cut(scene_object *s, const scene_strand *at);
 void vbss_scene_make_cuts(scene_object *s);
 /* Nodes of threads stand one behind the other in the order of their places. */
 void vbss_scene_number_nodes(scene_object *s);
@@ -298,6 +311,8 @@ void vbss_scene_finish_pieces(vbss_stream *stream, scene_object *s);
  * where nothing is cut; VBSS_ERROR_CAPACITY when no cut is left, which is an event. */
 vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_length,
                                scene_body **piece);
+void vbss_scene_tell_cut(scene_object *s, const scene_body *thread, const scene_body *piece,
+                         double arc_length);
 /* Whether two segments of threads are so near across a cut that they do not touch: the ends at a cut begin in
  * the same place. Until they have come apart, which is seen at the end of a step. */
 bool vbss_scene_adjoins(const scene_object *s, const scene_body *a, uint32_t segment_a,

@@ -1,23 +1,70 @@
-/* What shears close on is cut when the step is made: threads keep their nodes while it lasts. */
+/* What shears close on is cut when the step is made: threads keep their nodes while it lasts. What they cannot cut
+ * does not hold them: they close as if they had let it go. */
 #include "scene/scene.h"
 
-void vbss_scene_note_cut(scene_object *s, const scene_body *thread, uint32_t segment, double share)
+static double arc_of(const scene_strand *at)
 {
-    const thread_object *t = thread->thread.thread;
+    const thread_object *t = at->thread->thread.thread;
+    double arc = at->share * t->rest[at->segment];
+    for (uint32_t i = 0; i < at->segment; i++) {
+        arc += t->rest[i];
+    }
+    return arc;
+}
+
+/* Beside those that will be made in this step. */
+static bool has_cuts_left(const scene_object *s, const thread_reserve *family)
+{
+    uint32_t left = 0, noted = 0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        left += b->reserved && b->kind == BODY_GONE && b->thread.thread->reserve == family;
+    }
+    for (uint32_t i = 0; i < s->cut_count; i++) {
+        noted += vbss_scene_body(s, s->cuts[i].thread)->thread.thread->reserve == family;
+    }
+    return left > noted;
+}
+
+bool vbss_scene_let_through(scene_object *s, uint32_t tool, const scene_strand *at, double angle)
+{
+    const thread_object *t = at->thread->thread.thread;
+    const grasper_object *shears = vbss_scene_body(s, tool)->rigid.grasper;
+    double arc = arc_of(at);
+    thread_cut cut;
+    bool at_end = !vbss_thread_find_cut(t, arc, &cut);
+    scene_grasp *g = vbss_scene_free_grasp(s);
+    if (g == NULL || (!at_end && has_cuts_left(s, t->reserve))) {
+        return false;
+    }
+    *g = (scene_grasp){.id = ++s->last_grasp,
+                       .thread = at->thread->number,
+                       .tool = tool,
+                       .segment = at->segment,
+                       .into = at->share * t->rest[at->segment],
+                       .angle = angle,
+                       .spacing = shears->config.grip_length / (GRIP_POINTS - 1),
+                       .let_go = true,
+                       .torn = true};
+    if (!at_end) {
+        vbss_scene_tell_cut(s, at->thread, NULL, arc);
+    }
+    return true;
+}
+
+void vbss_scene_note_cut(scene_object *s, const scene_strand *at)
+{
     if (s->cut_count == SCENE_CUTS) {
         return; /* what still lies between the blades is cut in the next step */
     }
-    double arc = share * t->rest[segment];
-    for (uint32_t i = 0; i < segment; i++) {
-        arc += t->rest[i];
-    }
+    double arc = arc_of(at);
     uint32_t to =
         s->cut_count++; /* from the end of a thread on: what is left keeps its arc lengths */
     while (to > 0 && s->cuts[to - 1].arc_length < arc) {
         s->cuts[to] = s->cuts[to - 1];
         to--;
     }
-    s->cuts[to] = (scene_cut){thread->number, arc};
+    s->cuts[to] = (scene_cut){at->thread->number, arc};
 }
 
 void vbss_scene_make_cuts(scene_object *s)

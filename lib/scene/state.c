@@ -195,7 +195,7 @@ static bool is_grasp(const scene_object *s, const scene_grasp *g)
         return false;
     }
     const thread_object *thread = t->thread.thread;
-    bool paper = s->config.method == VBSS_METHOD_PAPER; /* holds a node, by a pin */
+    bool paper = s->config.method == VBSS_METHOD_PAPER && !g->let_go; /* holds a node, by a pin */
     bool placed = g->segment + (paper ? 0 : 1) < thread->node_count && isfinite(g->into) &&
                   fabs(g->into) <= 1e3 && isfinite(g->angle) && isfinite(g->slid) &&
                   isfinite(g->limit) && vec3_is_finite(g->force) &&

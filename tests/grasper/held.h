@@ -41,7 +41,8 @@ static inline double stiffness_of(const held *s)
 
 static inline vec3 force_at(const held *s, int i)
 {
-    return vec3_scale(vec3_sub(s->grip.at[i], s->thread[i]), stiffness_of(s));
+    vec3 force = vec3_scale(vec3_sub(s->grip.at[i], s->thread[i]), stiffness_of(s));
+    return vec3_make(GRIP_ACROSS * force.x, force.y, force.z);
 }
 
 static inline vec3 force_on_thread(const held *s)
@@ -62,7 +63,7 @@ static inline double energy_of(const held *s)
 {
     double energy = 0.0;
     for (int i = 0; i < GRIP_POINTS; i++) {
-        energy += 0.5 * stiffness_of(s) * vec3_norm_squared(vec3_sub(s->grip.at[i], s->thread[i]));
+        energy += 0.5 * vec3_dot(force_at(s, i), vec3_sub(s->grip.at[i], s->thread[i]));
     }
     return energy;
 }

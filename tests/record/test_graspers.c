@@ -1,0 +1,186 @@
+/* Sessions with graspers: recorded, replayed to the bit; what is told past the record is found out. */
+#include "fixture.h"
+#include "scene/scene.h"
+#include "scenes/tool_scenes.h"
+
+/* The context must not move: the memory it watches is in the stage. */
+static void tools_make(stage *s, vbss_method method)
+{
+    memset(s, 0, sizeof *s);
+    s->context = harness_context(&s->memory);
+    expect_ok(tool_scene_create(s->context, method, &s->scene));
+}
+
+/* Steps of a round, from the first; what they are told is recorded. */
+static log_bytes record_tools(stage *s, uint32_t steps)
+{
+    log_bytes log = {NULL, 0};
+    vbss_record *record;
+    expect_ok(vbss_record_create(s->scene, NULL, &record));
+    for (uint32_t i = 0; i < steps; i++) {
+        expect_ok(tool_scene_drive(s->scene, record));
+        expect_ok(vbss_record_step(record, 1e-3));
+        if (i % 50 == 7) {
+            log_take(&log, record);
+        }
+    }
+    expect_ok(vbss_record_end(record));
+    log_take(&log, record);
+    expect_ok(vbss_record_destroy(record));
+    return log;
+}
+
+static void expect_replayed(stage *recorded, const log_bytes *log, vbss_method method,
+                            uint32_t steps)
+{
+    stage replayed;
+    vbss_replay_report report;
+    tools_make(&replayed, method);
+    vbss_replay *replay = replay_of(&replayed, log);
+    for (int life = 0; life < 2; life++) {
+        expect_ok(vbss_replay_begin(replay, replayed.scene));
+        for (uint32_t i = 1; i <= steps; i++) {
+            expect_ok(vbss_replay_step(replay, &report, sizeof report));
+            assert_int_equal(report.outcome, VBSS_REPLAY_STEPPED);
+            assert_int_equal(report.agreed_step, i);
+            assert_true(report.recorded_hash == stage_hash(&replayed));
+        }
+        expect_ok(vbss_replay_step(replay, &report, sizeof report));
+        assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
+        assert_true(stage_hash(&replayed) == stage_hash(recorded));
+    }
+    stage_end(&replayed);
+}
+
+/* A whole round: taken, drawn, taken by the other, slid, let go, exchanged. */
+static void a_session_with_graspers_is_replayed_to_the_bit(void **state)
+{
+    (void)state;
+    stage recorded, plain;
+    tools_make(&recorded, VBSS_METHOD_OURS);
+    tools_make(&plain, VBSS_METHOD_OURS);
+    log_bytes log = record_tools(&recorded, TOOL_SCENE_ROUND);
+    for (uint32_t i = 0; i < TOOL_SCENE_ROUND; i++) {
+        expect_ok(tool_scene_step(plain.scene));
+    }
+    assert_true(stage_hash(&plain) == stage_hash(&recorded)); /* recording changes nothing */
+    stage_end(&plain);
+    expect_replayed(&recorded, &log, VBSS_METHOD_OURS, TOOL_SCENE_ROUND);
+    stage_end(&recorded);
+    log_free(&log);
+}
+
+static void so_is_one_that_begins_while_both_hold(void **state)
+{
+    (void)state;
+    stage recorded;
+    tools_make(&recorded, VBSS_METHOD_OURS);
+    for (uint32_t i = 0; i < TOOL_SCENE_SLIDING; i++) {
+        expect_ok(tool_scene_step(recorded.scene));
+    }
+    log_bytes log = record_tools(&recorded, 200);
+    expect_replayed(&recorded, &log, VBSS_METHOD_OURS, 200);
+    stage_end(&recorded);
+    log_free(&log);
+}
+
+static void so_is_one_of_the_papers_method(void **state)
+{
+    (void)state;
+    stage recorded;
+    tools_make(&recorded, VBSS_METHOD_PAPER);
+    log_bytes log = record_tools(&recorded, 200);
+    expect_replayed(&recorded, &log, VBSS_METHOD_PAPER, 200);
+    stage_end(&recorded);
+    log_free(&log);
+}
+
+/* The room that the header promises for a step of two graspers. */
+static void a_step_takes_the_room_that_is_promised(void **state)
+{
+    (void)state;
+    stage s;
+    vbss_record *record;
+    log_bytes log = {NULL, 0};
+    const double tip[3] = {0.0, 0.0, 0.05}, turned[4] = {1.0, 0.0, 0.0, 0.0};
+    tools_make(&s, VBSS_METHOD_OURS);
+    expect_ok(vbss_record_create(s.scene, NULL, &record));
+    log_take(&log, record);
+    size_t before = log.count;
+    for (uint32_t body = 2; body <= 3; body++) {
+        expect_ok(vbss_record_move_grasper(record, body, tip, turned));
+        expect_ok(vbss_record_set_opening(record, body, 0.5));
+    }
+    expect_ok(vbss_record_step(record, 1e-3));
+    log_take(&log, record);
+    assert_true(log.count - before <= 330);
+    expect_ok(vbss_record_destroy(record));
+    stage_end(&s);
+    log_free(&log);
+}
+
+/* ---- refused */
+
+static void what_is_told_past_the_record_is_found_out(void **state)
+{
+    (void)state;
+    for (int how = 0; how < 3; how++) {
+        stage s;
+        vbss_record *record;
+        scene_object *scene;
+        const double tip[3] = {0.0, 0.0, 0.05};
+        tools_make(&s, VBSS_METHOD_OURS);
+        expect_ok(vbss_record_create(s.scene, NULL, &record));
+        expect_ok(vbss_record_step(record, 1e-3));
+        expect_ok(vbss_scene_open(s.scene, &scene));
+        vbss_grasper *tool = (vbss_grasper *)vbss_scene_body(scene, 2)->rigid.slot;
+        expect_ok(how == 0   ? vbss_grasper_move(tool, tip, NULL)
+                  : how == 1 ? vbss_grasper_set_opening(tool, 0.5)
+                             : vbss_grasper_exchange(tool, VBSS_GRASPER_SHEARS));
+        assert_true(vbss_record_step(record, 1e-3) != VBSS_OK);
+        expect_ok(vbss_record_destroy(record));
+        stage_end(&s);
+    }
+}
+
+/* And leaves the record as it was. */
+static void what_a_grasper_refuses_is_not_recorded(void **state)
+{
+    (void)state;
+    stage s;
+    vbss_record *record;
+    const double tip[3] = {0.0, 0.0, 0.05}, far[3] = {1e4, 0.0, 0.0}, none[4] = {0.0};
+    const double odd[3] = {harness_bad_numbers[0], 0.0, 0.0};
+    tools_make(&s, VBSS_METHOD_OURS);
+    expect_ok(vbss_record_create(s.scene, NULL, &record));
+    uint64_t hash = stage_hash(&s);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 9, tip, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 1, tip, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_record_move_grasper(record, 2, NULL, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 2, far, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_move_grasper(record, 2, tip, none));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_record_move_grasper(record, 2, odd, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 2, 1.5));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_set_opening(record, 1, 0.5));
+    expect_result(VBSS_ERROR_NOT_FINITE,
+                  vbss_record_set_opening(record, 2, harness_bad_numbers[1]));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_exchange(record, 2, 3));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_exchange(record, 0, VBSS_GRASPER_SHEARS));
+    assert_true(stage_hash(&s) == hash);
+    expect_ok(vbss_record_step(record, 1e-3));
+    expect_ok(vbss_record_destroy(record));
+    stage_end(&s);
+}
+
+int test_graspers(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_session_with_graspers_is_replayed_to_the_bit),
+        cmocka_unit_test(so_is_one_that_begins_while_both_hold),
+        cmocka_unit_test(so_is_one_of_the_papers_method),
+        cmocka_unit_test(a_step_takes_the_room_that_is_promised),
+        cmocka_unit_test(what_is_told_past_the_record_is_found_out),
+        cmocka_unit_test(what_a_grasper_refuses_is_not_recorded),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,196 @@
+/* Saving, restoring and hashing of scenes with graspers; steps that fail, and allocate nothing. */
+#include <stdlib.h>
+
+#include "scene/tools_rig.h"
+#include "scenes/tool_scenes.h"
+
+/* ---- as a body of the harness */
+
+static vbss_method methods[] = {VBSS_METHOD_OURS, VBSS_METHOD_PAPER};
+
+static vbss_result create(vbss_context *context, void *user, void **handle)
+{
+    const vbss_method *method = user;
+    vbss_scene *scene = NULL;
+    VBSS_TRY(tool_scene_create(context, *method, &scene));
+    *handle = scene;
+    return VBSS_OK;
+}
+
+static vbss_result step(void *handle)
+{
+    return tool_scene_step(handle);
+}
+
+static vbss_result destroy(void *handle)
+{
+    return vbss_scene_destroy(handle);
+}
+
+static harness_body as_body(int method)
+{
+    const harness_body body = {"tools", &vbss_scene_kind, create,          NULL,
+                               step,    destroy,          &methods[method]};
+    return body;
+}
+
+static const size_t moments[] = {TOOL_SCENE_CLOSING, TOOL_SCENE_TAKEN, TOOL_SCENE_DRAWN,
+                                 TOOL_SCENE_SLIDING, TOOL_SCENE_LET_GO};
+enum { MOMENTS = sizeof moments / sizeof moments[0] };
+
+static void a_restored_scene_goes_on_to_the_same_bits(void **state)
+{
+    (void)state;
+    for (int i = 0; i < MOMENTS; i++) {
+        harness_body body = as_body(0);
+        harness_save_restore_continue(&body, moments[i], 20);
+    }
+    harness_body body = as_body(1);
+    harness_save_restore_continue(&body, TOOL_SCENE_TAKEN, 10);
+}
+
+static void steps_allocate_nothing(void **state)
+{
+    (void)state;
+    for (int method = 0; method < 2; method++) {
+        harness_body body = as_body(method);
+        assert_int_equal(harness_step_allocations(&body, 900), 0);
+    }
+}
+
+static void bad_snapshots_are_refused(void **state)
+{
+    (void)state;
+    harness_body body = as_body(0);
+    harness_refuses_bad_snapshots(&body, TOOL_SCENE_DRAWN);
+}
+
+/* What happens there must be what the names say, or the tests above show little. */
+static void the_moments_are_what_they_are_called(void **state)
+{
+    (void)state;
+    for (int method = 0; method < 2; method++) {
+        small s;
+        size_t next = 0;
+        uint32_t event[4], count[VBSS_EVENT_NOT_EXCHANGED + 1] = {0};
+        small_begin(&s);
+        expect_ok(tool_scene_create(s.context, methods[method], &s.scene));
+        const scene_object *scene = small_object(&s);
+        for (size_t i = 0; i < TOOL_SCENE_ROUND; i++) {
+            uint32_t first = vbss_scene_count_grasps(scene, 2);
+            uint32_t second = vbss_scene_count_grasps(scene, 3);
+            double angle = vbss_scene_body(scene, 2)->rigid.grasper->angle;
+            if (next < MOMENTS && i == moments[next]) {
+                assert_int_equal(first, next == 0 ? 0 : 1);
+                assert_int_equal(second, method == 0 && next == 3 ? 1 : 0);
+                assert_true(next > 0 || (angle > 0.05 && angle < 0.34));
+                assert_true(method == 1 || next != 3 || scene->grasps[1].sliding);
+                assert_true(method == 1 || next != 3 || scene->grasps[1].slid > 1e-4);
+                next++;
+            }
+            expect_ok(tool_scene_step(s.scene));
+            for (uint32_t k = VBSS_EVENT_GRASP; k <= VBSS_EVENT_NOT_EXCHANGED; k++) {
+                count[k] += small_events(&s, (vbss_event_kind)k, event);
+            }
+        }
+        assert_int_equal(next, MOMENTS);
+        assert_int_equal(count[VBSS_EVENT_GRASP], count[VBSS_EVENT_RELEASE]);
+        assert_true(count[VBSS_EVENT_GRASP] >= 1);
+        assert_int_equal(count[VBSS_EVENT_EXCHANGED], 2);
+        assert_int_equal(count[VBSS_EVENT_NOT_EXCHANGED], 1);
+        assert_int_equal(small_statistics(&s).clamped, 0);
+        small_end(&s);
+    }
+}
+
+/* ---- steps that fail */
+
+/* What graspers and grasps show, too, is as it was. */
+typedef struct look {
+    uint64_t hash;
+    vbss_grasper_state tool;
+    double shown[28];
+    vbss_grasp grasp;
+    bool has_grasp;
+} look;
+
+static look look_at(const tools_rig *r)
+{
+    look l;
+    vbss_view view;
+    memset(&l, 0, sizeof l);
+    l.hash = small_hash(&r->s);
+    l.tool = tools_state(r, 0);
+    expect_ok(vbss_grasper_get_view(r->tools[0], VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view));
+    memcpy(l.shown, view.data, sizeof l.shown);
+    l.has_grasp =
+        vbss_scene_get_grasp(r->s.scene, r->bodies[0], 0, &l.grasp, sizeof l.grasp) == VBSS_OK;
+    return l;
+}
+
+/* Another thread lands on a floor far below and needs more contacts than there are, `fall` ms after the begin. */
+static void begin_fall(tools_rig *r, double fall)
+{
+    tools_begin(r);
+    r->s.config.floor = 1;
+    r->s.config.floor_normal[1] = 0.0;
+    r->s.config.floor_normal[2] = 1.0;
+    r->s.config.floor_height = -0.2;
+    r->s.config.contact_capacity = 24;
+    r->config.exchange_distance = 1.0;
+    small_create(&r->s);
+    tools_thread(r, TOOLS_FIRST, 0.0);
+    tools_add(r, vec3_make(0.0, -8e-3, -2e-3));
+    double z = -0.2 + 0.5 * 9.81 * 1e-6 * fall * fall;
+    r->s.thread.gravity[2] = -9.81;
+    small_thread(&r->s, vec3_make(-0.02, 0.0, z), vec3_make(0.02, 0.0, z), 40, NULL);
+}
+
+static void a_step_that_fails_changes_nothing(void **state)
+{
+    (void)state;
+    uint32_t closing = 0, holding = 0, letting_go = 0;
+    for (uint32_t fall = 20; fall <= 108; fall += fall == 20 ? 40 : fall < 95 ? 35 : 1) {
+        tools_rig r;
+        bool failed = false;
+        begin_fall(&r, fall);
+        for (uint32_t i = 0; i < 200 && !failed; i++) {
+            tools_open(&r, 0, i < 100 ? 0.0 : 1.0);
+            tools_move(&r, 0, vec3_make(1e-6 * i, -8e-3, -2e-3));
+            expect_ok(vbss_grasper_exchange(r.tools[0], VBSS_GRASPER_SHEARS));
+            look before = look_at(&r);
+            vbss_result result = vbss_scene_step(r.s.scene, 1e-3);
+            failed = result != VBSS_OK;
+            if (failed) {
+                look after = look_at(&r);
+                expect_result(VBSS_ERROR_CAPACITY, result);
+                assert_memory_equal(&before, &after, sizeof before);
+                expect_result(VBSS_ERROR_CAPACITY, vbss_scene_step(r.s.scene, 1e-3));
+                closing += i > 5 && i < 40;
+                holding += i < 100 && before.has_grasp;
+                letting_go += i >= 100 && before.has_grasp;
+                /* Without what was too much, what was told is done. */
+                expect_ok(vbss_scene_remove(r.s.scene, 3));
+                tools_steps(&r, 1);
+                assert_true(small_hash(&r.s) != before.hash);
+            }
+        }
+        assert_true(failed);
+        tools_end(&r);
+    }
+    assert_int_equal(closing, 1);
+    assert_true(holding > 1);
+    assert_int_equal(letting_go, 1);
+}
+
+int test_grasp_state(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_restored_scene_goes_on_to_the_same_bits),
+        cmocka_unit_test(steps_allocate_nothing),
+        cmocka_unit_test(bad_snapshots_are_refused),
+        cmocka_unit_test(the_moments_are_what_they_are_called),
+        cmocka_unit_test(a_step_that_fails_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
