@@ -102,6 +102,7 @@ static void of_two_tools_the_weaker_slips(void **state)
         tools_rig r;
         uint32_t event[4], slips[2] = {0, 0};
         tools_begin(&r);
+        r.config.stiffness = 2000.0;
         r.config.turning_stiffness = 200.0;
         small_create(&r.s);
         tools_thread(&r, TOOLS_NEITHER, 0.0);
