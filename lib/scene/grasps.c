@@ -23,13 +23,18 @@ scene_grasp *vbss_scene_free_grasp(const scene_object *s)
     return NULL;
 }
 
+/* Not what it waits for, by method PAPER, while another tool leads. */
+static bool holds(const scene_object *s, uint32_t tool, const scene_grasp *g)
+{
+    bool waits = s->config.method == VBSS_METHOD_PAPER && g->pin == 0;
+    return g->id != 0 && g->tool == tool && !g->let_go && !waits;
+}
+
 uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        const scene_grasp *g = &s->grasps[i];
-        bool waits = s->config.method == VBSS_METHOD_PAPER && g->pin == 0;
-        count += g->id != 0 && g->tool == tool && !g->let_go && !waits;
+        count += holds(s, tool, &s->grasps[i]);
     }
     return count;
 }
@@ -427,7 +432,7 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
     uint32_t left = index;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
-        if (g->id == 0 || g->tool != tool || g->let_go || left-- > 0) {
+        if (!holds(s, tool, g) || left-- > 0) {
             continue;
         }
         const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;

@@ -221,6 +221,9 @@ static void exchange(scene_object *s, scene_body *b)
         may = false;
     }
     g->kind_told = g->kind;
+    if (may) { /* nor does it wait for anything any more */
+        vbss_scene_forget_grasps_of(s, b->number);
+    }
     vbss_scene_add_event(s, may ? VBSS_EVENT_EXCHANGED : VBSS_EVENT_NOT_EXCHANGED, b->number, 0,
                          (uint32_t)wanted);
 }

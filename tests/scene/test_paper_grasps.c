@@ -109,6 +109,34 @@ static void the_first_tool_leads_and_the_second_takes_over(void **state)
     tools_end(&r);
 }
 
+/* What it waits for is not its own, and shears do not wait. */
+static void a_tool_that_waits_holds_nothing(void **state)
+{
+    (void)state;
+    tools_rig r;
+    uint32_t event[4] = {0};
+    vbss_grasp grasp;
+    begin(&r, TOOLS_BOTH);
+    r.config.paper_distance = 0.1;
+    tools_add(&r, vec3_make(0.0, 0.0, -3e-3));
+    tools_add(&r, vec3_make(0.0, 0.0, 20e-3));
+    assert_true(close_jaws(&r, 0, event));
+    assert_false(close_jaws(&r, 1, event));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                  vbss_scene_get_grasp(r.s.scene, r.bodies[1], 0, &grasp, sizeof grasp));
+    expect_ok(vbss_grasper_exchange(r.tools[1], VBSS_GRASPER_SHEARS));
+    tools_steps(&r, 1);
+    assert_int_equal(tools_happened(&r, VBSS_EVENT_EXCHANGED, event), 1);
+    tools_open(&r, 0, 1.0);
+    tools_steps(&r, 1);
+    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, event), 1);
+    assert_int_equal(tools_happened(&r, VBSS_EVENT_GRASP, event), 0);
+    tools_open(&r, 1, 1.0);
+    tools_steps(&r, 1);
+    assert_int_equal(tools_happened(&r, VBSS_EVENT_RELEASE, event), 0);
+    tools_end(&r);
+}
+
 /* k_s (stretched length - length) of both sections beside the node. */
 static void the_hand_feels_the_stretch_of_the_sections(void **state)
 {
@@ -172,6 +200,7 @@ int test_paper_grasps(void)
         cmocka_unit_test(closed_jaws_carry_the_nearest_node),
         cmocka_unit_test(jaws_take_nothing_beyond_their_distance),
         cmocka_unit_test(the_first_tool_leads_and_the_second_takes_over),
+        cmocka_unit_test(a_tool_that_waits_holds_nothing),
         cmocka_unit_test(the_hand_feels_the_stretch_of_the_sections),
         cmocka_unit_test(what_is_carried_comes_back_with_a_state),
     };
