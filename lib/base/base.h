@@ -74,6 +74,8 @@ double vbss_largest(const double *values, size_t count);
 
 /* What every step asks first: VBSS_ERROR_ARITHMETIC_MODE, with a text. */
 vbss_result vbss_check_arithmetic(vbss_context *context);
+/* A unit quaternion of one of any length from 1e-100 to 1e100. */
+vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat *orientation);
 
 /* ---- structs that cross the border (config.c): the size protocol of docs/abi.md.
  * Each starts with uint32_t struct_size. */

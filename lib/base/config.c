@@ -43,6 +43,16 @@ double vbss_largest(const double *values, size_t count)
     return largest;
 }
 
+vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat *orientation)
+{
+    VBSS_TRY(vbss_check_finite(context, q, 4, "orientation"));
+    double largest = vbss_largest(q, 4);
+    VBSS_TRY(vbss_check_range(context, largest, 1e-100, 1e100, "length of orientation"));
+    double scale = 1.0 / largest;
+    *orientation = quat_unit(quat_make(q[0] * scale, q[1] * scale, q[2] * scale, q[3] * scale));
+    return VBSS_OK;
+}
+
 vbss_result vbss_check_arithmetic(vbss_context *context)
 {
     vbss_result result = vbss_arithmetic_check();

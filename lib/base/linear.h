@@ -392,6 +392,15 @@ static inline pose pose_make(vec3 position, quat orientation)
     return p;
 }
 
+static inline void pose_store(pose p, double position[3], double orientation[4])
+{
+    vec3_store(position, p.position);
+    orientation[0] = p.orientation.w;
+    orientation[1] = p.orientation.x;
+    orientation[2] = p.orientation.y;
+    orientation[3] = p.orientation.z;
+}
+
 static inline pose pose_identity(void)
 {
     return pose_make(vec3_zero(), quat_identity());

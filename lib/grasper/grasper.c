@@ -109,16 +109,6 @@ static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
 
 /* ---- what it is told */
 
-static vbss_result read_orientation(vbss_context *context, const double q[4], quat *orientation)
-{
-    VBSS_TRY(vbss_check_finite(context, q, 4, "orientation"));
-    double largest = vbss_largest(q, 4);
-    VBSS_TRY(vbss_check_range(context, largest, 1e-100, 1e100, "length of orientation"));
-    double scale = 1.0 / largest;
-    *orientation = quat_unit(quat_make(q[0] * scale, q[1] * scale, q[2] * scale, q[3] * scale));
-    return VBSS_OK;
-}
-
 vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
                               const double *orientation)
 {
@@ -129,7 +119,7 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
     VBSS_TRY(vbss_check_range(g->context, vbss_largest(position, 3), 0.0, 1e3, "position"));
     pose told = pose_make(vec3_load(position), g->told.orientation), target;
     if (orientation != NULL) {
-        VBSS_TRY(read_orientation(g->context, orientation, &told.orientation));
+        VBSS_TRY(vbss_read_orientation(g->context, orientation, &told.orientation));
     }
     if (!vbss_grasper_through_trocar(g, told, &target)) {
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE,
@@ -163,15 +153,6 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
 
 /* ---- looking at it */
 
-static void store_pose(pose p, double position[3], double orientation[4])
-{
-    vec3_store(position, p.position);
-    orientation[0] = p.orientation.w;
-    orientation[1] = p.orientation.x;
-    orientation[2] = p.orientation.y;
-    orientation[3] = p.orientation.z;
-}
-
 vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
                                    uint32_t struct_size)
 {
@@ -184,8 +165,8 @@ vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *st
                               .opening = g->opening,
                               .jaw_angle = g->angle,
                               .pressure = g->pressure};
-    store_pose(g->now, own.position, own.orientation);
-    store_pose(target_of(g), own.target_position, own.target_orientation);
+    pose_store(g->now, own.position, own.orientation);
+    pose_store(target_of(g), own.target_position, own.target_orientation);
     vec3_store(own.velocity, g->velocity);
     vec3_store(own.angular_velocity, g->angular_velocity);
     vec3_store(own.hand_force, g->hand_force);

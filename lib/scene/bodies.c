@@ -165,16 +165,6 @@ static vbss_result check_vector(vbss_context *context, const double v[3], double
     return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
 }
 
-static vbss_result read_orientation(vbss_context *context, const double q[4], quat *orientation)
-{
-    VBSS_TRY(vbss_check_finite(context, q, 4, "orientation"));
-    double largest = vbss_largest(q, 4);
-    VBSS_TRY(vbss_check_range(context, largest, 1e-100, 1e100, "length of orientation"));
-    double scale = 1.0 / largest;
-    *orientation = quat_unit(quat_make(q[0] * scale, q[1] * scale, q[2] * scale, q[3] * scale));
-    return VBSS_OK;
-}
-
 static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c)
 {
     vbss_context *context = s->context;
@@ -268,7 +258,7 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
     VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &own));
     VBSS_TRY(check_rigid(s, &own));
-    VBSS_TRY(read_orientation(s->context, own.orientation, &orientation));
+    VBSS_TRY(vbss_read_orientation(s->context, own.orientation, &orientation));
     VBSS_TRY(spread_mass(s, &own, &mass));
     scene_body *b = vbss_scene_new_place(s, BODY_RIGID);
     if (b == NULL) {
@@ -379,7 +369,7 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     }
     VBSS_TRY(check_vector(s->context, position, 1e3, "position"));
     if (orientation != NULL) {
-        VBSS_TRY(read_orientation(s->context, orientation, &told.orientation));
+        VBSS_TRY(vbss_read_orientation(s->context, orientation, &told.orientation));
     }
     told.position = vec3_load(position);
     const quat before = r->body.end.orientation;
@@ -390,15 +380,6 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     vbss_scene_aim_pins(s); /* a step that fails shall find nothing to undo */
     s->generation++;
     return VBSS_OK;
-}
-
-static void store_pose(pose p, double position[3], double orientation[4])
-{
-    vec3_store(position, p.position);
-    orientation[0] = p.orientation.w;
-    orientation[1] = p.orientation.x;
-    orientation[2] = p.orientation.y;
-    orientation[3] = p.orientation.z;
 }
 
 vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_state *state,
@@ -416,8 +397,8 @@ vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_st
     vec3 to_centre = vec3_sub(r->body.now.at.position, at.position);
     vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->pull.force);
     vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->pull.torque);
-    store_pose(at, own.position, own.orientation);
-    store_pose(pose_mul(r->body.end, back), own.target_position, own.target_orientation);
+    pose_store(at, own.position, own.orientation);
+    pose_store(pose_mul(r->body.end, back), own.target_position, own.target_orientation);
     vec3_store(own.velocity, vec3_sub(r->body.now.v, vec3_cross(r->body.now.w, to_centre)));
     vec3_store(own.angular_velocity, r->body.now.w);
     vec3_store(own.hand_force, hand);

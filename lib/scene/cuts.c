@@ -325,15 +325,6 @@ vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_l
 
 /* ---- for hosts */
 
-static double length_of(const thread_object *t)
-{
-    double length = 0.0;
-    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        length += t->rest[i];
-    }
-    return length;
-}
-
 vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc_length,
                                   uint32_t *piece)
 {
@@ -344,8 +335,9 @@ vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    VBSS_TRY(
-        vbss_check_range(s->context, arc_length, 0.0, length_of(b->thread.thread), "arc_length"));
+    const thread_object *t = b->thread.thread;
+    VBSS_TRY(vbss_check_range(s->context, arc_length, 0.0,
+                              vbss_thread_arc_length(t, t->node_count - 1), "arc_length"));
     vbss_result result = vbss_scene_cut_now(s, b, arc_length, &new_piece);
     if (result == VBSS_ERROR_CAPACITY) {
         return vbss_fail(s->context, result, "all cuts of body %u are made", thread);

@@ -52,15 +52,10 @@ void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number)
 static double arc_of(const scene_object *s, const scene_grasp *g)
 {
     const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
-    double arc = g->into;
-    for (uint32_t i = 0; i < g->segment; i++) {
-        arc += t->rest[i];
-    }
-    return arc;
+    return vbss_thread_arc_length(t, g->segment) + g->into;
 }
 
-/* Events tell places in micrometres. */
-static void tell(scene_object *s, vbss_event_kind kind, const scene_grasp *g)
+void vbss_scene_tell_grasp(scene_object *s, vbss_event_kind kind, const scene_grasp *g)
 {
     double arc = 1e6 * arc_of(s, g);
     vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)greater(arc, 0.0));
@@ -200,7 +195,7 @@ static void take(scene_object *s, const scene_body *tool, const mouth *m, const 
     for (uint32_t k = 0; k < GRIP_POINTS; k++) {
         g->grip.at[k] = pose_apply_inverse(m->jaws, vbss_scene_held_point(g, t, t->now.x, k));
     }
-    tell(s, VBSS_EVENT_GRASP, g);
+    vbss_scene_tell_grasp(s, VBSS_EVENT_GRASP, g);
 }
 
 /* The angle below which the jaws cannot close, for what is held. */
@@ -321,7 +316,7 @@ void vbss_scene_let_go(scene_object *s, const scene_body *tool)
         }
         g->torn = false;
         if (!g->let_go) {
-            tell(s, VBSS_EVENT_RELEASE, g);
+            vbss_scene_tell_grasp(s, VBSS_EVENT_RELEASE, g);
             g->let_go = true;
             g->force = vec3_zero();
             if (is_clear(s, g, STILL_BETWEEN)) {
@@ -346,7 +341,7 @@ static void slide(scene_object *s, scene_grasp *g, double way)
     }
     bool sliding = way != 0.0;
     if (sliding && !g->sliding) {
-        tell(s, VBSS_EVENT_SLIP, g);
+        vbss_scene_tell_grasp(s, VBSS_EVENT_SLIP, g);
     }
     g->sliding = sliding;
 }
@@ -395,7 +390,7 @@ static void settle(scene_object *s, scene_grasp *g, double h)
     grip_change change = vbss_grip_yield(r->grasper, &g->grip, &load);
     slide(s, g, change.slid);
     if (change.torn || is_over(s, g)) {
-        tell(s, VBSS_EVENT_TORN, g);
+        vbss_scene_tell_grasp(s, VBSS_EVENT_TORN, g);
         g->let_go = g->torn = true;
         g->force = vec3_zero();
     }

@@ -15,22 +15,12 @@ static const scene_grasp *leader_of(const scene_object *s, uint32_t thread, uint
     return NULL;
 }
 
-static void tell(scene_object *s, vbss_event_kind kind, const scene_grasp *g)
-{
-    const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
-    double arc = 0.0;
-    for (uint32_t i = 0; i < g->segment; i++) {
-        arc += t->rest[i];
-    }
-    vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)(1e6 * arc));
-}
-
 /* Takes the node if nobody leads it; it is free, or a pin of the host's holds it. */
 static void lead(scene_object *s, scene_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
         vbss_scene_pin_in_step(s, g->thread, g->segment, g->tool, &g->pin) == VBSS_OK) {
-        tell(s, VBSS_EVENT_GRASP, g);
+        vbss_scene_tell_grasp(s, VBSS_EVENT_GRASP, g);
     }
 }
 
@@ -76,7 +66,7 @@ static void take(scene_object *s, const scene_body *tool)
 static void let_go(scene_object *s, scene_grasp *g)
 {
     if (g->pin != 0) {
-        tell(s, VBSS_EVENT_RELEASE, g);
+        vbss_scene_tell_grasp(s, VBSS_EVENT_RELEASE, g);
         vbss_scene_unpin_in_step(s, g->pin);
     }
     *g = (scene_grasp){0};

@@ -265,6 +265,8 @@ void vbss_scene_forget_clear_grasps(scene_object *s);
 /* A place for one more, or NULL. */
 scene_grasp *vbss_scene_free_grasp(const scene_object *s);
 uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool);
+/* An event, with the place in micrometres. */
+void vbss_scene_tell_grasp(scene_object *s, vbss_event_kind kind, const scene_grasp *g);
 void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number);
 /* Whether a segment is so near to what is held, along the thread, that the jaws do not touch it. */
 bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t segment,

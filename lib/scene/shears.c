@@ -5,11 +5,7 @@
 static double arc_of(const scene_strand *at)
 {
     const thread_object *t = at->thread->thread.thread;
-    double arc = at->share * t->rest[at->segment];
-    for (uint32_t i = 0; i < at->segment; i++) {
-        arc += t->rest[i];
-    }
-    return arc;
+    return vbss_thread_arc_length(t, at->segment) + at->share * t->rest[at->segment];
 }
 
 /* Beside those that will be made in this step. */

@@ -143,10 +143,7 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
     }
     *piece = NULL;
     VBSS_TRY(vbss_thread_edit_alone(thread, &t));
-    double length = 0.0;
-    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        length += t->rest[i];
-    }
+    double length = vbss_thread_arc_length(t, t->node_count - 1);
     VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
     thread_cut cut;
     if (!vbss_thread_find_cut(t, arc_length, &cut)) {

@@ -3,6 +3,15 @@
 
 #include <string.h>
 
+double vbss_thread_arc_length(const thread_object *t, uint32_t node)
+{
+    double arc_length = 0.0;
+    for (uint32_t i = 0; i < node; i++) {
+        arc_length += t->rest[i];
+    }
+    return arc_length;
+}
+
 /* ---- masses
  *
  * Half of each neighbouring segment, with the end corrections of the trapezoidal rule: sums over the

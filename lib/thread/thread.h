@@ -168,6 +168,8 @@ typedef struct thread_cut {
     uint32_t first_node; /* the first that goes to the piece */
     uint32_t shift;      /* by which its number is less there */
 } thread_cut;
+/* From the begin to a node, at rest, m. */
+double vbss_thread_arc_length(const thread_object *t, uint32_t node);
 /* False: at an end, where nothing is cut. */
 bool vbss_thread_find_cut(const thread_object *t, double arc_length, thread_cut *cut);
 /* Nodes and attachments beyond the cut go to a spare thread of the same reserve. */
