@@ -14,7 +14,9 @@
  * Grasping, method OURS: the jaws close until what lies between them touches both, and hold it from then on
  * by a compliant clamp over a short length of the thread, in position and direction. What it can bear grows
  * with the pressure of the jaws, as Coulomb friction of both faces: beyond that the thread slides through,
- * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close.
+ * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close,
+ * but not nearer to an end of a thread than it is thick: that, and a thread of which all cuts are made, they close
+ * through, and do not touch it until they have been clear of it.
  * Method PAPER (VBLaST-SS, Qi et al. 2017): tools are where the hand is; one that closes near a thread carries
  * its nearest node exactly; of two tools the first leads, the other changes nothing until that lets go.
  * docs/graspers.md has the formulas and limits.

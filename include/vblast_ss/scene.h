@@ -81,7 +81,9 @@ typedef struct vbss_scene_config {
     uint32_t attempt_limit;
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;
-    uint32_t grasp_capacity; /**< Most places of threads in jaws at a time, 0 to 256; default 8. */
+    /** Most places of threads in jaws at a time, 0 to 256; default 8. With them count those that jaws have let go
+     * but are not clear of yet, and those that blades have cut, two ends each: without room they stay open. */
+    uint32_t grasp_capacity;
     /** PAPER: distance kept beyond touching (the paper's eps_D), m, 0 to 1e-2; default 0. */
     double paper_thickness;
 } vbss_scene_config;

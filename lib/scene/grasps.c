@@ -100,14 +100,15 @@ static bool is_between(const mouth *m, vec3 begin, vec3 end, double diameter, st
     return fabs(at.x) <= 0.5 * wide;
 }
 
-/* What has just been torn out is not held again because it is still there. */
+/* What has just been torn out is not held again because it is still there, nor is cut what was let through. */
 static bool is_torn(const scene_object *s, const mouth *m, const scene_body *b, uint32_t segment)
 {
+    bool cuts = m->grasper->kind == VBSS_GRASPER_SHEARS; /* also beside that */
     double touching = vbss_grasper_jaws_now(m->grasper)->radius + b->thread.thread->config.radius;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->torn && g->tool == m->tool && g->thread == b->number &&
-            vbss_scene_is_held_at(s, g, segment, touching)) {
+            vbss_scene_is_held_at(s, g, segment, cuts ? 0.0 : touching)) {
             return true;
         }
     }
@@ -120,16 +121,22 @@ static void look_along(const scene_object *s, const scene_body *b, mouth *m)
     const double length = vbss_grasper_jaws_now(m->grasper)->length;
     strand *last =
         NULL; /* of a run of segments that all lie between: the one nearest to the middle */
+    bool is_torn_run = false;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         vec3 off = vec3_sub(t->now.x[i], m->jaws.position);
         double reach = 1.1 * length + t->rest[i];
         strand found = {.thread = b, .segment = i};
-        bool between = vec3_norm_squared(off) < reach * reach && !is_torn(s, m, b, i) &&
+        bool between = vec3_norm_squared(off) < reach * reach &&
                        is_between(m, pose_apply_inverse(m->jaws, t->now.x[i]),
                                   pose_apply_inverse(m->jaws, t->now.x[i + 1]),
                                   2.0 * t->config.radius, &found);
         if (!between) {
             last = NULL;
+            is_torn_run = false;
+        } else if (is_torn_run || is_torn(s, m, b, i)) {
+            m->count -= last != NULL;
+            last = NULL;
+            is_torn_run = true;
         } else if (last != NULL) {
             if (found.beside < last->beside) {
                 *last = found;

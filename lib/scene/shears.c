@@ -8,6 +8,16 @@ static double arc_of(const scene_strand *at)
     return vbss_thread_arc_length(t, at->segment) + at->share * t->rest[at->segment];
 }
 
+/* Blades do not slice off less than a thread is thick: neither the ends of what they have just cut, which still lie
+ * between them, nor what would be too short for a segment. */
+static bool is_at_end(const thread_object *t, double arc)
+{
+    double length = vbss_thread_arc_length(t, t->node_count - 1);
+    thread_cut cut;
+    return lesser(arc, length - arc) < 2.0 * t->config.radius ||
+           !vbss_thread_find_cut(t, arc, &cut);
+}
+
 /* Beside those that will be made in this step. */
 static bool has_cuts_left(const scene_object *s, const thread_reserve *family)
 {
@@ -25,10 +35,8 @@ static bool has_cuts_left(const scene_object *s, const thread_reserve *family)
 bool vbss_scene_let_through(scene_object *s, uint32_t tool, const scene_strand *at, double angle)
 {
     const thread_object *t = at->thread->thread.thread;
-    const grasper_object *shears = vbss_scene_body(s, tool)->rigid.grasper;
     double arc = arc_of(at);
-    thread_cut cut;
-    bool at_end = !vbss_thread_find_cut(t, arc, &cut);
+    bool at_end = is_at_end(t, arc);
     scene_grasp *g = vbss_scene_free_grasp(s);
     if (g == NULL || (!at_end && has_cuts_left(s, t->reserve))) {
         return false;
@@ -39,7 +47,7 @@ bool vbss_scene_let_through(scene_object *s, uint32_t tool, const scene_strand *
                        .segment = at->segment,
                        .into = at->share * t->rest[at->segment],
                        .angle = angle,
-                       .spacing = shears->config.grip_length / (GRIP_POINTS - 1),
+                       .spacing = t->config.radius,
                        .let_go = true,
                        .torn = true};
     if (!at_end) {
@@ -67,8 +75,9 @@ void vbss_scene_make_cuts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->cut_count; i++) {
         scene_body *thread = vbss_scene_body(s, s->cuts[i].thread), *piece;
-        /* At an end there is nothing to cut; that no cut is left is an event. */
-        (void)vbss_scene_cut_now(s, thread, s->cuts[i].arc_length, &piece);
+        if (!is_at_end(thread->thread.thread, s->cuts[i].arc_length)) { /* by now */
+            (void)vbss_scene_cut_now(s, thread, s->cuts[i].arc_length, &piece);
+        }
     }
     s->cut_count = 0;
 }

@@ -37,6 +37,22 @@ static void assemble(scene_object *s, const scene_part *part)
     }
 }
 
+/* A stub that is bent carries less compression than a straight thread: if a pivot says so, the stiffness takes in
+ * none. False: it takes in none already. */
+static bool leave_compression_out(scene_object *s)
+{
+    bool some = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_thread *b = &s->bodies[i].thread;
+        if (s->bodies[i].kind == BODY_THREAD && b->stage.least_pull < 0.0) {
+            b->stage.least_pull = 0.0;
+            b->thread->statistics.softened++;
+            some = true;
+        }
+    }
+    return some;
+}
+
 static scene_verdict find_increments(scene_object *s, const scene_part *part)
 {
     const contact_search search = {.system = s->system,
@@ -52,8 +68,12 @@ static scene_verdict find_increments(scene_object *s, const scene_part *part)
     assemble(s, part);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
-    if (!vbss_system_condense(s->system)) {
-        return VERDICT_SINGULAR;
+    while (!vbss_system_condense(s->system)) {
+        if (!leave_compression_out(s)) {
+            return VERDICT_SINGULAR;
+        }
+        assemble(s, part);
+        vbss_scene_set_weld_arms(s);
     }
     contact_outcome found = vbss_contact_find_states(s->contacts, &search);
     if (found == CONTACT_SINGULAR) {
