@@ -103,12 +103,13 @@ static bool is_between(const mouth *m, vec3 begin, vec3 end, double diameter, st
 /* What has just been torn out is not held again because it is still there, nor is cut what was let through. */
 static bool is_torn(const scene_object *s, const mouth *m, const scene_body *b, uint32_t segment)
 {
-    bool cuts = m->grasper->kind == VBSS_GRASPER_SHEARS; /* also beside that */
-    double touching = vbss_grasper_jaws_now(m->grasper)->radius + b->thread.thread->config.radius;
+    bool cuts = m->grasper->kind == VBSS_GRASPER_SHEARS; /* also further on */
+    double radius = vbss_grasper_jaws_now(m->grasper)->radius;
+    double reach = cuts ? BESIDE * radius : radius + b->thread.thread->config.radius;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->torn && g->tool == m->tool && g->thread == b->number &&
-            vbss_scene_is_held_at(s, g, segment, cuts ? 0.0 : touching)) {
+            vbss_scene_is_held_at(s, g, segment, reach)) {
             return true;
         }
     }
