@@ -1,0 +1,186 @@
+/* What the tests of shears share: a small scene with tools whose shafts stand up along z and whose jaws open along x,
+ * so that blades cut in the plane of their tip's y. Every call that fails, fails the test. */
+#ifndef VBSS_TESTS_SCENE_SHEARS_RIG_H
+#define VBSS_TESTS_SCENE_SHEARS_RIG_H
+
+#include "scene/cut_rig.h"
+
+enum { SHEARS_TOOLS = 4 };
+
+/* How far below a thread the tips of tools are that have it between their jaws, m. */
+#define SHEARS_BELOW 5e-3
+#define SHEARS_SEGMENT 0.5e-3
+
+typedef struct shears_rig {
+    small s;
+    vbss_grasper_config config; /* change it before what it makes */
+    vbss_grasper *tools[SHEARS_TOOLS];
+    uint32_t bodies[SHEARS_TOOLS], count;
+    vbss_thread *thread;
+    uint32_t body;
+    /* Of all steps. */
+    uint32_t cuts, failed_cuts, steps;
+    uint32_t first[4], last[4]; /* events */
+} shears_rig;
+
+/* No scene yet: change s.config and s.thread, then small_create. */
+static inline void shears_begin(shears_rig *r, vbss_method method)
+{
+    memset(r, 0, sizeof *r);
+    small_begin(&r->s);
+    expect_ok(vbss_grasper_config_init(&r->config, sizeof r->config));
+    r->s.config.method = r->s.thread.method = r->config.method = method;
+    r->s.config.capsule_capacity = 32;
+    r->s.thread.cut_capacity = 3;
+}
+
+static inline void shears_begin_scene(shears_rig *r, vbss_method method)
+{
+    shears_begin(r, method);
+    small_create(&r->s);
+}
+
+static inline void shears_end(shears_rig *r)
+{
+    small_end(&r->s);
+}
+
+/* ---- what is in it */
+
+/* Along y, from -15 mm to 15 mm; its ends are held, or nothing of it. */
+static inline void shears_line(shears_rig *r, bool held)
+{
+    r->body = small_thread(&r->s, vec3_make(0.0, -0.015, 0.0), vec3_make(0.0, 0.015, 0.0), 60,
+                           &r->thread);
+    if (held) {
+        small_pin_ends(&r->s, r->body, 61);
+    }
+}
+
+/* As it lies: nodes at these places. */
+static inline void shears_laid(shears_rig *r, const vec3 *nodes, uint32_t count)
+{
+    double rest[128];
+    assert_true(count <= 128);
+    for (uint32_t i = 0; i + 1 < count; i++) {
+        rest[i] = vec3_distance(nodes[i], nodes[i + 1]);
+    }
+    r->s.thread.segment_count = count - 1;
+    r->s.thread.bending = VBSS_BENDING_LOCAL; /* whose segments are chords */
+    r->s.thread.bending_stiffness = 0.0;
+    r->s.thread.rest_lengths = rest;
+    r->s.thread.positions = &nodes->x;
+    expect_ok(vbss_thread_create(r->s.context, &r->s.thread, &r->thread));
+    expect_ok(vbss_scene_add_thread(r->s.scene, r->thread, &r->body));
+    r->s.thread.positions = r->s.thread.rest_lengths = NULL;
+}
+
+/* With open jaws that have a thread at y between them, turned about the shaft. */
+static inline uint32_t shears_tool(shears_rig *r, vbss_grasper_kind kind, double y, double roll)
+{
+    const double tip[3] = {0.0, y, -SHEARS_BELOW};
+    const double turned[4] = {vbss_cos(0.5 * roll), 0.0, 0.0, vbss_sin(0.5 * roll)};
+    uint32_t tool = r->count++;
+    assert_true(tool < SHEARS_TOOLS);
+    r->config.kind = kind;
+    expect_ok(vbss_grasper_create(r->s.context, &r->config, &r->tools[tool]));
+    expect_ok(vbss_grasper_move(r->tools[tool], tip, turned));
+    expect_ok(vbss_grasper_set_opening(r->tools[tool], 1.0));
+    expect_ok(vbss_scene_add_grasper(r->s.scene, r->tools[tool], &r->bodies[tool]));
+    return tool;
+}
+
+/* ---- what hands do */
+
+static inline void shears_move(shears_rig *r, uint32_t tool, vec3 tip)
+{
+    double position[3];
+    vec3_store(position, tip);
+    expect_ok(vbss_grasper_move(r->tools[tool], position, NULL));
+}
+
+static inline void shears_open(shears_rig *r, uint32_t tool, double opening)
+{
+    expect_ok(vbss_grasper_set_opening(r->tools[tool], opening));
+}
+
+static inline void shears_note(shears_rig *r)
+{
+    vbss_view view = small_view(&r->s, VBSS_SCENE_VIEW_EVENTS);
+    r->steps++;
+    for (uint64_t i = 0; i < view.count; i++) {
+        uint32_t words[4];
+        memcpy(words, (const char *)view.data + i * view.stride_bytes, sizeof words);
+        if (words[0] == VBSS_EVENT_CUT) {
+            if (r->cuts + r->failed_cuts == 0) {
+                memcpy(r->first, words, sizeof words);
+            }
+            memcpy(r->last, words, sizeof words);
+            r->cuts += words[2] != 0;
+            r->failed_cuts += words[2] == 0;
+        }
+    }
+}
+
+static inline void shears_steps(shears_rig *r, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        expect_ok(vbss_scene_step(r->s.scene, 1e-3));
+        shears_note(r);
+    }
+}
+
+/* Closes the handle, until something is cut or the blades are shut; whether something was. */
+static inline bool shears_cut(shears_rig *r, uint32_t tool)
+{
+    uint32_t before = r->cuts;
+    shears_open(r, tool, 0.0);
+    for (uint32_t i = 0; r->cuts == before && i < 100; i++) {
+        shears_steps(r, 1);
+    }
+    return r->cuts > before;
+}
+
+/* ---- looks */
+
+static inline vbss_grasper_state shears_state(const shears_rig *r, uint32_t tool)
+{
+    vbss_grasper_state state;
+    expect_ok(vbss_grasper_get_state(r->tools[tool], &state, sizeof state));
+    return state;
+}
+
+static inline vbss_grasp shears_grasp(const shears_rig *r, uint32_t tool, uint32_t index)
+{
+    vbss_grasp grasp;
+    expect_ok(vbss_scene_get_grasp(r->s.scene, r->bodies[tool], index, &grasp, sizeof grasp));
+    return grasp;
+}
+
+/* Of all threads, J. */
+static inline double shears_kinetic(const small *s)
+{
+    const scene_object *o = small_object(s);
+    double sum = 0.0;
+    for (uint32_t i = 0; i < o->place_count; i++) {
+        const thread_object *t = o->bodies[i].thread.thread;
+        for (uint32_t k = 0; o->bodies[i].kind == BODY_THREAD && k < t->node_count; k++) {
+            sum += 0.5 * t->mass[k] * vec3_norm_squared(t->now.v[k]);
+        }
+    }
+    return sum;
+}
+
+/* The blades have closed, and nothing went wrong on the way. */
+static inline void shears_expect_shut(const shears_rig *r, uint32_t tool)
+{
+    vbss_scene_statistics statistics = small_statistics(&r->s);
+    expect_near(0.0, shears_state(r, tool).jaw_angle, 0.0);
+    assert_int_equal(statistics.clamped, 0);
+    if (r->config.method == VBSS_METHOD_OURS) {
+        assert_int_equal(statistics.loose_stretch, 0);
+    }
+    cut_expect_sound(small_object(&r->s));
+}
+
+#endif
