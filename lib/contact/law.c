@@ -122,10 +122,16 @@ double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *ne
 {
     double pressure = -row->stiffness * (row->gap + vec3_dot(row->normal, u));
     *next = (contact_found){.state = CONTACT_OPEN};
-    if (!row->bilateral && !(pressure > 0.0)) {
-        return row->is.state == CONTACT_OPEN ? 0.0 : -pressure;
-    }
     vec3 moved = along_plane(vec3_add(row->slid, u), row->normal), slip;
+    if (!row->bilateral && !(pressure > 0.0)) {
+        if (row->is.state == CONTACT_OPEN) {
+            return 0.0;
+        }
+        /* All that it was solved with is missed: little pressure may have gone with much rubbing. */
+        vec3 rubbing =
+            row->friction > 0.0 ? rubbing_after(row, moved, pressure, &slip) : vec3_zero();
+        return vec3_norm(vec3_add_scaled(rubbing, pressure, row->normal));
+    }
     next->pressure = pressure;
     if (row->is.state == CONTACT_OPEN) {
         close_row(row, moved, next);
