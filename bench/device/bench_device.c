@@ -1,4 +1,4 @@
-/* Suite device: the layer between hand and scene. */
+/* Suite device: the layer between hand and scene, and what a hand feels of a scene's graspers. */
 #include "bench_device.h"
 
 #include <vblast_ss/base.h>
@@ -7,6 +7,10 @@ static void add_cases(bench *b)
 {
     add_cost_cases(b);
     add_passivity_cases(b);
+    add_tool_passivity_cases(b);
+    add_tool_rest_cases(b);
+    add_tool_wall_cases(b);
+    add_tool_cost_cases(b);
 }
 
 int main(int argc, char **argv)

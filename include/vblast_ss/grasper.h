@@ -76,9 +76,12 @@ typedef struct vbss_grasper_config {
     double grip_stiffness;
     /** Of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of gyration of 30 mm. */
     double mass;
-    /** Of the virtual coupling, N/m, 0 to 1e9; default 2000: for scripted hands; for haptic arms take 400. */
+    /** Of the virtual coupling, N/m, 0 to 1e9; default 400: for haptic arms; scripted hands may take 2000, with 10
+     * N s/m. */
     double stiffness;
-    double damping;           /**< N s/m, 0 to 1e6; default 5. */
+    /** N s/m, 0 to 1e6; default 5. A hand that gets its force d after its pose was read, held for h, wants at least
+     * stiffness (d + h / 2), or the coupling feeds it. */
+    double damping;
     double turning_stiffness; /**< N m/rad, 0 to 1e9; default 5. */
     double turning_damping;   /**< N m s/rad, 0 to 1e6; default 0.05. */
     /** Tools are exchanged only with empty jaws and with the tip further than exchange_distance from here,
