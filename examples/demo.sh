@@ -6,16 +6,18 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 .ci/install-packages demo
 
 out=build/demo
-mkdir -p "$out/knots"
+mkdir -p "$out/knots" "$out/throws"
 echo "== building (release)"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
-cmake --build --preset release --target embed_c embed_cpp knot_gallery >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 
 {
     echo "== embedding in C"
     ./build/release/examples/embed_c
     echo "== embedding in C++"
     ./build/release/examples/embed_cpp
+    echo "== from a device's sample to a certified throw: two scripted hands tie"
+    ./build/release/examples/throw/first_throw -o "$out/throws" -s 2 single double
     echo "== tying knots, and what the detector says of them"
     ./build/release/examples/knots/knot_gallery "$out/knots"
     echo "== the golden scenes, built here: the same bits as everywhere"
@@ -24,4 +26,5 @@ cmake --build --preset release --target embed_c embed_cpp knot_gallery >>"$out/b
 
 echo
 echo "The library is in build/release/lib, this report in $out/report.txt,"
+echo "the hands at work in $out/throws: <knot>.png (all key stages), <knot>-<throw>-<stage>.png, <knot>.vbss (the log),"
 echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>-throws.png (as told), <knot>.svg."

@@ -1,0 +1,172 @@
+#include "throw/catch.h"
+
+#include <string.h>
+
+#define BEFORE 6e-3  /* of the jaws, from the place, before they advance */
+#define ADVANCE 0.03 /* m/s */
+#define ALIGNED 0.2  /* cosine of opening and thread */
+#define CLEAR 3e-3   /* of the bend from drain and floor */
+#define LEARN 4.0    /* 1/s, of the correction */
+#define PATIENCE 3.0 /* s */
+
+void catch_begin(catch_run *t, senses *see, hand *h, uint32_t node, double opening, double speed)
+{
+    memset(t, 0, sizeof *t);
+    t->see = see;
+    t->hand = h;
+    t->node = node;
+    t->behind = GRASP_BEHIND;
+    t->opening = opening;
+    t->speed = speed;
+}
+
+static void enter(catch_run *t, catch_state state)
+{
+    t->state = state;
+    t->since = 0.0;
+}
+
+static const hand_pose *pose_of(const catch_run *t)
+{
+    return t->hand == t->see->w ? &t->see->tool_w : &t->see->tool_c;
+}
+
+static vec direction(const senses *s, uint32_t node)
+{
+    uint32_t from = node > 3 ? node - 3 : 0, to = node + 3 < s->nodes ? node + 3 : s->nodes - 1;
+    return v_unit(v_sub(s->x[to], s->x[from]));
+}
+
+/* How a tool would stand with its jaws at a place, rolled so. */
+typedef struct stance {
+    vec handle, opening, bend;
+} stance;
+
+static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
+{
+    double bend = h->shape.driver_bend, sine = hand_reach(h) * sin(bend) / far;
+    double cosine = sqrt(1.0 - sine * sine);
+    vec y = v_along(v_scale(cosine, roll), sine, n), z = v_along(v_scale(cosine, n), -sine, roll);
+    stance s = {.handle = v_along(v_scale(sin(bend), y), cos(bend), z), .opening = v_cross(y, z)};
+    s.bend = v_along(place, hand_reach(h) - GRASP_BEHIND, s.handle);
+    return s;
+}
+
+static double clearance(const hand *h, vec bend)
+{
+    double drain = hypot(bend.x, bend.z + DRAIN_RADIUS) - DRAIN_RADIUS;
+    return fmin(drain, bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
+}
+
+vec catch_point(const senses *s, const hand *h, uint32_t node)
+{
+    const hand_pose *p = h == s->w ? &s->tool_w : &s->tool_c;
+    vec trocar = seen(h, h->trocar), place = s->x[node], way = direction(s, node), best = p->handle;
+    vec to = v_sub(trocar, place), n = v_unit(to), now = v_unit(v_across(p->handle, n));
+    vec side = v_cross(n, now);
+    double least = 1e9;
+    for (int i = -18; i < 18; i++) {
+        double angle = 3.14159265358979 / 18.0 * i;
+        vec roll = v_along(v_scale(cos(angle), now), sin(angle), side);
+        stance t = stand_at(h, place, n, v_length(to), roll);
+        double across = v_dot(t.opening, way) / ALIGNED;
+        double near = fmax(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
+        double cost = across * across + near * near + angle * angle;
+        if (cost < least) {
+            least = cost;
+            best = roll;
+        }
+    }
+    return best;
+}
+
+/* Where the place is, seen from the jaws' grasping point. */
+static vec off(const catch_run *t)
+{
+    const hand_pose *p = pose_of(t);
+    return v_sub(t->see->x[t->node], v_along(p->tip, t->behind, p->handle));
+}
+
+/* The jaws open to both sides of the thread. */
+static bool is_aligned(const catch_run *t)
+{
+    const senses *s = t->see;
+    return fabs(v_dot(pose_of(t)->opening, direction(s, t->node))) < ALIGNED;
+}
+
+/* From where the jaws come: across the thread, in their own plane, from above. */
+static vec approach(const catch_run *t)
+{
+    vec way = v_unit(v_cross(pose_of(t)->opening, direction(t->see, t->node)));
+    return way.z < 0.0 ? v_scale(-1.0, way) : way;
+}
+
+static vec before(const catch_run *t, double distance)
+{
+    vec grasp = v_along(t->see->x[t->node], -t->behind, pose_of(t)->handle);
+    return v_along(grasp, distance, approach(t));
+}
+
+static void come(catch_run *t)
+{
+    const hand_pose *p = pose_of(t);
+    vec at = before(t, BEFORE);
+    bool there = v_distance(p->tip, at) < 2e-3;
+    hand_go(t->hand, at, t->speed);
+    hand_open(t->hand, there && is_aligned(t) ? t->opening : t->hand->wanted_opening);
+    if (there && t->hand->opening > 0.95 * t->opening) {
+        t->correction = v3(0.0, 0.0, 0.0);
+        enter(t, CATCH_ADVANCE);
+    } else if (t->since > PATIENCE) {
+        enter(t, CATCH_MISSED);
+    }
+}
+
+static void advance(catch_run *t, double dt)
+{
+    const hand_pose *p = pose_of(t);
+    vec missing = off(t), across = v_cross(p->opening, p->handle);
+    bool between = fabs(v_dot(missing, across)) < 0.35e-3 &&
+                   fabs(v_dot(missing, p->handle)) < 0.8e-3 &&
+                   fabs(v_dot(missing, p->opening)) < 1e-3;
+    if (v_length(missing) < 4e-3) {
+        t->correction = v_limit(v_along(t->correction, LEARN * dt, missing), 3e-3);
+    }
+    hand_go(t->hand, v_add(t->correction, before(t, 0.0)), ADVANCE);
+    if (between) {
+        enter(t, CATCH_CLOSE);
+    } else if (t->since > PATIENCE) {
+        enter(t, CATCH_MISSED);
+    }
+}
+
+static void close_jaws(catch_run *t)
+{
+    hand_go(t->hand, v_add(t->correction, before(t, 0.0)), ADVANCE);
+    hand_open(t->hand, 0.0);
+    if (t->hand->holds) {
+        enter(t, CATCH_HELD);
+    } else if (t->since > 0.5) {
+        t->tries++;
+        hand_open(t->hand, t->opening);
+        enter(t, t->tries < 3 ? CATCH_COME : CATCH_MISSED);
+    }
+}
+
+void catch_step(catch_run *t, double dt)
+{
+    t->since += dt;
+    switch (t->state) {
+    case CATCH_COME:
+        come(t);
+        break;
+    case CATCH_ADVANCE:
+        advance(t, dt);
+        break;
+    case CATCH_CLOSE:
+        close_jaws(t);
+        break;
+    default:
+        break;
+    }
+}

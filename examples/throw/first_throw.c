@@ -1,0 +1,93 @@
+/* From a device's sample to a certified throw, a picture and a replay:
+ *
+ *     first_throw -o folder [-s seed] [single] [double] [square] [surgeons]
+ *
+ * ties these knots (without a name: single and double) by two scripted hands, each measured by a device. Says what
+ * they do, what it came to and what it took; writes <knot>.vbss (the log), <knot>.png (the sheet of all key stages)
+ * and <knot>-<throw>-<stage>.png into the folder, which must be there. Exits 0 if every knot is what it shall be,
+ * certified and seated, and if its log replays to equal hashes. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "throw/demo.h"
+
+static const char *const kinds[] = {"single", "double", "square", "surgeons"};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+#define LONGEST 40.0 /* s for a throw */
+
+static int usage(void)
+{
+    fprintf(stderr, "first_throw -o folder [-s seed] [single] [double] [square] [surgeons]\n");
+    return 2;
+}
+
+/* ---- one knot */
+
+static bool tie(int kind, uint64_t seed, const char *folder)
+{
+    static demo d;
+    memset(&d, 0, sizeof d);
+    d.name = kinds[kind];
+    d.folder = folder;
+    snprintf(d.log, sizeof d.log, "%s/%s.vbss", folder, d.name);
+    d.trial = (trial_options){.kind = (trial_kind)kind,
+                              .seed = seed,
+                              .most = LONGEST,
+                              .log = d.log,
+                              .watch = demo_watch,
+                              .user = &d};
+    printf("-- %s, hands of seed %lu\n", d.name, (unsigned long)seed);
+    d.album = album_create(folder, d.name);
+    vbss_result result = trial_run(&d.trial, &d.out);
+    bool painted = album_close(d.album), good = false;
+    if (result == VBSS_OK && d.ended) {
+        bool right = demo_tell(&d), replayed = demo_replay(&d);
+        good = right && replayed && painted;
+    } else {
+        printf("%s: broken off: %s\n", d.name, vbss_result_name(result));
+    }
+    free(d.times.steps);
+    printf("%s: %s\n\n", d.name, good ? "done" : "FAILED");
+    fflush(stdout);
+    return good;
+}
+
+/* ---- what is asked for */
+
+static int kind_of(const char *word)
+{
+    int kind = 0;
+    while (kind < KINDS && strcmp(word, kinds[kind]) != 0) {
+        kind++;
+    }
+    return kind;
+}
+
+int main(int count, char **words)
+{
+    int asked[2 * KINDS] = {0, 1}, number = 0;
+    const char *folder = NULL;
+    uint64_t seed = 1;
+    bool good = true;
+    for (int i = 1; i < count; i++) {
+        if (strcmp(words[i], "-o") == 0 && i + 1 < count) {
+            folder = words[++i];
+        } else if (strcmp(words[i], "-s") == 0 && i + 1 < count) {
+            seed = strtoul(words[++i], NULL, 10);
+        } else if (kind_of(words[i]) < KINDS && number < 2 * KINDS) {
+            asked[number++] = kind_of(words[i]);
+        } else {
+            return usage();
+        }
+    }
+    if (folder == NULL) {
+        return usage();
+    }
+    number = number > 0 ? number : 2;
+    for (int i = 0; i < number; i++) {
+        good = tie(asked[i], seed, folder) && good;
+    }
+    return good ? 0 : 1;
+}

@@ -1,0 +1,226 @@
+#include "throw/hand.h"
+
+#include <string.h>
+
+#include "throw/wire.h"
+
+#define PI 3.14159265358979324
+#define LAG 0.04
+#define ACCELERATION 1.5
+#define ROLL_SPEED 4.0
+/* Of the coupling, N/m and N s/m: no arm is there that would buzz. */
+#define STIFFNESS 2000.0
+#define DAMPING 10.0
+#define JAW_SPEED 8.0 /* of the handle's opening, 1/s */
+#define TREMOR_LOW 9.0
+#define TREMOR_HIGH 12.0
+
+/* ---- chance: splitmix64 */
+
+static double uniform(uint64_t *state)
+{
+    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+static vec any_direction(uint64_t *state)
+{
+    double z = 2.0 * uniform(state) - 1.0;
+    double angle = 2.0 * PI * uniform(state);
+    double r = sqrt(1.0 - z * z);
+    return v3(r * cos(angle), r * sin(angle), z);
+}
+
+/* ---- the pose that a trocar leaves: where the tip is, and how the tool is rolled */
+
+static void orientation_of(vec x, vec y, vec z, double q[4])
+{
+    double trace = x.x + y.y + z.z;
+    if (trace > 0.0) {
+        q[0] = 1.0 + trace;
+        q[1] = y.z - z.y;
+        q[2] = z.x - x.z;
+        q[3] = x.y - y.x;
+    } else if (x.x > y.y && x.x > z.z) {
+        q[0] = y.z - z.y;
+        q[1] = 1.0 + x.x - y.y - z.z;
+        q[2] = y.x + x.y;
+        q[3] = z.x + x.z;
+    } else if (y.y > z.z) {
+        q[0] = z.x - x.z;
+        q[1] = y.x + x.y;
+        q[2] = 1.0 + y.y - x.x - z.z;
+        q[3] = z.y + y.z;
+    } else {
+        q[0] = x.y - y.x;
+        q[1] = z.x + x.z;
+        q[2] = z.y + y.z;
+        q[3] = 1.0 + z.z - x.x - y.y;
+    }
+    double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (int i = 0; i < 4; i++) {
+        q[i] /= length;
+    }
+}
+
+/* The bend lies beside the tip, toward +y of the tool, so the shaft does not point from the tip to the trocar. */
+static void show(hand *h, vec tip)
+{
+    vec to = v_sub(h->trocar, tip), n = v_unit(to);
+    double sine = hand_reach(h) * sin(h->shape.driver_bend) / v_length(to);
+    double cosine = sqrt(1.0 - sine * sine);
+    h->roll = v_unit(v_across(h->roll, n));
+    vec y = v_along(v_scale(cosine, h->roll), sine, n);
+    vec z = v_along(v_scale(cosine, n), -sine, h->roll);
+    orientation_of(v_cross(y, z), y, z, h->shown_orientation);
+    h->shown = tip;
+}
+
+vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
+                        vec point, double opening)
+{
+    memset(h, 0, sizeof *h);
+    h->stand = s;
+    h->nature = *nature;
+    h->random = nature->seed;
+    h->side = 1.0;
+    h->trocar = trocar;
+    h->goal = h->at = tip;
+    h->point = h->roll = point;
+    h->limit = 0.05;
+    h->tool = VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
+    for (int i = 0; i < 2; i++) {
+        h->shake[i] = any_direction(&h->random);
+        h->phase[i] = 2.0 * PI * uniform(&h->random);
+    }
+    TRY(vbss_grasper_config_init(&h->shape, sizeof h->shape));
+    TRY(vbss_grasper_config_preset(&h->shape, VBSS_GRASPER_PRESET_ANGLED));
+    /* shears like the driver, so that a hand knows one tool */
+    h->shape.shears_length = h->shape.driver_length;
+    h->shape.shears_bend = h->shape.driver_bend;
+    h->shape.shears_neck = h->shape.driver_neck;
+    h->shape.exchange_distance = EXCHANGE_DISTANCE;
+    h->shape.stiffness = STIFFNESS;
+    h->shape.damping = DAMPING;
+    h->shape.has_trocar = 1;
+    v_store(h->shape.trocar, trocar);
+    h->opening = h->wanted_opening = opening;
+    show(h, tip);
+    return wire_create(h);
+}
+
+/* ---- what it is told */
+
+void hand_go(hand *h, vec tip, double speed)
+{
+    h->goal = seen(h, tip);
+    h->limit = speed * h->nature.speed;
+}
+
+void hand_turn(hand *h, vec point)
+{
+    h->point = seen(h, point);
+}
+
+void hand_open(hand *h, double opening)
+{
+    h->wanted_opening = opening;
+}
+
+void hand_take_tool(hand *h, vbss_device_tool tool)
+{
+    h->tool = tool;
+}
+
+void hand_aim(hand *h, double size)
+{
+    h->aim = v_scale(size, any_direction(&h->random));
+}
+
+/* ---- how it moves */
+
+static void follow(hand *h, double dt)
+{
+    vec way = v_sub(v_add(h->goal, h->aim), h->at);
+    double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
+    vec wanted = v_limit(v_scale(1.0 / LAG, way), fmin(h->limit, stop));
+    vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
+    h->velocity = v_add(h->velocity, change);
+    h->at = v_along(h->at, dt, h->velocity);
+}
+
+static void turn(hand *h, double dt)
+{
+    double most = ROLL_SPEED * h->nature.speed * dt;
+    vec n = v_unit(v_sub(h->trocar, h->at));
+    vec wanted = v_unit(v_across(h->point, n)), now = v_unit(v_across(h->roll, n));
+    vec side = v_cross(n, now);
+    double angle = atan2(v_dot(wanted, side), v_dot(wanted, now));
+    angle = clamp(angle * dt / LAG, -most, most);
+    h->roll = v_along(v_scale(cos(angle), now), sin(angle), side);
+}
+
+static vec tremor(const hand *h)
+{
+    double low = sin(2.0 * PI * TREMOR_LOW * h->time + h->phase[0]);
+    double high = sin(2.0 * PI * TREMOR_HIGH * h->time + h->phase[1]);
+    double size = h->nature.tremor / sqrt(2.0);
+    return v_along(v_scale(size * low, h->shake[0]), size * high, h->shake[1]);
+}
+
+vbss_result hand_step(hand *h, double dt)
+{
+    double most = JAW_SPEED * h->nature.speed * dt;
+    h->time += dt;
+    follow(h, dt);
+    turn(h, dt);
+    h->opening += clamp(h->wanted_opening - h->opening, -most, most);
+    show(h, v_add(h->at, tremor(h)));
+    return wire_tell(h);
+}
+
+/* ---- what it feels and where it is */
+
+vbss_result hand_feel(hand *h)
+{
+    vbss_grasper_state state;
+    vbss_grasp grasp;
+    TRY(vbss_grasper_get_state(h->grasper, &state, sizeof state));
+    TRY(wire_feel(h, &state));
+    h->holds = state.grasp_count > 0;
+    if (!h->holds) {
+        h->pull = v3(0.0, 0.0, 0.0);
+        return VBSS_OK;
+    }
+    TRY(vbss_scene_get_grasp(h->stand->scene, h->body, 0, &grasp, sizeof grasp));
+    h->held_thread = grasp.thread;
+    h->place = grasp.arc_length / SEGMENT;
+    h->node = (uint32_t)(h->place + 0.5);
+    h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));
+    h->slid = grasp.slid;
+    return VBSS_OK;
+}
+
+static vec rotate(const double q[4], vec v)
+{
+    vec r = v3(q[1], q[2], q[3]), t = v_scale(2.0, v_cross(r, v));
+    return v_add(v_along(v, q[0], t), v_cross(r, t));
+}
+
+vbss_result hand_look(const hand *h, hand_pose *pose)
+{
+    vbss_grasper_state s;
+    double bend = h->shape.driver_bend;
+    TRY(vbss_grasper_get_state(h->grasper, &s, sizeof s));
+    vec tip = v_load(s.position), jaws = rotate(s.orientation, v3(0.0, sin(bend), cos(bend)));
+    vec way = rotate(s.orientation, v3(0.0, 0.0, 1.0));
+    vec corner = v_along(tip, hand_reach(h), jaws);
+    pose->tip = seen(h, tip);
+    pose->handle = seen(h, jaws);
+    pose->bend = seen(h, corner);
+    pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, way));
+    pose->opening = seen(h, rotate(s.orientation, v3(1.0, 0.0, 0.0)));
+    return VBSS_OK;
+}

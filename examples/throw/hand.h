@@ -1,0 +1,89 @@
+/* One hand with a tool: goes where it is told as a hand does, late, with a limited speed and a tremor. What it
+ * does is measured by a device, and reaches the tool by that alone. */
+#ifndef VBSS_EXAMPLES_THROW_HAND_H
+#define VBSS_EXAMPLES_THROW_HAND_H
+
+#include <stdbool.h>
+
+#include "throw/stand.h"
+
+#define GRASP_BEHIND 2e-3 /* of the point that the jaws grasp with, from the tip */
+
+/* What distinguishes one trial's hands from another's. */
+typedef struct hand_nature {
+    double speed;        /* of all motions, 1: usual */
+    double tremor;       /* m */
+    double aim, aim_end; /* errors of aim when winding, when grasping, m */
+    uint64_t seed;
+} hand_nature;
+
+/* The tool as it is, in the frame of the one who ties. */
+typedef struct hand_pose {
+    vec tip, handle;  /* unit vector from the tip along the jaws */
+    vec bend, trocar; /* points on the axis */
+    vec opening;      /* unit vector: the jaws open along it */
+} hand_pose;
+
+typedef struct hand {
+    stand *stand;
+    vbss_grasper_config shape;
+    hand_nature nature;
+    uint64_t random;
+    double
+        side; /* -1: the world is seen in a mirror, so that this hand's part is always the same */
+    /* in the world: */
+    vec trocar;
+    vec aim, goal, at, velocity; /* of the tip: error, where it shall go, is */
+    vec point;                   /* to where the handle's end of the jaws shall point */
+    vec roll;                    /* where it points now, normal to the line from tip to trocar */
+    double limit;                /* m/s */
+    double phase[2];
+    vec shake[2];
+    double time;
+    double opening, wanted_opening; /* of the handle */
+    vbss_device_tool tool;
+    /* the way to the tool */
+    vec shown; /* to the device */
+    double shown_orientation[4];
+    vbss_mock *mock;
+    vbss_device *device;
+    vbss_grasper *grasper;
+    uint32_t body;
+    /* felt */
+    bool holds;
+    uint32_t held_thread, node; /* what is in the jaws */
+    double place;               /* of it along the thread, in segments */
+    vec pull;                   /* of the thread on the jaws, N */
+    double slid;                /* m of thread that ran through the jaws */
+} hand;
+
+vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
+                        vec point, double opening);
+
+/* In the frame of the one who ties (see `side`): where the tip shall go; how fast; to where the handle's
+ * end of the jaws shall point. */
+void hand_go(hand *h, vec tip, double speed);
+void hand_turn(hand *h, vec point);
+/* 0 closed to 1 open. */
+void hand_open(hand *h, double opening);
+void hand_take_tool(hand *h, vbss_device_tool tool);
+/* A new error of aim of that size. */
+void hand_aim(hand *h, double size);
+/* Moves the tool for the coming step. */
+vbss_result hand_step(hand *h, double dt);
+/* Feels what the step did. */
+vbss_result hand_feel(hand *h);
+vbss_result hand_look(const hand *h, hand_pose *pose);
+
+static inline vec seen(const hand *h, vec world)
+{
+    return v3(h->side * world.x, world.y, world.z);
+}
+
+/* From the tip to the bend, along the jaws. */
+static inline double hand_reach(const hand *h)
+{
+    return h->shape.driver_length + h->shape.driver_neck;
+}
+
+#endif

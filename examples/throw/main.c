@@ -1,0 +1,94 @@
+/* Ties knots with two scripted hands and tells how it went. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "throw/replay.h"
+
+static const char *const kinds[] = {"single", "double", "square", "surgeons"};
+
+static int usage(void)
+{
+    fprintf(stderr, "throw single|double|square|surgeons [-s seed] [-n seeds] [-l log] [-v]\n"
+                    "      [-p folder for pictures] [-e seconds between them] [-c: close] [-t most "
+                    "seconds a throw]\n");
+    return 2;
+}
+
+static bool read_options(int count, char **words, trial_options *o, int *seeds)
+{
+    for (int i = 2; i < count; i++) {
+        const char *word = words[i], *value = i + 1 < count ? words[i + 1] : "";
+        if (strcmp(word, "-v") == 0) {
+            o->verbose = 1;
+            continue;
+        }
+        if (strcmp(word, "-c") == 0) {
+            o->near = true;
+            continue;
+        }
+        if (word[0] != '-' || strlen(word) != 2 || i + 1 == count) {
+            return false;
+        }
+        switch (word[1]) {
+        case 's':
+            o->seed = strtoul(value, NULL, 10);
+            break;
+        case 'n':
+            *seeds = atoi(value);
+            break;
+        case 'l':
+            o->log = value;
+            break;
+        case 'p':
+            o->folder = value;
+            break;
+        case 'e':
+            o->every = strtod(value, NULL);
+            break;
+        case 't':
+            o->most = strtod(value, NULL);
+            break;
+        default:
+            return false;
+        }
+        i++;
+    }
+    return true;
+}
+
+int main(int count, char **words)
+{
+    trial_options o = {.most = 40.0, .every = 0.25};
+    int seeds = 1, good = 0, kind = 0;
+    while (count > 1 && kind < 4 && strcmp(words[1], kinds[kind]) != 0) {
+        kind++;
+    }
+    if (count < 2 || kind == 4 || !read_options(count, words, &o, &seeds)) {
+        return usage();
+    }
+    o.kind = (trial_kind)kind;
+    for (int i = 0; i < seeds; i++, o.seed++) {
+        trial_outcome out;
+        vbss_result result = trial_run(&o, &out);
+        if (result != VBSS_OK) {
+            printf("%s %3lu: %s\n", kinds[kind], (unsigned long)o.seed, vbss_result_name(result));
+            continue;
+        }
+        good += out.good;
+        printf("%s %3lu: %s '%s' hand %+d retries %d height %5.2f mm %5.2f s cpu %4.1f s clamped "
+               "%lu %s %s\n",
+               kinds[kind], (unsigned long)o.seed, out.good ? "good" : "BAD ", out.notation,
+               out.handedness, out.retries, out.height * 1e3, out.time, out.cpu,
+               (unsigned long)out.clamped, out.state, out.why);
+        if (o.log != NULL) {
+            replay_finding f = replay_file(&o);
+            good -= out.good && !f.equal;
+            printf("replayed %lu steps of %s: %s\n", (unsigned long)f.report.step, o.log,
+                   f.equal ? "the same hashes" : f.text);
+        }
+        fflush(stdout);
+    }
+    printf("%d of %d\n", good, seeds);
+    return good == seeds ? 0 : 1;
+}

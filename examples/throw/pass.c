@@ -1,0 +1,70 @@
+#include "throw/states.h"
+
+void throw_tail(throw_run *t, double dt)
+{
+    const senses *s = t->see;
+    hand_turn(s->w, catch_point(s, s->w, t->grip.node));
+    catch_step(&t->grip, dt);
+    steer_keep(t, dt);
+    if (t->grip.state == CATCH_HELD) {
+        throw_enter(t, THROW_CLOSE);
+    } else if (t->grip.state == CATCH_MISSED) {
+        throw_fail(t, "tail not caught");
+    }
+}
+
+vbss_result throw_close(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    steer_keep(t, dt);
+    hand_go(s->w, s->tool_w.tip, 0.02);
+    if (t->since < 0.15) {
+        return VBSS_OK;
+    }
+    TRY(senses_judge(s, true, &t->predicted));
+    if (t->predicted.state.next_verdict == VBSS_KNOT_VERDICT_PASSED &&
+        t->predicted.state.next_wraps == t->plan.wraps) {
+        vec from = v_sub(steer_jaws_of(&s->tool_w), steer_tail_root(t));
+        t->angle = atan2(from.z, from.x);
+        t->leash = hypot(from.z, from.x);
+        t->clear = 0.0;
+        t->carrot_c = s->tool_c.tip;
+        throw_enter(t, THROW_DRAW);
+    } else {
+        throw_fail(t, "wrong knot at the catch");
+    }
+    return VBSS_OK;
+}
+
+/* Has the end come through, whatever the tools hold? */
+static vbss_result is_formed(throw_run *t, bool *formed)
+{
+    senses_knot k;
+    TRY(senses_judge(t->see, false, &k));
+    *formed = k.state.throw_count > t->throws_before &&
+              k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED && t->see->last == 0;
+    return VBSS_OK;
+}
+
+vbss_result throw_draw(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    bool formed = false;
+    double length = 0.97 * senses_length(s, s->w->node, t->tail_root);
+    double speed = t->angle * 180.0 / PI < 50.0 ? 0.03 : 0.02;
+    if (s->tension_w < t->plan.drawn + 0.05) {
+        t->angle = fmin(t->angle + speed / length * dt, PI * 160.0 / 180.0);
+    }
+    throw_on_leash(t, t->plan.drawn, dt);
+    throw_follow(t, dt);
+    if (fmod(t->since, 0.02) < dt && s->turns < t->plan.wraps) {
+        TRY(is_formed(t, &formed));
+    }
+    if (formed) {
+        t->carrot_c = s->tool_c.tip;
+        throw_enter(t, THROW_LOWER);
+    } else if (t->since > 8.0) {
+        throw_fail(t, "not drawn through");
+    }
+    return VBSS_OK;
+}

@@ -1,0 +1,186 @@
+#include "throw/senses.h"
+
+#include <string.h>
+
+#define TOUCH 0.4e-3
+#define SMOOTH 0.1 /* share of a new tension in each step */
+
+vbss_result senses_create(senses *s, stand *st, hand *w, hand *c)
+{
+    vbss_knot_config config;
+    memset(s, 0, sizeof *s);
+    s->stand = st;
+    s->w = w;
+    s->c = c;
+    s->nodes = st->nodes;
+    s->tail_root = st->marks[0];
+    s->limb_root = st->marks[1];
+    TRY(vbss_knot_config_init(&config, sizeof config));
+    TRY(vbss_knot_detector_create(st->context, &config, &s->detector));
+    return vbss_knot_detector_create(st->context, &config, &s->arbiter);
+}
+
+/* ---- where the limb touches W */
+
+static double distance(vec x, vec a, vec b, double *along)
+{
+    vec way = v_sub(b, a);
+    double t = clamp(v_dot(v_sub(x, a), way) / v_dot(way, way), 0.0, 1.0);
+    *along = t * v_length(way);
+    return v_distance(x, v_along(a, t, way));
+}
+
+static bool touches(const senses *s, vec x, double *from_tip)
+{
+    const vbss_grasper_config *c = &s->w->shape;
+    double along;
+    bool any = false;
+    for (int i = 0; i < 4; i++) {
+        const double *part = s->parts + 7 * i;
+        any = any || distance(x, seen(s->w, v_load(part)), seen(s->w, v_load(part + 3)), &along) <
+                         part[6] + THREAD_RADIUS + TOUCH;
+    }
+    double reach = hand_reach(s->w), from = v_dot(v_sub(x, s->tool_w.tip), s->tool_w.handle);
+    *from_tip = clamp(from, 0.0, reach + c->shaft_length);
+    return any;
+}
+
+static void find_contacts(senses *s)
+{
+    uint32_t end = s->c->holds ? s->c->node - 3 : s->nodes;
+    s->first = s->last = 0;
+    for (uint32_t i = s->limb_root; i < end; i++) {
+        double at;
+        if (touches(s, s->x[i], &at)) {
+            s->last = i;
+            s->last_s = at;
+            if (s->first == 0) {
+                s->first = i;
+                s->first_s = at;
+            }
+        }
+    }
+}
+
+vbss_result senses_look(senses *s)
+{
+    vbss_view view;
+    const vec *x = stand_nodes(s->stand);
+    for (uint32_t i = 0; i < s->nodes; i++) {
+        s->x[i] = seen(s->w, x[i]);
+    }
+    TRY(hand_look(s->w, &s->tool_w));
+    TRY(hand_look(s->c, &s->tool_c));
+    TRY(vbss_grasper_get_view(s->w->grasper, VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view));
+    s->parts = view.data;
+    s->tension_w += SMOOTH * (v_length(s->w->pull) - s->tension_w);
+    s->tension_c += SMOOTH * (v_length(s->c->pull) - s->tension_c);
+    find_contacts(s);
+    return VBSS_OK;
+}
+
+/* ---- what the detector says */
+
+static vbss_knot_tool as_tool(const hand *h, const hand_pose *pose)
+{
+    vbss_knot_tool t = {.point_count = 3};
+    v_store(t.axis[0], seen(h, pose->trocar));
+    v_store(t.axis[1], seen(h, pose->bend));
+    v_store(t.axis[2], seen(h, pose->tip));
+    t.radius[0] = h->shape.shaft_radius;
+    t.radius[1] = h->shape.neck_radius;
+    t.held = h->holds ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
+    t.held_place = h->holds ? h->place : 0.0;
+    return t;
+}
+
+static vbss_result show(const senses *s, vbss_knot_tool tools[2], vbss_knot_input *in)
+{
+    const vec *x = stand_nodes(s->stand);
+    TRY(vbss_knot_input_init(in, sizeof *in));
+    in->points = &x[0].x;
+    in->point_count = s->nodes;
+    tools[0] = as_tool(s->w, &s->tool_w);
+    tools[1] = as_tool(s->c, &s->tool_c);
+    in->tools = tools;
+    in->tool_count = 2;
+    in->hole_count = 2;
+    for (int i = 0; i < 2; i++) {
+        v_store(in->holes[i], x[s->stand->marks[i]]);
+        in->hole_places[i] = s->stand->marks[i];
+    }
+    in->away[2] = -1.0;
+    return VBSS_OK;
+}
+
+vbss_result senses_wind(senses *s)
+{
+    vbss_knot_tool tools[2];
+    vbss_knot_input in;
+    vbss_knot_winding winding;
+    TRY(show(s, tools, &in));
+    TRY(vbss_knot_detector_step(s->detector, &in));
+    TRY(vbss_knot_detector_get_winding(s->detector, 0, &winding, sizeof winding));
+    s->turns = s->w->side * winding.turns;
+    return VBSS_OK;
+}
+
+vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
+{
+    vbss_knot_detector *d = with_tools ? s->detector : s->arbiter;
+    vbss_knot_tool tools[2];
+    vbss_knot_input in;
+    TRY(show(s, tools, &in));
+    in.tool_count = with_tools ? 2 : 0;
+    TRY(vbss_knot_detector_judge(d, &in));
+    TRY(vbss_knot_detector_get_state(d, &k->state, sizeof k->state));
+    k->handedness = 0;
+    if (k->state.throw_count > 0) {
+        vbss_knot_throw last;
+        TRY(vbss_knot_detector_get_throw(d, k->state.throw_count - 1, &last, sizeof last));
+        k->handedness = last.handedness;
+    }
+    return vbss_knot_detector_get_notation(d, k->notation, sizeof k->notation);
+}
+
+vbss_result senses_find_roots(senses *s)
+{
+    senses_knot k;
+    TRY(senses_judge(s, false, &k));
+    s->throws = k.state.throw_count;
+    if (s->throws > 0) {
+        vbss_knot_throw last;
+        TRY(vbss_knot_detector_get_throw(s->arbiter, s->throws - 1, &last, sizeof last));
+        if ((last.flags & VBSS_KNOT_THROW_LOCATED) != 0) {
+            s->tail_root = (uint32_t)last.tail_places[0];
+            s->limb_root = (uint32_t)last.long_places[1] + 1;
+        }
+    }
+    return VBSS_OK;
+}
+
+/* ---- where the knot is */
+
+vbss_result senses_find_knot(senses *s)
+{
+    vbss_view kinds, points;
+    vec sum = v3(0.0, 0.0, 0.0);
+    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
+    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
+                            sizeof points));
+    s->knot_contacts = 0;
+    for (uint64_t i = 0; i < kinds.count; i++) {
+        const uint32_t *kind =
+            (const uint32_t *)((const char *)kinds.data + i * kinds.stride_bytes);
+        if (kind[0] == VBSS_CONTACT_SEGMENTS) {
+            sum = v_add(
+                sum, v_load((const double *)((const char *)points.data + i * points.stride_bytes)));
+            s->knot_contacts++;
+        }
+    }
+    if (s->knot_contacts > 0) {
+        vec at = v_scale(1.0 / s->knot_contacts, sum);
+        s->knot_height = hypot(at.x, at.z + DRAIN_RADIUS) - DRAIN_RADIUS;
+    }
+    return VBSS_OK;
+}

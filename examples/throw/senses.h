@@ -1,0 +1,48 @@
+/* What the one who ties can see: the thread, the tools, where the long limb touches the tool that it is wound
+ * about, and what knot it would be. All places in the frame of the one who ties: the long limb comes out on
+ * the left, W (which will pull the tail) comes from the left. */
+#ifndef VBSS_EXAMPLES_THROW_SENSES_H
+#define VBSS_EXAMPLES_THROW_SENSES_H
+
+#include "throw/hand.h"
+
+typedef struct senses {
+    stand *stand;
+    hand *w, *c;
+    vbss_knot_detector *detector, *arbiter; /* with the tools; of the bare thread */
+    vec x[STAND_NODES];
+    uint32_t nodes;
+    uint32_t tail_root, limb_root, throws; /* where both come out of drain or knot; throws tied */
+    hand_pose tool_w, tool_c;
+    const double *parts;         /* of W, as the view of capsules has them */
+    double tension_w, tension_c; /* N, smoothed */
+    uint32_t first, last;        /* nodes of the long limb that touch W; 0: none */
+    double first_s, last_s;      /* where along W from its tip, m */
+    double turns;                /* signed, of the long limb about W, positive the way C goes */
+    double knot_height;          /* of the contacts of the thread with itself above the drain, m */
+    uint32_t knot_contacts;
+} senses;
+
+vbss_result senses_create(senses *s, stand *st, hand *w, hand *c);
+/* Every step. */
+vbss_result senses_look(senses *s);
+/* Less often. */
+vbss_result senses_wind(senses *s);
+vbss_result senses_find_knot(senses *s);
+/* What the thread is, or, with the tools where they are and what they hold, will be. */
+typedef struct senses_knot {
+    vbss_knot_state state;
+    char notation[32];
+    int handedness; /* of the last throw */
+} senses_knot;
+/* After a throw: from where tail and limb are free now. */
+vbss_result senses_find_roots(senses *s);
+vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k);
+
+static inline double senses_length(const senses *s, uint32_t from, uint32_t to)
+{
+    (void)s;
+    return SEGMENT * ((double)to - (double)from);
+}
+
+#endif

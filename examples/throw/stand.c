@@ -1,0 +1,193 @@
+#include "throw/stand.h"
+
+#include <stdbool.h>
+#include <string.h>
+
+#define DRAIN_HALF 16e-3
+
+enum { CUTS = 4, HASH_INTERVAL = 100 };
+
+/* ---- the line of the thread */
+
+/* Radially out of the drain on both sides; between the marks along the circle that does so smoothly. */
+static vec place(double s, const stand *st, double inside, double bend, double angle)
+{
+    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), way = v3(sin(angle), 0.0, cos(angle));
+    vec mark = v_along(centre, DRAIN_RADIUS, way);
+    if (s <= st->tail) {
+        return v_along(mark, st->tail - s, way);
+    }
+    if (s >= st->tail + inside) {
+        mark.x = -mark.x;
+        way.x = -way.x;
+        return v_along(mark, s - st->tail - inside, way);
+    }
+    double turn = (s - st->tail) / bend; /* from the right mark, below the middle, to the left */
+    double from = angle;
+    vec middle = v3(0.0, 0.0, -DRAIN_RADIUS + DRAIN_RADIUS / cos(angle));
+    return v_add(middle, v3(bend * cos(from + turn), 0.0, -bend * sin(from + turn)));
+}
+
+static vbss_result make_thread(stand *s)
+{
+    static vec x[STAND_NODES];
+    double angle = MARK_ARC / DRAIN_RADIUS, bend = DRAIN_RADIUS * tan(angle);
+    double inside = bend * (3.14159265358979 - 2.0 * angle);
+    uint32_t tail = (uint32_t)(s->tail / SEGMENT + 0.5), in = (uint32_t)(inside / SEGMENT + 0.5),
+             limb = (uint32_t)(s->limb / SEGMENT + 0.5);
+    vbss_thread_config c;
+    TRY(vbss_thread_config_init(&c, sizeof c));
+    TRY(vbss_thread_config_preset(&c, VBSS_PRESET_PAPER_THREAD));
+    s->nodes = tail + in + limb + 1;
+    s->marks[0] = tail;
+    s->marks[1] = tail + in;
+    for (uint32_t i = 0; i < s->nodes; i++) {
+        double at = i <= tail        ? SEGMENT * i
+                    : i >= tail + in ? s->tail + inside + SEGMENT * (i - tail - in)
+                                     : s->tail + inside * (i - tail) / in;
+        x[i] = place(at, s, inside, bend, angle);
+    }
+    c.segment_count = s->nodes - 1;
+    c.length = SEGMENT * c.segment_count;
+    c.positions = &x[0].x;
+    c.attachment_capacity = 64;
+    c.gravity[1] = 0.0;
+    c.gravity[2] = -9.81;
+    c.damping = 2.0;
+    c.drag = 1.0;
+    c.cut_capacity = CUTS;
+    return vbss_thread_create(s->context, &c, &s->thread);
+}
+
+/* ---- the scene */
+
+static vbss_result make_scene(stand *s)
+{
+    vbss_scene_config c;
+    TRY(vbss_scene_config_init(&c, sizeof c));
+    c.thread_capacity = 1 + CUTS;
+    c.node_capacity = 2048;
+    c.rigid_capacity = 3;
+    c.capsule_capacity = 16;
+    c.pin_capacity = 64;
+    c.floor = 1;
+    c.floor_normal[1] = 0.0;
+    c.floor_normal[2] = 1.0;
+    c.floor_height = FLOOR_HEIGHT;
+    return vbss_scene_create(s->context, &c, &s->scene);
+}
+
+static vbss_result add_drain(stand *s)
+{
+    vbss_rigid_config c;
+    vbss_capsule rod = {
+        .begin = {0.0, -DRAIN_HALF, 0.0}, .end = {0.0, DRAIN_HALF, 0.0}, .radius = DRAIN_RADIUS};
+    TRY(vbss_rigid_config_init(&c, sizeof c));
+    c.capsules = &rod;
+    c.capsule_count = 1;
+    c.friction = 0.3;
+    c.position[2] = -DRAIN_RADIUS;
+    return vbss_scene_add_rigid(s->scene, &c, &s->drain);
+}
+
+/* What is inside, and a node on either side, so that it stands. In the world and not on the drain, which would not
+ * touch the thread within 1.6 times its own radius of a pin, and let the knot sink in. */
+static vbss_result fix_thread(stand *s)
+{
+    uint32_t pin;
+    for (uint32_t i = s->marks[0] - 1; i <= s->marks[1] + 1; i++) {
+        TRY(vbss_scene_pin_thread(s->scene, s->thread_body, i, 0, NULL, &pin));
+    }
+    return VBSS_OK;
+}
+
+vbss_result stand_create(stand *s, double tail, double limb)
+{
+    memset(s, 0, sizeof *s);
+    s->tail = tail;
+    s->limb = limb;
+    TRY(vbss_context_create(NULL, &s->context));
+    TRY(make_thread(s));
+    TRY(make_scene(s));
+    TRY(vbss_scene_add_thread(s->scene, s->thread, &s->thread_body));
+    TRY(add_drain(s));
+    return fix_thread(s);
+}
+
+/* ---- the log */
+
+static vbss_result write_log(stand *s)
+{
+    const uint8_t *bytes;
+    uint64_t count;
+    TRY(vbss_record_take(s->record, &bytes, &count));
+    bool full = s->log != NULL && fwrite(bytes, 1, count, s->log) != count;
+    return full ? VBSS_ERROR_CAPACITY : VBSS_OK;
+}
+
+vbss_result stand_begin(stand *s, const char *log)
+{
+    vbss_record_config c;
+    TRY(vbss_record_config_init(&c, sizeof c));
+    c.hash_interval = HASH_INTERVAL;
+    TRY(vbss_record_create(s->scene, &c, &s->record));
+    if (log != NULL) {
+        s->log = fopen(log, "wb");
+        if (s->log == NULL) {
+            return VBSS_ERROR_NULL_ARGUMENT;
+        }
+    }
+    return write_log(s);
+}
+
+vbss_result stand_offer(stand *s, uint32_t node)
+{
+    return vbss_scene_pin_thread(s->scene, s->thread_body, node + 8, 0, NULL, &s->support);
+}
+
+vbss_result stand_let_go(stand *s)
+{
+    uint32_t pin = s->support;
+    s->support = 0;
+    return pin != 0 ? vbss_record_unpin_thread(s->record, pin) : VBSS_OK;
+}
+
+vbss_result stand_step(stand *s, double dt)
+{
+    TRY(vbss_record_step(s->record, dt));
+    s->time += dt;
+    return write_log(s);
+}
+
+vbss_result stand_end(stand *s)
+{
+    TRY(vbss_record_end(s->record));
+    return write_log(s);
+}
+
+void stand_destroy(stand *s)
+{
+    if (s->log != NULL) {
+        (void)fclose(s->log);
+    }
+    vbss_context_destroy(s->context);
+    s->context = NULL;
+}
+
+/* ---- looks */
+
+static const void *look(const stand *s, vbss_thread_field field)
+{
+    vbss_view view;
+    return vbss_thread_get_view(s->thread, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
+}
+
+const vec *stand_nodes(const stand *s)
+{
+    return look(s, VBSS_THREAD_POSITIONS);
+}
+
+const double *stand_tensions(const stand *s)
+{
+    return look(s, VBSS_THREAD_TENSIONS);
+}

@@ -1,0 +1,55 @@
+/* The stand: a rigid drain on a floor, and a thread that stands up from two fixed points on it. */
+#ifndef VBSS_EXAMPLES_THROW_STAND_H
+#define VBSS_EXAMPLES_THROW_STAND_H
+
+#include <stdio.h>
+
+#include <vblast_ss/vblast_ss.h>
+
+#include "throw/vec.h"
+
+#define DRAIN_RADIUS 6.5e-3
+#define FLOOR_HEIGHT (-13e-3)
+#define MARK_ARC 4.5e-3 /* from the top of the drain to either mark */
+#define SEGMENT 0.5e-3
+#define THREAD_RADIUS 0.125e-3
+#define EXCHANGE_DISTANCE 0.05 /* from the middle of the drain's top */
+
+enum { STAND_NODES = 1024 };
+
+#define TRY(call)                     \
+    do {                              \
+        vbss_result result_ = (call); \
+        if (result_ != VBSS_OK) {     \
+            return result_;           \
+        }                             \
+    } while (0)
+
+typedef struct stand {
+    vbss_context *context;
+    vbss_scene *scene;
+    vbss_thread *thread;
+    vbss_record *record; /* steps are made through it */
+    FILE *log;           /* gets it; may be NULL */
+    uint32_t thread_body, drain;
+    uint32_t nodes;
+    uint32_t marks[2]; /* nodes at the right mark (the tail's) and the left one (the long limb's) */
+    uint32_t support;  /* pin that holds the limb up until a hand has it */
+    double tail, limb; /* m */
+    double time;
+} stand;
+
+vbss_result stand_create(stand *s, double tail, double limb);
+/* Begins the log, when all is there. */
+vbss_result stand_begin(stand *s, const char *log);
+/* Holds the limb up beside a node, until a hand has it; lets it go. */
+vbss_result stand_offer(stand *s, uint32_t node);
+vbss_result stand_let_go(stand *s);
+vbss_result stand_step(stand *s, double dt);
+/* Ends the log. */
+vbss_result stand_end(stand *s);
+void stand_destroy(stand *s);
+const vec *stand_nodes(const stand *s);
+const double *stand_tensions(const stand *s);
+
+#endif

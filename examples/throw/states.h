@@ -1,0 +1,32 @@
+/* What the hands do in each state of a throw. */
+#ifndef VBSS_EXAMPLES_THROW_STATES_H
+#define VBSS_EXAMPLES_THROW_STATES_H
+
+#include "throw/steer.h"
+
+void throw_enter(throw_run *t, throw_state state);
+/* Once more, from the beginning, if it is not too late. */
+void throw_fail(throw_run *t, const char *why);
+
+/* ---- wind.c: the limb round W's jaws */
+vbss_result throw_pick(throw_run *t, double dt);
+void throw_near(throw_run *t);
+void throw_place(throw_run *t);
+void throw_orbit(throw_run *t, double dt);
+void throw_check(throw_run *t, double dt);
+void throw_unwind(throw_run *t);
+
+/* ---- pass.c: the tail through the turns */
+void throw_tail(throw_run *t, double dt);
+vbss_result throw_close(throw_run *t, double dt);
+vbss_result throw_draw(throw_run *t, double dt);
+
+/* ---- seat.c: down on the drain, and tight */
+void throw_lower(throw_run *t, double dt);
+void throw_seat(throw_run *t, double dt);
+/* C follows the tail, and gives way toward W. */
+void throw_follow(throw_run *t, double dt);
+/* W where the tail, or what is left of it, lets it be. */
+void throw_on_leash(throw_run *t, double most, double dt);
+
+#endif

@@ -1,0 +1,105 @@
+#include "throw/steer.h"
+
+/* ---- geometry about W */
+
+steer_frame steer_about_w(const throw_run *t, double s)
+{
+    steer_frame f;
+    const hand_pose *w = &t->see->tool_w;
+    f.u = w->handle;
+    f.origin = v_along(w->tip, s, f.u);
+    f.over = v_unit(v_across(v3(0.0, 0.0, 1.0), f.u));
+    f.away = v_cross(f.u, f.over);
+    return f;
+}
+
+vec steer_on_orbit(const steer_frame *f, double phi, double rho)
+{
+    return v_along(v_along(f->origin, rho * cos(phi), f->over), rho * sin(phi), f->away);
+}
+
+vec steer_limb_root(const throw_run *t)
+{
+    return t->see->x[t->limb_root];
+}
+
+vec steer_tail_root(const throw_run *t)
+{
+    return t->see->x[t->tail_root];
+}
+
+/* Where C's tip is when its jaws are at a place. */
+vec steer_tip_of(const throw_run *t, vec jaws)
+{
+    return v_along(jaws, -GRASP_BEHIND, t->see->tool_c.handle);
+}
+
+vec steer_jaws_of(const hand_pose *p)
+{
+    return v_along(p->tip, GRASP_BEHIND, p->handle);
+}
+
+/* Of the limb between W and C. */
+static double steer_free_length(const throw_run *t)
+{
+    const senses *s = t->see;
+    if (s->last > 0) {
+        return senses_length(s, s->last, s->c->node);
+    }
+    steer_frame f = steer_about_w(t, t->plan.s0);
+    return t->hold - v_distance(steer_limb_root(t), f.origin);
+}
+
+/* ---- C keeps the limb taut at its angle */
+
+static double turn_height(const throw_run *t)
+{
+    double turns = (t->phi - t->begin) / (2.0 * PI);
+    return t->plan.s0 - t->plan.ds * turns;
+}
+
+void steer_keep_taut(throw_run *t, double speed, double dt)
+{
+    const senses *s = t->see;
+    double wanted = t->plan.slack * t->give * steer_free_length(t);
+    steer_frame f = steer_about_w(t, turn_height(t));
+    if (s->tension_c > t->plan.tension) {
+        t->give = fmax(0.3, t->give - 1.0 * dt);
+    } else {
+        t->give = fmin(1.0, t->give + 0.2 * dt);
+    }
+    t->rho += clamp(wanted - t->rho, -0.1 * dt, 0.1 * dt);
+    t->rho = clamp(t->rho, 0.006, 0.05);
+    vec jaws = steer_on_orbit(&f, t->phi, t->rho);
+    jaws.z = fmax(jaws.z, t->plan.clearance);
+    hand_go(s->c, steer_tip_of(t, jaws), speed);
+}
+
+/* The limb up from the turns, which W's jaws may point away from. */
+static void hold_up(throw_run *t, double speed)
+{
+    const senses *s = t->see;
+    vec from = s->last > 0 ? s->x[s->last] : s->tool_w.bend;
+    double length = s->last > 0 ? senses_length(s, s->last, s->c->node) : t->hold - 0.03;
+    double share = s->tension_c > t->plan.tension ? 0.85 : 0.97;
+    vec jaws = v_along(from, share * length, v_unit(v3(0.2, 0.4, 1.0)));
+    hand_go(s->c, steer_tip_of(t, jaws), speed);
+}
+
+void steer_keep(throw_run *t, double dt)
+{
+    if (t->plan.lift) {
+        hold_up(t, 0.15);
+    } else {
+        steer_keep_taut(t, 0.15, dt);
+    }
+}
+
+/* C gives way as soon as the limb is taut. */
+void steer_yield(throw_run *t)
+{
+    const senses *s = t->see;
+    bool taut = s->tension_c > t->plan.tension;
+    vec way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
+    hand_go(s->c, taut ? v_along(s->tool_c.tip, 5e-3, way) : s->tool_c.tip, 0.1);
+}

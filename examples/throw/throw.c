@@ -1,0 +1,127 @@
+#include "throw/states.h"
+
+#include <string.h>
+
+static const char *const names[THROW_STATES] = {"pick",   "near", "place", "orbit", "check",
+                                                "unwind", "tail", "close", "draw",  "lower",
+                                                "seat",   "done", "failed"};
+
+const char *throw_state_name(throw_state state)
+{
+    return names[state];
+}
+
+void throw_plan_usual(throw_plan *p, int wraps)
+{
+    *p = (throw_plan){
+        .wraps = wraps,
+        .wrap_tip = v3(0.014, 0.0, wraps > 1 ? 0.034 : 0.028),
+        .wrap_point = v3(-1.0, 0.1, 0.0),
+        .hold = wraps > 1 ? 0.072 : 0.06,
+        .s0 = 0.012,
+        .ds = 0.002,
+        .slack = 0.96,
+        .speed = 0.12,
+        .tension = 0.04,
+        .clearance = 0.003,
+        .drawn = 0.15,
+        .pull = 2.0,
+        .retries = 2,
+        .light = 0.02,
+        .opening = 0.6,
+        .beyond = 0.6,
+        .tail_node = 3,
+        .behind = GRASP_BEHIND,
+    };
+}
+
+/* The tail lies flat, so W's jaws come down to it from above. */
+void throw_plan_on_top(throw_plan *p)
+{
+    throw_plan_usual(p, 1);
+    p->wrap_tip = v3(0.010, 0.0, 0.026);
+    p->hold = 0.058;
+    p->tail_node = 3;
+    p->behind = 0.7e-3;
+    p->lift = true;
+    p->drawn = 0.05;
+    p->light = 0.02;
+}
+
+void throw_begin(throw_run *t, senses *see, const throw_plan *plan)
+{
+    memset(t, 0, sizeof *t);
+    t->see = see;
+    t->plan = *plan;
+    t->give = 1.0;
+    t->tail_root = see->tail_root;
+    t->limb_root = see->limb_root;
+    t->throws_before = see->throws;
+    if (see->c->holds) {
+        t->hold = senses_length(see, t->limb_root, see->c->node);
+        t->state = THROW_NEAR;
+    } else {
+        catch_begin(&t->grip, see, see->c, t->limb_root + (uint32_t)(plan->hold / SEGMENT + 0.5),
+                    1.0, 0.12);
+        t->grip.state = CATCH_CLOSE;
+    }
+}
+
+void throw_enter(throw_run *t, throw_state state)
+{
+    t->state = state;
+    t->since = 0.0;
+}
+
+/* Once more, from the beginning, if it is not too late. */
+void throw_fail(throw_run *t, const char *why)
+{
+    t->why = why;
+    bool again = t->state < THROW_LOWER && t->retries < t->plan.retries;
+    t->retries += again ? 1 : 0;
+    throw_enter(t, again ? THROW_UNWIND : THROW_FAILED);
+}
+
+vbss_result throw_step(throw_run *t, double dt)
+{
+    t->since += dt;
+    if (t->state != THROW_PICK && t->state < THROW_DONE && !t->see->c->holds) {
+        t->why = "limb lost";
+        throw_enter(t, THROW_FAILED);
+    }
+    switch (t->state) {
+    case THROW_PICK:
+        return throw_pick(t, dt);
+    case THROW_NEAR:
+        throw_near(t);
+        break;
+    case THROW_PLACE:
+        throw_place(t);
+        break;
+    case THROW_ORBIT:
+        throw_orbit(t, dt);
+        break;
+    case THROW_CHECK:
+        throw_check(t, dt);
+        break;
+    case THROW_UNWIND:
+        throw_unwind(t);
+        break;
+    case THROW_TAIL:
+        throw_tail(t, dt);
+        break;
+    case THROW_CLOSE:
+        return throw_close(t, dt);
+    case THROW_DRAW:
+        return throw_draw(t, dt);
+    case THROW_LOWER:
+        throw_lower(t, dt);
+        break;
+    case THROW_SEAT:
+        throw_seat(t, dt);
+        break;
+    default:
+        break;
+    }
+    return VBSS_OK;
+}

@@ -1,0 +1,71 @@
+/* Ties one throw: what the hands do, one state after the other, from what they see. */
+#ifndef VBSS_EXAMPLES_THROW_THROW_H
+#define VBSS_EXAMPLES_THROW_THROW_H
+
+#include "throw/catch.h"
+
+typedef enum throw_state {
+    THROW_PICK,   /* C takes the limb */
+    THROW_NEAR,   /* the limb to the near side, under where W will be */
+    THROW_PLACE,  /* W to where it is wound about */
+    THROW_ORBIT,  /* C round W's jaws, the limb taut */
+    THROW_CHECK,  /* are the turns right? */
+    THROW_UNWIND, /* no: back */
+    THROW_TAIL,   /* W to before the tail */
+    THROW_CLOSE,  /* on the tail; would it tie what it shall? */
+    THROW_DRAW,   /* the tail through the turns */
+    THROW_LOWER,  /* both hands low, nothing tight yet */
+    THROW_SEAT,   /* pull tight */
+    THROW_DONE,
+    THROW_FAILED,
+    THROW_STATES
+} throw_state;
+
+/* How a throw is tied; lengths in m. */
+typedef struct throw_plan {
+    int wraps;
+    vec wrap_tip;       /* of W while it is wound about */
+    vec wrap_point;     /* where the handle's end of its jaws shall point then */
+    double hold;        /* of limb from its mark to C's jaws */
+    double s0, ds;      /* where along W C goes round, from its tip; less in each turn */
+    double slack;       /* radius of the orbit over the free length */
+    double speed;       /* of C, m/s */
+    double tension;     /* that C gives way to when it winds, N */
+    double clearance;   /* of C's tip above the drain's top */
+    double beyond;      /* rad of orbit, so that what hangs from C hangs behind the tail */
+    double opening;     /* of W's handle, when it takes the tail */
+    uint32_t tail_node; /* where it takes it */
+    double behind;      /* how far behind its tip */
+    bool lift;          /* C holds the limb up meanwhile */
+    double light;       /* N, of C while the tail is drawn through */
+    double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
+    double pull;        /* N, in the end */
+    int retries;
+} throw_plan;
+
+typedef struct throw_run {
+    senses *see;
+    throw_plan plan;
+    throw_state state;
+    double since;      /* s in this state */
+    double phi, begin; /* of C round W, rad, from above over the far side; where the mark is */
+    double rho, give;
+    vec carrot_w, carrot_c;
+    double angle, leash, clear, hold;
+    catch_run grip;
+    uint32_t throws_before;
+    uint32_t tail_root, limb_root; /* nodes where tail and limb come out of drain or knot */
+    int retries, catches;
+    const char *why;
+    senses_knot predicted;
+} throw_run;
+
+void throw_plan_usual(throw_plan *p, int wraps);
+/* A single on top of what is tied. */
+void throw_plan_on_top(throw_plan *p);
+void throw_begin(throw_run *t, senses *see, const throw_plan *plan);
+/* What the hands do in the coming step, from what is seen now. */
+vbss_result throw_step(throw_run *t, double dt);
+const char *throw_state_name(throw_state state);
+
+#endif

@@ -1,0 +1,224 @@
+#include "throw/trial.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <time.h>
+
+#include "throw/picture.h"
+
+#define STEP 1e-3
+
+typedef struct trial {
+    const trial_options *options;
+    stand st;
+    hand hands[2];
+    senses see;
+    throw_run run;
+    transfer_run pass;
+    uint64_t steps;
+    int pictures;
+    double next_picture;
+} trial;
+
+/* ---- the beginning */
+
+static double chance(uint64_t *state)
+{
+    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+static hand_nature nature_of(uint64_t seed)
+{
+    uint64_t random = seed;
+    hand_nature n = {.speed = 1.0, .seed = 1};
+    if (seed != 0) {
+        n.speed = 0.6 + 0.9 * chance(&random);
+        n.tremor = 1e-4 + 3e-4 * chance(&random);
+        n.aim = 0.8e-3;
+        n.aim_end = 0.5e-3;
+        n.seed = seed * 77 + 1;
+    }
+    return n;
+}
+
+static void plan_first(const trial_options *o, throw_plan *plan)
+{
+    throw_plan_usual(plan, o->kind == TRIAL_DOUBLE || o->kind == TRIAL_SURGEONS ? 2 : 1);
+}
+
+vbss_result trial_set_up(const trial_options *o, stand *s, hand hands[2])
+{
+    const vec left = v3(-0.11, -0.05, 0.08), right = v3(0.11, -0.05, 0.08);
+    hand_nature nature = nature_of(o->seed);
+    throw_plan plan;
+    plan_first(o, &plan);
+    TRY(stand_create(s, 0.03, 0.117));
+    TRY(hand_create(&hands[0], s, &nature, left, v3(-0.06, -0.06, 0.06), v3(-1.0, 0.1, 0.0), 0.0));
+    nature.seed += 1000;
+    uint32_t held = s->marks[1] + (uint32_t)(plan.hold / SEGMENT + 0.5);
+    vec jaws = v3(0.5, -0.15, 0.85); /* to their handle's end */
+    vec at = v_along(stand_nodes(s)[held], -GRASP_BEHIND, v_unit(jaws));
+    TRY(hand_create(&hands[1], s, &nature, right, at, v3(-0.25, -0.15, 0.95), 1.0));
+    return stand_offer(s, held);
+}
+
+/* ---- a step */
+
+static void show(trial *t, trial_event event, const char *state)
+{
+    if (t->options->watch != NULL) {
+        trial_moment m = {event, state, &t->run, &t->see};
+        t->options->watch(t->options->user, &m);
+    }
+}
+
+static vbss_result step(trial *t)
+{
+    TRY(hand_step(&t->hands[0], STEP));
+    TRY(hand_step(&t->hands[1], STEP));
+    show(t, TRIAL_STEPS, "");
+    TRY(stand_step(&t->st, STEP));
+    show(t, TRIAL_STEPPED, "");
+    TRY(hand_feel(&t->hands[0]));
+    TRY(hand_feel(&t->hands[1]));
+    TRY(senses_look(&t->see));
+    if (t->steps++ % 10 == 0) {
+        TRY(senses_wind(&t->see));
+    }
+    return VBSS_OK;
+}
+
+static void tell(trial *t, const char *state, bool changed)
+{
+    const senses *s = &t->see;
+    const trial_options *o = t->options;
+    if (changed) {
+        show(t, TRIAL_ENTERED, state);
+    }
+    if (o->verbose && (changed || t->steps % 200 == 0)) {
+        vbss_scene_statistics c;
+        (void)vbss_scene_get_statistics(t->st.scene, &c, sizeof c);
+        printf("%6.3f %-7s phi %6.1f rho %4.1f Tc %6.3f Tw %6.3f turns %5.2f first %3u %4.1f last "
+               "%3u %4.1f"
+               " W %5.1f %5.1f %5.1f C %5.1f %5.1f %5.1f rejected %lu clamped %lu\n",
+               t->st.time, state, t->run.phi * 57.2958, t->run.rho * 1e3, s->tension_c,
+               s->tension_w, s->turns, s->first, s->first_s * 1e3, s->last, s->last_s * 1e3,
+               s->tool_w.tip.x * 1e3, s->tool_w.tip.y * 1e3, s->tool_w.tip.z * 1e3,
+               s->tool_c.tip.x * 1e3, s->tool_c.tip.y * 1e3, s->tool_c.tip.z * 1e3,
+               (unsigned long)(c.rejected_states + c.rejected_stretch + c.rejected_depth +
+                               c.rejected_guard),
+               (unsigned long)c.clamped);
+        fflush(stdout);
+    }
+    if (o->folder != NULL && (changed || t->st.time >= t->next_picture)) {
+        char path[512], text[96];
+        snprintf(path, sizeof path, "%s/%03d.png", o->folder, t->pictures++);
+        snprintf(text, sizeof text, "%.2f s %s turns %.2f", t->st.time, state, s->turns);
+        (void)picture_write(s, path, text, o->near);
+        t->next_picture = t->st.time + o->every;
+    }
+}
+
+/* ---- the parts of a knot */
+
+static vbss_result tie(trial *t, const throw_plan *plan, bool *good)
+{
+    double begin = t->st.time;
+    throw_state before = THROW_STATES;
+    throw_run *r = &t->run;
+    throw_begin(r, &t->see, plan);
+    while (r->state != THROW_DONE && r->state != THROW_FAILED &&
+           t->st.time - begin < t->options->most) {
+        tell(t, throw_state_name(r->state), r->state != before);
+        before = r->state;
+        TRY(throw_step(r, STEP));
+        TRY(step(t));
+    }
+    tell(t, throw_state_name(r->state), true);
+    *good = r->state == THROW_DONE;
+    return VBSS_OK;
+}
+
+static vbss_result change_hands(trial *t, bool *good)
+{
+    transfer_state before = TRANSFER_DONE;
+    TRY(senses_find_roots(&t->see));
+    transfer_begin(&t->pass, &t->see);
+    while (t->pass.state != TRANSFER_DONE && t->pass.state != TRANSFER_FAILED) {
+        tell(t, transfer_state_name(t->pass.state), t->pass.state != before);
+        before = t->pass.state;
+        TRY(transfer_step(&t->pass, STEP));
+        TRY(step(t));
+    }
+    *good = t->pass.state == TRANSFER_DONE;
+    return VBSS_OK;
+}
+
+static vbss_result tie_all(trial *t, trial_outcome *out)
+{
+    trial_kind kind = t->options->kind;
+    throw_plan plan;
+    bool good;
+    plan_first(t->options, &plan);
+    TRY(trial_set_up(t->options, &t->st, t->hands));
+    TRY(stand_begin(&t->st, t->options->log));
+    TRY(senses_create(&t->see, &t->st, &t->hands[0], &t->hands[1]));
+    TRY(senses_look(&t->see));
+    TRY(tie(t, &plan, &good));
+    out->retries = t->run.retries;
+    if (good && (kind == TRIAL_SQUARE || kind == TRIAL_SURGEONS)) {
+        throw_plan_on_top(&plan);
+        TRY(change_hands(t, &good));
+        if (good) {
+            TRY(tie(t, &plan, &good));
+            out->retries += t->run.retries;
+        }
+    }
+    out->good = good;
+    return stand_end(&t->st);
+}
+
+/* ---- how it went */
+
+static vbss_result look_back(trial *t, trial_outcome *out)
+{
+    static const char *const right[] = {"1", "2", "1=1", "2=1"};
+    senses_knot k;
+    vbss_scene_statistics c;
+    TRY(senses_find_knot(&t->see));
+    TRY(senses_judge(&t->see, false, &k));
+    TRY(vbss_scene_get_statistics(t->st.scene, &c, sizeof c));
+    memcpy(out->notation, k.notation, sizeof out->notation);
+    out->handedness = k.handedness;
+    out->height = t->see.knot_height;
+    out->time = t->st.time;
+    out->clamped = c.clamped;
+    out->state = throw_state_name(t->run.state);
+    out->why = t->run.why != NULL ? t->run.why : "";
+    out->certified = k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
+    out->good = out->good && out->certified &&
+                strcmp(out->notation, right[t->options->kind]) == 0 && out->height < 2e-3;
+    return VBSS_OK;
+}
+
+vbss_result trial_run(const trial_options *o, trial_outcome *out)
+{
+    static trial t;
+    clock_t start = clock();
+    memset(&t, 0, sizeof t);
+    memset(out, 0, sizeof *out);
+    t.options = o;
+    vbss_result result = tie_all(&t, out);
+    if (result == VBSS_OK) {
+        result = look_back(&t, out);
+    }
+    if (result == VBSS_OK) {
+        show(&t, TRIAL_ENDED, throw_state_name(t.run.state));
+    }
+    out->cpu = (double)(clock() - start) / CLOCKS_PER_SEC;
+    stand_destroy(&t.st);
+    return result;
+}

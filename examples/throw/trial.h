@@ -1,0 +1,54 @@
+/* One trial: a stand, two hands of some nature, the throws of a knot one after the other. */
+#ifndef VBSS_EXAMPLES_THROW_TRIAL_H
+#define VBSS_EXAMPLES_THROW_TRIAL_H
+
+#include "throw/throw.h"
+#include "throw/transfer.h"
+
+typedef enum trial_kind { TRIAL_SINGLE, TRIAL_DOUBLE, TRIAL_SQUARE, TRIAL_SURGEONS } trial_kind;
+
+/* What one who watches a trial is called for. */
+typedef enum trial_event {
+    TRIAL_ENTERED, /* the hands do something else from now on */
+    TRIAL_STEPS,   /* right before the scene's step */
+    TRIAL_STEPPED, /* right after it */
+    TRIAL_ENDED    /* all is there still; not after an error */
+} trial_event;
+
+typedef struct trial_moment {
+    trial_event event;
+    const char *state;    /* ENTERED, ENDED: what the hands do */
+    const throw_run *run; /* the throw that is tied */
+    senses *see;          /* and by it the stand and both hands */
+} trial_moment;
+typedef void trial_watch(void *user, const trial_moment *moment);
+
+typedef struct trial_options {
+    trial_kind kind;
+    uint64_t seed; /* 0: steady hands of usual speed */
+    double most;   /* s for a throw */
+    int verbose;
+    const char *log;    /* file; may be NULL */
+    const char *folder; /* of pictures; may be NULL */
+    double every;       /* s between them */
+    trial_watch *watch; /* looks only; may be NULL */
+    void *user;         /* handed to it */
+    bool near;          /* of the knot only */
+} trial_options;
+
+typedef struct trial_outcome {
+    bool good, certified;
+    char notation[32];
+    int handedness; /* of the last throw */
+    int retries;
+    double height; /* of the knot above the drain, m */
+    double time, cpu;
+    uint64_t clamped;
+    const char *state, *why;
+} trial_outcome;
+
+vbss_result trial_run(const trial_options *o, trial_outcome *out);
+/* All that is there before the first step: what the log of such a trial can be replayed in. */
+vbss_result trial_set_up(const trial_options *o, stand *s, hand hands[2]);
+
+#endif

@@ -1,0 +1,100 @@
+#include "throw/states.h"
+
+vbss_result throw_pick(throw_run *t, double dt)
+{
+    const senses *s = t->see;
+    hand_turn(s->c, catch_point(s, s->c, t->grip.node));
+    catch_step(&t->grip, dt);
+    if (t->grip.state == CATCH_HELD) {
+        t->hold = senses_length(s, t->limb_root, s->c->node);
+        throw_enter(t, THROW_NEAR);
+        return stand_let_go(s->stand);
+    }
+    if (t->grip.state == CATCH_MISSED) {
+        throw_fail(t, "limb not taken");
+    }
+    return VBSS_OK;
+}
+
+void throw_near(throw_run *t)
+{
+    const senses *s = t->see;
+    hand_turn(s->c, v3(1.0, 0.0, 0.0));
+    vec jaws = v3(0.004, -0.024, t->plan.wrap_tip.z - 0.01);
+    hand_go(s->c, steer_tip_of(t, jaws), 0.12);
+    if (v_distance(steer_jaws_of(&s->tool_c), jaws) < 3e-3) {
+        throw_enter(t, THROW_PLACE);
+        hand_aim(s->w, s->w->nature.aim);
+    }
+}
+
+void throw_place(throw_run *t)
+{
+    const senses *s = t->see;
+    hand_go(s->w, t->plan.wrap_tip, 0.15);
+    hand_turn(s->w, t->plan.wrap_point);
+    if (v_distance(s->tool_w.tip, t->plan.wrap_tip) < 2e-3 && t->since > 0.2) {
+        steer_frame f = steer_about_w(t, t->plan.s0);
+        vec to = v_sub(steer_limb_root(t), f.origin),
+            c = v_sub(steer_jaws_of(&s->tool_c), f.origin);
+        t->begin = atan2(v_dot(to, f.away), v_dot(to, f.over));
+        if (t->begin > 0.0) {
+            t->begin -= 2.0 * PI;
+        }
+        t->phi = atan2(v_dot(c, f.away), v_dot(c, f.over));
+        t->rho = hypot(v_dot(c, f.away), v_dot(c, f.over));
+        hand_aim(s->c, s->c->nature.aim);
+        throw_enter(t, THROW_ORBIT);
+    }
+}
+
+void throw_orbit(throw_run *t, double dt)
+{
+    const senses *s = t->see;
+    double end = t->begin + 2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond;
+    double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
+    if (s->tension_c > 3.0 * t->plan.tension) {
+        rate = 0.0;
+    } else if (s->tension_c > t->plan.tension) {
+        rate *= 0.3;
+    }
+    t->phi = fmin(t->phi + rate * dt, end);
+    steer_keep_taut(t, 0.3, dt);
+    if (t->phi >= end) {
+        throw_enter(t, THROW_CHECK);
+    } else if (t->since > 15.0) {
+        throw_fail(t, "orbit takes too long");
+    }
+}
+
+/* W lets go and is drawn out of the turns along its jaws. */
+void throw_unwind(throw_run *t)
+{
+    const senses *s = t->see;
+    hand_open(s->w, s->w->holds ? 0.5 : 0.0);
+    vec back = v_along(s->tool_w.tip, 0.02, s->tool_w.handle);
+    bool out = t->since > 0.5 && s->last == 0 && s->tool_w.tip.x < -0.02;
+    hand_go(s->w, s->tool_w.tip.x < -0.02 ? v3(-0.06, -0.06, 0.06) : back, 0.08);
+    steer_yield(t);
+    if ((out && s->tool_w.tip.x < -0.045) || t->since > 4.0) {
+        t->give = 1.0;
+        throw_enter(t, THROW_NEAR);
+    }
+}
+
+void throw_check(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    steer_keep_taut(t, 0.2, dt);
+    if (t->since < 0.15) {
+        return;
+    }
+    if (s->turns > t->plan.wraps - 0.15 && s->turns < t->plan.wraps + 0.9) {
+        throw_enter(t, THROW_TAIL);
+        catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
+        t->grip.behind = t->plan.behind;
+        hand_aim(s->w, s->w->nature.aim_end);
+    } else {
+        throw_fail(t, "wrap lost");
+    }
+}

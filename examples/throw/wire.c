@@ -1,0 +1,73 @@
+#include "throw/wire.h"
+
+#include <string.h>
+
+/* ---- made */
+
+/* What the device sees of the hand. */
+static void measure(void *user, double time, vbss_device_sample *s)
+{
+    const hand *h = user;
+    (void)time; /* of the last sample, which is now */
+    s->valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW |
+               VBSS_DEVICE_HAS_TOOL;
+    v_store(s->position, h->shown);
+    memcpy(s->orientation, h->shown_orientation, sizeof s->orientation);
+    s->jaw = h->opening;
+    s->tool = h->tool;
+}
+
+static vbss_result make_device(hand *h)
+{
+    vbss_device_adapter adapter;
+    vbss_device_config c;
+    vbss_mock_config m;
+    TRY(vbss_mock_config_init(&m, sizeof m));
+    m.measure = measure;
+    m.user = h;
+    m.row_capacity = 0;
+    TRY(vbss_mock_create(h->stand->context, &m, &h->mock));
+    TRY(vbss_device_adapter_init(&adapter, sizeof adapter));
+    TRY(vbss_mock_get_adapter(h->mock, &adapter));
+    TRY(vbss_device_config_init(&c, sizeof c));
+    c.clock = VBSS_DEVICE_CLOCK_SHARED;
+    return vbss_device_create(h->stand->context, &adapter, NULL, &c, &h->device);
+}
+
+vbss_result wire_create(hand *h)
+{
+    double position[3];
+    v_store(position, h->shown);
+    TRY(vbss_grasper_create(h->stand->context, &h->shape, &h->grasper));
+    TRY(vbss_grasper_move(h->grasper, position, h->shown_orientation));
+    TRY(vbss_grasper_set_opening(h->grasper, h->opening));
+    TRY(vbss_scene_add_grasper(h->stand->scene, h->grasper, &h->body));
+    return make_device(h);
+}
+
+/* ---- out of the hand */
+
+vbss_result wire_tell(hand *h)
+{
+    vbss_device_input in;
+    vbss_record *record = h->stand->record;
+    TRY(vbss_device_read(h->device, h->time, &in, sizeof in));
+    TRY(vbss_record_move_grasper(record, h->body, in.position, in.orientation));
+    TRY(vbss_record_set_opening(record, h->body, in.jaw));
+    return (in.events & VBSS_DEVICE_EVENT_TOOL) != 0
+               ? vbss_record_exchange(record, h->body,
+                                      in.tool == VBSS_DEVICE_TOOL_SHEARS
+                                          ? VBSS_GRASPER_SHEARS
+                                          : VBSS_GRASPER_NEEDLE_DRIVER)
+               : VBSS_OK;
+}
+
+/* ---- back to it */
+
+vbss_result wire_feel(hand *h, const vbss_grasper_state *state)
+{
+    vbss_output_command command;
+    TRY(vbss_output_command_init(&command, sizeof command));
+    memcpy(command.force, state->hand_force, sizeof command.force);
+    return vbss_device_write(h->device, h->time, &command, NULL, 0);
+}
