@@ -77,6 +77,7 @@ static void do_take(transfer_run *t, double dt)
     if (t->grip.state == CATCH_HELD) {
         t->from = s->tool_c.tip;
         t->back = s->tool_c.handle;
+        t->aside = v_cross(s->tool_c.handle, s->tool_c.opening);
         enter(t, TRANSFER_GIVE);
     } else if (t->grip.state == CATCH_MISSED) {
         enter(t, TRANSFER_FAILED);
@@ -101,8 +102,16 @@ static vbss_result do_give(transfer_run *t)
     if (t->since > 0.15) {
         hand_go(s->c, v_along(t->from, 30e-3, t->back), 0.06);
     }
-    if (t->since > 0.9) {
+    if (t->since > 0.9) { /* beside the limb, lest they close on it again */
+        hand_go(s->c, v_along(v_along(t->from, 30e-3, t->back), 15e-3, t->aside), 0.06);
+    }
+    if (t->since > 1.3) {
         hand_open(s->c, 0.0);
+    }
+    if (t->since > 1.6 && s->c->holds) {
+        t->aside = v_scale(-1.0, t->aside);
+        t->since = 0.2;
+    } else if (t->since > 1.6) {
         enter(t, TRANSFER_DONE);
         return exchange(s);
     }

@@ -20,7 +20,7 @@ typedef struct transfer_run {
     transfer_state state;
     double since;
     catch_run grip;
-    vec from, back; /* where a hand lets go, and how it withdraws */
+    vec from, back, aside; /* where a hand lets go, and how it withdraws */
 } transfer_run;
 
 void transfer_begin(transfer_run *t, senses *see);

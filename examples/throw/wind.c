@@ -1,5 +1,7 @@
 #include "throw/states.h"
 
+#define NEARLY 0.35 /* rad before the end of the orbit, where it may end as well */
+
 vbss_result throw_pick(throw_run *t, double dt)
 {
     const senses *s = t->see;
@@ -44,6 +46,7 @@ void throw_place(throw_run *t)
         t->phi = atan2(v_dot(c, f.away), v_dot(c, f.over));
         t->rho = hypot(v_dot(c, f.away), v_dot(c, f.over));
         hand_aim(s->c, s->c->nature.aim);
+        t->clear = 0.0;
         throw_enter(t, THROW_ORBIT);
     }
 }
@@ -53,14 +56,17 @@ void throw_orbit(throw_run *t, double dt)
     const senses *s = t->see;
     double end = t->begin + 2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond;
     double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
-    if (s->tension_c > 3.0 * t->plan.tension) {
+    bool stuck = s->tension_c > 3.0 * t->plan.tension;
+    t->clear = stuck ? t->clear + dt : 0.0;
+    if (stuck) {
         rate = 0.0;
     } else if (s->tension_c > t->plan.tension) {
         rate *= 0.3;
     }
     t->phi = fmin(t->phi + rate * dt, end);
     steer_keep_taut(t, 0.3, dt);
-    if (t->phi >= end) {
+    if (t->phi >= end ||
+        (t->clear > 0.7 && t->phi > end - NEARLY)) { /* or as far as the limb lets it */
         throw_enter(t, THROW_CHECK);
     } else if (t->since > 15.0) {
         throw_fail(t, "orbit takes too long");
@@ -89,7 +95,8 @@ void throw_check(throw_run *t, double dt)
     if (t->since < 0.15) {
         return;
     }
-    if (s->turns > t->plan.wraps - 0.15 && s->turns < t->plan.wraps + 0.9) {
+    double more = t->plan.lift ? 1.4 : 0.9; /* a limb that is held up winds further on */
+    if (s->turns > t->plan.wraps - 0.15 && s->turns < t->plan.wraps + more) {
         throw_enter(t, THROW_TAIL);
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;
