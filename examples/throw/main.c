@@ -9,9 +9,11 @@ static const char *const kinds[] = {"single", "double", "square", "surgeons"};
 
 static int usage(void)
 {
-    fprintf(stderr, "throw single|double|square|surgeons [-s seed] [-n seeds] [-l log] [-v]\n"
-                    "      [-p folder for pictures] [-e seconds between them] [-c: close] [-t most "
-                    "seconds a throw]\n");
+    fprintf(stderr,
+            "throw single|double|square|surgeons [-s seed] [-n seeds] [-l log] [-v]\n"
+            "      [-k: cut both ends] [-w: wind the wrong way] [-u: draw through unchecked]\n"
+            "      [-p folder for pictures] [-e seconds between them] [-c: close] [-t most "
+            "seconds a throw]\n");
     return 2;
 }
 
@@ -25,6 +27,18 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds)
         }
         if (strcmp(word, "-c") == 0) {
             o->near = true;
+            continue;
+        }
+        if (strcmp(word, "-k") == 0) {
+            o->cut = true;
+            continue;
+        }
+        if (strcmp(word, "-w") == 0) {
+            o->wrong = true;
+            continue;
+        }
+        if (strcmp(word, "-u") == 0) {
+            o->unchecked = true;
             continue;
         }
         if (word[0] != '-' || strlen(word) != 2 || i + 1 == count) {
@@ -77,10 +91,11 @@ int main(int count, char **words)
         }
         good += out.good;
         printf("%s %3lu: %s '%s' hand %+d retries %d height %5.2f mm %5.2f s cpu %4.1f s clamped "
-               "%lu %s %s\n",
+               "%lu %s %s refused %d cuts %d left %.1f %.1f mm %s\n",
                kinds[kind], (unsigned long)o.seed, out.good ? "good" : "BAD ", out.notation,
                out.handedness, out.retries, out.height * 1e3, out.time, out.cpu,
-               (unsigned long)out.clamped, out.state, out.why);
+               (unsigned long)out.clamped, out.state, out.why, out.refused, out.cuts,
+               out.left[0] * 1e3, out.left[1] * 1e3, out.kept ? "kept" : "");
         if (o.log != NULL) {
             replay_finding f = replay_file(&o);
             good -= out.good && !f.equal;

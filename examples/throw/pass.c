@@ -22,8 +22,10 @@ vbss_result throw_close(throw_run *t, double dt)
         return VBSS_OK;
     }
     TRY(senses_judge(s, true, &t->predicted));
-    if (t->predicted.state.next_verdict == VBSS_KNOT_VERDICT_PASSED &&
-        t->predicted.state.next_wraps == t->plan.wraps) {
+    const vbss_knot_state *k = &t->predicted.state;
+    bool right = k->next_verdict == VBSS_KNOT_VERDICT_PASSED && k->next_wraps == t->plan.wraps &&
+                 k->next_handedness == throw_handedness(t);
+    if (right || t->plan.unchecked) {
         vec from = v_sub(steer_jaws_of(&s->tool_w), steer_tail_root(t));
         t->angle = atan2(from.z, from.x);
         t->leash = hypot(from.z, from.x);
@@ -31,6 +33,7 @@ vbss_result throw_close(throw_run *t, double dt)
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_DRAW);
     } else {
+        t->refused++;
         throw_fail(t, "wrong knot at the catch");
     }
     return VBSS_OK;

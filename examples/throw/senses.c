@@ -45,9 +45,15 @@ static bool touches(const senses *s, vec x, double *from_tip)
     return any;
 }
 
+/* Not what was cut off of it. */
+static bool is_held(const senses *s, const hand *h)
+{
+    return h->holds && h->held_thread == s->stand->thread_body;
+}
+
 static void find_contacts(senses *s)
 {
-    uint32_t end = s->c->holds ? s->c->node - 3 : s->nodes;
+    uint32_t end = is_held(s, s->c) ? s->c->node - 3 : s->nodes;
     s->first = s->last = 0;
     for (uint32_t i = s->limb_root; i < end; i++) {
         double at;
@@ -62,9 +68,25 @@ static void find_contacts(senses *s)
     }
 }
 
+/* Both detectors begin anew with what is left of the thread. */
+static vbss_result follow_cuts(senses *s)
+{
+    uint32_t shift = s->stand->shift - s->shift;
+    if (s->nodes == s->stand->nodes) {
+        return VBSS_OK;
+    }
+    s->nodes = s->stand->nodes;
+    s->shift = s->stand->shift;
+    s->tail_root -= shift;
+    s->limb_root -= shift;
+    TRY(vbss_knot_detector_reset(s->detector));
+    return vbss_knot_detector_reset(s->arbiter);
+}
+
 vbss_result senses_look(senses *s)
 {
     vbss_view view;
+    TRY(follow_cuts(s));
     const vec *x = stand_nodes(s->stand);
     for (uint32_t i = 0; i < s->nodes; i++) {
         s->x[i] = seen(s->w, x[i]);
@@ -81,7 +103,7 @@ vbss_result senses_look(senses *s)
 
 /* ---- what the detector says */
 
-static vbss_knot_tool as_tool(const hand *h, const hand_pose *pose)
+static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *pose)
 {
     vbss_knot_tool t = {.point_count = 3};
     v_store(t.axis[0], seen(h, pose->trocar));
@@ -89,8 +111,9 @@ static vbss_knot_tool as_tool(const hand *h, const hand_pose *pose)
     v_store(t.axis[2], seen(h, pose->tip));
     t.radius[0] = h->shape.shaft_radius;
     t.radius[1] = h->shape.neck_radius;
-    t.held = h->holds ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
-    t.held_place = h->holds ? h->place : 0.0;
+    bool held = is_held(s, h);
+    t.held = held ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
+    t.held_place = held ? h->place : 0.0;
     return t;
 }
 
@@ -100,8 +123,8 @@ static vbss_result show(const senses *s, vbss_knot_tool tools[2], vbss_knot_inpu
     TRY(vbss_knot_input_init(in, sizeof *in));
     in->points = &x[0].x;
     in->point_count = s->nodes;
-    tools[0] = as_tool(s->w, &s->tool_w);
-    tools[1] = as_tool(s->c, &s->tool_c);
+    tools[0] = as_tool(s, s->w, &s->tool_w);
+    tools[1] = as_tool(s, s->c, &s->tool_c);
     in->tools = tools;
     in->tool_count = 2;
     in->hole_count = 2;

@@ -11,7 +11,7 @@ typedef struct senses {
     hand *w, *c;
     vbss_knot_detector *detector, *arbiter; /* with the tools; of the bare thread */
     vec x[STAND_NODES];
-    uint32_t nodes;
+    uint32_t nodes, shift;                 /* as the stand has them */
     uint32_t tail_root, limb_root, throws; /* where both come out of drain or knot; throws tied */
     hand_pose tool_w, tool_c;
     const double *parts;         /* of W, as the view of capsules has them */

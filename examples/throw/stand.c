@@ -152,9 +152,49 @@ vbss_result stand_let_go(stand *s)
     return pin != 0 ? vbss_record_unpin_thread(s->record, pin) : VBSS_OK;
 }
 
+/* The thread is from now on what is left of it on the drain: of the tail's cut that is the new piece. */
+static vbss_result follow_cut(stand *s, uint32_t piece)
+{
+    vbss_thread *beyond;
+    vbss_view before, after;
+    TRY(vbss_scene_get_thread(s->scene, piece, &beyond));
+    TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_POSITIONS, &before, sizeof before));
+    TRY(vbss_thread_get_view(beyond, VBSS_THREAD_POSITIONS, &after, sizeof after));
+    s->cuts++;
+    if (before.count > s->marks[1]) { /* beyond the drain */
+        s->nodes = (uint32_t)before.count;
+        return VBSS_OK;
+    }
+    uint32_t shift = s->nodes - (uint32_t)after.count;
+    if (shift > s->marks[0]) {
+        return VBSS_ERROR_OUT_OF_RANGE; /* through the knot */
+    }
+    s->thread = beyond;
+    s->thread_body = piece;
+    s->nodes -= shift;
+    s->marks[0] -= shift;
+    s->marks[1] -= shift;
+    s->shift += shift;
+    return VBSS_OK;
+}
+
+static vbss_result follow_cuts(stand *s)
+{
+    vbss_view view;
+    TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
+    for (uint64_t i = 0; i < view.count; i++) {
+        const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
+        if (event[0] == VBSS_EVENT_CUT && event[1] == s->thread_body && event[2] != 0) {
+            TRY(follow_cut(s, event[2]));
+        }
+    }
+    return VBSS_OK;
+}
+
 vbss_result stand_step(stand *s, double dt)
 {
     TRY(vbss_record_step(s->record, dt));
+    TRY(follow_cuts(s));
     s->time += dt;
     return write_log(s);
 }

@@ -34,6 +34,8 @@ typedef struct stand {
     uint32_t thread_body, drain;
     uint32_t nodes;
     uint32_t marks[2]; /* nodes at the right mark (the tail's) and the left one (the long limb's) */
+    uint32_t shift;    /* nodes that were cut off before node 0 */
+    uint32_t cuts;     /* so many */
     uint32_t support;  /* pin that holds the limb up until a hand has it */
     double tail, limb; /* m */
     double time;

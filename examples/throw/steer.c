@@ -54,7 +54,7 @@ static double steer_free_length(const throw_run *t)
 
 static double turn_height(const throw_run *t)
 {
-    double turns = (t->phi - t->begin) / (2.0 * PI);
+    double turns = fabs(t->phi - t->begin) / (2.0 * PI);
     return t->plan.s0 - t->plan.ds * turns;
 }
 

@@ -48,6 +48,11 @@ void throw_plan_on_top(throw_plan *p)
     p->light = 0.02;
 }
 
+int throw_handedness(const throw_run *t)
+{
+    return t->see->w->side > 0.0 ? -1 : 1;
+}
+
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan)
 {
     memset(t, 0, sizeof *t);

@@ -41,6 +41,8 @@ typedef struct throw_plan {
     double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
     double pull;        /* N, in the end */
     int retries;
+    bool wrong;     /* C goes round the other way */
+    bool unchecked; /* what it would tie does not matter */
 } throw_plan;
 
 typedef struct throw_run {
@@ -55,7 +57,7 @@ typedef struct throw_run {
     catch_run grip;
     uint32_t throws_before;
     uint32_t tail_root, limb_root; /* nodes where tail and limb come out of drain or knot */
-    int retries, catches;
+    int retries, catches, refused;
     const char *why;
     senses_knot predicted;
 } throw_run;
@@ -66,6 +68,8 @@ void throw_plan_on_top(throw_plan *p);
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan);
 /* What the hands do in the coming step, from what is seen now. */
 vbss_result throw_step(throw_run *t, double dt);
+/* That the throw shall have: each has the other hand's. */
+int throw_handedness(const throw_run *t);
 const char *throw_state_name(throw_state state);
 
 #endif

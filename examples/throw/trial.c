@@ -15,6 +15,7 @@ typedef struct trial {
     senses see;
     throw_run run;
     transfer_run pass;
+    cut_run cut;
     uint64_t steps;
     int pictures;
     double next_picture;
@@ -157,12 +158,36 @@ static vbss_result change_hands(trial *t, bool *good)
     return VBSS_OK;
 }
 
+static vbss_result cut_ends(trial *t, trial_outcome *out)
+{
+    cut_state before = CUT_DONE;
+    cut_run *r = &t->cut;
+    TRY(cut_begin(r, &t->see));
+    while (r->state != CUT_DONE && r->state != CUT_FAILED) {
+        tell(t, cut_state_name(r->state), r->state != before);
+        before = r->state;
+        TRY(cut_step(r, STEP));
+        TRY(step(t));
+    }
+    tell(t, cut_state_name(r->state), true);
+    out->cuts = (int)t->st.cuts;
+    senses_knot k;
+    TRY(senses_judge(&t->see, false, &k));
+    out->kept =
+        k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED && strcmp(k.notation, out->notation) == 0;
+    out->left[0] = r->left_tail;
+    out->left[1] = r->left_limb;
+    return VBSS_OK;
+}
+
 static vbss_result tie_all(trial *t, trial_outcome *out)
 {
     trial_kind kind = t->options->kind;
     throw_plan plan;
     bool good;
     plan_first(t->options, &plan);
+    plan.wrong = t->options->wrong;
+    plan.unchecked = t->options->unchecked;
     TRY(trial_set_up(t->options, &t->st, t->hands));
     TRY(stand_begin(&t->st, t->options->log));
     TRY(senses_create(&t->see, &t->st, &t->hands[0], &t->hands[1]));
@@ -178,7 +203,8 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
         }
     }
     out->good = good;
-    return stand_end(&t->st);
+    out->refused = t->run.refused;
+    return VBSS_OK;
 }
 
 /* ---- how it went */
@@ -199,7 +225,7 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
     out->certified = k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
-    out->good = out->good && out->certified &&
+    out->good = out->good && out->certified && out->handedness == throw_handedness(&t->run) &&
                 strcmp(out->notation, right[t->options->kind]) == 0 && out->height < 2e-3;
     return VBSS_OK;
 }
@@ -214,6 +240,12 @@ vbss_result trial_run(const trial_options *o, trial_outcome *out)
     vbss_result result = tie_all(&t, out);
     if (result == VBSS_OK) {
         result = look_back(&t, out);
+    }
+    if (result == VBSS_OK && out->good && o->cut) {
+        result = cut_ends(&t, out);
+    }
+    if (result == VBSS_OK) {
+        result = stand_end(&t.st);
     }
     if (result == VBSS_OK) {
         show(&t, TRIAL_ENDED, throw_state_name(t.run.state));

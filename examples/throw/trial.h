@@ -3,6 +3,7 @@
 #define VBSS_EXAMPLES_THROW_TRIAL_H
 
 #include "throw/throw.h"
+#include "throw/cut.h"
 #include "throw/transfer.h"
 
 typedef enum trial_kind { TRIAL_SINGLE, TRIAL_DOUBLE, TRIAL_SQUARE, TRIAL_SURGEONS } trial_kind;
@@ -33,12 +34,19 @@ typedef struct trial_options {
     double every;       /* s between them */
     trial_watch *watch; /* looks only; may be NULL */
     void *user;         /* handed to it */
+    bool cut;           /* both ends, in the end */
+    bool wrong;         /* wound about the wrong way */
+    bool unchecked;     /* and drawn through all the same */
     bool near;          /* of the knot only */
 } trial_options;
 
 typedef struct trial_outcome {
     bool good, certified;
     char notation[32];
+    int cuts;       /* of both ends */
+    bool kept;      /* and it is the same knot still */
+    int refused;    /* wraps, before they were drawn through */
+    double left[2]; /* of tail and limb, m */
     int handedness; /* of the last throw */
     int retries;
     double height; /* of the knot above the drain, m */

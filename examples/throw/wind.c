@@ -54,7 +54,8 @@ void throw_place(throw_run *t)
 void throw_orbit(throw_run *t, double dt)
 {
     const senses *s = t->see;
-    double end = t->begin + 2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond;
+    double way = t->plan.wrong ? -1.0 : 1.0;
+    double end = t->begin + way * (2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond);
     double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
     bool stuck = s->tension_c > 3.0 * t->plan.tension;
     t->clear = stuck ? t->clear + dt : 0.0;
@@ -63,10 +64,10 @@ void throw_orbit(throw_run *t, double dt)
     } else if (s->tension_c > t->plan.tension) {
         rate *= 0.3;
     }
-    t->phi = fmin(t->phi + rate * dt, end);
+    t->phi += way * fmin(rate * dt, way * (end - t->phi));
     steer_keep_taut(t, 0.3, dt);
-    if (t->phi >= end ||
-        (t->clear > 0.7 && t->phi > end - NEARLY)) { /* or as far as the limb lets it */
+    if (way * (end - t->phi) < 1e-9 ||
+        (t->clear > 0.7 && way * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */
         throw_enter(t, THROW_CHECK);
     } else if (t->since > 15.0) {
         throw_fail(t, "orbit takes too long");
@@ -96,7 +97,8 @@ void throw_check(throw_run *t, double dt)
         return;
     }
     double more = t->plan.lift ? 1.4 : 0.9; /* a limb that is held up winds further on */
-    if (s->turns > t->plan.wraps - 0.15 && s->turns < t->plan.wraps + more) {
+    double turns = t->plan.wrong ? -s->turns : s->turns;
+    if (turns > t->plan.wraps - 0.15 && turns < t->plan.wraps + more) {
         throw_enter(t, THROW_TAIL);
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;

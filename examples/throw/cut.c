@@ -1,0 +1,219 @@
+#include "throw/cut.h"
+
+#include <string.h>
+
+#define ROOM 1.5e-3   /* of other thread from the place, along it */
+#define REACH 8e-3    /* of the blades, beside it */
+#define TAUT 0.03     /* N: less is slack */
+#define LEFT 4e-3     /* m of either end that is left on the knot */
+#define BEHIND 1.2e-3 /* of the blades' tips, where they cut */
+#define OPENING 0.35  /* of the blades: no more is between them than need be */
+#define SPEED 0.1     /* m/s */
+#define AWAY v3(-0.06, -0.06, 0.06)
+
+const char *cut_state_name(cut_state state)
+{
+    static const char *const names[CUT_STATES] = {"ease", "release", "leave",    "exchange", "limb",
+                                                  "tail", "back",    "cut both", "not cut"};
+    return names[state];
+}
+
+vbss_result cut_begin(cut_run *t, senses *see)
+{
+    memset(t, 0, sizeof *t);
+    t->see = see;
+    t->carrot_w = see->tool_w.tip;
+    t->carrot_c = see->tool_c.tip;
+    return senses_find_roots(see);
+}
+
+static void enter(cut_run *t, cut_state state)
+{
+    t->state = state;
+    t->since = 0.0;
+}
+
+/* Back toward the knot, slower as the pull ceases. */
+static void ease(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
+{
+    double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
+    *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
+    hand_go(h, *carrot, 0.05);
+}
+
+static void do_ease(cut_run *t, double dt)
+{
+    senses *s = t->see;
+    t->slack_w = s->tension_w < TAUT ? t->slack_w + dt : 0.0;
+    t->slack_c = s->tension_c < TAUT ? t->slack_c + dt : 0.0;
+    if (t->slack_w < 0.3) {
+        ease(s->w, &s->tool_w, &t->carrot_w, s->x[s->tail_root], s->tension_w, dt);
+    }
+    if (t->slack_c < 0.3) {
+        ease(s->c, &s->tool_c, &t->carrot_c, s->x[s->limb_root], s->tension_c, dt);
+    }
+    if ((t->slack_w >= 0.3 && t->slack_c >= 0.3) || t->since > 3.0) {
+        t->from = s->tool_w.tip;
+        t->back = s->tool_w.handle;
+        enter(t, CUT_RELEASE);
+    }
+}
+
+static void do_release(cut_run *t)
+{
+    senses *s = t->see;
+    hand_open(s->w, 0.4);
+    if (t->since > 0.2) {
+        hand_go(s->w, v_along(t->from, 20e-3, t->back), 0.06);
+    }
+    if (t->since > 0.2 && v_distance(s->tool_w.tip, t->from) > 15e-3) {
+        hand_open(s->w, 0.0);
+        enter(t, CUT_LEAVE);
+    }
+}
+
+static void do_leave(cut_run *t)
+{
+    senses *s = t->see;
+    hand_go(s->w, AWAY, 0.15);
+    if (v_distance(s->tool_w.tip, AWAY) < 3e-3) {
+        hand_take_tool(s->w, VBSS_DEVICE_TOOL_SHEARS);
+        enter(t, CUT_EXCHANGE);
+    }
+}
+
+/* What else lies there would be cut with it. */
+static bool is_alone(const senses *s, uint32_t node)
+{
+    vec way = v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
+    for (uint32_t i = 0; i < s->nodes; i++) {
+        vec to = v_sub(s->x[i], s->x[node]);
+        uint32_t between = i > node ? i - node : node - i;
+        if (between * SEGMENT > 2.0 * ROOM && fabs(v_dot(to, way)) < ROOM && v_length(to) < REACH) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* As near to the knot as the blades can be without touching more than that end. */
+static uint32_t place_of(const senses *s, bool limb)
+{
+    uint32_t left = (uint32_t)(LEFT / SEGMENT);
+    uint32_t node = limb ? s->limb_root + left : s->tail_root - left;
+    while (node > 8 && node + 8 < s->nodes && !is_alone(s, node)) {
+        node += limb ? 1 : UINT32_MAX;
+    }
+    return node;
+}
+
+static void aim_at(cut_run *t, bool limb)
+{
+    senses *s = t->see;
+    uint32_t node = place_of(s, limb);
+    catch_begin(&t->grip, s, s->w, node, OPENING, SPEED);
+    t->grip.behind = BEHIND;
+    t->cuts = s->stand->cuts;
+    hand_aim(s->w, s->w->nature.aim_end);
+}
+
+static vbss_result do_exchange(cut_run *t)
+{
+    senses *s = t->see;
+    vbss_grasper_state state;
+    TRY(vbss_grasper_get_state(s->w->grasper, &state, sizeof state));
+    if (state.kind == VBSS_GRASPER_SHEARS) {
+        aim_at(t, true);
+        enter(t, CUT_LIMB);
+    } else if (t->since > 1.0) {
+        enter(t, CUT_FAILED);
+    }
+    return VBSS_OK;
+}
+
+/* The bend leads the blades away from the line of the thread, so that they lie as square to it as they can. */
+static vec across(const senses *s, uint32_t node)
+{
+    vec way = v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
+    vec to = v_sub(seen(s->w, s->w->trocar), s->x[node]);
+    return v_scale(v_dot(way, to) > 0.0 ? -1.0 : 1.0, way);
+}
+
+/* Blades come to the thread as jaws do. */
+static bool is_cut(cut_run *t, double dt)
+{
+    const senses *s = t->see;
+    if (t->grip.state == CATCH_COME) { /* the ends still move */
+        t->grip.node = place_of(s, t->state == CUT_LIMB);
+    }
+    hand_turn(s->w, across(s, t->grip.node));
+    catch_step(&t->grip, dt);
+    if (s->stand->cuts > t->cuts) {
+        return true;
+    }
+    if (t->grip.state == CATCH_MISSED) {
+        enter(t, CUT_FAILED);
+    }
+    return false;
+}
+
+static void do_limb(cut_run *t, double dt)
+{
+    senses *s = t->see;
+    if (is_cut(t, dt)) {
+        t->left_limb = senses_length(s, s->limb_root, s->nodes - 1);
+        hand_go(s->c, v3(0.08, -0.05, 0.05), SPEED);
+        aim_at(t, false);
+        enter(t, CUT_TAIL);
+    }
+}
+
+static void do_tail(cut_run *t, double dt)
+{
+    senses *s = t->see;
+    if (is_cut(t, dt)) {
+        t->left_tail = senses_length(s, 0, s->tail_root);
+        t->from = s->tool_w.tip;
+        t->back = s->tool_w.handle;
+        enter(t, CUT_WITHDRAW);
+    }
+}
+
+static void do_withdraw(cut_run *t)
+{
+    senses *s = t->see;
+    hand_go(s->w, v_along(t->from, 40e-3, t->back), SPEED);
+    if (v_distance(s->tool_w.tip, t->from) > 30e-3) {
+        enter(t, CUT_DONE);
+    }
+}
+
+vbss_result cut_step(cut_run *t, double dt)
+{
+    t->since += dt;
+    switch (t->state) {
+    case CUT_EASE:
+        do_ease(t, dt);
+        break;
+    case CUT_RELEASE:
+        do_release(t);
+        break;
+    case CUT_LEAVE:
+        do_leave(t);
+        break;
+    case CUT_EXCHANGE:
+        return do_exchange(t);
+    case CUT_LIMB:
+        do_limb(t, dt);
+        break;
+    case CUT_TAIL:
+        do_tail(t, dt);
+        break;
+    case CUT_WITHDRAW:
+        do_withdraw(t);
+        break;
+    default:
+        break;
+    }
+    return VBSS_OK;
+}
