@@ -153,7 +153,7 @@ static void it_cuts_when_it_should(void **state)
     for (int method = 0; method < 2; method++) {
         harness_memory memory;
         vbss_context *context = harness_context(&memory);
-        void *scene;
+        void *scene = NULL;
         uint32_t cuts = 0;
         expect_ok(create(context, &methods[method], &scene));
         for (uint32_t i = 1; i <= STEPS; i++) {
@@ -228,7 +228,7 @@ static void an_exchange_and_cuts_are_replayed_to_the_bit(void **state)
     for (int method = 0; method < 2; method++) {
         harness_memory memory;
         vbss_context *context = harness_context(&memory);
-        void *scenes[2];
+        void *scenes[2] = {NULL, NULL};
         bytes log = {NULL, 0};
         uint32_t cuts = 0;
         uint64_t hashes[2];

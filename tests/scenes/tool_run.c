@@ -2,7 +2,7 @@
 
 #include "base/base.h"
 
-enum { SEGMENTS = 60, NODES = SEGMENTS + 1 };
+enum { SEGMENTS = 60, NODES = SEGMENTS + 1, MIDDLE = SEGMENTS / 2 };
 #define SEGMENT 0.5e-3
 
 /* ---- what is in it */
@@ -23,7 +23,7 @@ static vbss_result add_thread(vbss_context *context, vbss_method method, tool_ru
     config.gravity[2] = -0.5;         /* it shall still be there when the jaws have closed */
     for (int i = 0; i < NODES; i++) { /* along y, in a shallow wave */
         x[i][0] = 0.2e-3 * vbss_sin(0.3 * i);
-        x[i][1] = (i - SEGMENTS / 2) * SEGMENT;
+        x[i][1] = (i - MIDDLE) * SEGMENT;
         x[i][2] = 0.0;
     }
     VBSS_TRY(vbss_thread_create(context, &config, &thread));
