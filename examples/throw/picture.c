@@ -12,7 +12,7 @@ static void add_tool(painter *p, const hand *h, painter_colour colour)
         return;
     }
     for (int i = 0; i < 4; i++) {
-        const double *part = (const double *)view.data + 7 * i;
+        const double *part = (const double *)view.data + (size_t)7 * (size_t)i;
         double begin[3], end[3];
         v_store(begin, seen(h, v_load(part)));
         v_store(end, seen(h, v_load(part + 3)));

@@ -36,7 +36,7 @@ static bool touches(const senses *s, vec x, double *from_tip)
     double along;
     bool any = false;
     for (int i = 0; i < 4; i++) {
-        const double *part = s->parts + 7 * i;
+        const double *part = s->parts + (size_t)7 * (size_t)i;
         any = any || distance(x, seen(s->w, v_load(part)), seen(s->w, v_load(part + 3)), &along) <
                          part[6] + THREAD_RADIUS + TOUCH;
     }
