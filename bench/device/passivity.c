@@ -6,9 +6,10 @@
 #include "device/device.h"
 
 #include "bench_device.h"
+#include "scenes/hand_path.h"
 
 enum { PATHS = 200, ROUND = 1000, MOST_DELAY = 2 };
-static const double stiffness = 400.0, pi = 3.14159265358979323846;
+static const double stiffness = 400.0;
 
 typedef struct passivity {
     double coupling_damping, arm_damping; /* N s/m */
@@ -19,35 +20,13 @@ typedef struct passivity {
     bool stage;
 } passivity;
 
-/* Three harmonics in each direction, from the origin and back. */
-typedef struct path {
-    vec3 sine[3], cosine[3];
-} path;
-
-static path draw_path(vbss_random *random, double size)
+static vec3 along(const hand_path *path, int step)
 {
-    path p;
-    for (int k = 0; k < 3; k++) {
-        p.sine[k] = vec3_scale(vbss_random_direction(random), size / (k + 1));
-        p.cosine[k] = vec3_scale(vbss_random_direction(random), size / (k + 1));
-    }
-    return p;
-}
-
-static vec3 along(const path *p, int step)
-{
-    vec3 x = vec3_zero();
-    for (int k = 0; k < 3; k++) {
-        double sine, cosine;
-        vbss_sincos(2.0 * pi * (k + 1) * step / ROUND, &sine, &cosine);
-        x = vec3_add_scaled(x, sine, p->sine[k]);
-        x = vec3_add_scaled(x, cosine - 1.0, p->cosine[k]);
-    }
-    return x;
+    return hand_path_at(path, (double)step / ROUND);
 }
 
 /* The path is gone round twice: the second round begins and ends in the same state. */
-static double gained(passivity *s, const path *p)
+static double gained(passivity *s, const hand_path *p)
 {
     vbss_output_config config;
     output_state stage;
@@ -85,7 +64,7 @@ static void run(void *user)
     s->interventions = 0;
     for (int i = 0; i < PATHS; i++) {
         double size = 1e-3 + 4e-3 * i / PATHS;
-        path p = draw_path(&random, size);
+        hand_path p = hand_path_draw(&random, size);
         double work = gained(s, &p);
         s->most_gained = greater(s->most_gained, work);
         s->mean_gained += work / PATHS;

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "bench_device.h"
+#include "scenes/hand_path.h"
 #include "tool_rig.h"
 
 enum {
@@ -17,12 +18,6 @@ enum {
 };
 static const double arms[ARMS] = {0.0, 2.0, 10.0}; /* N s/m, of the hand */
 static const double slides = 1e-4;                 /* m on a round */
-static const double pi = 3.14159265358979323846;
-
-/* Three harmonics in each direction, from the origin and back. */
-typedef struct path {
-    vec3 sine[3], cosine[3];
-} path;
 
 typedef struct tool_passivity {
     char name[64];
@@ -32,29 +27,12 @@ typedef struct tool_passivity {
     double most_gained[DELAYS][ARMS], most_torn, largest;
     tool_rig rig;
     vec3 home;
-    path last;
+    hand_path last;
 } tool_passivity;
 
-static path draw_path(vbss_random *random, double size)
+static vec3 along(const hand_path *path, int step)
 {
-    path p;
-    for (int k = 0; k < 3; k++) {
-        p.sine[k] = vec3_scale(vbss_random_direction(random), size / (k + 1));
-        p.cosine[k] = vec3_scale(vbss_random_direction(random), size / (k + 1));
-    }
-    return p;
-}
-
-static vec3 along(const path *p, int step)
-{
-    vec3 x = vec3_zero();
-    for (int k = 0; k < 3; k++) {
-        double sine, cosine;
-        vbss_sincos(2.0 * pi * (k + 1) * step / ROUND, &sine, &cosine);
-        x = vec3_add_scaled(x, sine, p->sine[k]);
-        x = vec3_add_scaled(x, cosine - 1.0, p->cosine[k]);
-    }
-    return x;
+    return hand_path_at(path, (double)step / ROUND);
 }
 
 /* A path on which the thread was torn out, or did not slide where it should, says nothing of its case. */
@@ -85,7 +63,7 @@ static void count(tool_passivity *s, const double work[DELAYS], double paid, dou
 }
 
 /* Twice round: the second round begins and ends in the same state. */
-static vbss_result go_round(tool_passivity *s, const path *p)
+static vbss_result go_round(tool_passivity *s, const hand_path *p)
 {
     vec3 late[DELAYS] = {{0.0, 0.0, 0.0}};
     double work[DELAYS] = {0.0}, paid = 0.0, slid_before = 0.0;
@@ -112,7 +90,7 @@ static vbss_result go_all(tool_passivity *s)
     VBSS_TRY(tool_rig_meet(&s->rig, s->what, s->stiffness, s->damping, &s->home));
     VBSS_TRY(tool_rig_save(&s->rig));
     for (uint32_t i = 0; s->counted < s->paths && i < MOST_DRAWN; i++) {
-        s->last = draw_path(&random, 1e-3 + 4e-3 * (i % PATHS) / (PATHS - 1));
+        s->last = hand_path_draw(&random, 1e-3 + 4e-3 * (i % PATHS) / (PATHS - 1));
         VBSS_TRY(tool_rig_restore(&s->rig));
         VBSS_TRY(go_round(s, &s->last));
     }

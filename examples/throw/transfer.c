@@ -105,12 +105,19 @@ static vbss_result do_give(transfer_run *t)
     if (t->since > 0.9) { /* beside the limb, lest they close on it again */
         hand_go(s->c, v_along(v_along(t->from, 30e-3, t->back), 15e-3, t->aside), 0.06);
     }
+    if (t->tries > 0) { /* its end still between them: so far off that it is drawn out */
+        hand_open(s->c, 1.0);
+        hand_go(s->c, v_along(t->from, 30e-3 + 30e-3 * t->tries, t->back), 0.06);
+    }
     if (t->since > 1.3) {
         hand_open(s->c, 0.0);
     }
     if (t->since > 1.6 && s->c->holds) {
-        t->aside = v_scale(-1.0, t->aside);
-        t->since = 0.2;
+        if (t->tries++ == 4) {
+            enter(t, TRANSFER_FAILED);
+            return VBSS_OK;
+        }
+        t->since = 0.0;
     } else if (t->since > 1.6) {
         enter(t, TRANSFER_DONE);
         return exchange(s);

@@ -37,7 +37,7 @@ static void assemble(scene_object *s, const scene_part *part)
     }
 }
 
-/* A stub that is bent carries less compression than a straight thread: if a pivot says so, the stiffness takes in
+/* A short end that is bent carries less compression than a straight thread: if a pivot says so, the stiffness takes in
  * none. False: it takes in none already. */
 static bool leave_compression_out(scene_object *s)
 {

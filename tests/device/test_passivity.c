@@ -2,45 +2,30 @@
  * closed paths. What docs/devices.md argues holds here to the error of the steps; what it says does not hold is
  * shown not to. */
 #include "device/stage_rig.h"
+#include "scenes/hand_path.h"
 
 static const double pi = 3.14159265358979323846;
 static const double stiffness = 400.0;
 
-/* ---- a closed path of one second through the origin: three harmonics in each direction */
+/* ---- as a scene's, but of numbers that a property can be replayed with */
 
-typedef struct path {
-    vec3 sine[3], cosine[3];
-} path;
-
-static path draw_path(harness_source *source, double size)
+static hand_path draw_path(harness_source *source, double size)
 {
-    path p;
-    for (int k = 0; k < 3; k++) {
+    hand_path p;
+    for (int k = 0; k < HAND_PATH_HARMONICS; k++) {
         p.sine[k] = harness_draw_vec3(source, -size / (k + 1), size / (k + 1));
         p.cosine[k] = harness_draw_vec3(source, -size / (k + 1), size / (k + 1));
     }
     return p;
 }
 
-static vec3 along(const path *p, double t)
-{
-    vec3 x = vec3_zero();
-    for (int k = 0; k < 3; k++) {
-        double sine, cosine;
-        vbss_sincos(2.0 * pi * (k + 1) * t, &sine, &cosine);
-        x = vec3_add_scaled(x, sine, p->sine[k]);
-        x = vec3_add_scaled(x, cosine - 1.0, p->cosine[k]);
-    }
-    return x;
-}
-
 /* Work done on the hand, J: forces are computed half way, so that nothing is late. */
-static double handed_out(stage_rig *r, const path *p, double damping, int steps, double rounds)
+static double handed_out(stage_rig *r, const hand_path *p, double damping, int steps, double rounds)
 {
     double work = 0.0, h = rounds / steps;
     vec3 x = vec3_zero();
     for (int i = 0; i < steps; i++) {
-        vec3 next = along(p, h * (i + 1));
+        vec3 next = hand_path_at(p, h * (i + 1));
         vec3 way = vec3_sub(next, x);
         vec3 spring = vec3_scale(vec3_lerp(x, next, 0.5), -stiffness);
         vec3 out = stage_rig_step(r, h, vec3_add_scaled(spring, -damping / h, way));
@@ -56,7 +41,7 @@ enum { STEPS = 20000 };
 static void clamp_is_passive(harness_source *source, void *user)
 {
     (void)user;
-    path p = draw_path(source, 0.01);
+    hand_path p = draw_path(source, 0.01);
     for (int damped = 0; damped < 2; damped++) {
         stage_rig r = stage_rig_wide();
         r.config.max_force = 1.5;
@@ -77,7 +62,7 @@ static void a_clamped_spring_and_damper_hands_out_nothing(void **state)
 static void load_is_passive(harness_source *source, void *user)
 {
     (void)user;
-    path p = draw_path(source, 0.01);
+    hand_path p = draw_path(source, 0.01);
     stage_rig r = stage_rig_wide();
     r.config.max_force = 3.0;
     r.config.continuous_force = 0.7;

@@ -2,8 +2,8 @@
  * a wall. A coupling of stiffness K gains K times the delay times the way's mean square speed, and pays its
  * damping: what it needs is B > K (delay + 1/2 step). */
 #include "scene/tools_rig.h"
+#include "scenes/hand_path.h"
 
-static const double pi = 3.14159265358979323846;
 enum { ROUND = 1000, PATHS = 8, MOST_DELAY = 2 };
 
 /* ---- what the tool meets */
@@ -39,32 +39,11 @@ static vec3 begin(tools_rig *r, meeting what, double stiffness, double damping)
     return vec3_add(tip, in);
 }
 
-/* ---- a hand that goes round, whatever the force: three harmonics in each direction */
+/* ---- a hand that goes round, whatever the force */
 
-typedef struct path {
-    vec3 sine[3], cosine[3];
-} path;
-
-static path draw_path(vbss_random *random, double size)
+static vec3 along(const hand_path *path, int step)
 {
-    path p;
-    for (int k = 0; k < 3; k++) {
-        p.sine[k] = vec3_scale(vbss_random_direction(random), size / (k + 1));
-        p.cosine[k] = vec3_scale(vbss_random_direction(random), size / (k + 1));
-    }
-    return p;
-}
-
-static vec3 along(const path *p, int step)
-{
-    vec3 x = vec3_zero();
-    for (int k = 0; k < 3; k++) {
-        double sine, cosine;
-        vbss_sincos(2.0 * pi * (k + 1) * step / ROUND, &sine, &cosine);
-        x = vec3_add_scaled(x, sine, p->sine[k]);
-        x = vec3_add_scaled(x, cosine - 1.0, p->cosine[k]);
-    }
-    return x;
+    return hand_path_at(path, (double)step / ROUND);
 }
 
 typedef struct gains {
@@ -73,7 +52,7 @@ typedef struct gains {
 } gains;
 
 /* Twice round: the second begins and ends in the same state. */
-static gains gained(meeting what, double stiffness, double damping, const path *p)
+static gains gained(meeting what, double stiffness, double damping, const hand_path *p)
 {
     tools_rig r;
     vec3 home = begin(&r, what, stiffness, damping);
@@ -100,7 +79,7 @@ static gains most_gained(meeting what, double stiffness, double damping)
     vbss_random random;
     vbss_random_seed(&random, 5, 7);
     for (int i = 0; i < PATHS; i++) {
-        path p = draw_path(&random, 1e-3 + 4e-3 * i / PATHS);
+        hand_path p = hand_path_draw(&random, 1e-3 + 4e-3 * i / PATHS);
         gains g = gained(what, stiffness, damping, &p);
         for (int d = 0; d <= MOST_DELAY; d++) {
             most.gained[d] = greater(most.gained[d], g.gained[d]);
