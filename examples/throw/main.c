@@ -91,11 +91,12 @@ int main(int count, char **words)
         }
         good += out.good;
         printf("%s %3lu: %s '%s' hand %+d retries %d height %5.2f mm %5.2f s cpu %4.1f s clamped "
-               "%lu %s %s refused %d cuts %d left %.1f %.1f mm %s\n",
+               "%lu %s %s refused %d cuts %d left %.1f %.1f mm %s %s\n",
                kinds[kind], (unsigned long)o.seed, out.good ? "good" : "BAD ", out.notation,
                out.handedness, out.retries, out.height * 1e3, out.time, out.cpu,
                (unsigned long)out.clamped, out.state, out.why, out.refused, out.cuts,
-               out.left[0] * 1e3, out.left[1] * 1e3, out.kept ? "kept" : "");
+               out.left[0] * 1e3, out.left[1] * 1e3, out.kept ? "kept" : "",
+               out.tight ? "tight" : "");
         if (o.log != NULL) {
             replay_finding f = replay_file(&o);
             good -= out.good && !f.equal;

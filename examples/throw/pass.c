@@ -42,10 +42,10 @@ vbss_result throw_close(throw_run *t, double dt)
 /* Has the end come through, whatever the tools hold? */
 static vbss_result is_formed(throw_run *t, bool *formed)
 {
-    senses_knot k;
-    TRY(senses_judge(t->see, false, &k));
-    *formed = k.state.throw_count > t->throws_before &&
-              k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED && t->see->last == 0;
+    const vbss_knot_state *k = &t->formed.state;
+    TRY(senses_judge(t->see, false, &t->formed));
+    *formed = k->throw_count > t->throws_before && k->verdict == VBSS_KNOT_VERDICT_CERTIFIED &&
+              t->see->last == 0;
     return VBSS_OK;
 }
 
@@ -57,6 +57,9 @@ vbss_result throw_draw(throw_run *t, double dt)
     double speed = t->angle * 180.0 / PI < 50.0 ? 0.03 : 0.02;
     if (s->tension_w < t->plan.drawn + 0.05) {
         t->angle = fmin(t->angle + speed / length * dt, PI * 160.0 / 180.0);
+    }
+    if (t->plan.tilt != 0.0 && t->angle > 1.6) {
+        hand_turn(s->w, v3(-1.0, 0.0, 0.3)); /* lest the last turn hang on its jaws */
     }
     throw_on_leash(t, t->plan.drawn, dt);
     throw_follow(t, dt);

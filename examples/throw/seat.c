@@ -1,11 +1,17 @@
 #include "throw/states.h"
 
+#define RISE 1.0 /* N/s, of a pull at both ends */
+
 /* C follows to the right, and gives way toward W. */
 void throw_follow(throw_run *t, double dt)
 {
     const senses *s = t->see;
     double speed = 0.03, least = t->plan.light;
     vec way = v3(1.0, 0.0, -0.3);
+    if (t->plan.tilt != 0.0) { /* down by the far side, then along the drain's top */
+        double far = s->tool_c.tip.y < 0.02 ? 0.6 : 0.0;
+        way = s->tool_c.tip.z > 0.003 ? v3(0.6, far, -0.7) : v3(1.0, 0.0, 0.0);
+    }
     if (s->tension_c > least) {
         way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
         speed = fmin(0.1, 0.03 * (s->tension_c / least - 1.0) + 0.005);
@@ -22,7 +28,8 @@ void throw_on_leash(throw_run *t, double most, double dt)
     double full = 0.98 * senses_length(s, s->w->node, t->tail_root);
     t->leash += s->tension_w > most ? -0.03 * dt : 0.01 * dt;
     t->leash = clamp(t->leash, 0.3 * full, full);
-    vec way = v3(cos(t->angle), 0.0, sin(t->angle));
+    double up = sin(t->angle), tilt = t->plan.tilt;
+    vec way = v3(cos(t->angle), -up * sin(tilt), up * cos(tilt));
     vec jaws = v_along(steer_tail_root(t), t->leash, way);
     hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), 0.08);
 }
@@ -57,16 +64,37 @@ static void pull(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, 
     hand_go(h, *carrot, 0.05);
 }
 
-void throw_seat(throw_run *t, double dt)
+/* W lightly until C feels half the force, so that the turns run down to the drain. */
+static void pull_one_first(throw_run *t, double dt)
 {
     senses *s = t->see;
     const double full = t->plan.pull;
     double light = s->tension_c < 0.5 * full && t->clear == 0.0 ? 0.15 : full;
-    hand_turn(s->w, v3(-1.0, 0.0, 0.3));
     pull(s->w, &s->tool_w, &t->carrot_w, v3(-0.07, 0.0, 0.002), s->tension_w, light, dt);
     pull(s->c, &s->tool_c, &t->carrot_c, v3(0.095, 0.0, 0.004), s->tension_c, full, dt);
     bool pulled = s->tension_w > 0.9 * full && s->tension_c > 0.9 * full;
     t->clear = light == full && t->clear == 0.0 ? dt : pulled ? t->clear + dt : t->clear;
+}
+
+/* Both ends alike and downward: pulled unlike, a throw on another one locks before it is down. */
+static void pull_alike(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    const double full = t->plan.pull, low = -t->plan.low;
+    double wanted = fmin(full, 0.1 + RISE * t->since);
+    pull(s->w, &s->tool_w, &t->carrot_w, v3(-0.07, 0.0, low), s->tension_w, wanted, dt);
+    pull(s->c, &s->tool_c, &t->carrot_c, v3(0.095, 0.0, low), s->tension_c, wanted, dt);
+    t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
+}
+
+void throw_seat(throw_run *t, double dt)
+{
+    hand_turn(t->see->w, v3(-1.0, 0.0, 0.3));
+    if (t->plan.soft) {
+        pull_alike(t, dt);
+    } else {
+        pull_one_first(t, dt);
+    }
     if (t->clear > 0.5) {
         throw_enter(t, THROW_DONE);
     } else if (t->since > 12.0) {

@@ -184,6 +184,14 @@ vbss_result senses_find_roots(senses *s)
 
 /* ---- where the knot is */
 
+/* Thread on itself, but for the limb's end, which hangs from C's jaws and may lie anywhere. */
+static bool is_of_knot(const senses *s, const uint32_t *contact)
+{
+    uint32_t end = is_held(s, s->c) ? s->c->node : s->nodes;
+    return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->stand->thread_body &&
+           contact[3] == s->stand->thread_body && contact[2] < end && contact[4] < end;
+}
+
 vbss_result senses_find_knot(senses *s)
 {
     vbss_view kinds, points;
@@ -195,7 +203,7 @@ vbss_result senses_find_knot(senses *s)
     for (uint64_t i = 0; i < kinds.count; i++) {
         const uint32_t *kind =
             (const uint32_t *)((const char *)kinds.data + i * kinds.stride_bytes);
-        if (kind[0] == VBSS_CONTACT_SEGMENTS) {
+        if (is_of_knot(s, kind)) {
             sum = v_add(
                 sum, v_load((const double *)((const char *)points.data + i * points.stride_bytes)));
             s->knot_contacts++;

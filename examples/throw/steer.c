@@ -1,5 +1,8 @@
 #include "throw/steer.h"
 
+#define TAUT 0.01    /* N: the limb, when nothing may be */
+#define NEAREST 6e-3 /* of C's jaws to the turns */
+
 /* ---- geometry about W */
 
 steer_frame steer_about_w(const throw_run *t, double s)
@@ -75,21 +78,26 @@ void steer_keep_taut(throw_run *t, double speed, double dt)
     hand_go(s->c, steer_tip_of(t, jaws), speed);
 }
 
-/* The limb up from the turns, which W's jaws may point away from. */
-static void hold_up(throw_run *t, double speed)
+/* C goes with W as if both were one, and nearer to the turns as soon as the limb is taut. */
+static void accompany(throw_run *t, double dt)
 {
     const senses *s = t->see;
-    vec from = s->last > 0 ? s->x[s->last] : s->tool_w.bend;
-    double length = s->last > 0 ? senses_length(s, s->last, s->c->node) : t->hold - 0.03;
-    double share = s->tension_c > t->plan.tension ? 0.85 : 0.97;
-    vec jaws = v_along(from, share * length, v_unit(v3(0.2, 0.4, 1.0)));
-    hand_go(s->c, steer_tip_of(t, jaws), speed);
+    vec turns = v_along(s->tool_w.tip, t->plan.s0, s->tool_w.handle);
+    if (v_dot(t->beside, t->beside) == 0.0) {
+        t->beside = v_sub(s->tool_c.tip, turns);
+    }
+    vec to = v_sub(s->last > 0 ? s->x[s->last] : turns, steer_jaws_of(&s->tool_c));
+    double excess = s->tension_c / TAUT - 1.0;
+    if (excess > 0.0 && v_length(to) > NEAREST) {
+        t->beside = v_along(t->beside, fmin(0.1, 0.02 * excess) * dt, v_unit(to));
+    }
+    hand_go(s->c, v_add(turns, t->beside), 0.2);
 }
 
 void steer_keep(throw_run *t, double dt)
 {
-    if (t->plan.lift) {
-        hold_up(t, 0.15);
+    if (t->plan.soft) {
+        accompany(t, dt);
     } else {
         steer_keep_taut(t, 0.15, dt);
     }

@@ -35,17 +35,18 @@ void throw_plan_usual(throw_plan *p, int wraps)
     };
 }
 
-/* The tail lies flat, so W's jaws come down to it from above. */
+/* The tail lies down along the drain, so W's jaws come to it from above; drawn low, it leaves what is below where it is. */
 void throw_plan_on_top(throw_plan *p)
 {
     throw_plan_usual(p, 1);
     p->wrap_tip = v3(0.010, 0.0, 0.026);
-    p->hold = 0.058;
-    p->tail_node = 3;
+    p->slack = 0.82;
     p->behind = 0.7e-3;
-    p->lift = true;
+    p->soft = true;
     p->drawn = 0.05;
-    p->light = 0.02;
+    p->tilt = 1.2;
+    p->low = 0.03;
+    p->retries = 0; /* unwinding pulls what is tied apart */
 }
 
 int throw_handedness(const throw_run *t)

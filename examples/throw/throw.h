@@ -36,8 +36,10 @@ typedef struct throw_plan {
     double opening;     /* of W's handle, when it takes the tail */
     uint32_t tail_node; /* where it takes it */
     double behind;      /* how far behind its tip */
-    bool lift;          /* C holds the limb up meanwhile */
+    bool soft;          /* what is below is only held by its own friction: nothing may be taut */
     double light;       /* N, of C while the tail is drawn through */
+    double tilt;        /* rad, of W's way then from upright to the near side */
+    double low;         /* m, below the drain's top, to where both pull */
     double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
     double pull;        /* N, in the end */
     int retries;
@@ -53,13 +55,14 @@ typedef struct throw_run {
     double phi, begin; /* of C round W, rad, from above over the far side; where the mark is */
     double rho, give;
     vec carrot_w, carrot_c;
+    vec beside; /* of C from the turns on W; zero: not yet taken */
     double angle, leash, clear, hold;
     catch_run grip;
     uint32_t throws_before;
     uint32_t tail_root, limb_root; /* nodes where tail and limb come out of drain or knot */
     int retries, catches, refused;
     const char *why;
-    senses_knot predicted;
+    senses_knot predicted, formed; /* at the catch, and when the end had come through */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);

