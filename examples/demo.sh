@@ -17,7 +17,7 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
     echo "== embedding in C++"
     ./build/release/examples/embed_cpp
     echo "== from a device's sample to a certified throw: two scripted hands tie"
-    ./build/release/examples/throw/first_throw -o "$out/throws" -s 2 single double
+    ./build/release/examples/throw/first_throw -o "$out/throws" -s 2 single double surgeons
     echo "== tying knots, and what the detector says of them"
     ./build/release/examples/knots/knot_gallery "$out/knots"
     echo "== the golden scenes, built here: the same bits as everywhere"

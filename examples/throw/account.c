@@ -21,6 +21,17 @@ static bool is_right_handed(const demo_knot *k)
     return right;
 }
 
+static bool tell_cuts(const demo *d)
+{
+    bool good = !d->trial.cut || (d->out.cuts == 2 && d->out.kept);
+    if (d->trial.cut) {
+        printf("  cut: %d of 2 ends, tail left %.1f mm, long limb %.1f mm; %s the same knot%s\n",
+               d->out.cuts, MILLI * d->out.left[0], MILLI * d->out.left[1],
+               d->out.kept ? "still" : "no longer", good ? "" : "  NOT WHAT IT SHALL BE");
+    }
+    return good;
+}
+
 static bool tell_knot(const demo *d)
 {
     const demo_knot *k = &d->knot;
@@ -41,8 +52,8 @@ static bool tell_knot(const demo *d)
     printf(
         "  height over the cylinder at 2 N, of the thread's contacts with itself: middle %.2f mm, "
         "lowest %.2f, highest %.2f\n",
-        MILLI * d->out.height, MILLI * d->lowest, MILLI * d->highest);
-    return good;
+        MILLI * d->out.height, MILLI * d->out.lowest, MILLI * d->out.highest);
+    return tell_cuts(d) && good;
 }
 
 /* ---- time */

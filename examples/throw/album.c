@@ -24,12 +24,13 @@ enum {
 #define NEAR_REACH 12e-3 /* how far from the knot the thread is painted */
 
 /* In the order of the columns. */
-typedef enum stage { TAKEN, WRAPPED, CAUGHT, DRAWN, SEATED, NEAR, STAGES } stage;
-static const char *const files[STAGES] = {"1-taken", "2-wrapped", "3-caught",
-                                          "4-drawn", "5-seated",  "6-near"};
+typedef enum stage { TAKEN, WRAPPED, CAUGHT, DRAWN, SEATED, NEAR, CUT, STAGES } stage;
+static const char *const files[STAGES] = {"1-taken",  "2-wrapped", "3-caught", "4-drawn",
+                                          "5-seated", "6-near",    "7-cut"};
 enum {
     PAIR_WIDTH = VIEWS * WIDTH,
-    SHEET_WIDTH = STAGES * (WIDTH + SEAM),
+    COLUMNS = CUT, /* what is cut begins a row */
+    SHEET_WIDTH = COLUMNS * (WIDTH + SEAM),
     ROW_HEIGHT = VIEWS * (HEIGHT + SEAM)
 };
 
@@ -81,7 +82,7 @@ static bool take(album *a, uint8_t *pair, uint32_t row, stage at, int view)
         return false;
     }
     put(pixels, pair, PAIR_WIDTH, (size_t)view * WIDTH, 0);
-    put(pixels, a->sheet, SHEET_WIDTH, (size_t)at * (WIDTH + SEAM),
+    put(pixels, a->sheet, SHEET_WIDTH, (size_t)(at % COLUMNS) * (WIDTH + SEAM),
         (size_t)row * ROW_HEIGHT + (size_t)view * (HEIGHT + SEAM));
     return true;
 }
@@ -108,12 +109,13 @@ static scenery_box what_counts(const senses *s)
 {
     scenery_box b = scenery_nothing();
     const vec *x = stand_nodes(s->stand);
-    uint32_t last = s->c->holds ? s->c->node : s->stand->marks[1];
+    bool held = senses_holds(s, s->c);
+    uint32_t last = held ? s->c->node : s->stand->marks[1];
     scenery_include(&b, v3(0.0, 0.0, -DRAIN_RADIUS), DRAIN_RADIUS);
     for (uint32_t i = 0; i <= last; i++) {
         scenery_include(&b, x[i], 1e-3);
     }
-    if (s->c->holds) {
+    if (held) {
         include_tool(&b, s->c, &s->tool_c);
     }
     if (s->w->holds || s->last > 0) {
@@ -130,8 +132,8 @@ static bool paint_stage(album *a, const trial_moment *m, stage at, const char *t
     scenery_box b = what_counts(s);
     char time[64];
     bool good = true;
-    snprintf(time, sizeof time, "%s, throw %u, at %.2f s", a->name, (unsigned)s->throws + 1,
-             s->stand->time);
+    int number = at == CUT ? (int)s->throws : (int)s->throws + 1; /* of the throw that is tied */
+    snprintf(time, sizeof time, "%s, throw %d, at %.2f s", a->name, number, s->stand->time);
     for (int view = 0; view < VIEWS && good; view++) {
         painter_clear(p);
         good = scenery_add_ground(p) && scenery_add_tools(p, s) && scenery_add_thread(p, s) &&
@@ -249,6 +251,11 @@ static bool paint(album *a, const trial_moment *m, const demo_knot *k)
         snprintf(text, sizeof text, "pulled to 2 N: %s, %s", k->notation,
                  words_of_verdict(k->state.verdict));
         return paint_stage(a, m, SEATED, text) && paint_near(a, m, k);
+    }
+    if (strcmp(m->state, "cut both") == 0) {
+        snprintf(text, sizeof text, "both ends cut: %s, %s", k->notation,
+                 words_of_verdict(k->state.verdict));
+        return paint_stage(a, m, CUT, text);
     }
     return true;
 }

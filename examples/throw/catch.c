@@ -8,6 +8,7 @@
 #define CLEAR 3e-3   /* of the bend from drain and floor */
 #define LEARN 4.0    /* 1/s, of the correction */
 #define PATIENCE 3.0 /* s */
+#define A_WHILE 1.0  /* s */
 
 void catch_begin(catch_run *t, senses *see, hand *h, uint32_t node, double opening, double speed)
 {
@@ -133,7 +134,7 @@ static void advance(catch_run *t, double dt)
         t->correction = v_limit(v_along(t->correction, LEARN * dt, missing), 3e-3);
     }
     hand_go(t->hand, v_add(t->correction, before(t, 0.0)), ADVANCE);
-    if (between) {
+    if (between || (t->resolute && t->since > A_WHILE)) {
         enter(t, CATCH_CLOSE);
     } else if (t->since > PATIENCE) {
         enter(t, CATCH_MISSED);

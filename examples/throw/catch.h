@@ -20,6 +20,7 @@ typedef struct catch_run {
     double behind;  /* m from the tip to it */
     double opening; /* of the handle, before */
     double speed;   /* m/s, on the way there */
+    bool resolute;  /* closes in the end even if the thread is not quite between */
     vec correction; /* of the aim, by what is seen */
     double since;
     int tries;

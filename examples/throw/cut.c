@@ -4,17 +4,22 @@
 
 #define ROOM 1.5e-3   /* of other thread from the place, along it */
 #define REACH 8e-3    /* of the blades, beside it */
+#define BEYOND 2.5e-3 /* of their tips, with what they may miss it by */
 #define TAUT 0.03     /* N: less is slack */
 #define LEFT 4e-3     /* m of either end that is left on the knot */
+#define FARTHER 2e-3  /* at each further try */
 #define BEHIND 1.2e-3 /* of the blades' tips, where they cut */
 #define OPENING 0.35  /* of the blades: no more is between them than need be */
 #define SPEED 0.1     /* m/s */
 #define AWAY v3(-0.06, -0.06, 0.06)
+#define AWAY_C v3(0.08, -0.05, 0.05)
+#define LIMB_UP v3(0.5, 0.2, 0.8) /* as C holds it */
 
 const char *cut_state_name(cut_state state)
 {
-    static const char *const names[CUT_STATES] = {"ease", "release", "leave",    "exchange", "limb",
-                                                  "tail", "back",    "cut both", "not cut"};
+    static const char *const names[CUT_STATES] = {"ease",     "release", "leave",    "exchange",
+                                                  "cut limb", "away",    "cut tail", "back",
+                                                  "cut both", "not cut"};
     return names[state];
 }
 
@@ -72,24 +77,35 @@ static void do_release(cut_run *t)
     }
 }
 
+/* C holds the limb up, so that nothing is beside it where it comes out of the knot. */
+static void hold_up(const senses *s)
+{
+    double length = senses_length(s, s->limb_root, s->c->node);
+    vec jaws = v_along(s->x[s->limb_root], 0.98 * length, v_unit(LIMB_UP));
+    hand_go(s->c, v_along(jaws, -GRASP_BEHIND, s->tool_c.handle), 0.06);
+}
+
 static void do_leave(cut_run *t)
 {
     senses *s = t->see;
     hand_go(s->w, AWAY, 0.15);
+    hold_up(s);
     if (v_distance(s->tool_w.tip, AWAY) < 3e-3) {
         hand_take_tool(s->w, VBSS_DEVICE_TOOL_SHEARS);
         enter(t, CUT_EXCHANGE);
     }
 }
 
-/* What else lies there would be cut with it. */
+/* What else lies between the blades would be cut with it; hardly anything of them is beyond the place. */
 static bool is_alone(const senses *s, uint32_t node)
 {
     vec way = v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
+    vec back = v_unit(v_across(v_sub(seen(s->w, s->w->trocar), s->x[node]), way));
     for (uint32_t i = 0; i < s->nodes; i++) {
         vec to = v_sub(s->x[i], s->x[node]);
         uint32_t between = i > node ? i - node : node - i;
-        if (between * SEGMENT > 2.0 * ROOM && fabs(v_dot(to, way)) < ROOM && v_length(to) < REACH) {
+        if (between * SEGMENT > 2.0 * ROOM && fabs(v_dot(to, way)) < ROOM && v_length(to) < REACH &&
+            v_dot(to, back) > -BEYOND) {
             return false;
         }
     }
@@ -97,9 +113,9 @@ static bool is_alone(const senses *s, uint32_t node)
 }
 
 /* As near to the knot as the blades can be without touching more than that end. */
-static uint32_t place_of(const senses *s, bool limb)
+static uint32_t place_of(const senses *s, bool limb, int tries)
 {
-    uint32_t left = (uint32_t)(LEFT / SEGMENT);
+    uint32_t left = (uint32_t)((LEFT + FARTHER * tries) / SEGMENT);
     uint32_t node = limb ? s->limb_root + left : s->tail_root - left;
     while (node > 8 && node + 8 < s->nodes && !is_alone(s, node)) {
         node += limb ? 1 : UINT32_MAX;
@@ -107,23 +123,28 @@ static uint32_t place_of(const senses *s, bool limb)
     return node;
 }
 
-static void aim_at(cut_run *t, bool limb)
+/* Slack, the knot has opened: it ends elsewhere than when it was pulled. */
+static vbss_result aim_at(cut_run *t, bool limb)
 {
     senses *s = t->see;
-    uint32_t node = place_of(s, limb);
+    TRY(senses_find_roots(s));
+    uint32_t node = place_of(s, limb, 0);
     catch_begin(&t->grip, s, s->w, node, OPENING, SPEED);
     t->grip.behind = BEHIND;
+    t->grip.resolute = true;
     t->cuts = s->stand->cuts;
     hand_aim(s->w, s->w->nature.aim_end);
+    return VBSS_OK;
 }
 
 static vbss_result do_exchange(cut_run *t)
 {
     senses *s = t->see;
     vbss_grasper_state state;
+    hold_up(s);
     TRY(vbss_grasper_get_state(s->w->grasper, &state, sizeof state));
     if (state.kind == VBSS_GRASPER_SHEARS) {
-        aim_at(t, true);
+        TRY(aim_at(t, true));
         enter(t, CUT_LIMB);
     } else if (t->since > 1.0) {
         enter(t, CUT_FAILED);
@@ -144,7 +165,7 @@ static bool is_cut(cut_run *t, double dt)
 {
     const senses *s = t->see;
     if (t->grip.state == CATCH_COME) { /* the ends still move */
-        t->grip.node = place_of(s, t->state == CUT_LIMB);
+        t->grip.node = place_of(s, t->state == CUT_LIMB, t->grip.tries);
     }
     hand_turn(s->w, across(s, t->grip.node));
     catch_step(&t->grip, dt);
@@ -160,12 +181,26 @@ static bool is_cut(cut_run *t, double dt)
 static void do_limb(cut_run *t, double dt)
 {
     senses *s = t->see;
+    hold_up(s);
     if (is_cut(t, dt)) {
         t->left_limb = senses_length(s, s->limb_root, s->nodes - 1);
-        hand_go(s->c, v3(0.08, -0.05, 0.05), SPEED);
-        aim_at(t, false);
+        t->from = s->tool_w.tip;
+        t->back = s->tool_w.handle;
+        enter(t, CUT_AWAY);
+    }
+}
+
+static vbss_result do_away(cut_run *t)
+{
+    senses *s = t->see;
+    hand_go(s->w, v_along(t->from, 25e-3, t->back), SPEED);
+    hand_open(s->w, 0.0);
+    hand_go(s->c, AWAY_C, SPEED);
+    if (v_distance(s->tool_c.tip, AWAY_C) < 5e-3) {
+        TRY(aim_at(t, false));
         enter(t, CUT_TAIL);
     }
+    return VBSS_OK;
 }
 
 static void do_tail(cut_run *t, double dt)
@@ -206,6 +241,8 @@ vbss_result cut_step(cut_run *t, double dt)
     case CUT_LIMB:
         do_limb(t, dt);
         break;
+    case CUT_AWAY:
+        return do_away(t);
     case CUT_TAIL:
         do_tail(t, dt);
         break;

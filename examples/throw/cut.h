@@ -1,5 +1,5 @@
-/* After the last throw: W lets the tail go, is exchanged for shears away from the knot, and cuts both ends short; C
- * holds the limb for it, all but slack: a pull at one end only would turn the throw into a hitch. */
+/* After the last throw: W lets the tail go, is exchanged for shears away from the knot, and cuts both ends short. C
+ * holds the limb up for it, all but slack; the tail stands out by itself. */
 #ifndef VBSS_EXAMPLES_THROW_CUT_H
 #define VBSS_EXAMPLES_THROW_CUT_H
 
@@ -10,7 +10,8 @@ typedef enum cut_state {
     CUT_RELEASE,  /* W lets the tail go and withdraws */
     CUT_LEAVE,    /* to where tools are exchanged */
     CUT_EXCHANGE, /* shears for jaws */
-    CUT_LIMB,     /* which C holds */
+    CUT_LIMB,     /* which C holds up */
+    CUT_AWAY,     /* C with the piece */
     CUT_TAIL,     /* which nobody holds */
     CUT_WITHDRAW,
     CUT_DONE,

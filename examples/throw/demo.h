@@ -46,7 +46,6 @@ typedef struct demo {
     /* in the end */
     bool ended; /* or the trial broke off */
     demo_knot knot;
-    double lowest, highest; /* of the thread's contacts with itself above the drain, m */
     vbss_scene_statistics scene;
     vbss_device_statistics device[2];
     vbss_output_statistics output[2];

@@ -1,8 +1,8 @@
 /* From a device's sample to a certified throw, a picture and a replay:
  *
- *     first_throw -o folder [-s seed] [single] [double] [square] [surgeons]
+ *     first_throw -o folder [-s seed] [single] [double] [square] [surgeons] [fls]
  *
- * ties these knots (without a name: single and double) by two scripted hands, each measured by a device. Says what
+ * ties these knots (without a name: single and double) and cuts the ends of the last two, by two scripted hands, each measured by a device. Says what
  * they do, what it came to and what it took; writes <knot>.vbss (the log), <knot>.png (the sheet of all key stages)
  * and <knot>-<throw>-<stage>.png into the folder, which must be there. Exits 0 if every knot is what it shall be,
  * certified and seated, and if its log replays to equal hashes. */
@@ -12,14 +12,12 @@
 
 #include "throw/demo.h"
 
-static const char *const kinds[] = {"single", "double", "square", "surgeons"};
-enum { KINDS = sizeof kinds / sizeof kinds[0] };
-
 #define LONGEST 40.0 /* s for a throw */
 
 static int usage(void)
 {
-    fprintf(stderr, "first_throw -o folder [-s seed] [single] [double] [square] [surgeons]\n");
+    fprintf(stderr,
+            "first_throw -o folder [-s seed] [single] [double] [square] [surgeons] [fls]\n");
     return 2;
 }
 
@@ -29,13 +27,14 @@ static bool tie(int kind, uint64_t seed, const char *folder)
 {
     static demo d;
     memset(&d, 0, sizeof d);
-    d.name = kinds[kind];
+    d.name = trial_name(kind);
     d.folder = folder;
     snprintf(d.log, sizeof d.log, "%s/%s.vbss", folder, d.name);
     d.trial = (trial_options){.kind = (trial_kind)kind,
                               .seed = seed,
                               .most = LONGEST,
                               .log = d.log,
+                              .cut = kind >= TRIAL_SURGEONS,
                               .watch = demo_watch,
                               .user = &d};
     printf("-- %s, hands of seed %lu\n", d.name, (unsigned long)seed);
@@ -59,7 +58,7 @@ static bool tie(int kind, uint64_t seed, const char *folder)
 static int kind_of(const char *word)
 {
     int kind = 0;
-    while (kind < KINDS && strcmp(word, kinds[kind]) != 0) {
+    while (kind < TRIAL_KINDS && strcmp(word, trial_name(kind)) != 0) {
         kind++;
     }
     return kind;
@@ -67,7 +66,7 @@ static int kind_of(const char *word)
 
 int main(int count, char **words)
 {
-    int asked[2 * KINDS] = {0, 1}, number = 0;
+    int asked[2 * TRIAL_KINDS] = {0, 1}, number = 0;
     const char *folder = NULL;
     uint64_t seed = 1;
     bool good = true;
@@ -76,7 +75,7 @@ int main(int count, char **words)
             folder = words[++i];
         } else if (strcmp(words[i], "-s") == 0 && i + 1 < count) {
             seed = strtoul(words[++i], NULL, 10);
-        } else if (kind_of(words[i]) < KINDS && number < 2 * KINDS) {
+        } else if (kind_of(words[i]) < TRIAL_KINDS && number < 2 * TRIAL_KINDS) {
             asked[number++] = kind_of(words[i]);
         } else {
             return usage();

@@ -5,12 +5,10 @@
 
 #include "throw/replay.h"
 
-static const char *const kinds[] = {"single", "double", "square", "surgeons"};
-
 static int usage(void)
 {
     fprintf(stderr,
-            "throw single|double|square|surgeons [-s seed] [-n seeds] [-l log] [-v]\n"
+            "throw single|double|square|surgeons|fls [-s seed] [-n seeds] [-l log] [-v]\n"
             "      [-k: cut both ends] [-w: wind the wrong way] [-u: draw through unchecked]\n"
             "      [-p folder for pictures] [-e seconds between them] [-c: close] [-t most "
             "seconds a throw]\n");
@@ -75,10 +73,10 @@ int main(int count, char **words)
 {
     trial_options o = {.most = 40.0, .every = 0.25};
     int seeds = 1, good = 0, kind = 0;
-    while (count > 1 && kind < 4 && strcmp(words[1], kinds[kind]) != 0) {
+    while (count > 1 && kind < TRIAL_KINDS && strcmp(words[1], trial_name(kind)) != 0) {
         kind++;
     }
-    if (count < 2 || kind == 4 || !read_options(count, words, &o, &seeds)) {
+    if (count < 2 || kind == TRIAL_KINDS || !read_options(count, words, &o, &seeds)) {
         return usage();
     }
     o.kind = (trial_kind)kind;
@@ -86,13 +84,14 @@ int main(int count, char **words)
         trial_outcome out;
         vbss_result result = trial_run(&o, &out);
         if (result != VBSS_OK) {
-            printf("%s %3lu: %s\n", kinds[kind], (unsigned long)o.seed, vbss_result_name(result));
+            printf("%s %3lu: %s\n", trial_name(kind), (unsigned long)o.seed,
+                   vbss_result_name(result));
             continue;
         }
         good += out.good;
         printf("%s %3lu: %s '%s' hand %+d retries %d height %5.2f mm %5.2f s cpu %4.1f s clamped "
                "%lu %s %s refused %d cuts %d left %.1f %.1f mm %s %s\n",
-               kinds[kind], (unsigned long)o.seed, out.good ? "good" : "BAD ", out.notation,
+               trial_name(kind), (unsigned long)o.seed, out.good ? "good" : "BAD ", out.notation,
                out.handedness, out.retries, out.height * 1e3, out.time, out.cpu,
                (unsigned long)out.clamped, out.state, out.why, out.refused, out.cuts,
                out.left[0] * 1e3, out.left[1] * 1e3, out.kept ? "kept" : "",

@@ -3,7 +3,8 @@
 #include <string.h>
 
 #define TOUCH 0.4e-3
-#define SMOOTH 0.1 /* share of a new tension in each step */
+#define KNOT_SIZE 4e-3 /* that of a tight one is within */
+#define SMOOTH 0.1     /* share of a new tension in each step */
 
 vbss_result senses_create(senses *s, stand *st, hand *w, hand *c)
 {
@@ -45,15 +46,15 @@ static bool touches(const senses *s, vec x, double *from_tip)
     return any;
 }
 
-/* Not what was cut off of it. */
-static bool is_held(const senses *s, const hand *h)
+/* What hangs from C's jaws does not count. */
+static uint32_t limb_end(const senses *s)
 {
-    return h->holds && h->held_thread == s->stand->thread_body;
+    return senses_holds(s, s->c) && s->c->node > s->limb_root ? s->c->node : s->nodes;
 }
 
 static void find_contacts(senses *s)
 {
-    uint32_t end = is_held(s, s->c) ? s->c->node - 3 : s->nodes;
+    uint32_t end = limb_end(s) - 3;
     s->first = s->last = 0;
     for (uint32_t i = s->limb_root; i < end; i++) {
         double at;
@@ -111,7 +112,7 @@ static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *p
     v_store(t.axis[2], seen(h, pose->tip));
     t.radius[0] = h->shape.shaft_radius;
     t.radius[1] = h->shape.neck_radius;
-    bool held = is_held(s, h);
+    bool held = senses_holds(s, h);
     t.held = held ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
     t.held_place = held ? h->place : 0.0;
     return t;
@@ -166,6 +167,85 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
     return vbss_knot_detector_get_notation(d, k->notation, sizeof k->notation);
 }
 
+/* ---- where the knot is */
+
+static bool is_of_knot(const senses *s, const uint32_t *contact)
+{
+    uint32_t end = limb_end(s);
+    return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->stand->thread_body &&
+           contact[3] == s->stand->thread_body && contact[2] < end && contact[4] < end;
+}
+
+static const uint32_t *contact_at(const vbss_view *v, uint64_t i)
+{
+    return (const uint32_t *)((const char *)v->data + i * v->stride_bytes);
+}
+
+static vec point_at(const vbss_view *v, uint64_t i)
+{
+    return v_load((const double *)((const char *)v->data + i * v->stride_bytes));
+}
+
+static double height_of(vec x)
+{
+    return hypot(x.x, x.z + DRAIN_RADIUS) - DRAIN_RADIUS;
+}
+
+vbss_result senses_find_knot(senses *s)
+{
+    vbss_view kinds, points;
+    vec sum = v3(0.0, 0.0, 0.0);
+    double least = 1.0, most = -1.0;
+    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
+    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
+                            sizeof points));
+    s->knot_contacts = 0;
+    for (uint64_t i = 0; i < kinds.count; i++) {
+        if (is_of_knot(s, contact_at(&kinds, i))) {
+            vec at = point_at(&points, i);
+            sum = v_add(sum, at);
+            least = fmin(least, height_of(at));
+            most = fmax(most, height_of(at));
+            s->knot_contacts++;
+        }
+    }
+    if (s->knot_contacts > 0) {
+        s->knot = v_scale(1.0 / s->knot_contacts, sum);
+        s->knot_height = height_of(s->knot);
+        s->knot_lowest = least;
+        s->knot_highest = most;
+    }
+    return VBSS_OK;
+}
+
+/* ---- where tail and limb come out of it */
+
+static void include(senses *s, uint32_t segment)
+{
+    s->tail_root = segment < s->tail_root ? segment : s->tail_root;
+    s->limb_root = segment + 1 > s->limb_root ? segment + 1 : s->limb_root;
+}
+
+/* Of a tight knot, whose throws the detector cannot place: where the thread touches itself, not far from the middle. */
+static vbss_result find_roots_by_touch(senses *s)
+{
+    vbss_view kinds, points;
+    TRY(senses_find_knot(s));
+    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
+    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
+                            sizeof points));
+    s->tail_root = s->stand->marks[0];
+    s->limb_root = s->stand->marks[1];
+    for (uint64_t i = 0; i < kinds.count; i++) {
+        const uint32_t *c = contact_at(&kinds, i);
+        if (is_of_knot(s, c) && v_distance(point_at(&points, i), s->knot) < KNOT_SIZE) {
+            include(s, c[2]);
+            include(s, c[4]);
+        }
+    }
+    return VBSS_OK;
+}
+
 vbss_result senses_find_roots(senses *s)
 {
     senses_knot k;
@@ -174,44 +254,11 @@ vbss_result senses_find_roots(senses *s)
     if (s->throws > 0) {
         vbss_knot_throw last;
         TRY(vbss_knot_detector_get_throw(s->arbiter, s->throws - 1, &last, sizeof last));
-        if ((last.flags & VBSS_KNOT_THROW_LOCATED) != 0) {
-            s->tail_root = (uint32_t)last.tail_places[0];
-            s->limb_root = (uint32_t)last.long_places[1] + 1;
+        if ((last.flags & VBSS_KNOT_THROW_LOCATED) == 0) {
+            return find_roots_by_touch(s);
         }
-    }
-    return VBSS_OK;
-}
-
-/* ---- where the knot is */
-
-/* Thread on itself, but for the limb's end, which hangs from C's jaws and may lie anywhere. */
-static bool is_of_knot(const senses *s, const uint32_t *contact)
-{
-    uint32_t end = is_held(s, s->c) ? s->c->node : s->nodes;
-    return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->stand->thread_body &&
-           contact[3] == s->stand->thread_body && contact[2] < end && contact[4] < end;
-}
-
-vbss_result senses_find_knot(senses *s)
-{
-    vbss_view kinds, points;
-    vec sum = v3(0.0, 0.0, 0.0);
-    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
-    TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
-                            sizeof points));
-    s->knot_contacts = 0;
-    for (uint64_t i = 0; i < kinds.count; i++) {
-        const uint32_t *kind =
-            (const uint32_t *)((const char *)kinds.data + i * kinds.stride_bytes);
-        if (is_of_knot(s, kind)) {
-            sum = v_add(
-                sum, v_load((const double *)((const char *)points.data + i * points.stride_bytes)));
-            s->knot_contacts++;
-        }
-    }
-    if (s->knot_contacts > 0) {
-        vec at = v_scale(1.0 / s->knot_contacts, sum);
-        s->knot_height = hypot(at.x, at.z + DRAIN_RADIUS) - DRAIN_RADIUS;
+        s->tail_root = (uint32_t)last.tail_places[0];
+        s->limb_root = (uint32_t)last.long_places[1] + 1;
     }
     return VBSS_OK;
 }

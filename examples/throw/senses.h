@@ -19,7 +19,9 @@ typedef struct senses {
     uint32_t first, last;        /* nodes of the long limb that touch W; 0: none */
     double first_s, last_s;      /* where along W from its tip, m */
     double turns;                /* signed, of the long limb about W, positive the way C goes */
-    double knot_height;          /* of the contacts of the thread with itself above the drain, m */
+    vec knot;                    /* mean of the contacts of the thread with itself, in the world */
+    double knot_height, knot_lowest,
+        knot_highest; /* above the drain: of it, of these contacts, m */
     uint32_t knot_contacts;
 } senses;
 
@@ -38,6 +40,12 @@ typedef struct senses_knot {
 /* After a throw: from where tail and limb are free now. */
 vbss_result senses_find_roots(senses *s);
 vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k);
+
+/* The thread, and not what was cut off of it. */
+static inline bool senses_holds(const senses *s, const hand *h)
+{
+    return h->holds && h->held_thread == s->stand->thread_body;
+}
 
 static inline double senses_length(const senses *s, uint32_t from, uint32_t to)
 {

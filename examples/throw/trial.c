@@ -21,6 +21,21 @@ typedef struct trial {
     double next_picture;
 } trial;
 
+typedef struct knot {
+    const char *name, *notation;
+    int wraps, throws; /* of the first throw; all of them, the others with one wrap */
+} knot;
+static const knot knots[TRIAL_KINDS] = {{"single", "1", 1, 1},
+                                        {"double", "2", 2, 1},
+                                        {"square", "1=1", 1, 2},
+                                        {"surgeons", "2=1", 2, 2},
+                                        {"fls", "2=1=1", 2, 3}};
+
+const char *trial_name(int kind)
+{
+    return kind >= 0 && kind < TRIAL_KINDS ? knots[kind].name : NULL;
+}
+
 /* ---- the beginning */
 
 static double chance(uint64_t *state)
@@ -47,7 +62,7 @@ static hand_nature nature_of(uint64_t seed)
 
 static void plan_first(const trial_options *o, throw_plan *plan)
 {
-    throw_plan_usual(plan, o->kind == TRIAL_DOUBLE || o->kind == TRIAL_SURGEONS ? 2 : 1);
+    throw_plan_usual(plan, knots[o->kind].wraps);
 }
 
 vbss_result trial_set_up(const trial_options *o, stand *s, hand hands[2])
@@ -158,6 +173,13 @@ static vbss_result change_hands(trial *t, bool *good)
     return VBSS_OK;
 }
 
+static bool is_same_type(const vbss_knot_state *a, const vbss_knot_state *b)
+{
+    return a->certified == 1 && b->certified == 1 && a->throw_count == b->throw_count &&
+           a->determinant == b->determinant && a->signature == b->signature &&
+           a->signature_tristram == b->signature_tristram && a->v2 == b->v2 && a->v3 == b->v3;
+}
+
 static vbss_result cut_ends(trial *t, trial_outcome *out)
 {
     cut_state before = CUT_DONE;
@@ -173,8 +195,9 @@ static vbss_result cut_ends(trial *t, trial_outcome *out)
     out->cuts = (int)t->st.cuts;
     senses_knot k;
     TRY(senses_judge(&t->see, false, &k));
-    out->kept =
-        k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED && strcmp(k.notation, out->notation) == 0;
+    out->kept = k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED
+                    ? strcmp(k.notation, out->notation) == 0
+                    : is_same_type(&k.state, &t->run.formed.state);
     out->left[0] = r->left_tail;
     out->left[1] = r->left_limb;
     return VBSS_OK;
@@ -182,7 +205,6 @@ static vbss_result cut_ends(trial *t, trial_outcome *out)
 
 static vbss_result tie_all(trial *t, trial_outcome *out)
 {
-    trial_kind kind = t->options->kind;
     throw_plan plan;
     bool good;
     plan_first(t->options, &plan);
@@ -194,7 +216,7 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
     TRY(senses_look(&t->see));
     TRY(tie(t, &plan, &good));
     out->retries = t->run.retries;
-    if (good && (kind == TRIAL_SQUARE || kind == TRIAL_SURGEONS)) {
+    for (int i = 1; i < knots[t->options->kind].throws && good; i++) {
         throw_plan_on_top(&plan);
         TRY(change_hands(t, &good));
         if (good) {
@@ -209,13 +231,6 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
 
 /* ---- how it went */
 
-static bool is_same_type(const vbss_knot_state *a, const vbss_knot_state *b)
-{
-    return a->certified == 1 && b->certified == 1 && a->throw_count == b->throw_count &&
-           a->determinant == b->determinant && a->signature == b->signature &&
-           a->signature_tristram == b->signature_tristram && a->v2 == b->v2 && a->v3 == b->v3;
-}
-
 /* In a tight knot the detector may prove the type without finding each throw's place. */
 static void note(trial *t, const senses_knot *k, trial_outcome *out)
 {
@@ -229,7 +244,6 @@ static void note(trial *t, const senses_knot *k, trial_outcome *out)
 
 static vbss_result look_back(trial *t, trial_outcome *out)
 {
-    static const char *const right[] = {"1", "2", "1=1", "2=1"};
     senses_knot k;
     vbss_scene_statistics c;
     TRY(senses_find_knot(&t->see));
@@ -237,13 +251,15 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     TRY(vbss_scene_get_statistics(t->st.scene, &c, sizeof c));
     note(t, &k, out);
     out->height = t->see.knot_height;
+    out->lowest = t->see.knot_lowest;
+    out->highest = t->see.knot_highest;
     out->time = t->st.time;
     out->clamped = c.clamped;
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
     out->good = out->good && (out->certified || out->tight) &&
                 out->handedness == throw_handedness(&t->run) &&
-                strcmp(out->notation, right[t->options->kind]) == 0 && out->height < 2e-3;
+                strcmp(out->notation, knots[t->options->kind].notation) == 0 && out->height < 2e-3;
     return VBSS_OK;
 }
 
@@ -260,6 +276,7 @@ vbss_result trial_run(const trial_options *o, trial_outcome *out)
     }
     if (result == VBSS_OK && out->good && o->cut) {
         result = cut_ends(&t, out);
+        out->time = t.st.time;
     }
     if (result == VBSS_OK) {
         result = stand_end(&t.st);

@@ -6,7 +6,16 @@
 #include "throw/cut.h"
 #include "throw/transfer.h"
 
-typedef enum trial_kind { TRIAL_SINGLE, TRIAL_DOUBLE, TRIAL_SQUARE, TRIAL_SURGEONS } trial_kind;
+typedef enum trial_kind {
+    TRIAL_SINGLE,
+    TRIAL_DOUBLE,
+    TRIAL_SQUARE,   /* 1=1 */
+    TRIAL_SURGEONS, /* 2=1 */
+    TRIAL_FLS,      /* 2=1=1 */
+    TRIAL_KINDS
+} trial_kind;
+/* As the programs know it; NULL: there is none. */
+const char *trial_name(int kind);
 
 /* What one who watches a trial is called for. */
 typedef enum trial_event {
@@ -51,7 +60,7 @@ typedef struct trial_outcome {
     double left[2]; /* of tail and limb, m */
     int handedness; /* of the last throw */
     int retries;
-    double height; /* of the knot above the drain, m */
+    double height, lowest, highest; /* of the knot's contacts above the drain: mean and limits, m */
     double time, cpu;
     uint64_t clamped;
     const char *state, *why;

@@ -72,7 +72,9 @@ static const char *words_of_stage(const char *name)
         {"seat", "both pull, to 2 N"},          {"ease", "nothing is taut any longer"},
         {"release", "W lets the tail go"},      {"offer", "C holds the limb up"},
         {"take", "W takes the limb"},           {"give", "C lets it go"},
-        {"cut", "the tails are cut"},
+        {"leave", "C holds the limb up"},       {"exchange", "W has shears"},
+        {"cut limb", "W cuts the limb"},        {"away", "C takes the piece away"},
+        {"cut tail", "W cuts the tail"},        {"back", "W withdraws"},
     };
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
         if (strcmp(words[i][0], name) == 0) {
@@ -148,27 +150,6 @@ static void feel(demo *d, const trial_moment *m)
     }
 }
 
-/* Of the thread's contacts with itself over the drain's round. */
-static vbss_result find_heights(demo *d, const stand *s)
-{
-    vbss_view kinds, points;
-    TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
-    TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points, sizeof points));
-    for (uint64_t i = 0, found = 0; i < kinds.count; i++) {
-        const uint32_t *kind =
-            (const uint32_t *)((const char *)kinds.data + i * kinds.stride_bytes);
-        if (kind[0] == VBSS_CONTACT_SEGMENTS) {
-            const char *point = (const char *)points.data + i * points.stride_bytes;
-            vec at = v_load((const double *)point);
-            double height = hypot(at.x, at.z + DRAIN_RADIUS) - DRAIN_RADIUS;
-            d->lowest = found > 0 ? fmin(d->lowest, height) : height;
-            d->highest = found > 0 ? fmax(d->highest, height) : height;
-            found++;
-        }
-    }
-    return VBSS_OK;
-}
-
 static void ended(demo *d, const trial_moment *m)
 {
     const hand *hands[2] = {m->see->w, m->see->c};
@@ -181,7 +162,6 @@ static void ended(demo *d, const trial_moment *m)
         r = r ? r : vbss_device_get_statistics(device, in, sizeof *in);
         r = r ? r : vbss_device_get_output_statistics(device, out, sizeof *out);
     }
-    r = r ? r : find_heights(d, m->see->stand);
     d->ended = r == VBSS_OK;
 }
 
