@@ -116,7 +116,11 @@ static bool is_alone(const senses *s, uint32_t node)
 static uint32_t place_of(const senses *s, bool limb, int tries)
 {
     uint32_t left = (uint32_t)((LEFT + FARTHER * tries) / SEGMENT);
-    uint32_t node = limb ? s->limb_root + left : s->tail_root - left;
+    uint32_t last = s->nodes - 3, node = s->limb_root + left;
+    if (!limb) {
+        node = s->tail_root > left + 2 ? s->tail_root - left : 2; /* it may be that short */
+    }
+    node = node < last ? node : last;
     while (node > 8 && node + 8 < s->nodes && !is_alone(s, node)) {
         node += limb ? 1 : UINT32_MAX;
     }

@@ -62,6 +62,10 @@ static void do_offer(transfer_run *t)
     vec at =
         v_along(v_along(s->x[s->limb_root], 0.97 * length, way), -GRASP_BEHIND, s->tool_c.handle);
     hand_go(s->c, at, 0.1);
+    if (t->misses > 0 && t->since < 0.8) { /* out as it came in, open */
+        hand_go(s->w, v_along(t->from, 30e-3, t->back), 0.06);
+        return;
+    }
     hand_go(s->w, v3(-0.04, -0.04, 0.05), 0.1);
     if (v_distance(s->tool_c.tip, at) < 2e-3 && t->since > 0.5) {
         catch_begin(&t->grip, s, s->w, s->c->node + BEYOND, 1.0, 0.1);
@@ -80,7 +84,8 @@ static void do_take(transfer_run *t, double dt)
         t->aside = v_cross(s->tool_c.handle, s->tool_c.opening);
         enter(t, TRANSFER_GIVE);
     } else if (t->grip.state == CATCH_MISSED) {
-        hand_open(s->w, 0.0);
+        t->from = s->tool_w.tip;
+        t->back = s->tool_w.handle;
         enter(t, t->misses++ < 2 ? TRANSFER_OFFER : TRANSFER_FAILED);
     }
 }
