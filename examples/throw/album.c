@@ -81,6 +81,7 @@ static bool take(album *a, uint8_t *pair, uint32_t row, stage at, int view)
     if (painter_paint(a->painter, pixels, sizeof pixels) != PAINTER_OK) {
         return false;
     }
+    a->rows = row + 1 > a->rows ? row + 1 : a->rows;
     put(pixels, pair, PAIR_WIDTH, (size_t)view * WIDTH, 0);
     put(pixels, a->sheet, SHEET_WIDTH, (size_t)(at % COLUMNS) * (WIDTH + SEAM),
         (size_t)row * ROW_HEIGHT + (size_t)view * (HEIGHT + SEAM));
@@ -247,7 +248,6 @@ static bool paint(album *a, const trial_moment *m, const demo_knot *k)
         return paint_stage(a, m, DRAWN, text);
     }
     if (strcmp(m->state, "done") == 0) {
-        a->rows = m->see->throws + 1;
         snprintf(text, sizeof text, "pulled to 2 N: %s, %s", k->notation,
                  words_of_verdict(k->state.verdict));
         return paint_stage(a, m, SEATED, text) && paint_near(a, m, k);
@@ -263,7 +263,6 @@ static bool paint(album *a, const trial_moment *m, const demo_knot *k)
 void album_show(album *a, const trial_moment *m, const demo_knot *k)
 {
     if (a != NULL && a->good && m->see->throws < ROWS) {
-        a->rows = m->see->throws + 1;
         a->good = paint(a, m, k);
     }
 }

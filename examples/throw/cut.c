@@ -116,12 +116,14 @@ static bool is_alone(const senses *s, uint32_t node)
 static uint32_t place_of(const senses *s, bool limb, int tries)
 {
     uint32_t left = (uint32_t)((LEFT + FARTHER * tries) / SEGMENT);
-    uint32_t last = s->nodes - 3, node = s->limb_root + left;
+    /* Before C's jaws; and two nodes on either side are looked at. */
+    uint32_t end = limb && senses_holds(s, s->c) ? s->c->node : s->nodes;
+    uint32_t last = end - 3, node = s->limb_root + left;
     if (!limb) {
         node = s->tail_root > left + 2 ? s->tail_root - left : 2; /* it may be that short */
     }
     node = node < last ? node : last;
-    while (node > 8 && node + 8 < s->nodes && !is_alone(s, node)) {
+    while (node > 8 && node + 8 < end && !is_alone(s, node)) {
         node += limb ? 1 : UINT32_MAX;
     }
     return node;
@@ -168,14 +170,15 @@ static vec across(const senses *s, uint32_t node)
 static bool is_cut(cut_run *t, double dt)
 {
     const senses *s = t->see;
+    if (s->stand->cuts > t->cuts) {
+        t->ends++;
+        return true;
+    }
     if (t->grip.state == CATCH_COME) { /* the ends still move */
         t->grip.node = place_of(s, t->state == CUT_LIMB, t->grip.tries);
     }
     hand_turn(s->w, across(s, t->grip.node));
     catch_step(&t->grip, dt);
-    if (s->stand->cuts > t->cuts) {
-        return true;
-    }
     if (t->grip.state == CATCH_MISSED) {
         enter(t, CUT_FAILED);
     }
@@ -185,8 +188,9 @@ static bool is_cut(cut_run *t, double dt)
 static void do_limb(cut_run *t, double dt)
 {
     senses *s = t->see;
-    hold_up(s);
-    if (is_cut(t, dt)) {
+    if (!is_cut(t, dt)) {
+        hold_up(s);
+    } else {
         t->left_limb = senses_length(s, s->limb_root, s->nodes - 1);
         t->from = s->tool_w.tip;
         t->back = s->tool_w.handle;

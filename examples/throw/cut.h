@@ -25,6 +25,7 @@ typedef struct cut_run {
     double since;
     catch_run grip;
     uint32_t cuts;               /* before this one */
+    int ends;                    /* cut so far */
     double left_tail, left_limb; /* m from the knot, as cut */
     vec from, back;              /* where W lets go, and how it withdraws */
     vec carrot_w, carrot_c;

@@ -2,8 +2,9 @@
  *
  *     first_throw -o folder [-s seed] [single] [double] [square] [surgeons] [fls]
  *
- * ties these knots (without a name: single and double) and cuts the ends of the last two, by two scripted hands, each measured by a device. Says what
- * they do, what it came to and what it took; writes <knot>.vbss (the log), <knot>.png (the sheet of all key stages)
+ * ties these knots (without a name: single and double) by two scripted hands, each measured by a device; of surgeons and
+ * fls they cut the ends. Says what they do, what it came to and what it took; writes <knot>.vbss (the log), <knot>.png
+ * (the sheet of all key stages)
  * and <knot>-<throw>-<stage>.png into the folder, which must be there. Exits 0 if every knot is what it shall be,
  * certified and seated, and if its log replays to equal hashes. */
 #include <stdio.h>
@@ -34,7 +35,7 @@ static bool tie(int kind, uint64_t seed, const char *folder)
                               .seed = seed,
                               .most = LONGEST,
                               .log = d.log,
-                              .cut = kind >= TRIAL_SURGEONS,
+                              .cut = kind == TRIAL_SURGEONS || kind == TRIAL_FLS,
                               .watch = demo_watch,
                               .user = &d};
     printf("-- %s, hands of seed %lu\n", d.name, (unsigned long)seed);
@@ -55,15 +56,6 @@ static bool tie(int kind, uint64_t seed, const char *folder)
 
 /* ---- what is asked for */
 
-static int kind_of(const char *word)
-{
-    int kind = 0;
-    while (kind < TRIAL_KINDS && strcmp(word, trial_name(kind)) != 0) {
-        kind++;
-    }
-    return kind;
-}
-
 int main(int count, char **words)
 {
     int asked[2 * TRIAL_KINDS] = {0, 1}, number = 0;
@@ -75,8 +67,8 @@ int main(int count, char **words)
             folder = words[++i];
         } else if (strcmp(words[i], "-s") == 0 && i + 1 < count) {
             seed = strtoul(words[++i], NULL, 10);
-        } else if (kind_of(words[i]) < TRIAL_KINDS && number < 2 * TRIAL_KINDS) {
-            asked[number++] = kind_of(words[i]);
+        } else if (trial_kind_of(words[i]) < TRIAL_KINDS && number < 2 * TRIAL_KINDS) {
+            asked[number++] = trial_kind_of(words[i]);
         } else {
             return usage();
         }

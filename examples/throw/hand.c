@@ -199,7 +199,6 @@ vbss_result hand_feel(hand *h)
     h->place = grasp.arc_length / SEGMENT;
     h->node = (uint32_t)(h->place + 0.5);
     h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));
-    h->slid = grasp.slid;
     return VBSS_OK;
 }
 

@@ -72,11 +72,8 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds)
 int main(int count, char **words)
 {
     trial_options o = {.most = 40.0, .every = 0.25};
-    int seeds = 1, good = 0, kind = 0;
-    while (count > 1 && kind < TRIAL_KINDS && strcmp(words[1], trial_name(kind)) != 0) {
-        kind++;
-    }
-    if (count < 2 || kind == TRIAL_KINDS || !read_options(count, words, &o, &seeds)) {
+    int seeds = 1, good = 0, kind = count > 1 ? trial_kind_of(words[1]) : TRIAL_KINDS;
+    if (kind == TRIAL_KINDS || !read_options(count, words, &o, &seeds)) {
         return usage();
     }
     o.kind = (trial_kind)kind;

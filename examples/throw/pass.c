@@ -1,5 +1,7 @@
 #include "throw/states.h"
 
+#define UPRIGHT (0.5 * PI)
+
 void throw_tail(throw_run *t, double dt)
 {
     const senses *s = t->see;
@@ -58,8 +60,8 @@ vbss_result throw_draw(throw_run *t, double dt)
     if (s->tension_w < t->plan.drawn + 0.05) {
         t->angle = fmin(t->angle + speed / length * dt, PI * 160.0 / 180.0);
     }
-    if (t->plan.tilt != 0.0 && t->angle > 1.6) {
-        hand_turn(s->w, v3(-1.0, 0.0, 0.3)); /* lest the last turn hang on its jaws */
+    if (t->plan.soft && t->angle > UPRIGHT) {
+        hand_turn(s->w, OUTWARD); /* lest the last turn hang on its jaws */
     }
     throw_on_leash(t, t->plan.drawn, dt);
     throw_follow(t, dt);

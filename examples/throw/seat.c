@@ -1,6 +1,8 @@
 #include "throw/states.h"
 
-#define RISE 1.0 /* N/s, of a pull at both ends */
+#define RISE 1.0      /* N/s, of a pull at both ends */
+#define FAR_SIDE 0.02 /* m, of C from the knot while it comes down */
+#define LOW 0.003     /* m above the drain's top, where it has come down */
 
 /* C follows to the right, and gives way toward W. */
 void throw_follow(throw_run *t, double dt)
@@ -8,9 +10,9 @@ void throw_follow(throw_run *t, double dt)
     const senses *s = t->see;
     double speed = 0.03, least = t->plan.light;
     vec way = v3(1.0, 0.0, -0.3);
-    if (t->plan.tilt != 0.0) { /* down by the far side, then along the drain's top */
-        double far = s->tool_c.tip.y < 0.02 ? 0.6 : 0.0;
-        way = s->tool_c.tip.z > 0.003 ? v3(0.6, far, -0.7) : v3(1.0, 0.0, 0.0);
+    if (t->plan.soft) { /* down by the far side, then along the drain's top */
+        double far = s->tool_c.tip.y < FAR_SIDE ? 0.6 : 0.0;
+        way = s->tool_c.tip.z > LOW ? v3(0.6, far, -0.7) : v3(1.0, 0.0, 0.0);
     }
     if (s->tension_c > least) {
         way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
@@ -38,7 +40,7 @@ void throw_on_leash(throw_run *t, double most, double dt)
 void throw_lower(throw_run *t, double dt)
 {
     senses *s = t->see;
-    hand_turn(s->w, v3(-1.0, 0.0, 0.3));
+    hand_turn(s->w, OUTWARD);
     t->angle = fmin(t->angle + 0.04 / t->leash * dt, PI * 173.0 / 180.0);
     throw_on_leash(t, 0.05, dt);
     throw_follow(t, dt);
@@ -89,7 +91,7 @@ static void pull_alike(throw_run *t, double dt)
 
 void throw_seat(throw_run *t, double dt)
 {
-    hand_turn(t->see->w, v3(-1.0, 0.0, 0.3));
+    hand_turn(t->see->w, OUTWARD);
     if (t->plan.soft) {
         pull_alike(t, dt);
     } else {

@@ -46,7 +46,7 @@ static bool touches(const senses *s, vec x, double *from_tip)
     return any;
 }
 
-/* What hangs from C's jaws does not count. */
+/* What hangs from C's jaws does not count, unless it is the tail that they hold. */
 static uint32_t limb_end(const senses *s)
 {
     return senses_holds(s, s->c) && s->c->node > s->limb_root ? s->c->node : s->nodes;
@@ -78,7 +78,8 @@ static vbss_result follow_cuts(senses *s)
     }
     s->nodes = s->stand->nodes;
     s->shift = s->stand->shift;
-    s->tail_root -= shift;
+    s->tail_root -=
+        shift < s->tail_root ? shift : s->tail_root; /* cut inside the knot: none left */
     s->limb_root -= shift;
     TRY(vbss_knot_detector_reset(s->detector));
     return vbss_knot_detector_reset(s->arbiter);
@@ -169,9 +170,8 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
 
 /* ---- where the knot is */
 
-static bool is_of_knot(const senses *s, const uint32_t *contact)
+static bool is_of_knot(const senses *s, const uint32_t *contact, uint32_t end)
 {
-    uint32_t end = limb_end(s);
     return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->stand->thread_body &&
            contact[3] == s->stand->thread_body && contact[2] < end && contact[4] < end;
 }
@@ -196,21 +196,21 @@ vbss_result senses_find_knot(senses *s)
     vbss_view kinds, points;
     vec sum = v3(0.0, 0.0, 0.0);
     double least = 1.0, most = -1.0;
+    uint32_t count = 0, end = limb_end(s);
     TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
     TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
                             sizeof points));
-    s->knot_contacts = 0;
     for (uint64_t i = 0; i < kinds.count; i++) {
-        if (is_of_knot(s, contact_at(&kinds, i))) {
+        if (is_of_knot(s, contact_at(&kinds, i), end)) {
             vec at = point_at(&points, i);
             sum = v_add(sum, at);
             least = fmin(least, height_of(at));
             most = fmax(most, height_of(at));
-            s->knot_contacts++;
+            count++;
         }
     }
-    if (s->knot_contacts > 0) {
-        s->knot = v_scale(1.0 / s->knot_contacts, sum);
+    if (count > 0) {
+        s->knot = v_scale(1.0 / count, sum);
         s->knot_height = height_of(s->knot);
         s->knot_lowest = least;
         s->knot_highest = most;
@@ -234,11 +234,12 @@ static vbss_result find_roots_by_touch(senses *s)
     TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACTS, &kinds, sizeof kinds));
     TRY(vbss_scene_get_view(s->stand->scene, VBSS_SCENE_VIEW_CONTACT_POINTS, &points,
                             sizeof points));
+    uint32_t end = limb_end(s);
     s->tail_root = s->stand->marks[0];
     s->limb_root = s->stand->marks[1];
     for (uint64_t i = 0; i < kinds.count; i++) {
         const uint32_t *c = contact_at(&kinds, i);
-        if (is_of_knot(s, c) && v_distance(point_at(&points, i), s->knot) < KNOT_SIZE) {
+        if (is_of_knot(s, c, end) && v_distance(point_at(&points, i), s->knot) < KNOT_SIZE) {
             include(s, c[2]);
             include(s, c[4]);
         }

@@ -19,10 +19,10 @@ typedef struct senses {
     uint32_t first, last;        /* nodes of the long limb that touch W; 0: none */
     double first_s, last_s;      /* where along W from its tip, m */
     double turns;                /* signed, of the long limb about W, positive the way C goes */
-    vec knot;                    /* mean of the contacts of the thread with itself, in the world */
-    double knot_height, knot_lowest,
-        knot_highest; /* above the drain: of it, of these contacts, m */
-    uint32_t knot_contacts;
+    /* Of the contacts of the thread with itself: their mean, in the world; above the drain that, the lowest, the
+     * highest, m. */
+    vec knot;
+    double knot_height, knot_lowest, knot_highest;
 } senses;
 
 vbss_result senses_create(senses *s, stand *st, hand *w, hand *c);

@@ -226,8 +226,3 @@ const vec *stand_nodes(const stand *s)
 {
     return look(s, VBSS_THREAD_POSITIONS);
 }
-
-const double *stand_tensions(const stand *s)
-{
-    return look(s, VBSS_THREAD_TENSIONS);
-}

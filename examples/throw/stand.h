@@ -52,6 +52,5 @@ vbss_result stand_step(stand *s, double dt);
 vbss_result stand_end(stand *s);
 void stand_destroy(stand *s);
 const vec *stand_nodes(const stand *s);
-const double *stand_tensions(const stand *s);
 
 #endif

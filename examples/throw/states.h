@@ -4,6 +4,9 @@
 
 #include "throw/steer.h"
 
+/* To where the handle's end of W's jaws points when they hold the drawn tail. */
+#define OUTWARD v3(-1.0, 0.0, 0.3)
+
 void throw_enter(throw_run *t, throw_state state);
 /* Once more, from the beginning, if it is not too late. */
 void throw_fail(throw_run *t, const char *why);

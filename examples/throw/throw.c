@@ -35,7 +35,8 @@ void throw_plan_usual(throw_plan *p, int wraps)
     };
 }
 
-/* The tail lies down along the drain, so W's jaws come to it from above; drawn low, it leaves what is below where it is. */
+/* The tail lies down along the drain, so W's jaws come to it from above. Drawn low, it leaves what is below where
+ * it is. */
 void throw_plan_on_top(throw_plan *p)
 {
     throw_plan_usual(p, 1);

@@ -38,9 +38,9 @@ typedef struct throw_plan {
     double behind;      /* how far behind its tip */
     bool soft;          /* what is below is only held by its own friction: nothing may be taut */
     double light;       /* N, of C while the tail is drawn through */
-    double tilt;        /* rad, of W's way then from upright to the near side */
-    double low;         /* m, below the drain's top, to where both pull */
     double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
+    double tilt;        /* rad, of W's way meanwhile, from upright to the near side */
+    double low;         /* m, below the drain's top, to where both pull in the end */
     double pull;        /* N, in the end */
     int retries;
     bool wrong;     /* C goes round the other way */
@@ -60,7 +60,7 @@ typedef struct throw_run {
     catch_run grip;
     uint32_t throws_before;
     uint32_t tail_root, limb_root; /* nodes where tail and limb come out of drain or knot */
-    int retries, catches, refused;
+    int retries, refused;
     const char *why;
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
 } throw_run;

@@ -62,14 +62,15 @@ static void do_offer(transfer_run *t)
     vec at =
         v_along(v_along(s->x[s->limb_root], 0.97 * length, way), -GRASP_BEHIND, s->tool_c.handle);
     hand_go(s->c, at, 0.1);
-    if (t->misses > 0 && t->since < 0.8) { /* out as it came in, open */
+    if (t->misses > 0 && t->since < 0.8) { /* out as it came in */
         hand_go(s->w, v_along(t->from, 30e-3, t->back), 0.06);
         return;
     }
     hand_go(s->w, v3(-0.04, -0.04, 0.05), 0.1);
     if (v_distance(s->tool_c.tip, at) < 2e-3 && t->since > 0.5) {
-        catch_begin(&t->grip, s, s->w, s->c->node + BEYOND, 1.0, 0.1);
-        enter(t, TRANSFER_TAKE);
+        uint32_t node = s->c->node + BEYOND;
+        catch_begin(&t->grip, s, s->w, node, 1.0, 0.1);
+        enter(t, node + 3 < s->nodes ? TRANSFER_TAKE : TRANSFER_FAILED);
     }
 }
 

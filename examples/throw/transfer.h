@@ -9,7 +9,7 @@ typedef enum transfer_state {
     TRANSFER_EASE,    /* nothing is taut any longer */
     TRANSFER_RELEASE, /* W lets the tail go and withdraws */
     TRANSFER_OFFER,   /* C holds the limb up */
-    TRANSFER_TAKE,    /* W takes the limb, beside C's jaws */
+    TRANSFER_TAKE,    /* W takes the limb, beyond C's jaws */
     TRANSFER_GIVE,    /* C lets go and withdraws */
     TRANSFER_DONE,
     TRANSFER_FAILED
@@ -21,7 +21,7 @@ typedef struct transfer_run {
     double since;
     int tries, misses; /* to be rid of the limb; to take it */
     catch_run grip;
-    vec from, back, aside; /* where a hand lets go, and how it withdraws */
+    vec from, back, aside; /* where a hand lets go or missed, and how it withdraws */
 } transfer_run;
 
 void transfer_begin(transfer_run *t, senses *see);

@@ -33,7 +33,16 @@ static const knot knots[TRIAL_KINDS] = {{"single", "1", 1, 1},
 
 const char *trial_name(int kind)
 {
-    return kind >= 0 && kind < TRIAL_KINDS ? knots[kind].name : NULL;
+    return knots[kind].name;
+}
+
+int trial_kind_of(const char *name)
+{
+    int kind = 0;
+    while (kind < TRIAL_KINDS && strcmp(name, knots[kind].name) != 0) {
+        kind++;
+    }
+    return kind;
 }
 
 /* ---- the beginning */
@@ -161,15 +170,20 @@ static vbss_result tie(trial *t, const throw_plan *plan, bool *good)
 static vbss_result change_hands(trial *t, bool *good)
 {
     transfer_state before = TRANSFER_DONE;
+    double begin = t->st.time;
     TRY(senses_find_roots(&t->see));
     transfer_begin(&t->pass, &t->see);
-    while (t->pass.state != TRANSFER_DONE && t->pass.state != TRANSFER_FAILED) {
+    while (t->pass.state != TRANSFER_DONE && t->pass.state != TRANSFER_FAILED &&
+           t->st.time - begin < t->options->most) {
         tell(t, transfer_state_name(t->pass.state), t->pass.state != before);
         before = t->pass.state;
         TRY(transfer_step(&t->pass, STEP));
         TRY(step(t));
     }
     *good = t->pass.state == TRANSFER_DONE;
+    if (!*good) {
+        t->run.why = "limb not handed over";
+    }
     return VBSS_OK;
 }
 
@@ -180,24 +194,32 @@ static bool is_same_type(const vbss_knot_state *a, const vbss_knot_state *b)
            a->signature_tristram == b->signature_tristram && a->v2 == b->v2 && a->v3 == b->v3;
 }
 
+/* In a tight knot the detector may prove the type without finding each throw's place. */
+static bool is_tight(const vbss_knot_state *k, const vbss_knot_state *formed)
+{
+    return k->verdict == VBSS_KNOT_VERDICT_FORMED && is_same_type(k, formed);
+}
+
 static vbss_result cut_ends(trial *t, trial_outcome *out)
 {
     cut_state before = CUT_DONE;
     cut_run *r = &t->cut;
+    double begin = t->st.time;
     TRY(cut_begin(r, &t->see));
-    while (r->state != CUT_DONE && r->state != CUT_FAILED) {
+    while (r->state != CUT_DONE && r->state != CUT_FAILED &&
+           t->st.time - begin < t->options->most) {
         tell(t, cut_state_name(r->state), r->state != before);
         before = r->state;
         TRY(cut_step(r, STEP));
         TRY(step(t));
     }
     tell(t, cut_state_name(r->state), true);
-    out->cuts = (int)t->st.cuts;
+    out->cuts = r->ends;
     senses_knot k;
     TRY(senses_judge(&t->see, false, &k));
     out->kept = k.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED
                     ? strcmp(k.notation, out->notation) == 0
-                    : is_same_type(&k.state, &t->run.formed.state);
+                    : is_tight(&k.state, &t->run.formed.state);
     out->left[0] = r->left_tail;
     out->left[1] = r->left_limb;
     return VBSS_OK;
@@ -216,30 +238,30 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
     TRY(senses_look(&t->see));
     TRY(tie(t, &plan, &good));
     out->retries = t->run.retries;
+    out->refused = t->run.refused;
     for (int i = 1; i < knots[t->options->kind].throws && good; i++) {
         throw_plan_on_top(&plan);
         TRY(change_hands(t, &good));
         if (good) {
             TRY(tie(t, &plan, &good));
             out->retries += t->run.retries;
+            out->refused += t->run.refused;
         }
     }
     out->good = good;
-    out->refused = t->run.refused;
     return VBSS_OK;
 }
 
 /* ---- how it went */
 
-/* In a tight knot the detector may prove the type without finding each throw's place. */
-static void note(trial *t, const senses_knot *k, trial_outcome *out)
+/* Is it proved, at least its type? */
+static bool note(trial *t, const senses_knot *k, trial_outcome *out)
 {
     const senses_knot *formed = &t->run.formed;
-    out->certified = k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
-    out->tight =
-        k->state.verdict == VBSS_KNOT_VERDICT_FORMED && is_same_type(&k->state, &formed->state);
+    out->tight = is_tight(&k->state, &formed->state);
     out->handedness = out->tight ? formed->handedness : k->handedness;
     memcpy(out->notation, out->tight ? formed->notation : k->notation, sizeof out->notation);
+    return out->tight || k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
 }
 
 static vbss_result look_back(trial *t, trial_outcome *out)
@@ -249,7 +271,7 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     TRY(senses_find_knot(&t->see));
     TRY(senses_judge(&t->see, false, &k));
     TRY(vbss_scene_get_statistics(t->st.scene, &c, sizeof c));
-    note(t, &k, out);
+    bool proved = note(t, &k, out);
     out->height = t->see.knot_height;
     out->lowest = t->see.knot_lowest;
     out->highest = t->see.knot_highest;
@@ -257,8 +279,7 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     out->clamped = c.clamped;
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
-    out->good = out->good && (out->certified || out->tight) &&
-                out->handedness == throw_handedness(&t->run) &&
+    out->good = out->good && proved && out->handedness == throw_handedness(&t->run) &&
                 strcmp(out->notation, knots[t->options->kind].notation) == 0 && out->height < 2e-3;
     return VBSS_OK;
 }

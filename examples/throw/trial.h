@@ -14,8 +14,9 @@ typedef enum trial_kind {
     TRIAL_FLS,      /* 2=1=1 */
     TRIAL_KINDS
 } trial_kind;
-/* As the programs know it; NULL: there is none. */
+/* As the programs know it; TRIAL_KINDS: there is none. */
 const char *trial_name(int kind);
+int trial_kind_of(const char *name);
 
 /* What one who watches a trial is called for. */
 typedef enum trial_event {
@@ -36,7 +37,7 @@ typedef void trial_watch(void *user, const trial_moment *moment);
 typedef struct trial_options {
     trial_kind kind;
     uint64_t seed; /* 0: steady hands of usual speed */
-    double most;   /* s for a throw */
+    double most;   /* s for a throw, a change of hands, the cutting */
     int verbose;
     const char *log;    /* file; may be NULL */
     const char *folder; /* of pictures; may be NULL */
@@ -50,7 +51,7 @@ typedef struct trial_options {
 } trial_options;
 
 typedef struct trial_outcome {
-    bool good, certified;
+    bool good;
     char notation
         [32]; /* with the order of the throws as it was when the last one formed, if that can no longer be read */
     bool tight;     /* so it was: its type is proved still */
@@ -60,7 +61,8 @@ typedef struct trial_outcome {
     double left[2]; /* of tail and limb, m */
     int handedness; /* of the last throw */
     int retries;
-    double height, lowest, highest; /* of the knot's contacts above the drain: mean and limits, m */
+    /* Of the knot's contacts above the drain, m: their mean, the lowest, the highest. */
+    double height, lowest, highest;
     double time, cpu;
     uint64_t clamped;
     const char *state, *why;

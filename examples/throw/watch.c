@@ -72,7 +72,7 @@ static const char *words_of_stage(const char *name)
         {"seat", "both pull, to 2 N"},          {"ease", "nothing is taut any longer"},
         {"release", "W lets the tail go"},      {"offer", "C holds the limb up"},
         {"take", "W takes the limb"},           {"give", "C lets it go"},
-        {"leave", "C holds the limb up"},       {"exchange", "W has shears"},
+        {"leave", "W leaves for shears"},       {"exchange", "W is given shears"},
         {"cut limb", "W cuts the limb"},        {"away", "C takes the piece away"},
         {"cut tail", "W cuts the tail"},        {"back", "W withdraws"},
     };

@@ -100,7 +100,6 @@ void throw_check(throw_run *t, double dt)
     double turns = t->plan.wrong ? -s->turns : s->turns;
     if (turns > t->plan.wraps - 0.15 && turns < t->plan.wraps + more) {
         throw_enter(t, THROW_TAIL);
-        t->beside = v3(0.0, 0.0, 0.0);
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;
         hand_aim(s->w, s->w->nature.aim_end);

@@ -18,7 +18,7 @@ static const struct kind {
 } kinds[KINDS] = {
     {"double", "2", TRIAL_DOUBLE, 18, -1},
     {"single", "1", TRIAL_SINGLE, 20, -1},
-    {"square on top", "2=1", TRIAL_SURGEONS, 18, 1},
+    {"throw on a double", "2=1", TRIAL_SURGEONS, 18, 1},
 };
 
 static bool is_right(const struct kind *k, const trial_outcome *o)
