@@ -55,8 +55,7 @@ static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
 
 static double clearance(const hand *h, vec bend)
 {
-    double drain = hypot(bend.x, bend.z + DRAIN_RADIUS) - DRAIN_RADIUS;
-    return fmin(drain, bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
+    return fmin(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
 }
 
 vec catch_point(const senses *s, const hand *h, uint32_t node)

@@ -80,9 +80,7 @@ static void do_release(cut_run *t)
 /* C holds the limb up, so that nothing is beside it where it comes out of the knot. */
 static void hold_up(const senses *s)
 {
-    double length = senses_length(s, s->limb_root, s->c->node);
-    vec jaws = v_along(s->x[s->limb_root], 0.98 * length, v_unit(LIMB_UP));
-    hand_go(s->c, v_along(jaws, -GRASP_BEHIND, s->tool_c.handle), 0.06);
+    hand_go(s->c, senses_tip_holding_up(s, LIMB_UP, 0.98), 0.06);
 }
 
 static void do_leave(cut_run *t)
@@ -96,10 +94,16 @@ static void do_leave(cut_run *t)
     }
 }
 
+/* Of the thread, toward the limb. */
+static vec way_at(const senses *s, uint32_t node)
+{
+    return v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
+}
+
 /* What else lies between the blades would be cut with it; hardly anything of them is beyond the place. */
 static bool is_alone(const senses *s, uint32_t node)
 {
-    vec way = v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
+    vec way = way_at(s, node);
     vec back = v_unit(v_across(v_sub(seen(s->w, s->w->trocar), s->x[node]), way));
     for (uint32_t i = 0; i < s->nodes; i++) {
         vec to = v_sub(s->x[i], s->x[node]);
@@ -161,7 +165,7 @@ static vbss_result do_exchange(cut_run *t)
 /* The bend leads the blades away from the line of the thread, so that they lie as square to it as they can. */
 static vec across(const senses *s, uint32_t node)
 {
-    vec way = v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
+    vec way = way_at(s, node);
     vec to = v_sub(seen(s->w, s->w->trocar), s->x[node]);
     return v_scale(v_dot(way, to) > 0.0 ? -1.0 : 1.0, way);
 }

@@ -15,9 +15,7 @@
 #define TREMOR_LOW 9.0
 #define TREMOR_HIGH 12.0
 
-/* ---- chance: splitmix64 */
-
-static double uniform(uint64_t *state)
+double hand_chance(uint64_t *state)
 {
     uint64_t z = (*state += 0x9e3779b97f4a7c15u);
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -27,8 +25,8 @@ static double uniform(uint64_t *state)
 
 static vec any_direction(uint64_t *state)
 {
-    double z = 2.0 * uniform(state) - 1.0;
-    double angle = 2.0 * PI * uniform(state);
+    double z = 2.0 * hand_chance(state) - 1.0;
+    double angle = 2.0 * PI * hand_chance(state);
     double r = sqrt(1.0 - z * z);
     return v3(r * cos(angle), r * sin(angle), z);
 }
@@ -93,7 +91,7 @@ vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar
     h->tool = VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
     for (int i = 0; i < 2; i++) {
         h->shake[i] = any_direction(&h->random);
-        h->phase[i] = 2.0 * PI * uniform(&h->random);
+        h->phase[i] = 2.0 * PI * hand_chance(&h->random);
     }
     TRY(vbss_grasper_config_init(&h->shape, sizeof h->shape));
     TRY(vbss_grasper_config_preset(&h->shape, VBSS_GRASPER_PRESET_ANGLED));

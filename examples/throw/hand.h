@@ -59,6 +59,9 @@ typedef struct hand {
 vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
                         vec point, double opening);
 
+/* From 0 to 1, the next of a state: splitmix64. */
+double hand_chance(uint64_t *state);
+
 /* In the frame of the one who ties (see `side`): where the tip shall go; how fast; to where the handle's
  * end of the jaws shall point. */
 void hand_go(hand *h, vec tip, double speed);

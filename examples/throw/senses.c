@@ -103,6 +103,13 @@ vbss_result senses_look(senses *s)
     return VBSS_OK;
 }
 
+vec senses_tip_holding_up(const senses *s, vec way, double share)
+{
+    double length = senses_length(s, s->limb_root, s->c->node);
+    vec jaws = v_along(s->x[s->limb_root], share * length, v_unit(way));
+    return v_along(jaws, -GRASP_BEHIND, s->tool_c.handle);
+}
+
 /* ---- what the detector says */
 
 static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *pose)
@@ -186,11 +193,6 @@ static vec point_at(const vbss_view *v, uint64_t i)
     return v_load((const double *)((const char *)v->data + i * v->stride_bytes));
 }
 
-static double height_of(vec x)
-{
-    return hypot(x.x, x.z + DRAIN_RADIUS) - DRAIN_RADIUS;
-}
-
 vbss_result senses_find_knot(senses *s)
 {
     vbss_view kinds, points;
@@ -204,14 +206,14 @@ vbss_result senses_find_knot(senses *s)
         if (is_of_knot(s, contact_at(&kinds, i), end)) {
             vec at = point_at(&points, i);
             sum = v_add(sum, at);
-            least = fmin(least, height_of(at));
-            most = fmax(most, height_of(at));
+            least = fmin(least, stand_height(at));
+            most = fmax(most, stand_height(at));
             count++;
         }
     }
     if (count > 0) {
         s->knot = v_scale(1.0 / count, sum);
-        s->knot_height = height_of(s->knot);
+        s->knot_height = stand_height(s->knot);
         s->knot_lowest = least;
         s->knot_highest = most;
     }

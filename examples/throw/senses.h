@@ -31,6 +31,8 @@ vbss_result senses_look(senses *s);
 /* Less often. */
 vbss_result senses_wind(senses *s);
 vbss_result senses_find_knot(senses *s);
+/* Where C's tip is when it holds the limb up from its root that way, at a share of its length. */
+vec senses_tip_holding_up(const senses *s, vec way, double share);
 /* What the thread is, or, with the tools where they are and what they hold, will be. */
 typedef struct senses_knot {
     vbss_knot_state state;

@@ -41,6 +41,12 @@ typedef struct stand {
     double time;
 } stand;
 
+/* Above the drain's round, m. */
+static inline double stand_height(vec x)
+{
+    return hypot(x.x, x.z + DRAIN_RADIUS) - DRAIN_RADIUS;
+}
+
 vbss_result stand_create(stand *s, double tail, double limb);
 /* Begins the log, when all is there. */
 vbss_result stand_begin(stand *s, const char *log);

@@ -57,10 +57,7 @@ static void do_release(transfer_run *t)
 static void do_offer(transfer_run *t)
 {
     senses *s = t->see;
-    double length = senses_length(s, s->limb_root, s->c->node);
-    vec way = v_unit(v3(0.2, -0.3, 1.0));
-    vec at =
-        v_along(v_along(s->x[s->limb_root], 0.97 * length, way), -GRASP_BEHIND, s->tool_c.handle);
+    vec at = senses_tip_holding_up(s, v3(0.2, -0.3, 1.0), 0.97);
     hand_go(s->c, at, 0.1);
     if (t->misses > 0 && t->since < 0.8) { /* out as it came in */
         hand_go(s->w, v_along(t->from, 30e-3, t->back), 0.06);

@@ -47,21 +47,13 @@ int trial_kind_of(const char *name)
 
 /* ---- the beginning */
 
-static double chance(uint64_t *state)
-{
-    uint64_t z = (*state += 0x9e3779b97f4a7c15u);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
-}
-
 static hand_nature nature_of(uint64_t seed)
 {
     uint64_t random = seed;
     hand_nature n = {.speed = 1.0, .seed = 1};
     if (seed != 0) {
-        n.speed = 0.6 + 0.9 * chance(&random);
-        n.tremor = 1e-4 + 3e-4 * chance(&random);
+        n.speed = 0.6 + 0.9 * hand_chance(&random);
+        n.tremor = 1e-4 + 3e-4 * hand_chance(&random);
         n.aim = 0.8e-3;
         n.aim_end = 0.5e-3;
         n.seed = seed * 77 + 1;
