@@ -470,3 +470,8 @@ vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t shape, u
     memcpy(nodes, s->edges[edge], sizeof s->edges[edge]);
     return VBSS_OK;
 }
+
+void vbss_collision_end_elsewhere(collision_shape *s, const vec3 *end)
+{
+    memcpy(s->end, end, s->node_count * sizeof *end);
+}

@@ -115,6 +115,8 @@ void vbss_collision_send_to_sleep(collision_object *c, uint32_t name);
 
 /* Forgets what is known of them. */
 void vbss_collision_shape_moved(collision_shape *shape);
+/* Vertices end elsewhere, and candidates stay: for whoever knows that none is missing. */
+void vbss_collision_end_elsewhere(collision_shape *shape, const vec3 *end);
 /* Those of the points, and the one around all. */
 void vbss_collision_shape_boxes(collision_shape *shape);
 /* The trees, once their features are asked for; the points' boxes are known. */

@@ -41,12 +41,11 @@ void vbss_contact_find_places(contact_set *set, const vbss_system *system)
         const contact_row *row = &set->rows[i];
         uint32_t n = row->term_count, *place = set->places + row->first_place;
         for (uint32_t p = 0; p < n; p++) {
-            for (uint32_t q = 0; q < n; q++) {
-                *place++ = vbss_system_place(system, row->terms[p].block, row->terms[q].block);
+            for (uint32_t q = p; q < n; q++) {
+                vbss_system_pair_places(system, row->terms[p].block, row->terms[q].block,
+                                        &place[p * n + q], &place[q * n + p]);
             }
-        }
-        for (uint32_t p = 0; p < n; p++) {
-            *place++ = vbss_system_rhs_place(system, row->terms[p].block);
+            place[n * n + p] = vbss_system_rhs_place(system, row->terms[p].block);
         }
     }
 }

@@ -78,7 +78,13 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
         return NULL;
     }
     contact_row *row = &set->rows[set->count++];
-    *row = (contact_row){.key = *key, .first_place = UINT32_MAX};
+    row->key = *key; /* most of it, the terms, is not looked at until it is set */
+    row->term_count = 0;
+    row->bilateral = false;
+    row->along = 0.0;
+    row->is = (contact_found){.state = CONTACT_OPEN};
+    row->held = vec3_zero();
+    row->first_place = UINT32_MAX;
     return row;
 }
 
@@ -137,13 +143,13 @@ static void remind(contact_row *row, const contact_memory *m)
     }
 }
 
-/* The place of a key in the memory, or where it would be. */
+/* The place of a key among the rows, or where it would be. */
 static uint32_t find(const contact_set *set, const contact_key *key)
 {
-    uint32_t low = 0, high = set->memory_count;
+    uint32_t low = 0, high = set->count;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
-        if (vbss_contact_compare(&set->memory[middle].key, key) < 0) {
+        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
             low = middle + 1;
         } else {
             high = middle;
@@ -152,20 +158,19 @@ static uint32_t find(const contact_set *set, const contact_key *key)
     return low;
 }
 
-/* A contact that has slid on to the next features. */
-static void recall_neighbour(contact_set *set, contact_row *row)
+/* A contact that has slid on to the next features: the first of those beside its own that has no other yet. */
+static void pass_on(contact_set *set, const contact_memory *m)
 {
     for (uint32_t da = 0; da < 3; da++) {
-        for (uint32_t db = 0; db < 3; db++) {
-            contact_key key =
-                row->key; /* one below the first is the largest number, which nobody has */
-            key.a += da - 1;
-            key.b += db - 1;
-            uint32_t m = find(set, &key);
-            if (m < set->memory_count && !set->recalled[m] &&
-                vbss_contact_compare(&set->memory[m].key, &key) == 0) {
-                set->recalled[m] = 1;
-                remind(row, &set->memory[m]);
+        contact_key key = m->key; /* one below the first is the largest number, which nobody has */
+        key.a += da - 1;
+        key.b -= 1;
+        for (uint32_t db = 0; db < 3; db++, key.b++) {
+            uint32_t i = find(set, &key);
+            contact_row *row = &set->rows[i];
+            if (i < set->count && vbss_contact_compare(&row->key, &key) == 0 &&
+                row->is.state == CONTACT_OPEN) {
+                remind(row, m);
                 return;
             }
         }
@@ -174,24 +179,26 @@ static void recall_neighbour(contact_set *set, contact_row *row)
 
 void vbss_contact_recall(contact_set *set)
 {
-    memset(set->recalled, 0, set->memory_count * sizeof *set->recalled);
     uint32_t m = 0;
     for (uint32_t i = 0; i < set->count; i++) {
         contact_row *row = &set->rows[i];
         row->is.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN;
         row->is.pressure = 0.0;
         row->is.rubbing = row->held = vec3_zero();
-        while (m < set->memory_count && vbss_contact_compare(&set->memory[m].key, &row->key) < 0) {
-            m++;
-        }
-        if (m < set->memory_count && vbss_contact_compare(&set->memory[m].key, &row->key) == 0) {
-            remind(row, &set->memory[m]);
-            set->recalled[m] = 1;
+        for (; m < set->memory_count; m++) {
+            int order = vbss_contact_compare(&set->memory[m].key, &row->key);
+            if (order > 0) {
+                break;
+            }
+            set->recalled[m] = order == 0;
+            if (order == 0) {
+                remind(row, &set->memory[m]);
+            }
         }
     }
-    for (uint32_t i = 0; i < set->count; i++) {
-        if (set->rows[i].is.state == CONTACT_OPEN) {
-            recall_neighbour(set, &set->rows[i]);
+    for (uint32_t k = 0; k < set->memory_count; k++) {
+        if (k >= m || set->recalled[k] == 0) {
+            pass_on(set, &set->memory[k]);
         }
     }
 }

@@ -7,8 +7,8 @@
 
 #include <string.h>
 
-/* Ways are taken for so much longer: velocities change within the part. */
-#define AHEAD 1.2
+/* Normals turn while features pass: share of their way across it that may come along it. */
+#define ACROSS 0.1
 
 /* ---- ways */
 
@@ -82,7 +82,7 @@ static vbss_result move_shape(scene_object *s, const scene_body *b)
     }
     vec3 *end = start + count;
     for (uint32_t i = 0; i < count; i++) {
-        end[i] = vec3_add_scaled(start[i], AHEAD, ways[i]);
+        end[i] = vec3_add_scaled(start[i], SCENE_AHEAD, ways[i]);
     }
     return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
 }
@@ -99,18 +99,6 @@ static vbss_result search(scene_object *s)
 
 /* ---- rows */
 
-/* The largest approach of any point of one feature to any of the other is that of two vertices. */
-static double reach_of(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t count_b)
-{
-    double largest = 0.0;
-    for (uint32_t i = 0; i < count_a; i++) {
-        for (uint32_t k = 0; k < count_b; k++) {
-            largest = vbss_larger(vec3_norm_squared(vec3_sub(a[i], b[k])), largest);
-        }
-    }
-    return AHEAD * sqrt(largest);
-}
-
 static const vec3 *ways_of_node(const scene_object *s, const scene_body *b, uint32_t node)
 {
     return s->ways + b->thread.first_node + node;
@@ -122,9 +110,8 @@ static const vec3 *ways_of_capsule(const scene_object *s, const scene_body *b, u
 }
 
 /* The floor, a driven body, nodes that are all held: nothing about them can be changed. */
-static bool is_given(const scene_object *s, uint32_t kind, uint32_t number, uint32_t feature)
+static bool is_given(const scene_body *b, uint32_t kind, uint32_t feature)
 {
-    const scene_body *b = vbss_scene_body(s, number);
     if (b == NULL || b->kind == BODY_RIGID) {
         return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
     }
@@ -140,17 +127,54 @@ static bool is_given(const scene_object *s, uint32_t kind, uint32_t number, uint
     return true;
 }
 
-static bool add_row(scene_object *s, const contact_key *key, double reach)
+/* What two features do in the part is what their vertices do. b is NULL: the floor, which does nothing. */
+typedef struct meeting {
+    const scene_body *a, *b;
+    const vec3 *ways_a, *ways_b;
+    uint32_t count_a, count_b;
+} meeting;
+
+/* The largest approach of any point of one feature to any of the other is that of two vertices: in any direction, and
+ * along one. */
+static double reach_of(const meeting *m)
 {
-    if (is_given(s, key->kind, key->body_a, key->a) &&
-        is_given(s, key->kind, key->body_b, key->b)) {
+    double largest = 0.0;
+    for (uint32_t i = 0; i < m->count_a; i++) {
+        for (uint32_t k = 0; k < m->count_b; k++) {
+            vec3 way = vec3_sub(m->ways_a[i], m->ways_b[k]);
+            largest = vbss_larger(vec3_norm_squared(way), largest);
+        }
+    }
+    return SCENE_AHEAD * sqrt(largest);
+}
+
+static double approach_of(const meeting *m, vec3 normal)
+{
+    double most = 0.0;
+    for (uint32_t i = 0; i < m->count_a; i++) {
+        for (uint32_t k = 0; k < m->count_b; k++) {
+            vec3 way = vec3_sub(m->ways_a[i], m->ways_b[k]);
+            most = vbss_larger(-vec3_dot(normal, way), most);
+        }
+    }
+    return SCENE_AHEAD * most;
+}
+
+static bool add_row(scene_object *s, const contact_key *key, const meeting *m)
+{
+    if (is_given(m->a, key->kind, key->a) && is_given(m->b, key->kind, key->b)) {
         return true;
     }
     contact_row *row = vbss_contact_add(s->contacts, key);
     if (row == NULL) {
         return false;
     }
-    if (!vbss_scene_lay_row(s, row, reach + s->config.contact_margin)) {
+    double margin = s->config.contact_margin, reach = reach_of(m);
+    bool near = vbss_scene_lay_row(s, row, m->a, m->b, reach + margin);
+    if (near && key->kind == VBSS_CONTACT_SEGMENTS) {
+        near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
+    }
+    if (!near) {
         s->contacts->count--;
     }
     return true;
@@ -192,9 +216,13 @@ static bool add_node_row(scene_object *s, const thread_meets *m, uint32_t node)
                              m->capsule};
     uint32_t last = m->thread->thread.thread->node_count - 1;
     uint32_t first = node > 0 ? node - 1 : 0, end = node < last ? node + 1 : last;
-    double reach = reach_of(ways_of_node(s, m->thread, first), end - first + 1,
-                            ways_of_capsule(s, m->rigid, m->capsule), 2);
-    return add_row(s, &key, reach);
+    const meeting w = {m->thread,
+                       m->rigid,
+                       ways_of_node(s, m->thread, first),
+                       ways_of_capsule(s, m->rigid, m->capsule),
+                       end - first + 1,
+                       2};
+    return add_row(s, &key, &w);
 }
 
 /* Nodes come with the segment before them, unless that is not near or does not touch: so each comes once. */
@@ -210,9 +238,13 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
     if (!is_fine(t, m->segment, radius)) {
         const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
                                  m->rigid->number, m->capsule};
-        double reach = reach_of(ways_of_node(s, m->thread, m->segment), 2,
-                                ways_of_capsule(s, m->rigid, m->capsule), 2);
-        return add_row(s, &key, reach);
+        const meeting w = {m->thread,
+                           m->rigid,
+                           ways_of_node(s, m->thread, m->segment),
+                           ways_of_capsule(s, m->rigid, m->capsule),
+                           2,
+                           2};
+        return add_row(s, &key, &w);
     }
     bool before =
         m->segment > 0 && is_fine(t, m->segment - 1, radius) &&
@@ -238,12 +270,13 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
             return true;
         }
         const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
-        return add_row(s, &key, reach_of(ways_of_node(s, a, q->a), 2, ways_of_node(s, b, q->b), 2));
+        const meeting w = {a, b, ways_of_node(s, a, q->a), ways_of_node(s, b, q->b), 2, 2};
+        return add_row(s, &key, &w);
     }
     if (a->kind == BODY_RIGID && b->kind == BODY_RIGID) {
         const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
-        return add_row(s, &key,
-                       reach_of(ways_of_capsule(s, a, q->a), 2, ways_of_capsule(s, b, q->b), 2));
+        const meeting w = {a, b, ways_of_capsule(s, a, q->a), ways_of_capsule(s, b, q->b), 2, 2};
+        return add_row(s, &key, &w);
     }
     bool first = a->kind == BODY_THREAD;
     const thread_meets m = {first ? a : b, first ? b : a, first ? q->a : q->b, first ? q->b : q->a};
@@ -261,8 +294,10 @@ static bool add_floor_rows(scene_object *s, const scene_body *b)
                                  b->number, i, 0, 0};
         const vec3 *way = thread ? ways_of_node(s, b, i) : ways_of_capsule(s, b, i / 2) + i % 2;
         /* Only what comes down can meet it. */
-        double down = AHEAD * greater(-vec3_dot(*way, s->floor_normal), 0.0);
-        if (!add_row(s, &key, down)) {
+        vec3 down = vec3_scale(s->floor_normal, lesser(vec3_dot(*way, s->floor_normal), 0.0));
+        static const vec3 floor;
+        const meeting w = {b, NULL, &down, &floor, 1, 1};
+        if (!add_row(s, &key, &w)) {
             return false;
         }
     }

@@ -22,69 +22,97 @@
 /* Axes nearer than this have no direction, m. */
 #define NO_DISTANCE 1e-12
 
+/* One of the two features of a row. Its axis is a segment; of a node or the end of a capsule, a point. */
 typedef struct side {
-    vec3 begin[2], ahead[2], trial[2]; /* ends of the feature's axis: ahead is where they may go */
+    const scene_body *body;
+    const scene_capsule *capsule; /* NULL: of a thread */
+    uint32_t feature;
+    bool point, smooth; /* a node: of the curve that is smoothed there */
     double radius;
-    uint32_t nodes; /* of a thread that take part; 0: a capsule */
-    uint32_t node;
-    vec3 moved[2]; /* a jaw's axis: against its body */
 } side;
+
+typedef enum moment { BEGIN, AHEAD, TRIAL } moment; /* ahead: where it may go */
 
 /* ---- what a feature is */
 
-static side segment_side(const scene_object *s, const scene_body *b, uint32_t segment)
+/* Rows come by bodies, so it is mostly the last one. */
+static const scene_body *body_of(const scene_object *s, uint32_t number, const scene_body *last)
 {
-    const vec3 *ways = s->ways + b->thread.first_node;
-    const thread_object *t = b->thread.thread;
-    side d = {.radius = t->config.radius, .nodes = 2, .node = segment};
-    for (uint32_t k = 0; k < 2; k++) {
-        d.begin[k] = t->now.x[segment + k];
-        d.ahead[k] = vec3_add(d.begin[k], ways[segment + k]);
-        d.trial[k] = t->trial[segment + k];
+    return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
+}
+
+static side side_of(const scene_object *s, const contact_row *row, const scene_body *b, int which)
+{
+    uint32_t kind = row->key.kind, feature = which == 0 ? row->key.a : row->key.b;
+    side d = {.body = b, .feature = feature};
+    if (b->kind == BODY_THREAD) {
+        d.point = kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR;
+        /* ends of the thread alone are as they are */
+        d.smooth = kind == VBSS_CONTACT_NODE_CAPSULE && feature > 0 &&
+                   feature + 1 < b->thread.thread->node_count;
+        d.radius = b->thread.thread->config.radius;
+        return d;
     }
+    d.point = kind == VBSS_CONTACT_CAPSULE_FLOOR;
+    d.capsule = &s->capsules[b->rigid.first_capsule + (d.point ? feature / 2 : feature)];
+    d.radius = d.capsule->radius;
     return d;
 }
 
-/* Of the node and its neighbours; ends of the thread alone. */
-static bool is_smoothed(const thread_object *t, uint32_t node)
+static vec3 smooth_point(const vec3 *x)
 {
-    return node > 0 && node + 1 < t->node_count;
+    return vec3_add_scaled(vec3_scale(x[0], SMOOTH_NODE), SMOOTH_NEIGHBOUR, vec3_add(x[-1], x[1]));
 }
 
-static vec3 smooth_point(const thread_object *t, const vec3 *x, uint32_t node)
+static void axis_of_thread(const side *d, const vec3 *x, vec3 axis[2])
 {
-    if (!is_smoothed(t, node)) {
-        return x[node];
+    x += d->feature;
+    axis[0] = d->smooth ? smooth_point(x) : x[0];
+    axis[1] = d->point ? axis[0] : x[1];
+}
+
+static void axis_of_capsule(const side *d, const vec3 ends[2], vec3 axis[2])
+{
+    uint32_t end = d->point ? d->feature % 2 : 0;
+    axis[0] = ends[end];
+    axis[1] = d->point ? axis[0] : ends[1];
+}
+
+static void axis_of(const scene_object *s, const side *d, moment when, vec3 axis[2])
+{
+    bool thread = d->capsule == NULL, trial = when == TRIAL;
+    if (thread) {
+        const thread_object *t = d->body->thread.thread;
+        axis_of_thread(d, trial ? t->trial : t->now.x, axis);
+    } else {
+        axis_of_capsule(d, trial ? d->capsule->trial : d->capsule->now, axis);
     }
-    vec3 beside = vec3_add(x[node - 1], x[node + 1]);
-    return vec3_add_scaled(vec3_scale(x[node], SMOOTH_NODE), SMOOTH_NEIGHBOUR, beside);
-}
-
-static side node_side(const scene_object *s, const scene_body *b, uint32_t node, bool smooth)
-{
-    const vec3 *ways = s->ways + b->thread.first_node;
-    const thread_object *t = b->thread.thread;
-    side d = {.radius = t->config.radius, .nodes = 1, .node = node};
-    d.begin[0] = d.begin[1] = smooth ? smooth_point(t, t->now.x, node) : t->now.x[node];
-    d.ahead[0] = vec3_add(d.begin[0], smooth ? smooth_point(t, ways, node) : ways[node]);
-    d.ahead[1] = d.ahead[0];
-    d.trial[0] = d.trial[1] = smooth ? smooth_point(t, t->trial, node) : t->trial[node];
-    return d;
-}
-
-static side capsule_side(const scene_object *s, const scene_body *b, uint32_t capsule)
-{
-    uint32_t number = b->rigid.first_capsule + capsule;
-    const scene_capsule *c = &s->capsules[number];
-    const vec3 *ways = s->ways + s->config.node_capacity + 2 * (size_t)number;
-    side d = {.radius = c->radius};
-    for (int k = 0; k < 2; k++) {
-        d.begin[k] = c->now[k];
-        d.ahead[k] = vec3_add(c->now[k], ways[k]);
-        d.trial[k] = c->trial[k];
-        d.moved[k] = vec3_sub(c->local_trial[k], c->local[k]);
+    if (when != AHEAD) {
+        return;
     }
-    return d;
+    vec3 way[2];
+    if (thread) {
+        axis_of_thread(d, s->ways + d->body->thread.first_node, way);
+    } else {
+        size_t number = (size_t)(d->capsule - s->capsules);
+        axis_of_capsule(d, s->ways + s->config.node_capacity + 2 * number, way);
+    }
+    axis[0] = vec3_add(axis[0], way[0]);
+    axis[1] = vec3_add(axis[1], way[1]);
+}
+
+/* From b to a between the closest points of their axes; of the two only a may be a point. */
+static vec3 closest(const side *d, const vec3 a[2], const vec3 b[2], double at[2])
+{
+    vec3 along = vec3_sub(b[1], b[0]);
+    if (d->point) {
+        vec3 to = vec3_sub(a[0], b[0]);
+        at[0] = 0.0;
+        at[1] = closest_on_edge(along, to);
+        return vec3_add_scaled(to, -at[1], along);
+    }
+    return vec3_neg(
+        closest_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
 /* ---- terms */
@@ -110,7 +138,8 @@ void vbss_scene_add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 poi
 void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
                               uint32_t node, double weight)
 {
-    const scene_pin *weld = vbss_scene_weld_of(s, b->number, node);
+    const scene_pin *weld =
+        b->thread.thread->welded[node] != 0 ? vbss_scene_weld_of(s, b->number, node) : NULL;
     if (weld == NULL) {
         add_term(row, b->thread.first_block + node, weight);
         return;
@@ -119,43 +148,35 @@ void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const sce
     vbss_scene_add_rigid_terms(row, r, pose_apply(r->trial, weld->point), weight);
 }
 
-/* The point at `at` of the feature's axis, `out` away from it, and the terms that move it. */
-static void add_terms(const scene_object *s, contact_row *row, const scene_body *b, const side *d,
-                      double at, vec3 out, double sign)
+/* The terms that move `point` of the surface, at `at` of the feature's axis. */
+static void add_terms(const scene_object *s, contact_row *row, const side *d, double at, vec3 point,
+                      double sign)
 {
-    if (d->nodes == 0) {
-        vec3 point = vec3_add(vec3_lerp(d->trial[0], d->trial[1], at), out);
+    const scene_body *b = d->body;
+    if (d->capsule != NULL) {
         vbss_scene_add_rigid_terms(row, &b->rigid, point, sign);
-        return;
-    }
-    if (d->nodes == 2) {
-        vbss_scene_add_node_term(s, row, b, d->node, sign * (1.0 - at));
-        vbss_scene_add_node_term(s, row, b, d->node + 1, sign * at);
-        return;
-    }
-    bool smooth =
-        row->key.kind == VBSS_CONTACT_NODE_CAPSULE && is_smoothed(b->thread.thread, d->node);
-    vbss_scene_add_node_term(s, row, b, d->node, sign * (smooth ? SMOOTH_NODE : 1.0));
-    if (smooth) {
-        vbss_scene_add_node_term(s, row, b, d->node - 1, sign * SMOOTH_NEIGHBOUR);
-        vbss_scene_add_node_term(s, row, b, d->node + 1, sign * SMOOTH_NEIGHBOUR);
+    } else if (!d->point) {
+        vbss_scene_add_node_term(s, row, b, d->feature, sign * (1.0 - at));
+        vbss_scene_add_node_term(s, row, b, d->feature + 1, sign * at);
+    } else {
+        vbss_scene_add_node_term(s, row, b, d->feature, sign * (d->smooth ? SMOOTH_NODE : 1.0));
+        if (d->smooth) {
+            vbss_scene_add_node_term(s, row, b, d->feature - 1, sign * SMOOTH_NEIGHBOUR);
+            vbss_scene_add_node_term(s, row, b, d->feature + 1, sign * SMOOTH_NEIGHBOUR);
+        }
     }
 }
 
-/* How far that point has come since the begin of the part. */
-static vec3 way_of(const scene_body *b, const side *d, double at, vec3 out)
+/* Where that point was when the part began: of a rigid body's surface, which turns beyond what its axis shows. */
+static vec3 point_at_begin(const side *d, double at, vec3 point)
 {
-    vec3 here = vec3_lerp(d->trial[0], d->trial[1], at);
-    vec3 way = vec3_sub(here, vec3_lerp(d->begin[0], d->begin[1], at));
-    if (d->nodes == 0) { /* the surface turns with the body, beyond what the axis shows */
-        const scene_rigid *r = &b->rigid;
-        vec3 point = vec3_add(here, out);
-        vec3 moved = vec3_lerp(d->moved[0], d->moved[1], at);
-        vec3 there =
-            pose_apply(r->body.now.at, vec3_sub(pose_apply_inverse(r->trial, point), moved));
-        way = vec3_sub(point, there);
-    }
-    return way;
+    const scene_rigid *r = &d->body->rigid;
+    const scene_capsule *c = d->capsule;
+    uint32_t first = d->point ? d->feature % 2 : 0, last = d->point ? first : 1;
+    /* a jaw's axis goes against its body */
+    vec3 moved = vec3_lerp(vec3_sub(c->local_trial[first], c->local[first]),
+                           vec3_sub(c->local_trial[last], c->local[last]), at);
+    return pose_apply(r->body.now.at, vec3_sub(pose_apply_inverse(r->trial, point), moved));
 }
 
 /* ---- rows */
@@ -185,169 +206,174 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
     return RIGID_AUGMENTATION * mass / (h * h);
 }
 
-static side side_of(const scene_object *s, const contact_key *key, const scene_body *b, int which)
+/* One side of a row, once normal and places are known: its terms, how far its point has come since the part began,
+ * and where its axis is. `out` is from the axis to the surface. */
+static vec3 place_side(const scene_object *s, contact_row *row, const side *d, double at, vec3 out,
+                       double sign)
 {
-    uint32_t feature = which == 0 ? key->a : key->b;
-    switch (key->kind) {
-    case VBSS_CONTACT_SEGMENTS:
-        return segment_side(s, b, feature);
-    case VBSS_CONTACT_NODE_CAPSULE:
-        return which == 0 ? node_side(s, b, feature, true) : capsule_side(s, b, feature);
-    case VBSS_CONTACT_SEGMENT_CAPSULE:
-        return which == 0 ? segment_side(s, b, feature) : capsule_side(s, b, feature);
-    case VBSS_CONTACT_NODE_FLOOR:
-        return node_side(s, b, feature, false);
-    case VBSS_CONTACT_CAPSULES:
-        return capsule_side(s, b, feature);
-    default: { /* one end of a capsule */
-        side d = capsule_side(s, b, feature / 2);
-        d.begin[0] = d.begin[1] = d.begin[feature % 2];
-        d.trial[0] = d.trial[1] = d.trial[feature % 2];
-        return d;
+    vec3 axis[2], before[2];
+    axis_of(s, d, TRIAL, axis);
+    vec3 here = vec3_lerp(axis[0], axis[1], at), point = vec3_add(here, out), began;
+    add_terms(s, row, d, at, point, sign);
+    if (d->capsule != NULL) {
+        began = point_at_begin(d, at, point);
+        row->slid = vec3_add_scaled(row->slid, sign, vec3_sub(point, began));
+    } else {
+        axis_of(s, d, BEGIN, before);
+        began = vec3_lerp(before[0], before[1], at);
+        row->slid = vec3_add_scaled(row->slid, sign, vec3_sub(here, began));
     }
-    }
+    return here;
 }
 
-/* From b to a between the closest points of two axes. */
-static vec3 closest(const vec3 a[2], const vec3 b[2], double at[2])
-{
-    vec3 to_b = closest_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]), vec3_sub(b[0], a[0]),
-                              &at[0], &at[1]);
-    return vec3_neg(to_b);
-}
-
-/* Gap, terms and slip, once normal and places are known. */
-static void place_row(const scene_object *s, contact_row *row, const scene_body *a,
-                      const scene_body *b, const side *d, const side *e)
+static void place_row(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
     const vec3 n = row->normal;
-    vec3 out = vec3_scale(n, -d->radius), here = vec3_lerp(d->trial[0], d->trial[1], row->at[0]);
     row->term_count = 0;
-    add_terms(s, row, a, d, row->at[0], out, 1.0);
-    row->slid = way_of(a, d, row->at[0], out);
-    if (b == NULL) {
+    row->slid = vec3_zero();
+    vec3 out = vec3_scale(n, -d->radius), here = place_side(s, row, d, row->at[0], out, 1.0);
+    if (e == NULL) {
         row->gap = vec3_dot(n, here) - s->config.floor_height - d->radius;
-        row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
-        return;
+    } else {
+        vec3 there = place_side(s, row, e, row->at[1], vec3_scale(n, e->radius), -1.0);
+        row->gap = vec3_dot(n, vec3_sub(here, there)) - d->radius - e->radius;
     }
-    vec3 there = vec3_lerp(e->trial[0], e->trial[1], row->at[1]);
-    vec3 other_out = vec3_scale(n, e->radius);
-    add_terms(s, row, b, e, row->at[1], other_out, -1.0);
-    row->slid = vec3_sub(row->slid, way_of(b, e, row->at[1], other_out));
-    row->gap = vec3_dot(n, vec3_sub(here, there)) - d->radius - e->radius;
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
 }
 
-bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach)
+/* Whether normals of the begin will do: those of segments jump, or turn fast as their radius is small; velocities
+ * that are a little wrong would make them worse, and tight knots tremble. */
+static bool keeps_normal(const contact_row *row)
 {
-    const scene_body *a = vbss_scene_body(s, row->key.body_a);
-    const scene_body *b = vbss_scene_body(s, row->key.body_b);
-    const side d = side_of(s, &row->key, a, 0);
+    return row->key.kind == VBSS_CONTACT_SEGMENTS || row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE;
+}
+
+bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
+                        const scene_body *b, double reach)
+{
+    vec3 one[2], other[2];
+    const side d = side_of(s, row, a, 0);
+    axis_of(s, &d, BEGIN, one);
     if (b == NULL) {
         row->normal = s->floor_normal;
         row->at[0] = row->at[1] = 0.0;
         row->thickness = 2.0 * d.radius;
-        row->gap_before = vec3_dot(row->normal, d.begin[0]) - s->config.floor_height - d.radius;
+        row->gap_before = vec3_dot(row->normal, one[0]) - s->config.floor_height - d.radius;
         return row->gap_before < reach;
     }
-    const side e = side_of(s, &row->key, b, 1);
-    double at[2];
-    vec3 apart = closest(d.begin, e.begin, row->at);
-    double distance = vec3_norm(apart);
-    /* Axes that meet: as good as any direction that is across both. */
-    vec3 across =
-        vec3_unit_or(vec3_cross(vec3_sub(d.begin[1], d.begin[0]), vec3_sub(e.begin[1], e.begin[0])),
-                     vec3_make(0.0, 1.0, 0.0));
-    row->normal = distance > NO_DISTANCE ? vec3_scale(apart, 1.0 / distance) : across;
-    double touching = d.radius + e.radius;
+    const side e = side_of(s, row, b, 1);
+    axis_of(s, &e, BEGIN, other);
+    vec3 apart = closest(&d, one, other, row->at);
+    double distance = vec3_norm(apart), touching = d.radius + e.radius;
     row->thickness = 2.0 * lesser(d.radius, e.radius);
     row->gap_before = distance - touching;
-    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. Not of
-     * segments, whose normals jump, or turn fast as R is small: velocities that are a little wrong would make
-     * them worse, and tight knots tremble. */
-    if (row->key.kind == VBSS_CONTACT_SEGMENTS || row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE) {
-        return row->gap_before < reach;
+    if (!(row->gap_before < reach)) {
+        return false;
     }
-    vec3 then = closest(d.ahead, e.ahead, at);
+    if (distance > NO_DISTANCE) {
+        row->normal = vec3_scale(apart, 1.0 / distance);
+    } else { /* axes that meet: as good as any direction that is across both */
+        vec3 across = vec3_cross(vec3_sub(one[1], one[0]), vec3_sub(other[1], other[0]));
+        row->normal = vec3_unit_or(across, vec3_make(0.0, 1.0, 0.0));
+    }
+    if (keeps_normal(row)) {
+        return true;
+    }
+    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. */
+    double at[2];
+    axis_of(s, &d, AHEAD, one);
+    axis_of(s, &e, AHEAD, other);
+    vec3 then = closest(&d, one, other, at);
     double later = vec3_norm(then);
     if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
         row->normal = vec3_scale(then, 1.0 / later);
         row->at[0] = at[0];
         row->at[1] = at[1];
     }
-    return row->gap_before < reach;
+    return true;
+}
+
+typedef enum look_at_row { SET, REFRESH, LAY_AGAIN, MEASURE } look_at_row;
+
+static void lay_again(const scene_object *s, contact_row *row, const side *d, const side *e)
+{
+    vec3 one[2], other[2];
+    axis_of(s, d, TRIAL, one);
+    axis_of(s, e, TRIAL, other);
+    row->normal = vec3_unit_or(closest(d, one, other, row->at), row->normal);
+    row->held = vbss_contact_turn_into_plane(row->held, row->normal);
+    row->is.way = vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
+}
+
+static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
+{
+    vec3 one[2], other[2];
+    double at[2];
+    axis_of(s, d, TRIAL, one);
+    axis_of(s, e, TRIAL, other);
+    row->gap = vec3_norm(closest(d, one, other, at)) - d->radius - e->radius;
+}
+
+static void look(const scene_object *s, contact_row *row, const side *d, const side *e,
+                 look_at_row how)
+{
+    if (how == MEASURE && e != NULL) {
+        measure(s, row, d, e);
+    }
+    if (how == LAY_AGAIN && e != NULL) {
+        lay_again(s, row, d, e);
+    }
+    if (how != MEASURE) {
+        place_row(s, row, d, e);
+    }
+}
+
+static void look_at_all(scene_object *s, look_at_row how, double h)
+{
+    const scene_body *a = NULL, *b = NULL;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_row *row = &s->contacts->rows[i];
+        if (row->bilateral) {
+            if (how != MEASURE) {
+                vbss_scene_lay_grasp_row(s, row);
+            }
+            continue;
+        }
+        a = body_of(s, row->key.body_a, a);
+        b = row->key.body_b == 0 ? NULL : body_of(s, row->key.body_b, b);
+        if (how == SET) {
+            row->friction = friction_of(s, a, b);
+            row->stiffness = s->config.contact_stiffness;
+            row->augmentation = augmentation_of(a, b, h);
+        }
+        const side d = side_of(s, row, a, 0);
+        if (b == NULL) {
+            look(s, row, &d, NULL, how);
+        } else {
+            const side e = side_of(s, row, b, 1);
+            look(s, row, &d, &e, how);
+        }
+    }
 }
 
 /* What rows are beside where they lie; the first look at their trial state is along the normal that they
  * had when the part began. */
 void vbss_scene_set_rows(scene_object *s, const scene_part *part)
 {
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        if (row->bilateral) {
-            vbss_scene_lay_grasp_row(s, row);
-            continue;
-        }
-        const scene_body *a = vbss_scene_body(s, row->key.body_a);
-        const scene_body *b = vbss_scene_body(s, row->key.body_b);
-        const side d = side_of(s, &row->key, a, 0);
-        const side e = b == NULL ? d : side_of(s, &row->key, b, 1);
-        row->friction = friction_of(s, a, b);
-        row->stiffness = s->config.contact_stiffness;
-        row->augmentation = augmentation_of(a, b, part->h);
-        place_row(s, row, a, b, &d, &e);
-    }
+    look_at_all(s, SET, part->h);
 }
 
 void vbss_scene_refresh_rows(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        if (row->bilateral) {
-            vbss_scene_lay_grasp_row(s, row);
-            continue;
-        }
-        const scene_body *a = vbss_scene_body(s, row->key.body_a);
-        const scene_body *b = vbss_scene_body(s, row->key.body_b);
-        const side d = side_of(s, &row->key, a, 0);
-        const side e = b == NULL ? d : side_of(s, &row->key, b, 1);
-        place_row(s, row, a, b, &d, &e);
-    }
+    look_at_all(s, REFRESH, 0.0);
 }
 
 void vbss_scene_lay_rows_again(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        if (row->bilateral) {
-            vbss_scene_lay_grasp_row(s, row);
-            continue;
-        }
-        const scene_body *a = vbss_scene_body(s, row->key.body_a);
-        const scene_body *b = vbss_scene_body(s, row->key.body_b);
-        const side d = side_of(s, &row->key, a, 0);
-        const side e = b == NULL ? d : side_of(s, &row->key, b, 1);
-        if (b != NULL) {
-            vec3 apart = closest(d.trial, e.trial, row->at);
-            row->normal = vec3_unit_or(apart, row->normal);
-            row->held = vbss_contact_turn_into_plane(row->held, row->normal);
-            row->is.way =
-                vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
-        }
-        place_row(s, row, a, b, &d, &e);
-    }
+    look_at_all(s, LAY_AGAIN, 0.0);
 }
 
 void vbss_scene_measure_gaps(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        const scene_body *b = vbss_scene_body(s, row->key.body_b);
-        if (b != NULL && !row->bilateral) {
-            const side d = side_of(s, &row->key, vbss_scene_body(s, row->key.body_a), 0);
-            const side e = side_of(s, &row->key, b, 1);
-            double at[2];
-            row->gap = vec3_norm(closest(d.trial, e.trial, at)) - d.radius - e.radius;
-        }
-    }
+    look_at_all(s, MEASURE, 0.0);
 }

@@ -15,23 +15,78 @@
 #define NEAREST 0.1
 /* The floor: how much of its radius a node or the end of a capsule may be above it at least. */
 #define GUARDED_ABOVE_FLOOR 0.5
+/* Share of the margin: a half, less what rounding may do. */
+#define LISTED 0.49
 
-static vbss_result move_shape(scene_object *s, const scene_body *b)
+/* ---- where things go */
+
+typedef struct motion {
+    uint32_t count;
+    const vec3 *begin, *ways, *end;
+} motion;
+
+static motion motion_of(scene_object *s, const scene_body *b)
 {
-    uint32_t count = 0;
-    vec3 *start = s->vertices;
     if (b->kind == BODY_THREAD) {
         const thread_object *t = b->thread.thread;
-        return vbss_collision_move(scene_collision(s), b->shape, &t->now.x->x, &t->trial->x,
-                                   t->node_count);
+        return (motion){t->node_count, t->now.x, s->ways + b->thread.first_node, t->trial};
     }
     const scene_rigid *r = &b->rigid;
-    count = 2 * r->capsule_count;
+    uint32_t count = 2 * r->capsule_count;
+    vec3 *begin = s->vertices, *end = begin + count;
     for (uint32_t i = 0; i < count; i++) {
-        start[i] = s->capsules[r->first_capsule + i / 2].now[i % 2];
-        start[count + i] = s->capsules[r->first_capsule + i / 2].trial[i % 2];
+        begin[i] = s->capsules[r->first_capsule + i / 2].now[i % 2];
+        end[i] = s->capsules[r->first_capsule + i / 2].trial[i % 2];
     }
-    return vbss_collision_move(scene_collision(s), b->shape, &start->x, &start[count].x, count);
+    const vec3 *ways = s->ways + s->config.node_capacity + 2 * (size_t)r->first_capsule;
+    return (motion){count, begin, ways, end};
+}
+
+/* The search for rows has listed all pairs whose boxes meet, boxes round the ways that it expected. Who leaves the
+ * box by less than half of the margin with which those are made meets nobody else. */
+static bool is_expected(const scene_object *s, const motion *m)
+{
+    const double beyond = LISTED * s->config.contact_margin;
+    for (uint32_t i = 0; i < m->count; i++) {
+        vec3 way = vec3_scale(m->ways[i], SCENE_AHEAD), went = vec3_sub(m->end[i], m->begin[i]);
+        bool inside =
+            went.x >= lesser(0.0, way.x) - beyond && went.x <= greater(0.0, way.x) + beyond &&
+            went.y >= lesser(0.0, way.y) - beyond && went.y <= greater(0.0, way.y) + beyond &&
+            went.z >= lesser(0.0, way.z) - beyond && went.z <= greater(0.0, way.z) + beyond;
+        if (!inside) { /* nor is what is not a number */
+            return false;
+        }
+    }
+    return true;
+}
+
+/* All pairs that may meet on the way to the trial state are listed. */
+static scene_verdict list_pairs(scene_object *s)
+{
+    bool expected = true;
+    for (uint32_t i = 0; expected && i < s->place_count; i++) {
+        if (s->bodies[i].kind != BODY_GONE) {
+            const motion m = motion_of(s, &s->bodies[i]);
+            expected = is_expected(s, &m);
+        }
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_GONE) {
+            continue;
+        }
+        const motion m = motion_of(s, b);
+        if (expected) {
+            vbss_collision_end_elsewhere(s->collision->shapes[b->shape], m.end);
+        } else if (vbss_collision_move(scene_collision(s), b->shape, &m.begin->x, &m.end->x,
+                                       m.count) != VBSS_OK) {
+            return VERDICT_SINGULAR; /* coordinates that are no place */
+        }
+    }
+    if (!expected && vbss_collision_find_candidates(scene_collision(s)) != VBSS_OK) {
+        return VERDICT_FULL;
+    }
+    return VERDICT_ACCEPTED;
 }
 
 /* ---- pairs, in blocks of rows */
@@ -204,13 +259,9 @@ static double earliest_through_floor(const scene_object *s)
 
 scene_verdict vbss_scene_guard(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind != BODY_GONE && move_shape(s, &s->bodies[i]) != VBSS_OK) {
-            return VERDICT_SINGULAR; /* coordinates that are no place */
-        }
-    }
-    if (vbss_collision_find_candidates(scene_collision(s)) != VBSS_OK) {
-        return VERDICT_FULL;
+    scene_verdict verdict = list_pairs(s);
+    if (verdict != VERDICT_ACCEPTED) {
+        return verdict;
     }
     s->earliest = lesser(earliest_hit(s), earliest_through_floor(s));
     return s->earliest < 1.0 ? VERDICT_GUARD : VERDICT_ACCEPTED;

@@ -171,37 +171,69 @@ void vbss_scene_set_weld_arms(scene_object *s)
 
 /* ---- the pattern */
 
+/* Not the hash of states: nobody outside sees this one, and it is taken in every attempt. */
+static uint64_t mix(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * UINT64_C(0x9e3779b97f4a7c15);
+    return hash ^ hash >> 29;
+}
+
+static uint64_t mix_two(uint64_t hash, uint32_t a, uint32_t b)
+{
+    return mix(hash, (uint64_t)a << 32 | b);
+}
+
+static uint64_t mix_marks(uint64_t hash, const uint8_t *marks, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i += 64) {
+        uint64_t bits = 0;
+        for (uint32_t k = 0; k < 64 && i + k < count; k++) {
+            bits |= (uint64_t)(marks[i + k] != MARK_NONE) << k;
+        }
+        hash = mix(hash, bits);
+    }
+    return hash;
+}
+
+static uint64_t mix_row(uint64_t hash, const contact_row *row)
+{
+    hash = mix_two(hash, row->key.kind, row->key.a);
+    hash = mix_two(hash, row->key.body_a, row->key.body_b);
+    hash = mix_two(hash, row->key.b, row->term_count);
+    for (uint32_t k = 0; row->bilateral && k < row->term_count; k++) { /* they slide on */
+        hash = mix(hash, row->terms[k].block);
+    }
+    return hash;
+}
+
+static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
+{
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
+        hash = mix(mix_two(hash, a->id, (uint32_t)a->kind), a->node);
+    }
+    return hash;
+}
+
 static uint64_t hash_of_pattern(const scene_object *s)
 {
-    vbss_hash hash;
-    vbss_hash_begin(&hash);
-    vbss_hash_add(&hash, s->marks, s->node_count);
+    uint64_t hash = mix_marks(s->node_count, s->marks, s->node_count);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
-        vbss_hash_add(&hash, &row->key, sizeof(contact_key));
-        for (uint32_t k = 0; row->bilateral && k < row->term_count; k++) { /* they slide on */
-            vbss_hash_add(&hash, &row->terms[k].block, sizeof row->terms[k].block);
-        }
+        hash = mix_row(hash, &s->contacts->rows[i]);
     }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
-        const uint32_t words[5] = {p->id, p->thread, p->node, p->body, p->attachment};
-        vbss_hash_add(&hash, words, sizeof words);
+        hash = mix_two(mix_two(hash, p->id, p->thread), p->node, p->body);
+        hash = mix(hash, p->attachment);
     }
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        const uint32_t words[2] = {(uint32_t)b->kind, b->number};
-        vbss_hash_add(&hash, words, sizeof words);
+        hash = mix_two(hash, (uint32_t)b->kind, b->number);
         if (b->kind == BODY_THREAD) {
-            const thread_object *t = b->thread.thread;
-            for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
-                const thread_attachment *a = &t->attachments[k];
-                const uint32_t attached[3] = {a->id, (uint32_t)a->kind, a->node};
-                vbss_hash_add(&hash, attached, sizeof attached);
-            }
+            hash = mix_attachments(hash, b->thread.thread);
         }
     }
-    return vbss_hash_end(&hash) | 1u;
+    return hash | 1u;
 }
 
 static vbss_result register_bodies(scene_object *s)

@@ -339,12 +339,15 @@ void vbss_scene_aim_pins(scene_object *s);
 
 /* ---- an attempt, in order */
 
+/* Ways are taken for so much longer than a part: velocities change within it. */
+#define SCENE_AHEAD 1.2
 /* candidates.c: rows of what might touch. False: no room. */
 bool vbss_scene_find_rows(scene_object *s, const scene_part *part);
 /* predict.c: trial states, from where the part begins. */
 void vbss_scene_predict(scene_object *s, const scene_part *part);
-/* features.c: how the sides of a row lie at the begin of the part; false: too far apart to touch in it. */
-bool vbss_scene_lay_row(scene_object *s, contact_row *row, double reach);
+/* features.c: how the sides of a row lie at the begin of the part (b is NULL: the floor); false: too far apart to touch in it. */
+bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
+                        const scene_body *b, double reach);
 /* Terms of a node, and of a point of a rigid body. */
 void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
                               uint32_t node, double weight);

@@ -25,17 +25,31 @@ static uint32_t find(const vbss_system *s, uint32_t row, uint32_t column)
     return low < end && s->entries[low].row == row ? low : UINT32_MAX;
 }
 
-uint32_t vbss_system_place(const vbss_system *s, uint32_t row, uint32_t column)
+void vbss_system_pair_places(const vbss_system *s, uint32_t a, uint32_t b, uint32_t *ab,
+                             uint32_t *ba)
 {
-    if (s->roles[row] != VBSS_ROLE_SEPARATOR || s->roles[column] != VBSS_ROLE_SEPARATOR) {
-        return VBSS_NO_PLACE;
+    *ab = *ba = VBSS_NO_PLACE;
+    if (s->roles[a] != VBSS_ROLE_SEPARATOR || s->roles[b] != VBSS_ROLE_SEPARATOR) {
+        return;
     }
-    uint32_t i = s->place[row], j = s->place[column];
+    uint32_t i = s->place[a], j = s->place[b];
     if (i == j) {
-        return diagonal_place(s, i - s->run_count);
+        *ab = *ba = diagonal_place(s, i - s->run_count);
+        return;
     }
     uint32_t entry = i > j ? find(s, i, j) : find(s, j, i);
-    return entry == UINT32_MAX ? VBSS_NO_PLACE : 2 * (entry - s->separator_first_entry) + (i < j);
+    if (entry != UINT32_MAX) {
+        uint32_t lower = 2 * (entry - s->separator_first_entry);
+        *ab = lower + (i < j);
+        *ba = lower + (i > j);
+    }
+}
+
+uint32_t vbss_system_place(const vbss_system *s, uint32_t row, uint32_t column)
+{
+    uint32_t place, other;
+    vbss_system_pair_places(s, row, column, &place, &other);
+    return place;
 }
 
 uint32_t vbss_system_rhs_place(const vbss_system *s, uint32_t row)

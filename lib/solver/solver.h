@@ -199,6 +199,9 @@ bool vbss_system_condense(vbss_system *system);
  * places. VBSS_NO_PLACE when there is none: pairs have places that are coupled, or joined by runs; what
  * the elimination of separators fills in has none. */
 uint32_t vbss_system_place(const vbss_system *system, uint32_t row, uint32_t column);
+/* The same for both blocks of a pair: row a and column b, row b and column a. */
+void vbss_system_pair_places(const vbss_system *system, uint32_t a, uint32_t b, uint32_t *ab,
+                             uint32_t *ba);
 uint32_t vbss_system_rhs_place(const vbss_system *system, uint32_t row);
 /* Copies what condensing left into separator_blocks and separator_rhs, where others may add to it and make
  * it unsymmetric. */

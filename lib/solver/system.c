@@ -112,8 +112,26 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system)
 
 /* ---- the pattern */
 
+static uint32_t first_place(const vbss_system *s, uint32_t high, uint32_t low)
+{
+    uint64_t mixed = (((uint64_t)high << 32) + low) * UINT64_C(0x9e3779b97f4a7c15);
+    return (uint32_t)(mixed >> 32) & (s->known_capacity - 1);
+}
+
+/* Places that are taken stand in rows behind the first places of couplings: all else is empty already. */
+static void forget_all(vbss_system *s)
+{
+    for (uint32_t c = 1; c <= s->known_count; c++) {
+        uint32_t at = first_place(s, s->couplings[c].high, s->couplings[c].low);
+        for (; s->known[at] != VBSS_NO_COUPLING; at = (at + 1) & (s->known_capacity - 1)) {
+            s->known[at] = VBSS_NO_COUPLING;
+        }
+    }
+}
+
 void vbss_system_begin(vbss_system *system)
 {
+    forget_all(system);
     system->block_count = system->coupling_count = system->chain_count = 0;
     system->known_count = system->bare_count = 0;
     memset(&system->couplings[VBSS_NO_COUPLING], 0, sizeof *system->couplings);
@@ -169,9 +187,7 @@ vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint
 /* Where the coupling of two blocks stands, or could. */
 static uint32_t *known_place(vbss_system *s, uint32_t high, uint32_t low)
 {
-    uint64_t mixed = (((uint64_t)high << 32) + low) * UINT64_C(0x9e3779b97f4a7c15);
-    uint32_t at = (uint32_t)(mixed >> 32) & (s->known_capacity - 1);
-    for (;; at = (at + 1) & (s->known_capacity - 1)) {
+    for (uint32_t at = first_place(s, high, low);; at = (at + 1) & (s->known_capacity - 1)) {
         const vbss_coupling *c = &s->couplings[s->known[at]];
         if (s->known[at] == VBSS_NO_COUPLING || (c->high == high && c->low == low)) {
             return &s->known[at];
@@ -182,9 +198,6 @@ static uint32_t *known_place(vbss_system *s, uint32_t high, uint32_t low)
 /* Only who asks pays. */
 static void know_all(vbss_system *s)
 {
-    if (s->known_count == 0) {
-        memset(s->known, 0, s->known_capacity * sizeof *s->known);
-    }
     while (s->known_count < s->coupling_count) {
         const vbss_coupling *c = &s->couplings[++s->known_count];
         *known_place(s, c->high, c->low) = s->known_count;

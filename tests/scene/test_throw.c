@@ -55,13 +55,13 @@ static void expect_slides_off(bool twice, uint32_t most_solves)
     vbss_scene_statistics s = statistics(&scene);
     for (; scene.phase != THROW_DONE; steps++) {
         assert_true(steps < MOST_STEPS);
-        throw_phase phase = scene.phase;
         uint64_t before = s.state_solves;
         expect_ok(throw_scene_step(&scene));
         s = statistics(&scene);
         solves[steps] = s.state_solves - before;
         at_last = contacts_on_w(&scene);
-        at_first = phase != THROW_DRAW && scene.phase == THROW_DRAW ? at_last : at_first;
+        bool drawn = scene.phase == THROW_DRAW || scene.phase == THROW_DONE;
+        at_first = !drawn && at_last > at_first ? at_last : at_first; /* slack loops touch now and then */
     }
     qsort(solves, steps, sizeof *solves, compare);
     /* The loops were there, and are gone. */
