@@ -8,6 +8,7 @@ static void add_cases(bench *b)
     add_knot_cases(b);
     add_throw_cases(b);
     add_resolution_cases(b);
+    add_adaptive_cases(b);
     add_peer_cases(b);
 }
 

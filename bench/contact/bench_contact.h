@@ -10,6 +10,8 @@ void add_knot_cases(bench *b);
 void add_throw_cases(bench *b);
 /* resolution.c: what is gained by finer meshes and shorter steps. */
 void add_resolution_cases(bench *b);
+/* adaptive.c: knots on meshes that adapt themselves beside fixed ones. */
+void add_adaptive_cases(bench *b);
 /* peers.c: the overhand by others beside ours. */
 void add_peer_cases(bench *b);
 

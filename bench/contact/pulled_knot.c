@@ -142,7 +142,8 @@ static bool save(pulled_knot *k)
 static int set_up(void *user)
 {
     pulled_knot *k = user;
-    k->looks = 0;
+    k->looks = k->node_steps = k->most_nodes = 0;
+    k->node_sum = 0;
     k->broken = false;
     k->least_distance = 1.0;
     if (!pulled_knot_make(k) || (!k->held && !save(k)) || !pulled_knot_run(k) ||
@@ -172,11 +173,22 @@ static int step(void *user, uint32_t index)
     return contact_scene_step(&k->scene, k->h) == VBSS_OK ? 0 : 1;
 }
 
+static void count_nodes(pulled_knot *k)
+{
+    uint32_t nodes = inside(k)->node_count;
+    if (k->node_steps < count_steps(k)) {
+        k->node_sum += nodes;
+        k->node_steps++;
+        k->most_nodes = nodes > k->most_nodes ? nodes : k->most_nodes;
+    }
+}
+
 static uint64_t hash(void *user)
 {
     pulled_knot *k = user;
     uint64_t value = 0;
     (void)contact_scene_hash(&k->scene, &value);
+    count_nodes(k);
     if (k->looks < count_steps(k) && k->looks++ % LOOK_EVERY == 0) {
         k->least_distance = lesser(least_distance(inside(k)), k->least_distance);
     }
@@ -210,6 +222,9 @@ static void finish(void *user, bench_result *result)
     bench_counter(result, "clamped", (double)s.clamped);
     bench_counter(result, "force_N", contact_scene_pull_felt(&k->scene));
     bench_counter(result, "taken_up_mm", 1e3 * taken_up(t));
+    bench_counter(result, "nodes_mean",
+                  (double)k->node_sum / (k->node_steps > 0 ? k->node_steps : 1));
+    bench_counter(result, "nodes_most", k->most_nodes);
     bench_counter(result, "broken", k->broken ? 1.0 : 0.0);
     if (k->more != NULL) {
         k->more(result);

@@ -31,7 +31,9 @@ typedef struct pulled_knot {
     /* looked at between the steps of the first repetition */
     uint32_t looks;
     double least_distance; /* of strands, m */
-    double taken_up;       /* m, when the load is reached or the steps are over */
+    uint64_t node_sum;     /* of the same steps, all of them */
+    uint32_t node_steps, most_nodes;
+    double taken_up; /* m, when the load is reached or the steps are over */
 } pulled_knot;
 
 /* A method's defaults for a kind of knot, pulled at 25 mm/s an end to 2 N. */

@@ -1,6 +1,5 @@
 /* Throws that are tied round a tool: loops that slide along it and off its tip, where the states of contacts
  * are hardest to find. What counts beside time is how often a step had to be tried again. */
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "contact/bench_contact.h"
@@ -9,23 +8,48 @@
 typedef struct throw_case {
     char name[64];
     bool twice;
+    double segment; /* m; 0: the scene's */
+    bool adapts;
+    double finest; /* then; m */
     vbss_context *context;
     throw_scene scene, begin;
-    uint32_t steps, most_contacts;
+    uint32_t steps, most_contacts, most_nodes;
+    uint64_t node_sum;
     uint8_t *saved;
     uint64_t saved_bytes;
     vbss_scene_statistics statistics_at_begin;
 } throw_case;
 
-enum { CASES = 2 };
-static throw_case cases[CASES];
+/* Both throws; then the double on finer and on adaptive meshes. */
+static throw_case cases[] = {
+    {.name = "contact/throw-single/ours/298"},
+    {.name = "contact/throw-double/ours/298", .twice = true},
+    {.name = "contact/mesh/throw-double/fine-0.3", .twice = true, .segment = 0.3e-3},
+    {.name = "contact/mesh/throw-double/adaptive-0.5",
+     .twice = true,
+     .adapts = true,
+     .finest = 0.5e-3},
+    {.name = "contact/mesh/throw-double/adaptive-0.25",
+     .twice = true,
+     .adapts = true,
+     .finest = 0.3e-3},
+};
+enum { CASES = sizeof cases / sizeof cases[0] };
 
 static bool make(throw_case *c)
 {
     throw_scene_options options;
-    return vbss_context_create(NULL, &c->context) == VBSS_OK &&
-           throw_scene_init(&options, c->twice) == VBSS_OK &&
-           throw_scene_create(c->context, &options, &c->scene) == VBSS_OK;
+    if (vbss_context_create(NULL, &c->context) != VBSS_OK ||
+        throw_scene_init(&options, c->twice) != VBSS_OK) {
+        return false;
+    }
+    options.segment = c->segment > 0.0 ? c->segment : options.segment;
+    if (c->adapts) {
+        options.thread.mesh = VBSS_MESH_ADAPTIVE;
+        options.thread.finest_length = c->finest;
+        options.thread.node_capacity = 500;
+    }
+    return throw_scene_create(c->context, &options, &c->scene) == VBSS_OK;
 }
 
 static bool save(throw_case *c)
@@ -45,12 +69,17 @@ static int set_up(void *user)
     if (!make(c) || !save(c)) {
         return 1;
     }
+    c->node_sum = 0;
     for (c->steps = 0; c->scene.phase != THROW_DONE; c->steps++) {
         vbss_scene_statistics s;
+        vbss_thread_statistics t;
         if (throw_scene_step(&c->scene) != VBSS_OK ||
-            vbss_scene_get_statistics(c->scene.scene, &s, sizeof s) != VBSS_OK) {
+            vbss_scene_get_statistics(c->scene.scene, &s, sizeof s) != VBSS_OK ||
+            vbss_thread_get_statistics(c->scene.thread, &t, sizeof t) != VBSS_OK) {
             return 1;
         }
+        c->node_sum += t.nodes;
+        c->most_nodes = t.nodes > c->most_nodes ? t.nodes : c->most_nodes;
         c->most_contacts = s.contacts > c->most_contacts ? s.contacts : c->most_contacts;
     }
     return 0;
@@ -99,6 +128,8 @@ static void finish(void *user, bench_result *result)
     bench_counter(result, "clamped", (double)s.clamped);
     bench_counter(result, "attempts_per_step", tries / steps);
     bench_counter(result, "solves_per_step", (double)(s.state_solves - b->state_solves) / steps);
+    bench_counter(result, "nodes_mean", (double)c->node_sum / steps);
+    bench_counter(result, "nodes_most", c->most_nodes);
     bench_counter(result, "loose_states", (double)s.loose_states);
 }
 
@@ -115,9 +146,6 @@ void add_throw_cases(bench *b)
 {
     for (size_t i = 0; i < CASES; i++) {
         throw_case *c = &cases[i];
-        c->twice = i == 1;
-        snprintf(c->name, sizeof c->name, "contact/throw-%s/ours/%u",
-                 c->twice ? "double" : "single", (unsigned)THROW_SCENE_NODES);
         bench_add_stepped(b, &(bench_stepped){.name = c->name,
                                               .user = c,
                                               .dt_us = 1e6 * THROW_SCENE_STEP,

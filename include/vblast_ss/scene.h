@@ -297,6 +297,9 @@ VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
  * Adds a thread of the same context, which belongs to the scene until it is removed. Its scene also has room, from
  * then on, for each piece that may yet be cut from it: that of a thread, and of two nodes. The cuts left belong to the
  * scene while a thread of the family does.
+ * For an adaptive mesh there must be room for all of its node_capacity; nodes that threads added later take are no
+ * longer there for it. It adapts at the very end of steps: nodes and segments beyond a change are renumbered, with
+ * pins, grasps and contacts in the views (docs/adaptive.md).
  *
  * @param scene      the scene
  * @param thread     the thread, of the scene's method, with a radius above 0

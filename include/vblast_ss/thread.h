@@ -11,6 +11,9 @@
  * backward Euler where a motion starts or breaks. Method PAPER is that of VBLaST-SS (Qi et al.
  * 2017): explicit springs, curvature-binormal bending, fast projection.
  *
+ * The mesh is fixed, or adapts itself to the shape (#VBSS_MESH_ADAPTIVE): then the number of nodes in the views
+ * changes after steps, with their generation.
+ *
  * SPDX-License-Identifier: Apache-2.0
  */
 #ifndef VBLAST_SS_THREAD_H
@@ -31,6 +34,19 @@ enum {
     VBSS_BENDING_SPLINE = 0,
     /** Second order: each node sees its two neighbours only; a segment's length is its chord. */
     VBSS_BENDING_LOCAL = 1
+};
+
+/** Whether a thread changes its mesh: a VBSS_MESH_ constant. */
+typedef int32_t vbss_mesh;
+
+/** The constants of #vbss_mesh. */
+enum {
+    /** Nodes and rest lengths stay as they were created. */
+    VBSS_MESH_FIXED = 0,
+    /** Segments are divided where the thread is bent or near something, and nodes removed where it is straight
+     * and alone, between two steps: docs/adaptive.md. Numbers of nodes and segments change with it, those of
+     * attachments, pins, grasps and contacts too. Method OURS. */
+    VBSS_MESH_ADAPTIVE = 1
 };
 
 /** A material to start from: a VBSS_PRESET_ constant. */
@@ -106,6 +122,30 @@ typedef struct vbss_thread_config {
     uint32_t paper_iteration_limit; /**< Method PAPER: of the projection, 1 to 1000; default 50. */
     /** Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6. */
     double paper_tolerance;
+    vbss_mesh mesh; /**< Default VBSS_MESH_FIXED, which reads none of what follows. */
+    /** ADAPTIVE: most nodes, segment_count + 1 to 65537; 0 (default): four times as many segments as at first, at most
+     * 65536. A scene must have room for all of them when the thread is added. */
+    uint32_t node_capacity;
+    /** ADAPTIVE: length of the finest segments, m, 1e-7 to coarsest_length; default 3e-4, 1.2 diameters of the paper's
+     * thread, at which a tight knot is converged. As segments are halved, theirs is within 0.63 and 1.25 of it: begin
+     * with it times a power of two. */
+    double finest_length;
+    /** ADAPTIVE: no node is removed where a segment longer than 1.25 times this would be left, m, at most 1e2; default
+     * 2e-3. */
+    double coarsest_length;
+    /** ADAPTIVE: curvature times length, rad, above which a segment is divided, 0.01 to 1; default 0.25. */
+    double refine_angle;
+    /** ADAPTIVE: the same below which a node may be removed, 0 to half of refine_angle; default 0.05. */
+    double coarsen_angle;
+    /** ADAPTIVE, in a scene: gap, m, to another strand below which a segment is divided down to finest_length, and
+     * to a tool down to a quarter of its radius; 0 to 0.1; default 1e-3. The floor does not count. */
+    double near_distance;
+    /** ADAPTIVE, in a scene: gap, m, within which nothing may be where a node is removed; near_distance to 0.1; default
+     * 3e-3. */
+    double clear_distance;
+    /** ADAPTIVE: most divisions and removals after a step, 0 to 64; default 4. */
+    uint32_t mesh_operations;
+    uint32_t reserved; /**< Zero. */
 } vbss_thread_config;
 
 /** What an attachment does: a VBSS_ATTACHMENT_ constant. */
@@ -158,7 +198,10 @@ enum {
     VBSS_THREAD_CURVATURES =
         5, /**< n x 3 doubles, 1/m: from the node to the centre of curvature. */
     VBSS_THREAD_SECTIONS =
-        6 /**< First node of each section, uint32_t; the last ends at node n - 1. */
+        6, /**< First node of each section, uint32_t; the last ends at node n - 1. */
+    /** n - 1 doubles, m: what the mesh leaves out of the shape, the sagitta of each segment: rest length^2 / 8 times the
+     * larger curvature at its two nodes. Of any mesh. */
+    VBSS_THREAD_SAGITTAS = 7
 };
 
 /** Energies of a thread, J. */
@@ -202,6 +245,19 @@ typedef struct vbss_thread_statistics {
     double stretch_error; /**< Largest so far, after any part of a step. */
     double last_stretch;  /**< max (length / rest length - 1) after the last step. */
     double time;          /**< Simulated so far, s. */
+    /* Of an adaptive mesh; else 0. */
+    uint64_t refined;   /**< Segments divided. */
+    uint64_t coarsened; /**< Nodes removed. */
+    /** Of the divided: those whose new node was laid on the chord instead of the arc, for want of room. */
+    uint64_t laid_on_chord;
+    /** Divisions for which there was no node left, in thread or scene. Each time it is asked. */
+    uint64_t refused_capacity;
+    /** Changes that were wanted at or beside attachments, pins, grasps or the ends at a cut. Each time it is asked. */
+    uint64_t refused_held;
+    uint64_t refused_near; /**< Removals for which something was too near. Each time it is asked. */
+    uint32_t nodes;        /**< Now; of a fixed mesh too. */
+    uint32_t most_nodes;   /**< So far; of a fixed mesh 0. */
+    double sagitta;        /**< Largest of VBSS_THREAD_SAGITTAS now, m; of a fixed mesh too. */
 } vbss_thread_statistics;
 
 #ifdef __cplusplus
@@ -282,7 +338,8 @@ VBSS_API vbss_result vbss_thread_destroy(vbss_thread *thread);
 
 /**
  * Moves a thread forward in time. Nothing is allocated. A state that is no longer finite is told
- * and the thread stays as it was before the step.
+ * and the thread stays as it was before the step. A thread with an adaptive mesh adapts it afterwards, by its
+ * curvature alone: what it is near to only a scene knows.
  *
  * @param thread  the thread
  * @param h       s, 1e-7 to 0.1

@@ -111,6 +111,19 @@ void vbss_scene_number_nodes(scene_object *s)
     }
 }
 
+/* One that a mesh can grow in. */
+static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *shape)
+{
+    if (t->config.mesh == VBSS_MESH_FIXED) {
+        return vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest,
+                                        t->config.radius, shape);
+    }
+    VBSS_TRY(
+        vbss_collision_add_sleeping_chain(s->collision, t->node_capacity, t->config.radius, shape));
+    vbss_collision_change_chain(s->collision, *shape, t->node_count, t->rest);
+    return VBSS_OK;
+}
+
 vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body)
 {
     scene_object *s;
@@ -124,8 +137,7 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
         return VBSS_ERROR_CAPACITY;
     }
     thread_object *t = slot->object;
-    VBSS_TRY(vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest, t->config.radius,
-                                      &shape));
+    VBSS_TRY(add_shape(s, t, &shape));
     VBSS_TRY(vbss_scene_make_shapes(s, t, shape));
     *b = (scene_body){0};
     b->thread.slot = slot;

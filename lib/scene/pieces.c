@@ -26,7 +26,8 @@ vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t)
                          s->config.thread_capacity, pieces);
     }
     uint32_t taken = s->node_count + NODES_OF_A_CUT * spares;
-    if (t->node_count + NODES_OF_A_CUT * pieces > s->node_capacity - taken) {
+    uint32_t nodes = t->config.mesh == VBSS_MESH_ADAPTIVE ? t->node_capacity : t->node_count;
+    if (taken > s->node_capacity || nodes + NODES_OF_A_CUT * pieces > s->node_capacity - taken) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
                          "the scene has room for %u nodes, %u of them for each cut",
                          s->node_capacity, (uint32_t)NODES_OF_A_CUT);
@@ -191,7 +192,7 @@ void vbss_scene_finish_pieces(vbss_stream *stream, scene_object *s)
     }
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD && b->thread.thread->config.cut_capacity > 0) {
+        if (b->kind == BODY_THREAD && scene_thread_resizes(b->thread.thread)) {
             const thread_object *t = b->thread.thread;
             vbss_collision_change_chain(s->collision, b->shape, t->node_count, t->rest);
         }

@@ -117,6 +117,7 @@ static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
         {&s->contact_forces, contacts, sizeof *s->contact_forces},
         {&s->contact_gaps, contacts, sizeof *s->contact_gaps},
         {&s->shape_places, SCENE_SHAPES, sizeof *s->shape_places},
+        {&s->near, vertices, sizeof *s->near},
     };
     _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
     memcpy(parts, all, sizeof all);

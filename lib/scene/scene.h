@@ -193,6 +193,7 @@ struct scene_object {
     uint8_t *marks;   /* of all nodes: separators */
     vec3 *ways;       /* of all nodes, then of both ends of all capsules: how far they may move */
     vec3 *vertices;   /* of one shape, start and end */
+    uint32_t *near;   /* meshes.c: features that a search has found */
     contact_weld *welds;
     uint32_t weld_count;
     collision_block *block;
@@ -320,6 +321,14 @@ void vbss_scene_tell_cut(scene_object *s, const scene_body *thread, const scene_
 bool vbss_scene_adjoins(const scene_object *s, const scene_body *a, uint32_t segment_a,
                         const scene_body *b, uint32_t segment_b);
 void vbss_scene_part_pieces(scene_object *s);
+
+/* meshes.c: threads refine and coarsen themselves, at the very end of a step. */
+void vbss_scene_adapt_meshes(scene_object *s);
+/* Whether the number of a thread's nodes may change while it is in the scene. */
+static inline bool scene_thread_resizes(const thread_object *t)
+{
+    return t->config.cut_capacity > 0 || t->config.mesh == VBSS_MESH_ADAPTIVE;
+}
 
 /* pins.c: what the public functions do. */
 vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,

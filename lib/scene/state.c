@@ -77,7 +77,7 @@ static void visit_thread(vbss_stream *stream, scene_thread *b)
     vbss_section outer = vbss_stream_open(stream, vbss_thread_kind.code, vbss_thread_kind.version);
     vbss_thread_serialise(stream, b->thread);
     vbss_stream_close(stream, outer);
-    if (b->thread->config.cut_capacity == 0 &&
+    if (!scene_thread_resizes(b->thread) &&
         b->thread->node_count != nodes) { /* the scene's arrays are numbered for these */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another number of nodes");
     }
@@ -100,7 +100,7 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
             vbss_stream_same(stream, 12, b->number);
         }
         if (b->kind == BODY_THREAD) {
-            if (b->thread.thread->config.cut_capacity == 0) {
+            if (!scene_thread_resizes(b->thread.thread)) {
                 vbss_stream_same(stream, 13, b->thread.thread->node_count);
             }
             visit_thread(stream, &b->thread);

@@ -252,6 +252,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);
     vbss_scene_settle_tools(s, h);
+    vbss_scene_adapt_meshes(s);
     s->statistics.rows = s->contacts->count;
     s->statistics.state_solves = s->contacts->counters.solves;
     s->statistics.loose_states = s->contacts->counters.loose;

@@ -102,6 +102,7 @@ void vbss_thread_divide(thread_object *t, thread_object *piece, const thread_cut
     piece->placed = t->placed;
     piece->settling = t->settling;
     piece->last_part = 0.0;
+    piece->next_look = 0;
     vbss_thread_changed(t);
     vbss_thread_changed(piece);
 }

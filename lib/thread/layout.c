@@ -165,14 +165,19 @@ static vbss_result build_pattern(thread_object *t)
     return vbss_system_analyse(t->system);
 }
 
+void vbss_thread_weigh(thread_object *t)
+{
+    hold_nodes(t);
+    spread_mass(t);
+    attach_masses(t);
+}
+
 vbss_result vbss_thread_layout(thread_object *t)
 {
     if (t->layout_known) {
         return VBSS_OK;
     }
-    hold_nodes(t);
-    spread_mass(t);
-    attach_masses(t);
+    vbss_thread_weigh(t);
     divide_sections(t);
     if (t->config.method == VBSS_METHOD_OURS) {
         vbss_thread_build_bending(t);

@@ -1,5 +1,5 @@
 /* The state of a thread: what is saved, hashed and restored. */
-#include "thread/thread.h"
+#include "thread/mesh.h"
 
 #include <string.h>
 
@@ -35,6 +35,22 @@ static void visit_config(vbss_stream *stream, const thread_object *t)
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
         vbss_stream_same(stream, 2, choices[i]);
     }
+}
+
+/* What only a mesh that adapts itself has: the choices, and where it stands. */
+static void visit_mesh(vbss_stream *stream, thread_object *t)
+{
+    const vbss_thread_config *c = &t->config;
+    const double numbers[] = {c->finest_length, c->coarsest_length, c->refine_angle,
+                              c->coarsen_angle, c->near_distance,   c->clear_distance};
+    vbss_thread_statistics *s = &t->statistics;
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 60, numbers[i]);
+    }
+    vbss_stream_same(stream, 61, c->mesh_operations);
+    vbss_stream_u32(stream, 62, &t->next_look, 1);
+    vbss_stream_u64(stream, 63, &s->refined, 6); /* .. refused_near */
+    vbss_stream_u32(stream, 64, &s->most_nodes, 1);
 }
 
 static bool is_unit(vec3 v)
@@ -147,6 +163,9 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
         check_holders(stream, t);
     }
     visit_statistics(stream, &t->statistics);
+    if (thread_is_adaptive(t)) {
+        visit_mesh(stream, t);
+    }
     if (stream->mode == VBSS_STREAM_READ) {
         t->fresh = fresh != 0;
         t->placed = placed != 0;

@@ -1,9 +1,9 @@
 /* How threads begin and end. */
-#include "thread/thread.h"
+#include "thread/mesh.h"
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_thread_config) == 240, "published size");
+_Static_assert(sizeof(vbss_thread_config) == 304, "published size");
 
 /* ---- configurations */
 
@@ -34,8 +34,16 @@ static const vbss_thread_config defaults = {
     .paper_damping = 0.0,
     .paper_iteration_limit = 50,
     .paper_tolerance = 1e-6,
+    .mesh = VBSS_MESH_FIXED,
+    .finest_length = 3e-4,
+    .coarsest_length = 2e-3,
+    .refine_angle = 0.25,
+    .coarsen_angle = 0.05,
+    .near_distance = 1e-3,
+    .clear_distance = 3e-3,
+    .mesh_operations = 4,
 };
-static const uint32_t config_sizes[] = {240, 0};
+static const uint32_t config_sizes[] = {240, 304, 0};
 static const vbss_layout config_layout = {"vbss_thread_config", &defaults, config_sizes};
 
 vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_size)
@@ -70,6 +78,15 @@ typedef struct range {
     double value, low, high;
 } range;
 
+static vbss_result check_ranges(vbss_context *context, const range *ranges, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        const range *r = &ranges[i];
+        VBSS_TRY(vbss_check_range(context, r->value, r->low, r->high, r->name));
+    }
+    return VBSS_OK;
+}
+
 static vbss_result check_choices(vbss_context *context, const vbss_thread_config *c)
 {
     const range ranges[] = {
@@ -95,10 +112,29 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
         {"paper_stiffness", c->paper_stiffness, 0.0, 1e9},
         {"paper_damping", c->paper_damping, 0.0, 1.0},
         {"paper_tolerance", c->paper_tolerance, 1e-14, 1.0},
+        {"mesh", c->mesh, VBSS_MESH_FIXED, VBSS_MESH_ADAPTIVE},
+        {"reserved", c->reserved, 0.0, 0.0},
     };
-    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
-        const range *r = &ranges[i];
-        VBSS_TRY(vbss_check_range(context, r->value, r->low, r->high, r->name));
+    return check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]);
+}
+
+/* Those of a fixed mesh must be in their ranges too. */
+static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c)
+{
+    const double nodes = c->segment_count + 1.0;
+    const range ranges[] = {
+        {"coarsest_length", c->coarsest_length, 1e-7, 1e2},
+        {"finest_length", c->finest_length, 1e-7, c->coarsest_length},
+        {"refine_angle", c->refine_angle, 0.01, 1.0},
+        {"coarsen_angle", c->coarsen_angle, 0.0, 0.5 * c->refine_angle},
+        {"near_distance", c->near_distance, 0.0, 0.1},
+        {"clear_distance", c->clear_distance, c->near_distance, 0.1},
+        {"mesh_operations", c->mesh_operations, 0.0, 64.0},
+        {"node_capacity", c->node_capacity, c->node_capacity == 0 ? 0.0 : nodes, 65537.0},
+    };
+    VBSS_TRY(check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]));
+    if (c->mesh == VBSS_MESH_ADAPTIVE && c->method != VBSS_METHOD_OURS) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "method PAPER has no adaptive mesh");
     }
     return VBSS_OK;
 }
@@ -131,7 +167,7 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 33 };
+enum { PARTS = 34 };
 
 static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
 {
@@ -159,6 +195,7 @@ static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
         {&t->trial, n, sizeof(vec3)},
         {&t->trial_tension, n, sizeof(double)},
         {&t->lengths, n, sizeof *t->lengths},
+        {&t->sagittas, n, sizeof *t->sagittas},
         {&t->curvatures, n, sizeof(vec3)},
         {&t->x_predicted, n, sizeof(vec3)},
         {&t->v_predicted, n, sizeof(vec3)},
@@ -283,6 +320,15 @@ static void place_nodes(thread_object *t, const vbss_thread_config *c)
     t->fresh = t->placed = true;
 }
 
+static uint32_t node_capacity_of(const vbss_thread_config *c)
+{
+    uint32_t segments = c->segment_count;
+    if (c->mesh == VBSS_MESH_FIXED) {
+        return segments + 1;
+    }
+    return c->node_capacity > 0 ? c->node_capacity : (segments < 16384 ? 4 * segments : 65536) + 1;
+}
+
 vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *config,
                                vbss_thread **thread)
 {
@@ -296,11 +342,12 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
     vbss_thread_config own;
     VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
     VBSS_TRY(check_choices(context, &own));
+    VBSS_TRY(check_mesh(context, &own));
     VBSS_TRY(check_shape(context, &own));
 
     thread_object *t;
     vbss_slot *slot = NULL;
-    VBSS_TRY(vbss_thread_allocate(context, &own, own.segment_count + 1, &t));
+    VBSS_TRY(vbss_thread_allocate(context, &own, node_capacity_of(&own), &t));
     vbss_result result = reserve_pieces(t);
     if (result == VBSS_OK) {
         result = vbss_slot_create(context, &vbss_thread_kind, t, &slot);
@@ -400,5 +447,6 @@ vbss_result vbss_thread_step(vbss_thread *thread, double h)
     VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
                                                    : vbss_thread_implicit_step(t, h));
     vbss_thread_finish_step(t, h);
+    vbss_thread_adapt(t);
     return VBSS_OK;
 }

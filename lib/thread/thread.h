@@ -111,10 +111,11 @@ typedef struct thread_object {
     thread_motion now;
     thread_attachment *attachments; /* config.attachment_capacity places */
     uint32_t last_id;
-    bool fresh;        /* OURS: nothing is known of accelerations */
-    bool placed;       /* being set up: no step since it was created or its state was set */
-    uint32_t settling; /* OURS: steps still to be made by backward Euler */
-    double last_part;  /* OURS: length of the last part of a step, s; 0 when fresh */
+    bool fresh;         /* OURS: nothing is known of accelerations */
+    bool placed;        /* being set up: no step since it was created or its state was set */
+    uint32_t settling;  /* OURS: steps still to be made by backward Euler */
+    double last_part;   /* OURS: length of the last part of a step, s; 0 when fresh */
+    uint32_t next_look; /* of an adaptive mesh: the segment that is looked at next */
     vbss_thread_statistics statistics;
 
     /* what follows from rest lengths and attachments (layout.c) */
@@ -144,7 +145,7 @@ typedef struct thread_object {
     thread_paper_row *paper_rows; /* PAPER */
 
     /* views that are worked out when asked for */
-    double *lengths;
+    double *lengths, *sagittas;
     vec3 *curvatures;
 } thread_object;
 
@@ -203,6 +204,8 @@ void vbss_thread_note_reactions(thread_object *t);
 /* layout.c: what follows from rest lengths and attachments; with the pattern of its own system; and for
  * looking, with clamps where they are now. */
 vbss_result vbss_thread_layout(thread_object *t);
+/* Which nodes are held, and the masses alone. */
+void vbss_thread_weigh(thread_object *t);
 vbss_result vbss_thread_pattern(thread_object *t);
 vbss_result vbss_thread_prepare(thread_object *t);
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);

@@ -1,13 +1,13 @@
 /* Looking at a thread: arrays, energies, momentum, counters. */
-#include "thread/thread.h"
+#include "thread/mesh.h"
 
 _Static_assert(sizeof(vbss_view) == 32 + sizeof(void *), "published size");
 _Static_assert(sizeof(vbss_thread_energies) == 48, "published size");
 _Static_assert(sizeof(vbss_thread_momentum) == 88, "published size");
-_Static_assert(sizeof(vbss_thread_statistics) == 104, "published size");
+_Static_assert(sizeof(vbss_thread_statistics) == 168, "published size");
 
 static const uint32_t energies_sizes[] = {48, 0}, momentum_sizes[] = {88, 0};
-static const uint32_t statistics_sizes[] = {104, 0};
+static const uint32_t statistics_sizes[] = {104, 168, 0};
 static const vbss_layout energies_layout = {"vbss_thread_energies", NULL, energies_sizes};
 static const vbss_layout momentum_layout = {"vbss_thread_momentum", NULL, momentum_sizes};
 static const vbss_layout statistics_layout = {"vbss_thread_statistics", NULL, statistics_sizes};
@@ -26,6 +26,13 @@ static void fill_curvatures(thread_object *t)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
         t->curvatures[i] = vbss_thread_curvature(t, t->now.x, i);
+    }
+}
+
+static void fill_sagittas(thread_object *t)
+{
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        t->sagittas[i] = vbss_thread_sagitta(t, i);
     }
 }
 
@@ -73,6 +80,10 @@ static vbss_result look(thread_object *t, vbss_thread_field field, vbss_view *vi
         return VBSS_OK;
     case VBSS_THREAD_SECTIONS:
         *view = numbers(t->sections, t->section_count);
+        return VBSS_OK;
+    case VBSS_THREAD_SAGITTAS:
+        fill_sagittas(t);
+        *view = scalars(t->sagittas, n - 1);
         return VBSS_OK;
     default:
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a thread has no field %d", field);
@@ -141,7 +152,12 @@ vbss_result vbss_thread_get_statistics(vbss_thread *thread, vbss_thread_statisti
 {
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
+    VBSS_TRY(vbss_thread_prepare(t));
     vbss_thread_statistics own = t->statistics;
     own.struct_size = sizeof own;
+    own.nodes = t->node_count;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        own.sagitta = greater(vbss_thread_sagitta(t, i), own.sagitta);
+    }
     return vbss_struct_write(t->context, &statistics_layout, &own, statistics, struct_size);
 }

@@ -273,6 +273,11 @@ static void run_scene_tools(uint64_t *hashes, size_t count)
     run_scene(SCENE_SCENE_TOOLS, hashes, count);
 }
 
+static void run_scene_mesh(uint64_t *hashes, size_t count)
+{
+    run_scene(SCENE_SCENE_MESH, hashes, count);
+}
+
 /* ---- graspers with all that they do, hashed after every 5 steps */
 
 static void run_graspers_by(vbss_method method, uint64_t *hashes, size_t count)
@@ -423,6 +428,7 @@ const golden_scene golden_scenes[] = {
     {"thread-paper", 20, 2, run_thread_paper},
     {"scene-knot", 64, 2, run_scene_knot}, /* tight at 58 */
     {"scene-tools", 80, 6, run_scene_tools},
+    {"scene-mesh", 60, 2, run_scene_mesh},              /* cut at 44 */
     {"graspers", TOOL_RUN_STEPS / 5, 12, run_graspers}, /* both hold at 11 */
     {"graspers-paper", 30, 12, run_graspers_paper},     /* then it loses the thread */
     {"knots", 72, 4, run_knots}, /* two rounds of all that the moving knot does */

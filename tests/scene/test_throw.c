@@ -61,7 +61,8 @@ static void expect_slides_off(bool twice, uint32_t most_solves)
         solves[steps] = s.state_solves - before;
         at_last = contacts_on_w(&scene);
         bool drawn = scene.phase == THROW_DRAW || scene.phase == THROW_DONE;
-        at_first = !drawn && at_last > at_first ? at_last : at_first; /* slack loops touch now and then */
+        at_first =
+            !drawn && at_last > at_first ? at_last : at_first; /* slack loops touch now and then */
     }
     qsort(solves, steps, sizeof *solves, compare);
     /* The loops were there, and are gone. */

@@ -56,6 +56,7 @@ static vbss_result feel(contact_hand *hand)
 {
     vbss_thread_reaction r;
     VBSS_TRY(vbss_thread_get_reaction(hand->thread, hand->id, &r, sizeof r));
+    hand->node = r.node; /* an adaptive mesh renumbers it */
     hand->felt = vec3_dot(vec3_load(r.force), hand->way);
     if (hand->pull.stiffness == 0.0) { /* the guard may have held it back */
         hand->at = node_at(hand->thread, hand->node);

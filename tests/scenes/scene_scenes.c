@@ -1,5 +1,7 @@
 #include "scenes/scene_scenes.h"
 
+#include <stdbool.h>
+
 #include "scenes/knots.h"
 
 /* Returns a failure to the caller at once. */
@@ -66,7 +68,7 @@ static double pulled(uint64_t step)
     return 1e-4 * fast + 2.5e-5 * (all - fast);
 }
 
-static vbss_result create_knot(vbss_context *context, vbss_scene *scene)
+static vbss_result create_knot(vbss_context *context, vbss_scene *scene, bool adapts)
 {
     static const vec3 hand = {2e-4, 0.0, 0.0};
     vec3 x[KNOT_NODES];
@@ -79,11 +81,21 @@ static vbss_result create_knot(vbss_context *context, vbss_scene *scene)
     knot_shape_init(&shape, KNOT_OVERHAND);
     shape.length = 0.04;
     shape.size = 0.75e-3;
+    if (adapts) {
+        shape.length = 0.06;
+        shape.size = 1.5e-3;
+        shape.finest = shape.coarsest = 0.6e-3;
+    }
     TRY(knot_make(&shape, KNOT_NODES, x, rest, &line));
     TRY(vbss_thread_config_init(&config, sizeof config));
     config.segment_count = line.node_count - 1;
     config.rest_lengths = rest;
     config.positions = &x[0].x;
+    if (adapts) {
+        config.mesh = VBSS_MESH_ADAPTIVE;
+        config.node_capacity = 240;
+        config.cut_capacity = 1;
+    }
     TRY(vbss_thread_create(context, &config, &thread));
     TRY(vbss_scene_add_thread(scene, thread, &body));
     for (uint32_t k = 0; k < KNOT_HANDS; k++) {
@@ -105,6 +117,18 @@ static vbss_result drive_knot(vbss_scene *scene, uint64_t step)
         TRY(move(scene, 2 + k, to));
     }
     return VBSS_OK;
+}
+
+#define CUT_AT_STEP 220
+#define CUT_AT_ARC 4.1e-3
+
+static vbss_result drive_mesh(vbss_scene *scene, uint64_t step)
+{
+    uint32_t piece;
+    if (step == CUT_AT_STEP) {
+        TRY(vbss_scene_cut_thread(scene, 1, CUT_AT_ARC, &piece));
+    }
+    return drive_knot(scene, step);
 }
 
 /* ---- the tools: a thread, two tools, a needle, its thread, a stick; and a thread that swings out of reach */
@@ -135,7 +159,7 @@ static vbss_result drive_tools(vbss_scene *scene, uint64_t step)
     return move(scene, STICK, vec3_make(-0.014 + 0.02 * t, 1.6e-3, 0.0));
 }
 
-/* ---- either */
+/* ---- any */
 
 vbss_result scene_scene_create(vbss_context *context, scene_scene_kind kind, vbss_scene **scene)
 {
@@ -148,15 +172,17 @@ vbss_result scene_scene_create(vbss_context *context, scene_scene_kind kind, vbs
         config.floor_normal[0] = 0.02;
     }
     TRY(vbss_scene_create(context, &config, scene));
-    return kind == SCENE_SCENE_KNOT ? create_knot(context, *scene) : create_tools(context, *scene);
+    return kind == SCENE_SCENE_TOOLS ? create_tools(context, *scene)
+                                     : create_knot(context, *scene, kind == SCENE_SCENE_MESH);
 }
 
 vbss_result scene_scene_drive(vbss_scene *scene, scene_scene_kind kind)
 {
     vbss_scene_statistics statistics;
     TRY(vbss_scene_get_statistics(scene, &statistics, sizeof statistics));
-    return kind == SCENE_SCENE_KNOT ? drive_knot(scene, statistics.steps)
-                                    : drive_tools(scene, statistics.steps);
+    return kind == SCENE_SCENE_KNOT    ? drive_knot(scene, statistics.steps)
+           : kind == SCENE_SCENE_TOOLS ? drive_tools(scene, statistics.steps)
+                                       : drive_mesh(scene, statistics.steps);
 }
 
 vbss_result scene_scene_step(vbss_scene *scene, scene_scene_kind kind)

@@ -9,7 +9,9 @@ typedef enum scene_scene_kind {
     SCENE_SCENE_KNOT, /* two hands pull an overhand knot tight */
     /* A thread falls on a sloping floor and is pressed there by a tool; another tool presses on the first; a
      * needle falls, with a thread welded to it; a stick is driven through; another thread swings. */
-    SCENE_SCENE_TOOLS
+    SCENE_SCENE_TOOLS,
+    /* The knot on a coarse mesh that adapts itself; one end of it is cut off. */
+    SCENE_SCENE_MESH
 } scene_scene_kind;
 
 /* Its threads end with the context, or as the host wants. */

@@ -53,12 +53,59 @@ enum {
     REST_STEPS = 200
 };
 
+/* ---- where along the thread */
+
+static vbss_view rest_lengths(const throw_scene *scene)
+{
+    vbss_view view = {0};
+    (void)vbss_thread_get_view(scene->thread, VBSS_THREAD_REST_LENGTHS, &view, sizeof view);
+    return view;
+}
+
+static double arc_of(const throw_scene *scene, uint32_t node)
+{
+    vbss_view view = rest_lengths(scene);
+    double arc = 0.0;
+    for (uint32_t i = 0; i < node && i < view.count; i++) {
+        arc += ((const double *)view.data)[i];
+    }
+    return arc;
+}
+
+/* The node that is nearest to it. */
+static uint32_t node_near(const throw_scene *scene, double arc)
+{
+    vbss_view view = rest_lengths(scene);
+    const double *rest = view.data;
+    uint32_t node = 0;
+    while (node < view.count && arc > 0.5 * rest[node]) {
+        arc -= rest[node++];
+    }
+    return node;
+}
+
+static void follow_mesh(throw_scene *scene)
+{
+    if (scene->options.thread.mesh == VBSS_MESH_ADAPTIVE) {
+        scene->tail_node = node_near(scene, scene->arcs[0]);
+        scene->right_mark = node_near(scene, scene->arcs[1]);
+        scene->left_mark = node_near(scene, scene->arcs[2]);
+        scene->held_node = node_near(scene, scene->arcs[3]);
+    }
+}
+
 vbss_result throw_scene_create(vbss_context *context, const throw_scene_options *options,
                                throw_scene *scene)
 {
     *scene = (throw_scene){
         .options = *options, .phi = -0.5 * PI, .share = FIRST_SHARE, .radius = MOST_RADIUS};
-    return throw_build(context, scene);
+    VBSS_TRY(throw_build(context, scene));
+    const uint32_t nodes[4] = {scene->tail_node, scene->right_mark, scene->left_mark,
+                               scene->held_node};
+    for (int k = 0; k < 4; k++) {
+        scene->arcs[k] = arc_of(scene, nodes[k]);
+    }
+    return VBSS_OK;
 }
 
 /* ---- what hands see and feel */
@@ -161,7 +208,9 @@ static void orbit(throw_scene *scene)
     uint32_t last = last_on_w(scene);
     double free_length = o->held_at - BEFORE_CONTACT;
     if (last > 0) {
-        free_length = (scene->held_node - last) * o->segment;
+        bool adapts = o->thread.mesh == VBSS_MESH_ADAPTIVE;
+        free_length =
+            adapts ? scene->arcs[3] - arc_of(scene, last) : (scene->held_node - last) * o->segment;
     }
     bool slack = pull < 0.4 * o->pull; /* the worst that can be: loops fall off */
     scene->share += pull > o->pull ? -1e-3 : slack && last > 0 ? 4e-4 : 0.0;
@@ -204,7 +253,9 @@ static void draw(throw_scene *scene)
     const double h = THROW_SCENE_STEP;
     double at_w = throw_scene_pull_at_w(scene), at_c = throw_scene_pull_at_c(scene);
     double slow = lesser(greater((STOPPED - at_w) / (STOPPED - SLOWER), 0.0), 1.0);
-    double whole = THROW_TAIL - scene->tail_node * scene->options.segment;
+    bool adapts = scene->options.thread.mesh == VBSS_MESH_ADAPTIVE;
+    double whole =
+        THROW_TAIL - (adapts ? scene->arcs[0] : scene->tail_node * scene->options.segment);
     scene->leash += at_w > LEASH_PULL ? -LEASH_SPEED * h
                                       : (LEASH_SHARE * whole - scene->leash) * h / LEASH_TIME;
     scene->over = lesser(scene->over + slow * DRAW_SPEED * h / whole, OVER);
@@ -235,6 +286,7 @@ static vbss_result move_tool(const throw_scene *scene, const throw_tool *tool, q
 vbss_result throw_scene_step(throw_scene *scene)
 {
     scene->since++;
+    follow_mesh(scene);
     switch (scene->phase) {
     case THROW_NEAR:
         come_near(scene);

@@ -43,6 +43,7 @@ typedef struct throw_scene {
     vbss_thread *thread;
     uint32_t thread_body, nodes;
     uint32_t tail_node, right_mark, left_mark, held_node;
+    double arcs[4]; /* of these along the thread, m: a mesh that adapts renumbers them */
     throw_tool w, c;
     double phi;           /* rad: where C is on its orbit */
     double radius, share; /* of the orbit, m; of the free length that it shall be */

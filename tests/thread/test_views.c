@@ -23,6 +23,7 @@ static void views_have_their_sizes(void **state)
         {VBSS_THREAD_LENGTHS, VBSS_TYPE_F64, 1, 1},
         {VBSS_THREAD_TENSIONS, VBSS_TYPE_F64, 1, 1},
         {VBSS_THREAD_CURVATURES, VBSS_TYPE_F64, 3, 0},
+        {VBSS_THREAD_SAGITTAS, VBSS_TYPE_F64, 1, 1},
     };
     for (int k = 0; k < 5 * WAYS; k++) {
         uint32_t segments = 1 + (uint32_t)k / WAYS;
@@ -31,7 +32,7 @@ static void views_have_their_sizes(void **state)
         choose_way(&f, k % WAYS);
         f.config.segment_count = segments;
         vbss_thread *thread = make(&f);
-        for (int i = 0; i < 6; i++) {
+        for (int i = 0; i < 7; i++) {
             vbss_view v = view_of(thread, wanted[i].field);
             assert_int_equal(v.struct_size, sizeof v);
             assert_int_equal(v.type, wanted[i].type);
@@ -41,7 +42,7 @@ static void views_have_their_sizes(void **state)
             assert_non_null(v.data);
         }
         vbss_view v;
-        const vbss_thread_field none[] = {-1, 7, INT32_MAX, INT32_MIN};
+        const vbss_thread_field none[] = {-1, 8, INT32_MAX, INT32_MIN};
         for (int i = 0; i < 4; i++) {
             expect_result(VBSS_ERROR_OUT_OF_RANGE,
                           vbss_thread_get_view(thread, none[i], &v, sizeof v));
@@ -88,7 +89,7 @@ static void sections_are_divided_by_what_is_held(void **state)
 static uint64_t generation(vbss_thread *thread)
 {
     uint64_t g = view_of(thread, VBSS_THREAD_POSITIONS).generation;
-    for (vbss_thread_field k = VBSS_THREAD_VELOCITIES; k <= VBSS_THREAD_SECTIONS; k++) {
+    for (vbss_thread_field k = VBSS_THREAD_VELOCITIES; k <= VBSS_THREAD_SAGITTAS; k++) {
         assert_true(view_of(thread, k).generation == g);
     }
     return g;

@@ -1,0 +1,21 @@
+/* Threads of a scene whose meshes adapt themselves: meshes.c finds what is wanted and what is near, renumber.c takes
+ * all that names nodes and segments along. */
+#ifndef VBSS_SCENE_MESHES_H
+#define VBSS_SCENE_MESHES_H
+
+#include "scene/scene.h"
+#include "thread/mesh.h"
+
+/* A node that comes, in the middle of segment `at`, or node `at` that goes. */
+typedef struct mesh_change {
+    uint32_t at;
+    bool removes;
+    double room; /* for its neighbours and itself, m */
+} mesh_change;
+
+/* renumber.c: makes the change, with pins, grasps and views of contacts. False: it takes more room. What contact
+ * remembers is in order again only after the last of them. */
+bool vbss_scene_change_mesh(scene_object *s, const scene_body *thread, const mesh_change *change);
+void vbss_scene_order_memory(scene_object *s);
+
+#endif
