@@ -7,13 +7,12 @@
 
 typedef struct throw_case {
     char name[64];
-    bool twice;
     double segment; /* m; 0: the scene's */
-    bool adapts;
-    double finest; /* then; m */
+    double finest;  /* if it adapts; m */
     vbss_context *context;
     throw_scene scene, begin;
     uint32_t steps, most_contacts, most_nodes;
+    bool twice, adapts;
     uint64_t node_sum;
     uint8_t *saved;
     uint64_t saved_bytes;

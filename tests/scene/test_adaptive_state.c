@@ -82,7 +82,7 @@ static void the_scene_adapts_on_both_sides_of_a_cut(void **state)
     (void)state;
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
-    void *scene;
+    void *scene = NULL;
     expect_ok(create(context, &bendings[0], &scene));
     uint32_t most = 0, least = 1000;
     for (int i = 0; i < 160; i++) {
@@ -128,7 +128,7 @@ static void bad_states_of_adapted_scenes_are_refused(void **state)
 static uint64_t hash_after(bool wide, uint32_t steps)
 {
     vbss_context *context;
-    void *scene;
+    void *scene = NULL;
     uint64_t hash;
     expect_ok(vbss_context_create(NULL, &context));
     expect_ok(create(context, &bendings[0], &scene));
