@@ -64,7 +64,7 @@ static void ask_both_ways(vbss_random *r, tally *t)
         object->trial[i] = vec3_add(object->trial[i], random_way(r, other));
     }
     ask(s, t, &listed);
-    s->ways[0].x = NAN; /* nothing is expected of that */
+    s->ways[0].x = (double)NAN; /* nothing is expected of that */
     tally second = {0, 0, 0};
     ask(s, &second, &searched);
     assert_int_equal(second.searched, 1);
