@@ -36,7 +36,9 @@ static bool tell_knot(const demo *d)
 {
     const demo_knot *k = &d->knot;
     bool hands = is_right_handed(k);
-    bool good = d->out.good && hands && k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED;
+    /* With short ends a knot is slack, and may be proved no further than to be what it was. */
+    bool proved = k->state.verdict == VBSS_KNOT_VERDICT_CERTIFIED || (d->trial.cut && d->out.kept);
+    bool good = d->out.good && hands && proved;
     printf("%s: %s, %s (%s)%s\n", d->name, k->notation[0] != '\0' ? k->notation : "no knot",
            words_of_verdict(k->state.verdict), words_of_name(k->state.name),
            good ? "" : "  NOT WHAT IT SHALL BE");
