@@ -78,7 +78,7 @@ typedef struct vbss_scene_config {
         state_limit; /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 36. */
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
     /** REAL_TIME: attempts in a step after which nothing is halved again, 1 to 1000; default 16. What is left
-     * of the step is tried once a part. */
+     * of the step is tried once a part; with a work_limit it is left out. */
     uint32_t attempt_limit;
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;
@@ -87,6 +87,16 @@ typedef struct vbss_scene_config {
     uint32_t grasp_capacity;
     /** PAPER: distance kept beyond touching (the paper's eps_D), m, 0 to 1e-2; default 0. */
     double paper_thickness;
+    /** REAL_TIME, method OURS: operations in a step after which nothing is searched for any longer. Forces of contacts
+     * are taken as they have been found by then: they balance, but miss the law of contact by up to
+     * vbss_scene_statistics::last_residual; lengths are found all the same, with a few solves beyond the limit. Where that
+     * fails, or after attempt_limit attempts, the rest of the step is left out: everything waits for the next one, which
+     * begins with smaller parts (vbss_scene_statistics::paused), and what is driven goes on from where it was stopped.
+     * Without limit are the first step of a scene and the smallest part that halving_limit allows. An operation is what
+     * costs about as much as a product of two 3x3 blocks; 250000 are some 0.5 ms of a core of 2.6 GHz
+     * (docs/contact.md). Default 0: no limit. */
+    uint32_t work_limit;
+    uint32_t reserved; /**< Zero. */
 } vbss_scene_config;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
@@ -192,7 +202,7 @@ enum {
     VBSS_EVENT_TOUCH = 1, /**< Two bodies that did not touch do; a body with itself too. */
     VBSS_EVENT_PART = 2,  /**< Two bodies that touched do no longer. */
     VBSS_EVENT_CLAMPED =
-        3, /**< The step was cut short; the number is the share of it in 1/65536 that was lost. */
+        3, /**< The step was cut short, or paused; the number is the share of it in 1/65536 that was lost. */
     VBSS_EVENT_LOST = 4,       /**< Events beyond the capacity; the number says how many. */
     VBSS_EVENT_GRASP = 5,      /**< Jaws hold a thread: thread, grasper, arc length in um. */
     VBSS_EVENT_RELEASE = 6,    /**< They have opened and let it go: the same. */
@@ -238,6 +248,10 @@ typedef struct vbss_scene_statistics {
     double stretch_error;      /**< Largest so far. */
     double last_residual;      /**< Of the contact law after the last part, N. */
     double time;               /**< Simulated so far, s. */
+    uint64_t operations;       /**< Of all steps, as work_limit counts them; method OURS. */
+    uint64_t most_operations;  /**< Of a step. */
+    uint64_t paused;           /**< REAL_TIME: steps of which a part was left for the next. */
+    double time_paused;        /**< Of those parts together, s: simulated time that was lost. */
 } vbss_scene_statistics;
 
 /** A place of a thread that a grasper holds. */

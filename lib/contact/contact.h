@@ -84,6 +84,7 @@ typedef struct contact_memory {
 typedef struct contact_counters {
     uint64_t solves; /* of the separators' system */
     uint64_t loose;  /* states taken with a residual */
+    uint64_t work;   /* operations: what costs as much as a product of blocks; others add theirs */
 } contact_counters;
 
 typedef struct contact_weld contact_weld;
@@ -188,6 +189,10 @@ typedef struct contact_search {
     /* What may be left after so many solves. */
     uint32_t patience;
     double loose_share, loose_overlap;
+    /* Beyond this work no solve begins but the first, and the search stops where it stands: all balances there, and
+     * what the law is missed by has become less on the way. 0: no limit. */
+    uint64_t most_work;
+    bool goes_on; /* from the rows' forces after an earlier linearisation; with a limit only */
 } contact_search;
 typedef enum contact_outcome {
     CONTACT_FOUND,

@@ -5,6 +5,14 @@
  * that leads too far is followed part of the way, and the next goes on from the states there. */
 #include "contact/contact.h"
 
+/* Of a solve, in products of blocks: rows are assembled and looked at. */
+enum { COST_OF_ROW = 25 };
+
+static uint64_t cost(const contact_set *set, const vbss_system *system)
+{
+    return system->elimination.products + (uint64_t)COST_OF_ROW * set->count;
+}
+
 static bool solve(contact_set *set, const contact_search *search)
 {
     vbss_system *system = search->system;
@@ -14,6 +22,7 @@ static bool solve(contact_set *set, const contact_search *search)
     }
     vbss_contact_assemble(set, system);
     set->counters.solves++;
+    set->counters.work += cost(set, system);
     return vbss_system_solve_separators(system);
 }
 
@@ -139,8 +148,8 @@ static double share_to_follow(const contact_set *set)
     return greater(share, SHORTEST);
 }
 
-/* Where the next solve goes on from; before the first there is nothing. */
-static void follow(contact_set *set, bool first)
+/* Where the next solve goes on from; before the first there may be nothing. */
+static void follow(contact_set *set, const contact_search *search, bool first)
 {
     double share = first ? 1.0 : share_to_follow(set);
     for (uint32_t i = 0; i < set->count; i++) {
@@ -150,6 +159,9 @@ static void follow(contact_set *set, bool first)
         } else {
             set->here[i] = set->there[i];
         }
+    }
+    if (search->most_work > 0) {
+        vbss_system_follow(search->system, share);
     }
 }
 
@@ -217,6 +229,12 @@ static contact_outcome judge(const contact_search *search, const stage *at, cons
     return loose ? CONTACT_LOOSE : CONTACT_LOST;
 }
 
+static bool is_spent(const contact_set *set, const contact_search *search)
+{
+    return search->most_work > 0 &&
+           set->counters.work + cost(set, search->system) > search->most_work;
+}
+
 static contact_outcome search_states(contact_set *set, const contact_search *search, stage *at)
 {
     for (uint32_t k = 0; k < search->limit; k++) {
@@ -227,7 +245,11 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
         contact_outcome outcome = judge(search, at, &l);
         set->residual = l.force;
         if (outcome == CONTACT_LOST) {
-            follow(set, k == 0);
+            follow(set, search, k == 0 && !search->goes_on);
+            if (is_spent(set, search)) {
+                vbss_system_stop_there(search->system);
+                outcome = CONTACT_LOOSE;
+            }
         }
         take_found(set);
         if (outcome != CONTACT_LOST) {
@@ -239,9 +261,21 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
     return CONTACT_LOST;
 }
 
+/* Nothing has moved yet, and forces are what they were. */
+static void begin_way(contact_set *set, const contact_search *search)
+{
+    vbss_system_begin_way(search->system);
+    for (uint32_t i = 0; search->goes_on && i < set->count; i++) {
+        set->here[i].u = vec3_zero();
+    }
+}
+
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
 {
     stage at = {.softness = 1.0};
+    if (search->most_work > 0) {
+        begin_way(set, search);
+    }
     contact_outcome found = search_states(set, search, &at);
     scale_stiffness(set, &at, 1.0 / at.softness);
     return found;

@@ -7,7 +7,7 @@
 
 /* ---- the configuration of the scene */
 
-_Static_assert(sizeof(vbss_scene_config) == 160, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_scene_config) == 168, "new fields must be listed, with a new version");
 
 typedef enum field_type { FIELD_U32, FIELD_F64 } field_type;
 typedef struct field {
@@ -59,15 +59,17 @@ static const field fields[] = {
     WORD(paper_pass_limit),
     NUMBER(paper_thickness),
     WORD(grasp_capacity), /* since version 2 */
+    WORD(work_limit),     /* since version 3 */
 };
-/* Of version 1, whose scenes had no graspers. */
-enum { FIELDS = sizeof fields / sizeof fields[0], FIELDS_1 = 25, GRASPS_1 = 8 };
+/* Of version 1, whose scenes had no graspers, and 2, whose work had no limit. */
+enum { FIELDS = sizeof fields / sizeof fields[0], FIELDS_1 = 25, FIELDS_2 = 26, GRASPS_1 = 8 };
 
 static void visit_config(vbss_stream *stream, vbss_scene_config *config)
 {
-    vbss_section outer = vbss_stream_open(stream, CONFIG, 2);
-    uint32_t count = stream->version >= 2 ? FIELDS : FIELDS_1;
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 3);
+    uint32_t count = stream->version >= 3 ? FIELDS : stream->version == 2 ? FIELDS_2 : FIELDS_1;
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
+    config->work_limit = stream->version >= 3 ? config->work_limit : 0;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
         void *value = (char *)config + fields[i].offset;

@@ -12,13 +12,14 @@ enum { SHORTENINGS = 4 };
 /* A trial state that is longer than this is no state to go to. */
 #define UNSOUND_STRETCH 0.05
 
-/* Whether the trial state is one to go to at least in part, and how far. */
+/* Whether the trial state is one to go to at least in part, and how far. What is stretched less than now is: what was
+ * stretched by an earlier cut would stay so for ever. */
 static double sound_share(scene_object *s, scene_verdict verdict)
 {
     double stretch = 0.0;
     for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
-            const thread_object *t = s->bodies[i].thread.thread;
+        const thread_object *t = s->bodies[i].thread.thread;
+        if (s->bodies[i].kind == BODY_THREAD && !vbss_thread_is_relieved(t)) {
             stretch = vbss_larger(vbss_thread_strain_beyond_tension(t), stretch);
         }
     }

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == 160, "published size");
-_Static_assert(sizeof(vbss_scene_statistics) == 200, "published size");
+_Static_assert(sizeof(vbss_scene_config) == 168, "published size");
+_Static_assert(sizeof(vbss_scene_statistics) == 232, "published size");
 
 static const vbss_scene_config defaults = {
     .struct_size = sizeof(vbss_scene_config),
@@ -32,9 +32,9 @@ static const vbss_scene_config defaults = {
     .attempt_limit = 16,
     .paper_pass_limit = 4,
 };
-static const uint32_t config_sizes[] = {160, 0};
+static const uint32_t config_sizes[] = {160, 168, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
-static const uint32_t statistics_sizes[] = {200, 0};
+static const uint32_t statistics_sizes[] = {200, 232, 0};
 static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
@@ -72,6 +72,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
         {"state_limit", c->state_limit, 1.0, 1000.0},
         {"halving_limit", c->halving_limit, 0.0, 10.0},
         {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
+        {"reserved", c->reserved, 0.0, 0.0},
         {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
@@ -146,7 +147,7 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 2, free_object,
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 3, free_object,
                                    vbss_scene_serialise};
 
 static vbss_result make_collision(scene_object *s)
@@ -208,6 +209,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     }
     s->context = context;
     s->config = own;
+    s->pace = 1.0;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;
     s->place_capacity = own.thread_capacity + own.rigid_capacity;

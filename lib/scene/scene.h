@@ -199,9 +199,11 @@ struct scene_object {
     collision_block *block;
     vbss_rigid_capsule *solids; /* to weigh a new body */
     bool recovering;            /* the part began with more penetration than is allowed */
-    bool turned;                /* the last attempt failed with new normals */
-    bool lagging;               /* the last part was cut short: what is driven is behind */
-    double earliest; /* share of the part after which something would pass; 1: nothing does */
+    double pace, kept_pace;     /* share of a step with which the next one begins; dyadic */
+    uint64_t most_work; /* of the step, in operations: nothing is begun beyond it; 0: no limit */
+    bool turned;        /* the last attempt failed with new normals */
+    bool lagging;       /* the last part was cut short: what is driven is behind */
+    double earliest;    /* share of the part after which something would pass; 1: nothing does */
 
     /* Tests look at every part that is taken, while its begin and its end are both there. */
     void (*watch)(void *watcher, const struct scene_object *scene);
@@ -373,6 +375,11 @@ void vbss_scene_measure_gaps(scene_object *s);
 void vbss_scene_number_blocks(scene_object *s);
 vbss_result vbss_scene_build_pattern(scene_object *s);
 void vbss_scene_set_weld_arms(scene_object *s);
+/* step.c: whether a step may be made of parts of that size. */
+bool vbss_scene_is_part(const scene_object *s, double size);
+/* step.c: work that is done, in products of blocks; whether no more may be. */
+void vbss_scene_spend(scene_object *s, uint32_t each, uint32_t count);
+bool vbss_scene_is_spent(const scene_object *s);
 /* solve.c: bodies and contacts, one system. */
 scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part);
 /* guard.c */

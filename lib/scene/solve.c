@@ -12,6 +12,10 @@
 #define PATIENCE 6u
 #define LOOSE_SHARE 0.05
 #define LOOSE_OVERLAP 0.02
+/* So many linearisations follow when no more work may be done, with a solve each: lengths come before contacts. */
+enum { LAST = 5 };
+/* Of a linearisation, in products of blocks. */
+enum { COST_OF_NODE = 60, COST_OF_ROW = 60 };
 /* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
  * slid far is too near, it goes on with new ones, so often. */
 enum { TURNS = 3 };
@@ -53,7 +57,15 @@ static bool leave_compression_out(scene_object *s)
     return some;
 }
 
-static scene_verdict find_increments(scene_object *s, const scene_part *part)
+/* Half of the work that is left: a further linearisation needs some too. */
+static uint64_t limit_search(const scene_object *s)
+{
+    uint64_t done = s->contacts->counters.work, most = s->most_work;
+    return most == 0 ? 0 : done < most ? done + (most - done) / 2 : 1;
+}
+
+/* `goes_on`: there was a linearisation before. */
+static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on)
 {
     const contact_search search = {.system = s->system,
                                    .welds = s->welds,
@@ -64,7 +76,11 @@ static scene_verdict find_increments(scene_object *s, const scene_part *part)
                                    .slack = SLACK,
                                    .patience = PATIENCE,
                                    .loose_share = LOOSE_SHARE,
-                                   .loose_overlap = LOOSE_OVERLAP};
+                                   .loose_overlap = LOOSE_OVERLAP,
+                                   .most_work = limit_search(s),
+                                   .goes_on = goes_on && s->most_work > 0};
+    vbss_scene_spend(s, COST_OF_NODE, s->node_count);
+    vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
     assemble(s, part);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
@@ -152,8 +168,9 @@ static shape_error advance(scene_object *s)
 static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_t *k)
 {
     shape_error e = {true, false, 0.0};
-    while (*k < s->config.linearisation_limit && !e.converged) {
-        scene_verdict verdict = find_increments(s, part);
+    for (uint32_t last = 0; *k < s->config.linearisation_limit && !e.converged && last < LAST;
+         last += vbss_scene_is_spent(s)) {
+        scene_verdict verdict = find_increments(s, part, *k > 0);
         if (verdict != VERDICT_ACCEPTED) {
             return verdict;
         }
@@ -189,7 +206,7 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
         if (vbss_contact_depth_is_allowed(s->contacts)) {
             return VERDICT_ACCEPTED;
         }
-        if (turns == (part->straight ? 0u : (uint32_t)TURNS) ||
+        if (turns == (part->straight ? 0u : (uint32_t)TURNS) || vbss_scene_is_spent(s) ||
             k >= s->config.linearisation_limit) {
             /* The next part pushes apart what has slid so far; and counts as recovering. */
             s->turned = !part->straight;

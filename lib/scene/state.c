@@ -22,6 +22,9 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
     if (stream->version >= 2) {
         vbss_stream_same(stream, 4, c->grasp_capacity);
     }
+    if (stream->version >= 3) {
+        vbss_stream_same(stream, 5, c->work_limit);
+    }
 }
 
 /* Its jaws may lag behind where they shall be. */
@@ -235,6 +238,24 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     /* Not patterns, which depends on what is still known of the last one. */
     vbss_stream_u64(stream, 83, &s->rejected_states, 11); /* .. guard_pairs */
     vbss_stream_f64(stream, 82, &s->last_penetration, 6); /* .. time */
+    if (stream->version >= 3) {
+        vbss_stream_u64(stream, 84, &s->operations, 3); /* .. paused */
+        vbss_stream_f64(stream, 85, &s->time_paused, 1);
+    }
+}
+
+/* With which the next step begins; none was ever left unfinished before version 3. */
+static void visit_pace(vbss_stream *stream, scene_object *s)
+{
+    if (stream->version >= 3) {
+        vbss_stream_f64(stream, 86, &s->pace, 1);
+    } else {
+        s->pace = 1.0;
+    }
+    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !vbss_scene_is_part(s, s->pace)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such part of a step");
+        s->pace = 1.0;
+    }
 }
 
 /* So that nobody else holds those nodes. */
@@ -270,6 +291,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     vbss_stream_count(stream, 110, &s->touch_count, s->config.contact_capacity);
     vbss_stream_u32(stream, 111, &s->touches->body_a, 2 * (size_t)s->touch_count);
     visit_statistics(stream, &s->statistics);
+    visit_pace(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         note_welds(s);
         s->pattern = 0;

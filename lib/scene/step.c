@@ -26,6 +26,7 @@ static vbss_result keep(scene_object *s)
     }
     vbss_scene_keep_tools(s);
     s->kept = s->statistics;
+    s->kept_pace = s->pace;
     vbss_contact_mark(s->contacts);
     return VBSS_OK;
 }
@@ -48,14 +49,71 @@ static void go_back(scene_object *s)
     }
     vbss_scene_return_tools(s);
     s->statistics = s->kept;
+    s->pace = s->kept_pace;
     vbss_contact_return(s->contacts);
     vbss_scene_begin_events(s);
     s->generation++;
 }
 
+/* ---- work */
+
+/* Of an attempt, in products of blocks; most of a row's is the pattern. */
+enum { COST_OF_CANDIDATE = 60, COST_OF_ROW = 300, COST_OF_NODE = 20 };
+
+static double smallest_part(const scene_object *s)
+{
+    double part = 1.0;
+    for (uint32_t k = 0; k < s->config.halving_limit; k++) {
+        part *= 0.5;
+    }
+    return part;
+}
+
+bool vbss_scene_is_part(const scene_object *s, double size)
+{
+    double part = 1.0, least = smallest_part(s);
+    while (part > least && part != size) {
+        part *= 0.5;
+    }
+    return part == size;
+}
+
+void vbss_scene_spend(scene_object *s, uint32_t each, uint32_t count)
+{
+    s->contacts->counters.work += (uint64_t)each * count;
+}
+
+bool vbss_scene_is_spent(const scene_object *s)
+{
+    return s->most_work > 0 && s->contacts->counters.work >= s->most_work;
+}
+
+/* The first step of a scene is not: what a host has laid out may overlap. */
+static bool is_limited(const scene_object *s)
+{
+    return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&
+           s->statistics.steps > 0;
+}
+
+/* The smallest part is finished whatever it takes, or nothing might ever move again. */
+static void limit_work(scene_object *s, const scene_part *part)
+{
+    bool smallest = part->end - part->begin <= smallest_part(s);
+    s->most_work = is_limited(s) && !smallest ? s->config.work_limit : 0;
+}
+
+static void note_work(scene_object *s)
+{
+    vbss_scene_statistics *c = &s->statistics;
+    uint64_t work = s->contacts->counters.work;
+    c->operations += work;
+    c->most_operations = work > c->most_operations ? work : c->most_operations;
+}
+
 /* ---- an attempt */
 
-/* Share of what is allowed by which a part that begins too deep may go deeper. */
+/* Share of what is allowed by which a part may go deeper that begins too deep, or is about to be: a load may need a
+ * hair more, and on the way out too. */
 #define DEEPER 0.1
 
 static void allow_depth(scene_object *s)
@@ -64,10 +122,8 @@ static void allow_depth(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
         double share = s->config.penetration_tolerance * row->thickness;
-        bool deep = -row->gap_before > share;
-        /* A hair more may be needed on the way out, and rounding at rest. */
-        row->depth_allowed = deep ? -row->gap_before + DEEPER * share : share;
-        s->recovering = s->recovering || deep;
+        row->depth_allowed = greater(share, DEEPER * share - row->gap_before);
+        s->recovering = s->recovering || -row->gap_before > share;
     }
 }
 
@@ -77,6 +133,9 @@ static scene_verdict attempt(scene_object *s, const scene_part *part)
     if (!vbss_scene_find_rows(s, part)) {
         return VERDICT_FULL;
     }
+    vbss_scene_spend(s, COST_OF_CANDIDATE, s->collision->candidate_count);
+    vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
+    vbss_scene_spend(s, COST_OF_NODE, s->node_count);
     vbss_scene_predict(s, part);
     vbss_scene_number_blocks(s);
     vbss_scene_set_rows(s, part);
@@ -102,15 +161,6 @@ static void count(scene_object *s, scene_verdict verdict)
 
 /* ---- parts */
 
-static double smallest_part(const scene_object *s)
-{
-    double part = 1.0;
-    for (uint32_t k = 0; k < s->config.halving_limit; k++) {
-        part *= 0.5;
-    }
-    return part;
-}
-
 static void note_errors(scene_object *s)
 {
     double stretch = 0.0, depth = 0.0;
@@ -135,16 +185,23 @@ typedef struct progress {
     uint32_t attempts;
 } progress;
 
+/* Whether no more may be begun in the step. */
+static bool is_over(const scene_object *s, const progress *at)
+{
+    bool spent = s->contacts->counters.work >= s->config.work_limit;
+    return is_limited(s) && (at->attempts >= s->config.attempt_limit || spent);
+}
+
 /* Whether the part is to be tried again: with the ways that are known now, or in halves. */
 static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
 {
-    bool bounded = s->config.mode == VBSS_MODE_REAL_TIME && verdict != VERDICT_FULL;
-    bool over = bounded && at->attempts >= s->config.attempt_limit;
+    bool bounded = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
+    bool over = bounded && verdict != VERDICT_FULL && at->attempts >= s->config.attempt_limit;
+    bool least = at->size <= at->smallest;
     if (verdict == VERDICT_GUARD && !at->part.again && !over) {
         at->part.again = true;
         return true;
     }
-    bool least = at->size <= at->smallest;
     /* What is deep already is no better for being halved. */
     if (s->turned && !at->part.straight && (least || over || s->recovering)) {
         at->part.straight = true;
@@ -157,6 +214,18 @@ static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
         return true;
     }
     return false;
+}
+
+/* The rest of the step is left out: everything rests where it is, and goes on in the next step, in parts of the
+ * size at first. */
+static void pause_for_now(scene_object *s, const progress *at, double size)
+{
+    double left = 1.0 - at->part.begin;
+    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * left));
+    s->statistics.paused++;
+    s->statistics.time_paused += left * at->part.step;
+    s->pace = size;
+    s->lagging = true;
 }
 
 static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
@@ -181,11 +250,13 @@ static void go_on(scene_object *s, progress *at)
 
 static vbss_result make_parts(scene_object *s, double h)
 {
-    progress at = {.part = {.step = h}, .size = 1.0, .smallest = smallest_part(s)};
+    progress at = {.part = {.step = h}, .size = s->pace, .smallest = smallest_part(s)};
     scene_part *part = &at.part;
+    s->pace = 1.0;
     while (part->begin < 1.0) {
         part->end = part->begin + at.size;
         part->h = h * at.size;
+        limit_work(s, part);
         scene_verdict verdict = attempt(s, part);
         at.attempts++;
         if (verdict == VERDICT_ACCEPTED) {
@@ -193,9 +264,18 @@ static vbss_result make_parts(scene_object *s, double h)
             s->statistics.recovering += s->recovering;
             s->lagging = false;
             go_on(s, &at);
+            if (part->begin < 1.0 && is_over(s, &at)) {
+                pause_for_now(s, &at, at.size);
+                break;
+            }
             continue;
         }
         count(s, verdict);
+        if (at.size > at.smallest && is_over(s, &at)) {
+            vbss_scene_unsettle(s);
+            pause_for_now(s, &at, 0.5 * at.size);
+            break;
+        }
         if (try_again(s, &at, verdict)) {
             continue;
         }
@@ -242,6 +322,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     vbss_scene_begin_events(s);
     vbss_scene_take_tools(s, h);
     s->lagging = false;
+    s->contacts->counters.work = 0;
     vbss_result result = make_parts(s, h);
     if (result != VBSS_OK) {
         go_back(s);
@@ -253,6 +334,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     vbss_scene_note_forces(s);
     vbss_scene_settle_tools(s, h);
     vbss_scene_adapt_meshes(s);
+    note_work(s);
     s->statistics.rows = s->contacts->count;
     s->statistics.state_solves = s->contacts->counters.solves;
     s->statistics.loose_states = s->contacts->counters.loose;

@@ -131,6 +131,7 @@ static vbss_result find_order(vbss_system *s, const graph *g)
 {
     vbss_elimination *e = &s->elimination;
     uint32_t entries = 0;
+    e->products = 0;
     for (uint32_t k = 0; k < g->count; k++) {
         uint32_t gone = (uint32_t)(least_key(e->keys, g->count) & ((1 << KEY_NUMBER) - 1));
         uint32_t degree = e->degrees[gone].neighbours;
@@ -154,6 +155,7 @@ static vbss_result find_order(vbss_system *s, const graph *g)
             e->keys[i] = key_of(e->degrees[i], i);
         }
         entries += degree;
+        e->products += (uint64_t)degree * (degree + 1);
     }
     e->column_start[g->count] = entries;
     return VBSS_OK;

@@ -100,3 +100,25 @@ bool vbss_system_solve(vbss_system *s)
     vbss_system_finish(s);
     return true;
 }
+
+/* ---- a place between solutions */
+
+void vbss_system_begin_way(vbss_system *s)
+{
+    memset(s->followed, 0, (s->active_count - s->run_count) * sizeof *s->followed);
+}
+
+void vbss_system_follow(vbss_system *s, double share)
+{
+    for (uint32_t k = s->run_count; k < s->active_count; k++) {
+        vec3 *at = &s->followed[k - s->run_count], to = s->solution[s->order[k]];
+        *at = share < 1.0 ? vec3_lerp(*at, to, share) : to;
+    }
+}
+
+void vbss_system_stop_there(vbss_system *s)
+{
+    for (uint32_t k = s->run_count; k < s->active_count; k++) {
+        s->solution[s->order[k]] = s->followed[k - s->run_count];
+    }
+}

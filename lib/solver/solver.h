@@ -106,6 +106,7 @@ typedef struct vbss_elimination {
     uint32_t *pair_start;   /* position -> first pair of its column; one more at the end */
     vbss_pair *pairs;       /* what is not filled in */
     block *lower, *upper;   /* entries of L with the pivots, and of U without, transposed */
+    uint64_t products;      /* of blocks, for all entries of L and U */
     lanes *x;               /* right-hand sides, then increments, by position */
 
     /* scratch of analyse: who is coupled with whom as rows of bits, how many they are, who is next */
@@ -157,6 +158,7 @@ typedef struct vbss_system {
     uint32_t separator_first_entry, pair_count;
     block *separator_base, *separator_blocks;
     vec3 *separator_base_rhs, *separator_rhs;
+    vec3 *followed; /* their increments at a place between solutions */
     vbss_elimination elimination;
     uint64_t tiny_pivots; /* met so far: each one a solve that failed */
     bool wide;            /* hot loops with AVX2 */
@@ -209,6 +211,11 @@ void vbss_system_take_separators(vbss_system *system);
 /* Factorises what stands there, which stays as it is, and puts the separators' increments into the
  * solution; those of the runs not. False: a pivot was too small. */
 bool vbss_system_solve_separators(vbss_system *system);
+/* Separators may stop at a place between solutions: from where nothing moves, a share of the way to each solution in
+ * turn; and its increments in place of the solution's. */
+void vbss_system_begin_way(vbss_system *system);
+void vbss_system_follow(vbss_system *system, double share);
+void vbss_system_stop_there(vbss_system *system);
 /* Then all other increments. */
 void vbss_system_finish(vbss_system *system);
 /* solve_separators and finish. */

@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 40 };
+enum { PARTS = 41 };
 #define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
@@ -40,6 +40,7 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->separator_blocks, places, sizeof *s->separator_blocks},
         {&s->separator_base_rhs, separators, sizeof *s->separator_base_rhs},
         {&s->separator_rhs, separators, sizeof *s->separator_rhs},
+        {&s->followed, separators, sizeof *s->followed},
         {&e->order, separators, sizeof *e->order},
         {&e->position, separators, sizeof *e->position},
         {&e->column_start, separators + 1, sizeof *e->column_start},

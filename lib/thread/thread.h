@@ -267,6 +267,8 @@ bool vbss_thread_stop(thread_object *t);
 void vbss_thread_commit(thread_object *t, const vbss_integration *in);
 /* The largest strain of the trial state beyond that of the tensions. */
 double vbss_thread_strain_beyond_tension(const thread_object *t);
+/* Whether the trial state is strained less than now, by the largest strains of either sign. */
+bool vbss_thread_is_relieved(const thread_object *t);
 /* The compression under which a straight thread with its inertia as foundation buckles at a free end. */
 double vbss_thread_carried_load(const thread_object *t, double inertia);
 /* rest_curvature.c: what rest curvature pulls in the trial state. */

@@ -42,6 +42,16 @@ double vbss_thread_strain_beyond_tension(const thread_object *t)
     return largest;
 }
 
+bool vbss_thread_is_relieved(const thread_object *t)
+{
+    double now = 0.0, trial = 0.0;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        now = vbss_larger(fabs(t->now.tension[i]), now);
+        trial = vbss_larger(fabs(t->strains[i].excess) * t->inverse_rest[i], trial);
+    }
+    return trial * t->config.axial_stiffness < now;
+}
+
 /* False: this is no smooth motion. A taut thread is let go, an end jerks: accelerations of the past are
  * worth nothing then, and would feed energy. A prediction that is no start at all is replaced by the old
  * positions. */

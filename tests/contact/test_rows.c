@@ -296,7 +296,7 @@ static void memory_is_saved_and_nonsense_refused(void **state)
     close_with(add(&l, 2, 2), 2.0);
     l.set->rows[1].is.state = CONTACT_SLIP;
     l.set->residual = 0.125;
-    l.set->counters = (contact_counters){7, 3};
+    l.set->counters = (contact_counters){7, 3, 0};
     vbss_contact_keep(l.set);
     size_t count = write(&l, bytes, sizeof bytes);
     expect_ok(read(&other, bytes, count));
