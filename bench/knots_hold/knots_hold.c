@@ -1,0 +1,133 @@
+/* How much one knot holds: ties it, lets go of it, grows what it is tied round, and prints what came of it as one
+ * line of JSON. run.py runs many of them. The protocol is told in docs/knot-holding.md.
+ *
+ *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [trace=file]
+ *
+ * Names: finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s), limit (N). Seed 0 is the knot
+ * as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "oracle/knot_type.h"
+#include "scenes/held_knot.h"
+
+static int find_kind(const char *name)
+{
+    int kind = 0;
+    while (kind < KNOT_KINDS && strcmp(knot_names[kind], name) != 0) {
+        kind++;
+    }
+    return kind;
+}
+
+/* False when there is no such option. */
+static bool set_option(held_knot_options *o, const char *text)
+{
+    const struct {
+        const char *name;
+        double *value;
+    } options[] = {{"finest", &o->tied.knot.finest},
+                   {"step", &o->step},
+                   {"stiffness", &o->tied.scene.contact_stiffness},
+                   {"growth", &o->growth},
+                   {"limit", &o->limit}};
+    const char *equals = strchr(text, '=');
+    size_t length = equals != NULL ? (size_t)(equals - text) : 0;
+    for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {
+        if (strlen(options[i].name) == length && strncmp(options[i].name, text, length) == 0) {
+            *options[i].value = strtod(equals + 1, NULL);
+            return true;
+        }
+    }
+    return false;
+}
+
+static vbss_result run(held_knot *k, FILE *trace)
+{
+    VBSS_TRY(held_knot_tie(k));
+    bool goes_on = k->end == HELD_KNOT_GREW;
+    while (goes_on) {
+        VBSS_TRY(held_knot_grow(k, &goes_on));
+        if (trace != NULL) {
+            fprintf(trace, "%.6g %.6g %.6g %.6g\n", 1e3 * k->grown, k->tension,
+                    1e3 * held_knot_drawn_in(&k->resting, &k->edges),
+                    1e3 * held_knot_inside(&k->edges));
+        }
+    }
+    return VBSS_OK;
+}
+
+static bool type_kept(const held_knot *k)
+{
+    const vec3 *x;
+    uint32_t count;
+    const knot_shape *shape = &k->options.tied.knot;
+    knot_type found, right = knot_type_of_kind(shape->kind, shape->mirrored);
+    return held_knot_strand(k, &x, &count) == VBSS_OK && knot_type_of(x, count, &found) &&
+           knot_type_same(found, right);
+}
+
+static vbss_result print(const held_knot *k, double asked)
+{
+    vbss_scene_statistics s;
+    const held_knot_options *o = &k->options;
+    VBSS_TRY(vbss_scene_get_statistics(k->tied.scene, &s, sizeof s));
+    printf("{\"knot\": \"%s\", \"force\": %g, \"friction\": %g, \"seed\": %llu, \"seated_N\": %.6g",
+           knot_names[o->tied.knot.kind], asked, o->tied.scene.thread_friction,
+           (unsigned long long)o->seed, o->tied.pull.force);
+    printf(", \"end\": \"%s\", \"holds_N\": %.6g, \"through_N\": %.6g, \"limit_N\": %g, "
+           "\"growth_mm\": %.4g",
+           held_knot_ends[k->end], k->holds, k->holds_through, o->limit, 1e3 * k->grown);
+    printf(
+        ", \"seated_mm\": %.5g, \"resting_mm\": %.5g, \"let_go_slip_mm\": %.5g, \"slip_mm\": %.5g",
+        1e3 * held_knot_inside(&k->seated), 1e3 * held_knot_inside(&k->resting),
+        1e3 * held_knot_drawn_in(&k->seated, &k->resting),
+        1e3 * held_knot_drawn_in(&k->resting, &k->edges));
+    printf(", \"type_kept\": %d, \"clamped\": %llu, \"recovering\": %llu", type_kept(k),
+           (unsigned long long)s.clamped, (unsigned long long)s.recovering);
+    printf(", \"penetration_um\": %.4g, \"steps\": %llu, \"cpu_s\": %.3f}\n", 1e6 * s.penetration,
+           (unsigned long long)s.steps, (double)clock() / CLOCKS_PER_SEC);
+    return VBSS_OK;
+}
+
+static vbss_result measure(const held_knot_options *o, double asked, FILE *trace)
+{
+    static held_knot k;
+    vbss_context *context;
+    VBSS_TRY(vbss_context_create(NULL, &context));
+    VBSS_TRY(held_knot_create(context, o, &k));
+    VBSS_TRY(run(&k, trace));
+    VBSS_TRY(print(&k, asked));
+    return vbss_context_destroy(context);
+}
+
+int main(int argc, char **argv)
+{
+    held_knot_options o;
+    FILE *trace = NULL;
+    int kind = argc < 5 ? KNOT_KINDS : find_kind(argv[1]);
+    bool good = kind < KNOT_KINDS && held_knot_init(&o, (knot_kind)kind, strtod(argv[2], NULL),
+                                                    strtod(argv[3], NULL)) == VBSS_OK;
+    if (good && strtoull(argv[4], NULL, 10) != 0) {
+        held_knot_vary(&o, strtoull(argv[4], NULL, 10));
+    }
+    for (int i = 5; good && i < argc; i++) {
+        bool traces = strncmp(argv[i], "trace=", 6) == 0;
+        trace = traces ? fopen(argv[i] + 6, "w") : trace;
+        good = traces ? trace != NULL : set_option(&o, argv[i]);
+    }
+    if (!good) {
+        fprintf(stderr, "usage: knots_hold <knot> <force> <friction> <seed> [name=value ...]\n");
+        return 2;
+    }
+    vbss_result result = measure(&o, strtod(argv[2], NULL), trace);
+    if (result != VBSS_OK) {
+        fprintf(stderr, "%s\n", vbss_result_name(result));
+    }
+    if (trace != NULL) {
+        fclose(trace);
+    }
+    return result != VBSS_OK;
+}
