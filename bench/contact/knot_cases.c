@@ -16,8 +16,12 @@ typedef struct kind_case {
 } kind_case;
 
 #define FINE 0.3e-3
+/* With this the knot of three throws has some 300 nodes. */
+#define FINE_FLS 0.37e-3
 /* With this the double overhand has 213 nodes. */
 #define COARSE 1.8e-3
+/* Of a mesh of 120 segments: five diameters, too coarse for the length that a knot takes up. */
+#define UNIFORM 1.25e-3
 #define PAPER_SEGMENT 5e-3
 #define PAPER_STEP (1.0 / 150.0)
 #define OUR_STEP 1e-3
@@ -32,10 +36,14 @@ static const kind_case cases[] = {
     {"overhand", KNOT_OVERHAND, VBSS_METHOD_OURS, OURS_STEPS, false, false, FINE, COARSE, OUR_STEP},
     {"double-overhand", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_OURS, OURS_STEPS, false, false, FINE,
      COARSE, OUR_STEP},
+    {"double-overhand-uniform", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_OURS, OURS_STEPS, false, false,
+     UNIFORM, UNIFORM, OUR_STEP},
     {"square", KNOT_SQUARE, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
     {"granny", KNOT_GRANNY, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
     {"surgeon", KNOT_SURGEON, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
     {"fls-knot", KNOT_FLS, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE, COARSE, OUR_STEP},
+    {"fls-knot-300", KNOT_FLS, VBSS_METHOD_OURS, OURS_STEPS, true, false, FINE_FLS, COARSE,
+     OUR_STEP},
     {"overhand", KNOT_OVERHAND, VBSS_METHOD_PAPER, LOST_STEPS, false, false, FINE, COARSE,
      OUR_STEP},
     {"double-overhand", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_PAPER, LOST_STEPS, false, false, FINE,
@@ -46,7 +54,12 @@ static const kind_case cases[] = {
     {"paper-throw-pinned", KNOT_DOUBLE_OVERHAND, VBSS_METHOD_PAPER, PAPER_STEPS, false, true,
      PAPER_SEGMENT, PAPER_SEGMENT, PAPER_STEP},
 };
-enum { CASES = sizeof cases / sizeof cases[0], PHASES = 2 };
+enum { CASES = sizeof cases / sizeof cases[0] };
+
+/* A knot is timed while it is pulled, while it bears its load, and pulled with little work allowed. */
+typedef enum phase { PULLED, HELD, PULLED_IN_REAL_TIME, PHASES } phase;
+enum { REAL_TIME_WORK = 250000 };
+static const char *const methods[PHASES] = {"ours", "ours", "ours-real-time"};
 
 static pulled_knot knots[CASES][PHASES];
 
@@ -61,8 +74,9 @@ static uint32_t count_nodes(const pulled_knot *k)
                : 0;
 }
 
-static void set(pulled_knot *k, const kind_case *c, bool held)
+static void set(pulled_knot *k, const kind_case *c, phase when)
 {
+    bool held = when == HELD;
     pulled_knot_init(k, c->kind, c->method);
     k->options.knot.cylinder = c->cylinder;
     k->options.knot.finest = c->finest;
@@ -74,17 +88,21 @@ static void set(pulled_knot *k, const kind_case *c, bool held)
     k->pinned = c->pinned;
     k->h = c->h;
     k->held = held;
+    if (when == PULLED_IN_REAL_TIME) {
+        k->options.scene.work_limit = REAL_TIME_WORK;
+        k->options.scene.attempt_limit = 3;
+    }
     snprintf(k->name, sizeof k->name, "contact/%s%s/%s/%u", c->scene, held ? "-held" : "",
-             c->method == VBSS_METHOD_OURS ? "ours" : "paper", (unsigned)count_nodes(k));
+             c->method == VBSS_METHOD_OURS ? methods[when] : "paper", (unsigned)count_nodes(k));
 }
 
 void add_knot_cases(bench *b)
 {
-    for (size_t held = 0; held < PHASES; held++) {
+    for (int when = PULLED; when < PHASES; when++) {
         for (size_t i = 0; i < CASES; i++) {
-            if (held == 0 || cases[i].method == VBSS_METHOD_OURS) {
-                set(&knots[i][held], &cases[i], held == 1);
-                pulled_knot_add(b, &knots[i][held]);
+            if (when == PULLED || cases[i].method == VBSS_METHOD_OURS) {
+                set(&knots[i][when], &cases[i], (phase)when);
+                pulled_knot_add(b, &knots[i][when]);
             }
         }
     }
