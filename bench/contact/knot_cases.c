@@ -58,7 +58,6 @@ enum { CASES = sizeof cases / sizeof cases[0] };
 
 /* A knot is timed while it is pulled, while it bears its load, and pulled with little work allowed. */
 typedef enum phase { PULLED, HELD, PULLED_IN_REAL_TIME, PHASES } phase;
-enum { REAL_TIME_WORK = 250000 };
 static const char *const methods[PHASES] = {"ours", "ours", "ours-real-time"};
 
 static pulled_knot knots[CASES][PHASES];
@@ -89,8 +88,8 @@ static void set(pulled_knot *k, const kind_case *c, phase when)
     k->h = c->h;
     k->held = held;
     if (when == PULLED_IN_REAL_TIME) {
-        k->options.scene.work_limit = REAL_TIME_WORK;
-        k->options.scene.attempt_limit = 3;
+        k->options.scene.work_limit = BENCH_REAL_TIME_WORK;
+        k->options.scene.attempt_limit = BENCH_REAL_TIME_ATTEMPTS;
     }
     snprintf(k->name, sizeof k->name, "contact/%s%s/%s/%u", c->scene, held ? "-held" : "",
              c->method == VBSS_METHOD_OURS ? methods[when] : "paper", (unsigned)count_nodes(k));

@@ -12,17 +12,19 @@ typedef struct throw_case {
     vbss_context *context;
     throw_scene scene, begin;
     uint32_t steps, most_contacts, most_nodes;
-    bool twice, adapts;
+    bool twice, adapts, limited;
     uint64_t node_sum;
     uint8_t *saved;
     uint64_t saved_bytes;
     vbss_scene_statistics statistics_at_begin;
 } throw_case;
 
-/* Both throws; then the double on finer and on adaptive meshes. */
+/* Both throws; with limited work; then the double on finer and on adaptive meshes. */
 static throw_case cases[] = {
     {.name = "contact/throw-single/ours/298"},
     {.name = "contact/throw-double/ours/298", .twice = true},
+    {.name = "contact/throw-single/ours-real-time/298", .limited = true},
+    {.name = "contact/throw-double/ours-real-time/298", .twice = true, .limited = true},
     {.name = "contact/mesh/throw-double/fine-0.3", .twice = true, .segment = 0.3e-3},
     {.name = "contact/mesh/throw-double/adaptive-0.5",
      .twice = true,
@@ -43,6 +45,10 @@ static bool make(throw_case *c)
         return false;
     }
     options.segment = c->segment > 0.0 ? c->segment : options.segment;
+    if (c->limited) {
+        options.scene.work_limit = BENCH_REAL_TIME_WORK;
+        options.scene.attempt_limit = BENCH_REAL_TIME_ATTEMPTS;
+    }
     if (c->adapts) {
         options.thread.mesh = VBSS_MESH_ADAPTIVE;
         options.thread.finest_length = c->finest;
@@ -130,6 +136,8 @@ static void finish(void *user, bench_result *result)
     bench_counter(result, "nodes_mean", (double)c->node_sum / steps);
     bench_counter(result, "nodes_most", c->most_nodes);
     bench_counter(result, "loose_states", (double)s.loose_states);
+    bench_counter(result, "paused", (double)s.paused);
+    bench_counter(result, "paused_ms", 1e3 * s.time_paused);
 }
 
 static void tear_down(void *user)
