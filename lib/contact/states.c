@@ -5,6 +5,8 @@
  * that leads too far is followed part of the way, and the next goes on from the states there. */
 #include "contact/contact.h"
 
+#include <string.h>
+
 /* Of a solve, in products of blocks: rows are assembled and looked at. */
 enum { COST_OF_ROW = 25 };
 
@@ -250,6 +252,8 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
                 vbss_system_stop_there(search->system);
                 outcome = CONTACT_LOOSE;
             }
+        } else if (search->most_work > 0) { /* from there a further linearisation goes on */
+            memcpy(set->here, set->there, set->count * sizeof *set->here);
         }
         take_found(set);
         if (outcome != CONTACT_LOST) {

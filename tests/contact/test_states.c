@@ -197,6 +197,61 @@ static void cycles_end_loose_or_lost_within_the_limit(void **state)
     assert_true((t.found > 10 && t.lost > 10) || t.found + t.lost <= 1);
 }
 
+/* ---- with limited work */
+
+/* With the forces of where the search stopped. */
+static double imbalance_where_it_stands(const few_blocks *f)
+{
+    double largest = 0.0;
+    for (uint32_t b = 0; b < f->count; b++) {
+        vec3 left = vec3_sub(f->force[b], mat3_mul_vec3(f->stiffness[b], f->system->solution[b]));
+        for (uint32_t i = 0; i < f->set->count; i++) {
+            const contact_row *row = &f->set->rows[i];
+            for (uint32_t p = 0; p < row->term_count; p++) {
+                bool here = row->terms[p].block == b;
+                double weight = here ? row->terms[p].weight : 0.0;
+                left = vec3_add_scaled(left, weight, f->set->here[i].force);
+            }
+        }
+        largest = f->roles[b] != VBSS_ROLE_GIVEN ? greater(vec3_norm(left), largest) : largest;
+    }
+    return largest;
+}
+
+/* Where it stops all balances, and sides have come as far as it says. */
+static void what_stops_in_time_balances(harness_source *source, void *user)
+{
+    tally *t = user;
+    few_blocks f;
+    draw_few(&f, source, 3.0);
+    f.search.most_work = 1 + harness_draw_below(source, 2000);
+    contact_outcome outcome = few_solve(&f);
+    const uint64_t work = f.set->counters.work, solves = f.set->counters.solves;
+    assert_true(solves == 1 || work <= f.search.most_work);
+    if (outcome == CONTACT_LOST) { /* it may go on for as long as ever */
+        assert_int_equal(solves, f.search.limit);
+        few_end(&f);
+        return;
+    }
+    expect_near(0.0, imbalance_where_it_stands(&f), 1e-8);
+    for (uint32_t i = 0; i < f.set->count; i++) {
+        const contact_row *row = &f.set->rows[i];
+        expect_near(0.0, vec3_distance(few_moved(&f, row), f.set->here[i].u), 1e-12);
+        expect_same_bits(2e5, row->stiffness);
+    }
+    t->found += outcome == CONTACT_LOOSE;
+    t->lost += outcome == CONTACT_FOUND;
+    few_end(&f);
+}
+
+static void a_search_that_stops_in_time_leaves_a_balance(void **state)
+{
+    (void)state;
+    tally t = {0};
+    harness_property("stopped", 1000, what_stops_in_time_balances, &t);
+    assert_true((t.found > 100 && t.lost > 100) || t.found + t.lost <= 1);
+}
+
 static void nothing_to_hold_on_to_is_told(void **state)
 {
     (void)state;
@@ -281,6 +336,7 @@ int test_states(void)
         cmocka_unit_test(a_row_that_would_pull_opens),
         harness_test(what_is_found_is_the_law_and_balance),
         harness_test(cycles_end_loose_or_lost_within_the_limit),
+        cmocka_unit_test(a_search_that_stops_in_time_leaves_a_balance),
         cmocka_unit_test(nothing_to_hold_on_to_is_told),
         cmocka_unit_test(what_closes_deep_is_softened_and_ends_right),
         cmocka_unit_test(stiffness_comes_back_whatever_happens),
