@@ -84,10 +84,10 @@ typedef struct scene_body {
 
 /* In the principal frame of its body; and where its axis is. */
 typedef struct scene_capsule {
-    vec3 local[2];       /* where it is in the body; jaws move against it */
-    vec3 local_end[2];   /* where it shall be at the end of the step */
-    vec3 local_trial[2]; /* at the end of the part under way */
-    vec3 kept[2];        /* before the step */
+    vec3 local[2];             /* where it is in the body; jaws move against it */
+    vec3 local_end[2];         /* where it shall be at the end of the step */
+    vec3 local_trial[2];       /* at the end of the part under way */
+    vec3 kept[2], kept_end[2]; /* before the step */
     double radius, kept_radius;
     vec3 now[2], trial[2];
 } scene_capsule;

@@ -216,6 +216,24 @@ static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
     return false;
 }
 
+/* What is too much for the rooms, or no state at all, is no better for waiting. */
+static bool may_wait(scene_verdict verdict)
+{
+    return verdict != VERDICT_FULL && verdict != VERDICT_SINGULAR;
+}
+
+/* Hands feel how far their tools are left behind. */
+static void pull_from_here(scene_object *s, const scene_part *part)
+{
+    const vbss_rigid_part p = {part->step, part->begin, 1.0};
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == BODY_RIGID) {
+            r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
+        }
+    }
+}
+
 /* The rest of the step is left out: everything rests where it is, and goes on in the next step, in parts of the
  * size at first. */
 static void pause_for_now(scene_object *s, const progress *at, double size)
@@ -226,6 +244,7 @@ static void pause_for_now(scene_object *s, const progress *at, double size)
     s->statistics.time_paused += left * at->part.step;
     s->pace = size;
     s->lagging = true;
+    pull_from_here(s, &at->part);
 }
 
 static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
@@ -271,7 +290,7 @@ static vbss_result make_parts(scene_object *s, double h)
             continue;
         }
         count(s, verdict);
-        if (at.size > at.smallest && is_over(s, &at)) {
+        if (at.size > at.smallest && is_over(s, &at) && may_wait(verdict)) {
             vbss_scene_unsettle(s);
             pause_for_now(s, &at, 0.5 * at.size);
             break;

@@ -163,6 +163,8 @@ void vbss_scene_keep_tools(scene_object *s)
         scene_capsule *c = &s->capsules[i];
         c->kept[0] = c->local[0];
         c->kept[1] = c->local[1];
+        c->kept_end[0] = c->local_end[0]; /* elsewhere after a step that was cut short */
+        c->kept_end[1] = c->local_end[1];
         c->kept_radius = c->radius;
     }
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -181,8 +183,10 @@ void vbss_scene_return_tools(scene_object *s)
 {
     for (uint32_t i = 0; i < s->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
-        c->local[0] = c->local_end[0] = c->kept[0];
-        c->local[1] = c->local_end[1] = c->kept[1];
+        c->local[0] = c->kept[0];
+        c->local[1] = c->kept[1];
+        c->local_end[0] = c->kept_end[0];
+        c->local_end[1] = c->kept_end[1];
         c->radius = c->kept_radius;
     }
     for (uint32_t i = 0; i < s->place_count; i++) {

@@ -129,9 +129,11 @@ static look look_at(const tools_rig *r)
 }
 
 /* Another thread lands on a floor far below and needs more contacts than there are, `fall` ms after the begin. */
-static void begin_fall(tools_rig *r, double fall)
+static void begin_fall(tools_rig *r, double fall, uint32_t work_limit)
 {
     tools_begin(r);
+    r->s.config.work_limit = work_limit;
+    r->s.config.attempt_limit = work_limit > 0 ? 3 : r->s.config.attempt_limit;
     r->s.config.floor = 1;
     r->s.config.floor_normal[1] = 0.0;
     r->s.config.floor_normal[2] = 1.0;
@@ -146,14 +148,13 @@ static void begin_fall(tools_rig *r, double fall)
     small_thread(&r->s, vec3_make(-0.02, 0.0, z), vec3_make(0.02, 0.0, z), 40, NULL);
 }
 
-static void a_step_that_fails_changes_nothing(void **state)
+static void expect_nothing_changed(uint32_t work_limit)
 {
-    (void)state;
     uint32_t closing = 0, holding = 0, letting_go = 0;
     for (uint32_t fall = 20; fall <= 108; fall += fall == 20 ? 40 : fall < 95 ? 35 : 1) {
         tools_rig r;
         bool failed = false;
-        begin_fall(&r, fall);
+        begin_fall(&r, fall, work_limit);
         for (uint32_t i = 0; i < 200 && !failed; i++) {
             tools_open(&r, 0, i < 100 ? 0.0 : 1.0);
             tools_move(&r, 0, vec3_make(1e-6 * i, -8e-3, -2e-3));
@@ -178,9 +179,15 @@ static void a_step_that_fails_changes_nothing(void **state)
         assert_true(failed);
         tools_end(&r);
     }
-    assert_int_equal(closing, 1);
-    assert_true(holding > 1);
-    assert_int_equal(letting_go, 1);
+    assert_true(closing > 0 && holding > 1 && letting_go > 0);
+}
+
+static void a_step_that_fails_changes_nothing(void **state)
+{
+    (void)state;
+    expect_nothing_changed(0);
+    expect_nothing_changed(
+        100000); /* it has waited before, with jaws that are not where they shall be */
 }
 
 int test_grasp_state(void)
