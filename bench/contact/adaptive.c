@@ -28,6 +28,7 @@ static pulled_knot knots[KINDS][MESHES];
 static void set(pulled_knot *k, const knot_case *c, double finest, double coarsest)
 {
     pulled_knot_init(k, c->kind, VBSS_METHOD_OURS);
+    k->options.scene.mode = VBSS_MODE_OFFLINE;
     k->options.knot.size = c->size;
     k->options.knot.length = 0.2;
     k->options.knot.finest = finest;

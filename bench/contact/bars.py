@@ -38,19 +38,15 @@ def bars(cases):
         yield "double overhand of 120 segments held, steps/s", 1e6 / uniform["median_us"], ">= 30000", \
             lambda v: v >= 30000.0
     for scene in ("fls-knot-300", "fls-knot"):
-        for method, words in (("ours", ""), ("ours-real-time", ", limited work")):
-            row = one(cases, scene, method)
-            if row:
-                yield f"{scene}, p99.9 us{words}", row["p999_us"], "<= 1000, wanted 550", lambda v: v <= 1000.0
+        row = one(cases, scene, "ours")
+        if row:
+            yield f"{scene}, p99.9 us", row["p999_us"], "<= 1000, wanted 550", lambda v: v <= 1000.0
     for scene in ("throw-single", "throw-double"):
         row = one(cases, scene, "ours")
         if row:
             yield f"{scene}, retries a step", row["attempts_per_step"] - 1.0, "<= 0.1", lambda v: v <= 0.1
             yield f"{scene}, steps cut short", row["clamped"], "= 0", lambda v: v == 0
             yield f"{scene}, p99.9 us", row["p999_us"], "<= 1000", lambda v: v <= 1000.0
-        limited = one(cases, scene, "ours-real-time")
-        if limited:
-            yield f"{scene}, p99.9 us, limited work", limited["p999_us"], "<= 1000", lambda v: v <= 1000.0
     ours = [row for (s, m, _), row in cases.items() if m == "ours" and "topology_kept" in row and s != "resolution"]
     if ours:
         yield "knots of ours that are no longer what they were", \

@@ -4,9 +4,6 @@
 
 #include "harness/bench.h"
 
-/* Limits of work of the cases `ours-real-time`: half a millisecond and what is finished beyond it. */
-enum { BENCH_REAL_TIME_WORK = 250000, BENCH_REAL_TIME_ATTEMPTS = 3 };
-
 /* knot_cases.c: knots that are pulled tight, and held; of both methods. */
 void add_knot_cases(bench *b);
 /* throws.c: loops that slide along a tool and off its tip. */

@@ -30,6 +30,7 @@ static pulled_knot knots[STEPS][SEGMENTS], paper_knots[PAPER_STEPS][PAPER_SEGMEN
 static void set(pulled_knot *k, double segment, double h)
 {
     pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_OURS);
+    k->options.scene.mode = VBSS_MODE_OFFLINE;
     k->options.knot.finest = segment;
     k->options.knot.coarsest = greater(segment, 2e-3);
     k->h = h;

@@ -1,7 +1,7 @@
 /* How much one knot holds: ties it, lets go of it, grows what it is tied round, and prints what came of it as one
  * line of JSON. run.py runs many of them. The protocol is told in docs/knot-holding.md.
  *
- *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [trace=file]
+ *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [real-time] [trace=file]
  *
  * Names: finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s), limit (N). Seed 0 is the knot
  * as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
@@ -33,6 +33,10 @@ static bool set_option(held_knot_options *o, const char *text)
                    {"stiffness", &o->tied.scene.contact_stiffness},
                    {"growth", &o->growth},
                    {"limit", &o->limit}};
+    if (strcmp(text, "real-time") == 0) { /* with its limit of work */
+        o->tied.scene.mode = VBSS_MODE_REAL_TIME;
+        return true;
+    }
     const char *equals = strchr(text, '=');
     size_t length = equals != NULL ? (size_t)(equals - text) : 0;
     for (size_t i = 0; i < sizeof options / sizeof options[0]; i++) {

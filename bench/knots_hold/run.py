@@ -19,6 +19,9 @@ CELLS = [(force, friction) for friction in (0.1, 0.2, 0.3) for force in (1.0, 5.
 CELLS += [(force, friction) for friction in (0.25, 0.4) for force in (0.5, 1.0, 2.0, 5.0)]
 # What the numbers must not depend on; one thing at a time.
 DOUBTED = [("square", 1.0, 0.25), ("granny", 1.0, 0.3), ("half hitches", 1.0, 0.3)]
+# Offline everything has the work it takes: what real time's limit of work does to it.
+LIMITED = [(knot, force, friction) for friction in (0.3, 0.4) for force in (1.0, 5.0)
+           for knot in ("square", "granny", "surgeon's", "fls", "half hitches")]
 VARIANTS = ["finest=0.0003", "finest=0.0002", "step=0.0005", "stiffness=100000", "stiffness=400000",
             "growth=0.0005"]
 
@@ -32,6 +35,9 @@ def list_jobs(seeds):
         for variant in VARIANTS:
             for seed in range(1, seeds + 1):
                 yield knot, force, friction, seed, variant
+    for knot, force, friction in LIMITED:
+        for seed in range(1, seeds + 1):
+            yield knot, force, friction, seed, "real-time"
 
 
 def run_job(executable, job):

@@ -35,10 +35,11 @@ typedef int32_t vbss_scene_mode;
 
 /** The constants of #vbss_scene_mode. */
 enum {
-    /** A bounded number of attempts in a step; then what is left of the step is cut short where it
-     * would harm, which is counted in `clamped`. */
+    /** A step has a limit of work and of attempts, so that it ends in time: see `work_limit`. What is not done
+     * by then waits, which is counted in `paused`. Tight knots of many throws slip a little early for it. */
     VBSS_MODE_REAL_TIME = 0,
-    /** Halves as often as halving_limit allows; clamps only after that. */
+    /** All the work it takes; halves as often as halving_limit allows, and is cut short only after that, which is
+     * counted in `clamped`. For experiments. */
     VBSS_MODE_OFFLINE = 1
 };
 
@@ -77,8 +78,8 @@ typedef struct vbss_scene_config {
     uint32_t
         state_limit; /**< Solves for the states of the contacts in a linearisation, 1 to 1000; default 36. */
     uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 5. */
-    /** REAL_TIME: attempts in a step after which nothing is halved again, 1 to 1000; default 16. What is left
-     * of the step is tried once a part; with a work_limit it is left out. */
+    /** REAL_TIME: attempts in a step after which what is left of it waits, 1 to 1000; default 3. Without a
+     * work_limit nothing waits: what is left is tried once a part, and cut short where it would harm. */
     uint32_t attempt_limit;
     /** PAPER: passes of detection and response in a step, 1 to 1000; default 4. */
     uint32_t paper_pass_limit;
@@ -94,7 +95,7 @@ typedef struct vbss_scene_config {
      * begins with smaller parts (vbss_scene_statistics::paused), and what is driven goes on from where it was stopped.
      * Without limit are the first step of a scene and the smallest part that halving_limit allows. An operation is what
      * costs about as much as a product of two 3x3 blocks; 250000 are some 0.5 ms of a core of 2.6 GHz
-     * (docs/contact.md). Default 0: no limit. */
+     * (docs/contact.md). 0: no limit; default 250000. */
     uint32_t work_limit;
     uint32_t reserved; /**< Zero. */
 } vbss_scene_config;

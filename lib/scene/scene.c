@@ -29,8 +29,9 @@ static const vbss_scene_config defaults = {
     .linearisation_limit = 12,
     .state_limit = 36,
     .halving_limit = 5,
-    .attempt_limit = 16,
+    .attempt_limit = 3,
     .paper_pass_limit = 4,
+    .work_limit = 250000,
 };
 static const uint32_t config_sizes[] = {160, 168, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};

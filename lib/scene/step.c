@@ -282,30 +282,29 @@ static vbss_result make_parts(scene_object *s, double h)
             vbss_scene_commit(s, part);
             s->statistics.recovering += s->recovering;
             s->lagging = false;
-            go_on(s, &at);
-            if (part->begin < 1.0 && is_over(s, &at)) {
-                pause_for_now(s, &at, at.size);
+        } else {
+            count(s, verdict);
+            if (at.size > at.smallest && is_over(s, &at) && may_wait(verdict)) {
+                vbss_scene_unsettle(s);
+                pause_for_now(s, &at, 0.5 * at.size);
                 break;
             }
-            continue;
+            if (try_again(s, &at, verdict)) {
+                continue;
+            }
+            if (verdict == VERDICT_FULL) { /* nothing is known of what would be met */
+                return vbss_fail(
+                    s->context, VBSS_ERROR_CAPACITY,
+                    "scene step: more is near than candidate_capacity %u or contact_capacity %u",
+                    s->config.candidate_capacity, s->config.contact_capacity);
+            }
+            cut_short(s, &at, verdict);
         }
-        count(s, verdict);
-        if (at.size > at.smallest && is_over(s, &at) && may_wait(verdict)) {
-            vbss_scene_unsettle(s);
-            pause_for_now(s, &at, 0.5 * at.size);
+        go_on(s, &at);
+        if (part->begin < 1.0 && is_over(s, &at)) {
+            pause_for_now(s, &at, at.size);
             break;
         }
-        if (try_again(s, &at, verdict)) {
-            continue;
-        }
-        if (verdict == VERDICT_FULL) { /* nothing is known of what would be met */
-            return vbss_fail(
-                s->context, VBSS_ERROR_CAPACITY,
-                "scene step: more is near than candidate_capacity %u or contact_capacity %u",
-                s->config.candidate_capacity, s->config.contact_capacity);
-        }
-        cut_short(s, &at, verdict);
-        go_on(s, &at);
     }
     return VBSS_OK;
 }

@@ -6,7 +6,7 @@ enum { NODES = 31 };
 
 stage_options stage_defaults(void)
 {
-    const stage_options options = {0.3, 0.15, 1e-8, 256, VBSS_METHOD_OURS};
+    const stage_options options = {0.3, 0.15, 1e-8, 256, VBSS_METHOD_OURS, VBSS_MODE_REAL_TIME};
     return options;
 }
 
@@ -46,6 +46,7 @@ vbss_result stage_make(stage *s, const stage_options *options)
     VBSS_TRY(make_thread(s, options));
     VBSS_TRY(vbss_scene_config_init(&config, sizeof config));
     config.method = options->method;
+    config.mode = options->mode;
     config.thread_friction = options->thread_friction;
     config.contact_capacity = options->contact_capacity;
     config.candidate_capacity = 1024;

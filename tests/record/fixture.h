@@ -22,6 +22,7 @@ typedef struct stage_options {
     double thread_friction, tool_friction, bending_stiffness;
     uint32_t contact_capacity;
     vbss_method method; /* PAPER: the ball is driven */
+    vbss_scene_mode mode;
 } stage_options;
 
 stage_options stage_defaults(void);

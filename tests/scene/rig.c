@@ -7,6 +7,7 @@ vbss_scene_config scene_rig_config(void)
 {
     vbss_scene_config config;
     expect_ok(vbss_scene_config_init(&config, sizeof config));
+    config.mode = VBSS_MODE_OFFLINE; /* physics, with all the work it takes */
     return config;
 }
 

@@ -13,7 +13,7 @@ enum { LIVES = 4, PULLED = 300, TUGGED = 2000, TAUT = 200 };
 typedef struct soak {
     harness_soak *out;
     vbss_random random;
-    uint64_t steps, parts, attempts, clamped, recovering, loose, typed, taut;
+    uint64_t steps, parts, attempts, clamped, paused, recovering, loose, typed, taut;
     double deepest, stretch, fastest;
 } soak;
 
@@ -69,6 +69,7 @@ static void draw_options(soak *s, contact_scene_options *o)
     /* Without it nothing holds: bounded, but slow. */
     o->scene.thread_friction = chance(s, 0.01) ? draw(s, 0.0, 0.1) : draw(s, 0.1, 1.0);
     o->tool_friction = draw(s, 0.0, 0.5);
+    o->scene.mode = chance(s, 0.25) ? VBSS_MODE_OFFLINE : VBSS_MODE_REAL_TIME;
     o->pull.force = draw_power_of_ten(s, -0.5, 0.4);
     o->pull.speed = draw_power_of_ten(s, -1.7, -0.6);
     o->pull.stiffness = chance(s, 0.5) ? spring : 0.0;
@@ -157,6 +158,7 @@ static void add_up(soak *s, const contact_scene *scene)
     s->parts += t.parts;
     s->attempts += t.attempts;
     s->clamped += t.clamped;
+    s->paused += t.paused;
     s->recovering += t.recovering;
     s->loose += t.loose_stretch;
     s->deepest = fmax(s->deepest, t.penetration / (2.0 * scene->options.thread.radius));
@@ -208,6 +210,7 @@ static void run(harness_soak *out)
     harness_soak_figure(out, "asked", (double)w.asked);
     harness_soak_figure(out, "attempts", (double)s.attempts);
     harness_soak_figure(out, "clamped", (double)s.clamped);
+    harness_soak_figure(out, "paused", (double)s.paused);
     harness_soak_figure(out, "recovering", (double)s.recovering);
     harness_soak_figure(out, "loose_stretch", (double)s.loose);
     harness_soak_figure(out, "knots_compared", (double)s.typed);

@@ -24,6 +24,7 @@ static void tie(tied *k, const mesh *m, vbss_bending bending)
     contact_scene_options o;
     expect_ok(vbss_context_create(NULL, &k->context));
     expect_ok(contact_scene_init(&o, CONTACT_SCENE_PULLED));
+    o.scene.mode = VBSS_MODE_OFFLINE;
     o.knot.kind = KNOT_DOUBLE_OVERHAND;
     o.knot.size = 2e-3;
     o.knot.length = 0.15;

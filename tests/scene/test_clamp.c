@@ -104,6 +104,7 @@ static void offline_tries_harder_before_it_cuts(void **state)
         small_begin(&s);
         s.config.mode = m == 0 ? VBSS_MODE_REAL_TIME : VBSS_MODE_OFFLINE;
         s.config.attempt_limit = 3;
+        s.config.work_limit = 0;
         small_create(&s);
         uint32_t line =
             small_thread(&s, vec3_make(-6e-3, 0.0, 0.0), vec3_make(6e-3, 0.0, 0.0), 12, NULL);
