@@ -1,7 +1,7 @@
 /* How much one knot holds: ties it, lets go of it, grows what it is tied round, and prints what came of it as one
  * line of JSON. run.py runs many of them. The protocol is told in docs/knot-holding.md.
  *
- *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [real-time] [trace=file]
+ *     knots_hold <knot> <seating force, N> <friction> <seed> [name=value ...] [limited] [trace=file]
  *
  * Names: finest (m, of the mesh), step (s), stiffness (of contacts, N/m), growth (m/s), limit (N). Seed 0 is the knot
  * as it is laid out, others are disturbed. The trace has a line a step: growth, tension, slip, line in the knot. */
@@ -33,8 +33,11 @@ static bool set_option(held_knot_options *o, const char *text)
                    {"stiffness", &o->tied.scene.contact_stiffness},
                    {"growth", &o->growth},
                    {"limit", &o->limit}};
-    if (strcmp(text, "real-time") == 0) { /* with its limit of work */
-        o->tied.scene.mode = VBSS_MODE_REAL_TIME;
+    if (strcmp(text, "limited") == 0) { /* as scenes are by default */
+        vbss_scene_config scene;
+        (void)vbss_scene_config_init(&scene, sizeof scene);
+        o->tied.scene.work_limit = scene.work_limit;
+        o->tied.scene.attempt_limit = scene.attempt_limit;
         return true;
     }
     const char *equals = strchr(text, '=');

@@ -19,7 +19,7 @@ CELLS = [(force, friction) for friction in (0.1, 0.2, 0.3) for force in (1.0, 5.
 CELLS += [(force, friction) for friction in (0.25, 0.4) for force in (0.5, 1.0, 2.0, 5.0)]
 # What the numbers must not depend on; one thing at a time.
 DOUBTED = [("square", 1.0, 0.25), ("granny", 1.0, 0.3), ("half hitches", 1.0, 0.3)]
-# Offline everything has the work it takes: what real time's limit of work does to it.
+# All have the work they take, but for these: what the default limit of work does to them.
 LIMITED = [(knot, force, friction) for friction in (0.3, 0.4) for force in (1.0, 5.0)
            for knot in ("square", "granny", "surgeon's", "fls", "half hitches")]
 VARIANTS = ["finest=0.0003", "finest=0.0002", "step=0.0005", "stiffness=100000", "stiffness=400000",
@@ -37,7 +37,7 @@ def list_jobs(seeds):
                 yield knot, force, friction, seed, variant
     for knot, force, friction in LIMITED:
         for seed in range(1, seeds + 1):
-            yield knot, force, friction, seed, "real-time"
+            yield knot, force, friction, seed, "limited"
 
 
 def run_job(executable, job):

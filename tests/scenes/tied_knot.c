@@ -22,7 +22,9 @@ vbss_result tied_knot_init(tied_knot_options *options, knot_kind kind)
                                    .rest = 20};
     VBSS_TRY(vbss_scene_config_init(&options->scene, sizeof options->scene));
     VBSS_TRY(vbss_thread_config_init(&options->thread, sizeof options->thread));
-    options->scene.mode = VBSS_MODE_OFFLINE; /* an experiment takes the work it needs */
+    /* An experiment takes the work it needs, but a knot that is stuck not for ever. */
+    options->scene.work_limit = 0;
+    options->scene.attempt_limit = 16;
     options->thread.axial_stiffness = 4000.0;
     options->thread.gravity[1] = 0.0;
     knot_shape_init(&options->knot, kind);
