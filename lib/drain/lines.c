@@ -1,0 +1,103 @@
+/* Rows and columns of the graded meshes, fine where the slit is. */
+#include "drain/mesh.h"
+
+/* Half a mesh, for the usual drain: columns in degrees from the top, rows in mm from mid-length. Other drains
+ * stretch them between the lines that have a meaning. */
+typedef struct half_mesh {
+    uint32_t columns, rows; /* cells */
+    uint32_t mark;          /* column */
+    double degrees[11], mm[6];
+} half_mesh;
+
+/* Row of the tips, in all of them; lines that are stretched to where those of the drain are. */
+enum { TIP = 3 };
+#define LISTED_MARK 39.67
+#define LISTED_STRIP 155.0
+#define LISTED_BOTTOM 180.0
+#define LISTED_TIP 5.0
+#define LISTED_END 16.0
+
+static const half_mesh half_meshes[] = {
+    [DRAIN_MESH_N] = {6,
+                      5,
+                      2,
+                      {0.0, 20.0, LISTED_MARK, 65.0, 105.0, LISTED_STRIP, LISTED_BOTTOM},
+                      {0.0, 1.7, 3.4, LISTED_TIP, 8.0, LISTED_END}},
+    [DRAIN_MESH_D] = {7,
+                      5,
+                      2,
+                      {0.0, 20.0, LISTED_MARK, 60.0, 90.0, 122.0, LISTED_STRIP, LISTED_BOTTOM},
+                      {0.0, 1.7, 3.4, LISTED_TIP, 9.0, LISTED_END}},
+    [DRAIN_MESH_S] = {8,
+                      5,
+                      3,
+                      {0.0, 13.0, 26.0, LISTED_MARK, 58.0, 80.0, 115.0, LISTED_STRIP,
+                       LISTED_BOTTOM},
+                      {0.0, 1.7, 3.4, LISTED_TIP, 8.0, LISTED_END}},
+    [DRAIN_MESH_R] = {10,
+                      5,
+                      3,
+                      {0.0, 13.0, 26.0, LISTED_MARK, 52.0, 66.0, 82.0, 100.0, 127.0, LISTED_STRIP,
+                       LISTED_BOTTOM},
+                      {0.0, 1.7, 3.4, LISTED_TIP, 9.0, LISTED_END}},
+};
+
+/* Entry k of a list whose cells are divided. */
+static double listed(const double *list, uint32_t k, uint32_t divisions)
+{
+    uint32_t cell = k / divisions, part = k % divisions;
+    return part == 0 ? list[cell]
+                     : list[cell] + (list[cell + 1] - list[cell]) * part / (double)divisions;
+}
+
+/* Exact at both ends. */
+static double stretch(double value, const double from[2], const double to[2])
+{
+    double t = (value - from[0]) / (from[1] - from[0]);
+    return (1.0 - t) * to[0] + t * to[1];
+}
+
+static bool is_graded(const drain_mesh *m)
+{
+    return m->options.kind < DRAIN_MESH_UNIFORM;
+}
+
+void vbss_drain_plan_lines(drain_mesh *m)
+{
+    const half_mesh *half = &half_meshes[m->options.kind];
+    uint32_t d = m->options.divisions;
+    m->grid.axial_cells = 2 * half->rows * d;
+    m->grid.round_cells = 2 * half->columns * d;
+    m->grid.tip = TIP * d;
+    m->grid.mark = half->mark * d;
+}
+
+static double graded_row(const drain_mesh *m, uint32_t k)
+{
+    static const double from[3] = {0.0, LISTED_TIP, LISTED_END};
+    const double to[3] = {0.0, 0.5 * m->options.slit_length, 0.5 * m->options.length};
+    double mm = listed(half_meshes[m->options.kind].mm, k, m->options.divisions);
+    int zone = mm > LISTED_TIP;
+    return stretch(mm, from + zone, to + zone);
+}
+
+double vbss_drain_row(const drain_mesh *m, uint32_t row)
+{
+    uint32_t middle = m->grid.axial_cells / 2;
+    if (!is_graded(m)) {
+        return vbss_drain_equal_row(m, row);
+    }
+    return row < middle ? -graded_row(m, middle - row) : graded_row(m, row - middle);
+}
+
+double vbss_drain_column(const drain_mesh *m, uint32_t column)
+{
+    static const double from[4] = {0.0, LISTED_MARK, LISTED_STRIP, LISTED_BOTTOM};
+    const double to[4] = {0.0, m->options.mark_arc / m->options.radius, DRAIN_STRIP, DRAIN_PI};
+    if (!is_graded(m)) {
+        return vbss_drain_equal_column(m, column);
+    }
+    double degrees = listed(half_meshes[m->options.kind].degrees, column, m->options.divisions);
+    int zone = (degrees > LISTED_MARK) + (degrees > LISTED_STRIP);
+    return stretch(degrees, from + zone, to + zone);
+}

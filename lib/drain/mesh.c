@@ -1,0 +1,109 @@
+/* From options to a mesh. */
+#include "drain/mesh.h"
+
+#include <string.h>
+
+/* The drain of VBLaST-SS (Qi et al. 2017); opening and marks are ours. */
+void vbss_drain_mesh_defaults(drain_mesh_options *o)
+{
+    const drain_mesh_options defaults = {.kind = DRAIN_MESH_N,
+                                         .divisions = 1,
+                                         .axial_cells = 6,
+                                         .round_cells = 12,
+                                         .radius = 6.5e-3,
+                                         .length = 32e-3,
+                                         .slit_length = 10e-3,
+                                         .opening = 3e-3,
+                                         .mark_arc = 4.5e-3};
+    *o = defaults;
+}
+
+/* ---- checking: limits in which no triangle gets thin or folds */
+
+static vbss_result check_slit(vbss_context *context, const drain_mesh_options *o)
+{
+    double r = o->radius;
+    VBSS_TRY(vbss_check_range(context, o->slit_length, r, 0.7 * o->length, "slit_length"));
+    VBSS_TRY(
+        vbss_check_range(context, o->opening, 0.0, lesser(0.4 * o->slit_length, r), "opening"));
+    double low = greater(0.5 * o->opening, DRAIN_PI / 9.0 * r), high = 0.5 * DRAIN_PI * r;
+    return vbss_check_range(context, o->mark_arc, low, high,
+                            "mark_arc, between opening and fixed strip,");
+}
+
+static vbss_result check(vbss_context *context, const drain_mesh_options *o)
+{
+    VBSS_TRY(vbss_check_range(context, o->kind, 0.0, DRAIN_MESH_KINDS - 1.0, "kind"));
+    VBSS_TRY(vbss_check_range(context, o->radius, 1e-4, 1.0, "radius"));
+    if (o->kind == DRAIN_MESH_UNIFORM) {
+        VBSS_TRY(vbss_check_range(context, o->length, 1e-3 * o->radius, 1e3 * o->radius, "length"));
+        return o->slit_length == 0.0 ? VBSS_OK : check_slit(context, o);
+    }
+    VBSS_TRY(vbss_check_range(context, o->length, 2.0 * o->radius, 7.0 * o->radius, "length"));
+    VBSS_TRY(vbss_check_range(context, o->divisions, 1.0, 4.0, "divisions"));
+    return check_slit(context, o);
+}
+
+/* ---- counting */
+
+static void count(drain_mesh *m)
+{
+    const drain_grid *g = &m->grid;
+    vbss_drain_count_nodes(m);
+    m->triangle_count = 2 * g->axial_cells * g->round_cells;
+    /* Euler: a tube has nodes - sides + triangles = 0, a hole in it takes one. */
+    m->side_count = m->node_count + m->triangle_count + (g->tip > 0);
+    uint32_t columns = 0;
+    for (uint32_t j = 0; j < g->round_cells; j++) {
+        columns += vbss_drain_is_fixed(m, j <= g->round_cells / 2 ? j : g->round_cells - j);
+    }
+    m->fixed_count = columns * (g->axial_cells + 1);
+}
+
+vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options *options,
+                                 drain_mesh *m)
+{
+    memset(m, 0, sizeof *m);
+    VBSS_TRY(check(context, options));
+    m->options = *options;
+    if (options->kind >= DRAIN_MESH_UNIFORM) {
+        VBSS_TRY(vbss_drain_plan_equal_cells(context, m));
+    } else {
+        vbss_drain_plan_lines(m);
+    }
+    count(m);
+    return VBSS_OK;
+}
+
+void vbss_drain_mesh_parts(drain_mesh *m, vbss_array parts[DRAIN_MESH_PARTS])
+{
+    size_t nodes = m->node_count, triangles = m->triangle_count, sides = m->side_count;
+    const vbss_array all[] = {
+        {&m->rest, nodes, sizeof *m->rest},
+        {&m->angle, nodes, sizeof *m->angle},
+        {&m->material, nodes, sizeof *m->material},
+        {&m->area, nodes, sizeof *m->area},
+        {&m->triangles, triangles, sizeof *m->triangles},
+        {&m->opposite, triangles, sizeof *m->opposite},
+        {&m->width, triangles, sizeof *m->width},
+        {&m->sides, sides, sizeof *m->sides},
+        {&m->first_side, nodes, sizeof *m->first_side},
+        {&m->next_side, sides, sizeof *m->next_side},
+        {&m->slit[DRAIN_LEFT], m->slit_count, sizeof(uint32_t)},
+        {&m->slit[DRAIN_RIGHT], m->slit_count, sizeof(uint32_t)},
+        {&m->fixed, m->fixed_count, sizeof *m->fixed},
+    };
+    _Static_assert(sizeof all == DRAIN_MESH_PARTS * sizeof(vbss_array), "the table has its length");
+    memcpy(parts, all, sizeof all);
+}
+
+void vbss_drain_mesh_fill(drain_mesh *m)
+{
+    vbss_drain_place_nodes(m);
+    vbss_drain_list_triangles(m);
+    vbss_drain_list_sides(m);
+    vbss_drain_list_slit(m);
+    vbss_drain_choose_marks(m);
+    vbss_drain_list_fixed(m);
+    vbss_drain_measure(m);
+}

@@ -1,0 +1,42 @@
+/* The slit: how far it opens, and the nodes of its edges. */
+#include "drain/mesh.h"
+
+bool vbss_drain_is_slit(const drain_mesh *m, uint32_t row)
+{
+    uint32_t middle = m->grid.axial_cells / 2;
+    return row + m->grid.tip > middle && row < middle + m->grid.tip;
+}
+
+/* A cut from -a to a opens to the ellipse b sqrt(1 - (x/a)^2). The shift of all other points is the harmonic one
+ * that has these values at the cut, is none on the line beyond the tips, and decays far away: with
+ * z = (x + i arc)/a and Joukowski's map 2 z = zeta + 1/zeta, |zeta| >= 1, it is b Im(-1/zeta)
+ * = b Im(zeta)/|zeta|^2. A factor, one at the cut, makes it end where the fixed strip begins. */
+double vbss_drain_shift(const drain_mesh *m, double x, double arc)
+{
+    double share = arc / (DRAIN_STRIP * m->options.radius);
+    if (m->grid.tip == 0 || m->options.opening == 0.0 || share >= 1.0) {
+        return 0.0;
+    }
+    double a = vbss_drain_row(m, m->grid.axial_cells / 2 + m->grid.tip);
+    double re = fabs(x) / a, im = arc / a;
+
+    /* zeta = z + sqrt(z^2 - 1), the root in the first quadrant; its smaller part by division, without loss */
+    double square = (re - 1.0) * (re + 1.0) - im * im, twice = 2.0 * re * im;
+    double larger = sqrt(0.5 * (sqrt(square * square + twice * twice) + fabs(square)));
+    if (larger == 0.0) { /* a tip */
+        return 0.0;
+    }
+    double smaller = re * im / larger;
+    re += square > 0.0 ? larger : smaller;
+    im += square > 0.0 ? smaller : larger;
+    return 0.5 * m->options.opening * (im / (re * re + im * im)) * (1.0 - share * share);
+}
+
+void vbss_drain_list_slit(drain_mesh *m)
+{
+    uint32_t first = m->grid.axial_cells / 2 - m->grid.tip;
+    for (uint32_t k = 0; k < m->slit_count; k++) {
+        m->slit[DRAIN_LEFT][k] = vbss_drain_node(m, first + k, 0, DRAIN_LEFT);
+        m->slit[DRAIN_RIGHT][k] = vbss_drain_node(m, first + k, 0, DRAIN_RIGHT);
+    }
+}

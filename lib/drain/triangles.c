@@ -1,0 +1,98 @@
+/* Triangles of the grid, their sides, and who lies beyond those. */
+#include "drain/mesh.h"
+
+/* ---- triangles */
+
+/* Two a cell, from its corner that is nearest to the top and to -x. On the left side columns go the other way
+ * round: the same triangles with two nodes exchanged. */
+static void divide_cell(drain_mesh *m, uint32_t row, uint32_t column, int side, uint32_t first)
+{
+    uint32_t corner = vbss_drain_node(m, row, column, side);
+    uint32_t along = vbss_drain_node(m, row + 1, column, side);
+    uint32_t beside = vbss_drain_node(m, row, column + 1, side);
+    uint32_t across = vbss_drain_node(m, row + 1, column + 1, side);
+    const uint32_t cell[2][3] = {{corner, beside, across}, {corner, across, along}};
+    int second = side == DRAIN_RIGHT ? 1 : 2;
+    for (uint32_t k = 0; k < 2; k++) {
+        uint32_t *triangle = m->triangles[first + k];
+        triangle[0] = cell[k][0];
+        triangle[second] = cell[k][1];
+        triangle[3 - second] = cell[k][2];
+    }
+}
+
+void vbss_drain_list_triangles(drain_mesh *m)
+{
+    uint32_t half = m->grid.round_cells / 2, right = 0, left = m->triangle_count / 2;
+    for (uint32_t row = 0; row < m->grid.axial_cells; row++) {
+        for (uint32_t column = 0; column < half; column++, right += 2, left += 2) {
+            divide_cell(m, row, column, DRAIN_RIGHT, right);
+            divide_cell(m, row, column, DRAIN_LEFT, left);
+        }
+    }
+}
+
+/* ---- sides */
+
+static uint32_t lesser_of(const uint32_t nodes[2])
+{
+    return nodes[0] < nodes[1] ? nodes[0] : nodes[1];
+}
+
+/* The side that a triangle has run along the other way, or a new one. */
+static uint32_t find_side(drain_mesh *m, uint32_t from, uint32_t to)
+{
+    const uint32_t nodes[2] = {from, to};
+    uint32_t lesser_node = lesser_of(nodes);
+    for (uint32_t s = m->first_side[lesser_node]; s != DRAIN_NONE; s = m->next_side[s]) {
+        if (m->sides[s].nodes[0] == to && m->sides[s].nodes[1] == from) {
+            return s;
+        }
+    }
+    uint32_t s = m->side_count++;
+    const drain_side side = {{from, to}, {DRAIN_NONE, DRAIN_NONE}};
+    m->sides[s] = side;
+    m->next_side[s] = m->first_side[lesser_node];
+    m->first_side[lesser_node] = s;
+    return s;
+}
+
+/* Of a triangle, the node that is not on the side: its place. */
+static int place_off(const uint32_t triangle[3], const drain_side *side)
+{
+    int place = 0;
+    while (triangle[place] == side->nodes[0] || triangle[place] == side->nodes[1]) {
+        place++;
+    }
+    return place;
+}
+
+static void join(drain_mesh *m, const drain_side *side)
+{
+    uint32_t a = side->triangles[0], b = side->triangles[1];
+    int off_a = place_off(m->triangles[a], side);
+    m->opposite[a][off_a] = DRAIN_NONE;
+    if (b != DRAIN_NONE) {
+        int off_b = place_off(m->triangles[b], side);
+        m->opposite[a][off_a] = m->triangles[b][off_b];
+        m->opposite[b][off_b] = m->triangles[a][off_a];
+    }
+}
+
+/* The edges of the slit have nodes of their own, so nobody sees across. */
+void vbss_drain_list_sides(drain_mesh *m)
+{
+    m->side_count = 0;
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        m->first_side[i] = DRAIN_NONE;
+    }
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
+        for (int k = 0; k < 3; k++) {
+            uint32_t s = find_side(m, m->triangles[t][k], m->triangles[t][(k + 1) % 3]);
+            m->sides[s].triangles[m->sides[s].triangles[0] != DRAIN_NONE] = t;
+        }
+    }
+    for (uint32_t s = 0; s < m->side_count; s++) {
+        join(m, &m->sides[s]);
+    }
+}
