@@ -18,7 +18,7 @@ void vbss_drain_mesh_defaults(drain_mesh_options *o)
     *o = defaults;
 }
 
-/* ---- checking: limits in which no triangle gets thin or folds */
+/* ---- checking: within these limits no triangle folds, and no angle of a graded mesh is below 2.5 degrees */
 
 static vbss_result check_slit(vbss_context *context, const drain_mesh_options *o)
 {

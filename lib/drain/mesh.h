@@ -29,7 +29,7 @@ typedef enum drain_mesh_kind {
     DRAIN_MESH_S,       /* 181 nodes, 320 triangles */
     DRAIN_MESH_R,       /* 225 nodes, 400 triangles */
     DRAIN_MESH_UNIFORM, /* equal cells, with a slit or without */
-    DRAIN_MESH_PAPER, /* 6 x 12 equal cells, those of VBLaST-SS; slit and marks at the nearest lines */
+    DRAIN_MESH_PAPER,   /* VBLaST-SS: 6 x 12 equal cells; tips, marks at the nearest lines */
     DRAIN_MESH_KINDS
 } drain_mesh_kind;
 
@@ -40,10 +40,11 @@ typedef struct drain_mesh_options {
     uint32_t axial_cells, round_cells; /* UNIFORM: 1 to 512, even with a slit; 6 to 1024, even */
     double radius;                     /* of the middle surface */
     double length;
-    double
-        slit_length; /* UNIFORM: 0 for a tube without slit and marks, which reads nothing below */
-    double opening;  /* at the middle of the slit, along the surface; 0: a plain cut */
-    double mark_arc; /* from the slit to each of the two marks, at mid-length, before the opening */
+    double slit_length; /* UNIFORM: 0 for a plain tube, which reads nothing below */
+    double opening;     /* at the middle of the slit, along the surface; 0: a plain cut */
+    /* From the slit to each of the two marks, at mid-length, before the opening, which moves the usual
+     * 4.5 mm to 5.12 mm. */
+    double mark_arc;
 } drain_mesh_options;
 
 /* Both index what comes in pairs. */
@@ -66,8 +67,8 @@ typedef struct drain_mesh {
     drain_mesh_options options;
     drain_grid grid;
     uint32_t node_count, triangle_count, side_count, slit_count, fixed_count;
-    uint32_t marks[2],
-        middle[2]; /* nodes, left and right; middle: of the slit's edges. Or DRAIN_NONE */
+    uint32_t marks[2];  /* nodes, left and right, or DRAIN_NONE */
+    uint32_t middle[2]; /* of the slit's edges */
 
     /* a node; nodes of rows in order, then those that double the slit on its left */
     vec3 *rest;
@@ -77,9 +78,8 @@ typedef struct drain_mesh {
 
     /* a triangle; the left half of them in the order of the right half that they mirror */
     uint32_t (*triangles)[3]; /* counter-clockwise seen from outside */
-    uint32_t (*opposite)
-        [3];       /* node beyond the side opposite to each node, DRAIN_NONE beyond a free edge */
-    double *width; /* angle round the axis between its outermost nodes at rest */
+    uint32_t (*opposite)[3];  /* beyond the side opposite to each node, or DRAIN_NONE */
+    double *width;            /* angle round the axis between its outermost nodes at rest */
 
     drain_side *sides;                /* each once */
     uint32_t *first_side, *next_side; /* of a node, after a side: those whose lesser node it is */
