@@ -97,6 +97,11 @@ static inline lanes lanes_load(const double *from)
 
 #endif
 
+/* Numbers of two parts in another order, where compilers have it. */
+#if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12)
+#define LANES_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#endif
+
 /* ---- operations on a part; operations on lanes take unused arguments twice or thrice */
 
 #define LANES_ADD(a, b, unused) ((a) + (b))
@@ -241,6 +246,34 @@ static inline unsigned lanes_bits(lanes_mask mask)
 #else
     return (unsigned)lanes_mask_at(mask, 0) | (unsigned)lanes_mask_at(mask, 1) << 1 |
            (unsigned)lanes_mask_at(mask, 2) << 2 | (unsigned)lanes_mask_at(mask, 3) << 3;
+#endif
+}
+
+/* to[i] = a_i, b_i, c_i, 0 */
+static inline void lanes_turn(lanes a, lanes b, lanes c, lanes to[LANES])
+{
+#if defined(LANES_SHUFFLE) && defined(__AVX__)
+    const lanes zero = lanes_all(0.0);
+    lanes ab_even = LANES_SHUFFLE(a, b, 0, 4, 2, 6), ab_odd = LANES_SHUFFLE(a, b, 1, 5, 3, 7);
+    lanes c_even = LANES_SHUFFLE(c, zero, 0, 4, 2, 6), c_odd = LANES_SHUFFLE(c, zero, 1, 5, 3, 7);
+    to[0] = LANES_SHUFFLE(ab_even, c_even, 0, 1, 4, 5);
+    to[1] = LANES_SHUFFLE(ab_odd, c_odd, 0, 1, 4, 5);
+    to[2] = LANES_SHUFFLE(ab_even, c_even, 2, 3, 6, 7);
+    to[3] = LANES_SHUFFLE(ab_odd, c_odd, 2, 3, 6, 7);
+#elif defined(LANES_SHUFFLE)
+    const lanes_part zero = {0.0, 0.0};
+    to[0].low = LANES_SHUFFLE(a.low, b.low, 0, 2);
+    to[1].low = LANES_SHUFFLE(a.low, b.low, 1, 3);
+    to[2].low = LANES_SHUFFLE(a.high, b.high, 0, 2);
+    to[3].low = LANES_SHUFFLE(a.high, b.high, 1, 3);
+    to[0].high = LANES_SHUFFLE(c.low, zero, 0, 2);
+    to[1].high = LANES_SHUFFLE(c.low, zero, 1, 3);
+    to[2].high = LANES_SHUFFLE(c.high, zero, 0, 2);
+    to[3].high = LANES_SHUFFLE(c.high, zero, 1, 3);
+#else
+    for (int i = 0; i < LANES; i++) {
+        to[i] = lanes_make(lanes_at(a, i), lanes_at(b, i), lanes_at(c, i));
+    }
 #endif
 }
 

@@ -1,0 +1,73 @@
+/* What a shell bears: strains, stresses, energies, and which triangles are turned over. */
+#include "drain/shell_strain.h"
+
+/* Stiffness times strain, of 11 22 33 12 13 23. */
+static void set_moment(const vbss_shell_group *g, int lane, vbss_shell_state *s)
+{
+    static const int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+    s->bending_energy = 0.0;
+    for (int r = 0; r < 3; r++) {
+        s->moment[r] = 0.0;
+        for (int c = 0; c < 3; c++) {
+            s->moment[r] += lanes_at(g->plate[place[r][c]], lane) * s->curvature[c];
+        }
+        s->bending_energy += 0.5 * lanes_at(g->area, lane) * s->moment[r] * s->curvature[r];
+    }
+}
+
+static void set_state(const vbss_shell_group *g, const shell_shape *p, const lanes stress[3],
+                      int lane, vbss_shell_state *s)
+{
+    s->membrane_energy = 0.0;
+    for (int k = 0; k < 3; k++) {
+        double stretched = lanes_at(lanes_sub(p->metric[k], g->metric[k]), lane);
+        s->strain[k] = k < 2 ? 0.5 * stretched : stretched;
+        s->force[k] = lanes_at(stress[k], lane) / lanes_at(g->area, lane);
+        s->membrane_energy += 0.5 * lanes_at(stress[k], lane) * s->strain[k];
+        s->curvature[k] = 0.0;
+        for (int m = 0; m < 3; m++) {
+            double risen = lanes_at(lanes_sub(p->height[m], g->height[m]), lane);
+            s->curvature[k] += lanes_at(g->curve[m][k], lane) * risen;
+        }
+    }
+    set_moment(g, lane, s);
+}
+
+/* A triangle alone has no wrong side: only its neighbours tell which way the surface faces. The area
+ * spanned by the tangents at the middle of a side is that of both triangles together; where it points
+ * against the triangle, the patch has no orientation left, and its strains mean nothing. Of two triangles
+ * folded flat onto each other, the smaller one is turned over, or both. */
+bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const vec3 *x)
+{
+    const vbss_shell_group *g = &shell->groups[triangle / LANES];
+    int lane = (int)(triangle % LANES);
+    vec3 at[SHELL_NODES];
+    for (int n = 0; n < SHELL_NODES; n++) {
+        at[n] = x[g->node[n][lane]];
+    }
+    vec3 own = vec3_cross(vec3_sub(at[1], at[0]), vec3_sub(at[2], at[0]));
+    bool inverted = !(vec3_norm(own) > 0.02 * lanes_at(g->area, lane));
+    for (int s = 0; s < 3; s++) {
+        vec3 along = vec3_sub(at[(s + 1) % 3], at[(s + 2) % 3]);
+        vec3 across = vec3_sub(at[3 + s], at[s]);
+        bool is_free = (g->free_sides[lane] >> s & 1u) != 0;
+        inverted = inverted || (!is_free && !(vec3_dot(vec3_cross(along, across), own) > 0.0));
+    }
+    return inverted;
+}
+
+void vbss_shell_measure(const vbss_shell *shell, const vec3 *x, vbss_shell_state *states)
+{
+    for (uint32_t k = 0; k < shell->group_count; k++) {
+        const vbss_shell_group *g = &shell->groups[k];
+        shell_shape shape;
+        lanes stress[3];
+        shell_set_shape(g, x, &shape);
+        shell_set_stress(g, &shape, stress);
+        for (int lane = 0; lane < shell_lanes_used(shell, k); lane++) {
+            uint32_t i = LANES * k + (uint32_t)lane;
+            set_state(g, &shape, stress, lane, &states[i]);
+            states[i].inverted = vbss_shell_is_inverted(shell, i, x);
+        }
+    }
+}

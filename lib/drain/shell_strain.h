@@ -1,0 +1,163 @@
+/* The shape of four patches and what it stresses: shared by forces, tangent and measuring.
+ *
+ * Membrane: the metric is the mean of those at the middles of the sides (Flores, Onate 2005).
+ * Bending: the mean second derivative over the triangle by the divergence theorem, along its normal. The
+ * corners lie in the plane to which that normal belongs, so only the heights of nodes 3 4 5 over it
+ * remain: k = sum curve (height - height at rest). */
+#ifndef VBSS_DRAIN_SHELL_STRAIN_H
+#define VBSS_DRAIN_SHELL_STRAIN_H
+
+#include "base/vlanes.h"
+#include "drain/shell.h"
+
+typedef struct shell_shape {
+    vlanes arm[SHELL_NODES]; /* from node 0 */
+    vlanes tangent[3][2];    /* at the middle of each side, over sqrt 3 */
+    vlanes normal;
+    lanes twice_area;
+    lanes metric[3], height[3];
+} shell_shape;
+
+static inline vlanes shell_gather(const vec3 *x, const uint32_t node[LANES])
+{
+    double all[3][LANES];
+    for (int i = 0; i < LANES; i++) {
+        const vec3 *at = &x[node[i]];
+        all[0][i] = at->x;
+        all[1][i] = at->y;
+        all[2][i] = at->z;
+    }
+    vlanes v = {lanes_load(all[0]), lanes_load(all[1]), lanes_load(all[2])};
+    return v;
+}
+
+static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, shell_shape *p)
+{
+    vlanes origin = shell_gather(x, g->node[0]);
+    p->arm[0] = v_sub(origin, origin);
+    for (int n = 1; n < SHELL_NODES; n++) {
+        p->arm[n] = v_sub(shell_gather(x, g->node[n]), origin);
+    }
+    for (int k = 0; k < 3; k++) {
+        p->metric[k] = lanes_all(0.0);
+    }
+    for (int s = 0; s < 3; s++) {
+        for (int a = 0; a < 2; a++) {
+            vlanes t = v_scale(p->arm[1], g->slope[s][0][a]);
+            t = v_add_scaled(t, g->slope[s][1][a], p->arm[2]);
+            p->tangent[s][a] = v_add_scaled(t, g->slope[s][2][a], p->arm[3 + s]);
+        }
+        const vlanes *t = p->tangent[s];
+        p->metric[0] = lanes_add(p->metric[0], v_dot(t[0], t[0]));
+        p->metric[1] = lanes_add(p->metric[1], v_dot(t[1], t[1]));
+        p->metric[2] = lanes_add(p->metric[2], v_dot(t[0], t[1]));
+    }
+    vlanes area = v_cross(p->arm[1], p->arm[2]);
+    p->twice_area = lanes_sqrt(v_dot(area, area));
+    /* a triangle without area has no normal: it does not bend until it has one */
+    lanes bound = lanes_larger(p->twice_area, lanes_all(1e-100));
+    p->normal = v_scale(area, lanes_over(lanes_all(1.0), bound));
+    for (int m = 0; m < 3; m++) {
+        p->height[m] = v_dot(p->arm[3 + m], p->normal);
+    }
+}
+
+/* Stress times area, 11, 22, 12: the slope of the membrane energy to e11, e22 and 2 e12. */
+static inline void shell_set_stress(const vbss_shell_group *g, const shell_shape *p,
+                                    lanes stress[3])
+{
+    lanes half = lanes_all(0.5);
+    lanes e11 = lanes_times(half, lanes_sub(p->metric[0], g->metric[0]));
+    lanes e22 = lanes_times(half, lanes_sub(p->metric[1], g->metric[1]));
+    lanes shear = lanes_times(g->root_shear, g->root_shear);
+    lanes sum = lanes_times(lanes_times(g->root_sum, g->root_sum), lanes_add(e11, e22));
+    lanes difference = lanes_times(shear, lanes_sub(e11, e22));
+    stress[0] = lanes_add(sum, difference);
+    stress[1] = lanes_sub(sum, difference);
+    stress[2] = lanes_times(shear, lanes_sub(p->metric[2], g->metric[2]));
+}
+
+/* The slope of the bending energy to the heights. */
+static inline void shell_set_push(const vbss_shell_group *g, const shell_shape *p, lanes push[3])
+{
+    lanes risen[3];
+    for (int m = 0; m < 3; m++) {
+        risen[m] = lanes_sub(p->height[m], g->height[m]);
+    }
+    const lanes *b = g->bend;
+    push[0] = lanes_add(lanes_add(lanes_times(b[0], risen[0]), lanes_times(b[3], risen[1])),
+                        lanes_times(b[4], risen[2]));
+    push[1] = lanes_add(lanes_add(lanes_times(b[3], risen[0]), lanes_times(b[1], risen[1])),
+                        lanes_times(b[5], risen[2]));
+    push[2] = lanes_add(lanes_add(lanes_times(b[4], risen[0]), lanes_times(b[5], risen[1])),
+                        lanes_times(b[2], risen[2]));
+}
+
+/* The foot of node 3 + m in the triangle's plane is sum foot[m][i] (corner i): as the corners move along
+ * the normal, so does it. */
+static inline void shell_set_feet(const shell_shape *p, lanes foot[3][3])
+{
+    lanes bound = lanes_larger(p->twice_area, lanes_all(1e-100));
+    lanes inverse = lanes_over(lanes_all(1.0), bound);
+    vlanes to_1 = v_scale(v_cross(p->arm[2], p->normal), inverse);
+    vlanes to_2 = v_scale(v_cross(p->normal, p->arm[1]), inverse);
+    for (int m = 0; m < 3; m++) {
+        foot[m][1] = v_dot(p->arm[3 + m], to_1);
+        foot[m][2] = v_dot(p->arm[3 + m], to_2);
+        foot[m][0] = lanes_sub(lanes_sub(lanes_all(1.0), foot[m][1]), foot[m][2]);
+    }
+}
+
+/* Forces on the six nodes; node 0 takes what the others need, so that there is no net force. */
+static inline void shell_set_forces(const vbss_shell_group *g, const shell_shape *p,
+                                    const lanes stress[3], const lanes push[3], lanes foot[3][3],
+                                    vlanes force[SHELL_NODES])
+{
+    vlanes none = p->arm[0];
+    force[1] = force[2] = none;
+    for (int s = 0; s < 3; s++) {
+        /* stress times tangents: the slope of the energy to each tangent */
+        const vlanes *t = p->tangent[s];
+        vlanes to_1 = v_add_scaled(v_scale(t[0], stress[0]), stress[2], t[1]);
+        vlanes to_2 = v_add_scaled(v_scale(t[0], stress[2]), stress[1], t[1]);
+        for (int k = 0; k < 3; k++) {
+            vlanes slope = v_add_scaled(v_scale(to_1, g->slope[s][k][0]), g->slope[s][k][1], to_2);
+            int n = k < 2 ? 1 + k : 3 + s;
+            force[n] = k < 2 ? v_sub(force[n], slope) : v_sub(none, slope);
+        }
+    }
+    for (int m = 0; m < 3; m++) {
+        vlanes along = v_scale(p->normal, push[m]);
+        force[3 + m] = v_sub(force[3 + m], along);
+        force[1] = v_add_scaled(force[1], foot[m][1], along);
+        force[2] = v_add_scaled(force[2], foot[m][2], along);
+    }
+    force[0] = none;
+    for (int n = 1; n < SHELL_NODES; n++) {
+        force[0] = v_sub(force[0], force[n]);
+    }
+}
+
+/* Of the lanes in use: the last group may have some that stand for nothing. */
+static inline int shell_lanes_used(const vbss_shell *shell, uint32_t group)
+{
+    uint32_t left = shell->triangle_count - LANES * group;
+    return left < LANES ? (int)left : LANES;
+}
+
+static inline void shell_scatter_forces(const vbss_shell_group *g, int used,
+                                        const vlanes force[SHELL_NODES], vec3 *forces)
+{
+    for (int n = 0; n < SHELL_NODES; n++) {
+        double all[3][LANES];
+        lanes_store(all[0], force[n].x);
+        lanes_store(all[1], force[n].y);
+        lanes_store(all[2], force[n].z);
+        for (int i = 0; i < used; i++) {
+            vec3 *to = &forces[g->node[n][i]];
+            *to = vec3_add(*to, vec3_make(all[0][i], all[1][i], all[2][i]));
+        }
+    }
+}
+
+#endif
