@@ -66,6 +66,22 @@ static void scale_entry(block *left, block *scaled, const vbss_pivot *p)
     scaled->column[2] = lanes_mul(p->inverse[2], c2);
 }
 
+static vec3 reduce_rhs(vec3 y, const vbss_pivot *p)
+{
+    y.y -= p->l10 * y.x;
+    y.z -= p->l20 * y.x;
+    y.z -= p->l21 * y.y;
+    return y;
+}
+
+/* What eliminating y takes from a later row's right-hand side. */
+static inline void subtract_rhs(vec3 *rhs, const block *scaled, vec3 y)
+{
+    lanes r = minus_three(lanes_from(*rhs), y.x, scaled->column[0], y.y, scaled->column[1], y.z,
+                          scaled->column[2]);
+    *rhs = lanes_vec3(r);
+}
+
 bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
 {
     for (uint32_t k = 0; k < s->run_count; k++) {
@@ -75,11 +91,7 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
             s->tiny_pivots++;
             return false;
         }
-        vec3 y = s->rhs[b];
-        y.y -= pivot->l10 * y.x;
-        y.z -= pivot->l20 * y.x;
-        y.z -= pivot->l21 * y.y;
-        pivot->y = y;
+        pivot->y = reduce_rhs(s->rhs[b], pivot);
 
         const vbss_entry *begin = s->entries + s->column_start[k];
         const vbss_entry *end = s->entries + s->column_start[k + 1];
@@ -92,15 +104,25 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
             uint32_t row = s->order[q->row];
             const block *z = &s->scaled[q->index];
             subtract_product(&s->diagonal[row], left, z);
-            lanes r = minus_three(lanes_from(s->rhs[row]), y.x, z->column[0], y.y, z->column[1],
-                                  y.z, z->column[2]);
-            s->rhs[row] = lanes_vec3(r);
+            subtract_rhs(&s->rhs[row], z, pivot->y);
             for (const vbss_entry *p = q + 1; p < end; p++) {
                 subtract_product(&s->numbers[*product++], left, &s->scaled[p->index]);
             }
         }
     }
     return true;
+}
+
+void VBSS_WIDE_NAME(vbss_system_condense_rhs)(vbss_system *s)
+{
+    for (uint32_t k = 0; k < s->run_count; k++) {
+        vbss_pivot *pivot = &s->pivots[k];
+        pivot->y = reduce_rhs(s->rhs[s->order[k]], pivot);
+        for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
+            const block *z = &s->scaled[s->entries[e].index];
+            subtract_rhs(&s->rhs[s->order[s->entries[e].row]], z, pivot->y);
+        }
+    }
 }
 
 static inline double dot_lanes(lanes a, vec3 b)

@@ -2,7 +2,7 @@
  *
  * Within a run the elimination goes toward the separators, so that only the last few blocks meet
  * them. A run without any is eliminated from both ends to the middle in turn: two chains of
- * arithmetic that do not wait for each other. */
+ * arithmetic that do not wait for each other. Chains that are no lines bring their order. */
 #include "solver/solver.h"
 
 /* ---- order */
@@ -49,6 +49,13 @@ static void order_runs(vbss_system *s)
     for (uint32_t chain = 0; chain < s->chain_count; chain++) {
         uint32_t end = s->chain_ends[chain];
         bool before = false;
+        if (s->chain_ordered[chain]) {
+            for (uint32_t b = begin; b < end; b++) {
+                place_block(s, b);
+            }
+            begin = end;
+            continue;
+        }
         for (uint32_t b = begin; b < end; b++) {
             if (s->roles[b] == VBSS_ROLE_SEPARATOR) {
                 before = true;

@@ -59,12 +59,18 @@ uint32_t vbss_system_rhs_place(const vbss_system *s, uint32_t row)
 
 /* ---- the numbers */
 
-void vbss_system_keep_separators(vbss_system *s)
+void vbss_system_keep_separator_rhs(vbss_system *s)
 {
     for (uint32_t k = s->run_count; k < s->active_count; k++) {
-        uint32_t separator = k - s->run_count;
-        s->separator_base[diagonal_place(s, separator)] = s->diagonal[s->order[k]];
-        s->separator_base_rhs[separator] = s->rhs[s->order[k]];
+        s->separator_base_rhs[k - s->run_count] = s->rhs[s->order[k]];
+    }
+}
+
+void vbss_system_keep_separators(vbss_system *s)
+{
+    vbss_system_keep_separator_rhs(s);
+    for (uint32_t k = s->run_count; k < s->active_count; k++) {
+        s->separator_base[diagonal_place(s, k - s->run_count)] = s->diagonal[s->order[k]];
         for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
             const block *lower = &s->numbers[s->entries[e].index];
             block *pair = &s->separator_base[2 * (size_t)(e - s->separator_first_entry)];

@@ -129,6 +129,7 @@ typedef struct vbss_system {
     vbss_coupling *couplings; /* from 1 on */
     uint32_t *chain_ends;     /* first block after each chain */
     uint32_t *chain_of;       /* block -> chain */
+    uint8_t *chain_ordered;   /* its blocks are eliminated as they are numbered */
     uint32_t *known;          /* couplings by hash, for couple_once; 0 is free */
     uint32_t known_capacity;  /* a power of two */
     uint32_t known_count;     /* of couplings, from 1 on: those that stand there */
@@ -164,6 +165,13 @@ typedef struct vbss_system {
     bool wide;            /* hot loops with AVX2 */
 } vbss_system;
 
+/* Most of everything. Entries and products are those of the runs: blocks of their factor, and what eliminating them
+ * changes. Pairs: see vbss_system_create. */
+typedef struct vbss_system_room {
+    uint32_t blocks, couplings, entries, products, separators, pairs;
+} vbss_system_room;
+vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_room *room,
+                                    vbss_system **system);
 /* Room for chains of `blocks` blocks in all, coupled to `reach` neighbours on either side, of which
  * `separators` (but no more than 16384) may be separators, with `pairs` of them coupled, joined by runs or filled
  * in. Separators come in groups of at least `reach` neighbours: past a narrower one a run is coupled with
@@ -175,6 +183,8 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system);
 /* The pattern. Beyond the capacity is VBSS_ERROR_CAPACITY. */
 void vbss_system_begin(vbss_system *system);
 vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t *first);
+/* The chain added last is no line: its runs are eliminated as they are numbered, wherever separators are. */
+void vbss_system_keep_order(vbss_system *system);
 void vbss_system_set_role(vbss_system *system, uint32_t block, vbss_role role);
 /* Two different blocks; the same pair only once. VBSS_NO_COUPLING when one of them is given, so set
  * the roles first. Blocks of two chains must both be separators: else VBSS_ERROR_OUT_OF_RANGE. */
@@ -193,6 +203,8 @@ void vbss_system_clear(vbss_system *system);
 
 /* Eliminates the runs. False: a pivot was too small. */
 bool vbss_system_condense(vbss_system *system);
+/* The same for other right-hand sides, set anew, with the factor that condense left. */
+void vbss_system_condense_rhs(vbss_system *system);
 
 /* ---- the separators' system, as often as wanted after one condense
  *
@@ -225,8 +237,9 @@ bool vbss_system_solve(vbss_system *system);
 
 /* Of analyse: the order of the separators' elimination and what it fills in. */
 vbss_result vbss_system_order_separators(vbss_system *system);
-/* Of condense: what it left, in the order of places. */
+/* Of condense: what it left, in the order of places; of right-hand sides alone. */
 void vbss_system_keep_separators(vbss_system *system);
+void vbss_system_keep_separator_rhs(vbss_system *system);
 /* Of finish: the runs' increments from the separators'. */
 void vbss_system_return_to_runs(vbss_system *system);
 /* Both copies of separator_order.c, condense.c and eliminate.c. */
@@ -234,6 +247,8 @@ vbss_result vbss_system_order_separators_plain(vbss_system *system);
 vbss_result vbss_system_order_separators_wide(vbss_system *system);
 bool vbss_system_condense_plain(vbss_system *system);
 bool vbss_system_condense_wide(vbss_system *system);
+void vbss_system_condense_rhs_plain(vbss_system *system);
+void vbss_system_condense_rhs_wide(vbss_system *system);
 bool vbss_system_solve_separators_plain(vbss_system *system);
 bool vbss_system_solve_separators_wide(vbss_system *system);
 void vbss_system_return_to_runs_plain(vbss_system *system);

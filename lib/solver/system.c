@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 41 };
+enum { PARTS = 42 };
 #define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
@@ -20,6 +20,7 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
         {&s->chain_of, blocks, sizeof *s->chain_of},
+        {&s->chain_ordered, blocks, sizeof *s->chain_ordered},
         {&s->bare, s->coupling_capacity, sizeof *s->bare},
         {&s->known, s->known_capacity, sizeof *s->known},
         {&s->order, blocks, sizeof *s->order},
@@ -71,24 +72,23 @@ static uint32_t room_for_known(uint32_t couplings)
     return room;
 }
 
-vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
-                               uint32_t separators, uint32_t pairs, vbss_system **system)
+vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_room *room,
+                                    vbss_system **system)
 {
     *system = NULL;
     vbss_system *s = vbss_allocate(context, 1, sizeof *s, "system");
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    uint32_t rows = 2 * reach; /* of a run's column: neighbours ahead, separators behind */
     s->context = context;
     s->wide = vbss_wide_is_there();
-    s->block_capacity = blocks;
-    s->separator_capacity = separators < MOST_SEPARATORS ? separators : MOST_SEPARATORS;
-    s->pair_capacity = pairs;
-    s->coupling_capacity = blocks * reach + pairs;
-    s->entry_capacity = blocks * rows + pairs;
+    s->block_capacity = room->blocks;
+    s->separator_capacity = room->separators < MOST_SEPARATORS ? room->separators : MOST_SEPARATORS;
+    s->pair_capacity = room->pairs;
+    s->coupling_capacity = room->couplings + room->pairs;
+    s->entry_capacity = room->entries + room->pairs;
     s->known_capacity = room_for_known(s->coupling_capacity);
-    s->product_capacity = blocks * (rows * (rows - 1) / 2);
+    s->product_capacity = room->products;
     vbss_array parts[PARTS];
     list_parts(s, parts);
     vbss_result result = vbss_allocate_arrays(context, parts, PARTS, "system");
@@ -98,6 +98,15 @@ vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t 
     }
     *system = s;
     return VBSS_OK;
+}
+
+vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
+                               uint32_t separators, uint32_t pairs, vbss_system **system)
+{
+    uint32_t rows = 2 * reach; /* of a run's column: neighbours ahead, separators behind */
+    const vbss_system_room room = {
+        blocks, blocks * reach, blocks * rows, blocks * (rows * (rows - 1) / 2), separators, pairs};
+    return vbss_system_create_room(context, &room, system);
 }
 
 void vbss_system_destroy(vbss_context *context, vbss_system *system)
@@ -150,8 +159,14 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
         system->chain_of[b] = system->chain_count;
     }
     system->block_count += count;
+    system->chain_ordered[system->chain_count] = false;
     system->chain_ends[system->chain_count++] = system->block_count;
     return VBSS_OK;
+}
+
+void vbss_system_keep_order(vbss_system *system)
+{
+    system->chain_ordered[system->chain_count - 1] = true;
 }
 
 void vbss_system_set_role(vbss_system *system, uint32_t b, vbss_role role)

@@ -10,6 +10,12 @@ bool vbss_system_condense(vbss_system *system)
     return true;
 }
 
+void vbss_system_condense_rhs(vbss_system *system)
+{
+    VBSS_WIDE_CALL(system->wide, vbss_system_condense_rhs, system);
+    vbss_system_keep_separator_rhs(system);
+}
+
 void vbss_system_return_to_runs(vbss_system *system)
 {
     VBSS_WIDE_CALL(system->wide, vbss_system_return_to_runs, system);

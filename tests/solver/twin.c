@@ -172,6 +172,9 @@ vbss_result twin_register(twin *t)
         uint32_t first;
         VBSS_TRY(vbss_system_add_chain(t->system, t->chain_end[chain] - begin, &first));
         assert_int_equal(first, begin);
+        if (t->keeps_order[chain]) {
+            vbss_system_keep_order(t->system);
+        }
     }
     for (uint32_t b = 0; b < t->blocks; b++) {
         vbss_system_set_role(t->system, b, t->roles[b]);

@@ -28,6 +28,7 @@ typedef struct twin_coupling {
 typedef struct twin {
     uint32_t blocks, reach, chains, couplings;
     uint32_t chain_end[4];
+    bool keeps_order[4];
     vbss_role roles[TWIN_BLOCKS];
     mat3 diagonal[TWIN_BLOCKS];
     vec3 rhs[TWIN_BLOCKS];
