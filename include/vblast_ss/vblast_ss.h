@@ -10,6 +10,7 @@
 #include <vblast_ss/base.h>
 #include <vblast_ss/collision.h>
 #include <vblast_ss/device.h>
+#include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/knot.h>
 #include <vblast_ss/record.h>

@@ -21,7 +21,7 @@ static const half_mesh half_meshes[] = {
     [DRAIN_MESH_N] = {6,
                       5,
                       2,
-                      {0.0, 20.0, LISTED_MARK, 65.0, 105.0, LISTED_STRIP, LISTED_BOTTOM},
+                      {0.0, 23.0, LISTED_MARK, 70.0, 110.0, LISTED_STRIP, LISTED_BOTTOM},
                       {0.0, 1.7, 3.4, LISTED_TIP, 8.0, LISTED_END}},
     [DRAIN_MESH_D] = {7,
                       5,

@@ -4,6 +4,7 @@
 
 #include "scenes/collision_sets.h"
 #include "scenes/device_run.h"
+#include "scenes/drain_scenes.h"
 #include "scenes/moving_knot.h"
 #include "scenes/moving_shapes.h"
 #include "scenes/rod.h"
@@ -415,6 +416,36 @@ static void run_device(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- drains: one that is torn off its block, one that is poked, hashed together after every 5 steps */
+
+static void run_drain(uint64_t *hashes, size_t count)
+{
+    static const drain_scene_kind kinds[] = {DRAIN_SCENE_TUGGED, DRAIN_SCENE_POKED};
+    vbss_context *context;
+    drain_scene scenes[2];
+    must(vbss_context_create(NULL, &context));
+    for (int k = 0; k < 2; k++) {
+        vbss_drain_config config;
+        must(drain_scene_config(kinds[k], &config));
+        must(drain_scene_create(context, kinds[k], &config, &scenes[k]));
+    }
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        for (int k = 0; k < 5; k++) {
+            must(drain_scene_step(&scenes[0], 1e-3));
+            must(drain_scene_step(&scenes[1], 1e-3));
+        }
+        for (int k = 0; k < 2; k++) {
+            uint64_t own;
+            must(vbss_drain_get_hash(scenes[k].drain, &own));
+            vbss_stream_u64(&stream, 1, &own, 1);
+        }
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -432,5 +463,6 @@ const golden_scene golden_scenes[] = {
     {"graspers", TOOL_RUN_STEPS / 5, 12, run_graspers}, /* both hold at 11 */
     {"graspers-paper", 30, 12, run_graspers_paper},     /* then it loses the thread */
     {"knots", 72, 4, run_knots}, /* two rounds of all that the moving knot does */
+    {"drain", 160, 2, run_drain},
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

@@ -46,7 +46,7 @@ static void expect_lines(drain_mesh_kind kind, const double *degrees, uint32_t c
 static void lines_are_those_of_the_lists(void **state)
 {
     (void)state;
-    const double n[] = {0, 20, 39.67, 65, 105, 155, 180};
+    const double n[] = {0, 23, 39.67, 70, 110, 155, 180};
     const double d[] = {0, 20, 39.67, 60, 90, 122, 155, 180};
     const double s[] = {0, 13, 26, 39.67, 58, 80, 115, 155, 180};
     const double r[] = {0, 13, 26, 39.67, 52, 66, 82, 100, 127, 155, 180};

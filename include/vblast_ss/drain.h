@@ -1,0 +1,415 @@
+/**
+ * @file drain.h
+ * @brief The Penrose drain: a tube of rubber with a slit that stands open, alone so far.
+ *
+ * A thin elastic shell of triangles of its middle surface. In its own frame the tube lies along x with its centre at
+ * the origin; the slit is on top (+y), and a strip along the bottom is glued to the block on which the drain lies, by
+ * anchors that tear off. At rest nothing is under stress, and the slit stands open.
+ *
+ * Membrane and bending are those of an isotropic elastic shell with large rotations (assumed-strain patch triangles,
+ * Flores and Onate 2005; docs/drain-shell.md). Time is backward Euler with one linearisation a step and a second look at
+ * the forces (docs/drain.md).
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_DRAIN_H
+#define VBLAST_SS_DRAIN_H
+
+#include <vblast_ss/base.h>
+
+/** A drain. */
+typedef struct vbss_drain vbss_drain;
+
+/** How fine a drain's mesh is: a VBSS_DRAIN_MESH_ constant. All are graded toward the slit, with its tips and both marks
+ * on nodes. */
+typedef int32_t vbss_drain_mesh;
+
+/** The constants of #vbss_drain_mesh. */
+enum {
+    VBSS_DRAIN_MESH_137 = 0, /**< 137 nodes, 240 triangles. */
+    VBSS_DRAIN_MESH_159 = 1, /**< 159 nodes, 280 triangles. */
+    VBSS_DRAIN_MESH_181 = 2, /**< 181 nodes, 320 triangles. */
+    VBSS_DRAIN_MESH_225 = 3  /**< 225 nodes, 400 triangles: for walls thinner than 0.6 mm. */
+};
+
+/** How to make a drain. Fill it with #vbss_drain_config_init, then change what you need. */
+typedef struct vbss_drain_config {
+    uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;      /**< VBSS_METHOD_OURS, the default: the paper's is not there yet. */
+    vbss_drain_mesh mesh;    /**< Default VBSS_DRAIN_MESH_137. */
+    uint32_t mesh_divisions; /**< Each cell is divided so often each way, 1 to 4; default 1. */
+    uint32_t attachment_capacity; /**< Most attachments at a time, 0 to 256; default 8. */
+    /** Linearisations of a step, 1 to 50; default 1. More until position_tolerance is kept: for references. */
+    uint32_t linearisation_limit;
+    uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 4. */
+    uint32_t reserved;      /**< Zero. */
+    double radius;          /**< Of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
+    double length;          /**< m, 2 to 7 radii; default 32e-3. */
+    double thickness;       /**< Of the wall, m, 0.01 to 0.3 radii; default 1e-3. */
+    double slit_length;     /**< m, a radius to 0.7 lengths; default 10e-3. */
+    /** At the middle of the slit, along the surface, m, 0 to 0.4 slit lengths and a radius; default 3e-3. */
+    double slit_opening;
+    /** From the slit's middle to each mark, along the surface before the slit was opened, m; beyond half the opening,
+     * from 20 to 90 degrees; default 4.5e-3. */
+    double mark_arc;
+    double young_modulus; /**< Pa, 1e3 to 1e12; default 1.2e6. Of real drains: not verified. */
+    double poisson_ratio; /**< 0 to 0.49; default 0.47. */
+    double density;       /**< kg/m^3, 1 to 1e5; default 950. */
+    double drag;          /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20. */
+    double gravity
+        [3]; /**< m/s^2, each at most 1e6; default 0: the rest shape is the one that lies there. */
+    double position[3]; /**< Of the drain's frame in the world, m, each at most 1e3; default 0. */
+    double orientation
+        [4]; /**< Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0, 0). */
+    /** What the glue of the strip bears, Pa, 1 to 1e12; default 5e4 (not verified). The anchor of a node tears off for ever
+     * above this times the part of the strip that is the node's; the one that is overloaded most, one a step. */
+    double tear_stress;
+    double
+        position_tolerance; /**< Of the last linearisation's increments, m, 1e-15 to 1; default 1e-6. */
+    /** A step in which a node would move farther gets one more linearisation; four times as far, and it is halved; m, 1e-9
+     * to 1; default 1e-3. */
+    double move_limit;
+} vbss_drain_config;
+
+/** What an attachment does: a VBSS_DRAIN_ATTACHMENT_ constant. */
+typedef int32_t vbss_drain_attachment_kind;
+
+/** The constants of #vbss_drain_attachment_kind. */
+enum {
+    VBSS_DRAIN_ATTACHMENT_PIN = 0,   /**< The node is where `position` says. */
+    VBSS_DRAIN_ATTACHMENT_FORCE = 1, /**< `force` pulls at the node. */
+    VBSS_DRAIN_ATTACHMENT_SPRING = 2 /**< A spring from `position` to the node. */
+};
+
+/** Something that acts on one node. Fill it with #vbss_drain_attachment_init. */
+typedef struct vbss_drain_attachment {
+    uint32_t struct_size;            /**< Size of this struct in bytes, set by the init function. */
+    vbss_drain_attachment_kind kind; /**< Default VBSS_DRAIN_ATTACHMENT_PIN. */
+    uint32_t node;                   /**< A node that is not anchored. */
+    uint32_t reserved;               /**< Zero. */
+    double position
+        [3]; /**< PIN: where the node is taken in the next step; SPRING: its end; m, each at most 1e3. */
+    double force[3];  /**< FORCE: N, each at most 1e6. */
+    double stiffness; /**< SPRING: N/m, 0 to 1e9. */
+} vbss_drain_attachment;
+
+/** An array of a drain: a VBSS_DRAIN_ constant. */
+typedef int32_t vbss_drain_field;
+
+/** The constants of #vbss_drain_field. n nodes, m triangles. */
+enum {
+    VBSS_DRAIN_POSITIONS = 0,      /**< n x 3 doubles, m: of the middle surface. */
+    VBSS_DRAIN_VELOCITIES = 1,     /**< n x 3 doubles, m/s. */
+    VBSS_DRAIN_REST_POSITIONS = 2, /**< n x 3 doubles, m, in the drain's frame. */
+    VBSS_DRAIN_TRIANGLES = 3, /**< m x 3 uint32_t, nodes counter-clockwise seen from outside. */
+    VBSS_DRAIN_SLIT_LEFT =
+        4, /**< uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x. */
+    VBSS_DRAIN_SLIT_RIGHT = 5, /**< The same on the right (+z). */
+    VBSS_DRAIN_ANCHORS = 6,    /**< uint32_t: nodes of the bottom strip. */
+    /** 3 doubles for each of VBSS_DRAIN_ANCHORS, N: of the anchor on the drain; zero for those torn off. */
+    VBSS_DRAIN_ANCHOR_FORCES = 7,
+    /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear (2 e12). */
+    VBSS_DRAIN_STRAINS = 8,
+    VBSS_DRAIN_CURVATURES = 9 /**< m x 3 doubles, 1/m: changes of curvature, likewise (2 k12). */
+};
+
+/** Places on a drain, as nodes. */
+typedef struct vbss_drain_places {
+    uint32_t struct_size;    /**< Bytes of this struct that the library filled. */
+    uint32_t node_count;     /**< Nodes of the mesh. */
+    uint32_t triangle_count; /**< Its triangles. */
+    uint32_t marks[2];       /**< The marks, left and right. */
+    uint32_t
+        gap_points[2]; /**< The middles of the slit's edges, left and right: the paper's points. */
+    uint32_t reserved; /**< Zero. */
+} vbss_drain_places;
+
+/** How far the slit stands open. */
+typedef struct vbss_drain_gap {
+    uint32_t struct_size;  /**< Bytes of this struct that the library filled. */
+    uint32_t largest_pair; /**< Of which nodes of the two edges, counted along x. */
+    double gap;            /**< Distance of the middles of the edges, m: the paper's measure. */
+    double largest;        /**< Largest distance of opposite nodes of the edges, m. */
+    /** Component of the vector between the middles, left to right, along the one at rest as the drain's frame carries it, m:
+     * negative when the edges have crossed. */
+    double signed_gap;
+} vbss_drain_gap;
+
+/** Energies of a drain, J. */
+typedef struct vbss_drain_energies {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;    /**< Zero. */
+    double kinetic;       /**< Of lumped masses. */
+    double membrane;      /**< Elastic, of stretching the middle surface. */
+    double bending;       /**< Elastic. */
+    double springs;       /**< Of SPRING attachments. */
+    double gravity;       /**< Potential, zero at the origin. */
+    double total;         /**< Of all. */
+} vbss_drain_energies;
+
+/** Counters since creation, and figures of the last step. */
+typedef struct vbss_drain_statistics {
+    uint32_t struct_size;    /**< Bytes of this struct that the library filled. */
+    uint32_t torn;           /**< Anchors that have torn off. */
+    uint32_t inverted;       /**< Triangles that are turned over or collapsed now. */
+    uint32_t reserved;       /**< Zero. */
+    uint64_t steps;          /**< Calls of #vbss_drain_step that succeeded. */
+    uint64_t parts;          /**< Equal to steps if none was halved. */
+    uint64_t linearisations; /**< Tangents made and solved with. */
+    uint64_t
+        corrections_dropped; /**< Second looks whose correction was not small against the first, and was left out. */
+    uint64_t forced;  /**< Parts that moved a node beyond four move_limits at the last halving. */
+    double last_move; /**< Farthest that a node went in a part of the last step, m. */
+    double
+        last_correction; /**< Largest of the last part's last correction, m: what is left is smaller. */
+    double time;         /**< Simulated so far, s. */
+} vbss_drain_statistics;
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Fills a drain configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size);
+
+/**
+ * Creates a drain at rest.
+ *
+ * @param context     owner
+ * @param config      how
+ * @param[out] drain  the new drain; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *config,
+                                       vbss_drain **drain);
+
+/**
+ * Destroys a drain.
+ *
+ * @param drain  the drain; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_destroy(vbss_drain *drain);
+
+/**
+ * Moves a drain forward in time. Nothing is allocated. A state that is no longer finite is told
+ * and the drain stays as it was before the step.
+ *
+ * @param drain  the drain
+ * @param h      s, 1e-7 to 0.1
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE (h, or the state would be),
+ *         VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_step(vbss_drain *drain, double h);
+
+/**
+ * Places the nodes and gives them velocities. Anchored nodes that have not torn off must stay where they are and get no
+ * velocity.
+ *
+ * @param drain       the drain
+ * @param positions   3 doubles a node, m, each at most 1e3; NULL leaves them
+ * @param velocities  3 doubles a node, m/s, each at most 1e5; NULL leaves them
+ * @param node_count  nodes in the arrays, the drain's number of nodes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NOT_FINITE, VBSS_ERROR_OUT_OF_RANGE (also: an anchored node
+ *         would move) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
+                                          const double *velocities, uint32_t node_count);
+
+/**
+ * Fills an attachment with the defaults.
+ *
+ * @param[out] attachment  the attachment to fill
+ * @param struct_size      `sizeof *attachment` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachment,
+                                                uint32_t struct_size);
+
+/**
+ * Attaches something to a node. A node takes one PIN, and any number of the others. All fields must be in
+ * their ranges, also those that the kind does not read.
+ *
+ * @param drain       the drain
+ * @param attachment  what
+ * @param[out] id     names the attachment, from 1 on, never used again in this drain
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE (also: the node is pinned or anchored already),
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,
+                                       uint32_t *id);
+
+/**
+ * Says where an attachment shall be at the end of the next step; a PIN goes there evenly in the step and then stays, a
+ * SPRING's end too.
+ *
+ * @param drain   the drain
+ * @param id      the attachment
+ * @param target  PIN, SPRING: position, m; FORCE: the force, N, which changes at once
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (no
+ *         such attachment, or a value out of range), VBSS_ERROR_NOT_FINITE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[3]);
+
+/**
+ * Removes an attachment.
+ *
+ * @param drain  the drain
+ * @param id     the attachment
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE (no such attachment) or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id);
+
+/**
+ * The force of an attachment on the drain at the end of the last step; zero before its first.
+ *
+ * @param drain       the drain
+ * @param id          the attachment
+ * @param[out] force  receives it, N
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_OUT_OF_RANGE (no such
+ *         attachment)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3]);
+
+/**
+ * Which nodes are the marks and the points between which the gap is measured.
+ *
+ * @param drain        the drain
+ * @param[out] places  receives the numbers
+ * @param struct_size  `sizeof *places` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
+                                           uint32_t struct_size);
+
+/**
+ * How far the slit stands open.
+ *
+ * @param drain        the drain
+ * @param[out] gap     receives the numbers
+ * @param struct_size  `sizeof *gap` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap,
+                                        uint32_t struct_size);
+
+/**
+ * A look at one of the drain's arrays.
+ *
+ * @param drain        the drain
+ * @param field        which
+ * @param[out] view    receives where the array is
+ * @param struct_size  `sizeof *view` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such field)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_view *view,
+                                         uint32_t struct_size);
+
+/**
+ * The drain's energies.
+ *
+ * @param drain          the drain
+ * @param[out] energies  receives the numbers
+ * @param struct_size    `sizeof *energies` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *energies,
+                                             uint32_t struct_size);
+
+/**
+ * The drain's counters.
+ *
+ * @param drain            the drain
+ * @param[out] statistics  receives the numbers
+ * @param struct_size      `sizeof *statistics` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_statistics(vbss_drain *drain, vbss_drain_statistics *statistics,
+                                               uint32_t struct_size);
+
+/**
+ * Saves the drain's state, to go back to it or to go on elsewhere to the same bits.
+ *
+ * @param drain         the drain
+ * @param[out] bytes    receives the state; may be NULL when capacity is 0
+ * @param capacity      size of the buffer
+ * @param[out] written  bytes of the state, also when it does not fit
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity,
+                                     uint64_t *written);
+
+/**
+ * Restores a saved state into this drain or one created alike. On failure the drain is as it was.
+ *
+ * @param drain  the drain
+ * @param bytes  the state
+ * @param count  its size
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_CAPACITY, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY
+ *         or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes, uint64_t count);
+
+/**
+ * XXH64 of the drain's state, its counters included: equal states have equal hashes, on every
+ * machine.
+ *
+ * @param drain      the drain
+ * @param[out] hash  the hash
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_drain_get_hash(vbss_drain *drain, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,152 @@
+/* What a host attaches to single nodes. */
+#include "drain/drain.h"
+
+_Static_assert(sizeof(vbss_drain_attachment) == 72, "published size");
+
+static const vbss_drain_attachment defaults = {.struct_size = sizeof(vbss_drain_attachment),
+                                               .kind = VBSS_DRAIN_ATTACHMENT_PIN};
+static const uint32_t attachment_sizes[] = {72, 0};
+static const vbss_layout attachment_layout = {"vbss_drain_attachment", &defaults, attachment_sizes};
+
+vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachment, uint32_t struct_size)
+{
+    return vbss_config_init(&attachment_layout, attachment, struct_size);
+}
+
+/* ---- checks */
+
+static vbss_result check_vector(vbss_context *context, const double v[3], double bound,
+                                const char *name)
+{
+    VBSS_TRY(vbss_check_finite(context, v, 3, name));
+    return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
+}
+
+const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node)
+{
+    for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
+        const drain_attachment *a = &d->attachments[i];
+        if (a->id != 0 && a->node == node && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
+            return a;
+        }
+    }
+    return NULL;
+}
+
+static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
+{
+    vbss_context *context = d->context;
+    VBSS_TRY(vbss_check_range(context, a->kind, VBSS_DRAIN_ATTACHMENT_PIN,
+                              VBSS_DRAIN_ATTACHMENT_SPRING, "kind"));
+    VBSS_TRY(vbss_check_range(context, a->node, 0.0, d->mesh.node_count - 1.0, "node"));
+    VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(check_vector(context, a->position, 1e3, "position"));
+    VBSS_TRY(check_vector(context, a->force, 1e6, "force"));
+    VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
+    if (d->anchored[a->node]) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", a->node);
+    }
+    if (a->kind == VBSS_DRAIN_ATTACHMENT_PIN && vbss_drain_pin_of(d, a->node) != NULL) {
+        return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", a->node);
+    }
+    return VBSS_OK;
+}
+
+/* ---- attaching and moving */
+
+static drain_attachment *find(drain_object *d, uint32_t id)
+{
+    for (uint32_t i = 0; id != 0 && i < d->config.attachment_capacity; i++) {
+        if (d->attachments[i].id == id) {
+            return &d->attachments[i];
+        }
+    }
+    vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "the drain has no attachment %u", id);
+    return NULL;
+}
+
+vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *attachment,
+                              uint32_t *id)
+{
+    drain_object *d;
+    vbss_drain_attachment own;
+    VBSS_TRY(vbss_drain_edit(drain, &d));
+    VBSS_TRY(vbss_check_pointer(d->context, id, "id"));
+    VBSS_TRY(vbss_config_read(d->context, &attachment_layout, attachment, &own));
+    VBSS_TRY(check(d, &own));
+    uint32_t place = 0;
+    while (place < d->config.attachment_capacity && d->attachments[place].id != 0) {
+        place++;
+    }
+    if (place == d->config.attachment_capacity || d->last_id == UINT32_MAX) {
+        return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "more than %u attachments", place);
+    }
+    drain_attachment *a = &d->attachments[place];
+    *a = (drain_attachment){.id = ++d->last_id,
+                            .kind = own.kind,
+                            .node = own.node,
+                            .target = vec3_load(own.position),
+                            .force = vec3_load(own.force),
+                            .stiffness = own.stiffness};
+    /* A node is taken to its place within the next step; a spring's end is there at once. */
+    a->position = own.kind == VBSS_DRAIN_ATTACHMENT_PIN ? d->x[own.node] : a->target;
+    *id = a->id;
+    d->generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[3])
+{
+    drain_object *d;
+    VBSS_TRY(vbss_drain_edit(drain, &d));
+    VBSS_TRY(vbss_check_pointer(d->context, target, "target"));
+    drain_attachment *a = find(d, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    bool force = a->kind == VBSS_DRAIN_ATTACHMENT_FORCE;
+    VBSS_TRY(check_vector(d->context, target, force ? 1e6 : 1e3, "target"));
+    *(force ? &a->force : &a->target) = vec3_load(target);
+    d->generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
+{
+    drain_object *d;
+    VBSS_TRY(vbss_drain_edit(drain, &d));
+    drain_attachment *a = find(d, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *a = (drain_attachment){0};
+    d->generation++;
+    return VBSS_OK;
+}
+
+/* ---- in a step */
+
+vec3 vbss_drain_attachment_position(const drain_attachment *a, double part)
+{
+    return vec3_lerp(a->position, a->target, part);
+}
+
+void vbss_drain_attachments_arrive(drain_object *d)
+{
+    for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
+        d->attachments[i].position = d->attachments[i].target;
+    }
+}
+
+vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force[3])
+{
+    drain_object *d;
+    VBSS_TRY(vbss_drain_open(drain, &d));
+    VBSS_TRY(vbss_check_pointer(d->context, force, "force"));
+    const drain_attachment *a = find(d, id);
+    if (a == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    vec3_store(force, a->reaction);
+    return VBSS_OK;
+}

@@ -1,0 +1,89 @@
+/* What a host may ask for. */
+#include "drain/drain.h"
+
+_Static_assert(sizeof(vbss_drain_config) == 216, "published size");
+
+static const vbss_drain_config defaults = {
+    .struct_size = sizeof(vbss_drain_config),
+    .method = VBSS_METHOD_OURS,
+    .mesh = VBSS_DRAIN_MESH_137,
+    .mesh_divisions = 1,
+    .attachment_capacity = 8,
+    .linearisation_limit = 1,
+    .halving_limit = 4,
+    .radius = 6.5e-3,
+    .length = 32e-3,
+    .thickness = 1e-3,
+    .slit_length = 10e-3,
+    .slit_opening = 3e-3,
+    .mark_arc = 4.5e-3,
+    .young_modulus = 1.2e6,
+    .poisson_ratio = 0.47,
+    .density = 950.0,
+    .drag = 20.0,
+    .orientation = {1.0, 0.0, 0.0, 0.0},
+    .tear_stress = 5e4,
+    .position_tolerance = 1e-6,
+    .move_limit = 1e-3,
+};
+static const uint32_t config_sizes[] = {216, 0};
+static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
+
+vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+drain_mesh_options vbss_drain_mesh_of(const vbss_drain_config *c)
+{
+    static const drain_mesh_kind kinds[] = {DRAIN_MESH_N, DRAIN_MESH_D, DRAIN_MESH_S, DRAIN_MESH_R};
+    const drain_mesh_options options = {.kind = kinds[c->mesh],
+                                        .divisions = c->mesh_divisions,
+                                        .radius = c->radius,
+                                        .length = c->length,
+                                        .slit_length = c->slit_length,
+                                        .opening = c->slit_opening,
+                                        .mark_arc = c->mark_arc};
+    return options;
+}
+
+static vbss_result check(vbss_context *context, const vbss_drain_config *c)
+{
+    const struct {
+        const char *name;
+        double value, low, high;
+    } ranges[] = {
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_OURS},
+        {"mesh", c->mesh, VBSS_DRAIN_MESH_137, VBSS_DRAIN_MESH_225},
+        {"mesh_divisions", c->mesh_divisions, 1.0, 4.0},
+        {"attachment_capacity", c->attachment_capacity, 0.0, 256.0},
+        {"linearisation_limit", c->linearisation_limit, 1.0, 50.0},
+        {"halving_limit", c->halving_limit, 0.0, 10.0},
+        {"reserved", c->reserved, 0.0, 0.0},
+        {"radius", c->radius, 1e-4, 1.0},
+        {"thickness", c->thickness, 0.01 * c->radius, 0.3 * c->radius},
+        {"young_modulus", c->young_modulus, 1e3, 1e12},
+        {"poisson_ratio", c->poisson_ratio, 0.0, 0.49},
+        {"density", c->density, 1.0, 1e5},
+        {"drag", c->drag, 0.0, 1e6},
+        {"tear_stress", c->tear_stress, 1.0, 1e12},
+        {"position_tolerance", c->position_tolerance, 1e-15, 1.0},
+        {"move_limit", c->move_limit, 1e-9, 1.0},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,
+                                  ranges[i].name));
+    }
+    VBSS_TRY(vbss_check_finite(context, c->gravity, 3, "gravity"));
+    VBSS_TRY(vbss_check_range(context, vbss_largest(c->gravity, 3), 0.0, 1e6, "gravity"));
+    VBSS_TRY(vbss_check_finite(context, c->position, 3, "position"));
+    return vbss_check_range(context, vbss_largest(c->position, 3), 0.0, 1e3, "position");
+}
+
+/* The mesh checks lengths of its own. */
+vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
+                                   vbss_drain_config *own)
+{
+    VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    return check(context, own);
+}

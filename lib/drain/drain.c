@@ -1,0 +1,225 @@
+/* How drains begin and end. */
+#include "drain/drain.h"
+
+#include <string.h>
+
+/* ---- memory: one table says what there is */
+
+enum { PARTS = 22 };
+
+static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
+{
+    size_t n = d->mesh.node_count, m = d->mesh.triangle_count, anchors = d->mesh.fixed_count;
+    const vbss_array all[] = {
+        {&d->groups, vbss_shell_group_count(d->mesh.triangle_count), sizeof *d->groups},
+        {&d->mass, n, sizeof *d->mass},
+        {&d->strength, anchors, sizeof *d->strength},
+        {&d->x, n, sizeof *d->x},
+        {&d->v, n, sizeof *d->v},
+        {&d->torn, anchors, sizeof *d->torn},
+        {&d->attachments, d->config.attachment_capacity, sizeof *d->attachments},
+        {&d->anchored, n, sizeof *d->anchored},
+        {&d->trial, n, sizeof *d->trial},
+        {&d->forces, n, sizeof *d->forces},
+        {&d->v_before, n, sizeof *d->v_before},
+        {&d->kept_x, n, sizeof *d->kept_x},
+        {&d->kept_v, n, sizeof *d->kept_v},
+        {&d->diagonal, n, sizeof *d->diagonal},
+        {&d->anchor_forces, anchors, sizeof *d->anchor_forces},
+        {&d->strains, m, sizeof *d->strains},
+        {&d->curvatures, m, sizeof *d->curvatures},
+        {&d->states, m, sizeof *d->states},
+    };
+    _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
+    memcpy(parts, all, sizeof all);
+    return sizeof all / sizeof all[0];
+}
+
+static void free_drain(vbss_context *context, void *object)
+{
+    drain_object *d = object;
+    vbss_array parts[PARTS], mesh_parts[DRAIN_MESH_PARTS];
+    size_t count = list_parts(d, parts);
+    vbss_drain_mesh_parts(&d->mesh, mesh_parts);
+    vbss_system_destroy(context, d->system);
+    vbss_drain_end_order(context, &d->mesh, &d->order);
+    vbss_release_arrays(context, parts, count);
+    vbss_release_arrays(context, mesh_parts, DRAIN_MESH_PARTS);
+    vbss_release(context, d, 1, sizeof *d);
+}
+
+const vbss_kind vbss_drain_kind = {"drain", VBSS_CODE('D', 'R', 'A', 'N'), 1, free_drain,
+                                   vbss_drain_serialise};
+
+/* ---- making one */
+
+static vbss_result make_shell(drain_object *d)
+{
+    const drain_mesh *m = &d->mesh;
+    const vbss_drain_config *c = &d->config;
+    const vbss_shell_input input = {
+        .node_count = m->node_count,
+        .triangle_count = m->triangle_count,
+        .rest = m->rest,
+        .triangles = (const uint32_t(*)[3])m->triangles,
+        .opposite = (const uint32_t(*)[3])m->opposite,
+        .widths = m->width,
+        .young = c->young_modulus,
+        .thickness = c->thickness,
+        .density = c->density,
+        .poisson = c->poisson_ratio,
+        .moment_free_edges = true,
+    };
+    VBSS_TRY(vbss_shell_init(d->context, &input, d->groups, &d->shell));
+    vbss_shell_add_masses(&d->shell, d->mass);
+    return VBSS_OK;
+}
+
+static vbss_result make_system(drain_object *d)
+{
+    VBSS_TRY(vbss_drain_make_order(d->context, &d->mesh, &d->shell, &d->order));
+    const vbss_system_room room = {.blocks = d->mesh.node_count,
+                                   .couplings = d->order.pair_count,
+                                   .entries = d->order.entries,
+                                   .products = d->order.products};
+    return vbss_system_create_room(d->context, &room, &d->system);
+}
+
+static void place(drain_object *d)
+{
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        d->x[i] = pose_apply(d->frame, d->mesh.rest[i]);
+    }
+    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
+        d->strength[i] = d->config.tear_stress * d->mesh.area[d->mesh.fixed[i]];
+    }
+    vbss_drain_find_anchored(d);
+}
+
+/* All that can fail, into an empty object that is freed by whoever asked. */
+static vbss_result make(drain_object *d, const vbss_drain_config *config)
+{
+    quat turned;
+    d->config = *config;
+    VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &turned));
+    d->frame = pose_make(vec3_load(config->position), turned);
+    d->gravity = vec3_load(config->gravity);
+    drain_mesh_options options = vbss_drain_mesh_of(config);
+    VBSS_TRY(vbss_drain_mesh_plan(d->context, &options, &d->mesh));
+    vbss_array parts[PARTS], mesh_parts[DRAIN_MESH_PARTS];
+    size_t count = list_parts(d, parts);
+    vbss_drain_mesh_parts(&d->mesh, mesh_parts);
+    VBSS_TRY(vbss_allocate_arrays(d->context, mesh_parts, DRAIN_MESH_PARTS, "mesh of a drain"));
+    VBSS_TRY(vbss_allocate_arrays(d->context, parts, count, "drain"));
+    vbss_drain_mesh_fill(&d->mesh);
+    VBSS_TRY(make_shell(d));
+    VBSS_TRY(make_system(d));
+    place(d);
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *config,
+                              vbss_drain **drain)
+{
+    if (drain == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, drain, "drain");
+    }
+    *drain = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_drain_config own;
+    VBSS_TRY(vbss_drain_read_config(context, config, &own));
+    drain_object *d = vbss_allocate(context, 1, sizeof *d, "drain");
+    if (d == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    d->context = context;
+    vbss_slot *slot = NULL;
+    vbss_result result = make(d, &own);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(context, &vbss_drain_kind, d, &slot);
+    }
+    if (result != VBSS_OK) {
+        free_drain(context, d);
+        return result;
+    }
+    *drain = (vbss_drain *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_destroy(vbss_drain *drain)
+{
+    return vbss_slot_destroy(drain, &vbss_drain_kind);
+}
+
+/* ---- handles */
+
+vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_drain_kind, &slot));
+    *drain = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_edit(vbss_drain *handle, drain_object **drain)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_drain_kind, &slot));
+    *drain = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_edit_alone(vbss_drain *handle, drain_object **drain)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit_unowned(handle, &vbss_drain_kind, &slot));
+    *drain = slot->object;
+    return VBSS_OK;
+}
+
+/* ---- what a host does with it */
+
+vbss_result vbss_drain_step(vbss_drain *drain, double h)
+{
+    drain_object *d;
+    VBSS_TRY(vbss_drain_edit_alone(drain, &d));
+    VBSS_TRY(vbss_check_range(d->context, h, 1e-7, 0.1, "h"));
+    VBSS_TRY(vbss_check_arithmetic(d->context));
+    return vbss_drain_make_step(d, h);
+}
+
+static vbss_result check_state(const drain_object *d, const double *positions,
+                               const double *velocities)
+{
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        const double *x = positions != NULL ? positions + 3 * (size_t)i : &d->x[i].x;
+        const double *v = velocities != NULL ? velocities + 3 * (size_t)i : &d->v[i].x;
+        VBSS_TRY(vbss_check_finite(d->context, x, 3, "a position"));
+        VBSS_TRY(vbss_check_finite(d->context, v, 3, "a velocity"));
+        VBSS_TRY(vbss_check_range(d->context, vbss_largest(x, 3), 0.0, 1e3, "a position"));
+        VBSS_TRY(vbss_check_range(d->context, vbss_largest(v, 3), 0.0, 1e5, "a velocity"));
+        bool moves = vec3_distance(vec3_load(x), d->x[i]) > 0.0 || vbss_largest(v, 3) > 0.0;
+        if (d->anchored[i] && moves) {
+            return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", i);
+        }
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
+                                 const double *velocities, uint32_t node_count)
+{
+    drain_object *d;
+    VBSS_TRY(vbss_drain_edit(drain, &d));
+    double nodes = d->mesh.node_count;
+    VBSS_TRY(vbss_check_range(d->context, node_count, nodes, nodes, "node_count"));
+    VBSS_TRY(check_state(d, positions, velocities));
+    for (uint32_t i = 0; i < node_count; i++) {
+        d->x[i] = positions != NULL ? vec3_load(positions + 3 * (size_t)i) : d->x[i];
+        d->v[i] = velocities != NULL ? vec3_load(velocities + 3 * (size_t)i) : d->v[i];
+    }
+    d->generation++;
+    return VBSS_OK;
+}

@@ -1,0 +1,128 @@
+/* The inside of a drain: what the files of lib/drain share beside the mesh (mesh.h) and the shell (shell.h).
+ *
+ * drain.c makes and ends drains; order.c works out, once, in which order a system eliminates their nodes; pattern.c
+ * registers them in a system, assemble.c gives it their numbers; step.c is a step of a drain that is alone. */
+#ifndef VBSS_DRAIN_DRAIN_H
+#define VBSS_DRAIN_DRAIN_H
+
+#include <vblast_ss/drain.h>
+
+#include "base/base.h"
+#include "drain/mesh.h"
+#include "drain/shell.h"
+#include "solver/solver.h"
+
+typedef struct drain_attachment {
+    uint32_t id; /* 0: the place is free */
+    vbss_drain_attachment_kind kind;
+    uint32_t node;
+    vec3 position, target; /* PIN, SPRING: now, and after the next step */
+    vec3 force;            /* FORCE */
+    double stiffness;      /* SPRING */
+    vec3 reaction;         /* of the last step, on the drain */
+} drain_attachment;
+
+/* Two nodes of a patch: a block of the system's matrix. By their places in the order, high > low. */
+typedef struct drain_pair {
+    uint32_t high, low;
+    uint32_t coupling; /* in the system that knows the pattern */
+} drain_pair;
+
+/* The graph of the nodes that patches couple, and the order in which it is eliminated. */
+typedef struct drain_order {
+    uint32_t *place; /* node -> place in the order; anchored nodes come last */
+    uint32_t *node;  /* place -> node */
+    drain_pair *pairs;
+    uint32_t (
+        *pair_of)[SHELL_PAIRS]; /* of a triangle's pairs of nodes; UINT32_MAX: beyond a free side */
+    uint32_t pair_count, entries,
+        products; /* the last two: of the factor, if nothing is anchored */
+    uint32_t first_coupling, coupling_count; /* of pairs, in the system that knows the pattern */
+} drain_order;
+
+typedef struct drain_object {
+    vbss_context *context;
+    vbss_drain_config config;
+    pose frame;
+    vec3 gravity;
+    uint64_t generation;
+    drain_mesh mesh;
+    vbss_shell shell;
+    vbss_shell_group *groups;
+    double *mass;     /* per node */
+    double *strength; /* per anchor, N */
+    drain_order order;
+
+    /* the state */
+    vec3 *x, *v;
+    uint8_t *torn; /* per anchor */
+    drain_attachment *attachments;
+    uint32_t last_id;
+    vbss_drain_statistics statistics;
+
+    /* what follows from it */
+    bool pattern_known;
+    uint8_t *anchored;   /* per node */
+    vbss_system *system; /* of a drain that is stepped alone */
+
+    /* room for a step: nothing here outlives it */
+    vec3 *trial, *forces, *v_before; /* v_before: the part under way */
+    vec3 *kept_x, *kept_v;           /* before the step */
+    block *diagonal;
+
+    /* views that are worked out when asked for */
+    vec3 *anchor_forces;
+    double (*strains)[3], (*curvatures)[3];
+    vbss_shell_state *states;
+} drain_object;
+
+extern const vbss_kind vbss_drain_kind;
+
+/* ---- drain.c: the living drain of a handle, to look at or to change; and while nobody else has it */
+vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain);
+vbss_result vbss_drain_edit(vbss_drain *handle, drain_object **drain);
+vbss_result vbss_drain_edit_alone(vbss_drain *handle, drain_object **drain);
+
+/* ---- config.c: a configuration with defaults for what the host's does not have, checked; and of that the mesh */
+vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
+                                   vbss_drain_config *own);
+drain_mesh_options vbss_drain_mesh_of(const vbss_drain_config *config);
+
+/* ---- order.c: by minimum degree, made at creation */
+vbss_result vbss_drain_make_order(vbss_context *context, const drain_mesh *mesh,
+                                  const vbss_shell *shell, drain_order *order);
+void vbss_drain_end_order(vbss_context *context, const drain_mesh *mesh, drain_order *order);
+
+/* ---- anchors.c: which nodes are anchored, from what has torn; the force of one in a state whose inner forces are known; tears
+ * the one that is overloaded most, if any is */
+void vbss_drain_find_anchored(drain_object *d);
+vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 *forces);
+void vbss_drain_tear(drain_object *d, const vec3 *forces);
+
+/* ---- attachments.c */
+vec3 vbss_drain_attachment_position(const drain_attachment *a, double part);
+const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node);
+void vbss_drain_attachments_arrive(drain_object *d);
+
+/* ---- pattern.c: the drain's chain in a system, a block a node in the order of elimination; and, when that has been
+ * analysed, where the shell's blocks go */
+vbss_result vbss_drain_register(drain_object *d, vbss_system *s, uint32_t *first);
+void vbss_drain_aim(drain_object *d, const vbss_system *s);
+
+/* ---- assemble.c: the drain's part of a system at the trial state. Backward Euler: see docs/drain.md. */
+typedef struct drain_stage {
+    double h;        /* of the part, s */
+    double part_end; /* of the step, where attachments are then */
+} drain_stage;
+/* Matrix and right-hand side; the right-hand side alone. Inner forces of the trial state are left in d->forces. */
+void vbss_drain_assemble(drain_object *d, const drain_stage *stage, vbss_system *s, uint32_t first);
+void vbss_drain_assemble_rhs(drain_object *d, const drain_stage *stage, vbss_system *s,
+                             uint32_t first);
+
+/* ---- step.c */
+vbss_result vbss_drain_make_step(drain_object *d, double h);
+
+/* ---- state.c */
+void vbss_drain_serialise(vbss_stream *stream, void *object);
+
+#endif

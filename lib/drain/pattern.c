@@ -1,0 +1,37 @@
+/* The drain in a system: a chain whose blocks are the nodes in the order of elimination. */
+#include "drain/drain.h"
+
+vbss_result vbss_drain_register(drain_object *d, vbss_system *s, uint32_t *first)
+{
+    drain_order *order = &d->order;
+    VBSS_TRY(vbss_system_add_chain(s, d->mesh.node_count, first));
+    vbss_system_keep_order(s);
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        vbss_system_set_role(s, *first + order->place[i],
+                             d->anchored[i] ? VBSS_ROLE_GIVEN : VBSS_ROLE_RUN);
+    }
+    order->first_coupling = s->coupling_count + 1;
+    for (uint32_t p = 0; p < order->pair_count; p++) {
+        drain_pair *pair = &order->pairs[p];
+        VBSS_TRY(vbss_system_couple(s, *first + pair->high, *first + pair->low, &pair->coupling));
+    }
+    order->coupling_count = s->coupling_count + 1 - order->first_coupling;
+    return VBSS_OK;
+}
+
+/* When the system has been analysed: which block of a pair is eliminated later is known only then. */
+void vbss_drain_aim(drain_object *d, const vbss_system *s)
+{
+    const drain_order *order = &d->order;
+    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
+        for (uint32_t p = 0; p < SHELL_PAIRS; p++) {
+            uint32_t row, column;
+            if (vbss_shell_pair(&d->shell, t, p, &row, &column)) {
+                const drain_pair *pair = &order->pairs[order->pair_of[t][p]];
+                bool flipped = s->couplings[pair->coupling].flipped != 0;
+                bool rows_are_high = order->place[row] == pair->high;
+                vbss_shell_aim(&d->shell, t, p, pair->coupling, rows_are_high == flipped);
+            }
+        }
+    }
+}

@@ -1,0 +1,152 @@
+/* The state of a drain: what is saved, hashed and restored. */
+#include "drain/drain.h"
+
+/* The configuration that must be the same. */
+static void visit_config(vbss_stream *stream, const drain_object *d)
+{
+    const vbss_drain_config *c = &d->config;
+    const double numbers[] = {c->radius,
+                              c->length,
+                              c->thickness,
+                              c->slit_length,
+                              c->slit_opening,
+                              c->mark_arc,
+                              c->young_modulus,
+                              c->poisson_ratio,
+                              c->density,
+                              c->drag,
+                              c->gravity[0],
+                              c->gravity[1],
+                              c->gravity[2],
+                              c->position[0],
+                              c->position[1],
+                              c->position[2],
+                              d->frame.orientation.w,
+                              d->frame.orientation.x,
+                              d->frame.orientation.y,
+                              d->frame.orientation.z,
+                              c->tear_stress,
+                              c->position_tolerance,
+                              c->move_limit};
+    const uint32_t choices[] = {(uint32_t)c->method,    (uint32_t)c->mesh,      c->mesh_divisions,
+                                c->attachment_capacity, c->linearisation_limit, c->halving_limit};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 1, numbers[i]);
+    }
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        vbss_stream_same(stream, 2, choices[i]);
+    }
+}
+
+static bool is_foreign(const vbss_stream *stream)
+{
+    return stream->mode == VBSS_STREAM_READ && !stream->trusted;
+}
+
+static void visit_attachment(vbss_stream *stream, const drain_object *d, drain_attachment *a)
+{
+    int32_t kind = a->kind;
+    vbss_stream_u32(stream, 20, &a->id, 1);
+    vbss_stream_i32(stream, 21, &kind, 1);
+    vbss_stream_u32(stream, 22, &a->node, 1);
+    vbss_stream_f64(stream, 23, &a->position.x, 3);
+    vbss_stream_f64(stream, 24, &a->target.x, 3);
+    vbss_stream_f64(stream, 25, &a->force.x, 3);
+    vbss_stream_f64(stream, 26, &a->stiffness, 1);
+    vbss_stream_f64(stream, 27, &a->reaction.x, 3);
+    a->kind = kind;
+    if (is_foreign(stream) &&
+        (kind < VBSS_DRAIN_ATTACHMENT_PIN || kind > VBSS_DRAIN_ATTACHMENT_SPRING ||
+         a->node >= d->mesh.node_count || a->id > d->last_id || !(a->stiffness >= 0.0))) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
+    }
+}
+
+static void visit_statistics(vbss_stream *stream, vbss_drain_statistics *s)
+{
+    vbss_stream_u32(stream, 40, &s->torn, 1);
+    vbss_stream_u64(stream, 41, &s->steps, 1);
+    vbss_stream_u64(stream, 42, &s->parts, 1);
+    vbss_stream_u64(stream, 43, &s->linearisations, 1);
+    vbss_stream_u64(stream, 44, &s->corrections_dropped, 1);
+    vbss_stream_u64(stream, 45, &s->forced, 1);
+    vbss_stream_f64(stream, 46, &s->last_move, 1);
+    vbss_stream_f64(stream, 47, &s->last_correction, 1);
+    vbss_stream_f64(stream, 48, &s->time, 1);
+}
+
+static bool is_at_rest(const drain_object *d, uint32_t node)
+{
+    vec3 rest = pose_apply(d->frame, d->mesh.rest[node]);
+    return vec3_distance(d->x[node], rest) == 0.0 && vec3_norm(d->v[node]) == 0.0;
+}
+
+/* Its id is nobody else's; no node is pinned twice, or held beside an anchor. */
+static bool is_sound(const drain_object *d, uint32_t place)
+{
+    const drain_attachment *a = &d->attachments[place];
+    bool sound = a->kind != VBSS_DRAIN_ATTACHMENT_PIN || vbss_drain_pin_of(d, a->node) == a;
+    for (uint32_t k = 0; k < place; k++) {
+        sound = sound && d->attachments[k].id != a->id;
+    }
+    for (uint32_t k = 0; k < d->mesh.fixed_count; k++) {
+        sound = sound && (d->mesh.fixed[k] != a->node || d->torn[k] != 0);
+    }
+    return sound;
+}
+
+static void check(vbss_stream *stream, const drain_object *d)
+{
+    uint32_t torn = 0;
+    bool sound = true;
+    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
+        sound = sound && d->torn[i] <= 1 && (d->torn[i] != 0 || is_at_rest(d, d->mesh.fixed[i]));
+        torn += d->torn[i] != 0;
+    }
+    for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
+        sound = sound && (d->attachments[i].id == 0 || is_sound(d, i));
+    }
+    if (!sound || torn != d->statistics.torn) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such anchors or attachments");
+    }
+}
+
+void vbss_drain_serialise(vbss_stream *stream, void *object)
+{
+    drain_object *d = object;
+    size_t n = d->mesh.node_count;
+    visit_config(stream, d);
+    vbss_stream_f64(stream, 3, &d->x[0].x, 3 * n);
+    vbss_stream_f64(stream, 4, &d->v[0].x, 3 * n);
+    vbss_stream_u8(stream, 5, d->torn, d->mesh.fixed_count);
+    vbss_stream_u32(stream, 6, &d->last_id, 1);
+    for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
+        visit_attachment(stream, d, &d->attachments[i]);
+    }
+    visit_statistics(stream, &d->statistics);
+    if (is_foreign(stream)) {
+        check(stream, d);
+    }
+    if (stream->mode == VBSS_STREAM_READ) {
+        vbss_drain_find_anchored(d);
+        d->pattern_known = false;
+        d->generation++;
+    }
+}
+
+/* ---- saving from outside */
+
+vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity, uint64_t *written)
+{
+    return vbss_object_save(drain, &vbss_drain_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_drain_restore(vbss_drain *drain, const uint8_t *bytes, uint64_t count)
+{
+    return vbss_object_restore(drain, &vbss_drain_kind, bytes, count);
+}
+
+vbss_result vbss_drain_get_hash(vbss_drain *drain, uint64_t *hash)
+{
+    return vbss_object_hash(drain, &vbss_drain_kind, hash);
+}

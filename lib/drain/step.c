@@ -1,0 +1,232 @@
+/* A step of a drain alone: (assemble -> solve -> look again at the forces -> solve) -> commit, in halves where a node
+ * would go far.
+ *
+ * The tangent is made anew in every step: one that is kept fails as soon as the surface has turned by 0.1 to 0.2 rad. The
+ * second look at the forces, with the same factor, leaves a tenth of the error; its correction is dropped when it is
+ * not small, as after a snap it may point anywhere (docs/drain.md). */
+#include "drain/drain.h"
+
+#include <string.h>
+
+/* A correction that moves nothing farther than this share of what it corrects is believed. */
+#define BELIEVED 0.5
+/* A part in which a node goes beyond so many move_limits is halved; beyond one it gets another linearisation. */
+#define TOO_FAR 4.0
+
+static double largest_increment(const drain_object *d)
+{
+    double largest = 0.0;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        largest = vbss_larger(vec3_norm(d->system->solution[i]), largest);
+    }
+    return largest;
+}
+
+static void follow(drain_object *d)
+{
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        d->trial[i] = vec3_add(d->trial[i], d->system->solution[d->order.place[i]]);
+    }
+}
+
+static double finish_solution(drain_object *d)
+{
+    vbss_system_take_separators(d->system);
+    bool solved = vbss_system_solve(d->system);
+    return solved ? largest_increment(d) : (double)INFINITY;
+}
+
+/* Largest increments of the tangent's solve and of the second look. False: there is no solution. */
+typedef struct moves {
+    double first, second;
+} moves;
+
+static bool linearise(drain_object *d, const drain_stage *stage, moves *m)
+{
+    *m = (moves){0.0, 0.0};
+    vbss_system_clear(d->system);
+    vbss_drain_assemble(d, stage, d->system, 0);
+    if (!vbss_system_condense(d->system)) {
+        return false;
+    }
+    m->first = finish_solution(d);
+    if (!(m->first < 1e100)) {
+        return false;
+    }
+    follow(d);
+    if (m->first <= d->config.position_tolerance) {
+        return true;
+    }
+    vbss_drain_assemble_rhs(d, stage, d->system, 0);
+    vbss_system_condense_rhs(d->system);
+    m->second = finish_solution(d);
+    if (m->second < BELIEVED * m->first) {
+        follow(d);
+    } else {
+        d->statistics.corrections_dropped++;
+    }
+    return true;
+}
+
+/* False: no solution. Too far: what has been found is worth nothing if the part can be halved. */
+static bool try_part(drain_object *d, const drain_stage *stage, bool may_halve, bool *too_far)
+{
+    moves m = {0.0, 0.0}; /* of the last linearisation */
+    uint32_t limit = d->config.linearisation_limit;
+    *too_far = false;
+    memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
+    for (uint32_t k = 0; k < limit; k++) {
+        if (!linearise(d, stage, &m)) {
+            return false;
+        }
+        d->statistics.linearisations++;
+        if (k == 0 && m.first > d->config.move_limit) {
+            limit++;
+            *too_far = m.first > TOO_FAR * d->config.move_limit;
+            d->statistics.forced += *too_far && !may_halve;
+        }
+        if (*too_far && may_halve) {
+            return true;
+        }
+        if (m.first <= d->config.position_tolerance) {
+            break;
+        }
+    }
+    d->statistics.last_correction = m.second;
+    return true;
+}
+
+static void commit(drain_object *d, const drain_stage *stage)
+{
+    double farthest = 0.0;
+    memcpy(d->v_before, d->v, d->mesh.node_count * sizeof *d->v);
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        vec3 way = vec3_sub(d->trial[i], d->x[i]);
+        vec3 v = vec3_scale(way, 1.0 / stage->h);
+        farthest = vbss_larger(vec3_norm(way), farthest);
+        d->v[i].x = fabs(v.x) < VBSS_STILL ? 0.0 : v.x;
+        d->v[i].y = fabs(v.y) < VBSS_STILL ? 0.0 : v.y;
+        d->v[i].z = fabs(v.z) < VBSS_STILL ? 0.0 : v.z;
+        d->x[i] = d->trial[i];
+    }
+    d->statistics.last_move = vbss_larger(farthest, d->statistics.last_move);
+    d->statistics.parts++;
+}
+
+/* The parts are dyadic, so they sum to 1 exactly. */
+static bool make_parts(drain_object *d, double h, drain_stage *stage)
+{
+    double begin = 0.0, part = 1.0, smallest = 1.0;
+    for (uint32_t k = 0; k < d->config.halving_limit; k++) {
+        smallest *= 0.5;
+    }
+    while (begin < 1.0) {
+        bool too_far;
+        *stage = (drain_stage){h * part, begin + part};
+        if (!try_part(d, stage, part > smallest, &too_far)) {
+            return false;
+        }
+        if (too_far && part > smallest) {
+            part *= 0.5;
+            continue;
+        }
+        commit(d, stage);
+        begin += part;
+    }
+    return d->statistics.last_move < 1e100;
+}
+
+/* ---- the step */
+
+/* Beside an attachment others may pull at its node. */
+static vec3 other_forces(const drain_object *d, const drain_attachment *pin)
+{
+    vec3 sum = vec3_zero();
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        const drain_attachment *a = &d->attachments[k];
+        if (a->id != 0 && a->node == pin->node && a != pin) {
+            sum = vec3_add(sum, a->reaction);
+        }
+    }
+    return sum;
+}
+
+/* What its balance lacks, the node's inertia included. */
+static vec3 pin_force(const drain_object *d, const drain_stage *stage, const drain_attachment *pin)
+{
+    uint32_t node = pin->node;
+    vec3 v = d->v[node];
+    vec3 rate = vec3_scale(vec3_sub(v, d->v_before[node]), 1.0 / stage->h);
+    rate = vec3_sub(vec3_add_scaled(rate, d->config.drag, v), d->gravity);
+    vec3 all = vec3_sub(vec3_scale(rate, d->mass[node]), d->forces[node]);
+    return vec3_sub(all, other_forces(d, pin));
+}
+
+/* Those of the final state; d->forces are of the last look. */
+static void find_forces(drain_object *d)
+{
+    memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
+    vbss_shell_add_forces(&d->shell, d->x, d->forces);
+}
+
+static void note_reactions(drain_object *d, const drain_stage *stage)
+{
+    bool any = false;
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        drain_attachment *a = &d->attachments[k];
+        vec3 way = vec3_sub(a->position, d->x[a->node]);
+        any = any || (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN);
+        a->reaction = a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? vec3_scale(way, a->stiffness)
+                      : a->kind == VBSS_DRAIN_ATTACHMENT_FORCE ? a->force
+                                                               : vec3_zero();
+    }
+    if (!any) {
+        return;
+    }
+    find_forces(d);
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        drain_attachment *a = &d->attachments[k];
+        if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
+            a->reaction = pin_force(d, stage, a);
+        }
+    }
+}
+
+static vbss_result know_pattern(drain_object *d)
+{
+    uint32_t first;
+    if (!d->pattern_known) {
+        vbss_system_begin(d->system);
+        VBSS_TRY(vbss_drain_register(d, d->system, &first));
+        VBSS_TRY(vbss_system_analyse(d->system));
+        vbss_drain_aim(d, d->system);
+        d->pattern_known = true;
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_drain_make_step(drain_object *d, double h)
+{
+    const vbss_drain_statistics before = d->statistics;
+    drain_stage stage;
+    size_t bytes = d->mesh.node_count * sizeof *d->x;
+    VBSS_TRY(know_pattern(d));
+    memcpy(d->kept_x, d->x, bytes);
+    memcpy(d->kept_v, d->v, bytes);
+    d->statistics.last_move = 0.0;
+    if (!make_parts(d, h, &stage)) {
+        d->statistics = before;
+        memcpy(d->x, d->kept_x, bytes);
+        memcpy(d->v, d->kept_v, bytes);
+        return vbss_fail(d->context, VBSS_ERROR_NOT_FINITE,
+                         "drain step: no finite state after step %llu",
+                         (unsigned long long)before.steps);
+    }
+    vbss_drain_attachments_arrive(d);
+    note_reactions(d, &stage);
+    vbss_drain_tear(d, d->forces);
+    d->statistics.steps++;
+    d->statistics.time += h;
+    d->generation++;
+    return VBSS_OK;
+}
