@@ -4,9 +4,6 @@
  * their places, it may be stretched, and its springs work against that. */
 #include "thread/paper.h"
 
-/* An explicit part is at most this share of the longest that is stable: turns become sharper and
- * tensions larger within a step. */
-#define STABLE_SHARE 0.9
 /* Spring constants that are chosen, as a share of what is stable. */
 #define SPRING_SHARE 0.75
 
@@ -15,12 +12,7 @@ static uint32_t count_parts(thread_object *t, double h)
     if (t->config.paper_substeps > 0) {
         return t->config.paper_substeps;
     }
-    double wanted = h * sqrt(vbss_paper_rate(t)) * (1.0 / STABLE_SHARE);
-    if (!(wanted < 1e5)) {
-        return 100000;
-    }
-    uint32_t count = (uint32_t)wanted;
-    return count < wanted || count == 0 ? count + 1 : count;
+    return vbss_explicit_parts(h, vbss_paper_rate(t));
 }
 
 static void prepare_masses(thread_object *t)

@@ -1,81 +1,5 @@
-/* Damping that keeps linear and angular momentum: what a section does beyond moving as a rigid body
- * dies away (Mueller et al. 2007, as in VBLaST-SS). */
+/* Damping of what sections do beyond moving as rigid bodies. */
 #include "thread/thread.h"
-
-/* The rotation rate w with inertia w = momentum. About an axis on which all mass lies the inertia is
- * zero and any rate serves: none. Elimination with the largest diagonal first. */
-static vec3 rotation_rate(mat3 inertia, vec3 momentum)
-{
-    double a[3][4];
-    double largest = 0.0;
-    bool used[3] = {false, false, false};
-    const double b[3] = {momentum.x, momentum.y, momentum.z};
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            a[i][j] = inertia.m[i][j];
-        }
-        a[i][3] = b[i];
-        largest = a[i][i] > largest ? a[i][i] : largest;
-    }
-    for (int step = 0; step < 3; step++) {
-        int p = -1;
-        for (int i = 0; i < 3; i++) {
-            p = !used[i] && (p < 0 || a[i][i] > a[p][p]) ? i : p;
-        }
-        used[p] = true;
-        bool flat = !(a[p][p] > 1e-13 * largest);
-        for (int j = 0; j < 4; j++) {
-            a[p][j] = flat ? (j == p ? 1.0 : 0.0) : a[p][j];
-        }
-        double pivot = 1.0 / a[p][p];
-        for (int j = 0; j < 4; j++) {
-            a[p][j] *= pivot;
-        }
-        for (int i = 0; i < 3; i++) {
-            double factor = i == p ? 0.0 : a[i][p];
-            for (int j = 0; j < 4; j++) {
-                a[i][j] -= factor * a[p][j];
-            }
-        }
-    }
-    return vec3_make(a[0][3], a[1][3], a[2][3]);
-}
-
-void vbss_thread_damp_section(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
-                              uint32_t last, double share)
-{
-    double total = 0.0;
-    vec3 centre = vec3_zero(), drift = vec3_zero();
-    for (uint32_t i = first; i <= last; i++) {
-        total += mass[i];
-        centre = vec3_add_scaled(centre, mass[i], x[i]);
-        drift = vec3_add_scaled(drift, mass[i], v[i]);
-    }
-    centre = vec3_scale(centre, 1.0 / total);
-    drift = vec3_scale(drift, 1.0 / total);
-    mat3 inertia = mat3_zero();
-    vec3 momentum = vec3_zero();
-    for (uint32_t i = first; i <= last; i++) {
-        vec3 r = vec3_sub(x[i], centre);
-        double rr = vec3_norm_squared(r);
-        inertia = mat3_add_scaled(inertia, mass[i],
-                                  mat3_sub(mat3_diagonal(rr, rr, rr), mat3_outer(r, r)));
-        vec3 own = vec3_sub(v[i], drift);
-        momentum = vec3_add_scaled(momentum, mass[i], vec3_cross(r, own));
-    }
-    vec3 rate = rotation_rate(inertia, momentum);
-    /* The centre is rounded; a nearly straight section may turn fast about its line. What that adds to
-     * the momentum is taken out. */
-    vec3 slip = vec3_zero();
-    for (uint32_t i = first; i <= last; i++) {
-        slip = vec3_add_scaled(slip, mass[i] / total, vec3_cross(rate, vec3_sub(x[i], centre)));
-    }
-    drift = vec3_sub(drift, slip);
-    for (uint32_t i = first; i <= last; i++) {
-        vec3 rigid = vec3_add(drift, vec3_cross(rate, vec3_sub(x[i], centre)));
-        v[i] = vec3_add_scaled(v[i], -share, vec3_sub(v[i], rigid));
-    }
-}
 
 void vbss_thread_damp_sections(thread_object *t, double share)
 {
@@ -85,7 +9,7 @@ void vbss_thread_damp_sections(thread_object *t, double share)
         first += t->held[first] != 0;
         last -= t->held[last] != 0; /* a section has two nodes, so this stays at or above zero */
         if (first < last) {
-            vbss_thread_damp_section(t->mass, t->now.x, t->now.v, first, last, share);
+            vbss_damp_relative_motion(t->mass, t->now.x, t->now.v, first, last, share);
         }
     }
 }

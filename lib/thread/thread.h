@@ -274,10 +274,7 @@ double vbss_thread_carried_load(const thread_object *t, double inertia);
 /* rest_curvature.c: what rest curvature pulls in the trial state. */
 void vbss_thread_update_rest_pull(thread_object *t);
 
-/* section_damping.c: v <- v - share (v - rigid motion of the section), free nodes first .. last. */
-void vbss_thread_damp_section(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
-                              uint32_t last, double share);
-/* The same for all sections. */
+/* section_damping.c: takes that share of what the free nodes of each section do beyond its rigid motion. */
 void vbss_thread_damp_sections(thread_object *t, double share);
 
 /* implicit_step.c, paper_step.c */

@@ -57,7 +57,7 @@ static void damping_keeps_momentum(harness_source *source, void *user)
     }
     sum before = sum_up(mass, x, v, n);
     double share = harness_draw_real(source, 0.0, 1.0);
-    vbss_thread_damp_section(mass, x, v, 0, n - 1, share);
+    vbss_damp_relative_motion(mass, x, v, 0, n - 1, share);
     sum after = sum_up(mass, x, v, n);
     expect_near(0.0, vec3_distance(before.linear, after.linear) / before.speed, 1e-12);
     expect_near(0.0, vec3_distance(before.angular, after.angular) / before.swing, s->angular);
@@ -92,7 +92,7 @@ static void damping_leaves_rigid_motion_and_takes_its_share_of_the_rest(void **s
     for (int i = 0; i < 4; i++) {
         v[i] = vec3_add(drift, vec3_cross(turn, x[i]));
     }
-    vbss_thread_damp_section(mass, x, v, 0, 3, 0.7);
+    vbss_damp_relative_motion(mass, x, v, 0, 3, 0.7);
     for (int i = 0; i < 4; i++) {
         expect_near_vec3(vec3_add(drift, vec3_cross(turn, x[i])), v[i], 1e-14);
     }
@@ -100,13 +100,13 @@ static void damping_leaves_rigid_motion_and_takes_its_share_of_the_rest(void **s
     v[1] = vec3_add(v[1], vec3_make(0.5, -1.0, 0.2));
     v[2] = vec3_add(v[2], vec3_make(-0.3, 0.1, 0.9));
     memcpy(once, v, sizeof v);
-    vbss_thread_damp_section(mass, x, once, 0, 3, 0.51);
-    vbss_thread_damp_section(mass, x, v, 0, 3, 0.3);
-    vbss_thread_damp_section(mass, x, v, 0, 3, 0.3);
+    vbss_damp_relative_motion(mass, x, once, 0, 3, 0.51);
+    vbss_damp_relative_motion(mass, x, v, 0, 3, 0.3);
+    vbss_damp_relative_motion(mass, x, v, 0, 3, 0.3);
     for (int i = 0; i < 4; i++) {
         expect_near_vec3(once[i], v[i], 1e-14);
     }
-    vbss_thread_damp_section(mass, x, v, 0, 3, 1.0);
+    vbss_damp_relative_motion(mass, x, v, 0, 3, 1.0);
     for (int k = 0; k < 16; k++) {
         vec3 e = vec3_sub(x[k / 4], x[k % 4]);
         expect_near(0.0, vec3_dot(e, vec3_sub(v[k / 4], v[k % 4])), 1e-14);

@@ -1,0 +1,16 @@
+/* How short the parts of an explicit step are. */
+#include "solver/solver.h"
+
+/* A part is at most this share of the longest that is stable: what is stiff becomes stiffer within a step. */
+#define STABLE_SHARE 0.9
+#define MOST_PARTS 100000u
+
+uint32_t vbss_explicit_parts(double h, double rate)
+{
+    double wanted = h * sqrt(rate) * (1.0 / STABLE_SHARE);
+    if (!(wanted < MOST_PARTS)) {
+        return MOST_PARTS;
+    }
+    uint32_t count = (uint32_t)wanted;
+    return count < wanted || count == 0 ? count + 1 : count;
+}
