@@ -6,9 +6,11 @@
  * the origin; the slit is on top (+y), and a strip along the bottom is glued to the block on which the drain lies, by
  * anchors that tear off. At rest nothing is under stress, and the slit stands open.
  *
- * Membrane and bending are those of an isotropic elastic shell with large rotations (assumed-strain patch triangles,
- * Flores and Onate 2005; docs/drain-shell.md). Time is backward Euler with one linearisation a step and a second look at
- * the forces (docs/drain.md).
+ * Method OURS: membrane and bending are those of an isotropic elastic shell with large rotations (assumed-strain patch
+ * triangles, Flores and Onate 2005; docs/drain-shell.md). Time is backward Euler with one linearisation a step and a second look at
+ * the forces (docs/drain.md). Method PAPER is that of VBLaST-SS (Qi et al. 2017): 85 particles, each tied to its rest
+ * position by a spring and to nothing else, in explicit steps (docs/paper-drain.md). It has a mesh of its own and no
+ * anchors.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -34,14 +36,15 @@ enum {
 
 /** How to make a drain. Fill it with #vbss_drain_config_init, then change what you need. */
 typedef struct vbss_drain_config {
-    uint32_t struct_size;    /**< Size of this struct in bytes, set by the init function. */
-    vbss_method method;      /**< VBSS_METHOD_OURS, the default: the paper's is not there yet. */
-    vbss_drain_mesh mesh;    /**< Default VBSS_DRAIN_MESH_137. */
-    uint32_t mesh_divisions; /**< Each cell is divided so often each way, 1 to 4; default 1. */
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;   /**< Default VBSS_METHOD_OURS. */
+    vbss_drain_mesh mesh; /**< Method OURS; default VBSS_DRAIN_MESH_137. */
+    /** Method OURS: each cell is divided so often each way, 1 to 4; default 1. */
+    uint32_t mesh_divisions;
     uint32_t attachment_capacity; /**< Most attachments at a time, 0 to 256; default 8. */
-    /** Linearisations of a step, 1 to 50; default 1. More until position_tolerance is kept: for references. */
+    /** Method OURS: linearisations of a step, 1 to 50; default 1. More until position_tolerance is kept: for references. */
     uint32_t linearisation_limit;
-    uint32_t halving_limit; /**< How often a step may be halved, 0 to 10; default 4. */
+    uint32_t halving_limit; /**< Method OURS: how often a step may be halved, 0 to 10; default 4. */
     uint32_t reserved;      /**< Zero. */
     double radius;          /**< Of the middle surface, m, 1e-4 to 1; default 6.5e-3. */
     double length;          /**< m, 2 to 7 radii; default 32e-3. */
@@ -52,8 +55,9 @@ typedef struct vbss_drain_config {
     /** From the slit's middle to each mark, along the surface before the slit was opened, m; beyond half the opening,
      * from 20 to 90 degrees; default 4.5e-3. */
     double mark_arc;
-    double young_modulus; /**< Pa, 1e3 to 1e12; default 1.2e6. Of real drains: not verified. */
-    double poisson_ratio; /**< 0 to 0.49; default 0.47. */
+    /** Method OURS: Pa, 1e3 to 1e12; default 1.2e6. Of real drains: not verified. */
+    double young_modulus;
+    double poisson_ratio; /**< Method OURS: 0 to 0.49; default 0.47. */
     double density;       /**< kg/m^3, 1 to 1e5; default 950. */
     double drag;          /**< Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20. */
     double gravity
@@ -61,14 +65,23 @@ typedef struct vbss_drain_config {
     double position[3]; /**< Of the drain's frame in the world, m, each at most 1e3; default 0. */
     double orientation
         [4]; /**< Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0, 0). */
-    /** What the glue of the strip bears, Pa, 1 to 1e12; default 5e4 (not verified). The anchor of a node tears off for ever
-     * above this times the part of the strip that is the node's; the one that is overloaded most, one a step. */
+    /** Method OURS: what the glue of the strip bears, Pa, 1 to 1e12; default 5e4 (not verified). The anchor of a node tears
+     * off for ever above this times the part of the strip that is the node's; the one that is overloaded most, one a
+     * step. */
     double tear_stress;
-    double
-        position_tolerance; /**< Of the last linearisation's increments, m, 1e-15 to 1; default 1e-6. */
-    /** A step in which a node would move farther gets one more linearisation; four times as far, and it is halved; m, 1e-9
-     * to 1; default 1e-3. */
+    /** Method OURS: of the last linearisation's increments, m, 1e-15 to 1; default 1e-6. */
+    double position_tolerance;
+    /** Method OURS: a step in which a node would move farther gets one more linearisation; four times as far, and it is
+     * halved; m, 1e-9 to 1; default 1e-3. */
     double move_limit;
+    /** Method PAPER: of the spring that ties a particle to its rest position, N/m, 0 to 1e9; default 125. */
+    double paper_stiffness;
+    /** Method PAPER: share of the velocity relative to the drain's rigid motion that is removed at each explicit step,
+     * 0 to 1; default 0.7. */
+    double paper_damping;
+    /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the springs need. */
+    uint32_t paper_substeps;
+    uint32_t reserved2; /**< Zero. */
 } vbss_drain_config;
 
 /** What an attachment does: a VBSS_DRAIN_ATTACHMENT_ constant. */
@@ -105,10 +118,11 @@ enum {
     VBSS_DRAIN_SLIT_LEFT =
         4, /**< uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x. */
     VBSS_DRAIN_SLIT_RIGHT = 5, /**< The same on the right (+z). */
-    VBSS_DRAIN_ANCHORS = 6,    /**< uint32_t: nodes of the bottom strip. */
+    VBSS_DRAIN_ANCHORS = 6,    /**< uint32_t: nodes of the bottom strip; method PAPER: none. */
     /** 3 doubles for each of VBSS_DRAIN_ANCHORS, N: of the anchor on the drain; zero for those torn off. */
     VBSS_DRAIN_ANCHOR_FORCES = 7,
-    /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear (2 e12). */
+    /** m x 3 doubles: strains of the middle surface along and across the triangle's first side, and shear (2 e12). What
+     * method PAPER does not resist is told as well, and so are curvatures. */
     VBSS_DRAIN_STRAINS = 8,
     VBSS_DRAIN_CURVATURES = 9 /**< m x 3 doubles, 1/m: changes of curvature, likewise (2 k12). */
 };
@@ -140,21 +154,21 @@ typedef struct vbss_drain_energies {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t reserved;    /**< Zero. */
     double kinetic;       /**< Of lumped masses. */
-    double membrane;      /**< Elastic, of stretching the middle surface. */
-    double bending;       /**< Elastic. */
-    double springs;       /**< Of SPRING attachments. */
-    double gravity;       /**< Potential, zero at the origin. */
-    double total;         /**< Of all. */
+    double membrane;      /**< Elastic, of stretching the middle surface; method PAPER: zero. */
+    double bending;       /**< Elastic; method PAPER: zero. */
+    double springs; /**< Of SPRING attachments; method PAPER: and of those to the rest positions. */
+    double gravity; /**< Potential, zero at the origin. */
+    double total;   /**< Of all. */
 } vbss_drain_energies;
 
 /** Counters since creation, and figures of the last step. */
 typedef struct vbss_drain_statistics {
-    uint32_t struct_size;    /**< Bytes of this struct that the library filled. */
-    uint32_t torn;           /**< Anchors that have torn off. */
-    uint32_t inverted;       /**< Triangles that are turned over or collapsed now. */
-    uint32_t reserved;       /**< Zero. */
-    uint64_t steps;          /**< Calls of #vbss_drain_step that succeeded. */
-    uint64_t parts;          /**< Equal to steps if none was halved. */
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t torn;        /**< Anchors that have torn off. */
+    uint32_t inverted;    /**< Triangles that are turned over or collapsed now. */
+    uint32_t reserved;    /**< Zero. */
+    uint64_t steps;       /**< Calls of #vbss_drain_step that succeeded. */
+    uint64_t parts;       /**< Equal to steps if none was halved; method PAPER: explicit steps. */
     uint64_t linearisations; /**< Tangents made and solved with. */
     uint64_t
         corrections_dropped; /**< Second looks whose correction was not small against the first, and was left out. */

@@ -1,7 +1,7 @@
 /* What a host may ask for. */
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 216, "published size");
+_Static_assert(sizeof(vbss_drain_config) == 240, "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -25,8 +25,10 @@ static const vbss_drain_config defaults = {
     .tear_stress = 5e4,
     .position_tolerance = 1e-6,
     .move_limit = 1e-3,
+    .paper_stiffness = 125.0,
+    .paper_damping = 0.7,
 };
-static const uint32_t config_sizes[] = {216, 0};
+static const uint32_t config_sizes[] = {240, 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -37,7 +39,8 @@ vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_si
 drain_mesh_options vbss_drain_mesh_of(const vbss_drain_config *c)
 {
     static const drain_mesh_kind kinds[] = {DRAIN_MESH_N, DRAIN_MESH_D, DRAIN_MESH_S, DRAIN_MESH_R};
-    const drain_mesh_options options = {.kind = kinds[c->mesh],
+    const drain_mesh_kind kind = c->method == VBSS_METHOD_PAPER ? DRAIN_MESH_PAPER : kinds[c->mesh];
+    const drain_mesh_options options = {.kind = kind,
                                         .divisions = c->mesh_divisions,
                                         .radius = c->radius,
                                         .length = c->length,
@@ -53,7 +56,7 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         const char *name;
         double value, low, high;
     } ranges[] = {
-        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_OURS},
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
         {"mesh", c->mesh, VBSS_DRAIN_MESH_137, VBSS_DRAIN_MESH_225},
         {"mesh_divisions", c->mesh_divisions, 1.0, 4.0},
         {"attachment_capacity", c->attachment_capacity, 0.0, 256.0},
@@ -69,6 +72,10 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         {"tear_stress", c->tear_stress, 1.0, 1e12},
         {"position_tolerance", c->position_tolerance, 1e-15, 1.0},
         {"move_limit", c->move_limit, 1e-9, 1.0},
+        {"paper_stiffness", c->paper_stiffness, 0.0, 1e9},
+        {"paper_damping", c->paper_damping, 0.0, 1.0},
+        {"paper_substeps", c->paper_substeps, 0.0, 100000.0},
+        {"reserved2", c->reserved2, 0.0, 0.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

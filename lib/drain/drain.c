@@ -10,6 +10,7 @@ enum { PARTS = 22 };
 static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
 {
     size_t n = d->mesh.node_count, m = d->mesh.triangle_count, anchors = d->mesh.fixed_count;
+    size_t particles = d->config.method == VBSS_METHOD_PAPER ? n : 0;
     const vbss_array all[] = {
         {&d->groups, vbss_shell_group_count(d->mesh.triangle_count), sizeof *d->groups},
         {&d->mass, n, sizeof *d->mass},
@@ -24,7 +25,10 @@ static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
         {&d->v_before, n, sizeof *d->v_before},
         {&d->kept_x, n, sizeof *d->kept_x},
         {&d->kept_v, n, sizeof *d->kept_v},
-        {&d->diagonal, n, sizeof *d->diagonal},
+        {&d->diagonal, n - particles, sizeof *d->diagonal},
+        {&d->ties, particles, sizeof *d->ties},
+        {&d->free_mass, particles, sizeof *d->free_mass},
+        {&d->mobility, particles, sizeof *d->mobility},
         {&d->anchor_forces, anchors, sizeof *d->anchor_forces},
         {&d->strains, m, sizeof *d->strains},
         {&d->curvatures, m, sizeof *d->curvatures},
@@ -53,6 +57,7 @@ const vbss_kind vbss_drain_kind = {"drain", VBSS_CODE('D', 'R', 'A', 'N'), 1, fr
 
 /* ---- making one */
 
+/* Method PAPER measures and weighs with it. */
 static vbss_result make_shell(drain_object *d)
 {
     const drain_mesh *m = &d->mesh;
@@ -90,6 +95,9 @@ static void place(drain_object *d)
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->x[i] = pose_apply(d->frame, d->mesh.rest[i]);
     }
+    if (d->config.method == VBSS_METHOD_PAPER) {
+        memcpy(d->ties, d->x, d->mesh.node_count * sizeof *d->ties);
+    }
     for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
         d->strength[i] = d->config.tear_stress * d->mesh.area[d->mesh.fixed[i]];
     }
@@ -113,7 +121,9 @@ static vbss_result make(drain_object *d, const vbss_drain_config *config)
     VBSS_TRY(vbss_allocate_arrays(d->context, parts, count, "drain"));
     vbss_drain_mesh_fill(&d->mesh);
     VBSS_TRY(make_shell(d));
-    VBSS_TRY(make_system(d));
+    if (config->method == VBSS_METHOD_OURS) {
+        VBSS_TRY(make_system(d));
+    }
     place(d);
     return VBSS_OK;
 }
@@ -181,13 +191,38 @@ vbss_result vbss_drain_edit_alone(vbss_drain *handle, drain_object **drain)
 
 /* ---- what a host does with it */
 
+/* All or nothing. */
+static vbss_result make_step(drain_object *d, double h)
+{
+    const vbss_drain_statistics before = d->statistics;
+    size_t bytes = d->mesh.node_count * sizeof *d->x;
+    memcpy(d->kept_x, d->x, bytes);
+    memcpy(d->kept_v, d->v, bytes);
+    d->statistics.last_move = 0.0;
+    vbss_result result = d->config.method == VBSS_METHOD_PAPER ? vbss_drain_paper_step(d, h)
+                                                               : vbss_drain_implicit_step(d, h);
+    if (result != VBSS_OK) {
+        d->statistics = before;
+        memcpy(d->x, d->kept_x, bytes);
+        memcpy(d->v, d->kept_v, bytes);
+        return result != VBSS_ERROR_NOT_FINITE
+                   ? result
+                   : vbss_fail(d->context, result, "drain step: no finite state after step %llu",
+                               (unsigned long long)before.steps);
+    }
+    d->statistics.steps++;
+    d->statistics.time += h;
+    d->generation++;
+    return VBSS_OK;
+}
+
 vbss_result vbss_drain_step(vbss_drain *drain, double h)
 {
     drain_object *d;
     VBSS_TRY(vbss_drain_edit_alone(drain, &d));
     VBSS_TRY(vbss_check_range(d->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(d->context));
-    return vbss_drain_make_step(d, h);
+    return make_step(d, h);
 }
 
 static vbss_result check_state(const drain_object *d, const double *positions,

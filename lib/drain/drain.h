@@ -1,7 +1,8 @@
 /* The inside of a drain: what the files of lib/drain share beside the mesh (mesh.h) and the shell (shell.h).
  *
  * drain.c makes and ends drains; order.c works out, once, in which order a system eliminates their nodes; pattern.c
- * registers them in a system, assemble.c gives it their numbers; step.c is a step of a drain that is alone. */
+ * registers them in a system, assemble.c gives it their numbers; step.c is a step of a drain that is alone. paper_step.c is
+ * the paper's method, which needs no system. */
 #ifndef VBSS_DRAIN_DRAIN_H
 #define VBSS_DRAIN_DRAIN_H
 
@@ -52,6 +53,7 @@ typedef struct drain_object {
     double *mass;     /* per node */
     double *strength; /* per anchor, N */
     drain_order order;
+    vec3 *ties; /* method PAPER, per node: where its spring holds it */
 
     /* the state */
     vec3 *x, *v;
@@ -69,6 +71,8 @@ typedef struct drain_object {
     vec3 *trial, *forces, *v_before; /* v_before: the part under way */
     vec3 *kept_x, *kept_v;           /* before the step */
     block *diagonal;
+    /* Method PAPER, per node: mass, and what an impulse is multiplied with; zero where it is pinned. */
+    double *free_mass, *mobility;
 
     /* views that are worked out when asked for */
     vec3 *anchor_forces;
@@ -119,8 +123,22 @@ void vbss_drain_assemble(drain_object *d, const drain_stage *stage, vbss_system 
 void vbss_drain_assemble_rhs(drain_object *d, const drain_stage *stage, vbss_system *s,
                              uint32_t first);
 
-/* ---- step.c */
-vbss_result vbss_drain_make_step(drain_object *d, double h);
+/* ---- reactions.c: of all attachments at the end of a step, whose last part had this length. Pins need the inner forces that
+ * this part was made with in d->forces. */
+bool vbss_drain_has_pins(const drain_object *d);
+void vbss_drain_note_reactions(drain_object *d, double h);
+
+/* ---- step.c, paper_step.c: a step of a drain that is alone, by method. Whoever asks keeps what was before, and gives it back
+ * when it fails. */
+vbss_result vbss_drain_implicit_step(drain_object *d, double h);
+vbss_result vbss_drain_paper_step(drain_object *d, double h);
+double vbss_drain_paper_energy(const drain_object *d);
+/* Speeds that are as good as none are none. */
+static inline vec3 vbss_drain_stilled(vec3 v)
+{
+    return vec3_make(fabs(v.x) < VBSS_STILL ? 0.0 : v.x, fabs(v.y) < VBSS_STILL ? 0.0 : v.y,
+                     fabs(v.z) < VBSS_STILL ? 0.0 : v.z);
+}
 
 /* ---- state.c */
 void vbss_drain_serialise(vbss_stream *stream, void *object);

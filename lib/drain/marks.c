@@ -11,10 +11,12 @@ void vbss_drain_choose_marks(drain_mesh *m)
     }
 }
 
-/* By a column of either side; a line that should be where the strip begins is. */
+/* By a column of either side; a line that should be where the strip begins is. The paper's drain has no strip: its
+ * particles are tied to their rest positions, all alike. */
 bool vbss_drain_is_fixed(const drain_mesh *m, uint32_t column)
 {
-    return vbss_drain_column(m, column) >= DRAIN_STRIP * (1.0 - 1e-9);
+    return m->options.kind != DRAIN_MESH_PAPER &&
+           vbss_drain_column(m, column) >= DRAIN_STRIP * (1.0 - 1e-9);
 }
 
 void vbss_drain_list_fixed(drain_mesh *m)

@@ -29,7 +29,7 @@ typedef enum drain_mesh_kind {
     DRAIN_MESH_S,       /* 181 nodes, 320 triangles */
     DRAIN_MESH_R,       /* 225 nodes, 400 triangles */
     DRAIN_MESH_UNIFORM, /* equal cells, with a slit or without */
-    DRAIN_MESH_PAPER,   /* VBLaST-SS: 6 x 12 equal cells; tips, marks at the nearest lines */
+    DRAIN_MESH_PAPER, /* VBLaST-SS: 6 x 12 equal cells; tips, marks at the nearest lines; no fixed strip */
     DRAIN_MESH_KINDS
 } drain_mesh_kind;
 

@@ -102,11 +102,8 @@ static void commit(drain_object *d, const drain_stage *stage)
     memcpy(d->v_before, d->v, d->mesh.node_count * sizeof *d->v);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         vec3 way = vec3_sub(d->trial[i], d->x[i]);
-        vec3 v = vec3_scale(way, 1.0 / stage->h);
         farthest = vbss_larger(vec3_norm(way), farthest);
-        d->v[i].x = fabs(v.x) < VBSS_STILL ? 0.0 : v.x;
-        d->v[i].y = fabs(v.y) < VBSS_STILL ? 0.0 : v.y;
-        d->v[i].z = fabs(v.z) < VBSS_STILL ? 0.0 : v.z;
+        d->v[i] = vbss_drain_stilled(vec3_scale(way, 1.0 / stage->h));
         d->x[i] = d->trial[i];
     }
     d->statistics.last_move = vbss_larger(farthest, d->statistics.last_move);
@@ -138,58 +135,11 @@ static bool make_parts(drain_object *d, double h, drain_stage *stage)
 
 /* ---- the step */
 
-/* Beside an attachment others may pull at its node. */
-static vec3 other_forces(const drain_object *d, const drain_attachment *pin)
-{
-    vec3 sum = vec3_zero();
-    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
-        const drain_attachment *a = &d->attachments[k];
-        if (a->id != 0 && a->node == pin->node && a != pin) {
-            sum = vec3_add(sum, a->reaction);
-        }
-    }
-    return sum;
-}
-
-/* What its balance lacks, the node's inertia included. */
-static vec3 pin_force(const drain_object *d, const drain_stage *stage, const drain_attachment *pin)
-{
-    uint32_t node = pin->node;
-    vec3 v = d->v[node];
-    vec3 rate = vec3_scale(vec3_sub(v, d->v_before[node]), 1.0 / stage->h);
-    rate = vec3_sub(vec3_add_scaled(rate, d->config.drag, v), d->gravity);
-    vec3 all = vec3_sub(vec3_scale(rate, d->mass[node]), d->forces[node]);
-    return vec3_sub(all, other_forces(d, pin));
-}
-
 /* Those of the final state; d->forces are of the last look. */
 static void find_forces(drain_object *d)
 {
     memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
     vbss_shell_add_forces(&d->shell, d->x, d->forces);
-}
-
-static void note_reactions(drain_object *d, const drain_stage *stage)
-{
-    bool any = false;
-    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
-        drain_attachment *a = &d->attachments[k];
-        vec3 way = vec3_sub(a->position, d->x[a->node]);
-        any = any || (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN);
-        a->reaction = a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? vec3_scale(way, a->stiffness)
-                      : a->kind == VBSS_DRAIN_ATTACHMENT_FORCE ? a->force
-                                                               : vec3_zero();
-    }
-    if (!any) {
-        return;
-    }
-    find_forces(d);
-    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
-        drain_attachment *a = &d->attachments[k];
-        if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
-            a->reaction = pin_force(d, stage, a);
-        }
-    }
 }
 
 static vbss_result know_pattern(drain_object *d)
@@ -205,28 +155,18 @@ static vbss_result know_pattern(drain_object *d)
     return VBSS_OK;
 }
 
-vbss_result vbss_drain_make_step(drain_object *d, double h)
+vbss_result vbss_drain_implicit_step(drain_object *d, double h)
 {
-    const vbss_drain_statistics before = d->statistics;
     drain_stage stage;
-    size_t bytes = d->mesh.node_count * sizeof *d->x;
     VBSS_TRY(know_pattern(d));
-    memcpy(d->kept_x, d->x, bytes);
-    memcpy(d->kept_v, d->v, bytes);
-    d->statistics.last_move = 0.0;
     if (!make_parts(d, h, &stage)) {
-        d->statistics = before;
-        memcpy(d->x, d->kept_x, bytes);
-        memcpy(d->v, d->kept_v, bytes);
-        return vbss_fail(d->context, VBSS_ERROR_NOT_FINITE,
-                         "drain step: no finite state after step %llu",
-                         (unsigned long long)before.steps);
+        return VBSS_ERROR_NOT_FINITE;
     }
     vbss_drain_attachments_arrive(d);
-    note_reactions(d, &stage);
+    if (vbss_drain_has_pins(d)) {
+        find_forces(d);
+    }
+    vbss_drain_note_reactions(d, stage.h);
     vbss_drain_tear(d, d->forces);
-    d->statistics.steps++;
-    d->statistics.time += h;
-    d->generation++;
     return VBSS_OK;
 }

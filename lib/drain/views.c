@@ -138,16 +138,25 @@ vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t 
 
 /* ---- sums over the drain */
 
+static void add_shell_energies(drain_object *d, vbss_drain_energies *energies)
+{
+    vbss_shell_measure(&d->shell, d->x, d->states);
+    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
+        energies->membrane += d->states[t].membrane_energy;
+        energies->bending += d->states[t].bending_energy;
+    }
+}
+
 vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *energies,
                                     uint32_t struct_size)
 {
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     vbss_drain_energies own = {.struct_size = sizeof own};
-    vbss_shell_measure(&d->shell, d->x, d->states);
-    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
-        own.membrane += d->states[t].membrane_energy;
-        own.bending += d->states[t].bending_energy;
+    if (d->config.method == VBSS_METHOD_PAPER) {
+        own.springs = vbss_drain_paper_energy(d);
+    } else {
+        add_shell_energies(d, &own);
     }
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         own.kinetic += 0.5 * d->mass[i] * vec3_norm_squared(d->v[i]);

@@ -51,6 +51,9 @@ void vbss_damp_relative_motion(const double *mass, const vec3 *x, vec3 *v, uint3
         centre = vec3_add_scaled(centre, mass[i], x[i]);
         drift = vec3_add_scaled(drift, mass[i], v[i]);
     }
+    if (!(total > 0.0)) {
+        return;
+    }
     centre = vec3_scale(centre, 1.0 / total);
     drift = vec3_scale(drift, 1.0 / total);
     mat3 inertia = mat3_zero();

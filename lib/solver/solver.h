@@ -50,8 +50,7 @@ void vbss_integration_follow(const vbss_integration *integration, size_t count, 
 
 /* In how many equal parts a step h is made, if they are stable up to 1 / sqrt(rate). */
 uint32_t vbss_explicit_parts(double h, double rate);
-/* v <- v - share (v - rigid motion), nodes first .. last; mass 0 has no part in that motion, not all may have
- * it. */
+/* v <- v - share (v - rigid motion), nodes first .. last; mass 0 has no part in that motion. */
 void vbss_damp_relative_motion(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
                                uint32_t last, double share);
 

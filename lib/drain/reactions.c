@@ -1,0 +1,57 @@
+/* With which forces attachments act on a drain. */
+#include "drain/drain.h"
+
+static bool is_pin(const drain_attachment *a)
+{
+    return a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN;
+}
+
+bool vbss_drain_has_pins(const drain_object *d)
+{
+    bool any = false;
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        any = any || is_pin(&d->attachments[k]);
+    }
+    return any;
+}
+
+/* Beside an attachment others may pull at its node. */
+static vec3 other_forces(const drain_object *d, const drain_attachment *pin)
+{
+    vec3 sum = vec3_zero();
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        const drain_attachment *a = &d->attachments[k];
+        if (a->id != 0 && a->node == pin->node && a != pin) {
+            sum = vec3_add(sum, a->reaction);
+        }
+    }
+    return sum;
+}
+
+/* What its balance lacks, the node's inertia included. */
+static vec3 pin_force(const drain_object *d, double h, const drain_attachment *pin)
+{
+    uint32_t node = pin->node;
+    vec3 v = d->v[node];
+    vec3 rate = vec3_scale(vec3_sub(v, d->v_before[node]), 1.0 / h);
+    rate = vec3_sub(vec3_add_scaled(rate, d->config.drag, v), d->gravity);
+    vec3 all = vec3_sub(vec3_scale(rate, d->mass[node]), d->forces[node]);
+    return vec3_sub(all, other_forces(d, pin));
+}
+
+void vbss_drain_note_reactions(drain_object *d, double h)
+{
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        drain_attachment *a = &d->attachments[k];
+        vec3 way = vec3_sub(a->position, d->x[a->node]);
+        a->reaction = a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? vec3_scale(way, a->stiffness)
+                      : a->kind == VBSS_DRAIN_ATTACHMENT_FORCE ? a->force
+                                                               : vec3_zero();
+    }
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        drain_attachment *a = &d->attachments[k];
+        if (is_pin(a)) {
+            a->reaction = pin_force(d, h, a);
+        }
+    }
+}
