@@ -61,6 +61,8 @@ static const number numbers[] = {
     NUMBER(tear_stress, 1.0, 1e12, true),
     NUMBER(position_tolerance, 1e-15, 1.0, true),
     NUMBER(move_limit, 1e-9, 1.0, true),
+    NUMBER(paper_stiffness, 0.0, 1e9, true),
+    NUMBER(paper_damping, 0.0, 1.0, true),
 };
 
 static void bad_numbers_of_a_configuration_are_told(void **state)
@@ -128,7 +130,6 @@ static void bad_choices_of_a_configuration_are_told(void **state)
         size_t offset;
         uint32_t bad;
     } choices[] = {
-        {offsetof(vbss_drain_config, method), 1},
         {offsetof(vbss_drain_config, method), 2},
         {offsetof(vbss_drain_config, method), UINT32_MAX},
         {offsetof(vbss_drain_config, mesh), 4},
@@ -143,6 +144,8 @@ static void bad_choices_of_a_configuration_are_told(void **state)
         {offsetof(vbss_drain_config, halving_limit), 11},
         {offsetof(vbss_drain_config, halving_limit), UINT32_MAX},
         {offsetof(vbss_drain_config, reserved), 1},
+        {offsetof(vbss_drain_config, paper_substeps), 100001},
+        {offsetof(vbss_drain_config, reserved2), 1},
     };
     drain_rig r;
     drain_rig_begin(&r);
