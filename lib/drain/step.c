@@ -157,7 +157,7 @@ static vbss_result know_pattern(drain_object *d)
 
 vbss_result vbss_drain_implicit_step(drain_object *d, double h)
 {
-    drain_stage stage;
+    drain_stage stage = {h, 1.0}; /* of the last part */
     VBSS_TRY(know_pattern(d));
     if (!make_parts(d, h, &stage)) {
         return VBSS_ERROR_NOT_FINITE;

@@ -187,8 +187,8 @@ static uint64_t hash_after(uint32_t steps)
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     vbss_drain_config config = tugged_config();
-    void *drain;
-    uint64_t hash;
+    void *drain = NULL;
+    uint64_t hash = 0;
     expect_ok(create(context, &config, &drain));
     for (uint32_t i = 0; i < steps; i++) {
         expect_ok(step(drain));
