@@ -416,27 +416,32 @@ static void run_device(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
-/* ---- drains: one that is torn off its block, one that is poked, hashed together after every 5 steps */
+/* ---- drains: one that is torn off its block, one that is poked, the paper's, hashed together after every 5 steps */
+
+enum { DRAINS = 3 };
 
 static void run_drain(uint64_t *hashes, size_t count)
 {
-    static const drain_scene_kind kinds[] = {DRAIN_SCENE_TUGGED, DRAIN_SCENE_POKED};
+    static const drain_scene_kind kinds[DRAINS] = {DRAIN_SCENE_TUGGED, DRAIN_SCENE_POKED,
+                                                   DRAIN_SCENE_TUGGED};
     vbss_context *context;
-    drain_scene scenes[2];
+    drain_scene scenes[DRAINS];
     must(vbss_context_create(NULL, &context));
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < DRAINS; k++) {
         vbss_drain_config config;
         must(drain_scene_config(kinds[k], &config));
+        config.method = k == 2 ? VBSS_METHOD_PAPER : VBSS_METHOD_OURS;
         must(drain_scene_create(context, kinds[k], &config, &scenes[k]));
     }
     for (size_t i = 0; i < count; i++) {
         vbss_stream stream;
         vbss_stream_begin_hash(&stream);
         for (int k = 0; k < 5; k++) {
-            must(drain_scene_step(&scenes[0], 1e-3));
-            must(drain_scene_step(&scenes[1], 1e-3));
+            for (int d = 0; d < DRAINS; d++) {
+                must(drain_scene_step(&scenes[d], 1e-3));
+            }
         }
-        for (int k = 0; k < 2; k++) {
+        for (int k = 0; k < DRAINS; k++) {
             uint64_t own;
             must(vbss_drain_get_hash(scenes[k].drain, &own));
             vbss_stream_u64(&stream, 1, &own, 1);

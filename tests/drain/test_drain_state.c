@@ -89,7 +89,7 @@ static void lives_are_rich_enough(void **state)
     drain_rig r;
     life l = lives[1];
     drain_rig_begin(&r);
-    void *handle;
+    void *handle = NULL;
     expect_ok(life_create(r.context, &l, &handle));
     r.drain = handle;
     for (int i = 0; i < 55; i++) {
