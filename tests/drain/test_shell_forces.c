@@ -78,7 +78,7 @@ static void rest_is_quiet(harness_source *source, void *user)
     shell_sheet_deform(source, &r, 0.0);
     expect_near(0.0, shell_rig_energy(&r), 1e-18);
     for (uint32_t i = 0; i < r.node_count; i++) {
-        expect_near(0.0, vec3_norm(r.forces[i]), 1e-12);
+        expect_near(0.0, vec3_norm(r.forces[i]), 1e-9);
     }
     shell_rig_end(&r);
 }

@@ -70,7 +70,7 @@ static void check_all(shell_rig *r)
     shell_rig_tangent(r);
     set_dense(r, &d);
     for (int j = 0; j < d.n; j++) {
-        check_column(r, &d, j, 1e-10);
+        check_column(r, &d, j, 1e-7);
     }
 }
 
