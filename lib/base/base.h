@@ -71,6 +71,9 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
                              const char *name);
 /* The largest absolute value; NaN counts as nothing. */
 double vbss_largest(const double *values, size_t count);
+/* Three finite numbers, none of them larger than the bound. */
+vbss_result vbss_check_vector(vbss_context *context, const double v[3], double bound,
+                              const char *name);
 
 /* What every step asks first: VBSS_ERROR_ARITHMETIC_MODE, with a text. */
 vbss_result vbss_check_arithmetic(vbss_context *context);

@@ -43,6 +43,13 @@ double vbss_largest(const double *values, size_t count)
     return largest;
 }
 
+vbss_result vbss_check_vector(vbss_context *context, const double v[3], double bound,
+                              const char *name)
+{
+    VBSS_TRY(vbss_check_finite(context, v, 3, name));
+    return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
+}
+
 vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat *orientation)
 {
     VBSS_TRY(vbss_check_finite(context, q, 4, "orientation"));

@@ -82,6 +82,12 @@ static void empty_couplings(const drain_object *d, vbss_system *s)
     memset(first, 0, d->order.coupling_count * sizeof *first);
 }
 
+void vbss_drain_find_forces(drain_object *d, const vec3 *x)
+{
+    memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
+    vbss_shell_add_forces(&d->shell, x, d->forces);
+}
+
 void vbss_drain_assemble(drain_object *d, const drain_stage *stage, vbss_system *s, uint32_t first)
 {
     empty_couplings(d, s);
@@ -95,7 +101,6 @@ void vbss_drain_assemble(drain_object *d, const drain_stage *stage, vbss_system 
 void vbss_drain_assemble_rhs(drain_object *d, const drain_stage *stage, vbss_system *s,
                              uint32_t first)
 {
-    memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
-    vbss_shell_add_forces(&d->shell, d->trial, d->forces);
+    vbss_drain_find_forces(d, d->trial);
     set_rhs(d, stage, s, first);
 }

@@ -15,13 +15,6 @@ vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachment, uint32
 
 /* ---- checks */
 
-static vbss_result check_vector(vbss_context *context, const double v[3], double bound,
-                                const char *name)
-{
-    VBSS_TRY(vbss_check_finite(context, v, 3, name));
-    return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
-}
-
 const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node)
 {
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
@@ -40,8 +33,8 @@ static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
                               VBSS_DRAIN_ATTACHMENT_SPRING, "kind"));
     VBSS_TRY(vbss_check_range(context, a->node, 0.0, d->mesh.node_count - 1.0, "node"));
     VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
-    VBSS_TRY(check_vector(context, a->position, 1e3, "position"));
-    VBSS_TRY(check_vector(context, a->force, 1e6, "force"));
+    VBSS_TRY(vbss_check_vector(context, a->position, 1e3, "position"));
+    VBSS_TRY(vbss_check_vector(context, a->force, 1e6, "force"));
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     if (d->anchored[a->node]) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", a->node);
@@ -105,7 +98,7 @@ vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     bool force = a->kind == VBSS_DRAIN_ATTACHMENT_FORCE;
-    VBSS_TRY(check_vector(d->context, target, force ? 1e6 : 1e3, "target"));
+    VBSS_TRY(vbss_check_vector(d->context, target, force ? 1e6 : 1e3, "target"));
     *(force ? &a->force : &a->target) = vec3_load(target);
     d->generation++;
     return VBSS_OK;

@@ -118,6 +118,8 @@ typedef struct drain_stage {
     double h;        /* of the part, s */
     double part_end; /* of the step, where attachments are then */
 } drain_stage;
+/* Inner forces there, into d->forces. */
+void vbss_drain_find_forces(drain_object *d, const vec3 *x);
 /* Matrix and right-hand side; the right-hand side alone. Inner forces of the trial state are left in d->forces. */
 void vbss_drain_assemble(drain_object *d, const drain_stage *stage, vbss_system *s, uint32_t first);
 void vbss_drain_assemble_rhs(drain_object *d, const drain_stage *stage, vbss_system *s,

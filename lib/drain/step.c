@@ -135,13 +135,6 @@ static bool make_parts(drain_object *d, double h, drain_stage *stage)
 
 /* ---- the step */
 
-/* Those of the final state; d->forces are of the last look. */
-static void find_forces(drain_object *d)
-{
-    memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
-    vbss_shell_add_forces(&d->shell, d->x, d->forces);
-}
-
 static vbss_result know_pattern(drain_object *d)
 {
     uint32_t first;
@@ -164,7 +157,7 @@ vbss_result vbss_drain_implicit_step(drain_object *d, double h)
     }
     vbss_drain_attachments_arrive(d);
     if (vbss_drain_has_pins(d)) {
-        find_forces(d);
+        vbss_drain_find_forces(d, d->x); /* those of the last look are of another state */
     }
     vbss_drain_note_reactions(d, stage.h);
     vbss_drain_tear(d, d->forces);

@@ -19,8 +19,7 @@ static const vbss_layout statistics_layout = {"vbss_drain_statistics", NULL, sta
 
 static void fill_anchor_forces(drain_object *d)
 {
-    memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
-    vbss_shell_add_forces(&d->shell, d->x, d->forces);
+    vbss_drain_find_forces(d, d->x);
     for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
         d->anchor_forces[i] = vbss_drain_anchor_force(d, i, d->forces);
     }

@@ -170,13 +170,6 @@ static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
     return vbss_check_range(context, c->radius, 1e-6, 1.0, "radius of a capsule");
 }
 
-static vbss_result check_vector(vbss_context *context, const double v[3], double bound,
-                                const char *name)
-{
-    VBSS_TRY(vbss_check_finite(context, v, 3, name));
-    return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
-}
-
 static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c)
 {
     vbss_context *context = s->context;
@@ -184,10 +177,10 @@ static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c
     VBSS_TRY(vbss_check_range(context, c->capsule_count, 1.0, 256.0, "capsule_count"));
     VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
     VBSS_TRY(vbss_check_pointer(context, c->capsules, "capsules"));
-    VBSS_TRY(check_vector(context, c->position, 1e3, "position"));
-    VBSS_TRY(check_vector(context, c->velocity, 1e5, "velocity"));
-    VBSS_TRY(check_vector(context, c->angular_velocity, 1e6, "angular_velocity"));
-    VBSS_TRY(check_vector(context, c->gravity, 1e6, "gravity"));
+    VBSS_TRY(vbss_check_vector(context, c->position, 1e3, "position"));
+    VBSS_TRY(vbss_check_vector(context, c->velocity, 1e5, "velocity"));
+    VBSS_TRY(vbss_check_vector(context, c->angular_velocity, 1e6, "angular_velocity"));
+    VBSS_TRY(vbss_check_vector(context, c->gravity, 1e6, "gravity"));
     VBSS_TRY(vbss_check_range(context, c->mass, 1e-9, 1e3, "mass"));
     VBSS_TRY(vbss_check_range(context, c->friction, 0.0, 10.0, "friction"));
     VBSS_TRY(vbss_check_range(context, c->stiffness, 0.0, 1e9, "stiffness"));
@@ -379,7 +372,7 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     if (r->kind == VBSS_RIGID_FREE) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is free", body);
     }
-    VBSS_TRY(check_vector(s->context, position, 1e3, "position"));
+    VBSS_TRY(vbss_check_vector(s->context, position, 1e3, "position"));
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(s->context, orientation, &told.orientation));
     }

@@ -24,13 +24,6 @@ bool vbss_thread_holds(vbss_attachment_kind kind)
 
 /* ---- checks */
 
-static vbss_result check_vector(vbss_context *context, const double v[3], double bound,
-                                const char *name)
-{
-    VBSS_TRY(vbss_check_finite(context, v, 3, name));
-    return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
-}
-
 static vbss_result check_direction(vbss_context *context, const double v[3])
 {
     VBSS_TRY(vbss_check_finite(context, v, 3, "direction"));
@@ -43,9 +36,9 @@ static vbss_result check(const thread_object *t, const vbss_thread_attachment *a
     VBSS_TRY(vbss_check_range(context, a->kind, VBSS_ATTACHMENT_PIN, VBSS_ATTACHMENT_MASS, "kind"));
     VBSS_TRY(vbss_check_range(context, a->node, 0.0, t->node_count - 1.0, "node"));
     VBSS_TRY(vbss_check_range(context, a->reserved, 0.0, 0.0, "reserved"));
-    VBSS_TRY(check_vector(context, a->position, 1e3, "position"));
+    VBSS_TRY(vbss_check_vector(context, a->position, 1e3, "position"));
     VBSS_TRY(check_direction(context, a->direction));
-    VBSS_TRY(check_vector(context, a->force, 1e6, "force"));
+    VBSS_TRY(vbss_check_vector(context, a->force, 1e6, "force"));
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
@@ -139,7 +132,7 @@ vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double targ
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "attachment %u is a mass", id);
     }
     bool force = a->kind == VBSS_ATTACHMENT_FORCE;
-    VBSS_TRY(check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
+    VBSS_TRY(vbss_check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
     if (direction != NULL) {
         VBSS_TRY(check_direction(t->context, direction));
         a->target_direction = unit(direction);

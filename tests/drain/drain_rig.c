@@ -1,4 +1,4 @@
-#include "drain_rig.h"
+#include "drain/drain_rig.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 /* ---- options */
 

@@ -40,6 +40,10 @@ void shell_rig_end(shell_rig *r);
 /* ---- states (shell_solve.c) */
 double shell_rig_energy(shell_rig *r); /* and states, forces */
 void shell_rig_tangent(shell_rig *r);  /* diagonal, blocks, and forces */
+/* The largest number of the tangent's diagonal; and the force that it makes of what rounding leaves of positions: what no
+ * force can be told from zero by. Thin triangles are stiff. */
+double shell_rig_stiffest(shell_rig *r);
+double shell_rig_rounding(shell_rig *r);
 /* Moves to equilibrium under the loads; returns the steps it took, at most `most`. One step is the linear
  * answer if it starts at rest. */
 int shell_rig_solve(shell_rig *r, int most);

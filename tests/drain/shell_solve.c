@@ -26,6 +26,26 @@ void shell_rig_tangent(shell_rig *r)
     vbss_shell_assemble(&r->shell, r->x, r->forces, r->diagonal, r->blocks);
 }
 
+double shell_rig_stiffest(shell_rig *r)
+{
+    double most = 0.0;
+    shell_rig_tangent(r);
+    for (uint32_t i = 0; i < r->node_count; i++) {
+        mat3 m = block_mat3(&r->diagonal[i]);
+        most = greater(greater(m.m[0][0], m.m[1][1]), greater(m.m[2][2], most));
+    }
+    return most;
+}
+
+double shell_rig_rounding(shell_rig *r)
+{
+    double reach = 0.0;
+    for (uint32_t i = 0; i < r->node_count; i++) {
+        reach = greater(vec3_norm(r->x[i]), reach);
+    }
+    return DBL_EPSILON * reach * shell_rig_stiffest(r);
+}
+
 /* ---- the skyline: row i holds columns first[i] .. i */
 
 typedef struct skyline {

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "drain_rig.h"
+#include "drain/drain_rig.h"
 
 /* ---- the size protocols */
 

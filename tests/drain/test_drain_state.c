@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "drain/drain.h"
-#include "drain_rig.h"
+#include "drain/drain_rig.h"
 
 /* ---- a life: hands that pull until parts of the strip have torn off, then let go */
 

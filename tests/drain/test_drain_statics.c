@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "drain_rig.h"
+#include "drain/drain_rig.h"
 
 static void turn(drain_rig *r, harness_source *source)
 {

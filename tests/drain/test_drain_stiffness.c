@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "drain_rig.h"
+#include "drain/drain_rig.h"
 
 typedef struct closing {
     double marks, gap; /* N/m */

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "drain_rig.h"
+#include "drain/drain_rig.h"
 
 static vbss_view view_of(drain_rig *r, vbss_drain_field field)
 {

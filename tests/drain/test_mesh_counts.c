@@ -1,5 +1,5 @@
 /* The named meshes: how many nodes and triangles they have, and where their lines are. */
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 static void expect_counts(drain_mesh_kind kind, uint32_t nodes, uint32_t triangles, uint32_t fixed)
 {

@@ -1,5 +1,5 @@
 /* Areas, widths, and that the left half mirrors the right to the bit. */
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 #include <string.h>
 

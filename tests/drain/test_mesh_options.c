@@ -1,5 +1,5 @@
 /* Options: what is refused, with which text; and that the same ones give the same mesh. */
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* The slit and what lies near it: the lens, its tips, the marks, the strip below. */
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 /* ---- the lens */
 

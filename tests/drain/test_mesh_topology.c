@@ -1,5 +1,5 @@
 /* How triangles hang together: neighbours, sides, orientation, nothing across the slit. */
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 static int place_of(const uint32_t triangle[3], uint32_t node)
 {

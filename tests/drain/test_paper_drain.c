@@ -1,5 +1,5 @@
 /* Method PAPER: its mesh, what it does when it is pulled, and what it cannot do. */
-#include "paper_drain_rig.h"
+#include "drain/paper_drain_rig.h"
 
 #include <math.h>
 

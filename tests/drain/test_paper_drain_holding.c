@@ -1,5 +1,5 @@
 /* Method PAPER: what is attached to its particles. */
-#include "paper_drain_rig.h"
+#include "drain/paper_drain_rig.h"
 
 static void pinned_particles_go_evenly_to_their_targets(void **state)
 {

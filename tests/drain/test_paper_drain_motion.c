@@ -1,5 +1,5 @@
 /* Method PAPER in motion: its oscillator, its damping, the length of its explicit steps. */
-#include "paper_drain_rig.h"
+#include "drain/paper_drain_rig.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* Method PAPER: its configuration, what is saved, and what a step must not do. */
-#include "paper_drain_rig.h"
+#include "drain/paper_drain_rig.h"
 
-#include "mesh_rig.h"
+#include "drain/mesh_rig.h"
 
 /* ---- the configuration */
 
