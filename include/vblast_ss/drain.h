@@ -82,6 +82,9 @@ typedef struct vbss_drain_config {
     /** Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many as the springs need. */
     uint32_t paper_substeps;
     uint32_t reserved2; /**< Zero. */
+    /** In a scene: coefficient of friction with threads, 0 to 10; with other bodies, the floor and itself the geometric mean
+     * of both counts. Default 0.3 (not verified). */
+    double friction;
 } vbss_drain_config;
 
 /** What an attachment does: a VBSS_DRAIN_ATTACHMENT_ constant. */

@@ -1,11 +1,12 @@
 /**
  * @file scene.h
- * @brief A scene: threads, graspers, other rigid bodies and a floor that touch, rub and are stepped together.
+ * @brief A scene: threads, drains, graspers, other rigid bodies and a floor that touch, rub and are stepped together.
  *
  * Bodies are added to a scene and numbered from 1 on; body 0 is the world: the floor, and what is
  * pinned in space. A thread that was added belongs to the scene until it is removed: stepping, cutting,
  * restoring or destroying it alone is VBSS_ERROR_IN_SCENE, while attaching, moving and looking go on as
- * before; it is cut in the scene (#vbss_scene_cut_thread). Rigid bodies are sets of capsules; they are driven (move
+ * before; it is cut in the scene (#vbss_scene_cut_thread). So does a drain (drain.h), whose surface touches everything on
+ * both of its sides, half the wall away from its middle, and itself. Rigid bodies are sets of capsules; they are driven (move
  * exactly as told), coupled (a proxy tied to a given pose by a spring and a damper, so that what stops the
  * thread stops the tool) or free. A grasper (grasper.h) is a coupled one with jaws that hold threads; of method
  * PAPER a driven one.
@@ -24,6 +25,7 @@
 #define VBLAST_SS_SCENE_H
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/thread.h>
 
@@ -97,7 +99,7 @@ typedef struct vbss_scene_config {
      * costs about as much as a product of two 3x3 blocks; 250000 are some 0.5 ms of a core of 2.6 GHz
      * (docs/contact.md). 0: no limit; default 250000. */
     uint32_t work_limit;
-    uint32_t reserved; /**< Zero. */
+    uint32_t drain_capacity; /**< Most drains at a time, 0 to 16; default 1. */
 } vbss_scene_config;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
@@ -168,8 +170,9 @@ typedef int32_t vbss_scene_field;
  * step, in the order of their features; of method PAPER, those that were responded to. */
 enum {
     /** x 5 uint32_t: #vbss_contact_kind, body a, feature a, body b, feature b. A feature is a segment or a
-     * node of a thread, a capsule of a rigid body (times two plus its end, where an end is meant), 0 of
-     * the floor. */
+     * node of a thread, a capsule of a rigid body (times two plus its end, where an end is meant), a node, a triangle or a
+     * side of a drain, 0 of the floor. Sides of a drain's triangles are numbered each once, in the order of their two
+     * nodes, the lower node first. */
     VBSS_SCENE_VIEW_CONTACTS = 0,
     VBSS_SCENE_VIEW_CONTACT_POINTS = 1,  /**< x 3: between the two surfaces, m. */
     VBSS_SCENE_VIEW_CONTACT_NORMALS = 2, /**< x 3: unit, from b to a. */
@@ -191,8 +194,13 @@ enum {
     VBSS_CONTACT_CAPSULES = 4,        /**< Two capsules of different bodies. */
     VBSS_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule, and the floor. */
     VBSS_CONTACT_GRASP =
-        6 /**< One of the three points of a thread that a grasper holds, three times the
+        6, /**< One of the three points of a thread that a grasper holds, three times the
                             * place of the grasp among all plus which of them; and 0 of the grasper. */
+    /** A node of a thread, an end of a capsule or a node of a drain, and a triangle of a drain. */
+    VBSS_CONTACT_POINT_FACE = 7,
+    /** A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's triangle. */
+    VBSS_CONTACT_SIDES = 8,
+    VBSS_CONTACT_DRAIN_FLOOR = 9 /**< A node of a drain, and the floor. */
 };
 
 /** What happened in a step: a VBSS_EVENT_ constant. */
@@ -228,11 +236,12 @@ typedef struct vbss_scene_statistics {
     uint64_t steps;       /**< Calls of #vbss_scene_step that succeeded. */
     uint64_t parts;       /**< Accepted parts of steps; equal to steps if none was divided. */
     uint64_t attempts;    /**< Tries, rejected ones included. */
-    uint64_t linearisations;    /**< Of all attempts. */
-    uint64_t state_solves;      /**< Solves of the separators' system. */
-    uint64_t patterns;          /**< How often its pattern was worked out; not part of the state. */
-    uint64_t rejected_states;   /**< Attempts rejected: states of the contacts not found. */
-    uint64_t rejected_stretch;  /**< Stretch error or shape not converged. */
+    uint64_t linearisations;  /**< Of all attempts. */
+    uint64_t state_solves;    /**< Solves of the separators' system. */
+    uint64_t patterns;        /**< How often its pattern was worked out; not part of the state. */
+    uint64_t rejected_states; /**< Attempts rejected: states of the contacts not found. */
+    uint64_t
+        rejected_stretch; /**< Stretch error or shape not converged; a node of a drain went too far. */
     uint64_t rejected_depth;    /**< Penetration. */
     uint64_t rejected_guard;    /**< Something would have passed, or come too near. */
     uint64_t rejected_singular; /**< A pivot was too small, or numbers not finite. */
@@ -326,6 +335,21 @@ VBSS_API vbss_result vbss_scene_destroy(vbss_scene *scene);
  * @since 0.1
  */
 VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body);
+
+/**
+ * Adds a drain of the same context, which belongs to the scene until it is removed. What the scene's steps need for it is
+ * allocated here. Features of it that are within three walls of each other along its surface do not touch.
+ *
+ * @param scene      the scene
+ * @param drain      the drain, of the scene's method
+ * @param[out] body  its number in the scene, from 1 on, never used again
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_NULL_ARGUMENT,
+ *         VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_IN_SCENE, VBSS_ERROR_CAPACITY, VBSS_ERROR_OUT_OF_MEMORY
+ *         or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body);
 
 /**
  * Fills a configuration of a rigid body with the defaults.

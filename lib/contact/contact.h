@@ -97,6 +97,7 @@ typedef struct contact_set {
     uint32_t marked_count;
     uint8_t *recalled;   /* of the memory: found again */
     contact_found *next; /* of the rows: what the last solve says */
+    contact_found *found_before; /* what was found before a search whose outcome may be left */
     contact_stand *here,
         *there;       /* of the rows: where the last solve was left, where this one leads */
     uint32_t *places; /* of each row: of its blocks row by row, then of its right-hand sides */
@@ -202,6 +203,10 @@ typedef enum contact_outcome {
 } contact_outcome;
 /* States of all rows and increments of all separators: primal-dual active set. */
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search);
+
+/* Notes what is found, and goes back to it. */
+void vbss_contact_note_found(contact_set *set);
+void vbss_contact_return_to_found(contact_set *set);
 
 /* state.c */
 void vbss_contact_serialise(vbss_stream *stream, uint16_t first_tag, contact_set *set);

@@ -5,7 +5,7 @@
 
 /* ---- memory of the set */
 
-enum { PARTS = 8 };
+enum { PARTS = 9 };
 
 static void list_parts(contact_set *s, vbss_array parts[PARTS])
 {
@@ -15,6 +15,7 @@ static void list_parts(contact_set *s, vbss_array parts[PARTS])
         {&s->marked, s->capacity, sizeof *s->marked},
         {&s->recalled, s->capacity, sizeof *s->recalled},
         {&s->next, s->capacity, sizeof *s->next},
+        {&s->found_before, s->capacity, sizeof *s->found_before},
         {&s->here, s->capacity, sizeof *s->here},
         {&s->there, s->capacity, sizeof *s->there},
         {&s->places, s->place_capacity, sizeof *s->places},

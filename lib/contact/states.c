@@ -284,3 +284,17 @@ contact_outcome vbss_contact_find_states(contact_set *set, const contact_search 
     scale_stiffness(set, &at, 1.0 / at.softness);
     return found;
 }
+
+void vbss_contact_note_found(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->found_before[i] = set->rows[i].is;
+    }
+}
+
+void vbss_contact_return_to_found(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->rows[i].is = set->found_before[i];
+    }
+}

@@ -1,7 +1,7 @@
 /* What a host may ask for. */
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 240, "published size");
+_Static_assert(sizeof(vbss_drain_config) == 248, "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -27,8 +27,9 @@ static const vbss_drain_config defaults = {
     .move_limit = 1e-3,
     .paper_stiffness = 125.0,
     .paper_damping = 0.7,
+    .friction = 0.3,
 };
-static const uint32_t config_sizes[] = {240, 0};
+static const uint32_t config_sizes[] = {240, 248, 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -76,6 +77,7 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         {"paper_damping", c->paper_damping, 0.0, 1.0},
         {"paper_substeps", c->paper_substeps, 0.0, 100000.0},
         {"reserved2", c->reserved2, 0.0, 0.0},
+        {"friction", c->friction, 0.0, 10.0},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

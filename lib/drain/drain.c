@@ -23,6 +23,7 @@ static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
         {&d->trial, n, sizeof *d->trial},
         {&d->forces, n, sizeof *d->forces},
         {&d->v_before, n, sizeof *d->v_before},
+        {&d->pushes, n, sizeof *d->pushes},
         {&d->kept_x, n, sizeof *d->kept_x},
         {&d->kept_v, n, sizeof *d->kept_v},
         {&d->diagonal, n - particles, sizeof *d->diagonal},

@@ -60,6 +60,7 @@ typedef struct drain_object {
     uint8_t *torn; /* per anchor */
     drain_attachment *attachments;
     uint32_t last_id;
+    vec3 *pushes; /* per node: of contacts in the last step; zero when it is alone */
     vbss_drain_statistics statistics;
 
     /* what follows from it */
@@ -108,9 +109,10 @@ vec3 vbss_drain_attachment_position(const drain_attachment *a, double part);
 const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node);
 void vbss_drain_attachments_arrive(drain_object *d);
 
-/* ---- pattern.c: the drain's chain in a system, a block a node in the order of elimination; and, when that has been
- * analysed, where the shell's blocks go */
-vbss_result vbss_drain_register(drain_object *d, vbss_system *s, uint32_t *first);
+/* ---- pattern.c: the drain's chain in a system, a block a node in the order of elimination, those marked (NULL: none) as
+ * separators; and, when that has been analysed, where the shell's blocks go */
+vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *separators,
+                                uint32_t *first);
 void vbss_drain_aim(drain_object *d, const vbss_system *s);
 
 /* ---- assemble.c: the drain's part of a system at the trial state. Backward Euler: see docs/drain.md. */
@@ -129,6 +131,18 @@ void vbss_drain_assemble_rhs(drain_object *d, const drain_stage *stage, vbss_sys
  * this part was made with in d->forces. */
 bool vbss_drain_has_pins(const drain_object *d);
 void vbss_drain_note_reactions(drain_object *d, double h);
+
+/* ---- motion.c: a part of a step, whose blocks in a system begin with `first`. A correction that moves nothing farther than
+ * DRAIN_BELIEVED of what it corrects is believed; a part in which a node goes beyond DRAIN_TOO_FAR move_limits is halved,
+ * beyond one it gets another linearisation. */
+#define DRAIN_BELIEVED 0.5
+#define DRAIN_TOO_FAR 4.0
+void vbss_drain_begin_part(drain_object *d);
+double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s, uint32_t first);
+void vbss_drain_follow(drain_object *d, const vbss_system *s, uint32_t first);
+void vbss_drain_commit(drain_object *d, double h);
+/* At the end of a step, whose last part had this length: attachments arrive, reactions are noted, an anchor may tear. */
+void vbss_drain_arrive(drain_object *d, double h);
 
 /* ---- step.c, paper_step.c: a step of a drain that is alone, by method. Whoever asks keeps what was before, and gives it back
  * when it fails. */

@@ -1,14 +1,18 @@
 /* The drain in a system: a chain whose blocks are the nodes in the order of elimination. */
 #include "drain/drain.h"
 
-vbss_result vbss_drain_register(drain_object *d, vbss_system *s, uint32_t *first)
+vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *separators,
+                                uint32_t *first)
 {
     drain_order *order = &d->order;
     VBSS_TRY(vbss_system_add_chain(s, d->mesh.node_count, first));
     vbss_system_keep_order(s);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        bool separator = separators != NULL && separators[i] != 0;
         vbss_system_set_role(s, *first + order->place[i],
-                             d->anchored[i] ? VBSS_ROLE_GIVEN : VBSS_ROLE_RUN);
+                             d->anchored[i] ? VBSS_ROLE_GIVEN
+                             : separator    ? VBSS_ROLE_SEPARATOR
+                                            : VBSS_ROLE_RUN);
     }
     order->first_coupling = s->coupling_count + 1;
     for (uint32_t p = 0; p < order->pair_count; p++) {

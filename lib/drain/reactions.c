@@ -36,6 +36,7 @@ static vec3 pin_force(const drain_object *d, double h, const drain_attachment *p
     vec3 rate = vec3_scale(vec3_sub(v, d->v_before[node]), 1.0 / h);
     rate = vec3_sub(vec3_add_scaled(rate, d->config.drag, v), d->gravity);
     vec3 all = vec3_sub(vec3_scale(rate, d->mass[node]), d->forces[node]);
+    all = vec3_sub(all, d->pushes[node]);
     return vec3_sub(all, other_forces(d, pin));
 }
 

@@ -1,6 +1,8 @@
 /* The state of a drain: what is saved, hashed and restored. */
 #include "drain/drain.h"
 
+#include <string.h>
+
 /* The configuration that must be the same. */
 static void visit_config(vbss_stream *stream, const drain_object *d)
 {
@@ -132,6 +134,7 @@ void vbss_drain_serialise(vbss_stream *stream, void *object)
     }
     if (stream->mode == VBSS_STREAM_READ) {
         vbss_drain_find_anchored(d);
+        memset(d->pushes, 0, n * sizeof *d->pushes);
         d->pattern_known = false;
         d->generation++;
     }

@@ -6,34 +6,11 @@
  * not small, as after a snap it may point anywhere (docs/drain.md). */
 #include "drain/drain.h"
 
-#include <string.h>
-
-/* A correction that moves nothing farther than this share of what it corrects is believed. */
-#define BELIEVED 0.5
-/* A part in which a node goes beyond so many move_limits is halved; beyond one it gets another linearisation. */
-#define TOO_FAR 4.0
-
-static double largest_increment(const drain_object *d)
-{
-    double largest = 0.0;
-    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        largest = vbss_larger(vec3_norm(d->system->solution[i]), largest);
-    }
-    return largest;
-}
-
-static void follow(drain_object *d)
-{
-    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->trial[i] = vec3_add(d->trial[i], d->system->solution[d->order.place[i]]);
-    }
-}
-
 static double finish_solution(drain_object *d)
 {
     vbss_system_take_separators(d->system);
     bool solved = vbss_system_solve(d->system);
-    return solved ? largest_increment(d) : (double)INFINITY;
+    return solved ? vbss_drain_largest_increment(d, d->system, 0) : (double)INFINITY;
 }
 
 /* Largest increments of the tangent's solve and of the second look. False: there is no solution. */
@@ -53,15 +30,15 @@ static bool linearise(drain_object *d, const drain_stage *stage, moves *m)
     if (!(m->first < 1e100)) {
         return false;
     }
-    follow(d);
+    vbss_drain_follow(d, d->system, 0);
     if (m->first <= d->config.position_tolerance) {
         return true;
     }
     vbss_drain_assemble_rhs(d, stage, d->system, 0);
     vbss_system_condense_rhs(d->system);
     m->second = finish_solution(d);
-    if (m->second < BELIEVED * m->first) {
-        follow(d);
+    if (m->second < DRAIN_BELIEVED * m->first) {
+        vbss_drain_follow(d, d->system, 0);
     } else {
         d->statistics.corrections_dropped++;
     }
@@ -74,7 +51,7 @@ static bool try_part(drain_object *d, const drain_stage *stage, bool may_halve, 
     moves m = {0.0, 0.0}; /* of the last linearisation */
     uint32_t limit = d->config.linearisation_limit;
     *too_far = false;
-    memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
+    vbss_drain_begin_part(d);
     for (uint32_t k = 0; k < limit; k++) {
         if (!linearise(d, stage, &m)) {
             return false;
@@ -82,7 +59,7 @@ static bool try_part(drain_object *d, const drain_stage *stage, bool may_halve, 
         d->statistics.linearisations++;
         if (k == 0 && m.first > d->config.move_limit) {
             limit++;
-            *too_far = m.first > TOO_FAR * d->config.move_limit;
+            *too_far = m.first > DRAIN_TOO_FAR * d->config.move_limit;
             d->statistics.forced += *too_far && !may_halve;
         }
         if (*too_far && may_halve) {
@@ -94,20 +71,6 @@ static bool try_part(drain_object *d, const drain_stage *stage, bool may_halve, 
     }
     d->statistics.last_correction = m.second;
     return true;
-}
-
-static void commit(drain_object *d, const drain_stage *stage)
-{
-    double farthest = 0.0;
-    memcpy(d->v_before, d->v, d->mesh.node_count * sizeof *d->v);
-    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        vec3 way = vec3_sub(d->trial[i], d->x[i]);
-        farthest = vbss_larger(vec3_norm(way), farthest);
-        d->v[i] = vbss_drain_stilled(vec3_scale(way, 1.0 / stage->h));
-        d->x[i] = d->trial[i];
-    }
-    d->statistics.last_move = vbss_larger(farthest, d->statistics.last_move);
-    d->statistics.parts++;
 }
 
 /* The parts are dyadic, so they sum to 1 exactly. */
@@ -127,7 +90,7 @@ static bool make_parts(drain_object *d, double h, drain_stage *stage)
             part *= 0.5;
             continue;
         }
-        commit(d, stage);
+        vbss_drain_commit(d, stage->h);
         begin += part;
     }
     return d->statistics.last_move < 1e100;
@@ -140,7 +103,7 @@ static vbss_result know_pattern(drain_object *d)
     uint32_t first;
     if (!d->pattern_known) {
         vbss_system_begin(d->system);
-        VBSS_TRY(vbss_drain_register(d, d->system, &first));
+        VBSS_TRY(vbss_drain_register(d, d->system, NULL, &first));
         VBSS_TRY(vbss_system_analyse(d->system));
         vbss_drain_aim(d, d->system);
         d->pattern_known = true;
@@ -155,11 +118,6 @@ vbss_result vbss_drain_implicit_step(drain_object *d, double h)
     if (!make_parts(d, h, &stage)) {
         return VBSS_ERROR_NOT_FINITE;
     }
-    vbss_drain_attachments_arrive(d);
-    if (vbss_drain_has_pins(d)) {
-        vbss_drain_find_forces(d, d->x); /* those of the last look are of another state */
-    }
-    vbss_drain_note_reactions(d, stage.h);
-    vbss_drain_tear(d, d->forces);
+    vbss_drain_arrive(d, stage.h);
     return VBSS_OK;
 }

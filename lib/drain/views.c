@@ -22,6 +22,9 @@ static void fill_anchor_forces(drain_object *d)
     vbss_drain_find_forces(d, d->x);
     for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
         d->anchor_forces[i] = vbss_drain_anchor_force(d, i, d->forces);
+        if (!d->torn[i]) {
+            d->anchor_forces[i] = vec3_sub(d->anchor_forces[i], d->pushes[d->mesh.fixed[i]]);
+        }
     }
 }
 

@@ -44,8 +44,12 @@ scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_ki
 {
     scene_body *b = vbss_scene_body(s, number);
     if (b == NULL || b->kind != kind) {
+        static const char *const names[] = {[BODY_GONE] = "body",
+                                            [BODY_THREAD] = "thread",
+                                            [BODY_RIGID] = "rigid body",
+                                            [BODY_DRAIN] = "drain"};
         vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no %s of this scene", number,
-                  kind == BODY_THREAD ? "thread" : "rigid body");
+                  names[kind]);
         return NULL;
     }
     return b;
@@ -54,7 +58,10 @@ scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_ki
 /* A place for one more body of that kind; NULL, told. */
 scene_body *vbss_scene_new_place(scene_object *s, body_kind kind)
 {
-    uint32_t capacity = kind == BODY_THREAD ? s->config.thread_capacity : s->config.rigid_capacity;
+    const uint32_t capacities[] = {[BODY_THREAD] = s->config.thread_capacity,
+                                   [BODY_RIGID] = s->config.rigid_capacity,
+                                   [BODY_DRAIN] = s->config.drain_capacity};
+    const uint32_t capacity = capacities[kind];
     uint32_t alive = 0, place = s->place_count;
     for (uint32_t i = s->place_count; i > 0; i--) {
         const scene_body *b = &s->bodies[i - 1];
@@ -326,6 +333,9 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     }
     vbss_scene_forget_pins_of(s, body);
     vbss_scene_forget_grasps_of(s, body);
+    if (b->kind == BODY_DRAIN) {
+        vbss_scene_release_drain(s, b);
+    }
     VBSS_TRY(vbss_collision_remove(scene_collision(s), b->shape));
     if (b->kind == BODY_THREAD) {
         const thread_reserve *family = b->thread.thread->reserve;
@@ -333,7 +343,7 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
         b->kind = BODY_GONE;
         b->reserved = false;
         vbss_scene_return_spares(s, family);
-    } else {
+    } else if (b->kind == BODY_RIGID) {
         if (b->rigid.grasper != NULL) {
             vbss_scene_release_grasper(b);
         }

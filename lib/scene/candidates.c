@@ -56,6 +56,8 @@ static void set_ways(scene_object *s, const scene_part *part)
             set_thread_ways(s, &s->bodies[i].thread, part);
         } else if (s->bodies[i].kind == BODY_RIGID) {
             set_capsule_ways(s, &s->bodies[i].rigid, part);
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_scene_aim_drain(&s->bodies[i].drain, part);
         }
     }
 }
@@ -72,6 +74,11 @@ static vbss_result move_shape(scene_object *s, const scene_body *b)
         count = t->node_count;
         ways += b->thread.first_node;
         memcpy(start, t->now.x, count * sizeof *start);
+    } else if (b->kind == BODY_DRAIN) {
+        count = b->drain.drain->mesh.node_count;
+        ways = b->drain.ways;
+        start = b->drain.vertices;
+        memcpy(start, b->drain.drain->x, count * sizeof *start);
     } else {
         const scene_rigid *r = &b->rigid;
         count = 2 * r->capsule_count;
@@ -87,6 +94,17 @@ static vbss_result move_shape(scene_object *s, const scene_body *b)
     return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
 }
 
+vbss_result vbss_scene_find_pairs(scene_object *s)
+{
+    VBSS_TRY(vbss_collision_find_candidates(scene_collision(s)));
+    s->edge_pairs = s->collision->candidate_count;
+    while (s->edge_pairs > 0 &&
+           s->collision->candidates[s->edge_pairs - 1].kind != VBSS_PAIR_EDGE_EDGE) {
+        s->edge_pairs--;
+    }
+    return VBSS_OK;
+}
+
 static vbss_result search(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -94,7 +112,7 @@ static vbss_result search(scene_object *s)
             VBSS_TRY(move_shape(s, &s->bodies[i]));
         }
     }
-    return vbss_collision_find_candidates(scene_collision(s));
+    return vbss_scene_find_pairs(s);
 }
 
 /* ---- rows */
@@ -110,13 +128,23 @@ static const vec3 *ways_of_capsule(const scene_object *s, const scene_body *b, u
 }
 
 /* The floor, a driven body, nodes that are all held: nothing about them can be changed. */
-static bool is_given(const scene_body *b, uint32_t kind, uint32_t feature)
+static bool is_given(const scene_object *s, const scene_body *b, uint32_t kind, bool is_b,
+                     uint32_t feature)
 {
     if (b == NULL || b->kind == BODY_RIGID) {
         return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
     }
+    if (b->kind == BODY_DRAIN) {
+        uint32_t nodes[3], count = vbss_scene_nodes_of(s, b, kind, is_b, feature, nodes);
+        bool given = true;
+        for (uint32_t k = 0; k < count; k++) {
+            given = given && b->drain.drain->anchored[nodes[k]] != 0;
+        }
+        return given;
+    }
     const thread_object *t = b->thread.thread;
-    bool alone = kind == VBSS_CONTACT_NODE_FLOOR, smooth = kind == VBSS_CONTACT_NODE_CAPSULE;
+    bool alone = kind == VBSS_CONTACT_NODE_FLOOR || kind == VBSS_CONTACT_POINT_FACE,
+         smooth = kind == VBSS_CONTACT_NODE_CAPSULE;
     uint32_t first = smooth && feature > 0 ? feature - 1 : feature;
     uint32_t end = feature + (alone ? 1u : 2u);
     for (uint32_t k = first; k < end && k < t->node_count; k++) {
@@ -127,16 +155,9 @@ static bool is_given(const scene_body *b, uint32_t kind, uint32_t feature)
     return true;
 }
 
-/* What two features do in the part is what their vertices do. b is NULL: the floor, which does nothing. */
-typedef struct meeting {
-    const scene_body *a, *b;
-    const vec3 *ways_a, *ways_b;
-    uint32_t count_a, count_b;
-} meeting;
-
 /* The largest approach of any point of one feature to any of the other is that of two vertices: in any direction, and
  * along one. */
-static double reach_of(const meeting *m)
+static double reach_of(const scene_meeting *m)
 {
     double largest = 0.0;
     for (uint32_t i = 0; i < m->count_a; i++) {
@@ -148,7 +169,7 @@ static double reach_of(const meeting *m)
     return SCENE_AHEAD * sqrt(largest);
 }
 
-static double approach_of(const meeting *m, vec3 normal)
+static double approach_of(const scene_meeting *m, vec3 normal)
 {
     double most = 0.0;
     for (uint32_t i = 0; i < m->count_a; i++) {
@@ -160,9 +181,9 @@ static double approach_of(const meeting *m, vec3 normal)
     return SCENE_AHEAD * most;
 }
 
-static bool add_row(scene_object *s, const contact_key *key, const meeting *m)
+bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m)
 {
-    if (is_given(m->a, key->kind, key->a) && is_given(m->b, key->kind, key->b)) {
+    if (is_given(s, m->a, key->kind, false, key->a) && is_given(s, m->b, key->kind, true, key->b)) {
         return true;
     }
     contact_row *row = vbss_contact_add(s->contacts, key);
@@ -171,7 +192,8 @@ static bool add_row(scene_object *s, const contact_key *key, const meeting *m)
     }
     double margin = s->config.contact_margin, reach = reach_of(m);
     bool near = vbss_scene_lay_row(s, row, m->a, m->b, reach + margin);
-    if (near && key->kind == VBSS_CONTACT_SEGMENTS) {
+    if (near && (key->kind == VBSS_CONTACT_SEGMENTS || key->kind == VBSS_CONTACT_POINT_FACE ||
+                 key->kind == VBSS_CONTACT_SIDES)) {
         near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
     }
     if (!near) {
@@ -189,7 +211,7 @@ static bool is_fine(const thread_object *t, uint32_t segment, double radius)
 static bool listed(const scene_object *s, const collision_candidate *like, uint32_t a)
 {
     const collision_object *c = s->collision;
-    uint32_t low = 0, high = c->candidate_count;
+    uint32_t low = 0, high = s->edge_pairs;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
         const collision_candidate *q = &c->candidates[middle];
@@ -201,7 +223,7 @@ static bool listed(const scene_object *s, const collision_candidate *like, uint3
         high = before ? high : middle;
     }
     const collision_candidate *q = &c->candidates[low];
-    return low < c->candidate_count && q->shape_a == like->shape_a && q->a == a &&
+    return low < s->edge_pairs && q->shape_a == like->shape_a && q->a == a &&
            q->shape_b == like->shape_b && q->b == like->b;
 }
 
@@ -216,13 +238,13 @@ static bool add_node_row(scene_object *s, const thread_meets *m, uint32_t node)
                              m->capsule};
     uint32_t last = m->thread->thread.thread->node_count - 1;
     uint32_t first = node > 0 ? node - 1 : 0, end = node < last ? node + 1 : last;
-    const meeting w = {m->thread,
-                       m->rigid,
-                       ways_of_node(s, m->thread, first),
-                       ways_of_capsule(s, m->rigid, m->capsule),
-                       end - first + 1,
-                       2};
-    return add_row(s, &key, &w);
+    const scene_meeting w = {m->thread,
+                             m->rigid,
+                             ways_of_node(s, m->thread, first),
+                             ways_of_capsule(s, m->rigid, m->capsule),
+                             end - first + 1,
+                             2};
+    return vbss_scene_add_row(s, &key, &w);
 }
 
 /* Nodes come with the segment before them, unless that is not near or does not touch: so each comes once. */
@@ -238,13 +260,13 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
     if (!is_fine(t, m->segment, radius)) {
         const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
                                  m->rigid->number, m->capsule};
-        const meeting w = {m->thread,
-                           m->rigid,
-                           ways_of_node(s, m->thread, m->segment),
-                           ways_of_capsule(s, m->rigid, m->capsule),
-                           2,
-                           2};
-        return add_row(s, &key, &w);
+        const scene_meeting w = {m->thread,
+                                 m->rigid,
+                                 ways_of_node(s, m->thread, m->segment),
+                                 ways_of_capsule(s, m->rigid, m->capsule),
+                                 2,
+                                 2};
+        return vbss_scene_add_row(s, &key, &w);
     }
     bool before =
         m->segment > 0 && is_fine(t, m->segment - 1, radius) &&
@@ -265,18 +287,22 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
+        return vbss_scene_add_surface_row(s, q);
+    }
     if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
         if (vbss_scene_adjoins(s, a, q->a, b, q->b)) {
             return true;
         }
         const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
-        const meeting w = {a, b, ways_of_node(s, a, q->a), ways_of_node(s, b, q->b), 2, 2};
-        return add_row(s, &key, &w);
+        const scene_meeting w = {a, b, ways_of_node(s, a, q->a), ways_of_node(s, b, q->b), 2, 2};
+        return vbss_scene_add_row(s, &key, &w);
     }
     if (a->kind == BODY_RIGID && b->kind == BODY_RIGID) {
         const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
-        const meeting w = {a, b, ways_of_capsule(s, a, q->a), ways_of_capsule(s, b, q->b), 2, 2};
-        return add_row(s, &key, &w);
+        const scene_meeting w = {a, b, ways_of_capsule(s, a, q->a), ways_of_capsule(s, b, q->b),
+                                 2, 2};
+        return vbss_scene_add_row(s, &key, &w);
     }
     bool first = a->kind == BODY_THREAD;
     const thread_meets m = {first ? a : b, first ? b : a, first ? q->a : q->b, first ? q->b : q->a};
@@ -287,6 +313,9 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
 
 static bool add_floor_rows(scene_object *s, const scene_body *b)
 {
+    if (b->kind == BODY_DRAIN) {
+        return vbss_scene_add_drain_floor_rows(s, b);
+    }
     bool thread = b->kind == BODY_THREAD;
     uint32_t count = thread ? b->thread.thread->node_count : 2 * b->rigid.capsule_count;
     for (uint32_t i = 0; i < count; i++) {
@@ -296,8 +325,8 @@ static bool add_floor_rows(scene_object *s, const scene_body *b)
         /* Only what comes down can meet it. */
         vec3 down = vec3_scale(s->floor_normal, lesser(vec3_dot(*way, s->floor_normal), 0.0));
         static const vec3 floor;
-        const meeting w = {b, NULL, &down, &floor, 1, 1};
-        if (!add_row(s, &key, &w)) {
+        const scene_meeting w = {b, NULL, &down, &floor, 1, 1};
+        if (!vbss_scene_add_row(s, &key, &w)) {
             return false;
         }
     }
@@ -321,33 +350,56 @@ static uint32_t find_row(const contact_set *set, const contact_key *key)
     return there ? low : UINT32_MAX;
 }
 
-/* The point at the end of a segment is that at the begin of the next, which keeps it. */
-static bool is_double(const contact_set *set, const contact_row *row)
+/* A point where features meet belongs to the first of them: the end of a segment of a thread to the next one, that of a
+ * side of a drain to the first side that ends there. Returns whether the point of the row has another owner. */
+static bool give_up(const scene_object *s, const scene_body *b, uint32_t *feature, double *at)
 {
-    contact_key key = row->key;
-    bool end_a = row->at[0] == 1.0; /* after the end of a capsule nothing follows */
-    bool end_b = row->at[1] == 1.0 && key.kind == VBSS_CONTACT_SEGMENTS;
-    if (!end_a && !end_b) {
+    bool begin = *at == 0.0, end = *at == 1.0;
+    if (b == NULL || (!begin && !end)) {
         return false;
     }
-    key.a += end_a;
-    key.b += end_b;
-    uint32_t other = find_row(set, &key);
+    if (b->kind == BODY_THREAD && end) {
+        *feature += 1;
+        *at = 0.0;
+        return true;
+    }
+    if (b->kind != BODY_DRAIN) { /* after the end of a capsule nothing follows */
+        return false;
+    }
+    const collision_shape *shape = s->collision->shapes[b->shape];
+    uint32_t node = shape->edges[*feature][end], owner = b->drain.side_of[node];
+    bool other = owner != *feature;
+    *feature = owner;
+    *at = shape->edges[owner][0] == node ? 0.0 : 1.0;
+    return other;
+}
+
+static bool is_double(const scene_object *s, const contact_row *row)
+{
+    const contact_set *set = s->contacts;
+    contact_key key = row->key;
+    double at[2] = {row->at[0], row->at[1]};
+    bool sides = key.kind == VBSS_CONTACT_SIDES;
+    bool a = give_up(s, vbss_scene_body(s, key.body_a), &key.a, &at[0]);
+    bool b = (sides || key.kind == VBSS_CONTACT_SEGMENTS) &&
+             give_up(s, vbss_scene_body(s, key.body_b), &key.b, &at[1]);
+    uint32_t other = a || b ? find_row(set, &key) : UINT32_MAX;
     if (other == UINT32_MAX) {
         return false;
     }
     const contact_row *next = &set->rows[other];
-    double at[2] = {end_a ? 0.0 : row->at[0], end_b ? 0.0 : row->at[1]};
     return fabs(next->at[0] - at[0]) < 1e-9 && fabs(next->at[1] - at[1]) < 1e-9;
 }
 
-static void remove_doubles(contact_set *set)
+static void remove_doubles(scene_object *s)
 {
+    contact_set *set = s->contacts;
     uint32_t kept = 0;
     for (uint32_t i = 0; i < set->count; i++) {
-        set->recalled[i] = set->rows[i].key.kind <= VBSS_CONTACT_SEGMENT_CAPSULE &&
-                           set->rows[i].key.kind != VBSS_CONTACT_NODE_CAPSULE &&
-                           is_double(set, &set->rows[i]);
+        uint32_t kind = set->rows[i].key.kind;
+        bool may_be = kind == VBSS_CONTACT_SEGMENTS || kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
+                      kind == VBSS_CONTACT_SIDES;
+        set->recalled[i] = may_be && is_double(s, &set->rows[i]);
     }
     for (uint32_t i = 0; i < set->count; i++) {
         if (set->recalled[i] == 0) {
@@ -405,7 +457,7 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
         return false;
     }
     vbss_contact_sort(set);
-    remove_doubles(set);
+    remove_doubles(s);
     note_near(s);
     return true;
 }

@@ -97,6 +97,14 @@ static void take_rigid(scene_rigid *r, double h)
     now->w = vec3_scale(turn, VELOCITY_LEFT / h);
 }
 
+static void take_drain(drain_object *d, double h)
+{
+    vbss_drain_commit(d, h);
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        d->v[i] = vec3_scale(d->v[i], VELOCITY_LEFT);
+    }
+}
+
 static void shorten(scene_object *s, double share)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -104,6 +112,8 @@ static void shorten(scene_object *s, double share)
             shorten_thread(s->bodies[i].thread.thread, share);
         } else if (s->bodies[i].kind == BODY_RIGID) {
             shorten_rigid(s, &s->bodies[i].rigid, share);
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_scene_shorten_drain(&s->bodies[i].drain, share);
         }
     }
 }
@@ -158,6 +168,8 @@ double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part
             scene_rigid *r = &s->bodies[i].rigid;
             take_rigid(r, part->h);
             r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            take_drain(s->bodies[i].drain.drain, part->h);
         }
     }
     vbss_scene_commit_capsules(s);

@@ -45,6 +45,8 @@ void vbss_scene_commit(scene_object *s, const scene_part *part)
                 vbss_rigid_commit(&r->body, &p, &r->predicted, &r->trial);
                 r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
             }
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_drain_commit(b->drain.drain, part->h);
         }
     }
     vbss_scene_commit_capsules(s);

@@ -10,8 +10,8 @@
  * give Coulomb friction the law of the rope to second order of the turn between segments. */
 #define SMOOTH_NODE (11.0 / 12.0)
 #define SMOOTH_NEIGHBOUR (1.0 / 24.0)
-/* r of the law, N/m: of rows that a thread takes part in. Larger by a thousand, states cycle. */
-#define THREAD_AUGMENTATION 3.0
+/* r of the law, N/m: of rows that nodes take part in. Larger by a thousand, states cycle. */
+#define NODE_AUGMENTATION 3.0
 /* The same of rigid bodies alone, as a share of mass / h^2: well below the inertia that a point of them has, or
  * slip one way and the other way follow each other. */
 #define RIGID_AUGMENTATION 0.01
@@ -22,12 +22,13 @@
 /* Axes nearer than this have no direction, m. */
 #define NO_DISTANCE 1e-12
 
-/* One of the two features of a row. Its axis is a segment; of a node or the end of a capsule, a point. */
+/* One of the two features of a row, and its corners: of a point one, of the axis of a segment two, of a face three. */
 typedef struct side {
     const scene_body *body;
-    const scene_capsule *capsule; /* NULL: of a thread */
-    uint32_t feature;
-    bool point, smooth; /* a node: of the curve that is smoothed there */
+    const scene_capsule *capsule; /* of a rigid body */
+    uint32_t feature, corners;
+    uint32_t nodes[3]; /* of a drain */
+    bool smooth;       /* a node: of the curve that is smoothed there */
     double radius;
 } side;
 
@@ -41,20 +42,31 @@ static const scene_body *body_of(const scene_object *s, uint32_t number, const s
     return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
 }
 
+static bool is_point(uint32_t kind)
+{
+    return kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR ||
+           kind == VBSS_CONTACT_CAPSULE_FLOOR || kind == VBSS_CONTACT_POINT_FACE;
+}
+
 static side side_of(const scene_object *s, const contact_row *row, const scene_body *b, int which)
 {
     uint32_t kind = row->key.kind, feature = which == 0 ? row->key.a : row->key.b;
     side d = {.body = b, .feature = feature};
+    bool point = which == 0 && is_point(kind);
+    d.corners = point ? 1 : 2;
+    if (b->kind == BODY_DRAIN) {
+        d.corners = vbss_scene_nodes_of(s, b, kind, which == 1, feature, d.nodes);
+        d.radius = 0.5 * b->drain.drain->config.thickness;
+        return d;
+    }
     if (b->kind == BODY_THREAD) {
-        d.point = kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR;
         /* ends of the thread alone are as they are */
         d.smooth = kind == VBSS_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
         d.radius = b->thread.thread->config.radius;
         return d;
     }
-    d.point = kind == VBSS_CONTACT_CAPSULE_FLOOR;
-    d.capsule = &s->capsules[b->rigid.first_capsule + (d.point ? feature / 2 : feature)];
+    d.capsule = &s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)];
     d.radius = d.capsule->radius;
     return d;
 }
@@ -64,48 +76,70 @@ static vec3 smooth_point(const vec3 *x)
     return vec3_add_scaled(vec3_scale(x[0], SMOOTH_NODE), SMOOTH_NEIGHBOUR, vec3_add(x[-1], x[1]));
 }
 
-static void axis_of_thread(const side *d, const vec3 *x, vec3 axis[2])
+static void axis_of_thread(const side *d, const vec3 *x, vec3 axis[3])
 {
     x += d->feature;
     axis[0] = d->smooth ? smooth_point(x) : x[0];
-    axis[1] = d->point ? axis[0] : x[1];
+    axis[1] = d->corners > 1 ? x[1] : axis[0];
 }
 
-static void axis_of_capsule(const side *d, const vec3 ends[2], vec3 axis[2])
+static void axis_of_capsule(const side *d, const vec3 ends[2], vec3 axis[3])
 {
-    uint32_t end = d->point ? d->feature % 2 : 0;
-    axis[0] = ends[end];
-    axis[1] = d->point ? axis[0] : ends[1];
+    axis[0] = ends[d->corners > 1 ? 0 : d->feature % 2];
+    axis[1] = ends[1];
 }
 
-static void axis_of(const scene_object *s, const side *d, moment when, vec3 axis[2])
+static void axis_of_drain(const side *d, const vec3 *x, vec3 axis[3])
 {
-    bool thread = d->capsule == NULL, trial = when == TRIAL;
-    if (thread) {
-        const thread_object *t = d->body->thread.thread;
+    axis[1] = x[d->nodes[0]]; /* of a point too, which has no other */
+    for (uint32_t k = 0; k < d->corners; k++) {
+        axis[k] = x[d->nodes[k]];
+    }
+}
+
+static void axis_of(const scene_object *s, const side *d, moment when, vec3 axis[3])
+{
+    const scene_body *b = d->body;
+    bool trial = when == TRIAL;
+    vec3 way[3];
+    if (b->kind == BODY_THREAD) {
+        const thread_object *t = b->thread.thread;
         axis_of_thread(d, trial ? t->trial : t->now.x, axis);
+        if (when == AHEAD) {
+            axis_of_thread(d, s->ways + b->thread.first_node, way);
+        }
+    } else if (b->kind == BODY_DRAIN) {
+        const drain_object *own = b->drain.drain;
+        axis_of_drain(d, trial ? own->trial : own->x, axis);
+        if (when == AHEAD) {
+            axis_of_drain(d, b->drain.ways, way);
+        }
     } else {
         axis_of_capsule(d, trial ? d->capsule->trial : d->capsule->now, axis);
+        if (when == AHEAD) {
+            size_t number = (size_t)(d->capsule - s->capsules);
+            axis_of_capsule(d, s->ways + s->config.node_capacity + 2 * number, way);
+        }
     }
-    if (when != AHEAD) {
-        return;
+    for (uint32_t k = 0; when == AHEAD && k < d->corners; k++) {
+        axis[k] = vec3_add(axis[k], way[k]);
     }
-    vec3 way[2];
-    if (thread) {
-        axis_of_thread(d, s->ways + d->body->thread.first_node, way);
-    } else {
-        size_t number = (size_t)(d->capsule - s->capsules);
-        axis_of_capsule(d, s->ways + s->config.node_capacity + 2 * number, way);
-    }
-    axis[0] = vec3_add(axis[0], way[0]);
-    axis[1] = vec3_add(axis[1], way[1]);
 }
 
-/* From b to a between the closest points of their axes; of the two only a may be a point. */
-static vec3 closest(const side *d, const vec3 a[2], const vec3 b[2], double at[2])
+/* From b to a between the closest points of both features. Where these are: of two segments, the share of each; of a point and
+ * a segment, the second; of a point and a face, the weights of its last two corners. */
+static vec3 closest(const side *d, const side *e, const vec3 a[3], const vec3 b[3], double at[2])
 {
+    if (e->corners == 3) {
+        double weights[3];
+        const vec3 corners[3] = {vec3_sub(b[0], a[0]), vec3_sub(b[1], a[0]), vec3_sub(b[2], a[0])};
+        vec3 to = closest_corners(corners, weights);
+        at[0] = weights[1];
+        at[1] = weights[2];
+        return vec3_neg(to);
+    }
     vec3 along = vec3_sub(b[1], b[0]);
-    if (d->point) {
+    if (d->corners == 1) {
         vec3 to = vec3_sub(a[0], b[0]);
         at[0] = 0.0;
         at[1] = closest_on_edge(along, to);
@@ -113,6 +147,32 @@ static vec3 closest(const side *d, const vec3 a[2], const vec3 b[2], double at[2
     }
     return vec3_neg(
         closest_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
+}
+
+/* The share of each corner in the point that the row is about. */
+static void weigh(const side *d, const contact_row *row, int which, double weights[3])
+{
+    weights[0] = 1.0;
+    if (d->corners == 2) {
+        weights[0] = 1.0 - row->at[which];
+        weights[1] = row->at[which];
+    } else if (d->corners == 3) {
+        weights[0] = 1.0 - row->at[0] - row->at[1];
+        weights[1] = row->at[0];
+        weights[2] = row->at[1];
+    }
+}
+
+static vec3 point_of(const side *d, const vec3 axis[3], const double weights[3])
+{
+    if (d->corners == 2) {
+        return vec3_lerp(axis[0], axis[1], weights[1]);
+    }
+    vec3 point = d->corners == 1 ? axis[0] : vec3_scale(axis[0], weights[0]);
+    for (uint32_t k = 1; k < d->corners; k++) {
+        point = vec3_add_scaled(point, weights[k], axis[k]);
+    }
+    return point;
 }
 
 /* ---- terms */
@@ -148,16 +208,21 @@ void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const sce
     vbss_scene_add_rigid_terms(row, r, pose_apply(r->trial, weld->point), weight);
 }
 
-/* The terms that move `point` of the surface, at `at` of the feature's axis. */
-static void add_terms(const scene_object *s, contact_row *row, const side *d, double at, vec3 point,
-                      double sign)
+/* The terms that move `point` of the surface. */
+static void add_terms(const scene_object *s, contact_row *row, const side *d,
+                      const double weights[3], vec3 point, double sign)
 {
     const scene_body *b = d->body;
     if (d->capsule != NULL) {
         vbss_scene_add_rigid_terms(row, &b->rigid, point, sign);
-    } else if (!d->point) {
-        vbss_scene_add_node_term(s, row, b, d->feature, sign * (1.0 - at));
-        vbss_scene_add_node_term(s, row, b, d->feature + 1, sign * at);
+    } else if (b->kind == BODY_DRAIN) {
+        for (uint32_t k = 0; k < d->corners; k++) {
+            uint32_t place = b->drain.drain->order.place[d->nodes[k]];
+            add_term(row, b->drain.first_block + place, sign * weights[k]);
+        }
+    } else if (d->corners > 1) {
+        vbss_scene_add_node_term(s, row, b, d->feature, sign * weights[0]);
+        vbss_scene_add_node_term(s, row, b, d->feature + 1, sign * weights[1]);
     } else {
         vbss_scene_add_node_term(s, row, b, d->feature, sign * (d->smooth ? SMOOTH_NODE : 1.0));
         if (d->smooth) {
@@ -172,7 +237,7 @@ static vec3 point_at_begin(const side *d, double at, vec3 point)
 {
     const scene_rigid *r = &d->body->rigid;
     const scene_capsule *c = d->capsule;
-    uint32_t first = d->point ? d->feature % 2 : 0, last = d->point ? first : 1;
+    uint32_t first = d->corners == 1 ? d->feature % 2 : 0, last = d->corners == 1 ? first : 1;
     /* a jaw's axis goes against its body */
     vec3 moved = vec3_lerp(vec3_sub(c->local_trial[first], c->local[first]),
                            vec3_sub(c->local_trial[last], c->local[last]), at);
@@ -181,23 +246,34 @@ static vec3 point_at_begin(const side *d, double at, vec3 point)
 
 /* ---- rows */
 
+/* What it says of all others. */
+static double own_friction(const scene_object *s, const scene_body *b)
+{
+    return b == NULL                ? s->config.floor_friction
+           : b->kind == BODY_THREAD ? s->config.thread_friction
+           : b->kind == BODY_RIGID  ? b->rigid.friction
+                                    : b->drain.drain->config.friction;
+}
+
+static bool is_thread(const scene_body *b)
+{
+    return b != NULL && b->kind == BODY_THREAD;
+}
+
+/* What a thread rubs on says how; of two others the geometric mean counts. */
 static double friction_of(const scene_object *s, const scene_body *a, const scene_body *b)
 {
-    if (b == NULL) {
-        double floor = s->config.floor_friction;
-        return a->kind == BODY_THREAD ? floor : sqrt(a->rigid.friction * floor);
+    if (is_thread(a) || is_thread(b)) {
+        return own_friction(s, is_thread(a) ? b : a);
     }
-    if (a->kind == BODY_THREAD) {
-        return b->kind == BODY_THREAD ? s->config.thread_friction : b->rigid.friction;
-    }
-    return sqrt(a->rigid.friction * b->rigid.friction);
+    return sqrt(own_friction(s, a) * own_friction(s, b));
 }
 
 /* Rigid bodies resist by their inertia: of the lighter one. */
 static double augmentation_of(const scene_body *a, const scene_body *b, double h)
 {
-    if (a->kind == BODY_THREAD) {
-        return THREAD_AUGMENTATION;
+    if (a->kind != BODY_RIGID || (b != NULL && b->kind != BODY_RIGID)) {
+        return NODE_AUGMENTATION;
     }
     double mass = a->rigid.body.mass;
     if (b != NULL && b->rigid.kind != VBSS_RIGID_DRIVEN) {
@@ -207,20 +283,22 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
 }
 
 /* One side of a row, once normal and places are known: its terms, how far its point has come since the part began,
- * and where its axis is. `out` is from the axis to the surface. */
-static vec3 place_side(const scene_object *s, contact_row *row, const side *d, double at, vec3 out,
+ * and where that is. `out` is from the axis, or the middle of a wall, to the surface. */
+static vec3 place_side(const scene_object *s, contact_row *row, const side *d, int which, vec3 out,
                        double sign)
 {
-    vec3 axis[2], before[2];
+    vec3 axis[3], before[3], began;
+    double weights[3];
+    weigh(d, row, which, weights);
     axis_of(s, d, TRIAL, axis);
-    vec3 here = vec3_lerp(axis[0], axis[1], at), point = vec3_add(here, out), began;
-    add_terms(s, row, d, at, point, sign);
+    vec3 here = point_of(d, axis, weights), point = vec3_add(here, out);
+    add_terms(s, row, d, weights, point, sign);
     if (d->capsule != NULL) {
-        began = point_at_begin(d, at, point);
+        began = point_at_begin(d, d->corners > 1 ? row->at[which] : 0.0, point);
         row->slid = vec3_add_scaled(row->slid, sign, vec3_sub(point, began));
     } else {
         axis_of(s, d, BEGIN, before);
-        began = vec3_lerp(before[0], before[1], at);
+        began = point_of(d, before, weights);
         row->slid = vec3_add_scaled(row->slid, sign, vec3_sub(here, began));
     }
     return here;
@@ -231,11 +309,11 @@ static void place_row(const scene_object *s, contact_row *row, const side *d, co
     const vec3 n = row->normal;
     row->term_count = 0;
     row->slid = vec3_zero();
-    vec3 out = vec3_scale(n, -d->radius), here = place_side(s, row, d, row->at[0], out, 1.0);
+    vec3 out = vec3_scale(n, -d->radius), here = place_side(s, row, d, 0, out, 1.0);
     if (e == NULL) {
         row->gap = vec3_dot(n, here) - s->config.floor_height - d->radius;
     } else {
-        vec3 there = place_side(s, row, e, row->at[1], vec3_scale(n, e->radius), -1.0);
+        vec3 there = place_side(s, row, e, 1, vec3_scale(n, e->radius), -1.0);
         row->gap = vec3_dot(n, vec3_sub(here, there)) - d->radius - e->radius;
     }
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
@@ -248,10 +326,16 @@ static bool keeps_normal(const contact_row *row)
     return row->key.kind == VBSS_CONTACT_SEGMENTS || row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE;
 }
 
+/* Within the face, not on a side of it. */
+static bool is_within(const contact_row *row)
+{
+    return row->at[0] > 0.0 && row->at[1] > 0.0 && row->at[0] + row->at[1] < 1.0;
+}
+
 bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
                         const scene_body *b, double reach)
 {
-    vec3 one[2], other[2];
+    vec3 one[3], other[3];
     const side d = side_of(s, row, a, 0);
     axis_of(s, &d, BEGIN, one);
     if (b == NULL) {
@@ -263,17 +347,19 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     }
     const side e = side_of(s, row, b, 1);
     axis_of(s, &e, BEGIN, other);
-    vec3 apart = closest(&d, one, other, row->at);
+    vec3 apart = closest(&d, &e, one, other, row->at);
     double distance = vec3_norm(apart), touching = d.radius + e.radius;
     row->thickness = 2.0 * lesser(d.radius, e.radius);
     row->gap_before = distance - touching;
-    if (!(row->gap_before < reach)) {
+    if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row))) {
         return false;
     }
     if (distance > NO_DISTANCE) {
         row->normal = vec3_scale(apart, 1.0 / distance);
     } else { /* axes that meet: as good as any direction that is across both */
-        vec3 across = vec3_cross(vec3_sub(one[1], one[0]), vec3_sub(other[1], other[0]));
+        bool face = e.corners == 3;
+        vec3 across = vec3_cross(face ? vec3_sub(other[2], other[0]) : vec3_sub(one[1], one[0]),
+                                 vec3_sub(other[1], other[0]));
         row->normal = vec3_unit_or(across, vec3_make(0.0, 1.0, 0.0));
     }
     if (keeps_normal(row)) {
@@ -283,7 +369,7 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     double at[2];
     axis_of(s, &d, AHEAD, one);
     axis_of(s, &e, AHEAD, other);
-    vec3 then = closest(&d, one, other, at);
+    vec3 then = closest(&d, &e, one, other, at);
     double later = vec3_norm(then);
     if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
         row->normal = vec3_scale(then, 1.0 / later);
@@ -297,21 +383,21 @@ typedef enum look_at_row { SET, REFRESH, LAY_AGAIN, MEASURE } look_at_row;
 
 static void lay_again(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    vec3 one[2], other[2];
+    vec3 one[3], other[3];
     axis_of(s, d, TRIAL, one);
     axis_of(s, e, TRIAL, other);
-    row->normal = vec3_unit_or(closest(d, one, other, row->at), row->normal);
+    row->normal = vec3_unit_or(closest(d, e, one, other, row->at), row->normal);
     row->held = vbss_contact_turn_into_plane(row->held, row->normal);
     row->is.way = vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
 }
 
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    vec3 one[2], other[2];
+    vec3 one[3], other[3];
     double at[2];
     axis_of(s, d, TRIAL, one);
     axis_of(s, e, TRIAL, other);
-    row->gap = vec3_norm(closest(d, one, other, at)) - d->radius - e->radius;
+    row->gap = vec3_norm(closest(d, e, one, other, at)) - d->radius - e->radius;
 }
 
 static void look(const scene_object *s, contact_row *row, const side *d, const side *e,

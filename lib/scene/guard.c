@@ -31,6 +31,10 @@ static motion motion_of(scene_object *s, const scene_body *b)
         const thread_object *t = b->thread.thread;
         return (motion){t->node_count, t->now.x, s->ways + b->thread.first_node, t->trial};
     }
+    if (b->kind == BODY_DRAIN) {
+        const drain_object *d = b->drain.drain;
+        return (motion){d->mesh.node_count, d->x, b->drain.ways, d->trial};
+    }
     const scene_rigid *r = &b->rigid;
     uint32_t count = 2 * r->capsule_count;
     vec3 *begin = s->vertices, *end = begin + count;
@@ -83,7 +87,7 @@ static scene_verdict list_pairs(scene_object *s)
             return VERDICT_SINGULAR; /* coordinates that are no place */
         }
     }
-    if (!expected && vbss_collision_find_candidates(scene_collision(s)) != VBSS_OK) {
+    if (!expected && vbss_scene_find_pairs(s) != VBSS_OK) {
         return VERDICT_FULL;
     }
     return VERDICT_ACCEPTED;
@@ -101,32 +105,51 @@ static void put_vertex(collision_block *rows, size_t vertex, uint32_t at, vec3 s
     rows->end[3 * vertex + 2][at] = end.z;
 }
 
-static double radius_of(const scene_object *s, uint32_t shape, uint32_t feature)
+static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b)
 {
+    uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
     const scene_body *b = &s->bodies[s->shape_places[shape]];
+    if (b->kind == BODY_RIGID) {
+        bool point = q->kind == VBSS_PAIR_POINT_TRIANGLE; /* the end of a capsule */
+        return s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)].radius;
+    }
     return b->kind == BODY_THREAD ? b->thread.thread->config.radius
-                                  : s->capsules[b->rigid.first_capsule + feature].radius;
+                                  : s->collision->shapes[shape]->radius;
 }
 
 static double touching_of(const scene_object *s, const collision_candidate *q)
 {
-    return radius_of(s, q->shape_a, q->a) + radius_of(s, q->shape_b, q->b);
+    return radius_of(s, q, false) + radius_of(s, q, true);
 }
 
 /* Of the thinner one. */
 static double thickness_of(const scene_object *s, const collision_candidate *q)
 {
-    return 2.0 * lesser(radius_of(s, q->shape_a, q->a), radius_of(s, q->shape_b, q->b));
+    return 2.0 * lesser(radius_of(s, q, false), radius_of(s, q, true));
+}
+
+/* Two vertices of either edge; a point and the corners of a triangle. */
+static void vertices_of(const scene_object *s, const collision_candidate *q,
+                        const collision_shape *of[4], uint32_t vertices[4])
+{
+    const collision_shape *a = s->collision->shapes[q->shape_a];
+    const collision_shape *b = s->collision->shapes[q->shape_b];
+    bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
+    for (uint32_t k = 0; k < 4; k++) {
+        bool is_a = k < (edges ? 2u : 1u);
+        of[k] = is_a ? a : b;
+        vertices[k] = !edges ? (is_a ? q->a : b->triangles[q->b][k - 1])
+                             : (is_a ? a->edges[q->a][k] : b->edges[q->b][k - 2]);
+    }
 }
 
 static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
 {
-    const collision_shape *a = s->collision->shapes[q->shape_a];
-    const collision_shape *b = s->collision->shapes[q->shape_b];
-    for (uint32_t k = 0; k < 2; k++) {
-        uint32_t p = a->edges[q->a][k], r = b->edges[q->b][k];
-        put_vertex(s->block, k, at, a->start[p], a->end[p]);
-        put_vertex(s->block, 2 + k, at, b->start[r], b->end[r]);
+    const collision_shape *of[4];
+    uint32_t vertices[4];
+    vertices_of(s, q, of, vertices);
+    for (uint32_t k = 0; k < 4; k++) {
+        put_vertex(s->block, k, at, of[k]->start[vertices[k]], of[k]->end[vertices[k]]);
     }
     /* First as near as contact may let them come: what it has looked at is seldom nearer. */
     double allowed = s->config.penetration_tolerance * thickness_of(s, q);
@@ -138,6 +161,9 @@ static bool may_meet(const scene_object *s, const collision_candidate *q, double
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
+        return false;
+    }
     if (a->kind == b->kind) {
         return a->kind == BODY_THREAD && vbss_scene_adjoins(s, a, q->a, b, q->b);
     }
@@ -145,10 +171,10 @@ static bool may_meet(const scene_object *s, const collision_candidate *q, double
                                   : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);
 }
 
-static void ask(scene_object *s, uint32_t count)
+static void ask(scene_object *s, uint32_t kind, uint32_t count)
 {
     collision_block *b = s->block;
-    const collision_rows rows = {.kind = VBSS_PAIR_EDGE_EDGE,
+    const collision_rows rows = {.kind = (vbss_pair_kind)kind,
                                  .count = count,
                                  .stride = IMPACT_BLOCK,
                                  .start = b->start[0],
@@ -163,21 +189,27 @@ static void ask(scene_object *s, uint32_t count)
 
 static double distance_at_begin(const scene_object *s, const collision_candidate *q)
 {
-    const collision_shape *a = s->collision->shapes[q->shape_a];
-    const collision_shape *b = s->collision->shapes[q->shape_b];
-    const uint32_t *p = a->edges[q->a], *r = b->edges[q->b];
-    double at[2];
-    vec3 apart = closest_edges(vec3_sub(a->start[p[1]], a->start[p[0]]),
-                               vec3_sub(b->start[r[1]], b->start[r[0]]),
-                               vec3_sub(b->start[r[0]], a->start[p[0]]), &at[0], &at[1]);
-    return vec3_norm(apart);
+    const collision_shape *of[4];
+    uint32_t vertices[4];
+    double at[3];
+    vec3 x[4];
+    vertices_of(s, q, of, vertices);
+    for (uint32_t k = 0; k < 4; k++) {
+        x[k] = of[k]->start[vertices[k]];
+    }
+    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+        const vec3 corners[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
+        return vec3_norm(closest_corners(corners, at));
+    }
+    return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]),
+                                   &at[0], &at[1]));
 }
 
 static double time_at(scene_object *s, const collision_candidate *q, double thickness)
 {
     put_pair(s, q, 0);
     s->block->thickness[0] = thickness;
-    ask(s, 1);
+    ask(s, q->kind, 1);
     return s->block->hit[0] != 0 ? s->block->time[0] : 1.0;
 }
 
@@ -199,15 +231,16 @@ static double earliest_hit(scene_object *s)
 {
     const collision_object *c = s->collision;
     double earliest = 1.0;
-    for (uint32_t first = 0; first < c->candidate_count; first += IMPACT_BLOCK) {
-        uint32_t left = c->candidate_count - first,
-                 count = left < IMPACT_BLOCK ? left : IMPACT_BLOCK;
+    for (uint32_t first = 0, count; first < c->candidate_count; first += count) {
+        uint32_t kind = c->candidates[first].kind;
+        uint32_t end = kind == VBSS_PAIR_EDGE_EDGE ? s->edge_pairs : c->candidate_count;
+        count = end - first < IMPACT_BLOCK ? end - first : IMPACT_BLOCK;
         double time[IMPACT_BLOCK];
         bool hit[IMPACT_BLOCK];
         for (uint32_t i = 0; i < count; i++) {
             put_pair(s, &c->candidates[first + i], i);
         }
-        ask(s, count);
+        ask(s, kind, count);
         s->statistics.guard_pairs += count;
         for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
             hit[i] = s->block->hit[i] != 0;
@@ -251,6 +284,11 @@ static double earliest_through_floor(const scene_object *s)
         for (uint32_t k = 0; b->kind == BODY_RIGID && k < 2 * r->capsule_count; k++) {
             const scene_capsule *c = &s->capsules[r->first_capsule + k / 2];
             double at = earliest_below_floor(s, c->now[k % 2], c->trial[k % 2], c->radius);
+            earliest = lesser(at, earliest);
+        }
+        const drain_object *d = b->drain.drain;
+        for (uint32_t k = 0; b->kind == BODY_DRAIN && k < d->mesh.node_count; k++) {
+            double at = earliest_below_floor(s, d->x[k], d->trial[k], 0.5 * d->config.thickness);
             earliest = lesser(at, earliest);
         }
     }

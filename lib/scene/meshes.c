@@ -72,6 +72,29 @@ static bool is_ignored(const scene_object *s, const probe *p, const scene_body *
            vbss_scene_adjoins(s, p->body, p->first, b, feature);
 }
 
+/* The surface of a drain leaves room as a tool does, and bends a thread no more than its radius, which is large. */
+static void note_wall(const probe *p, const drain_object *d, double apart, double within,
+                      around *found)
+{
+    double gap = apart - p->body->thread.thread->config.radius - 0.5 * d->config.thickness;
+    found->tool = gap < within ? lesser(gap, found->tool) : found->tool;
+}
+
+static void look_at_face(const scene_object *s, const probe *p, const scene_body *b, uint32_t face,
+                         double within, around *found)
+{
+    const uint32_t *nodes = s->collision->shapes[b->shape]->triangles[face];
+    const drain_object *d = b->drain.drain;
+    double weights[3];
+    for (int end = 0; end < 2; end++) {
+        vec3 corners[3];
+        for (int k = 0; k < 3; k++) {
+            corners[k] = vec3_sub(d->x[nodes[k]], p->axis[end]);
+        }
+        note_wall(p, d, vec3_norm(closest_corners(corners, weights)), within, found);
+    }
+}
+
 static void look_at(const scene_object *s, const probe *p, const scene_body *b, uint32_t feature,
                     double within, around *found)
 {
@@ -83,6 +106,13 @@ static void look_at(const scene_object *s, const probe *p, const scene_body *b, 
         const thread_object *t = b->thread.thread;
         double gap = distance(p->axis, t->now.x + feature) - radius - t->config.radius;
         found->strand = gap < within ? lesser(gap, found->strand) : found->strand;
+        return;
+    }
+    if (b->kind == BODY_DRAIN) {
+        const uint32_t *side = s->collision->shapes[b->shape]->edges[feature];
+        const drain_object *d = b->drain.drain;
+        const vec3 edge[2] = {d->x[side[0]], d->x[side[1]]};
+        note_wall(p, d, distance(p->axis, edge), within, found);
         return;
     }
     const scene_capsule *c = &s->capsules[b->rigid.first_capsule + feature];
@@ -110,12 +140,21 @@ static around look_around(scene_object *s, const probe *p, double within)
         }
         collision_shape *shape = c->shapes[b->shape];
         vbss_collision_shape_fit_edges(shape);
-        uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_meet, &c->search, &shape->edge_tree,
-                                        &box, s->near);
+        uint32_t *near = b->kind == BODY_DRAIN ? b->drain.near : s->near;
+        uint32_t count =
+            VBSS_WIDE_CALL(c->wide, vbss_collision_meet, &c->search, &shape->edge_tree, &box, near);
         for (uint32_t k = 0; k < count; k++) {
-            look_at(s, p, b, s->near[k], within, &found);
+            look_at(s, p, b, near[k], within, &found);
             if (p->any && found.strand < within) {
                 return found;
+            }
+        }
+        if (b->kind == BODY_DRAIN) {
+            vbss_collision_shape_fit_triangles(shape);
+            count = VBSS_WIDE_CALL(c->wide, vbss_collision_meet, &c->search, &shape->triangle_tree,
+                                   &box, near);
+            for (uint32_t k = 0; k < count; k++) {
+                look_at_face(s, p, b, near[k], within, &found);
             }
         }
     }

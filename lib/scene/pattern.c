@@ -20,9 +20,24 @@ static void mark_near(scene_object *s, const scene_body *b, uint32_t low, uint32
     }
 }
 
-static void mark_side(scene_object *s, const contact_key *key, uint32_t number, uint32_t feature)
+static void mark_drain(const scene_object *s, const scene_body *b, const contact_key *key,
+                       bool is_b)
 {
+    uint32_t nodes[3];
+    uint32_t count = vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->b : key->a, nodes);
+    for (uint32_t k = 0; k < count; k++) {
+        b->drain.marks[nodes[k]] = MARK_SEPARATOR;
+    }
+}
+
+static void mark_side(scene_object *s, const contact_key *key, bool is_b)
+{
+    uint32_t number = is_b ? key->body_b : key->body_a, feature = is_b ? key->b : key->a;
     const scene_body *b = vbss_scene_body(s, number);
+    if (b != NULL && b->kind == BODY_DRAIN) {
+        mark_drain(s, b, key, is_b);
+        return;
+    }
     if (b == NULL || b->kind != BODY_THREAD) {
         return;
     }
@@ -31,6 +46,7 @@ static void mark_side(scene_object *s, const contact_key *key, uint32_t number, 
         mark_near(s, b, feature > 0 ? feature - 1 : 0, feature + 1);
         break;
     case VBSS_CONTACT_NODE_FLOOR:
+    case VBSS_CONTACT_POINT_FACE:
         mark_node(s, b, feature);
         break;
     default:
@@ -96,14 +112,20 @@ static void widen(const thread_object *t, uint8_t *marks)
 static void set_marks(scene_object *s)
 {
     memset(s->marks, MARK_NONE, s->node_count);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            scene_drain *b = &s->bodies[i].drain;
+            memset(b->marks, MARK_NONE, b->drain->mesh.node_count * sizeof *b->marks);
+        }
+    }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_key *key = &s->contacts->rows[i].key;
         if (s->contacts->rows[i].bilateral) {
             mark_held(s, &s->contacts->rows[i]);
             continue;
         }
-        mark_side(s, key, key->body_a, key->a);
-        mark_side(s, key, key->body_b, key->b);
+        mark_side(s, key, false);
+        mark_side(s, key, true);
     }
     mark_welds(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -231,6 +253,10 @@ static uint64_t hash_of_pattern(const scene_object *s)
         hash = mix_two(hash, (uint32_t)b->kind, b->number);
         if (b->kind == BODY_THREAD) {
             hash = mix_attachments(hash, b->thread.thread);
+        } else if (b->kind == BODY_DRAIN) {
+            uint32_t nodes = b->drain.drain->mesh.node_count;
+            hash = mix_marks(hash, b->drain.marks, nodes);
+            hash = mix_marks(hash, b->drain.drain->anchored, nodes);
         }
     }
     return hash | 1u;
@@ -247,6 +273,9 @@ static vbss_result register_bodies(scene_object *s)
             vbss_role role =
                 b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_GIVEN : VBSS_ROLE_SEPARATOR;
             VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
+        } else if (b->kind == BODY_DRAIN) {
+            VBSS_TRY(vbss_drain_register(b->drain.drain, s->system, b->drain.marks,
+                                         &b->drain.first_block));
         }
     }
     return VBSS_OK;
@@ -264,6 +293,9 @@ void vbss_scene_number_blocks(scene_object *s)
         } else if (b->kind == BODY_RIGID) {
             b->rigid.blocks.first = first;
             first += 2;
+        } else if (b->kind == BODY_DRAIN) {
+            b->drain.first_block = first;
+            first += b->drain.drain->mesh.node_count;
         }
     }
 }
@@ -287,6 +319,11 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
     vbss_contact_find_places(s->contacts, s->system);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_drain_aim(s->bodies[i].drain.drain, s->system);
+        }
+    }
     s->pattern = pattern;
     return VBSS_OK;
 }

@@ -61,6 +61,10 @@ void vbss_scene_predict(scene_object *s, const scene_part *part)
             predict_thread(&b->thread, part);
         } else if (b->kind == BODY_RIGID) {
             predict_rigid(s, &b->rigid, part);
+        } else if (b->kind == BODY_DRAIN) {
+            b->drain.stage = (drain_stage){part->h, part->end};
+            b->drain.moved = 0.0;
+            vbss_drain_begin_part(b->drain.drain);
         }
     }
 }

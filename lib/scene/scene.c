@@ -32,6 +32,7 @@ static const vbss_scene_config defaults = {
     .attempt_limit = 3,
     .paper_pass_limit = 4,
     .work_limit = 250000,
+    .drain_capacity = 1,
 };
 static const uint32_t config_sizes[] = {160, 168, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
@@ -73,7 +74,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
         {"state_limit", c->state_limit, 1.0, 1000.0},
         {"halving_limit", c->halving_limit, 0.0, 10.0},
         {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
-        {"reserved", c->reserved, 0.0, 0.0},
+        {"drain_capacity", c->drain_capacity, 0.0, 16.0},
         {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
@@ -135,6 +136,8 @@ static void free_object(vbss_context *context, void *object)
             vbss_scene_release_thread(&s->bodies[i]);
         } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
             vbss_scene_release_grasper(&s->bodies[i]);
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_scene_release_drain(s, &s->bodies[i]);
         } else if (s->bodies[i].reserved) {
             vbss_scene_return_spare(&s->bodies[i]);
         }
@@ -169,22 +172,16 @@ static vbss_result make_collision(scene_object *s)
     return VBSS_OK;
 }
 
-/* Each node may be a separator; beside its neighbours along the thread it is coupled by contacts, and
- * elimination fills in more. */
-#define PAIRS_OF_A_SEPARATOR 24u
-
 static vbss_result make_parts(scene_object *s)
 {
     vbss_array parts[PARTS];
-    uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
     VBSS_TRY(vbss_allocate_arrays(s->context, parts, list_parts(s, parts), "scene"));
     VBSS_TRY(make_collision(s));
     if (s->config.method == VBSS_METHOD_PAPER) {
         return VBSS_OK;
     }
     VBSS_TRY(vbss_contact_create(s->context, s->config.contact_capacity, &s->contacts));
-    return vbss_system_create(s->context, blocks, THREAD_REACH, blocks,
-                              PAIRS_OF_A_SEPARATOR * blocks, &s->system);
+    return vbss_scene_make_system(s, NULL);
 }
 
 /* ---- life */
@@ -213,7 +210,7 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     s->pace = 1.0;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;
-    s->place_capacity = own.thread_capacity + own.rigid_capacity;
+    s->place_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;
     vbss_slot *slot = NULL;
     vbss_result result = make_parts(s);
     if (result == VBSS_OK) {

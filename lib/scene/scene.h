@@ -11,6 +11,7 @@
 
 #include "collision/shapes.h"
 #include "contact/contact.h"
+#include "drain/drain.h"
 #include "grasper/grasper.h"
 #include "solver/rigid.h"
 #include "thread/thread.h"
@@ -25,7 +26,7 @@ enum { SCENE_STRANDS = 8, SCENE_CUTS = 8 };
 
 /* ---- bodies */
 
-typedef enum body_kind { BODY_GONE, BODY_THREAD, BODY_RIGID } body_kind;
+typedef enum body_kind { BODY_GONE, BODY_THREAD, BODY_RIGID, BODY_DRAIN } body_kind;
 
 typedef struct scene_thread {
     vbss_slot *slot; /* of the thread's handle */
@@ -47,6 +48,20 @@ typedef struct scene_thread {
     uint32_t kept_settling;
     bool kept_fresh;
 } scene_thread;
+
+typedef struct scene_drain {
+    vbss_slot *slot; /* of the drain's handle */
+    drain_object *drain;
+    uint32_t first_block; /* in the system */
+    uint8_t *marks;       /* per node: separators */
+    vec3 *ways;           /* per node: how far it may move */
+    vec3 *vertices;       /* start and end, for the search */
+    uint32_t *side_of;    /* per node: the first side that ends there */
+    uint32_t *near;       /* meshes.c: sides or triangles that a search has found */
+    drain_stage stage;
+    double moved;               /* by the last linearisation of the part, its farthest node, m */
+    vbss_drain_statistics kept; /* before the step */
+} scene_drain;
 
 typedef struct scene_rigid {
     vbss_rigid_kind kind;
@@ -80,6 +95,7 @@ typedef struct scene_body {
         reserved; /* for a piece: of kind BODY_GONE, but with shape and thread, until that is cut */
     scene_thread thread;
     scene_rigid rigid;
+    scene_drain drain;
 } scene_body;
 
 /* In the principal frame of its body; and where its axis is. */
@@ -161,6 +177,7 @@ typedef struct scene_part {
     double h;          /* length of the part, s */
     bool straight;     /* rows keep their normals: with new ones no shape was found */
     bool again;        /* ways are those of the attempt before */
+    bool smallest;     /* it is not halved any more */
 } scene_part;
 
 typedef struct scene_object scene_object;
@@ -187,6 +204,8 @@ struct scene_object {
     collision_object *collision;
     vbss_slot collision_slot; /* its handle, nobody else's */
     uint32_t *shape_places;   /* of the body of each shape */
+    uint32_t
+        edge_pairs; /* candidates of two edges, which come first; then a point and a triangle */
     contact_set *contacts;
     vbss_system *system;
     uint64_t pattern; /* hash of what the system's pattern was made for; 0: of nothing */
@@ -245,6 +264,8 @@ void vbss_scene_place_trial(scene_capsule *capsule, pose at);
 /* It is where it shall be. */
 void vbss_scene_finish_capsule(scene_capsule *capsule);
 void vbss_scene_release_thread(scene_body *body);
+/* The system of a scene with one more drain, or none; what it had room for goes. */
+vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer);
 /* A place for one more body of that kind, or NULL, told; which then gets its number. */
 scene_body *vbss_scene_new_place(scene_object *s, body_kind kind);
 void vbss_scene_publish(scene_object *s, scene_body *b, body_kind kind, uint32_t shape,
@@ -354,6 +375,29 @@ void vbss_scene_aim_pins(scene_object *s);
 #define SCENE_AHEAD 1.2
 /* candidates.c: rows of what might touch. False: no room. */
 bool vbss_scene_find_rows(scene_object *s, const scene_part *part);
+/* All pairs of features whose boxes meet where their shapes were moved to. */
+vbss_result vbss_scene_find_pairs(scene_object *s);
+/* Adds that row if its features may touch in the part. What they do in it is what their vertices do. b is NULL: the floor,
+ * which does nothing. False: no room. */
+typedef struct scene_meeting {
+    const scene_body *a, *b;
+    const vec3 *ways_a, *ways_b;
+    uint32_t count_a, count_b;
+} scene_meeting;
+bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m);
+/* surfaces.c: rows of a pair of which one or both are of drains; of a drain and the floor. Nodes of a feature of a drain;
+ * returns how many. Whether a row is there twice, as its point of a drain is where sides of triangles meet. */
+bool vbss_scene_add_surface_row(scene_object *s, const collision_candidate *q);
+bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b);
+uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,
+                             bool is_b, uint32_t feature, uint32_t nodes[3]);
+/* drains.c: in a step, each stage of it. */
+void vbss_scene_release_drain(scene_object *s, scene_body *b);
+void vbss_scene_keep_drain(scene_drain *b);
+void vbss_scene_return_drain(scene_drain *b);
+void vbss_scene_aim_drain(scene_drain *b, const scene_part *part);
+void vbss_scene_shorten_drain(scene_drain *b, double share);
+void vbss_scene_arrive_drains(scene_object *s, double h);
 /* predict.c: trial states, from where the part begins. */
 void vbss_scene_predict(scene_object *s, const scene_part *part);
 /* features.c: how the sides of a row lie at the begin of the part (b is NULL: the floor); false: too far apart to touch in it. */

@@ -1,7 +1,8 @@
 /* Bodies and contacts, one system: linearised until threads have their lengths.
  *
  *   assemble bodies -> condense -> states of the contacts -> all increments -> trial state -> rows
- */
+ *
+ * Where drains have moved, it looks once more at the forces, with the factor that it has. */
 #include "scene/scene.h"
 
 /* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
@@ -14,8 +15,8 @@
 #define LOOSE_OVERLAP 0.02
 /* So many linearisations follow when no more work may be done, with a solve each: lengths come before contacts. */
 enum { LAST = 5 };
-/* Of a linearisation, in products of blocks. */
-enum { COST_OF_NODE = 60, COST_OF_ROW = 60 };
+/* Of a linearisation, in products of blocks; and of a further look. */
+enum { COST_OF_NODE = 60, COST_OF_ROW = 60, COST_OF_TRIANGLE = 40, COST_OF_LOOK = 12 };
 /* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
  * slid far is too near, it goes on with new ones, so often. */
 enum { TURNS = 3 };
@@ -24,7 +25,8 @@ enum { TURNS = 3 };
 
 /* ---- one linearisation */
 
-static void assemble(scene_object *s, const scene_part *part)
+/* Again: right-hand sides count, what else is set is not looked at. */
+static void assemble(scene_object *s, const scene_part *part, bool again)
 {
     const vbss_rigid_part p = {part->step, part->begin, part->end};
     vbss_system *system = s->system;
@@ -37,6 +39,10 @@ static void assemble(scene_object *s, const scene_part *part)
         } else if (b->kind == BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
+        } else if (b->kind == BODY_DRAIN && again) {
+            vbss_drain_assemble_rhs(b->drain.drain, &b->drain.stage, system, b->drain.first_block);
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_drain_assemble(b->drain.drain, &b->drain.stage, system, b->drain.first_block);
         }
     }
 }
@@ -64,8 +70,19 @@ static uint64_t limit_search(const scene_object *s)
     return most == 0 ? 0 : done < most ? done + (most - done) / 2 : 1;
 }
 
-/* `goes_on`: there was a linearisation before. */
-static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on)
+static void spend(scene_object *s, uint32_t on_triangle)
+{
+    vbss_scene_spend(s, COST_OF_NODE, s->node_count);
+    vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_scene_spend(s, on_triangle, s->bodies[i].drain.drain->mesh.triangle_count);
+        }
+    }
+}
+
+/* States of the contacts and increments of everything, for what is condensed. `goes_on`: there was a linearisation before. */
+static scene_verdict find_states(scene_object *s, uint64_t most_work, bool goes_on)
 {
     const contact_search search = {.system = s->system,
                                    .welds = s->welds,
@@ -77,20 +94,8 @@ static scene_verdict find_increments(scene_object *s, const scene_part *part, bo
                                    .patience = PATIENCE,
                                    .loose_share = LOOSE_SHARE,
                                    .loose_overlap = LOOSE_OVERLAP,
-                                   .most_work = limit_search(s),
+                                   .most_work = most_work,
                                    .goes_on = goes_on && s->most_work > 0};
-    vbss_scene_spend(s, COST_OF_NODE, s->node_count);
-    vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
-    assemble(s, part);
-    vbss_scene_set_weld_arms(s);
-    s->statistics.linearisations++;
-    while (!vbss_system_condense(s->system)) {
-        if (!leave_compression_out(s)) {
-            return VERDICT_SINGULAR;
-        }
-        assemble(s, part);
-        vbss_scene_set_weld_arms(s);
-    }
     contact_outcome found = vbss_contact_find_states(s->contacts, &search);
     if (found == CONTACT_SINGULAR) {
         return VERDICT_SINGULAR;
@@ -100,6 +105,23 @@ static scene_verdict find_increments(scene_object *s, const scene_part *part, bo
     }
     vbss_system_finish(s->system);
     return found == CONTACT_LOST ? VERDICT_STATES : VERDICT_ACCEPTED;
+}
+
+static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on)
+{
+    uint64_t most_work = limit_search(s);
+    spend(s, COST_OF_TRIANGLE);
+    assemble(s, part, false);
+    vbss_scene_set_weld_arms(s);
+    s->statistics.linearisations++;
+    while (!vbss_system_condense(s->system)) {
+        if (!leave_compression_out(s)) {
+            return VERDICT_SINGULAR;
+        }
+        assemble(s, part, false);
+        vbss_scene_set_weld_arms(s);
+    }
+    return find_states(s, most_work, goes_on);
 }
 
 /* ---- the trial state moves on */
@@ -142,6 +164,8 @@ static shape_error advance(scene_object *s)
                                                  s->system->solution + b->thread.first_block);
         } else if (b->kind == BODY_RIGID) {
             advance_rigid(s, &b->rigid);
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_drain_follow(b->drain.drain, s->system, b->drain.first_block);
         }
     }
     place_welded_nodes(s);
@@ -164,23 +188,113 @@ static shape_error advance(scene_object *s)
     return e;
 }
 
+/* ---- how far drains go */
+
+typedef struct drain_moves {
+    bool finite, look, again,
+        too_far; /* worth a further look; another linearisation; halves of the part */
+} drain_moves;
+
+static drain_moves note_moves(scene_object *s)
+{
+    drain_moves m = {true, false, false, false};
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            const vbss_drain_config *c = &b->drain->config;
+            b->moved = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
+            b->drain->statistics.linearisations++;
+            m.finite = m.finite && b->moved < TOO_FAR;
+            m.look = m.look || b->moved > c->position_tolerance;
+            m.again = m.again || b->moved > c->move_limit;
+            m.too_far = m.too_far || b->moved > DRAIN_TOO_FAR * c->move_limit;
+        }
+    }
+    return m;
+}
+
+static void count_forced(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            b->drain->statistics.forced += b->moved > DRAIN_TOO_FAR * b->drain->config.move_limit;
+        }
+    }
+}
+
+/* Whether what the further look found is to be believed of all drains. */
+static bool is_believed(scene_object *s)
+{
+    bool all = true;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            double correction = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
+            bool small = correction < DRAIN_BELIEVED * b->moved ||
+                         correction <= b->drain->config.position_tolerance;
+            b->drain->statistics.last_correction = correction;
+            b->drain->statistics.corrections_dropped += !small;
+            all = all && small;
+        }
+    }
+    return all;
+}
+
+/* Forces of where a linearisation has led to, solved for with its factor. What is not believed is left. */
+static scene_verdict look_again(scene_object *s, const scene_part *part, shape_error *e)
+{
+    uint64_t most_work = limit_search(s);
+    spend(s, COST_OF_LOOK);
+    vbss_contact_note_found(s->contacts);
+    assemble(s, part, true);
+    vbss_scene_set_weld_arms(s);
+    vbss_system_condense_rhs(s->system);
+    if (find_states(s, most_work, true) != VERDICT_ACCEPTED || !is_believed(s)) {
+        vbss_contact_return_to_found(s->contacts);
+        return VERDICT_ACCEPTED;
+    }
+    *e = advance(s);
+    vbss_scene_refresh_rows(s);
+    return e->finite ? VERDICT_ACCEPTED : VERDICT_SINGULAR;
+}
+
+/* ---- the shape */
+
 /* Linearises until threads have their lengths; k counts on. */
 static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_t *k)
 {
     shape_error e = {true, false, 0.0};
+    bool looked = false, went_on = false;
     for (uint32_t last = 0; *k < s->config.linearisation_limit && !e.converged && last < LAST;
          last += vbss_scene_is_spent(s)) {
         scene_verdict verdict = find_increments(s, part, *k > 0);
         if (verdict != VERDICT_ACCEPTED) {
             return verdict;
         }
+        drain_moves moves = note_moves(s);
         e = advance(s);
-        if (!e.finite) {
+        if (!e.finite || !moves.finite) {
             return VERDICT_SINGULAR;
         }
         vbss_scene_refresh_rows(s);
+        if (moves.too_far && !part->smallest) {
+            return VERDICT_STRETCH;
+        }
+        if (e.converged && moves.look && !looked) {
+            verdict = look_again(s, part, &e);
+            looked = true;
+        }
+        if (verdict != VERDICT_ACCEPTED) {
+            return verdict;
+        }
+        if (e.converged && moves.again && !went_on) { /* one more, with a further look */
+            e.converged = looked = false;
+            went_on = true;
+        }
         ++*k;
     }
+    count_forced(s);
     bool found = e.converged || e.stretch <= s->config.stretch_tolerance;
     return found ? VERDICT_ACCEPTED : VERDICT_STRETCH;
 }

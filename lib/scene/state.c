@@ -86,6 +86,14 @@ static void visit_thread(vbss_stream *stream, scene_thread *b)
     }
 }
 
+static void visit_drain(vbss_stream *stream, scene_drain *b)
+{
+    vbss_stream_same_f64(stream, 61, b->drain->config.friction);
+    vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
+    vbss_drain_serialise(stream, b->drain);
+    vbss_stream_close(stream, outer);
+}
+
 static void visit_bodies(vbss_stream *stream, scene_object *s)
 {
     vbss_stream_same(stream, 10, s->place_count);
@@ -107,6 +115,9 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
                 vbss_stream_same(stream, 13, b->thread.thread->node_count);
             }
             visit_thread(stream, &b->thread);
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_stream_same(stream, 14, b->drain.drain->mesh.node_count);
+            visit_drain(stream, &b->drain);
         } else {
             visit_rigid(stream, s, &b->rigid);
         }

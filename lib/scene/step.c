@@ -22,6 +22,8 @@ static vbss_result keep(scene_object *s)
         } else if (b->kind == BODY_RIGID) {
             b->rigid.kept = b->rigid.body.now;
             b->rigid.kept_pull = b->rigid.pull;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_keep_drain(&b->drain);
         }
     }
     vbss_scene_keep_tools(s);
@@ -45,6 +47,8 @@ static void go_back(scene_object *s)
         } else if (b->kind == BODY_RIGID) {
             b->rigid.body.now = b->rigid.kept;
             b->rigid.pull = b->rigid.kept_pull;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_return_drain(&b->drain);
         }
     }
     vbss_scene_return_tools(s);
@@ -98,8 +102,7 @@ static bool is_limited(const scene_object *s)
 /* The smallest part is finished whatever it takes, or nothing might ever move again. */
 static void limit_work(scene_object *s, const scene_part *part)
 {
-    bool smallest = part->end - part->begin <= smallest_part(s);
-    s->most_work = is_limited(s) && !smallest ? s->config.work_limit : 0;
+    s->most_work = is_limited(s) && !part->smallest ? s->config.work_limit : 0;
 }
 
 static void note_work(scene_object *s)
@@ -275,6 +278,7 @@ static vbss_result make_parts(scene_object *s, double h)
     while (part->begin < 1.0) {
         part->end = part->begin + at.size;
         part->h = h * at.size;
+        part->smallest = at.size <= at.smallest;
         limit_work(s, part);
         scene_verdict verdict = attempt(s, part);
         at.attempts++;
@@ -347,6 +351,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
         return result;
     }
     arrive(s, h);
+    vbss_scene_arrive_drains(s, h);
     vbss_scene_part_pieces(s);
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);

@@ -178,6 +178,9 @@ typedef struct vbss_system {
 typedef struct vbss_system_room {
     uint32_t blocks, couplings, entries, products, separators, pairs;
 } vbss_system_room;
+/* Of what vbss_system_create makes. */
+vbss_system_room vbss_system_room_of_lines(uint32_t blocks, uint32_t reach, uint32_t separators,
+                                           uint32_t pairs);
 vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_room *room,
                                     vbss_system **system);
 /* Room for chains of `blocks` blocks in all, coupled to `reach` neighbours on either side, of which

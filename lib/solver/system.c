@@ -100,12 +100,18 @@ vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_roo
     return VBSS_OK;
 }
 
+vbss_system_room vbss_system_room_of_lines(uint32_t blocks, uint32_t reach, uint32_t separators,
+                                           uint32_t pairs)
+{
+    uint32_t rows = 2 * reach; /* of a run's column: neighbours ahead, separators behind */
+    return (vbss_system_room){
+        blocks, blocks * reach, blocks * rows, blocks * (rows * (rows - 1) / 2), separators, pairs};
+}
+
 vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
                                uint32_t separators, uint32_t pairs, vbss_system **system)
 {
-    uint32_t rows = 2 * reach; /* of a run's column: neighbours ahead, separators behind */
-    const vbss_system_room room = {
-        blocks, blocks * reach, blocks * rows, blocks * (rows * (rows - 1) / 2), separators, pairs};
+    const vbss_system_room room = vbss_system_room_of_lines(blocks, reach, separators, pairs);
     return vbss_system_create_room(context, &room, system);
 }
 

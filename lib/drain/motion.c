@@ -1,0 +1,49 @@
+/* How a drain moves in a part of a step, whoever solves for it: from where it is, along increments, to where it is then. */
+#include "drain/drain.h"
+
+#include <string.h>
+
+void vbss_drain_begin_part(drain_object *d)
+{
+    memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
+}
+
+double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s, uint32_t first)
+{
+    double largest = 0.0;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        largest = vbss_larger(vec3_norm(s->solution[first + i]), largest);
+    }
+    return largest;
+}
+
+void vbss_drain_follow(drain_object *d, const vbss_system *s, uint32_t first)
+{
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        d->trial[i] = vec3_add(d->trial[i], s->solution[first + d->order.place[i]]);
+    }
+}
+
+void vbss_drain_commit(drain_object *d, double h)
+{
+    double farthest = 0.0;
+    memcpy(d->v_before, d->v, d->mesh.node_count * sizeof *d->v);
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        vec3 way = vec3_sub(d->trial[i], d->x[i]);
+        farthest = vbss_larger(vec3_norm(way), farthest);
+        d->v[i] = vbss_drain_stilled(vec3_scale(way, 1.0 / h));
+        d->x[i] = d->trial[i];
+    }
+    d->statistics.last_move = vbss_larger(farthest, d->statistics.last_move);
+    d->statistics.parts++;
+}
+
+void vbss_drain_arrive(drain_object *d, double h)
+{
+    vbss_drain_attachments_arrive(d);
+    if (vbss_drain_has_pins(d)) {
+        vbss_drain_find_forces(d, d->x); /* those of the last look are of another state */
+    }
+    vbss_drain_note_reactions(d, h);
+    vbss_drain_tear(d, d->forces);
+}

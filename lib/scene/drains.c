@@ -1,0 +1,231 @@
+/* Drains in a scene: how they come and go, and their part of each stage of a step. */
+#include "scene/scene.h"
+
+#include <string.h>
+
+/* Beyond this along the surface, in walls, a drain touches itself: nearer it is only bent. */
+#define FAR_ALONG 3.0
+
+/* ---- room in the system */
+
+/* Each node may be a separator; beside its neighbours along the thread it is coupled by contacts, and
+ * elimination fills in more. */
+#define PAIRS_OF_A_SEPARATOR 24u
+/* The same of a drain, where it is no more than all of its nodes. */
+#define PAIRS_OF_A_DRAIN_NODE 128u
+/* Separators are eliminated later than the order of the drain has them, which fills in more: so many times what it does
+ * without. */
+#define MORE_ENTRIES 4u
+#define MORE_PRODUCTS 8u
+
+static void add_room(vbss_system_room *room, const drain_object *d)
+{
+    uint32_t n = d->mesh.node_count, all = n * (n - 1) / 2, most = PAIRS_OF_A_DRAIN_NODE * n;
+    room->blocks += n;
+    room->couplings += d->order.pair_count;
+    room->entries += MORE_ENTRIES * d->order.entries;
+    room->products += MORE_PRODUCTS * d->order.products;
+    room->separators += n;
+    room->pairs += all < most ? all : most;
+}
+
+vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer)
+{
+    uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
+    vbss_system_room room =
+        vbss_system_room_of_lines(blocks, THREAD_REACH, blocks, PAIRS_OF_A_SEPARATOR * blocks);
+    vbss_system *made;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            add_room(&room, s->bodies[i].drain.drain);
+        }
+    }
+    if (comer != NULL) {
+        add_room(&room, comer);
+    }
+    VBSS_TRY(vbss_system_create_room(s->context, &room, &made));
+    vbss_system_destroy(s->context, s->system);
+    s->system = made;
+    s->pattern = 0;
+    return VBSS_OK;
+}
+
+/* ---- joining and leaving */
+
+enum { PARTS = 5 };
+/* Of a surface: most sides of triangles a node. */
+#define SIDES_A_NODE 3u
+
+static void list_parts(scene_drain *b, uint32_t nodes, vbss_array parts[PARTS])
+{
+    const vbss_array all[PARTS] = {{&b->marks, nodes, sizeof *b->marks},
+                                   {&b->ways, nodes, sizeof *b->ways},
+                                   {&b->vertices, 2 * (size_t)nodes, sizeof *b->vertices},
+                                   {&b->side_of, nodes, sizeof *b->side_of},
+                                   {&b->near, SIDES_A_NODE * (size_t)nodes, sizeof *b->near}};
+    memcpy(parts, all, sizeof all);
+}
+
+static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, const uint32_t *number)
+{
+    const drain_object *d = slot->object;
+    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
+    if (slot->context != s->context) {
+        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
+                         "drain %llu belongs to another context",
+                         (unsigned long long)slot->ordinal);
+    }
+    if (d->config.method != s->config.method) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the drain's method is not the scene's");
+    }
+    return VBSS_OK;
+}
+
+static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
+{
+    const drain_mesh *m = &d->mesh;
+    return vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
+                                   m->triangle_count, 0.5 * d->config.thickness, shape);
+}
+
+static void find_sides(scene_drain *b, const collision_shape *shape)
+{
+    for (uint32_t i = shape->edge_count; i > 0; i--) {
+        b->side_of[shape->edges[i - 1][0]] = b->side_of[shape->edges[i - 1][1]] = i - 1;
+    }
+}
+
+static vbss_result make_parts(scene_object *s, scene_drain *b, uint32_t *shape)
+{
+    vbss_array parts[PARTS];
+    list_parts(b, b->drain->mesh.node_count, parts);
+    VBSS_TRY(vbss_allocate_arrays(s->context, parts, PARTS, "drain in a scene"));
+    VBSS_TRY(add_shape(s, b->drain, shape));
+    find_sides(b, s->collision->shapes[*shape]);
+    vbss_result result =
+        s->config.method == VBSS_METHOD_OURS ? vbss_scene_make_system(s, b->drain) : VBSS_OK;
+    if (result != VBSS_OK) {
+        (void)vbss_collision_remove(scene_collision(s), *shape);
+    }
+    return result;
+}
+
+vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body)
+{
+    scene_object *s;
+    vbss_slot *slot;
+    uint32_t shape = 0;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, &slot));
+    VBSS_TRY(check_drain(s, slot, body));
+    scene_body *b = vbss_scene_new_place(s, BODY_DRAIN);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    scene_drain own = {.slot = slot, .drain = slot->object};
+    vbss_result result = make_parts(s, &own, &shape);
+    if (result != VBSS_OK) {
+        vbss_array parts[PARTS];
+        list_parts(&own, own.drain->mesh.node_count, parts);
+        vbss_release_arrays(s->context, parts, PARTS);
+        return result;
+    }
+    *b = (scene_body){.drain = own};
+    slot->owner = s;
+    vbss_scene_publish(s, b, BODY_DRAIN, shape, body);
+    return VBSS_OK;
+}
+
+void vbss_scene_release_drain(scene_object *s, scene_body *b)
+{
+    vbss_array parts[PARTS];
+    scene_drain *own = &b->drain;
+    uint32_t nodes = s->collision->shapes[b->shape]->node_count;
+    own->slot->owner = NULL;
+    if (own->slot->object == own->drain) { /* it may have ended with the context */
+        own->drain->pattern_known = false;
+        memset(own->drain->pushes, 0, nodes * sizeof *own->drain->pushes);
+    }
+    list_parts(own, nodes, parts);
+    vbss_release_arrays(s->context, parts, PARTS);
+}
+
+/* ---- in a step */
+
+void vbss_scene_keep_drain(scene_drain *b)
+{
+    drain_object *d = b->drain;
+    size_t bytes = d->mesh.node_count * sizeof *d->x;
+    memcpy(d->kept_x, d->x, bytes);
+    memcpy(d->kept_v, d->v, bytes);
+    b->kept = d->statistics;
+    d->statistics.last_move = 0.0;
+}
+
+void vbss_scene_return_drain(scene_drain *b)
+{
+    drain_object *d = b->drain;
+    size_t bytes = d->mesh.node_count * sizeof *d->x;
+    memcpy(d->x, d->kept_x, bytes);
+    memcpy(d->v, d->kept_v, bytes);
+    d->statistics = b->kept;
+}
+
+void vbss_scene_aim_drain(scene_drain *b, const scene_part *part)
+{
+    const drain_object *d = b->drain;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        b->ways[i] = part->again ? vec3_sub(d->trial[i], d->x[i]) : vec3_scale(d->v[i], part->h);
+    }
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        const drain_attachment *a = &d->attachments[k];
+        if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
+            vec3 there = vbss_drain_attachment_position(a, part->end);
+            b->ways[a->node] = vec3_sub(there, d->x[a->node]);
+        }
+    }
+}
+
+void vbss_scene_shorten_drain(scene_drain *b, double share)
+{
+    drain_object *d = b->drain;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        /* At 0 it may be no state at all, not even finite. */
+        vec3 way = share > 0.0 ? vec3_sub(d->trial[i], d->x[i]) : vec3_zero();
+        d->trial[i] = vec3_add_scaled(d->x[i], share, way);
+    }
+}
+
+/* What contacts do to the drains, by node. */
+static void note_pushes(scene_object *s, scene_drain *b)
+{
+    drain_object *d = b->drain;
+    uint32_t n = d->mesh.node_count;
+    memset(d->pushes, 0, n * sizeof *d->pushes);
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_row *row = &s->contacts->rows[i];
+        vec3 force = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+        for (uint32_t k = 0; row->is.state != CONTACT_OPEN && k < row->term_count; k++) {
+            const contact_term *t = &row->terms[k];
+            if (t->block >= b->first_block && t->block - b->first_block < n) {
+                uint32_t node = d->order.node[t->block - b->first_block];
+                d->pushes[node] = vec3_add_scaled(d->pushes[node], t->weight, force);
+            }
+        }
+    }
+}
+
+void vbss_scene_arrive_drains(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            note_pushes(s, b);
+            vbss_drain_arrive(b->drain, b->stage.h);
+            b->drain->statistics.steps++;
+            b->drain->statistics.time += h;
+            b->drain->generation++;
+        }
+    }
+}

@@ -1,0 +1,86 @@
+/* Rows of what is near a drain: a point of whatever it is and a triangle, two sides, a node and the floor.
+ *
+ * A point touches a triangle where its closest point is within; where that is on a side, the side's own rows see it. */
+#include "scene/scene.h"
+
+uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,
+                             bool is_b, uint32_t feature, uint32_t nodes[3])
+{
+    const collision_shape *shape = s->collision->shapes[drain->shape];
+    if (kind == VBSS_CONTACT_SIDES) {
+        nodes[0] = shape->edges[feature][0];
+        nodes[1] = shape->edges[feature][1];
+        return 2;
+    }
+    if (kind == VBSS_CONTACT_POINT_FACE && is_b) {
+        for (int k = 0; k < 3; k++) {
+            nodes[k] = shape->triangles[feature][k];
+        }
+        return 3;
+    }
+    nodes[0] = feature;
+    return 1;
+}
+
+/* The ways of a feature's vertices: of a drain gathered into room. */
+static const vec3 *ways_of(const scene_object *s, const scene_body *b, const contact_key *key,
+                           bool is_b, vec3 room[3], uint32_t *count)
+{
+    uint32_t feature = is_b ? key->b : key->a, nodes[3];
+    bool side = key->kind == VBSS_CONTACT_SIDES;
+    if (b->kind == BODY_DRAIN) {
+        *count = vbss_scene_nodes_of(s, b, key->kind, is_b, feature, nodes);
+        for (uint32_t k = 0; k < *count; k++) {
+            room[k] = b->drain.ways[nodes[k]];
+        }
+        return room;
+    }
+    *count = side ? 2 : 1;
+    if (b->kind == BODY_THREAD) {
+        return s->ways + b->thread.first_node + feature;
+    }
+    const vec3 *first = s->ways + s->config.node_capacity + 2 * (size_t)b->rigid.first_capsule;
+    return first + (side ? 2 * (size_t)feature : feature); /* ends stand two by two */
+}
+
+static bool add_row(scene_object *s, const contact_key *key, const scene_body *a,
+                    const scene_body *b)
+{
+    vec3 room_a[3], room_b[3];
+    scene_meeting m = {.a = a, .b = b};
+    m.ways_a = ways_of(s, a, key, false, room_a, &m.count_a);
+    m.ways_b = ways_of(s, b, key, true, room_b, &m.count_b);
+    return vbss_scene_add_row(s, key, &m);
+}
+
+bool vbss_scene_add_surface_row(scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+        const contact_key key = {VBSS_CONTACT_POINT_FACE, a->number, q->a, b->number, q->b};
+        return add_row(s, &key, a, b);
+    }
+    bool swapped = b->kind != BODY_DRAIN;
+    const contact_key key = {VBSS_CONTACT_SIDES, swapped ? b->number : a->number,
+                             swapped ? q->b : q->a, swapped ? a->number : b->number,
+                             swapped ? q->a : q->b};
+    return add_row(s, &key, swapped ? b : a, swapped ? a : b);
+}
+
+bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b)
+{
+    const drain_object *d = b->drain.drain;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        const contact_key key = {VBSS_CONTACT_DRAIN_FLOOR, b->number, i, 0, 0};
+        /* Only what comes down can meet it. */
+        vec3 down =
+            vec3_scale(s->floor_normal, lesser(vec3_dot(b->drain.ways[i], s->floor_normal), 0.0));
+        static const vec3 floor;
+        const scene_meeting w = {b, NULL, &down, &floor, 1, 1};
+        if (!vbss_scene_add_row(s, &key, &w)) {
+            return false;
+        }
+    }
+    return true;
+}
