@@ -116,8 +116,12 @@ void vbss_contact_destroy(vbss_context *context, contact_set *set);
 void vbss_contact_begin(contact_set *set);
 contact_row *vbss_contact_add(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);
-/* States and forces of the last part, for rows that were there or whose neighbours were. */
+/* States and forces of the last part, for rows that were there. What is left of the memory (`recalled` says so) belonged to
+ * contacts that are gone or have slid on to other features: to the first beside their own, by number, that has no other
+ * yet; or to a row that whoever knows the features names. */
 void vbss_contact_recall(contact_set *set);
+void vbss_contact_pass_on(contact_set *set, uint32_t memory);
+void vbss_contact_remind(contact_set *set, uint32_t memory, uint32_t row);
 /* Remembers the rows with a force: the part is accepted. */
 void vbss_contact_keep(contact_set *set);
 /* What is remembered, to come back to it. */

@@ -159,9 +159,14 @@ static uint32_t find(const contact_set *set, const contact_key *key)
     return low;
 }
 
-/* A contact that has slid on to the next features: the first of those beside its own that has no other yet. */
-static void pass_on(contact_set *set, const contact_memory *m)
+void vbss_contact_remind(contact_set *set, uint32_t memory, uint32_t row)
 {
+    remind(&set->rows[row], &set->memory[memory]);
+}
+
+void vbss_contact_pass_on(contact_set *set, uint32_t memory)
+{
+    const contact_memory *m = &set->memory[memory];
     for (uint32_t da = 0; da < 3; da++) {
         contact_key key = m->key; /* one below the first is the largest number, which nobody has */
         key.a += da - 1;
@@ -197,10 +202,8 @@ void vbss_contact_recall(contact_set *set)
             }
         }
     }
-    for (uint32_t k = 0; k < set->memory_count; k++) {
-        if (k >= m || set->recalled[k] == 0) {
-            pass_on(set, &set->memory[k]);
-        }
+    for (; m < set->memory_count; m++) {
+        set->recalled[m] = 0;
     }
 }
 

@@ -294,6 +294,25 @@ void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2
     axis[1] = pose_apply(at, capsule->local[1]);
 }
 
+bool vbss_scene_axis_of(const scene_object *s, uint32_t number, uint32_t feature, vec3 axis[2])
+{
+    const scene_body *b = vbss_scene_body(s, number);
+    if (b == NULL) {
+        return false;
+    }
+    if (b->kind == BODY_THREAD) {
+        memcpy(axis, b->thread.thread->now.x + feature, 2 * sizeof *axis);
+    } else if (b->kind == BODY_DRAIN) {
+        const uint32_t *side = s->collision->shapes[b->shape]->edges[feature];
+        axis[0] = b->drain.drain->x[side[0]];
+        axis[1] = b->drain.drain->x[side[1]];
+    } else {
+        vbss_scene_place_capsule(&s->capsules[b->rigid.first_capsule + feature],
+                                 b->rigid.body.now.at, axis);
+    }
+    return true;
+}
+
 void vbss_scene_place_trial(scene_capsule *capsule, pose at)
 {
     capsule->trial[0] = pose_apply(at, capsule->local_trial[0]);

@@ -397,9 +397,7 @@ static void remove_doubles(scene_object *s)
     uint32_t kept = 0;
     for (uint32_t i = 0; i < set->count; i++) {
         uint32_t kind = set->rows[i].key.kind;
-        bool may_be = kind == VBSS_CONTACT_SEGMENTS || kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
-                      kind == VBSS_CONTACT_SIDES;
-        set->recalled[i] = may_be && is_double(s, &set->rows[i]);
+        set->recalled[i] = scene_is_of_segment(kind) && is_double(s, &set->rows[i]);
     }
     for (uint32_t i = 0; i < set->count; i++) {
         if (set->recalled[i] == 0) {

@@ -117,22 +117,6 @@ typedef struct renaming {
     thread_cut cut;
 } renaming;
 
-/* Where the axis of a feature is; false: it is none of two ends. */
-static bool axis_of(const scene_object *s, uint32_t number, uint32_t feature, vec3 axis[2])
-{
-    const scene_body *b = vbss_scene_body(s, number);
-    if (b == NULL) {
-        return false;
-    }
-    if (b->kind == BODY_THREAD) {
-        memcpy(axis, b->thread.thread->now.x + feature, 2 * sizeof *axis);
-    } else {
-        const scene_capsule *c = &s->capsules[b->rigid.first_capsule + feature];
-        vbss_scene_place_capsule(c, b->rigid.body.now.at, axis);
-    }
-    return true;
-}
-
 static bool is_cut_segment(const renaming *r, uint32_t number, uint32_t feature)
 {
     return number == r->old->number && feature == r->cut.segment && r->cut.share < 1.0;
@@ -142,12 +126,12 @@ static bool is_cut_segment(const renaming *r, uint32_t number, uint32_t feature)
 static uint8_t sides_beyond(const scene_object *s, const renaming *r, const contact_key *key)
 {
     bool segments = key->kind == VBSS_CONTACT_SEGMENTS;
-    bool a = (segments || key->kind == VBSS_CONTACT_SEGMENT_CAPSULE) &&
-             is_cut_segment(r, key->body_a, key->a);
+    bool a = scene_is_of_segment(key->kind) && is_cut_segment(r, key->body_a, key->a);
     bool b = segments && is_cut_segment(r, key->body_b, key->b);
     vec3 x[2], y[2];
     double at[2];
-    if (!(a || b) || !axis_of(s, key->body_a, key->a, x) || !axis_of(s, key->body_b, key->b, y)) {
+    if (!(a || b) || !vbss_scene_axis_of(s, key->body_a, key->a, x) ||
+        !vbss_scene_axis_of(s, key->body_b, key->b, y)) {
         return 0;
     }
     (void)closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]), &at[0],
@@ -213,10 +197,10 @@ static void rename_memory(scene_object *s, const renaming *r)
     for (uint32_t i = 0; set != NULL && i < set->memory_count; i++) {
         contact_memory *m = &set->memory[i];
         contact_key *k = &m->key;
-        if (k->kind > VBSS_CONTACT_NODE_FLOOR) {
+        bool node = scene_is_of_node(k->kind);
+        if (!node && !scene_is_of_segment(k->kind)) {
             continue;
         }
-        bool node = k->kind == VBSS_CONTACT_NODE_CAPSULE || k->kind == VBSS_CONTACT_NODE_FLOOR;
         rename_side(r, node, (set->recalled[i] & 1u) != 0, &k->body_a, &k->a);
         if (k->kind == VBSS_CONTACT_SEGMENTS) {
             rename_side(r, false, (set->recalled[i] & 2u) != 0, &k->body_b, &k->b);

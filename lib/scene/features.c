@@ -42,17 +42,11 @@ static const scene_body *body_of(const scene_object *s, uint32_t number, const s
     return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
 }
 
-static bool is_point(uint32_t kind)
-{
-    return kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR ||
-           kind == VBSS_CONTACT_CAPSULE_FLOOR || kind == VBSS_CONTACT_POINT_FACE;
-}
-
 static side side_of(const scene_object *s, const contact_row *row, const scene_body *b, int which)
 {
     uint32_t kind = row->key.kind, feature = which == 0 ? row->key.a : row->key.b;
     side d = {.body = b, .feature = feature};
-    bool point = which == 0 && is_point(kind);
+    bool point = which == 0 && (scene_is_of_node(kind) || kind == VBSS_CONTACT_CAPSULE_FLOOR);
     d.corners = point ? 1 : 2;
     if (b->kind == BODY_DRAIN) {
         d.corners = vbss_scene_nodes_of(s, b, kind, which == 1, feature, d.nodes);

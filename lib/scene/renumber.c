@@ -41,31 +41,18 @@ static bool is_divided(const renaming *r, uint32_t number, uint32_t segment)
 
 /* ---- what contact remembers */
 
-static void axis_of(const scene_object *s, uint32_t number, uint32_t feature, vec3 axis[2])
-{
-    const scene_body *b = vbss_scene_body(s, number);
-    if (b->kind == BODY_THREAD) {
-        memcpy(axis, b->thread.thread->now.x + feature, 2 * sizeof *axis);
-    } else {
-        vbss_scene_place_capsule(&s->capsules[b->rigid.first_capsule + feature],
-                                 b->rigid.body.now.at, axis);
-    }
-}
-
 /* Where the closest points are on the sides that are divided: share of the segment, or -1. */
 static void shares_of(const scene_object *s, const renaming *r, const contact_key *k,
                       double share[2])
 {
     bool segments = k->kind == VBSS_CONTACT_SEGMENTS;
-    bool a =
-        (segments || k->kind == VBSS_CONTACT_SEGMENT_CAPSULE) && is_divided(r, k->body_a, k->a);
+    bool a = scene_is_of_segment(k->kind) && is_divided(r, k->body_a, k->a);
     bool b = segments && is_divided(r, k->body_b, k->b);
     share[0] = share[1] = -1.0;
-    if (a || b) {
-        vec3 x[2], y[2];
-        double at[2];
-        axis_of(s, k->body_a, k->a, x);
-        axis_of(s, k->body_b, k->b, y);
+    vec3 x[2], y[2];
+    double at[2];
+    if ((a || b) && vbss_scene_axis_of(s, k->body_a, k->a, x) &&
+        vbss_scene_axis_of(s, k->body_b, k->b, y)) {
         (void)closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
                             &at[0], &at[1]);
         share[0] = a ? at[0] : -1.0;
@@ -87,11 +74,11 @@ static void go_to_node(const scene_object *s, const renaming *r, contact_key *k,
 static void rename_contact(const scene_object *s, const renaming *r, contact_memory *m)
 {
     contact_key *k = &m->key;
-    if (k->kind > VBSS_CONTACT_NODE_FLOOR) {
+    double share[2];
+    bool node = scene_is_of_node(k->kind);
+    if (!node && !scene_is_of_segment(k->kind)) {
         return;
     }
-    double share[2];
-    bool node = k->kind == VBSS_CONTACT_NODE_CAPSULE || k->kind == VBSS_CONTACT_NODE_FLOOR;
     shares_of(s, r, k, share);
     if (k->body_a == r->body->number) {
         k->a =
@@ -148,10 +135,10 @@ static void rename_views(scene_object *s, const renaming *r)
 {
     for (uint32_t i = 0; i < s->contact_count; i++) {
         uint32_t *f = s->contact_features[i];
-        if (f[0] > VBSS_CONTACT_NODE_FLOOR) {
+        bool node = scene_is_of_node(f[0]);
+        if (!node && !scene_is_of_segment(f[0])) {
             continue;
         }
-        bool node = f[0] == VBSS_CONTACT_NODE_CAPSULE || f[0] == VBSS_CONTACT_NODE_FLOOR;
         if (f[1] == r->body->number) {
             f[2] = rename_seen(r, node, f[2], s->contact_points[i]);
         }

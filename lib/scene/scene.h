@@ -261,6 +261,8 @@ scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
 /* Where the axis of a capsule is when its body is there; and at the end of the part. */
 void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2]);
 void vbss_scene_place_trial(scene_capsule *capsule, pose at);
+/* Where a segment of a thread, the axis of a capsule or a side of a drain is; false: there is no such body. */
+bool vbss_scene_axis_of(const scene_object *s, uint32_t number, uint32_t feature, vec3 axis[2]);
 /* It is where it shall be. */
 void vbss_scene_finish_capsule(scene_capsule *capsule);
 void vbss_scene_release_thread(scene_body *body);
@@ -369,6 +371,19 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
 /* Attached nodes shall be where their driven bodies will be. */
 void vbss_scene_aim_pins(scene_object *s);
 
+/* Contacts whose feature a, if it is of a thread, is a node; a segment. */
+static inline bool scene_is_of_node(uint32_t kind)
+{
+    return kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR ||
+           kind == VBSS_CONTACT_POINT_FACE;
+}
+
+static inline bool scene_is_of_segment(uint32_t kind)
+{
+    return kind == VBSS_CONTACT_SEGMENTS || kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
+           kind == VBSS_CONTACT_SIDES;
+}
+
 /* ---- an attempt, in order */
 
 /* Ways are taken for so much longer than a part: velocities change within it. */
@@ -389,6 +404,8 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
  * returns how many. Whether a row is there twice, as its point of a drain is where sides of triangles meet. */
 bool vbss_scene_add_surface_row(scene_object *s, const collision_candidate *q);
 bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b);
+/* recall.c: what the rows remember of the last part. */
+void vbss_scene_recall_rows(scene_object *s);
 uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,
                              bool is_b, uint32_t feature, uint32_t nodes[3]);
 /* drains.c: in a step, each stage of it. */

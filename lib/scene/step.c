@@ -142,7 +142,7 @@ static scene_verdict attempt(scene_object *s, const scene_part *part)
     vbss_scene_predict(s, part);
     vbss_scene_number_blocks(s);
     vbss_scene_set_rows(s, part);
-    vbss_contact_recall(s->contacts);
+    vbss_scene_recall_rows(s);
     allow_depth(s);
     if (vbss_scene_build_pattern(s) != VBSS_OK) {
         return VERDICT_FULL;

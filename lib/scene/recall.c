@@ -1,0 +1,75 @@
+/* What contacts remember from part to part, also when they have slid on to other features: along a thread to the next
+ * number, on a drain to a side or triangle that has a node in common. */
+#include "scene/scene.h"
+
+static bool is_of_surface(uint32_t kind)
+{
+    return kind == VBSS_CONTACT_POINT_FACE || kind == VBSS_CONTACT_SIDES;
+}
+
+static bool share_a_node(const scene_object *s, const scene_body *b, const contact_key *x,
+                         const contact_key *y, bool is_b)
+{
+    uint32_t p[3], q[3];
+    uint32_t count = vbss_scene_nodes_of(s, b, x->kind, is_b, is_b ? x->b : x->a, p);
+    uint32_t others = vbss_scene_nodes_of(s, b, y->kind, is_b, is_b ? y->b : y->a, q);
+    bool shared = false;
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t k = 0; k < others; k++) {
+            shared = shared || p[i] == q[k];
+        }
+    }
+    return shared;
+}
+
+/* Feature a of a key: of a thread node or segment, which are beside each other by number; of a rigid body a capsule. */
+static bool are_beside(const scene_object *s, const scene_body *a, const contact_key *x,
+                       const contact_key *y)
+{
+    if (a->kind == BODY_DRAIN) {
+        return share_a_node(s, a, x, y, false);
+    }
+    if (a->kind == BODY_THREAD) {
+        return x->a + 1 >= y->a && y->a + 1 >= x->a;
+    }
+    uint32_t one = x->kind == VBSS_CONTACT_POINT_FACE ? x->a / 2 : x->a;
+    return one == (y->kind == VBSS_CONTACT_POINT_FACE ? y->a / 2 : y->a);
+}
+
+/* The nearest row beside it that has no other memory yet, or UINT32_MAX. */
+static uint32_t find_next(const scene_object *s, const contact_key *key)
+{
+    const contact_set *set = s->contacts;
+    const scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
+    uint32_t best = UINT32_MAX;
+    for (uint32_t i = 0; a != NULL && b != NULL && i < set->count; i++) {
+        const contact_row *row = &set->rows[i];
+        if (is_of_surface(row->key.kind) && row->is.state == CONTACT_OPEN &&
+            row->key.body_a == key->body_a && row->key.body_b == key->body_b &&
+            (best == UINT32_MAX || row->gap_before < set->rows[best].gap_before) &&
+            are_beside(s, a, key, &row->key) && share_a_node(s, b, key, &row->key, true)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+void vbss_scene_recall_rows(scene_object *s)
+{
+    contact_set *set = s->contacts;
+    vbss_contact_recall(set);
+    for (uint32_t m = 0; m < set->memory_count; m++) {
+        const contact_key *key = &set->memory[m].key;
+        if (set->recalled[m] != 0) {
+            continue;
+        }
+        if (!is_of_surface(key->kind)) {
+            vbss_contact_pass_on(set, m);
+            continue;
+        }
+        uint32_t row = find_next(s, key);
+        if (row != UINT32_MAX) {
+            vbss_contact_remind(set, m, row);
+        }
+    }
+}
