@@ -123,11 +123,22 @@ static bool walk(collision_object *c, const collision_walk *w, vbss_pair_kind ki
     return true;
 }
 
+/* For the edges of one shape. */
+static collision_rule rule_of_edges(const collision_shape *s)
+{
+    return s->kind == SHAPE_CHAIN      ? RULE_CHAIN
+           : s->kind == SHAPE_CAPSULES ? RULE_CAPSULES
+           : s->near_words > 0         ? RULE_FAR_EDGES
+                                       : RULE_MESH_EDGES;
+}
+
+static collision_rule rule_of_points(const collision_shape *mesh)
+{
+    return mesh->near_words > 0 ? RULE_FAR_POINTS : RULE_MESH_POINTS;
+}
+
 static bool walk_edges(collision_object *c, uint32_t a, uint32_t b)
 {
-    static const collision_rule own_rules[] = {[SHAPE_CHAIN] = RULE_CHAIN,
-                                               [SHAPE_CAPSULES] = RULE_CAPSULES,
-                                               [SHAPE_MESH] = RULE_MESH_EDGES};
     collision_shape *s = c->shapes[c->living[a]], *other = c->shapes[c->living[b]];
     if (s == other && s->edge_count < 2) {
         return true;
@@ -136,7 +147,7 @@ static bool walk_edges(collision_object *c, uint32_t a, uint32_t b)
     vbss_collision_shape_fit_edges(other);
     const collision_walk w = {.a = &s->edge_tree,
                               .b = &other->edge_tree,
-                              .rule = s == other ? own_rules[s->kind] : RULE_ALL,
+                              .rule = s == other ? rule_of_edges(s) : RULE_ALL,
                               .shape = s,
                               .rows = rows_of_edges(s)};
     return walk(c, &w, VBSS_PAIR_EDGE_EDGE, a, b);
@@ -149,7 +160,7 @@ static bool walk_points(collision_object *c, uint32_t a, uint32_t b)
     vbss_collision_shape_fit_triangles(mesh);
     const collision_walk w = {.a = &s->point_tree,
                               .b = &mesh->triangle_tree,
-                              .rule = s == mesh ? RULE_MESH_POINTS : RULE_ALL,
+                              .rule = s == mesh ? rule_of_points(s) : RULE_ALL,
                               .shape = mesh,
                               .rows = rows_of_points(s)};
     return walk(c, &w, VBSS_PAIR_POINT_TRIANGLE, a, b);

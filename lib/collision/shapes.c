@@ -9,7 +9,7 @@
 
 /* ---- memory: one table says what there is; what is not needed stays NULL */
 
-enum { PARTS = 20 };
+enum { PARTS = 22 };
 
 typedef struct part_list {
     vbss_array parts[PARTS];
@@ -48,6 +48,8 @@ static void list_parts(collision_shape *s, part_list *list)
     add_part(list, &s->far_before, chain ? e : 0, sizeof *s->far_before);
     add_part(list, &s->far_after, chain ? (e + TREE_LANES - 1) / TREE_LANES : 0,
              sizeof *s->far_after);
+    add_part(list, &s->near_edges, (size_t)e * s->near_words, sizeof *s->near_edges);
+    add_part(list, &s->near_triangles, (size_t)t * s->near_words, sizeof *s->near_triangles);
     add_part(list, &s->edge_rows, e, sizeof *s->edge_rows);
     add_part(list, &s->point_rows, n, sizeof *s->point_rows);
     add_tree(list, &s->point_tree, n, !chain);
@@ -117,6 +119,10 @@ static uint64_t topology_of(collision_shape *s)
     }
     if (s->kind == SHAPE_MESH) {
         vbss_stream_u32(&stream, 4, s->triangles[0], 3u * (size_t)s->triangle_count);
+    }
+    if (s->near_words > 0) {
+        vbss_stream_u64(&stream, 5, s->near_edges, (size_t)s->edge_count * s->near_words);
+        vbss_stream_u64(&stream, 6, s->near_triangles, (size_t)s->triangle_count * s->near_words);
     }
     return vbss_hash_end(&stream.hash);
 }
@@ -396,6 +402,13 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
 }
 
 /* ---- living with shapes */
+
+void vbss_collision_rules_changed(collision_object *c, collision_shape *s)
+{
+    s->topology = topology_of(s);
+    vbss_collision_forget(c);
+    c->generation++;
+}
 
 vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t name,
                                       collision_shape **shape)

@@ -89,7 +89,11 @@ typedef struct collision_shape {
     /* Of a chain: how many edges, from the first on, are far enough along it from each; and the first
      * edge far enough from the first of each group. */
     uint32_t *far_before, *far_after;
-    uint64_t topology; /* hash of all that never changes */
+    /* Of a mesh that leaves out what is near: a row of bits for each edge and each triangle, of the nodes
+     * near it along the surface, its own too. */
+    uint64_t *near_edges, *near_triangles;
+    uint32_t near_words; /* in a row; 0: there are none */
+    uint64_t topology;   /* hash of all that never changes */
     uint32_t category, mask;
     bool rigid;       /* never a pair with itself */
     bool asleep;      /* a chain that is nowhere yet: never found */
@@ -111,6 +115,26 @@ void vbss_collision_change_chain(collision_object *c, uint32_t name, uint32_t no
                                  const double *rest_lengths);
 void vbss_collision_send_to_sleep(collision_object *c, uint32_t name);
 
+/* Another rule of which of its own pairs are candidates: what was found is no longer true. */
+void vbss_collision_rules_changed(collision_object *c, collision_shape *shape);
+
+/* ---- what is near along a surface (near.c) */
+
+/* Of all bits, while they are worked out: a row for each node, edge and triangle. Enough for a surface of 4700
+ * nodes. */
+#define NEAR_BYTES (16u << 20)
+/* Of a mesh, from now on: edges, and points and triangles, are no candidates if the shortest way over edges
+ * between a node of the one and a node of the other is below `distance` when the nodes are `at`; those
+ * with a common node never are. VBSS_ERROR_CAPACITY if NEAR_BYTES are not enough. A failure changes
+ * nothing. */
+vbss_result vbss_collision_leave_out_near(collision_object *c, uint32_t name, const vec3 *at,
+                                          double distance);
+
+static inline uint64_t near_bit(const uint64_t *row, uint32_t node)
+{
+    return row[node / 64] >> node % 64 & 1u;
+}
+
 /* ---- their boxes (boxes.c) */
 
 /* Forgets what is known of them. */
@@ -130,11 +154,13 @@ enum { SORT_DIGITS = 11, SORT_BUCKETS = 1 << SORT_DIGITS };
 
 /* Which pairs with overlapping boxes are candidates. */
 typedef enum collision_rule {
-    RULE_ALL,        /* of two shapes */
-    RULE_CHAIN,      /* edges of one chain: far enough along it */
-    RULE_CAPSULES,   /* edges of one shape: each pair once */
-    RULE_MESH_EDGES, /* the same, without a common node */
-    RULE_MESH_POINTS /* a point, and triangles of which it is no corner */
+    RULE_ALL,         /* of two shapes */
+    RULE_CHAIN,       /* edges of one chain: far enough along it */
+    RULE_CAPSULES,    /* edges of one shape: each pair once */
+    RULE_MESH_EDGES,  /* the same, without a common node */
+    RULE_MESH_POINTS, /* a point, and triangles of which it is no corner */
+    RULE_FAR_EDGES,   /* of a mesh that leaves out what is near: each pair once, no nodes near */
+    RULE_FAR_POINTS   /* of the same: a point, and triangles of which no corner is near it */
 } collision_rule;
 
 typedef struct collision_pair {

@@ -175,19 +175,33 @@ static inline bool no_corner(const collision_shape *shape, uint32_t point, uint3
     return (point != n[0]) & (point != n[1]) & (point != n[2]);
 }
 
+static inline bool no_near_nodes(const collision_shape *shape, uint32_t a, uint32_t b)
+{
+    const uint32_t *m = shape->edges[a];
+    const uint64_t *row = shape->near_edges + (size_t)b * shape->near_words;
+    return (near_bit(row, m[0]) | near_bit(row, m[1])) == 0;
+}
+
+static inline bool no_near_corner(const collision_shape *shape, uint32_t point, uint32_t triangle)
+{
+    return near_bit(shape->near_triangles + (size_t)triangle * shape->near_words, point) == 0;
+}
+
 /* Whether a pair whose boxes overlap is a candidate, after what the lanes leave out. */
 static inline bool allowed(const collision_shape *shape, collision_rule rule, uint32_t a,
                            uint32_t b)
 {
     return rule == RULE_MESH_EDGES    ? no_common_node(shape, a, b)
            : rule == RULE_MESH_POINTS ? no_corner(shape, a, b)
+           : rule == RULE_FAR_EDGES   ? no_near_nodes(shape, a, b)
+           : rule == RULE_FAR_POINTS  ? no_near_corner(shape, a, b)
                                       : true;
 }
 
 /* In a walk over one tree, each pair of places is met once. */
 static inline bool meets_once(collision_rule rule)
 {
-    return rule == RULE_CAPSULES || rule == RULE_MESH_EDGES;
+    return rule == RULE_CAPSULES || rule == RULE_MESH_EDGES || rule == RULE_FAR_EDGES;
 }
 
 /* The feature at a place of tree b against a group of tree a. */
@@ -279,6 +293,10 @@ bool VBSS_WIDE_NAME(vbss_collision_walk)(collision_search *search, const collisi
         return walk_by(search, walk, RULE_MESH_EDGES);
     case RULE_MESH_POINTS:
         return walk_by(search, walk, RULE_MESH_POINTS);
+    case RULE_FAR_EDGES:
+        return walk_by(search, walk, RULE_FAR_EDGES);
+    case RULE_FAR_POINTS:
+        return walk_by(search, walk, RULE_FAR_POINTS);
     default:
         return walk_by(search, walk, RULE_ALL);
     }

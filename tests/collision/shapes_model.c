@@ -18,6 +18,7 @@ void model_end(model *m)
         free(m->shapes[i].edges);
         free(m->shapes[i].triangles);
         free(m->shapes[i].rest);
+        free(m->shapes[i].arcs);
         free(m->shapes[i].start);
         free(m->shapes[i].end);
     }
@@ -113,6 +114,47 @@ model_shape *model_sheet(model *m, uint32_t columns, uint32_t rows, double radiu
     model_shape *s = model_mesh(m, columns * rows, (const uint32_t(*)[3])triangles, count, radius);
     free(triangles);
     return s;
+}
+
+model_shape *model_slit_sheet(model *m, uint32_t columns, uint32_t rows, uint32_t slit_row,
+                              double radius)
+{
+    model whole;
+    model_begin(&whole);
+    const model_shape *s = model_sheet(&whole, columns, rows, radius);
+    uint32_t first = slit_row * columns, last = first + columns - 1,
+             doubled = s->node_count - first;
+    for (uint32_t i = 0; i < 3 * s->triangle_count; i++) {
+        bool above = i / 6 >= slit_row * (columns - 1);
+        uint32_t *node = &s->triangles[i / 3][i % 3];
+        *node += above && *node > first && *node < last ? doubled - 1 : 0;
+    }
+    model_shape *slit = model_mesh(m, s->node_count + columns - 2,
+                                   (const uint32_t(*)[3])s->triangles, s->triangle_count, radius);
+    model_end(&whole);
+    return slit;
+}
+
+/* All ways over one more node, then over another, and so on. */
+void model_leave_out_near(model_shape *s, const vec3 *at, double distance)
+{
+    size_t n = s->node_count;
+    free(s->arcs);
+    s->arcs = zeros(n * n, sizeof *s->arcs);
+    s->near = distance;
+    for (size_t i = 0; i < n * n; i++) {
+        s->arcs[i] = i / n == i % n ? 0.0 : (double)INFINITY;
+    }
+    for (uint32_t e = 0; e < s->edge_count; e++) {
+        uint32_t p = s->edges[e][0], q = s->edges[e][1];
+        s->arcs[p * n + q] = s->arcs[q * n + p] = vec3_norm(vec3_sub(at[q], at[p]));
+    }
+    for (size_t over = 0; over < n; over++) {
+        for (size_t i = 0; i < n * n; i++) {
+            double way = s->arcs[i / n * n + over] + s->arcs[over * n + i % n];
+            s->arcs[i] = way < s->arcs[i] ? way : s->arcs[i];
+        }
+    }
 }
 
 /* ---- random shapes */

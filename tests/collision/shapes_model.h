@@ -18,6 +18,9 @@ typedef struct model_shape {
     uint32_t (*edges)[2];
     uint32_t (*triangles)[3];
     double *rest; /* of a chain; NULL: neighbours alone are excluded */
+    double *
+        arcs; /* of a mesh, between any two nodes, at least `near`; NULL: neighbours alone are excluded */
+    double near;
     double radius;
     vec3 *start, *end;
 } model_shape;
@@ -43,6 +46,12 @@ model_shape *model_mesh(model *m, uint32_t node_count, const uint32_t (*triangle
                         uint32_t triangle_count, double radius);
 /* A sheet of columns times rows nodes. */
 model_shape *model_sheet(model *m, uint32_t columns, uint32_t rows, double radius);
+/* A sheet of which a slit parts the nodes of a row that are not at its ends; those above it are doubled
+ * in the end. */
+model_shape *model_slit_sheet(model *m, uint32_t columns, uint32_t rows, uint32_t slit_row,
+                              double radius);
+/* What is nearer than `distance` along a mesh whose nodes are `at` is left out. */
+void model_leave_out_near(model_shape *s, const vec3 *at, double distance);
 
 /* A configuration and one to four shapes of any kind, small enough to try all pairs. */
 void model_draw(model *m, harness_source *source);

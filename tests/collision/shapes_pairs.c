@@ -65,6 +65,18 @@ static bool no_common_node(const model_shape *s, uint32_t a, uint32_t b)
     return !touches(s->edges[b], 2, s->edges[a][0]) && !touches(s->edges[b], 2, s->edges[a][1]);
 }
 
+/* Along the surface, between the nearest of their nodes. */
+static bool far_apart(const model_shape *s, const uint32_t *a, int count_a, const uint32_t *b,
+                      int count_b)
+{
+    double arc = (double)INFINITY;
+    for (int i = 0; s->arcs != NULL && i < count_a * count_b; i++) {
+        double way = s->arcs[(size_t)a[i / count_b] * s->node_count + b[i % count_b]];
+        arc = way < arc ? way : arc;
+    }
+    return s->arcs == NULL || arc >= s->near;
+}
+
 static bool meant(const model *m, const candidate *pair)
 {
     const model_shape *a = &m->shapes[pair->shape_a], *b = &m->shapes[pair->shape_b];
@@ -72,13 +84,15 @@ static bool meant(const model *m, const candidate *pair)
         return false;
     }
     if (pair->kind == VBSS_PAIR_POINT_TRIANGLE) {
-        return a != b || !touches(b->triangles[pair->b], 3, pair->a);
+        const uint32_t *corners = b->triangles[pair->b];
+        return a != b || (!touches(corners, 3, pair->a) && far_apart(b, &pair->a, 1, corners, 3));
     }
     if (a != b || pair->a >= pair->b) {
         return pair->shape_a < pair->shape_b;
     }
     return a->kind == MODEL_CHAIN  ? far_along(m, a, pair->a, pair->b)
-           : a->kind == MODEL_MESH ? no_common_node(a, pair->a, pair->b)
+           : a->kind == MODEL_MESH ? no_common_node(a, pair->a, pair->b) &&
+                                         far_apart(a, a->edges[pair->a], 2, a->edges[pair->b], 2)
                                    : true;
 }
 
