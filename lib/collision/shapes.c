@@ -120,9 +120,8 @@ static uint64_t topology_of(collision_shape *s)
     if (s->kind == SHAPE_MESH) {
         vbss_stream_u32(&stream, 4, s->triangles[0], 3u * (size_t)s->triangle_count);
     }
-    if (s->near_words > 0) {
+    if (s->near_words > 0) { /* a triangle's are those of its edges */
         vbss_stream_u64(&stream, 5, s->near_edges, (size_t)s->edge_count * s->near_words);
-        vbss_stream_u64(&stream, 6, s->near_triangles, (size_t)s->triangle_count * s->near_words);
     }
     return vbss_hash_end(&stream.hash);
 }
