@@ -8,7 +8,6 @@ static bool is_separator(const vbss_system *system, uint32_t b)
 
 vbss_result vbss_contact_register(const contact_set *set, vbss_system *system)
 {
-    uint32_t coupling;
     for (uint32_t i = 0; i < set->count; i++) {
         const contact_row *row = &set->rows[i];
         for (uint32_t p = 0; p < row->term_count; p++) {
@@ -16,7 +15,7 @@ vbss_result vbss_contact_register(const contact_set *set, vbss_system *system)
             for (uint32_t q = p + 1; is_separator(system, a) && q < row->term_count; q++) {
                 uint32_t b = row->terms[q].block;
                 if (a != b && is_separator(system, b)) {
-                    VBSS_TRY(vbss_system_couple_once(system, a, b, &coupling));
+                    VBSS_TRY(vbss_system_couple_once(system, a, b));
                 }
             }
         }

@@ -28,12 +28,12 @@ static void add_block(vbss_system *system, uint32_t row, uint32_t column, mat3 m
 vbss_result vbss_weld_register(const contact_weld *weld, vbss_system *system)
 {
     for (uint32_t i = 0; i < weld->neighbour_count; i++) {
-        uint32_t coupling, neighbour = weld->neighbours[i];
+        uint32_t neighbour = weld->neighbours[i];
         if (neighbour == weld->translation || neighbour == weld->rotation) {
             continue; /* coupled by the body */
         }
-        VBSS_TRY(vbss_system_couple_once(system, weld->translation, neighbour, &coupling));
-        VBSS_TRY(vbss_system_couple_once(system, weld->rotation, neighbour, &coupling));
+        VBSS_TRY(vbss_system_couple_once(system, weld->translation, neighbour));
+        VBSS_TRY(vbss_system_couple_once(system, weld->rotation, neighbour));
     }
     return VBSS_OK;
 }

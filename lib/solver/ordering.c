@@ -3,7 +3,10 @@
  * Within a run the elimination goes toward the separators, so that only the last few blocks meet
  * them. A run without any is eliminated from both ends to the middle in turn: two chains of
  * arithmetic that do not wait for each other. Chains that are no lines bring their order. */
+#include "solver/bits.h"
 #include "solver/solver.h"
+
+#include <string.h>
 
 /* ---- order */
 
@@ -89,169 +92,182 @@ static vbss_result order_separators(vbss_system *s)
     return VBSS_OK;
 }
 
-/* ---- fill */
+/* ---- fill: columns one after the other, each from what bodies couple and from the columns that are eliminated
+ * before and meet it
+ *
+ * The rows of the column at hand are bits, which tell them apart and ascending. */
 
-/* lists: heads of the couplings of each column, heads of the children of each position in the
- * elimination tree, and the next child; all ended by 0 (children are counted from 1). Of a run's column
- * that meets separators only, the first entry that was not passed on yet. */
+/* Numbers are by column, that is by position, but for index. */
 typedef struct symbolic {
-    uint32_t *coupling_head, *child_head, *child_next, *rest;
+    uint32_t *couplings; /* the first of its list; VBSS_NO_COUPLING at its end */
+    /* Of columns of runs, the first that waits here, counted from 1, and the next: they are where they have
+     * the entry `at`, and what eliminating them changes in columns from here on goes to `product`. */
+    uint32_t *waiting, *next, *at, *product;
+    uint64_t *bits;
+    uint32_t *index; /* row -> of its numbers, where there is a bit */
+    uint32_t last_word, fill, products;
 } symbolic;
 
 static symbolic begin_symbolic(vbss_system *s)
 {
-    uint32_t n = s->block_capacity;
-    symbolic y = {s->lists, s->lists + n, s->lists + 2 * (size_t)n, s->lists + 3 * (size_t)n};
-    for (uint32_t k = 0; k < s->active_count; k++) {
-        y.coupling_head[k] = y.child_head[k] = y.child_next[k] = 0;
-        s->marks[k] = UINT32_MAX;
-    }
-    for (uint32_t c = s->coupling_count; c > 0; c--) {
+    size_t n = s->block_capacity;
+    uint32_t *of = s->lists;
+    symbolic y = {.couplings = of,
+                  .waiting = of + n,
+                  .next = of + 2 * n,
+                  .at = of + 3 * n,
+                  .product = of + 4 * n,
+                  .bits = s->row_bits,
+                  .index = of + 5 * n,
+                  .fill = s->own_count + 1};
+    memset(y.couplings, 0, s->active_count * sizeof *y.couplings);
+    memset(y.waiting, 0, s->active_count * sizeof *y.waiting);
+    memset(y.bits, 0, ((size_t)s->active_count / BITS + 1) * sizeof *y.bits);
+    for (uint32_t c = s->own_count; c > 0; c--) {
         vbss_coupling *coupling = &s->couplings[c];
         uint32_t high = s->place[coupling->high], low = s->place[coupling->low];
         uint32_t column = high < low ? high : low;
         coupling->flipped = column == high;
-        coupling->next = y.coupling_head[column];
-        y.coupling_head[column] = c;
+        coupling->next = y.couplings[column];
+        y.couplings[column] = c;
     }
     return y;
 }
 
-/* Inserts a row into the column that is being built, keeping rows ascending. */
-static vbss_result insert(vbss_system *s, uint32_t begin, uint32_t row, uint32_t index)
+static inline void add_row(symbolic *y, uint32_t row, uint32_t index)
 {
-    if (s->entry_count == s->entry_capacity) {
+    uint32_t word = row / BITS;
+    y->bits[word] |= bit_of(row);
+    y->index[row] = index;
+    y->last_word = word > y->last_word ? word : y->last_word;
+}
+
+static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
+{
+    y->last_word = k / BITS;
+    for (uint32_t c = y->couplings[k]; c != VBSS_NO_COUPLING; c = s->couplings[c].next) {
+        uint32_t high = s->place[s->couplings[c].high], low = s->place[s->couplings[c].low];
+        add_row(y, high > low ? high : low, c);
+    }
+}
+
+/* A column of a run waits where it has its next entry. */
+static void hang(const vbss_system *s, symbolic *y, uint32_t column)
+{
+    uint32_t at = y->at[column];
+    if (at < s->column_start[column + 1]) {
+        uint32_t row = s->entries[at].row;
+        y->next[column] = y->waiting[row];
+        y->waiting[row] = column + 1;
+    }
+}
+
+/* Rows of an eliminated column below row k: what is not there yet is fill, and all of it is changed. */
+static void add_filled(vbss_system *s, symbolic *y, uint32_t column)
+{
+    uint32_t *product = s->products + y->product[column];
+    for (uint32_t e = y->at[column] + 1; e < s->column_start[column + 1]; e++) {
+        uint32_t row = s->entries[e].row;
+        if ((y->bits[row / BITS] & bit_of(row)) == 0) {
+            add_row(y, row, y->fill++);
+        }
+        *product++ = y->index[row];
+    }
+    y->product[column] = (uint32_t)(product - s->products);
+}
+
+static void add_all_filled(vbss_system *s, symbolic *y, uint32_t k)
+{
+    for (uint32_t waiting = y->waiting[k], next; waiting != 0; waiting = next) {
+        uint32_t column = waiting - 1;
+        next = y->next[column];
+        add_filled(s, y, column);
+        y->at[column]++;
+        hang(s, y, column);
+    }
+}
+
+/* Takes the rows ascending, counted from `from`. Returns how many there were: when more than there is room for,
+ * these are not there. */
+static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *entries,
+                          uint32_t room)
+{
+    uint32_t count = 0;
+    for (uint32_t w = k / BITS; w <= y->last_word; w++) {
+        for (uint64_t bits = y->bits[w]; bits != 0; bits &= bits - 1) {
+            uint32_t row = w * BITS + lowest_bit(bits);
+            if (count < room) {
+                entries[count] = (vbss_entry){row - from, y->index[row]};
+            }
+            count++;
+        }
+        y->bits[w] = 0;
+    }
+    return count;
+}
+
+static vbss_result find_run_column(vbss_system *s, symbolic *y, uint32_t k)
+{
+    uint32_t begin = s->column_start[k], room = s->entry_capacity - begin;
+    add_coupled(s, y, k);
+    add_all_filled(s, y, k);
+    uint32_t rows = list_rows(y, k, 0, s->entries + begin, room);
+    if (rows > room) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u blocks of factor",
                          s->entry_capacity);
     }
-    uint32_t at = s->entry_count++;
-    for (; at > begin && s->entries[at - 1].row > row; at--) {
-        s->entries[at] = s->entries[at - 1];
+    s->column_start[k + 1] = begin + rows;
+    uint64_t products = (uint64_t)rows * (rows - (rows > 0)) / 2;
+    if (products > s->product_capacity - y->products) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u products",
+                         s->product_capacity);
     }
-    s->entries[at].row = row;
-    s->entries[at].index = index;
+    s->product_start[k] = y->product[k] = y->products;
+    y->products += (uint32_t)products;
+    y->at[k] = begin;
+    hang(s, y, k);
     return VBSS_OK;
 }
 
-static void hang(symbolic *y, uint32_t column, uint32_t parent)
+/* A separator's column as condensing leaves it: separators are not eliminated here. */
+static vbss_result find_joins(vbss_system *s, symbolic *y, uint32_t separator)
 {
-    y->child_next[column] = y->child_head[parent];
-    y->child_head[parent] = column + 1;
-}
-
-static vbss_result begin_column(vbss_system *s, const symbolic *y, uint32_t k)
-{
-    uint32_t begin = s->entry_count;
-    s->column_start[k] = begin;
-    for (uint32_t c = y->coupling_head[k]; c != 0; c = s->couplings[c].next) {
-        uint32_t high = s->place[s->couplings[c].high], low = s->place[s->couplings[c].low];
-        uint32_t row = high > low ? high : low;
-        s->marks[row] = k;
-        VBSS_TRY(insert(s, begin, row, c));
+    uint32_t k = s->run_count + separator;
+    uint32_t begin = s->join_start[separator], room = s->pair_capacity - begin;
+    add_coupled(s, y, k);
+    add_all_filled(s, y, k);
+    uint32_t rows = list_rows(y, k, s->run_count, s->joins + begin, room);
+    if (rows > room) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separator pairs",
+                         s->pair_capacity);
     }
+    s->join_start[separator + 1] = begin + rows;
     return VBSS_OK;
 }
 
-/* Of what stands from entry `from` on in a column that is eliminated earlier. */
-static vbss_result fill_from(vbss_system *s, uint32_t k, uint32_t column, uint32_t from,
-                             uint32_t *fill)
+/* All that couplings of couple_once do not change. */
+static vbss_result analyse_bodies(vbss_system *s)
 {
-    for (uint32_t e = from; e < s->column_start[column + 1]; e++) {
-        uint32_t row = s->entries[e].row;
-        if (row != k && s->marks[row] != k) {
-            s->marks[row] = k;
-            VBSS_TRY(insert(s, s->column_start[k], row, (*fill)++));
-        }
-    }
-    return VBSS_OK;
-}
-
-static vbss_result fill_run(vbss_system *s, symbolic *y, uint32_t k, uint32_t *fill)
-{
-    VBSS_TRY(begin_column(s, y, k));
-    for (uint32_t child = y->child_head[k]; child != 0; child = y->child_next[child - 1]) {
-        VBSS_TRY(fill_from(s, k, child - 1, s->column_start[child - 1], fill));
-    }
-    uint32_t begin = s->column_start[k];
-    s->column_start[k + 1] = s->entry_count;
-    y->rest[k] = begin;
-    if (s->entry_count > begin) {
-        hang(y, k, s->entries[begin].row);
-    }
-    return VBSS_OK;
-}
-
-/* A separator's column as condensing leaves it: separators are not eliminated here. A run's column that
- * meets separators only joins all of them: it is passed on from one to the next. */
-static vbss_result fill_separator(vbss_system *s, symbolic *y, uint32_t k, uint32_t *fill)
-{
-    VBSS_TRY(begin_column(s, y, k));
-    for (uint32_t child = y->child_head[k], next; child != 0; child = next) {
-        uint32_t column = child - 1, rest = ++y->rest[column];
-        next = y->child_next[column];
-        VBSS_TRY(fill_from(s, k, column, rest, fill));
-        if (rest < s->column_start[column + 1]) {
-            hang(y, column, s->entries[rest].row);
-        }
-    }
-    s->column_start[k + 1] = s->entry_count;
-    return VBSS_OK;
-}
-
-/* The entry in a row and a column that must be there. */
-static uint32_t find_entry(const vbss_system *s, uint32_t row, uint32_t column)
-{
-    uint32_t low = s->column_start[column], high = s->column_start[column + 1];
-    while (high - low > 1) {
-        uint32_t middle = low + (high - low) / 2;
-        if (s->entries[middle].row <= row) {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    return s->entries[low].index;
-}
-
-/* What eliminating a run's column changes: for each pair of its rows the numbers at their crossing,
- * in the order in which condensing meets them. */
-static vbss_result list_products(vbss_system *s)
-{
-    uint32_t count = 0;
+    order_runs(s);
+    VBSS_TRY(order_separators(s));
+    symbolic y = begin_symbolic(s);
+    s->column_start[0] = s->join_start[0] = 0;
     for (uint32_t k = 0; k < s->run_count; k++) {
-        uint32_t begin = s->column_start[k], end = s->column_start[k + 1];
-        uint32_t rows = end - begin;
-        s->product_start[k] = count;
-        if (rows * (rows - (rows > 0)) / 2 > s->product_capacity - count) {
-            return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u products",
-                             s->product_capacity);
-        }
-        for (uint32_t q = begin; q < end; q++) {
-            for (uint32_t p = q + 1; p < end; p++) {
-                s->products[count++] = find_entry(s, s->entries[p].row, s->entries[q].row);
-            }
-        }
+        VBSS_TRY(find_run_column(s, &y, k));
     }
+    s->separator_first_entry = s->column_start[s->run_count];
+    for (uint32_t i = 0; i < s->active_count - s->run_count; i++) {
+        VBSS_TRY(find_joins(s, &y, i));
+    }
+    s->fill_count = y.fill - (s->own_count + 1);
     return VBSS_OK;
 }
 
 vbss_result vbss_system_analyse(vbss_system *s)
 {
-    order_runs(s);
-    VBSS_TRY(order_separators(s));
-    symbolic y = begin_symbolic(s);
-    uint32_t fill = s->coupling_count + 1;
-    s->entry_count = 0;
-    s->column_start[0] = 0;
-    for (uint32_t k = 0; k < s->run_count; k++) {
-        VBSS_TRY(fill_run(s, &y, k, &fill));
+    if (!s->bodies_known) {
+        VBSS_TRY(analyse_bodies(s));
+        s->bodies_known = true;
     }
-    s->separator_first_entry = s->entry_count;
-    for (uint32_t k = s->run_count; k < s->active_count; k++) {
-        VBSS_TRY(fill_separator(s, &y, k, &fill));
-    }
-    s->pair_count = s->entry_count - s->separator_first_entry;
-    s->fill_count = fill - (s->coupling_count + 1);
-    VBSS_TRY(list_products(s));
     return vbss_system_order_separators(s);
 }

@@ -5,39 +5,10 @@
  * d neighbours, d (d - 1) pairs, the l that were joined by the last elimination beside it need not be
  * joined again; a quarter of their l (l - 1) pairs is taken off. Of equals the one with the lowest block.
  * The graph is kept as rows of bits, so that eliminating is a few words or'ed together. */
+#include "solver/bits.h"
 #include "solver/solver.h"
 
 #include <string.h>
-
-/* ---- bits */
-
-enum { BITS = 64 };
-
-static inline uint32_t count_bits(uint64_t x)
-{
-#if defined(__GNUC__) && defined(__POPCNT__)
-    return (uint32_t)__builtin_popcountll(x);
-#else
-    x -= x >> 1 & UINT64_C(0x5555555555555555);
-    x = (x & UINT64_C(0x3333333333333333)) + (x >> 2 & UINT64_C(0x3333333333333333));
-    x = (x + (x >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
-    return (uint32_t)(x * UINT64_C(0x0101010101010101) >> 56);
-#endif
-}
-
-static inline uint32_t lowest_bit(uint64_t x)
-{
-#if defined(__GNUC__)
-    return (uint32_t)__builtin_ctzll(x);
-#else
-    return count_bits((x & (0 - x)) - 1);
-#endif
-}
-
-static inline uint64_t bit_of(uint32_t i)
-{
-    return UINT64_C(1) << i % BITS;
-}
 
 /* ---- the graph */
 
@@ -70,6 +41,12 @@ static uint32_t degree_of(const uint64_t *row, uint32_t words)
     return degree;
 }
 
+static inline void join(const graph *g, uint32_t i, uint32_t j)
+{
+    row_of(g, i)[j / BITS] |= bit_of(j);
+    row_of(g, j)[i / BITS] |= bit_of(i);
+}
+
 static graph begin_graph(vbss_system *s)
 {
     vbss_elimination *e = &s->elimination;
@@ -77,18 +54,66 @@ static graph begin_graph(vbss_system *s)
     graph g = {n, (n + BITS - 1) / BITS, e->near};
     memset(g.near, 0, (size_t)n * g.words * sizeof *g.near);
     for (uint32_t i = 0; i < n; i++) {
-        uint32_t k = s->run_count + i;
-        for (uint32_t f = s->column_start[k]; f < s->column_start[k + 1]; f++) {
-            uint32_t j = s->entries[f].row - s->run_count;
-            row_of(&g, i)[j / BITS] |= bit_of(j);
-            row_of(&g, j)[i / BITS] |= bit_of(i);
+        for (uint32_t f = s->join_start[i]; f < s->join_start[i + 1]; f++) {
+            join(&g, i, s->joins[f].row);
         }
+    }
+    for (uint32_t c = s->own_count + 1; c <= s->coupling_count; c++) {
+        const vbss_coupling *coupling = &s->couplings[c];
+        join(&g, s->place[coupling->high] - s->run_count, s->place[coupling->low] - s->run_count);
     }
     for (uint32_t i = 0; i < n; i++) {
         e->degrees[i] = (vbss_degree){degree_of(row_of(&g, i), g.words), 0};
         e->keys[i] = key_of(e->degrees[i], i);
     }
     return g;
+}
+
+/* ---- pairs: as the graph has them, with the numbers of those that were joined already */
+
+static uint32_t count_pairs(const vbss_elimination *e, uint32_t separators)
+{
+    uint64_t twice = 0;
+    for (uint32_t i = 0; i < separators; i++) {
+        twice += e->degrees[i].neighbours;
+    }
+    return (uint32_t)(twice / 2); /* half of 16384 squared at most */
+}
+
+static vbss_entry *list_column(const vbss_system *s, const graph *g, uint32_t i, vbss_entry *entry)
+{
+    const vbss_entry *joined = s->joins + s->join_start[i], *end = s->joins + s->join_start[i + 1];
+    uint64_t later = ~UINT64_C(0) << i % BITS; /* not its own: the diagonal has no bit */
+    for (uint32_t w = i / BITS; w < g->words; w++, later = ~UINT64_C(0)) {
+        for (uint64_t bits = row_of(g, i)[w] & later; bits != 0; bits &= bits - 1) {
+            uint32_t j = w * BITS + lowest_bit(bits);
+            bool was_joined = joined < end && joined->row == j;
+            *entry++ =
+                (vbss_entry){s->run_count + j, was_joined ? joined->index : VBSS_NO_COUPLING};
+            joined += was_joined;
+        }
+    }
+    return entry;
+}
+
+static vbss_result list_pairs(vbss_system *s, const graph *g)
+{
+    s->pair_count = count_pairs(&s->elimination, g->count);
+    if (s->pair_count > s->pair_capacity) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separator pairs",
+                         s->pair_capacity);
+    }
+    if (s->pair_count > s->entry_capacity - s->separator_first_entry) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u blocks of factor",
+                         s->entry_capacity);
+    }
+    vbss_entry *entry = s->entries + s->separator_first_entry;
+    for (uint32_t i = 0; i < g->count; i++) {
+        entry = list_column(s, g, i, entry);
+        s->column_start[s->run_count + i + 1] = (uint32_t)(entry - s->entries);
+    }
+    s->entry_count = s->separator_first_entry + s->pair_count;
+    return VBSS_OK;
 }
 
 /* ---- elimination */
@@ -230,11 +255,8 @@ static void sort_pairs(const vbss_system *s, vbss_elimination *e, uint32_t count
 
 vbss_result VBSS_WIDE_NAME(vbss_system_order_separators)(vbss_system *s)
 {
-    if (s->pair_count > s->pair_capacity) {
-        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separator pairs",
-                         s->pair_capacity);
-    }
     graph g = begin_graph(s);
+    VBSS_TRY(list_pairs(s, &g));
     VBSS_TRY(find_order(s, &g));
     sort_entries(&s->elimination, g.count);
     sort_pairs(s, &s->elimination, g.count);

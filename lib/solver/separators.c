@@ -68,11 +68,13 @@ void vbss_system_keep_separator_rhs(vbss_system *s)
 
 void vbss_system_keep_separators(vbss_system *s)
 {
+    static const block none; /* of pairs that only couple_once coupled */
     vbss_system_keep_separator_rhs(s);
     for (uint32_t k = s->run_count; k < s->active_count; k++) {
         s->separator_base[diagonal_place(s, k - s->run_count)] = s->diagonal[s->order[k]];
         for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
-            const block *lower = &s->numbers[s->entries[e].index];
+            uint32_t index = s->entries[e].index;
+            const block *lower = index != VBSS_NO_COUPLING ? &s->numbers[index] : &none;
             block *pair = &s->separator_base[2 * (size_t)(e - s->separator_first_entry)];
             pair[0] = *lower;
             block_transpose(&pair[1], lower);

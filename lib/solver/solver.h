@@ -8,6 +8,7 @@
  *
  * One way through, each arrow a function:
  *   pattern:  begin -> add_chain, set_role, couple, couple_once -> analyse -> (places asked for)
+ *             begin_again -> couple_once -> analyse -> (places asked for)
  *   numbers:  clear -> (bodies set) -> condense -> take_separators -> (contacts add) -> solve
  * where take_separators -> (contacts add) -> solve_separators may go round as often as the contacts need,
  * and finish then gives the runs their increments: solve is solve_separators and finish.
@@ -132,32 +133,37 @@ typedef struct vbss_system {
         product_capacity;
 
     /* registered */
-    uint32_t block_count, coupling_count, chain_count;
+    uint32_t block_count, coupling_count, own_count, chain_count;
     uint8_t *roles;
-    vbss_coupling *couplings; /* from 1 on */
+    vbss_coupling *couplings; /* from 1 on: own_count of bodies, then those of couple_once */
     uint32_t *chain_ends;     /* first block after each chain */
     uint32_t *chain_of;       /* block -> chain */
     uint8_t *chain_ordered;   /* its blocks are eliminated as they are numbered */
     uint32_t *known;          /* couplings by hash, for couple_once; 0 is free */
     uint32_t known_capacity;  /* a power of two */
     uint32_t known_count;     /* of couplings, from 1 on: those that stand there */
-    uint32_t *bare;           /* couplings that no body sets: of couple_once */
-    uint32_t bare_count;
 
     /* analysed; positions count in elimination order, runs first, then separators by block number */
+    bool bodies_known; /* all of it but what couplings of couple_once change */
     uint32_t run_count, active_count, entry_count, fill_count;
     uint32_t *order;        /* position -> block */
     uint32_t *place;        /* block -> position */
     uint32_t *column_start; /* position -> first entry of its column; one more at the end */
-    vbss_entry *entries;
+    vbss_entry *entries; /* of pairs that only couple_once coupled: VBSS_NO_COUPLING, no numbers */
     uint32_t *product_start; /* run position -> first of its products */
     uint32_t *products;      /* numbers that a pair of a column's entries changes */
-    uint32_t *marks, *lists; /* scratch of analyse */
+    /* Pairs of separators that bodies couple or runs join: separator -> first of its column, one more at the
+     * end; rows are separators. */
+    uint32_t *join_start;
+    vbss_entry *joins;
+    uint64_t *row_bits; /* scratch of analyse, and the next */
+    uint32_t *lists;
 
     /* numbers; block b's diagonal and right-hand side, coupling c's block */
     block *diagonal;
-    block *numbers; /* couplings, then fill; of couplings, column = what is eliminated first */
-    block *scaled;  /* the same of the factor, times D^-1 */
+    block *
+        numbers; /* couplings of bodies, then fill; of couplings, column = what is eliminated first */
+    block *scaled; /* the same of the factor, times D^-1 */
     vec3 *rhs;
     vec3 *solution; /* increments; zero for given blocks */
     vbss_pivot *pivots;
@@ -200,16 +206,20 @@ void vbss_system_set_role(vbss_system *system, uint32_t block, vbss_role role);
 /* Two different blocks; the same pair only once. VBSS_NO_COUPLING when one of them is given, so set
  * the roles first. Blocks of two chains must both be separators: else VBSS_ERROR_OUT_OF_RANGE. */
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling);
-/* For who only adds: a pair that is coupled already gets the coupling that it has; else it is coupled, and
- * its numbers are emptied by clear. After all calls of vbss_system_couple. */
-vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b,
-                                    uint32_t *coupling);
+/* For who only adds to the separators' system: two different separators get places there, once, however often they are
+ * coupled; none when one of the two is given. After all calls of vbss_system_couple. */
+vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b);
 vbss_result vbss_system_analyse(vbss_system *system);
+/* Another pattern of the same bodies: takes back what couple_once has coupled, and nothing else. Chains, roles and
+ * the couplings of bodies stay as they were registered, so analyse, which has to be called again, looks at the
+ * pairs of separators only; what it finds is to the bit what it would find after begin. Couplings of bodies keep
+ * their numbers and whether they are flipped. Also after an analyse that failed. */
+void vbss_system_begin_again(vbss_system *system);
 
 /* The numbers. Whoever registered a chain or a coupling sets its diagonals, right-hand sides and
  * numbers in every round; others may add to them afterwards. Diagonals are symmetric. A coupling's
  * block has the rows of the block that is eliminated later: of the higher one unless it is `flipped`;
- * its transpose is meant with it. clear empties what nobody sets: fill, and what only couple_once coupled. */
+ * its transpose is meant with it. clear empties what nobody sets: fill. */
 void vbss_system_clear(vbss_system *system);
 
 /* Eliminates the runs. False: a pivot was too small. */
@@ -246,7 +256,7 @@ bool vbss_system_solve(vbss_system *system);
 
 /* ---- parts of the above */
 
-/* Of analyse: the order of the separators' elimination and what it fills in. */
+/* Of analyse: the pairs of separators, the order of their elimination and what it fills in. */
 vbss_result vbss_system_order_separators(vbss_system *system);
 /* Of condense: what it left, in the order of places; of right-hand sides alone. */
 void vbss_system_keep_separators(vbss_system *system);

@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 42 };
+enum { PARTS = 43 };
 #define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
@@ -21,7 +21,6 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
         {&s->chain_of, blocks, sizeof *s->chain_of},
         {&s->chain_ordered, blocks, sizeof *s->chain_ordered},
-        {&s->bare, s->coupling_capacity, sizeof *s->bare},
         {&s->known, s->known_capacity, sizeof *s->known},
         {&s->order, blocks, sizeof *s->order},
         {&s->place, blocks, sizeof *s->place},
@@ -29,8 +28,10 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->entries, entries, sizeof *s->entries},
         {&s->product_start, blocks, sizeof *s->product_start},
         {&s->products, s->product_capacity, sizeof *s->products},
-        {&s->marks, blocks, sizeof *s->marks},
-        {&s->lists, 4 * blocks, sizeof *s->lists},
+        {&s->joins, pairs, sizeof *s->joins},
+        {&s->join_start, separators + 1, sizeof *s->join_start},
+        {&s->row_bits, blocks / 64 + 1, sizeof *s->row_bits},
+        {&s->lists, 6 * blocks, sizeof *s->lists},
         {&s->diagonal, blocks, sizeof *s->diagonal},
         {&s->numbers, numbers, sizeof *s->numbers},
         {&s->scaled, numbers, sizeof *s->scaled},
@@ -148,8 +149,9 @@ static void forget_all(vbss_system *s)
 void vbss_system_begin(vbss_system *system)
 {
     forget_all(system);
-    system->block_count = system->coupling_count = system->chain_count = 0;
-    system->known_count = system->bare_count = 0;
+    system->block_count = system->coupling_count = system->own_count = system->chain_count = 0;
+    system->known_count = 0;
+    system->bodies_known = false;
     memset(&system->couplings[VBSS_NO_COUPLING], 0, sizeof *system->couplings);
 }
 
@@ -160,6 +162,7 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
                          system->block_capacity);
     }
     *first = system->block_count;
+    system->bodies_known = false;
     memset(system->roles + system->block_count, VBSS_ROLE_RUN, count);
     for (uint32_t b = *first; b < *first + count; b++) {
         system->chain_of[b] = system->chain_count;
@@ -172,35 +175,56 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
 
 void vbss_system_keep_order(vbss_system *system)
 {
+    system->bodies_known = false;
     system->chain_ordered[system->chain_count - 1] = true;
 }
 
 void vbss_system_set_role(vbss_system *system, uint32_t b, vbss_role role)
 {
+    system->bodies_known = false;
     system->roles[b] = (uint8_t)role;
+}
+
+static bool is_given(const vbss_system *system, uint32_t a, uint32_t b)
+{
+    return system->roles[a] == VBSS_ROLE_GIVEN || system->roles[b] == VBSS_ROLE_GIVEN;
+}
+
+static bool are_separators(const vbss_system *system, uint32_t a, uint32_t b)
+{
+    return system->roles[a] == VBSS_ROLE_SEPARATOR && system->roles[b] == VBSS_ROLE_SEPARATOR;
+}
+
+static vbss_result add_coupling(vbss_system *system, uint32_t a, uint32_t b)
+{
+    if (system->coupling_count == system->coupling_capacity) {
+        return vbss_fail(system->context, VBSS_ERROR_CAPACITY, "system: more than %u couplings",
+                         system->coupling_capacity);
+    }
+    vbss_coupling *c = &system->couplings[++system->coupling_count];
+    c->high = a > b ? a : b;
+    c->low = a > b ? b : a;
+    return VBSS_OK;
 }
 
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling)
 {
     *coupling = VBSS_NO_COUPLING;
-    uint8_t one = system->roles[a], other = system->roles[b];
-    if (one == VBSS_ROLE_GIVEN || other == VBSS_ROLE_GIVEN) {
+    if (is_given(system, a, b)) {
         return VBSS_OK;
     }
-    if (system->chain_of[a] != system->chain_of[b] &&
-        (one == VBSS_ROLE_RUN || other == VBSS_ROLE_RUN)) {
+    if (system->chain_of[a] != system->chain_of[b] && !are_separators(system, a, b)) {
         return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
                          "system: blocks %u and %u are of two chains, and not both separators", a,
                          b);
     }
-    if (system->coupling_count == system->coupling_capacity) {
-        return vbss_fail(system->context, VBSS_ERROR_CAPACITY, "system: more than %u couplings",
-                         system->coupling_capacity);
+    if (system->own_count != system->coupling_count) {
+        return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "system: bodies couple blocks %u and %u after others coupled", a, b);
     }
-    *coupling = ++system->coupling_count;
-    vbss_coupling *c = &system->couplings[*coupling];
-    c->high = a > b ? a : b;
-    c->low = a > b ? b : a;
+    VBSS_TRY(add_coupling(system, a, b));
+    system->bodies_known = false;
+    *coupling = system->own_count = system->coupling_count;
     return VBSS_OK;
 }
 
@@ -226,27 +250,39 @@ static void know_all(vbss_system *s)
     }
 }
 
-vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling)
+vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b)
 {
+    if (is_given(system, a, b)) {
+        return VBSS_OK;
+    }
+    if (!are_separators(system, a, b)) {
+        return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "system: blocks %u and %u are not both separators", a, b);
+    }
     know_all(system);
-    *coupling = *known_place(system, a > b ? a : b, a > b ? b : a);
-    if (*coupling == VBSS_NO_COUPLING) {
-        VBSS_TRY(vbss_system_couple(system, a, b, coupling));
-        if (*coupling != VBSS_NO_COUPLING) { /* neither is given */
-            system->bare[system->bare_count++] = *coupling;
-        }
+    uint32_t *known = known_place(system, a > b ? a : b, a > b ? b : a);
+    if (*known == VBSS_NO_COUPLING) {
+        VBSS_TRY(add_coupling(system, a, b));
+        *known = system->known_count = system->coupling_count;
     }
     return VBSS_OK;
+}
+
+/* The last to come is the first to go, so that no place on the way to another becomes empty. */
+void vbss_system_begin_again(vbss_system *system)
+{
+    for (; system->known_count > system->own_count; system->known_count--) {
+        const vbss_coupling *c = &system->couplings[system->known_count];
+        *known_place(system, c->high, c->low) = VBSS_NO_COUPLING;
+    }
+    system->coupling_count = system->own_count;
 }
 
 /* ---- the numbers */
 
 void vbss_system_clear(vbss_system *system)
 {
-    /* Fill stands behind the couplings. */
-    block *fill = system->numbers + system->coupling_count + 1;
+    /* Fill stands behind the couplings of bodies. */
+    block *fill = system->numbers + system->own_count + 1;
     memset(fill, 0, system->fill_count * sizeof *fill);
-    for (uint32_t i = 0; i < system->bare_count; i++) {
-        memset(&system->numbers[system->bare[i]], 0, sizeof *system->numbers);
-    }
 }

@@ -1,0 +1,35 @@
+/* Rows of bits: sets of numbers, in words. */
+#ifndef VBSS_SOLVER_BITS_H
+#define VBSS_SOLVER_BITS_H
+
+#include <stdint.h>
+
+enum { BITS = 64 }; /* of a word */
+
+static inline uint32_t count_bits(uint64_t x)
+{
+#if defined(__GNUC__) && defined(__POPCNT__)
+    return (uint32_t)__builtin_popcountll(x);
+#else
+    x -= x >> 1 & UINT64_C(0x5555555555555555);
+    x = (x & UINT64_C(0x3333333333333333)) + (x >> 2 & UINT64_C(0x3333333333333333));
+    x = (x + (x >> 4)) & UINT64_C(0x0f0f0f0f0f0f0f0f);
+    return (uint32_t)(x * UINT64_C(0x0101010101010101) >> 56);
+#endif
+}
+
+static inline uint32_t lowest_bit(uint64_t x)
+{
+#if defined(__GNUC__)
+    return (uint32_t)__builtin_ctzll(x);
+#else
+    return count_bits((x & (0 - x)) - 1);
+#endif
+}
+
+static inline uint64_t bit_of(uint32_t i)
+{
+    return UINT64_C(1) << i % BITS;
+}
+
+#endif
