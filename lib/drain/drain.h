@@ -34,8 +34,10 @@ typedef struct drain_order {
     uint32_t *place; /* node -> place in the order; anchored nodes come last */
     uint32_t *node;  /* place -> node */
     drain_pair *pairs;
-    uint32_t (
-        *pair_of)[SHELL_PAIRS]; /* of a triangle's pairs of nodes; UINT32_MAX: beyond a free side */
+    /* Of a triangle's pairs of nodes: twice its number in pairs, 1 more if the first node is the lower one; twice
+     * pair_count beyond a free side. */
+    uint32_t (*pair_of)[SHELL_PAIRS];
+    uint32_t *targets; /* per pair, and then of none: where its block goes, for vbss_shell_aim */
     uint32_t pair_count, entries,
         products; /* the last two: of the factor, if nothing is anchored */
     uint32_t first_coupling, coupling_count; /* of pairs, in the system that knows the pattern */
@@ -110,7 +112,8 @@ const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node);
 void vbss_drain_attachments_arrive(drain_object *d);
 
 /* ---- pattern.c: the drain's chain in a system, a block a node in the order of elimination, those marked (NULL: none) as
- * separators; and, when that has been analysed, where the shell's blocks go */
+ * separators; and, when that has been analysed, where the shell's blocks go: whoever registers aims after the analyse that
+ * follows, but need not after vbss_system_begin_again and another one, as couplings stay what they are */
 vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *separators,
                                 uint32_t *first);
 void vbss_drain_aim(drain_object *d, const vbss_system *s);

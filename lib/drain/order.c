@@ -175,10 +175,11 @@ static void find_pairs_of_patches(const drain_mesh *mesh, const vbss_shell *shel
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
         for (uint32_t p = 0; p < SHELL_PAIRS; p++) {
             uint32_t a, b;
-            order->pair_of[t][p] = UINT32_MAX;
+            order->pair_of[t][p] = 2 * order->pair_count;
             if (vbss_shell_pair(shell, t, p, &a, &b)) {
                 uint32_t i = order->place[a], j = order->place[b];
-                order->pair_of[t][p] = find_pair(order, i > j ? i : j, i > j ? j : i);
+                uint32_t pair = find_pair(order, i > j ? i : j, i > j ? j : i);
+                order->pair_of[t][p] = 2 * pair + (i < j);
             }
         }
     }
@@ -200,8 +201,10 @@ static vbss_result fill(vbss_context *context, const drain_mesh *mesh, const vbs
         vbss_allocate(context, order->pair_count, sizeof *order->pairs, "order of a drain");
     order->pair_of =
         vbss_allocate(context, mesh->triangle_count, sizeof *order->pair_of, "order of a drain");
+    order->targets = vbss_allocate(context, (size_t)order->pair_count + 1, sizeof *order->targets,
+                                   "order of a drain");
     if (order->place == NULL || order->node == NULL || order->pairs == NULL ||
-        order->pair_of == NULL) {
+        order->pair_of == NULL || order->targets == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     order_nodes(g, mesh, shell, order);
@@ -228,4 +231,5 @@ void vbss_drain_end_order(vbss_context *context, const drain_mesh *mesh, drain_o
     vbss_release(context, order->node, mesh->node_count, sizeof *order->node);
     vbss_release(context, order->pairs, order->pair_count, sizeof *order->pairs);
     vbss_release(context, order->pair_of, mesh->triangle_count, sizeof *order->pair_of);
+    vbss_release(context, order->targets, (size_t)order->pair_count + 1, sizeof *order->targets);
 }

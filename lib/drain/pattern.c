@@ -26,16 +26,11 @@ vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *
 /* When the system has been analysed: which block of a pair is eliminated later is known only then. */
 void vbss_drain_aim(drain_object *d, const vbss_system *s)
 {
-    const drain_order *order = &d->order;
-    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
-        for (uint32_t p = 0; p < SHELL_PAIRS; p++) {
-            uint32_t row, column;
-            if (vbss_shell_pair(&d->shell, t, p, &row, &column)) {
-                const drain_pair *pair = &order->pairs[order->pair_of[t][p]];
-                bool flipped = s->couplings[pair->coupling].flipped != 0;
-                bool rows_are_high = order->place[row] == pair->high;
-                vbss_shell_aim(&d->shell, t, p, pair->coupling, rows_are_high == flipped);
-            }
-        }
+    drain_order *order = &d->order;
+    for (uint32_t p = 0; p < order->pair_count; p++) {
+        uint32_t coupling = order->pairs[p].coupling;
+        order->targets[p] = 2 * coupling + (s->couplings[coupling].flipped != 0);
     }
+    order->targets[order->pair_count] = 2 * VBSS_NO_COUPLING;
+    vbss_shell_aim(&d->shell, (const uint32_t(*)[SHELL_PAIRS])order->pair_of, order->targets);
 }

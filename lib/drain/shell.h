@@ -75,14 +75,15 @@ vbss_result vbss_shell_init(vbss_context *context, const vbss_shell_input *input
 /* A third of each triangle's mass to each of its corners. */
 void vbss_shell_add_masses(const vbss_shell *shell, double *masses);
 
-/* Where the block of a pair of a patch goes. The block has the rows of the pair's first node. False:
- * the pair's second node lies beyond a free side, the block is zero, and its place stays 0. */
+/* The nodes of a pair of a patch. Its block has the rows of the pair's first node. False:
+ * the pair's second node lies beyond a free side, the block is zero, and its place has to be 0. */
 bool vbss_shell_pair(const vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t *row,
                      uint32_t *column);
-/* To blocks[place], as it is or transposed. Place 0 takes what was never aimed, and zeros: it must be
- * there, and hold nothing else. */
-void vbss_shell_aim(vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t place,
-                    bool transposed);
+/* A pair's block goes to blocks[place], as it is or transposed. Targets are twice a place, and 1 more for transposed;
+ * numbers[triangle][pair] is twice the number of a target, and 1 more if the block is to go there the other way round.
+ * Place 0 takes what was never aimed, and zeros: it must be there, and hold nothing else. */
+void vbss_shell_aim(vbss_shell *shell, const uint32_t (*numbers)[SHELL_PAIRS],
+                    const uint32_t *targets);
 
 /* ---- the hot loops (shell_force.c, shell_tangent.c), forces, diagonal and x by node */
 

@@ -342,10 +342,27 @@ bool vbss_shell_pair(const vbss_shell *shell, uint32_t triangle, uint32_t pair, 
     return ((gone >> i | gone >> j) & 1u) == 0;
 }
 
-void vbss_shell_aim(vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t place,
-                    bool transposed)
+/* Lanes that are 1 where a number has a bit. */
+static const double lanes_of_bits[1 << LANES][LANES] = {
+    {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
+    {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
+    {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
+
+void vbss_shell_aim(vbss_shell *shell, const uint32_t (*numbers)[SHELL_PAIRS],
+                    const uint32_t *targets)
 {
-    vbss_shell_group *g = &shell->groups[triangle / LANES];
-    g->place[pair][triangle % LANES] = place;
-    put(&g->flip[pair], (int)(triangle % LANES), transposed ? 1.0 : 0.0);
+    for (uint32_t first = 0; first < shell->triangle_count; first += LANES) {
+        vbss_shell_group *g = &shell->groups[first / LANES];
+        uint32_t left = shell->triangle_count - first, count = left < LANES ? left : LANES;
+        for (uint32_t pair = 0; pair < SHELL_PAIRS; pair++) {
+            uint32_t transposed = 0;
+            for (uint32_t lane = 0; lane < count; lane++) {
+                uint32_t number = numbers[first + lane][pair];
+                uint32_t target = targets[number / 2] ^ (number & 1u);
+                g->place[pair][lane] = target / 2;
+                transposed |= (target & 1u) << lane;
+            }
+            g->flip[pair] = lanes_load(lanes_of_bits[transposed]);
+        }
+    }
 }

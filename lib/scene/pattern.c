@@ -1,4 +1,5 @@
-/* Which blocks are separators, and the pattern of the system: made anew only when it is another. */
+/* Which blocks are separators, and the pattern of the system: made anew only when it is another, and of that as little
+ * as is another. */
 #include "scene/scene.h"
 
 #include <string.h>
@@ -237,12 +238,10 @@ static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
     return hash;
 }
 
-static uint64_t hash_of_pattern(const scene_object *s)
+/* Bodies, roles, and welds: what register_bodies and list_welds go by. */
+static uint64_t hash_of_bodies(const scene_object *s)
 {
     uint64_t hash = mix_marks(s->node_count, s->marks, s->node_count);
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        hash = mix_row(hash, &s->contacts->rows[i]);
-    }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         hash = mix_two(mix_two(hash, p->id, p->thread), p->node, p->body);
@@ -258,6 +257,16 @@ static uint64_t hash_of_pattern(const scene_object *s)
             hash = mix_marks(hash, b->drain.marks, nodes);
             hash = mix_marks(hash, b->drain.drain->anchored, nodes);
         }
+    }
+    return hash;
+}
+
+/* Then the rows. */
+static uint64_t hash_of_pattern(const scene_object *s, uint64_t bodies)
+{
+    uint64_t hash = bodies;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        hash = mix_row(hash, &s->contacts->rows[i]);
     }
     return hash | 1u;
 }
@@ -300,19 +309,32 @@ void vbss_scene_number_blocks(scene_object *s)
     }
 }
 
+/* Bodies are registered anew only when they, or what is a separator, are others. */
+static vbss_result begin_pattern(scene_object *s, bool same_bodies)
+{
+    if (same_bodies) {
+        vbss_system_begin_again(s->system);
+        return VBSS_OK;
+    }
+    vbss_system_begin(s->system);
+    VBSS_TRY(register_bodies(s));
+    list_welds(s);
+    return VBSS_OK;
+}
+
 vbss_result vbss_scene_build_pattern(scene_object *s)
 {
     set_marks(s);
-    uint64_t pattern = hash_of_pattern(s);
+    uint64_t bodies = hash_of_bodies(s), pattern = hash_of_pattern(s, bodies);
     if (pattern == s->pattern) {
         vbss_contact_number_places(s->contacts);
         return VBSS_OK;
     }
+    bool same_bodies = s->pattern != 0 && bodies == s->pattern_of_bodies;
     s->pattern = 0;
+    s->pattern_of_bodies = bodies;
     s->statistics.patterns++;
-    vbss_system_begin(s->system);
-    VBSS_TRY(register_bodies(s));
-    list_welds(s);
+    VBSS_TRY(begin_pattern(s, same_bodies));
     for (uint32_t i = 0; i < s->weld_count; i++) {
         VBSS_TRY(vbss_weld_register(&s->welds[i], s->system));
     }

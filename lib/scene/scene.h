@@ -208,11 +208,12 @@ struct scene_object {
         edge_pairs; /* candidates of two edges, which come first; then a point and a triangle */
     contact_set *contacts;
     vbss_system *system;
-    uint64_t pattern; /* hash of what the system's pattern was made for; 0: of nothing */
-    uint8_t *marks;   /* of all nodes: separators */
-    vec3 *ways;       /* of all nodes, then of both ends of all capsules: how far they may move */
-    vec3 *vertices;   /* of one shape, start and end */
-    uint32_t *near;   /* meshes.c: features that a search has found */
+    uint64_t pattern;           /* hash of what the system's pattern was made for; 0: of nothing */
+    uint64_t pattern_of_bodies; /* the same without rows; while there is a pattern */
+    uint8_t *marks;             /* of all nodes: separators */
+    vec3 *ways;     /* of all nodes, then of both ends of all capsules: how far they may move */
+    vec3 *vertices; /* of one shape, start and end */
+    uint32_t *near; /* meshes.c: features that a search has found */
     contact_weld *welds;
     uint32_t weld_count;
     collision_block *block;

@@ -160,16 +160,23 @@ void shell_rig_start(shell_rig *r, const vbss_shell_input *input)
     uint32_t *newest = take(r->node_count, sizeof *newest), *older = take(room, sizeof *older);
     r->groups = take(vbss_shell_group_count(r->triangle_count), sizeof *r->groups);
     r->pairs = take(room, sizeof *r->pairs);
+    uint32_t(*numbers)[SHELL_PAIRS] = take(r->triangle_count, sizeof *numbers);
+    uint32_t *targets = take(room, sizeof *targets);
     expect_ok(vbss_shell_init(NULL, input, r->groups, &r->shell));
     for (uint32_t i = 0; i < r->triangle_count; i++) {
         for (uint32_t k = 0; k < SHELL_PAIRS; k++) {
             uint32_t a, b;
             if (vbss_shell_pair(&r->shell, i, k, &a, &b)) {
                 uint32_t place = pair_place(r, newest, older, a < b ? a : b, a < b ? b : a);
-                vbss_shell_aim(&r->shell, i, k, place, a > b);
+                /* every third target is the other way round, and so are those of its pairs */
+                targets[place] = 2 * place + (place % 3 == 0);
+                numbers[i][k] = 2 * place + ((a > b) != (place % 3 == 0));
             }
         }
     }
+    vbss_shell_aim(&r->shell, (const uint32_t(*)[SHELL_PAIRS])numbers, targets);
+    free(numbers);
+    free(targets);
     r->blocks = take(r->pair_count + 1, sizeof *r->blocks);
     free(newest);
     free(older);
