@@ -85,8 +85,15 @@ static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, con
 static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
 {
     const drain_mesh *m = &d->mesh;
-    return vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
-                                   m->triangle_count, 0.5 * d->config.thickness, shape);
+    double wall = d->config.thickness;
+    VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
+                                     m->triangle_count, 0.5 * wall, shape));
+    vbss_result result =
+        vbss_collision_leave_out_near(s->collision, *shape, m->rest, FAR_ALONG * wall);
+    if (result != VBSS_OK) {
+        (void)vbss_collision_remove(scene_collision(s), *shape);
+    }
+    return result;
 }
 
 static void find_sides(scene_drain *b, const collision_shape *shape)

@@ -341,7 +341,7 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
     vbss_contact_find_places(s->contacts, s->system);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; !same_bodies && i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
             vbss_drain_aim(s->bodies[i].drain.drain, s->system);
         }
