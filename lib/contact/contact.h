@@ -58,6 +58,7 @@ typedef struct contact_row {
     vec3 slid;           /* of a against b from the begin of the part to the trial state, m */
     double at[2];        /* where on the features: for whoever makes rows */
     vec3 point;          /* between the surfaces: the same */
+    double walls;        /* m: of two lips, what of their distance along the normal is wall: the same */
     double thickness, gap_before,
         depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
 

@@ -52,17 +52,20 @@ vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer)
 
 /* ---- joining and leaving */
 
-enum { PARTS = 5 };
+enum { PARTS = 7 };
 /* Of a surface: most sides of triangles a node. */
 #define SIDES_A_NODE 3u
 
 static void list_parts(scene_drain *b, uint32_t nodes, vbss_array parts[PARTS])
 {
-    const vbss_array all[PARTS] = {{&b->marks, nodes, sizeof *b->marks},
-                                   {&b->ways, nodes, sizeof *b->ways},
-                                   {&b->vertices, 2 * (size_t)nodes, sizeof *b->vertices},
-                                   {&b->side_of, nodes, sizeof *b->side_of},
-                                   {&b->near, SIDES_A_NODE * (size_t)nodes, sizeof *b->near}};
+    const vbss_array all[PARTS] = {
+        {&b->marks, nodes, sizeof *b->marks},
+        {&b->ways, nodes, sizeof *b->ways},
+        {&b->vertices, 2 * (size_t)nodes, sizeof *b->vertices},
+        {&b->side_of, nodes, sizeof *b->side_of},
+        {&b->lip_face, SIDES_A_NODE * (size_t)nodes, sizeof *b->lip_face},
+        {&b->at_lip, nodes, sizeof *b->at_lip},
+        {&b->near, SIDES_A_NODE * (size_t)nodes, sizeof *b->near}};
     memcpy(parts, all, sizeof all);
 }
 
@@ -96,11 +99,40 @@ static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *s
     return result;
 }
 
-static void find_sides(scene_drain *b, const collision_shape *shape)
+static void find_sides(scene_drain *b, const collision_shape *shape, bool lips)
 {
     for (uint32_t i = shape->edge_count; i > 0; i--) {
-        b->side_of[shape->edges[i - 1][0]] = b->side_of[shape->edges[i - 1][1]] = i - 1;
+        if (!lips || b->lip_face[i - 1] != SCENE_NO_FACE) {
+            b->side_of[shape->edges[i - 1][0]] = b->side_of[shape->edges[i - 1][1]] = i - 1;
+        }
     }
+}
+
+static uint32_t number_of_side(const collision_shape *shape, uint32_t p, uint32_t q)
+{
+    uint32_t i = 0;
+    while ((shape->edges[i][0] != p || shape->edges[i][1] != q) &&
+           (shape->edges[i][0] != q || shape->edges[i][1] != p)) {
+        i++;
+    }
+    return i;
+}
+
+static void find_lips(scene_drain *b, const collision_shape *shape)
+{
+    const drain_mesh *m = &b->drain->mesh;
+    memset(b->lip_face, 0xff, shape->edge_count * sizeof *b->lip_face); /* SCENE_NO_FACE */
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
+        for (int k = 0; k < 3; k++) {
+            uint32_t p = m->triangles[t][(k + 1) % 3], q = m->triangles[t][(k + 2) % 3];
+            if (m->opposite[t][k] == DRAIN_NONE) {
+                b->lip_face[number_of_side(shape, p, q)] = t;
+                b->at_lip[p] = b->at_lip[q] = 1;
+            }
+        }
+    }
+    find_sides(b, shape, false);
+    find_sides(b, shape, true);
 }
 
 static vbss_result make_parts(scene_object *s, scene_drain *b, uint32_t *shape)
@@ -109,7 +141,7 @@ static vbss_result make_parts(scene_object *s, scene_drain *b, uint32_t *shape)
     list_parts(b, b->drain->mesh.node_count, parts);
     VBSS_TRY(vbss_allocate_arrays(s->context, parts, PARTS, "drain in a scene"));
     VBSS_TRY(add_shape(s, b->drain, shape));
-    find_sides(b, s->collision->shapes[*shape]);
+    find_lips(b, s->collision->shapes[*shape]);
     vbss_result result =
         s->config.method == VBSS_METHOD_OURS ? vbss_scene_make_system(s, b->drain) : VBSS_OK;
     if (result != VBSS_OK) {

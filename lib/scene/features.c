@@ -28,6 +28,7 @@ typedef struct side {
     const scene_capsule *capsule; /* of a rigid body */
     uint32_t feature, corners;
     uint32_t nodes[3]; /* of a drain */
+    uint32_t lip;      /* of a side of a drain that is its edge: the triangle; else SCENE_NO_FACE */
     bool smooth;       /* a node: of the curve that is smoothed there */
     double radius;
 } side;
@@ -45,12 +46,13 @@ static const scene_body *body_of(const scene_object *s, uint32_t number, const s
 static side side_of(const scene_object *s, const contact_row *row, const scene_body *b, int which)
 {
     uint32_t kind = row->key.kind, feature = which == 0 ? row->key.a : row->key.b;
-    side d = {.body = b, .feature = feature};
+    side d = {.body = b, .feature = feature, .lip = SCENE_NO_FACE};
     bool point = which == 0 && (scene_is_of_node(kind) || kind == VBSS_CONTACT_CAPSULE_FLOOR);
     d.corners = point ? 1 : 2;
     if (b->kind == BODY_DRAIN) {
         d.corners = vbss_scene_nodes_of(s, b, kind, which == 1, feature, d.nodes);
         d.radius = 0.5 * b->drain.drain->config.thickness;
+        d.lip = kind == VBSS_CONTACT_SIDES ? b->drain.lip_face[feature] : SCENE_NO_FACE;
         return d;
     }
     if (b->kind == BODY_THREAD) {
@@ -141,6 +143,70 @@ static vec3 closest(const side *d, const side *e, const vec3 a[3], const vec3 b[
     }
     return vec3_neg(
         closest_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
+}
+
+/* ---- lips: what is cut is flat, as high as the wall. Where two of them are nearest, each is a line through its wall. */
+
+static bool are_lips(const side *d, const side *e)
+{
+    return d->lip != SCENE_NO_FACE && e->lip != SCENE_NO_FACE;
+}
+
+/* Where the point of a side is at a lip, another row sees it: that of the lips. */
+static bool is_at_lip(const side *d, double at)
+{
+    bool end = at == 0.0 || at == 1.0;
+    return d->lip != SCENE_NO_FACE ||
+           (end && d->body->drain.at_lip[d->nodes[at == 1.0 ? 1 : 0]] != 0);
+}
+
+static bool is_seen_by_lips(const side *d, const side *e, const contact_row *row)
+{
+    return d->body->kind == BODY_DRAIN && e->corners == 2 && !are_lips(d, e) &&
+           is_at_lip(d, row->at[0]) && is_at_lip(e, row->at[1]);
+}
+
+static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
+{
+    const uint32_t *nodes = s->collision->shapes[d->body->shape]->triangles[d->lip];
+    const side face = {.body = d->body, .corners = 3, .nodes = {nodes[0], nodes[1], nodes[2]}};
+    vec3 x[3];
+    axis_of(s, &face, when, x);
+    return vec3_unit_or(vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0])), vec3_zero());
+}
+
+/* How a row lies: from b to a between the closest points of both features; at which distance they touch; and what of the
+ * distance of the middles, along `apart`, is wall. */
+typedef struct lie {
+    vec3 axes[2][3], apart;
+    double touching, walls, radius, at[2]; /* radius: the smaller one */
+} lie;
+
+static void lie_of_lips(const scene_object *s, const side *d, const side *e, moment when, lie *l)
+{
+    double at[2];
+    vec3 one = vec3_scale(normal_of_lip(s, d, when), 2.0 * d->radius); /* from face to face */
+    vec3 other = vec3_scale(normal_of_lip(s, e, when), 2.0 * e->radius);
+    vec3 middles = l->apart; /* from that of e to that of d */
+    vec3 begins = vec3_sub(vec3_scale(vec3_sub(one, other), 0.5), middles);
+    l->apart = vec3_neg(closest_edges(one, other, begins, &at[0], &at[1]));
+    double distance = vec3_norm(l->apart);
+    double between = vec3_dot(l->apart, middles) / greater(distance, DBL_MIN);
+    l->walls = between - distance;
+    l->touching *= 2.0 * SCENE_LIP;
+    l->radius *= 2.0 * SCENE_LIP;
+}
+
+static lie lie_of(const scene_object *s, const side *d, const side *e, moment when)
+{
+    lie l = {.touching = d->radius + e->radius, .radius = lesser(d->radius, e->radius)};
+    axis_of(s, d, when, l.axes[0]);
+    axis_of(s, e, when, l.axes[1]);
+    l.apart = closest(d, e, l.axes[0], l.axes[1], l.at);
+    if (are_lips(d, e)) {
+        lie_of_lips(s, d, e, when, &l);
+    }
+    return l;
 }
 
 /* The share of each corner in the point that the row is about. */
@@ -308,7 +374,9 @@ static void place_row(const scene_object *s, contact_row *row, const side *d, co
         row->gap = vec3_dot(n, here) - s->config.floor_height - d->radius;
     } else {
         vec3 there = place_side(s, row, e, 1, vec3_scale(n, e->radius), -1.0);
-        row->gap = vec3_dot(n, vec3_sub(here, there)) - d->radius - e->radius;
+        double touching = are_lips(d, e) ? 2.0 * SCENE_LIP * (d->radius + e->radius) + row->walls
+                                         : d->radius + e->radius;
+        row->gap = vec3_dot(n, vec3_sub(here, there)) - touching;
     }
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
 }
@@ -326,13 +394,20 @@ static bool is_within(const contact_row *row)
     return row->at[0] > 0.0 && row->at[1] > 0.0 && row->at[0] + row->at[1] < 1.0;
 }
 
+static void take_lie(contact_row *row, const lie *l)
+{
+    row->at[0] = l->at[0];
+    row->at[1] = l->at[1];
+    row->walls = l->walls;
+}
+
 bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
                         const scene_body *b, double reach)
 {
-    vec3 one[3], other[3];
     const side d = side_of(s, row, a, 0);
-    axis_of(s, &d, BEGIN, one);
     if (b == NULL) {
+        vec3 one[3];
+        axis_of(s, &d, BEGIN, one);
         row->normal = s->floor_normal;
         row->at[0] = row->at[1] = 0.0;
         row->thickness = 2.0 * d.radius;
@@ -340,35 +415,34 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
         return row->gap_before < reach;
     }
     const side e = side_of(s, row, b, 1);
-    axis_of(s, &e, BEGIN, other);
-    vec3 apart = closest(&d, &e, one, other, row->at);
-    double distance = vec3_norm(apart), touching = d.radius + e.radius;
-    row->thickness = 2.0 * lesser(d.radius, e.radius);
-    row->gap_before = distance - touching;
-    if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row))) {
+    lie now = lie_of(s, &d, &e, BEGIN);
+    double distance = vec3_norm(now.apart);
+    take_lie(row, &now);
+    row->thickness = 2.0 * now.radius;
+    row->gap_before = distance - now.touching;
+    if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row)) ||
+        is_seen_by_lips(&d, &e, row)) {
         return false;
     }
     if (distance > NO_DISTANCE) {
-        row->normal = vec3_scale(apart, 1.0 / distance);
+        row->normal = vec3_scale(now.apart, 1.0 / distance);
     } else { /* axes that meet: as good as any direction that is across both */
         bool face = e.corners == 3;
-        vec3 across = vec3_cross(face ? vec3_sub(other[2], other[0]) : vec3_sub(one[1], one[0]),
-                                 vec3_sub(other[1], other[0]));
+        vec3 from = face ? vec3_sub(now.axes[1][2], now.axes[1][0])
+                         : vec3_sub(now.axes[0][1], now.axes[0][0]);
+        vec3 across = vec3_cross(from, vec3_sub(now.axes[1][1], now.axes[1][0]));
         row->normal = vec3_unit_or(across, vec3_make(0.0, 1.0, 0.0));
     }
     if (keeps_normal(row)) {
         return true;
     }
     /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. */
-    double at[2];
-    axis_of(s, &d, AHEAD, one);
-    axis_of(s, &e, AHEAD, other);
-    vec3 then = closest(&d, &e, one, other, at);
-    double later = vec3_norm(then);
-    if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
-        row->normal = vec3_scale(then, 1.0 / later);
-        row->at[0] = at[0];
-        row->at[1] = at[1];
+    const lie then = lie_of(s, &d, &e, AHEAD);
+    double later = vec3_norm(then.apart);
+    if (later > STILL_APART * then.touching &&
+        vec3_dot(then.apart, row->normal) > SAME_SIDE * later) {
+        row->normal = vec3_scale(then.apart, 1.0 / later);
+        take_lie(row, &then);
     }
     return true;
 }
@@ -377,21 +451,17 @@ typedef enum look_at_row { SET, REFRESH, LAY_AGAIN, MEASURE } look_at_row;
 
 static void lay_again(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    vec3 one[3], other[3];
-    axis_of(s, d, TRIAL, one);
-    axis_of(s, e, TRIAL, other);
-    row->normal = vec3_unit_or(closest(d, e, one, other, row->at), row->normal);
+    const lie l = lie_of(s, d, e, TRIAL);
+    row->normal = vec3_unit_or(l.apart, row->normal);
+    take_lie(row, &l);
     row->held = vbss_contact_turn_into_plane(row->held, row->normal);
     row->is.way = vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
 }
 
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    vec3 one[3], other[3];
-    double at[2];
-    axis_of(s, d, TRIAL, one);
-    axis_of(s, e, TRIAL, other);
-    row->gap = vec3_norm(closest(d, e, one, other, at)) - d->radius - e->radius;
+    const lie l = lie_of(s, d, e, TRIAL);
+    row->gap = vec3_norm(l.apart) - l.touching;
 }
 
 static void look(const scene_object *s, contact_row *row, const side *d, const side *e,

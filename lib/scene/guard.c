@@ -105,29 +105,6 @@ static void put_vertex(collision_block *rows, size_t vertex, uint32_t at, vec3 s
     rows->end[3 * vertex + 2][at] = end.z;
 }
 
-static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b)
-{
-    uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
-    const scene_body *b = &s->bodies[s->shape_places[shape]];
-    if (b->kind == BODY_RIGID) {
-        bool point = q->kind == VBSS_PAIR_POINT_TRIANGLE; /* the end of a capsule */
-        return s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)].radius;
-    }
-    return b->kind == BODY_THREAD ? b->thread.thread->config.radius
-                                  : s->collision->shapes[shape]->radius;
-}
-
-static double touching_of(const scene_object *s, const collision_candidate *q)
-{
-    return radius_of(s, q, false) + radius_of(s, q, true);
-}
-
-/* Of the thinner one. */
-static double thickness_of(const scene_object *s, const collision_candidate *q)
-{
-    return 2.0 * lesser(radius_of(s, q, false), radius_of(s, q, true));
-}
-
 /* Two vertices of either edge; a point and the corners of a triangle. */
 static void vertices_of(const scene_object *s, const collision_candidate *q,
                         const collision_shape *of[4], uint32_t vertices[4])
@@ -141,6 +118,50 @@ static void vertices_of(const scene_object *s, const collision_candidate *q,
         vertices[k] = !edges ? (is_a ? q->a : b->triangles[q->b][k - 1])
                              : (is_a ? a->edges[q->a][k] : b->edges[q->b][k - 2]);
     }
+}
+
+/* Both reach the free edge of a drain: lips may come nearer to each other than walls. */
+static bool are_lips(const scene_object *s, const collision_candidate *q)
+{
+    const collision_shape *of[4];
+    uint32_t vertices[4], first = q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (a->kind != BODY_DRAIN || b->kind != BODY_DRAIN) {
+        return false;
+    }
+    vertices_of(s, q, of, vertices);
+    bool one = false, other = false;
+    for (uint32_t k = 0; k < 4; k++) {
+        one = one || (k < first && a->drain.at_lip[vertices[k]] != 0);
+        other = other || (k >= first && b->drain.at_lip[vertices[k]] != 0);
+    }
+    return one && other;
+}
+
+static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b)
+{
+    uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
+    const scene_body *b = &s->bodies[s->shape_places[shape]];
+    if (b->kind == BODY_RIGID) {
+        bool point = q->kind == VBSS_PAIR_POINT_TRIANGLE; /* the end of a capsule */
+        return s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)].radius;
+    }
+    if (b->kind == BODY_THREAD) {
+        return b->thread.thread->config.radius;
+    }
+    return s->collision->shapes[shape]->radius * (are_lips(s, q) ? 2.0 * SCENE_LIP : 1.0);
+}
+
+static double touching_of(const scene_object *s, const collision_candidate *q)
+{
+    return radius_of(s, q, false) + radius_of(s, q, true);
+}
+
+/* Of the thinner one. */
+static double thickness_of(const scene_object *s, const collision_candidate *q)
+{
+    return 2.0 * lesser(radius_of(s, q, false), radius_of(s, q, true));
 }
 
 static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)

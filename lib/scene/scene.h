@@ -23,6 +23,10 @@ enum { SCENE_STRANDS = 8, SCENE_CUTS = 8 };
 /* What comes out of a body, or out of jaws, does not touch it within this arc, in distances of touching: that
  * within which a thread does not touch itself. */
 #define SCENE_PIN_ARC 1.6
+/* Radius of a lip, the free edge of a drain, against another, in walls: what is cut is flat, and two lips meet where the
+ * middles of their walls end. Not zero, or the guard could not tell on which side they are. */
+#define SCENE_LIP 0.1
+#define SCENE_NO_FACE UINT32_MAX
 
 /* ---- bodies */
 
@@ -56,8 +60,10 @@ typedef struct scene_drain {
     uint8_t *marks;       /* per node: separators */
     vec3 *ways;           /* per node: how far it may move */
     vec3 *vertices;       /* start and end, for the search */
-    uint32_t *side_of;    /* per node: the first side that ends there */
-    uint32_t *near;       /* meshes.c: sides or triangles that a search has found */
+    uint32_t *side_of;  /* per node: the first side that ends there, at a lip the first along it */
+    uint32_t *lip_face; /* per side: of a lip, its triangle; else SCENE_NO_FACE */
+    uint8_t *at_lip;    /* per node */
+    uint32_t *near;     /* meshes.c: sides or triangles that a search has found */
     drain_stage stage;
     double moved;               /* by the last linearisation of the part, its farthest node, m */
     vbss_drain_statistics kept; /* before the step */
