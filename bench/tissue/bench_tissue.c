@@ -3,7 +3,8 @@
  *   gap_mm, pull_N  at the end; pull: of the hand on the right mark, where there is one
  *   dropped       second looks at the forces that were not believed
  * and of the scenes that only pull at the marks, by a millinewton, until all is at rest:
- *   k_marks, k_gap  N/mm, with their difference in percent from a mesh of 851 nodes */
+ *   k_marks, k_gap  N/mm, with their difference in percent from a mesh of 851 nodes
+ * scenes.c adds those in which something touches the drain. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include "drain/drain.h"
 #include "harness/bench.h"
 #include "scenes/drain_scenes.h"
+#include "tissue/scenes.h"
 
 enum { MESHES = 4, REFERENCE_DIVISIONS = 2, SETTLING = 1500 };
 static const unsigned nodes[MESHES] = {137, 159, 181, 225};
@@ -271,6 +273,7 @@ static void add_drain(bench *b, drain_case *c)
 
 static void add_cases(bench *b)
 {
+    add_scenes(b);
     for (int kind = 0; kind < DRAIN_SCENE_KINDS; kind++) {
         /* What snaps again and again takes long, and says nothing of meshes. */
         int meshes = kind == DRAIN_SCENE_TUGGED ? 1 : MESHES;

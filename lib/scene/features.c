@@ -107,9 +107,7 @@ static void axis_of(const scene_object *s, const side *d, moment when, vec3 axis
     } else if (b->kind == BODY_DRAIN) {
         const drain_object *own = b->drain.drain;
         axis_of_drain(d, trial ? own->trial : own->x, axis);
-        if (when == AHEAD) {
-            axis_of_drain(d, b->drain.ways, way);
-        }
+        return; /* its nodes are light: where they go is what contact will say */
     } else {
         axis_of_capsule(d, trial ? d->capsule->trial : d->capsule->now, axis);
         if (when == AHEAD) {

@@ -151,7 +151,7 @@ static vec3 poke(uint64_t step, double h)
     return vec3_add(place, vec3_make(stirred * vbss_sin(turn), -depth, stirred * vbss_cos(turn)));
 }
 
-static vec3 way_of(const tissue_scene *t, int tool, uint64_t step, double h)
+static vec3 way_of(const tissue_scene *t, int which, uint64_t step, double h)
 {
     double at = h * (double)step;
     switch (t->kind) {
@@ -160,7 +160,7 @@ static vec3 way_of(const tissue_scene *t, int tool, uint64_t step, double h)
     case TISSUE_SCENE_PINCHED:
         return vec3_make(0.0, -plunge(at, 11.5e-3, 0.5), 0.0);
     case TISSUE_SCENE_OPENED:
-        return vec3_make(0.0, 0.0, (tool == 0 ? -1.0 : 1.0) * plunge(at, 6e-3, 0.4));
+        return vec3_make(0.0, 0.0, (which == 0 ? -1.0 : 1.0) * plunge(at, 6e-3, 0.4));
     case TISSUE_SCENE_INVERTED:
         return vec3_make(0.0, -plunge(at, 12e-3, 0.4), 0.0);
     case TISSUE_SCENE_LIFTED:
@@ -170,7 +170,7 @@ static vec3 way_of(const tissue_scene *t, int tool, uint64_t step, double h)
     }
 }
 
-static vbss_result shut(tissue_scene *t, double at)
+vbss_result tissue_scene_shut(tissue_scene *t, double at)
 {
     vbss_drain_places places;
     vbss_view rest;
@@ -200,7 +200,7 @@ vbss_result tissue_scene_step(tissue_scene *t, double h)
         }
     }
     if (t->kind == TISSUE_SCENE_SHUT) {
-        VBSS_TRY(shut(t, h * (double)(step + 1)));
+        VBSS_TRY(tissue_scene_shut(t, h * (double)(step + 1)));
     }
     return vbss_scene_step(t->scene, h);
 }
