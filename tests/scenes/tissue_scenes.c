@@ -60,17 +60,25 @@ static vbss_result add_tool(tissue_scene *t, const tool *from, uint32_t *number)
 
 enum { THREAD_NODES = 97 };
 #define THREAD_SEGMENT 0.5e-3
-#define WEIGHT 0.2 /* N at either end */
+#define WEIGHT 0.2       /* N at either end */
+#define LOADED_AFTER 0.1 /* s */
 
-static vbss_result load_end(vbss_thread *thread, uint32_t node, double force)
+/* Attachments 1 and 2. */
+static vbss_result take_end(vbss_thread *thread, uint32_t node)
 {
     vbss_thread_attachment a;
     uint32_t id;
     VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
     a.kind = VBSS_ATTACHMENT_FORCE;
     a.node = node;
-    a.force[1] = -force;
     return vbss_thread_attach(thread, &a, &id);
+}
+
+static vbss_result load_ends(vbss_thread *thread, double at)
+{
+    const double force[3] = {0.0, -WEIGHT * lesser(at / LOADED_AFTER, 1.0), 0.0};
+    VBSS_TRY(vbss_thread_move(thread, 1, force, NULL));
+    return vbss_thread_move(thread, 2, force, NULL);
 }
 
 static vbss_result add_thread(vbss_context *context, const vbss_scene_config *scene,
@@ -88,8 +96,8 @@ static vbss_result add_thread(vbss_context *context, const vbss_scene_config *sc
                    vec3_make(8e-3, TOP + 0.3e-3, THREAD_SEGMENT * (i - 0.5 * (THREAD_NODES - 1))));
     }
     VBSS_TRY(vbss_thread_create(context, &c, &t->thread));
-    VBSS_TRY(load_end(t->thread, 0, WEIGHT));
-    VBSS_TRY(load_end(t->thread, THREAD_NODES - 1, WEIGHT));
+    VBSS_TRY(take_end(t->thread, 0));
+    VBSS_TRY(take_end(t->thread, THREAD_NODES - 1));
     return vbss_scene_add_thread(t->scene, t->thread, &t->thread_body);
 }
 
@@ -201,6 +209,9 @@ vbss_result tissue_scene_step(tissue_scene *t, double h)
     }
     if (t->kind == TISSUE_SCENE_SHUT) {
         VBSS_TRY(tissue_scene_shut(t, h * (double)(step + 1)));
+    }
+    if (t->thread != NULL) {
+        VBSS_TRY(load_ends(t->thread, h * (double)(step + 1)));
     }
     return vbss_scene_step(t->scene, h);
 }
