@@ -56,6 +56,21 @@ static vbss_result add_tool(tissue_scene *t, const tool *from, uint32_t *number)
     return vbss_scene_add_rigid(t->scene, &c, number);
 }
 
+double tissue_scene_tool(const tissue_scene *t, int which, vec3 axis[2])
+{
+    vbss_rigid_state state;
+    const tool *own = &tools[t->kind][which];
+    if (t->tools[which] == 0 ||
+        vbss_scene_get_rigid(t->scene, t->tools[which], &state, sizeof state) != VBSS_OK) {
+        return 0.0;
+    }
+    const double *q = state.orientation;
+    pose at = pose_make(vec3_load(state.position), quat_make(q[0], q[1], q[2], q[3]));
+    axis[0] = pose_apply(at, own->begin);
+    axis[1] = pose_apply(at, own->end);
+    return own->radius;
+}
+
 /* ---- the thread: straight over the top, its ends beyond both sides */
 
 enum { THREAD_NODES = 97 };

@@ -36,6 +36,8 @@ vbss_result tissue_scene_configs(tissue_scene_kind kind, vbss_method method,
 vbss_result tissue_scene_create(vbss_context *context, tissue_scene_kind kind,
                                 const vbss_scene_config *scene, const vbss_drain_config *drain,
                                 tissue_scene *made);
+/* Where the axis of a tool is now; returns its radius, 0: there is none. */
+double tissue_scene_tool(const tissue_scene *t, int which, vec3 axis[2]);
 /* SHUT: marks go where hands have them at that time, s. */
 vbss_result tissue_scene_shut(tissue_scene *t, double at);
 /* What hands do, and a step of h seconds. */

@@ -1,0 +1,9 @@
+/* The cases of suite tissue in which something touches the drain. */
+#ifndef VBSS_BENCH_TISSUE_SCENES_H
+#define VBSS_BENCH_TISSUE_SCENES_H
+
+#include "harness/bench.h"
+
+void add_scenes(bench *b);
+
+#endif
