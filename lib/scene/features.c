@@ -150,6 +150,11 @@ static bool are_lips(const side *d, const side *e)
     return d->lip != SCENE_NO_FACE && e->lip != SCENE_NO_FACE;
 }
 
+static double share_of_radius(const side *d, const side *e)
+{
+    return are_lips(d, e) ? 2.0 * SCENE_LIP : 1.0;
+}
+
 /* Where the point of a side is at a lip, another row sees it: that of the lips. */
 static bool is_at_lip(const side *d, double at)
 {
@@ -191,13 +196,13 @@ static void lie_of_lips(const scene_object *s, const side *d, const side *e, mom
     double distance = vec3_norm(l->apart);
     double between = vec3_dot(l->apart, middles) / greater(distance, DBL_MIN);
     l->walls = between - distance;
-    l->touching *= 2.0 * SCENE_LIP;
-    l->radius *= 2.0 * SCENE_LIP;
 }
 
 static lie lie_of(const scene_object *s, const side *d, const side *e, moment when)
 {
-    lie l = {.touching = d->radius + e->radius, .radius = lesser(d->radius, e->radius)};
+    double share = share_of_radius(d, e);
+    lie l = {.touching = share * (d->radius + e->radius),
+             .radius = share * lesser(d->radius, e->radius)};
     axis_of(s, d, when, l.axes[0]);
     axis_of(s, e, when, l.axes[1]);
     l.apart = closest(d, e, l.axes[0], l.axes[1], l.at);
@@ -372,9 +377,9 @@ static void place_row(const scene_object *s, contact_row *row, const side *d, co
         row->gap = vec3_dot(n, here) - s->config.floor_height - d->radius;
     } else {
         vec3 there = place_side(s, row, e, 1, vec3_scale(n, e->radius), -1.0);
-        double touching = are_lips(d, e) ? 2.0 * SCENE_LIP * (d->radius + e->radius) + row->walls
-                                         : d->radius + e->radius;
-        row->gap = vec3_dot(n, vec3_sub(here, there)) - touching;
+        double share = share_of_radius(d, e);
+        row->gap =
+            vec3_dot(n, vec3_sub(here, there)) - share * d->radius - share * e->radius - row->walls;
     }
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
 }
@@ -459,7 +464,8 @@ static void lay_again(const scene_object *s, contact_row *row, const side *d, co
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
     const lie l = lie_of(s, d, e, TRIAL);
-    row->gap = vec3_norm(l.apart) - l.touching;
+    double share = share_of_radius(d, e);
+    row->gap = vec3_norm(l.apart) - share * d->radius - share * e->radius;
 }
 
 static void look(const scene_object *s, contact_row *row, const side *d, const side *e,
