@@ -184,6 +184,7 @@ static double approach_of(const scene_meeting *m, vec3 normal)
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m)
 {
     if (is_given(s, m->a, key->kind, false, key->a) && is_given(s, m->b, key->kind, true, key->b)) {
+        s->unlisted = s->unlisted || m->b != NULL; /* the floor is not the guard's pair */
         return true;
     }
     contact_row *row = vbss_contact_add(s->contacts, key);
@@ -441,6 +442,7 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
         return false;
     }
     vbss_contact_begin(set);
+    s->unlisted = false;
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
         if (!add_pair(s, &s->collision->candidates[i])) {
             return false;

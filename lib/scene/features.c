@@ -43,10 +43,16 @@ static const scene_body *body_of(const scene_object *s, uint32_t number, const s
     return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
 }
 
-static side side_of(const scene_object *s, const contact_row *row, const scene_body *b, int which)
+static inline side side_of(const scene_object *s, const contact_row *row, const scene_body *b,
+                           int which)
 {
     uint32_t kind = row->key.kind, feature = which == 0 ? row->key.a : row->key.b;
-    side d = {.body = b, .feature = feature, .lip = SCENE_NO_FACE};
+    side d; /* its nodes are looked at where they are set */
+    d.body = b;
+    d.capsule = NULL;
+    d.feature = feature;
+    d.lip = SCENE_NO_FACE;
+    d.smooth = false;
     bool point = which == 0 && (scene_is_of_node(kind) || kind == VBSS_CONTACT_CAPSULE_FLOOR);
     d.corners = point ? 1 : 2;
     if (b->kind == BODY_DRAIN) {
@@ -122,7 +128,8 @@ static void axis_of(const scene_object *s, const side *d, moment when, vec3 axis
 
 /* From b to a between the closest points of both features. Where these are: of two segments, the share of each; of a point and
  * a segment, the second; of a point and a face, the weights of its last two corners. */
-static vec3 closest(const side *d, const side *e, const vec3 a[3], const vec3 b[3], double at[2])
+static inline vec3 closest(const side *d, const side *e, const vec3 a[3], const vec3 b[3],
+                           double at[2])
 {
     if (e->corners == 3) {
         double weights[3];
@@ -178,42 +185,34 @@ static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
     return vec3_unit_or(vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0])), vec3_zero());
 }
 
-/* How a row lies: from b to a between the closest points of both features; at which distance they touch; and what of the
- * distance of the middles, along `apart`, is wall. */
-typedef struct lie {
-    vec3 axes[2][3], apart;
-    double touching, walls, radius, at[2]; /* radius: the smaller one */
-} lie;
-
-static void lie_of_lips(const scene_object *s, const side *d, const side *e, moment when, lie *l)
+/* From the line through the wall of e to that of d, where the middles are `middles` apart; and what of that is wall. */
+static vec3 between_lips(const scene_object *s, const side *d, const side *e, moment when,
+                         vec3 middles, double *walls)
 {
     double at[2];
     vec3 one = vec3_scale(normal_of_lip(s, d, when), 2.0 * d->radius); /* from face to face */
     vec3 other = vec3_scale(normal_of_lip(s, e, when), 2.0 * e->radius);
-    vec3 middles = l->apart; /* from that of e to that of d */
     vec3 begins = vec3_sub(vec3_scale(vec3_sub(one, other), 0.5), middles);
-    l->apart = vec3_neg(closest_edges(one, other, begins, &at[0], &at[1]));
-    double distance = vec3_norm(l->apart);
-    double between = vec3_dot(l->apart, middles) / greater(distance, DBL_MIN);
-    l->walls = between - distance;
+    vec3 apart = vec3_neg(closest_edges(one, other, begins, &at[0], &at[1]));
+    double distance = vec3_norm(apart);
+    *walls = vec3_dot(apart, middles) / greater(distance, DBL_MIN) - distance;
+    return apart;
 }
 
-static lie lie_of(const scene_object *s, const side *d, const side *e, moment when)
+/* From b to a between the surfaces' middles where they are nearest: where that is on both, and what of it is wall. */
+static inline vec3 apart_of(const scene_object *s, const side *d, const side *e, moment when,
+                            double at[2], double *walls)
 {
-    double share = share_of_radius(d, e);
-    lie l = {.touching = share * (d->radius + e->radius),
-             .radius = share * lesser(d->radius, e->radius)};
-    axis_of(s, d, when, l.axes[0]);
-    axis_of(s, e, when, l.axes[1]);
-    l.apart = closest(d, e, l.axes[0], l.axes[1], l.at);
-    if (are_lips(d, e)) {
-        lie_of_lips(s, d, e, when, &l);
-    }
-    return l;
+    vec3 one[3], other[3];
+    axis_of(s, d, when, one);
+    axis_of(s, e, when, other);
+    vec3 apart = closest(d, e, one, other, at);
+    *walls = 0.0;
+    return are_lips(d, e) ? between_lips(s, d, e, when, apart, walls) : apart;
 }
 
 /* The share of each corner in the point that the row is about. */
-static void weigh(const side *d, const contact_row *row, int which, double weights[3])
+static inline void weigh(const side *d, const contact_row *row, int which, double weights[3])
 {
     weights[0] = 1.0;
     if (d->corners == 2) {
@@ -226,7 +225,7 @@ static void weigh(const side *d, const contact_row *row, int which, double weigh
     }
 }
 
-static vec3 point_of(const side *d, const vec3 axis[3], const double weights[3])
+static inline vec3 point_of(const side *d, const vec3 axis[3], const double weights[3])
 {
     if (d->corners == 2) {
         return vec3_lerp(axis[0], axis[1], weights[1]);
@@ -397,11 +396,15 @@ static bool is_within(const contact_row *row)
     return row->at[0] > 0.0 && row->at[1] > 0.0 && row->at[0] + row->at[1] < 1.0;
 }
 
-static void take_lie(contact_row *row, const lie *l)
+/* Features that meet: as good as any direction that is across both. */
+static vec3 across(const scene_object *s, const side *d, const side *e)
 {
-    row->at[0] = l->at[0];
-    row->at[1] = l->at[1];
-    row->walls = l->walls;
+    vec3 one[3], other[3];
+    axis_of(s, d, BEGIN, one);
+    axis_of(s, e, BEGIN, other);
+    vec3 from = e->corners == 3 ? vec3_sub(other[2], other[0]) : vec3_sub(one[1], one[0]);
+    vec3 normal = vec3_cross(from, vec3_sub(other[1], other[0]));
+    return vec3_unit_or(normal, vec3_make(0.0, 1.0, 0.0));
 }
 
 bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
@@ -418,34 +421,28 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
         return row->gap_before < reach;
     }
     const side e = side_of(s, row, b, 1);
-    lie now = lie_of(s, &d, &e, BEGIN);
-    double distance = vec3_norm(now.apart);
-    take_lie(row, &now);
-    row->thickness = 2.0 * now.radius;
-    row->gap_before = distance - now.touching;
+    vec3 apart = apart_of(s, &d, &e, BEGIN, row->at, &row->walls);
+    double share = share_of_radius(&d, &e);
+    double distance = vec3_norm(apart), touching = share * (d.radius + e.radius);
+    row->thickness = 2.0 * share * lesser(d.radius, e.radius);
+    row->gap_before = distance - touching;
     if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row)) ||
         is_seen_by_lips(&d, &e, row)) {
         return false;
     }
-    if (distance > NO_DISTANCE) {
-        row->normal = vec3_scale(now.apart, 1.0 / distance);
-    } else { /* axes that meet: as good as any direction that is across both */
-        bool face = e.corners == 3;
-        vec3 from = face ? vec3_sub(now.axes[1][2], now.axes[1][0])
-                         : vec3_sub(now.axes[0][1], now.axes[0][0]);
-        vec3 across = vec3_cross(from, vec3_sub(now.axes[1][1], now.axes[1][0]));
-        row->normal = vec3_unit_or(across, vec3_make(0.0, 1.0, 0.0));
-    }
+    row->normal = distance > NO_DISTANCE ? vec3_scale(apart, 1.0 / distance) : across(s, &d, &e);
     if (keeps_normal(row)) {
         return true;
     }
     /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. */
-    const lie then = lie_of(s, &d, &e, AHEAD);
-    double later = vec3_norm(then.apart);
-    if (later > STILL_APART * then.touching &&
-        vec3_dot(then.apart, row->normal) > SAME_SIDE * later) {
-        row->normal = vec3_scale(then.apart, 1.0 / later);
-        take_lie(row, &then);
+    double at[2], walls;
+    vec3 then = apart_of(s, &d, &e, AHEAD, at, &walls);
+    double later = vec3_norm(then);
+    if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
+        row->normal = vec3_scale(then, 1.0 / later);
+        row->at[0] = at[0];
+        row->at[1] = at[1];
+        row->walls = walls;
     }
     return true;
 }
@@ -454,18 +451,16 @@ typedef enum look_at_row { SET, REFRESH, LAY_AGAIN, MEASURE } look_at_row;
 
 static void lay_again(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    const lie l = lie_of(s, d, e, TRIAL);
-    row->normal = vec3_unit_or(l.apart, row->normal);
-    take_lie(row, &l);
+    row->normal = vec3_unit_or(apart_of(s, d, e, TRIAL, row->at, &row->walls), row->normal);
     row->held = vbss_contact_turn_into_plane(row->held, row->normal);
     row->is.way = vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
 }
 
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    const lie l = lie_of(s, d, e, TRIAL);
-    double share = share_of_radius(d, e);
-    row->gap = vec3_norm(l.apart) - share * d->radius - share * e->radius;
+    double at[2], walls, share = share_of_radius(d, e);
+    row->gap =
+        vec3_norm(apart_of(s, d, e, TRIAL, at, &walls)) - share * d->radius - share * e->radius;
 }
 
 static void look(const scene_object *s, contact_row *row, const side *d, const side *e,

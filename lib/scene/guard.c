@@ -17,6 +17,10 @@
 #define GUARDED_ABOVE_FLOOR 0.5
 /* Share of the margin: a half, less what rounding may do. */
 #define LISTED 0.49
+/* What is not deep begins no nearer than DEEP less than touching; two bodies that do not move by more than GENTLE of it
+ * together stay farther apart than half. */
+#define DEEP 0.2
+#define GENTLE 0.25
 
 /* ---- where things go */
 
@@ -64,6 +68,28 @@ static bool is_expected(const scene_object *s, const motion *m)
     return true;
 }
 
+/* Whether all pairs begin about as far apart as they touch: rows say so of those that are near. Those of a thread and what it
+ * is pinned to, or at a cut, are none of the guard's. */
+static bool are_apart(const scene_object *s)
+{
+    bool apart = !s->unlisted;
+    for (uint32_t i = 0; apart && i < s->contacts->count; i++) {
+        const contact_row *row = &s->contacts->rows[i];
+        apart = row->bilateral || row->gap_before >= -DEEP * row->thickness;
+    }
+    return apart;
+}
+
+static double farthest(const motion *m)
+{
+    double most = 0.0;
+    for (uint32_t i = 0; i < m->count; i++) {
+        double way = vec3_norm_squared(vec3_sub(m->end[i], m->begin[i]));
+        most = way > most ? way : most;
+    }
+    return sqrt(most);
+}
+
 /* All pairs that may meet on the way to the trial state are listed. */
 static scene_verdict list_pairs(scene_object *s)
 {
@@ -72,8 +98,10 @@ static scene_verdict list_pairs(scene_object *s)
         if (s->bodies[i].kind != BODY_GONE) {
             const motion m = motion_of(s, &s->bodies[i]);
             expected = is_expected(s, &m);
+            s->bodies[i].moved = farthest(&m);
         }
     }
+    s->proved = expected && are_apart(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == BODY_GONE) {
@@ -192,6 +220,44 @@ static bool may_meet(const scene_object *s, const collision_candidate *q, double
                                   : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);
 }
 
+static double least_radius(const scene_object *s, const scene_body *b, uint32_t shape)
+{
+    double least = s->collision->shapes[shape]->radius; /* of rigid bodies the largest */
+    if (b->kind == BODY_DRAIN) {
+        return 2.0 * SCENE_LIP * least;
+    }
+    for (uint32_t i = 0; b->kind == BODY_RIGID && i < b->rigid.capsule_count; i++) {
+        least = lesser(s->capsules[b->rigid.first_capsule + i].radius, least);
+    }
+    return least;
+}
+
+/* Who moves that little meets nobody who was not near. */
+static bool is_proved(const scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    return s->proved && a->moved + b->moved <= GENTLE * touching_of(s, q);
+}
+
+/* The same of all that follow of the same two shapes; returns the first of others. */
+static uint32_t skip_proved(const scene_object *s, uint32_t first)
+{
+    const collision_object *c = s->collision;
+    const collision_candidate *q = &c->candidates[first];
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    double touching = least_radius(s, a, q->shape_a) + least_radius(s, b, q->shape_b);
+    uint32_t next = first;
+    if (s->proved && a->moved + b->moved <= GENTLE * touching) {
+        while (next < c->candidate_count && c->candidates[next].shape_a == q->shape_a &&
+               c->candidates[next].shape_b == q->shape_b) {
+            next++;
+        }
+    }
+    return next;
+}
+
 static void ask(scene_object *s, uint32_t kind, uint32_t count)
 {
     collision_block *b = s->block;
@@ -248,27 +314,44 @@ static double time_of_hit(scene_object *s, const collision_candidate *q, double 
     return hit < 1.0 && distance < NEAREST * guarded ? 0.0 : hit;
 }
 
+/* The next pairs of one kind that have to be asked about, from *next on; returns how many, and which. */
+static uint32_t gather(scene_object *s, uint32_t *next, uint32_t which[IMPACT_BLOCK])
+{
+    const collision_object *c = s->collision;
+    uint32_t count = 0;
+    for (; *next < c->candidate_count && count < IMPACT_BLOCK; ++*next) {
+        const collision_candidate *q = &c->candidates[*next];
+        bool others = *next == 0 || q->shape_a != q[-1].shape_a || q->shape_b != q[-1].shape_b;
+        uint32_t beyond = others ? skip_proved(s, *next) : *next;
+        if (beyond > *next || is_proved(s, q)) {
+            *next = beyond > *next ? beyond - 1 : *next;
+            continue;
+        }
+        if (count > 0 && q->kind != c->candidates[which[0]].kind) {
+            break;
+        }
+        put_pair(s, q, count);
+        which[count++] = *next;
+    }
+    return count;
+}
+
 static double earliest_hit(scene_object *s)
 {
     const collision_object *c = s->collision;
     double earliest = 1.0;
-    for (uint32_t first = 0, count; first < c->candidate_count; first += count) {
-        uint32_t kind = c->candidates[first].kind;
-        uint32_t end = kind == VBSS_PAIR_EDGE_EDGE ? s->edge_pairs : c->candidate_count;
-        count = end - first < IMPACT_BLOCK ? end - first : IMPACT_BLOCK;
+    uint32_t which[IMPACT_BLOCK], count, next = 0;
+    while ((count = gather(s, &next, which)) > 0) {
         double time[IMPACT_BLOCK];
         bool hit[IMPACT_BLOCK];
-        for (uint32_t i = 0; i < count; i++) {
-            put_pair(s, &c->candidates[first + i], i);
-        }
-        ask(s, kind, count);
+        ask(s, c->candidates[which[0]].kind, count);
         s->statistics.guard_pairs += count;
         for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
             hit[i] = s->block->hit[i] != 0;
             time[i] = s->block->time[i];
         }
         for (uint32_t i = 0; i < count; i++) {
-            const collision_candidate *q = &c->candidates[first + i];
+            const collision_candidate *q = &c->candidates[which[i]];
             if (hit[i] && !may_meet(s, q, touching_of(s, q))) {
                 double t = time_of_hit(s, q, time[i]);
                 earliest = lesser(t, earliest);

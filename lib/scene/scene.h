@@ -97,6 +97,8 @@ typedef struct scene_body {
     body_kind kind;
     uint32_t number; /* in the scene */
     uint32_t shape;  /* name in the collision object */
+    double
+        moved; /* by its farthest node or end of a capsule, in the attempt that the guard looks at, m */
     bool
         reserved; /* for a piece: of kind BODY_GONE, but with shape and thread, until that is cut */
     scene_thread thread;
@@ -230,6 +232,8 @@ struct scene_object {
     bool turned;        /* the last attempt failed with new normals */
     bool lagging;       /* the last part was cut short: what is driven is behind */
     double earliest;    /* share of the part after which something would pass; 1: nothing does */
+    bool proved;        /* what moves little passes nothing */
+    bool unlisted; /* some pairs that are near are no rows, as both sides go where they are told */
 
     /* Tests look at every part that is taken, while its begin and its end are both there. */
     void (*watch)(void *watcher, const struct scene_object *scene);
