@@ -198,6 +198,7 @@ void vbss_scene_keep_drain(scene_drain *b)
     size_t bytes = d->mesh.node_count * sizeof *d->x;
     memcpy(d->kept_x, d->x, bytes);
     memcpy(d->kept_v, d->v, bytes);
+    memcpy(d->v_before, d->v, bytes); /* if it waits all of the step */
     b->kept = d->statistics;
     d->statistics.last_move = 0.0;
 }
@@ -255,13 +256,30 @@ static void note_pushes(scene_object *s, scene_drain *b)
     }
 }
 
+/* What was held back goes on from where it is. */
+static void hold_back(drain_object *d)
+{
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        drain_attachment *a = &d->attachments[k];
+        if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
+            a->position = d->x[a->node];
+        }
+    }
+}
+
 void vbss_scene_arrive_drains(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
         if (s->bodies[i].kind == BODY_DRAIN) {
             note_pushes(s, b);
+            if (s->lagging) { /* not those of an attempt that was thrown away */
+                vbss_drain_find_forces(b->drain, b->drain->x);
+            }
             vbss_drain_arrive(b->drain, b->stage.h);
+            if (s->lagging) {
+                hold_back(b->drain);
+            }
             b->drain->statistics.steps++;
             b->drain->statistics.time += h;
             b->drain->generation++;

@@ -63,7 +63,7 @@ void vbss_scene_predict(scene_object *s, const scene_part *part)
             predict_rigid(s, &b->rigid, part);
         } else if (b->kind == BODY_DRAIN) {
             b->drain.stage = (drain_stage){part->h, part->end};
-            b->drain.moved = 0.0;
+            b->drain.moved = b->drain.drain->statistics.last_correction = 0.0;
             vbss_drain_begin_part(b->drain.drain);
         }
     }
