@@ -48,6 +48,13 @@ static bool is_foreign(const vbss_stream *stream)
     return stream->mode == VBSS_STREAM_READ && !stream->trusted;
 }
 
+/* As hosts can have made it. */
+static bool is_in_range(const drain_attachment *a)
+{
+    return vbss_largest(&a->target.x, 3) <= 1e3 && vbss_largest(&a->force.x, 3) <= 1e6 &&
+           a->stiffness >= 0.0 && a->stiffness <= 1e9;
+}
+
 static void visit_attachment(vbss_stream *stream, const drain_object *d, drain_attachment *a)
 {
     int32_t kind = a->kind;
@@ -62,7 +69,7 @@ static void visit_attachment(vbss_stream *stream, const drain_object *d, drain_a
     a->kind = kind;
     if (is_foreign(stream) &&
         (kind < VBSS_DRAIN_ATTACHMENT_PIN || kind > VBSS_DRAIN_ATTACHMENT_SPRING ||
-         a->node >= d->mesh.node_count || a->id > d->last_id || !(a->stiffness >= 0.0))) {
+         a->node >= d->mesh.node_count || a->id > d->last_id || !is_in_range(a))) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
     }
 }
