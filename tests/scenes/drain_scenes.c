@@ -145,13 +145,18 @@ static vbss_result tug(vbss_drain *drain, uint64_t step)
     return VBSS_OK;
 }
 
-vbss_result drain_scene_step(drain_scene *scene, double h)
+vbss_result drain_scene_drive(drain_scene *scene, double h)
 {
     vbss_drain_statistics statistics;
     VBSS_TRY(vbss_drain_get_statistics(scene->drain, &statistics, sizeof statistics));
     uint64_t step = statistics.steps;
-    VBSS_TRY(scene->kind == DRAIN_SCENE_CLOSED  ? close_slit(scene->drain, step, h)
-             : scene->kind == DRAIN_SCENE_POKED ? poke(scene->drain, step, h)
-                                                : tug(scene->drain, step));
+    return scene->kind == DRAIN_SCENE_CLOSED  ? close_slit(scene->drain, step, h)
+           : scene->kind == DRAIN_SCENE_POKED ? poke(scene->drain, step, h)
+                                              : tug(scene->drain, step);
+}
+
+vbss_result drain_scene_step(drain_scene *scene, double h)
+{
+    VBSS_TRY(drain_scene_drive(scene, h));
     return vbss_drain_step(scene->drain, h);
 }

@@ -29,7 +29,8 @@ typedef struct drain_scene {
 vbss_result drain_scene_config(drain_scene_kind kind, vbss_drain_config *config);
 vbss_result drain_scene_create(vbss_context *context, drain_scene_kind kind,
                                const vbss_drain_config *config, drain_scene *scene);
-/* What hands do, and a step of h seconds. */
+/* What hands do before the next step, of h seconds; and that step. */
+vbss_result drain_scene_drive(drain_scene *scene, double h);
 vbss_result drain_scene_step(drain_scene *scene, double h);
 
 #endif
