@@ -9,6 +9,7 @@ void small_begin(small *s)
     expect_ok(vbss_scene_config_init(&s->config, sizeof s->config));
     expect_ok(vbss_thread_config_init(&s->thread, sizeof s->thread));
     expect_ok(vbss_rigid_config_init(&s->rigid, sizeof s->rigid));
+    expect_ok(vbss_drain_config_init(&s->drain, sizeof s->drain));
     s->config.thread_capacity = s->config.rigid_capacity = 8;
     s->config.node_capacity = 200;
     s->config.contact_capacity = 256;
@@ -46,6 +47,18 @@ uint32_t small_thread(small *s, vec3 begin, vec3 end, uint32_t segments, vbss_th
     expect_ok(vbss_scene_add_thread(s->scene, made, &body));
     if (thread != NULL) {
         *thread = made;
+    }
+    return body;
+}
+
+uint32_t small_drain(small *s, vbss_drain **drain)
+{
+    vbss_drain *made;
+    uint32_t body = 0;
+    expect_ok(vbss_drain_create(s->context, &s->drain, &made));
+    expect_ok(vbss_scene_add_drain(s->scene, made, &body));
+    if (drain != NULL) {
+        *drain = made;
     }
     return body;
 }

@@ -12,9 +12,10 @@ typedef struct small {
     harness_memory memory;
     vbss_context *context;
     vbss_scene *scene;
-    vbss_scene_config config;  /* change these three before what they make */
+    vbss_scene_config config;  /* change these four before what they make */
     vbss_thread_config thread; /* no weight */
     vbss_rigid_config rigid;   /* 20 g */
+    vbss_drain_config drain;
 } small;
 
 /* A context and configurations: of a scene with room for 200 nodes and 8 bodies of either kind. */
@@ -27,6 +28,8 @@ void small_end(small *s);
 
 /* A straight thread from one point to another, tied to nothing; its handle is left out if NULL. */
 uint32_t small_thread(small *s, vec3 begin, vec3 end, uint32_t segments, vbss_thread **thread);
+/* A drain; its handle is left out if NULL. */
+uint32_t small_drain(small *s, vbss_drain **drain);
 /* A body of one capsule, whose frame is the world's at first. */
 uint32_t small_capsule(small *s, vbss_rigid_kind kind, vec3 begin, vec3 end, double radius);
 /* The same about the middle of its axis, which is where its frame's origin is. */
