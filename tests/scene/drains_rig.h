@@ -37,6 +37,16 @@ static inline drain_object *drains_rig_object(vbss_drain *drain)
     return object;
 }
 
+static inline vbss_drain *drains_rig_of(vbss_scene *scene)
+{
+    scene_object *object = NULL;
+    expect_ok(vbss_scene_open(scene, &object));
+    assert_int_equal(object->bodies[0].kind, BODY_DRAIN);
+    return (vbss_drain *)object->bodies[0].drain.slot;
+}
+
+/* ---- as bodies that are stepped */
+
 static inline vbss_result drains_body_create(vbss_context *context, void *user, void **handle)
 {
     drain_hands hands = *(const drain_hands *)user;
@@ -65,6 +75,69 @@ static inline harness_body drains_as_body(drain_hands *hands)
                                drains_body_destroy,
                                hands};
     return body;
+}
+
+/* ---- a rod (body 2) that is told, at that step, to go through the wall at once, while a hand draws a lip along */
+
+enum { LEAP_AT = 5 };
+
+/* From the scene's configuration. */
+static inline vbss_result leap_create(vbss_context *context, void *user, void **handle)
+{
+    const vbss_capsule rod = {{0.0, 0.0, -8e-3}, {0.0, 0.0, 8e-3}, 1e-3};
+    vbss_scene *scene = NULL;
+    vbss_drain *drain;
+    vbss_drain_config drain_config;
+    vbss_drain_places places;
+    vbss_drain_attachment a;
+    vbss_rigid_config config;
+    uint32_t number;
+    VBSS_TRY(vbss_scene_create(context, user, &scene));
+    *handle = scene;
+    VBSS_TRY(vbss_drain_config_init(&drain_config, sizeof drain_config));
+    VBSS_TRY(vbss_drain_create(context, &drain_config, &drain));
+    VBSS_TRY(vbss_scene_add_drain(scene, drain, &number));
+    VBSS_TRY(vbss_drain_get_places(drain, &places, sizeof places));
+    VBSS_TRY(vbss_drain_attachment_init(&a, sizeof a));
+    a.node = places.marks[0];
+    vec3_store(a.position, drains_rig_object(drain)->x[a.node]);
+    VBSS_TRY(vbss_drain_attach(drain, &a, &number));
+    VBSS_TRY(vbss_rigid_config_init(&config, sizeof config));
+    config.capsules = &rod;
+    config.capsule_count = 1;
+    config.position[0] = 10e-3;
+    config.position[1] = 8.2e-3;
+    return vbss_scene_add_rigid(scene, &config, &number);
+}
+
+static inline vbss_result leap_step(void *scene)
+{
+    vbss_scene_statistics s;
+    VBSS_TRY(vbss_scene_get_statistics(scene, &s, sizeof s));
+    drain_object *d = drains_rig_object(drains_rig_of(scene));
+    uint64_t step = s.steps < 40 ? s.steps : 40;
+    const vec3 rest = pose_apply(d->frame, d->mesh.rest[d->attachments[0].node]);
+    double to[3] = {rest.x, rest.y, rest.z - 1e-6 * (double)((step + 1) * (step + 1))};
+    VBSS_TRY(vbss_drain_move(drains_rig_of(scene), 1, to));
+    if (s.steps == LEAP_AT) {
+        const double through[3] = {10e-3, -13e-3, 0.0};
+        VBSS_TRY(vbss_scene_move_rigid(scene, 2, through, NULL));
+    }
+    return vbss_scene_step(scene, 1e-3);
+}
+
+static inline harness_body leap_as_body(vbss_scene_config *config)
+{
+    const harness_body body = {"leap",    &vbss_scene_kind,    leap_create, NULL,
+                               leap_step, drains_body_destroy, config};
+    return body;
+}
+
+static inline void leap_begin(small *s)
+{
+    void *scene = NULL;
+    expect_ok(leap_create(s->context, &s->config, &scene));
+    s->scene = scene;
 }
 
 #endif
