@@ -118,7 +118,9 @@ static inline vbss_result leap_step(void *scene)
     uint64_t step = s.steps < 40 ? s.steps : 40;
     const vec3 rest = pose_apply(d->frame, d->mesh.rest[d->attachments[0].node]);
     double to[3] = {rest.x, rest.y, rest.z - 1e-6 * (double)((step + 1) * (step + 1))};
-    VBSS_TRY(vbss_drain_move(drains_rig_of(scene), 1, to));
+    if (d->attachments[0].id != 0) { /* the hand may have let go */
+        VBSS_TRY(vbss_drain_move(drains_rig_of(scene), 1, to));
+    }
     if (s.steps == LEAP_AT) {
         const double through[3] = {10e-3, -13e-3, 0.0};
         VBSS_TRY(vbss_scene_move_rigid(scene, 2, through, NULL));

@@ -135,6 +135,7 @@ static void attempts_that_are_thrown_away_tear_nothing(void **state)
     (void)state;
     limited l;
     drain_object *d = begin(&l, VBSS_MODE_OFFLINE, 0);
+    expect_ok(vbss_drain_detach(drains_rig_of(l.s.scene), 1));
     for (int i = 0; i < LEAP_AT + 3; i++) {
         step(&l);
         assert_true(largest_load(d) < 1.0);
