@@ -4,6 +4,7 @@
 
 #include "scenes/collision_sets.h"
 #include "scenes/device_run.h"
+#include "scenes/drain_hands.h"
 #include "scenes/drain_scenes.h"
 #include "scenes/moving_knot.h"
 #include "scenes/moving_shapes.h"
@@ -451,6 +452,24 @@ static void run_drain(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- a drain in a scene, poked and laden, hashed after every 5 steps */
+
+static void run_drain_hands(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    drain_hands hands;
+    must(vbss_context_create(NULL, &context));
+    must(drain_hands_init(&hands));
+    must(drain_hands_create(context, &hands));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 5; k++) {
+            must(drain_hands_step(hands.scene));
+        }
+        must(vbss_scene_get_hash(hands.scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -469,5 +488,6 @@ const golden_scene golden_scenes[] = {
     {"graspers-paper", 30, 12, run_graspers_paper},     /* then it loses the thread */
     {"knots", 72, 4, run_knots}, /* two rounds of all that the moving knot does */
     {"drain", 160, 2, run_drain},
+    {"drain-hands", 64, 3, run_drain_hands}, /* the thread is there at once, the tool at 2 */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

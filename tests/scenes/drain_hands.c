@@ -4,14 +4,14 @@
 
 /* A round of the tool, in steps: down, stirring, and up again. */
 enum { ROUND = 300, DOWN = 180 };
-#define SPEED 0.04    /* m/s, down and up */
-#define DEEPEST 5e-3  /* of the tip from where it waits, m */
-#define STIRRED 1e-3  /* m, to all sides */
-#define STIR_RATE 5.0 /* Hz */
-#define SHAFT 20e-3   /* m */
-#define WAITS 0.3e-3  /* m, over the surface */
-#define HALF 16e-3    /* of the thread, m */
-#define DRAWN 100     /* steps in which its ends are drawn down */
+#define SPEED 0.04     /* m/s, down and up */
+#define DEEPEST 4.5e-3 /* of the tip from where it waits, m */
+#define STIRRED 1e-3   /* m, to all sides */
+#define STIR_RATE 5.0  /* Hz */
+#define SHAFT 20e-3    /* m */
+#define WAITS 7.9e-3   /* over the wall, which is 0.2 mm below, m */
+#define HALF 16e-3     /* of the thread, m */
+#define DRAWN 100      /* steps in which its ends are drawn down */
 #define PI 3.14159265358979323846
 
 vbss_result drain_hands_init(drain_hands *hands)
@@ -29,7 +29,7 @@ vbss_result drain_hands_init(drain_hands *hands)
 /* Where the tip waits: over the wall on the right of the slit. */
 static vec3 over_the_wall(void)
 {
-    return vec3_make(0.3e-3, 7e-3 + DRAIN_HANDS_TOOL_RADIUS + WAITS, 3e-3);
+    return vec3_make(0.3e-3, WAITS, 3e-3);
 }
 
 /* An end of the thread is drawn down, and a little inward, which leaves it hardly any slack. */
