@@ -170,7 +170,7 @@ typedef struct vbss_drain_statistics {
     uint32_t torn;        /**< Anchors that have torn off. */
     uint32_t inverted;    /**< Triangles that are turned over or collapsed now. */
     uint32_t reserved;    /**< Zero. */
-    uint64_t steps;       /**< Calls of #vbss_drain_step that succeeded. */
+    uint64_t steps;       /**< Calls of #vbss_drain_step that succeeded, and steps of its scene. */
     uint64_t parts;       /**< Equal to steps if none was halved; method PAPER: explicit steps. */
     uint64_t linearisations; /**< Tangents made and solved with. */
     uint64_t

@@ -308,7 +308,7 @@ VBSS_API vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_c
                                        vbss_scene **scene);
 
 /**
- * Destroys a scene with its rigid bodies and pins; its threads and graspers are the host's again.
+ * Destroys a scene with its rigid bodies and pins; its threads, drains and graspers are the host's again.
  *
  * @param scene  the scene; NULL does nothing
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_BUSY
@@ -410,7 +410,7 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
                                           vbss_grasp *grasp, uint32_t struct_size);
 
 /**
- * Removes a body, with its pins and grasps. A thread or grasper is the host's again; a grasper is then where it was
+ * Removes a body, with its pins and grasps. A thread, drain or grasper is the host's again; a grasper is then where it was
  * told to be.
  *
  * @param scene  the scene
