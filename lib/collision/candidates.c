@@ -177,7 +177,8 @@ static bool find_pairs(collision_object *c)
 {
     c->run_count = c->search.pair_count = 0;
     for (uint32_t b = 0; b < c->living_count; b++) {
-        bool mesh = c->shapes[c->living[b]]->kind == SHAPE_MESH;
+        const collision_shape *s = c->shapes[c->living[b]];
+        bool mesh = s->kind == SHAPE_MESH && !s->edges_only;
         uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_meet, &c->search, &c->top,
                                         &c->top.boxes[b], c->partners);
         for (uint32_t i = 0; i < count; i++) {

@@ -96,6 +96,7 @@ typedef struct collision_shape {
     uint64_t topology;   /* hash of all that never changes */
     uint32_t category, mask;
     bool rigid;       /* never a pair with itself */
+    bool edges_only;  /* a mesh whose triangles nobody asks for: no pairs of them */
     bool asleep;      /* a chain that is nowhere yet: never found */
     bool boxes_known; /* of the points, and around all, since the last move */
     bool points_fit, edges_fit, triangles_fit; /* trees know the last move */

@@ -151,6 +151,10 @@ void vbss_drain_arrive(drain_object *d, double h);
  * when it fails. */
 vbss_result vbss_drain_implicit_step(drain_object *d, double h);
 vbss_result vbss_drain_paper_step(drain_object *d, double h);
+/* The same in two: all that may fail, which tells the length of its explicit steps; and what is noted at the end, where
+ * contacts may have moved nodes that no pin holds. */
+vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part);
+void vbss_drain_paper_arrive(drain_object *d, double part);
 double vbss_drain_paper_energy(const drain_object *d);
 /* Speeds that are as good as none are none. */
 static inline vec3 vbss_drain_stilled(vec3 v)

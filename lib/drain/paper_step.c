@@ -139,22 +139,34 @@ static bool is_finite(const drain_object *d)
     return sum < 1e100;
 }
 
-vbss_result vbss_drain_paper_step(drain_object *d, double h)
+vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part)
 {
     prepare_masses(d);
     uint32_t parts = count_parts(d, h);
-    double dt = h / parts;
-    prepare_mobilities(d, dt);
-    make_parts(d, dt, parts);
+    *part = h / parts;
+    prepare_mobilities(d, *part);
+    make_parts(d, *part, parts);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->v[i] = vbss_drain_stilled(d->v[i]);
     }
     if (!is_finite(d)) {
         return VBSS_ERROR_NOT_FINITE;
     }
-    vbss_drain_attachments_arrive(d);
-    vbss_drain_note_reactions(d, dt);
     d->statistics.parts += parts;
+    return VBSS_OK;
+}
+
+void vbss_drain_paper_arrive(drain_object *d, double part)
+{
+    vbss_drain_attachments_arrive(d);
+    vbss_drain_note_reactions(d, part);
+}
+
+vbss_result vbss_drain_paper_step(drain_object *d, double h)
+{
+    double part;
+    VBSS_TRY(vbss_drain_paper_move(d, h, &part));
+    vbss_drain_paper_arrive(d, part);
     return VBSS_OK;
 }
 

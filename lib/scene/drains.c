@@ -91,6 +91,12 @@ static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *s
     double wall = d->config.thickness;
     VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
                                      m->triangle_count, 0.5 * wall, shape));
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        collision_shape *own = s->collision->shapes[*shape];
+        own->rigid = own->edges_only =
+            true; /* edges, against those of others: docs/paper-scene.md */
+        return VBSS_OK;
+    }
     vbss_result result =
         vbss_collision_leave_out_near(s->collision, *shape, m->rest, FAR_ALONG * wall);
     if (result != VBSS_OK) {
@@ -267,6 +273,13 @@ static void hold_back(drain_object *d)
     }
 }
 
+static void finish_step(drain_object *d, double h)
+{
+    d->statistics.steps++;
+    d->statistics.time += h;
+    d->generation++;
+}
+
 void vbss_scene_arrive_drains(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -280,9 +293,13 @@ void vbss_scene_arrive_drains(scene_object *s, double h)
             if (s->lagging) {
                 hold_back(b->drain);
             }
-            b->drain->statistics.steps++;
-            b->drain->statistics.time += h;
-            b->drain->generation++;
+            finish_step(b->drain, h);
         }
     }
+}
+
+void vbss_scene_paper_arrive_drain(scene_drain *b, double h)
+{
+    vbss_drain_paper_arrive(b->drain, b->stage.h);
+    finish_step(b->drain, h);
 }

@@ -17,31 +17,58 @@
 
 /* ---- features */
 
-/* A segment of a thread, or the axis of a capsule; a node of a thread alone: the floor. */
+/* A segment of a thread, a side of a drain's triangles or the axis of a capsule, by its ends; one node alone: the
+ * floor. */
 typedef struct feature {
-    const vec3 *start;
-    vec3 *end, *speed; /* speed NULL: nothing moves it */
+    const vec3 *start[2];
+    vec3 *end[2], *speed[2];
     double radius;
-    double mass[2], mobility[2]; /* of its ends; mobility, 1/kg, 0: held */
+    double mass[2], mobility[2]; /* mobility, 1/kg, 0: held, and has perhaps no speed */
 } feature;
 
-static feature thread_feature(const thread_object *t, uint32_t node, uint32_t count)
+static void set_thread_node(feature *f, int k, const thread_object *t, uint32_t node)
 {
-    feature f = {t->kept.x + node, t->now.x + node, t->now.v + node, t->config.radius, {0}, {0}};
-    for (uint32_t k = 0; k < count; k++) {
-        f.mass[k] = t->mass[node + k];
-        f.mobility[k] = t->held[node + k] != 0 ? 0.0 : 1.0 / f.mass[k];
+    f->radius = t->config.radius;
+    f->start[k] = &t->kept.x[node];
+    f->end[k] = &t->now.x[node];
+    f->speed[k] = &t->now.v[node];
+    f->mass[k] = t->mass[node];
+    f->mobility[k] = t->held[node] != 0 ? 0.0 : 1.0 / t->mass[node];
+}
+
+static void set_drain_node(feature *f, int k, const drain_object *d, uint32_t node)
+{
+    f->radius = 0.5 * d->config.thickness;
+    f->start[k] = &d->kept_x[node];
+    f->end[k] = &d->x[node];
+    f->speed[k] = &d->v[node];
+    f->mass[k] = d->mass[node];
+    f->mobility[k] = d->free_mass[node] > 0.0 ? 1.0 / d->mass[node] : 0.0;
+}
+
+/* Of a thread or a drain. */
+static void set_node(feature *f, int k, const scene_body *b, uint32_t node)
+{
+    if (b->kind == BODY_THREAD) {
+        set_thread_node(f, k, b->thread.thread, node);
+    } else {
+        set_drain_node(f, k, b->drain.drain, node);
     }
-    return f;
 }
 
 static feature feature_of(const scene_object *s, const scene_body *b, uint32_t i)
 {
-    if (b->kind == BODY_THREAD) {
-        return thread_feature(b->thread.thread, i, 2);
+    const uint32_t *side = s->collision->shapes[b->shape]->edges[i];
+    feature f = {.radius = 0.0};
+    for (int k = 0; b->kind != BODY_RIGID && k < 2; k++) {
+        set_node(&f, k, b, side[k]);
     }
-    scene_capsule *c = &s->capsules[b->rigid.first_capsule + i];
-    feature f = {c->now, c->trial, NULL, c->radius, {0}, {0}};
+    for (int k = 0; b->kind == BODY_RIGID && k < 2; k++) {
+        scene_capsule *c = &s->capsules[b->rigid.first_capsule + i];
+        f.radius = c->radius;
+        f.start[k] = &c->now[k];
+        f.end[k] = &c->trial[k];
+    }
     return f;
 }
 
@@ -53,8 +80,9 @@ static bool moves(const feature *f)
 /* From b to a at the end, and where on each. */
 static vec3 apart_at_end(const feature *a, const feature *b, double at[2])
 {
-    return vec3_neg(closest_edges(vec3_sub(a->end[1], a->end[0]), vec3_sub(b->end[1], b->end[0]),
-                                  vec3_sub(b->end[0], a->end[0]), &at[0], &at[1]));
+    return vec3_neg(closest_edges(vec3_sub(*a->end[1], *a->end[0]),
+                                  vec3_sub(*b->end[1], *b->end[0]),
+                                  vec3_sub(*b->end[0], *a->end[0]), &at[0], &at[1]));
 }
 
 /* ---- pairs of them */
@@ -64,28 +92,38 @@ typedef struct pair {
     feature a, b;
 } pair;
 
-/* Threads come first, whatever the order in which bodies were added. False: these two do not touch. */
+static uint32_t kind_of(const scene_body *a, const scene_body *b)
+{
+    bool rigid = b->kind == BODY_RIGID;
+    return b->kind == BODY_DRAIN            ? VBSS_CONTACT_SIDES
+           : rigid && a->kind == BODY_RIGID ? VBSS_CONTACT_CAPSULES
+           : rigid                          ? VBSS_CONTACT_SEGMENT_CAPSULE
+                                            : VBSS_CONTACT_SEGMENTS;
+}
+
+/* Threads come first and drains last, as their kinds are numbered, whatever the order in which bodies were added. False:
+ * these two do not touch. */
 static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
-    uint32_t i = q->a, k = q->b;
-    if (a->kind == BODY_RIGID) {
-        const scene_body *thread = b;
+    bool swapped = a->kind > b->kind;
+    uint32_t i = swapped ? q->b : q->a, k = swapped ? q->a : q->b;
+    if (swapped) {
+        const scene_body *first = b;
         b = a;
-        a = thread;
-        i = q->b;
-        k = q->a;
+        a = first;
     }
-    if (a->kind == BODY_RIGID) {
+    uint32_t kind = kind_of(a, b);
+    if (kind == VBSS_CONTACT_CAPSULES) {
         return false;
     }
-    bool rigid = b->kind == BODY_RIGID;
-    uint32_t kind = rigid ? VBSS_CONTACT_SEGMENT_CAPSULE : VBSS_CONTACT_SEGMENTS;
     const pair own = {{kind, a->number, i, b->number, k}, feature_of(s, a, i), feature_of(s, b, k)};
     *p = own;
-    return rigid ? !vbss_scene_comes_from(s, a, i, b, k, p->a.radius + p->b.radius)
-                 : !vbss_scene_adjoins(s, a, i, b, k);
+    if (kind == VBSS_CONTACT_SEGMENT_CAPSULE) {
+        return !vbss_scene_comes_from(s, a, i, b, k, p->a.radius + p->b.radius);
+    }
+    return kind == VBSS_CONTACT_SIDES || !vbss_scene_adjoins(s, a, i, b, k);
 }
 
 /* ---- what was responded to, in the order of the features */
@@ -126,10 +164,10 @@ static vbss_impact ask(scene_object *s, const feature *a, const feature *b, doub
     collision_question question = {.kind = VBSS_PAIR_EDGE_EDGE, .thickness = thickness};
     collision_answer answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
     for (int k = 0; k < 2; k++) {
-        question.start[k] = a->start[k];
-        question.end[k] = a->end[k];
-        question.start[2 + k] = b->start[k];
-        question.end[2 + k] = b->end[k];
+        question.start[k] = *a->start[k];
+        question.end[k] = *a->end[k];
+        question.start[2 + k] = *b->start[k];
+        question.end[2 + k] = *b->end[k];
     }
     vbss_collision_ask(&s->collision->rules, &question, &answer, &s->collision->counters);
     vbss_impact impact = {.struct_size = sizeof impact, .hit = answer.hit, .time = answer.time};
@@ -144,10 +182,10 @@ static vbss_result respond(const feature *a, const feature *b, double thickness,
     double start[12], end[12];
     const double mobility[4] = {a->mobility[0], a->mobility[1], b->mobility[0], b->mobility[1]};
     for (size_t k = 0; k < 2; k++) {
-        vec3_store(start + 3 * k, a->start[k]);
-        vec3_store(end + 3 * k, a->end[k]);
-        vec3_store(start + 6 + 3 * k, b->start[k]);
-        vec3_store(end + 6 + 3 * k, b->end[k]);
+        vec3_store(start + 3 * k, *a->start[k]);
+        vec3_store(end + 3 * k, *a->end[k]);
+        vec3_store(start + 6 + 3 * k, *b->start[k]);
+        vec3_store(end + 6 + 3 * k, *b->end[k]);
     }
     return vbss_paper_response(VBSS_PAIR_EDGE_EDGE, VBSS_RESPONSE_END_OF_STEP, impact, start, end,
                                thickness, mobility, response, sizeof *response);
@@ -178,9 +216,9 @@ static vec3 displace(const feature *f, const double displacement[6], double h)
     vec3 push = vec3_zero();
     for (size_t k = 0; k < 2; k++) {
         vec3 way = vec3_load(displacement + 3 * k);
-        if (f->speed != NULL && f->mobility[k] > 0.0) {
-            f->end[k] = vec3_add(f->end[k], way);
-            f->speed[k] = vec3_add_scaled(f->speed[k], 1.0 / h, way);
+        if (f->mobility[k] > 0.0) {
+            *f->end[k] = vec3_add(*f->end[k], way);
+            *f->speed[k] = vec3_add_scaled(*f->speed[k], 1.0 / h, way);
             push = vec3_add_scaled(push, f->mass[k], way);
         }
     }
@@ -229,17 +267,20 @@ static double height_of(const scene_object *s, vec3 x)
 
 static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
 {
-    const thread_object *t = b->thread.thread;
-    for (uint32_t i = 0; i < t->node_count; i++) {
-        const feature f = thread_feature(t, i, 1);
+    bool thread = b->kind == BODY_THREAD;
+    uint32_t kind = thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_DRAIN_FLOOR;
+    uint32_t count = thread ? b->thread.thread->node_count : b->drain.drain->mesh.node_count;
+    for (uint32_t i = 0; i < count; i++) {
+        feature f = {.radius = 0.0};
+        set_node(&f, 0, b, i);
         double thickness = f.radius + s->config.paper_thickness;
-        double depth = thickness - height_of(s, f.end[0]);
+        double depth = thickness - height_of(s, *f.end[0]);
         if (depth <= NO_DEPTH * thickness || f.mobility[0] == 0.0) {
             continue;
         }
         double displacement[6] = {0.0};
         vec3_store(displacement, vec3_scale(s->floor_normal, depth));
-        const contact_key key = {VBSS_CONTACT_NODE_FLOOR, b->number, i, 0, 0};
+        const contact_key key = {kind, b->number, i, 0, 0};
         s->hits_of_pass++;
         VBSS_TRY(note_hit(s, &key, s->floor_normal, displace(&f, displacement, h)));
     }
@@ -256,6 +297,10 @@ vbss_result vbss_scene_paper_search(scene_object *s)
             const thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &t->kept.x->x, &t->now.x->x,
                                          t->node_count));
+        } else if (b->kind == BODY_DRAIN) {
+            const drain_object *d = b->drain.drain;
+            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &d->kept_x->x, &d->x->x,
+                                         d->mesh.node_count));
         }
     }
     return vbss_collision_find_candidates(scene_collision(s));
@@ -268,7 +313,7 @@ vbss_result vbss_scene_paper_pass(scene_object *s, double h)
         VBSS_TRY(meet_candidate(s, &s->collision->candidates[i], h));
     }
     for (uint32_t i = 0; s->config.floor != 0 && i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+        if (s->bodies[i].kind == BODY_THREAD || s->bodies[i].kind == BODY_DRAIN) {
             VBSS_TRY(meet_floor(s, &s->bodies[i], h));
         }
     }
@@ -283,14 +328,15 @@ static void lay_hit(const scene_object *s, scene_hit *hit)
     const scene_body *a = vbss_scene_body(s, hit->key.body_a);
     const scene_body *b = vbss_scene_body(s, hit->key.body_b);
     if (b == NULL) {
-        const feature f = thread_feature(a->thread.thread, hit->key.a, 1);
-        hit->gap = height_of(s, f.end[0]) - f.radius;
-        hit->point = vec3_add_scaled(f.end[0], -f.radius - 0.5 * hit->gap, hit->normal);
+        feature f = {.radius = 0.0};
+        set_node(&f, 0, a, hit->key.a);
+        hit->gap = height_of(s, *f.end[0]) - f.radius;
+        hit->point = vec3_add_scaled(*f.end[0], -f.radius - 0.5 * hit->gap, hit->normal);
         return;
     }
     const feature f = feature_of(s, a, hit->key.a), g = feature_of(s, b, hit->key.b);
     double at[2];
-    vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(f.end[0], f.end[1], at[0]);
+    vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(*f.end[0], *f.end[1], at[0]);
     double distance = vec3_norm(apart), side = vec3_dot(apart, hit->normal) < 0.0 ? -1.0 : 1.0;
     if (distance > NO_DISTANCE) {
         hit->normal = vec3_scale(apart, side / distance);

@@ -1,6 +1,6 @@
 /* A step of method PAPER (Qi et al. 2017): what docs/paper-scene.md tells in full.
- *   tool poses -> threads, each by its own explicit steps -> passes of detection and response, until
- *   nothing hits -> events -> tool forces
+ *   tool poses -> threads and drains, each by its own explicit steps -> passes of detection and response,
+ *   until nothing hits -> events -> tool forces
  * Rigid bodies go where they are told, whatever is in their way. No friction, no guard. */
 #include "scene/scene.h"
 
@@ -15,6 +15,8 @@ static vbss_result keep(scene_object *s)
             VBSS_TRY(vbss_thread_layout(t));
             vbss_thread_copy_motion(t, &t->kept, &t->now);
             b->thread.kept = t->statistics;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_keep_drain(&b->drain);
         }
     }
     vbss_scene_keep_tools(s);
@@ -29,6 +31,8 @@ static void go_back(scene_object *s)
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_copy_motion(t, &t->now, &t->kept);
             t->statistics = s->bodies[i].thread.kept;
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_scene_return_drain(&s->bodies[i].drain);
         }
     }
     vbss_scene_return_tools(s);
@@ -68,6 +72,8 @@ static vbss_result move_bodies(scene_object *s, double h)
             VBSS_TRY(vbss_thread_paper_step(b->thread.thread, h));
         } else if (b->kind == BODY_RIGID) {
             VBSS_TRY(move_rigid(s, b, &b->rigid, h));
+        } else if (b->kind == BODY_DRAIN) {
+            VBSS_TRY(vbss_drain_paper_move(b->drain.drain, h, &b->drain.stage.h));
         }
     }
     return VBSS_OK;
@@ -76,13 +82,26 @@ static vbss_result move_bodies(scene_object *s, double h)
 /* ---- passes */
 
 /* Far below what collision refuses; a sum is finite only if all its terms are. */
+static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
+{
+    double sum = 0.0;
+    for (uint32_t k = 0; k < count; k++) {
+        sum += vec3_norm_squared(x[k]) + vec3_norm_squared(v[k]);
+    }
+    return sum;
+}
+
 static bool is_sound(const scene_object *s)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < s->place_count; i++) {
-        const thread_object *t = s->bodies[i].thread.thread;
-        for (uint32_t k = 0; s->bodies[i].kind == BODY_THREAD && k < t->node_count; k++) {
-            sum += vec3_norm_squared(t->now.x[k]) + vec3_norm_squared(t->now.v[k]);
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            const thread_object *t = b->thread.thread;
+            sum += sum_motion(t->now.x, t->now.v, t->node_count);
+        } else if (b->kind == BODY_DRAIN) {
+            const drain_object *d = b->drain.drain;
+            sum += sum_motion(d->x, d->v, d->mesh.node_count);
         }
     }
     return sum < 1e50;
@@ -135,6 +154,8 @@ static void arrive(scene_object *s, double h)
         } else if (b->kind == BODY_RIGID) {
             b->rigid.body.now = b->rigid.predicted;
             b->rigid.body.begin = b->rigid.body.end;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_paper_arrive_drain(&b->drain, h);
         }
     }
 }

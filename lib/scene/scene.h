@@ -426,6 +426,7 @@ void vbss_scene_return_drain(scene_drain *b);
 void vbss_scene_aim_drain(scene_drain *b, const scene_part *part);
 void vbss_scene_shorten_drain(scene_drain *b, double share);
 void vbss_scene_arrive_drains(scene_object *s, double h);
+void vbss_scene_paper_arrive_drain(scene_drain *b, double h);
 /* predict.c: trial states, from where the part begins. */
 void vbss_scene_predict(scene_object *s, const scene_part *part);
 /* features.c: how the sides of a row lie at the begin of the part (b is NULL: the floor); false: too far apart to touch in it. */
