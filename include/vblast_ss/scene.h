@@ -6,9 +6,10 @@
  * pinned in space. A thread that was added belongs to the scene until it is removed: stepping, cutting,
  * restoring or destroying it alone is VBSS_ERROR_IN_SCENE, while attaching, moving and looking go on as
  * before; it is cut in the scene (#vbss_scene_cut_thread). So does a drain (drain.h), whose surface touches everything on
- * both of its sides, half the wall away from its middle, and itself. Rigid bodies are sets of capsules; they are driven (move
- * exactly as told), coupled (a proxy tied to a given pose by a spring and a damper, so that what stops the
- * thread stops the tool) or free. A grasper (grasper.h) is a coupled one with jaws that hold threads; of method
+ * both of its sides, half the wall away from its middle, and itself; of method PAPER its edges alone do, and not each
+ * other. Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied to a given pose
+ * by a spring and a damper, so that what stops the thread stops the tool) or free. A grasper (grasper.h) is a coupled one
+ * with jaws that hold threads; of method
  * PAPER a driven one.
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb

@@ -92,9 +92,9 @@ static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *s
     VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
                                      m->triangle_count, 0.5 * wall, shape));
     if (s->config.method == VBSS_METHOD_PAPER) {
-        collision_shape *own = s->collision->shapes[*shape];
-        own->rigid = own->edges_only =
-            true; /* edges, against those of others: docs/paper-scene.md */
+        /* Edges alone, against those of others: docs/paper-scene.md. */
+        s->collision->shapes[*shape]->rigid = true;
+        s->collision->shapes[*shape]->edges_only = true;
         return VBSS_OK;
     }
     vbss_result result =

@@ -35,6 +35,11 @@ static uint32_t add_poker(stage *s)
 
 static void expect_poked(stage *s, const stage_drain *d, uint32_t tool)
 {
+    scene_object *scene;
+    expect_ok(vbss_scene_open(s->scene, &scene));
+    for (uint32_t i = 0; i < scene->collision->candidate_count; i++) { /* triangles are not asked */
+        assert_int_equal(VBSS_PAIR_EDGE_EDGE, scene->collision->candidates[i].kind);
+    }
     vbss_view v = look(s, VBSS_SCENE_VIEW_CONTACTS);
     const uint32_t *features = v.data;
     vec3 sum = vec3_zero();
