@@ -21,9 +21,9 @@
  * floor. */
 typedef struct feature {
     const vec3 *start[2];
-    vec3 *end[2], *speed[2];
+    vec3 *end[2], *speed[2]; /* speed NULL: nothing moves it */
     double radius;
-    double mass[2], mobility[2]; /* mobility, 1/kg, 0: held, and has perhaps no speed */
+    double mass[2], mobility[2]; /* mobility, 1/kg, 0: held */
 } feature;
 
 static void set_thread_node(feature *f, int k, const thread_object *t, uint32_t node)
@@ -216,7 +216,7 @@ static vec3 displace(const feature *f, const double displacement[6], double h)
     vec3 push = vec3_zero();
     for (size_t k = 0; k < 2; k++) {
         vec3 way = vec3_load(displacement + 3 * k);
-        if (f->mobility[k] > 0.0) {
+        if (f->speed[k] != NULL && f->mobility[k] > 0.0) {
             *f->end[k] = vec3_add(*f->end[k], way);
             *f->speed[k] = vec3_add_scaled(*f->speed[k], 1.0 / h, way);
             push = vec3_add_scaled(push, f->mass[k], way);
