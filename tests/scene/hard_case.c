@@ -5,6 +5,7 @@
 #include <time.h>
 
 #include "collision/closest.h"
+#include "scene/small.h"
 
 /* ---- looking */
 
@@ -58,26 +59,11 @@ static double energy_of_contacts(const hard_case *c)
     return 0.5 * energy / c->scene.options.scene.contact_stiffness;
 }
 
-/* Stretching by the tensions: by the lengths it would be that of the stretch error, which is no force. */
-static double energy_of_thread(vbss_thread *thread, uint32_t nodes, double stiffness)
-{
-    vbss_thread_energies e;
-    expect_ok(vbss_thread_get_energies(thread, &e, sizeof e));
-    const double *tension = values_of(thread, VBSS_THREAD_TENSIONS);
-    const double *rest = values_of(thread, VBSS_THREAD_REST_LENGTHS);
-    double energy = e.kinetic + e.bending + e.gravity;
-    for (uint32_t i = 0; i + 1 < nodes; i++) {
-        energy += 0.5 * tension[i] * tension[i] * rest[i] / stiffness;
-    }
-    return energy;
-}
-
 double hard_energy(const hard_case *c)
 {
     double energy = energy_of_contacts(c);
     for (uint32_t t = 0; t < c->scene.thread_count; t++) {
-        energy += energy_of_thread(c->scene.threads[t], c->scene.nodes[t],
-                                   c->scene.options.thread.axial_stiffness);
+        energy += small_thread_energy(c->scene.threads[t], c->scene.options.thread.axial_stiffness);
     }
     for (uint32_t i = 0; i < c->scene.hand_count; i++) {
         const contact_hand *hand = &c->scene.hands[i];

@@ -178,6 +178,21 @@ double small_tension(vbss_thread *thread, uint32_t segment)
     return tension;
 }
 
+double small_thread_energy(vbss_thread *thread, double axial_stiffness)
+{
+    vbss_thread_energies e;
+    vbss_view tensions, rest;
+    expect_ok(vbss_thread_get_energies(thread, &e, sizeof e));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_TENSIONS, &tensions, sizeof tensions));
+    expect_ok(vbss_thread_get_view(thread, VBSS_THREAD_REST_LENGTHS, &rest, sizeof rest));
+    double energy = e.kinetic + e.bending + e.gravity;
+    for (uint64_t i = 0; i < rest.count; i++) {
+        double tension = ((const double *)tensions.data)[i];
+        energy += 0.5 * tension * tension * ((const double *)rest.data)[i] / axial_stiffness;
+    }
+    return energy;
+}
+
 small_state small_save(const small *s)
 {
     small_state state = {NULL, 0};

@@ -55,6 +55,8 @@ small_state small_save(const small *s);
 /* Where a node is; the tension of a segment. */
 vec3 small_node(vbss_thread *thread, uint32_t node);
 double small_tension(vbss_thread *thread, uint32_t segment);
+/* Of all of it. Stretching by the tensions: by the lengths it would be that of the stretch error, which is no force. */
+double small_thread_energy(vbss_thread *thread, double axial_stiffness);
 /* The inside. */
 scene_object *small_object(const small *s);
 /* How many events of that kind the last step had, and the last of them. */

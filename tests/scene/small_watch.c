@@ -34,10 +34,20 @@ static void watch(void *watcher, const scene_object *s)
             look_below(w, s, c->trial[0]);
             look_below(w, s, c->trial[1]);
         }
+        const drain_object *d = b->drain.drain;
+        for (uint32_t k = 0; b->kind == BODY_DRAIN && k < d->mesh.node_count; k++) {
+            look_below(w, s, d->trial[k]);
+        }
         assert_true(count < MOST_CHAINS);
     }
     w->parts++;
     w->passed += passing_count(chains, count, NULL);
+    passing_surface_report report;
+    uint64_t passed = drain_watch_passed(&w->drains, s, chains, count, &report);
+    if (w->passed_drain == 0 && passed > 0) {
+        w->report = report;
+    }
+    w->passed_drain += passed;
 }
 
 void small_watch_begin(small *s, small_watch *w)
@@ -52,5 +62,6 @@ void small_watch_expect_nothing(const small_watch *w)
 {
     assert_true(w->parts > 0);
     assert_int_equal(w->passed, 0);
+    assert_int_equal(w->passed_drain, 0);
     assert_int_equal(w->below, 0);
 }

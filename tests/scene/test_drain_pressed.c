@@ -1,0 +1,86 @@
+/* A drain is pinched flat, poked inside out, stirred: what it touches goes nowhere that it should not, and what lets go
+ * of it leaves it as it was. */
+#include "scene/drain_case.h"
+
+static drain_case c;
+
+/* Middle surface 6.5 mm from the axis, wall 1 mm. */
+#define TOP 7.0e-3
+
+static void begin(void)
+{
+    drain_case_begin(&c);
+    drain_case_make(&c);
+}
+
+static void end(const char *name, double share)
+{
+    drain_case_tell(&c, name);
+    drain_case_expect_kept(&c, share);
+    drain_case_end(&c);
+}
+
+/* Lips apart, nothing moves, the shape is that of rest. */
+static void expect_rest(double distance)
+{
+    assert_int_equal(drain_case_statistics(&c).inverted, 0);
+    assert_true(drain_case_fastest(&c) < 1e-3);
+    assert_true(drain_case_distance(&c) < distance);
+}
+
+/* A rod across, down to where the top lies on the bottom. */
+static void a_rod_across_pinches_it_flat_and_leaves(void **state)
+{
+    (void)state;
+    begin();
+    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, TOP + 3e-3, 0.0),
+                                   vec3_make(0.0, 0.0, 20e-3), 1.5e-3);
+    drain_case_way(&c, rod, vec3_make(0.0, -5e-3, 0.0), 400);
+    drain_case_wait(&c, 300);
+    drain_case_tell(&c, "flat");
+    drain_case_way(&c, rod, vec3_make(0.0, TOP + 5e-3, 0.0), 300);
+    drain_case_wait(&c, 500);
+    expect_rest(0.1e-3);
+    end("pinched across", 0.05);
+}
+
+static void a_rod_along_pinches_it_flat_and_leaves(void **state)
+{
+    (void)state;
+    begin();
+    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, TOP + 4e-3, 0.0),
+                                   vec3_make(20e-3, 0.0, 0.0), 2.5e-3);
+    drain_case_way(&c, rod, vec3_make(0.0, -3e-3, 0.0), 400);
+    drain_case_wait(&c, 300);
+    drain_case_tell(&c, "flat");
+    drain_case_way(&c, rod, vec3_make(0.0, TOP + 5e-3, 0.0), 300);
+    for (int i = 0; i < 10; i++) { drain_case_wait(&c, 100); drain_case_tell(&c, "away"); }
+    expect_rest(0.1e-3);
+    end("pinched along", 0.05);
+}
+
+/* Beside the slit the wall dents until its dome is turned in. */
+static void a_tip_pokes_it_inside_out(void **state)
+{
+    (void)state;
+    begin();
+    uint32_t tip = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.3e-3, TOP + 10e-3, 4e-3),
+                                   vec3_make(0.0, 8e-3, 0.0), 1.0e-3);
+    drain_case_way(&c, tip, vec3_make(0.3e-3, TOP - 3e-3, 4e-3), 400);
+    drain_case_wait(&c, 300);
+    drain_case_tell(&c, "in");
+    drain_case_way(&c, tip, vec3_make(0.3e-3, TOP + 12e-3, 4e-3), 300);
+    drain_case_wait(&c, 500);
+    expect_rest(0.1e-3);
+    end("poked", 0.05);
+}
+
+int test_drain_pressed(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_rod_across_pinches_it_flat_and_leaves),
+        cmocka_unit_test(a_rod_along_pinches_it_flat_and_leaves),
+        cmocka_unit_test(a_tip_pokes_it_inside_out),
+    };
+    return cmocka_run_group_tests_name("drain pressed", tests, NULL, NULL);
+}
