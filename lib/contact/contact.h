@@ -57,8 +57,9 @@ typedef struct contact_row {
     double gap;          /* at the trial state, m */
     vec3 slid;           /* of a against b from the begin of the part to the trial state, m */
     double at[2];        /* where on the features: for whoever makes rows */
-    vec3 point;          /* between the surfaces: the same */
-    double walls;        /* m: of two lips, what of their distance along the normal is wall: the same */
+    uint32_t points[2], later; /* what is there: the same, while they are made */
+    vec3 point;                /* between the surfaces: the same */
+    double walls; /* m: of two lips, what of their distance along the normal is wall: the same */
     double thickness, gap_before,
         depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
 
@@ -96,8 +97,8 @@ typedef struct contact_set {
     contact_memory *memory; /* the same */
     contact_memory *marked; /* memory as it was at the last mark */
     uint32_t marked_count;
-    uint8_t *recalled;   /* of the memory: found again */
-    contact_found *next; /* of the rows: what the last solve says */
+    uint8_t *recalled;           /* of the memory: found again */
+    contact_found *next;         /* of the rows: what the last solve says */
     contact_found *found_before; /* what was found before a search whose outcome may be left */
     contact_stand *here,
         *there;       /* of the rows: where the last solve was left, where this one leads */

@@ -334,83 +334,6 @@ static bool add_floor_rows(scene_object *s, const scene_body *b)
     return true;
 }
 
-/* ---- contacts that are there twice: at a node where two segments meet */
-
-static uint32_t find_row(const contact_set *set, const contact_key *key)
-{
-    uint32_t low = 0, high = set->count;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    bool there = low < set->count && vbss_contact_compare(&set->rows[low].key, key) == 0;
-    return there ? low : UINT32_MAX;
-}
-
-/* A point where features meet belongs to the first of them: the end of a segment of a thread to the next one, that of a
- * side of a drain to the first side that ends there. Returns whether the point of the row has another owner. */
-static bool give_up(const scene_object *s, const scene_body *b, uint32_t *feature, double *at)
-{
-    bool begin = *at == 0.0, end = *at == 1.0;
-    if (b == NULL || (!begin && !end)) {
-        return false;
-    }
-    if (b->kind == BODY_THREAD && end) {
-        *feature += 1;
-        *at = 0.0;
-        return true;
-    }
-    if (b->kind != BODY_DRAIN) { /* after the end of a capsule nothing follows */
-        return false;
-    }
-    const collision_shape *shape = s->collision->shapes[b->shape];
-    uint32_t node = shape->edges[*feature][end], owner = b->drain.side_of[node];
-    bool other = owner != *feature;
-    *feature = owner;
-    *at = shape->edges[owner][0] == node ? 0.0 : 1.0;
-    return other;
-}
-
-static bool is_double(const scene_object *s, const contact_row *row)
-{
-    const contact_set *set = s->contacts;
-    contact_key key = row->key;
-    double at[2] = {row->at[0], row->at[1]};
-    bool sides = key.kind == VBSS_CONTACT_SIDES;
-    bool a = give_up(s, vbss_scene_body(s, key.body_a), &key.a, &at[0]);
-    bool b = (sides || key.kind == VBSS_CONTACT_SEGMENTS) &&
-             give_up(s, vbss_scene_body(s, key.body_b), &key.b, &at[1]);
-    uint32_t other = a || b ? find_row(set, &key) : UINT32_MAX;
-    if (other == UINT32_MAX) {
-        return false;
-    }
-    const contact_row *next = &set->rows[other];
-    return fabs(next->at[0] - at[0]) < 1e-9 && fabs(next->at[1] - at[1]) < 1e-9;
-}
-
-static void remove_doubles(scene_object *s)
-{
-    contact_set *set = s->contacts;
-    uint32_t kept = 0;
-    for (uint32_t i = 0; i < set->count; i++) {
-        uint32_t kind = set->rows[i].key.kind;
-        set->recalled[i] = scene_is_of_segment(kind) && is_double(s, &set->rows[i]);
-    }
-    for (uint32_t i = 0; i < set->count; i++) {
-        if (set->recalled[i] == 0) {
-            if (kept < i) {
-                set->rows[kept] = set->rows[i];
-            }
-            kept++;
-        }
-    }
-    set->count = kept;
-}
-
 /* ---- all of it */
 
 static void note_near(scene_object *s)
@@ -457,7 +380,7 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
         return false;
     }
     vbss_contact_sort(set);
-    remove_doubles(s);
+    vbss_scene_remove_doubles(s);
     note_near(s);
     return true;
 }

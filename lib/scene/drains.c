@@ -52,7 +52,7 @@ vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer)
 
 /* ---- joining and leaving */
 
-enum { PARTS = 7 };
+enum { PARTS = 6 };
 /* Of a surface: most sides of triangles a node. */
 #define SIDES_A_NODE 3u
 
@@ -62,7 +62,6 @@ static void list_parts(scene_drain *b, uint32_t nodes, vbss_array parts[PARTS])
         {&b->marks, nodes, sizeof *b->marks},
         {&b->ways, nodes, sizeof *b->ways},
         {&b->vertices, 2 * (size_t)nodes, sizeof *b->vertices},
-        {&b->side_of, nodes, sizeof *b->side_of},
         {&b->lip_face, SIDES_A_NODE * (size_t)nodes, sizeof *b->lip_face},
         {&b->at_lip, nodes, sizeof *b->at_lip},
         {&b->near, SIDES_A_NODE * (size_t)nodes, sizeof *b->near}};
@@ -105,15 +104,6 @@ static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *s
     return result;
 }
 
-static void find_sides(scene_drain *b, const collision_shape *shape, bool lips)
-{
-    for (uint32_t i = shape->edge_count; i > 0; i--) {
-        if (!lips || b->lip_face[i - 1] != SCENE_NO_FACE) {
-            b->side_of[shape->edges[i - 1][0]] = b->side_of[shape->edges[i - 1][1]] = i - 1;
-        }
-    }
-}
-
 static uint32_t number_of_side(const collision_shape *shape, uint32_t p, uint32_t q)
 {
     uint32_t i = 0;
@@ -137,8 +127,6 @@ static void find_lips(scene_drain *b, const collision_shape *shape)
             }
         }
     }
-    find_sides(b, shape, false);
-    find_sides(b, shape, true);
 }
 
 static vbss_result make_parts(scene_object *s, scene_drain *b, uint32_t *shape)

@@ -60,10 +60,9 @@ typedef struct scene_drain {
     uint8_t *marks;       /* per node: separators */
     vec3 *ways;           /* per node: how far it may move */
     vec3 *vertices;       /* start and end, for the search */
-    uint32_t *side_of;  /* per node: the first side that ends there, at a lip the first along it */
-    uint32_t *lip_face; /* per side: of a lip, its triangle; else SCENE_NO_FACE */
-    uint8_t *at_lip;    /* per node */
-    uint32_t *near;     /* meshes.c: sides or triangles that a search has found */
+    uint32_t *lip_face;   /* per side: of a lip, its triangle; else SCENE_NO_FACE */
+    uint8_t *at_lip;      /* per node */
+    uint32_t *near;       /* meshes.c: sides or triangles that a search has found */
     drain_stage stage;
     double moved;               /* by the last linearisation of the part, its farthest node, m */
     vbss_drain_statistics kept; /* before the step */
@@ -411,8 +410,10 @@ typedef struct scene_meeting {
     uint32_t count_a, count_b;
 } scene_meeting;
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m);
+/* doubles.c: of rows about the same two points, in a list that is sorted, one stays. */
+void vbss_scene_remove_doubles(scene_object *s);
 /* surfaces.c: rows of a pair of which one or both are of drains; of a drain and the floor. Nodes of a feature of a drain;
- * returns how many. Whether a row is there twice, as its point of a drain is where sides of triangles meet. */
+ * returns how many. */
 bool vbss_scene_add_surface_row(scene_object *s, const collision_candidate *q);
 bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b);
 /* recall.c: what the rows remember of the last part. */

@@ -1,0 +1,117 @@
+/* Contacts that are there twice: where segments of a thread or sides of a drain meet, each of them has a row about the
+ * same point. */
+#include "scene/scene.h"
+
+/* ---- segments of threads: the end of one is the begin of the next, whose row stays */
+
+static uint32_t find_row(const contact_set *set, const contact_key *key)
+{
+    uint32_t low = 0, high = set->count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    bool there = low < set->count && vbss_contact_compare(&set->rows[low].key, key) == 0;
+    return there ? low : UINT32_MAX;
+}
+
+static bool goes_on(const contact_set *set, const contact_row *row)
+{
+    contact_key key = row->key;
+    double at[2] = {row->at[0], row->at[1]};
+    bool a = at[0] == 1.0, b = key.kind == VBSS_CONTACT_SEGMENTS && at[1] == 1.0;
+    key.a += a;
+    key.b += b;
+    at[0] = a ? 0.0 : at[0];
+    at[1] = b ? 0.0 : at[1];
+    uint32_t other = a || b ? find_row(set, &key) : UINT32_MAX;
+    return other != UINT32_MAX && fabs(set->rows[other].at[0] - at[0]) < 1e-9 &&
+           fabs(set->rows[other].at[1] - at[1]) < 1e-9;
+}
+
+/* ---- sides of drains: more than two meet, and not all that do have rows; the last of those that have stays */
+
+/* A node of a thread or a drain, or a feature that is touched between its ends: odd. */
+static uint32_t point_of(const scene_object *s, uint32_t number, uint32_t feature, double at)
+{
+    const scene_body *b = vbss_scene_body(s, number);
+    bool begin = at == 0.0, end = at == 1.0;
+    if (b->kind == BODY_DRAIN && (begin || end)) {
+        return 2 * s->collision->shapes[b->shape]->edges[feature][end ? 1 : 0];
+    }
+    if (b->kind == BODY_THREAD && (begin || end)) {
+        return 2 * (feature + (end ? 1 : 0));
+    }
+    return 2 * feature + 1; /* after the end of a capsule nothing follows */
+}
+
+static void find_points(const scene_object *s, contact_row *row)
+{
+    const contact_key *key = &row->key;
+    row->points[0] = point_of(s, key->body_a, key->a, row->at[0]);
+    row->points[1] = point_of(s, key->body_b, key->b, row->at[1]);
+    if (key->body_a == key->body_b && row->points[0] > row->points[1]) {
+        uint32_t first = row->points[0];
+        row->points[0] = row->points[1];
+        row->points[1] = first;
+    }
+}
+
+static bool is_same(const contact_row *a, const contact_row *b)
+{
+    return a->points[0] == b->points[0] && a->points[1] == b->points[1] &&
+           a->key.kind == b->key.kind && a->key.body_a == b->key.body_a &&
+           a->key.body_b == b->key.body_b;
+}
+
+/* Rows by their points. */
+enum { BUCKETS = 256 };
+static uint32_t bucket_of(const contact_row *row)
+{
+    return (row->points[0] * 31u + row->points[1]) % BUCKETS;
+}
+
+static bool is_there(contact_set *set, uint32_t last[BUCKETS], uint32_t i)
+{
+    contact_row *row = &set->rows[i];
+    uint32_t *bucket = &last[bucket_of(row)], k = *bucket;
+    while (k != UINT32_MAX && !is_same(row, &set->rows[k])) {
+        k = set->rows[k].later;
+    }
+    row->later = *bucket;
+    *bucket = k == UINT32_MAX ? i : *bucket;
+    return k != UINT32_MAX;
+}
+
+void vbss_scene_remove_doubles(scene_object *s)
+{
+    contact_set *set = s->contacts;
+    uint32_t last[BUCKETS], kept = 0;
+    for (uint32_t i = 0; i < BUCKETS; i++) {
+        last[i] = UINT32_MAX;
+    }
+    for (uint32_t i = set->count; i > 0; i--) {
+        contact_row *row = &set->rows[i - 1];
+        uint32_t kind = row->key.kind;
+        set->recalled[i - 1] = 0;
+        if (kind == VBSS_CONTACT_SIDES) {
+            find_points(s, row);
+            set->recalled[i - 1] = is_there(set, last, i - 1);
+        } else if (scene_is_of_segment(kind)) {
+            set->recalled[i - 1] = goes_on(set, row);
+        }
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (set->recalled[i] == 0) {
+            if (kept < i) {
+                set->rows[kept] = set->rows[i];
+            }
+            kept++;
+        }
+    }
+    set->count = kept;
+}
