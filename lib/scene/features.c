@@ -387,7 +387,9 @@ static void place_row(const scene_object *s, contact_row *row, const side *d, co
  * that are a little wrong would make them worse, and tight knots tremble. */
 static bool keeps_normal(const contact_row *row)
 {
-    return row->key.kind == VBSS_CONTACT_SEGMENTS || row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE;
+    return row->key.kind == VBSS_CONTACT_SEGMENTS ||
+           row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE || row->key.kind == VBSS_CONTACT_SIDES ||
+           row->key.kind == VBSS_CONTACT_POINT_FACE;
 }
 
 /* Within the face, not on a side of it. */
