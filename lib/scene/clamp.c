@@ -155,6 +155,12 @@ static void settle_rows(scene_object *s)
     }
 }
 
+void vbss_scene_stay(scene_object *s)
+{
+    shorten(s, 0.0);
+    settle_rows(s);
+}
+
 double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part)
 {
     const vbss_rigid_part p = {part->step, part->begin, part->end};

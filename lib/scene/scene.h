@@ -465,6 +465,8 @@ void vbss_scene_commit_capsules(scene_object *s);
 void vbss_scene_unsettle(scene_object *s);
 /* clamp.c: as much of the trial state as does no harm becomes the state. Returns the share. */
 double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part);
+/* Nothing moves after an attempt that was not accepted: rows, which are shown, say what contact does where things are. */
+void vbss_scene_stay(scene_object *s);
 
 /* ---- around it */
 

@@ -290,6 +290,7 @@ static vbss_result make_parts(scene_object *s, double h)
             count(s, verdict);
             if (at.size > at.smallest && is_over(s, &at) && may_wait(verdict)) {
                 vbss_scene_unsettle(s);
+                vbss_scene_stay(s);
                 pause_for_now(s, &at, 0.5 * at.size);
                 break;
             }
