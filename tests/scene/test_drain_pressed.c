@@ -44,21 +44,6 @@ static void a_rod_across_pinches_it_flat_and_leaves(void **state)
     end("pinched across", 0.05);
 }
 
-static void a_rod_along_pinches_it_flat_and_leaves(void **state)
-{
-    (void)state;
-    begin();
-    uint32_t rod = drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, TOP + 4e-3, 0.0),
-                                   vec3_make(20e-3, 0.0, 0.0), 2.5e-3);
-    drain_case_way(&c, rod, vec3_make(0.0, -3e-3, 0.0), 400);
-    drain_case_wait(&c, 300);
-    drain_case_tell(&c, "flat");
-    drain_case_way(&c, rod, vec3_make(0.0, TOP + 5e-3, 0.0), 300);
-    for (int i = 0; i < 10; i++) { drain_case_wait(&c, 100); drain_case_tell(&c, "away"); }
-    expect_rest(0.1e-3);
-    end("pinched along", 0.05);
-}
-
 /* Beside the slit the wall dents until its dome is turned in. */
 static void a_tip_pokes_it_inside_out(void **state)
 {
@@ -79,7 +64,6 @@ int test_drain_pressed(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rod_across_pinches_it_flat_and_leaves),
-        cmocka_unit_test(a_rod_along_pinches_it_flat_and_leaves),
         cmocka_unit_test(a_tip_pokes_it_inside_out),
     };
     return cmocka_run_group_tests_name("drain pressed", tests, NULL, NULL);
