@@ -1,5 +1,7 @@
 #include "scene/drain_case.h"
 
+#include "scene/folded.h"
+
 /* Below this no gain is looked at, J: of the drain's energy when the slit is closed a thousandth. */
 #define LEAST_GAIN 1e-6
 
@@ -230,50 +232,6 @@ static void book(drain_case *c)
     c->excess = fmax(c->excess, energy - c->first - c->work);
 }
 
-/* ---- triangles that are turned over, by angles: from a triangle's inside its three neighbours are seen beyond its
- * sides, as far as they are not folded back onto it. */
-
-static vec3 across(vec3 from, vec3 along, vec3 to)
-{
-    vec3 way = vec3_sub(to, from);
-    return vec3_add_scaled(way, -vec3_dot(way, along) / vec3_norm_squared(along), along);
-}
-
-/* The normals of two triangles on both sides of one, weighed by their areas: against that of the one. */
-static bool is_folded(const vec3 *x, const uint32_t corners[3], uint32_t beyond, int opposite)
-{
-    vec3 p = x[corners[opposite]], a = x[corners[(opposite + 1) % 3]],
-         b = x[corners[(opposite + 2) % 3]];
-    vec3 along = vec3_sub(b, a), inward = across(a, along, p),
-         outward = across(a, along, x[beyond]);
-    double inner = vec3_norm(inward);
-    /* so far the neighbour reaches to the other side of the side, in heights of the triangle */
-    return !(vec3_dot(outward, inward) / (inner * inner) < 1.0);
-}
-
-static uint32_t count_inverted(const drain_case *c)
-{
-    const drain_object *d;
-    drain_object *open;
-    uint32_t count = 0;
-    expect_ok(vbss_drain_open(c->drain, &open));
-    d = open;
-    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
-        const uint32_t *n = d->mesh.triangles[t];
-        const vec3 *x = d->x, *rest = d->mesh.rest;
-        double area = vec3_norm(vec3_cross(vec3_sub(x[n[1]], x[n[0]]), vec3_sub(x[n[2]], x[n[0]])));
-        double whole = vec3_norm(
-            vec3_cross(vec3_sub(rest[n[1]], rest[n[0]]), vec3_sub(rest[n[2]], rest[n[0]])));
-        bool inverted = !(area > 0.01 * whole);
-        for (int k = 0; k < 3; k++) {
-            uint32_t beyond = d->mesh.opposite[t][k];
-            inverted = inverted || (beyond != DRAIN_NONE && is_folded(x, n, beyond, k));
-        }
-        count += inverted;
-    }
-    return count;
-}
-
 /* ---- steps */
 
 void drain_case_aim(drain_case *c, uint32_t tool, vec3 to)
@@ -295,7 +253,7 @@ void drain_case_step(drain_case *c)
     small_steps(&c->s, 1, c->h);
     c->steps++;
     uint32_t inverted = drain_case_statistics(c).inverted;
-    assert_int_equal(count_inverted(c), inverted);
+    assert_int_equal(folded_triangles(c->drain), inverted);
     c->inverted = inverted > c->inverted ? inverted : c->inverted;
     assert_true(isfinite(drain_case_fastest(c)));
     book(c);
