@@ -108,8 +108,8 @@ static vec3 force_of_pin(vec3 to)
     return vec3_load(force);
 }
 
-/* Of the published table of dents of this mesh, whose shell lacks the correction of bending, by a node that was displaced:
- * docs/drain-shell.md. */
+/* Dents of this mesh by a force at a mark, from a study that came before the library: another program, whose shell lacked
+ * the correction of bending. */
 static double table_at(double depth)
 {
     static const double table[7][2] = {{0.0, 0.0},    {0.5e-3, 0.034}, {1e-3, 0.060}, {2e-3, 0.095},
