@@ -21,7 +21,7 @@ typedef struct scene_case {
     double force;
 } scene_case;
 
-static scene_case cases[TISSUE_SCENE_KINDS];
+static scene_case cases[TISSUE_SCENE_KINDS][2]; /* by method */
 
 static void end_scene(void *user)
 {
@@ -122,7 +122,9 @@ static void finish_scene(void *user, bench_result *result)
     bench_counter(result, "gap_mm", 1e3 * gap.gap);
     if (c->kind == TISSUE_SCENE_SHUT) {
         bench_counter(result, "pull_N", pull_of(c->scene.drain));
-        bench_counter(result, "alone_N", pull_alone());
+        if (c->method == VBSS_METHOD_OURS) {
+            bench_counter(result, "alone_N", pull_alone());
+        }
     }
     bench_counter(result, "parts", (double)s.parts);
     bench_counter(result, "paused", (double)s.paused);
@@ -131,22 +133,33 @@ static void finish_scene(void *user, bench_result *result)
     bench_counter(result, "inverted", (double)d.inverted);
 }
 
+static void add_scene(bench *b, tissue_scene_kind kind, vbss_method method)
+{
+    bool paper = method == VBSS_METHOD_PAPER;
+    scene_case *c = &cases[kind][method];
+    c->kind = kind;
+    c->method = method;
+    snprintf(c->name, sizeof c->name, "tissue/scene-%s/%s", tissue_scene_names[kind],
+             paper ? "paper/85" : "ours/137");
+    bench_add_stepped(b, &(bench_stepped){.name = c->name,
+                                          .user = c,
+                                          .count = count_steps,
+                                          .dt_us = STEP_S * 1e6,
+                                          .deadline_us = 1000.0,
+                                          .restore = begin_scene,
+                                          .step = step_scene,
+                                          .hash = hash_scene,
+                                          .finish = finish_scene,
+                                          .teardown = end_scene});
+}
+
 void add_scenes(bench *b)
 {
     for (int kind = 0; kind < TISSUE_SCENE_KINDS; kind++) {
-        scene_case *c = &cases[kind];
-        c->kind = (tissue_scene_kind)kind;
-        c->method = VBSS_METHOD_OURS;
-        snprintf(c->name, sizeof c->name, "tissue/scene-%s/ours/137", tissue_scene_names[kind]);
-        bench_add_stepped(b, &(bench_stepped){.name = c->name,
-                                              .user = c,
-                                              .count = count_steps,
-                                              .dt_us = STEP_S * 1e6,
-                                              .deadline_us = 1000.0,
-                                              .restore = begin_scene,
-                                              .step = step_scene,
-                                              .hash = hash_scene,
-                                              .finish = finish_scene,
-                                              .teardown = end_scene});
+        add_scene(b, (tissue_scene_kind)kind, VBSS_METHOD_OURS);
+        /* The paper's drain has no block to be torn from, and its thread none to pass its load on to. */
+        if (kind != TISSUE_SCENE_LIFTED && kind != TISSUE_SCENE_LADEN) {
+            add_scene(b, (tissue_scene_kind)kind, VBSS_METHOD_PAPER);
+        }
     }
 }

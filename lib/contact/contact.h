@@ -59,7 +59,8 @@ typedef struct contact_row {
     double at[2];        /* where on the features: for whoever makes rows */
     uint32_t points[2], later; /* what is there: the same, while they are made */
     vec3 point;                /* between the surfaces: the same */
-    double walls; /* m: of two lips, what of their distance along the normal is wall: the same */
+    double touching; /* m: distance of the features\' middles at which they touch: the same */
+    double walls;    /* m: of two lips, what of their distance along the normal is wall: the same */
     double thickness, gap_before,
         depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
 

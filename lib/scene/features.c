@@ -419,6 +419,7 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
         row->normal = s->floor_normal;
         row->at[0] = row->at[1] = 0.0;
         row->thickness = 2.0 * d.radius;
+        row->touching = d.radius;
         row->gap_before = vec3_dot(row->normal, one[0]) - s->config.floor_height - d.radius;
         return row->gap_before < reach;
     }
@@ -426,7 +427,8 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     vec3 apart = apart_of(s, &d, &e, BEGIN, row->at, &row->walls);
     double share = share_of_radius(&d, &e);
     double distance = vec3_norm(apart), touching = share * (d.radius + e.radius);
-    row->thickness = 2.0 * share * lesser(d.radius, e.radius);
+    row->thickness = 2.0 * lesser(d.radius, e.radius); /* of lips too: they are soft */
+    row->touching = touching;
     row->gap_before = distance - touching;
     if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row)) ||
         is_seen_by_lips(&d, &e, row)) {

@@ -75,7 +75,7 @@ static bool are_apart(const scene_object *s)
     bool apart = !s->unlisted;
     for (uint32_t i = 0; apart && i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
-        apart = row->bilateral || row->gap_before >= -DEEP * row->thickness;
+        apart = row->bilateral || row->gap_before >= -DEEP * row->touching;
     }
     return apart;
 }
