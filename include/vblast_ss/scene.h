@@ -339,7 +339,8 @@ VBSS_API vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *threa
 
 /**
  * Adds a drain of the same context, which belongs to the scene until it is removed. What the scene's steps need for it is
- * allocated here. Features of it that are within three walls of each other along its surface do not touch.
+ * allocated here. Features of it that are within three walls of each other along its surface do not touch. How often a part
+ * is linearised and halved is the scene's to say; the drain's limits are for steps of its own.
  *
  * @param scene      the scene
  * @param drain      the drain, of the scene's method

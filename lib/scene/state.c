@@ -92,6 +92,13 @@ static void visit_drain(vbss_stream *stream, scene_drain *b)
     vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
     vbss_drain_serialise(stream, b->drain);
     vbss_stream_close(stream, outer);
+    vbss_stream_f64(stream, 62, &b->drain->pushes[0].x, 3 * (size_t)b->drain->mesh.node_count);
+    for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < b->drain->mesh.node_count; i++) {
+        if (!vec3_is_finite(b->drain->pushes[i])) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such contacts of a drain");
+            b->drain->pushes[i] = vec3_zero();
+        }
+    }
 }
 
 static void visit_bodies(vbss_stream *stream, scene_object *s)
