@@ -215,6 +215,7 @@ static inline vec3 apart_of(const scene_object *s, const side *d, const side *e,
 static inline void weigh(const side *d, const contact_row *row, int which, double weights[3])
 {
     weights[0] = 1.0;
+    weights[1] = weights[2] = 0.0;
     if (d->corners == 2) {
         weights[0] = 1.0 - row->at[which];
         weights[1] = row->at[which];
@@ -230,11 +231,11 @@ static inline vec3 point_of(const side *d, const vec3 axis[3], const double weig
     if (d->corners == 2) {
         return vec3_lerp(axis[0], axis[1], weights[1]);
     }
-    vec3 point = d->corners == 1 ? axis[0] : vec3_scale(axis[0], weights[0]);
-    for (uint32_t k = 1; k < d->corners; k++) {
-        point = vec3_add_scaled(point, weights[k], axis[k]);
+    if (d->corners == 1) {
+        return axis[0];
     }
-    return point;
+    vec3 point = vec3_add_scaled(vec3_scale(axis[0], weights[0]), weights[1], axis[1]);
+    return vec3_add_scaled(point, weights[2], axis[2]);
 }
 
 /* ---- terms */
@@ -278,7 +279,7 @@ static void add_terms(const scene_object *s, contact_row *row, const side *d,
     if (d->capsule != NULL) {
         vbss_scene_add_rigid_terms(row, &b->rigid, point, sign);
     } else if (b->kind == BODY_DRAIN) {
-        for (uint32_t k = 0; k < d->corners; k++) {
+        for (uint32_t k = 0; k < d->corners && k < 3; k++) {
             uint32_t place = b->drain.drain->order.place[d->nodes[k]];
             add_term(row, b->drain.first_block + place, sign * weights[k]);
         }
@@ -351,6 +352,7 @@ static vec3 place_side(const scene_object *s, contact_row *row, const side *d, i
 {
     vec3 axis[3], before[3], began;
     double weights[3];
+    axis[2] = before[2] = vec3_zero(); /* of a face alone it is another */
     weigh(d, row, which, weights);
     axis_of(s, d, TRIAL, axis);
     vec3 here = point_of(d, axis, weights), point = vec3_add(here, out);

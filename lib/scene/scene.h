@@ -211,8 +211,6 @@ struct scene_object {
     collision_object *collision;
     vbss_slot collision_slot; /* its handle, nobody else's */
     uint32_t *shape_places;   /* of the body of each shape */
-    uint32_t
-        edge_pairs; /* candidates of two edges, which come first; then a point and a triangle */
     contact_set *contacts;
     vbss_system *system;
     uint64_t pattern;           /* hash of what the system's pattern was made for; 0: of nothing */
@@ -223,6 +221,8 @@ struct scene_object {
     uint32_t *near; /* meshes.c: features that a search has found */
     contact_weld *welds;
     uint32_t weld_count;
+    uint32_t
+        edge_pairs; /* candidates of two edges, which come first; then a point and a triangle */
     collision_block *block;
     vbss_rigid_capsule *solids; /* to weigh a new body */
     bool recovering;            /* the part began with more penetration than is allowed */
@@ -230,9 +230,9 @@ struct scene_object {
     uint64_t most_work; /* of the step, in operations: nothing is begun beyond it; 0: no limit */
     bool turned;        /* the last attempt failed with new normals */
     bool lagging;       /* the last part was cut short: what is driven is behind */
-    double earliest;    /* share of the part after which something would pass; 1: nothing does */
     bool proved;        /* what moves little passes nothing */
     bool unlisted; /* some pairs that are near are no rows, as both sides go where they are told */
+    double earliest; /* share of the part after which something would pass; 1: nothing does */
 
     /* Tests look at every part that is taken, while its begin and its end are both there. */
     void (*watch)(void *watcher, const struct scene_object *scene);
