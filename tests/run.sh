@@ -68,5 +68,6 @@ if [ "$suite" != default ]; then
         seed=$((seed + 1))
     done
     announce "slow suite"
-    ctest --preset default --label-regex slow --verbose # the tables and what each canary was told
+    # The tables and what each canary was told, each line after the number of its test.
+    ctest --preset default --label-regex slow --parallel "$(nproc)" --verbose
 fi
