@@ -119,6 +119,8 @@ void vbss_contact_destroy(vbss_context *context, contact_set *set);
 void vbss_contact_begin(contact_set *set);
 contact_row *vbss_contact_add(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);
+/* The row of a key in a list that is sorted, or UINT32_MAX. */
+uint32_t vbss_contact_find(const contact_set *set, const contact_key *key);
 /* States and forces of the last part, for rows that were there. What is left of the memory (`recalled` says so) belonged to
  * contacts that are gone or have slid on to other features: to the first beside their own, by number, that has no other
  * yet; or to a row that whoever knows the features names. */

@@ -105,6 +105,21 @@ void vbss_contact_sort(contact_set *set)
     }
 }
 
+uint32_t vbss_contact_find(const contact_set *set, const contact_key *key)
+{
+    uint32_t low = 0, high = set->count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    bool there = low < set->count && vbss_contact_compare(&set->rows[low].key, key) == 0;
+    return there ? low : UINT32_MAX;
+}
+
 double vbss_contact_depth(const contact_set *set)
 {
     double depth = 0.0;
@@ -144,21 +159,6 @@ static void remind(contact_row *row, const contact_memory *m)
     }
 }
 
-/* The place of a key among the rows, or where it would be. */
-static uint32_t find(const contact_set *set, const contact_key *key)
-{
-    uint32_t low = 0, high = set->count;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return low;
-}
-
 void vbss_contact_remind(contact_set *set, uint32_t memory, uint32_t row)
 {
     remind(&set->rows[row], &set->memory[memory]);
@@ -172,11 +172,9 @@ void vbss_contact_pass_on(contact_set *set, uint32_t memory)
         key.a += da - 1;
         key.b -= 1;
         for (uint32_t db = 0; db < 3; db++, key.b++) {
-            uint32_t i = find(set, &key);
-            contact_row *row = &set->rows[i];
-            if (i < set->count && vbss_contact_compare(&row->key, &key) == 0 &&
-                row->is.state == CONTACT_OPEN) {
-                remind(row, m);
+            uint32_t i = vbss_contact_find(set, &key);
+            if (i != UINT32_MAX && set->rows[i].is.state == CONTACT_OPEN) {
+                remind(&set->rows[i], m);
                 return;
             }
         }

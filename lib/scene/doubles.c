@@ -4,21 +4,6 @@
 
 /* ---- segments of threads: the end of one is the begin of the next, whose row stays */
 
-static uint32_t find_row(const contact_set *set, const contact_key *key)
-{
-    uint32_t low = 0, high = set->count;
-    while (low < high) {
-        uint32_t middle = low + (high - low) / 2;
-        if (vbss_contact_compare(&set->rows[middle].key, key) < 0) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    bool there = low < set->count && vbss_contact_compare(&set->rows[low].key, key) == 0;
-    return there ? low : UINT32_MAX;
-}
-
 static bool goes_on(const contact_set *set, const contact_row *row)
 {
     contact_key key = row->key;
@@ -28,7 +13,7 @@ static bool goes_on(const contact_set *set, const contact_row *row)
     key.b += b;
     at[0] = a ? 0.0 : at[0];
     at[1] = b ? 0.0 : at[1];
-    uint32_t other = a || b ? find_row(set, &key) : UINT32_MAX;
+    uint32_t other = a || b ? vbss_contact_find(set, &key) : UINT32_MAX;
     return other != UINT32_MAX && fabs(set->rows[other].at[0] - at[0]) < 1e-9 &&
            fabs(set->rows[other].at[1] - at[1]) < 1e-9;
 }
