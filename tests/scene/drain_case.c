@@ -304,3 +304,17 @@ void drain_case_expect_kept(const drain_case *c, double share)
     small_watch_expect_nothing(&c->watch);
     assert_true(c->excess <= share * c->most_work + LEAST_GAIN);
 }
+
+void drain_case_expect_rest(const drain_case *c, double distance)
+{
+    assert_int_equal(drain_case_statistics(c).inverted, 0);
+    assert_true(drain_case_fastest(c) < 1e-3);
+    assert_true(drain_case_distance(c) < distance);
+}
+
+void drain_case_finish(drain_case *c, const char *name, double share)
+{
+    drain_case_tell(c, name);
+    drain_case_expect_kept(c, share);
+    drain_case_end(c);
+}

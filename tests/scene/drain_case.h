@@ -71,5 +71,9 @@ double drain_case_energy(const drain_case *c);
 void drain_case_tell(const drain_case *c, const char *name);
 /* Nothing passed; and no more energy than was put in, but for that share of it. */
 void drain_case_expect_kept(const drain_case *c, double share);
+/* Lips apart, nothing moves, no node is that far from where it was made. */
+void drain_case_expect_rest(const drain_case *c, double distance);
+/* Tells, expects what is kept, and ends. */
+void drain_case_finish(drain_case *c, const char *name, double share);
 
 #endif

@@ -13,21 +13,6 @@ static void begin(void)
     drain_case_make(&c);
 }
 
-static void end(const char *name, double share)
-{
-    drain_case_tell(&c, name);
-    drain_case_expect_kept(&c, share);
-    drain_case_end(&c);
-}
-
-/* Lips apart, nothing moves, the shape is that of rest. */
-static void expect_rest(double distance)
-{
-    assert_int_equal(drain_case_statistics(&c).inverted, 0);
-    assert_true(drain_case_fastest(&c) < 1e-3);
-    assert_true(drain_case_distance(&c) < distance);
-}
-
 /* A rod across, down to where the top lies on the bottom. */
 static void a_rod_across_pinches_it_flat_and_leaves(void **state)
 {
@@ -40,8 +25,8 @@ static void a_rod_across_pinches_it_flat_and_leaves(void **state)
     drain_case_tell(&c, "flat");
     drain_case_way(&c, rod, vec3_make(0.0, TOP + 5e-3, 0.0), 300);
     drain_case_wait(&c, 500);
-    expect_rest(0.1e-3);
-    end("pinched across", 0.05);
+    drain_case_expect_rest(&c, 0.1e-3);
+    drain_case_finish(&c, "pinched across", 0.05);
 }
 
 /* A rod along it, as wide as the slit: the top stays folded down on the bottom when the rod has gone, as a tube that is
@@ -77,8 +62,8 @@ static void a_tip_pokes_it_inside_out(void **state)
     drain_case_tell(&c, "in");
     drain_case_way(&c, tip, vec3_make(0.3e-3, TOP + 12e-3, 4e-3), 300);
     drain_case_wait(&c, 500);
-    expect_rest(0.1e-3);
-    end("poked", 0.05);
+    drain_case_expect_rest(&c, 0.1e-3);
+    drain_case_finish(&c, "poked", 0.05);
 }
 
 int test_drain_pressed(void)

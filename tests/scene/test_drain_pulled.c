@@ -6,20 +6,6 @@ static drain_case c;
 
 #define TOP 7.0e-3
 
-static void end(const char *name, double share)
-{
-    drain_case_tell(&c, name);
-    drain_case_expect_kept(&c, share);
-    drain_case_end(&c);
-}
-
-static void expect_rest(double distance)
-{
-    assert_int_equal(drain_case_statistics(&c).inverted, 0);
-    assert_true(drain_case_fastest(&c) < 1e-3);
-    assert_true(drain_case_distance(&c) < distance);
-}
-
 /* The rod goes in and up: anchors tear one after the other, then all hangs on the rod. */
 static void a_rod_in_the_lumen_tears_it_off(void **state)
 {
@@ -37,7 +23,7 @@ static void a_rod_in_the_lumen_tears_it_off(void **state)
     vec3 force = drain_case_contact_force(&c, rod);
     expect_near(0.0, vec3_norm(force), 1e-3); /* no weight */
     assert_true(drain_case_fastest(&c) < 5e-2);
-    end("torn off", 0.05);
+    drain_case_finish(&c, "torn off", 0.05);
 }
 
 static void fall(double thickness)
@@ -77,9 +63,9 @@ static void a_loose_drain_falls_and_bears_its_weight(void **state)
 {
     (void)state;
     fall(1e-3);
-    end("fallen", 0.01);
+    drain_case_finish(&c, "fallen", 0.01);
     fall(0.4e-3);
-    end("fallen, thin", 0.01);
+    drain_case_finish(&c, "fallen, thin", 0.01);
 }
 
 /* By two hooks beside each other in the slit, that go apart until it is open by 10 mm: their surfaces are. */
@@ -116,8 +102,8 @@ static void two_rods_pull_the_slit_open(void **state)
         }
     }
     drain_case_wait(&c, 300);
-    expect_rest(0.1e-3);
-    end("hooked", 0.05);
+    drain_case_expect_rest(&c, 0.1e-3);
+    drain_case_finish(&c, "hooked", 0.05);
 }
 
 /* The marks by pins: apart so far that the slit is 10 mm, then past each other, and let go. */
@@ -159,7 +145,7 @@ static void pins_open_the_slit_and_cross_the_lips(void **state)
     drain_case_tell(&c, "let go");
     small_watch_expect_nothing(&c.watch);
     assert_true(drain_case_fastest(&c) < 1e-3);
-    end("crossed", 0.05);
+    drain_case_finish(&c, "crossed", 0.05);
 }
 
 /* Ends are drawn by forces that are there in full after 0.3 s. */

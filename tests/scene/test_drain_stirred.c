@@ -15,20 +15,6 @@ static void begin(double thickness)
     drain_case_make(&c);
 }
 
-static void end(const char *name, double share)
-{
-    drain_case_tell(&c, name);
-    drain_case_expect_kept(&c, share);
-    drain_case_end(&c);
-}
-
-static void expect_rest(double distance)
-{
-    assert_int_equal(drain_case_statistics(&c).inverted, 0);
-    assert_true(drain_case_fastest(&c) < 1e-3);
-    assert_true(drain_case_distance(&c) < distance);
-}
-
 /* In along the axis from one end, three turns that press on the wall from inside, and out again. */
 static void stir(const char *name, double thickness)
 {
@@ -45,8 +31,8 @@ static void stir(const char *name, double thickness)
     drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 200);
     drain_case_way(&c, rod, vec3_make(45e-3, 0.0, 0.0), 300);
     drain_case_wait(&c, 500);
-    expect_rest(0.1e-3);
-    end(name, 0.05);
+    drain_case_expect_rest(&c, 0.1e-3);
+    drain_case_finish(&c, name, 0.05);
 }
 
 static void a_rod_in_the_lumen_stirs(void **state)
@@ -70,8 +56,8 @@ static void strike(const char *name, double speed, vec3 from, vec3 way, vec3 hal
     drain_case_way(&c, rod, to, steps);
     drain_case_way(&c, rod, from, steps);
     drain_case_wait(&c, 500);
-    expect_rest(0.1e-3);
-    end(name, 0.05);
+    drain_case_expect_rest(&c, 0.1e-3);
+    drain_case_finish(&c, name, 0.05);
 }
 
 static void a_fast_rod_strikes_the_side(void **state)
@@ -106,7 +92,7 @@ static void a_driven_rod_is_stopped_at_the_bottom(void **state)
     drain_case_wait(&c, 1000);
     drain_case_tell(&c, "driven, and away");
     small_watch_expect_nothing(&c.watch);
-    expect_rest(0.1e-3);
+    drain_case_expect_rest(&c, 0.1e-3);
     drain_case_end(&c);
 }
 
@@ -131,8 +117,8 @@ static void two_rods_squeeze_a_wall(void **state)
     drain_case_way(&c, in, vec3_make(0.0, 0.0, 0.0), 200);
     drain_case_way(&c, out, vec3_make(0.0, 0.0, 15e-3), 200);
     drain_case_wait(&c, 300);
-    expect_rest(0.1e-3);
-    end("squeezed", 0.05);
+    drain_case_expect_rest(&c, 0.1e-3);
+    drain_case_finish(&c, "squeezed", 0.05);
 }
 
 int test_drain_stirred(void)
