@@ -129,30 +129,10 @@ static void a_step_allocates_nothing_and_goes_on_elsewhere(void **state)
     harness_refuses_bad_snapshots(&heap, 40);
 }
 
-/* The same again, in a context with another history. */
 static void two_runs_have_the_same_bits(void **state)
 {
     (void)state;
-    uint64_t hashes[2], contacts = 0;
-    for (int k = 0; k < 2; k++) {
-        stage s;
-        begin(&s);
-        void *handle, *other;
-        if (k == 1) {
-            expect_ok(create_heap(s.context, NULL, &other));
-            expect_ok(step_heap(other));
-        }
-        expect_ok(create_heap(s.context, NULL, &handle));
-        for (int i = 0; i < 100; i++) {
-            expect_ok(step_heap(handle));
-            s.scene = handle;
-            contacts += statistics_of(&s).contacts;
-        }
-        hashes[k] = hash_of(handle);
-        end(&s);
-    }
-    assert_int_equal(hashes[0], hashes[1]);
-    assert_true(contacts > 100);
+    expect_runs_alike(&heap, 100);
 }
 
 int test_paper_promises(void)
