@@ -99,30 +99,35 @@ static void axis_of_drain(const side *d, const vec3 *x, vec3 axis[3])
     }
 }
 
+/* Of a thread or a capsule: rows of drains keep their normals, and look at nothing ahead. */
+static void add_way(const scene_object *s, const side *d, vec3 axis[3])
+{
+    vec3 way[3];
+    if (d->capsule == NULL) {
+        axis_of_thread(d, s->ways + d->body->thread.first_node, way);
+    } else {
+        size_t number = (size_t)(d->capsule - s->capsules);
+        axis_of_capsule(d, s->ways + s->config.node_capacity + 2 * number, way);
+    }
+    axis[0] = vec3_add(axis[0], way[0]);
+    axis[1] = vec3_add(axis[1], way[1]); /* of a point nobody looks at it */
+}
+
 static void axis_of(const scene_object *s, const side *d, moment when, vec3 axis[3])
 {
     const scene_body *b = d->body;
     bool trial = when == TRIAL;
-    vec3 way[3];
     if (b->kind == BODY_THREAD) {
         const thread_object *t = b->thread.thread;
         axis_of_thread(d, trial ? t->trial : t->now.x, axis);
-        if (when == AHEAD) {
-            axis_of_thread(d, s->ways + b->thread.first_node, way);
-        }
     } else if (b->kind == BODY_DRAIN) {
         const drain_object *own = b->drain.drain;
         axis_of_drain(d, trial ? own->trial : own->x, axis);
-        return; /* its nodes are light: where they go is what contact will say */
     } else {
         axis_of_capsule(d, trial ? d->capsule->trial : d->capsule->now, axis);
-        if (when == AHEAD) {
-            size_t number = (size_t)(d->capsule - s->capsules);
-            axis_of_capsule(d, s->ways + s->config.node_capacity + 2 * number, way);
-        }
     }
-    for (uint32_t k = 0; when == AHEAD && k < d->corners; k++) {
-        axis[k] = vec3_add(axis[k], way[k]);
+    if (when == AHEAD) {
+        add_way(s, d, axis);
     }
 }
 

@@ -412,14 +412,14 @@ typedef struct scene_meeting {
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m);
 /* doubles.c: of rows about the same two points, in a list that is sorted, one stays. */
 void vbss_scene_remove_doubles(scene_object *s);
-/* surfaces.c: rows of a pair of which one or both are of drains; of a drain and the floor. Nodes of a feature of a drain;
- * returns how many. */
+/* surfaces.c: rows of a pair of which one or both are of drains; of a drain and the floor. */
 bool vbss_scene_add_surface_row(scene_object *s, const collision_candidate *q);
 bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b);
-/* recall.c: what the rows remember of the last part. */
-void vbss_scene_recall_rows(scene_object *s);
+/* Nodes of a feature of a drain; returns how many. */
 uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,
                              bool is_b, uint32_t feature, uint32_t nodes[3]);
+/* recall.c: what the rows remember of the last part. */
+void vbss_scene_recall_rows(scene_object *s);
 /* drains.c: in a step, each stage of it. */
 void vbss_scene_release_drain(scene_object *s, scene_body *b);
 void vbss_scene_keep_drain(scene_drain *b);
