@@ -211,9 +211,7 @@ static vbss_result make_step(drain_object *d, double h)
                    : vbss_fail(d->context, result, "drain step: no finite state after step %llu",
                                (unsigned long long)before.steps);
     }
-    d->statistics.steps++;
-    d->statistics.time += h;
-    d->generation++;
+    vbss_drain_finish_step(d, h);
     return VBSS_OK;
 }
 

@@ -146,6 +146,8 @@ void vbss_drain_follow(drain_object *d, const vbss_system *s, uint32_t first);
 void vbss_drain_commit(drain_object *d, double h);
 /* At the end of a step, whose last part had this length: attachments arrive, reactions are noted, an anchor may tear. */
 void vbss_drain_arrive(drain_object *d, double h);
+/* A whole step of this length is done, by either method: it is counted, and views are of another state. */
+void vbss_drain_finish_step(drain_object *d, double h);
 
 /* ---- step.c, paper_step.c: a step of a drain that is alone, by method. Whoever asks keeps what was before, and gives it back
  * when it fails. */

@@ -47,3 +47,10 @@ void vbss_drain_arrive(drain_object *d, double h)
     vbss_drain_note_reactions(d, h);
     vbss_drain_tear(d, d->forces);
 }
+
+void vbss_drain_finish_step(drain_object *d, double h)
+{
+    d->statistics.steps++;
+    d->statistics.time += h;
+    d->generation++;
+}

@@ -261,13 +261,6 @@ static void hold_back(drain_object *d)
     }
 }
 
-static void finish_step(drain_object *d, double h)
-{
-    d->statistics.steps++;
-    d->statistics.time += h;
-    d->generation++;
-}
-
 void vbss_scene_arrive_drains(scene_object *s, double h)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -281,7 +274,7 @@ void vbss_scene_arrive_drains(scene_object *s, double h)
             if (s->lagging) {
                 hold_back(b->drain);
             }
-            finish_step(b->drain, h);
+            vbss_drain_finish_step(b->drain, h);
         }
     }
 }
@@ -289,5 +282,5 @@ void vbss_scene_arrive_drains(scene_object *s, double h)
 void vbss_scene_paper_arrive_drain(scene_drain *b, double h)
 {
     vbss_drain_paper_arrive(b->drain, b->stage.h);
-    finish_step(b->drain, h);
+    vbss_drain_finish_step(b->drain, h);
 }
