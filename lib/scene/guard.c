@@ -18,9 +18,10 @@
 /* Share of the margin: a half, less what rounding may do. */
 #define LISTED 0.49
 /* What is not deep begins no nearer than DEEP less than touching; two bodies that do not move by more than GENTLE of it
- * together stay farther apart than half. */
+ * together stay farther apart than half: nodes that rows see smoothed, too, which may begin at 0.71 of it themselves. A
+ * segment between these that is as long as the tool's radius may begin at 0.6: it stays beyond 0.4. */
 #define DEEP 0.2
-#define GENTLE 0.25
+#define GENTLE 0.2
 
 /* ---- where things go */
 
