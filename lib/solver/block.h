@@ -45,4 +45,20 @@ static inline void block_add(block *b, mat3 m)
     }
 }
 
+/* A block whose every number fills the lanes: m[column][row]. */
+typedef struct block_spread {
+    lanes m[3][3];
+} block_spread;
+
+static inline block_spread block_spread_out(const block *b)
+{
+    block_spread f;
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            f.m[i][j] = lanes_all(lanes_at(b->column[i], j));
+        }
+    }
+    return f;
+}
+
 #endif

@@ -34,22 +34,21 @@ static bool factor_pivot(const block *b, vbss_pivot *pivot)
 }
 
 /* a - sum of s_j v_j, from left to right */
-static inline lanes minus_three(lanes a, double s0, lanes v0, double s1, lanes v1, double s2,
-                                lanes v2)
+static inline lanes minus_three(lanes a, lanes s0, lanes v0, lanes s1, lanes v1, lanes s2, lanes v2)
 {
-    a = lanes_sub(a, lanes_mul(s0, v0));
-    a = lanes_sub(a, lanes_mul(s1, v1));
-    return lanes_sub(a, lanes_mul(s2, v2));
+    a = lanes_sub(a, lanes_times(s0, v0));
+    a = lanes_sub(a, lanes_times(s1, v1));
+    return lanes_sub(a, lanes_times(s2, v2));
 }
 
 /* The block at the crossing of two rows: to -= left scaled^T, with left = A L^-T of the one row and
  * scaled = A L^-T D^-1 of the other. */
-static inline void subtract_product(block *to, const block *left, const block *scaled)
+static inline void subtract_product(block *to, const block_spread *left, const block *scaled)
 {
-    for (int c = 0; c < 3; c++) {
-        to->column[c] = minus_three(to->column[c], lanes_at(left->column[0], c), scaled->column[0],
-                                    lanes_at(left->column[1], c), scaled->column[1],
-                                    lanes_at(left->column[2], c), scaled->column[2]);
+    lanes a = scaled->column[0], b = scaled->column[1], c = scaled->column[2];
+    for (int i = 0; i < 3; i++) {
+        to->column[i] =
+            minus_three(to->column[i], left->m[0][i], a, left->m[1][i], b, left->m[2][i], c);
     }
 }
 
@@ -77,8 +76,8 @@ static vec3 reduce_rhs(vec3 y, const vbss_pivot *p)
 /* What eliminating y takes from a later row's right-hand side. */
 static inline void subtract_rhs(vec3 *rhs, const block *scaled, vec3 y)
 {
-    lanes r = minus_three(lanes_from(*rhs), y.x, scaled->column[0], y.y, scaled->column[1], y.z,
-                          scaled->column[2]);
+    lanes r = minus_three(lanes_from(*rhs), lanes_all(y.x), scaled->column[0], lanes_all(y.y),
+                          scaled->column[1], lanes_all(y.z), scaled->column[2]);
     *rhs = lanes_vec3(r);
 }
 
@@ -100,13 +99,14 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
             scale_entry(&s->numbers[e->index], &s->scaled[e->index], pivot);
         }
         for (const vbss_entry *q = begin; q < end; q++) {
-            const block *left = &s->numbers[q->index];
+            /* taken once: for all that compilers know, what is subtracted from may be it */
+            const block_spread left = block_spread_out(&s->numbers[q->index]);
             uint32_t row = s->order[q->row];
             const block *z = &s->scaled[q->index];
-            subtract_product(&s->diagonal[row], left, z);
+            subtract_product(&s->diagonal[row], &left, z);
             subtract_rhs(&s->rhs[row], z, pivot->y);
             for (const vbss_entry *p = q + 1; p < end; p++) {
-                subtract_product(&s->numbers[*product++], left, &s->scaled[p->index]);
+                subtract_product(&s->numbers[*product++], &left, &s->scaled[p->index]);
             }
         }
     }

@@ -92,24 +92,8 @@ static inline lanes solve_vector(const pivoted *p, lanes b)
 
 /* ---- products */
 
-/* A block whose every number fills the lanes. */
-typedef struct spread {
-    lanes m[3][3];
-} spread;
-
-static inline spread spread_block(const block *b)
-{
-    spread f;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            f.m[i][j] = lanes_all(lanes_at(b->column[i], j));
-        }
-    }
-    return f;
-}
-
 /* column j of to -= sum over i of m[i][j] times column i of from */
-static inline void subtract_product(block *to, const block *from, const spread *f)
+static inline void subtract_product(block *to, const block *from, const block_spread *f)
 {
     lanes a = from->column[0], b = from->column[1], c = from->column[2];
     for (int j = 0; j < 3; j++) {
@@ -158,11 +142,11 @@ static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
  * column's entries behind its entry in row k. */
 static void subtract_column(vbss_elimination *e, uint32_t from, uint32_t end)
 {
-    const spread below = spread_block(&e->upper[from - 1]);
+    const block_spread below = block_spread_out(&e->upper[from - 1]);
     for (uint32_t f = from; f < end; f++) {
         subtract_product(&e->lower[e->entry_in[e->rows[f]]], &e->lower[f], &below);
     }
-    const spread right = spread_block(&e->lower[from - 1]);
+    const block_spread right = block_spread_out(&e->lower[from - 1]);
     for (uint32_t f = from; f < end; f++) {
         subtract_product(&e->upper[e->entry_in[e->rows[f]]], &e->upper[f], &right);
     }
@@ -177,7 +161,7 @@ static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
     load_column(s, e, k);
     for (uint32_t r = e->row_start[k]; r < e->row_start[k + 1]; r++) {
         uint32_t column = e->earlier[r].column, f = e->earlier[r].entry;
-        const spread u = spread_block(&e->upper[f]);
+        const block_spread u = block_spread_out(&e->upper[f]);
         subtract_product(&diagonal, &e->lower[f], &u);
         rhs = minus_times(rhs, &e->lower[f], e->x[column]);
         subtract_column(e, f + 1, e->column_start[column + 1]);
