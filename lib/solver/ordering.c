@@ -3,7 +3,7 @@
  * Within a run the elimination goes toward the separators, so that only the last few blocks meet
  * them. A run without any is eliminated from both ends to the middle in turn: two chains of
  * arithmetic that do not wait for each other. Chains that are no lines bring their order. */
-#include "solver/bits.h"
+#include "base/bits.h"
 #include "solver/solver.h"
 
 #include <string.h>
@@ -95,34 +95,45 @@ static vbss_result order_separators(vbss_system *s)
 /* ---- fill: columns one after the other, each from what bodies couple and from the columns that are eliminated
  * before and meet it
  *
- * The rows of the column at hand are bits, which tell them apart and ascending. */
+ * The rows of the column at hand are bits, which tell them apart and ascending. A column of a run has those of all that
+ * meet it once it has those of its children, the columns that meet it first: what is further down in a column is in its
+ * parent too (Liu 1990, The role of elimination trees in sparse factorization). So rows come from few columns, and the
+ * many others only ask for numbers. */
 
 /* Numbers are by column, that is by position, but for index. */
 typedef struct symbolic {
     uint32_t *couplings; /* the first of its list; VBSS_NO_COUPLING at its end */
-    /* Of columns of runs, the first that waits here, counted from 1, and the next: they are where they have
-     * the entry `at`, and what eliminating them changes in columns from here on goes to `product`. */
+    /* Of columns of runs, the first child, counted from 1, and the next of the same parent. */
+    uint32_t *child, *sibling;
+    /* The same of those that wait here: they are where they have the entry `at`, and what eliminating them changes in
+     * columns from here on goes to `product`. */
     uint32_t *waiting, *next, *at, *product;
-    uint64_t *bits;
-    uint32_t *index; /* row -> of its numbers, where there is a bit */
+    uint32_t *like;            /* the column whose products follow there; VBSS_NO_PLACE: none */
+    uint64_t *bits, *own_bits; /* rows; of them, those that bodies couple */
+    uint32_t *index;           /* row -> of its numbers */
     uint32_t last_word, fill, products;
 } symbolic;
 
 static symbolic begin_symbolic(vbss_system *s)
 {
-    size_t n = s->block_capacity;
+    size_t n = s->block_capacity, words = s->active_count / BITS + 1;
     uint32_t *of = s->lists;
     symbolic y = {.couplings = of,
-                  .waiting = of + n,
-                  .next = of + 2 * n,
-                  .at = of + 3 * n,
-                  .product = of + 4 * n,
+                  .child = of + n,
+                  .waiting = of + 2 * n,
+                  .sibling = of + 3 * n,
+                  .next = of + 4 * n,
+                  .at = of + 5 * n,
+                  .product = of + 6 * n,
+                  .index = of + 7 * n,
+                  .like = of + 8 * n,
                   .bits = s->row_bits,
-                  .index = of + 5 * n,
+                  .own_bits = s->row_bits + words,
                   .fill = s->own_count + 1};
     memset(y.couplings, 0, s->active_count * sizeof *y.couplings);
+    memset(y.child, 0, s->active_count * sizeof *y.child);
     memset(y.waiting, 0, s->active_count * sizeof *y.waiting);
-    memset(y.bits, 0, ((size_t)s->active_count / BITS + 1) * sizeof *y.bits);
+    memset(y.bits, 0, 2 * words * sizeof *y.bits);
     for (uint32_t c = s->own_count; c > 0; c--) {
         vbss_coupling *coupling = &s->couplings[c];
         uint32_t high = s->place[coupling->high], low = s->place[coupling->low];
@@ -134,12 +145,9 @@ static symbolic begin_symbolic(vbss_system *s)
     return y;
 }
 
-static inline void add_row(symbolic *y, uint32_t row, uint32_t index)
+static inline void reach_row(symbolic *y, uint32_t row)
 {
-    uint32_t word = row / BITS;
-    y->bits[word] |= bit_of(row);
-    y->index[row] = index;
-    y->last_word = word > y->last_word ? word : y->last_word;
+    y->last_word = row / BITS > y->last_word ? row / BITS : y->last_word;
 }
 
 static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
@@ -147,8 +155,50 @@ static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
     y->last_word = k / BITS;
     for (uint32_t c = y->couplings[k]; c != VBSS_NO_COUPLING; c = s->couplings[c].next) {
         uint32_t high = s->place[s->couplings[c].high], low = s->place[s->couplings[c].low];
-        add_row(y, high > low ? high : low, c);
+        uint32_t row = high > low ? high : low;
+        y->bits[row / BITS] |= bit_of(row);
+        y->own_bits[row / BITS] |= bit_of(row);
+        y->index[row] = c;
+        reach_row(y, row);
     }
+}
+
+/* Rows of columns in a list, counted from 1, from behind where they are. */
+static void add_rows_of(const vbss_system *s, symbolic *y, uint32_t first, const uint32_t *next)
+{
+    for (uint32_t listed = first; listed != 0; listed = next[listed - 1]) {
+        const vbss_entry *e = s->entries + y->at[listed - 1] + 1;
+        const vbss_entry *end = s->entries + s->column_start[listed];
+        uint64_t *bits = y->bits;
+        for (; e < end; e++) {
+            bits[e->row / BITS] |= bit_of(e->row);
+        }
+        reach_row(y, end[-1].row); /* they ascend */
+    }
+}
+
+/* Takes the rows ascending, counted from `from`, and gives numbers to fill. Returns how many there were: when more than
+ * there is room for, these are not there. */
+static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *entries,
+                          uint32_t room)
+{
+    uint32_t count = 0;
+    for (uint32_t w = k / BITS; w <= y->last_word; w++) {
+        uint64_t own = y->own_bits[w];
+        for (uint64_t bits = y->bits[w]; bits != 0; bits &= bits - 1) {
+            uint32_t row = w * BITS + lowest_bit(bits);
+            bool filled = (own & bit_of(row)) == 0;
+            uint32_t index = filled ? y->fill : y->index[row];
+            y->fill += filled;
+            y->index[row] = index;
+            if (count < room) {
+                entries[count] = (vbss_entry){row - from, index};
+            }
+            count++;
+        }
+        y->bits[w] = y->own_bits[w] = 0;
+    }
+    return count;
 }
 
 /* A column of a run waits where it has its next entry. */
@@ -162,55 +212,65 @@ static void hang(const vbss_system *s, symbolic *y, uint32_t column)
     }
 }
 
-/* Rows of an eliminated column below row k: what is not there yet is fill, and all of it is changed. */
-static void add_filled(vbss_system *s, symbolic *y, uint32_t column)
+/* What the columns that wait at column k change there. Of those whose other rows are all that there are in column k, a
+ * run of `rows` rows, the rest is what column k changes: copied when that is known. */
+static void list_products(vbss_system *s, symbolic *y, uint32_t k, uint32_t rows)
 {
-    uint32_t *product = s->products + y->product[column];
-    for (uint32_t e = y->at[column] + 1; e < s->column_start[column + 1]; e++) {
-        uint32_t row = s->entries[e].row;
-        if ((y->bits[row / BITS] & bit_of(row)) == 0) {
-            add_row(y, row, y->fill++);
-        }
-        *product++ = y->index[row];
-    }
-    y->product[column] = (uint32_t)(product - s->products);
-}
-
-static void add_all_filled(vbss_system *s, symbolic *y, uint32_t k)
-{
+    const uint32_t *index = y->index;
     for (uint32_t waiting = y->waiting[k], next; waiting != 0; waiting = next) {
         uint32_t column = waiting - 1;
+        uint32_t *product = s->products + y->product[column];
+        const vbss_entry *e = s->entries + ++y->at[column];
+        const vbss_entry *end = s->entries + s->column_start[waiting];
         next = y->next[column];
-        add_filled(s, y, column);
-        y->at[column]++;
+        if ((uint32_t)(end - e) == rows) {
+            y->like[column] = k;
+            continue;
+        }
+        y->product[column] += (uint32_t)(end - e);
+        for (; e < end; e++) {
+            *product++ = index[e->row];
+        }
         hang(s, y, column);
     }
 }
 
-/* Takes the rows ascending, counted from `from`. Returns how many there were: when more than there is room for,
- * these are not there. */
-static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *entries,
-                          uint32_t room)
+/* Of columns that are like a later one from somewhere on: those that it is like itself come first. */
+static void copy_products(vbss_system *s, const symbolic *y)
 {
-    uint32_t count = 0;
-    for (uint32_t w = k / BITS; w <= y->last_word; w++) {
-        for (uint64_t bits = y->bits[w]; bits != 0; bits &= bits - 1) {
-            uint32_t row = w * BITS + lowest_bit(bits);
-            if (count < room) {
-                entries[count] = (vbss_entry){row - from, y->index[row]};
-            }
-            count++;
+    for (uint32_t column = s->run_count; column > 0; column--) {
+        uint32_t k = y->like[column - 1];
+        if (k == VBSS_NO_PLACE) {
+            continue;
         }
-        y->bits[w] = 0;
+        uint32_t rows = s->column_start[k + 1] - s->column_start[k];
+        const vbss_entry *e = s->entries + s->column_start[k];
+        uint32_t *product = s->products + y->product[column - 1];
+        for (uint32_t i = 0; i < rows; i++) {
+            *product++ = e[i].index;
+        }
+        memcpy(product, s->products + s->product_start[k],
+               (size_t)rows * (rows - (rows > 0)) / 2 * sizeof *product);
     }
-    return count;
+}
+
+static void become_child(const vbss_system *s, symbolic *y, uint32_t column)
+{
+    uint32_t begin = s->column_start[column];
+    y->at[column] = begin;
+    if (begin < s->column_start[column + 1]) {
+        uint32_t parent = s->entries[begin].row;
+        y->sibling[column] = y->child[parent];
+        y->child[parent] = column + 1;
+    }
+    hang(s, y, column);
 }
 
 static vbss_result find_run_column(vbss_system *s, symbolic *y, uint32_t k)
 {
     uint32_t begin = s->column_start[k], room = s->entry_capacity - begin;
     add_coupled(s, y, k);
-    add_all_filled(s, y, k);
+    add_rows_of(s, y, y->child[k], y->sibling);
     uint32_t rows = list_rows(y, k, 0, s->entries + begin, room);
     if (rows > room) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u blocks of factor",
@@ -224,24 +284,26 @@ static vbss_result find_run_column(vbss_system *s, symbolic *y, uint32_t k)
     }
     s->product_start[k] = y->product[k] = y->products;
     y->products += (uint32_t)products;
-    y->at[k] = begin;
-    hang(s, y, k);
+    y->like[k] = VBSS_NO_PLACE;
+    list_products(s, y, k, rows);
+    become_child(s, y, k);
     return VBSS_OK;
 }
 
-/* A separator's column as condensing leaves it: separators are not eliminated here. */
+/* A separator's column as condensing leaves it: separators are not eliminated here, so all that meet it are asked. */
 static vbss_result find_joins(vbss_system *s, symbolic *y, uint32_t separator)
 {
     uint32_t k = s->run_count + separator;
     uint32_t begin = s->join_start[separator], room = s->pair_capacity - begin;
     add_coupled(s, y, k);
-    add_all_filled(s, y, k);
+    add_rows_of(s, y, y->waiting[k], y->next);
     uint32_t rows = list_rows(y, k, s->run_count, s->joins + begin, room);
     if (rows > room) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separator pairs",
                          s->pair_capacity);
     }
     s->join_start[separator + 1] = begin + rows;
+    list_products(s, y, k, VBSS_NO_PLACE);
     return VBSS_OK;
 }
 
@@ -259,6 +321,7 @@ static vbss_result analyse_bodies(vbss_system *s)
     for (uint32_t i = 0; i < s->active_count - s->run_count; i++) {
         VBSS_TRY(find_joins(s, &y, i));
     }
+    copy_products(s, &y);
     s->fill_count = y.fill - (s->own_count + 1);
     return VBSS_OK;
 }

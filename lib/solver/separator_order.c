@@ -5,7 +5,7 @@
  * d neighbours, d (d - 1) pairs, the l that were joined by the last elimination beside it need not be
  * joined again; a quarter of their l (l - 1) pairs is taken off. Of equals the one with the lowest block.
  * The graph is kept as rows of bits, so that eliminating is a few words or'ed together. */
-#include "solver/bits.h"
+#include "base/bits.h"
 #include "solver/solver.h"
 
 #include <string.h>

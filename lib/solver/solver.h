@@ -139,9 +139,11 @@ typedef struct vbss_system {
     uint32_t *chain_ends;     /* first block after each chain */
     uint32_t *chain_of;       /* block -> chain */
     uint8_t *chain_ordered;   /* its blocks are eliminated as they are numbered */
-    uint32_t *known;          /* couplings by hash, for couple_once; 0 is free */
+    uint32_t *known;          /* couplings of two separators by hash, for couple_once; 0 is free */
     uint32_t known_capacity;  /* a power of two */
-    uint32_t known_count;     /* of couplings, from 1 on: those that stand there */
+    uint32_t known_to;        /* of couplings, from 1 on: those that have been looked at */
+    uint32_t *known_places;   /* where one stands, in the order in which they came */
+    uint32_t known_count;
 
     /* analysed; positions count in elimination order, runs first, then separators by block number */
     bool bodies_known; /* all of it but what couplings of couple_once change */

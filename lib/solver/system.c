@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 43 };
+enum { PARTS = 44 };
 #define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
@@ -22,6 +22,7 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->chain_of, blocks, sizeof *s->chain_of},
         {&s->chain_ordered, blocks, sizeof *s->chain_ordered},
         {&s->known, s->known_capacity, sizeof *s->known},
+        {&s->known_places, s->coupling_capacity, sizeof *s->known_places},
         {&s->order, blocks, sizeof *s->order},
         {&s->place, blocks, sizeof *s->place},
         {&s->column_start, blocks + 1, sizeof *s->column_start},
@@ -30,8 +31,8 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->products, s->product_capacity, sizeof *s->products},
         {&s->joins, pairs, sizeof *s->joins},
         {&s->join_start, separators + 1, sizeof *s->join_start},
-        {&s->row_bits, blocks / 64 + 1, sizeof *s->row_bits},
-        {&s->lists, 6 * blocks, sizeof *s->lists},
+        {&s->row_bits, 2 * (blocks / 64 + 1), sizeof *s->row_bits},
+        {&s->lists, 9 * blocks, sizeof *s->lists},
         {&s->diagonal, blocks, sizeof *s->diagonal},
         {&s->numbers, numbers, sizeof *s->numbers},
         {&s->scaled, numbers, sizeof *s->scaled},
@@ -135,22 +136,19 @@ static uint32_t first_place(const vbss_system *s, uint32_t high, uint32_t low)
     return (uint32_t)(mixed >> 32) & (s->known_capacity - 1);
 }
 
-/* Places that are taken stand in rows behind the first places of couplings: all else is empty already. */
-static void forget_all(vbss_system *s)
+/* The last to come is the first to go, so that no place on the way to another becomes empty: couplings after `last`. */
+static void forget(vbss_system *s, uint32_t last)
 {
-    for (uint32_t c = 1; c <= s->known_count; c++) {
-        uint32_t at = first_place(s, s->couplings[c].high, s->couplings[c].low);
-        for (; s->known[at] != VBSS_NO_COUPLING; at = (at + 1) & (s->known_capacity - 1)) {
-            s->known[at] = VBSS_NO_COUPLING;
-        }
+    while (s->known_count > 0 && s->known[s->known_places[s->known_count - 1]] > last) {
+        s->known[s->known_places[--s->known_count]] = VBSS_NO_COUPLING;
     }
+    s->known_to = s->known_to < last ? s->known_to : last;
 }
 
 void vbss_system_begin(vbss_system *system)
 {
-    forget_all(system);
+    forget(system, VBSS_NO_COUPLING);
     system->block_count = system->coupling_count = system->own_count = system->chain_count = 0;
-    system->known_count = 0;
     system->bodies_known = false;
     memset(&system->couplings[VBSS_NO_COUPLING], 0, sizeof *system->couplings);
 }
@@ -241,12 +239,20 @@ static uint32_t *known_place(vbss_system *s, uint32_t high, uint32_t low)
     }
 }
 
-/* Only who asks pays. */
+static void know(vbss_system *s, uint32_t coupling, uint32_t *place)
+{
+    *place = coupling;
+    s->known_places[s->known_count++] = (uint32_t)(place - s->known);
+}
+
+/* Only who asks pays; and nobody asks for a coupling of a run. */
 static void know_all(vbss_system *s)
 {
-    while (s->known_count < s->coupling_count) {
-        const vbss_coupling *c = &s->couplings[++s->known_count];
-        *known_place(s, c->high, c->low) = s->known_count;
+    while (s->known_to < s->coupling_count) {
+        const vbss_coupling *c = &s->couplings[++s->known_to];
+        if (are_separators(s, c->high, c->low)) {
+            know(s, s->known_to, known_place(s, c->high, c->low));
+        }
     }
 }
 
@@ -263,18 +269,15 @@ vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b)
     uint32_t *known = known_place(system, a > b ? a : b, a > b ? b : a);
     if (*known == VBSS_NO_COUPLING) {
         VBSS_TRY(add_coupling(system, a, b));
-        *known = system->known_count = system->coupling_count;
+        system->known_to = system->coupling_count;
+        know(system, system->coupling_count, known);
     }
     return VBSS_OK;
 }
 
-/* The last to come is the first to go, so that no place on the way to another becomes empty. */
 void vbss_system_begin_again(vbss_system *system)
 {
-    for (; system->known_count > system->own_count; system->known_count--) {
-        const vbss_coupling *c = &system->couplings[system->known_count];
-        *known_place(system, c->high, c->low) = VBSS_NO_COUPLING;
-    }
+    forget(system, system->own_count);
     system->coupling_count = system->own_count;
 }
 

@@ -111,6 +111,34 @@ static void expect_same_couplings(const vbss_system *a, const vbss_system *b)
     }
 }
 
+/* The number of a block of the factor: of a run's column, or of a separator's as condensing leaves it. */
+static uint32_t number_of(const vbss_system *s, uint32_t row, uint32_t column)
+{
+    bool run = column < s->run_count;
+    uint32_t separator = column - s->run_count, from = run ? 0 : s->run_count;
+    const vbss_entry *e =
+        run ? s->entries + s->column_start[column] : s->joins + s->join_start[separator];
+    while (e->row + from != row) {
+        e++;
+    }
+    return e->index;
+}
+
+/* Each pair of a column's entries changes the block where they cross, by whichever way its number was found. */
+static void expect_products_where_rows_cross(const vbss_system *s)
+{
+    for (uint32_t k = 0; k < s->run_count; k++) {
+        const uint32_t *product = s->products + s->product_start[k];
+        for (uint32_t q = s->column_start[k]; q < s->column_start[k + 1]; q++) {
+            for (uint32_t p = q + 1; p < s->column_start[k + 1]; p++) {
+                uint32_t number = number_of(s, s->entries[p].row, s->entries[q].row);
+                assert_int_equal(*product++, number);
+                assert_int_not_equal(number, VBSS_NO_COUPLING);
+            }
+        }
+    }
+}
+
 /* What pairs of couple_once are for: unsymmetric numbers on the copy. */
 static void solve(twin *t, const pairs *p, uint64_t seed)
 {
@@ -166,6 +194,7 @@ static void compare_with_scratch(twin *t, const pairs *p, uint64_t seed)
     if (result == VBSS_OK) {
         expect_same_pattern(t->system, fresh.system);
         expect_same_couplings(t->system, fresh.system);
+        expect_products_where_rows_cross(t->system);
         solve(t, p, seed);
         solve(&fresh, p, seed);
         expect_same_solution(t, &fresh);

@@ -1,6 +1,6 @@
 /* Rows of bits: sets of numbers, in words. */
-#ifndef VBSS_SOLVER_BITS_H
-#define VBSS_SOLVER_BITS_H
+#ifndef VBSS_BASE_BITS_H
+#define VBSS_BASE_BITS_H
 
 #include <stdint.h>
 
