@@ -28,10 +28,13 @@ void vbss_collision_shape_boxes(collision_shape *s)
 
 void vbss_collision_shape_fit_points(collision_shape *s)
 {
-    if (!s->points_fit) {
-        vbss_collision_tree_fit(&s->point_tree);
-        s->points_fit = true;
+    if (s->points_fit) {
+        return;
     }
+    if (vbss_collision_tree_fit(&s->point_tree) && s->near.words > 0) {
+        vbss_collision_near_point_lanes(s);
+    }
+    s->points_fit = true;
 }
 
 /* As rounding keeps the order of numbers, the box around enlarged points is the enlarged box around
@@ -46,7 +49,9 @@ void vbss_collision_shape_fit_edges(collision_shape *s)
         box_add(&box, &s->point_tree.boxes[s->edges[i][1]]);
         s->edge_tree.boxes[i] = box;
     }
-    vbss_collision_tree_fit(&s->edge_tree);
+    if (vbss_collision_tree_fit(&s->edge_tree) && s->near.words > 0) {
+        vbss_collision_near_edge_lanes(s);
+    }
     s->edges_fit = true;
 }
 
@@ -61,6 +66,8 @@ void vbss_collision_shape_fit_triangles(collision_shape *s)
         box_add(&box, &s->point_tree.boxes[s->triangles[i][2]]);
         s->triangle_tree.boxes[i] = box;
     }
-    vbss_collision_tree_fit(&s->triangle_tree);
+    if (vbss_collision_tree_fit(&s->triangle_tree) && s->near.words > 0) {
+        vbss_collision_near_point_lanes(s);
+    }
     s->triangles_fit = true;
 }

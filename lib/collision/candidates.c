@@ -128,13 +128,13 @@ static collision_rule rule_of_edges(const collision_shape *s)
 {
     return s->kind == SHAPE_CHAIN      ? RULE_CHAIN
            : s->kind == SHAPE_CAPSULES ? RULE_CAPSULES
-           : s->near_words > 0         ? RULE_FAR_EDGES
+           : s->near.words > 0         ? RULE_FAR_EDGES
                                        : RULE_MESH_EDGES;
 }
 
 static collision_rule rule_of_points(const collision_shape *mesh)
 {
-    return mesh->near_words > 0 ? RULE_FAR_POINTS : RULE_MESH_POINTS;
+    return mesh->near.words > 0 ? RULE_FAR_POINTS : RULE_MESH_POINTS;
 }
 
 static bool walk_edges(collision_object *c, uint32_t a, uint32_t b)
@@ -149,6 +149,7 @@ static bool walk_edges(collision_object *c, uint32_t a, uint32_t b)
                               .b = &other->edge_tree,
                               .rule = s == other ? rule_of_edges(s) : RULE_ALL,
                               .shape = s,
+                              .near_lanes = s->near.edge_lanes,
                               .rows = rows_of_edges(s)};
     return walk(c, &w, VBSS_PAIR_EDGE_EDGE, a, b);
 }
@@ -162,6 +163,7 @@ static bool walk_points(collision_object *c, uint32_t a, uint32_t b)
                               .b = &mesh->triangle_tree,
                               .rule = s == mesh ? rule_of_points(s) : RULE_ALL,
                               .shape = mesh,
+                              .near_lanes = mesh->near.point_lanes,
                               .rows = rows_of_points(s)};
     return walk(c, &w, VBSS_PAIR_POINT_TRIANGLE, a, b);
 }

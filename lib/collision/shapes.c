@@ -9,7 +9,7 @@
 
 /* ---- memory: one table says what there is; what is not needed stays NULL */
 
-enum { PARTS = 22 };
+enum { PARTS = 20 + NEAR_PARTS };
 
 typedef struct part_list {
     vbss_array parts[PARTS];
@@ -48,13 +48,15 @@ static void list_parts(collision_shape *s, part_list *list)
     add_part(list, &s->far_before, chain ? e : 0, sizeof *s->far_before);
     add_part(list, &s->far_after, chain ? (e + TREE_LANES - 1) / TREE_LANES : 0,
              sizeof *s->far_after);
-    add_part(list, &s->near_edges, (size_t)e * s->near_words, sizeof *s->near_edges);
-    add_part(list, &s->near_triangles, (size_t)t * s->near_words, sizeof *s->near_triangles);
     add_part(list, &s->edge_rows, e, sizeof *s->edge_rows);
     add_part(list, &s->point_rows, n, sizeof *s->point_rows);
     add_tree(list, &s->point_tree, n, !chain);
     add_tree(list, &s->edge_tree, e, !chain);
     add_tree(list, &s->triangle_tree, t, true);
+    if (s->near.words > 0) {
+        vbss_collision_near_parts(s, &s->near, list->parts + list->count);
+        list->count += NEAR_PARTS;
+    }
 }
 
 void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
@@ -120,8 +122,8 @@ static uint64_t topology_of(collision_shape *s)
     if (s->kind == SHAPE_MESH) {
         vbss_stream_u32(&stream, 4, s->triangles[0], 3u * (size_t)s->triangle_count);
     }
-    if (s->near_words > 0) { /* a triangle's are those of its edges */
-        vbss_stream_u64(&stream, 5, s->near_edges, (size_t)s->edge_count * s->near_words);
+    if (s->near.words > 0) { /* a triangle's are those of its edges */
+        vbss_stream_u64(&stream, 5, s->near.edges, (size_t)s->edge_count * s->near.words);
     }
     return vbss_hash_end(&stream.hash);
 }

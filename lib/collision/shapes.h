@@ -59,8 +59,8 @@ typedef struct collision_tree {
 size_t vbss_collision_tree_groups(uint32_t count);
 /* Sets the levels, and the order that features come in; `groups` must have room. */
 void vbss_collision_tree_set_count(collision_tree *tree, uint32_t count);
-/* Takes over changed boxes; orders anew when the groups have become loose. */
-void vbss_collision_tree_fit(collision_tree *tree);
+/* Takes over changed boxes; orders anew when the groups have become loose, and says so. */
+bool vbss_collision_tree_fit(collision_tree *tree);
 
 static inline const collision_box *tree_root(const collision_tree *tree)
 {
@@ -77,6 +77,17 @@ typedef enum collision_shape_kind {
     SHAPE_MESH = 3
 } collision_shape_kind;
 
+/* What a mesh leaves out: nodes that are near its edges and triangles along the surface, their own too. */
+typedef struct collision_near {
+    uint32_t words;              /* in a row of bits; 0: nothing is left out */
+    uint64_t *edges, *triangles; /* a row for each, of nodes */
+    /* The same as a walk asks it, while trees keep their order: for each group of tree a and each place in
+     * tree b, which lanes are near. Of edges and edges, of points and triangles. */
+    uint8_t *edge_lanes, *point_lanes;
+    uint32_t *first_edge, *edges_of; /* of each node, one more at the end; the edges it is in */
+    uint32_t *places;                /* scratch: feature -> place */
+} collision_near;
+
 typedef struct collision_shape {
     collision_shape_kind kind;
     uint32_t node_count, edge_count, triangle_count;
@@ -89,11 +100,8 @@ typedef struct collision_shape {
     /* Of a chain: how many edges, from the first on, are far enough along it from each; and the first
      * edge far enough from the first of each group. */
     uint32_t *far_before, *far_after;
-    /* Of a mesh that leaves out what is near: a row of bits for each edge and each triangle, of the nodes
-     * near it along the surface, its own too. */
-    uint64_t *near_edges, *near_triangles;
-    uint32_t near_words; /* in a row; 0: there are none */
-    uint64_t topology;   /* hash of all that never changes */
+    collision_near near;
+    uint64_t topology; /* hash of all that never changes */
     uint32_t category, mask;
     bool rigid;       /* never a pair with itself */
     bool edges_only;  /* a mesh whose triangles nobody asks for: no pairs of them */
@@ -122,7 +130,7 @@ void vbss_collision_rules_changed(collision_object *c, collision_shape *shape);
 /* ---- what is near along a surface (near.c) */
 
 /* Of all bits, while they are worked out: a row for each node, edge and triangle. Enough for a surface of 4700
- * nodes. */
+ * nodes; lanes take twice as much again. */
 #define NEAR_BYTES (16u << 20)
 /* Of a mesh, from now on: edges, and points and triangles, are no candidates if the shortest way over edges
  * between a node of the one and a node of the other is below `distance` when the nodes are `at`; those
@@ -130,6 +138,14 @@ void vbss_collision_rules_changed(collision_object *c, collision_shape *shape);
  * nothing. */
 vbss_result vbss_collision_leave_out_near(collision_object *c, uint32_t name, const vec3 *at,
                                           double distance);
+
+/* What there is of it, of a mesh that leaves something out. */
+enum { NEAR_PARTS = 7 };
+void vbss_collision_near_parts(const collision_shape *shape, collision_near *near,
+                               vbss_array parts[NEAR_PARTS]);
+/* Lanes, when a tree has another order. */
+void vbss_collision_near_edge_lanes(collision_shape *shape);
+void vbss_collision_near_point_lanes(collision_shape *shape);
 
 static inline uint64_t near_bit(const uint64_t *row, uint32_t node)
 {
@@ -182,6 +198,7 @@ typedef struct collision_walk {
     const collision_tree *a, *b; /* of features a and b of the pairs */
     collision_rule rule;
     const collision_shape *shape; /* the rule is about it */
+    const uint8_t *near_lanes;    /* of a rule about what is near */
     uint32_t *rows;               /* of features a */
 } collision_walk;
 

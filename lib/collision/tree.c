@@ -190,11 +190,13 @@ static void order_places(collision_tree *t)
     }
 }
 
-void vbss_collision_tree_fit(collision_tree *t)
+bool vbss_collision_tree_fit(collision_tree *t)
 {
     double looseness = pass_up(t);
-    if (t->order != NULL && looseness > 1.5 * t->fresh) {
+    bool anew = t->order != NULL && looseness > 1.5 * t->fresh;
+    if (anew) {
         order_places(t);
         t->fresh = pass_up(t);
     }
+    return anew;
 }

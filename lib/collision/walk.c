@@ -1,6 +1,7 @@
 /* Two trees walked together: the hot loops of a search, compiled twice.
  *
  * Comparisons of doubles are exact, so both copies find the same pairs. */
+#include "base/bits.h"
 #include "collision/shapes.h"
 
 #include <string.h>
@@ -63,19 +64,6 @@ static inline unsigned overlapping(const box_group *g, const collision_box *box)
 }
 
 #endif
-
-static inline uint32_t lowest_bit(unsigned bits)
-{
-#if defined(__GNUC__)
-    return (uint32_t)__builtin_ctz(bits);
-#else
-    uint32_t place = 0;
-    while ((bits >> place & 1u) == 0) {
-        place++;
-    }
-    return place;
-#endif
-}
 
 /* The lanes of a group from place `first` on. */
 static inline unsigned lanes_from(uint32_t group, uint32_t first)
@@ -175,27 +163,18 @@ static inline bool no_corner(const collision_shape *shape, uint32_t point, uint3
     return (point != n[0]) & (point != n[1]) & (point != n[2]);
 }
 
-static inline bool no_near_nodes(const collision_shape *shape, uint32_t a, uint32_t b)
-{
-    const uint32_t *m = shape->edges[a];
-    const uint64_t *row = shape->near_edges + (size_t)b * shape->near_words;
-    return (near_bit(row, m[0]) | near_bit(row, m[1])) == 0;
-}
-
-static inline bool no_near_corner(const collision_shape *shape, uint32_t point, uint32_t triangle)
-{
-    return near_bit(shape->near_triangles + (size_t)triangle * shape->near_words, point) == 0;
-}
-
 /* Whether a pair whose boxes overlap is a candidate, after what the lanes leave out. */
 static inline bool allowed(const collision_shape *shape, collision_rule rule, uint32_t a,
                            uint32_t b)
 {
     return rule == RULE_MESH_EDGES    ? no_common_node(shape, a, b)
            : rule == RULE_MESH_POINTS ? no_corner(shape, a, b)
-           : rule == RULE_FAR_EDGES   ? no_near_nodes(shape, a, b)
-           : rule == RULE_FAR_POINTS  ? no_near_corner(shape, a, b)
                                       : true;
+}
+
+static inline bool leaves_out_near(collision_rule rule)
+{
+    return rule == RULE_FAR_EDGES || rule == RULE_FAR_POINTS;
 }
 
 /* In a walk over one tree, each pair of places is met once. */
@@ -214,6 +193,9 @@ static inline bool meet_group(collision_search *search, const collision_walk *wa
         lanes &= ~lanes_from(group, walk->shape->far_before[b]);
     } else if (meets_once(rule)) {
         lanes &= ~lanes_from(group, place_b);
+    }
+    if (leaves_out_near(rule)) { /* most of what overlaps */
+        lanes &= ~(unsigned)walk->near_lanes[(size_t)group * walk->b->count + place_b];
     }
     for (; lanes != 0; lanes &= lanes - 1) {
         uint32_t a = feature_at(walk->a, group * TREE_LANES + lowest_bit(lanes));

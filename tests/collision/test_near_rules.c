@@ -32,8 +32,8 @@ static void a_failing_allocation_changes_nothing(void **state)
             shapes_find(f.collision, &kept);
             assert_int_equal(kept, count);
         }
-        assert_int_equal(calls, 10); /* of each of nine */
-        assert_int_equal(f.memory.blocks, before + 2);
+        assert_int_equal(calls, 16); /* of each of fifteen */
+        assert_int_equal(f.memory.blocks, before + NEAR_PARTS);
     }
     expect_ok(vbss_collision_remove(f.collision, 0));
     assert_true(f.memory.blocks < before);
