@@ -219,6 +219,11 @@ void vbss_scene_aim_drain(scene_drain *b, const scene_part *part)
             b->ways[a->node] = vec3_sub(there, d->x[a->node]);
         }
     }
+    double square = 0.0;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        square = vbss_larger(vec3_norm_squared(b->ways[i]), square);
+    }
+    b->longest = sqrt(square);
 }
 
 void vbss_scene_shorten_drain(scene_drain *b, double share)

@@ -168,7 +168,7 @@ static bool are_lips(const scene_object *s, const collision_candidate *q)
     return one && other;
 }
 
-static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b)
+static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b, bool lips)
 {
     uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
     const scene_body *b = &s->bodies[s->shape_places[shape]];
@@ -179,18 +179,20 @@ static double radius_of(const scene_object *s, const collision_candidate *q, boo
     if (b->kind == BODY_THREAD) {
         return b->thread.thread->config.radius;
     }
-    return s->collision->shapes[shape]->radius * (are_lips(s, q) ? 2.0 * SCENE_LIP : 1.0);
+    return s->collision->shapes[shape]->radius * (lips ? 2.0 * SCENE_LIP : 1.0);
 }
 
 static double touching_of(const scene_object *s, const collision_candidate *q)
 {
-    return radius_of(s, q, false) + radius_of(s, q, true);
+    bool lips = are_lips(s, q);
+    return radius_of(s, q, false, lips) + radius_of(s, q, true, lips);
 }
 
 /* Of the thinner one. */
 static double thickness_of(const scene_object *s, const collision_candidate *q)
 {
-    return 2.0 * lesser(radius_of(s, q, false), radius_of(s, q, true));
+    bool lips = are_lips(s, q);
+    return 2.0 * lesser(radius_of(s, q, false, lips), radius_of(s, q, true, lips));
 }
 
 static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)

@@ -59,6 +59,7 @@ typedef struct scene_drain {
     uint32_t first_block; /* in the system */
     uint8_t *marks;       /* per node: separators */
     vec3 *ways;           /* per node: how far it may move */
+    double longest;       /* of them, m */
     vec3 *vertices;       /* start and end, for the search */
     uint32_t *lip_face;   /* per side: of a lip, its triangle; else SCENE_NO_FACE */
     uint8_t *at_lip;      /* per node */

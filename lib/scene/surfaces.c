@@ -3,6 +3,13 @@
  * A point touches a triangle where its closest point is within; where that is on a side, the side's own rows see it. */
 #include "scene/scene.h"
 
+#include "collision/closest.h"
+
+/* What is proved to be far is so by more than rounding: share of the distance. */
+#define PROVED (1.0 + 1e-9)
+/* Planes between two features: more seldom part them. */
+enum { WAYS_TRIED = 3 };
+
 uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,
                              bool is_b, uint32_t feature, uint32_t nodes[3])
 {
@@ -43,9 +50,94 @@ static const vec3 *ways_of(const scene_object *s, const scene_body *b, const con
     return first + (side ? 2 * (size_t)feature : feature); /* ends stand two by two */
 }
 
+/* ---- drains that are near drains: most pairs whose boxes meet have a gap that is no row */
+
+static vec3 middle_of(const vec3 *x, uint32_t count)
+{
+    vec3 sum = x[0];
+    for (uint32_t k = 1; k < count; k++) {
+        sum = vec3_add(sum, x[k]);
+    }
+    return vec3_scale(sum, 1.0 / count);
+}
+
+/* The corner that is farthest along a way. */
+static vec3 farthest_along(const vec3 *x, uint32_t count, vec3 way)
+{
+    double most = vec3_dot(x[0], way);
+    uint32_t at = 0;
+    for (uint32_t k = 1; k < count; k++) {
+        double along = vec3_dot(x[k], way);
+        at = along > most ? k : at;
+        most = along > most ? along : most;
+    }
+    return x[at];
+}
+
+/* Whether a plane parts two features by a distance: then no points of them are nearer. It is across a way from points of
+ * one to points of the other, from middle to middle at first; then across a shorter one, towards the corners that lie
+ * nearest along it (Gilbert 1966, An iterative procedure for computing the minimum of a quadratic form on a convex
+ * set). */
+static bool are_parted(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t count_b,
+                       double distance)
+{
+    double least = PROVED * distance, square = least * least;
+    vec3 way = vec3_sub(middle_of(b, count_b), middle_of(a, count_a));
+    for (int k = 0; k < WAYS_TRIED; k++) {
+        vec3 corners =
+            vec3_sub(farthest_along(b, count_b, vec3_neg(way)), farthest_along(a, count_a, way));
+        double apart = vec3_dot(corners, way);
+        if (apart > 0.0 && apart * apart > square * vec3_norm_squared(way)) {
+            return true;
+        }
+        vec3 on = vec3_sub(corners, way);
+        way = vec3_add_scaled(way, closest_on_edge(on, vec3_neg(way)), on);
+    }
+    return false;
+}
+
+/* The corners of a feature. Returns whether it goes where it is told. */
+static bool take_corners(const scene_object *s, const scene_body *b, const contact_key *key,
+                         bool is_b, vec3 corners[3], uint32_t *count)
+{
+    const drain_object *d = b->drain.drain;
+    uint32_t nodes[3];
+    bool given = true;
+    *count = vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->b : key->a, nodes);
+    for (uint32_t k = 0; k < *count; k++) {
+        corners[k] = d->x[nodes[k]];
+        given = given && d->anchored[nodes[k]] != 0;
+    }
+    return given;
+}
+
+/* Whether they are too far from each other for a row, whatever they do in the part. Lips have walls of their own, and what
+ * goes where it is told is told elsewhere. */
+static bool are_far(const scene_object *s, const contact_key *key, const scene_body *a,
+                    const scene_body *b)
+{
+    vec3 one[3], other[3];
+    uint32_t count_a, count_b;
+    if (key->kind == VBSS_CONTACT_SIDES && a->drain.lip_face[key->a] != SCENE_NO_FACE &&
+        b->drain.lip_face[key->b] != SCENE_NO_FACE) {
+        return false;
+    }
+    bool given_a = take_corners(s, a, key, false, one, &count_a);
+    bool given_b = take_corners(s, b, key, true, other, &count_b);
+    double touching = 0.5 * (a->drain.drain->config.thickness + b->drain.drain->config.thickness);
+    double reach = SCENE_AHEAD * (a->drain.longest + b->drain.longest);
+    return !(given_a && given_b) &&
+           are_parted(one, count_a, other, count_b, touching + reach + s->config.contact_margin);
+}
+
+/* ---- rows */
+
 static bool add_row(scene_object *s, const contact_key *key, const scene_body *a,
                     const scene_body *b)
 {
+    if (a->kind == BODY_DRAIN && b->kind == BODY_DRAIN && are_far(s, key, a, b)) {
+        return true;
+    }
     vec3 room_a[3], room_b[3];
     scene_meeting m = {.a = a, .b = b};
     m.ways_a = ways_of(s, a, key, false, room_a, &m.count_a);
