@@ -1,0 +1,291 @@
+/**
+ * @file needle.h
+ * @brief A curved suture needle: a rigid arc of round wire.
+ *
+ * A needle flies alone (#vbss_needle_step) or is added to a scene (#vbss_scene_add_needle), where it touches,
+ * is grasped and carries a thread. For contact it is a chain of straight capsules whose ends lie on its arc; mass
+ * and inertia are those of the arc itself, exactly.
+ *
+ * Frame of the needle: the origin is the centre of its arc, which lies in the plane z = 0. The *tip* is at
+ * (radius, 0, 0) and points along +y; the body of the needle goes back clockwise about +z, to the *swage*, where the
+ * thread is fixed, at the angle -arc: of a half circle at (-radius, 0, 0). Turning about +z drives the tip forward.
+ * Arc length counts from the tip to the swage.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_NEEDLE_H
+#define VBLAST_SS_NEEDLE_H
+
+#include <vblast_ss/base.h>
+
+/** A needle. */
+typedef struct vbss_needle vbss_needle;
+
+/** How to make a needle. Fill it with #vbss_needle_config_init, then change what you need. */
+typedef struct vbss_needle_config {
+    uint32_t struct_size;   /**< Size of this struct in bytes, set by the init function. */
+    vbss_method method;     /**< Default VBSS_METHOD_OURS; the scene's must be the same. */
+    uint32_t segment_count; /**< Capsules along the arc, 2 to 64; default 8. */
+    uint32_t reserved;      /**< Zero. */
+    double radius;          /**< Of the arc's middle line, m, 1e-4 to 1; default 10.5e-3, the paper's. */
+    double wire_radius;     /**< m, 1e-6 to a fifth of radius; default 0.35e-3 (not verified). */
+    double arc;             /**< Angle from tip to swage, rad, 0.1 to 6; default pi. */
+    double density;         /**< kg/m^3, 1 to 1e5; default 7900, steel. */
+    double friction;        /**< In a scene: coefficient with other bodies, 0 to 10; default 0.2. */
+    double drag;            /**< Both momenta decay at this rate, 1/s, 0 to 1e6; default 0. */
+    double gravity[3];      /**< m/s^2, each at most 1e6; default 0. */
+    double position[3];     /**< Of the frame, m, each at most 1e3; default 0. */
+    double orientation[4]; /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double velocity[3];    /**< Of the frame's origin, m/s, each at most 1e5; default 0. */
+    double angular_velocity[3]; /**< rad/s, each at most 1e6; default 0. */
+} vbss_needle_config;
+
+/** A known needle: a VBSS_NEEDLE_PRESET_ constant. */
+typedef int32_t vbss_needle_preset;
+
+/** The constants of #vbss_needle_preset. */
+enum {
+    VBSS_NEEDLE_PRESET_PAPER = 0, /**< Half circle of radius 10.5 mm (Qi et al. 2017): the defaults. */
+    VBSS_NEEDLE_PRESET_SH = 1     /**< Half circle of 26 mm, radius 8.28 mm (not verified). */
+};
+
+/** Where a needle is. */
+typedef struct vbss_needle_state {
+    uint32_t struct_size;       /**< Bytes of this struct that the library filled. */
+    uint32_t body;              /**< Its number in its scene; 0: it is in none. */
+    double position[3];         /**< Of the frame, m. */
+    double orientation[4];      /**< w, x, y, z, unit. */
+    double velocity[3];         /**< Of the frame's origin, m/s. */
+    double angular_velocity[3]; /**< rad/s. */
+    double tip[3];              /**< m. */
+    double tip_direction[3];    /**< Unit: where the tip points. */
+    double swage[3];            /**< m. */
+    double swage_direction[3];  /**< Unit: where the thread leaves, away from the needle. */
+} vbss_needle_state;
+
+/** What a needle weighs. */
+typedef struct vbss_needle_mass {
+    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;        /**< Zero. */
+    double mass;              /**< kg. */
+    double length;            /**< Of the middle line, m. */
+    double centre[3];         /**< Centre of mass in the needle's frame, m. */
+    double inertia[3];        /**< Principal moments about it, kg m^2. */
+    double axes[3][3];        /**< Unit, of the moments in turn, in the needle's frame. */
+} vbss_needle_mass;
+
+/** Energies, J. */
+typedef struct vbss_needle_energies {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;    /**< Zero. */
+    double kinetic;       /**< Of translation and rotation. */
+    double gravity;       /**< Zero at the world's origin. */
+    double total;         /**< Their sum. */
+} vbss_needle_energies;
+
+/** Arrays to look at: a VBSS_NEEDLE_VIEW_ constant. */
+typedef int32_t vbss_needle_field;
+
+/** The constants of #vbss_needle_field. */
+enum {
+    VBSS_NEEDLE_VIEW_POINTS = 0 /**< x 3: ends of the capsules' axes, m, from the tip to the swage: segment_count + 1. */
+};
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Fills a configuration with the defaults.
+ *
+ * @param[out] config  the configuration to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_config_init(vbss_needle_config *config, uint32_t struct_size);
+
+/**
+ * Sets radius, wire radius and arc to those of a known needle.
+ *
+ * @param[in,out] config  an initialised configuration
+ * @param preset          which needle
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_OUT_OF_RANGE (no
+ *         such preset)
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_config_preset(vbss_needle_config *config,
+                                               vbss_needle_preset preset);
+
+/**
+ * Creates a needle where its configuration says.
+ *
+ * @param context      owner
+ * @param config       how; NULL for the defaults
+ * @param[out] needle  the new needle; NULL when the call fails
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE,
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *config,
+                                        vbss_needle **needle);
+
+/**
+ * Destroys a needle.
+ *
+ * @param needle  the needle; NULL does nothing
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
+
+/**
+ * Makes one step of free flight: gravity and drag, nothing touched. Angular momentum is kept to rounding; turning is of
+ * second order, by the splitting of docs/needle.md. A needle turns by a quarter of a turn in a step at most: a faster one
+ * slows down.
+ *
+ * @param needle  the needle
+ * @param h       length of the step, s, 1e-7 to 0.1
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE (nothing has
+ *         changed), VBSS_ERROR_IN_SCENE, VBSS_ERROR_ARITHMETIC or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_step(vbss_needle *needle, double h);
+
+/**
+ * Puts a needle somewhere. Not while it is in a scene.
+ *
+ * @param needle            the needle
+ * @param position          of its frame, m, each at most 1e3
+ * @param orientation       w, x, y, z, of any length from 1e-100 to 1e100; NULL leaves it
+ * @param velocity          of the frame's origin, m/s, each at most 1e5; NULL: it rests
+ * @param angular_velocity  rad/s, each at most 1e6; NULL: it does not turn
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE,
+ *         VBSS_ERROR_NOT_FINITE, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
+                                           const double *orientation, const double *velocity,
+                                           const double *angular_velocity);
+
+/**
+ * Where a needle is.
+ *
+ * @param needle       the needle
+ * @param[out] state   receives the numbers
+ * @param struct_size  `sizeof *state` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_state *state,
+                                           uint32_t struct_size);
+
+/**
+ * What a needle weighs.
+ *
+ * @param needle       the needle
+ * @param[out] mass    receives the numbers
+ * @param struct_size  `sizeof *mass` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass *mass,
+                                          uint32_t struct_size);
+
+/**
+ * A place on the exact middle line, and the way toward the tip there. Beyond the ends the line goes on straight.
+ *
+ * @param needle          the needle
+ * @param arc_length      from the tip toward the swage, m, each way at most 10
+ * @param[out] position   m
+ * @param[out] direction  unit; NULL: not wanted
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE or
+ *         VBSS_ERROR_NOT_FINITE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_get_place(vbss_needle *needle, double arc_length,
+                                           double position[3], double *direction);
+
+/**
+ * Its energies.
+ *
+ * @param needle         the needle
+ * @param[out] energies  receives the numbers
+ * @param struct_size    `sizeof *energies` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_energies *energies,
+                                              uint32_t struct_size);
+
+/**
+ * A look at one of the needle's arrays, as it is after the last step.
+ *
+ * @param needle       the needle
+ * @param field        which
+ * @param[out] view    receives where the array is
+ * @param struct_size  `sizeof *view` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (no such field)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field field,
+                                          vbss_view *view, uint32_t struct_size);
+
+/**
+ * Saves the needle's state. Call it with no room to learn how much it takes.
+ *
+ * @param needle        the needle
+ * @param[out] bytes    receives the state; NULL with capacity 0
+ * @param capacity      bytes there is room for
+ * @param[out] written  bytes written, or needed
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_CAPACITY or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint64_t capacity,
+                                      uint64_t *written);
+
+/**
+ * Restores a saved state into this needle or one created alike. On failure the needle is as it was.
+ *
+ * @param needle  the needle
+ * @param bytes   what #vbss_needle_save wrote
+ * @param count   how many bytes
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_VERSION, VBSS_ERROR_MISMATCH, VBSS_ERROR_IN_SCENE or
+ *         VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_restore(vbss_needle *needle, const uint8_t *bytes, uint64_t count);
+
+/**
+ * XXH64 of the needle's state: equal states have equal hashes, on every architecture.
+ *
+ * @param needle     the needle
+ * @param[out] hash  the hash
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE or VBSS_ERROR_NULL_ARGUMENT
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_needle_get_hash(vbss_needle *needle, uint64_t *hash);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
