@@ -11,12 +11,14 @@
  * the angle `bend` from the shaft's axis. The *pivot* is where they begin; between it and the bend lies the *neck*,
  * along the line of the jaws.
  *
- * Grasping, method OURS: the jaws close until what lies between them touches both, and hold it from then on
+ * Grasping a thread, method OURS: the jaws close until what lies between them touches both, and hold it from then on
  * by a compliant clamp over a short length of the thread, in position and direction. What it can bear grows
  * with the pressure of the jaws, as Coulomb friction of both faces: beyond that the thread slides through,
  * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close,
  * but not nearer to an end of a thread than it is thick: that, and a thread of which all cuts are made, they close
  * through, and do not touch it until they have been clear of it.
+ * A needle (needle.h) is held where the jaws have found it, as it was turned, in position and orientation; it slides and
+ * turns in them above what the pressure bears.
  * Method PAPER (VBLaST-SS, Qi et al. 2017): tools are where the hand is; one that closes near a thread carries
  * its nearest node exactly; of two tools the first leads, the other changes nothing until that lets go.
  * docs/graspers.md has the formulas and limits.
@@ -92,6 +94,14 @@ typedef struct vbss_grasper_config {
     double paper_stiffness;
     /** PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3. */
     double paper_distance;
+    /* A needle that is held (needle.h). */
+    /** Of the clamp, the same in all directions, N/m, 1 to 1e7; default 3e4. */
+    double needle_stiffness;
+    /** About the normal of the jaws' faces, N m/rad, 1e-6 to 1e4; about axes in them half of it; default 0.5. */
+    double needle_turning_stiffness;
+    /** Torque that jaws of a closed handle bear before the needle turns in them, N m, 0 to 1e2; default 0.03 (not
+     * verified). Of jaws that press less, less in proportion. */
+    double needle_torque;
 } vbss_grasper_config;
 
 /** A known tool: a VBSS_GRASPER_PRESET_ constant. */
@@ -110,7 +120,7 @@ typedef struct vbss_grasper_state {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
     vbss_grasper_kind kind;       /**< What it is now. */
     uint32_t body;                /**< Its number in its scene; 0: it is in none. */
-    uint32_t grasp_count;         /**< Places of threads that it holds. */
+    uint32_t grasp_count;         /**< Places of threads that it holds, and a needle. */
     double position[3];           /**< Of the tip, m. */
     double orientation[4];        /**< w, x, y, z, unit. */
     double velocity[3];           /**< Of the tip, m/s. */

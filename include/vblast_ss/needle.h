@@ -27,16 +27,17 @@ typedef struct vbss_needle_config {
     vbss_method method;     /**< Default VBSS_METHOD_OURS; the scene's must be the same. */
     uint32_t segment_count; /**< Capsules along the arc, 2 to 64; default 8. */
     uint32_t reserved;      /**< Zero. */
-    double radius;          /**< Of the arc's middle line, m, 1e-4 to 1; default 10.5e-3, the paper's. */
-    double wire_radius;     /**< m, 1e-6 to a fifth of radius; default 0.35e-3 (not verified). */
-    double arc;             /**< Angle from tip to swage, rad, 0.1 to 6; default pi. */
-    double density;         /**< kg/m^3, 1 to 1e5; default 7900, steel. */
-    double friction;        /**< In a scene: coefficient with other bodies, 0 to 10; default 0.2. */
-    double drag;            /**< Both momenta decay at this rate, 1/s, 0 to 1e6; default 0. */
-    double gravity[3];      /**< m/s^2, each at most 1e6; default 0. */
-    double position[3];     /**< Of the frame, m, each at most 1e3; default 0. */
-    double orientation[4]; /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
-    double velocity[3];    /**< Of the frame's origin, m/s, each at most 1e5; default 0. */
+    double radius; /**< Of the arc's middle line, m, 1e-4 to 1; default 10.5e-3, the paper's. */
+    double wire_radius; /**< m, 1e-6 to a fifth of radius; default 0.35e-3 (not verified). */
+    double arc;         /**< Angle from tip to swage, rad, 0.1 to 6; default pi. */
+    double density;     /**< kg/m^3, 1 to 1e5; default 7900, steel. */
+    double friction;    /**< In a scene: coefficient with other bodies, 0 to 10; default 0.2. */
+    double drag;        /**< Both momenta decay at this rate, 1/s, 0 to 1e6; default 0. */
+    double gravity[3];  /**< m/s^2, each at most 1e6; default 0. */
+    double position[3]; /**< Of the frame, m, each at most 1e3; default 0. */
+    double
+        orientation[4]; /**< w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0. */
+    double velocity[3]; /**< Of the frame's origin, m/s, each at most 1e5; default 0. */
     double angular_velocity[3]; /**< rad/s, each at most 1e6; default 0. */
 } vbss_needle_config;
 
@@ -45,8 +46,9 @@ typedef int32_t vbss_needle_preset;
 
 /** The constants of #vbss_needle_preset. */
 enum {
-    VBSS_NEEDLE_PRESET_PAPER = 0, /**< Half circle of radius 10.5 mm (Qi et al. 2017): the defaults. */
-    VBSS_NEEDLE_PRESET_SH = 1     /**< Half circle of 26 mm, radius 8.28 mm (not verified). */
+    VBSS_NEEDLE_PRESET_PAPER =
+        0,                    /**< Half circle of radius 10.5 mm (Qi et al. 2017): the defaults. */
+    VBSS_NEEDLE_PRESET_SH = 1 /**< Half circle of 26 mm, radius 8.28 mm (not verified). */
 };
 
 /** Where a needle is. */
@@ -65,13 +67,13 @@ typedef struct vbss_needle_state {
 
 /** What a needle weighs. */
 typedef struct vbss_needle_mass {
-    uint32_t struct_size;     /**< Bytes of this struct that the library filled. */
-    uint32_t reserved;        /**< Zero. */
-    double mass;              /**< kg. */
-    double length;            /**< Of the middle line, m. */
-    double centre[3];         /**< Centre of mass in the needle's frame, m. */
-    double inertia[3];        /**< Principal moments about it, kg m^2. */
-    double axes[3][3];        /**< Unit, of the moments in turn, in the needle's frame. */
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t reserved;    /**< Zero. */
+    double mass;          /**< kg. */
+    double length;        /**< Of the middle line, m. */
+    double centre[3];     /**< Centre of mass in the needle's frame, m. */
+    double inertia[3];    /**< Principal moments about it, kg m^2. */
+    double axes[3][3];    /**< Unit, of the moments in turn, in the needle's frame. */
 } vbss_needle_mass;
 
 /** Energies, J. */
@@ -88,7 +90,8 @@ typedef int32_t vbss_needle_field;
 
 /** The constants of #vbss_needle_field. */
 enum {
-    VBSS_NEEDLE_VIEW_POINTS = 0 /**< x 3: ends of the capsules' axes, m, from the tip to the swage: segment_count + 1. */
+    VBSS_NEEDLE_VIEW_POINTS =
+        0 /**< x 3: ends of the capsules' axes, m, from the tip to the swage: segment_count + 1. */
 };
 
 #ifdef __cplusplus

@@ -28,6 +28,7 @@
 #include <vblast_ss/base.h>
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
+#include <vblast_ss/needle.h>
 #include <vblast_ss/thread.h>
 
 /** A scene. */
@@ -196,7 +197,8 @@ enum {
     VBSS_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule, and the floor. */
     VBSS_CONTACT_GRASP =
         6, /**< One of the three points of a thread that a grasper holds, three times the
-                            * place of the grasp among all plus which of them; and 0 of the grasper. */
+                            * place of the grasp among all plus which of them; or of a needle, which of them; and 0 of
+                            * the grasper. */
     /** A node of a thread, an end of a capsule or a node of a drain, and a triangle of a drain. */
     VBSS_CONTACT_POINT_FACE = 7,
     /** A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's triangle. */
@@ -213,11 +215,11 @@ enum {
     VBSS_EVENT_PART = 2,  /**< Two bodies that touched do no longer. */
     VBSS_EVENT_CLAMPED =
         3, /**< The step was cut short, or paused; the number is the share of it in 1/65536 that was lost. */
-    VBSS_EVENT_LOST = 4,       /**< Events beyond the capacity; the number says how many. */
-    VBSS_EVENT_GRASP = 5,      /**< Jaws hold a thread: thread, grasper, arc length in um. */
-    VBSS_EVENT_RELEASE = 6,    /**< They have opened and let it go: the same. */
-    VBSS_EVENT_TORN = 7,       /**< It was pulled out of them: the same. */
-    VBSS_EVENT_SLIP = 8,       /**< It begins to slide through them: the same. */
+    VBSS_EVENT_LOST = 4,    /**< Events beyond the capacity; the number says how many. */
+    VBSS_EVENT_GRASP = 5,   /**< Jaws hold a thread or a needle: that, grasper, arc length in um. */
+    VBSS_EVENT_RELEASE = 6, /**< They have opened and let it go: the same. */
+    VBSS_EVENT_TORN = 7,    /**< It was pulled out of them: the same. */
+    VBSS_EVENT_SLIP = 8,    /**< It begins to slide through them, or to turn in them: the same. */
     VBSS_EVENT_GRASP_LOST = 9, /**< Beyond grasp_capacity: thread, grasper; it is not held. */
     /** A thread, its new piece, and the arc length of the cut in um; 0 in place of the piece: it would have been cut,
      * but all its cuts are made. */
@@ -265,17 +267,18 @@ typedef struct vbss_scene_statistics {
     double time_paused;        /**< Of those parts together, s: simulated time that was lost. */
 } vbss_scene_statistics;
 
-/** A place of a thread that a grasper holds. */
+/** A place of a thread, or of a needle, that a grasper holds. */
 typedef struct vbss_grasp {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    uint32_t thread;      /**< Number of the thread in the scene. */
-    double arc_length;    /**< Of the middle of what is held, along the thread, unstretched, m. */
-    double position[3];   /**< Where that is, m. */
-    /** Of the jaws on the thread in the last step, N: while it slides, above the limit by what the clamp gains in
+    uint32_t thread;      /**< Number of the thread, or of the needle, in the scene. */
+    double
+        arc_length; /**< Of the middle of what is held, along the thread, unstretched; from the needle's tip; m. */
+    double position[3]; /**< Where that is, m. */
+    /** Of the jaws on what they hold in the last step, N: while it slides, above the limit by what the clamp gains in
      * a step. */
     double force[3];
     double limit; /**< Largest force along their faces that they bear, N; PAPER: 0. */
-    double slid;  /**< Thread that has slid through since it was taken, m. */
+    double slid;  /**< So far it has slid through them since it was taken, m. */
 } vbss_grasp;
 
 #ifdef __cplusplus
@@ -378,6 +381,22 @@ VBSS_API vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t 
  */
 VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config,
                                           uint32_t *body);
+
+/**
+ * Adds a needle, where it is and as it moves: it is free. A thread that is pinned to it (#vbss_scene_pin_thread) with its
+ * first node at the swage is swaged to it. Stepping or placing it alone, restoring or destroying it is
+ * VBSS_ERROR_IN_SCENE until it is removed. Method OURS only.
+ *
+ * @param scene      the scene
+ * @param needle     a needle of the same context and method
+ * @param[out] body  its number
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of another context), VBSS_ERROR_NULL_ARGUMENT,
+ *         VBSS_ERROR_IN_SCENE, VBSS_ERROR_OUT_OF_RANGE (another method), VBSS_ERROR_CAPACITY (bodies or capsules),
+ *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body);
 
 /**
  * Adds a grasper of the same context, which belongs to the scene until it is removed: its tip where it was told to

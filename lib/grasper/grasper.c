@@ -13,7 +13,7 @@ static void free_grasper(vbss_context *context, void *object)
     vbss_release(context, object, 1, sizeof(grasper_object));
 }
 
-const vbss_kind vbss_grasper_kind_of_slot = {"grasper", VBSS_CODE('G', 'R', 'S', 'P'), 1,
+const vbss_kind vbss_grasper_kind_of_slot = {"grasper", VBSS_CODE('G', 'R', 'S', 'P'), 2,
                                              free_grasper, vbss_grasper_serialise};
 
 /* Where it shall be; what it was told, where no shaft through the trocar can be so. */

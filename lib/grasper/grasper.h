@@ -2,7 +2,7 @@
  *
  * config.c checks what a grasper shall be; grasper.c makes and ends graspers and is told where they
  * shall go; trocar.c turns the shaft through its trocar; jaws.c says where the jaws are and how hard
- * they close; grip.c what a held thread does when it is pulled; state.c saves. Three frames: the world;
+ * they close; grip.c what a held thread does when it is pulled, hold.c a held needle; state.c saves. Three frames: the world;
  * the tool's (origin the tip, z along the shaft); the jaws'
  * (origin the pivot, x the way they open, z against the way they point: a place between them has z < 0). */
 #ifndef VBSS_GRASPER_GRASPER_H
@@ -14,6 +14,9 @@
 
 /* Shaft, jaw at +x, jaw at -x, neck. */
 enum { GRASPER_CAPSULES = 4, GRASPER_SHAFT = 0, GRASPER_JAW = 1, GRASPER_NECK = 3 };
+
+/* How far beside the middle of the round jaws may lie what they hold or cut, as a share of their radius. */
+#define GRASPER_BESIDE 0.5
 
 /* Of a needle driver or of shears. */
 typedef struct vbss_grasper_jaws {
@@ -78,6 +81,15 @@ double vbss_grasper_pressure_at(const grasper_object *g, double angle);
 double vbss_grasper_touching_angle(double thread_diameter, double from_pivot);
 /* Distance between the facing surfaces of the jaws there. */
 double vbss_grasper_mouth(double angle, double from_pivot);
+/* The place between the jaws of what goes straight from begin to end, in the jaws' frame, that is nearest to their middle;
+ * false: it is not between them. */
+typedef struct vbss_grasper_place {
+    double share;      /* of the way from begin to end */
+    double beside;     /* from the middle of the jaws, m */
+    double from_pivot; /* m */
+} vbss_grasper_place;
+bool vbss_grasper_find_between(const grasper_object *g, vec3 begin, vec3 end,
+                               vbss_grasper_place *place);
 /* For the view: capsules in the world as the tool lies now. */
 void vbss_grasper_show(grasper_object *g);
 
@@ -106,5 +118,26 @@ typedef struct grip_change {
 double vbss_grip_limit(const grasper_object *g, double pressure);
 /* After a step: what exceeds the limits slides until it does not, and the rest settles into the jaws. */
 grip_change vbss_grip_yield(const grasper_object *g, grip *grip, const grip_load *load);
+
+/* ---- hold.c: a clamp that holds a needle, in position and orientation, by three springs at the corners of a triangle in
+ * the plane of the faces */
+
+enum { HOLD_POINTS = 3 };
+typedef struct hold_load {
+    vec3 force,
+        torque; /* of the clamp on the needle, about the middle of what is held, in the jaws' frame */
+    double pressure; /* of the jaws on it, N */
+    double h;        /* length of the step, s */
+} hold_load;
+/* Where a corner is, in the jaws' frame, round what is held there; stiffness of each spring, N/m. */
+vec3 vbss_hold_corner(const grasper_object *g, vec3 middle, uint32_t i);
+double vbss_hold_stiffness(const grasper_object *g);
+typedef struct hold_change {
+    double slid, turned; /* m, rad */
+    bool torn;           /* it has come out between the jaws or over their end */
+} hold_change;
+/* After a step: what exceeds the limits makes the place where it is held give way until it does not, and for the rest it
+ * comes to the middle of the jaws in time. `at` is where it is held, `age` since when. */
+hold_change vbss_hold_yield(const grasper_object *g, pose *at, double *age, const hold_load *load);
 
 #endif

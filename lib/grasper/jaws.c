@@ -103,3 +103,16 @@ double vbss_grasper_mouth(double angle, double from_pivot)
 {
     return 2.0 * from_pivot * vbss_sin(angle);
 }
+
+bool vbss_grasper_find_between(const grasper_object *g, vec3 begin, vec3 end,
+                               vbss_grasper_place *place)
+{
+    const vbss_grasper_jaws *jaws = vbss_grasper_jaws_now(g);
+    double across = end.y - begin.y, share = across != 0.0 ? -begin.y / across : 0.0;
+    share = share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
+    vec3 at = vec3_lerp(begin, end, share);
+    *place = (vbss_grasper_place){share, fabs(at.y), -at.z};
+    return place->from_pivot > 0.0 && place->from_pivot <= jaws->length &&
+           place->beside <= GRASPER_BESIDE * jaws->radius &&
+           fabs(at.x) <= 0.5 * vbss_grasper_mouth(g->angle, place->from_pivot);
+}

@@ -26,6 +26,11 @@ static void visit_config(vbss_stream *stream, const grasper_object *g)
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_same_f64(stream, 1, numbers[i]);
     }
+    if (stream->version >= 2) {
+        vbss_stream_same_f64(stream, 4, c->needle_stiffness);
+        vbss_stream_same_f64(stream, 4, c->needle_turning_stiffness);
+        vbss_stream_same_f64(stream, 4, c->needle_torque);
+    }
     vbss_stream_same(stream, 2, (uint64_t)c->method);
     vbss_stream_same(stream, 2, (uint64_t)c->kind);
     vbss_stream_same(stream, 2, (uint64_t)c->has_trocar);

@@ -352,6 +352,7 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     }
     vbss_scene_forget_pins_of(s, body);
     vbss_scene_forget_grasps_of(s, body);
+    vbss_scene_forget_holds_of(s, body);
     if (b->kind == BODY_DRAIN) {
         vbss_scene_release_drain(s, b);
     }
@@ -365,6 +366,8 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     } else if (b->kind == BODY_RIGID) {
         if (b->rigid.grasper != NULL) {
             vbss_scene_release_grasper(b);
+        } else if (b->rigid.needle != NULL) {
+            vbss_scene_release_needle(b);
         }
         remove_capsules(s, &b->rigid);
     }

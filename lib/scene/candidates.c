@@ -300,6 +300,10 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
         return vbss_scene_add_row(s, &key, &w);
     }
     if (a->kind == BODY_RIGID && b->kind == BODY_RIGID) {
+        if (vbss_scene_is_in_jaws(s, a, q->a, b, q->b) ||
+            vbss_scene_is_in_jaws(s, b, q->b, a, q->a)) {
+            return true;
+        }
         const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
         const scene_meeting w = {a, b, ways_of_capsule(s, a, q->a), ways_of_capsule(s, b, q->b),
                                  2, 2};
@@ -376,7 +380,7 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
             return false;
         }
     }
-    if (!vbss_scene_add_grasp_rows(s)) {
+    if (!vbss_scene_add_grasp_rows(s) || !vbss_scene_add_hold_rows(s)) {
         return false;
     }
     vbss_contact_sort(set);

@@ -8,8 +8,6 @@
 #define GIVE 0.02
 /* As a share of touching: what was let go is still between the jaws. */
 #define STILL_BETWEEN 0.5
-/* How far beside the middle of the round jaws a strand may lie, as a share of their radius. */
-#define BESIDE 0.5
 
 /* ---- who holds what */
 
@@ -36,7 +34,7 @@ uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool)
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         count += holds(s, tool, &s->grasps[i]);
     }
-    return count;
+    return count + vbss_scene_holds_needle(s, tool);
 }
 
 void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number)
@@ -67,9 +65,8 @@ void vbss_scene_tell_grasp(scene_object *s, vbss_event_kind kind, const scene_gr
 typedef struct strand {
     const scene_body *thread;
     uint32_t segment;
-    double share;  /* of it */
-    double beside; /* from the middle of the jaws, m */
-    double from_pivot, diameter;
+    vbss_grasper_place at;
+    double diameter;
     double angle; /* at which the jaws touch it from both sides, with what lies across from it */
 } strand;
 
@@ -81,31 +78,12 @@ typedef struct mouth {
     uint32_t count;
 } mouth;
 
-/* The place of a segment that is nearest to the middle of the jaws; false: not between them. */
-static bool is_between(const mouth *m, vec3 begin, vec3 end, double diameter, strand *found)
-{
-    const vbss_grasper_jaws *jaws = vbss_grasper_jaws_now(m->grasper);
-    double across = end.y - begin.y, share = across != 0.0 ? -begin.y / across : 0.0;
-    share = share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
-    vec3 at = vec3_lerp(begin, end, share);
-    double from_pivot = -at.z;
-    if (!(from_pivot > 0.0 && from_pivot <= jaws->length && fabs(at.y) <= BESIDE * jaws->radius)) {
-        return false;
-    }
-    double wide = vbss_grasper_mouth(m->grasper->angle, from_pivot);
-    found->share = share;
-    found->beside = fabs(at.y);
-    found->from_pivot = from_pivot;
-    found->diameter = diameter;
-    return fabs(at.x) <= 0.5 * wide;
-}
-
 /* What has just been torn out is not held again because it is still there, nor is cut what was let through. */
 static bool is_torn(const scene_object *s, const mouth *m, const scene_body *b, uint32_t segment)
 {
     bool cuts = m->grasper->kind == VBSS_GRASPER_SHEARS; /* also further on */
     double radius = vbss_grasper_jaws_now(m->grasper)->radius;
-    double reach = cuts ? BESIDE * radius : radius + b->thread.thread->config.radius;
+    double reach = cuts ? GRASPER_BESIDE * radius : radius + b->thread.thread->config.radius;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->torn && g->tool == m->tool && g->thread == b->number &&
@@ -126,11 +104,11 @@ static void look_along(const scene_object *s, const scene_body *b, mouth *m)
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         vec3 off = vec3_sub(t->now.x[i], m->jaws.position);
         double reach = 1.1 * length + t->rest[i];
-        strand found = {.thread = b, .segment = i};
-        bool between = vec3_norm_squared(off) < reach * reach &&
-                       is_between(m, pose_apply_inverse(m->jaws, t->now.x[i]),
-                                  pose_apply_inverse(m->jaws, t->now.x[i + 1]),
-                                  2.0 * t->config.radius, &found);
+        strand found = {.thread = b, .segment = i, .diameter = 2.0 * t->config.radius};
+        bool between =
+            vec3_norm_squared(off) < reach * reach &&
+            vbss_grasper_find_between(m->grasper, pose_apply_inverse(m->jaws, t->now.x[i]),
+                                      pose_apply_inverse(m->jaws, t->now.x[i + 1]), &found.at);
         if (!between) {
             last = NULL;
             is_torn_run = false;
@@ -139,7 +117,7 @@ static void look_along(const scene_object *s, const scene_body *b, mouth *m)
             last = NULL;
             is_torn_run = true;
         } else if (last != NULL) {
-            if (found.beside < last->beside) {
+            if (found.at.beside < last->at.beside) {
                 *last = found;
             }
         } else if (m->count < SCENE_STRANDS) {
@@ -157,10 +135,10 @@ static void stack(mouth *m)
         double width = a->diameter;
         for (uint32_t k = 0; k < m->count; k++) {
             const strand *b = &m->strands[k];
-            double apart = fabs(a->from_pivot - b->from_pivot);
+            double apart = fabs(a->at.from_pivot - b->at.from_pivot);
             width += k != i && apart < 0.5 * (a->diameter + b->diameter) ? b->diameter : 0.0;
         }
-        a->angle = vbss_grasper_touching_angle(width, a->from_pivot);
+        a->angle = vbss_grasper_touching_angle(width, a->at.from_pivot);
     }
 }
 
@@ -197,7 +175,7 @@ static void take(scene_object *s, const scene_body *tool, const mouth *m, const 
                        .thread = found->thread->number,
                        .tool = tool->number,
                        .segment = found->segment,
-                       .into = found->share * t->rest[found->segment],
+                       .into = found->at.share * t->rest[found->segment],
                        .angle = found->angle,
                        .spacing = m->grasper->config.grip_length / (GRIP_POINTS - 1)};
     for (uint32_t k = 0; k < GRIP_POINTS; k++) {
@@ -207,12 +185,13 @@ static void take(scene_object *s, const scene_body *tool, const mouth *m, const 
 }
 
 /* The angle below which the jaws cannot close, for what is held. */
-static double held_angle(const scene_object *s, uint32_t tool)
+static double held_angle(const scene_object *s, const scene_body *tool)
 {
-    double angle = 0.0;
+    const scene_hold *hold = &tool->rigid.hold;
+    double angle = vbss_scene_holds_needle(s, tool->number) ? hold->angle : 0.0;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && g->tool == tool && !g->let_go) {
+        if (g->id != 0 && g->tool == tool->number && !g->let_go) {
             angle = greater(g->angle, angle);
         }
     }
@@ -225,7 +204,7 @@ static void let_through(scene_object *s, mouth *m, double next)
     uint32_t kept = 0;
     for (uint32_t i = 0; i < m->count; i++) {
         const strand *found = &m->strands[i];
-        const scene_strand at = {found->thread, found->segment, found->share};
+        const scene_strand at = {found->thread, found->segment, found->at.share};
         if (found->angle < next || !vbss_scene_let_through(s, m->tool, &at, found->angle)) {
             m->strands[kept++] = *found;
         }
@@ -236,7 +215,7 @@ static void let_through(scene_object *s, mouth *m, double next)
 double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
 {
     grasper_object *g = tool->rigid.grasper;
-    double least = held_angle(s, tool->number);
+    double least = held_angle(s, tool);
     double next = vbss_grasper_next_angle(g, h, least);
     if (least > 0.0 || next >= g->angle) {
         return next;
@@ -246,7 +225,8 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     if (g->kind == VBSS_GRASPER_SHEARS) {
         let_through(s, &m, next);
     }
-    double stop = 0.0;
+    scene_hold needle;
+    double stop = vbss_scene_find_needle(s, tool, &needle) ? needle.angle : 0.0;
     for (uint32_t i = 0; i < m.count; i++) {
         stop = greater(m.strands[i].angle, stop);
     }
@@ -254,12 +234,16 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
         return next;
     }
     next = lesser(stop, g->angle); /* as it is, if it is squeezed a little already */
+    if (needle.needle != 0 && needle.angle >= stop - GIVE && g->kind != VBSS_GRASPER_SHEARS) {
+        vbss_scene_take_needle(s, tool, &needle);
+    }
     for (uint32_t i = 0; i < m.count; i++) {
         if (m.strands[i].angle < stop - GIVE) {
             continue;
         }
         if (g->kind == VBSS_GRASPER_SHEARS) {
-            const scene_strand at = {m.strands[i].thread, m.strands[i].segment, m.strands[i].share};
+            const scene_strand at = {m.strands[i].thread, m.strands[i].segment,
+                                     m.strands[i].at.share};
             vbss_scene_note_cut(s, &at);
         } else {
             take(s, tool, &m, &m.strands[i]);
@@ -435,7 +419,9 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
     uint32_t left = index;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
-        if (!holds(s, tool, g) || left-- > 0) {
+        bool other = !holds(s, tool, g);
+        if (other || left > 0) {
+            left -= !other;
             continue;
         }
         const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
@@ -448,6 +434,11 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
                                      ? t->now.x[g->segment]
                                      : vbss_scene_held_point(g, t, t->now.x, GRIP_POINTS / 2));
         vec3_store(own.force, g->force);
+        return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
+    }
+    if (left == 0 && vbss_scene_holds_needle(s, tool)) {
+        vbss_grasp own = {.struct_size = sizeof own};
+        vbss_scene_show_hold(s, vbss_scene_body(s, tool), &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
     return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u does not hold %u places", tool,

@@ -208,7 +208,7 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
     s->block->thickness[at] = touching_of(s, q) - allowed;
 }
 
-/* The thread and the body that it is pinned to; the two ends at a cut. */
+/* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it. */
 static bool may_meet(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
@@ -216,8 +216,12 @@ static bool may_meet(const scene_object *s, const collision_candidate *q, double
     if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
         return false;
     }
+    if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
+        return vbss_scene_adjoins(s, a, q->a, b, q->b);
+    }
     if (a->kind == b->kind) {
-        return a->kind == BODY_THREAD && vbss_scene_adjoins(s, a, q->a, b, q->b);
+        return vbss_scene_is_in_jaws(s, a, q->a, b, q->b) ||
+               vbss_scene_is_in_jaws(s, b, q->b, a, q->a);
     }
     return a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, q->b, touching)
                                   : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);

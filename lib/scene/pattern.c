@@ -59,6 +59,9 @@ static void mark_side(scene_object *s, const contact_key *key, bool is_b)
 static void mark_held(scene_object *s, const contact_row *row)
 {
     const scene_body *b = vbss_scene_body(s, row->key.body_a);
+    if (b->kind != BODY_THREAD) { /* blocks of rigid bodies are separators anyway */
+        return;
+    }
     const thread_object *t = b->thread.thread;
     for (uint32_t k = 0; k < row->term_count; k++) {
         uint32_t node = row->terms[k].block - b->thread.first_block;

@@ -136,6 +136,8 @@ static void free_object(vbss_context *context, void *object)
             vbss_scene_release_thread(&s->bodies[i]);
         } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
             vbss_scene_release_grasper(&s->bodies[i]);
+        } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.needle != NULL) {
+            vbss_scene_release_needle(&s->bodies[i]);
         } else if (s->bodies[i].kind == BODY_DRAIN) {
             vbss_scene_release_drain(s, &s->bodies[i]);
         } else if (s->bodies[i].reserved) {
@@ -151,7 +153,7 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 3, free_object,
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 4, free_object,
                                    vbss_scene_serialise};
 
 static vbss_result make_collision(scene_object *s)

@@ -13,6 +13,7 @@
 #include "contact/contact.h"
 #include "drain/drain.h"
 #include "grasper/grasper.h"
+#include "needle/needle.h"
 #include "solver/rigid.h"
 #include "thread/thread.h"
 
@@ -69,6 +70,20 @@ typedef struct scene_drain {
     vbss_drain_statistics kept; /* before the step */
 } scene_drain;
 
+/* A needle in the jaws of a grasper. */
+typedef struct scene_hold {
+    uint32_t needle; /* number; 0: none */
+    double arc;      /* length, of the middle of what is held, m from the tip */
+    double angle;    /* at which the jaws touch it */
+    pose at;    /* where that place is held, outward, toward the tip, across, in the jaws' frame */
+    double age; /* s since it was taken */
+    double slid, turned, limit;
+    vec3 force, torque; /* on the needle about that place, after the last step */
+    bool sliding;       /* it slid or turned in the last step */
+    bool let_go;        /* not held any more, but not clear of the jaws yet */
+    bool torn;          /* nor taken again before the handle has been opened */
+} scene_hold;
+
 typedef struct scene_rigid {
     vbss_rigid_kind kind;
     vbss_rigid body; /* its begin and end: the target, crossed evenly in a step */
@@ -82,9 +97,11 @@ typedef struct scene_rigid {
     vbss_rigid_pull pull;   /* of the coupling in the last part */
     vbss_rigid_motion kept; /* before the step */
     vbss_rigid_pull kept_pull;
+    vbss_slot *slot;       /* of the handle of a grasper or a needle; else NULL */
+    needle_object *needle; /* of a needle; else NULL */
     /* of a tool; else NULL */
-    vbss_slot *slot; /* of the grasper's handle */
     grasper_object *grasper;
+    scene_hold hold, kept_hold;
     bool has_closed; /* PAPER: the jaws, in this step */
     pose kept_end;
     struct kept_jaws {
@@ -308,6 +325,26 @@ void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number);
 /* Whether a segment is so near to what is held, along the thread, that the jaws do not touch it. */
 bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t segment,
                            double touching);
+
+/* needles.c */
+void vbss_scene_show_needle(const scene_body *b);
+void vbss_scene_release_needle(scene_body *b);
+/* holds.c: whether a tool holds a needle; one that is between its jaws; which it takes, and lets go as it opens; what
+ * happened to all that is held; nothing of a tool or needle is any more. */
+bool vbss_scene_holds_needle(const scene_object *s, uint32_t tool);
+bool vbss_scene_find_needle(const scene_object *s, const scene_body *tool, scene_hold *found);
+void vbss_scene_take_needle(scene_object *s, scene_body *tool, const scene_hold *found);
+void vbss_scene_let_needle_go(scene_object *s, scene_body *tool);
+void vbss_scene_settle_holds(scene_object *s, double h);
+void vbss_scene_forget_holds_of(scene_object *s, uint32_t number);
+void vbss_scene_show_hold(const scene_object *s, const scene_body *tool, vbss_grasp *grasp);
+/* Whether a segment of a needle is so near to what is held, along its arc, that it does not touch that capsule of the
+ * tool. */
+bool vbss_scene_is_in_jaws(const scene_object *s, const scene_body *needle, uint32_t segment,
+                           const scene_body *tool, uint32_t capsule);
+/* Three rows a hold, in a list that has begun; how one lies in the trial state. */
+bool vbss_scene_add_hold_rows(scene_object *s);
+void vbss_scene_lay_hold_row(scene_object *s, contact_row *row);
 
 /* paper_grasps.c: what jaws have taken and let go, after a step; what the hand feels of it. */
 void vbss_scene_paper_settle_grasps(scene_object *s);

@@ -27,8 +27,58 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
     }
 }
 
+static void visit_hold(vbss_stream *stream, scene_hold *hold)
+{
+    uint32_t words[] = {hold->needle, hold->sliding, hold->let_go, hold->torn};
+    double *numbers[] = {&hold->arc,  &hold->angle,  &hold->age,
+                         &hold->slid, &hold->turned, &hold->limit};
+    vbss_stream_u32(stream, 130, words, sizeof words / sizeof words[0]);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_f64(stream, 131, numbers[i], 1);
+    }
+    vbss_stream_f64(stream, 132, &hold->at.position.x, 3);
+    vbss_stream_f64(stream, 133, &hold->at.orientation.w, 4);
+    vbss_stream_f64(stream, 134, &hold->force.x, 3);
+    vbss_stream_f64(stream, 135, &hold->torque.x, 3);
+    if (words[1] > 1 || words[2] > 1 || words[3] > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    }
+    hold->needle = words[0];
+    hold->sliding = words[1] != 0;
+    hold->let_go = words[2] != 0;
+    hold->torn = words[3] != 0;
+}
+
+static bool is_hold(const scene_object *s, const scene_hold *hold)
+{
+    const scene_body *b = vbss_scene_body(s, hold->needle);
+    if (hold->needle == 0) {
+        return true;
+    }
+    if (b == NULL || b->kind != BODY_RIGID || b->rigid.needle == NULL) {
+        return false;
+    }
+    quat q = hold->at.orientation;
+    return hold->arc >= 0.0 && hold->arc <= vbss_needle_length(b->rigid.needle) &&
+           hold->angle > 0.0 && hold->angle <= 1.6 && hold->age >= 0.0 && isfinite(hold->age) &&
+           isfinite(hold->slid) && isfinite(hold->turned) && isfinite(hold->limit) &&
+           vec3_norm(hold->at.position) <= 1.0 && fabs(quat_dot(q, q) - 1.0) < 1e-6 &&
+           vec3_is_finite(hold->force) && vec3_is_finite(hold->torque);
+}
+
+/* When all bodies are read. */
+static void check_holds(vbss_stream *stream, const scene_object *s)
+{
+    for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_RIGID && !stream->trusted && !is_hold(s, &b->rigid.hold)) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle in jaws");
+        }
+    }
+}
+
 /* Its jaws may lag behind where they shall be. */
-static void visit_grasper(vbss_stream *stream, const scene_object *s, const scene_rigid *r)
+static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigid *r)
 {
     vbss_section outer =
         vbss_stream_open(stream, vbss_grasper_kind_of_slot.code, vbss_grasper_kind_of_slot.version);
@@ -45,6 +95,18 @@ static void visit_grasper(vbss_stream *stream, const scene_object *s, const scen
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such jaws");
         }
     }
+    if (stream->version >= 4) {
+        visit_hold(stream, &r->hold);
+    } else {
+        r->hold = (scene_hold){0};
+    }
+}
+
+static void visit_needle(vbss_stream *stream, scene_rigid *r)
+{
+    vbss_section outer = vbss_stream_open(stream, vbss_needle_kind.code, vbss_needle_kind.version);
+    vbss_needle_serialise(stream, r->needle);
+    vbss_stream_close(stream, outer);
 }
 
 static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid *r)
@@ -53,6 +115,9 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
     vbss_stream_same(stream, 21, r->capsule_count);
     if (stream->version >= 2 || r->grasper != NULL) { /* before there were none */
         vbss_stream_same(stream, 29, r->grasper != NULL);
+    }
+    if (stream->version >= 4 || r->needle != NULL) {
+        vbss_stream_same(stream, 19, r->needle != NULL);
     }
     vbss_stream_same_f64(stream, 22, r->friction);
     for (uint32_t i = 0; r->grasper == NULL && i < r->capsule_count; i++) {
@@ -65,6 +130,9 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
     }
     if (r->grasper != NULL) {
         visit_grasper(stream, s, r);
+    }
+    if (r->needle != NULL) {
+        visit_needle(stream, r);
     }
     vbss_rigid_serialise(stream, 30, &r->body);
     vbss_stream_f64(stream, 50, &r->force.x, 3);
@@ -130,6 +198,7 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
         }
     }
     vbss_scene_finish_pieces(stream, s);
+    check_holds(stream, s);
 }
 
 /* A weld is to a body that moves as forces say, of a node that nothing else holds. */

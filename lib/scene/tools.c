@@ -172,6 +172,7 @@ void vbss_scene_keep_tools(scene_object *s)
         if (s->bodies[i].kind == BODY_RIGID && r->grasper != NULL) {
             const grasper_object *g = r->grasper;
             r->kept_end = r->body.end;
+            r->kept_hold = r->hold;
             r->kept_jaws = (struct kept_jaws){g->kind, g->kind_told, g->angle, g->pressure};
         }
     }
@@ -194,6 +195,7 @@ void vbss_scene_return_tools(scene_object *s)
         if (s->bodies[i].kind == BODY_RIGID && r->grasper != NULL) {
             grasper_object *g = r->grasper;
             r->body.end = r->kept_end;
+            r->hold = r->kept_hold;
             g->kind = r->kept_jaws.kind;
             g->kind_told = r->kept_jaws.kind_told;
             g->angle = r->kept_jaws.angle;
@@ -227,6 +229,7 @@ static void exchange(scene_object *s, scene_body *b)
     g->kind_told = g->kind;
     if (may) { /* nor does it wait for anything any more */
         vbss_scene_forget_grasps_of(s, b->number);
+        vbss_scene_forget_holds_of(s, b->number);
     }
     vbss_scene_add_event(s, may ? VBSS_EVENT_EXCHANGED : VBSS_EVENT_NOT_EXCHANGED, b->number, 0,
                          (uint32_t)wanted);
@@ -246,6 +249,7 @@ static void take_told(scene_object *s, scene_body *b, double h)
         g->angle = vbss_grasper_next_angle(g, h, 0.0);
     } else {
         vbss_scene_let_go(s, b);
+        vbss_scene_let_needle_go(s, b);
         g->angle = vbss_scene_close_jaws(s, b, h);
     }
     r->has_closed = before > 0.0 && g->angle == 0.0;
@@ -290,12 +294,15 @@ void vbss_scene_settle_tools(scene_object *s, double h)
         vbss_scene_paper_settle_grasps(s);
     } else {
         vbss_scene_settle_grasps(s, h);
+        vbss_scene_settle_holds(s, h);
     }
     vbss_scene_make_cuts(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_RIGID && b->rigid.grasper != NULL) {
             show(s, b);
+        } else if (b->kind == BODY_RIGID && b->rigid.needle != NULL) {
+            vbss_scene_show_needle(b);
         }
     }
 }
