@@ -154,8 +154,8 @@ VBSS_API vbss_result vbss_needle_destroy(vbss_needle *needle);
  *
  * @param needle  the needle
  * @param h       length of the step, s, 1e-7 to 0.1
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE (nothing has
- *         changed), VBSS_ERROR_IN_SCENE, VBSS_ERROR_ARITHMETIC or VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE (h, or
+ *         the state would be: nothing has changed), VBSS_ERROR_IN_SCENE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -254,8 +254,7 @@ VBSS_API vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field
  * @param[out] bytes    receives the state; NULL with capacity 0
  * @param capacity      bytes there is room for
  * @param[out] written  bytes written, or needed
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_CAPACITY or
- *         VBSS_ERROR_BUSY
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_CAPACITY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -269,8 +268,8 @@ VBSS_API vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint6
  * @param bytes   what #vbss_needle_save wrote
  * @param count   how many bytes
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED,
- *         VBSS_ERROR_CORRUPT, VBSS_ERROR_VERSION, VBSS_ERROR_MISMATCH, VBSS_ERROR_IN_SCENE or
- *         VBSS_ERROR_BUSY
+ *         VBSS_ERROR_CORRUPT (also of another configuration), VBSS_ERROR_CAPACITY,
+ *         VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */

@@ -1,0 +1,84 @@
+/* The shape of a needle and what it weighs. */
+#include "needle/needle.h"
+
+#define PI 3.14159265358979323846
+
+/* ---- the middle line */
+
+double vbss_needle_length(const needle_object *n)
+{
+    return n->config.radius * n->config.arc;
+}
+
+double vbss_needle_corner(const needle_object *n, uint32_t i)
+{
+    return vbss_needle_length(n) * ((double)i / (double)n->config.segment_count);
+}
+
+/* Clockwise from the tip; beyond the ends that of the end. */
+static double angle_at(const needle_object *n, double arc_length)
+{
+    return lesser(greater(arc_length / n->config.radius, 0.0), n->config.arc);
+}
+
+vec3 vbss_needle_direction(const needle_object *n, double arc_length)
+{
+    double sine, cosine;
+    vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
+    return vec3_make(sine, cosine, 0.0);
+}
+
+vec3 vbss_needle_point(const needle_object *n, double arc_length)
+{
+    double sine, cosine, r = n->config.radius;
+    vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
+    /* how far behind the swage, or, below zero, before the tip */
+    double behind = lesser(arc_length, 0.0) + greater(arc_length - vbss_needle_length(n), 0.0);
+    return vec3_make(r * cosine - behind * sine, -r * sine - behind * cosine, 0.0);
+}
+
+/* ---- what it weighs */
+
+/* Over an arc of angle a, with theta from its middle: <sin^2 theta>, <cos theta> and the variance of
+ * cos theta. The first and the last by their series, all of whose terms are good up to a = 6: from
+ * 1/2 + sin(a)/(2 a) - (sin(a/2)/(a/2))^2 a short arc would get its variance, a^4/720, with few digits. */
+typedef struct arc_means {
+    double sine_squared, cosine, cosine_variance;
+} arc_means;
+
+static arc_means means_over(double a)
+{
+    enum { LAST = 24 }; /* at a = 6 what is left out is below 1e-25 */
+    arc_means means = {0.0, vbss_sin(0.5 * a) / (0.5 * a), 0.0};
+    double term = 0.5; /* (-a^2)^k / (2 k + 2)! */
+    for (int k = 1; k <= LAST; k++) {
+        term *= -a * a / ((2.0 * k + 1.0) * (2.0 * k + 2.0));
+        means.sine_squared -= (k + 1.0) * term;
+        means.cosine_variance += (k - 1.0) * term;
+    }
+    return means;
+}
+
+/* docs/needle.md derives it: the volume of a torus lies u du dpsi q dtheta, at the distance
+ * q = R + u cos(psi) from the axis and the height z = u sin(psi). Principal axes: middle of the arc,
+ * across it in the plane, z. Sums of what is positive only: no digits get lost. */
+vbss_rigid_mass vbss_needle_weigh(const vbss_needle_config *config)
+{
+    double big = config->radius, r2 = config->wire_radius * config->wire_radius;
+    double mass = config->density * PI * r2 * big * config->arc;
+    const arc_means arc = means_over(config->arc);
+    double q = big + 0.25 * r2 / big, q_squared = big * big + 0.75 * r2, z_squared = 0.25 * r2;
+    double q_variance = 0.25 * r2 * (1.0 - 0.25 * r2 / (big * big));
+    double along = q_squared * arc.sine_squared; /* second moments in the plane, from the centre */
+    double across = q_squared * arc.cosine_variance + q_variance * arc.cosine * arc.cosine;
+    double sine, cosine;
+    vbss_sincos(-0.5 * config->arc, &sine, &cosine);
+    double centre = q * arc.cosine;
+    vbss_rigid_mass weighed = {.mass = mass};
+    weighed.inertia =
+        vec3_make(mass * (along + z_squared), mass * (across + z_squared), mass * (along + across));
+    weighed.frame =
+        pose_make(vec3_make(centre * cosine, centre * sine, 0.0),
+                  vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, -0.5 * config->arc)));
+    return weighed;
+}

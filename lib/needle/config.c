@@ -1,0 +1,73 @@
+/* What a needle can be: defaults, known needles, and every number checked. */
+#include "needle/needle.h"
+
+_Static_assert(sizeof(vbss_needle_config) == 192, "published size");
+
+static const vbss_needle_config defaults = {
+    .struct_size = sizeof(vbss_needle_config),
+    .method = VBSS_METHOD_OURS,
+    .segment_count = 8,
+    .radius = 10.5e-3,
+    .wire_radius = 0.35e-3,
+    .arc = 3.14159265358979323846,
+    .density = 7900.0,
+    .friction = 0.2,
+    .orientation = {1.0, 0.0, 0.0, 0.0},
+};
+static const uint32_t config_sizes[] = {192, 0};
+static const vbss_layout config_layout = {"vbss_needle_config", &defaults, config_sizes};
+
+vbss_result vbss_needle_config_init(vbss_needle_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+vbss_result vbss_needle_config_preset(vbss_needle_config *config, vbss_needle_preset preset)
+{
+    vbss_needle_config own; /* only to know the size for one of ours */
+    VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
+    if (preset != VBSS_NEEDLE_PRESET_PAPER && preset != VBSS_NEEDLE_PRESET_SH) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    config->radius = preset == VBSS_NEEDLE_PRESET_SH ? 8.28e-3 : defaults.radius;
+    config->wire_radius = defaults.wire_radius;
+    config->arc = defaults.arc;
+    return VBSS_OK;
+}
+
+static vbss_result check(vbss_context *context, const vbss_needle_config *c)
+{
+    const struct {
+        const char *name;
+        double value, low, high;
+    } ranges[] = {
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"segment_count", c->segment_count, 2.0, NEEDLE_SEGMENTS},
+        {"reserved", c->reserved, 0.0, 0.0},
+        {"radius", c->radius, 1e-4, 1.0},
+        {"wire_radius", c->wire_radius, 1e-6, 0.2 * c->radius},
+        {"arc", c->arc, 0.1, 6.0},
+        {"density", c->density, 1.0, 1e5},
+        {"friction", c->friction, 0.0, 10.0},
+        {"drag", c->drag, 0.0, 1e6},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,
+                                  ranges[i].name));
+    }
+    VBSS_TRY(vbss_check_vector(context, c->gravity, 1e6, "gravity"));
+    VBSS_TRY(vbss_check_vector(context, c->position, 1e3, "position"));
+    VBSS_TRY(vbss_check_vector(context, c->velocity, 1e5, "velocity"));
+    return vbss_check_vector(context, c->angular_velocity, 1e6, "angular_velocity");
+}
+
+vbss_result vbss_needle_read_config(vbss_context *context, const vbss_needle_config *config,
+                                    vbss_needle_config *own)
+{
+    if (config == NULL) {
+        *own = defaults;
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    return check(context, own);
+}

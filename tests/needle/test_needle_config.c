@@ -1,0 +1,244 @@
+/* What a needle can be made of: the size protocol, defaults, known needles, every bad number, memory that fails. */
+#include "fixture.h"
+
+static vbss_result init(void *config, uint32_t struct_size)
+{
+    return vbss_needle_config_init(config, struct_size);
+}
+
+static vbss_result create_and_destroy(vbss_context *context, const void *config)
+{
+    vbss_needle *needle = NULL;
+    vbss_result result = vbss_needle_create(context, config, &needle);
+    return result == VBSS_OK ? vbss_needle_destroy(needle) : result;
+}
+
+static void configs_of_all_sizes_are_told(void **state)
+{
+    (void)state;
+    const uint32_t sizes[] = {192, 0};
+    const harness_config config = {sizes, init, create_and_destroy};
+    harness_config_protocol(&config);
+}
+
+static void no_configuration_is_the_default(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    vbss_needle *plain = NULL;
+    expect_ok(vbss_needle_create(f.context, NULL, &plain));
+    assert_memory_equal(&f.config, &inside(plain)->config, sizeof f.config);
+    assert_true(hash_of(plain) == hash_of(make(&f)));
+    assert_int_equal(f.config.method, VBSS_METHOD_OURS);
+    assert_int_equal(f.config.segment_count, 8);
+    assert_int_equal(f.config.reserved, 0);
+    expect_same_bits(10.5e-3, f.config.radius);
+    expect_same_bits(0.35e-3, f.config.wire_radius);
+    expect_same_bits(PI, f.config.arc);
+    expect_same_bits(7900.0, f.config.density);
+    expect_same_bits(0.2, f.config.friction);
+    expect_same_bits(0.0, f.config.drag);
+    expect_same_bits(0.0, vbss_largest(f.config.gravity, 3));
+    end(&f);
+}
+
+static void presets_set_the_shape_and_nothing_else(void **state)
+{
+    (void)state;
+    vbss_needle_config c, usual;
+    expect_ok(vbss_needle_config_init(&c, sizeof c));
+    expect_ok(vbss_needle_config_init(&usual, sizeof usual));
+    c.wire_radius = c.arc = 1.0;
+    c.density = 8000.0;
+    expect_ok(vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_SH));
+    expect_near(26e-3, c.radius * c.arc, 0.02e-3); /* its length */
+    expect_same_bits(8.28e-3, c.radius);
+    expect_same_bits(PI, c.arc);
+    expect_same_bits(8000.0, c.density);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_needle_config_preset(&c, 2));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_needle_config_preset(&c, -1));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_config_preset(NULL, 0));
+    expect_same_bits(8.28e-3, c.radius);
+    c.density = usual.density;
+    expect_ok(vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_PAPER));
+    assert_memory_equal(&c, &usual, sizeof c);
+    c.struct_size = 3;
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_needle_config_preset(&c, VBSS_NEEDLE_PRESET_SH));
+}
+
+/* ---- bad numbers */
+
+static void expect_config(const fixture *f, vbss_result wanted)
+{
+    vbss_needle *needle = (vbss_needle *)f->context;
+    vbss_context_statistics before, after;
+    expect_ok(vbss_context_get_statistics(f->context, &before, sizeof before));
+    vbss_result result = vbss_needle_create(f->context, &f->config, &needle);
+    expect_result(wanted, result);
+    if (result == VBSS_OK) {
+        assert_true(vbss_rigid_is_sound(&inside(needle)->body));
+        expect_ok(vbss_needle_step(needle, 1e-3));
+        expect_ok(vbss_needle_destroy(needle));
+        return;
+    }
+    assert_null(needle);
+    expect_ok(vbss_context_get_statistics(f->context, &after, sizeof after));
+    assert_true(before.bytes_allocated == after.bytes_allocated);
+    assert_true(before.objects_created == after.objects_created);
+}
+
+typedef struct number {
+    size_t offset;
+    double low, high;
+} number;
+
+#define NUMBER(field, low, high)                           \
+    {                                                      \
+        offsetof(vbss_needle_config, field), (low), (high) \
+    }
+#define VECTOR(field, most)                                               \
+    NUMBER(field[0], -(most), (most)), NUMBER(field[1], -(most), (most)), \
+        NUMBER(field[2], -(most), (most))
+
+static const number numbers[] = {
+    NUMBER(radius, 1e-4, 1.0),     NUMBER(wire_radius, 1e-6, 0.2), NUMBER(arc, 0.1, 6.0),
+    NUMBER(density, 1.0, 1e5),     NUMBER(friction, 0.0, 10.0),    NUMBER(drag, 0.0, 1e6),
+    VECTOR(gravity, 1e6),          VECTOR(position, 1e3),          VECTOR(velocity, 1e5),
+    VECTOR(angular_velocity, 1e6),
+};
+
+static void with_number(fixture *f, const number *n, double value, vbss_result wanted)
+{
+    const vbss_needle_config kept = f->config;
+    /* a wire is thin, whichever of both is tried */
+    f->config.wire_radius = 1e-6;
+    f->config.radius = n->offset == offsetof(vbss_needle_config, wire_radius) ? 1.0 : kept.radius;
+    memcpy((char *)&f->config + n->offset, &value, sizeof value);
+    expect_config(f, wanted);
+    f->config = kept;
+}
+
+static void bad_numbers_are_told(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        const number *n = &numbers[i];
+        for (int k = 0; k < 3; k++) {
+            with_number(&f, n, harness_bad_numbers[k], VBSS_ERROR_NOT_FINITE);
+        }
+        double step = 1e-6 * (fabs(n->low) > 0.0 ? fabs(n->low) : 1.0);
+        with_number(&f, n, n->low - step, VBSS_ERROR_OUT_OF_RANGE);
+        with_number(&f, n, n->high * (1.0 + 1e-6), VBSS_ERROR_OUT_OF_RANGE);
+        with_number(&f, n, -DBL_MAX, VBSS_ERROR_OUT_OF_RANGE);
+        with_number(&f, n, DBL_MAX, VBSS_ERROR_OUT_OF_RANGE);
+        with_number(&f, n, n->low, VBSS_OK);
+        with_number(&f, n, n->high, VBSS_OK);
+    }
+    f.config.wire_radius = 0.2001 * f.config.radius;
+    expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
+    end(&f);
+}
+
+static void with_orientation(const fixture *f, const double q[4], vbss_result wanted)
+{
+    fixture other = *f;
+    memcpy(other.config.orientation, q, sizeof other.config.orientation);
+    expect_config(&other, wanted);
+}
+
+static void bad_orientations_are_told(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    for (int i = 0; i < 4; i++) {
+        double q[4] = {0.5, 0.5, 0.5, 0.5};
+        for (int k = 0; k < 3; k++) {
+            q[i] = harness_bad_numbers[k];
+            with_orientation(&f, q, VBSS_ERROR_NOT_FINITE);
+        }
+        double only[4] = {0.0, 0.0, 0.0, 0.0};
+        with_orientation(&f, only, VBSS_ERROR_OUT_OF_RANGE);
+        only[i] = 0.9e-100;
+        with_orientation(&f, only, VBSS_ERROR_OUT_OF_RANGE);
+        only[i] = -1.1e100;
+        with_orientation(&f, only, VBSS_ERROR_OUT_OF_RANGE);
+        only[i] = -1e100;
+        with_orientation(&f, only, VBSS_OK);
+        only[i] = 1e-100;
+        with_orientation(&f, only, VBSS_OK);
+    }
+    end(&f);
+}
+
+static void bad_choices_are_told(void **state)
+{
+    (void)state;
+    static const struct {
+        size_t offset;
+        uint32_t good[2], bad[3];
+    } choices[] = {
+        {offsetof(vbss_needle_config, method), {0, 1}, {2, UINT32_MAX, INT32_MAX}},
+        {offsetof(vbss_needle_config, segment_count), {2, 64}, {1, 65, UINT32_MAX}},
+        {offsetof(vbss_needle_config, reserved), {0, 0}, {1, 2, UINT32_MAX}},
+    };
+    fixture f;
+    begin(&f);
+    const vbss_needle_config good = f.config;
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        char *choice = (char *)&f.config + choices[i].offset;
+        for (int k = 0; k < 3; k++) {
+            memcpy(choice, &choices[i].bad[k], sizeof choices[i].bad[k]);
+            expect_config(&f, VBSS_ERROR_OUT_OF_RANGE);
+        }
+        for (int k = 0; k < 2; k++) {
+            memcpy(choice, &choices[i].good[k], sizeof choices[i].good[k]);
+            expect_config(&f, VBSS_OK);
+        }
+        f.config = good;
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_create(f.context, &good, NULL));
+    vbss_needle *none = (vbss_needle *)f.context;
+    expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_needle_create(NULL, &good, &none));
+    assert_null(none);
+    end(&f);
+}
+
+/* ---- memory */
+
+static vbss_result attempt(vbss_context *context, void *user)
+{
+    uint8_t bytes[1024];
+    uint64_t written;
+    vbss_needle *needle = NULL;
+    (void)user;
+    VBSS_TRY(vbss_needle_create(context, NULL, &needle));
+    vbss_result result = vbss_needle_step(needle, 1e-3);
+    result = result == VBSS_OK ? vbss_needle_save(needle, bytes, sizeof bytes, &written) : result;
+    result = result == VBSS_OK ? vbss_needle_restore(needle, bytes, written) : result;
+    VBSS_TRY(vbss_needle_destroy(needle));
+    return result;
+}
+
+static void memory_that_fails_is_told(void **state)
+{
+    (void)state;
+    harness_fail_every_allocation(attempt, NULL);
+}
+
+int test_needle_config(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(configs_of_all_sizes_are_told),
+        harness_test(no_configuration_is_the_default),
+        harness_test(presets_set_the_shape_and_nothing_else),
+        harness_test(bad_numbers_are_told),
+        harness_test(bad_orientations_are_told),
+        harness_test(bad_choices_are_told),
+        harness_test(memory_that_fails_is_told),
+    };
+    return cmocka_run_group_tests_name("needle.needle_config", tests, NULL, NULL);
+}
