@@ -26,7 +26,8 @@ void needles_add(needles_rig *r)
 
 void needles_add_across(needles_rig *r, double arc, vec3 there)
 {
-    double angle = arc / r->config.radius; /* turned forward by so much, the tip points along y again */
+    double angle =
+        arc / r->config.radius; /* turned forward by so much, the tip points along y again */
     const double turn[4] = {cos(0.5 * angle), 0.0, 0.0, sin(0.5 * angle)};
     memcpy(r->config.orientation, turn, sizeof turn);
     vec3_store(r->config.position, vec3_sub(there, vec3_make(r->config.radius, 0.0, 0.0)));
