@@ -102,6 +102,8 @@ typedef struct vbss_scene_config {
      * (docs/contact.md). 0: no limit; default 250000. */
     uint32_t work_limit;
     uint32_t drain_capacity; /**< Most drains at a time, 0 to 16; default 1. */
+    uint32_t hole_capacity; /**< Most holes of needles in drains at a time, 0 to 256; default 16. */
+    uint32_t reserved;      /**< Zero. */
 } vbss_scene_config;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
@@ -203,7 +205,9 @@ enum {
     VBSS_CONTACT_POINT_FACE = 7,
     /** A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's triangle. */
     VBSS_CONTACT_SIDES = 8,
-    VBSS_CONTACT_DRAIN_FLOOR = 9 /**< A node of a drain, and the floor. */
+    VBSS_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain, and the floor. */
+    /** A needle, three times the place of the hole among all plus: 0 and 1 across, 2 along; and 0 of the drain. */
+    VBSS_CONTACT_HOLE = 10
 };
 
 /** What happened in a step: a VBSS_EVENT_ constant. */
@@ -224,8 +228,13 @@ enum {
     /** A thread, its new piece, and the arc length of the cut in um; 0 in place of the piece: it would have been cut,
      * but all its cuts are made. */
     VBSS_EVENT_CUT = 10,
-    VBSS_EVENT_EXCHANGED = 11,    /**< A grasper, 0, and what it is now. */
-    VBSS_EVENT_NOT_EXCHANGED = 12 /**< A grasper, 0, and what it was to be. */
+    VBSS_EVENT_EXCHANGED = 11,     /**< A grasper, 0, and what it is now. */
+    VBSS_EVENT_NOT_EXCHANGED = 12, /**< A grasper, 0, and what it was to be. */
+    VBSS_EVENT_PUNCTURE =
+        13, /**< A needle's tip enters a wall: needle, drain, id of the hole (vbss_scene_get_hole). */
+    VBSS_EVENT_WITHDRAWN = 14, /**< The tip has left the hole the way it came: the same. */
+    VBSS_EVENT_PASSED = 15,    /**< The needle has gone through it, swage and all: the same. */
+    VBSS_EVENT_HOLE_LOST = 16  /**< Beyond hole_capacity the wall holds: needle, drain, 0. */
 };
 
 /** Counters since creation, and figures of the last step. Method PAPER counts its passes of detection and
@@ -266,6 +275,24 @@ typedef struct vbss_scene_statistics {
     uint64_t paused;           /**< REAL_TIME: steps of which a part was left for the next. */
     double time_paused;        /**< Of those parts together, s: simulated time that was lost. */
 } vbss_scene_statistics;
+
+/** A hole of a needle in a drain. */
+typedef struct vbss_hole {
+    uint32_t struct_size;   /**< Bytes of this struct that the library filled. */
+    uint32_t id;            /**< From 1 on, in the order in which they were made; none twice. */
+    uint32_t needle, drain; /**< Numbers in the scene. */
+    uint32_t triangle;      /**< Of the drain. */
+    uint32_t outward;       /**< 1: the tip went through from inside; 0: from outside. */
+    double weights[3];      /**< Of the triangle's nodes in the hole. */
+    double
+        rest_position[3]; /**< Of that point of the drain at rest, m: VBSS_DRAIN_REST_POSITIONS. */
+    double position[3];   /**< Where it is, in the middle of the wall, m. */
+    double direction[3];  /**< Unit: of the needle there, toward its tip. */
+    double
+        arc_length; /**< Of the needle there, from the tip, m; below 0 the tip is still before the middle. */
+    double friction; /**< On the needle toward its tip, N. */
+    double force[3]; /**< On the needle, N. */
+} vbss_hole;
 
 /** A place of a thread, or of a needle, that a grasper holds. */
 typedef struct vbss_grasp {
@@ -429,6 +456,21 @@ VBSS_API vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *gra
  */
 VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t index,
                                           vbss_grasp *grasp, uint32_t struct_size);
+
+/**
+ * A hole of a needle in a drain, as it is after the last step.
+ *
+ * @param scene        the scene
+ * @param index        which, from 0 on; their order may change with the next step
+ * @param[out] hole    receives the numbers
+ * @param struct_size  `sizeof *hole` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE or
+ *         VBSS_ERROR_OUT_OF_RANGE (there are not so many)
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
+                                         uint32_t struct_size);
 
 /**
  * Removes a body, with its pins and grasps. A thread, drain or grasper is the host's again; a grasper is then where it was

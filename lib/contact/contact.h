@@ -40,7 +40,8 @@ typedef struct contact_found {
     double pressure; /* normal force on a, N */
     vec3 rubbing;    /* tangential force on a, N */
     vec3 way;        /* SLIP: unit, of the rubbing */
-    double share;    /* SLIP: friction pressure / |augmented rubbing| */
+    double
+        share; /* SLIP: friction pressure / |augmented rubbing|; of a row with a bound the force's sign */
 } contact_found;
 
 typedef struct contact_row {
@@ -49,14 +50,17 @@ typedef struct contact_row {
     contact_term terms[CONTACT_TERMS];
     bool
         bilateral; /* also pulls: a grasp, a hole; with friction it holds in the plane, without slip */
-    double stiffness;    /* normal and tangential, N/m */
-    double friction;     /* coefficient */
-    double along;        /* bilateral: share of the stiffness that it has in the plane; 0: all */
-    double augmentation; /* r of Alart and Curnier, N/m */
-    vec3 normal;         /* unit, from b to a */
-    double gap;          /* at the trial state, m */
-    vec3 slid;           /* of a against b from the begin of the part to the trial state, m */
-    double at[2];        /* where on the features: for whoever makes rows */
+    double stiffness; /* normal and tangential, N/m */
+    double friction;  /* coefficient */
+    double along;     /* bilateral: share of the stiffness that it has in the plane; 0: all */
+    /* Bilateral, N: if not 0, it holds along its normal alone, remembers what it held there, and gives way beyond that force
+     * with another stiffness. */
+    double bound, beyond;
+    double augmentation;       /* r of Alart and Curnier, N/m */
+    vec3 normal;               /* unit, from b to a */
+    double gap;                /* at the trial state, m */
+    vec3 slid;                 /* of a against b from the begin of the part to the trial state, m */
+    double at[2];              /* where on the features: for whoever makes rows */
     uint32_t points[2], later; /* what is there: the same, while they are made */
     vec3 point;                /* between the surfaces: the same */
     double touching; /* m: distance of the features\' middles at which they touch: the same */

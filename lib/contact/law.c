@@ -1,4 +1,5 @@
-/* The law of a row: unilateral contact with Coulomb friction, both with a stiffness.
+/* The law of a row: unilateral contact with Coulomb friction, both with a stiffness; of what ties, and of what ties up to a
+ * bound.
  *
  * Normal: pressure = -stiffness gap, if that presses. Tangential: the slip
  *   v = (slid + u)_t + (rubbing - held) / stiffness
@@ -44,10 +45,55 @@ static double stiffness_along(const contact_row *row)
     return row->bilateral && row->along > 0.0 ? row->along * row->stiffness : row->stiffness;
 }
 
+/* ---- rows with a bound: elastic up to it, viscous beyond; along the normal alone */
+
+static double elastic_force(const contact_row *row, double slid)
+{
+    return vec3_dot(row->held, row->normal) - row->stiffness * slid;
+}
+
+/* Beyond the bound, from where it is reached on. */
+static double yielding_force(const contact_row *row, double slid, double sign)
+{
+    double most = sign * row->bound;
+    double reached = (vec3_dot(row->held, row->normal) - most) / row->stiffness;
+    return most - row->beyond * (slid - reached);
+}
+
+static double bounded_force(const contact_row *row, vec3 u, const contact_found *is)
+{
+    double slid = vec3_dot(vec3_add(row->slid, u), row->normal);
+    return is->state == CONTACT_SLIP ? yielding_force(row, slid, is->share)
+                                     : elastic_force(row, slid);
+}
+
+static void next_bounded(const contact_row *row, vec3 u, contact_found *next)
+{
+    double elastic = elastic_force(row, vec3_dot(vec3_add(row->slid, u), row->normal));
+    bool sticks = fabs(elastic) <= row->bound;
+    *next = (contact_found){.state = sticks ? CONTACT_STICK : CONTACT_SLIP,
+                            .share = copysign(1.0, elastic)};
+    next->pressure = bounded_force(row, u, next);
+}
+
+static void linear_bounded_law(const contact_row *row, contact_tangent *t)
+{
+    t->count = 1;
+    t->left[0] = t->right[0] = row->normal;
+    t->stiffness[0] = row->is.state == CONTACT_SLIP ? row->beyond : row->stiffness;
+    t->force = vec3_scale(row->normal, bounded_force(row, vec3_zero(), &row->is));
+}
+
+/* ---- the others */
+
 void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
 {
     const vec3 n = row->normal;
     const double k = row->stiffness, pressure = -k * row->gap;
+    if (row->bound > 0.0) {
+        linear_bounded_law(row, t);
+        return;
+    }
     t->count = 0;
     t->force = vec3_zero();
     if (row->is.state == CONTACT_OPEN) {
@@ -120,6 +166,10 @@ static void close_row(const contact_row *row, vec3 moved, contact_found *next)
 
 double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *next)
 {
+    if (row->bound > 0.0) {
+        next_bounded(row, u, next);
+        return fabs(next->pressure - bounded_force(row, u, &row->is));
+    }
     double pressure = -row->stiffness * (row->gap + vec3_dot(row->normal, u));
     *next = (contact_found){.state = CONTACT_OPEN};
     vec3 moved = along_plane(vec3_add(row->slid, u), row->normal), slip;
@@ -160,6 +210,9 @@ double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *ne
 vec3 vbss_contact_linear_force(const contact_row *row, vec3 u)
 {
     const vec3 n = row->normal;
+    if (row->bound > 0.0) {
+        return vec3_scale(n, bounded_force(row, u, &row->is));
+    }
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
     if (row->is.state == CONTACT_OPEN) {
         return vec3_zero();
@@ -175,6 +228,11 @@ vec3 vbss_contact_linear_force(const contact_row *row, vec3 u)
 vec3 vbss_contact_force(const contact_row *row, vec3 u)
 {
     const vec3 n = row->normal;
+    if (row->bound > 0.0) {
+        contact_found is;
+        next_bounded(row, u, &is);
+        return vec3_scale(n, is.pressure);
+    }
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
     if (!row->bilateral && !(pressure > 0.0)) {
         return vec3_zero();
@@ -198,6 +256,10 @@ void vbss_contact_state_at(const contact_row *row, const contact_stand *at, cont
     const vec3 n = row->normal;
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, at->u));
     double pressed = vec3_dot(n, at->force);
+    if (row->bound > 0.0) {
+        next_bounded(row, at->u, next);
+        return;
+    }
     *next = (contact_found){.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN};
     if (row->bilateral || !(pressure > 0.0)) {
         return;

@@ -1,7 +1,7 @@
 /* What a host may ask for. */
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 248, "published size");
+_Static_assert(sizeof(vbss_drain_config) == 296, "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -28,8 +28,14 @@ static const vbss_drain_config defaults = {
     .paper_stiffness = 125.0,
     .paper_damping = 0.7,
     .friction = 0.3,
+    .puncture_force = 1.0,
+    .hole_force = 0.25,
+    .hole_friction = 0.3,
+    .hole_stiffness = 2e4,
+    .hole_damping = 0.5,
+    .tip_length = 0.5e-3,
 };
-static const uint32_t config_sizes[] = {240, 248, 0};
+static const uint32_t config_sizes[] = {240, 248, 296, 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -78,6 +84,12 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         {"paper_substeps", c->paper_substeps, 0.0, 100000.0},
         {"reserved2", c->reserved2, 0.0, 0.0},
         {"friction", c->friction, 0.0, 10.0},
+        {"puncture_force", c->puncture_force, 1e-3, 1e3},
+        {"hole_force", c->hole_force, 1e-6, 1e3},
+        {"hole_friction", c->hole_friction, 0.0, 10.0},
+        {"hole_stiffness", c->hole_stiffness, 1.0, 1e7},
+        {"hole_damping", c->hole_damping, 0.0, 1e3},
+        {"tip_length", c->tip_length, 0.0, 0.1},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

@@ -37,6 +37,21 @@ vec3 vbss_needle_point(const needle_object *n, double arc_length)
     return vec3_make(r * cosine - behind * sine, -r * sine - behind * cosine, 0.0);
 }
 
+double vbss_needle_nearest(const needle_object *n, vec3 point)
+{
+    double open = 2.0 * PI - n->config.arc, length = vbss_needle_length(n);
+    double angle =
+        vbss_atan2(point.y, point.x); /* of the place, from the tip on into the open side */
+    angle = angle < 0.0 ? angle + 2.0 * PI : angle;
+    if (angle >= open) {
+        return (2.0 * PI - angle) * n->config.radius;
+    }
+    bool at_tip = angle < 0.5 * open;
+    double end = at_tip ? 0.0 : length;
+    vec3 beyond = vec3_sub(point, vbss_needle_point(n, end));
+    return end - vec3_dot(beyond, vbss_needle_direction(n, end));
+}
+
 /* ---- what it weighs */
 
 /* Over an arc of angle a, with theta from its middle: <sin^2 theta>, <cos theta> and the variance of

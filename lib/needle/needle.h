@@ -40,6 +40,8 @@ vbss_result vbss_needle_read_config(vbss_context *context, const vbss_needle_con
 double vbss_needle_length(const needle_object *n);
 vec3 vbss_needle_point(const needle_object *n, double arc_length);
 vec3 vbss_needle_direction(const needle_object *n, double arc_length);
+/* The arc length of the place on that line that is nearest to a point, in the needle's frame. */
+double vbss_needle_nearest(const needle_object *n, vec3 point);
 /* Ends of the capsules' axes, tip first: segment_count + 1. */
 double vbss_needle_corner(const needle_object *n, uint32_t i); /* its arc length */
 /* Exact, of a round wire whose middle line is the arc. */

@@ -7,7 +7,7 @@
 
 /* ---- the configuration of the scene */
 
-_Static_assert(sizeof(vbss_scene_config) == 168, "new fields must be listed, with a new version");
+_Static_assert(sizeof(vbss_scene_config) == 176, "new fields must be listed, with a new version");
 
 typedef enum field_type { FIELD_U32, FIELD_F64 } field_type;
 typedef struct field {
@@ -60,16 +60,33 @@ static const field fields[] = {
     NUMBER(paper_thickness),
     WORD(grasp_capacity), /* since version 2 */
     WORD(work_limit),     /* since version 3 */
+    ROOM(drain_capacity), /* since version 4 */
+    WORD(hole_capacity),
 };
-/* Of version 1, whose scenes had no graspers, and 2, whose work had no limit. */
-enum { FIELDS = sizeof fields / sizeof fields[0], FIELDS_1 = 25, FIELDS_2 = 26, GRASPS_1 = 8 };
+/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, and 3, which did not tell of drains and holes. */
+enum {
+    FIELDS = sizeof fields / sizeof fields[0],
+    FIELDS_1 = 25,
+    FIELDS_2 = 26,
+    FIELDS_3 = 27,
+    GRASPS_1 = 8,
+    DRAINS_3 = 1,
+    HOLES_3 = 16
+};
+
+static uint32_t fields_of_version(uint32_t version)
+{
+    return version >= 4 ? FIELDS : version == 3 ? FIELDS_3 : version == 2 ? FIELDS_2 : FIELDS_1;
+}
 
 static void visit_config(vbss_stream *stream, vbss_scene_config *config)
 {
-    vbss_section outer = vbss_stream_open(stream, CONFIG, 3);
-    uint32_t count = stream->version >= 3 ? FIELDS : stream->version == 2 ? FIELDS_2 : FIELDS_1;
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 4);
+    uint32_t count = fields_of_version(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
     config->work_limit = stream->version >= 3 ? config->work_limit : 0;
+    config->drain_capacity = stream->version >= 4 ? config->drain_capacity : DRAINS_3;
+    config->hole_capacity = stream->version >= 4 ? config->hole_capacity : HOLES_3;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
         void *value = (char *)config + fields[i].offset;

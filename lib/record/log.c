@@ -5,7 +5,7 @@ _Static_assert(sizeof(vbss_replay_info) == 48, "published size");
 
 static const uint32_t info_sizes[] = {48, 0};
 static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
-static const uint32_t scene_config_sizes[] = {160, 0};
+static const uint32_t scene_config_sizes[] = {160, 168, 176, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
 /* ---- life */

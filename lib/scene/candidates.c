@@ -197,7 +197,8 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
                  key->kind == VBSS_CONTACT_SIDES)) {
         near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
     }
-    if (!near) {
+    bool surface = key->kind == VBSS_CONTACT_POINT_FACE || key->kind == VBSS_CONTACT_SIDES;
+    if (!near || (surface && vbss_scene_is_row_in_hole(s, row))) {
         s->contacts->count--;
     }
     return true;
@@ -380,7 +381,8 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
             return false;
         }
     }
-    if (!vbss_scene_add_grasp_rows(s) || !vbss_scene_add_hold_rows(s)) {
+    if (!vbss_scene_add_grasp_rows(s) || !vbss_scene_add_hold_rows(s) ||
+        !vbss_scene_add_hole_rows(s)) {
         return false;
     }
     vbss_contact_sort(set);

@@ -520,6 +520,7 @@ static void look_at_all(scene_object *s, look_at_row how, double h)
  * had when the part began. */
 void vbss_scene_set_rows(scene_object *s, const scene_part *part)
 {
+    s->part_length = part->h;
     look_at_all(s, SET, part->h);
 }
 

@@ -68,6 +68,10 @@ static void lay(scene_object *s, contact_row *row)
 
 void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
 {
+    if (row->key.kind == VBSS_CONTACT_HOLE) {
+        vbss_scene_lay_hole_row(s, row);
+        return;
+    }
     if (vbss_scene_body(s, row->key.body_a)->kind == BODY_RIGID) {
         vbss_scene_lay_hold_row(s, row);
         return;

@@ -208,13 +208,61 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
     s->block->thickness[at] = touching_of(s, q) - allowed;
 }
 
+/* How far apart they begin, and where: shares of two edges; weights of a triangle's corners. */
+static double distance_at_begin(const scene_object *s, const collision_candidate *q, double at[3])
+{
+    const collision_shape *of[4];
+    uint32_t vertices[4];
+    vec3 x[4];
+    vertices_of(s, q, of, vertices);
+    for (uint32_t k = 0; k < 4; k++) {
+        x[k] = of[k]->start[vertices[k]];
+    }
+    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+        const vec3 corners[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
+        return vec3_norm(closest_corners(corners, at));
+    }
+    return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]),
+                                   &at[0], &at[1]));
+}
+
+/* A needle and the wall round a hole that it is in. What moves by as much comes into it on the way. */
+static bool is_in_hole(const scene_object *s, const collision_candidate *q, double touching)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    bool first = a->kind == BODY_RIGID, point = q->kind == VBSS_PAIR_POINT_TRIANGLE;
+    const scene_body *needle = first ? a : b, *drain = first ? b : a;
+    if (needle->kind != BODY_RIGID || needle->rigid.needle == NULL || drain->kind != BODY_DRAIN) {
+        return false;
+    }
+    const collision_shape *shape = s->collision->shapes[drain->shape];
+    uint32_t capsule = first ? q->a : q->b, feature = first ? q->b : q->a;
+    const vec3 *x = drain->drain.drain->x;
+    double at[3], arc;
+    vec3 there;
+    (void)distance_at_begin(s, q, at);
+    if (point) {
+        const uint32_t *node = shape->triangles[feature];
+        arc = vbss_scene_arc_of(needle, capsule / 2, capsule % 2);
+        there = vec3_add_scaled(vec3_scale(x[node[0]], at[0]), at[1], x[node[1]]);
+        there = vec3_add_scaled(there, at[2], x[node[2]]);
+    } else {
+        const uint32_t *node = shape->edges[feature];
+        arc = vbss_scene_arc_of(needle, capsule, at[first ? 0 : 1]);
+        there = vec3_lerp(x[node[0]], x[node[1]], at[first ? 1 : 0]);
+    }
+    double reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
+    return vbss_scene_is_in_hole(s, needle, arc, drain, there, reach);
+}
+
 /* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it. */
 static bool may_meet(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
-        return false;
+        return is_in_hole(s, q, touching);
     }
     if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
         return vbss_scene_adjoins(s, a, q->a, b, q->b);
@@ -281,24 +329,6 @@ static void ask(scene_object *s, uint32_t kind, uint32_t count)
                             &s->collision->counters);
 }
 
-static double distance_at_begin(const scene_object *s, const collision_candidate *q)
-{
-    const collision_shape *of[4];
-    uint32_t vertices[4];
-    double at[3];
-    vec3 x[4];
-    vertices_of(s, q, of, vertices);
-    for (uint32_t k = 0; k < 4; k++) {
-        x[k] = of[k]->start[vertices[k]];
-    }
-    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
-        const vec3 corners[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
-        return vec3_norm(closest_corners(corners, at));
-    }
-    return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]),
-                                   &at[0], &at[1]));
-}
-
 static double time_at(scene_object *s, const collision_candidate *q, double thickness)
 {
     put_pair(s, q, 0);
@@ -311,7 +341,7 @@ static double time_at(scene_object *s, const collision_candidate *q, double thic
  * contact has seen to it; what comes from further away may be none. */
 static double time_of_hit(scene_object *s, const collision_candidate *q, double time)
 {
-    double touching = touching_of(s, q), distance = distance_at_begin(s, q);
+    double at[3], touching = touching_of(s, q), distance = distance_at_begin(s, q, at);
     if (distance >= touching + s->config.contact_margin) {
         return time;
     }

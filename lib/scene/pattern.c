@@ -124,6 +124,10 @@ static void set_marks(scene_object *s)
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_key *key = &s->contacts->rows[i].key;
+        if (key->kind == VBSS_CONTACT_HOLE) {
+            vbss_scene_mark_hole(s, &s->contacts->rows[i]);
+            continue;
+        }
         if (s->contacts->rows[i].bilateral) {
             mark_held(s, &s->contacts->rows[i]);
             continue;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-_Static_assert(sizeof(vbss_scene_config) == 168, "published size");
+_Static_assert(sizeof(vbss_scene_config) == 176, "published size");
 _Static_assert(sizeof(vbss_scene_statistics) == 232, "published size");
 
 static const vbss_scene_config defaults = {
@@ -33,8 +33,9 @@ static const vbss_scene_config defaults = {
     .paper_pass_limit = 4,
     .work_limit = 250000,
     .drain_capacity = 1,
+    .hole_capacity = 16,
 };
-static const uint32_t config_sizes[] = {160, 168, 0};
+static const uint32_t config_sizes[] = {160, 168, 176, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
 static const uint32_t statistics_sizes[] = {200, 232, 0};
 static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
@@ -76,6 +77,8 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
         {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
         {"drain_capacity", c->drain_capacity, 0.0, 16.0},
         {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
+        {"hole_capacity", c->hole_capacity, 0.0, 256.0},
+        {"reserved", c->reserved, 0.0, 0.0},
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
     };
@@ -90,7 +93,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
 
 /* ---- memory */
 
-enum { PARTS = 22 };
+enum { PARTS = 24 };
 
 static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
 {
@@ -104,6 +107,8 @@ static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
         {&s->pins, s->config.pin_capacity, sizeof *s->pins},
         {&s->grasps, s->config.grasp_capacity, sizeof *s->grasps},
         {&s->kept_grasps, s->config.grasp_capacity, sizeof *s->kept_grasps},
+        {&s->holes, s->config.hole_capacity, sizeof *s->holes},
+        {&s->kept_holes, s->config.hole_capacity, sizeof *s->kept_holes},
         {&s->marks, nodes, sizeof *s->marks},
         {&s->ways, nodes + 2 * capsules, sizeof *s->ways},
         {&s->vertices, 2 * vertices, sizeof *s->vertices},

@@ -15,6 +15,7 @@
 #include "grasper/grasper.h"
 #include "needle/needle.h"
 #include "solver/rigid.h"
+#include "suture/suture.h"
 #include "thread/thread.h"
 
 /* Bodies ever added, and so shapes; threads at a time. */
@@ -216,11 +217,12 @@ struct scene_object {
     scene_capsule *capsules;
     scene_pin *pins;
     scene_grasp *grasps, *kept_grasps;
+    suture_hole *holes, *kept_holes;
     uint32_t place_count, place_capacity; /* places used so far; of bodies that may be gone */
     uint32_t node_count, node_capacity;   /* of all threads */
     uint32_t capsule_count;
-    uint32_t last_number, last_pin, last_grasp; /* the last that was given away */
-    uint32_t kept_last_grasp;
+    uint32_t last_number, last_pin, last_grasp, last_hole; /* the last that was given away */
+    uint32_t kept_last_grasp, kept_last_hole;
     scene_cut cuts[SCENE_CUTS]; /* of the step under way */
     uint32_t cut_count;
     uint32_t contact_count; /* in the views */
@@ -244,6 +246,7 @@ struct scene_object {
     collision_block *block;
     vbss_rigid_capsule *solids; /* to weigh a new body */
     bool recovering;            /* the part began with more penetration than is allowed */
+    double part_length;         /* of the part under way, s */
     double pace, kept_pace;     /* share of a step with which the next one begins; dyadic */
     uint64_t most_work; /* of the step, in operations: nothing is begun beyond it; 0: no limit */
     bool turned;        /* the last attempt failed with new normals */
@@ -345,6 +348,22 @@ bool vbss_scene_is_in_jaws(const scene_object *s, const scene_body *needle, uint
 /* Three rows a hold, in a list that has begun; how one lies in the trial state. */
 bool vbss_scene_add_hold_rows(scene_object *s);
 void vbss_scene_lay_hold_row(scene_object *s, contact_row *row);
+
+/* holes.c. Three rows a hole, in a list that has begun; how one lies in the trial state; its nodes are separators; what
+ * rows have found, when a part is taken. */
+bool vbss_scene_add_hole_rows(scene_object *s);
+void vbss_scene_lay_hole_row(scene_object *s, contact_row *row);
+void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
+void vbss_scene_keep_holes(scene_object *s);
+/* Whether a place of a needle and a point of a drain, or what a row is about, are so near to a hole that they do not touch;
+ * the arc length of a place on one of its capsules. */
+bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
+                           const scene_body *drain, vec3 point, double reach);
+bool vbss_scene_is_row_in_hole(const scene_object *s, const contact_row *row);
+double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share);
+/* After a step: who has left holes, who makes one. */
+void vbss_scene_settle_holes(scene_object *s);
+void vbss_scene_forget_holes_of(scene_object *s, uint32_t number);
 
 /* paper_grasps.c: what jaws have taken and let go, after a step; what the hand feels of it. */
 void vbss_scene_paper_settle_grasps(scene_object *s);

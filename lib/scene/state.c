@@ -25,6 +25,9 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
     if (stream->version >= 3) {
         vbss_stream_same(stream, 5, c->work_limit);
     }
+    if (stream->version >= 4) {
+        vbss_stream_same(stream, 6, c->hole_capacity);
+    }
 }
 
 static void visit_hold(vbss_stream *stream, scene_hold *hold)
@@ -157,6 +160,14 @@ static void visit_thread(vbss_stream *stream, scene_thread *b)
 static void visit_drain(vbss_stream *stream, scene_drain *b)
 {
     vbss_stream_same_f64(stream, 61, b->drain->config.friction);
+    if (stream->version >= 4) {
+        const vbss_drain_config *c = &b->drain->config;
+        const double numbers[] = {c->puncture_force, c->hole_force,   c->hole_friction,
+                                  c->hole_stiffness, c->hole_damping, c->tip_length};
+        for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+            vbss_stream_same_f64(stream, 63, numbers[i]);
+        }
+    }
     vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
     vbss_drain_serialise(stream, b->drain);
     vbss_stream_close(stream, outer);
@@ -318,6 +329,34 @@ static void visit_grasps(vbss_stream *stream, scene_object *s)
     }
 }
 
+static bool is_hole(const scene_object *s, const suture_hole *hole)
+{
+    const scene_body *n = vbss_scene_body(s, hole->needle), *d = vbss_scene_body(s, hole->drain);
+    return hole->id <= s->last_hole && n != NULL && n->kind == BODY_RIGID &&
+           n->rigid.needle != NULL && d != NULL && d->kind == BODY_DRAIN &&
+           hole->triangle < d->drain.drain->mesh.triangle_count && vbss_hole_is_sound(hole);
+}
+
+static void visit_holes(vbss_stream *stream, scene_object *s)
+{
+    if (stream->version < 4) {
+        memset(s->holes, 0, s->config.hole_capacity * sizeof *s->holes);
+        s->last_hole = 0;
+        return;
+    }
+    vbss_stream_u32(stream, 140, &s->last_hole, 1);
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        suture_hole *hole = &s->holes[i];
+        vbss_hole_serialise(stream, 141, hole);
+        if (stream->mode == VBSS_STREAM_READ && hole->id == 0) {
+            *hole = (suture_hole){0};
+        } else if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_hole(s, hole)) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such hole");
+            *hole = (suture_hole){0};
+        }
+    }
+}
+
 static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 {
     vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
@@ -372,6 +411,7 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     visit_bodies(stream, s);
     visit_pins(stream, s);
     visit_grasps(stream, s);
+    visit_holes(stream, s);
     if (s->contacts != NULL) {
         vbss_contact_serialise(stream, 90, s->contacts);
     }

@@ -356,6 +356,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     vbss_scene_part_pieces(s);
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);
+    vbss_scene_settle_holes(s);
     vbss_scene_settle_tools(s, h);
     vbss_scene_adapt_meshes(s);
     note_work(s);

@@ -178,6 +178,8 @@ void vbss_scene_keep_tools(scene_object *s)
     }
     memcpy(s->kept_grasps, s->grasps, s->config.grasp_capacity * sizeof *s->grasps);
     s->kept_last_grasp = s->last_grasp;
+    memcpy(s->kept_holes, s->holes, s->config.hole_capacity * sizeof *s->holes);
+    s->kept_last_hole = s->last_hole;
 }
 
 void vbss_scene_return_tools(scene_object *s)
@@ -204,6 +206,8 @@ void vbss_scene_return_tools(scene_object *s)
     }
     memcpy(s->grasps, s->kept_grasps, s->config.grasp_capacity * sizeof *s->grasps);
     s->last_grasp = s->kept_last_grasp;
+    memcpy(s->holes, s->kept_holes, s->config.hole_capacity * sizeof *s->holes);
+    s->last_hole = s->kept_last_hole;
     aim_carried(s);
 }
 
