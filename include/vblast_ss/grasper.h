@@ -17,7 +17,7 @@
  * turns, or is torn out, over its end or over the jaws'. Shears cut what lies between them when they close,
  * but not nearer to an end of a thread than it is thick: that, and a thread of which all cuts are made, they close
  * through, and do not touch it until they have been clear of it.
- * A needle (needle.h) is held where the jaws have found it, as it was turned, in position and orientation; it slides and
+ * A wall of a drain that they close on is held at up to three points along the jaws. A needle (needle.h) is held where the jaws have found it, as it was turned, in position and orientation; it slides and
  * turns in them above what the pressure bears.
  * Method PAPER (VBLaST-SS, Qi et al. 2017): tools are where the hand is; one that closes near a thread carries
  * its nearest node exactly; of two tools the first leads, the other changes nothing until that lets go.
@@ -94,10 +94,10 @@ typedef struct vbss_grasper_config {
     double paper_stiffness;
     /** PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3. */
     double paper_distance;
-    /* A needle that is held (needle.h). */
-    /** Of the clamp, the same in all directions, N/m, 1 to 1e7; default 3e4. */
+    /* What is stiffer than a thread: a needle (needle.h), a wall of a drain. */
+    /** Of the clamp on either, the same in all directions, N/m, 1 to 1e7; default 3e4. */
     double needle_stiffness;
-    /** About the normal of the jaws' faces, N m/rad, 1e-6 to 1e4; about axes in them half of it; default 0.5. */
+    /** Of that on a needle about the normal of the jaws' faces, N m/rad, 1e-6 to 1e4; about axes in them half of it; default 0.5. */
     double needle_turning_stiffness;
     /** Torque that jaws of a closed handle bear before the needle turns in them, N m, 0 to 1e2; default 0.03 (not
      * verified). Of jaws that press less, less in proportion. */
@@ -120,7 +120,7 @@ typedef struct vbss_grasper_state {
     uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
     vbss_grasper_kind kind;       /**< What it is now. */
     uint32_t body;                /**< Its number in its scene; 0: it is in none. */
-    uint32_t grasp_count;         /**< Places of threads that it holds, and a needle. */
+    uint32_t grasp_count;         /**< Places of threads that it holds; a needle; a wall. */
     double position[3];           /**< Of the tip, m. */
     double orientation[4];        /**< w, x, y, z, unit. */
     double velocity[3];           /**< Of the tip, m/s. */
@@ -133,6 +133,10 @@ typedef struct vbss_grasper_state {
     /** On the hand at the tip, N; what a device shall exert. PAPER: of the stretch of what it carries. */
     double hand_force[3];
     double hand_torque[3]; /**< On the hand about the tip, N m; PAPER: 0. */
+    /** Number in its scene of the needle that it holds, 0: none: a solenoid that holds the handle's needle shut is wanted
+     * while it is not 0 and the handle is closed far enough (device.h). */
+    uint32_t needle;
+    uint32_t drain; /**< The same of the drain whose wall it holds. */
 } vbss_grasper_state;
 
 /** Arrays to look at: a VBSS_GRASPER_VIEW_ constant. */

@@ -9,13 +9,14 @@
  * both of its sides, half the wall away from its middle, and itself; of method PAPER its edges alone do, and not each
  * other. Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied to a given pose
  * by a spring and a damper, so that what stops the thread stops the tool) or free. A grasper (grasper.h) is a coupled one
- * with jaws that hold threads; of method
- * PAPER a driven one.
+ * with jaws that hold threads, needles and walls of drains; of method PAPER a driven one. A needle (needle.h) is a free one:
+ * its tip goes through the wall of a drain on which it presses hard enough, and leaves a hole that slides along it
+ * (#vbss_scene_get_hole).
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
- * through anything, but for a thread near a pin on the body that it is pinned to (#vbss_scene_pin_thread)
- * and segments that are too near along a thread to touch, also across a cut until its ends have come
+ * through anything, but for a needle near its holes, what is held near the jaws that hold it, a thread near a pin on the
+ * body that it is pinned to (#vbss_scene_pin_thread), and segments that are too near along a thread to touch, also across a cut until its ends have come
  * apart. Method PAPER is that of VBLaST-SS (Qi et al.
  * 2017): explicit steps, edge tests at both ends of a step, displacements as response, no friction, knots
  * held by pins: docs/paper-scene.md.
@@ -199,8 +200,8 @@ enum {
     VBSS_CONTACT_CAPSULE_FLOOR = 5,   /**< An end of a capsule, and the floor. */
     VBSS_CONTACT_GRASP =
         6, /**< One of the three points of a thread that a grasper holds, three times the
-                            * place of the grasp among all plus which of them; or of a needle, which of them; and 0 of
-                            * the grasper. */
+                            * place of the grasp among all plus which of them; or of a needle or a drain, which of them;
+                            * and 0 of the grasper. */
     /** A node of a thread, an end of a capsule or a node of a drain, and a triangle of a drain. */
     VBSS_CONTACT_POINT_FACE = 7,
     /** A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's triangle. */
@@ -219,8 +220,9 @@ enum {
     VBSS_EVENT_PART = 2,  /**< Two bodies that touched do no longer. */
     VBSS_EVENT_CLAMPED =
         3, /**< The step was cut short, or paused; the number is the share of it in 1/65536 that was lost. */
-    VBSS_EVENT_LOST = 4,    /**< Events beyond the capacity; the number says how many. */
-    VBSS_EVENT_GRASP = 5,   /**< Jaws hold a thread or a needle: that, grasper, arc length in um. */
+    VBSS_EVENT_LOST = 4, /**< Events beyond the capacity; the number says how many. */
+    /** Jaws hold a thread, a needle or a wall: that, grasper, arc length in um; of a wall a triangle that they hold. */
+    VBSS_EVENT_GRASP = 5,
     VBSS_EVENT_RELEASE = 6, /**< They have opened and let it go: the same. */
     VBSS_EVENT_TORN = 7,    /**< It was pulled out of them: the same. */
     VBSS_EVENT_SLIP = 8,    /**< It begins to slide through them, or to turn in them: the same. */
@@ -294,10 +296,10 @@ typedef struct vbss_hole {
     double force[3]; /**< On the needle, N. */
 } vbss_hole;
 
-/** A place of a thread, or of a needle, that a grasper holds. */
+/** A place of a thread, of a needle, or of a drain, that a grasper holds. */
 typedef struct vbss_grasp {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
-    uint32_t thread;      /**< Number of the thread, or of the needle, in the scene. */
+    uint32_t thread;      /**< Number of the thread, the needle or the drain in the scene. */
     double
         arc_length; /**< Of the middle of what is held, along the thread, unstretched; from the needle's tip; m. */
     double position[3]; /**< Where that is, m. */

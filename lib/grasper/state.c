@@ -68,6 +68,12 @@ void vbss_grasper_serialise(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 15, &g->angle, 1);
     vbss_stream_f64(stream, 16, &g->pressure, 1);
     vbss_stream_u32(stream, 20, &g->grasp_count, 1);
+    if (stream->version >= 2) {
+        vbss_stream_u32(stream, 27, &g->needle, 1);
+        vbss_stream_u32(stream, 28, &g->drain, 1);
+    } else {
+        g->needle = g->drain = 0;
+    }
     vbss_stream_f64(stream, 21, &g->now.position.x, 3);
     vbss_stream_f64(stream, 22, &g->now.orientation.w, 4);
     vbss_stream_f64(stream, 23, &g->velocity.x, 3);

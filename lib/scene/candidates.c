@@ -198,7 +198,7 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
         near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
     }
     bool surface = key->kind == VBSS_CONTACT_POINT_FACE || key->kind == VBSS_CONTACT_SIDES;
-    if (!near || (surface && vbss_scene_is_row_in_hole(s, row))) {
+    if (!near || (surface && vbss_scene_is_row_left_out(s, row))) {
         s->contacts->count--;
     }
     return true;
@@ -382,7 +382,7 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
         }
     }
     if (!vbss_scene_add_grasp_rows(s) || !vbss_scene_add_hold_rows(s) ||
-        !vbss_scene_add_hole_rows(s)) {
+        !vbss_scene_add_pinch_rows(s) || !vbss_scene_add_hole_rows(s)) {
         return false;
     }
     vbss_contact_sort(set);

@@ -244,7 +244,7 @@ static void note_pushes(scene_object *s, scene_drain *b)
     memset(d->pushes, 0, n * sizeof *d->pushes);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
-        vec3 force = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+        vec3 force = vbss_scene_force_of(row);
         for (uint32_t k = 0; row->is.state != CONTACT_OPEN && k < row->term_count; k++) {
             const contact_term *t = &row->terms[k];
             if (t->block >= b->first_block && t->block - b->first_block < n) {

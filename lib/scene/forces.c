@@ -44,6 +44,15 @@ static scene_body *bearer_of(scene_object *s, uint32_t b)
     return NULL;
 }
 
+vec3 vbss_scene_force_of(const contact_row *row)
+{
+    contact_found is = row->is;
+    if (row->bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
+        (void)vbss_contact_next_state(row, vec3_zero(), &is);
+    }
+    return vec3_add_scaled(is.rubbing, is.pressure, row->normal);
+}
+
 static void add_contacts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
@@ -51,11 +60,7 @@ static void add_contacts(scene_object *s)
         if (row->is.state == CONTACT_OPEN) {
             continue;
         }
-        contact_found is = row->is;
-        if (row->bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
-            (void)vbss_contact_next_state(row, vec3_zero(), &is);
-        }
-        vec3 force = vec3_add_scaled(is.rubbing, is.pressure, row->normal);
+        vec3 force = vbss_scene_force_of(row);
         const scene_hit hit = {row->key, row->normal, force, row->point, row->gap};
         show_contact(s, &hit);
         for (uint32_t k = 0; k < row->term_count; k++) {

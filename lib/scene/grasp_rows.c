@@ -72,8 +72,13 @@ void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
         vbss_scene_lay_hole_row(s, row);
         return;
     }
-    if (vbss_scene_body(s, row->key.body_a)->kind == BODY_RIGID) {
+    body_kind held = vbss_scene_body(s, row->key.body_a)->kind;
+    if (held == BODY_RIGID) {
         vbss_scene_lay_hold_row(s, row);
+        return;
+    }
+    if (held == BODY_DRAIN) {
+        vbss_scene_lay_pinch_row(s, row);
         return;
     }
     const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];

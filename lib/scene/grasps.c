@@ -34,7 +34,7 @@ uint32_t vbss_scene_count_grasps(const scene_object *s, uint32_t tool)
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         count += holds(s, tool, &s->grasps[i]);
     }
-    return count + vbss_scene_holds_needle(s, tool);
+    return count + vbss_scene_holds_needle(s, tool) + vbss_scene_pinches(s, tool);
 }
 
 void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number)
@@ -188,7 +188,9 @@ static void take(scene_object *s, const scene_body *tool, const mouth *m, const 
 static double held_angle(const scene_object *s, const scene_body *tool)
 {
     const scene_hold *hold = &tool->rigid.hold;
+    const scene_pinch *pinch = &tool->rigid.pinch;
     double angle = vbss_scene_holds_needle(s, tool->number) ? hold->angle : 0.0;
+    angle = vbss_scene_pinches(s, tool->number) ? greater(pinch->angle, angle) : angle;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->tool == tool->number && !g->let_go) {
@@ -226,7 +228,9 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
         let_through(s, &m, next);
     }
     scene_hold needle;
+    scene_pinch wall;
     double stop = vbss_scene_find_needle(s, tool, &needle) ? needle.angle : 0.0;
+    stop = vbss_scene_find_wall(s, tool, &wall) ? greater(wall.angle, stop) : stop;
     for (uint32_t i = 0; i < m.count; i++) {
         stop = greater(m.strands[i].angle, stop);
     }
@@ -236,6 +240,9 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     next = lesser(stop, g->angle); /* as it is, if it is squeezed a little already */
     if (needle.needle != 0 && needle.angle >= stop - GIVE && g->kind != VBSS_GRASPER_SHEARS) {
         vbss_scene_take_needle(s, tool, &needle);
+    }
+    if (wall.drain != 0 && wall.angle >= stop - GIVE && g->kind != VBSS_GRASPER_SHEARS) {
+        vbss_scene_take_wall(s, tool, &wall);
     }
     for (uint32_t i = 0; i < m.count; i++) {
         if (m.strands[i].angle < stop - GIVE) {
@@ -439,6 +446,12 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
     if (left == 0 && vbss_scene_holds_needle(s, tool)) {
         vbss_grasp own = {.struct_size = sizeof own};
         vbss_scene_show_hold(s, vbss_scene_body(s, tool), &own);
+        return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
+    }
+    left -= vbss_scene_holds_needle(s, tool) ? 1 : 0;
+    if (left == 0 && vbss_scene_pinches(s, tool)) {
+        vbss_grasp own = {.struct_size = sizeof own};
+        vbss_scene_show_pinch(s, vbss_scene_body(s, tool), &own);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }
     return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u does not hold %u places", tool,

@@ -226,33 +226,41 @@ static double distance_at_begin(const scene_object *s, const collision_candidate
                                    &at[0], &at[1]));
 }
 
-/* A needle and the wall round a hole that it is in. What moves by as much comes into it on the way. */
-static bool is_in_hole(const scene_object *s, const collision_candidate *q, double touching)
+/* A needle and the wall round a hole that it is in, where what moves by as much comes into it on the way; jaws and the wall
+ * that they hold. */
+static bool is_left_out(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     bool first = a->kind == BODY_RIGID, point = q->kind == VBSS_PAIR_POINT_TRIANGLE;
     const scene_body *needle = first ? a : b, *drain = first ? b : a;
-    if (needle->kind != BODY_RIGID || needle->rigid.needle == NULL || drain->kind != BODY_DRAIN) {
+    bool holds = needle->rigid.pinch.drain == drain->number;
+    if (needle->kind != BODY_RIGID || drain->kind != BODY_DRAIN ||
+        (needle->rigid.needle == NULL && !holds)) {
         return false;
     }
     const collision_shape *shape = s->collision->shapes[drain->shape];
     uint32_t capsule = first ? q->a : q->b, feature = first ? q->b : q->a;
     const vec3 *x = drain->drain.drain->x;
-    double at[3], arc;
+    double at[3], end;
     vec3 there;
     (void)distance_at_begin(s, q, at);
     if (point) {
         const uint32_t *node = shape->triangles[feature];
-        arc = vbss_scene_arc_of(needle, capsule / 2, capsule % 2);
+        end = capsule % 2;
+        capsule /= 2;
         there = vec3_add_scaled(vec3_scale(x[node[0]], at[0]), at[1], x[node[1]]);
         there = vec3_add_scaled(there, at[2], x[node[2]]);
     } else {
         const uint32_t *node = shape->edges[feature];
-        arc = vbss_scene_arc_of(needle, capsule, at[first ? 0 : 1]);
+        end = at[first ? 0 : 1];
         there = vec3_lerp(x[node[0]], x[node[1]], at[first ? 1 : 0]);
     }
+    if (holds) {
+        return vbss_scene_is_pinched(s, drain, there, needle, capsule);
+    }
     double reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
+    double arc = vbss_scene_arc_of(needle, capsule, end);
     return vbss_scene_is_in_hole(s, needle, arc, drain, there, reach);
 }
 
@@ -262,7 +270,7 @@ static bool may_meet(const scene_object *s, const collision_candidate *q, double
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
-        return is_in_hole(s, q, touching);
+        return is_left_out(s, q, touching);
     }
     if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
         return vbss_scene_adjoins(s, a, q->a, b, q->b);

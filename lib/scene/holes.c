@@ -146,15 +146,25 @@ static vec3 point_of_row(const scene_object *s, const scene_body *drain, const c
     return vec3_add_scaled(point, row->at[1], x[node[2]]);
 }
 
-bool vbss_scene_is_row_in_hole(const scene_object *s, const contact_row *row)
+static bool is_row_in_hole(const scene_object *s, const contact_row *row, const scene_body *a,
+                           const scene_body *b)
+{
+    return a->rigid.needle != NULL &&
+           vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, point_of_row(s, b, row),
+                                 SCENE_PIN_ARC * row->touching);
+}
+
+bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
 {
     const scene_body *a = vbss_scene_body(s, row->key.body_a);
     const scene_body *b = vbss_scene_body(s, row->key.body_b);
-    if (a->kind != BODY_RIGID || a->rigid.needle == NULL || b->kind != BODY_DRAIN) {
+    if (a->kind != BODY_RIGID || b == NULL || b->kind != BODY_DRAIN) {
         return false;
     }
-    return vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, point_of_row(s, b, row),
-                                 SCENE_PIN_ARC * row->touching);
+    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
+    uint32_t capsule = point ? row->key.a / 2 : row->key.a;
+    return is_row_in_hole(s, row, a, b) ||
+           vbss_scene_is_pinched(s, b, point_of_row(s, b, row), a, capsule);
 }
 
 /* ---- after a step */

@@ -59,7 +59,11 @@ static void mark_side(scene_object *s, const contact_key *key, bool is_b)
 static void mark_held(scene_object *s, const contact_row *row)
 {
     const scene_body *b = vbss_scene_body(s, row->key.body_a);
-    if (b->kind != BODY_THREAD) { /* blocks of rigid bodies are separators anyway */
+    if (b->kind == BODY_DRAIN) {
+        vbss_scene_mark_pinched(s, row);
+        return;
+    }
+    if (b->kind == BODY_RIGID) { /* whose blocks are separators anyway */
         return;
     }
     const thread_object *t = b->thread.thread;

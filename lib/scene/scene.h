@@ -85,6 +85,23 @@ typedef struct scene_hold {
     bool torn;          /* nor taken again before the handle has been opened */
 } scene_hold;
 
+/* A wall of a drain in the jaws of a grasper. */
+enum { PINCH_POINTS = 3 };
+typedef struct scene_pinch {
+    uint32_t drain; /* number; 0: none */
+    uint32_t count; /* of points */
+    uint32_t triangle[PINCH_POINTS];
+    double weights[PINCH_POINTS][3]; /* of its corners in a point */
+    vec3 at[PINCH_POINTS];           /* where that is held, in the jaws' frame */
+    double angle;                    /* at which the jaws touch it */
+    double age;                      /* s since it was taken */
+    double slid, limit;
+    vec3 force;   /* on the drain after the last step */
+    bool sliding; /* it slid in the last step */
+    bool let_go;  /* not held any more, but not clear of the jaws yet */
+    bool torn;    /* nor taken again before the handle has been opened */
+} scene_pinch;
+
 typedef struct scene_rigid {
     vbss_rigid_kind kind;
     vbss_rigid body; /* its begin and end: the target, crossed evenly in a step */
@@ -103,6 +120,7 @@ typedef struct scene_rigid {
     /* of a tool; else NULL */
     grasper_object *grasper;
     scene_hold hold, kept_hold;
+    scene_pinch pinch, kept_pinch;
     bool has_closed; /* PAPER: the jaws, in this step */
     pose kept_end;
     struct kept_jaws {
@@ -349,17 +367,31 @@ bool vbss_scene_is_in_jaws(const scene_object *s, const scene_body *needle, uint
 bool vbss_scene_add_hold_rows(scene_object *s);
 void vbss_scene_lay_hold_row(scene_object *s, contact_row *row);
 
+/* pinches.c: the same of the wall of a drain, of which `point` is one. */
+bool vbss_scene_pinches(const scene_object *s, uint32_t tool);
+bool vbss_scene_find_wall(const scene_object *s, const scene_body *tool, scene_pinch *found);
+void vbss_scene_take_wall(scene_object *s, scene_body *tool, const scene_pinch *found);
+void vbss_scene_let_wall_go(scene_object *s, scene_body *tool);
+void vbss_scene_settle_pinches(scene_object *s, double h);
+void vbss_scene_forget_pinches_of(scene_object *s, uint32_t number);
+void vbss_scene_show_pinch(const scene_object *s, const scene_body *tool, vbss_grasp *grasp);
+bool vbss_scene_is_pinched(const scene_object *s, const scene_body *drain, vec3 point,
+                           const scene_body *tool, uint32_t capsule);
+bool vbss_scene_add_pinch_rows(scene_object *s);
+void vbss_scene_lay_pinch_row(scene_object *s, contact_row *row);
+void vbss_scene_mark_pinched(const scene_object *s, const contact_row *row);
+
 /* holes.c. Three rows a hole, in a list that has begun; how one lies in the trial state; its nodes are separators; what
  * rows have found, when a part is taken. */
 bool vbss_scene_add_hole_rows(scene_object *s);
 void vbss_scene_lay_hole_row(scene_object *s, contact_row *row);
 void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
 void vbss_scene_keep_holes(scene_object *s);
-/* Whether a place of a needle and a point of a drain, or what a row is about, are so near to a hole that they do not touch;
- * the arc length of a place on one of its capsules. */
+/* Whether a place of a needle and a point of a drain are so near to a hole that they do not touch; the arc length of a place on
+ * one of its capsules; whether a row is about such a place, or about wall and the jaws that hold it. */
 bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
                            const scene_body *drain, vec3 point, double reach);
-bool vbss_scene_is_row_in_hole(const scene_object *s, const contact_row *row);
+bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);
 double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share);
 /* After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);
@@ -543,7 +575,8 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
                           uint32_t number);
 void vbss_scene_note_touches(scene_object *s);
 void vbss_scene_show_lost(scene_object *s);
-/* forces.c: what contacts and pins do to the rigid bodies; views of contacts. */
+/* forces.c: the force of a row on its first side, N; what contacts and pins do to the rigid bodies; views of contacts. */
+vec3 vbss_scene_force_of(const contact_row *row);
 void vbss_scene_note_forces(scene_object *s);
 
 #endif

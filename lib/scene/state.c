@@ -69,13 +69,58 @@ static bool is_hold(const scene_object *s, const scene_hold *hold)
            vec3_is_finite(hold->force) && vec3_is_finite(hold->torque);
 }
 
+static void visit_pinch(vbss_stream *stream, scene_pinch *p)
+{
+    uint32_t words[] = {p->drain, p->count, p->sliding, p->let_go, p->torn};
+    double *numbers[] = {&p->angle, &p->age, &p->slid, &p->limit};
+    vbss_stream_u32(stream, 136, words, sizeof words / sizeof words[0]);
+    vbss_stream_u32(stream, 137, p->triangle, PINCH_POINTS);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_f64(stream, 138, numbers[i], 1);
+    }
+    for (uint32_t k = 0; k < PINCH_POINTS; k++) {
+        vbss_stream_f64(stream, 139, p->weights[k], 3);
+        vbss_stream_f64(stream, 139, &p->at[k].x, 3);
+    }
+    vbss_stream_f64(stream, 139, &p->force.x, 3);
+    if (words[2] > 1 || words[3] > 1 || words[4] > 1) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+    }
+    p->drain = words[0];
+    p->count = words[1];
+    p->sliding = words[2] != 0;
+    p->let_go = words[3] != 0;
+    p->torn = words[4] != 0;
+}
+
+static bool is_pinch(const scene_object *s, const scene_pinch *p)
+{
+    const scene_body *b = vbss_scene_body(s, p->drain);
+    if (p->drain == 0) {
+        return true;
+    }
+    if (b == NULL || b->kind != BODY_DRAIN || p->count == 0 || p->count > PINCH_POINTS) {
+        return false;
+    }
+    bool sound = p->angle > 0.0 && p->angle <= 1.6 && p->age >= 0.0 && isfinite(p->age) &&
+                 isfinite(p->slid) && isfinite(p->limit) && vec3_is_finite(p->force);
+    for (uint32_t k = 0; k < p->count; k++) {
+        const double *w = p->weights[k];
+        sound = sound && p->triangle[k] < b->drain.drain->mesh.triangle_count &&
+                fabs(w[0] + w[1] + w[2] - 1.0) < 1e-9 && vbss_largest(w, 3) <= 1.0 &&
+                vec3_norm(p->at[k]) <= 1.0;
+    }
+    return sound;
+}
+
 /* When all bodies are read. */
 static void check_holds(vbss_stream *stream, const scene_object *s)
 {
     for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_RIGID && !stream->trusted && !is_hold(s, &b->rigid.hold)) {
-            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle in jaws");
+        if (b->kind == BODY_RIGID && !stream->trusted &&
+            (!is_hold(s, &b->rigid.hold) || !is_pinch(s, &b->rigid.pinch))) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle or wall in jaws");
         }
     }
 }
@@ -100,8 +145,10 @@ static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigi
     }
     if (stream->version >= 4) {
         visit_hold(stream, &r->hold);
+        visit_pinch(stream, &r->pinch);
     } else {
         r->hold = (scene_hold){0};
+        r->pinch = (scene_pinch){0};
     }
 }
 

@@ -59,6 +59,8 @@ static void show(scene_object *s, scene_body *b)
     g->hand_torque =
         driven ? torque : vec3_sub(torque, vec3_cross(arm, g->hand_force)); /* about the tip */
     g->grasp_count = vbss_scene_count_grasps(s, b->number);
+    g->needle = vbss_scene_holds_needle(s, b->number) ? r->hold.needle : 0;
+    g->drain = vbss_scene_pinches(s, b->number) ? r->pinch.drain : 0;
     g->generation++;
     vbss_grasper_show(g);
 }
@@ -173,6 +175,7 @@ void vbss_scene_keep_tools(scene_object *s)
             const grasper_object *g = r->grasper;
             r->kept_end = r->body.end;
             r->kept_hold = r->hold;
+            r->kept_pinch = r->pinch;
             r->kept_jaws = (struct kept_jaws){g->kind, g->kind_told, g->angle, g->pressure};
         }
     }
@@ -198,6 +201,7 @@ void vbss_scene_return_tools(scene_object *s)
             grasper_object *g = r->grasper;
             r->body.end = r->kept_end;
             r->hold = r->kept_hold;
+            r->pinch = r->kept_pinch;
             g->kind = r->kept_jaws.kind;
             g->kind_told = r->kept_jaws.kind_told;
             g->angle = r->kept_jaws.angle;
@@ -234,6 +238,7 @@ static void exchange(scene_object *s, scene_body *b)
     if (may) { /* nor does it wait for anything any more */
         vbss_scene_forget_grasps_of(s, b->number);
         vbss_scene_forget_holds_of(s, b->number);
+        vbss_scene_forget_pinches_of(s, b->number);
     }
     vbss_scene_add_event(s, may ? VBSS_EVENT_EXCHANGED : VBSS_EVENT_NOT_EXCHANGED, b->number, 0,
                          (uint32_t)wanted);
@@ -254,6 +259,7 @@ static void take_told(scene_object *s, scene_body *b, double h)
     } else {
         vbss_scene_let_go(s, b);
         vbss_scene_let_needle_go(s, b);
+        vbss_scene_let_wall_go(s, b);
         g->angle = vbss_scene_close_jaws(s, b, h);
     }
     r->has_closed = before > 0.0 && g->angle == 0.0;
@@ -299,6 +305,7 @@ void vbss_scene_settle_tools(scene_object *s, double h)
     } else {
         vbss_scene_settle_grasps(s, h);
         vbss_scene_settle_holds(s, h);
+        vbss_scene_settle_pinches(s, h);
     }
     vbss_scene_make_cuts(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
