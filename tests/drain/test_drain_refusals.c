@@ -63,6 +63,13 @@ static const number numbers[] = {
     NUMBER(move_limit, 1e-9, 1.0, true),
     NUMBER(paper_stiffness, 0.0, 1e9, true),
     NUMBER(paper_damping, 0.0, 1.0, true),
+    NUMBER(friction, 0.0, 10.0, true),
+    NUMBER(puncture_force, 1e-3, 1e3, true),
+    NUMBER(hole_force, 1e-6, 1e3, true),
+    NUMBER(hole_friction, 0.0, 10.0, true),
+    NUMBER(hole_stiffness, 1.0, 1e7, true),
+    NUMBER(hole_damping, 0.0, 1e3, true),
+    NUMBER(tip_length, 0.0, 0.1, true),
 };
 
 static void bad_numbers_of_a_configuration_are_told(void **state)
