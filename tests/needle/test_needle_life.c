@@ -1,0 +1,396 @@
+/* What a needle may be asked for and when: handles, callbacks, scenes, bad numbers; and where it is put. */
+#include <fenv.h>
+
+#include "fixture.h"
+
+/* ---- structs that go out */
+
+enum { OUTS = 4 };
+
+static vbss_result write_out(vbss_needle *needle, int which, void *out, uint32_t size)
+{
+    switch (which) {
+    case 0:
+        return vbss_needle_get_state(needle, out, size);
+    case 1:
+        return vbss_needle_get_mass(needle, out, size);
+    case 2:
+        return vbss_needle_get_energies(needle, out, size);
+    default:
+        return vbss_needle_get_view(needle, VBSS_NEEDLE_VIEW_POINTS, out, size);
+    }
+}
+
+static void structs_that_go_out_keep_the_size_protocol(void **state)
+{
+    (void)state;
+    const uint32_t sizes[OUTS] = {208, 144, 32, sizeof(vbss_view)};
+    fixture f;
+    begin(&f);
+    vbss_needle *needle = make(&f);
+    for (int which = 0; which < OUTS; which++) {
+        unsigned char out[320];
+        uint32_t filled;
+        expect_result(VBSS_ERROR_NULL_ARGUMENT, write_out(needle, which, NULL, sizes[which]));
+        for (uint32_t size = 0; size < sizes[which]; size++) {
+            expect_result(VBSS_ERROR_STRUCT_SIZE, write_out(needle, which, out, size));
+        }
+        memset(out, 0xff, sizeof out);
+        expect_ok(write_out(needle, which, out, 256));
+        memcpy(&filled, out, sizeof filled);
+        assert_int_equal(filled, sizes[which]);
+        for (uint32_t i = 0; i < sizeof out; i++) {
+            assert_true(i < sizes[which] || out[i] == (i < 256 ? 0 : 0xff));
+        }
+    }
+    end(&f);
+}
+
+/* ---- handles */
+
+static const double zero[3] = {0.0, 0.0, 0.0};
+
+static vbss_result call_step(void *n)
+{
+    return vbss_needle_step(n, 1e-3);
+}
+static vbss_result call_set_state(void *n)
+{
+    return vbss_needle_set_state(n, zero, NULL, NULL, NULL);
+}
+static vbss_result call_restore(void *n)
+{
+    uint8_t bytes[64] = {0};
+    return vbss_needle_restore(n, bytes, sizeof bytes);
+}
+static vbss_result call_destroy(void *n)
+{
+    /* NULL is nothing to destroy */
+    return n == NULL ? VBSS_ERROR_INVALID_HANDLE : vbss_needle_destroy(n);
+}
+static vbss_result call_place(void *n)
+{
+    double position[3];
+    return vbss_needle_get_place(n, 0.0, position, NULL);
+}
+static vbss_result call_save(void *n)
+{
+    uint64_t written;
+    vbss_result result = vbss_needle_save(n, NULL, 0, &written);
+    return result == VBSS_ERROR_CAPACITY ? VBSS_OK : result;
+}
+static vbss_result call_hash(void *n)
+{
+    uint64_t hash;
+    return vbss_needle_get_hash(n, &hash);
+}
+static vbss_result call_out(void *n, int which)
+{
+    unsigned char out[256];
+    return write_out(n, which, out, sizeof out);
+}
+static vbss_result call_state(void *n)
+{
+    return call_out(n, 0);
+}
+static vbss_result call_mass(void *n)
+{
+    return call_out(n, 1);
+}
+static vbss_result call_energies(void *n)
+{
+    return call_out(n, 2);
+}
+static vbss_result call_view(void *n)
+{
+    return call_out(n, 3);
+}
+
+/* Those that change something come first. */
+enum { EDITS = 4, CALLS = 11 };
+static const harness_handle_call calls[CALLS] = {
+    call_step, call_set_state, call_restore, call_destroy,  call_place, call_save,
+    call_hash, call_state,     call_mass,    call_energies, call_view};
+
+static void wrong_handles_are_told_by_every_call(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    vbss_needle *destroyed = make(&f), *none = destroyed;
+    expect_ok(vbss_needle_destroy(destroyed));
+    expect_ok(vbss_needle_destroy(NULL));
+    harness_refuses_bad_handles(f.context, destroyed, calls, CALLS);
+    expect_result(VBSS_ERROR_INVALID_HANDLE,
+                  vbss_needle_create((vbss_context *)destroyed, &f.config, &none));
+    assert_null(none);
+    end(&f);
+}
+
+typedef struct listener {
+    vbss_context *context;
+    vbss_needle *needle;
+    vbss_result results[CALLS], created;
+    int heard;
+} listener;
+
+static void listen(void *user, vbss_log_level level, const char *message)
+{
+    listener *l = user;
+    vbss_needle *made = NULL;
+    (void)level;
+    (void)message;
+    l->heard++;
+    for (int i = 0; i < CALLS; i++) {
+        l->results[i] = calls[i](l->needle);
+    }
+    l->created = vbss_needle_create(l->context, NULL, &made);
+}
+
+static void nothing_changes_from_inside_a_callback(void **state)
+{
+    (void)state;
+    listener l = {0};
+    harness_memory memory;
+    vbss_context_config config = harness_watched_config(&memory);
+    config.log = listen;
+    config.log_user = &l;
+    expect_ok(vbss_context_create(&config, &l.context));
+    expect_ok(vbss_needle_create(l.context, NULL, &l.needle));
+    uint64_t hash = hash_of(l.needle);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_needle_step(l.needle, 1.0));
+    assert_int_equal(l.heard, 1);
+    for (int i = 0; i < CALLS; i++) {
+        expect_result(i < EDITS ? VBSS_ERROR_BUSY : VBSS_OK, l.results[i]);
+    }
+    expect_result(VBSS_ERROR_BUSY, l.created);
+    assert_true(hash_of(l.needle) == hash);
+    harness_context_end(l.context, &memory);
+}
+
+/* ---- what a scene does with it */
+
+static void in_a_scene_the_host_may_only_look(void **state)
+{
+    (void)state;
+    fixture f;
+    vbss_slot *slot;
+    begin(&f);
+    vec3_store(f.config.velocity, vec3_make(1.0, 2.0, 3.0));
+    vec3_store(f.config.angular_velocity, vec3_make(10.0, -20.0, 30.0));
+    vbss_needle *needle = make(&f), *twin = make(&f);
+    uint64_t hash = hash_of(needle);
+    expect_ok(vbss_slot_open(needle, &vbss_needle_kind, &slot));
+    slot->owner = &f;
+    for (int i = 0; i < CALLS; i++) {
+        expect_result(i < EDITS ? VBSS_ERROR_IN_SCENE : VBSS_OK, calls[i](needle));
+    }
+    assert_true(hash_of(needle) == hash);
+    steps(twin, 1e-3, 3);
+    uint64_t generation = inside(needle)->generation;
+    vbss_needle_follow(inside(needle), &inside(twin)->body.now, 5);
+    assert_true(inside(needle)->generation > generation);
+    vbss_needle_state seen = look(needle);
+    assert_int_equal(seen.body, 5);
+    seen.body = 0;
+    const vbss_needle_state wanted = look(twin);
+    assert_memory_equal(&wanted, &seen, sizeof seen);
+    slot->owner = NULL;
+    vbss_needle_follow(inside(needle), &inside(twin)->body.now, 0); /* it leaves */
+    steps(twin, 1e-3, 3);
+    steps(needle, 1e-3, 3);
+    assert_true(hash_of(needle) == hash_of(twin)); /* and flies on as if it had always been free */
+    assert_int_equal(look(needle).body, 0);
+    end(&f);
+}
+
+/* ---- where it is put */
+
+static void it_begins_where_its_configuration_says(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    const double q[4] = {-2.0, 1.0, 4.0, 2.0}; /* of length 5 */
+    vec3_store(f.config.position, vec3_make(0.1, -0.2, 0.3));
+    memcpy(f.config.orientation, q, sizeof q);
+    vec3_store(f.config.velocity, vec3_make(1.0, 2.0, 3.0));
+    vec3_store(f.config.angular_velocity, vec3_make(-30.0, 20.0, 10.0));
+    vbss_needle *needle = make(&f);
+    const vbss_needle_state s = look(needle);
+    expect_near_vec3(vec3_make(0.1, -0.2, 0.3), vec3_load(s.position), 1e-15);
+    expect_near_vec3(vec3_make(1.0, 2.0, 3.0), vec3_load(s.velocity), 1e-14);
+    expect_near_vec3(vec3_make(-30.0, 20.0, 10.0), vec3_load(s.angular_velocity), 0.0);
+    for (int i = 0; i < 4; i++) {
+        expect_near(q[i] / 5.0, s.orientation[i], 1e-15);
+    }
+    /* The centre of mass, with what turning adds. */
+    pose at = pose_make(vec3_load(s.position), quat_make(-0.4, 0.2, 0.8, 0.4));
+    vec3 arm = quat_rotate(at.orientation, vec3_load(weigh(needle).centre));
+    vec3 turning = vec3_cross(vec3_load(s.angular_velocity), arm);
+    expect_near_vec3(vec3_add(vec3_load(s.velocity), turning), inside(needle)->body.now.v, 1e-14);
+    expect_near_vec3(vec3_add(at.position, arm), inside(needle)->body.now.at.position, 1e-15);
+    end(&f);
+}
+
+static void it_can_be_put_anywhere(void **state)
+{
+    (void)state;
+    const double p[3] = {0.3, 0.2, -0.1}, q[4] = {0.0, 3.0, 0.0, 4.0}, v[3] = {-1.0, 0.5, 2.0},
+                 w[3] = {5.0, 6.0, -7.0};
+    fixture f;
+    begin(&f);
+    vec3_store(f.config.velocity, vec3_make(1.0, 2.0, 3.0));
+    vec3_store(f.config.angular_velocity, vec3_make(-30.0, 20.0, 10.0));
+    vbss_needle *moved = make(&f);
+    steps(moved, 1e-3, 10);
+    uint64_t generation = inside(moved)->generation;
+    expect_ok(vbss_needle_set_state(moved, p, q, v, w));
+    assert_true(inside(moved)->generation > generation);
+    memcpy(f.config.position, p, sizeof p);
+    memcpy(f.config.orientation, q, sizeof q);
+    memcpy(f.config.velocity, v, sizeof v);
+    memcpy(f.config.angular_velocity, w, sizeof w);
+    assert_true(hash_of(moved) == hash_of(make(&f))); /* as if it had begun there */
+    steps(moved, 1e-3, 10);
+    const quat turned = inside(moved)->body.now.at.orientation;
+    expect_ok(vbss_needle_set_state(moved, p, NULL, NULL, NULL));
+    assert_memory_equal(&turned, &inside(moved)->body.now.at.orientation, sizeof turned);
+    const vbss_needle_state s = look(moved);
+    expect_near_vec3(vec3_load(p), vec3_load(s.position), 1e-15);
+    assert_true(vbss_largest(s.velocity, 3) == 0.0);
+    assert_true(vbss_largest(s.angular_velocity, 3) == 0.0);
+    end(&f);
+}
+
+/* ---- bad numbers */
+
+typedef struct told {
+    vbss_needle *needle;
+    double p[3], q[4], v[3], w[3];
+} told;
+
+static void set_and_expect(const told *t, vbss_result wanted)
+{
+    uint64_t hash = hash_of(t->needle), generation = inside(t->needle)->generation;
+    expect_result(wanted, vbss_needle_set_state(t->needle, t->p, t->q, t->v, t->w));
+    assert_true(wanted == VBSS_OK ||
+                (hash_of(t->needle) == hash && inside(t->needle)->generation == generation));
+}
+
+static void bad_states_change_nothing(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    told good = {make(&f), {1.0, 2.0, 3.0}, {1.0, 1.0, 1.0, 1.0}, {4.0, 5.0, 6.0}, {7.0, 8.0, 9.0}};
+    set_and_expect(&good, VBSS_OK);
+    good.p[0] = 0.5;
+    for (int c = 0; c < 13; c++) {
+        static const double most[] = {1e3, 1e100, 1e5, 1e6};
+        int which = c < 3 ? 0 : c < 7 ? 1 : c < 10 ? 2 : 3;
+        told t = good;
+        double *number = c < 3    ? &t.p[c]
+                         : c < 7  ? &t.q[c - 3]
+                         : c < 10 ? &t.v[c - 7]
+                                  : &t.w[c - 10];
+        for (int k = 0; k < 3; k++) {
+            *number = harness_bad_numbers[k];
+            set_and_expect(&t, VBSS_ERROR_NOT_FINITE);
+        }
+        *number = -1.001 * most[which];
+        set_and_expect(&t, VBSS_ERROR_OUT_OF_RANGE);
+        *number = -most[which];
+        set_and_expect(&t, VBSS_OK);
+    }
+    told t = good;
+    memset(t.q, 0, sizeof t.q);
+    set_and_expect(&t, VBSS_ERROR_OUT_OF_RANGE);
+    expect_result(VBSS_ERROR_NULL_ARGUMENT,
+                  vbss_needle_set_state(good.needle, NULL, good.q, good.v, good.w));
+    end(&f);
+}
+
+static void bad_steps_places_and_fields_are_told(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    vec3_store(f.config.gravity, vec3_make(0.0, 0.0, -9.81));
+    vbss_needle *needle = make(&f);
+    uint64_t hash = hash_of(needle);
+    double p[3] = {1.0, 2.0, 3.0};
+    vbss_view view;
+    const double wrong_steps[] = {0.0, -1e-3, 0.99e-7, 0.1001, DBL_MAX, -DBL_MAX, 5e-324};
+    for (int i = 0; i < 7; i++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_needle_step(needle, wrong_steps[i]));
+    }
+    for (int k = 0; k < 3; k++) {
+        double bad = harness_bad_numbers[k];
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_step(needle, bad));
+        expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_get_place(needle, bad, p, NULL));
+    }
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_needle_get_place(needle, 10.01, p, NULL));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_needle_get_place(needle, -10.01, p, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_get_place(needle, 0.0, NULL, NULL));
+    assert_true(p[0] == 1.0 && p[1] == 2.0 && p[2] == 3.0);
+    const vbss_needle_field fields[] = {-1, 1, INT32_MAX, INT32_MIN};
+    for (int i = 0; i < 4; i++) {
+        expect_result(VBSS_ERROR_OUT_OF_RANGE,
+                      vbss_needle_get_view(needle, fields[i], &view, sizeof view));
+    }
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_get_hash(needle, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_save(needle, NULL, 0, NULL));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_needle_restore(needle, NULL, 64));
+    assert_true(hash_of(needle) == hash);
+    expect_ok(vbss_needle_step(needle, 1e-7));
+    expect_ok(vbss_needle_step(needle, 0.1));
+    end(&f);
+}
+
+/* A speed that no host can set, but that a number holds. */
+static void a_step_without_a_finite_end_changes_nothing(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    vbss_needle *needle = make(&f);
+    needle_object *n = inside(needle);
+    n->body.now.at.position.y = n->body.now.v.y = 1.79e308;
+    uint64_t hash = hash_of(needle), generation = n->generation;
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_step(needle, 0.1));
+    assert_true(hash_of(needle) == hash && n->generation == generation);
+    end(&f);
+}
+
+static void other_rounding_is_refused(void **state)
+{
+    (void)state;
+    fixture f;
+    begin(&f);
+    vbss_needle *needle = make(&f);
+    uint64_t hash = hash_of(needle);
+    assert_int_equal(fesetround(FE_UPWARD), 0);
+    vbss_result result = vbss_needle_step(needle, 1e-3);
+    assert_int_equal(fesetround(FE_TONEAREST), 0);
+    expect_result(VBSS_ERROR_ARITHMETIC_MODE, result);
+    assert_true(hash_of(needle) == hash);
+    end(&f);
+}
+
+int test_needle_life(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(structs_that_go_out_keep_the_size_protocol),
+        harness_test(wrong_handles_are_told_by_every_call),
+        harness_test(nothing_changes_from_inside_a_callback),
+        harness_test(in_a_scene_the_host_may_only_look),
+        harness_test(it_begins_where_its_configuration_says),
+        harness_test(it_can_be_put_anywhere),
+        harness_test(bad_states_change_nothing),
+        harness_test(bad_steps_places_and_fields_are_told),
+        harness_test(a_step_without_a_finite_end_changes_nothing),
+        harness_test(other_rounding_is_refused),
+    };
+    return cmocka_run_group_tests_name("needle.needle_life", tests, NULL, NULL);
+}
