@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include <vblast_ss/needle.h>
+
 #include "scenes/collision_sets.h"
 #include "scenes/device_run.h"
 #include "scenes/drain_hands.h"
@@ -470,7 +472,7 @@ static void run_drain_hands(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
-/* ---- needles: one that tumbles, falls and is slowed down, and a stout one, hashed together after every 20 steps */
+/* ---- needles: a thin and a stout one, thrown and slowed down, hashed together after every 20 steps */
 
 enum { NEEDLES = 2 };
 
