@@ -2,9 +2,9 @@
  * @file needle.h
  * @brief A curved suture needle: a rigid arc of round wire.
  *
- * A needle flies alone (#vbss_needle_step) or is added to a scene (#vbss_scene_add_needle), where it touches,
- * is grasped and carries a thread. For contact it is a chain of straight capsules whose ends lie on its arc; mass
- * and inertia are those of the arc itself, exactly.
+ * A needle flies alone (#vbss_needle_step) or is added to a scene, where it touches, is grasped and carries a thread.
+ * For contact it is a chain of straight capsules whose ends lie on its arc; mass and inertia are those of the arc
+ * itself, exactly.
  *
  * Frame of the needle: the origin is the centre of its arc, which lies in the plane z = 0. The *tip* is at
  * (radius, 0, 0) and points along +y; the body of the needle goes back clockwise about +z, to the *swage*, where the

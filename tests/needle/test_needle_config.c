@@ -97,15 +97,26 @@ typedef struct number {
     {                                                      \
         offsetof(vbss_needle_config, field), (low), (high) \
     }
-#define VECTOR(field, most)                                               \
-    NUMBER(field[0], -(most), (most)), NUMBER(field[1], -(most), (most)), \
-        NUMBER(field[2], -(most), (most))
 
 static const number numbers[] = {
-    NUMBER(radius, 1e-4, 1.0),     NUMBER(wire_radius, 1e-6, 0.2), NUMBER(arc, 0.1, 6.0),
-    NUMBER(density, 1.0, 1e5),     NUMBER(friction, 0.0, 10.0),    NUMBER(drag, 0.0, 1e6),
-    VECTOR(gravity, 1e6),          VECTOR(position, 1e3),          VECTOR(velocity, 1e5),
-    VECTOR(angular_velocity, 1e6),
+    NUMBER(radius, 1e-4, 1.0),
+    NUMBER(wire_radius, 1e-6, 0.2),
+    NUMBER(arc, 0.1, 6.0),
+    NUMBER(density, 1.0, 1e5),
+    NUMBER(friction, 0.0, 10.0),
+    NUMBER(drag, 0.0, 1e6),
+    NUMBER(gravity[0], -1e6, 1e6),
+    NUMBER(gravity[1], -1e6, 1e6),
+    NUMBER(gravity[2], -1e6, 1e6),
+    NUMBER(position[0], -1e3, 1e3),
+    NUMBER(position[1], -1e3, 1e3),
+    NUMBER(position[2], -1e3, 1e3),
+    NUMBER(velocity[0], -1e5, 1e5),
+    NUMBER(velocity[1], -1e5, 1e5),
+    NUMBER(velocity[2], -1e5, 1e5),
+    NUMBER(angular_velocity[0], -1e6, 1e6),
+    NUMBER(angular_velocity[1], -1e6, 1e6),
+    NUMBER(angular_velocity[2], -1e6, 1e6),
 };
 
 static void with_number(fixture *f, const number *n, double value, vbss_result wanted)

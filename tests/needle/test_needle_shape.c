@@ -19,9 +19,11 @@ static void sum_over_volume(const vbss_needle_config *c, summand add, void *sums
 {
     double r = c->wire_radius, part = c->arc / ALONG;
     for (int i = 0; i < 5 * ALONG; i++) {
-        double theta = -part * (i / 5 + 0.5 + 0.5 * nodes[i % 5]);
+        int along = i / 5;
+        double theta = -part * (along + 0.5 + 0.5 * nodes[i % 5]);
         for (int j = 0; j < 5 * AROUND; j++) {
-            double u = 0.5 * r * (1.0 + nodes[j % 5]), psi = 2.0 * PI * (j / 5) / AROUND;
+            int around = j / 5;
+            double u = 0.5 * r * (1.0 + nodes[j % 5]), psi = 2.0 * PI * around / AROUND;
             double q = c->radius + u * cos(psi);
             double volume = 0.5 * part * weights[i % 5] * 0.5 * r * weights[j % 5] * u *
                             (2.0 * PI / AROUND) * q;
