@@ -14,7 +14,7 @@ typedef enum needle_scene_moment {
     NEEDLE_SCENE_TAKEN = 400,   /* by the first, on the floor yet */
     NEEDLE_SCENE_LIFTED = 780,  /* 20 mm */
     NEEDLE_SCENE_BOTH = 1060,   /* hold it */
-    NEEDLE_SCENE_HANDED = 1150, /* the first has let go, and is still round it */
+    NEEDLE_SCENE_HANDED = 1110, /* the first has let go, and is still round it */
     NEEDLE_SCENE_DROPPED = 2000 /* lies on the floor, beside where it was */
 } needle_scene_moment;
 
