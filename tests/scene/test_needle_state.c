@@ -1,4 +1,6 @@
 /* Saving, restoring and hashing of scenes with needles in jaws; steps that fail, and allocate nothing. */
+#include <stdlib.h>
+
 #include "scene/needles_rig.h"
 #include "scenes/needle_scenes.h"
 
@@ -35,8 +37,9 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     for (int i = 0; i < MOMENTS; i++) {
         harness_save_restore_continue(&body, moments[i], 60);
     }
-    harness_save_restore_continue(&body, 300, 20);  /* it is taken, and settles */
-    harness_save_restore_continue(&body, 1099, 20); /* it is let go */
+    harness_save_restore_continue(&body, 300, 10);  /* it is taken, */
+    harness_save_restore_continue(&body, 320, 60);  /* settles in the jaws, */
+    harness_save_restore_continue(&body, 1099, 20); /* is let go */
 }
 
 static void steps_allocate_nothing(void **state)
@@ -49,6 +52,52 @@ static void bad_snapshots_are_refused(void **state)
 {
     (void)state;
     harness_refuses_bad_snapshots(&body, NEEDLE_SCENE_BOTH);
+}
+
+static void spoil(scene_hold *hold, int which)
+{
+    double *numbers[] = {&hold->age,   &hold->slid,    &hold->turned,
+                         &hold->limit, &hold->force.x, &hold->torque.z};
+    const uint32_t nobodies[] = {NEEDLE_SCENE_THREAD, NEEDLE_SCENE_SECOND, 77};
+    if (which < 3) {
+        hold->needle = nobodies[which];
+    } else if (which < 9) {
+        *numbers[which - 3] = DBL_MAX * 10.0;
+    } else if (which == 9) {
+        hold->arc = -1e-3;
+    } else if (which == 10) {
+        hold->arc = 0.04;
+    } else if (which == 11) {
+        hold->angle = 0.0;
+    } else if (which == 12) {
+        hold->at.position.y = 2.0;
+    } else {
+        hold->at.orientation.w += 0.1;
+    }
+}
+
+/* What the harness would not guess: sealed snapshots of holds that cannot be. */
+static void a_hold_that_cannot_be_is_refused(void **state)
+{
+    (void)state;
+    small s;
+    small_begin(&s);
+    expect_ok(needle_scene_create(s.context, &s.scene));
+    for (int i = 0; i < NEEDLE_SCENE_BOTH; i++) {
+        expect_ok(needle_scene_step(s.scene));
+    }
+    scene_hold *hold = &vbss_scene_body(small_object(&s), NEEDLE_SCENE_FIRST)->rigid.hold;
+    uint64_t hash = small_hash(&s);
+    for (int which = 0; which < 14; which++) {
+        const scene_hold own = *hold;
+        spoil(hold, which);
+        small_state bad = small_save(&s);
+        *hold = own;
+        expect_result(VBSS_ERROR_CORRUPT, vbss_scene_restore(s.scene, bad.bytes, bad.count));
+        assert_true(small_hash(&s) == hash);
+        free(bad.bytes);
+    }
+    small_end(&s);
 }
 
 /* ---- the moments */
@@ -232,6 +281,7 @@ int test_needle_state(void)
         harness_test(a_restored_scene_goes_on_to_the_same_bits),
         harness_test(steps_allocate_nothing),
         harness_test(bad_snapshots_are_refused),
+        harness_test(a_hold_that_cannot_be_is_refused),
         harness_test(a_step_that_fails_changes_nothing),
     };
     return cmocka_run_group_tests_name("scene.needle_state", tests, NULL, NULL);
