@@ -1,0 +1,180 @@
+/* The clamp of the jaws as a spring: what a needle on it swings like; and what hangs on the needle. */
+#include "scene/needles_rig.h"
+
+/* ---- swings */
+
+/* A tool that is as good as fast, jaws that press harder than the needle pulls. */
+static void hold_fast(needles_rig *r)
+{
+    needles_begin_scene(r);
+    r->tools.config.stiffness = r->tools.config.turning_stiffness = 1e9;
+    r->tools.config.closing_force = 1000.0;
+    r->tools.config.needle_torque = 100.0;
+    needles_hold(r);
+}
+
+static scene_rigid *needle_of(needles_rig *r)
+{
+    return &vbss_scene_body(small_object(&r->tools.s), r->body)->rigid;
+}
+
+/* Of v' = -w^2 x a step of backward Euler takes x + v / (i w) times 1 / (1 + i w h): the amplitude shrinks by
+ * (1 + w^2 h^2)^(-1/2), the phase goes on by atan(w h). The velocity after n steps, that at the begin being 1. */
+static double velocity_after(int n, double wh)
+{
+    return pow(1.0 + wh * wh, -0.5 * n) * cos(n * atan(wh));
+}
+
+/* The middle of what is held and that of mass lie on the line across the faces: a push along it turns nothing, a spin
+ * about it moves nothing. From a tenth of a radian a step to a hundredth. */
+static void it_swings_as_backward_euler_does(void **state)
+{
+    (void)state;
+    const double steps[3] = {1e-5, 3e-6, 1e-6};
+    for (int k = 0; k < 6; k++) {
+        needles_rig r;
+        hold_fast(&r);
+        bool turns = k >= 3;
+        const vbss_needle_mass m = needles_mass(&r);
+        scene_rigid *n = needle_of(&r);
+        double h = steps[k % 3], inertia = m.inertia[0]; /* about the middle of the arc */
+        double w = turns ? sqrt(r.tools.config.needle_turning_stiffness / inertia)
+                         : sqrt(r.tools.config.needle_stiffness / m.mass);
+        double begin = turns ? 100.0 : 1.0, worst = 0.0;
+        vec3 *speed = turns ? &n->body.now.w : &n->body.now.v;
+        *speed = vec3_make(begin, 0.0, 0.0);
+        for (int i = 1; i <= 400; i++) {
+            small_steps(&r.tools.s, 1, h);
+            worst = greater(worst, fabs(speed->x / begin - velocity_after(i, w * h)));
+            assert_true(hypot(speed->y, speed->z) < 1e-3 * begin);
+        }
+        assert_true(worst < 5e-4);
+        expect_near(0.0, tools_grasp(&r.tools, 0, 0).slid, 0.0);
+        needles_end(&r);
+    }
+}
+
+/* About an axis in the faces it is half as stiff as about their normal: turned by its weight, which is beside the jaws. */
+static void it_leans_by_its_weight(void **state)
+{
+    (void)state;
+    needles_rig r;
+    hold_fast(&r);
+    scene_rigid *n = needle_of(&r);
+    pose before = n->body.now.at;
+    vec3 held = vec3_load(tools_grasp(&r.tools, 0, 0).position);
+    double arm = fabs(before.position.x - held.x), weight = 1e-3 / arm; /* 1e-3 N m */
+    n->body.gravity = vec3_make(0.0, -weight / n->body.mass, 0.0);
+    n->body.drag = 1e3;
+    tools_steps(&r.tools, 1000);
+    const scene_hold *hold =
+        &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.hold;
+    quat q = quat_mul(n->body.now.at.orientation, quat_conjugate(before.orientation));
+    vec3 turn = vbss_quat_to_rotation_vector(q);
+    double angle = 1e-3 / (0.5 * r.tools.config.needle_turning_stiffness);
+    expect_near(angle, fabs(turn.z), 1e-3 * angle);
+    expect_near(weight, hold->force.y, 1e-6 * weight);
+    expect_near(1e-3, fabs(hold->torque.z), 1e-6);
+    double sunk = held.y - tools_grasp(&r.tools, 0, 0).position[1];
+    expect_near(weight / r.tools.config.needle_stiffness, sunk, 1e-3 * sunk);
+    needles_end(&r);
+}
+
+/* ---- the swage */
+
+typedef struct strung {
+    needles_rig rig;
+    double thread_mass, length;
+} strung;
+
+static vec3 swage_of(const needles_rig *r)
+{
+    return vec3_load(needles_state(r).swage);
+}
+
+/* A needle in jaws, its thread hanging from the swage. */
+static void begin_strung(strung *g)
+{
+    enum { SEGMENTS = 40 };
+    needles_rig *r = &g->rig;
+    uint32_t pin;
+    needles_begin_scene(r);
+    r->tools.config.stiffness = 2000.0;
+    r->tools.config.damping = 10.0;
+    needles_hold(r);
+    needle_of(r)->body.gravity =
+        vec3_make(0.0, 0.0, -9.81); /* or it would fall before the jaws close */
+    vbss_thread_config *c = &r->tools.s.thread;
+    c->gravity[2] = -9.81;
+    c->damping = 20.0;
+    c->drag = 5.0;
+    g->length = 0.04;
+    g->thread_mass = c->linear_density * g->length;
+    vec3 swage = swage_of(r);
+    r->tools.body =
+        small_thread(&r->tools.s, swage, vec3_add(swage, vec3_make(0.0, 0.0, -g->length)), SEGMENTS,
+                     &r->tools.thread);
+    expect_ok(vbss_scene_pin_thread(r->tools.s.scene, r->tools.body, 0, r->body, NULL, &pin));
+}
+
+static void the_thread_goes_where_the_swage_goes(void **state)
+{
+    (void)state;
+    strung g;
+    begin_strung(&g);
+    needles_rig *r = &g.rig;
+    double apart = 0.0, loosest = 0.0;
+    vec3 before = swage_of(r);
+    for (uint32_t i = 1; i <= 400; i++) {
+        double share = i / 400.0, turn = 0.25 * share;
+        const double to[3] = {30e-3 * share, 0.0, -2e-3 + 10e-3 * share};
+        const double way[4] = {cos(turn), 0.0, sin(turn), 0.0};
+        expect_ok(vbss_grasper_move(r->tools.tools[0], to, way));
+        tools_steps(&r->tools, 1);
+        apart = greater(apart, vec3_distance(swage_of(r), tools_node(&r->tools, 0)));
+        loosest = greater(loosest, vec3_distance(swage_of(r), tools_node(&r->tools, 40)));
+    }
+    assert_true(apart < 1e-15);
+    assert_true(vec3_distance(before, swage_of(r)) > 30e-3 &&
+                vec3_distance(before, swage_of(r)) < 40e-3);
+    assert_true(loosest < g.length * (1.0 + 1e-3));
+    assert_int_equal(small_statistics(&r->tools.s).clamped, 0);
+    needles_end(r);
+}
+
+/* At rest the clamp bears the weights of both, and about the middle of what it holds the torque of both. */
+static void jaws_bear_needle_and_thread(void **state)
+{
+    (void)state;
+    strung g;
+    begin_strung(&g);
+    needles_rig *r = &g.rig;
+    tools_steps(&r->tools, 3000);
+    const vbss_needle_mass m = needles_mass(r);
+    const scene_hold *hold =
+        &vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[0])->rigid.hold;
+    vec3 held = vec3_load(tools_grasp(&r->tools, 0, 0).position);
+    vec3 centre = vbss_scene_body(small_object(&r->tools.s), r->body)->rigid.body.now.at.position;
+    vec3 down = vec3_make(0.0, 0.0, -9.81);
+    vec3 of_needle = vec3_scale(down, m.mass), of_thread = vec3_scale(down, g.thread_mass);
+    vec3 torque = vec3_add(vec3_cross(vec3_sub(centre, held), of_needle),
+                           vec3_cross(vec3_sub(swage_of(r), held), of_thread));
+    double all = vec3_norm(of_needle) + vec3_norm(of_thread);
+    vec3 force = vec3_add(hold->force, vec3_add(of_needle, of_thread));
+    assert_true(vec3_norm(force) < 1e-6 * all);
+    assert_true(vec3_norm(vec3_add(torque, hold->torque)) < 1e-5 * vec3_norm(torque));
+    vec3 seen = vec3_load(tools_grasp(&r->tools, 0, 0).force);
+    expect_near(0.0, vec3_distance(seen, hold->force), 0.0);
+    needles_end(r);
+}
+
+int test_needle_clamp(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(it_swings_as_backward_euler_does),
+        harness_test(it_leans_by_its_weight),
+        harness_test(the_thread_goes_where_the_swage_goes),
+        harness_test(jaws_bear_needle_and_thread),
+    };
+    return cmocka_run_group_tests_name("scene.needle_clamp", tests, NULL, NULL);
+}
