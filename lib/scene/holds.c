@@ -316,7 +316,7 @@ void vbss_scene_settle_holds(scene_object *s, double h)
         }
         if (!b->rigid.hold.let_go) {
             settle(s, b, h);
-        } else if (!b->rigid.hold.torn && is_clear(s, b, 1.0)) {
+        } else if (is_clear(s, b, 1.0)) {
             b->rigid.hold = (scene_hold){0};
         }
     }

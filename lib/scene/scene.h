@@ -82,7 +82,7 @@ typedef struct scene_hold {
     vec3 force, torque; /* on the needle about that place, after the last step */
     bool sliding;       /* it slid or turned in the last step */
     bool let_go;        /* not held any more, but not clear of the jaws yet */
-    bool torn;          /* nor taken again before the handle has been opened */
+    bool torn;          /* nor taken again before the handle has been opened, or it is clear */
 } scene_hold;
 
 /* A wall of a drain in the jaws of a grasper. */

@@ -65,8 +65,9 @@ static bool is_hold(const scene_object *s, const scene_hold *hold)
     return hold->arc >= 0.0 && hold->arc <= vbss_needle_length(b->rigid.needle) &&
            hold->angle > 0.0 && hold->angle <= 1.6 && hold->age >= 0.0 && isfinite(hold->age) &&
            isfinite(hold->slid) && isfinite(hold->turned) && isfinite(hold->limit) &&
-           vec3_norm(hold->at.position) <= 1.0 && fabs(quat_dot(q, q) - 1.0) < 1e-6 &&
-           vec3_is_finite(hold->force) && vec3_is_finite(hold->torque);
+           vec3_norm(hold->at.position) <= 2.0 && /* jaws are at most 1 m long */
+           fabs(quat_dot(q, q) - 1.0) < 1e-6 && vec3_is_finite(hold->force) &&
+           vec3_is_finite(hold->torque);
 }
 
 static void visit_pinch(vbss_stream *stream, scene_pinch *p)

@@ -168,6 +168,42 @@ static void jaws_bear_needle_and_thread(void **state)
     needles_end(r);
 }
 
+/* ---- torn out */
+
+/* The needle is as good as fast; the jaws are drawn off it, come back shut and aside, and are pushed against it where they
+ * held it: once clear of it they touch it there, and nothing goes through. */
+static void what_was_torn_out_is_touched_again(void **state)
+{
+    (void)state;
+    needles_rig r;
+    uint32_t event[4], torn = 0;
+    needles_begin_scene(&r);
+    r.tools.config.stiffness = 2000.0;
+    r.tools.config.damping = 10.0;
+    r.tools.config.closing_force = 1.0;
+    needles_hold(&r);
+    needle_of(&r)->body.drag = 1e7;
+    const vec3 way[4] = {
+        {0.0, 0.0, -2e-3}, {0.0, 0.0, 28e-3}, {10e-3, 0.0, 28e-3}, {10e-3, 0.0, -4e-3}};
+    for (uint32_t k = 0; k < 3; k++) {
+        for (uint32_t i = 1; i <= 400; i++) {
+            tools_move(&r.tools, 0, vec3_lerp(way[k], way[k + 1], i / 400.0));
+            tools_steps(&r.tools, 1);
+            torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+        }
+    }
+    assert_int_equal(torn, 1);
+    double middle = 0.5 * r.config.arc * r.config.radius;
+    vec3 before = needles_place(&r, middle, NULL);
+    tools_way(&r.tools, 0, way[3], vec3_make(-5e-3, 0.0, -4e-3), 400);
+    double touching = r.tools.config.driver_radius + r.config.wire_radius;
+    double apart = tools_state(&r.tools, 0).position[0] - needles_place(&r, middle, NULL).x;
+    assert_true(apart > touching && vec3_distance(before, needles_place(&r, middle, NULL)) < 1e-3);
+    assert_true(tools_hand_force(&r.tools, 0).x > 1.0);
+    assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
+    needles_end(&r);
+}
+
 int test_needle_clamp(void)
 {
     const struct CMUnitTest tests[] = {
@@ -175,6 +211,7 @@ int test_needle_clamp(void)
         harness_test(it_leans_by_its_weight),
         harness_test(the_thread_goes_where_the_swage_goes),
         harness_test(jaws_bear_needle_and_thread),
+        harness_test(what_was_torn_out_is_touched_again),
     };
     return cmocka_run_group_tests_name("scene.needle_clamp", tests, NULL, NULL);
 }

@@ -70,7 +70,7 @@ static void spoil(scene_hold *hold, int which)
     } else if (which == 11) {
         hold->angle = 0.0;
     } else if (which == 12) {
-        hold->at.position.y = 2.0;
+        hold->at.position.y = 3.0;
     } else {
         hold->at.orientation.w += 0.1;
     }
@@ -98,6 +98,31 @@ static void a_hold_that_cannot_be_is_refused(void **state)
         free(bad.bytes);
     }
     small_end(&s);
+}
+
+/* Jaws of the greatest length hold it by their ends, more than a metre from the pivot. */
+static void long_jaws_are_restored(void **state)
+{
+    (void)state;
+    needles_rig r;
+    needles_begin_scene(&r);
+    r.tools.config.driver_length = 1.0;
+    r.tools.config.driver_radius = 2e-3;
+    r.tools.config.driver_opening = 0.02;
+    needles_add_across(&r, 0.5 * r.config.arc * r.config.radius, vec3_make(1e-3, 0.0, 0.0));
+    tools_add(&r.tools, vec3_make(0.0, 0.0, -1e-7));
+    tools_open(&r.tools, 0, 0.0);
+    for (int i = 0; i < 50 && tools_state(&r.tools, 0).grasp_count == 0; i++) {
+        tools_steps(&r.tools, 1);
+    }
+    assert_int_equal(tools_state(&r.tools, 0).grasp_count, 1);
+    uint64_t hash = small_hash(&r.tools.s);
+    small_state saved = small_save(&r.tools.s);
+    tools_steps(&r.tools, 5);
+    expect_ok(vbss_scene_restore(r.tools.s.scene, saved.bytes, saved.count));
+    assert_true(small_hash(&r.tools.s) == hash);
+    free(saved.bytes);
+    needles_end(&r);
 }
 
 /* ---- the moments */
@@ -282,6 +307,7 @@ int test_needle_state(void)
         harness_test(steps_allocate_nothing),
         harness_test(bad_snapshots_are_refused),
         harness_test(a_hold_that_cannot_be_is_refused),
+        harness_test(long_jaws_are_restored),
         harness_test(a_step_that_fails_changes_nothing),
     };
     return cmocka_run_group_tests_name("scene.needle_state", tests, NULL, NULL);
