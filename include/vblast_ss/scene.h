@@ -280,12 +280,13 @@ typedef struct vbss_scene_statistics {
 
 /** A hole of a needle in a drain. */
 typedef struct vbss_hole {
-    uint32_t struct_size;   /**< Bytes of this struct that the library filled. */
-    uint32_t id;            /**< From 1 on, in the order in which they were made; none twice. */
-    uint32_t needle, drain; /**< Numbers in the scene. */
-    uint32_t triangle;      /**< Of the drain. */
-    uint32_t outward;       /**< 1: the tip went through from inside; 0: from outside. */
-    double weights[3];      /**< Of the triangle's nodes in the hole. */
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    uint32_t id;          /**< From 1 on, in the order in which they were made; none twice. */
+    uint32_t needle;      /**< Its number in the scene. */
+    uint32_t drain;       /**< The same. */
+    uint32_t triangle;    /**< Of the drain. */
+    uint32_t outward;     /**< 1: the tip went through from inside; 0: from outside. */
+    double weights[3];    /**< Of the triangle's nodes in the hole. */
     double
         rest_position[3]; /**< Of that point of the drain at rest, m: VBSS_DRAIN_REST_POSITIONS. */
     double position[3];   /**< Where it is, in the middle of the wall, m. */

@@ -14,6 +14,14 @@ typedef struct crossing {
     double weights[3], x; /* along the way the jaws open, from their middle */
 } crossing;
 
+/* A place of the jaws, so far from the pivot, from one jaw to the other; the walls across it, of which the nearest to the
+ * middle is kept. */
+typedef struct gap {
+    double depth, wide;
+    uint32_t layers;
+    crossing nearest;
+} gap;
+
 /* Where a straight line from one jaw to the other meets a triangle, all in the jaws' frame, y = 0, z = -depth. */
 static bool meets(const vec3 corner[3], double depth, crossing *found)
 {
@@ -35,24 +43,34 @@ static bool meets(const vec3 corner[3], double depth, crossing *found)
     return found->weights[0] >= 0.0 && found->weights[1] >= 0.0 && found->weights[2] >= 0.0;
 }
 
-/* Of the layers of wall there, the one nearest to the middle; returns how many there are. */
-static uint32_t cross_at(const drain_object *d, pose jaws, double depth, double wide,
-                         crossing *nearest)
+/* The jaws' middle plane goes through it. */
+static bool is_across(const vec3 corner[3])
 {
-    uint32_t layers = 0;
-    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
+    bool one = corner[0].y > 0.0 || corner[1].y > 0.0 || corner[2].y > 0.0;
+    bool other = corner[0].y < 0.0 || corner[1].y < 0.0 || corner[2].y < 0.0;
+    return one && other;
+}
+
+static void cross_all(const scene_drain *b, pose jaws, gap gaps[PLACES])
+{
+    const drain_mesh *m = &b->drain->mesh;
+    vec3 *x = b->vertices; /* room that a search has left */
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        x[i] = pose_apply_inverse(jaws, b->drain->x[i]);
+    }
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
         crossing found = {.triangle = t};
-        vec3 corner[3];
-        for (int k = 0; k < 3; k++) {
-            corner[k] = pose_apply_inverse(jaws, d->x[d->mesh.triangles[t][k]]);
-        }
-        if (meets(corner, depth, &found) && fabs(found.x) <= 0.5 * wide) {
-            bool nearer = layers == 0 || fabs(found.x) < fabs(nearest->x);
-            *nearest = nearer ? found : *nearest;
-            layers++;
+        const vec3 corner[3] = {x[m->triangles[t][0]], x[m->triangles[t][1]],
+                                x[m->triangles[t][2]]};
+        for (uint32_t i = 0; is_across(corner) && i < PLACES; i++) {
+            gap *g = &gaps[i];
+            if (meets(corner, g->depth, &found) && fabs(found.x) <= 0.5 * g->wide) {
+                bool nearer = g->layers == 0 || fabs(found.x) < fabs(g->nearest.x);
+                g->nearest = nearer ? found : g->nearest;
+                g->layers++;
+            }
         }
     }
-    return layers;
 }
 
 static bool is_near(const drain_object *d, pose jaws, double length)
@@ -66,12 +84,12 @@ static bool is_near(const drain_object *d, pose jaws, double length)
     return false;
 }
 
-static void take_point(scene_pinch *p, uint32_t k, const crossing *at, double depth)
+static void take_point(scene_pinch *p, uint32_t k, const gap *at)
 {
-    p->triangle[k] = at->triangle;
-    p->at[k] = vec3_make(at->x, 0.0, -depth);
+    p->triangle[k] = at->nearest.triangle;
+    p->at[k] = vec3_make(at->nearest.x, 0.0, -at->depth);
     for (int i = 0; i < 3; i++) {
-        p->weights[k][i] = at->weights[i];
+        p->weights[k][i] = at->nearest.weights[i];
     }
 }
 
@@ -79,33 +97,33 @@ static void take_point(scene_pinch *p, uint32_t k, const crossing *at, double de
 static void look_along(const scene_body *tool, const scene_body *b, scene_pinch *found)
 {
     const grasper_object *g = tool->rigid.grasper;
-    const drain_object *d = b->drain.drain;
     pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.at);
-    double length = vbss_grasper_jaws_now(g)->length, wall = d->config.thickness;
-    crossing places[PLACES];
-    double depths[PLACES];
+    double length = vbss_grasper_jaws_now(g)->length, wall = b->drain.drain->config.thickness;
+    gap gaps[PLACES];
     uint32_t count = 0;
     *found = (scene_pinch){0};
-    if (!is_near(d, jaws, length)) {
+    if (!is_near(b->drain.drain, jaws, length)) {
         return;
     }
-    for (uint32_t i = 1; i <= PLACES; i++) {
-        double depth = length * i / PLACES;
-        uint32_t layers =
-            cross_at(d, jaws, depth, vbss_grasper_mouth(g->angle, depth), &places[count]);
-        double angle = vbss_grasper_touching_angle(layers * wall, depth);
+    for (uint32_t i = 0; i < PLACES; i++) {
+        double depth = length * (i + 1) / PLACES;
+        gaps[i] = (gap){.depth = depth, .wide = vbss_grasper_mouth(g->angle, depth)};
+    }
+    cross_all(&b->drain, jaws, gaps);
+    for (uint32_t i = 0; i < PLACES; i++) {
+        double thick = gaps[i].layers * wall;
         /* Nearer to the pivot than it is thick it stands in the corner of the mouth, and stops nothing. */
-        if (layers > 0 && depth > layers * wall) {
-            found->angle = greater(angle, found->angle);
-            depths[count++] = depth;
+        if (gaps[i].layers > 0 && gaps[i].depth > thick) {
+            found->angle = greater(vbss_grasper_touching_angle(thick, gaps[i].depth), found->angle);
+            gaps[count++] = gaps[i];
         }
     }
     if (count > 0) {
         found->drain = b->number;
         found->count = count < PINCH_POINTS ? count : PINCH_POINTS;
         for (uint32_t k = 0; k < found->count; k++) {
-            uint32_t i = found->count > 1 ? k * (count - 1) / (found->count - 1) : 0;
-            take_point(found, k, &places[i], depths[i]);
+            take_point(found, k,
+                       &gaps[found->count > 1 ? k * (count - 1) / (found->count - 1) : 0]);
         }
     }
 }

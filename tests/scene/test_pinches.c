@@ -1,4 +1,6 @@
 /* Jaws that close on the wall of a drain hold it, draw it along, let it slide where they pull too hard, and let it go. */
+#include <stdlib.h>
+
 #include "scene/tools_rig.h"
 
 /* From the wall's direction, rad; and how far the handle is open on the way there. */
@@ -180,6 +182,47 @@ static void it_slides_out_of_jaws_that_pull_too_hard(void **state)
     end(&r);
 }
 
+static void a_restored_hold_goes_on_to_the_same_bits(void **state)
+{
+    (void)state;
+    wall_rig r;
+    pinch(&r);
+    vec3 up = vec3_make(0.0, 1e-3, 0.0);
+    tools_way(&r.tools, 0, r.tip, vec3_add(r.tip, up), 50);
+    small_state saved = small_save(&r.tools.s);
+    tools_steps(&r.tools, 30);
+    uint64_t wanted = small_hash(&r.tools.s);
+    tools_steps(&r.tools, 30);
+    expect_ok(vbss_scene_restore(r.tools.s.scene, saved.bytes, saved.count));
+    assert_int_equal(tools_state(&r.tools, 0).drain, r.body);
+    tools_steps(&r.tools, 30);
+    assert_int_equal(wanted, small_hash(&r.tools.s));
+    free(saved.bytes);
+    end(&r);
+}
+
+/* A tool that is exchanged, removed, or whose drain is: nobody holds anything. */
+static void what_is_gone_holds_nothing(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        wall_rig r;
+        pinch(&r);
+        expect_ok(vbss_scene_remove(r.tools.s.scene, k == 0 ? r.body : r.tools.bodies[0]));
+        tools_steps(&r.tools, 50);
+        if (k == 0) {
+            assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
+            expect_near(0.0, tools_state(&r.tools, 0).jaw_angle, 0.0);
+        } else {
+            drain_object *d;
+            expect_ok(vbss_drain_open(r.drain, &d));
+            tools_steps(&r.tools, 300);
+            expect_near(0.0, vec3_distance(d->mesh.rest[r.lip], node_at(&r, r.lip)), 0.02e-3);
+        }
+        end(&r);
+    }
+}
+
 int test_pinches(void)
 {
     const struct CMUnitTest tests[] = {
@@ -187,6 +230,8 @@ int test_pinches(void)
         harness_test(the_wall_follows_the_tool),
         harness_test(what_is_let_go_comes_back),
         harness_test(it_slides_out_of_jaws_that_pull_too_hard),
+        harness_test(a_restored_hold_goes_on_to_the_same_bits),
+        harness_test(what_is_gone_holds_nothing),
     };
     return cmocka_run_group_tests_name("scene.pinches", tests, NULL, NULL);
 }
