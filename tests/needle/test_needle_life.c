@@ -188,6 +188,7 @@ static void in_a_scene_the_host_may_only_look(void **state)
     uint64_t generation = inside(needle)->generation;
     vbss_needle_follow(inside(needle), &inside(twin)->body.now, 5);
     assert_true(inside(needle)->generation > generation);
+    assert_memory_equal(&inside(twin)->body, &inside(needle)->body, sizeof(vbss_rigid));
     vbss_needle_state seen = look(needle);
     assert_int_equal(seen.body, 5);
     seen.body = 0;
