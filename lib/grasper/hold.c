@@ -66,14 +66,13 @@ static void settle(pose *at, double *age, double h)
     *age += h;
 }
 
-/* Where the jaws begin it stops; past their end, aside, or out of jaws that are pried open it is free. */
+/* Where the jaws begin it stops; past their end, or out of jaws that are pried open, it is free. */
 static bool stays(const grasper_object *g, pose *at)
 {
     const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
     at->position.z = lesser(at->position.z, 0.0);
     vec3 middle = at->position;
-    return -middle.z <= j->length + j->radius && fabs(middle.x) <= 2.0 * j->radius &&
-           fabs(middle.y) <= j->radius;
+    return -middle.z <= j->length + j->radius && fabs(middle.x) <= 2.0 * j->radius;
 }
 
 hold_change vbss_hold_yield(const grasper_object *g, pose *at, double *age, const hold_load *load)

@@ -263,20 +263,20 @@ static hold_load load_of(const scene_rigid *needle, const scene_rigid *tool)
 }
 
 /* What has slid aside is held by another place of its arc, by the one that is in the middle of the jaws; false: it has no
- * such place any more. */
+ * such place any more, or has gone aside without one. */
 static bool hold_elsewhere(const needle_object *n, const grasper_object *g, scene_hold *hold)
 {
     vec3 way = quat_rotate(hold->at.orientation, vec3_make(0.0, 1.0, 0.0));
-    double aside = hold->at.position.y;
-    if (fabs(aside) <= ASIDE * vbss_grasper_jaws_now(g)->radius || fabs(way.y) < LEAST_ALONG) {
-        return true;
+    double aside = hold->at.position.y, radius = vbss_grasper_jaws_now(g)->radius;
+    if (fabs(aside) > ASIDE * radius && fabs(way.y) >= LEAST_ALONG) {
+        double arc = hold->arc + aside / way.y; /* arc length grows away from the tip */
+        pose other = pose_mul(pose_inverse(frame_at(n, hold->arc)), frame_at(n, arc));
+        hold->at = pose_mul(hold->at, other);
+        hold->at.orientation = quat_unit(hold->at.orientation);
+        hold->arc = arc;
     }
-    double arc = hold->arc + aside / way.y; /* arc length grows away from the tip */
-    pose other = pose_mul(pose_inverse(frame_at(n, hold->arc)), frame_at(n, arc));
-    hold->at = pose_mul(hold->at, other);
-    hold->at.orientation = quat_unit(hold->at.orientation);
-    hold->arc = arc;
-    return arc >= 0.0 && arc <= vbss_needle_length(n);
+    return hold->arc >= 0.0 && hold->arc <= vbss_needle_length(n) &&
+           fabs(hold->at.position.y) <= radius;
 }
 
 static void settle(scene_object *s, scene_body *tool, double h)

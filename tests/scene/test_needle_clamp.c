@@ -204,6 +204,39 @@ static void what_was_torn_out_is_touched_again(void **state)
     needles_end(&r);
 }
 
+/* ---- drawn along itself */
+
+/* A long flat arc, as good as fast, along which the jaws are drawn: it slides through them until its end, whatever the
+ * speed. */
+static void it_slides_along_itself_until_its_end(void **state)
+{
+    (void)state;
+    const double speeds[3] = {0.1, 0.5, 2.0};
+    for (int k = 0; k < 3; k++) {
+        needles_rig r;
+        uint32_t event[4], torn = 0;
+        double way = 0.0;
+        needles_begin_scene(&r);
+        r.tools.config.stiffness = r.tools.config.turning_stiffness = 1e6;
+        r.tools.config.damping = 10.0;
+        r.tools.config.closing_force = 1.0;
+        r.config.radius = 0.2;
+        r.config.arc = 0.2;
+        needles_hold(&r);
+        needle_of(&r)->body.drag = 1e9;
+        for (int i = 0; torn == 0 && way < 0.1; i++) {
+            way += speeds[k] * 1e-3;
+            tools_move(&r.tools, 0, vec3_make(0.0, way, -2e-3));
+            tools_steps(&r.tools, 1);
+            torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+        }
+        assert_int_equal(torn, 1);
+        assert_int_equal(event[3], 0); /* over its tip */
+        expect_near(0.5 * r.config.arc * r.config.radius, way, 1e-3 + 2e-3 * speeds[k]);
+        needles_end(&r);
+    }
+}
+
 int test_needle_clamp(void)
 {
     const struct CMUnitTest tests[] = {
@@ -212,6 +245,7 @@ int test_needle_clamp(void)
         harness_test(the_thread_goes_where_the_swage_goes),
         harness_test(jaws_bear_needle_and_thread),
         harness_test(what_was_torn_out_is_touched_again),
+        harness_test(it_slides_along_itself_until_its_end),
     };
     return cmocka_run_group_tests_name("scene.needle_clamp", tests, NULL, NULL);
 }
