@@ -84,22 +84,28 @@ bool vbss_hole_is_left(const suture_hole *hole, const needle_object *n)
 
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole)
 {
-    uint32_t words[] = {hole->id, hole->needle, hole->drain, hole->triangle, hole->outward};
+    uint32_t words[] = {hole->needle, hole->drain, hole->triangle, hole->outward};
     double *numbers[] = {&hole->entry, &hole->arc, &hole->deepest, &hole->held};
+    vbss_stream_u32(stream, first_tag, &hole->id, 1);
+    if (hole->id == 0 && stream->mode == VBSS_STREAM_READ) {
+        *hole = (suture_hole){0};
+    }
+    if (hole->id == 0) {
+        return;
+    }
     vbss_stream_u32(stream, first_tag, words, sizeof words / sizeof words[0]);
     vbss_stream_f64(stream, first_tag + 1, hole->weights, 3);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_f64(stream, first_tag + 2, numbers[i], 1);
     }
     vbss_stream_f64(stream, first_tag + 3, &hole->across.x, 3);
-    if (words[4] > 1) {
+    if (words[3] > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
-    hole->id = words[0];
-    hole->needle = words[1];
-    hole->drain = words[2];
-    hole->triangle = words[3];
-    hole->outward = words[4] != 0;
+    hole->needle = words[0];
+    hole->drain = words[1];
+    hole->triangle = words[2];
+    hole->outward = words[3] != 0;
 }
 
 bool vbss_hole_is_sound(const suture_hole *hole)

@@ -510,6 +510,6 @@ const golden_scene golden_scenes[] = {
     {"needle", 200, 20, run_needle},
     {"drain", 160, 2, run_drain},
     {"drain-hands", 64, 3, run_drain_hands}, /* the thread is there at once, the tool at 2 */
-    {"needle-hands", NEEDLE_SCENE_STEPS / 10, 40, run_needle_hands}, /* held on the floor at 31 */
+    {"needle-hands", NEEDLE_SCENE_STEPS / 10, 32, run_needle_hands}, /* held on the floor at 31 */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];
