@@ -214,7 +214,7 @@ static void it_slides_along_itself_until_its_end(void **state)
     const double speeds[3] = {0.1, 0.5, 2.0};
     for (int k = 0; k < 3; k++) {
         needles_rig r;
-        uint32_t event[4], torn = 0;
+        uint32_t event[4] = {0}, torn = 0;
         double way = 0.0;
         needles_begin_scene(&r);
         r.tools.config.stiffness = r.tools.config.turning_stiffness = 1e6;
