@@ -102,6 +102,7 @@ typedef struct vbss_grasper_config {
     /** Torque that jaws of a closed handle bear before the needle turns in them, N m, 0 to 1e2; default 0.03 (not
      * verified). Of jaws that press less, less in proportion. */
     double needle_torque;
+    double solenoid_opening; /**< See vbss_grasper_state::solenoid; 0 to 1; default 0.2. */
 } vbss_grasper_config;
 
 /** A known tool: a VBSS_GRASPER_PRESET_ constant. */
@@ -133,10 +134,12 @@ typedef struct vbss_grasper_state {
     /** On the hand at the tip, N; what a device shall exert. PAPER: of the stretch of what it carries. */
     double hand_force[3];
     double hand_torque[3]; /**< On the hand about the tip, N m; PAPER: 0. */
-    /** Number in its scene of the needle that it holds, 0: none: a solenoid that holds the handle's needle shut is wanted
-     * while it is not 0 and the handle is closed far enough (device.h). */
-    uint32_t needle;
-    uint32_t drain; /**< The same of the drain whose wall it holds. */
+    uint32_t needle;       /**< Number in its scene of the needle that it holds; 0: none. */
+    uint32_t drain;        /**< The same of the drain whose wall it holds. */
+    /** 1: a solenoid that locks the handle is wanted (vbss_output_command::solenoid): from when it holds a needle and the
+     * handle is closed below solenoid_opening, until it holds none. */
+    uint32_t solenoid;
+    uint32_t reserved; /**< Zero. */
 } vbss_grasper_state;
 
 /** Arrays to look at: a VBSS_GRASPER_VIEW_ constant. */

@@ -2,7 +2,7 @@
  * @file needle.h
  * @brief A curved suture needle: a rigid arc of round wire.
  *
- * A needle flies alone (#vbss_needle_step) or is added to a scene, where it touches, is grasped and carries a thread.
+ * A needle flies alone (#vbss_needle_step) or is added to a scene (#vbss_scene_add_needle), where it touches, is grasped and carries a thread.
  * For contact it is a chain of straight capsules whose ends lie on its arc; mass and inertia are those of the arc
  * itself, exactly.
  *

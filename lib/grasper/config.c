@@ -1,7 +1,7 @@
 /* What a grasper can be: defaults, and every number checked. */
 #include "grasper/grasper.h"
 
-_Static_assert(sizeof(vbss_grasper_config) == 312, "published size");
+_Static_assert(sizeof(vbss_grasper_config) == 320, "published size");
 
 static const vbss_grasper_config defaults = {
     .struct_size = sizeof(vbss_grasper_config),
@@ -33,8 +33,9 @@ static const vbss_grasper_config defaults = {
     .needle_stiffness = 3e4,
     .needle_turning_stiffness = 0.5,
     .needle_torque = 0.03,
+    .solenoid_opening = 0.2,
 };
-static const uint32_t config_sizes[] = {288, 312, 0};
+static const uint32_t config_sizes[] = {288, 320, 0};
 static const vbss_layout config_layout = {"vbss_grasper_config", &defaults, config_sizes};
 
 vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struct_size)
@@ -126,6 +127,7 @@ static vbss_result check_strength(vbss_context *context, const vbss_grasper_conf
         {"needle_stiffness", c->needle_stiffness, 1.0, 1e7},
         {"needle_turning_stiffness", c->needle_turning_stiffness, 1e-6, 1e4},
         {"needle_torque", c->needle_torque, 0.0, 1e2},
+        {"solenoid_opening", c->solenoid_opening, 0.0, 1.0},
     };
     return check(context, ranges, sizeof ranges / sizeof ranges[0]);
 }

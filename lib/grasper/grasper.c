@@ -1,9 +1,9 @@
 /* How graspers begin and end, what they are told, and what they show. */
 #include "grasper/grasper.h"
 
-_Static_assert(sizeof(vbss_grasper_state) == 256, "published size");
+_Static_assert(sizeof(vbss_grasper_state) == 264, "published size");
 
-static const uint32_t state_sizes[] = {248, 256, 0};
+static const uint32_t state_sizes[] = {248, 264, 0};
 static const vbss_layout state_layout = {"vbss_grasper_state", NULL, state_sizes};
 
 /* ---- life */
@@ -35,7 +35,7 @@ static void arrive(grasper_object *g)
 
 void vbss_grasper_leave(grasper_object *g)
 {
-    g->body = g->grasp_count = g->needle = g->drain = 0;
+    g->body = g->grasp_count = g->needle = g->drain = g->solenoid = 0;
     g->pressure = 0.0;
     g->velocity = g->angular_velocity = g->hand_force = g->hand_torque = vec3_zero();
     arrive(g);
@@ -166,7 +166,8 @@ vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *st
                               .jaw_angle = g->angle,
                               .pressure = g->pressure,
                               .needle = g->needle,
-                              .drain = g->drain};
+                              .drain = g->drain,
+                              .solenoid = g->solenoid};
     pose_store(g->now, own.position, own.orientation);
     pose_store(target_of(g), own.target_position, own.target_orientation);
     vec3_store(own.velocity, g->velocity);

@@ -42,7 +42,7 @@ typedef struct grasper_object {
     double pressure; /* N; with nothing held 0 */
 
     /* what its scene found in the last step, to be shown */
-    uint32_t body, grasp_count, needle, drain;
+    uint32_t body, grasp_count, needle, drain, solenoid;
     pose now; /* tool's frame */
     vec3 velocity, angular_velocity, hand_force, hand_torque;
     double shown[GRASPER_CAPSULES][7]; /* the view */

@@ -30,6 +30,7 @@ static void visit_config(vbss_stream *stream, const grasper_object *g)
         vbss_stream_same_f64(stream, 4, c->needle_stiffness);
         vbss_stream_same_f64(stream, 4, c->needle_turning_stiffness);
         vbss_stream_same_f64(stream, 4, c->needle_torque);
+        vbss_stream_same_f64(stream, 4, c->solenoid_opening);
     }
     vbss_stream_same(stream, 2, (uint64_t)c->method);
     vbss_stream_same(stream, 2, (uint64_t)c->kind);
@@ -53,7 +54,7 @@ static bool is_sound(const grasper_object *g)
            vbss_largest(&g->told.position.x, 3) <= 1e3 && is_unit(g->now.orientation) &&
            g->opening >= 0.0 && g->opening <= 1.0 && g->angle >= 0.0 && g->angle <= 1.6 &&
            g->pressure >= 0.0 && g->pressure <= g->config.closing_force &&
-           (g->body != 0 || g->grasp_count == 0);
+           (g->body != 0 || g->grasp_count == 0) && g->solenoid <= (g->needle != 0);
 }
 
 void vbss_grasper_serialise(vbss_stream *stream, void *object)
@@ -71,8 +72,9 @@ void vbss_grasper_serialise(vbss_stream *stream, void *object)
     if (stream->version >= 2) {
         vbss_stream_u32(stream, 27, &g->needle, 1);
         vbss_stream_u32(stream, 28, &g->drain, 1);
+        vbss_stream_u32(stream, 29, &g->solenoid, 1);
     } else {
-        g->needle = g->drain = 0;
+        g->needle = g->drain = g->solenoid = 0;
     }
     vbss_stream_f64(stream, 21, &g->now.position.x, 3);
     vbss_stream_f64(stream, 22, &g->now.orientation.w, 4);

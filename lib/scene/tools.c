@@ -60,6 +60,8 @@ static void show(scene_object *s, scene_body *b)
         driven ? torque : vec3_sub(torque, vec3_cross(arm, g->hand_force)); /* about the tip */
     g->grasp_count = vbss_scene_count_grasps(s, b->number);
     g->needle = vbss_scene_holds_needle(s, b->number) ? r->hold.needle : 0;
+    bool squeezed = g->solenoid != 0 || g->opening <= g->config.solenoid_opening;
+    g->solenoid = g->needle != 0 && squeezed;
     g->drain = vbss_scene_pinches(s, b->number) ? r->pinch.drain : 0;
     g->generation++;
     vbss_grasper_show(g);

@@ -16,7 +16,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void configs_of_all_sizes_are_told(void **state)
 {
     (void)state;
-    const uint32_t sizes[] = {288, 312, 0};
+    const uint32_t sizes[] = {288, 320, 0};
     const harness_config config = {sizes, init, create_and_destroy};
     harness_config_protocol(&config);
 }
@@ -95,7 +95,7 @@ static const number numbers[] = {
     NUMBER(exchange_centre[2], -1e3, 1e3), NUMBER(exchange_distance, 0.0, 1e3),
     NUMBER(paper_stiffness, 0.0, 1e6),     NUMBER(paper_distance, 0.0, 0.1),
     NUMBER(needle_stiffness, 1.0, 1e7),    NUMBER(needle_turning_stiffness, 1e-6, 1e4),
-    NUMBER(needle_torque, 0.0, 1e2),
+    NUMBER(needle_torque, 0.0, 1e2),       NUMBER(solenoid_opening, 0.0, 1.0),
 };
 
 static void with_number(fixture *f, const number *n, double value, vbss_result wanted)

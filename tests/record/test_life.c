@@ -42,7 +42,7 @@ static vbss_result write_out(vbss_replay *replay, int which, void *out, uint32_t
 static void structs_that_go_out_keep_the_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[3] = {48, 48, 160};
+    const uint32_t sizes[3] = {48, 48, 176};
     stage s;
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 3);
