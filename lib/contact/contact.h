@@ -40,8 +40,8 @@ typedef struct contact_found {
     double pressure; /* normal force on a, N */
     vec3 rubbing;    /* tangential force on a, N */
     vec3 way;        /* SLIP: unit, of the rubbing */
-    double
-        share; /* SLIP: friction pressure / |augmented rubbing|; of a row with a bound the force's sign */
+    double share; /* SLIP: friction pressure / |augmented rubbing|; of a row with a bound 1 if its
+                        force is along the normal, 0 if it is against it */
 } contact_found;
 
 typedef struct contact_row {

@@ -53,9 +53,9 @@ static double elastic_force(const contact_row *row, double slid)
 }
 
 /* Beyond the bound, from where it is reached on. */
-static double yielding_force(const contact_row *row, double slid, double sign)
+static double yielding_force(const contact_row *row, double slid, bool forward)
 {
-    double most = sign * row->bound;
+    double most = forward ? row->bound : -row->bound;
     double reached = (vec3_dot(row->held, row->normal) - most) / row->stiffness;
     return most - row->beyond * (slid - reached);
 }
@@ -63,7 +63,7 @@ static double yielding_force(const contact_row *row, double slid, double sign)
 static double bounded_force(const contact_row *row, vec3 u, const contact_found *is)
 {
     double slid = vec3_dot(vec3_add(row->slid, u), row->normal);
-    return is->state == CONTACT_SLIP ? yielding_force(row, slid, is->share)
+    return is->state == CONTACT_SLIP ? yielding_force(row, slid, is->share > 0.5)
                                      : elastic_force(row, slid);
 }
 
@@ -72,7 +72,7 @@ static void next_bounded(const contact_row *row, vec3 u, contact_found *next)
     double elastic = elastic_force(row, vec3_dot(vec3_add(row->slid, u), row->normal));
     bool sticks = fabs(elastic) <= row->bound;
     *next = (contact_found){.state = sticks ? CONTACT_STICK : CONTACT_SLIP,
-                            .share = copysign(1.0, elastic)};
+                            .share = elastic > 0.0 ? 1.0 : 0.0};
     next->pressure = bounded_force(row, u, next);
 }
 

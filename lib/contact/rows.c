@@ -82,7 +82,7 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
     row->key = *key; /* most of it, the terms, is not looked at until it is set */
     row->term_count = 0;
     row->bilateral = false;
-    row->along = row->walls = 0.0;
+    row->along = row->walls = row->bound = row->beyond = 0.0;
     row->is = (contact_found){.state = CONTACT_OPEN};
     row->held = vec3_zero();
     row->first_place = UINT32_MAX;
