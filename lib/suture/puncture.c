@@ -5,6 +5,8 @@
 #define LEAST_INTO 0.3
 /* Beyond this from the free edge, in radii of the wire, there is wall all round it. */
 #define FROM_EDGE 1.0
+/* A line through a side meets one of its triangles, however weights are rounded. */
+#define ROUNDING 1e-9
 
 bool vbss_suture_enters(const vbss_drain_config *config, const suture_tip *tip)
 {
@@ -27,7 +29,20 @@ static bool meets(const vec3 corner[3], vec3 from, vec3 way, double *far, double
     weights[2] = vec3_dot(way, aside) / size;
     weights[0] = 1.0 - weights[1] - weights[2];
     *far = vec3_dot(e2, aside) / size;
-    return weights[0] >= 0.0 && weights[1] >= 0.0 && weights[2] >= 0.0;
+    return weights[0] >= -ROUNDING && weights[1] >= -ROUNDING && weights[2] >= -ROUNDING;
+}
+
+/* None below 0, all together 1. */
+static void round_off(double weights[3])
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++) {
+        weights[k] = greater(weights[k], 0.0);
+        sum += weights[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        weights[k] /= sum;
+    }
 }
 
 static void corners_of(const drain_object *d, uint32_t t, vec3 corner[3])
@@ -37,16 +52,29 @@ static void corners_of(const drain_object *d, uint32_t t, vec3 corner[3])
     }
 }
 
-/* Height of the point over the side beyond which there is nothing. */
-static bool is_at_edge(const drain_object *d, uint32_t t, const double weights[3], double least)
+static double distance_to_side(const drain_object *d, const drain_side *side, vec3 point)
 {
-    vec3 corner[3];
-    corners_of(d, t, corner);
-    for (int k = 0; k < 3; k++) {
-        vec3 side = vec3_sub(corner[(k + 2) % 3], corner[(k + 1) % 3]);
-        vec3 up = vec3_sub(corner[k], corner[(k + 1) % 3]);
-        double height = vec3_norm(vec3_cross(side, up)) / vec3_norm(side);
-        if (d->mesh.opposite[t][k] == DRAIN_NONE && weights[k] * height < least) {
+    vec3 along = vec3_sub(d->x[side->nodes[1]], d->x[side->nodes[0]]);
+    vec3 to = vec3_sub(point, d->x[side->nodes[0]]);
+    double size = vec3_norm_squared(along);
+    double share = size > 0.0 ? vec3_dot(to, along) / size : 0.0;
+    share = lesser(greater(share, 0.0), 1.0);
+    return vec3_norm(vec3_add_scaled(to, -share, along));
+}
+
+static bool has_node(const drain_object *d, uint32_t t, uint32_t node)
+{
+    const uint32_t *own = d->mesh.triangles[t];
+    return own[0] == node || own[1] == node || own[2] == node;
+}
+
+/* Free sides of the triangle, and those that end at its corners: not the other lip that lies over it. */
+static bool is_at_edge(const drain_object *d, uint32_t t, vec3 point, double least)
+{
+    for (uint32_t i = 0; i < d->mesh.side_count; i++) {
+        const drain_side *side = &d->mesh.sides[i];
+        bool near = has_node(d, t, side->nodes[0]) || has_node(d, t, side->nodes[1]);
+        if (side->triangles[1] == DRAIN_NONE && near && distance_to_side(d, side, point) < least) {
             return true;
         }
     }
@@ -76,8 +104,11 @@ bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double 
             continue;
         }
         vec3 outside = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
+        round_off(weights);
         nearest = far;
-        found = !is_at_edge(d, t, weights, FROM_EDGE * wire_radius) && !is_anchored(d, t);
+        found = !is_at_edge(d, t, vec3_add_scaled(from, far, tip->direction),
+                            FROM_EDGE * wire_radius) &&
+                !is_anchored(d, t);
         *hole = (suture_hole){.triangle = t,
                               .weights = {weights[0], weights[1], weights[2]},
                               .outward = vec3_dot(outside, tip->direction) > 0.0,
