@@ -99,6 +99,11 @@ void vbss_scene_keep_holes(scene_object *s)
             vbss_hole_keep(hole, &who_is_in(s, hole).drain->drain->config, row);
         }
     }
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        if (s->holes[i].id != 0) { /* the next part has other places in it */
+            vbss_hole_move(&s->holes[i], look_now(s, &s->holes[i]).arc);
+        }
+    }
 }
 
 /* ---- what does not touch */

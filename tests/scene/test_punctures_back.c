@@ -1,0 +1,135 @@
+/* A needle that leaves a hole, the way it came or through it, and comes again; tremor at the wall. */
+#include "scene/needle_case.h"
+
+static needle_case c;
+
+#define BEFORE 1.0e-3
+#define SPEED 20e-3
+
+static void a_tip_that_is_drawn_back_leaves_and_comes_again(void **state)
+{
+    (void)state;
+    vbss_hole holes[NEEDLE_CASE_HOLES];
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_false(needle_case_drive(&c, 3e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    /* Back, friction turns over first. */
+    double pull = 0.0;
+    while (c.counts[VBSS_EVENT_WITHDRAWN] == 0 && c.d.steps < 3000) {
+        needle_case_turn(&c, -SPEED * c.d.h);
+        needle_case_step(&c);
+        pull = fmax(pull, -c.push);
+    }
+    expect_near(c.d.config.hole_force, pull, 0.1);
+    assert_int_equal(needle_case_holes(&c, holes), 0);
+    assert_int_equal(c.crossings, 0);
+    needle_case_shift(&c, vec3_make(0.8e-3, 0.0, 0.0));
+    assert_false(needle_case_drive(&c, -5e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 1);
+    /* What it has left is whole again. */
+    c.at_tip = 0.0;
+    assert_true(needle_case_drive(&c, 14e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    expect_near(c.d.config.puncture_force, c.at_tip, 0.02);
+    assert_int_equal(needle_case_holes(&c, holes), 1);
+    assert_int_equal(holes[0].id, 2);
+    assert_true(fabs(holes[0].rest_position[0]) > 0.4e-3);
+    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
+    needle_case_expect_kept(&c, "out and in", 0);
+    needle_case_end(&c);
+}
+
+/* A short needle with little friction goes through one wall altogether. */
+static void a_needle_that_goes_on_passes_with_its_end(void **state)
+{
+    (void)state;
+    vbss_hole holes[NEEDLE_CASE_HOLES];
+    needle_case_begin(&c);
+    c.config.arc = 0.7;
+    needle_case_make(&c);
+    needle_case_at_mark(&c, BEFORE);
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    assert_true(needle_case_drive(&c, 14e-3, SPEED, VBSS_EVENT_PASSED));
+    needle_case_wait(&c, 300);
+    assert_int_equal(c.counts[VBSS_EVENT_PASSED], 1);
+    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 0);
+    uint32_t left = needle_case_holes(&c, holes);
+    assert_int_equal(left + 1, c.counts[VBSS_EVENT_PUNCTURE]);
+    assert_int_equal(c.crossings, left);
+    needle_case_expect_kept(&c, "through", 0);
+    needle_case_end(&c);
+}
+
+/* 1 mm at 10 Hz, while the mean goes on at 2 mm/s. */
+static void tremor_makes_no_hole_twice(void **state)
+{
+    (void)state;
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    assert_false(needle_case_drive(&c, BEFORE + 3.5e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    double before = 0.0;
+    for (uint32_t i = 1; i <= 2000; i++) {
+        double at = 1e-3 * sin(2.0 * DRAIN_PI * 10.0 * i * c.d.h) + 2e-3 * i * c.d.h;
+        needle_case_turn(&c, at - before);
+        before = at;
+        needle_case_step(&c);
+        uint32_t in = c.counts[VBSS_EVENT_PUNCTURE], out = c.counts[VBSS_EVENT_WITHDRAWN];
+        assert_true(in <= out + 1);
+        assert_true(c.happened[VBSS_EVENT_PUNCTURE] + c.happened[VBSS_EVENT_WITHDRAWN] <= 1);
+    }
+    assert_true(c.counts[VBSS_EVENT_PUNCTURE] >= 1);
+    assert_true(c.counts[VBSS_EVENT_PUNCTURE] <= 2);
+    needle_case_expect_kept(&c, "tremor", 0);
+    needle_case_end(&c);
+}
+
+/* As it enters: the tip goes to and fro by less than the hysteresis. */
+static void a_tip_that_trembles_as_it_enters_stays_in(void **state)
+{
+    (void)state;
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    double before = 0.0;
+    for (uint32_t i = 1; i <= 500; i++) {
+        double at = 0.1e-3 * sin(2.0 * DRAIN_PI * 10.0 * i * c.d.h);
+        needle_case_turn(&c, at - before);
+        before = at;
+        needle_case_step(&c);
+    }
+    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 1);
+    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN], 0);
+    needle_case_expect_kept(&c, "trembles", 0);
+    needle_case_end(&c);
+}
+
+/* Along the wall it slides. */
+static void a_tip_that_is_drawn_along_the_wall_slides(void **state)
+{
+    (void)state;
+    needle_case_begin(&c);
+    needle_case_make(&c);
+    needle_case_hold_edge(&c);
+    /* Along x over the side, a little into it, its arc bent outward. */
+    vec3 mark = drain_case_node(&c.d, c.d.places.marks[DRAIN_RIGHT]);
+    vec3 out = vec3_unit_or(vec3_make(0.0, mark.y, mark.z), vec3_zero());
+    vec3 tip = vec3_add(vec3_scale(out, 6.5e-3 + 0.8e-3), vec3_make(-8e-3, 0.0, 0.0));
+    needle_case_put(&c, tip, vec3_make(1.0, 0.0, 0.0), vec3_neg(out));
+    for (uint32_t i = 0; i < 400; i++) {
+        needle_case_shift(&c, vec3_make(40e-6, -2e-6 * out.y, -2e-6 * out.z));
+        needle_case_step(&c);
+    }
+    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+    assert_true(vec3_norm(needle_case_hand_force(&c)) > 0.0);
+    needle_case_expect_kept(&c, "slides", 0);
+    needle_case_end(&c);
+}
+
+int test_punctures_back(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_tip_that_is_drawn_back_leaves_and_comes_again),
+        cmocka_unit_test(a_needle_that_goes_on_passes_with_its_end),
+        cmocka_unit_test(tremor_makes_no_hole_twice),
+        cmocka_unit_test(a_tip_that_trembles_as_it_enters_stays_in),
+        cmocka_unit_test(a_tip_that_is_drawn_along_the_wall_slides),
+    };
+    return cmocka_run_group_tests_name("scene.punctures_back", tests, NULL, NULL);
+}
