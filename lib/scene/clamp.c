@@ -179,6 +179,7 @@ double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part
         }
     }
     vbss_scene_commit_capsules(s);
+    vbss_scene_move_holes(s);
     s->statistics.parts++;
     s->statistics.clamped++;
     return share;

@@ -51,6 +51,7 @@ void vbss_scene_commit(scene_object *s, const scene_part *part)
     }
     vbss_scene_commit_capsules(s);
     vbss_scene_keep_holes(s);
+    vbss_scene_move_holes(s);
     vbss_contact_keep(s->contacts);
     s->statistics.parts++;
 }

@@ -99,8 +99,12 @@ void vbss_scene_keep_holes(scene_object *s)
             vbss_hole_keep(hole, &who_is_in(s, hole).drain->drain->config, row);
         }
     }
+}
+
+void vbss_scene_move_holes(scene_object *s)
+{
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        if (s->holes[i].id != 0) { /* the next part has other places in it */
+        if (s->holes[i].id != 0) {
             vbss_hole_move(&s->holes[i], look_now(s, &s->holes[i]).arc);
         }
     }
@@ -186,9 +190,7 @@ static void leave(scene_object *s)
         if (hole->id == 0) {
             continue;
         }
-        const needle_object *n = who_is_in(s, hole).needle->needle;
-        vbss_hole_move(hole, look_now(s, hole).arc);
-        if (vbss_hole_is_left(hole, n)) {
+        if (vbss_hole_is_left(hole, who_is_in(s, hole).needle->needle)) {
             tell(s, hole->arc < 0.0 ? VBSS_EVENT_WITHDRAWN : VBSS_EVENT_PASSED, hole);
             *hole = (suture_hole){0};
         }
@@ -255,7 +257,8 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
 void vbss_scene_settle_holes(scene_object *s)
 {
     leave(s);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    /* What presses where a part was thrown away says nothing of what the wall bears. */
+    for (uint32_t i = 0; s->taken && i < s->place_count; i++) {
         const scene_body *needle = &s->bodies[i];
         for (uint32_t k = 0;
              needle->kind == BODY_RIGID && needle->rigid.needle != NULL && k < s->place_count;

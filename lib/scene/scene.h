@@ -268,6 +268,7 @@ struct scene_object {
     double pace, kept_pace;     /* share of a step with which the next one begins; dyadic */
     uint64_t most_work; /* of the step, in operations: nothing is begun beyond it; 0: no limit */
     bool turned;        /* the last attempt failed with new normals */
+    bool taken;         /* rows are those of a part that was taken, not of one thrown away */
     bool lagging;       /* the last part was cut short: what is driven is behind */
     bool proved;        /* what moves little passes nothing */
     bool unlisted; /* some pairs that are near are no rows, as both sides go where they are told */
@@ -387,8 +388,10 @@ bool vbss_scene_add_hole_rows(scene_object *s);
 void vbss_scene_lay_hole_row(scene_object *s, contact_row *row);
 void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
 void vbss_scene_keep_holes(scene_object *s);
-/* Whether a place of a needle and a point of a drain are so near to a hole that they do not touch; the arc length of a place on
- * one of its capsules; whether a row is about such a place, or about wall and the jaws that hold it. */
+/* The next part has other places in them. */
+void vbss_scene_move_holes(scene_object *s);
+/* Whether a place of a needle and a point of a drain, or what a row is about, are so near to a hole that they do not touch;
+ * the arc length of a place on one of its capsules. */
 bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
                            const scene_body *drain, vec3 point, double reach);
 bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);

@@ -133,6 +133,7 @@ static void allow_depth(scene_object *s)
 static scene_verdict attempt(scene_object *s, const scene_part *part)
 {
     s->statistics.attempts++;
+    s->taken = false;
     if (!vbss_scene_find_rows(s, part)) {
         return VERDICT_FULL;
     }
@@ -286,6 +287,7 @@ static vbss_result make_parts(scene_object *s, double h)
             vbss_scene_commit(s, part);
             s->statistics.recovering += s->recovering;
             s->lagging = false;
+            s->taken = true;
         } else {
             count(s, verdict);
             if (at.size > at.smallest && is_over(s, &at) && may_wait(verdict)) {
