@@ -74,8 +74,8 @@ static void both_ways_are_alike(void **state)
     (void)state;
     contact_found next;
     contact_row row = bounded_row(vec3_make(0.0, 0.0, 1.0));
-    for (double u = 1e-6; u < 1e-3; u *= 1.7) {
-        double there = force_at(&row, u, &next);
+    for (int i = 1; i <= 1000; i++) {
+        double u = 1e-6 * i, there = force_at(&row, u, &next);
         expect_near(-there, force_at(&row, -u, &next), 1e-15);
     }
 }

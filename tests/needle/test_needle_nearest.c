@@ -27,7 +27,8 @@ static void places_beside_the_arc_have_its_length(void **state)
         double length = vbss_needle_length(n);
         for (int i = 0; i <= 20; i++) {
             double at = length * (0.01 + 0.98 * i / 20.0);
-            for (double off = -2e-3; off < 2.1e-3; off += 1e-3) {
+            for (int j = -2; j <= 2; j++) {
+                double off = 1e-3 * j;
                 expect_near(at, vbss_needle_nearest(n, beside(n, at, off, -off)), 1e-15);
             }
         }
@@ -42,8 +43,10 @@ static void beyond_both_ends_it_counts_on(void **state)
         fixture f;
         needle_object *n = begin_with(&f, arcs[k]);
         double length = vbss_needle_length(n);
-        for (double far = 1e-6; far < 1.5e-3; far *= 3.0) {
-            for (double off = -0.5e-3; off < 0.6e-3; off += 0.25e-3) {
+        for (int i = 1; i <= 150; i++) {
+            double far = 1e-5 * i;
+            for (int j = -2; j <= 2; j++) {
+                double off = 0.25e-3 * j;
                 expect_near(-far, vbss_needle_nearest(n, beside(n, -far, off, off)), 1e-15);
                 vec3 behind = beside(n, length + far, off, off);
                 expect_near(length + far, vbss_needle_nearest(n, behind), 1e-15);
