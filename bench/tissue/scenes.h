@@ -5,5 +5,7 @@
 #include "harness/bench.h"
 
 void add_scenes(bench *b);
+/* pierced.c */
+void add_pierced(bench *b);
 
 #endif

@@ -61,7 +61,7 @@ vbss_result puncture_scene_create(vbss_context *context, const vbss_scene_config
                                   const vbss_drain_config *drain, puncture_scene *made)
 {
     drain_object *d;
-    *made = (puncture_scene){.speed = 0.02};
+    *made = (puncture_scene){.speed = PUNCTURE_SCENE_SPEED};
     VBSS_TRY(vbss_scene_create(context, scene, &made->scene));
     VBSS_TRY(vbss_drain_create(context, drain, &made->drain));
     VBSS_TRY(vbss_scene_add_drain(made->scene, made->drain, &made->drain_body));

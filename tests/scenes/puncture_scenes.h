@@ -19,6 +19,8 @@ typedef struct puncture_scene {
 /* Of the tip along its arc: on, then back, m. */
 #define PUNCTURE_SCENE_ON 18e-3
 #define PUNCTURE_SCENE_BACK 23e-3
+/* Unless it is changed, m/s. */
+#define PUNCTURE_SCENE_SPEED 0.02
 
 vbss_result puncture_scene_configs(vbss_scene_config *scene, vbss_drain_config *drain);
 vbss_result puncture_scene_create(vbss_context *context, const vbss_scene_config *scene,
