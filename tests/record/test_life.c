@@ -54,6 +54,9 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
         uint32_t filled;
         expect_result(VBSS_ERROR_NULL_ARGUMENT, write_out(replay, which, NULL, sizes[which]));
         for (uint32_t size = 4; size < sizes[which]; size++) {
+            if (which == 2 && (size == 160 || size == 168)) { /* of hosts that are older */
+                continue;
+            }
             expect_result(VBSS_ERROR_STRUCT_SIZE, write_out(replay, which, out, size));
         }
         assert_true(stage_hash(&s) == hash); /* no step was made */
