@@ -241,27 +241,19 @@ static bool is_left_out(const scene_object *s, const collision_candidate *q, dou
     }
     const collision_shape *shape = s->collision->shapes[drain->shape];
     uint32_t capsule = first ? q->a : q->b, feature = first ? q->b : q->a;
-    const vec3 *x = drain->drain.drain->x;
-    double at[3], end;
-    vec3 there;
+    double at[3], arc, reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
+    scene_spot spot;
     (void)distance_at_begin(s, q, at);
     if (point) {
-        const uint32_t *node = shape->triangles[feature];
-        end = capsule % 2;
-        capsule /= 2;
-        there = vec3_add_scaled(vec3_scale(x[node[0]], at[0]), at[1], x[node[1]]);
-        there = vec3_add_scaled(there, at[2], x[node[2]]);
+        arc = vbss_scene_arc_of(needle, capsule / 2, capsule % 2);
+        spot = vbss_scene_spot(drain, shape->triangles[feature], at, 3);
     } else {
-        const uint32_t *node = shape->edges[feature];
-        end = at[first ? 0 : 1];
-        there = vec3_lerp(x[node[0]], x[node[1]], at[first ? 1 : 0]);
+        double share = at[first ? 1 : 0];
+        const double weights[2] = {1.0 - share, share};
+        arc = vbss_scene_arc_of(needle, capsule, at[first ? 0 : 1]);
+        spot = vbss_scene_spot(drain, shape->edges[feature], weights, 2);
     }
-    if (holds) {
-        return vbss_scene_is_pinched(s, drain, there, needle, capsule);
-    }
-    double reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
-    double arc = vbss_scene_arc_of(needle, capsule, end);
-    return vbss_scene_is_in_hole(s, needle, arc, drain, there, reach);
+    return vbss_scene_is_in_hole(s, needle, arc, drain, &spot, reach);
 }
 
 /* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it. */

@@ -112,19 +112,41 @@ void vbss_scene_move_holes(scene_object *s)
 
 /* ---- what does not touch */
 
+/* Who enters aslant still has, beside its tip, the wall that it has pressed on. */
+static double reach_of(const suture_hole *hole, const needle_object *n, double arc, double reach)
+{
+    bool at_mouth = hole->arc < 0.0 && arc <= TIP * n->config.wire_radius;
+    return at_mouth ? greater(reach, -SCENE_PIN_ARC * hole->entry) : reach;
+}
+
+/* Two walls that lie on each other are near, but not along the wall. */
 bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
-                           const scene_body *drain, vec3 point, double reach)
+                           const scene_body *drain, const scene_spot *spot, double reach)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         const drain_object *d = drain->drain.drain;
+        double far = reach_of(hole, needle->rigid.needle, arc, reach);
         if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
-            fabs(hole->arc - arc) < reach &&
-            vec3_distance(point, vbss_hole_point(hole, d, d->x)) < reach) {
+            fabs(hole->arc - arc) < far &&
+            vec3_distance(spot->now, vbss_hole_point(hole, d, d->x)) < far &&
+            vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest)) < far) {
             return true;
         }
     }
     return false;
+}
+
+scene_spot vbss_scene_spot(const scene_body *drain, const uint32_t *node, const double *weights,
+                           uint32_t count)
+{
+    const drain_object *d = drain->drain.drain;
+    scene_spot spot = {vec3_zero(), vec3_zero()};
+    for (uint32_t k = 0; k < count; k++) {
+        spot.now = vec3_add_scaled(spot.now, weights[k], d->x[node[k]]);
+        spot.rest = vec3_add_scaled(spot.rest, weights[k], d->mesh.rest[node[k]]);
+    }
+    return spot;
 }
 
 double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share)
@@ -142,17 +164,14 @@ static double arc_of_row(const scene_body *needle, const contact_row *row)
                  : vbss_scene_arc_of(needle, row->key.a, row->at[0]);
 }
 
-static vec3 point_of_row(const scene_object *s, const scene_body *drain, const contact_row *row)
+static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
+                              const contact_row *row)
 {
     uint32_t node[3];
-    const vec3 *x = drain->drain.drain->x;
     uint32_t count = vbss_scene_nodes_of(s, drain, row->key.kind, true, row->key.b, node);
-    if (count == 2) {
-        return vec3_lerp(x[node[0]], x[node[1]], row->at[1]);
-    }
-    vec3 point = vec3_scale(x[node[0]], 1.0 - row->at[0] - row->at[1]);
-    point = vec3_add_scaled(point, row->at[0], x[node[1]]);
-    return vec3_add_scaled(point, row->at[1], x[node[2]]);
+    const double side[2] = {1.0 - row->at[1], row->at[1]};
+    const double face[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
+    return vbss_scene_spot(drain, node, count == 2 ? side : face, count);
 }
 
 static bool is_row_in_hole(const scene_object *s, const contact_row *row, const scene_body *a,
@@ -170,10 +189,8 @@ bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
     if (a->kind != BODY_RIGID || b == NULL || b->kind != BODY_DRAIN) {
         return false;
     }
-    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
-    uint32_t capsule = point ? row->key.a / 2 : row->key.a;
-    return is_row_in_hole(s, row, a, b) ||
-           vbss_scene_is_pinched(s, b, point_of_row(s, b, row), a, capsule);
+    const scene_spot spot = spot_of_row(s, b, row);
+    return vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, &spot, SCENE_PIN_ARC * row->touching);
 }
 
 /* ---- after a step */

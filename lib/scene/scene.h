@@ -392,9 +392,14 @@ void vbss_scene_keep_holes(scene_object *s);
 void vbss_scene_move_holes(scene_object *s);
 /* Whether a place of a needle and a point of a drain, or what a row is about, are so near to a hole that they do not touch;
  * the arc length of a place on one of its capsules. */
+typedef struct scene_spot {
+    vec3 now, rest; /* of the wall */
+} scene_spot;
+scene_spot vbss_scene_spot(const scene_body *drain, const uint32_t *node, const double *weights,
+                           uint32_t count);
 bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
-                           const scene_body *drain, vec3 point, double reach);
-bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);
+                           const scene_body *drain, const scene_spot *spot, double reach);
+bool vbss_scene_is_row_in_hole(const scene_object *s, const contact_row *row);
 double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share);
 /* After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);

@@ -10,6 +10,7 @@ const vbss_rigid_coupling needle_case_coupling = {2e4, 20.0, 5.0, 0.02};
 void needle_case_begin(needle_case *c)
 {
     memset(c, 0, sizeof *c);
+    c->at_hole = AT_HOLE;
     drain_case_begin(&c->d);
     expect_ok(vbss_needle_config_init(&c->config, sizeof c->config));
 }
@@ -160,7 +161,7 @@ static bool is_at_hole(const needle_case *c, vec3 there)
     double touching = c->config.wire_radius + 0.5 * c->d.config.thickness;
     uint32_t count = needle_case_holes(c, holes);
     for (uint32_t i = 0; i < count; i++) {
-        if (vec3_distance(there, vec3_load(holes[i].position)) < AT_HOLE * touching) {
+        if (vec3_distance(there, vec3_load(holes[i].position)) < c->at_hole * touching) {
             return true;
         }
     }

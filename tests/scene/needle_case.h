@@ -15,8 +15,9 @@ typedef struct needle_case {
     pose hand;                             /* where it has the needle's frame */
     uint32_t counts[NEEDLE_CASE_EVENTS];   /* of events so far, by kind */
     uint32_t happened[NEEDLE_CASE_EVENTS]; /* in the last step */
-    uint32_t crossings, away;              /* of the last step; at no hole, of all steps */
-    double at_tip;                         /* most of its force along the tip's direction, N */
+    double at_hole;           /* crossings are so near to their hole, in distances of touching */
+    uint32_t crossings, away; /* of the last step; at no hole, of all steps */
+    double at_tip;            /* most of its force along the tip's direction, N */
     double push, peak; /* what the hand drives it with along its arc, N: now; most since set to 0 */
 } needle_case;
 

@@ -122,6 +122,54 @@ static void a_tip_that_is_drawn_along_the_wall_slides(void **state)
     needle_case_end(&c);
 }
 
+/* 66 degrees off the normal of a wall that gives way: the hole is far before the wall that it presses on. */
+static void who_enters_aslant_enters_once(void **state)
+{
+    (void)state;
+    vbss_hole holes[NEEDLE_CASE_HOLES];
+    needle_case_begin(&c);
+    c.at_hole = 4.0;
+    c.d.config.puncture_force = 0.15; /* before it slides off */
+    needle_case_make(&c);
+    needle_case_hold_edge(&c);
+    vec3 mark = drain_case_node(&c.d, c.d.places.marks[DRAIN_RIGHT]);
+    vec3 out = vec3_unit_or(vec3_make(0.0, mark.y, mark.z), vec3_zero());
+    vec3 along = vec3_make(1.0, 0.0, 0.0);
+    vec3 way = vec3_add_scaled(vec3_scale(out, -0.4), sqrt(0.84), along);
+    needle_case_put(&c, vec3_add_scaled(mark, -2e-3, way), way, vec3_neg(out));
+    for (uint32_t i = 0; i < 1000 && c.counts[VBSS_EVENT_PUNCTURE] == 0; i++) {
+        needle_case_shift(&c, vec3_scale(way, 20e-6));
+        needle_case_step(&c);
+    }
+    assert_int_equal(needle_case_holes(&c, holes), 1);
+    assert_true(holes[0].arc_length < -1.3e-3);
+    for (uint32_t i = 0; i < 200; i++) {
+        needle_case_shift(&c, vec3_scale(way, 20e-6));
+        needle_case_step(&c);
+    }
+    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 1);
+    needle_case_expect_kept(&c, "aslant", 0);
+    needle_case_end(&c);
+}
+
+/* Folded, another wall may lie where a hole is: that is not pierced. */
+static void a_hole_is_in_one_wall(void **state)
+{
+    (void)state;
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    const scene_object *s = small_object(&c.d.s);
+    const scene_body *drain = vbss_scene_body(s, c.d.body);
+    const drain_object *d = drain->drain.drain;
+    const suture_hole *hole = &s->holes[0];
+    scene_spot spot = vbss_scene_spot(drain, d->mesh.triangles[hole->triangle], hole->weights, 3);
+    const scene_body *needle = vbss_scene_body(s, c.body);
+    assert_true(vbss_scene_is_in_hole(s, needle, hole->arc, drain, &spot, 1e-3));
+    spot.rest.z = -spot.rest.z;
+    assert_false(vbss_scene_is_in_hole(s, needle, hole->arc, drain, &spot, 1e-3));
+    needle_case_end(&c);
+}
+
 int test_punctures_back(void)
 {
     const struct CMUnitTest tests[] = {
@@ -130,6 +178,8 @@ int test_punctures_back(void)
         cmocka_unit_test(tremor_makes_no_hole_twice),
         cmocka_unit_test(a_tip_that_trembles_as_it_enters_stays_in),
         cmocka_unit_test(a_tip_that_is_drawn_along_the_wall_slides),
+        cmocka_unit_test(who_enters_aslant_enters_once),
+        cmocka_unit_test(a_hole_is_in_one_wall),
     };
     return cmocka_run_group_tests_name("scene.punctures_back", tests, NULL, NULL);
 }
