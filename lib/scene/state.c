@@ -396,8 +396,8 @@ static void visit_holes(vbss_stream *stream, scene_object *s)
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         suture_hole *hole = &s->holes[i];
         vbss_hole_serialise(stream, 141, hole);
-        if (hole->id != 0 && stream->mode == VBSS_STREAM_READ && !stream->trusted &&
-            !is_hole(s, hole)) {
+        bool check = stream->mode == VBSS_STREAM_READ && !stream->trusted && hole->id != 0;
+        if (check && !is_hole(s, hole)) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such hole");
             *hole = (suture_hole){0};
         }

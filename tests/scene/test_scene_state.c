@@ -161,7 +161,7 @@ static void a_buffer_that_is_too_small_is_told_with_the_size(void **state)
 {
     (void)state;
     small s;
-    uint8_t bytes[8192];
+    uint8_t bytes[16384];
     uint64_t written = 0;
     small_begin_scene(&s);
     make_pair(&s, 5, 1e-3);
