@@ -155,26 +155,41 @@ static bool crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there)
     return true;
 }
 
-static bool is_at_hole(const needle_case *c, vec3 there)
+/* Where the wall is stretched, what is near at rest is far. */
+static bool is_at_hole(const needle_case *c, vec3 there, vec3 at_rest)
 {
     vbss_hole holes[NEEDLE_CASE_HOLES];
-    double touching = c->config.wire_radius + 0.5 * c->d.config.thickness;
+    double most = c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness);
     uint32_t count = needle_case_holes(c, holes);
     for (uint32_t i = 0; i < count; i++) {
-        if (vec3_distance(there, vec3_load(holes[i].position)) < c->at_hole * touching) {
+        if (vec3_distance(there, vec3_load(holes[i].position)) < most ||
+            vec3_distance(at_rest, vec3_load(holes[i].rest_position)) < most) {
             return true;
         }
     }
     return false;
 }
 
+/* The same point of a triangle in another state of it. */
+static vec3 carried(const vec3 corner[3], const vec3 other[3], vec3 there)
+{
+    vec3 e1 = vec3_sub(corner[1], corner[0]), e2 = vec3_sub(corner[2], corner[0]);
+    vec3 normal = vec3_cross(e1, e2), to = vec3_sub(there, corner[0]);
+    double size = vec3_norm_squared(normal);
+    double a = vec3_dot(normal, vec3_cross(to, e2)) / size;
+    double b = vec3_dot(normal, vec3_cross(e1, to)) / size;
+    vec3 p = vec3_add_scaled(other[0], a, vec3_sub(other[1], other[0]));
+    return vec3_add_scaled(p, b, vec3_sub(other[2], other[0]));
+}
+
 static void look_for_crossings(needle_case *c)
 {
-    vbss_view x, triangles, axis;
+    vbss_view x, rest, triangles, axis;
     expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_POSITIONS, &x, sizeof x));
+    expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_REST_POSITIONS, &rest, sizeof rest));
     expect_ok(vbss_drain_get_view(c->d.drain, VBSS_DRAIN_TRIANGLES, &triangles, sizeof triangles));
     expect_ok(vbss_needle_get_view(c->needle, VBSS_NEEDLE_VIEW_POINTS, &axis, sizeof axis));
-    const vec3 *nodes = x.data, *points = axis.data;
+    const vec3 *nodes = x.data, *at_rest = rest.data, *points = axis.data;
     const uint32_t *node = triangles.data;
     c->crossings = 0;
     for (uint64_t i = 0; i + 1 < axis.count; i++) {
@@ -184,7 +199,9 @@ static void look_for_crossings(needle_case *c)
             vec3 there;
             if (crosses(points + i, corner, &there)) {
                 c->crossings++;
-                c->away += is_at_hole(c, there) ? 0 : 1;
+                const vec3 other[3] = {at_rest[node[3 * t]], at_rest[node[3 * t + 1]],
+                                       at_rest[node[3 * t + 2]]};
+                c->away += is_at_hole(c, there, carried(corner, other, there)) ? 0 : 1;
             }
         }
     }
