@@ -171,7 +171,8 @@ static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
     uint32_t count = vbss_scene_nodes_of(s, drain, row->key.kind, true, row->key.b, node);
     const double side[2] = {1.0 - row->at[1], row->at[1]};
     const double face[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
-    return vbss_scene_spot(drain, node, count == 2 ? side : face, count);
+    return count == 2 ? vbss_scene_spot(drain, node, side, 2)
+                      : vbss_scene_spot(drain, node, face, 3);
 }
 
 static bool is_row_in_hole(const scene_object *s, const contact_row *row, const scene_body *a,
