@@ -119,6 +119,28 @@ static void sorting_orders_and_loses_nothing(void **state)
     harness_property("sort", 200, rows_are_sorted, NULL);
 }
 
+/* The next list has other rows in the same places. */
+static void rows_begin_without_what_others_were(void **state)
+{
+    (void)state;
+    list l;
+    list_begin(&l, 1);
+    contact_row *row = add(&l, 0, 0);
+    row->bilateral = true;
+    row->along = row->walls = row->bound = row->beyond = 0.25;
+    row->held = vec3_make(1.0, 2.0, 3.0);
+    close_with(row, 1.0);
+    vbss_contact_begin(l.set);
+    row = add(&l, 1, 0);
+    assert_false(row->bilateral);
+    expect_near(0.0, row->along + row->walls, 0.0);
+    expect_near(0.0, row->bound, 0.0);
+    expect_near(0.0, row->beyond, 0.0);
+    expect_near(0.0, vec3_norm(row->held), 0.0);
+    assert_int_equal(row->is.state, CONTACT_OPEN);
+    list_end(&l);
+}
+
 static void depth_is_of_what_cannot_pull(void **state)
 {
     (void)state;
@@ -356,6 +378,7 @@ int test_rows(void)
         cmocka_unit_test(keys_compare_word_by_word),
         cmocka_unit_test(rows_come_until_there_is_no_room),
         harness_test(sorting_orders_and_loses_nothing),
+        cmocka_unit_test(rows_begin_without_what_others_were),
         cmocka_unit_test(depth_is_of_what_cannot_pull),
         cmocka_unit_test(what_was_closed_is_remembered),
         cmocka_unit_test(a_neighbour_takes_over),
