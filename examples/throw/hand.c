@@ -8,6 +8,7 @@
 #define LAG 0.04
 #define ACCELERATION 1.5
 #define ROLL_SPEED 4.0
+#define FACE_SPEED 4.0 /* rad/s */
 /* Of the coupling, N/m and N s/m: no arm is there that would buzz. */
 #define STIFFNESS 2000.0
 #define DAMPING 10.0
@@ -33,7 +34,7 @@ static vec any_direction(uint64_t *state)
 
 /* ---- the pose that a trocar leaves: where the tip is, and how the tool is rolled */
 
-static void orientation_of(vec x, vec y, vec z, double q[4])
+void hand_orientation(vec x, vec y, vec z, double q[4])
 {
     double trace = x.x + y.y + z.z;
     if (trace > 0.0) {
@@ -63,50 +64,69 @@ static void orientation_of(vec x, vec y, vec z, double q[4])
     }
 }
 
-/* The bend lies beside the tip, toward +y of the tool, so the shaft does not point from the tip to the trocar. */
+/* The bend lies beside the tip, toward +y of the tool, so the shaft does not point from the tip to the trocar. A free tool
+ * is as its hand is. */
 static void show(hand *h, vec tip)
 {
+    h->shown = tip;
+    if (!h->shape.has_trocar) {
+        memcpy(h->shown_orientation, h->face, sizeof h->face);
+        return;
+    }
     vec to = v_sub(h->trocar, tip), n = v_unit(to);
     double sine = hand_reach(h) * sin(h->shape.driver_bend) / v_length(to);
     double cosine = sqrt(1.0 - sine * sine);
     h->roll = v_unit(v_across(h->roll, n));
     vec y = v_along(v_scale(cosine, h->roll), sine, n);
     vec z = v_along(v_scale(cosine, n), -sine, h->roll);
-    orientation_of(v_cross(y, z), y, z, h->shown_orientation);
-    h->shown = tip;
+    hand_orientation(v_cross(y, z), y, z, h->shown_orientation);
 }
 
-vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
-                        vec point, double opening)
+void hand_stiffen(vbss_grasper_config *shape)
+{
+    shape->stiffness = STIFFNESS;
+    shape->damping = DAMPING;
+}
+
+vbss_result hand_create_with(hand *h, stand *s, const hand_nature *nature,
+                             const vbss_grasper_config *shape, vec tip, vec point, double opening)
 {
     memset(h, 0, sizeof *h);
     h->stand = s;
     h->nature = *nature;
     h->random = nature->seed;
     h->side = 1.0;
-    h->trocar = trocar;
+    h->shape = *shape;
+    h->trocar = v_load(shape->trocar);
     h->goal = h->at = tip;
     h->point = h->roll = point;
+    h->face[0] = h->wanted_face[0] = 1.0;
     h->limit = 0.05;
     h->tool = VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
     for (int i = 0; i < 2; i++) {
         h->shake[i] = any_direction(&h->random);
         h->phase[i] = 2.0 * PI * hand_chance(&h->random);
     }
-    TRY(vbss_grasper_config_init(&h->shape, sizeof h->shape));
-    TRY(vbss_grasper_config_preset(&h->shape, VBSS_GRASPER_PRESET_ANGLED));
-    /* shears like the driver, so that a hand knows one tool */
-    h->shape.shears_length = h->shape.driver_length;
-    h->shape.shears_bend = h->shape.driver_bend;
-    h->shape.shears_neck = h->shape.driver_neck;
-    h->shape.exchange_distance = EXCHANGE_DISTANCE;
-    h->shape.stiffness = STIFFNESS;
-    h->shape.damping = DAMPING;
-    h->shape.has_trocar = 1;
-    v_store(h->shape.trocar, trocar);
     h->opening = h->wanted_opening = opening;
     show(h, tip);
     return wire_create(h);
+}
+
+vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
+                        vec point, double opening)
+{
+    vbss_grasper_config shape;
+    TRY(vbss_grasper_config_init(&shape, sizeof shape));
+    TRY(vbss_grasper_config_preset(&shape, VBSS_GRASPER_PRESET_ANGLED));
+    /* shears like the driver, so that a hand knows one tool */
+    shape.shears_length = shape.driver_length;
+    shape.shears_bend = shape.driver_bend;
+    shape.shears_neck = shape.driver_neck;
+    shape.exchange_distance = EXCHANGE_DISTANCE;
+    hand_stiffen(&shape);
+    shape.has_trocar = 1;
+    v_store(shape.trocar, trocar);
+    return hand_create_with(h, s, nature, &shape, tip, point, opening);
 }
 
 /* ---- what it is told */
@@ -120,6 +140,11 @@ void hand_go(hand *h, vec tip, double speed)
 void hand_turn(hand *h, vec point)
 {
     h->point = seen(h, point);
+}
+
+void hand_face(hand *h, const double q[4])
+{
+    memcpy(h->wanted_face, q, sizeof h->wanted_face);
 }
 
 void hand_open(hand *h, double opening)
@@ -160,6 +185,25 @@ static void turn(hand *h, double dt)
     h->roll = v_along(v_scale(cos(angle), now), sin(angle), side);
 }
 
+/* Part of the way of the chord between the two, the shorter way round. */
+static void face(hand *h, double dt)
+{
+    double most = FACE_SPEED * h->nature.speed * dt, dot = 0.0, length = 0.0;
+    for (int i = 0; i < 4; i++) {
+        dot += h->face[i] * h->wanted_face[i];
+    }
+    double angle = 2.0 * acos(fmin(fabs(dot), 1.0));
+    double share = angle * dt > LAG * most ? most / angle : dt / LAG;
+    for (int i = 0; i < 4; i++) {
+        double wanted = dot < 0.0 ? -h->wanted_face[i] : h->wanted_face[i];
+        h->face[i] += share * (wanted - h->face[i]);
+        length += h->face[i] * h->face[i];
+    }
+    for (int i = 0; i < 4; i++) {
+        h->face[i] /= sqrt(length);
+    }
+}
+
 static vec tremor(const hand *h)
 {
     double low = sin(2.0 * PI * TREMOR_LOW * h->time + h->phase[0]);
@@ -173,7 +217,11 @@ vbss_result hand_step(hand *h, double dt)
     double most = JAW_SPEED * h->nature.speed * dt;
     h->time += dt;
     follow(h, dt);
-    turn(h, dt);
+    if (h->shape.has_trocar) {
+        turn(h, dt);
+    } else {
+        face(h, dt);
+    }
     h->opening += clamp(h->wanted_opening - h->opening, -most, most);
     show(h, v_add(h->at, tremor(h)));
     return wire_tell(h);
@@ -200,7 +248,7 @@ vbss_result hand_feel(hand *h)
     return VBSS_OK;
 }
 
-static vec rotate(const double q[4], vec v)
+vec hand_rotate(const double q[4], vec v)
 {
     vec r = v3(q[1], q[2], q[3]), t = v_scale(2.0, v_cross(r, v));
     return v_add(v_along(v, q[0], t), v_cross(r, t));
@@ -211,13 +259,13 @@ vbss_result hand_look(const hand *h, hand_pose *pose)
     vbss_grasper_state s;
     double bend = h->shape.driver_bend;
     TRY(vbss_grasper_get_state(h->grasper, &s, sizeof s));
-    vec tip = v_load(s.position), jaws = rotate(s.orientation, v3(0.0, sin(bend), cos(bend)));
-    vec way = rotate(s.orientation, v3(0.0, 0.0, 1.0));
+    vec tip = v_load(s.position), jaws = hand_rotate(s.orientation, v3(0.0, sin(bend), cos(bend)));
+    vec way = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
     vec corner = v_along(tip, hand_reach(h), jaws);
     pose->tip = seen(h, tip);
     pose->handle = seen(h, jaws);
     pose->bend = seen(h, corner);
     pose->trocar = seen(h, v_along(corner, h->shape.shaft_length, way));
-    pose->opening = seen(h, rotate(s.orientation, v3(1.0, 0.0, 0.0)));
+    pose->opening = seen(h, hand_rotate(s.orientation, v3(1.0, 0.0, 0.0)));
     return VBSS_OK;
 }

@@ -32,11 +32,12 @@ typedef struct hand {
     double
         side; /* -1: the world is seen in a mirror, so that this hand's part is always the same */
     /* in the world: */
-    vec trocar;
-    vec aim, goal, at, velocity; /* of the tip: error, where it shall go, is */
-    vec point;                   /* to where the handle's end of the jaws shall point */
-    vec roll;                    /* where it points now, normal to the line from tip to trocar */
-    double limit;                /* m/s */
+    vec trocar;                     /* a free tool has none: it is turned as its hand is */
+    double face[4], wanted_face[4]; /* w, x, y, z: how a free tool is turned, how it shall be */
+    vec aim, goal, at, velocity;    /* of the tip: error, where it shall go, is */
+    vec point;                      /* to where the handle's end of the jaws shall point */
+    vec roll;                       /* where it points now, normal to the line from tip to trocar */
+    double limit;                   /* m/s */
     double phase[2];
     vec shake[2];
     double time;
@@ -58,6 +59,11 @@ typedef struct hand {
 
 vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
                         vec point, double opening);
+/* With a tool of that shape, which has its trocar or none. */
+vbss_result hand_create_with(hand *h, stand *s, const hand_nature *nature,
+                             const vbss_grasper_config *shape, vec tip, vec point, double opening);
+/* A shape's coupling becomes that of a hand that no arm makes buzz. */
+void hand_stiffen(vbss_grasper_config *shape);
 
 /* From 0 to 1, the next of a state: splitmix64. */
 double hand_chance(uint64_t *state);
@@ -66,6 +72,8 @@ double hand_chance(uint64_t *state);
  * end of the jaws shall point. */
 void hand_go(hand *h, vec tip, double speed);
 void hand_turn(hand *h, vec point);
+/* How a free tool shall be turned, w, x, y, z. */
+void hand_face(hand *h, const double q[4]);
 /* 0 closed to 1 open. */
 void hand_open(hand *h, double opening);
 void hand_take_tool(hand *h, vbss_device_tool tool);
@@ -76,6 +84,10 @@ vbss_result hand_step(hand *h, double dt);
 /* Feels what the step did. */
 vbss_result hand_feel(hand *h);
 vbss_result hand_look(const hand *h, hand_pose *pose);
+
+/* The quaternion (w, x, y, z) of a frame of these axes; a vector turned by one. */
+void hand_orientation(vec x, vec y, vec z, double q[4]);
+vec hand_rotate(const double q[4], vec v);
 
 static inline vec seen(const hand *h, vec world)
 {
