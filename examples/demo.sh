@@ -6,10 +6,10 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 .ci/install-packages demo
 
 out=build/demo
-mkdir -p "$out/knots" "$out/throws" "$out/drain"
+mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/needle"
 echo "== building (release)"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
-cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery pass_needle >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 
 {
     echo "== embedding in C"
@@ -22,6 +22,8 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
     ./build/release/examples/knots/knot_gallery "$out/knots"
     echo "== the drain: poked, pinched, shut, opened, pushed in, torn off, laden"
     ./build/release/examples/drain/drain_gallery "$out/drain"
+    echo "== a needle, passed through both marks of a drain by two scripted hands"
+    ./build/release/examples/needle/pass_needle -v -s 1 -p "$out/needle" -l "$out/needle/pass.vbss"
     echo "== the golden scenes, built here: the same bits as everywhere"
     python3 -B tests/determinism/matrix.py --work "$out/golden" --only gcc-O3
 } | tee "$out/report.txt"
@@ -29,5 +31,5 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
 echo
 echo "The library is in build/release/lib, this report in $out/report.txt,"
 echo "the hands at work in $out/throws: <knot>.png (all key stages), <knot>-<throw>-<stage>.png, <knot>.vbss (the log),"
-echo "the drain, touched, in $out/drain,"
+echo "the drain, touched, in $out/drain, the needle on its way through it in $out/needle,"
 echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>-throws.png (as told), <knot>.svg."

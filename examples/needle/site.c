@@ -1,0 +1,169 @@
+#include "needle/site.h"
+
+#include <stdbool.h>
+
+#define THREAD_LENGTH 0.15
+#define GRAVITY (-9.81)
+
+enum { THREAD_SEGMENTS = 60 };
+
+/* ---- made */
+
+static vbss_result make_scene(site *s)
+{
+    vbss_scene_config c;
+    TRY(vbss_scene_config_init(&c, sizeof c));
+    c.contact_capacity = 4096;
+    c.candidate_capacity = 65536;
+    c.floor = 1;
+    c.floor_normal[1] = 0.0;
+    c.floor_normal[2] = 1.0;
+    c.floor_height = s->floor;
+    return vbss_scene_create(s->stand.context, &c, &s->stand.scene);
+}
+
+/* Its x, y, z are the world's y, z, x. */
+static vbss_result add_drain(site *s)
+{
+    vbss_drain_config c;
+    TRY(vbss_drain_config_init(&c, sizeof c));
+    s->tube = c.radius;
+    s->wall = c.thickness;
+    s->floor = -2.0 * c.radius - c.thickness;
+    c.position[2] = -c.radius - 0.5 * c.thickness;
+    for (int i = 0; i < 4; i++) {
+        c.orientation[i] = 0.5;
+    }
+    TRY(vbss_drain_create(s->stand.context, &c, &s->drain));
+    TRY(vbss_drain_get_places(s->drain, &s->places, sizeof s->places));
+    TRY(make_scene(s));
+    return vbss_scene_add_drain(s->stand.scene, s->drain, &s->drain_body);
+}
+
+/* It lies so that turning it clockwise, as seen from above, drives its tip. */
+static vbss_result add_needle(site *s, vec place, double turn)
+{
+    vbss_needle_config c;
+    TRY(vbss_needle_config_init(&c, sizeof c));
+    s->radius = c.radius;
+    s->arc = c.arc;
+    s->wire = c.wire_radius;
+    c.gravity[2] = GRAVITY;
+    place.z = s->floor + c.wire_radius;
+    v_store(c.position, place);
+    c.orientation[0] = 0.0;
+    c.orientation[1] = cos(0.5 * turn);
+    c.orientation[2] = sin(0.5 * turn);
+    TRY(vbss_needle_create(s->stand.context, &c, &s->needle));
+    return vbss_scene_add_needle(s->stand.scene, s->needle, &s->needle_body);
+}
+
+/* Straight on from the needle's end. */
+static vbss_result add_thread(site *s)
+{
+    vec x[THREAD_SEGMENTS + 1];
+    vbss_thread_config c;
+    vbss_needle_state needle;
+    uint32_t pin;
+    double swage[3] = {-s->radius, 0.0, 0.0};
+    TRY(vbss_needle_get_state(s->needle, &needle, sizeof needle));
+    for (uint32_t i = 0; i <= THREAD_SEGMENTS; i++) {
+        x[i] = v_along(v_load(needle.swage), i * THREAD_LENGTH / THREAD_SEGMENTS,
+                       v_load(needle.swage_direction));
+    }
+    TRY(vbss_thread_config_init(&c, sizeof c));
+    TRY(vbss_thread_config_preset(&c, VBSS_PRESET_PAPER_THREAD));
+    c.segment_count = THREAD_SEGMENTS;
+    c.length = THREAD_LENGTH;
+    c.positions = &x[0].x;
+    c.gravity[1] = 0.0;
+    c.gravity[2] = GRAVITY;
+    c.damping = 2.0;
+    c.drag = 1.0;
+    TRY(vbss_thread_create(s->stand.context, &c, &s->stand.thread));
+    TRY(vbss_scene_add_thread(s->stand.scene, s->stand.thread, &s->stand.thread_body));
+    s->stand.nodes = THREAD_SEGMENTS + 1;
+    return vbss_scene_pin_thread(s->stand.scene, s->stand.thread_body, 0, s->needle_body, swage,
+                                 &pin);
+}
+
+vbss_result site_create(site *s, vec place, double turn)
+{
+    memset(s, 0, sizeof *s);
+    TRY(vbss_context_create(NULL, &s->stand.context));
+    TRY(add_drain(s));
+    TRY(add_needle(s, place, turn));
+    return add_thread(s);
+}
+
+/* ---- looked at */
+
+pose site_needle(const site *s)
+{
+    vbss_needle_state now;
+    (void)vbss_needle_get_state(s->needle, &now, sizeof now);
+    return pose_load(now.position, now.orientation);
+}
+
+vec site_outward(const site *s, double arc_length)
+{
+    double angle = -arc_length / s->radius;
+    return v3(cos(angle), sin(angle), 0.0);
+}
+
+vec site_forward(const site *s, double arc_length)
+{
+    double angle = -arc_length / s->radius;
+    return v3(-sin(angle), cos(angle), 0.0);
+}
+
+static const vec *look(const site *s, vbss_drain_field field)
+{
+    vbss_view view;
+    return vbss_drain_get_view(s->drain, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
+}
+
+vec site_mark(const site *s, int side)
+{
+    return look(s, VBSS_DRAIN_POSITIONS)[s->places.marks[side]];
+}
+
+static vec rest(const site *s, int side)
+{
+    return look(s, VBSS_DRAIN_REST_POSITIONS)[s->places.marks[side]];
+}
+
+static vec out_of_drain(vec v)
+{
+    return v3(v.z, v.x, v.y);
+}
+
+vec site_mark_at_rest(const site *s, int side)
+{
+    vec x = out_of_drain(rest(s, side));
+    return v3(x.x, x.y, x.z - s->tube - 0.5 * s->wall);
+}
+
+vec site_normal_at_rest(const site *s, int side)
+{
+    vec x = rest(s, side);
+    return v_unit(out_of_drain(v3(0.0, x.y, x.z)));
+}
+
+bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole)
+{
+    for (uint32_t i = 0; vbss_scene_get_hole(s->stand.scene, i, hole, sizeof *hole) == VBSS_OK;
+         i++) {
+        if (hole->id == id) {
+            return true;
+        }
+    }
+    return false;
+}
+
+double site_deviation(const site *s, const vbss_hole *hole, int side)
+{
+    vec mark = rest(s, side), at = v_load(hole->rest_position);
+    double turned = atan2(at.z, at.y) - atan2(mark.z, mark.y);
+    return hypot(s->tube * turned, at.x - mark.x);
+}

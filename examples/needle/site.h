@@ -1,0 +1,37 @@
+/* Where a stitch is made: a floor, a drain on it, a needle that lies on the floor with a thread swaged to it. Lengthwise the
+ * drain lies away from who stitches (y), its slit on top (z = 0), the marks at its right and left. */
+#ifndef VBSS_EXAMPLES_NEEDLE_SITE_H
+#define VBSS_EXAMPLES_NEEDLE_SITE_H
+
+#include "needle/pose.h"
+
+enum { SITE_LEFT = 0, SITE_RIGHT = 1 };
+
+typedef struct site {
+    stand stand; /* scene, thread and log */
+    vbss_needle *needle;
+    vbss_drain *drain;
+    uint32_t needle_body, drain_body;
+    vbss_drain_places places;
+    double radius, arc, wire; /* of the needle, m, rad, m */
+    double tube, wall;        /* middle radius and thickness of the drain, m */
+    double floor;             /* height, m */
+} site;
+
+/* Needle's middle on the floor, and how far it is turned there. */
+vbss_result site_create(site *s, vec place, double turn);
+
+pose site_needle(const site *s);
+/* A place on the needle in its own frame, from the tip; outward from the centre there, and the way toward the tip. */
+vec site_outward(const site *s, double arc_length);
+vec site_forward(const site *s, double arc_length);
+/* Of a mark: where it is; where it was, in the world; the wall's outer normal there at rest. */
+vec site_mark(const site *s, int side);
+vec site_mark_at_rest(const site *s, int side);
+vec site_normal_at_rest(const site *s, int side);
+/* The hole of that id; false: there is none (any longer). */
+bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole);
+/* How far a hole is from a mark on the cylinder, m. */
+double site_deviation(const site *s, const vbss_hole *hole, int side);
+
+#endif

@@ -1,0 +1,476 @@
+#include "needle/stitch.h"
+
+#include <stdbool.h>
+
+#define HOLD 0.64 /* of the needle's length from its tip: where it is taken */
+#define LEAN 0.14 /* of the tool from the needle's axis, away from the drain in the end, rad */
+#define JAW_RADIUS 0.25e-3 /* fine enough to take what lies flat on a floor */
+#define JAW_WIDE 0.6       /* of the handle */
+#define PRESS 0.5e-3       /* jaws into the floor, so that they are on it */
+#define OVER 12e-3
+#define CARRY 0.1 /* m/s */
+#define CAREFUL 0.03
+#define DRIVE 12e-3        /* of the tip */
+#define BEFORE 5e-3        /* of the mark, where the needle is brought */
+#define LONGEST 27e-3      /* of the way beyond the right mark */
+#define IN_LUMEN 5e-3      /* of the tip, until the left hand is ready */
+#define HELPED 2e-3        /* of it while the left hand still bears the wall */
+#define OUT 8.5e-3         /* of the tip in the end */
+#define FORK 0.56          /* of the left handle: a needle goes between its jaws */
+#define FORK_BEYOND 1.8e-3 /* of the fork's tips past the mark */
+#define FOLLOW 4e-3        /* at most, of a mark that moves */
+#define LOWER 0.7e-3       /* than the left mark the fork bears it */
+#define PUSH 4e-3          /* of the wall against the needle */
+#define LEAD \
+    0.35e-3 /* toward the slit, as the tip slides away from it on the wall before it enters */
+#define TRIMMING 0.1  /* s, in which what misses the mark is taken into the aim */
+#define SLOWLY 0.5    /* through the left wall, whatever the hand */
+#define NEARLY 0.4e-3 /* beside the mark: with more, slower still */
+#define SEEING 0.1    /* s: what is seen is told so late */
+
+enum { TRIES = 5 }; /* to take it */
+
+static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
+                                    "enter", "cross", "leave", "draw",  "done", "failed"};
+
+const char *stitch_name(stitch_state state)
+{
+    return names[state];
+}
+
+/* ---- made */
+
+static double between(uint64_t *random, double low, double high)
+{
+    return low + (high - low) * hand_chance(random);
+}
+
+static vbss_result make_hands(stitch *t, const hand_nature *nature)
+{
+    vbss_grasper_config c;
+    hand_nature left = *nature;
+    left.seed += 1000;
+    TRY(vbss_grasper_config_init(&c, sizeof c));
+    hand_stiffen(&c);
+    c.driver_radius = JAW_RADIUS;
+    TRY(hand_create_with(&t->right, &t->site.stand, nature, &c, v3(0.05, -0.05, 0.03),
+                         v3(0.0, 0.0, 1.0), JAW_WIDE));
+    TRY(vbss_grasper_config_init(&c, sizeof c));
+    hand_stiffen(&c);
+    c.has_trocar = 1;
+    v_store(c.trocar, v3(-0.12, -0.015, 0.08));
+    return hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03),
+                            v3(0.56, 0.0, 0.83), FORK);
+}
+
+/* An error of aim lies in the wall. */
+static vec any_error(uint64_t *random, double size, vec normal)
+{
+    double angle = between(random, 0.0, 6.283185307179586);
+    vec away = v3(0.0, 1.0, 0.0), side = v_cross(normal, away);
+    return v_add(v_scale(size * cos(angle), away), v_scale(size * sin(angle), side));
+}
+
+vbss_result stitch_create(stitch *t, uint64_t seed)
+{
+    uint64_t random = seed * 7919 + 17;
+    hand_nature nature = {.speed = 1.0, .seed = seed};
+    vec place = v3(0.035, -0.005, 0.0);
+    double turn = 3.141592653589793, aim = 0.0;
+    memset(t, 0, sizeof *t);
+    if (seed > 0) { /* 0: steady hands, everything where it belongs */
+        nature.speed = between(&random, 0.6, 1.5);
+        nature.tremor = between(&random, 0.1e-3, 0.4e-3);
+        nature.aim = nature.aim_end = aim = 0.5e-3;
+        place.x += between(&random, -8e-3, 8e-3);
+        place.y += between(&random, -8e-3, 8e-3);
+        turn += between(&random, -0.8, 0.8);
+    }
+    TRY(site_create(&t->site, place, turn));
+    for (int side = 0; side < 2; side++) {
+        t->errors[side] = any_error(&random, aim, site_normal_at_rest(&t->site, side));
+        t->marks[side] = site_mark(&t->site, side);
+    }
+    t->held.q[0] = 1.0;
+    return make_hands(t, &nature);
+}
+
+/* ---- the right tool with the needle in it */
+
+static pose told(const hand *h)
+{
+    pose p = {.at = h->at};
+    memcpy(p.q, h->face, sizeof p.q);
+    return p;
+}
+
+static void go(hand *h, const pose *p, double speed)
+{
+    hand_go(h, p->at, speed);
+    hand_face(h, p->q);
+}
+
+/* Of the tool when it holds the needle, in the needle's frame. */
+static pose grip(const site *s)
+{
+    double at = HOLD * s->arc * s->radius, up = 1.92;
+    vec out = site_outward(s, at);
+    vec z = v3(sin(LEAN) * cos(up), sin(LEAN) * sin(up), -cos(LEAN));
+    vec x = v_unit(v_across(out, z));
+    return pose_of(v_scale(s->radius, out), x, v_cross(z, x), z);
+}
+
+/* Where it was taken in the tool, as it is seen: with what gives way between hand and needle. */
+static void see_held(stitch *t, double dt)
+{
+    pose tool = told(&t->right), back = pose_back(&tool), needle = site_needle(&t->site);
+    pose now = pose_after(&back, &needle);
+    t->held = pose_mix(&t->held, &now, dt / SEEING);
+}
+
+/* So that the needle comes there. */
+static void steer(stitch *t, const pose *needle, double speed)
+{
+    pose back = pose_back(&t->held), tool = pose_after(needle, &back);
+    go(&t->right, &tool, speed);
+}
+
+static double off(const stitch *t, const pose *needle)
+{
+    pose now = site_needle(&t->site);
+    return v_distance(now.at, needle->at) + t->site.radius * pose_angle(&now, needle);
+}
+
+/* ---- the way of the needle */
+
+static vec aimed(const stitch *t, int side)
+{
+    return v_add(t->marks[side], t->errors[side]);
+}
+
+/* The needle with its tip at a point, straight through the wall there. */
+static pose at_entry(const stitch *t)
+{
+    vec z = v3(0.0, 1.0, 0.0);
+    vec y = v_scale(-1.0, site_normal_at_rest(&t->site, SITE_RIGHT));
+    vec x = v_cross(y, z);
+    return pose_of(v_along(t->entry, -t->site.radius, x), x, y, z);
+}
+
+static pose entering(const stitch *t)
+{
+    pose p = at_entry(t);
+    return pose_turned(&p, v3(0.0, 0.0, 1.0), t->gone / t->site.radius);
+}
+
+/* The left mark as it is seen; where the needle pushes it out, it is not followed. */
+static vec exit_aim(const stitch *t)
+{
+    vec rest = site_mark_at_rest(&t->site, SITE_LEFT), n = site_normal_at_rest(&t->site, SITE_LEFT);
+    vec moved = v_sub(t->marks[SITE_LEFT], rest);
+    moved = v_along(moved, -fmax(v_dot(moved, n), 0.0), n);
+    vec up = v_cross(v3(0.0, 1.0, 0.0), n);
+    vec aim = v_along(v_add(rest, t->errors[SITE_LEFT]), LEAD, up);
+    return v_add(v_add(aim, t->trim), v_limit(moved, FOLLOW));
+}
+
+/* From the circle on which the needle really lies to the left mark. */
+static vec miss(const stitch *t)
+{
+    pose needle = site_needle(&t->site);
+    vec to = v_sub(aimed(t, SITE_LEFT), needle.at);
+    vec z = hand_rotate(needle.q, v3(0.0, 0.0, 1.0)), flat = v_across(to, z);
+    vec out = v_scale(v_length(flat) - t->site.radius, v_unit(flat));
+    return v_along(out, v_dot(to, z), z);
+}
+
+/* On the circle through the first hole and the left mark, above which its centre lies, so far beyond the hole. */
+static pose crossing(const stitch *t)
+{
+    vec from = t->entry, to = exit_aim(t);
+    vec e1 = v_unit(v_sub(from, to)), e3 = v_unit(v_across(v3(0.0, 0.0, 1.0), e1));
+    double half = 0.5 * v_distance(from, to), r = t->site.radius;
+    vec centre = v_along(v_mix(from, to, 0.5), sqrt(r * r - half * half), e3);
+    vec x = v_unit(v_sub(from, centre)), z = v_cross(e3, e1);
+    pose p = pose_of(centre, x, v_cross(z, x), z);
+    return pose_turned(&p, v3(0.0, 0.0, 1.0), t->gone / r);
+}
+
+/* ---- the right hand */
+
+static void enter_state(stitch *t, stitch_state state)
+{
+    t->state = state;
+    t->since = 0.0;
+}
+
+static void fail(stitch *t, const char *why)
+{
+    t->why = why;
+    enter_state(t, STITCH_FAILED);
+}
+
+static void take(stitch *t)
+{
+    hand *h = &t->right;
+    pose needle = site_needle(&t->site), local = grip(&t->site);
+    pose tool = pose_after(&needle, &local);
+    double low = t->site.floor + JAW_RADIUS - PRESS;
+    if (t->state == STITCH_REACH) {
+        hand_open(h, JAW_WIDE);
+        tool.at.z += OVER;
+        go(h, &tool, CARRY);
+        if (v_distance(h->at, v_add(tool.at, h->aim)) < 1e-3) {
+            enter_state(t, STITCH_LOWER);
+        }
+        return;
+    }
+    tool.at.z = low;
+    go(h, &tool, CAREFUL);
+    if (t->state == STITCH_LOWER) {
+        if (fabs(h->at.z - low) < 0.1e-3 + fabs(h->aim.z)) {
+            enter_state(t, STITCH_CLOSE);
+        }
+        return;
+    }
+    hand_open(h, 0.0);
+    if (h->holds && t->since > 0.25) {
+        pose now = told(h), back = pose_back(&now);
+        t->held = pose_after(&back, &needle);
+        t->from = now;
+        enter_state(t, STITCH_LIFT);
+    } else if (t->since > 0.8) {
+        hand_aim(h, h->nature.aim_end);
+        enter_state(t, STITCH_REACH);
+        if (++t->tries == TRIES) {
+            fail(t, "the needle is not taken");
+        }
+    }
+}
+
+static void carry(stitch *t)
+{
+    if (t->state == STITCH_LIFT) {
+        pose up = t->from;
+        up.at.z += 0.03;
+        go(&t->right, &up, CARRY);
+        if (v_distance(t->right.at, up.at) < 5e-3) {
+            enter_state(t, STITCH_BRING);
+        }
+        return;
+    }
+    t->entry = aimed(t, SITE_RIGHT);
+    t->gone = -BEFORE;
+    pose needle = entering(t);
+    if (t->state == STITCH_BRING) {
+        needle.at = v_add(needle.at, v3(0.012, 0.0, 0.015));
+        steer(t, &needle, CARRY);
+        if (off(t, &needle) < 4e-3) {
+            enter_state(t, STITCH_AIM);
+        }
+        return;
+    }
+    steer(t, &needle, CAREFUL);
+    if (off(t, &needle) < 1e-3 && t->support == SUPPORT_UNDER && t->support_since > 0.5) {
+        enter_state(t, STITCH_ENTER);
+    }
+}
+
+static void drive(stitch *t, double dt)
+{
+    double step = DRIVE * t->right.nature.speed * dt;
+    pose needle = entering(t);
+    if (t->state == STITCH_ENTER) {
+        if (t->gone < 14e-3) {
+            t->gone += step;
+        } else if (t->since > 5.0) {
+            fail(t, "the right wall is not entered");
+        }
+        steer(t, &needle, CARRY);
+        return;
+    }
+    bool ready = t->support == SUPPORT_ON && t->support_since > 0.4;
+    bool waits = t->state == STITCH_CROSS && t->gone >= IN_LUMEN;
+    if (t->state == STITCH_LEAVE) { /* the wall drives the tip aside */
+        vec off = miss(t);
+        t->trim = v_limit(v_along(t->trim, dt / TRIMMING, off), FOLLOW);
+        step = SLOWLY * DRIVE * dt * clamp(2.0 - v_length(off) / NEARLY, 0.05, 1.0);
+    }
+    if (!waits && t->gone < LONGEST) {
+        t->gone += step;
+    }
+    t->along = fmin(1.0, t->along + dt / 0.5);
+    pose other = crossing(t);
+    needle = pose_mix(&needle, &other, t->along);
+    steer(t, &needle, CARRY);
+    if (waits && ready) {
+        enter_state(t, STITCH_LEAVE);
+    }
+    if (t->state == STITCH_DRAW && t->out > OUT) {
+        enter_state(t, STITCH_DONE);
+    }
+    if (t->since > 8.0) {
+        fail(t, "the left wall is not left");
+    }
+}
+
+static void lead_right(stitch *t, double dt)
+{
+    switch (t->state) {
+    case STITCH_LIE:
+        if (t->since > 0.2) {
+            enter_state(t, STITCH_REACH);
+        }
+        break;
+    case STITCH_REACH:
+    case STITCH_LOWER:
+    case STITCH_CLOSE:
+        take(t);
+        break;
+    case STITCH_LIFT:
+    case STITCH_BRING:
+    case STITCH_AIM:
+        carry(t);
+        break;
+    case STITCH_ENTER:
+    case STITCH_CROSS:
+    case STITCH_LEAVE:
+    case STITCH_DRAW:
+        drive(t, dt);
+        break;
+    case STITCH_DONE:
+    case STITCH_FAILED:
+        break;
+    }
+}
+
+/* ---- the left hand */
+
+static void enter_support(stitch *t, stitch_support support)
+{
+    t->support = support;
+    t->support_since = 0.0;
+}
+
+static void lead_left(stitch *t)
+{
+    hand *h = &t->left;
+    vec right = site_mark_at_rest(&t->site, SITE_RIGHT),
+        left = site_mark_at_rest(&t->site, SITE_LEFT);
+    double off = 0.5 * t->site.wall + h->shape.driver_radius;
+    vec in = v_along(right, -off + 0.2e-3, site_normal_at_rest(&t->site, SITE_RIGHT));
+    vec outer = site_normal_at_rest(&t->site, SITE_LEFT);
+    vec on = v_along(v_along(left, off, outer), -LOWER, v_cross(v3(0.0, 1.0, 0.0), outer));
+    vec way = v_unit(v_sub(h->trocar, in)), tip = v_along(in, -FORK_BEYOND, way);
+    switch (t->support) {
+    case SUPPORT_AWAY:
+        if (t->since > 0.1 && t->state > STITCH_LIE) {
+            hand_aim(h, h->nature.aim_end);
+            enter_support(t, SUPPORT_OVER);
+        }
+        break;
+    case SUPPORT_OVER:
+        hand_go(h, v_along(tip, 0.02, way), CARRY);
+        if (v_distance(h->at, v_add(v_along(tip, 0.02, way), h->aim)) < 0.5e-3) {
+            enter_support(t, SUPPORT_UNDER);
+        }
+        break;
+    case SUPPORT_UNDER:
+        hand_go(h, tip, CAREFUL);
+        if (t->state == STITCH_CROSS && t->gone >= IN_LUMEN) {
+            enter_support(t, SUPPORT_OUT);
+        }
+        break;
+    case SUPPORT_OUT:
+        hand_go(h, v_along(tip, 0.025, way), CARRY);
+        if (v_distance(h->at, v_add(v_along(tip, 0.025, way), h->aim)) < 1e-3) {
+            enter_support(t, SUPPORT_BESIDE);
+        }
+        break;
+    case SUPPORT_BESIDE:
+        way = v_unit(v_sub(h->trocar, on));
+        hand_go(h, v_along(on, 4e-3, way), CARRY);
+        if (v_distance(h->at, v_add(v_along(on, 4e-3, way), h->aim)) < 0.5e-3) {
+            enter_support(t, SUPPORT_ON);
+        }
+        break;
+    case SUPPORT_ON:
+        way = v_unit(v_sub(h->trocar, on));
+        hand_go(h, v_along(on, -PUSH, way), CAREFUL);
+        if (t->out > HELPED) {
+            enter_support(t, SUPPORT_BACK);
+        }
+        break;
+    case SUPPORT_BACK:
+        way = v_unit(v_sub(h->trocar, on));
+        hand_go(h, v_along(on, 0.03, way), CARRY);
+        break;
+    }
+}
+
+vbss_result stitch_lead(stitch *t, double dt)
+{
+    t->since += dt;
+    t->support_since += dt;
+    if (t->state > STITCH_CLOSE) {
+        see_held(t, dt);
+    }
+    for (int side = 0; side < 2; side++) {
+        t->marks[side] = v_mix(t->marks[side], site_mark(&t->site, side), dt / SEEING);
+    }
+    lead_right(t, dt);
+    lead_left(t);
+    TRY(hand_step(&t->right, dt));
+    return hand_step(&t->left, dt);
+}
+
+/* ---- what the step did */
+
+static void punctured(stitch *t, uint32_t id)
+{
+    vbss_hole hole;
+    t->punctures++;
+    if (!site_find_hole(&t->site, id, &hole)) {
+        return;
+    }
+    int side = hole.outward ? SITE_LEFT : SITE_RIGHT;
+    if (t->holes[side] != 0) {
+        t->others++;
+        return;
+    }
+    t->holes[side] = id;
+    t->made[side] = hole;
+    if (side == SITE_RIGHT && t->state == STITCH_ENTER) {
+        t->hole = v_load(hole.position);
+        t->gone = hole.arc_length;
+        t->entry = site_mark_at_rest(&t->site, SITE_RIGHT);
+        enter_state(t, STITCH_CROSS);
+    } else if (side == SITE_LEFT && (t->state == STITCH_CROSS || t->state == STITCH_LEAVE)) {
+        enter_state(t, STITCH_DRAW);
+    }
+}
+
+vbss_result stitch_look(stitch *t)
+{
+    vbss_view view;
+    vbss_hole hole;
+    TRY(hand_feel(&t->right));
+    TRY(hand_feel(&t->left));
+    TRY(vbss_scene_get_view(t->site.stand.scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
+    for (uint64_t i = 0; i < view.count; i++) {
+        const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
+        if (event[0] == VBSS_EVENT_PUNCTURE) {
+            punctured(t, event[3]);
+        } else if (event[0] == VBSS_EVENT_TORN || event[0] == VBSS_EVENT_WITHDRAWN) {
+            t->others++;
+            fail(t, event[0] == VBSS_EVENT_TORN ? "torn out of the jaws" : "withdrawn");
+        }
+    }
+    if (t->holes[SITE_RIGHT] != 0 && site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole)) {
+        t->hole = v_mix(t->hole, v_load(hole.position), 0.01);
+    }
+    if (t->holes[SITE_LEFT] != 0 && site_find_hole(&t->site, t->holes[SITE_LEFT], &hole)) {
+        t->out = hole.arc_length;
+    }
+    return VBSS_OK;
+}

@@ -1,0 +1,65 @@
+/* Two hands that drive a needle through both marks: what they do next, from what they see. */
+#ifndef VBSS_EXAMPLES_NEEDLE_STITCH_H
+#define VBSS_EXAMPLES_NEEDLE_STITCH_H
+
+#include "needle/site.h"
+
+/* The right hand drives. */
+typedef enum stitch_state {
+    STITCH_LIE,   /* all comes to rest */
+    STITCH_REACH, /* over the needle */
+    STITCH_LOWER,
+    STITCH_CLOSE,
+    STITCH_LIFT,
+    STITCH_BRING, /* over the right mark */
+    STITCH_AIM,   /* the tip before it */
+    STITCH_ENTER, /* through the right wall */
+    STITCH_CROSS, /* the lumen */
+    STITCH_LEAVE, /* through the left wall */
+    STITCH_DRAW,  /* until enough of it stands out */
+    STITCH_DONE,
+    STITCH_FAILED
+} stitch_state;
+
+/* The left hand bears the wall against it. */
+typedef enum stitch_support {
+    SUPPORT_AWAY,
+    SUPPORT_OVER,   /* the slit */
+    SUPPORT_UNDER,  /* the right edge, from within */
+    SUPPORT_OUT,    /* of the slit again */
+    SUPPORT_BESIDE, /* the left wall */
+    SUPPORT_ON,     /* it, from outside */
+    SUPPORT_BACK
+} stitch_support;
+
+typedef struct stitch {
+    site site;
+    hand right, left;
+    stitch_state state;
+    stitch_support support;
+    double since, support_since; /* s in the state */
+    int tries;                   /* to take it */
+    const char *why;
+    pose held;     /* the needle in the frame of what the right tool was told */
+    pose from;     /* of the right tool, when it lifts */
+    vec errors[2]; /* of aim, at the left and the right mark */
+    vec marks[2];  /* as seen, a little late */
+    vec trim;      /* of the aim at the left mark */
+    vec hole;      /* the first, likewise */
+    vec entry;     /* where the right mark is taken to be while it is entered */
+    double gone;   /* the tip beyond the right mark along the way it shall go, m */
+    double along;  /* share of the change from the circle of entry to that through both marks */
+    uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
+    uint32_t holes[2];          /* their ids: left, right */
+    vbss_hole made[2];          /* when made */
+    double out;                 /* of the tip beyond the left wall, m */
+} stitch;
+
+vbss_result stitch_create(stitch *t, uint64_t seed);
+/* Tells both hands what to do in the coming step, and moves their tools. */
+vbss_result stitch_lead(stitch *t, double dt);
+/* Looks at what it did. */
+vbss_result stitch_look(stitch *t);
+const char *stitch_name(stitch_state state);
+
+#endif
