@@ -241,18 +241,24 @@ static bool is_left_out(const scene_object *s, const collision_candidate *q, dou
     }
     const collision_shape *shape = s->collision->shapes[drain->shape];
     uint32_t capsule = first ? q->a : q->b, feature = first ? q->b : q->a;
-    double at[3], arc, reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
+    double at[3], end;
     scene_spot spot;
     (void)distance_at_begin(s, q, at);
     if (point) {
-        arc = vbss_scene_arc_of(needle, capsule / 2, capsule % 2);
+        end = capsule % 2;
+        capsule /= 2;
         spot = vbss_scene_spot(drain, shape->triangles[feature], at, 3);
     } else {
         double share = at[first ? 1 : 0];
         const double weights[2] = {1.0 - share, share};
-        arc = vbss_scene_arc_of(needle, capsule, at[first ? 0 : 1]);
+        end = at[first ? 0 : 1];
         spot = vbss_scene_spot(drain, shape->edges[feature], weights, 2);
     }
+    if (holds) {
+        return vbss_scene_is_pinched(s, drain, spot.now, needle, capsule);
+    }
+    double reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
+    double arc = vbss_scene_arc_of(needle, capsule, end);
     return vbss_scene_is_in_hole(s, needle, arc, drain, &spot, reach);
 }
 

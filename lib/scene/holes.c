@@ -175,14 +175,6 @@ static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
                       : vbss_scene_spot(drain, node, face, 3);
 }
 
-static bool is_row_in_hole(const scene_object *s, const contact_row *row, const scene_body *a,
-                           const scene_body *b)
-{
-    return a->rigid.needle != NULL &&
-           vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, point_of_row(s, b, row),
-                                 SCENE_PIN_ARC * row->touching);
-}
-
 bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
 {
     const scene_body *a = vbss_scene_body(s, row->key.body_a);
@@ -191,7 +183,12 @@ bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
         return false;
     }
     const scene_spot spot = spot_of_row(s, b, row);
-    return vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, &spot, SCENE_PIN_ARC * row->touching);
+    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
+    uint32_t capsule = point ? row->key.a / 2 : row->key.a;
+    bool in_hole =
+        a->rigid.needle != NULL &&
+        vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, &spot, SCENE_PIN_ARC * row->touching);
+    return in_hole || vbss_scene_is_pinched(s, b, spot.now, a, capsule);
 }
 
 /* ---- after a step */

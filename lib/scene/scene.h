@@ -390,8 +390,8 @@ void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
 void vbss_scene_keep_holes(scene_object *s);
 /* The next part has other places in them. */
 void vbss_scene_move_holes(scene_object *s);
-/* Whether a place of a needle and a point of a drain, or what a row is about, are so near to a hole that they do not touch;
- * the arc length of a place on one of its capsules. */
+/* Whether a place of a needle and a spot of a drain are so near to a hole that they do not touch; the arc length of a place on
+ * one of its capsules; whether a row is about such a place, or about wall and the jaws that hold it. */
 typedef struct scene_spot {
     vec3 now, rest; /* of the wall */
 } scene_spot;
@@ -399,7 +399,7 @@ scene_spot vbss_scene_spot(const scene_body *drain, const uint32_t *node, const 
                            uint32_t count);
 bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
                            const scene_body *drain, const scene_spot *spot, double reach);
-bool vbss_scene_is_row_in_hole(const scene_object *s, const contact_row *row);
+bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);
 double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share);
 /* After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);

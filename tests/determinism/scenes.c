@@ -473,6 +473,46 @@ static void run_drain_hands(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- needles: a thin and a stout one, thrown and slowed down, hashed together after every 20 steps */
+
+enum { NEEDLES = 2 };
+
+static void run_needle(uint64_t *hashes, size_t count)
+{
+    static const double arcs[NEEDLES] = {3.14159265358979323846, 0.7};
+    vbss_context *context;
+    vbss_needle *needles[NEEDLES];
+    must(vbss_context_create(NULL, &context));
+    for (int k = 0; k < NEEDLES; k++) {
+        vbss_needle_config config;
+        must(vbss_needle_config_init(&config, sizeof config));
+        config.arc = arcs[k];
+        config.wire_radius *= 1.0 + 3.0 * k;
+        config.drag = 0.3;
+        config.gravity[2] = -9.81;
+        vec3_store(config.velocity, vec3_make(0.4, -0.3, 5.0));
+        vec3_store(config.angular_velocity, vec3_make(0.03, -60.0, 0.02)); /* the middle axis */
+        must(vbss_needle_create(context, &config, &needles[k]));
+    }
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_stream_begin_hash(&stream);
+        for (int n = 0; n < NEEDLES; n++) {
+            vbss_needle_state seen;
+            uint64_t own;
+            for (int k = 0; k < 20; k++) {
+                must(vbss_needle_step(needles[n], 1e-3));
+            }
+            must(vbss_needle_get_hash(needles[n], &own));
+            must(vbss_needle_get_state(needles[n], &seen, sizeof seen));
+            vbss_stream_u64(&stream, 1, &own, 1);
+            vbss_stream_f64(&stream, 2, seen.swage, 3);
+        }
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(vbss_context_destroy(context));
+}
+
 /* ---- a needle with its thread in two pairs of hands, hashed after every 10 steps */
 
 static void run_needle_hands(uint64_t *hashes, size_t count)
