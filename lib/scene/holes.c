@@ -246,6 +246,19 @@ static suture_hole *free_hole(scene_object *s)
     return NULL;
 }
 
+/* A tip that is on its way into a wall enters no other place of it: what presses on it there is the wall round the hole. */
+static bool is_entering(const scene_object *s, const scene_body *needle, const scene_body *drain)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
+            hole->arc < 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void enter(scene_object *s, const scene_body *needle, const scene_body *drain)
 {
     suture_tip tip;
@@ -253,7 +266,8 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
     const drain_object *d = drain->drain.drain;
     double wire = needle->rigid.needle->config.wire_radius;
     double reach = REACH * (wire + 0.5 * d->config.thickness);
-    if (!look_at_tip(s, needle, drain, &tip) || !vbss_suture_enters(&d->config, &tip) ||
+    if (is_entering(s, needle, drain) || !look_at_tip(s, needle, drain, &tip) ||
+        !vbss_suture_enters(&d->config, &tip) ||
         !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {
         return;
     }
