@@ -363,7 +363,7 @@ void vbss_scene_settle_pinches(scene_object *s, double h)
         }
         if (!b->rigid.pinch.let_go) {
             settle(s, b, h);
-        } else if (!b->rigid.pinch.torn && is_clear(s, b, 1.0)) {
+        } else if (is_clear(s, b, 1.0)) {
             b->rigid.pinch = (scene_pinch){0};
         }
     }

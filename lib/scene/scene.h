@@ -99,7 +99,7 @@ typedef struct scene_pinch {
     vec3 force;   /* on the drain after the last step */
     bool sliding; /* it slid in the last step */
     bool let_go;  /* not held any more, but not clear of the jaws yet */
-    bool torn;    /* nor taken again before the handle has been opened */
+    bool torn;    /* nor taken again before the handle has been opened, or it is clear */
 } scene_pinch;
 
 typedef struct scene_rigid {

@@ -107,9 +107,9 @@ static bool is_pinch(const scene_object *s, const scene_pinch *p)
                  isfinite(p->slid) && isfinite(p->limit) && vec3_is_finite(p->force);
     for (uint32_t k = 0; k < p->count; k++) {
         const double *w = p->weights[k];
-        sound = sound && p->triangle[k] < b->drain.drain->mesh.triangle_count &&
-                fabs(w[0] + w[1] + w[2] - 1.0) < 1e-9 && vbss_largest(w, 3) <= 1.0 &&
-                vec3_norm(p->at[k]) <= 1.0;
+        sound = sound && p->triangle[k] < b->drain.drain->mesh.triangle_count && w[0] >= 0.0 &&
+                w[1] >= 0.0 && w[2] >= 0.0 && fabs(w[0] + w[1] + w[2] - 1.0) < 1e-9 &&
+                vec3_norm(p->at[k]) <= 2.0; /* jaws are at most 1 m long */
     }
     return sound;
 }

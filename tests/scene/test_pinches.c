@@ -182,6 +182,31 @@ static void it_slides_out_of_jaws_that_pull_too_hard(void **state)
     end(&r);
 }
 
+/* Torn out, the jaws are drawn off it, still shut, and pushed on to where they held it: once clear they touch the wall there. */
+static void what_was_torn_out_is_touched_again(void **state)
+{
+    (void)state;
+    wall_rig r;
+    uint32_t event[4], torn = 0;
+    begin(&r);
+    scene_body *tool = vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0]);
+    tool->rigid.grasper->config.closing_force = 0.2;
+    tools_close(&r.tools, 0);
+    vec3 back = vec3_add_scaled(r.tip, -12e-3, r.ahead);
+    for (uint32_t i = 1; i <= 600; i++) {
+        tools_move(&r.tools, 0, vec3_lerp(r.tip, back, i / 600.0));
+        tools_steps(&r.tools, 1);
+        torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
+    }
+    assert_int_equal(torn, 1);
+    vec3 lip = node_at(&r, r.lip);
+    tools_way(&r.tools, 0, back, vec3_add_scaled(r.tip, 1e-3, r.ahead), 600);
+    assert_true(vec3_dot(r.ahead, tools_hand_force(&r.tools, 0)) < -0.05);
+    assert_int_equal(tools_state(&r.tools, 0).grasp_count, 0);
+    assert_true(vec3_distance(lip, node_at(&r, r.lip)) > 1e-3);
+    end(&r);
+}
+
 static void a_restored_hold_goes_on_to_the_same_bits(void **state)
 {
     (void)state;
@@ -199,6 +224,29 @@ static void a_restored_hold_goes_on_to_the_same_bits(void **state)
     assert_int_equal(wanted, small_hash(&r.tools.s));
     free(saved.bytes);
     end(&r);
+}
+
+static void a_hold_that_no_jaws_have_is_refused(void **state)
+{
+    (void)state;
+    const struct {
+        double weights[3], depth;
+        vbss_result wanted;
+    } cases[] = {{{0.2, 0.3, 0.5}, 1.9, VBSS_OK},
+                 {{-0.2, 0.3, 0.9}, 1.9, VBSS_ERROR_CORRUPT},
+                 {{0.2, 0.3, 0.5}, 2.1, VBSS_ERROR_CORRUPT}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        wall_rig r;
+        pinch(&r);
+        scene_pinch *p = &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.pinch;
+        memcpy(p->weights[0], cases[i].weights, sizeof cases[i].weights);
+        p->at[0] = vec3_make(0.0, 0.0, -cases[i].depth);
+        small_state saved = small_save(&r.tools.s);
+        assert_int_equal(vbss_scene_restore(r.tools.s.scene, saved.bytes, saved.count),
+                         cases[i].wanted);
+        free(saved.bytes);
+        end(&r);
+    }
 }
 
 /* A tool that is exchanged, removed, or whose drain is: nobody holds anything. */
@@ -230,7 +278,9 @@ int test_pinches(void)
         harness_test(the_wall_follows_the_tool),
         harness_test(what_is_let_go_comes_back),
         harness_test(it_slides_out_of_jaws_that_pull_too_hard),
+        harness_test(what_was_torn_out_is_touched_again),
         harness_test(a_restored_hold_goes_on_to_the_same_bits),
+        harness_test(a_hold_that_no_jaws_have_is_refused),
         harness_test(what_is_gone_holds_nothing),
     };
     return cmocka_run_group_tests_name("scene.pinches", tests, NULL, NULL);
