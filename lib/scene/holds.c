@@ -26,14 +26,9 @@ static pose frame_at(const needle_object *n, double arc)
     return pose_make(vbss_needle_point(n, arc), quat_make(cosine, 0.0, 0.0, sine));
 }
 
-static pose needle_at(const scene_rigid *r, pose principal)
-{
-    return pose_mul(principal, pose_inverse(r->frame));
-}
-
 static pose held_place(const scene_rigid *needle, const scene_hold *hold, pose principal)
 {
-    return pose_mul(needle_at(needle, principal), frame_at(needle->needle, hold->arc));
+    return pose_mul(vbss_scene_needle_at(needle, principal), frame_at(needle->needle, hold->arc));
 }
 
 static scene_rigid *needle_of(const scene_object *s, const scene_hold *hold)
@@ -72,7 +67,8 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
     const grasper_object *g = tool->rigid.grasper;
     const needle_object *n = b->rigid.needle;
     pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.at);
-    pose needle = pose_mul(pose_inverse(jaws), needle_at(&b->rigid, b->rigid.body.now.at));
+    pose needle =
+        pose_mul(pose_inverse(jaws), vbss_scene_needle_at(&b->rigid, b->rigid.body.now.at));
     uint32_t pieces = PIECES * n->config.segment_count;
     double length = vbss_needle_length(n) / pieces;
     for (uint32_t i = 0; i < pieces; i++) {

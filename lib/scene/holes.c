@@ -19,16 +19,11 @@ static pierced who_is_in(const scene_object *s, const suture_hole *hole)
                      &vbss_scene_body(s, hole->drain)->drain};
 }
 
-static pose needle_at(const scene_rigid *r, pose principal)
-{
-    return pose_mul(principal, pose_inverse(r->frame));
-}
-
 static hole_lie look_now(const scene_object *s, const suture_hole *hole)
 {
     const pierced in = who_is_in(s, hole);
     const drain_object *d = in.drain->drain;
-    pose needle = needle_at(in.needle, in.needle->body.now.at);
+    pose needle = vbss_scene_needle_at(in.needle, in.needle->body.now.at);
     return vbss_hole_look(hole, d, d->x, in.needle->needle, needle);
 }
 
@@ -36,7 +31,7 @@ static hole_lie look_at_trial(const scene_object *s, const suture_hole *hole)
 {
     const pierced in = who_is_in(s, hole);
     const drain_object *d = in.drain->drain;
-    pose needle = needle_at(in.needle, in.needle->trial);
+    pose needle = vbss_scene_needle_at(in.needle, in.needle->trial);
     return vbss_hole_look(hole, d, d->trial, in.needle->needle, needle);
 }
 
@@ -217,7 +212,7 @@ static bool look_at_tip(const scene_object *s, const scene_body *needle, const s
                         suture_tip *tip)
 {
     const scene_rigid *r = &needle->rigid;
-    pose at = needle_at(r, r->body.now.at);
+    pose at = vbss_scene_needle_at(r, r->body.now.at);
     vec3 normal = vec3_zero();
     *tip = (suture_tip){.position = pose_apply(at, vbss_needle_point(r->needle, 0.0)),
                         .direction =

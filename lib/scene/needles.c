@@ -74,6 +74,11 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     return VBSS_OK;
 }
 
+pose vbss_scene_needle_at(const scene_rigid *r, pose principal)
+{
+    return pose_mul(principal, pose_inverse(r->frame));
+}
+
 void vbss_scene_show_needle(const scene_body *b)
 {
     vbss_needle_follow(b->rigid.needle, &b->rigid.body.now, b->number);

@@ -348,7 +348,8 @@ void vbss_scene_forget_grasps_of(scene_object *s, uint32_t number);
 bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t segment,
                            double touching);
 
-/* needles.c */
+/* needles.c: the needle's frame, which the host sees, from that of its principal axes. */
+pose vbss_scene_needle_at(const scene_rigid *r, pose principal);
 void vbss_scene_show_needle(const scene_body *b);
 void vbss_scene_release_needle(scene_body *b);
 /* holds.c: whether a tool holds a needle; one that is between its jaws; which it takes, and lets go as it opens; what
