@@ -165,6 +165,16 @@ static inline vec3 vbss_drain_stilled(vec3 v)
                      fabs(v.z) < VBSS_STILL ? 0.0 : v.z);
 }
 
+/* A point of a triangle, where nodes are at x. */
+static inline vec3 vbss_drain_point(const drain_object *d, const vec3 *x, uint32_t triangle,
+                                    const double weights[3])
+{
+    const uint32_t *node = d->mesh.triangles[triangle];
+    vec3 point = vec3_scale(x[node[0]], weights[0]);
+    point = vec3_add_scaled(point, weights[1], x[node[1]]);
+    return vec3_add_scaled(point, weights[2], x[node[2]]);
+}
+
 /* ---- state.c */
 void vbss_drain_serialise(vbss_stream *stream, void *object);
 

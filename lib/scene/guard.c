@@ -247,12 +247,11 @@ static bool is_left_out(const scene_object *s, const collision_candidate *q, dou
     if (point) {
         end = capsule % 2;
         capsule /= 2;
-        spot = vbss_scene_spot(drain, shape->triangles[feature], at, 3);
+        spot = vbss_scene_spot(drain, feature, at);
     } else {
         double share = at[first ? 1 : 0];
-        const double weights[2] = {1.0 - share, share};
         end = at[first ? 0 : 1];
-        spot = vbss_scene_spot(drain, shape->edges[feature], weights, 2);
+        spot = vbss_scene_spot_on_side(drain, shape->edges[feature], share);
     }
     if (holds) {
         return vbss_scene_is_pinched(s, drain, spot.now, needle, capsule);

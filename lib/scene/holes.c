@@ -132,16 +132,19 @@ bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, doub
     return false;
 }
 
-scene_spot vbss_scene_spot(const scene_body *drain, const uint32_t *node, const double *weights,
-                           uint32_t count)
+scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3])
 {
     const drain_object *d = drain->drain.drain;
-    scene_spot spot = {vec3_zero(), vec3_zero()};
-    for (uint32_t k = 0; k < count; k++) {
-        spot.now = vec3_add_scaled(spot.now, weights[k], d->x[node[k]]);
-        spot.rest = vec3_add_scaled(spot.rest, weights[k], d->mesh.rest[node[k]]);
-    }
-    return spot;
+    return (scene_spot){vbss_drain_point(d, d->x, triangle, weights),
+                        vbss_drain_point(d, d->mesh.rest, triangle, weights)};
+}
+
+scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share)
+{
+    const drain_object *d = drain->drain.drain;
+    const vec3 *rest = d->mesh.rest;
+    return (scene_spot){vec3_lerp(d->x[node[0]], d->x[node[1]], share),
+                        vec3_lerp(rest[node[0]], rest[node[1]], share)};
 }
 
 double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share)
@@ -162,12 +165,12 @@ static double arc_of_row(const scene_body *needle, const contact_row *row)
 static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
                               const contact_row *row)
 {
-    uint32_t node[3];
-    uint32_t count = vbss_scene_nodes_of(s, drain, row->key.kind, true, row->key.b, node);
-    const double side[2] = {1.0 - row->at[1], row->at[1]};
-    const double face[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
-    return count == 2 ? vbss_scene_spot(drain, node, side, 2)
-                      : vbss_scene_spot(drain, node, face, 3);
+    const double weights[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
+    if (row->key.kind == VBSS_CONTACT_POINT_FACE) {
+        return vbss_scene_spot(drain, row->key.b, weights);
+    }
+    const uint32_t *side = s->collision->shapes[drain->shape]->edges[row->key.b];
+    return vbss_scene_spot_on_side(drain, side, row->at[1]);
 }
 
 bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)

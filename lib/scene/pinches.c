@@ -165,10 +165,7 @@ void vbss_scene_take_wall(scene_object *s, scene_body *tool, const scene_pinch *
 
 static vec3 point_of(const scene_pinch *p, const drain_object *d, const vec3 *x, uint32_t k)
 {
-    const uint32_t *node = d->mesh.triangles[p->triangle[k]];
-    vec3 point = vec3_scale(x[node[0]], p->weights[k][0]);
-    point = vec3_add_scaled(point, p->weights[k][1], x[node[1]]);
-    return vec3_add_scaled(point, p->weights[k][2], x[node[2]]);
+    return vbss_drain_point(d, x, p->triangle[k], p->weights[k]);
 }
 
 static const drain_object *drain_of(const scene_object *s, const scene_pinch *p)

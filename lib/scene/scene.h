@@ -396,8 +396,8 @@ void vbss_scene_move_holes(scene_object *s);
 typedef struct scene_spot {
     vec3 now, rest; /* of the wall */
 } scene_spot;
-scene_spot vbss_scene_spot(const scene_body *drain, const uint32_t *node, const double *weights,
-                           uint32_t count);
+scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3]);
+scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share);
 bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
                            const scene_body *drain, const scene_spot *spot, double reach);
 bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);

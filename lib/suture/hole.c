@@ -6,10 +6,7 @@
 
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x)
 {
-    const uint32_t *node = d->mesh.triangles[hole->triangle];
-    vec3 point = vec3_scale(x[node[0]], hole->weights[0]);
-    point = vec3_add_scaled(point, hole->weights[1], x[node[1]]);
-    return vec3_add_scaled(point, hole->weights[2], x[node[2]]);
+    return vbss_drain_point(d, x, hole->triangle, hole->weights);
 }
 
 /* What it took to enter fades while the tip goes through; what was cut once stays cut. */

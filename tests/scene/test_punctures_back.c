@@ -160,9 +160,8 @@ static void a_hole_is_in_one_wall(void **state)
     assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
     const scene_object *s = small_object(&c.d.s);
     const scene_body *drain = vbss_scene_body(s, c.d.body);
-    const drain_object *d = drain->drain.drain;
     const suture_hole *hole = &s->holes[0];
-    scene_spot spot = vbss_scene_spot(drain, d->mesh.triangles[hole->triangle], hole->weights, 3);
+    scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->weights);
     const scene_body *needle = vbss_scene_body(s, c.body);
     assert_true(vbss_scene_is_in_hole(s, needle, hole->arc, drain, &spot, 1e-3));
     spot.rest.z = -spot.rest.z;
