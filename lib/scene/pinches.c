@@ -2,6 +2,8 @@
  * along the jaws, let go as they were. Between two steps what was pulled too hard slides. */
 #include "scene/scene.h"
 
+#include "collision/closest.h"
+
 /* The jaws are looked at in so many places along their length. */
 enum { PLACES = 16 };
 /* As a share of touching: what was let go is still between the jaws. */
@@ -186,9 +188,7 @@ static bool is_clear(const scene_object *s, const scene_body *tool, double share
         for (uint32_t k = 0; k < p->count; k++) {
             vec3 along = vec3_sub(axis[1], axis[0]);
             vec3 to = vec3_sub(point_of(p, d, d->x, k), axis[0]);
-            double at = vec3_dot(to, along) / vec3_norm_squared(along);
-            at = lesser(greater(at, 0.0), 1.0);
-            if (vec3_norm(vec3_add_scaled(to, -at, along)) < least) {
+            if (vec3_norm(vec3_add_scaled(to, -closest_on_edge(along, to), along)) < least) {
                 return false;
             }
         }
@@ -242,10 +242,8 @@ bool vbss_scene_is_pinched(const scene_object *s, const scene_body *drain, vec3 
         vec3 here = point_of(p, d, d->x, k);
         vec3 next = point_of(p, d, d->x, k + 1 < p->count ? k + 1 : k);
         vec3 along = vec3_sub(next, here), to = vec3_sub(point, here);
-        double length = vec3_norm_squared(along);
-        double at = length > 0.0 ? vec3_dot(to, along) / length : 0.0;
-        at = lesser(greater(at, 0.0), 1.0);
-        if (vec3_norm(vec3_add_scaled(to, -at, along)) < SCENE_PIN_ARC * touching + spacing) {
+        vec3 apart = vec3_add_scaled(to, -closest_on_edge(along, to), along);
+        if (vec3_norm(apart) < SCENE_PIN_ARC * touching + spacing) {
             return true;
         }
     }

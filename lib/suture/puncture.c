@@ -1,6 +1,8 @@
 /* When and where a tip enters a wall. */
 #include "suture/suture.h"
 
+#include "collision/closest.h"
+
 /* Along the wall rather than into it: cosine between the tip's way and the inner normal below which it only slides. */
 #define LEAST_INTO 0.3
 /* Beyond this from the free edge, in radii of the wire, there is wall all round it. */
@@ -56,10 +58,7 @@ static double distance_to_side(const drain_object *d, const drain_side *side, ve
 {
     vec3 along = vec3_sub(d->x[side->nodes[1]], d->x[side->nodes[0]]);
     vec3 to = vec3_sub(point, d->x[side->nodes[0]]);
-    double size = vec3_norm_squared(along);
-    double share = size > 0.0 ? vec3_dot(to, along) / size : 0.0;
-    share = lesser(greater(share, 0.0), 1.0);
-    return vec3_norm(vec3_add_scaled(to, -share, along));
+    return vec3_norm(vec3_add_scaled(to, -closest_on_edge(along, to), along));
 }
 
 static bool has_node(const drain_object *d, uint32_t t, uint32_t node)
