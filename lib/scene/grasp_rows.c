@@ -92,6 +92,17 @@ void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
     row->is.state = CONTACT_STICK;
 }
 
+bool vbss_scene_add_tie(scene_object *s, const contact_key *key)
+{
+    contact_row *row = vbss_contact_add(s->contacts, key);
+    if (row == NULL) {
+        return false;
+    }
+    row->bilateral = true;
+    row->thickness = 1.0; /* it overlaps nothing */
+    return true;
+}
+
 bool vbss_scene_add_grasp_rows(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
@@ -99,12 +110,9 @@ bool vbss_scene_add_grasp_rows(scene_object *s)
         for (uint32_t k = 0; g->id != 0 && !g->let_go && k < GRIP_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRIP_POINTS * i + k, g->tool,
                                      0};
-            contact_row *row = vbss_contact_add(s->contacts, &key);
-            if (row == NULL) {
+            if (!vbss_scene_add_tie(s, &key)) {
                 return false;
             }
-            row->bilateral = true;
-            row->thickness = 1.0; /* it overlaps nothing */
         }
     }
     return true;

@@ -190,12 +190,9 @@ bool vbss_scene_add_hold_rows(scene_object *s)
         const scene_body *b = &s->bodies[i];
         for (uint32_t k = 0; vbss_scene_holds_needle(s, b->number) && k < HOLD_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.hold.needle, k, b->number, 0};
-            contact_row *row = vbss_contact_add(s->contacts, &key);
-            if (row == NULL) {
+            if (!vbss_scene_add_tie(s, &key)) {
                 return false;
             }
-            row->bilateral = true;
-            row->thickness = 1.0; /* it overlaps nothing */
         }
     }
     return true;

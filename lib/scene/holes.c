@@ -44,12 +44,9 @@ bool vbss_scene_add_hole_rows(scene_object *s)
         for (uint32_t k = 0; hole->id != 0 && k < HOLE_ROWS; k++) {
             const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, HOLE_ROWS * i + k,
                                      hole->drain, 0};
-            contact_row *row = vbss_contact_add(s->contacts, &key);
-            if (row == NULL) {
+            if (!vbss_scene_add_tie(s, &key)) {
                 return false;
             }
-            row->bilateral = true;
-            row->thickness = 1.0; /* it overlaps nothing */
         }
     }
     return true;

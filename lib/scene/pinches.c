@@ -261,12 +261,9 @@ bool vbss_scene_add_pinch_rows(scene_object *s)
         }
         for (uint32_t k = 0; k < b->rigid.pinch.count; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.pinch.drain, k, b->number, 0};
-            contact_row *row = vbss_contact_add(s->contacts, &key);
-            if (row == NULL) {
+            if (!vbss_scene_add_tie(s, &key)) {
                 return false;
             }
-            row->bilateral = true;
-            row->thickness = 1.0; /* it overlaps nothing */
         }
     }
     return true;

@@ -413,6 +413,8 @@ vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool);
 /* grasp_rows.c: three rows a grasp, in a list that has begun; how one lies in the trial state, all of it or what
  * a linearisation changes; a point of a thread that is held; the jaws' frame in the world. */
 bool vbss_scene_add_grasp_rows(scene_object *s);
+/* A row that ties two places, of whatever is held or pierced. False: no room. */
+bool vbss_scene_add_tie(scene_object *s, const contact_key *key);
 void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row);
 vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const vec3 *x,
                            uint32_t point);
