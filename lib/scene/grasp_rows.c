@@ -44,6 +44,19 @@ pose vbss_scene_jaws_of(const scene_rigid *r, pose principal)
     return pose_mul(tool, vbss_grasper_jaw_frame(r->grasper));
 }
 
+void vbss_scene_lay_spring(contact_row *row, const scene_rigid *tool, vec3 here, vec3 there)
+{
+    pose jaws = vbss_scene_jaws_of(tool, tool->trial);
+    row->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
+    row->slid = vec3_sub(here, there);
+    row->gap = vec3_dot(row->normal, row->slid);
+    row->point = there;
+    row->term_count = 0;
+    row->friction = 1.0; /* it has a stiffness along the plane too */
+    row->held = row->is.rubbing = vec3_zero();
+    row->is.state = CONTACT_STICK;
+}
+
 static void lay(scene_object *s, contact_row *row)
 {
     const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];
@@ -52,15 +65,12 @@ static void lay(scene_object *s, contact_row *row)
     const thread_object *t = b->thread.thread;
     uint32_t point = row->key.a % GRIP_POINTS;
     place p = place_of_point(t, g, point);
-    pose jaws = vbss_scene_jaws_of(r, r->trial);
-    vec3 held = pose_apply(jaws, g->grip.at[point]);
+    vec3 held = pose_apply(vbss_scene_jaws_of(r, r->trial), g->grip.at[point]);
     vec3 here = vec3_lerp(t->trial[p.segment], t->trial[p.segment + 1], p.share);
-    row->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
-    row->slid = vec3_sub(here, held);
-    row->gap = vec3_dot(row->normal, row->slid);
-    row->point = held;
+    vbss_scene_lay_spring(row, r, here, held);
+    row->stiffness = GRIP_ACROSS * (r->grasper->config.grip_stiffness / GRIP_POINTS);
+    row->along = 1.0 / GRIP_ACROSS;
     row->at[0] = p.share;
-    row->term_count = 0;
     vbss_scene_add_node_term(s, row, b, p.segment, 1.0 - p.share);
     vbss_scene_add_node_term(s, row, b, p.segment + 1, p.share);
     vbss_scene_add_rigid_terms(row, r, held, -1.0);
@@ -81,15 +91,7 @@ void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
         vbss_scene_lay_pinch_row(s, row);
         return;
     }
-    const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];
     lay(s, row);
-    row->stiffness =
-        GRIP_ACROSS *
-        (vbss_scene_body(s, g->tool)->rigid.grasper->config.grip_stiffness / GRIP_POINTS);
-    row->along = 1.0 / GRIP_ACROSS;
-    row->friction = 1.0; /* it has a stiffness along the plane too */
-    row->held = row->is.rubbing = vec3_zero();
-    row->is.state = CONTACT_STICK;
 }
 
 bool vbss_scene_add_tie(scene_object *s, const contact_key *key)

@@ -219,20 +219,11 @@ void vbss_scene_lay_hold_row(scene_object *s, contact_row *row)
     const scene_rigid *needle = &vbss_scene_body(s, row->key.body_a)->rigid;
     const scene_rigid *tool = &vbss_scene_body(s, row->key.body_b)->rigid;
     const corner c = corner_of(needle, needle->trial, tool, tool->trial, row->key.a);
-    pose jaws = vbss_scene_jaws_of(tool, tool->trial);
-    row->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
-    row->slid = vec3_sub(c.here, c.there);
-    row->gap = vec3_dot(row->normal, row->slid);
-    row->point = c.there;
-    row->at[0] = 0.0;
-    row->term_count = 0;
+    vbss_scene_lay_spring(row, tool, c.here, c.there);
+    row->stiffness = vbss_hold_stiffness(tool->grasper);
+    row->along = 0.0; /* the same in all directions */
     vbss_scene_add_rigid_terms(row, needle, c.here, 1.0);
     vbss_scene_add_rigid_terms(row, tool, c.there, -1.0);
-    row->stiffness = vbss_hold_stiffness(tool->grasper);
-    row->along = 0.0;    /* the same in all directions */
-    row->friction = 1.0; /* it has a stiffness along the plane too */
-    row->held = row->is.rubbing = vec3_zero();
-    row->is.state = CONTACT_STICK;
 }
 
 /* ---- after a step */

@@ -282,23 +282,16 @@ void vbss_scene_lay_pinch_row(scene_object *s, contact_row *row)
     const scene_pinch *p = &tool->pinch;
     const drain_object *d = b->drain;
     uint32_t k = row->key.a;
-    pose jaws = vbss_scene_jaws_of(tool, tool->trial);
-    row->point = pose_apply(jaws, p->at[k]);
-    row->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
-    row->slid = vec3_sub(point_of(p, d, d->trial, k), row->point);
-    row->gap = vec3_dot(row->normal, row->slid);
-    row->term_count = 0;
+    vec3 there = pose_apply(vbss_scene_jaws_of(tool, tool->trial), p->at[k]);
+    vbss_scene_lay_spring(row, tool, point_of(p, d, d->trial, k), there);
+    row->stiffness = stiffness_of(tool->grasper, p);
+    row->along = 0.0; /* the same in all directions */
     for (uint32_t i = 0; i < 3; i++) {
         uint32_t place = d->order.place[d->mesh.triangles[p->triangle[k]][i]];
         row->terms[row->term_count++] =
             (contact_term){.block = b->first_block + place, .weight = p->weights[k][i]};
     }
-    vbss_scene_add_rigid_terms(row, tool, row->point, -1.0);
-    row->stiffness = stiffness_of(tool->grasper, p);
-    row->along = 0.0;    /* the same in all directions */
-    row->friction = 1.0; /* it has a stiffness along the plane too */
-    row->held = row->is.rubbing = vec3_zero();
-    row->is.state = CONTACT_STICK;
+    vbss_scene_add_rigid_terms(row, tool, there, -1.0);
 }
 
 void vbss_scene_mark_pinched(const scene_object *s, const contact_row *row)

@@ -413,6 +413,9 @@ vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool);
 /* grasp_rows.c: three rows a grasp, in a list that has begun; how one lies in the trial state, all of it or what
  * a linearisation changes; a point of a thread that is held; the jaws' frame in the world. */
 bool vbss_scene_add_grasp_rows(scene_object *s);
+/* What is held is here in the trial state, and shall be there, in the jaws: a spring between the two, whose stiffness and terms
+ * who calls it adds. */
+void vbss_scene_lay_spring(contact_row *row, const scene_rigid *tool, vec3 here, vec3 there);
 /* A row that ties two places, of whatever is held or pierced. False: no room. */
 bool vbss_scene_add_tie(scene_object *s, const contact_key *key);
 void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row);
