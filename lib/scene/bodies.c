@@ -355,6 +355,7 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     vbss_scene_forget_holds_of(s, body);
     vbss_scene_forget_pinches_of(s, body);
     vbss_scene_forget_holes_of(s, body);
+    vbss_scene_paper_forget_toggles_of(s, body);
     if (b->kind == BODY_DRAIN) {
         vbss_scene_release_drain(s, b);
     }

@@ -39,7 +39,11 @@ static scene_rigid *needle_of(const scene_object *s, const scene_hold *hold)
 bool vbss_scene_holds_needle(const scene_object *s, uint32_t tool)
 {
     const scene_body *b = vbss_scene_body(s, tool);
-    return b != NULL && b->kind == BODY_RIGID && b->rigid.hold.needle != 0 && !b->rigid.hold.let_go;
+    if (b == NULL || b->kind != BODY_RIGID || b->rigid.hold.needle == 0 || b->rigid.hold.let_go) {
+        return false;
+    }
+    /* By method PAPER another tool may lead. */
+    return s->config.method == VBSS_METHOD_OURS || needle_of(s, &b->rigid.hold)->leader == tool;
 }
 
 static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
@@ -174,10 +178,13 @@ void vbss_scene_let_needle_go(scene_object *s, scene_body *tool)
 void vbss_scene_forget_holds_of(scene_object *s, uint32_t number)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
-        scene_hold *hold = &s->bodies[i].rigid.hold;
+        scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == BODY_RIGID &&
-            (s->bodies[i].number == number || hold->needle == number)) {
-            *hold = (scene_hold){0};
+            (s->bodies[i].number == number || r->hold.needle == number)) {
+            r->hold = (scene_hold){0};
+        }
+        if (s->bodies[i].kind == BODY_RIGID && r->leader == number) { /* PAPER */
+            r->leader = 0;
         }
     }
 }

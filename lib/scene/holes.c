@@ -193,7 +193,7 @@ static void tell(scene_object *s, vbss_event_kind kind, const suture_hole *hole)
     vbss_scene_add_event(s, kind, hole->needle, hole->drain, hole->id);
 }
 
-static void leave(scene_object *s)
+void vbss_scene_leave_holes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         suture_hole *hole = &s->holes[i];
@@ -241,6 +241,18 @@ static suture_hole *free_hole(scene_object *s)
     return NULL;
 }
 
+void vbss_scene_add_hole(scene_object *s, suture_hole *made)
+{
+    suture_hole *hole = free_hole(s);
+    if (hole == NULL) {
+        tell(s, VBSS_EVENT_HOLE_LOST, made);
+        return;
+    }
+    made->id = ++s->last_hole;
+    *hole = *made;
+    tell(s, VBSS_EVENT_PUNCTURE, hole);
+}
+
 /* A tip that is on its way into a wall enters no other place of it: what presses on it there is the wall round the hole. */
 static bool is_entering(const scene_object *s, const scene_body *needle, const scene_body *drain)
 {
@@ -266,21 +278,14 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
         !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {
         return;
     }
-    suture_hole *hole = free_hole(s);
     made.needle = needle->number;
     made.drain = drain->number;
-    if (hole == NULL) {
-        tell(s, VBSS_EVENT_HOLE_LOST, &made);
-        return;
-    }
-    made.id = ++s->last_hole;
-    *hole = made;
-    tell(s, VBSS_EVENT_PUNCTURE, hole);
+    vbss_scene_add_hole(s, &made);
 }
 
 void vbss_scene_settle_holes(scene_object *s)
 {
-    leave(s);
+    vbss_scene_leave_holes(s);
     /* What presses where a part was thrown away says nothing of what the wall bears. */
     for (uint32_t i = 0; s->taken && i < s->place_count; i++) {
         const scene_body *needle = &s->bodies[i];

@@ -1,4 +1,4 @@
-/* Needles in a scene: free rigid bodies whose capsules lie along an arc. */
+/* Needles in a scene: free rigid bodies whose capsules lie along an arc. Method PAPER: paper_needles.c. */
 #include "scene/scene.h"
 
 static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
@@ -14,10 +14,6 @@ static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
     if (n->config.method != s->config.method) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the needle's method is not the scene's");
-    }
-    if (s->config.method == VBSS_METHOD_PAPER) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
-                         "scenes of method PAPER take no needles");
     }
     if (n->config.segment_count > s->config.capsule_capacity - s->capsule_count) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",

@@ -7,8 +7,6 @@
 
 #include <string.h>
 
-/* A response of less than this share of D is rounding. */
-#define NO_DEPTH 1e-9
 /* No node is moved by more than so many times the contact point's shift: two free ones of equal mass never are
  * by more than 1.21. Near a held node the other has a long lever. */
 #define LEVER 1.25
@@ -123,7 +121,10 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
     if (kind == VBSS_CONTACT_SEGMENT_CAPSULE) {
         return !vbss_scene_comes_from(s, a, i, b, k, p->a.radius + p->b.radius);
     }
-    return kind == VBSS_CONTACT_SIDES || !vbss_scene_adjoins(s, a, i, b, k);
+    if (kind == VBSS_CONTACT_SIDES) {
+        return a->rigid.needle == NULL || !vbss_scene_paper_is_in_hole(s, a, i, b, k);
+    }
+    return !vbss_scene_adjoins(s, a, i, b, k);
 }
 
 /* ---- what was responded to, in the order of the features */
@@ -140,7 +141,8 @@ static uint32_t place_of(const scene_object *s, const contact_key *key)
     return low;
 }
 
-static vbss_result note_hit(scene_object *s, const contact_key *key, vec3 normal, vec3 push)
+vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, vec3 normal,
+                                      vec3 push)
 {
     uint32_t i = place_of(s, key);
     if (i == s->hit_count || vbss_contact_compare(&s->hits[i].key, key) != 0) {
@@ -244,11 +246,11 @@ static vbss_result meet(scene_object *s, const contact_key *key, const feature *
     if (vec3_norm_squared(back) > vec3_norm_squared(push)) { /* the paper's shares do not balance */
         push = back;
     }
-    if (response.depth < NO_DEPTH * thickness || vec3_norm_squared(push) == 0.0) {
+    if (response.depth < SCENE_NO_DEPTH * thickness || vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
     s->hits_of_pass++;
-    return note_hit(s, key, vec3_load(response.direction), push);
+    return vbss_scene_paper_note_hit(s, key, vec3_load(response.direction), push);
 }
 
 static vbss_result meet_candidate(scene_object *s, const collision_candidate *q, double h)
@@ -275,14 +277,15 @@ static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
         set_node(&f, 0, b, i);
         double thickness = f.radius + s->config.paper_thickness;
         double depth = thickness - height_of(s, *f.end[0]);
-        if (depth <= NO_DEPTH * thickness || f.mobility[0] == 0.0) {
+        if (depth <= SCENE_NO_DEPTH * thickness || f.mobility[0] == 0.0) {
             continue;
         }
         double displacement[6] = {0.0};
         vec3_store(displacement, vec3_scale(s->floor_normal, depth));
         const contact_key key = {kind, b->number, i, 0, 0};
         s->hits_of_pass++;
-        VBSS_TRY(note_hit(s, &key, s->floor_normal, displace(&f, displacement, h)));
+        VBSS_TRY(
+            vbss_scene_paper_note_hit(s, &key, s->floor_normal, displace(&f, displacement, h)));
     }
     return VBSS_OK;
 }
@@ -317,7 +320,7 @@ vbss_result vbss_scene_paper_pass(scene_object *s, double h)
             VBSS_TRY(meet_floor(s, &s->bodies[i], h));
         }
     }
-    return VBSS_OK;
+    return vbss_scene_paper_carry(s, h);
 }
 
 /* ---- afterwards */
@@ -359,7 +362,11 @@ double vbss_scene_paper_measure(scene_object *s, double h)
     double depth = 0.0;
     for (uint32_t i = 0; i < s->hit_count; i++) {
         s->hits[i].force = vec3_scale(s->hits[i].force, 1.0 / (h * h));
-        lay_hit(s, &s->hits[i]);
+        if (s->hits[i].key.kind == VBSS_CONTACT_HOLE) {
+            vbss_scene_paper_lay_hole(s, &s->hits[i]);
+        } else {
+            lay_hit(s, &s->hits[i]);
+        }
         depth = greater(-s->hits[i].gap, depth);
     }
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {

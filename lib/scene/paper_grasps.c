@@ -112,25 +112,39 @@ static vec3 pull_of_section(const thread_object *t, uint32_t from, uint32_t to, 
     return vec3_scale(way, size);
 }
 
+/* Of both sections that end at a node. */
+static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness)
+{
+    uint32_t before = 0, after = t->node_count - 1;
+    for (uint32_t k = 0; k < t->node_count; k++) {
+        before = t->held[k] != 0 && k < node ? k : before;
+        after = t->held[t->node_count - 1 - k] != 0 && t->node_count - 1 - k > node
+                    ? t->node_count - 1 - k
+                    : after;
+    }
+    return vec3_add(pull_of_section(t, node, before, stiffness),
+                    pull_of_section(t, node, after, stiffness));
+}
+
+/* What it carries itself, and what its needle carries. */
 vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool)
 {
     double stiffness = tool->rigid.grasper->config.paper_stiffness;
+    uint32_t needle = vbss_scene_holds_needle(s, tool->number) ? tool->rigid.hold.needle : 0;
     vec3 force = vec3_zero();
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
-        if (g->id == 0 || g->tool != tool->number || g->pin == 0) {
-            continue;
+        if (g->id != 0 && g->tool == tool->number && g->pin != 0) {
+            const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
+            force = vec3_add(force, pull_of_node(t, g->segment, stiffness));
         }
-        const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
-        uint32_t node = g->segment, before = 0, after = t->node_count - 1;
-        for (uint32_t k = 0; k < t->node_count; k++) {
-            before = t->held[k] != 0 && k < node ? k : before;
-            after = t->held[t->node_count - 1 - k] != 0 && t->node_count - 1 - k > node
-                        ? t->node_count - 1 - k
-                        : after;
+    }
+    for (uint32_t i = 0; needle != 0 && i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->body == needle && vbss_scene_pin_holds(s, p)) {
+            const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+            force = vec3_add(force, pull_of_node(t, p->node, stiffness));
         }
-        force = vec3_add(force, pull_of_section(t, node, before, stiffness));
-        force = vec3_add(force, pull_of_section(t, node, after, stiffness));
     }
     return force;
 }

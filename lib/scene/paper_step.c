@@ -1,7 +1,7 @@
 /* A step of method PAPER (Qi et al. 2017): what docs/paper-scene.md tells in full.
- *   tool poses -> threads and drains, each by its own explicit steps -> passes of detection and response,
+ *   tool poses -> needles -> threads and drains, each by its own explicit steps -> passes of detection and response,
  *   until nothing hits -> events -> tool forces
- * Rigid bodies go where they are told, whatever is in their way. No friction, no guard. */
+ * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
 #include "scene/scene.h"
 
 /* ---- as it was, if the step fails */
@@ -36,6 +36,7 @@ static void go_back(scene_object *s)
         }
     }
     vbss_scene_return_tools(s);
+    vbss_scene_paper_return_needles(s);
     s->statistics = s->kept;
     s->hit_count = 0;
     vbss_scene_begin_events(s);
@@ -50,7 +51,9 @@ static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid 
     const vbss_rigid_part whole = {h, 0.0, 1.0};
     uint32_t count = 2 * r->capsule_count;
     vec3 *start = s->vertices, *end = start + count;
-    r->predicted = vbss_rigid_given(&r->body, &whole);
+    if (r->needle == NULL) { /* needles have been aimed */
+        r->predicted = vbss_rigid_given(&r->body, &whole);
+    }
     r->trial = r->predicted.at;
     for (uint32_t i = 0; i < r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[r->first_capsule + i];
@@ -196,6 +199,7 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     VBSS_TRY(keep(s));
     vbss_scene_begin_events(s);
     vbss_scene_take_tools(s, h);
+    vbss_scene_paper_aim_needles(s, h);
     vbss_scene_aim_capsules(s, &whole);
     vbss_result result = move_bodies(s, h);
     if (result == VBSS_OK) {
@@ -215,6 +219,7 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     vbss_scene_note_touches(s);
     vbss_scene_note_forces(s);
     note_hands(s);
+    vbss_scene_paper_settle_holes(s);
     vbss_scene_settle_tools(s, h);
     return VBSS_OK;
 }

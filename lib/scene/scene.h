@@ -15,6 +15,7 @@
 #include "grasper/grasper.h"
 #include "needle/needle.h"
 #include "solver/rigid.h"
+#include "suture/paper.h"
 #include "suture/suture.h"
 #include "thread/thread.h"
 
@@ -71,12 +72,14 @@ typedef struct scene_drain {
     vbss_drain_statistics kept; /* before the step */
 } scene_drain;
 
-/* A needle in the jaws of a grasper. */
+/* A needle in the jaws of a grasper. PAPER: jaws have closed on it; which tool it follows, it knows itself. */
 typedef struct scene_hold {
     uint32_t needle; /* number; 0: none */
     double arc;      /* length, of the middle of what is held, m from the tip */
-    double angle;    /* at which the jaws touch it */
-    pose at;    /* where that place is held, outward, toward the tip, across, in the jaws' frame */
+    double angle;    /* at which the jaws touch it; PAPER: 0, they are closed */
+    pose
+        at; /* where that place is held, outward, toward the tip, across, in the jaws' frame; PAPER: the needle's
+              * principal frame, in the tool's */
     double age; /* s since it was taken */
     double slid, turned, limit;
     vec3 force, torque; /* on the needle about that place, after the last step */
@@ -117,6 +120,8 @@ typedef struct scene_rigid {
     vbss_rigid_pull kept_pull;
     vbss_slot *slot;       /* of the handle of a grasper or a needle; else NULL */
     needle_object *needle; /* of a needle; else NULL */
+    uint32_t leader;       /* PAPER: number of the tool that the needle follows; 0: it is free */
+    suture_toggle toggles[SUTURE_TOGGLES]; /* PAPER: where its tip is on its way through a wall */
     /* of a tool; else NULL */
     grasper_object *grasper;
     scene_hold hold, kept_hold;
@@ -404,7 +409,26 @@ bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);
 double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share);
 /* After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);
+void vbss_scene_leave_holes(scene_object *s);
+/* One that has been made, if there is room for it, and the event. */
+void vbss_scene_add_hole(scene_object *s, suture_hole *made);
 void vbss_scene_forget_holes_of(scene_object *s, uint32_t number);
+
+/* paper_holes.c: particles at holes follow their needle at the end of a pass; whether a needle's capsule and a side of a drain
+ * are so near to a hole that they do not touch; where a contact of a hole is shown; after a step, who leaves a hole and who
+ * makes one. */
+vbss_result vbss_scene_paper_carry(scene_object *s, double h);
+bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle, uint32_t capsule,
+                                 const scene_body *drain, uint32_t side);
+void vbss_scene_paper_lay_hole(const scene_object *s, scene_hit *hit);
+void vbss_scene_paper_settle_holes(scene_object *s);
+void vbss_scene_paper_forget_toggles_of(scene_object *s, uint32_t number);
+
+/* paper_needles.c: where needles, and what is pinned to them, will be after the step; back, if it fails; then, who has let one
+ * go, whom it follows, who has closed on one. */
+void vbss_scene_paper_aim_needles(scene_object *s, double h);
+void vbss_scene_paper_return_needles(scene_object *s);
+void vbss_scene_paper_settle_needles(scene_object *s, double h);
 
 /* paper_grasps.c: what jaws have taken and let go, after a step; what the hand feels of it. */
 void vbss_scene_paper_settle_grasps(scene_object *s);
@@ -583,6 +607,11 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h); /* paper_step.c */
 vbss_result vbss_scene_paper_search(scene_object *s);
 vbss_result vbss_scene_paper_pass(scene_object *s, double h);
 double vbss_scene_paper_measure(scene_object *s, double h);
+/* One more, or one more time, was responded to: mass times displacement of its first side. */
+vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, vec3 normal,
+                                      vec3 push);
+/* A response of less than this share of D is rounding. */
+#define SCENE_NO_DEPTH 1e-9
 /* events.c: at the end of a step. */
 void vbss_scene_begin_events(scene_object *s);
 void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,

@@ -62,9 +62,11 @@ static bool is_hold(const scene_object *s, const scene_hold *hold)
         return false;
     }
     quat q = hold->at.orientation;
+    bool closed = s->config.method == VBSS_METHOD_PAPER; /* whatever is between them */
     return hold->arc >= 0.0 && hold->arc <= vbss_needle_length(b->rigid.needle) &&
-           hold->angle > 0.0 && hold->angle <= 1.6 && hold->age >= 0.0 && isfinite(hold->age) &&
-           isfinite(hold->slid) && isfinite(hold->turned) && isfinite(hold->limit) &&
+           (closed ? hold->angle == 0.0 : hold->angle > 0.0) && hold->angle <= 1.6 &&
+           hold->age >= 0.0 && isfinite(hold->age) && isfinite(hold->slid) &&
+           isfinite(hold->turned) && isfinite(hold->limit) &&
            vec3_norm(hold->at.position) <= 2.0 && /* jaws are at most 1 m long */
            fabs(quat_dot(q, q) - 1.0) < 1e-6 && vec3_is_finite(hold->force) &&
            vec3_is_finite(hold->torque);
@@ -114,13 +116,30 @@ static bool is_pinch(const scene_object *s, const scene_pinch *p)
     return sound;
 }
 
+/* PAPER: it follows a tool that has closed on it; its tip is in walls that there are. */
+static bool is_led(const scene_object *s, const scene_body *needle)
+{
+    const scene_rigid *r = &needle->rigid;
+    const scene_body *tool = vbss_scene_body(s, r->leader);
+    bool sound = r->leader == 0 || (tool != NULL && tool->kind == BODY_RIGID &&
+                                    tool->rigid.hold.needle == needle->number);
+    for (int k = 0; k < SUTURE_TOGGLES; k++) {
+        const suture_toggle *toggle = &r->toggles[k];
+        const scene_body *d = vbss_scene_body(s, toggle->drain);
+        bool none = toggle->drain == 0 && toggle->triangle == 0 && !toggle->outward;
+        sound = sound && (none || (d != NULL && d->kind == BODY_DRAIN &&
+                                   toggle->triangle < d->drain.drain->mesh.triangle_count));
+    }
+    return sound;
+}
+
 /* When all bodies are read. */
 static void check_holds(vbss_stream *stream, const scene_object *s)
 {
     for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == BODY_RIGID && !stream->trusted &&
-            (!is_hold(s, &b->rigid.hold) || !is_pinch(s, &b->rigid.pinch))) {
+            (!is_hold(s, &b->rigid.hold) || !is_pinch(s, &b->rigid.pinch) || !is_led(s, b))) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle or wall in jaws");
         }
     }
@@ -153,11 +172,29 @@ static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigi
     }
 }
 
-static void visit_needle(vbss_stream *stream, scene_rigid *r)
+/* PAPER, whose scenes of older versions had no needles. */
+static void visit_lead(vbss_stream *stream, scene_rigid *r)
+{
+    vbss_stream_u32(stream, 142, &r->leader, 1);
+    for (int k = 0; k < SUTURE_TOGGLES; k++) {
+        suture_toggle *toggle = &r->toggles[k];
+        uint32_t words[] = {toggle->drain, toggle->triangle, toggle->outward};
+        vbss_stream_u32(stream, 143, words, sizeof words / sizeof words[0]);
+        if (words[2] > 1) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
+        }
+        *toggle = (suture_toggle){words[0], words[1], words[2] != 0};
+    }
+}
+
+static void visit_needle(vbss_stream *stream, const scene_object *s, scene_rigid *r)
 {
     vbss_section outer = vbss_stream_open(stream, vbss_needle_kind.code, vbss_needle_kind.version);
     vbss_needle_serialise(stream, r->needle);
     vbss_stream_close(stream, outer);
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        visit_lead(stream, r);
+    }
 }
 
 static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid *r)
@@ -183,7 +220,7 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
         visit_grasper(stream, s, r);
     }
     if (r->needle != NULL) {
-        visit_needle(stream, r);
+        visit_needle(stream, s, r);
     }
     vbss_rigid_serialise(stream, 30, &r->body);
     vbss_stream_f64(stream, 50, &r->force.x, 3);

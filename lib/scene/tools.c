@@ -303,6 +303,7 @@ void vbss_scene_aim_capsules(scene_object *s, const scene_part *part)
 void vbss_scene_settle_tools(scene_object *s, double h)
 {
     if (s->config.method == VBSS_METHOD_PAPER) {
+        vbss_scene_paper_settle_needles(s, h);
         vbss_scene_paper_settle_grasps(s);
     } else {
         vbss_scene_settle_grasps(s, h);

@@ -34,8 +34,7 @@ static bool meets(const vec3 corner[3], vec3 from, vec3 way, double *far, double
     return weights[0] >= -ROUNDING && weights[1] >= -ROUNDING && weights[2] >= -ROUNDING;
 }
 
-/* None below 0, all together 1. */
-static void round_off(double weights[3])
+void vbss_suture_round_off(double weights[3])
 {
     double sum = 0.0;
     for (int k = 0; k < 3; k++) {
@@ -103,7 +102,7 @@ bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double 
             continue;
         }
         vec3 outside = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
-        round_off(weights);
+        vbss_suture_round_off(weights);
         nearest = far;
         found = !is_at_edge(d, t, vec3_add_scaled(from, far, tip->direction),
                             FROM_EDGE * wire_radius) &&

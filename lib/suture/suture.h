@@ -1,7 +1,7 @@
 /* What couples needle and drain: where a tip enters a wall, and the hole that it leaves, which slides along the needle.
  *
  * A hole is a material point of the drain on a needle's middle line. Across the line it ties the two with a stiffness; along
- * it rubs, up to a bound (docs/puncture.md). puncture.c says when a tip enters and where; hole.c what a hole does. */
+ * it rubs, up to a bound (docs/puncture.md). puncture.c says when a tip enters and where; hole.c what a hole does. Method PAPER: paper.h. */
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H
 
@@ -39,6 +39,8 @@ bool vbss_suture_enters(const vbss_drain_config *config, const suture_tip *tip);
 /* The hole that it makes: where its line meets the wall within `reach`; false: nowhere, or where the wall ends. */
 bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double reach,
                            double wire_radius, suture_hole *hole);
+/* Weights in a triangle, but for rounding: none below 0, all together 1. */
+void vbss_suture_round_off(double weights[3]);
 
 /* ---- hole.c */
 

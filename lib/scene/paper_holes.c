@@ -1,0 +1,168 @@
+/* Holes by method PAPER: where algorithm 3 has seen a needle go through a wall, the particles of the triangle follow the needle
+ * by their weights, as responses to contacts do, and the wall round it does not touch it: docs/paper-needle.md. */
+#include "scene/scene.h"
+
+/* ---- carrying */
+
+static pose needle_at_end(const scene_rigid *r)
+{
+    return pose_mul(r->trial, pose_inverse(r->frame));
+}
+
+/* From the hole to where the needle is in it: along the needle it has slid to the place beside. */
+static vec3 way_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
+{
+    const needle_object *n = r->needle;
+    vec3 seen = pose_apply_inverse(needle_at_end(r), here);
+    vec3 off = vec3_sub(seen, vbss_needle_point(n, hole->arc));
+    vbss_hole_move(hole, hole->arc - vec3_dot(off, vbss_needle_direction(n, hole->arc)));
+    return vec3_sub(pose_apply(needle_at_end(r), vbss_needle_point(n, hole->arc)), here);
+}
+
+/* The point of the triangle goes all of the way, each corner as far as it is light and near. Returns mass times
+ * displacement. */
+static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 way, double h)
+{
+    const uint32_t *node = d->mesh.triangles[hole->triangle];
+    double light[3], sum = 0.0;
+    vec3 push = vec3_zero();
+    for (int k = 0; k < 3; k++) { /* pinned ones stay */
+        light[k] = d->free_mass[node[k]] > 0.0 ? hole->weights[k] / d->mass[node[k]] : 0.0;
+        sum += hole->weights[k] * light[k];
+    }
+    for (int k = 0; k < 3 && sum > 0.0; k++) {
+        vec3 own = vec3_scale(way, light[k] / sum);
+        d->x[node[k]] = vec3_add(d->x[node[k]], own);
+        d->v[node[k]] = vec3_add_scaled(d->v[node[k]], 1.0 / h, own);
+        push = vec3_add_scaled(push, light[k] > 0.0 ? d->mass[node[k]] : 0.0, own);
+    }
+    return push;
+}
+
+static vbss_result carry(scene_object *s, uint32_t i, double h)
+{
+    suture_hole *hole = &s->holes[i];
+    const scene_rigid *r = &vbss_scene_body(s, hole->needle)->rigid;
+    drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
+    const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, HOLE_ROWS * i, hole->drain, 0};
+    vec3 way = way_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
+    vec3 push = carry_triangle(hole, d, way, h);
+    if (vec3_norm(way) < SCENE_NO_DEPTH * d->config.thickness || vec3_norm_squared(push) == 0.0) {
+        return VBSS_OK;
+    }
+    s->hits_of_pass++;
+    return vbss_scene_paper_note_hit(s, &key, vec3_unit_or(way, vec3_zero()), vec3_neg(push));
+}
+
+vbss_result vbss_scene_paper_carry(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        if (s->holes[i].id != 0) {
+            VBSS_TRY(carry(s, i, h));
+        }
+    }
+    return VBSS_OK;
+}
+
+void vbss_scene_paper_lay_hole(const scene_object *s, scene_hit *hit)
+{
+    const suture_hole *hole = &s->holes[hit->key.a / HOLE_ROWS];
+    const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
+    hit->point = vbss_hole_point(hole, d, d->x);
+    hit->gap = 0.0;
+}
+
+/* ---- what does not touch */
+
+static bool has_node_of(const drain_object *d, const uint32_t side[2], uint32_t triangle)
+{
+    for (int k = 0; k < 3; k++) {
+        uint32_t node = d->mesh.triangles[triangle][k];
+        if (side[0] == node || side[1] == node) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle, uint32_t capsule,
+                                 const scene_body *drain, uint32_t side)
+{
+    const needle_object *n = needle->rigid.needle;
+    const drain_object *d = drain->drain.drain;
+    const uint32_t *nodes = s->collision->shapes[drain->shape]->edges[side];
+    double reach = SCENE_PIN_ARC * (n->config.wire_radius + 0.5 * d->config.thickness);
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
+            hole->arc > vbss_needle_corner(n, capsule) - reach &&
+            hole->arc < vbss_needle_corner(n, capsule + 1) + reach &&
+            has_node_of(d, nodes, hole->triangle)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- after a step */
+
+/* What the wall did to the needle in it. */
+static void note_forces(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        s->holes[i].across = vec3_zero();
+    }
+    for (uint32_t i = 0; i < s->hit_count; i++) {
+        const scene_hit *hit = &s->hits[i];
+        if (hit->key.kind == VBSS_CONTACT_HOLE) {
+            s->holes[hit->key.a / HOLE_ROWS].across = hit->force;
+        }
+    }
+}
+
+static void look_for_punctures(scene_object *s, scene_body *needle, const scene_body *drain)
+{
+    scene_rigid *r = &needle->rigid;
+    const drain_object *d = drain->drain.drain;
+    pose at = pose_mul(r->body.now.at, pose_inverse(r->frame));
+    suture_probe probe = {.needle = needle->number,
+                          .drain = drain->number,
+                          .wall = d,
+                          .holes = s->holes,
+                          .hole_count = s->config.hole_capacity};
+    suture_hole made;
+    vbss_paper_probe_points(r->needle, at, d->config.thickness, probe.points);
+    while (vbss_paper_find_puncture(&probe, r->toggles, &made)) {
+        made.arc = vbss_hole_look(&made, d, d->x, r->needle, at).arc;
+        made.deepest = greater(made.arc, 0.0);
+        vbss_scene_add_hole(s, &made);
+    }
+    vbss_paper_set_toggles(&probe, r->toggles);
+}
+
+void vbss_scene_paper_settle_holes(scene_object *s)
+{
+    note_forces(s);
+    vbss_scene_leave_holes(s);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *needle = &s->bodies[i];
+        bool is_needle = needle->kind == BODY_RIGID && needle->rigid.needle != NULL;
+        for (uint32_t k = 0; is_needle && k < s->place_count; k++) {
+            if (s->bodies[k].kind == BODY_DRAIN) {
+                look_for_punctures(s, needle, &s->bodies[k]);
+            }
+        }
+    }
+}
+
+void vbss_scene_paper_forget_toggles_of(scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        suture_toggle *toggles = s->bodies[i].rigid.toggles;
+        for (int k = 0; s->bodies[i].kind == BODY_RIGID && k < SUTURE_TOGGLES; k++) {
+            if (toggles[k].drain == number) {
+                toggles[k] = (suture_toggle){0};
+            }
+        }
+    }
+}

@@ -1,0 +1,292 @@
+/* Needles by method PAPER: one follows the first tool whose jaws have closed on it, exactly; another that closes on it changes
+ * nothing until the first lets go, and leads from then on. A free one flies, comes down on the floor, and stays in the walls
+ * that it goes through: docs/paper-needle.md. */
+#include "scene/scene.h"
+
+#include "collision/closest.h"
+
+/* The arc is looked at in so many straight pieces a capsule. */
+enum { PIECES = 4 };
+/* Jaws hold a needle that goes across them: cosine of the largest angle, 45 degrees, between it and the width of the jaws. */
+#define LEAST_ACROSS 0.70710678118654752
+/* Rounds over the ends of the capsules that are on the floor. */
+enum { ROUNDS = 200 };
+
+/* ---- the floor: nothing of it below, nothing pulled down, so that it comes down and does not bounce */
+
+/* An end of a capsule, on which the floor acts upward. */
+typedef struct corner {
+    vec3 arm, turn;       /* from the centre of mass; of the needle, by an impulse of 1 */
+    double rise, impulse; /* of the corner, by an impulse of 1; so far */
+} corner;
+
+typedef struct landing {
+    const scene_rigid *needle;
+    vec3 up;
+    double height; /* of the middle of the wire on the floor */
+    pose at;       /* where it would be without the floor */
+    vec3 moved, turned;
+    corner corners[NEEDLE_SEGMENTS + 1];
+} landing;
+
+static void set_corner(landing *l, uint32_t i)
+{
+    const vbss_rigid *body = &l->needle->body;
+    const needle_object *n = l->needle->needle;
+    corner *c = &l->corners[i];
+    vec3 local =
+        pose_apply_inverse(l->needle->frame, vbss_needle_point(n, vbss_needle_corner(n, i)));
+    c->arm = quat_rotate(l->at.orientation, local);
+    vec3 own = quat_rotate_back(l->at.orientation, vec3_cross(c->arm, l->up));
+    own = vec3_make(own.x / body->inertia.x, own.y / body->inertia.y, own.z / body->inertia.z);
+    c->turn = quat_rotate(l->at.orientation, own);
+    c->rise = 1.0 / body->mass + vec3_dot(l->up, vec3_cross(c->turn, c->arm));
+    c->impulse = 0.0;
+}
+
+static double height_of(const landing *l, const corner *c)
+{
+    vec3 moved = vec3_add(l->moved, vec3_cross(l->turned, c->arm));
+    return vec3_dot(l->up, vec3_add(vec3_add(l->at.position, c->arm), moved)) - l->height;
+}
+
+/* Projected Gauss-Seidel. Returns the farthest that it has moved a corner. */
+static double make_round(landing *l, uint32_t count)
+{
+    double most = 0.0;
+    for (uint32_t i = 0; i < count; i++) {
+        corner *c = &l->corners[i];
+        double before = c->impulse;
+        c->impulse = greater(0.0, before - height_of(l, c) / c->rise);
+        double more = c->impulse - before;
+        l->moved = vec3_add_scaled(l->moved, more / l->needle->body.mass, l->up);
+        l->turned = vec3_add_scaled(l->turned, more, c->turn);
+        most = greater(most, fabs(more) * c->rise);
+    }
+    return most;
+}
+
+static void begin_landing(landing *l, pose at, uint32_t count)
+{
+    l->at = at;
+    l->moved = l->turned = vec3_zero();
+    for (uint32_t i = 0; i < count; i++) {
+        set_corner(l, i);
+    }
+}
+
+static void land(const scene_object *s, const scene_rigid *r, pose *at)
+{
+    double thickness = r->needle->config.wire_radius + s->config.paper_thickness, below = 0.0;
+    uint32_t count = r->needle->config.segment_count + 1;
+    landing l;
+    l.needle = r;
+    l.up = s->floor_normal;
+    l.height = s->config.floor_height + thickness;
+    begin_landing(&l, *at, count);
+    for (int i = 0; i < ROUNDS && make_round(&l, count) > SCENE_NO_DEPTH * thickness; i++) {
+    }
+    vbss_rigid_advance(at, l.moved, l.turned);
+    begin_landing(&l, *at, count);
+    for (uint32_t i = 0; i < count; i++) { /* turns are not small */
+        below = lesser(below, height_of(&l, &l.corners[i]));
+    }
+    at->position = vec3_add_scaled(at->position, -below, s->floor_normal);
+}
+
+/* ---- before a step: where it will be */
+
+static bool is_in_a_wall(const scene_object *s, const scene_body *b)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        if (s->holes[i].id != 0 && s->holes[i].needle == b->number) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static vbss_rigid_motion fly(const scene_object *s, const scene_rigid *r,
+                             const vbss_rigid_part *whole)
+{
+    vbss_rigid body = r->body;
+    vbss_rigid_motion flown;
+    vbss_rigid_predict(&body, whole, &flown);
+    pose at = flown.at;
+    if (s->config.floor != 0) {
+        land(s, r, &at);
+    }
+    vbss_rigid_commit(&body, whole, &flown, &at);
+    return body.now;
+}
+
+static void aim(const scene_object *s, scene_body *b, double h)
+{
+    scene_rigid *r = &b->rigid;
+    const vbss_rigid_part whole = {h, 0.0, 1.0};
+    if (r->leader != 0) {
+        const scene_rigid *tool = &vbss_scene_body(s, r->leader)->rigid;
+        r->body.end = pose_mul(tool->body.end, tool->hold.at);
+        r->predicted = vbss_rigid_given(&r->body, &whole);
+    } else if (is_in_a_wall(s, b)) {
+        r->predicted = (vbss_rigid_motion){r->body.now.at, vec3_zero(), vec3_zero()};
+    } else {
+        r->predicted = fly(s, r, &whole);
+        r->body.end = r->predicted.at;
+    }
+}
+
+static bool is_needle(const scene_body *b)
+{
+    return b->kind == BODY_RIGID && b->rigid.needle != NULL;
+}
+
+void vbss_scene_paper_aim_needles(scene_object *s, double h)
+{
+    bool any = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (is_needle(&s->bodies[i])) {
+            aim(s, &s->bodies[i], h);
+            any = true;
+        }
+    }
+    if (any) {
+        vbss_scene_aim_pins(s);
+    }
+}
+
+void vbss_scene_paper_return_needles(scene_object *s)
+{
+    bool any = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (is_needle(&s->bodies[i])) {
+            s->bodies[i].rigid.body.end = s->bodies[i].rigid.body.begin;
+            any = true;
+        }
+    }
+    if (any) {
+        vbss_scene_aim_pins(s);
+    }
+}
+
+/* ---- after a step: who leads */
+
+static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
+{
+    const scene_hold *hold = &tool->rigid.hold;
+    vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
+}
+
+static scene_rigid *needle_of(const scene_object *s, const scene_body *tool)
+{
+    return &vbss_scene_body(s, tool->rigid.hold.needle)->rigid;
+}
+
+static bool has_closed_on_one(const scene_body *b)
+{
+    return b->kind == BODY_RIGID && b->rigid.grasper != NULL && b->rigid.hold.needle != 0;
+}
+
+/* It stays as it is to the tool from now on. */
+static void lead(scene_object *s, scene_body *tool)
+{
+    scene_rigid *needle = needle_of(s, tool);
+    needle->leader = tool->number;
+    tool->rigid.hold.at = pose_mul(pose_inverse(tool->rigid.body.now.at), needle->body.now.at);
+    tell(s, VBSS_EVENT_GRASP, tool);
+}
+
+static void let_go(scene_object *s, scene_body *tool)
+{
+    scene_rigid *needle = needle_of(s, tool);
+    if (needle->leader == tool->number) {
+        needle->leader = 0;
+        tell(s, VBSS_EVENT_RELEASE, tool);
+    }
+    tool->rigid.hold = (scene_hold){0};
+}
+
+/* Who has closed on it first; NULL: nobody waits. */
+static scene_body *next_leader(const scene_object *s, const scene_body *needle)
+{
+    scene_body *first = NULL;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (has_closed_on_one(b) && b->rigid.hold.needle == needle->number &&
+            (first == NULL || b->rigid.hold.age > first->rigid.hold.age)) {
+            first = b;
+        }
+    }
+    return first;
+}
+
+/* ---- jaws that have just closed */
+
+/* The place of the needle that is nearest to the middle line of the jaws, and goes across them; nearer than `nearest`. */
+static void look_along(const scene_body *tool, const scene_body *b, scene_hold *found,
+                       double *nearest)
+{
+    const needle_object *n = b->rigid.needle;
+    double jaw = vbss_grasper_jaws_now(tool->rigid.grasper)->length;
+    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.at);
+    pose needle = pose_mul(b->rigid.body.now.at, pose_inverse(b->rigid.frame));
+    pose seen = pose_mul(pose_inverse(jaws), needle);
+    uint32_t pieces = PIECES * n->config.segment_count;
+    double length = vbss_needle_length(n) / pieces;
+    for (uint32_t i = 0; i < pieces; i++) {
+        double at[2];
+        vec3 begin = pose_apply(seen, vbss_needle_point(n, i * length));
+        vec3 end = pose_apply(seen, vbss_needle_point(n, (i + 1) * length));
+        vec3 apart = closest_edges(vec3_sub(end, begin), vec3_make(0.0, 0.0, -jaw), vec3_neg(begin),
+                                   &at[0], &at[1]); /* jaws point along -z from their pivot */
+        double arc = (i + at[0]) * length;
+        vec3 way = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
+        if (vec3_norm(apart) <= *nearest && fabs(way.y) >= LEAST_ACROSS) {
+            *nearest = vec3_norm(apart);
+            *found = (scene_hold){.needle = b->number, .arc = arc, .at = pose_identity()};
+        }
+    }
+}
+
+static void take(scene_object *s, scene_body *tool)
+{
+    scene_hold found = {0};
+    double nearest = tool->rigid.grasper->config.paper_distance;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (is_needle(&s->bodies[i])) {
+            look_along(tool, &s->bodies[i], &found, &nearest);
+        }
+    }
+    if (found.needle != 0) {
+        tool->rigid.hold = found;
+        tool->rigid.has_closed = false; /* on a needle, and on nothing beside it */
+    }
+}
+
+void vbss_scene_paper_settle_needles(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (has_closed_on_one(b)) {
+            b->rigid.hold.age += h;
+            if (b->rigid.grasper->angle > 0.0) {
+                let_go(s, b);
+            }
+        }
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_RIGID && b->rigid.grasper != NULL && b->rigid.has_closed &&
+            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
+            take(s, b);
+        }
+    }
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *first = is_needle(&s->bodies[i]) && s->bodies[i].rigid.leader == 0
+                                ? next_leader(s, &s->bodies[i])
+                                : NULL;
+        if (first != NULL) {
+            lead(s, first);
+        }
+    }
+}

@@ -1,0 +1,144 @@
+/* Algorithm 3 of VBLaST-SS: a tip that goes through a wall, seen at the ends of steps. */
+#include "suture/paper.h"
+
+/* A sub-segment on the border of two triangles crosses one of them, however weights are rounded. */
+#define ROUNDING 1e-9
+/* A tip is at a hole until so many walls of the needle have gone through. */
+#define AT_HOLE 3.0
+
+void vbss_paper_probe_points(const needle_object *n, pose needle, double thickness, vec3 points[3])
+{
+    vec3 tip = vbss_needle_point(n, 0.0);
+    vec3 corner = vbss_needle_point(n, vbss_needle_corner(n, 1));
+    vec3 along = vec3_unit_or(vec3_sub(corner, tip), vec3_zero());
+    for (int i = 0; i < 3; i++) {
+        points[i] = pose_apply(needle, vec3_add_scaled(tip, i * thickness, along));
+    }
+}
+
+/* ---- a sub-segment and a triangle */
+
+typedef struct crossing {
+    double weights[3];
+    bool outward;
+} crossing;
+
+/* A plane parts points of which one is on it and one beside it, or the tip could stop there unseen. */
+static bool crosses(const suture_probe *p, uint32_t t, int first, crossing *c)
+{
+    const uint32_t *node = p->wall->mesh.triangles[t];
+    const vec3 *x = p->wall->x;
+    vec3 corner = x[node[0]], e1 = vec3_sub(x[node[1]], corner), e2 = vec3_sub(x[node[2]], corner);
+    vec3 normal = vec3_cross(e1, e2);
+    double ahead = vec3_dot(normal, vec3_sub(p->points[first], corner));
+    double behind = vec3_dot(normal, vec3_sub(p->points[first + 1], corner));
+    double size = vec3_norm_squared(normal);
+    if ((ahead < 0.0) == (behind < 0.0) || !(size > 0.0)) {
+        return false;
+    }
+    vec3 at = vec3_lerp(p->points[first], p->points[first + 1], ahead / (ahead - behind));
+    vec3 off = vec3_sub(at, corner);
+    c->weights[1] = vec3_dot(normal, vec3_cross(off, e2)) / size; /* shares of the area */
+    c->weights[2] = vec3_dot(normal, vec3_cross(e1, off)) / size;
+    c->weights[0] = 1.0 - c->weights[1] - c->weights[2];
+    c->outward = behind < 0.0;
+    return c->weights[0] >= -ROUNDING && c->weights[1] >= -ROUNDING && c->weights[2] >= -ROUNDING;
+}
+
+/* They are the same or share a corner: a tip goes on from one to the other. */
+static bool are_beside(const drain_object *d, uint32_t a, uint32_t b)
+{
+    const uint32_t *one = d->mesh.triangles[a], *other = d->mesh.triangles[b];
+    for (int i = 0; i < 3; i++) {
+        if (one[i] == other[0] || one[i] == other[1] || one[i] == other[2]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- toggles */
+
+static bool is_beside(const suture_probe *p, const suture_toggle *toggle, uint32_t t)
+{
+    return toggle->drain == p->drain && are_beside(p->wall, toggle->triangle, t);
+}
+
+static suture_toggle *find_beside(const suture_probe *p, suture_toggle toggles[SUTURE_TOGGLES],
+                                  uint32_t t)
+{
+    for (int i = 0; i < SUTURE_TOGGLES; i++) {
+        if (is_beside(p, &toggles[i], t)) {
+            return &toggles[i];
+        }
+    }
+    return NULL;
+}
+
+/* One that has just made a hole, or is about to leave it, makes no other beside it. */
+static bool is_at_hole(const suture_probe *p, uint32_t t)
+{
+    for (uint32_t i = 0; i < p->hole_count; i++) {
+        const suture_hole *hole = &p->holes[i];
+        if (hole->id != 0 && hole->needle == p->needle && hole->drain == p->drain &&
+            hole->arc < AT_HOLE * p->wall->config.thickness &&
+            are_beside(p->wall, hole->triangle, t)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool crosses_beside(const suture_probe *p, const suture_toggle *toggle)
+{
+    crossing c;
+    for (uint32_t t = 0; t < p->wall->mesh.triangle_count; t++) {
+        if (is_beside(p, toggle, t) && (crosses(p, t, 0, &c) || crosses(p, t, 1, &c))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool vbss_paper_find_puncture(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES],
+                              suture_hole *made)
+{
+    for (uint32_t t = 0; t < probe->wall->mesh.triangle_count; t++) {
+        crossing c;
+        suture_toggle *toggle = find_beside(probe, toggles, t);
+        if (toggle == NULL || !crosses(probe, t, 1, &c) || c.outward != toggle->outward) {
+            continue;
+        }
+        *toggle = (suture_toggle){0};
+        vbss_suture_round_off(c.weights);
+        *made = (suture_hole){.needle = probe->needle,
+                              .drain = probe->drain,
+                              .triangle = t,
+                              .weights = {c.weights[0], c.weights[1], c.weights[2]},
+                              .outward = c.outward};
+        return true;
+    }
+    return false;
+}
+
+void vbss_paper_set_toggles(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES])
+{
+    for (int i = 0; i < SUTURE_TOGGLES; i++) {
+        if (toggles[i].drain == probe->drain && !crosses_beside(probe, &toggles[i])) {
+            toggles[i] = (suture_toggle){0};
+        }
+    }
+    for (uint32_t t = 0; t < probe->wall->mesh.triangle_count; t++) {
+        crossing c;
+        if (!crosses(probe, t, 0, &c) || find_beside(probe, toggles, t) != NULL ||
+            is_at_hole(probe, t)) {
+            continue;
+        }
+        for (int i = 0; i < SUTURE_TOGGLES; i++) {
+            if (toggles[i].drain == 0) {
+                toggles[i] = (suture_toggle){probe->drain, t, c.outward};
+                break;
+            }
+        }
+    }
+}
