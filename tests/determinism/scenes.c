@@ -11,6 +11,7 @@
 #include "scenes/moving_knot.h"
 #include "scenes/moving_shapes.h"
 #include "scenes/needle_scenes.h"
+#include "scenes/paper_needle_scenes.h"
 #include "scenes/rod.h"
 #include "scenes/scene_scenes.h"
 #include "scenes/thread_scenes.h"
@@ -530,6 +531,23 @@ static void run_needle_hands(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- the paper's needle, that two tools pass through a drain, hashed after every 10 steps */
+
+static void run_paper_needle(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    vbss_scene *scene;
+    must(vbss_context_create(NULL, &context));
+    must(paper_needle_scene_create(context, &scene));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 10; k++) {
+            must(paper_needle_scene_step(scene));
+        }
+        must(vbss_scene_get_hash(scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -551,5 +569,7 @@ const golden_scene golden_scenes[] = {
     {"drain", 160, 2, run_drain},
     {"drain-hands", 64, 3, run_drain_hands}, /* the thread is there at once, the tool at 2 */
     {"needle-hands", NEEDLE_SCENE_STEPS / 10, 32, run_needle_hands}, /* held on the floor at 31 */
+    {"paper-needle", PAPER_NEEDLE_SCENE_STEPS / 10, 20,
+     run_paper_needle}, /* through a wall at 17 */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

@@ -118,13 +118,14 @@ static void what_is_no_needle_for_the_scene_is_told(void **state)
     needles_end(&r);
 }
 
-static void scenes_of_the_paper_take_no_needles(void **state)
+/* Either way. */
+static void a_needle_of_another_method_is_refused(void **state)
 {
     (void)state;
     for (int method = VBSS_METHOD_OURS; method <= VBSS_METHOD_PAPER; method++) {
         needles_rig r;
         needles_begin(&r);
-        r.tools.s.config.method = VBSS_METHOD_PAPER;
+        r.tools.s.config.method = VBSS_METHOD_OURS + VBSS_METHOD_PAPER - method;
         small_create(&r.tools.s);
         r.config.method = method;
         expect_ok(vbss_needle_create(r.tools.s.context, &r.config, &r.needle));
@@ -323,7 +324,7 @@ int test_needle_life(void)
     const struct CMUnitTest tests[] = {
         harness_test(a_needle_belongs_to_its_scene_until_it_leaves),
         harness_test(what_is_no_needle_for_the_scene_is_told),
-        harness_test(scenes_of_the_paper_take_no_needles),
+        harness_test(a_needle_of_another_method_is_refused),
         harness_test(needles_find_room_or_are_refused),
         harness_test(a_needle_that_is_held_may_be_removed),
         harness_test(a_tool_that_holds_may_be_removed),
