@@ -20,7 +20,8 @@
  * A wall of a drain that they close on is held at up to three points along the jaws. A needle (needle.h) is held where the jaws have found it, as it was turned, in position and orientation; it slides and
  * turns in them above what the pressure bears.
  * Method PAPER (VBLaST-SS, Qi et al. 2017): tools are where the hand is; one that closes near a thread carries
- * its nearest node exactly; of two tools the first leads, the other changes nothing until that lets go.
+ * its nearest node exactly, and one that closes near a needle across its jaws carries that; of two tools the first leads, the
+ * other changes nothing until that lets go.
  * docs/graspers.md has the formulas and limits.
  *
  * SPDX-License-Identifier: Apache-2.0
@@ -92,7 +93,8 @@ typedef struct vbss_grasper_config {
     double exchange_distance; /**< m, 0 to 1e3; default 0: anywhere. */
     /** PAPER: k_s of the force to the hand, k_s (stretched length - length), N/m, 0 to 1e6; default 50. */
     double paper_stiffness;
-    /** PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3. */
+    /** PAPER: within which closed jaws take a node, from their tip, or a needle, from their middle line, m, 0 to 0.1; default
+     * 2e-3 (the paper gives no number). */
     double paper_distance;
     /* What is stiffer than a thread: a needle (needle.h), a wall of a drain. */
     /** Of the clamp on either, the same in all directions, N/m, 1 to 1e7; default 3e4. */

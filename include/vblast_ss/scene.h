@@ -11,7 +11,7 @@
  * by a spring and a damper, so that what stops the thread stops the tool) or free. A grasper (grasper.h) is a coupled one
  * with jaws that hold threads, needles and walls of drains; of method PAPER a driven one. A needle (needle.h) is a free one:
  * its tip goes through the wall of a drain on which it presses hard enough, and leaves a hole that slides along it
- * (#vbss_scene_get_hole).
+ * (#vbss_scene_get_hole); of method PAPER it follows the first tool that has grasped it, and no force decides about holes.
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
@@ -207,7 +207,8 @@ enum {
     /** A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's triangle. */
     VBSS_CONTACT_SIDES = 8,
     VBSS_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain, and the floor. */
-    /** A needle, three times the place of the hole among all plus: 0 and 1 across, 2 along; and 0 of the drain. */
+    /** A needle, three times the place of the hole among all plus: 0 and 1 across, 2 along; and 0 of the drain. PAPER: 0
+     * alone, where particles were moved. */
     VBSS_CONTACT_HOLE = 10
 };
 
@@ -233,7 +234,7 @@ enum {
     VBSS_EVENT_EXCHANGED = 11,     /**< A grasper, 0, and what it is now. */
     VBSS_EVENT_NOT_EXCHANGED = 12, /**< A grasper, 0, and what it was to be. */
     VBSS_EVENT_PUNCTURE =
-        13, /**< A needle's tip enters a wall: needle, drain, id of the hole (vbss_scene_get_hole). */
+        13, /**< A needle's tip enters a wall, PAPER: has gone through: needle, drain, id of the hole (vbss_scene_get_hole). */
     VBSS_EVENT_WITHDRAWN = 14, /**< The tip has left the hole the way it came: the same. */
     VBSS_EVENT_PASSED = 15,    /**< The needle has gone through it, swage and all: the same. */
     VBSS_EVENT_HOLE_LOST = 16  /**< Beyond hole_capacity the wall holds: needle, drain, 0. */
@@ -415,7 +416,8 @@ VBSS_API vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_co
 /**
  * Adds a needle, where it is and as it moves: it is free. A thread that is pinned to it (#vbss_scene_pin_thread) with its
  * first node at the swage is swaged to it. Stepping or placing it alone, restoring or destroying it is
- * VBSS_ERROR_IN_SCENE until it is removed. Method OURS only.
+ * VBSS_ERROR_IN_SCENE until it is removed. Method PAPER: it follows the tool whose jaws have closed on it first, exactly; a free
+ * one flies, lies on the floor, and stays in the walls of drains that it goes through (docs/paper-needle.md).
  *
  * @param scene      the scene
  * @param needle     a needle of the same context and method
