@@ -7,7 +7,7 @@
 
 #define RADIUS 0.3 /* of its arc: 30 mm of it are 0.4 mm from straight */
 #define HELD 28e-3
-#define START -1e-3
+#define START (-1e-3)
 
 typedef struct prick {
     needles_rig r;

@@ -27,7 +27,7 @@ enum {
     PAPER_NEEDLE_SCENE_SECOND = 5
 };
 /* Height of the floor, whose normal is +y, m. */
-#define PAPER_NEEDLE_SCENE_FLOOR -0.015
+#define PAPER_NEEDLE_SCENE_FLOOR (-0.015)
 
 vbss_result paper_needle_scene_create(vbss_context *context, vbss_scene **scene);
 vbss_result paper_needle_scene_step(vbss_scene *scene);
