@@ -6,7 +6,7 @@
  * and steps the scene by the functions of this header, which do what those of scene.h, thread.h and grasper.h
  * do and note it. The library writes no files: the host takes what the log has grown by and appends it to its own.
  *
- * A *replay* reads a log, complete or cut off. It brings a scene that was made alike to where the record
+ * A *replay* reads a log, complete or cut off, with a scene or without. It brings a scene that was made alike to where the record
  * began, tells it what the host told it then, steps it, and compares hashes: it ends, or names the
  * first step that differs. Page docs/session-log.md has the format.
  *
@@ -33,12 +33,78 @@ typedef struct vbss_record_config {
     uint32_t input_capacity; /**< Most inputs before a step, 0 to 65536; default 64. */
     uint32_t note_bytes;     /**< Size of the note, at most 2^24; default 0. */
     /** Room for what the host has not taken yet, beyond the begin of the log, in bytes, 4096 to 2^30;
-     * default 2^20. A step in which two rigid bodies move takes 262, one in which two graspers move and open 320. */
+     * default 2^20. A step in which two rigid bodies move takes 274, one in which two graspers move and open 332; an event 16 more. */
     uint64_t buffer_bytes;
     /** Anything the host wants to find in the log again, such as what its scene is made from; NULL
      * (default) when note_bytes is 0. Copied. */
     const void *note;
+    /** A snapshot of the scene is put in the log every so many steps, 0 to 1e9; 0: only at the begin; default 1000.
+     * #vbss_replay_seek goes on from them. One that finds no room in the buffer waits for a later step that has it. */
+    uint32_t snapshot_interval;
+    uint32_t reserved; /**< Zero. */
 } vbss_record_config;
+
+/** What a host has told a scene: a VBSS_INPUT_ constant. */
+typedef int32_t vbss_input_kind;
+
+/** The constants of #vbss_input_kind, with the words and numbers of each. They are numbers of the format. */
+enum {
+    VBSS_INPUT_MOVE_RIGID = 1, /**< Body, whether turned; position 3, orientation 4. */
+    VBSS_INPUT_PIN = 2,        /**< Thread, node, body, whether at a point; point 3. */
+    VBSS_INPUT_UNPIN = 3,      /**< Pin. */
+    /** Thread, kind, node; position 3, direction 3, force 3, stiffness, damping, mass. */
+    VBSS_INPUT_ATTACH = 4,
+    VBSS_INPUT_MOVE = 5,   /**< Thread, attachment, whether directed; target 3, direction 3. */
+    VBSS_INPUT_DETACH = 6, /**< Thread, attachment. */
+    VBSS_INPUT_CUT = 7,    /**< Thread; arc length. */
+    VBSS_INPUT_MOVE_GRASPER = 8, /**< Grasper, whether turned; position 3, orientation 4. */
+    VBSS_INPUT_SET_OPENING = 9,  /**< Grasper; opening. */
+    VBSS_INPUT_EXCHANGE = 10     /**< Grasper, kind. */
+};
+
+/** One thing that a host has told a scene. */
+typedef struct vbss_log_input {
+    vbss_input_kind kind;  /**< What. */
+    uint32_t word_count;   /**< Of the words below. */
+    uint32_t number_count; /**< Of the numbers below. */
+    uint32_t reserved;     /**< Zero. */
+    uint32_t words[4];     /**< As #vbss_input_kind says. */
+    double numbers[12];    /**< The same. */
+} vbss_log_input;
+
+/** What a log says of a step. */
+typedef struct vbss_log_step {
+    uint32_t struct_size;         /**< Bytes of this struct that the library filled. */
+    uint32_t hashed;              /**< 1: the hash is there. */
+    uint64_t number;              /**< From 1 on. */
+    uint64_t hash;                /**< Of the scene after it; 0 if it was not hashed. */
+    uint64_t position;            /**< Byte of the log at which what follows it begins. */
+    double h;                     /**< Its length, s. */
+    double time;                  /**< Simulated after it since the begin of the log, s. */
+    const vbss_log_input *inputs; /**< What was told before it, in that order. */
+    const uint32_t *events;       /**< x 4, as in #VBSS_SCENE_VIEW_EVENTS: what happened in it. */
+    uint32_t input_count;         /**< Of inputs. */
+    uint32_t event_count;         /**< Of events: four words each. */
+} vbss_log_step;
+
+/** What is in a log, and what is wrong with it. The counts are those of its good part, before the first fault. */
+typedef struct vbss_log_report {
+    uint32_t struct_size; /**< Bytes of this struct that the library filled. */
+    vbss_result result; /**< VBSS_OK, or of the first fault; VBSS_ERROR_TRUNCATED: it is cut off. */
+    uint32_t ended;     /**< 1: the end is there. */
+    uint32_t fault_count;          /**< Of faults, of which the first eight are told below. */
+    uint64_t log_bytes;            /**< Size of the log. */
+    uint64_t good_bytes;           /**< Of its good part, which replays. */
+    uint64_t steps;                /**< Complete ones. */
+    uint64_t inputs;               /**< Told before them. */
+    uint64_t events;               /**< In them. */
+    uint64_t snapshots;            /**< With that at the begin. */
+    double time;                   /**< Simulated in them, s. */
+    uint64_t fault_positions[8];   /**< Bytes of the log. */
+    const char *fault_problems[8]; /**< Constant texts, in English. */
+    /** VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT or VBSS_ERROR_DATA_VERSION. */
+    vbss_result fault_results[8];
+} vbss_log_report;
 
 /** What a log says about itself. */
 typedef struct vbss_replay_info {
@@ -118,6 +184,26 @@ VBSS_API vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_con
  * @since 0.1
  */
 VBSS_API vbss_result vbss_record_destroy(vbss_record *record);
+
+/**
+ * Goes on with a log, complete or cut off: brings the scene of the replay to its last complete step, as
+ * #vbss_replay_seek does, and makes a record that appends to it. The host first cuts its file off at `position`.
+ * A damaged log is refused; its good part (#vbss_log_check) can be gone on with by a replay of that alone.
+ *
+ * @param replay         a replay that has begun; what it replays afterwards is past the record
+ * @param config         how; NULL for the defaults. Only buffer_bytes and snapshot_interval count; the rest is as
+ *                       the log has it.
+ * @param[out] record    the new record; NULL when the call fails. Nothing is in it to be taken yet.
+ * @param[out] position  byte of the log at which what it takes is to be appended
+ * @return VBSS_OK, VBSS_ERROR_CORRUPT (also: the steps are not made as they were recorded),
+ *         VBSS_ERROR_DATA_VERSION (also: begun by another version of the library), VBSS_ERROR_CAPACITY (the scene
+ *         keeps more events than that of the log), VBSS_ERROR_OUT_OF_RANGE (the replay has not begun), what
+ *         #vbss_replay_step and #vbss_scene_restore return, or what #vbss_record_create does
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *config,
+                                        vbss_record **record, uint64_t *position);
 
 /**
  * Hands out what the log has grown by since it was asked last, to be appended to a file or sent. It
@@ -273,8 +359,8 @@ VBSS_API vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t t
 VBSS_API vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id);
 
 /**
- * #vbss_scene_step of the recorded scene; appends the inputs since the last step, the length of this one
- * and, when it is due, the hash of the state. Nothing is allocated. When the step fails the log and the
+ * #vbss_scene_step of the recorded scene; appends the inputs since the last step, the length of this one, its
+ * events and, when they are due, the hash of the state and a snapshot. Nothing is allocated. When the step fails the log and the
  * scene are as they were, and the inputs belong to the step that succeeds.
  *
  * @param record  the record
@@ -393,6 +479,56 @@ VBSS_API vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene);
  */
 VBSS_API vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report,
                                       uint32_t struct_size);
+
+/**
+ * Brings the replay and its scene to after a step: restores the newest snapshot at or before it, makes the steps
+ * from there on and compares their hashes. #vbss_replay_step goes on from there to the same bits as without. When
+ * the log does not have the step, scene and replay stay as they are.
+ *
+ * @param replay       the replay, which has begun
+ * @param step         number of the step; 0: the begin
+ * @param[out] report  receives what was found, as in #vbss_replay_step
+ * @param struct_size  `sizeof *report` as the caller was compiled
+ * @return as #vbss_replay_step and #vbss_scene_restore; VBSS_ERROR_OUT_OF_RANGE also: the log ends before the step
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
+                                      vbss_replay_report *report, uint32_t struct_size);
+
+/**
+ * What the log says of a step, without a scene; the replay stays where it is. Quickly done for the step after the
+ * one that was read last; for one before it the log is read from its begin.
+ *
+ * @param replay       the replay
+ * @param number       of the step, from 1 on
+ * @param[out] step    receives it; its arrays are valid until the next call for this replay
+ * @param struct_size  `sizeof *step` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (it is cut off before it),
+ *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT,
+ *         VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step *step,
+                                      uint32_t struct_size);
+
+/**
+ * Walks through all of a log, which may be any bytes, and says what is in it, what is wrong, and where.
+ * What follows a fault is looked at as far as records can be found there.
+ *
+ * @param context      for the memory that this takes meanwhile
+ * @param bytes        the log
+ * @param count        its size
+ * @param[out] report  receives what was found
+ * @param struct_size  `sizeof *report` as the caller was compiled
+ * @return VBSS_OK, whatever is wrong; VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
+ *         VBSS_ERROR_CORRUPT (larger than any memory), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t count,
+                                    vbss_log_report *report, uint32_t struct_size);
 
 #ifdef __cplusplus
 }

@@ -245,6 +245,25 @@ DEFINE_INTEGER_FIELD(vbss_stream_u32, uint32_t, TYPE_U32)
 DEFINE_INTEGER_FIELD(vbss_stream_i32, int32_t, TYPE_I32)
 DEFINE_INTEGER_FIELD(vbss_stream_u8, uint8_t, TYPE_U8)
 
+const uint8_t *vbss_stream_find_u8(vbss_stream *stream, uint16_t tag, size_t count)
+{
+    return begin_field(stream, tag, TYPE_U8, count) ? get(stream, count) : NULL;
+}
+
+uint8_t *vbss_stream_place_u8(vbss_stream *stream, uint16_t tag, size_t count)
+{
+    if (!begin_field(stream, tag, TYPE_U8, count)) {
+        return NULL;
+    }
+    uint8_t *place = stream->mode == VBSS_STREAM_WRITE ? stream->out + stream->position : NULL;
+    if (place != NULL && count > stream->capacity - stream->position) {
+        stop(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
+        return NULL;
+    }
+    stream->position += count;
+    return place;
+}
+
 /* ---- fields with a meaning */
 
 void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint32_t capacity)

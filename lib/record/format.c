@@ -9,7 +9,7 @@
 #include "record/record.h"
 
 #define MAGIC VBSS_CODE('V', 'B', 'S', 'L')
-#define FORMAT 1u
+#define FORMAT 2u
 #define SMALL_LETTER 0x20u
 /* The least a section needs. */
 #define SECTION_BYTES 16u
@@ -67,6 +67,11 @@ vbss_result vbss_log_seal(log_writer *log, const vbss_stream *stream)
 static vbss_result fail_at(const log_reader *log, vbss_result result, size_t at,
                            const char *problem)
 {
+    if (log->fault != NULL) {
+        const log_fault fault = {result, at, problem};
+        *log->fault = fault;
+        return result;
+    }
     return vbss_fail(log->context, result, "log, byte %llu of %llu: %s", (unsigned long long)at,
                      (unsigned long long)log->count, problem);
 }
@@ -86,7 +91,10 @@ vbss_result vbss_log_read_front(log_reader *log)
         return vbss_log_corrupt(log, 0, "this is no log");
     }
     if (log->chain >> 32 != FORMAT) {
-        return fail_at(log, VBSS_ERROR_DATA_VERSION, 4, "a format that this library does not read");
+        return fail_at(log, VBSS_ERROR_DATA_VERSION, 4,
+                       log->chain >> 32 < FORMAT
+                           ? "a log of an older library, which this one does not read"
+                           : "a log of a newer library, which this one does not read");
     }
     log->at = LOG_FRONT;
     return VBSS_OK;
@@ -136,6 +144,21 @@ vbss_result vbss_log_next(log_reader *log, log_found *found)
     }
     *log = next;
     return VBSS_OK;
+}
+
+bool vbss_log_skip(log_reader *log)
+{
+    log_found found;
+    log_fault unwanted;
+    log_reader quiet = *log;
+    quiet.fault = &unwanted;
+    if (find(&quiet, &found) != VBSS_OK) {
+        return false;
+    }
+    size_t end = found.at + LOG_BEFORE + found.length;
+    log->chain = load_little_endian(log->bytes + end, LOG_AFTER);
+    log->at = end + LOG_AFTER;
+    return true;
 }
 
 vbss_result vbss_log_read_all(const log_reader *log, const log_found *found,

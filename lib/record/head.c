@@ -158,16 +158,28 @@ void vbss_log_visit_head(vbss_stream *stream, log_head *head)
     vbss_stream_u32(stream, 1, &head->library_version, 1);
     visit_blob(stream, 2, head->context, &head->build_info);
     vbss_stream_u32(stream, 4, &head->hash_interval, 1);
+    if (head->hash_interval == 0) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such interval");
+    }
     vbss_stream_count(stream, 5, &head->input_capacity, 65536);
     visit_blob(stream, 6, head->context, &head->note);
     visit_config(stream, &head->scene);
+    if (head->scene.event_capacity > 65536) { /* for which a reader needs room */
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no scene keeps so many events");
+    }
     vbss_stream_close(stream, outer);
 }
 
-void vbss_log_visit_snapshot(vbss_stream *stream, log_head *head)
+void vbss_log_visit_snapshot(vbss_stream *stream, log_snapshot *snapshot)
 {
-    vbss_section outer = vbss_stream_open(stream, LOG_SNAPSHOT, 1);
-    visit_blob(stream, 1, head->context, &head->snapshot);
+    vbss_section outer = vbss_stream_open(stream, LOG_SNAPSHOT, 2);
+    vbss_stream_u64(stream, 1, &snapshot->number, 1);
+    vbss_stream_u32(stream, 2, &snapshot->count, 1);
+    if (stream->mode == VBSS_STREAM_READ) {
+        snapshot->bytes = vbss_stream_find_u8(stream, 3, snapshot->count);
+    } else {
+        snapshot->place = vbss_stream_place_u8(stream, 3, snapshot->count);
+    }
     vbss_stream_close(stream, outer);
 }
 
@@ -175,5 +187,4 @@ void vbss_log_free_head(log_head *head)
 {
     free_blob(head->context, &head->build_info);
     free_blob(head->context, &head->note);
-    free_blob(head->context, &head->snapshot);
 }

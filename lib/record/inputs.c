@@ -4,10 +4,11 @@
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
 
 const log_input_shape vbss_log_input_shapes[INPUT_KINDS] = {
-    [INPUT_MOVE_RIGID] = {2, 7},   [INPUT_PIN] = {4, 3},         [INPUT_UNPIN] = {1, 0},
-    [INPUT_ATTACH] = {3, 12},      [INPUT_MOVE] = {3, 6},        [INPUT_DETACH] = {2, 0},
-    [INPUT_MOVE_GRASPER] = {2, 7}, [INPUT_SET_OPENING] = {1, 1}, [INPUT_EXCHANGE] = {2, 0},
-    [INPUT_CUT] = {1, 1},
+    [VBSS_INPUT_MOVE_RIGID] = {2, 7},   [VBSS_INPUT_PIN] = {4, 3},
+    [VBSS_INPUT_UNPIN] = {1, 0},        [VBSS_INPUT_ATTACH] = {3, 12},
+    [VBSS_INPUT_MOVE] = {3, 6},         [VBSS_INPUT_DETACH] = {2, 0},
+    [VBSS_INPUT_MOVE_GRASPER] = {2, 7}, [VBSS_INPUT_SET_OPENING] = {1, 1},
+    [VBSS_INPUT_EXCHANGE] = {2, 0},     [VBSS_INPUT_CUT] = {1, 1},
 };
 
 vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
@@ -37,7 +38,7 @@ vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper
     return VBSS_OK;
 }
 
-static vbss_result attach(vbss_thread *thread, const log_input *input, uint32_t *id)
+static vbss_result attach(vbss_thread *thread, const vbss_log_input *input, uint32_t *id)
 {
     const double *n = input->numbers;
     vbss_thread_attachment a;
@@ -53,52 +54,55 @@ static vbss_result attach(vbss_thread *thread, const log_input *input, uint32_t 
     return vbss_thread_attach(thread, &a, id);
 }
 
-vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *input, uint32_t *id)
+vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
+                          uint32_t *id)
 {
     const uint32_t *w = input->words;
     const double *n = input->numbers;
     vbss_thread *thread = NULL;
     vbss_grasper *grasper = NULL;
     uint32_t unwanted, *name = id != NULL ? id : &unwanted;
-    if (kind >= INPUT_ATTACH && kind <= INPUT_DETACH) {
+    if (kind >= VBSS_INPUT_ATTACH && kind <= VBSS_INPUT_DETACH) {
         VBSS_TRY(vbss_log_find_thread(scene, w[0], &thread));
     }
-    if (kind >= INPUT_MOVE_GRASPER) {
+    if (kind >= VBSS_INPUT_MOVE_GRASPER) {
         VBSS_TRY(vbss_log_find_grasper(scene, w[0], &grasper));
     }
     switch (kind) {
-    case INPUT_MOVE_RIGID:
+    case VBSS_INPUT_MOVE_RIGID:
         return vbss_scene_move_rigid(scene, w[0], n, w[1] != 0 ? n + 3 : NULL);
-    case INPUT_PIN:
+    case VBSS_INPUT_PIN:
         return vbss_scene_pin_thread(scene, w[0], w[1], w[2], w[3] != 0 ? n : NULL, name);
-    case INPUT_UNPIN:
+    case VBSS_INPUT_UNPIN:
         return vbss_scene_unpin_thread(scene, w[0]);
-    case INPUT_ATTACH:
+    case VBSS_INPUT_ATTACH:
         return attach(thread, input, name);
-    case INPUT_MOVE:
+    case VBSS_INPUT_MOVE:
         return vbss_thread_move(thread, w[1], n, w[2] != 0 ? n + 3 : NULL);
-    case INPUT_DETACH:
+    case VBSS_INPUT_DETACH:
         return vbss_thread_detach(thread, w[1]);
-    case INPUT_CUT:
+    case VBSS_INPUT_CUT:
         return vbss_scene_cut_thread(scene, w[0], n[0], name);
-    case INPUT_MOVE_GRASPER:
+    case VBSS_INPUT_MOVE_GRASPER:
         return vbss_grasper_move(grasper, n, w[1] != 0 ? n + 3 : NULL);
-    case INPUT_SET_OPENING:
+    case VBSS_INPUT_SET_OPENING:
         return vbss_grasper_set_opening(grasper, n[0]);
-    default: /* INPUT_EXCHANGE: no other gets here */
+    default: /* VBSS_INPUT_EXCHANGE: no other gets here */
         return vbss_grasper_exchange(grasper, (vbss_grasper_kind)w[1]);
     }
 }
 
 log_edits vbss_log_edits_of(const scene_object *s)
 {
-    /* All of them only grow, and threads come and go with a change of the scene's own. */
-    log_edits edits = {s->generation, 0, 0};
+    /* All of them only grow, and bodies come and go with a change of the scene's own. */
+    log_edits edits = {s->generation, 0, 0, 0};
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             edits.threads += s->bodies[i].thread.thread->generation;
         } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
             edits.graspers += s->bodies[i].rigid.grasper->generation;
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            edits.drains += s->bodies[i].drain.drain->generation;
         }
     }
     return edits;

@@ -5,6 +5,9 @@ _Static_assert(sizeof(vbss_replay_info) == 48, "published size");
 
 static const uint32_t info_sizes[] = {48, 0};
 static const vbss_layout info_layout = {"vbss_replay_info", NULL, info_sizes};
+static const uint32_t step_sizes[] = {72, 0};
+static const vbss_layout step_layout = {"vbss_log_step", NULL, step_sizes};
+_Static_assert(sizeof(vbss_log_step) == 72 && sizeof(vbss_log_input) == 128, "published sizes");
 static const uint32_t scene_config_sizes[] = {160, 168, 176, 0};
 static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene_config_sizes};
 
@@ -13,8 +16,7 @@ static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene
 static void free_object(vbss_context *context, void *object)
 {
     replay_object *p = object;
-    vbss_log_free_head(&p->head);
-    vbss_log_free_inputs(context, &p->step);
+    vbss_log_free_begin(p);
     vbss_release(context, p, 1, sizeof *p);
 }
 
@@ -36,7 +38,14 @@ static vbss_result begin_record(log_reader *log, log_found *found, vbss_stream *
     return VBSS_OK;
 }
 
-static vbss_result read_begin(replay_object *p)
+void vbss_log_free_begin(replay_object *p)
+{
+    vbss_log_free_head(&p->head);
+    vbss_log_free_inputs(p->context, &p->step);
+    vbss_log_free_events(p->context, &p->step);
+}
+
+vbss_result vbss_log_read_begin(replay_object *p)
 {
     log_found found;
     vbss_stream stream;
@@ -45,12 +54,16 @@ static vbss_result read_begin(replay_object *p)
     vbss_log_visit_head(&stream, &p->head);
     VBSS_TRY(vbss_log_read_all(&p->log, &found, &stream));
     VBSS_TRY(begin_record(&p->log, &found, &stream));
-    vbss_log_visit_snapshot(&stream, &p->head);
+    vbss_log_visit_snapshot(&stream, &p->first);
     VBSS_TRY(vbss_log_read_all(&p->log, &found, &stream));
-    p->begin = p->log;
+    if (p->first.number != 0) {
+        return vbss_log_corrupt(&p->log, found.at, "the scene at the begin was expected");
+    }
+    p->begin = p->look = p->log;
     p->report.position = p->log.at;
     p->step.input_capacity = p->head.input_capacity;
-    return vbss_log_make_inputs(p->context, &p->step);
+    VBSS_TRY(vbss_log_make_inputs(p->context, &p->step));
+    return vbss_log_make_events(p->context, &p->step, p->head.scene.event_capacity);
 }
 
 static vbss_result open_log(vbss_context *context, const uint8_t *bytes, size_t count,
@@ -63,7 +76,7 @@ static vbss_result open_log(vbss_context *context, const uint8_t *bytes, size_t 
     p->context = p->head.context = p->log.context = context;
     p->log.bytes = bytes;
     p->log.count = count;
-    vbss_result result = read_begin(p);
+    vbss_result result = vbss_log_read_begin(p);
     if (result != VBSS_OK) {
         free_object(context, p);
         return result;
@@ -130,7 +143,7 @@ vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, ui
         .library_version = p->head.library_version,
         .hash_interval = p->head.hash_interval,
         .note_bytes = p->head.note.count,
-        .snapshot_bytes = p->head.snapshot.count,
+        .snapshot_bytes = p->first.count,
         .log_bytes = p->log.count,
         .build_info = (const char *)p->head.build_info.bytes,
         .note = p->head.note.bytes,
@@ -150,25 +163,45 @@ vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config 
 
 /* ---- from step to step */
 
+vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step,
+                          log_snapshot *snapshot, log_found *found)
+{
+    log_reader next = *log;
+    vbss_stream stream;
+    uint64_t number = steps_before;
+    VBSS_TRY(begin_record(&next, found, &stream));
+    if (found->code == LOG_SNAPSHOT) {
+        vbss_log_visit_snapshot(&stream, snapshot);
+        VBSS_TRY(vbss_log_read_all(log, found, &stream));
+        number = snapshot->number;
+    } else if (found->code == LOG_END) {
+        vbss_log_visit_end(&stream, step);
+        VBSS_TRY(vbss_log_read_all(log, found, &stream));
+        number = step->number;
+    } else {
+        vbss_log_visit_step(&stream, step);
+        VBSS_TRY(vbss_log_read_all(log, found, &stream));
+        number = step->number - 1;
+    }
+    if (number != steps_before) {
+        return vbss_log_corrupt(log, found->at, "another step was expected");
+    }
+    if (found->code == LOG_END && next.at != next.count) {
+        return vbss_log_corrupt(log, next.at, "data follow the end");
+    }
+    *log = next;
+    return VBSS_OK;
+}
+
 vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step *step, bool *end)
 {
     log_reader next = *log;
+    log_snapshot passed;
     log_found found;
-    vbss_stream stream;
-    VBSS_TRY(begin_record(&next, &found, &stream));
+    do {
+        VBSS_TRY(vbss_log_read(&next, steps_before, step, &passed, &found));
+    } while (found.code == LOG_SNAPSHOT);
     *end = found.code == LOG_END;
-    if (*end) {
-        vbss_log_visit_end(&stream, step);
-    } else {
-        vbss_log_visit_step(&stream, step);
-    }
-    VBSS_TRY(vbss_log_read_all(log, &found, &stream));
-    if (step->number != steps_before + (*end ? 0 : 1)) {
-        return vbss_log_corrupt(log, found.at, "another step was expected");
-    }
-    if (*end && next.at != next.count) {
-        return vbss_log_corrupt(log, next.at, "data follow the end");
-    }
     *log = next;
     return VBSS_OK;
 }
@@ -187,4 +220,44 @@ vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
         *steps += !end;
     }
     return VBSS_OK;
+}
+
+vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step *step,
+                             uint32_t struct_size)
+{
+    replay_object *p;
+    bool end = false;
+    VBSS_TRY(vbss_replay_edit(replay, &p));
+    vbss_log_step own = {.struct_size = sizeof own};
+    VBSS_TRY(vbss_struct_write(p->context, &step_layout, &own, step, struct_size));
+    if (number <= p->looked) {
+        p->look = p->begin;
+        p->looked = 0;
+        p->looked_time = 0.0;
+    }
+    while (number > p->looked) {
+        log_reader next = p->look;
+        VBSS_TRY(vbss_log_read_step(&next, p->looked, &p->step, &end));
+        if (end) {
+            break;
+        }
+        p->look = next;
+        p->looked++;
+        p->looked_time += p->step.h;
+    }
+    if (end || number == 0) {
+        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+                         (unsigned long long)number);
+    }
+    own.position = p->look.at;
+    own.number = number;
+    own.hashed = (uint32_t)p->step.hashed;
+    own.hash = p->step.hash;
+    own.h = p->step.h;
+    own.time = p->looked_time;
+    own.input_count = p->step.input_count;
+    own.event_count = p->step.event_count;
+    own.inputs = p->step.inputs;
+    own.events = p->step.events[0];
+    return vbss_struct_write(p->context, &step_layout, &own, step, struct_size);
 }

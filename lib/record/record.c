@@ -3,15 +3,16 @@
 
 #include "record/record.h"
 
-_Static_assert(sizeof(vbss_record_config) == 32, "published size");
+_Static_assert(sizeof(vbss_record_config) == 40, "published size");
 
 static const vbss_record_config defaults = {
     .struct_size = sizeof(vbss_record_config),
     .hash_interval = 1,
     .input_capacity = 64,
     .buffer_bytes = 1u << 20,
+    .snapshot_interval = 1000,
 };
-static const uint32_t config_sizes[] = {32, 0};
+static const uint32_t config_sizes[] = {32, 40, 0};
 static const vbss_layout config_layout = {"vbss_record_config", &defaults, config_sizes};
 
 vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_size)
@@ -26,12 +27,22 @@ static vbss_result check(vbss_context *context, const vbss_record_config *c)
     VBSS_TRY(vbss_check_range(context, c->note_bytes, 0.0, 16777216.0, "note_bytes"));
     VBSS_TRY(
         vbss_check_range(context, (double)c->buffer_bytes, 4096.0, 1073741824.0, "buffer_bytes"));
+    VBSS_TRY(vbss_check_range(context, c->snapshot_interval, 0.0, 1e9, "snapshot_interval"));
     return c->note_bytes == 0 ? VBSS_OK : vbss_check_pointer(context, c->note, "note");
+}
+
+vbss_result vbss_record_read_config(vbss_context *context, const vbss_record_config *config,
+                                    vbss_record_config *own)
+{
+    *own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
+    }
+    return check(context, own);
 }
 
 /* ---- the begin of a log */
 
-/* What stands in it, but for the snapshot's bytes. */
 static vbss_result fill_head(const scene_object *s, const vbss_record_config *c, log_head *head)
 {
     const char *build_info = vbss_build_info();
@@ -43,26 +54,22 @@ static vbss_result fill_head(const scene_object *s, const vbss_record_config *c,
     return vbss_log_make_blob(s->context, &head->note, c->note, c->note_bytes);
 }
 
-static vbss_result fill_snapshot(const vbss_slot *scene, log_head *head)
+/* Bytes of the record with a snapshot of that size. */
+static size_t measure_snapshot(size_t count)
 {
-    size_t need = 0;
-    VBSS_TRY(vbss_snapshot_size(scene, &need));
-    if (need > UINT32_MAX - 1024) {
-        return vbss_fail(scene->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
-    }
-    VBSS_TRY(vbss_log_make_blob(scene->context, &head->snapshot, NULL, need));
-    return vbss_snapshot_save(scene, head->snapshot.bytes, need, &need);
+    log_snapshot snapshot = {.count = (uint32_t)count};
+    vbss_stream stream;
+    vbss_stream_begin_measure(&stream);
+    vbss_log_visit_snapshot(&stream, &snapshot);
+    return log_record_bytes(&stream);
 }
 
-/* Bytes of the begin of the log. */
 static size_t measure_head(log_head *head)
 {
-    vbss_stream stream, snapshot;
+    vbss_stream stream;
     vbss_stream_begin_measure(&stream);
     vbss_log_visit_head(&stream, head);
-    vbss_stream_begin_measure(&snapshot);
-    vbss_log_visit_snapshot(&snapshot, head);
-    return LOG_FRONT + log_record_bytes(&stream) + log_record_bytes(&snapshot);
+    return LOG_FRONT + log_record_bytes(&stream);
 }
 
 static vbss_result write_head(log_writer *log, log_head *head)
@@ -71,10 +78,19 @@ static vbss_result write_head(log_writer *log, log_head *head)
     vbss_log_begin(log);
     vbss_log_open(log, &stream);
     vbss_log_visit_head(&stream, head);
-    VBSS_TRY(vbss_log_seal(log, &stream));
-    vbss_log_open(log, &stream);
-    vbss_log_visit_snapshot(&stream, head);
     return vbss_log_seal(log, &stream);
+}
+
+/* The scene as it is now saves itself where it shall stand. */
+static vbss_result write_snapshot(record_object *r, size_t count)
+{
+    log_snapshot snapshot = {.number = r->step.number, .count = (uint32_t)count};
+    vbss_stream stream;
+    vbss_log_open(&r->log, &stream);
+    vbss_log_visit_snapshot(&stream, &snapshot);
+    VBSS_TRY(stream.result);
+    VBSS_TRY(vbss_snapshot_save((const vbss_slot *)r->scene, snapshot.place, count, &count));
+    return vbss_log_seal(&r->log, &stream);
 }
 
 static size_t measure_end(log_step *step)
@@ -105,61 +121,86 @@ static void visit_record(vbss_stream *stream, void *object)
 static const vbss_kind kind = {"record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_object,
                                visit_record};
 
-static vbss_result make_parts(record_object *r, const vbss_slot *scene, const vbss_record_config *c,
-                              log_head *head)
+vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t input_capacity,
+                             record_object **record)
 {
-    r->step.input_capacity = c->input_capacity;
-    VBSS_TRY(vbss_log_make_inputs(r->context, &r->step));
-    VBSS_TRY(fill_head(scene->object, c, head));
-    VBSS_TRY(fill_snapshot(scene, head));
-    r->end_bytes = measure_end(&r->step);
-    r->log.capacity = measure_head(head) + (size_t)c->buffer_bytes + r->end_bytes;
-    r->log.bytes = vbss_allocate(r->context, r->log.capacity, 1, "log");
-    return r->log.bytes == NULL ? VBSS_ERROR_OUT_OF_MEMORY : write_head(&r->log, head);
+    const vbss_slot *slot = (const vbss_slot *)scene;
+    const scene_object *s = slot->object;
+    record_object *r = vbss_allocate(slot->context, 1, sizeof *r, "record");
+    if (r == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    *record = r;
+    r->context = slot->context;
+    r->scene = scene;
+    r->hash_interval = hash_interval;
+    r->step.input_capacity = input_capacity;
+    r->step.event_capacity = s->config.event_capacity;
+    r->event_bytes = s->config.event_capacity * sizeof *s->events;
+    r->seen = vbss_log_edits_of(s);
+    return vbss_log_make_inputs(r->context, &r->step);
 }
 
-static vbss_result make(const vbss_slot *scene, const vbss_record_config *c, record_object *r)
+vbss_result vbss_record_make_room(record_object *r, size_t begin_bytes, size_t snapshot_bytes,
+                                  const vbss_record_config *c)
 {
-    log_head head = {.context = r->context};
-    vbss_result result = make_parts(r, scene, c, &head);
-    vbss_log_free_head(&head);
-    r->hash_interval = c->hash_interval;
-    r->seen = vbss_log_edits_of(scene->object);
+    r->end_bytes = measure_end(&r->step);
+    r->snapshot_interval = c->snapshot_interval;
+    /* states grow: twice the first is room that spares others nearly always */
+    r->log.capacity = begin_bytes + (size_t)c->buffer_bytes + r->end_bytes + r->event_bytes +
+                      (c->snapshot_interval > 0 ? 2 * measure_snapshot(snapshot_bytes) : 0);
+    r->log.bytes = vbss_allocate(r->context, r->log.capacity, 1, "log");
+    return r->log.bytes == NULL ? VBSS_ERROR_OUT_OF_MEMORY : VBSS_OK;
+}
+
+vbss_result vbss_record_hand_out(record_object *r, vbss_result result, vbss_record **record)
+{
+    vbss_slot *slot = NULL;
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(r->context, &kind, r, &slot);
+    }
+    if (result != VBSS_OK && r != NULL) {
+        free_object(r->context, r);
+    }
+    *record = (vbss_record *)slot;
     return result;
+}
+
+static vbss_result begin(record_object *r, const vbss_record_config *c, log_head *head)
+{
+    const vbss_slot *scene = (const vbss_slot *)r->scene;
+    size_t snapshot = 0;
+    VBSS_TRY(fill_head(scene->object, c, head));
+    VBSS_TRY(vbss_snapshot_size(scene, &snapshot));
+    if (snapshot > UINT32_MAX - 1024) {
+        return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
+    }
+    VBSS_TRY(
+        vbss_record_make_room(r, measure_head(head) + measure_snapshot(snapshot), snapshot, c));
+    VBSS_TRY(write_head(&r->log, head));
+    return write_snapshot(r, snapshot);
 }
 
 vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *config,
                                vbss_record **record)
 {
-    vbss_slot *from, *slot = NULL;
+    vbss_slot *from;
+    vbss_record_config own;
+    record_object *r = NULL;
     if (record == NULL) {
         VBSS_TRY(vbss_slot_open(scene, &vbss_scene_kind, &from));
         return vbss_check_pointer(from->context, record, "record");
     }
     *record = NULL;
     VBSS_TRY(vbss_slot_edit(scene, &vbss_scene_kind, &from));
-    vbss_context *context = from->context;
-    vbss_record_config own = defaults;
-    if (config != NULL) {
-        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
-    }
-    VBSS_TRY(check(context, &own));
-    record_object *r = vbss_allocate(context, 1, sizeof *r, "record");
-    if (r == NULL) {
-        return VBSS_ERROR_OUT_OF_MEMORY;
-    }
-    r->context = context;
-    r->scene = scene;
-    vbss_result result = make(from, &own, r);
+    VBSS_TRY(vbss_record_read_config(from->context, config, &own));
+    vbss_result result = vbss_record_make(scene, own.hash_interval, own.input_capacity, &r);
     if (result == VBSS_OK) {
-        result = vbss_slot_create(context, &kind, r, &slot);
+        log_head head = {.context = from->context};
+        result = begin(r, &own, &head);
+        vbss_log_free_head(&head);
     }
-    if (result != VBSS_OK) {
-        free_object(context, r);
-        return result;
-    }
-    *record = (vbss_record *)slot;
-    return VBSS_OK;
+    return vbss_record_hand_out(r, result, record);
 }
 
 vbss_result vbss_record_destroy(vbss_record *record)
@@ -181,7 +222,7 @@ static bool knows_all(const record_object *r, const scene_object *s)
 {
     log_edits now = vbss_log_edits_of(s);
     return now.scene == r->seen.scene && now.threads == r->seen.threads &&
-           now.graspers == r->seen.graspers;
+           now.graspers == r->seen.graspers && now.drains == r->seen.drains;
 }
 
 vbss_result vbss_record_ready(const record_object *r, scene_object **scene)
@@ -201,13 +242,23 @@ static vbss_result check_room(const record_object *r, log_step *next)
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
     vbss_log_visit_step(&stream, next);
-    size_t need = log_record_bytes(&stream) + r->end_bytes;
+    size_t need = log_record_bytes(&stream) + r->event_bytes + r->end_bytes;
     return need <= vbss_log_room(&r->log)
                ? VBSS_OK
                : vbss_fail(
                      r->context, VBSS_ERROR_CAPACITY,
                      "the log has room for %llu bytes more, the step needs %llu: take it first",
                      (unsigned long long)vbss_log_room(&r->log), (unsigned long long)need);
+}
+
+/* A snapshot that is due and finds no room waits until after a later step. */
+static void note_snapshot(record_object *r)
+{
+    size_t need = 0;
+    if (vbss_snapshot_size((const vbss_slot *)r->scene, &need) == VBSS_OK && need < UINT32_MAX &&
+        measure_snapshot(need) + r->end_bytes <= vbss_log_room(&r->log)) {
+        r->snapshot_due = write_snapshot(r, need) != VBSS_OK;
+    }
 }
 
 vbss_result vbss_record_step(vbss_record *record, double h)
@@ -230,12 +281,19 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     if (next.hashed) {
         VBSS_TRY(vbss_scene_get_hash(r->scene, &next.hash));
     }
+    next.event_count = s->event_count;
+    next.events = s->events;
     vbss_stream stream;
     vbss_log_open(&r->log, &stream);
     vbss_log_visit_step(&stream, &next);
     VBSS_TRY(vbss_log_seal(&r->log, &stream));
-    next.input_count = 0;
+    next.input_count = next.event_count = 0;
+    next.events = NULL; /* the scene may end before the record */
     r->step = next;
+    r->snapshot_due |= r->snapshot_interval > 0 && next.number % r->snapshot_interval == 0;
+    if (r->snapshot_due) {
+        note_snapshot(r);
+    }
     return VBSS_OK;
 }
 

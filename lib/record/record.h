@@ -2,7 +2,8 @@
  *
  * format.c lays records in a row and finds them again; head.c and steps.c visit what is in them;
  * inputs.c tells a scene what it is told, live or replayed, and sees what the record was not told. On
- * these stand writing (record.c, its calls in told.c) and reading (log.c opens one, replay.c steps). */
+ * these stand writing (record.c, its calls in told.c; resume.c goes on with a log) and reading (log.c opens
+ * one, check.c looks for what is wrong, replay.c steps and seeks). */
 #ifndef VBSS_RECORD_RECORD_H
 #define VBSS_RECORD_RECORD_H
 
@@ -35,11 +36,18 @@ static inline size_t log_record_bytes(const vbss_stream *measured)
     return LOG_BEFORE + measured->position + LOG_AFTER;
 }
 
+/* What is wrong with a log, and where. */
+typedef struct log_fault {
+    vbss_result result; /* VBSS_OK: nothing */
+    size_t at;
+    const char *problem; /* a constant text */
+} log_fault;
 typedef struct log_reader {
     vbss_context *context;
     const uint8_t *bytes;
     size_t count, at; /* at: where the next record begins */
     uint64_t chain;
+    log_fault *fault; /* where to put what is wrong; NULL: the context is told */
 } log_reader;
 /* The record that the reader has passed last. */
 typedef struct log_found {
@@ -54,6 +62,8 @@ vbss_result vbss_log_next(log_reader *log, log_found *found);
 vbss_result vbss_log_read_all(const log_reader *log, const log_found *found,
                               const vbss_stream *stream);
 vbss_result vbss_log_corrupt(const log_reader *log, size_t at, const char *problem);
+/* Over the next record unread, if its length can be read. */
+bool vbss_log_skip(log_reader *log);
 
 /* ---- head.c: how a log begins */
 
@@ -66,11 +76,17 @@ typedef struct log_head {
     uint32_t library_version, hash_interval, input_capacity;
     log_blob build_info, note; /* the text without its end, which stands behind it all the same */
     vbss_scene_config scene;
-    log_blob snapshot;
 } log_head;
 /* When reading, blobs are allocated here. */
 void vbss_log_visit_head(vbss_stream *stream, log_head *head);
-void vbss_log_visit_snapshot(vbss_stream *stream, log_head *head);
+/* The scene after that many steps; its bytes stay where they are. */
+typedef struct log_snapshot {
+    uint64_t number;
+    uint32_t count;
+    const uint8_t *bytes; /* in the log that is read */
+    uint8_t *place;       /* where to save it in the log that is written */
+} log_snapshot;
+void vbss_log_visit_snapshot(vbss_stream *stream, log_snapshot *snapshot);
 vbss_result vbss_log_make_blob(vbss_context *context, log_blob *blob, const void *bytes,
                                size_t count);
 void vbss_log_free_head(log_head *head);
@@ -79,37 +95,19 @@ vbss_result vbss_log_compare_config(const log_head *head, const scene_object *s)
 
 /* ---- inputs.c: what a host tells a scene */
 
-/* Numbers of the format: never changed. */
-enum {
-    INPUT_MOVE_RIGID = 1, /* words: body, turned; numbers: position, orientation */
-    INPUT_PIN = 2,        /* words: thread, node, body, placed; numbers: point */
-    INPUT_UNPIN = 3,      /* words: pin */
-    /* words: thread, kind, node; numbers: position, direction, force, stiffness, damping, mass */
-    INPUT_ATTACH = 4,
-    INPUT_MOVE = 5,   /* words: thread, attachment, directed; numbers: target, direction */
-    INPUT_DETACH = 6, /* words: thread, attachment */
-    /* since version 2 of STEP */
-    INPUT_CUT = 7,          /* words: thread; numbers: arc length */
-    INPUT_MOVE_GRASPER = 8, /* words: body, turned; numbers: position, orientation */
-    INPUT_SET_OPENING = 9,  /* words: body; numbers: opening */
-    INPUT_EXCHANGE = 10,    /* words: body, kind */
-    INPUT_KINDS = 11
-};
-typedef struct log_input {
-    uint32_t words[4];
-    double numbers[12];
-} log_input;
+enum { INPUT_KINDS = VBSS_INPUT_EXCHANGE + 1 };
 typedef struct log_input_shape {
     uint32_t words, numbers;
 } log_input_shape;
 extern const log_input_shape vbss_log_input_shapes[INPUT_KINDS];
 /* Tells it to the scene; id: of what came to be, may be NULL. */
-vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const log_input *input, uint32_t *id);
+vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
+                          uint32_t *id);
 vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread);
 vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper **grasper);
-/* Changes whenever the scene or a thread in it does. */
+/* Changes whenever the scene or anything in it does. */
 typedef struct log_edits {
-    uint64_t scene, threads, graspers;
+    uint64_t scene, threads, graspers, drains;
 } log_edits;
 log_edits vbss_log_edits_of(const scene_object *s);
 
@@ -120,13 +118,18 @@ typedef struct log_step {
     double h;
     uint32_t input_count, input_capacity;
     uint8_t *kinds;
-    log_input *inputs;
+    vbss_log_input *inputs;
+    uint32_t event_count, event_capacity;
+    uint32_t (*events)[4]; /* the scene's own when written */
 } log_step;
 void vbss_log_visit_step(vbss_stream *stream, log_step *step);
 /* The last record: number of steps and, if nothing was told since, the hash after them. */
 void vbss_log_visit_end(vbss_stream *stream, log_step *step);
 vbss_result vbss_log_make_inputs(vbss_context *context, log_step *step);
 void vbss_log_free_inputs(vbss_context *context, log_step *step);
+/* For what is read. */
+vbss_result vbss_log_make_events(vbss_context *context, log_step *step, uint32_t capacity);
+void vbss_log_free_events(vbss_context *context, log_step *step);
 
 /* ---- record.c and told.c: writing */
 
@@ -135,12 +138,24 @@ typedef struct record_object {
     vbss_scene *scene; /* a handle: it may end before the record */
     uint32_t hash_interval;
     log_writer log;
-    size_t end_bytes; /* kept free for the end */
-    log_step step;    /* the next, as far as it is known */
-    log_edits seen;   /* the scene as the record left it */
-    bool ended;
+    size_t end_bytes;   /* kept free for the end */
+    log_step step;      /* the next, as far as it is known */
+    log_edits seen;     /* the scene as the record left it */
+    size_t event_bytes; /* and for the events of a step */
+    uint32_t snapshot_interval;
+    bool snapshot_due, ended;
 } record_object;
 vbss_result vbss_record_edit(vbss_record *handle, record_object **record);
+/* What a host asks for, checked. */
+vbss_result vbss_record_read_config(vbss_context *context, const vbss_record_config *config,
+                                    vbss_record_config *own);
+/* The record of a scene with room for what its steps need, of which nothing is written; and behind a handle,
+ * or freed if `result` is a failure. */
+vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t input_capacity,
+                             record_object **record);
+vbss_result vbss_record_make_room(record_object *r, size_t begin_bytes, size_t snapshot_bytes,
+                                  const vbss_record_config *config);
+vbss_result vbss_record_hand_out(record_object *r, vbss_result result, vbss_record **record);
 /* Whether the scene is there and the record knows all that was done to it. */
 vbss_result vbss_record_ready(const record_object *r, scene_object **scene);
 
@@ -149,14 +164,26 @@ vbss_result vbss_record_ready(const record_object *r, scene_object **scene);
 typedef struct replay_object {
     vbss_context *context;
     log_head head;
+    log_snapshot first;    /* with which it begins */
     log_reader log, begin; /* begin: before the first step */
-    log_step step;         /* the next, when it is read */
-    vbss_scene *scene;     /* a handle; NULL: not begun */
+    log_step step;         /* what was read last */
+    log_reader look; /* where reading without a scene is: after that many steps, and seconds */
+    uint64_t looked;
+    double looked_time;
+    vbss_scene *scene; /* a handle; NULL: not begun */
     vbss_replay_report report;
     vbss_result stopped; /* VBSS_OK unless the outcome is VBSS_REPLAY_STOPPED */
 } replay_object;
 vbss_result vbss_replay_edit(vbss_replay *handle, replay_object **replay);
-/* The step or end that follows on the one before; read into `step`. */
+/* All before the first step. */
+vbss_result vbss_log_read_begin(replay_object *p);
+void vbss_log_free_begin(replay_object *p);
+/* The step, snapshot or end that follows on so many steps; what it is stands in `found`. */
+vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step,
+                          log_snapshot *snapshot, log_found *found);
+/* The same, over snapshots. */
 vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step *step, bool *end);
+/* Brings the scene to after that step, which is in the log. */
+vbss_result vbss_replay_go_to(replay_object *p, uint64_t step);
 
 #endif

@@ -17,7 +17,7 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
                          "the scene belongs to another context");
     }
     VBSS_TRY(vbss_log_compare_config(&p->head, s));
-    VBSS_TRY(vbss_scene_restore(scene, p->head.snapshot.bytes, p->head.snapshot.count));
+    VBSS_TRY(vbss_scene_restore(scene, p->first.bytes, p->first.count));
     if (p->head.library_version != vbss_version()) {
         vbss_message(p->context, VBSS_LOG_WARNING,
                      "the log is of library version %u, this is %u: other bits are no surprise",
@@ -73,20 +73,116 @@ static vbss_result go_on(replay_object *p)
     return compare(p);
 }
 
-vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size)
+/* What becomes of a call that has gone on. */
+static vbss_result told(replay_object *p, vbss_result result)
+{
+    p->stopped = result;
+    if (result != VBSS_OK) {
+        p->report.outcome = VBSS_REPLAY_STOPPED;
+    }
+    return result;
+}
+
+static vbss_result open_begun(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size,
+                              replay_object **opened)
 {
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(replay, &p));
     VBSS_TRY(vbss_struct_write(p->context, &report_layout, &p->report, report, struct_size));
-    if (p->scene == NULL) {
-        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
-    }
+    *opened = p;
+    return p->scene != NULL
+               ? VBSS_OK
+               : vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
+}
+
+vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size)
+{
+    replay_object *p;
+    VBSS_TRY(open_begun(replay, report, struct_size, &p));
     if (p->report.outcome == VBSS_REPLAY_STEPPED) {
-        p->stopped = go_on(p);
-        if (p->stopped != VBSS_OK) {
-            p->report.outcome = VBSS_REPLAY_STOPPED;
-        }
+        (void)told(p, go_on(p));
         (void)vbss_struct_write(p->context, &report_layout, &p->report, report, struct_size);
     }
     return p->stopped;
+}
+
+/* ---- to a step */
+
+/* A place of the log with a snapshot, and the hash that was recorded with the step before it. */
+typedef struct place {
+    log_reader after;
+    log_snapshot snapshot;
+    uint64_t hashed, hash;
+} place;
+
+/* The newest snapshot at or before that step, once the step itself has been found. */
+static vbss_result find_place(replay_object *p, uint64_t step, place *found)
+{
+    log_reader log = p->begin;
+    uint64_t number = 0;
+    const place begin = {.after = log, .snapshot = p->first};
+    *found = begin;
+    while (number < step) {
+        place next = {.hashed = p->step.hashed, .hash = p->step.hash};
+        log_found record;
+        VBSS_TRY(vbss_log_read(&log, number, &p->step, &next.snapshot, &record));
+        if (record.code == LOG_END) {
+            return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+                             (unsigned long long)step);
+        }
+        if (record.code == LOG_SNAPSHOT) {
+            next.after = log;
+            *found = next;
+        }
+        number += record.code == LOG_STEP;
+    }
+    /* the snapshot of the step itself stands behind it; what else stands there is read when it is its turn */
+    log_reader quiet = log;
+    log_fault unwanted;
+    quiet.fault = &unwanted;
+    place last = {.hashed = p->step.hashed, .hash = p->step.hash};
+    log_found record;
+    if (step > 0 && vbss_log_read(&quiet, number, &p->step, &last.snapshot, &record) == VBSS_OK &&
+        record.code == LOG_SNAPSHOT) {
+        last.after = quiet;
+        last.after.fault = NULL;
+        *found = last;
+    }
+    return VBSS_OK;
+}
+
+static vbss_result go_from(replay_object *p, const place *from, uint64_t step)
+{
+    const uint64_t number = from->snapshot.number;
+    const vbss_replay_report fresh = {.outcome = VBSS_REPLAY_STEPPED,
+                                      .step = number,
+                                      .agreed_step = number,
+                                      .position = from->after.at};
+    p->log = from->after;
+    p->report = fresh;
+    p->step.hashed = number > 0 ? from->hashed : 0;
+    p->step.hash = from->hash;
+    VBSS_TRY(compare(p));
+    while (p->report.step < step && p->report.outcome == VBSS_REPLAY_STEPPED) {
+        VBSS_TRY(go_on(p));
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_replay_go_to(replay_object *p, uint64_t step)
+{
+    place from;
+    VBSS_TRY(find_place(p, step, &from));
+    VBSS_TRY(vbss_scene_restore(p->scene, from.snapshot.bytes, from.snapshot.count));
+    return told(p, go_from(p, &from, step));
+}
+
+vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step, vbss_replay_report *report,
+                             uint32_t struct_size)
+{
+    replay_object *p;
+    VBSS_TRY(open_begun(replay, report, struct_size, &p));
+    vbss_result result = vbss_replay_go_to(p, step);
+    (void)vbss_struct_write(p->context, &report_layout, &p->report, report, struct_size);
+    return result;
 }

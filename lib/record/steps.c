@@ -10,16 +10,27 @@ static void visit_inputs(vbss_stream *stream, log_step *step)
     vbss_stream_u8(stream, 4, step->kinds, step->input_count);
     for (uint32_t i = 0; i < step->input_count && stream->result == VBSS_OK; i++) {
         uint8_t kind = step->kinds[i];
-        log_input *input = &step->inputs[i];
+        vbss_log_input *input = &step->inputs[i];
         if (kind == 0 || kind >= INPUT_KINDS) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such input");
             return;
         }
         const log_input_shape shape = vbss_log_input_shapes[kind];
+        input->kind = kind;
+        input->word_count = shape.words;
+        input->number_count = shape.numbers;
         vbss_stream_u32(stream, (uint16_t)(WORDS + kind), input->words, shape.words);
         if (shape.numbers > 0) {
             vbss_stream_f64(stream, (uint16_t)(NUMBERS + kind), input->numbers, shape.numbers);
         }
+    }
+}
+
+static void visit_events(vbss_stream *stream, log_step *step)
+{
+    vbss_stream_count(stream, 5, &step->event_count, step->event_capacity);
+    if (step->event_count > 0) {
+        vbss_stream_u32(stream, 6, step->events[0], 4 * (size_t)step->event_count);
     }
 }
 
@@ -37,10 +48,11 @@ static void visit_hash(vbss_stream *stream, log_step *step)
 
 void vbss_log_visit_step(vbss_stream *stream, log_step *step)
 {
-    vbss_section outer = vbss_stream_open(stream, LOG_STEP, 2);
+    vbss_section outer = vbss_stream_open(stream, LOG_STEP, 3);
     visit_hash(stream, step);
     vbss_stream_f64(stream, 2, &step->h, 1);
     visit_inputs(stream, step);
+    visit_events(stream, step);
     vbss_stream_close(stream, outer);
 }
 
@@ -52,6 +64,18 @@ void vbss_log_visit_end(vbss_stream *stream, log_step *step)
 }
 
 /* ---- memory */
+
+vbss_result vbss_log_make_events(vbss_context *context, log_step *step, uint32_t capacity)
+{
+    step->events = vbss_allocate(context, capacity, sizeof *step->events, "events of a log");
+    step->event_capacity = capacity;
+    return step->events != NULL ? VBSS_OK : VBSS_ERROR_OUT_OF_MEMORY;
+}
+
+void vbss_log_free_events(vbss_context *context, log_step *step)
+{
+    vbss_release(context, step->events, step->event_capacity, sizeof *step->events);
+}
 
 static void list(log_step *step, vbss_array arrays[2])
 {

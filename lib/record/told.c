@@ -11,7 +11,7 @@ static vbss_result check_room(const record_object *r)
                            r->step.input_capacity);
 }
 
-static void note(record_object *r, const scene_object *s, uint8_t kind, const log_input *input)
+static void note(record_object *r, const scene_object *s, uint8_t kind, const vbss_log_input *input)
 {
     uint32_t place = r->step.input_count++;
     r->step.kinds[place] = kind;
@@ -19,7 +19,7 @@ static void note(record_object *r, const scene_object *s, uint8_t kind, const lo
     r->seen = vbss_log_edits_of(s);
 }
 
-static vbss_result tell(record_object *r, uint8_t kind, const log_input *input, uint32_t *id)
+static vbss_result tell(record_object *r, uint8_t kind, const vbss_log_input *input, uint32_t *id)
 {
     scene_object *s;
     VBSS_TRY(vbss_record_ready(r, &s));
@@ -35,7 +35,7 @@ static vbss_result move(vbss_record *record, uint8_t kind, uint32_t body, const 
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, position, "position"));
-    log_input input = {.words = {body, orientation != NULL}};
+    vbss_log_input input = {.words = {body, orientation != NULL}};
     memcpy(input.numbers, position, 3 * sizeof(double));
     if (orientation != NULL) {
         memcpy(input.numbers + 3, orientation, 4 * sizeof(double));
@@ -46,7 +46,7 @@ static vbss_result move(vbss_record *record, uint8_t kind, uint32_t body, const 
 vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
                                    const double *orientation)
 {
-    return move(record, INPUT_MOVE_RIGID, body, position, orientation);
+    return move(record, VBSS_INPUT_MOVE_RIGID, body, position, orientation);
 }
 
 vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
@@ -55,19 +55,19 @@ vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, pin, "pin"));
-    log_input input = {.words = {thread, node, body, point != NULL}};
+    vbss_log_input input = {.words = {thread, node, body, point != NULL}};
     if (point != NULL) {
         memcpy(input.numbers, point, 3 * sizeof(double));
     }
-    return tell(r, INPUT_PIN, &input, pin);
+    return tell(r, VBSS_INPUT_PIN, &input, pin);
 }
 
 vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
 {
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const log_input input = {.words = {pin}};
-    return tell(r, INPUT_UNPIN, &input, NULL);
+    const vbss_log_input input = {.words = {pin}};
+    return tell(r, VBSS_INPUT_UNPIN, &input, NULL);
 }
 
 vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
@@ -76,8 +76,8 @@ vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double 
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, piece, "piece"));
-    const log_input input = {.words = {thread}, .numbers = {arc_length}};
-    return tell(r, INPUT_CUT, &input, piece);
+    const vbss_log_input input = {.words = {thread}, .numbers = {arc_length}};
+    return tell(r, VBSS_INPUT_CUT, &input, piece);
 }
 
 /* The thread reads the struct, as it may be one of another version. */
@@ -92,14 +92,14 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
     VBSS_TRY(check_room(r));
     VBSS_TRY(vbss_log_find_thread(r->scene, thread, &handle));
     VBSS_TRY(vbss_thread_attach(handle, attachment, id));
-    log_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
+    vbss_log_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
     memcpy(input.numbers, attachment->position, 3 * sizeof(double));
     memcpy(input.numbers + 3, attachment->direction, 3 * sizeof(double));
     memcpy(input.numbers + 6, attachment->force, 3 * sizeof(double));
     input.numbers[9] = attachment->stiffness;
     input.numbers[10] = attachment->damping;
     input.numbers[11] = attachment->mass;
-    note(r, s, INPUT_ATTACH, &input);
+    note(r, s, VBSS_INPUT_ATTACH, &input);
     return VBSS_OK;
 }
 
@@ -109,40 +109,40 @@ vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, ui
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, target, "target"));
-    log_input input = {.words = {thread, id, direction != NULL}};
+    vbss_log_input input = {.words = {thread, id, direction != NULL}};
     memcpy(input.numbers, target, 3 * sizeof(double));
     if (direction != NULL) {
         memcpy(input.numbers + 3, direction, 3 * sizeof(double));
     }
-    return tell(r, INPUT_MOVE, &input, NULL);
+    return tell(r, VBSS_INPUT_MOVE, &input, NULL);
 }
 
 vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id)
 {
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const log_input input = {.words = {thread, id}};
-    return tell(r, INPUT_DETACH, &input, NULL);
+    const vbss_log_input input = {.words = {thread, id}};
+    return tell(r, VBSS_INPUT_DETACH, &input, NULL);
 }
 
 vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body, const double position[3],
                                      const double *orientation)
 {
-    return move(record, INPUT_MOVE_GRASPER, body, position, orientation);
+    return move(record, VBSS_INPUT_MOVE_GRASPER, body, position, orientation);
 }
 
 vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening)
 {
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const log_input input = {.words = {body}, .numbers = {opening}};
-    return tell(r, INPUT_SET_OPENING, &input, NULL);
+    const vbss_log_input input = {.words = {body}, .numbers = {opening}};
+    return tell(r, VBSS_INPUT_SET_OPENING, &input, NULL);
 }
 
 vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_grasper_kind kind)
 {
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
-    const log_input input = {.words = {body, (uint32_t)kind}};
-    return tell(r, INPUT_EXCHANGE, &input, NULL);
+    const vbss_log_input input = {.words = {body, (uint32_t)kind}};
+    return tell(r, VBSS_INPUT_EXCHANGE, &input, NULL);
 }

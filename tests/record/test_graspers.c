@@ -113,7 +113,7 @@ static void a_step_takes_the_room_that_is_promised(void **state)
     }
     expect_ok(vbss_record_step(record, 1e-3));
     log_take(&log, record);
-    assert_true(log.count - before <= 330);
+    assert_true(log.count - before <= 332);
     expect_ok(vbss_record_destroy(record));
     stage_end(&s);
     log_free(&log);

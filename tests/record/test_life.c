@@ -23,7 +23,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void the_config_keeps_the_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t sizes[] = {32, 0};
+    static const uint32_t sizes[] = {32, 40, 0};
     const harness_config config = {sizes, init_config, create_and_destroy};
     harness_config_protocol(&config);
 }
@@ -82,17 +82,20 @@ static void bad_configurations_are_told(void **state)
     vbss_record_config good, c;
     expect_ok(vbss_record_config_init(&good, sizeof good));
     const vbss_record_config bad[] = {
-        {good.struct_size, 0, 64, 0, 4096, NULL},
-        {good.struct_size, 1000000001u, 64, 0, 4096, NULL},
-        {good.struct_size, 1, 65537, 0, 4096, NULL},
-        {good.struct_size, 1, 64, 16777217, 4096, &good},
-        {good.struct_size, 1, 64, 0, 4095, NULL},
-        {good.struct_size, 1, 64, 0, (1u << 30) + 1, NULL},
-        {good.struct_size, 1, 64, 0, UINT64_MAX, NULL},
+        {good.struct_size, 0, 64, 0, 4096, NULL, 0, 0},
+        {good.struct_size, 1000000001u, 64, 0, 4096, NULL, 0, 0},
+        {good.struct_size, 1, 65537, 0, 4096, NULL, 0, 0},
+        {good.struct_size, 1, 64, 16777217, 4096, &good, 0, 0},
+        {good.struct_size, 1, 64, 0, 4095, NULL, 0, 0},
+        {good.struct_size, 1, 64, 0, (1u << 30) + 1, NULL, 0, 0},
+        {good.struct_size, 1, 64, 0, UINT64_MAX, NULL, 0, 0},
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         expect_result(VBSS_ERROR_OUT_OF_RANGE, create_and_destroy(context, &bad[i]));
     }
+    c = good;
+    c.snapshot_interval = 1000000001u;
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, create_and_destroy(context, &c));
     c = good;
     c.note_bytes = 5;
     expect_result(VBSS_ERROR_NULL_ARGUMENT, create_and_destroy(context, &c));

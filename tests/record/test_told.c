@@ -9,6 +9,7 @@ static vbss_record_config config_of(uint32_t inputs, uint64_t buffer)
     expect_ok(vbss_record_config_init(&config, sizeof config));
     config.input_capacity = inputs;
     config.buffer_bytes = buffer;
+    config.snapshot_interval = 0;
     return config;
 }
 

@@ -1,0 +1,87 @@
+/* Going on with a log: the scene is brought to its end, and what it is told from there on is appended. */
+#include "record/record.h"
+
+/* The last complete step, and the reader where the next one would begin. */
+static vbss_result find_end(replay_object *p, uint64_t *steps, log_reader *end)
+{
+    log_found found = {.code = LOG_STEP};
+    log_snapshot snapshot;
+    log_reader log = p->begin;
+    log_fault fault;
+    vbss_result result = VBSS_OK;
+    log.fault = &fault;
+    *steps = 0;
+    while (result == VBSS_OK && found.code != LOG_END) {
+        *end = log;
+        result = vbss_log_read(&log, *steps, &p->step, &snapshot, &found);
+        *steps += result == VBSS_OK && found.code == LOG_STEP;
+    }
+    return result == VBSS_OK || result == VBSS_ERROR_TRUNCATED
+               ? VBSS_OK
+               : vbss_fail(p->context, result, "log, byte %llu of %llu: %s",
+                           (unsigned long long)fault.at, (unsigned long long)log.count,
+                           fault.problem);
+}
+
+static vbss_result check_fit(const replay_object *p, const scene_object *s)
+{
+    if (p->head.library_version != vbss_version()) {
+        return vbss_fail(p->context, VBSS_ERROR_DATA_VERSION,
+                         "the log is of library version %u, this is %u", p->head.library_version,
+                         vbss_version());
+    }
+    return s->config.event_capacity <= p->head.scene.event_capacity
+               ? VBSS_OK
+               : vbss_fail(p->context, VBSS_ERROR_CAPACITY,
+                           "the scene keeps %u events of a step, the log has room for %u",
+                           s->config.event_capacity, p->head.scene.event_capacity);
+}
+
+static vbss_result bring_to_end(replay_object *p, uint64_t steps)
+{
+    VBSS_TRY(vbss_replay_go_to(p, steps));
+    return p->report.outcome == VBSS_REPLAY_STEPPED
+               ? VBSS_OK
+               : vbss_fail(p->context, VBSS_ERROR_CORRUPT,
+                           "the scene after step %llu is not the recorded one",
+                           (unsigned long long)p->report.step);
+}
+
+static vbss_result make_room(record_object *r, const replay_object *p, uint64_t steps,
+                             const log_reader *end, const vbss_record_config *c)
+{
+    r->step.number = steps;
+    VBSS_TRY(vbss_record_make_room(r, 0, p->first.count, c));
+    r->log.chain = end->chain;
+    return VBSS_OK;
+}
+
+vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *config,
+                               vbss_record **record, uint64_t *position)
+{
+    replay_object *p;
+    scene_object *s;
+    vbss_record_config own;
+    uint64_t steps;
+    log_reader end;
+    record_object *r = NULL;
+    VBSS_TRY(vbss_replay_edit(replay, &p));
+    VBSS_TRY(vbss_check_pointer(p->context, record, "record"));
+    *record = NULL;
+    VBSS_TRY(vbss_check_pointer(p->context, position, "position"));
+    VBSS_TRY(vbss_record_read_config(p->context, config, &own));
+    if (p->scene == NULL) {
+        return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
+    }
+    VBSS_TRY(vbss_scene_edit(p->scene, &s));
+    VBSS_TRY(check_fit(p, s));
+    VBSS_TRY(find_end(p, &steps, &end));
+    VBSS_TRY(bring_to_end(p, steps));
+    vbss_result result =
+        vbss_record_make(p->scene, p->head.hash_interval, p->head.input_capacity, &r);
+    if (result == VBSS_OK) {
+        result = make_room(r, p, steps, &end, &own);
+    }
+    *position = end.at;
+    return vbss_record_hand_out(r, result, record);
+}

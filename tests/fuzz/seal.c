@@ -1,0 +1,52 @@
+#include <string.h>
+
+#include "base/base.h"
+#include "base/little_endian.h"
+#include "fuzz/fuzz.h"
+
+#define SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')
+
+void seal_snapshot(uint8_t *bytes, size_t count)
+{
+    vbss_hash hash;
+    if (count < 24) {
+        return;
+    }
+    store_little_endian(bytes + 8, count - 24, 8);
+    vbss_hash_begin(&hash);
+    vbss_hash_add(&hash, bytes, count - 8);
+    store_little_endian(bytes + count - 8, vbss_hash_end(&hash), 8);
+}
+
+/* section 8, number 8 + 8, count 8 + 4, header 8, the snapshot, end 8 */
+static void seal_inside(uint8_t *section, size_t count)
+{
+    enum { BEFORE = 44, AFTER = 8 };
+    if (count > BEFORE + AFTER && load_little_endian(section + 4, 4) == SNAPSHOT) {
+        seal_snapshot(section + BEFORE, count - BEFORE - AFTER);
+    }
+}
+
+void seal_log(uint8_t *bytes, size_t count)
+{
+    uint8_t before[8];
+    if (count < 8) {
+        return;
+    }
+    memcpy(before, bytes, 8);
+    for (size_t at = 8; count - at >= 16;) {
+        size_t length = (size_t)load_little_endian(bytes + at, 4);
+        if (length > count - at - 16) {
+            return;
+        }
+        store_little_endian(bytes + at + 4, ~(uint64_t)length, 4);
+        seal_inside(bytes + at + 8, length);
+        vbss_hash hash;
+        vbss_hash_begin(&hash);
+        vbss_hash_add(&hash, before, 8);
+        vbss_hash_add(&hash, bytes + at, 8 + length);
+        store_little_endian(before, vbss_hash_end(&hash), 8);
+        memcpy(bytes + at + 8 + length, before, 8);
+        at += 16 + length;
+    }
+}
