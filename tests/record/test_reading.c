@@ -1,0 +1,195 @@
+/* What a log says of each step without a scene: what was told, what happened, when, and how it ends. */
+#include "base/little_endian.h"
+#include "damage.h"
+
+enum { STEPS = 80, EVENTS = 512 };
+
+/* What a host saw while it recorded. */
+typedef struct seen {
+    uint32_t events[EVENTS][4], event_count, events_after[STEPS + 1];
+    uint64_t hashes[STEPS + 1];
+} seen;
+
+static void look(seen *v, stage *s, uint32_t step)
+{
+    vbss_view view;
+    expect_ok(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
+    for (uint64_t i = 0; i < view.count; i++) {
+        assert_true(v->event_count < EVENTS);
+        memcpy(v->events[v->event_count++], (const char *)view.data + i * view.stride_bytes, 16);
+    }
+    v->events_after[step] = v->event_count;
+    v->hashes[step] = stage_hash(s);
+}
+
+static log_bytes log_seen(stage *s, const vbss_record_config *config, seen *v)
+{
+    log_bytes log = {NULL, 0};
+    vbss_record *record;
+    expect_ok(vbss_record_create(s->scene, config, &record));
+    memset(v, 0, sizeof *v);
+    for (uint32_t i = 1; i <= STEPS; i++) {
+        stage_step(s, record);
+        look(v, s, i);
+        log_take(&log, record);
+    }
+    expect_ok(vbss_record_end(record));
+    log_take(&log, record);
+    return log;
+}
+
+static vbss_log_step read_step(vbss_replay *replay, uint64_t number)
+{
+    vbss_log_step step;
+    expect_ok(vbss_replay_read(replay, number, &step, sizeof step));
+    assert_int_equal(step.number, number);
+    return step;
+}
+
+static void the_events_of_a_scene_are_in_its_log(void **state)
+{
+    (void)state;
+    static seen v;
+    stage s;
+    stage_begin(&s, NULL);
+    log_bytes log = log_seen(&s, NULL, &v);
+    assert_true(v.event_count > 10); /* a scene in which little happens would show little */
+    vbss_replay *replay = replay_of(&s, &log);
+    uint32_t found = 0;
+    for (uint32_t i = 1; i <= STEPS; i++) {
+        const vbss_log_step step = read_step(replay, i);
+        assert_int_equal(step.event_count, v.events_after[i] - v.events_after[i - 1]);
+        assert_memory_equal(step.events, v.events[found], 16 * (size_t)step.event_count);
+        found += step.event_count;
+    }
+    assert_int_equal(found, v.event_count);
+    stage_end(&s);
+    log_free(&log);
+}
+
+static void so_are_hashes_times_and_places(void **state)
+{
+    (void)state;
+    static seen v;
+    stage s;
+    vbss_record_config config;
+    vbss_log_step last = {.time = 0.0};
+    expect_ok(vbss_record_config_init(&config, sizeof config));
+    config.hash_interval = 3;
+    config.snapshot_interval = 7; /* over which reading goes */
+    stage_begin(&s, NULL);
+    log_bytes log = log_seen(&s, &config, &v);
+    vbss_replay *replay = replay_of(&s, &log);
+    for (uint32_t i = 1; i <= STEPS; i++) {
+        const vbss_log_step step = read_step(replay, i);
+        assert_int_equal(step.hashed, i % 3 == 0);
+        assert_true(step.hash == (i % 3 == 0 ? v.hashes[i] : 0));
+        expect_same_bits(1e-3, step.h);
+        expect_same_bits(last.time + step.h, step.time);
+        assert_int_equal(step.position, log_find(&log, STEP, i).next);
+        last = step;
+    }
+    stage_end(&s);
+    log_free(&log);
+}
+
+static void inputs_are_read_as_they_were_told(void **state)
+{
+    (void)state;
+    stage s;
+    stage_begin(&s, NULL);
+    log_bytes log = log_of(&s, NULL, 45);
+    vbss_replay *replay = replay_of(&s, &log);
+    uint32_t kinds[VBSS_INPUT_EXCHANGE + 1] = {0};
+    for (uint32_t i = 1; i <= 45; i++) {
+        const vbss_log_step step = read_step(replay, i);
+        assert_true(step.input_count >= 2);
+        const vbss_log_input *first = step.inputs, *second = step.inputs + 1;
+        double t = 1e-3 * (i - 1);
+        assert_int_equal(first->kind, VBSS_INPUT_MOVE_RIGID);
+        assert_int_equal(first->words[0], s.tools[0]);
+        assert_int_equal(first->words[1], 0); /* not turned */
+        expect_same_bits(0.093 + -0.01 * (1.0 - vbss_cos(20.0 * t)), first->numbers[0]);
+        assert_int_equal(second->words[0], s.tools[1]);
+        assert_int_equal(second->words[1], 1);
+        expect_same_bits(0.2 * vbss_sin(40.0 * t), second->numbers[5]);
+        for (uint32_t k = 0; k < step.input_count; k++) {
+            const vbss_log_input *input = &step.inputs[k];
+            assert_true(input->kind > 0 && input->kind <= VBSS_INPUT_EXCHANGE);
+            assert_true(input->word_count <= 4 && input->number_count <= 12 && !input->reserved);
+            kinds[input->kind]++;
+        }
+    }
+    for (int kind = VBSS_INPUT_MOVE_RIGID; kind <= VBSS_INPUT_DETACH; kind++) {
+        assert_true(kinds[kind] > 0); /* the stage tells all of these */
+    }
+    stage_end(&s);
+    log_free(&log);
+}
+
+static void steps_are_read_in_any_order_beside_a_replay(void **state)
+{
+    (void)state;
+    stage s;
+    vbss_log_step step;
+    vbss_replay_report report;
+    stage_begin(&s, NULL);
+    log_bytes log = log_of(&s, NULL, 12);
+    vbss_replay *replay = replay_of(&s, &log);
+    expect_ok(vbss_replay_begin(replay, s.scene));
+    const uint64_t order[] = {5, 6, 1, 12, 12, 2, 11};
+    for (size_t i = 0; i < sizeof order / sizeof order[0]; i++) {
+        step = read_step(replay, order[i]);
+        assert_int_equal(step.position, log_find(&log, STEP, (uint32_t)order[i]).next);
+        expect_ok(vbss_replay_step(replay, &report, sizeof report));
+        assert_int_equal(report.agreed_step, i + 1);
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_replay_read(replay, 13, &step, sizeof step));
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_replay_read(replay, 0, &step, sizeof step));
+    }
+    stage_end(&s);
+    log_free(&log);
+}
+
+static void what_a_cut_or_damage_leaves_is_read(void **state)
+{
+    (void)state;
+    damage d;
+    vbss_log_step step;
+    damage_begin(&d, 8);
+    log_bytes cut = {d.good.bytes, log_find(&d.good, STEP, 6).next - 1};
+    vbss_replay *replay = replay_of(&d.s, &cut);
+    expect_result(VBSS_ERROR_TRUNCATED, vbss_replay_read(replay, 6, &step, sizeof step));
+    (void)read_step(replay, 5);
+    d.good.bytes[log_find(&d.good, STEP, 4).at + 30] ^= 1;
+    expect_result(VBSS_ERROR_CORRUPT, vbss_replay_read(replay, 4, &step, sizeof step));
+    (void)read_step(replay, 3);
+    damage_end(&d);
+}
+
+/* Of an older library: the same begin but for the format. */
+static void a_log_of_an_older_format_is_refused_by_name(void **state)
+{
+    (void)state;
+    damage d;
+    vbss_replay *replay;
+    damage_begin(&d, 2);
+    store_little_endian(d.good.bytes + 4, 1, 4);
+    log_seal(&d.good);
+    expect_result(VBSS_ERROR_DATA_VERSION,
+                  vbss_replay_create(d.s.context, d.good.bytes, d.good.count, &replay));
+    assert_non_null(strstr(last_text(d.s.context), "older library"));
+    damage_end(&d);
+}
+
+int test_reading(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_events_of_a_scene_are_in_its_log),
+        cmocka_unit_test(so_are_hashes_times_and_places),
+        cmocka_unit_test(inputs_are_read_as_they_were_told),
+        cmocka_unit_test(steps_are_read_in_any_order_beside_a_replay),
+        cmocka_unit_test(what_a_cut_or_damage_leaves_is_read),
+        cmocka_unit_test(a_log_of_an_older_format_is_refused_by_name),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
