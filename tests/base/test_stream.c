@@ -225,6 +225,37 @@ static void long_arrays_pass_through_in_pieces(void **state)
     assert_int_equal(stream.position, 8 + 512);
 }
 
+/* Bytes that are found and placed where they lie are a field like another. */
+static void bytes_need_no_copy(void **state)
+{
+    (void)state;
+    const uint8_t bytes[5] = {3, 1, 4, 1, 5};
+    uint8_t copied[64], placed[64], read[5];
+    vbss_stream stream;
+    vbss_stream_begin_write(&stream, copied, sizeof copied);
+    memcpy(read, bytes, 5);
+    vbss_stream_u8(&stream, 7, read, 5);
+    size_t written = stream.position;
+    vbss_stream_begin_write(&stream, placed, written);
+    uint8_t *place = vbss_stream_place_u8(&stream, 7, 5);
+    expect_ok(stream.result);
+    memcpy(place, bytes, 5);
+    assert_int_equal(stream.position, written);
+    assert_memory_equal(placed, copied, written);
+    vbss_stream_begin_measure(&stream);
+    assert_null(vbss_stream_place_u8(&stream, 7, 5));
+    assert_int_equal(stream.position, written);
+    vbss_stream_begin_write(&stream, placed, written - 1);
+    assert_null(vbss_stream_place_u8(&stream, 7, 5));
+    expect_result(VBSS_ERROR_CAPACITY, stream.result);
+    vbss_stream_begin_read(&stream, copied, written);
+    assert_ptr_equal(vbss_stream_find_u8(&stream, 7, 5), copied + written - 5);
+    expect_ok(stream.result);
+    vbss_stream_begin_read(&stream, copied, written - 1);
+    assert_null(vbss_stream_find_u8(&stream, 7, 5));
+    expect_result(VBSS_ERROR_TRUNCATED, stream.result);
+}
+
 static void tags_of_the_format_are_not_for_fields(void **state)
 {
     (void)state;
@@ -430,6 +461,7 @@ int test_stream(void)
         harness_test(a_section_holds_what_is_visited_and_nothing_else),
         harness_test(the_outer_section_is_back_after_an_inner_one),
         harness_test(long_arrays_pass_through_in_pieces),
+        cmocka_unit_test(bytes_need_no_copy),
         harness_test(tags_of_the_format_are_not_for_fields),
         harness_test(trusted_bytes_come_back_whatever_a_visitor_says),
         harness_test(any_nan_is_the_same_nan),

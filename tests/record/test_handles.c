@@ -94,6 +94,25 @@ static vbss_result call_replay(void *handle)
     return vbss_replay_step(handle, &report, sizeof report);
 }
 
+static vbss_result call_seek(void *handle)
+{
+    vbss_replay_report report;
+    return vbss_replay_seek(handle, 0, &report, sizeof report);
+}
+
+static vbss_result call_read(void *handle)
+{
+    vbss_log_step step;
+    return vbss_replay_read(handle, 1, &step, sizeof step);
+}
+
+static vbss_result call_resume(void *handle)
+{
+    vbss_record *record;
+    uint64_t begins;
+    return vbss_record_resume(handle, NULL, &record, &begins);
+}
+
 static vbss_replay *the_replay; /* that begins in bad scenes */
 
 static vbss_result call_begin_in(void *handle)
@@ -107,8 +126,8 @@ static void bad_handles_are_told(void **state)
     const harness_handle_call of_records[] = {call_take,   call_move_rigid, call_pin,
                                               call_unpin,  call_attach,     call_move,
                                               call_detach, call_step,       call_end};
-    const harness_handle_call of_replays[] = {call_info, call_config, call_check, call_begin,
-                                              call_replay};
+    const harness_handle_call of_replays[] = {call_info,   call_config, call_check, call_begin,
+                                              call_replay, call_seek,   call_read,  call_resume};
     const harness_handle_call of_scenes[] = {call_create, call_begin_in};
     stage s, other;
     vbss_record *record;
@@ -121,7 +140,7 @@ static void bad_handles_are_told(void **state)
     expect_ok(vbss_record_destroy(record));
     expect_ok(vbss_replay_destroy(replay));
     harness_refuses_bad_handles(s.context, record, of_records, 9);
-    harness_refuses_bad_handles(s.context, replay, of_replays, 5);
+    harness_refuses_bad_handles(s.context, replay, of_replays, 8);
     expect_result(VBSS_ERROR_INVALID_HANDLE, vbss_replay_begin(the_replay, other.scene));
     expect_ok(vbss_replay_begin(the_replay, s.scene));
     expect_ok(stage_leave(&s));

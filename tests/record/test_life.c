@@ -34,22 +34,31 @@ static vbss_result write_out(vbss_replay *replay, int which, void *out, uint32_t
         memcpy(out, &size, sizeof size);
         return vbss_replay_get_scene_config(replay, out);
     }
-    return which == 0   ? vbss_replay_get_info(replay, out, size)
-           : which == 1 ? vbss_replay_step(replay, out, size)
-                        : vbss_replay_get_scene_config(replay, out);
+    switch (which) {
+    case 0:
+        return vbss_replay_get_info(replay, out, size);
+    case 1:
+        return vbss_replay_step(replay, out, size);
+    case 2:
+        return vbss_replay_get_scene_config(replay, out);
+    case 3:
+        return vbss_replay_seek(replay, 1, out, size);
+    default:
+        return vbss_replay_read(replay, 1, out, size);
+    }
 }
 
 static void structs_that_go_out_keep_the_size_protocol(void **state)
 {
     (void)state;
-    const uint32_t sizes[3] = {48, 48, 176};
+    const uint32_t sizes[5] = {48, 48, 176, 48, 72};
     stage s;
     stage_begin(&s, NULL);
     log_bytes log = log_of(&s, NULL, 3);
     vbss_replay *replay = replay_of(&s, &log);
     expect_ok(vbss_replay_begin(replay, s.scene));
     uint64_t hash = stage_hash(&s);
-    for (int which = 0; which < 3; which++) {
+    for (int which = 0; which < 5; which++) {
         unsigned char out[256];
         uint32_t filled;
         expect_result(VBSS_ERROR_NULL_ARGUMENT, write_out(replay, which, NULL, sizes[which]));
@@ -70,6 +79,26 @@ static void structs_that_go_out_keep_the_size_protocol(void **state)
         assert_int_equal(out[200], 0xff);
         hash = stage_hash(&s);
     }
+    stage_end(&s);
+    log_free(&log);
+}
+
+static void so_does_what_is_found_in_a_log(void **state)
+{
+    (void)state;
+    unsigned char out[256];
+    stage s;
+    stage_begin(&s, NULL);
+    log_bytes log = log_of(&s, NULL, 3);
+    for (uint32_t size = 4; size < 232; size++) {
+        expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_log_check(s.context, log.bytes, log.count,
+                                                             (vbss_log_report *)out, size));
+    }
+    memset(out, 0xff, sizeof out);
+    expect_ok(vbss_log_check(s.context, log.bytes, log.count, (vbss_log_report *)out, 240));
+    assert_int_equal(out[0], 232);
+    assert_int_equal(out[239], 0);
+    assert_int_equal(out[240], 0xff);
     stage_end(&s);
     log_free(&log);
 }
@@ -115,7 +144,10 @@ static void steps_allocate_nothing(void **state)
     vbss_replay_report report;
     stage_begin(&s, NULL);
     log_bytes log = {NULL, 0};
-    expect_ok(vbss_record_create(s.scene, NULL, &record));
+    vbss_record_config config;
+    expect_ok(vbss_record_config_init(&config, sizeof config));
+    config.snapshot_interval = 10;
+    expect_ok(vbss_record_create(s.scene, &config, &record));
     uint64_t calls = s.memory.calls;
     for (uint32_t i = 0; i < 80; i++) {
         stage_step(&s, record);
@@ -160,6 +192,18 @@ static vbss_result live(vbss_context *context, void *user)
         expect_ok(replay_all(replay, &report));
         assert_int_equal(report.outcome, VBSS_REPLAY_ENDED);
     }
+    vbss_record *resumed = NULL;
+    if (result == VBSS_OK) {
+        uint64_t position;
+        result = vbss_record_resume(replay, NULL, &resumed, &position);
+        assert_true((resumed == NULL) == (result != VBSS_OK));
+    }
+    if (result == VBSS_OK) {
+        vbss_log_report found;
+        result = vbss_log_check(context, log->bytes, log->count, &found, sizeof found);
+        assert_true(result != VBSS_OK || found.result == VBSS_OK);
+    }
+    VBSS_TRY(vbss_record_destroy(resumed));
     VBSS_TRY(vbss_replay_destroy(replay));
     VBSS_TRY(vbss_record_destroy(record));
     VBSS_TRY(stage_leave(&s));
@@ -182,6 +226,7 @@ int test_life(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_config_keeps_the_size_protocol),
         cmocka_unit_test(structs_that_go_out_keep_the_size_protocol),
+        cmocka_unit_test(so_does_what_is_found_in_a_log),
         cmocka_unit_test(bad_configurations_are_told),
         cmocka_unit_test(steps_allocate_nothing),
         cmocka_unit_test(every_failing_allocation_is_told_and_nothing_is_lost),
