@@ -38,7 +38,7 @@ typedef struct vbss_record_config {
     /** Anything the host wants to find in the log again, such as what its scene is made from; NULL
      * (default) when note_bytes is 0. Copied. */
     const void *note;
-    /** A snapshot of the scene is put in the log every so many steps, 0 to 1e9; 0: only at the begin; default 1000.
+    /** A snapshot of the scene is put in the log every so many steps, 0 to 1e9; 0: only at the begin; default 2000.
      * #vbss_replay_seek goes on from them. One that finds no room in the buffer waits for a later step that has it. */
     uint32_t snapshot_interval;
     uint32_t reserved; /**< Zero. */

@@ -64,6 +64,13 @@ void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *pro
 
 /* ---- bytes in and out */
 
+/* What is only measured need not be converted. */
+static bool measure(vbss_stream *stream, size_t bytes)
+{
+    stream->position += stream->mode == VBSS_STREAM_MEASURE ? bytes : 0;
+    return stream->mode == VBSS_STREAM_MEASURE;
+}
+
 static void put(vbss_stream *stream, const uint8_t *bytes, size_t count)
 {
     if (stream->mode == VBSS_STREAM_WRITE) {
@@ -200,6 +207,9 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
         }
         return;
     }
+    if (measure(stream, 8 * count)) {
+        return;
+    }
     uint8_t chunk[8 * CHUNK];
     for (size_t done = 0; done < count && stream->result == VBSS_OK; done += CHUNK) {
         size_t now = count - done < CHUNK ? count - done : CHUNK;
@@ -227,6 +237,9 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
             for (size_t i = 0; bytes != NULL && i < count; i++) {                          \
                 values[i] = (type_name)load_little_endian(bytes + WIDTH * i, WIDTH);       \
             }                                                                              \
+            return;                                                                        \
+        }                                                                                  \
+        if (measure(stream, WIDTH * count)) {                                              \
             return;                                                                        \
         }                                                                                  \
         uint8_t chunk[WIDTH * CHUNK];                                                      \

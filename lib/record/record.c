@@ -10,7 +10,7 @@ static const vbss_record_config defaults = {
     .hash_interval = 1,
     .input_capacity = 64,
     .buffer_bytes = 1u << 20,
-    .snapshot_interval = 1000,
+    .snapshot_interval = 2000,
 };
 static const uint32_t config_sizes[] = {32, 40, 0};
 static const vbss_layout config_layout = {"vbss_record_config", &defaults, config_sizes};
