@@ -221,7 +221,7 @@ VBSS_API vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes
 /**
  * #vbss_scene_move_rigid of the recorded scene. Like the functions below it fails without changing
  * anything as that does, and further with VBSS_ERROR_OUT_OF_RANGE after #vbss_record_end, or when the scene,
- * or a thread or grasper in it, was changed past the record since (then begin a new one), and with
+ * or a thread, drain or grasper in it, was changed past the record since (then begin a new one), and with
  * VBSS_ERROR_CAPACITY when input_capacity is exhausted. An input belongs to the step that follows.
  *
  * @param record       the record

@@ -88,6 +88,34 @@ static void what_is_done_past_the_record_is_told(void **state)
     }
 }
 
+/* Of drains too, whose attachments no record notes. */
+static void what_is_done_to_a_drain_is_told(void **state)
+{
+    (void)state;
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    vbss_scene_config config;
+    vbss_drain_config own;
+    vbss_drain_attachment a;
+    vbss_scene *scene;
+    vbss_drain *drain;
+    vbss_record *record;
+    uint32_t body, id;
+    expect_ok(vbss_scene_config_init(&config, sizeof config));
+    expect_ok(vbss_drain_config_init(&own, sizeof own));
+    expect_ok(vbss_scene_create(context, &config, &scene));
+    expect_ok(vbss_drain_create(context, &own, &drain));
+    expect_ok(vbss_scene_add_drain(scene, drain, &body));
+    expect_ok(vbss_record_create(scene, NULL, &record));
+    expect_ok(vbss_record_step(record, 1e-3));
+    expect_ok(vbss_record_step(record, 1e-3)); /* its own steps are no edits */
+    expect_ok(vbss_drain_attachment_init(&a, sizeof a));
+    expect_ok(vbss_drain_attach(drain, &a, &id));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_record_step(record, 1e-3));
+    assert_non_null(strstr(last_text(context), "past the record after step 2"));
+    harness_context_end(context, &memory);
+}
+
 static void looking_is_not_doing(void **state)
 {
     (void)state;
@@ -112,6 +140,7 @@ int test_past_record(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_is_done_past_the_record_is_told),
+        cmocka_unit_test(what_is_done_to_a_drain_is_told),
         cmocka_unit_test(looking_is_not_doing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
