@@ -281,8 +281,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     if (next.hashed) {
         VBSS_TRY(vbss_scene_get_hash(r->scene, &next.hash));
     }
-    next.event_count = s->event_count;
-    next.events = s->events;
+    vbss_log_note_events(&next, s);
     vbss_stream stream;
     vbss_log_open(&r->log, &stream);
     vbss_log_visit_step(&stream, &next);

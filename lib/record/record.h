@@ -127,7 +127,8 @@ void vbss_log_visit_step(vbss_stream *stream, log_step *step);
 void vbss_log_visit_end(vbss_stream *stream, log_step *step);
 vbss_result vbss_log_make_inputs(vbss_context *context, log_step *step);
 void vbss_log_free_inputs(vbss_context *context, log_step *step);
-/* For what is read. */
+/* Those of the scene after its step; and room for those that are read. */
+void vbss_log_note_events(log_step *step, const scene_object *s);
 vbss_result vbss_log_make_events(vbss_context *context, log_step *step, uint32_t capacity);
 void vbss_log_free_events(vbss_context *context, log_step *step);
 

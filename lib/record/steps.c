@@ -65,6 +65,12 @@ void vbss_log_visit_end(vbss_stream *stream, log_step *step)
 
 /* ---- memory */
 
+void vbss_log_note_events(log_step *step, const scene_object *s)
+{
+    step->event_count = s->event_count;
+    step->events = s->events;
+}
+
 vbss_result vbss_log_make_events(vbss_context *context, log_step *step, uint32_t capacity)
 {
     step->events = vbss_allocate(context, capacity, sizeof *step->events, "events of a log");

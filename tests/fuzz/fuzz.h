@@ -11,8 +11,8 @@
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 /* Stops the fuzzer where what must hold does not. */
-#define MUST(condition) fuzz_must((condition) != 0, #condition, __FILE__, __LINE__)
-void fuzz_must(int holds, const char *condition, const char *file, int line);
+#define MUST(condition) ((condition) ? (void)0 : fuzz_stop(#condition, __FILE__, __LINE__))
+_Noreturn void fuzz_stop(const char *condition, const char *file, int line);
 
 /* ---- small_scene.c: a thread, jaws, a needle and a floor in a few nodes */
 

@@ -101,8 +101,9 @@ void make_log_seeds(seed_taker take, void *user)
 
 void make_config_seeds(seed_taker take, void *user)
 {
-    for (uint8_t kind = 0; kind < CONFIG_KINDS; kind++) {
-        uint8_t seed[4096] = {0};
+    for (uint32_t i = 0; i < CONFIG_KINDS; i++) {
+        const uint8_t kind = (uint8_t)i;
+        uint8_t seed[CONFIG_ROOM] = {0};
         char name[32];
         uint32_t size = init_config(kind, seed + 1);
         seed[0] = kind;

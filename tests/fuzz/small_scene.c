@@ -14,12 +14,10 @@
 
 enum { SEGMENTS = 10, THREAD = 1, TOOL = 2, BALL = 3 };
 
-void fuzz_must(int holds, const char *condition, const char *file, int line)
+_Noreturn void fuzz_stop(const char *condition, const char *file, int line)
 {
-    if (!holds) {
-        fprintf(stderr, "%s:%d: %s does not hold\n", file, line, condition);
-        abort();
-    }
+    fprintf(stderr, "%s:%d: %s does not hold\n", file, line, condition);
+    abort();
 }
 
 static vbss_result add_thread(vbss_context *context, vbss_scene *scene)
