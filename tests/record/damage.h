@@ -66,6 +66,21 @@ static inline void damage_expect(damage *d, const log_bytes *log, vbss_result wa
     assert_true(wanted == VBSS_OK || strlen(last_text(d->s.context)) > 0);
 }
 
+/* The one word of a field of the scene's configuration in the head of a log. */
+static inline uint8_t *damage_config_word(const log_bytes *log, uint8_t tag)
+{
+    const uint8_t header[8] = {tag, 0, 3, 0, 1, 0, 0, 0};
+    const log_place head = log_find(log, HEAD, 1);
+    uint8_t *at = log->bytes + head.at;
+    while (memcmp(at, "CONF", 4) != 0) {
+        at++;
+    }
+    for (at += 4; memcmp(at, header, sizeof header) != 0; at += 12) {
+        assert_true(at + 12 < log->bytes + head.next); /* all before it are words too */
+    }
+    return at + 8;
+}
+
 /* A log with records left out, moved or doubled: places of `from` in the order of `order`, 0 ends. */
 static inline log_bytes damage_shuffled(const log_bytes *from, const log_place *order)
 {

@@ -147,6 +147,21 @@ static void nonsense_under_right_checksums_is_told(void **state)
     report = check(&d, &log);
     assert_int_equal(report.result, VBSS_ERROR_CORRUPT);
     assert_int_equal(report.good_bytes, 0);
+    memcpy(log.bytes, d.good.bytes, log.count);
+    uint8_t *most = damage_config_word(&log, 9); /* events of a step */
+    assert_int_equal(load_little_endian(most, 4), 256);
+    store_little_endian(most, 65537, 4);
+    log_seal(&log);
+    report = check(&d, &log);
+    assert_int_equal(report.result, VBSS_ERROR_CORRUPT);
+    assert_int_equal(report.good_bytes, 0);
+    memcpy(log.bytes, d.good.bytes, log.count);
+    const log_place first = log_find(&log, SNAP, 1);
+    log.bytes[first.at + 8 + 8 + 8] = 1; /* not the scene at the begin */
+    log_seal(&log);
+    report = check(&d, &log);
+    assert_int_equal(report.result, VBSS_ERROR_CORRUPT);
+    assert_int_equal(report.fault_positions[0], first.at);
     log_free(&log);
     damage_end(&d);
 }

@@ -141,6 +141,7 @@ static void steps_are_read_in_any_order_beside_a_replay(void **state)
     for (size_t i = 0; i < sizeof order / sizeof order[0]; i++) {
         step = read_step(replay, order[i]);
         assert_int_equal(step.position, log_find(&log, STEP, (uint32_t)order[i]).next);
+        expect_near(1e-3 * (double)order[i], step.time, 1e-12);
         expect_ok(vbss_replay_step(replay, &report, sizeof report));
         assert_int_equal(report.agreed_step, i + 1);
         expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_replay_read(replay, 13, &step, sizeof step));

@@ -1,4 +1,5 @@
 /* A scene goes on from a log, complete or cut off, and the whole log then replays. */
+#include "base/little_endian.h"
 #include "damage.h"
 
 enum { FIRST = 25, SECOND = 20 };
@@ -182,6 +183,11 @@ static void a_log_that_is_made_otherwise_here_is_refused(void **state)
     other.bytes[log_find(&log, HEAD, 1).at + 8 + 8 + 8] ^= 1;
     log_seal(&other);
     expect_refused(&other, NULL, VBSS_ERROR_DATA_VERSION, "library version");
+    memcpy(other.bytes, log.bytes, log.count);
+    store_little_endian(damage_config_word(&other, 9), 200,
+                        4); /* events of a step, in the scene 256 */
+    log_seal(&other);
+    expect_refused(&other, NULL, VBSS_ERROR_CAPACITY, "events");
     log_free(&other);
     log_free(&log);
 }
