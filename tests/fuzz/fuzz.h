@@ -17,7 +17,9 @@ _Noreturn void fuzz_stop(const char *condition, const char *file, int line);
 /* ---- small_scene.c: a thread, jaws, a needle and a floor in a few nodes */
 
 vbss_result small_scene_create(vbss_context *context, vbss_scene **scene);
-/* What a host tells it before a step; in 40 steps jaws close on the thread and let it go, and so on. */
+/* A drain and a needle. */
+vbss_result drain_scene_create(vbss_context *context, vbss_scene **scene);
+/* What a host tells the small one before a step; in 40 steps jaws close on the thread and let it go, and so on. */
 vbss_result small_scene_drive(vbss_record *record, uint32_t step);
 
 /* ---- seal.c: right checksums over wrong bytes, so that what lies behind them is tried */

@@ -1,12 +1,12 @@
 /* Any bytes as a log: checked, read, replayed, sought in and gone on with. The first byte says how: 1 with right
- * checksums, 2 as the snapshot of a scene rather than a log. Whatever comes of it is a status, the counts of all
+ * checksums, 2 as the snapshot of a scene rather than a log, 4 of one with a drain. Whatever comes of it is a status, the counts of all
  * readers agree, and the scene can be brought back to where it was. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "fuzz/fuzz.h"
 
-enum { SEALED = 1, SNAPSHOT = 2, MOST_STEPS = 12 };
+enum { SEALED = 1, SNAPSHOT = 2, DRAIN = 4, MOST_STEPS = 12 };
 
 typedef struct table {
     vbss_context *context;
@@ -15,10 +15,10 @@ typedef struct table {
     uint64_t state_bytes, hash;
 } table;
 
-static void set_table(table *t)
+static void set_table(table *t, vbss_result (*create)(vbss_context *, vbss_scene **))
 {
     MUST(vbss_context_create(NULL, &t->context) == VBSS_OK);
-    MUST(small_scene_create(t->context, &t->scene) == VBSS_OK);
+    MUST(create(t->context, &t->scene) == VBSS_OK);
     MUST(vbss_scene_save(t->scene, NULL, 0, &t->state_bytes) == VBSS_ERROR_CAPACITY);
     t->state = malloc((size_t)t->state_bytes);
     MUST(t->state != NULL);
@@ -122,13 +122,15 @@ static void try_log(const table *t, const uint8_t *bytes, size_t count)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static table t;
-    if (t.context == NULL) {
-        set_table(&t);
+    static table tables[2];
+    if (tables[0].context == NULL) {
+        set_table(&tables[0], small_scene_create);
+        set_table(&tables[1], drain_scene_create);
     }
     if (size == 0) {
         return 0;
     }
+    const table *t = &tables[(data[0] & DRAIN) != 0];
     size_t count = size - 1;
     uint8_t *bytes =
         malloc(count > 0 ? count : 1); /* of its own, so that a read beyond its end is told */
@@ -138,14 +140,14 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         if ((data[0] & SEALED) != 0) {
             seal_snapshot(bytes, count);
         }
-        restore_and_step(&t, bytes, count);
+        restore_and_step(t, bytes, count);
     } else {
         if ((data[0] & SEALED) != 0) {
             seal_log(bytes, count);
         }
-        try_log(&t, bytes, count);
+        try_log(t, bytes, count);
     }
     free(bytes);
-    come_back(&t);
+    come_back(t);
     return 0;
 }

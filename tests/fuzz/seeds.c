@@ -42,6 +42,18 @@ static growing snapshot_of(vbss_scene *scene, uint8_t how)
     return g;
 }
 
+static void take_states(vbss_scene *scene, uint8_t first, const char *of, uint32_t number,
+                        seed_taker take, void *user)
+{
+    char name[32];
+    for (uint8_t how = first; how < first + 2; how++) {
+        growing state = snapshot_of(scene, how);
+        snprintf(name, sizeof name, "%s-%u-%u", of, number, how);
+        take(user, name, state.bytes, state.count);
+        free(state.bytes);
+    }
+}
+
 /* Logs of a few steps from a scene that has made `before`. */
 static void make_log(uint32_t before, uint32_t steps, bool ends, seed_taker take, void *user)
 {
@@ -57,12 +69,7 @@ static void make_log(uint32_t before, uint32_t steps, bool ends, seed_taker take
         MUST(small_scene_drive(first, i) == VBSS_OK);
         MUST(vbss_record_step(first, 1e-3) == VBSS_OK);
     }
-    for (uint8_t how = 2; how < 4; how++) {
-        growing state = snapshot_of(scene, how);
-        snprintf(name, sizeof name, "state-%u-%u", before, how);
-        take(user, name, state.bytes, state.count);
-        free(state.bytes);
-    }
+    take_states(scene, 2, "state", before, take, user);
     MUST(vbss_record_config_init(&config, sizeof config) == VBSS_OK);
     config.snapshot_interval = 4;
     config.input_capacity = 8;
@@ -90,11 +97,23 @@ static void make_log(uint32_t before, uint32_t steps, bool ends, seed_taker take
     MUST(vbss_context_destroy(context) == VBSS_OK);
 }
 
+static void make_drain_states(seed_taker take, void *user)
+{
+    vbss_context *context;
+    vbss_scene *scene;
+    MUST(vbss_context_create(NULL, &context) == VBSS_OK);
+    MUST(drain_scene_create(context, &scene) == VBSS_OK);
+    MUST(vbss_scene_step(scene, 1e-3) == VBSS_OK);
+    take_states(scene, 6, "drain", 1, take, user);
+    MUST(vbss_context_destroy(context) == VBSS_OK);
+}
+
 void make_log_seeds(seed_taker take, void *user)
 {
     make_log(0, 6, true, take, user);
     make_log(12, 10, false, take, user); /* jaws hold the thread */
     make_log(29, 6, true, take, user);   /* pinned, exchanged, cut */
+    make_drain_states(take, user);
 }
 
 /* ---- configurations: as they are initialised */

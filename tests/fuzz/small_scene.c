@@ -92,6 +92,23 @@ vbss_result small_scene_create(vbss_context *context, vbss_scene **scene)
     return add_needle(context, *scene);
 }
 
+vbss_result drain_scene_create(vbss_context *context, vbss_scene **scene)
+{
+    vbss_scene_config config;
+    vbss_drain_config own;
+    vbss_drain *drain;
+    uint32_t body;
+    TRY(vbss_scene_config_init(&config, sizeof config));
+    config.contact_capacity = 256;
+    config.candidate_capacity = 4096;
+    config.hole_capacity = 2;
+    TRY(vbss_scene_create(context, &config, scene));
+    TRY(vbss_drain_config_init(&own, sizeof own));
+    TRY(vbss_drain_create(context, &own, &drain));
+    TRY(vbss_scene_add_drain(*scene, drain, &body));
+    return add_needle(context, *scene);
+}
+
 static vbss_result attach(vbss_record *record)
 {
     vbss_thread_attachment a;
