@@ -13,6 +13,7 @@
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/knot.h>
+#include <vblast_ss/metrics.h>
 #include <vblast_ss/needle.h>
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>

@@ -1,0 +1,247 @@
+/* Events: checked as a whole, then kept as what stands, or taken back. */
+#include "metrics/metrics.h"
+
+_Static_assert(sizeof(vbss_metrics_event) == 144, "published size");
+static const vbss_metrics_event defaults = {.struct_size = sizeof(vbss_metrics_event),
+                                            .tool = VBSS_METRICS_NO_TOOL};
+static const uint32_t sizes[] = {144, 0};
+static const vbss_layout layout = {"vbss_metrics_event", &defaults, sizes};
+
+#define MILLIMETRES 1e3
+
+vbss_result vbss_metrics_event_init(vbss_metrics_event *event, uint32_t struct_size)
+{
+    return vbss_config_init(&layout, event, struct_size);
+}
+
+/* ---- what an event may say */
+
+static bool is_fact(vbss_metrics_event_kind kind, metrics_fact *fact)
+{
+    switch (kind) {
+    case VBSS_METRICS_EVENT_NEEDLE_APPEARS:
+        *fact = METRICS_APPEARED;
+        return true;
+    case VBSS_METRICS_EVENT_PUNCTURE:
+        *fact = METRICS_PUNCTURE;
+        return true;
+    case VBSS_METRICS_EVENT_TAIL:
+        *fact = METRICS_TAIL;
+        return true;
+    case VBSS_METRICS_EVENT_TAIL_CUT:
+        *fact = METRICS_CUT;
+        return true;
+    case VBSS_METRICS_EVENT_GAP:
+        *fact = METRICS_GAPES;
+        return true;
+    case VBSS_METRICS_EVENT_AVULSED:
+        *fact = METRICS_AVULSED;
+        return true;
+    case VBSS_METRICS_EVENT_BROKEN:
+        *fact = METRICS_BROKEN;
+        return true;
+    default:
+        return false;
+    }
+}
+
+static double largest_number(vbss_metrics_event_kind kind)
+{
+    switch (kind) {
+    case VBSS_METRICS_EVENT_PUNCTURE:
+    case VBSS_METRICS_EVENT_TAIL:
+    case VBSS_METRICS_EVENT_TAIL_CUT:
+        return 1.0;
+    case VBSS_METRICS_EVENT_THROW:
+        return 63.0;
+    default:
+        return (double)UINT32_MAX;
+    }
+}
+
+static vbss_result check_numbers(const metrics_object *m, const vbss_metrics_event *e)
+{
+    vbss_context *context = m->context;
+    const struct {
+        const char *name;
+        double value, low, high;
+    } ranges[] = {
+        {"kind", e->kind, VBSS_METRICS_EVENT_NEEDLE_APPEARS, VBSS_METRICS_EVENT_BROKEN},
+        {"tool", e->tool, VBSS_METRICS_LEFT, VBSS_METRICS_NO_TOOL},
+        {"number", e->number, 0.0, largest_number(e->kind)},
+        {"undone", e->undone, 0.0, e->kind == VBSS_METRICS_EVENT_PHASE ? 0.0 : 1.0},
+        {"wraps", e->wraps, 0.0, 64.0},
+        {"handedness", e->handedness, -1.0, 1.0},
+        {"relation", e->relation, VBSS_METRICS_RELATION_UNKNOWN, VBSS_METRICS_RELATION_GRANNY},
+        {"angle", e->angle, -3.15, 3.15},
+        {"axial", e->axial, -METRICS_LARGEST_PLACE, METRICS_LARGEST_PLACE},
+        {"amount", e->amount, 0.0, 1e6},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,
+                                  ranges[i].name));
+    }
+    VBSS_TRY(vbss_check_vector(context, e->position, METRICS_LARGEST_PLACE, "position"));
+    VBSS_TRY(vbss_check_vector(context, e->other, METRICS_LARGEST_PLACE, "other"));
+    VBSS_TRY(vbss_check_vector(context, e->force, METRICS_LARGEST_FORCE, "force"));
+    return vbss_metrics_check_time(m, e->time);
+}
+
+/* ---- what it measures */
+
+/* Along the cylinder: sqrt(R^2 theta^2 + x^2), Qi et al. 2017, section 6. */
+static double deviation_mm(const vbss_metrics_config *c, const vbss_metrics_event *e)
+{
+    double arc = c->drain_radius * e->angle;
+    return MILLIMETRES * sqrt(arc * arc + e->axial * e->axial);
+}
+
+static metrics_note note_of(const metrics_object *m, const vbss_metrics_event *e)
+{
+    metrics_note note = {.kind = e->kind,
+                         .number = e->number,
+                         .standing = 1,
+                         .tool = e->tool,
+                         .wraps = e->wraps,
+                         .handedness = e->handedness,
+                         .relation = e->relation,
+                         .step = e->step,
+                         .time = e->time,
+                         .position = vec3_load(e->position),
+                         .force = vec3_load(e->force)};
+    note.value[0] = e->amount;
+    if (e->kind == VBSS_METRICS_EVENT_PUNCTURE) {
+        note.value[0] = deviation_mm(&m->config, e);
+    } else if (e->kind == VBSS_METRICS_EVENT_GAP) {
+        note.value[0] = MILLIMETRES * vec3_distance(note.position, vec3_load(e->other));
+        note.value[1] = greater(note.value[0], MILLIMETRES * e->amount);
+    }
+    return note;
+}
+
+/* ---- keeping it */
+
+static vbss_result full(const metrics_object *m, const char *what, uint32_t capacity)
+{
+    return vbss_fail(m->context, VBSS_ERROR_CAPACITY, "there is room for %u %s", capacity, what);
+}
+
+static vbss_result not_there(const metrics_object *m, const vbss_metrics_event *e)
+{
+    return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
+                     "event %d with number %u is undone, but does not stand", e->kind, e->number);
+}
+
+static vbss_result add_incident(metrics_object *m, const metrics_note *note)
+{
+    if (m->incident_count == m->config.incident_capacity) {
+        return full(m, "incidents", m->incident_count);
+    }
+    m->incidents[m->incident_count++] = *note;
+    return VBSS_OK;
+}
+
+static vbss_result set_fact(metrics_object *m, metrics_fact first, const vbss_metrics_event *e)
+{
+    bool many = largest_number(e->kind) == 1.0;
+    metrics_note *fact = &m->facts[first + (many ? e->number : 0u)];
+    metrics_note note = note_of(m, e);
+    if (e->undone == 0) {
+        *fact = note;
+        return VBSS_OK;
+    }
+    if (!fact->standing) {
+        return not_there(m, e);
+    }
+    if (e->kind == VBSS_METRICS_EVENT_PUNCTURE) {
+        note.value[0] = fact->value[0]; /* of the attempt */
+        VBSS_TRY(add_incident(m, &note));
+    }
+    fact->standing = 0;
+    return VBSS_OK;
+}
+
+/* The youngest that stands; NULL: none. */
+static metrics_note *find(metrics_note *notes, uint32_t count, vbss_metrics_event_kind kind,
+                          uint32_t number)
+{
+    for (uint32_t i = count; i-- > 0;) {
+        metrics_note *note = &notes[i];
+        if (note->standing && note->kind == kind && note->number == number) {
+            return note;
+        }
+    }
+    return NULL;
+}
+
+static vbss_result take_back(const metrics_object *m, metrics_note *note,
+                             const vbss_metrics_event *e)
+{
+    if (note == NULL) {
+        return not_there(m, e);
+    }
+    note->standing = 0;
+    note->undone_time = e->time;
+    return VBSS_OK;
+}
+
+/* One that stands and is told again is known better; it was tied when it was told first. */
+static vbss_result set_throw(metrics_object *m, const vbss_metrics_event *e)
+{
+    metrics_note *old = find(m->throws, m->throw_count, e->kind, e->number);
+    if (e->undone != 0) {
+        return take_back(m, old, e);
+    }
+    metrics_note note = note_of(m, e);
+    if (old != NULL) {
+        note.step = old->step;
+        note.time = old->time;
+        *old = note;
+        return VBSS_OK;
+    }
+    if (m->throw_count == m->config.throw_capacity) {
+        return full(m, "throws", m->throw_count);
+    }
+    m->throws[m->throw_count++] = note;
+    return VBSS_OK;
+}
+
+static vbss_result begin_phase(metrics_object *m, const vbss_metrics_event *e)
+{
+    if (m->phase_count == m->config.phase_capacity) {
+        return full(m, "phases", m->phase_count);
+    }
+    m->phases[m->phase_count++] = (metrics_phase){e->number, e->step, e->time};
+    return VBSS_OK;
+}
+
+static vbss_result keep(metrics_object *m, const vbss_metrics_event *e)
+{
+    metrics_fact fact;
+    if (is_fact(e->kind, &fact)) {
+        return set_fact(m, fact, e);
+    }
+    if (e->kind == VBSS_METRICS_EVENT_PHASE) {
+        return begin_phase(m, e);
+    }
+    if (e->kind == VBSS_METRICS_EVENT_THROW) {
+        return set_throw(m, e);
+    }
+    if (e->undone != 0) {
+        return take_back(m, find(m->incidents, m->incident_count, e->kind, e->number), e);
+    }
+    metrics_note note = note_of(m, e);
+    return add_incident(m, &note);
+}
+
+vbss_result vbss_metrics_add_event(vbss_metrics *metrics, const vbss_metrics_event *event)
+{
+    metrics_object *m;
+    vbss_metrics_event e;
+    VBSS_TRY(vbss_metrics_edit(metrics, &m));
+    VBSS_TRY(vbss_config_read(m->context, &layout, event, &e));
+    VBSS_TRY(check_numbers(m, &e));
+    VBSS_TRY(keep(m, &e));
+    vbss_metrics_tell_time(m, e.time, e.step);
+    return VBSS_OK;
+}

@@ -1,0 +1,115 @@
+/* How measurements begin and end. */
+#include "metrics/metrics.h"
+
+/* ---- memory: one table says what there is */
+
+enum { HAND_PARTS = 7, PARTS = METRICS_HANDS * HAND_PARTS + 5 };
+
+static void list_hand(metrics_hand *h, size_t ticks, vbss_array *parts)
+{
+    const vbss_array own[HAND_PARTS] = {{&h->ring, METRICS_RING, sizeof *h->ring},
+                                        {&h->was_seen, METRICS_RING, sizeof *h->was_seen},
+                                        {&h->speed, ticks, sizeof *h->speed},
+                                        {&h->jerk, ticks, sizeof *h->jerk},
+                                        {&h->seen, ticks, sizeof *h->seen},
+                                        {&h->impulse, ticks, sizeof *h->impulse},
+                                        {&h->peak, ticks, sizeof *h->peak}};
+    for (int i = 0; i < HAND_PARTS; i++) {
+        parts[i] = own[i];
+    }
+}
+
+static void list_parts(metrics_object *m, vbss_array parts[PARTS])
+{
+    const vbss_metrics_config *c = &m->config;
+    for (int i = 0; i < METRICS_HANDS; i++) {
+        list_hand(&m->hands[i], (size_t)m->tick_capacity, parts + (size_t)HAND_PARTS * (size_t)i);
+    }
+    vbss_array *rest = parts + (size_t)METRICS_HANDS * HAND_PARTS;
+    rest[0] = (vbss_array){&m->kernel, 1, sizeof *m->kernel};
+    rest[1] = (vbss_array){&m->throws, c->throw_capacity, sizeof *m->throws};
+    rest[2] = (vbss_array){&m->incidents, c->incident_capacity, sizeof *m->incidents};
+    rest[3] = (vbss_array){&m->phases, c->phase_capacity, sizeof *m->phases};
+    rest[4] = (vbss_array){&m->spectrum, METRICS_SPECTRUM_ROOM, sizeof *m->spectrum};
+}
+
+static void free_metrics(vbss_context *context, void *object)
+{
+    metrics_object *m = object;
+    vbss_array parts[PARTS];
+    list_parts(m, parts);
+    vbss_release_arrays(context, parts, PARTS);
+    vbss_release(context, m, 1, sizeof *m);
+}
+
+const vbss_kind vbss_metrics_kind = {"metrics", VBSS_CODE('M', 'E', 'T', 'R'), 1, free_metrics,
+                                     vbss_metrics_serialise};
+
+static vbss_result make(vbss_context *context, const vbss_metrics_config *config,
+                        metrics_object **metrics)
+{
+    vbss_array parts[PARTS];
+    metrics_object *m = vbss_allocate(context, 1, sizeof *m, "metrics");
+    if (m == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    m->context = context;
+    m->config = *config;
+    m->tick_capacity = (uint64_t)ceil(config->duration * METRICS_TICK_RATE);
+    list_parts(m, parts);
+    vbss_result result = vbss_allocate_arrays(context, parts, PARTS, "metrics");
+    if (result != VBSS_OK) {
+        free_metrics(context, m);
+        return result;
+    }
+    vbss_metrics_make_kernel(m->kernel);
+    *metrics = m;
+    return VBSS_OK;
+}
+
+/* ---- life */
+
+vbss_result vbss_metrics_create(vbss_context *context, const vbss_metrics_config *config,
+                                vbss_metrics **metrics)
+{
+    if (metrics == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, metrics, "metrics");
+    }
+    *metrics = NULL;
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_metrics_config own;
+    metrics_object *m = NULL;
+    vbss_slot *slot = NULL;
+    VBSS_TRY(vbss_metrics_read_config(context, config, &own));
+    VBSS_TRY(make(context, &own, &m));
+    vbss_result result = vbss_slot_create(context, &vbss_metrics_kind, m, &slot);
+    if (result != VBSS_OK) {
+        free_metrics(context, m);
+        return result;
+    }
+    *metrics = (vbss_metrics *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_metrics_destroy(vbss_metrics *metrics)
+{
+    return vbss_slot_destroy(metrics, &vbss_metrics_kind);
+}
+
+vbss_result vbss_metrics_open(const vbss_metrics *handle, metrics_object **metrics)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_metrics_kind, &slot));
+    *metrics = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_metrics_edit(vbss_metrics *handle, metrics_object **metrics)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_metrics_kind, &slot));
+    VBSS_TRY(vbss_check_arithmetic(slot->context));
+    *metrics = slot->object;
+    return VBSS_OK;
+}

@@ -1,0 +1,244 @@
+/* What is known of a trial: the report, records of throws, visits of phases, penalties, arrays. */
+#include "metrics/metrics.h"
+
+_Static_assert(sizeof(vbss_metrics_report) == 192, "published size");
+_Static_assert(sizeof(vbss_metrics_throw) == 104, "published size");
+_Static_assert(sizeof(vbss_metrics_phase) == 40, "published size");
+_Static_assert(sizeof(vbss_metrics_penalty) == 96 + sizeof(void *), "no hidden padding");
+static const uint32_t report_sizes[] = {192, 0}, throw_sizes[] = {104, 0}, phase_sizes[] = {40, 0},
+                      penalty_sizes[] = {96u + (uint32_t)sizeof(void *), 0};
+static const vbss_layout report_layout = {"vbss_metrics_report", NULL, report_sizes};
+static const vbss_layout throw_layout = {"vbss_metrics_throw", NULL, throw_sizes};
+static const vbss_layout phase_layout = {"vbss_metrics_phase", NULL, phase_sizes};
+static const vbss_layout penalty_layout = {"vbss_metrics_penalty", NULL, penalty_sizes};
+
+#define MILLIMETRES 1e3
+
+/* ---- the clock of the task: from the needle's appearing until both tails are cut, or until now */
+
+bool vbss_metrics_stopped(const metrics_object *m)
+{
+    return m->facts[METRICS_CUT].standing && m->facts[METRICS_CUT + 1].standing;
+}
+
+double vbss_metrics_stop_time(const metrics_object *m)
+{
+    return vbss_metrics_stopped(m)
+               ? greater(m->facts[METRICS_CUT].time, m->facts[METRICS_CUT + 1].time)
+               : m->now;
+}
+
+double vbss_metrics_time(const metrics_object *m)
+{
+    const metrics_note *appeared = &m->facts[METRICS_APPEARED];
+    return appeared->standing ? greater(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
+}
+
+/* ---- the report */
+
+static void show_facts(const metrics_object *m, vbss_metrics_report *r)
+{
+    static const struct {
+        metrics_fact fact;
+        uint32_t flag;
+    } known[] = {{METRICS_APPEARED, VBSS_METRICS_STARTED},
+                 {METRICS_GAPES, VBSS_METRICS_GAP},
+                 {METRICS_AVULSED, VBSS_METRICS_AVULSED},
+                 {METRICS_BROKEN, VBSS_METRICS_BROKEN}};
+    static const uint32_t puncture[2] = {VBSS_METRICS_PUNCTURE_0, VBSS_METRICS_PUNCTURE_1};
+    static const uint32_t tail[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        r->flags |= m->facts[known[i].fact].standing ? known[i].flag : 0u;
+    }
+    for (int i = 0; i < 2; i++) {
+        const metrics_note *cut = &m->facts[METRICS_CUT + i],
+                           *length = cut->standing ? cut : &m->facts[METRICS_TAIL + i];
+        if (m->facts[METRICS_PUNCTURE + i].standing) {
+            r->flags |= puncture[i];
+            r->deviation_mm[i] = m->facts[METRICS_PUNCTURE + i].value[0];
+        }
+        if (length->standing) {
+            r->flags |= tail[i];
+            r->tail_mm[i] = MILLIMETRES * length->value[0];
+        }
+    }
+    if (m->facts[METRICS_GAPES].standing) {
+        r->gap_mm = m->facts[METRICS_GAPES].value[0];
+        r->gap_largest_mm = m->facts[METRICS_GAPES].value[1];
+    }
+}
+
+static void count_throws(const metrics_object *m, vbss_metrics_report *r)
+{
+    for (uint32_t i = 0; i < m->throw_count; i++) {
+        const metrics_note *tied = &m->throws[i];
+        if (tied->standing) {
+            r->throw_count++;
+            r->square_count += tied->relation == VBSS_METRICS_RELATION_SQUARE;
+            r->granny_count += tied->relation == VBSS_METRICS_RELATION_GRANNY;
+            r->unknown_count += tied->relation == VBSS_METRICS_RELATION_UNKNOWN;
+        }
+    }
+}
+
+static void count_incidents(const metrics_object *m, vbss_metrics_report *r)
+{
+    for (uint32_t i = 0; i < m->incident_count; i++) {
+        const metrics_note *note = &m->incidents[i];
+        if (!note->standing) {
+            continue;
+        }
+        if (note->kind == VBSS_METRICS_EVENT_PUNCTURE) {
+            r->attempts[note->number]++;
+        }
+        r->transfers += note->kind == VBSS_METRICS_EVENT_TRANSFER;
+        r->transfers_missed += note->kind == VBSS_METRICS_EVENT_TRANSFER_MISSED;
+        r->drops += note->kind == VBSS_METRICS_EVENT_DROP;
+        r->host_penalties += note->kind == VBSS_METRICS_EVENT_HOST;
+    }
+}
+
+static void show_motion(const metrics_object *m, vbss_metrics_report *r)
+{
+    const metrics_hand *a = &m->hands[0], *b = &m->hands[1];
+    r->samples = m->samples;
+    r->ticks = a->tick_count > b->tick_count ? a->tick_count : b->tick_count;
+    r->ticks_lost = vbss_metrics_ticks_lost(m);
+}
+
+vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *report,
+                                    uint32_t struct_size)
+{
+    metrics_object *m;
+    VBSS_TRY(vbss_metrics_open(metrics, &m));
+    vbss_metrics_report r = {.struct_size = sizeof r};
+    metrics_score judged = vbss_metrics_judge(m, 0, NULL);
+    show_facts(m, &r);
+    count_throws(m, &r);
+    count_incidents(m, &r);
+    show_motion(m, &r);
+    r.tightness_ours = vbss_metrics_tightness_ours(&m->pull);
+    r.tightness_paper = vbss_metrics_tightness_paper(&m->pull);
+    r.pull_held = m->pull.held;
+    r.pull_strain = m->pull.strain;
+    r.drawn_in_mm = MILLIMETRES * m->pull.drawn_in;
+    r.throw_records = m->throw_count;
+    r.phase_count = m->phase_count;
+    r.penalty_count = judged.count;
+    r.time = vbss_metrics_time(m);
+    r.score = judged.score;
+    r.penalties = judged.penalties;
+    r.flags |= vbss_metrics_stopped(m) ? VBSS_METRICS_STOPPED : 0;
+    r.flags |= m->finished ? VBSS_METRICS_FINISHED : 0;
+    r.flags |= r.time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
+    r.flags |= judged.final ? VBSS_METRICS_FINAL : 0;
+    return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
+}
+
+/* ---- one of many */
+
+static vbss_result check_index(const metrics_object *m, const char *what, uint32_t index,
+                               uint32_t count)
+{
+    return index < count
+               ? VBSS_OK
+               : vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "%s %u of %u", what, index, count);
+}
+
+vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
+                                   vbss_metrics_throw *record, uint32_t struct_size)
+{
+    metrics_object *m;
+    VBSS_TRY(vbss_metrics_open(metrics, &m));
+    VBSS_TRY(check_index(m, "throw", index, m->throw_count));
+    const metrics_note *note = &m->throws[index];
+    vbss_metrics_throw own = {.struct_size = sizeof own,
+                              .number = note->number,
+                              .standing = note->standing,
+                              .tool = note->tool,
+                              .wraps = note->wraps,
+                              .handedness = note->handedness,
+                              .relation = note->relation,
+                              .step = note->step,
+                              .time = note->time,
+                              .undone_time = note->undone_time};
+    vec3_store(own.position, note->position);
+    vec3_store(own.force, note->force);
+    return vbss_struct_write(m->context, &throw_layout, &own, record, struct_size);
+}
+
+vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t index, vbss_metrics_phase *phase,
+                                   uint32_t struct_size)
+{
+    metrics_object *m;
+    VBSS_TRY(vbss_metrics_open(metrics, &m));
+    VBSS_TRY(check_index(m, "phase", index, m->phase_count));
+    const metrics_phase *visit = &m->phases[index];
+    bool ended = index + 1 < m->phase_count;
+    vbss_metrics_phase own = {.struct_size = sizeof own,
+                              .number = visit->number,
+                              .ended = ended,
+                              .step = visit->step,
+                              .begin = visit->begin};
+    own.end = ended ? visit[1].begin : greater(vbss_metrics_stop_time(m), visit->begin);
+    return vbss_struct_write(m->context, &phase_layout, &own, phase, struct_size);
+}
+
+vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t index,
+                                     vbss_metrics_penalty *penalty, uint32_t struct_size)
+{
+    metrics_object *m;
+    vbss_metrics_penalty own = {.struct_size = sizeof own};
+    VBSS_TRY(vbss_metrics_open(metrics, &m));
+    metrics_score judged = vbss_metrics_judge(m, index, &own);
+    VBSS_TRY(check_index(m, "penalty", index, judged.count));
+    return vbss_struct_write(m->context, &penalty_layout, &own, penalty, struct_size);
+}
+
+vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field field, vbss_view *view,
+                                  uint32_t struct_size)
+{
+    metrics_object *m;
+    VBSS_TRY(vbss_metrics_open(metrics, &m));
+    if (field < VBSS_METRICS_VIEW_LEFT_SPEED || field > VBSS_METRICS_VIEW_RIGHT_FORCE) {
+        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "metrics have no field %d", field);
+    }
+    const metrics_hand *h = &m->hands[field % METRICS_HANDS];
+    const double *const arrays[] = {h->speed, h->jerk, h->peak};
+    const uint32_t counts[] = {h->tick_count, h->tick_count, h->force_count};
+    int which = field / METRICS_HANDS;
+    const vbss_view own = {.type = VBSS_TYPE_F64,
+                           .components = 1,
+                           .stride_bytes = sizeof(double),
+                           .count = counts[which],
+                           .data = arrays[which],
+                           .generation = m->generation};
+    return vbss_struct_write(m->context, &vbss_view_layout, &own, view, struct_size);
+}
+
+/* ---- the way from a mark, for whoever has points and no angles */
+
+vbss_result vbss_metrics_offset(const double axis[3], const double centre[3], const double mark[3],
+                                const double place[3], double *angle, double *axial)
+{
+    const double *const given[] = {axis, centre, mark, place};
+    for (size_t i = 0; i < sizeof given / sizeof given[0]; i++) {
+        VBSS_TRY(vbss_check_pointer(NULL, given[i], "point"));
+        VBSS_TRY(vbss_check_vector(NULL, given[i], METRICS_LARGEST_PLACE, "point"));
+    }
+    VBSS_TRY(vbss_check_pointer(NULL, angle, "angle"));
+    VBSS_TRY(vbss_check_pointer(NULL, axial, "axial"));
+    VBSS_TRY(vbss_check_range(NULL, vec3_norm(vec3_load(axis)), 1e-9, 1e4, "axis"));
+    vec3 along = vec3_unit_or(vec3_load(axis), vec3_zero());
+    vec3 from = vec3_sub(vec3_load(mark), vec3_load(centre));
+    vec3 to = vec3_sub(vec3_load(place), vec3_load(centre));
+    double from_height = vec3_dot(from, along), to_height = vec3_dot(to, along);
+    from = vec3_add_scaled(from, -from_height, along);
+    to = vec3_add_scaled(to, -to_height, along);
+    if (!(vec3_norm(from) > 1e-9 && vec3_norm(to) > 1e-9)) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *angle = vbss_atan2(vec3_dot(vec3_cross(from, to), along), vec3_dot(from, to));
+    *axial = to_height - from_height;
+    return VBSS_OK;
+}

@@ -1,0 +1,104 @@
+/* Samples: checked, then shown to each tool's curve; and the clock on which everything is told. */
+#include "metrics/metrics.h"
+
+_Static_assert(sizeof(vbss_metrics_sample) == 120, "published size");
+static const vbss_metrics_sample defaults = {.struct_size = sizeof(vbss_metrics_sample)};
+static const uint32_t sizes[] = {120, 0};
+static const vbss_layout layout = {"vbss_metrics_sample", &defaults, sizes};
+
+vbss_result vbss_metrics_sample_init(vbss_metrics_sample *sample, uint32_t struct_size)
+{
+    return vbss_config_init(&layout, sample, struct_size);
+}
+
+/* ---- the clock */
+
+vbss_result vbss_metrics_check_time(const metrics_object *m, double time)
+{
+    VBSS_TRY(
+        vbss_check_range(m->context, time, -METRICS_LARGEST_TIME, METRICS_LARGEST_TIME, "time"));
+    if (m->begun && time < m->now) {
+        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "time is %.9g, after %.9g", time,
+                         m->now);
+    }
+    return VBSS_OK;
+}
+
+void vbss_metrics_tell_time(metrics_object *m, double time, uint64_t step)
+{
+    m->begun = 1;
+    m->now = time;
+    m->step = step;
+    m->generation++;
+}
+
+/* ---- samples */
+
+static const uint32_t has_place[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT, VBSS_METRICS_HAS_RIGHT};
+static const uint32_t has_force[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT_FORCE,
+                                                  VBSS_METRICS_HAS_RIGHT_FORCE};
+
+static vbss_result check(const metrics_object *m, const vbss_metrics_sample *s)
+{
+    if (m->finished) {
+        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "a sample at %.9g: the measurement is finished", s->time);
+    }
+    VBSS_TRY(vbss_check_range(m->context, s->valid, 0.0, 15.0, "valid"));
+    VBSS_TRY(vbss_metrics_check_time(m, s->time));
+    if (m->sampled && s->time <= m->sample_time) {
+        return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "time of the sample is %.9g, that of the last is %.9g", s->time,
+                         m->sample_time);
+    }
+    for (int i = 0; i < METRICS_HANDS; i++) {
+        if ((s->valid & has_place[i]) != 0) {
+            VBSS_TRY(
+                vbss_check_vector(m->context, s->position[i], METRICS_LARGEST_PLACE, "position"));
+        }
+        if ((s->valid & has_force[i]) != 0) {
+            VBSS_TRY(vbss_check_vector(m->context, s->force[i], METRICS_LARGEST_FORCE, "force"));
+        }
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sample *sample)
+{
+    metrics_object *m;
+    vbss_metrics_sample s;
+    VBSS_TRY(vbss_metrics_edit(metrics, &m));
+    VBSS_TRY(vbss_config_read(m->context, &layout, sample, &s));
+    VBSS_TRY(check(m, &s));
+    if (!m->sampled) {
+        m->sampled = 1;
+        m->origin = s.time;
+    }
+    for (uint32_t i = 0; i < METRICS_HANDS; i++) {
+        if ((s.valid & has_place[i]) != 0) {
+            vbss_metrics_move_hand(m, i, s.time, vec3_load(s.position[i]));
+        }
+        if ((s.valid & has_force[i]) != 0) {
+            vbss_metrics_load_hand(m, i, s.time, vec3_norm(vec3_load(s.force[i])));
+        }
+    }
+    m->samples++;
+    m->sample_time = s.time;
+    vbss_metrics_tell_time(m, s.time, s.step);
+    return VBSS_OK;
+}
+
+vbss_result vbss_metrics_finish(vbss_metrics *metrics)
+{
+    metrics_object *m;
+    VBSS_TRY(vbss_metrics_edit(metrics, &m));
+    if (m->finished) {
+        return VBSS_OK;
+    }
+    for (uint32_t i = 0; i < METRICS_HANDS; i++) {
+        vbss_metrics_end_hand(m, i);
+    }
+    m->finished = 1;
+    m->generation++;
+    return VBSS_OK;
+}

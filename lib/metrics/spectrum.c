@@ -1,0 +1,75 @@
+/* Spectral arc length (SPARC) of a speed profile: minus the length of its normalised spectrum's curve. Balasubramanian
+ * et al., J NeuroEng Rehabil 12:112 (2015), equation 5; docs/metrics.md says what is not verified. */
+#include "metrics/metrics.h"
+
+#define TURN 6.283185307179586476925286766559
+#define HIGHEST 20.0 /* Hz */
+#define LEAST \
+    0.05 /* of the amplitude at 0 Hz: above the last frequency that has it nothing counts */
+
+/* ---- discrete Fourier transform: `size` complex numbers, a power of two, decimation in frequency; the result is in
+ * bit-reversed order */
+
+static void transform(double *x, uint32_t size)
+{
+    for (uint32_t half = size / 2; half >= 1; half /= 2) {
+        for (uint32_t k = 0; k < half; k++) {
+            double sine, cosine;
+            vbss_sincos(-TURN * (double)k / (2.0 * (double)half), &sine, &cosine);
+            for (uint32_t i = k; i < size; i += 2 * half) {
+                double *a = x + 2 * (size_t)i, *b = x + 2 * ((size_t)i + half);
+                double re = a[0] - b[0], im = a[1] - b[1];
+                a[0] += b[0];
+                a[1] += b[1];
+                b[0] = re * cosine - im * sine;
+                b[1] = re * sine + im * cosine;
+            }
+        }
+    }
+}
+
+static uint32_t reversed(uint32_t number, uint32_t size)
+{
+    uint32_t result = 0;
+    for (uint32_t bit = 1; bit < size; bit *= 2) {
+        result = 2 * result + (number & 1u);
+        number /= 2;
+    }
+    return result;
+}
+
+static double amplitude(const double *x, uint32_t number, uint32_t size)
+{
+    const double *value = x + 2 * (size_t)reversed(number, size);
+    return sqrt(value[0] * value[0] + value[1] * value[1]);
+}
+
+/* ---- the curve */
+
+bool vbss_metrics_sparc(const double *speed, uint32_t count, double *room, double *sparc)
+{
+    uint32_t size = METRICS_SPECTRUM_PADDING;
+    while (size < METRICS_SPECTRUM_PADDING * count) {
+        size *= 2;
+    }
+    for (uint32_t i = 0; i < size; i++) {
+        room[2 * (size_t)i] = i < count ? speed[i] : 0.0;
+        room[2 * (size_t)i + 1] = 0.0;
+    }
+    transform(room, size);
+    double whole = amplitude(room, 0, size), length = 0.0, before = 1.0;
+    if (!(whole > 0.0)) {
+        return false;
+    }
+    uint32_t last = (uint32_t)(HIGHEST * (double)size / METRICS_TICK_RATE);
+    while (last > 1 && amplitude(room, last, size) < LEAST * whole) {
+        last--;
+    }
+    for (uint32_t k = 1; k <= last; k++) {
+        double now = amplitude(room, k, size) / whole, step = 1.0 / (double)last;
+        length += sqrt(step * step + (now - before) * (now - before));
+        before = now;
+    }
+    *sparc = -length;
+    return true;
+}

@@ -1,0 +1,210 @@
+/* The state of a measurement: what is saved, hashed and restored. */
+#include "metrics/metrics.h"
+
+/* Sums and squares of what is no larger stay finite. */
+#define LARGEST_FIGURE 1e30
+
+static void refuse(vbss_stream *stream, bool wrong)
+{
+    if (wrong) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no measurement is like this");
+    }
+}
+
+static void visit_flag(vbss_stream *stream, uint16_t tag, uint32_t *flag)
+{
+    vbss_stream_u32(stream, tag, flag, 1);
+    refuse(stream, *flag > 1);
+}
+
+static void visit_bounded(vbss_stream *stream, uint16_t tag, double *values, size_t count,
+                          double bound)
+{
+    vbss_stream_f64(stream, tag, values, count);
+    refuse(stream, !(vbss_largest(values, count) <= bound));
+}
+
+static void visit_config(vbss_stream *stream, const vbss_metrics_config *c)
+{
+    const uint32_t words[] = {(uint32_t)c->tightness_method, c->throw_capacity, c->phase_capacity,
+                              c->incident_capacity, c->throws_wanted};
+    const double numbers[] = {
+        c->duration,         c->drain_radius,    c->stiffness,        c->pull_force,
+        c->pull_time,        c->slip_limit,      c->strain_threshold, c->idle_speed,
+        c->idle_release,     c->max_time,        c->weight_deviation, c->weight_gap,
+        c->weight_tightness, c->weight_throw,    c->weight_granny,    c->weight_attempt,
+        c->weight_drop,      c->weight_transfer, c->weight_host};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        vbss_stream_same(stream, 1, words[i]);
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 2, numbers[i]);
+    }
+}
+
+/* ---- motion */
+
+static void visit_figures(vbss_stream *stream, uint16_t tag, double *values, uint32_t count)
+{
+    visit_bounded(stream, tag, values, count, LARGEST_FIGURE);
+    for (uint32_t i = 0; i < count; i++) {
+        refuse(stream, values[i] < 0.0);
+    }
+}
+
+static void visit_seen(vbss_stream *stream, uint16_t tag, uint8_t *seen, uint32_t count)
+{
+    vbss_stream_u8(stream, tag, seen, count);
+    for (uint32_t i = 0; i < count; i++) {
+        refuse(stream, seen[i] > 1);
+    }
+}
+
+/* Between the ticks that are known and the fine samples there is just what a tick waits for. */
+static bool in_step(const metrics_object *m, const metrics_hand *h)
+{
+    uint64_t known = (uint64_t)h->tick_count * METRICS_FINE_PER_TICK;
+    return h->tick_count >= m->tick_capacity
+               ? h->fine <= known + METRICS_REACH + 1
+               : h->fine <= known + METRICS_REACH && h->fine + METRICS_FINE_PER_TICK > known;
+}
+
+static void visit_hand(vbss_stream *stream, const metrics_object *m, metrics_hand *h)
+{
+    uint32_t capacity = (uint32_t)m->tick_capacity;
+    vbss_stream_count(stream, 10, &h->points, 3);
+    vbss_stream_count(stream, 11, &h->tick_count, capacity);
+    vbss_stream_count(stream, 12, &h->force_count, capacity);
+    if (stream->result != VBSS_OK) {
+        return;
+    }
+    visit_bounded(stream, 13, h->time, 3, METRICS_LARGEST_TIME);
+    for (uint32_t i = 1; i < h->points; i++) {
+        refuse(stream, !(h->time[i] > h->time[i - 1]));
+    }
+    for (int i = 0; i < 3; i++) {
+        visit_bounded(stream, 14, &h->at[i].x, 3, LARGEST_FIGURE);
+    }
+    visit_bounded(stream, 15, &h->shift.x, 3, LARGEST_FIGURE);
+    vbss_stream_u64(stream, 16, &h->fine, 1);
+    vbss_stream_count(stream, 17, &h->still, METRICS_RING);
+    for (int i = 0; i < METRICS_RING; i++) {
+        visit_bounded(stream, 18, &h->ring[i].x, 3, LARGEST_FIGURE);
+    }
+    visit_seen(stream, 19, h->was_seen, METRICS_RING);
+    visit_flag(stream, 20, &h->force_known);
+    visit_bounded(stream, 21, &h->force_time, 1, METRICS_LARGEST_TIME);
+    visit_figures(stream, 22, &h->force, 1);
+    visit_figures(stream, 23, h->speed, h->tick_count);
+    visit_figures(stream, 24, h->jerk, h->tick_count);
+    visit_seen(stream, 25, h->seen, h->tick_count);
+    visit_figures(stream, 26, h->impulse, h->force_count);
+    visit_figures(stream, 27, h->peak, h->force_count);
+    refuse(stream, h->points == 0 ? h->fine != 0 || h->tick_count != 0 : !in_step(m, h));
+}
+
+/* ---- what was told */
+
+static void visit_note(vbss_stream *stream, metrics_note *n)
+{
+    int32_t words[] = {n->kind, n->tool, n->wraps, n->handedness, n->relation};
+    double numbers[] = {n->time, n->undone_time, n->value[0], n->value[1]};
+    vbss_stream_i32(stream, 40, words, sizeof words / sizeof words[0]);
+    vbss_stream_u32(stream, 41, &n->number, 1);
+    visit_flag(stream, 42, &n->standing);
+    vbss_stream_u64(stream, 43, &n->step, 1);
+    visit_bounded(stream, 44, numbers, 4, LARGEST_FIGURE);
+    visit_bounded(stream, 45, &n->position.x, 3, METRICS_LARGEST_PLACE);
+    visit_bounded(stream, 46, &n->force.x, 3, METRICS_LARGEST_FORCE);
+    n->kind = words[0];
+    n->tool = words[1];
+    n->wraps = words[2];
+    n->handedness = words[3];
+    n->relation = words[4];
+    n->time = numbers[0];
+    n->undone_time = numbers[1];
+    n->value[0] = numbers[2];
+    n->value[1] = numbers[3];
+    refuse(stream, n->kind == VBSS_METRICS_EVENT_PUNCTURE && n->number > 1);
+    refuse(stream, n->tool < VBSS_METRICS_LEFT || n->tool > VBSS_METRICS_NO_TOOL);
+}
+
+static void visit_told(vbss_stream *stream, metrics_object *m)
+{
+    vbss_stream_count(stream, 50, &m->throw_count, m->config.throw_capacity);
+    vbss_stream_count(stream, 51, &m->incident_count, m->config.incident_capacity);
+    vbss_stream_count(stream, 52, &m->phase_count, m->config.phase_capacity);
+    if (stream->result != VBSS_OK) {
+        return;
+    }
+    for (int i = 0; i < METRICS_FACTS; i++) {
+        visit_note(stream, &m->facts[i]);
+    }
+    for (uint32_t i = 0; i < m->throw_count; i++) {
+        visit_note(stream, &m->throws[i]);
+    }
+    for (uint32_t i = 0; i < m->incident_count; i++) {
+        visit_note(stream, &m->incidents[i]);
+    }
+    for (uint32_t i = 0; i < m->phase_count; i++) {
+        metrics_phase *phase = &m->phases[i];
+        vbss_stream_u32(stream, 53, &phase->number, 1);
+        vbss_stream_u64(stream, 54, &phase->step, 1);
+        visit_bounded(stream, 55, &phase->begin, 1, METRICS_LARGEST_TIME);
+        refuse(stream, i > 0 && phase->begin < phase[-1].begin);
+    }
+}
+
+static void visit_pull(vbss_stream *stream, metrics_pull *p)
+{
+    uint32_t *const flags[] = {&p->pulled, &p->tight,    &p->slipped,
+                               &p->untied, &p->strained, &p->holding};
+    double *const numbers[] = {&p->hold_began, &p->held, &p->strain, &p->drawn_in};
+    for (size_t i = 0; i < sizeof flags / sizeof flags[0]; i++) {
+        visit_flag(stream, 60, flags[i]);
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        visit_bounded(stream, 61, numbers[i], 1, LARGEST_FIGURE);
+    }
+    visit_note(stream, &p->last);
+}
+
+void vbss_metrics_serialise(vbss_stream *stream, void *object)
+{
+    metrics_object *m = object;
+    visit_config(stream, &m->config);
+    vbss_stream_u64(stream, 3, &m->samples, 1);
+    visit_flag(stream, 4, &m->begun);
+    visit_flag(stream, 5, &m->sampled);
+    visit_flag(stream, 6, &m->finished);
+    visit_bounded(stream, 7, &m->origin, 1, METRICS_LARGEST_TIME);
+    visit_bounded(stream, 8, &m->sample_time, 1, METRICS_LARGEST_TIME);
+    visit_bounded(stream, 9, &m->now, 1, METRICS_LARGEST_TIME);
+    vbss_stream_u64(stream, 30, &m->step, 1);
+    for (int i = 0; i < METRICS_HANDS; i++) {
+        visit_hand(stream, m, &m->hands[i]);
+    }
+    visit_told(stream, m);
+    visit_pull(stream, &m->pull);
+    if (stream->mode == VBSS_STREAM_READ) {
+        m->generation++;
+    }
+}
+
+/* ---- saving from outside */
+
+vbss_result vbss_metrics_save(vbss_metrics *metrics, uint8_t *bytes, uint64_t capacity,
+                              uint64_t *written)
+{
+    return vbss_object_save(metrics, &vbss_metrics_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_metrics_restore(vbss_metrics *metrics, const uint8_t *bytes, uint64_t count)
+{
+    return vbss_object_restore(metrics, &vbss_metrics_kind, bytes, count);
+}
+
+vbss_result vbss_metrics_get_hash(vbss_metrics *metrics, uint64_t *hash)
+{
+    return vbss_object_hash(metrics, &vbss_metrics_kind, hash);
+}
