@@ -8,6 +8,7 @@
 #include "scenes/device_run.h"
 #include "scenes/drain_hands.h"
 #include "scenes/drain_scenes.h"
+#include "scenes/metrics_run.h"
 #include "scenes/moving_knot.h"
 #include "scenes/moving_shapes.h"
 #include "scenes/needle_scenes.h"
@@ -421,6 +422,51 @@ static void run_device(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- a trial that is measured, hashed after every 10 steps with what it comes to */
+
+static void add_motion(vbss_stream *stream, vbss_metrics *metrics)
+{
+    vbss_metrics_bimanual b;
+    must(vbss_metrics_get_bimanual(metrics, VBSS_METRICS_WHOLE, &b, sizeof b));
+    vbss_stream_f64(stream, 1, &b.correlation, 1);
+    vbss_stream_f64(stream, 2, &b.both_moving_share, 1);
+    for (int tool = VBSS_METRICS_LEFT; tool <= VBSS_METRICS_RIGHT; tool++) {
+        vbss_metrics_motion o;
+        must(vbss_metrics_get_motion(metrics, tool, VBSS_METRICS_WHOLE, &o, sizeof o));
+        vbss_stream_f64(stream, 3, &o.path_length, 1);
+        vbss_stream_f64(stream, 4, &o.ldj_length, 1);
+        vbss_stream_f64(stream, 5, &o.ldj_speed, 1);
+        vbss_stream_f64(stream, 6, &o.sparc, 1);
+        vbss_stream_f64(stream, 7, &o.movement_sparc, 1);
+        vbss_stream_f64(stream, 8, &o.force_integral, 1);
+    }
+}
+
+static void run_metrics(uint64_t *hashes, size_t count)
+{
+    vbss_context *context;
+    vbss_metrics *metrics;
+    must(vbss_context_create(NULL, &context));
+    must(metrics_run_create(context, &metrics));
+    for (size_t i = 0; i < count; i++) {
+        vbss_stream stream;
+        vbss_metrics_report r;
+        uint64_t state;
+        for (int k = 0; k < 10; k++) {
+            must(metrics_run_step(metrics));
+        }
+        vbss_stream_begin_hash(&stream);
+        add_motion(&stream, metrics);
+        must(vbss_metrics_get_report(metrics, &r, sizeof r));
+        vbss_stream_f64(&stream, 9, &r.score, 1);
+        vbss_stream_f64(&stream, 10, &r.penalties, 1);
+        must(vbss_metrics_get_hash(metrics, &state));
+        vbss_stream_u64(&stream, 11, &state, 1);
+        hashes[i] = vbss_hash_end(&stream.hash);
+    }
+    must(vbss_context_destroy(context));
+}
+
 /* ---- drains: one that is torn off its block, one that is poked, the paper's, hashed together after every 5 steps */
 
 enum { DRAINS = 3 };
@@ -553,6 +599,7 @@ const golden_scene golden_scenes[] = {
     {"base-rotations", 50, 2, run_rotations},
     {"harness-rod", 200, 10, run_rod},
     {"device-run", DEVICE_RUN_STEPS / 5, 20, run_device},
+    {"metrics-run", METRICS_RUN_STEPS / 10, 6, run_metrics}, /* the first puncture at 2 */
     {"collision-questions", 120, 4, run_collision_questions},
     {"collision-search", 40, 2, run_collision_search},
     {"thread-release", 200, 10, run_thread_release},

@@ -1,0 +1,205 @@
+/* What a measurement refuses, with a text and without any change. */
+#include <fenv.h>
+
+#include "fixture.h"
+
+static vbss_metrics_sample good_sample(void)
+{
+    vbss_metrics_sample s;
+    expect_ok(vbss_metrics_sample_init(&s, sizeof s));
+    s.valid = 15;
+    s.time = 2.0;
+    return s;
+}
+
+static void expect_sample(const fixture *f, const vbss_metrics_sample *s, vbss_result wanted)
+{
+    uint64_t hash = hash_of(f->metrics);
+    expect_result(wanted, vbss_metrics_add_sample(f->metrics, s));
+    assert_true(hash_of(f->metrics) == hash);
+}
+
+static void bad_samples_change_nothing(void **state)
+{
+    (void)state;
+    fixture f;
+    begin_and_make(&f);
+    show(&f, 3, 1.0, vec3_zero(), vec3_zero());
+    for (int c = 0; c < 13; c++) {
+        vbss_metrics_sample s = good_sample();
+        double *number = c < 6    ? &s.position[c / 3][c % 3]
+                         : c < 12 ? &s.force[(c - 6) / 3][c % 3]
+                                  : &s.time;
+        for (int k = 0; k < 3; k++) {
+            *number = harness_bad_numbers[k];
+            expect_sample(&f, &s, VBSS_ERROR_NOT_FINITE);
+        }
+        *number = c < 6 ? 1e3 + 1.0 : c < 12 ? 1e6 + 1.0 : 1e9 + 1.0;
+        expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
+        s.valid = 0; /* what is not said to be there is not looked at */
+        if (c < 12) {
+            s.time = 1.0 + 0.01 * (c + 1);
+            expect_ok(vbss_metrics_add_sample(f.metrics, &s));
+        }
+    }
+    vbss_metrics_sample s = good_sample();
+    s.valid = 16;
+    expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
+    expect_sample(&f, NULL, VBSS_ERROR_NULL_ARGUMENT);
+    s = good_sample();
+    s.struct_size = 12;
+    expect_sample(&f, &s, VBSS_ERROR_STRUCT_SIZE);
+    end(&f);
+}
+
+static void time_never_runs_backwards(void **state)
+{
+    (void)state;
+    fixture f;
+    const char *text;
+    begin_and_make(&f);
+    show(&f, 3, 1.0, vec3_zero(), vec3_zero());
+    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 1.0, 0.0); /* at the same time it may */
+    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 1.5, 0.0);
+    vbss_metrics_sample s = good_sample();
+    s.time = 1.25; /* after the last sample, before the last event */
+    expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
+    show(&f, 3, 1.5, vec3_zero(), vec3_zero());
+    s.time = 1.5; /* one sample a time */
+    expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
+    expect_ok(vbss_context_get_last_error(f.context, NULL, &text));
+    assert_non_null(strstr(text, "1.5"));
+    vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_DROP, 0, 1.4);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_add_event(f.metrics, &e));
+    vbss_metrics_pull p;
+    expect_ok(vbss_metrics_pull_init(&p, sizeof p));
+    p.time = 1.4;
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_add_pull(f.metrics, &p));
+    expect_ok(vbss_metrics_finish(f.metrics));
+    s.time = 2.0;
+    expect_sample(&f, &s, VBSS_ERROR_OUT_OF_RANGE);
+    tell(&f, VBSS_METRICS_EVENT_DROP, 0, 2.0, 0.0);
+    end(&f);
+}
+
+static void expect_event(const fixture *f, const vbss_metrics_event *e, vbss_result wanted)
+{
+    uint64_t hash = hash_of(f->metrics);
+    expect_result(wanted, vbss_metrics_add_event(f->metrics, e));
+    assert_true(hash_of(f->metrics) == hash);
+}
+
+static void bad_events_change_nothing(void **state)
+{
+    (void)state;
+    fixture f;
+    begin_and_make(&f);
+    const vbss_metrics_event good = event_of(VBSS_METRICS_EVENT_PUNCTURE, 0, 1.0);
+    const size_t first = offsetof(vbss_metrics_event, time);
+    static const double most[13] = {1e9, 1e3, 1e3, 1e3, 1e6, 1e6, 1e6,
+                                    1e3, 1e3, 1e3, 3.2, 1e3, 1e6};
+    for (size_t i = 0; i < 13; i++) {
+        for (int k = 0; k < 4; k++) {
+            vbss_metrics_event e = good;
+            double value = k < 3 ? harness_bad_numbers[k] : 1.01 * most[i];
+            memcpy((char *)&e + first + i * sizeof value, &value, sizeof value);
+            expect_event(&f, &e, k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE);
+        }
+    }
+    for (int i = 0; i < 8; i++) {
+        vbss_metrics_event e = good;
+        int32_t *const words[] = {&e.kind, &e.kind,       &e.kind,     &e.tool,
+                                  &e.tool, &e.handedness, &e.relation, &e.wraps};
+        static const int32_t bad[] = {0, -1, VBSS_METRICS_EVENT_BROKEN + 1, 3, -1, 2, 4, 65};
+        *words[i] = bad[i];
+        expect_event(&f, &e, VBSS_ERROR_OUT_OF_RANGE);
+    }
+    vbss_metrics_event e = good;
+    e.number = 2;
+    expect_event(&f, &e, VBSS_ERROR_OUT_OF_RANGE);
+    e = good;
+    e.undone = 2;
+    expect_event(&f, &e, VBSS_ERROR_OUT_OF_RANGE);
+    e.struct_size = 4;
+    expect_event(&f, &e, VBSS_ERROR_STRUCT_SIZE);
+    expect_event(&f, NULL, VBSS_ERROR_NULL_ARGUMENT);
+    end(&f);
+}
+
+static void bad_pulls_change_nothing(void **state)
+{
+    (void)state;
+    fixture f;
+    vbss_metrics_pull good;
+    begin_and_make(&f);
+    expect_ok(vbss_metrics_pull_init(&good, sizeof good));
+    static const double most[] = {1e9, 1.0, 1.0, 1e6, 1e6, 1e3};
+    uint64_t hash = hash_of(f.metrics);
+    for (size_t i = 0; i < 6; i++) {
+        for (int k = 0; k < 4; k++) {
+            vbss_metrics_pull p = good;
+            double value = k < 3 ? harness_bad_numbers[k] : 1.01 * most[i];
+            memcpy((char *)&p + offsetof(vbss_metrics_pull, time) + i * sizeof value, &value,
+                   sizeof value);
+            expect_result(k < 3 ? VBSS_ERROR_NOT_FINITE : VBSS_ERROR_OUT_OF_RANGE,
+                          vbss_metrics_add_pull(f.metrics, &p));
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        vbss_metrics_pull p = good;
+        uint32_t *const words[] = {&p.begins, &p.tied, &p.reserved};
+        *words[i] = 2;
+        expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_add_pull(f.metrics, &p));
+    }
+    assert_true(hash_of(f.metrics) == hash);
+    end(&f);
+}
+
+static void there_are_only_these_tools_phases_and_fields(void **state)
+{
+    (void)state;
+    fixture f;
+    vbss_metrics_motion m;
+    vbss_metrics_bimanual b;
+    vbss_metrics_phase p;
+    vbss_view v;
+    begin_and_make(&f);
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_motion(f.metrics, 2, -1, &m, sizeof m));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_motion(f.metrics, 0, 0, &m, sizeof m));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_bimanual(f.metrics, -2, &b, sizeof b));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_phase(f.metrics, 0, &p, sizeof p));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_view(f.metrics, 6, &v, sizeof v));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_metrics_get_view(f.metrics, -1, &v, sizeof v));
+    expect_ok(vbss_metrics_get_view(f.metrics, 5, &v, sizeof v));
+    assert_int_equal(v.count, 0);
+    assert_non_null(v.data);
+    expect_result(VBSS_ERROR_STRUCT_SIZE, vbss_metrics_get_motion(f.metrics, 0, -1, &m, 119));
+    expect_result(VBSS_ERROR_NULL_ARGUMENT, vbss_metrics_get_report(f.metrics, NULL, 192));
+    end(&f);
+}
+
+static void another_rounding_is_refused(void **state)
+{
+    (void)state;
+    fixture f;
+    begin_and_make(&f);
+    const vbss_metrics_sample s = good_sample();
+    assert_int_equal(fesetround(FE_UPWARD), 0);
+    vbss_result result = vbss_metrics_add_sample(f.metrics, &s);
+    assert_int_equal(fesetround(FE_TONEAREST), 0);
+    expect_result(VBSS_ERROR_ARITHMETIC_MODE, result);
+    end(&f);
+}
+
+int test_metrics_refusals(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(bad_samples_change_nothing),
+        harness_test(time_never_runs_backwards),
+        harness_test(bad_events_change_nothing),
+        harness_test(bad_pulls_change_nothing),
+        harness_test(there_are_only_these_tools_phases_and_fields),
+        harness_test(another_rounding_is_refused),
+    };
+    return cmocka_run_group_tests_name("metrics.metrics_refusals", tests, NULL, NULL);
+}
