@@ -147,7 +147,7 @@ uint64_t vbss_metrics_ticks_lost(const metrics_object *m);
 
 /* spectrum.c */
 enum { METRICS_SPECTRUM_TICKS = 4096, METRICS_SPECTRUM_PADDING = 16 };
-#define METRICS_SPECTRUM_ROOM (2u * METRICS_SPECTRUM_TICKS * METRICS_SPECTRUM_PADDING)
+#define METRICS_SPECTRUM_ROOM ((size_t)2 * METRICS_SPECTRUM_TICKS * METRICS_SPECTRUM_PADDING)
 /* SPARC of a speed profile of 2 to METRICS_SPECTRUM_TICKS ticks; false: nothing moved. `room` holds
  * METRICS_SPECTRUM_ROOM numbers. */
 bool vbss_metrics_sparc(const double *speed, uint32_t count, double *room, double *sparc);
