@@ -12,6 +12,7 @@ static void do_task(const fixture *f)
     tie(f, 2, 90.0, VBSS_METRICS_RELATION_SQUARE);
     vbss_metrics_event e = event_of(VBSS_METRICS_EVENT_GAP, 0, 100.0);
     e.other[0] = 0.5e-3;
+    e.amount = 0.9e-3; /* the largest, which does not count */
     e.tool = VBSS_METRICS_RIGHT;
     e.force[1] = 2.5;
     expect_ok(vbss_metrics_add_event(f->metrics, &e));
