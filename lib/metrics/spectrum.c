@@ -4,8 +4,8 @@
 
 #define TURN 6.283185307179586476925286766559
 #define HIGHEST 20.0 /* Hz */
-#define LEAST \
-    0.05 /* of the amplitude at 0 Hz: above the last frequency that has it nothing counts */
+/* Of the amplitude at 0 Hz: above the last frequency that has it nothing counts. */
+#define LEAST 0.05
 
 /* ---- discrete Fourier transform: `size` complex numbers, a power of two, decimation in frequency; the result is in
  * bit-reversed order */
