@@ -1,0 +1,472 @@
+"""drain.h, as ctypes sees it. Written by bindings/python/generate.py: do not edit."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_double, c_int32, c_uint32, c_uint64, c_uint8
+from enum import IntEnum
+from typing import Any, ClassVar, NamedTuple
+
+from .base import Method, vbss_context, vbss_view
+from .values import VALUES
+
+
+class DrainMesh(IntEnum):
+    """The constants of vbss_drain_mesh."""
+    MESH_137 = 0
+    """137 nodes, 240 triangles."""
+    MESH_159 = 1
+    """159 nodes, 280 triangles."""
+    MESH_181 = 2
+    """181 nodes, 320 triangles."""
+    MESH_225 = 3
+    """225 nodes, 400 triangles: for walls thinner than 0.6 mm."""
+
+
+class DrainAttachmentKind(IntEnum):
+    """The constants of vbss_drain_attachment_kind."""
+    PIN = 0
+    """The node is where `position` says."""
+    FORCE = 1
+    """`force` pulls at the node."""
+    SPRING = 2
+    """A spring from `position` to the node."""
+
+
+class DrainField(IntEnum):
+    """The constants of vbss_drain_field. n nodes, m triangles."""
+    POSITIONS = 0
+    """n x 3 doubles, m: of the middle surface."""
+    VELOCITIES = 1
+    """n x 3 doubles, m/s."""
+    REST_POSITIONS = 2
+    """n x 3 doubles, m, in the drain's frame."""
+    TRIANGLES = 3
+    """m x 3 uint32_t, nodes counter-clockwise seen from outside."""
+    SLIT_LEFT = 4
+    """uint32_t: nodes of the slit's edge on the left (-z), with both tips, along x."""
+    SLIT_RIGHT = 5
+    """The same on the right (+z)."""
+    ANCHORS = 6
+    """uint32_t: nodes of the bottom strip; method PAPER: none."""
+    ANCHOR_FORCES = 7
+    """3 doubles for each of VBSS_DRAIN_ANCHORS, N: of the anchor on the drain; zero for those torn
+    off."""
+    STRAINS = 8
+    """m x 3 doubles: strains of the middle surface along and across the triangle's first side, and
+    shear (2 e12). What method PAPER does not resist is told as well, and so are curvatures."""
+    CURVATURES = 9
+    """m x 3 doubles, 1/m: changes of curvature, likewise (2 k12)."""
+
+
+class vbss_drain(ctypes.Structure):
+    """A drain."""
+
+
+class vbss_drain_config(ctypes.Structure):
+    """How to make a drain. Fill it with vbss_drain_config_init, then change what you need.
+
+    method: Default VBSS_METHOD_OURS.
+
+    mesh: Method OURS; default VBSS_DRAIN_MESH_137.
+
+    mesh_divisions: Method OURS: each cell is divided so often each way, 1 to 4; default 1.
+
+    attachment_capacity: Most attachments at a time, 0 to 256; default 8.
+
+    linearisation_limit: Method OURS: linearisations of a step, 1 to 50; default 1. More until
+    position_tolerance is kept: for references.
+
+    halving_limit: Method OURS: how often a step may be halved, 0 to 10; default 4.
+
+    radius: Of the middle surface, m, 1e-4 to 1; default 6.5e-3.
+
+    length: m, 2 to 7 radii; default 32e-3.
+
+    thickness: Of the wall, m, 0.01 to 0.3 radii; default 1e-3.
+
+    slit_length: m, a radius to 0.7 lengths; default 10e-3.
+
+    slit_opening: At the middle of the slit, along the surface, m, 0 to 0.4 slit lengths and a
+    radius; default 3e-3.
+
+    mark_arc: From the slit's middle to each mark, along the surface before the slit was opened,
+    m; beyond half the opening, from 20 to 90 degrees; default 4.5e-3.
+
+    young_modulus: Method OURS: Pa, 1e3 to 1e12; default 1.2e6. Of real drains: not verified.
+
+    poisson_ratio: Method OURS: 0 to 0.49; default 0.47.
+
+    density: kg/m^3, 1 to 1e5; default 950.
+
+    drag: Force -drag * mass * velocity, 1/s, 0 to 1e6; default 20.
+
+    gravity: m/s^2, each at most 1e6; default 0: the rest shape is the one that lies there.
+
+    position: Of the drain's frame in the world, m, each at most 1e3; default 0.
+
+    orientation: Quaternion (w, x, y, z) of any length from 1e-100 to 1e100; default (1, 0, 0,
+    0).
+
+    tear_stress: Method OURS: what the glue of the strip bears, Pa, 1 to 1e12; default 5e4 (not
+    verified). The anchor of a node tears off for ever above this times the part of the strip
+    that is the node's; the one that is overloaded most, one a step.
+
+    position_tolerance: Method OURS: of the last linearisation's increments, m, 1e-15 to 1;
+    default 1e-6.
+
+    move_limit: Method OURS: a step in which a node would move farther gets one more
+    linearisation; four times as far, and it is halved; m, 1e-9 to 1; default 1e-3.
+
+    paper_stiffness: Method PAPER: of the spring that ties a particle to its rest position, N/m,
+    0 to 1e9; default 125.
+
+    paper_damping: Method PAPER: share of the velocity relative to the drain's rigid motion that
+    is removed at each explicit step, 0 to 1; default 0.7.
+
+    paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
+    as the springs need.
+
+    friction: In a scene: coefficient of friction with threads, 0 to 10; with other bodies, the
+    floor and itself the geometric mean of both counts. Default 0.3 (not verified).
+
+    puncture_force: With which a tip is pushed along its direction when it enters a wall, N,
+    1e-3 to 1e3; default 1 (the published range for both walls of a Penrose drain is 0.85 to
+    2.92).
+
+    hole_force: Friction of a hole with what slides in it, N, 1e-6 to 1e3; default 0.25 (not
+    verified).
+
+    hole_friction: Beside that, a share of what is borne across, 0 to 10; default 0.3 (not
+    verified).
+
+    hole_stiffness: Of a hole across and along what is in it, N/m, 1 to 1e7; default 2e4.
+
+    hole_damping: Of what slides in it, N s/m, 0 to 1e3; default 0.5.
+
+    tip_length: Of a tip's way through the wall, over which puncture_force falls to hole_force,
+    m, 0 to 0.1; default 0.5e-3."""
+    struct_size: int
+    method: int
+    mesh: int
+    mesh_divisions: int
+    attachment_capacity: int
+    linearisation_limit: int
+    halving_limit: int
+    reserved: int
+    radius: float
+    length: float
+    thickness: float
+    slit_length: float
+    slit_opening: float
+    mark_arc: float
+    young_modulus: float
+    poisson_ratio: float
+    density: float
+    drag: float
+    gravity: Any
+    position: Any
+    orientation: Any
+    tear_stress: float
+    position_tolerance: float
+    move_limit: float
+    paper_stiffness: float
+    paper_damping: float
+    paper_substeps: int
+    reserved2: int
+    friction: float
+    puncture_force: float
+    hole_force: float
+    hole_friction: float
+    hole_stiffness: float
+    hole_damping: float
+    tip_length: float
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mesh": DrainMesh}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("method", c_int32),
+        ("mesh", c_int32),
+        ("mesh_divisions", c_uint32),
+        ("attachment_capacity", c_uint32),
+        ("linearisation_limit", c_uint32),
+        ("halving_limit", c_uint32),
+        ("reserved", c_uint32),
+        ("radius", c_double),
+        ("length", c_double),
+        ("thickness", c_double),
+        ("slit_length", c_double),
+        ("slit_opening", c_double),
+        ("mark_arc", c_double),
+        ("young_modulus", c_double),
+        ("poisson_ratio", c_double),
+        ("density", c_double),
+        ("drag", c_double),
+        ("gravity", c_double * 3),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("tear_stress", c_double),
+        ("position_tolerance", c_double),
+        ("move_limit", c_double),
+        ("paper_stiffness", c_double),
+        ("paper_damping", c_double),
+        ("paper_substeps", c_uint32),
+        ("reserved2", c_uint32),
+        ("friction", c_double),
+        ("puncture_force", c_double),
+        ("hole_force", c_double),
+        ("hole_friction", c_double),
+        ("hole_stiffness", c_double),
+        ("hole_damping", c_double),
+        ("tip_length", c_double),
+    ]
+
+
+class vbss_drain_attachment(ctypes.Structure):
+    """Something that acts on one node. Fill it with vbss_drain_attachment_init.
+
+    kind: Default VBSS_DRAIN_ATTACHMENT_PIN.
+
+    node: A node that is not anchored.
+
+    position: PIN: where the node is taken in the next step; SPRING: its end; m, each at most
+    1e3.
+
+    force: FORCE: N, each at most 1e6.
+
+    stiffness: SPRING: N/m, 0 to 1e9."""
+    struct_size: int
+    kind: int
+    node: int
+    reserved: int
+    position: Any
+    force: Any
+    stiffness: float
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": DrainAttachmentKind}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("node", c_uint32),
+        ("reserved", c_uint32),
+        ("position", c_double * 3),
+        ("force", c_double * 3),
+        ("stiffness", c_double),
+    ]
+
+
+class vbss_drain_places(ctypes.Structure):
+    """Places on a drain, as nodes.
+
+    node_count: Nodes of the mesh.
+
+    triangle_count: Its triangles.
+
+    marks: The marks, left and right.
+
+    gap_points: The middles of the slit's edges, left and right: the paper's points."""
+    struct_size: int
+    node_count: int
+    triangle_count: int
+    marks: Any
+    gap_points: Any
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("node_count", c_uint32),
+        ("triangle_count", c_uint32),
+        ("marks", c_uint32 * 2),
+        ("gap_points", c_uint32 * 2),
+        ("reserved", c_uint32),
+    ]
+
+
+class DrainPlaces(NamedTuple):
+    """Places on a drain, as nodes. Fields as vbss_drain_places says."""
+    node_count: int
+    triangle_count: int
+    marks: tuple[int, ...]
+    gap_points: tuple[int, ...]
+
+
+VALUES[vbss_drain_places] = DrainPlaces
+
+
+class vbss_drain_gap(ctypes.Structure):
+    """How far the slit stands open.
+
+    largest_pair: Of which nodes of the two edges, counted along x.
+
+    gap: Distance of the middles of the edges, m: the paper's measure.
+
+    largest: Largest distance of opposite nodes of the edges, m.
+
+    signed_gap: Component of the vector between the middles, left to right, along the one at
+    rest as the drain's frame carries it, m: negative when the edges have crossed."""
+    struct_size: int
+    largest_pair: int
+    gap: float
+    largest: float
+    signed_gap: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("largest_pair", c_uint32),
+        ("gap", c_double),
+        ("largest", c_double),
+        ("signed_gap", c_double),
+    ]
+
+
+class DrainGap(NamedTuple):
+    """How far the slit stands open. Fields as vbss_drain_gap says."""
+    largest_pair: int
+    gap: float
+    largest: float
+    signed_gap: float
+
+
+VALUES[vbss_drain_gap] = DrainGap
+
+
+class vbss_drain_energies(ctypes.Structure):
+    """Energies of a drain, J.
+
+    kinetic: Of lumped masses.
+
+    membrane: Elastic, of stretching the middle surface; method PAPER: zero.
+
+    bending: Elastic; method PAPER: zero.
+
+    springs: Of SPRING attachments; method PAPER: and of those to the rest positions.
+
+    gravity: Potential, zero at the origin.
+
+    total: Of all."""
+    struct_size: int
+    reserved: int
+    kinetic: float
+    membrane: float
+    bending: float
+    springs: float
+    gravity: float
+    total: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("kinetic", c_double),
+        ("membrane", c_double),
+        ("bending", c_double),
+        ("springs", c_double),
+        ("gravity", c_double),
+        ("total", c_double),
+    ]
+
+
+class DrainEnergies(NamedTuple):
+    """Energies of a drain, J. Fields as vbss_drain_energies says."""
+    kinetic: float
+    membrane: float
+    bending: float
+    springs: float
+    gravity: float
+    total: float
+
+
+VALUES[vbss_drain_energies] = DrainEnergies
+
+
+class vbss_drain_statistics(ctypes.Structure):
+    """Counters since creation, and figures of the last step.
+
+    torn: Anchors that have torn off.
+
+    inverted: Triangles that are turned over or collapsed now.
+
+    steps: Calls of vbss_drain_step that succeeded, and steps of its scene.
+
+    parts: Equal to steps if none was halved; method PAPER: explicit steps.
+
+    linearisations: Tangents made and solved with.
+
+    corrections_dropped: Second looks whose correction was not small against the first, and was
+    left out.
+
+    forced: Parts that moved a node beyond four move_limits at the last halving.
+
+    last_move: Farthest that a node went in a part of the last step, m.
+
+    last_correction: Largest of the last part's last correction, m: what is left is smaller.
+
+    time: Simulated so far, s."""
+    struct_size: int
+    torn: int
+    inverted: int
+    reserved: int
+    steps: int
+    parts: int
+    linearisations: int
+    corrections_dropped: int
+    forced: int
+    last_move: float
+    last_correction: float
+    time: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("torn", c_uint32),
+        ("inverted", c_uint32),
+        ("reserved", c_uint32),
+        ("steps", c_uint64),
+        ("parts", c_uint64),
+        ("linearisations", c_uint64),
+        ("corrections_dropped", c_uint64),
+        ("forced", c_uint64),
+        ("last_move", c_double),
+        ("last_correction", c_double),
+        ("time", c_double),
+    ]
+
+
+class DrainStatistics(NamedTuple):
+    """Counters since creation, and figures of the last step. Fields as vbss_drain_statistics says."""
+    torn: int
+    inverted: int
+    steps: int
+    parts: int
+    linearisations: int
+    corrections_dropped: int
+    forced: int
+    last_move: float
+    last_correction: float
+    time: float
+
+
+VALUES[vbss_drain_statistics] = DrainStatistics
+
+
+FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "vbss_drain_config_init": (c_int32, (POINTER(vbss_drain_config), c_uint32)),
+    "vbss_drain_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_drain_config),
+        POINTER(POINTER(vbss_drain)))),
+    "vbss_drain_destroy": (c_int32, (POINTER(vbss_drain),)),
+    "vbss_drain_step": (c_int32, (POINTER(vbss_drain), c_double)),
+    "vbss_drain_set_state": (c_int32, (POINTER(vbss_drain), POINTER(c_double), POINTER(c_double),
+        c_uint32)),
+    "vbss_drain_attachment_init": (c_int32, (POINTER(vbss_drain_attachment), c_uint32)),
+    "vbss_drain_attach": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_attachment),
+        POINTER(c_uint32))),
+    "vbss_drain_move": (c_int32, (POINTER(vbss_drain), c_uint32, POINTER(c_double))),
+    "vbss_drain_detach": (c_int32, (POINTER(vbss_drain), c_uint32)),
+    "vbss_drain_get_reaction": (c_int32, (POINTER(vbss_drain), c_uint32, POINTER(c_double))),
+    "vbss_drain_get_places": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_places), c_uint32)),
+    "vbss_drain_get_gap": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_gap), c_uint32)),
+    "vbss_drain_get_view": (c_int32, (POINTER(vbss_drain), c_int32, POINTER(vbss_view), c_uint32)),
+    "vbss_drain_get_energies": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_energies),
+        c_uint32)),
+    "vbss_drain_get_statistics": (c_int32, (POINTER(vbss_drain), POINTER(vbss_drain_statistics),
+        c_uint32)),
+    "vbss_drain_save": (c_int32, (POINTER(vbss_drain), POINTER(c_uint8), c_uint64,
+        POINTER(c_uint64))),
+    "vbss_drain_restore": (c_int32, (POINTER(vbss_drain), POINTER(c_uint8), c_uint64)),
+    "vbss_drain_get_hash": (c_int32, (POINTER(vbss_drain), POINTER(c_uint64))),
+}

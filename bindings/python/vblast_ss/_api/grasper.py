@@ -1,0 +1,328 @@
+"""grasper.h, as ctypes sees it. Written by bindings/python/generate.py: do not edit."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_double, c_int32, c_uint32
+from enum import IntEnum
+from typing import Any, ClassVar, NamedTuple
+
+from .base import Method, vbss_context, vbss_view
+from .values import VALUES
+
+
+class GrasperKind(IntEnum):
+    """The constants of vbss_grasper_kind."""
+    NEEDLE_DRIVER = 1
+    """Jaws that hold."""
+    SHEARS = 2
+    """Blades that cut."""
+
+
+class GrasperPreset(IntEnum):
+    """The constants of vbss_grasper_preset."""
+    STRAIGHT = 0
+    """A needle driver with straight jaws: the defaults."""
+    ANGLED = 1
+    """Jaws on a neck of 5 mm, bent by 0.8 rad: rolled about its shaft, the tool points its jaws at
+    the other one, which can then go round them without meeting the shaft."""
+
+
+class GrasperField(IntEnum):
+    """The constants of vbss_grasper_field."""
+    CAPSULES = 0
+    """x 7: begin and end of the axis, radius, m; shaft, the jaw at +x, the one at -x, neck."""
+
+
+class vbss_grasper(ctypes.Structure):
+    """A tool with two jaws."""
+
+
+class vbss_grasper_config(ctypes.Structure):
+    """How to make a grasper. Fill it with vbss_grasper_config_init, then change what you need.
+
+    method: Default VBSS_METHOD_OURS; the scene's must be the same.
+
+    kind: With which it begins; default VBSS_GRASPER_NEEDLE_DRIVER.
+
+    has_trocar: 1: the shaft goes through `trocar`; default 0: free.
+
+    trocar: Where the shaft enters, m, each at most 1e3; default 0.
+
+    driver_length: Of a driver's jaws, pivot to tip, m, 1e-4 to 1; default 13e-3.
+
+    driver_radius: Of each jaw, m, 1e-6 to 0.1, below the length; default 0.5e-3.
+
+    driver_bend: By which they lean from the shaft, rad, -1.5 to 1.5; default 0.
+
+    driver_opening: Angle of each from the middle when the handle is open, rad, 1e-3 to 1.2;
+    default 0.35.
+
+    shears_length: Of the blades of shears, as driver_length; default 15e-3.
+
+    shears_radius: As driver_radius; default 0.5e-3.
+
+    shears_bend: As driver_bend; default 0.
+
+    shears_opening: As driver_opening; default 0.35.
+
+    driver_neck: From the pivot back to the bend, m, 0 to 1; default 0.
+
+    shears_neck: As driver_neck; default 0.
+
+    neck_radius: Of both, m, 1e-6 to 0.1; default 1.2e-3.
+
+    shaft_length: From the bend on, m, 1e-3 to 10; default 0.15.
+
+    shaft_radius: m, 1e-6 to 0.1; default 2.5e-3.
+
+    friction: Coefficient with all but what is held, 0 to 10; default 0.15.
+
+    closing_force: Pressure of the jaws of a closed handle on what they hold, N, 0 to 1e4;
+    default 8.
+
+    closing_angle: Angle that the jaws of a closed handle would close further if nothing held
+    them, rad, 1e-3 to 1: the pressure grows over it from nothing to closing_force; default 0.1.
+
+    jaw_speed: Most of each jaw, rad/s, 1e-2 to 1e3; default 8.
+
+    grip_friction: Coefficient of each face with what is held, 0 to 10; default 0.5.
+
+    grip_length: Of thread that is held, m, 1e-5 to 1e-1; default 1e-3.
+
+    grip_stiffness: Of the clamp as a whole along the faces, N/m, 1 to 1e6; default 3000. From
+    face to face it is 64 times as stiff.
+
+    mass: Of the proxy, kg, 1e-4 to 1e2; default 0.02. It is at the tip, with a radius of
+    gyration of 30 mm.
+
+    stiffness: Of the virtual coupling, N/m, 0 to 1e9; default 400: for haptic arms; scripted
+    hands may take 2000, with 10 N s/m.
+
+    damping: N s/m, 0 to 1e6; default 5. A hand that gets its force d after its pose was read,
+    held for h, wants at least stiffness (d + h / 2), or the coupling feeds it.
+
+    turning_stiffness: N m/rad, 0 to 1e9; default 5.
+
+    turning_damping: N m s/rad, 0 to 1e6; default 0.05.
+
+    exchange_centre: Tools are exchanged only with empty jaws and with the tip further than
+    exchange_distance from here, m, each at most 1e3; default 0.
+
+    exchange_distance: m, 0 to 1e3; default 0: anywhere.
+
+    paper_stiffness: PAPER: k_s of the force to the hand, k_s (stretched length - length), N/m,
+    0 to 1e6; default 50.
+
+    paper_distance: PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3.
+
+    needle_stiffness: Of the clamp on either, the same in all directions, N/m, 1 to 1e7; default
+    3e4.
+
+    needle_turning_stiffness: Of that on a needle about the normal of the jaws' faces, N m/rad,
+    1e-6 to 1e4; about axes in them half of it; default 0.5.
+
+    needle_torque: Torque that jaws of a closed handle bear before the needle turns in them, N
+    m, 0 to 1e2; default 0.03 (not verified). Of jaws that press less, less in proportion.
+
+    solenoid_opening: See vbss_grasper_state::solenoid; 0 to 1; default 0.2."""
+    struct_size: int
+    method: int
+    kind: int
+    has_trocar: int
+    trocar: Any
+    driver_length: float
+    driver_radius: float
+    driver_bend: float
+    driver_opening: float
+    shears_length: float
+    shears_radius: float
+    shears_bend: float
+    shears_opening: float
+    driver_neck: float
+    shears_neck: float
+    neck_radius: float
+    shaft_length: float
+    shaft_radius: float
+    friction: float
+    closing_force: float
+    closing_angle: float
+    jaw_speed: float
+    grip_friction: float
+    grip_length: float
+    grip_stiffness: float
+    mass: float
+    stiffness: float
+    damping: float
+    turning_stiffness: float
+    turning_damping: float
+    exchange_centre: Any
+    exchange_distance: float
+    paper_stiffness: float
+    paper_distance: float
+    needle_stiffness: float
+    needle_turning_stiffness: float
+    needle_torque: float
+    solenoid_opening: float
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "kind": GrasperKind}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("method", c_int32),
+        ("kind", c_int32),
+        ("has_trocar", c_int32),
+        ("trocar", c_double * 3),
+        ("driver_length", c_double),
+        ("driver_radius", c_double),
+        ("driver_bend", c_double),
+        ("driver_opening", c_double),
+        ("shears_length", c_double),
+        ("shears_radius", c_double),
+        ("shears_bend", c_double),
+        ("shears_opening", c_double),
+        ("driver_neck", c_double),
+        ("shears_neck", c_double),
+        ("neck_radius", c_double),
+        ("shaft_length", c_double),
+        ("shaft_radius", c_double),
+        ("friction", c_double),
+        ("closing_force", c_double),
+        ("closing_angle", c_double),
+        ("jaw_speed", c_double),
+        ("grip_friction", c_double),
+        ("grip_length", c_double),
+        ("grip_stiffness", c_double),
+        ("mass", c_double),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("turning_stiffness", c_double),
+        ("turning_damping", c_double),
+        ("exchange_centre", c_double * 3),
+        ("exchange_distance", c_double),
+        ("paper_stiffness", c_double),
+        ("paper_distance", c_double),
+        ("needle_stiffness", c_double),
+        ("needle_turning_stiffness", c_double),
+        ("needle_torque", c_double),
+        ("solenoid_opening", c_double),
+    ]
+
+
+class vbss_grasper_state(ctypes.Structure):
+    """Where a grasper is, and what acts on it.
+
+    kind: What it is now.
+
+    body: Its number in its scene; 0: it is in none.
+
+    grasp_count: Places of threads that it holds; a needle; a wall.
+
+    position: Of the tip, m.
+
+    orientation: w, x, y, z, unit.
+
+    velocity: Of the tip, m/s.
+
+    angular_velocity: rad/s.
+
+    target_position: Where the tip shall be, m.
+
+    target_orientation: What was told, as the trocar lets it be.
+
+    opening: Of the handle, as told.
+
+    jaw_angle: Of each jaw from the middle, rad.
+
+    pressure: Of the jaws on all that they hold, N.
+
+    hand_force: On the hand at the tip, N; what a device shall exert. PAPER: of the stretch of
+    what it carries.
+
+    hand_torque: On the hand about the tip, N m; PAPER: 0.
+
+    needle: Number in its scene of the needle that it holds; 0: none.
+
+    drain: The same of the drain whose wall it holds.
+
+    solenoid: 1: a solenoid that locks the handle is wanted (vbss_output_command::solenoid):
+    from when it holds a needle and the handle is closed below solenoid_opening, until it holds
+    none."""
+    struct_size: int
+    kind: int
+    body: int
+    grasp_count: int
+    position: Any
+    orientation: Any
+    velocity: Any
+    angular_velocity: Any
+    target_position: Any
+    target_orientation: Any
+    opening: float
+    jaw_angle: float
+    pressure: float
+    hand_force: Any
+    hand_torque: Any
+    needle: int
+    drain: int
+    solenoid: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": GrasperKind}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("body", c_uint32),
+        ("grasp_count", c_uint32),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("velocity", c_double * 3),
+        ("angular_velocity", c_double * 3),
+        ("target_position", c_double * 3),
+        ("target_orientation", c_double * 4),
+        ("opening", c_double),
+        ("jaw_angle", c_double),
+        ("pressure", c_double),
+        ("hand_force", c_double * 3),
+        ("hand_torque", c_double * 3),
+        ("needle", c_uint32),
+        ("drain", c_uint32),
+        ("solenoid", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class GrasperState(NamedTuple):
+    """Where a grasper is, and what acts on it. Fields as vbss_grasper_state says."""
+    kind: GrasperKind
+    body: int
+    grasp_count: int
+    position: tuple[float, ...]
+    orientation: tuple[float, ...]
+    velocity: tuple[float, ...]
+    angular_velocity: tuple[float, ...]
+    target_position: tuple[float, ...]
+    target_orientation: tuple[float, ...]
+    opening: float
+    jaw_angle: float
+    pressure: float
+    hand_force: tuple[float, ...]
+    hand_torque: tuple[float, ...]
+    needle: int
+    drain: int
+    solenoid: int
+
+
+VALUES[vbss_grasper_state] = GrasperState
+
+
+FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "vbss_grasper_config_init": (c_int32, (POINTER(vbss_grasper_config), c_uint32)),
+    "vbss_grasper_config_preset": (c_int32, (POINTER(vbss_grasper_config), c_int32)),
+    "vbss_grasper_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_grasper_config),
+        POINTER(POINTER(vbss_grasper)))),
+    "vbss_grasper_destroy": (c_int32, (POINTER(vbss_grasper),)),
+    "vbss_grasper_move": (c_int32, (POINTER(vbss_grasper), POINTER(c_double), POINTER(c_double))),
+    "vbss_grasper_set_opening": (c_int32, (POINTER(vbss_grasper), c_double)),
+    "vbss_grasper_exchange": (c_int32, (POINTER(vbss_grasper), c_int32)),
+    "vbss_grasper_get_state": (c_int32, (POINTER(vbss_grasper), POINTER(vbss_grasper_state),
+        c_uint32)),
+    "vbss_grasper_get_view": (c_int32, (POINTER(vbss_grasper), c_int32, POINTER(vbss_view),
+        c_uint32)),
+}

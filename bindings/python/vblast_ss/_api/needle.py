@@ -1,0 +1,253 @@
+"""needle.h, as ctypes sees it. Written by bindings/python/generate.py: do not edit."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_double, c_int32, c_uint32, c_uint64, c_uint8
+from enum import IntEnum
+from typing import Any, ClassVar, NamedTuple
+
+from .base import Method, vbss_context, vbss_view
+from .values import VALUES
+
+
+class NeedlePreset(IntEnum):
+    """The constants of vbss_needle_preset."""
+    PAPER = 0
+    """Half circle of radius 10.5 mm (Qi et al. 2017): the defaults."""
+    SH = 1
+    """Half circle of 26 mm, radius 8.28 mm (not verified)."""
+
+
+class NeedleField(IntEnum):
+    """The constants of vbss_needle_field."""
+    POINTS = 0
+    """x 3: ends of the capsules' axes, m, from the tip to the swage: segment_count + 1."""
+
+
+class vbss_needle(ctypes.Structure):
+    """A needle."""
+
+
+class vbss_needle_config(ctypes.Structure):
+    """How to make a needle. Fill it with vbss_needle_config_init, then change what you need.
+
+    method: Default VBSS_METHOD_OURS; the scene's must be the same.
+
+    segment_count: Capsules along the arc, 2 to 64; default 8.
+
+    radius: Of the arc's middle line, m, 1e-4 to 1; default 10.5e-3, the paper's.
+
+    wire_radius: m, 1e-6 to a fifth of radius; default 0.35e-3 (not verified).
+
+    arc: Angle from tip to swage, rad, 0.1 to 6; default pi.
+
+    density: kg/m^3, 1 to 1e5; default 7900, steel.
+
+    friction: In a scene: coefficient with other bodies, 0 to 10; default 0.2.
+
+    drag: Both momenta decay at this rate, 1/s, 0 to 1e6; default 0.
+
+    gravity: m/s^2, each at most 1e6; default 0.
+
+    position: Of the frame, m, each at most 1e3; default 0.
+
+    orientation: w, x, y, z, of any length from 1e-100 to 1e100; default 1, 0, 0, 0.
+
+    velocity: Of the frame's origin, m/s, each at most 1e5; default 0.
+
+    angular_velocity: rad/s, each at most 1e6; default 0."""
+    struct_size: int
+    method: int
+    segment_count: int
+    reserved: int
+    radius: float
+    wire_radius: float
+    arc: float
+    density: float
+    friction: float
+    drag: float
+    gravity: Any
+    position: Any
+    orientation: Any
+    velocity: Any
+    angular_velocity: Any
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("method", c_int32),
+        ("segment_count", c_uint32),
+        ("reserved", c_uint32),
+        ("radius", c_double),
+        ("wire_radius", c_double),
+        ("arc", c_double),
+        ("density", c_double),
+        ("friction", c_double),
+        ("drag", c_double),
+        ("gravity", c_double * 3),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("velocity", c_double * 3),
+        ("angular_velocity", c_double * 3),
+    ]
+
+
+class vbss_needle_state(ctypes.Structure):
+    """Where a needle is.
+
+    body: Its number in its scene; 0: it is in none.
+
+    position: Of the frame, m.
+
+    orientation: w, x, y, z, unit.
+
+    velocity: Of the frame's origin, m/s.
+
+    angular_velocity: rad/s.
+
+    tip: m.
+
+    tip_direction: Unit: where the tip points.
+
+    swage: m.
+
+    swage_direction: Unit: where the thread leaves, away from the needle."""
+    struct_size: int
+    body: int
+    position: Any
+    orientation: Any
+    velocity: Any
+    angular_velocity: Any
+    tip: Any
+    tip_direction: Any
+    swage: Any
+    swage_direction: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("body", c_uint32),
+        ("position", c_double * 3),
+        ("orientation", c_double * 4),
+        ("velocity", c_double * 3),
+        ("angular_velocity", c_double * 3),
+        ("tip", c_double * 3),
+        ("tip_direction", c_double * 3),
+        ("swage", c_double * 3),
+        ("swage_direction", c_double * 3),
+    ]
+
+
+class NeedleState(NamedTuple):
+    """Where a needle is. Fields as vbss_needle_state says."""
+    body: int
+    position: tuple[float, ...]
+    orientation: tuple[float, ...]
+    velocity: tuple[float, ...]
+    angular_velocity: tuple[float, ...]
+    tip: tuple[float, ...]
+    tip_direction: tuple[float, ...]
+    swage: tuple[float, ...]
+    swage_direction: tuple[float, ...]
+
+
+VALUES[vbss_needle_state] = NeedleState
+
+
+class vbss_needle_mass(ctypes.Structure):
+    """What a needle weighs.
+
+    mass: kg.
+
+    length: Of the middle line, m.
+
+    centre: Centre of mass in the needle's frame, m.
+
+    inertia: Principal moments about it, kg m^2.
+
+    axes: Unit, of the moments in turn, in the needle's frame."""
+    struct_size: int
+    reserved: int
+    mass: float
+    length: float
+    centre: Any
+    inertia: Any
+    axes: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("mass", c_double),
+        ("length", c_double),
+        ("centre", c_double * 3),
+        ("inertia", c_double * 3),
+        ("axes", (c_double * 3) * 3),
+    ]
+
+
+class NeedleMass(NamedTuple):
+    """What a needle weighs. Fields as vbss_needle_mass says."""
+    mass: float
+    length: float
+    centre: tuple[float, ...]
+    inertia: tuple[float, ...]
+    axes: tuple[tuple[float, ...], ...]
+
+
+VALUES[vbss_needle_mass] = NeedleMass
+
+
+class vbss_needle_energies(ctypes.Structure):
+    """Energies, J.
+
+    kinetic: Of translation and rotation.
+
+    gravity: Zero at the world's origin.
+
+    total: Their sum."""
+    struct_size: int
+    reserved: int
+    kinetic: float
+    gravity: float
+    total: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("kinetic", c_double),
+        ("gravity", c_double),
+        ("total", c_double),
+    ]
+
+
+class NeedleEnergies(NamedTuple):
+    """Energies, J. Fields as vbss_needle_energies says."""
+    kinetic: float
+    gravity: float
+    total: float
+
+
+VALUES[vbss_needle_energies] = NeedleEnergies
+
+
+FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "vbss_needle_config_init": (c_int32, (POINTER(vbss_needle_config), c_uint32)),
+    "vbss_needle_config_preset": (c_int32, (POINTER(vbss_needle_config), c_int32)),
+    "vbss_needle_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_needle_config),
+        POINTER(POINTER(vbss_needle)))),
+    "vbss_needle_destroy": (c_int32, (POINTER(vbss_needle),)),
+    "vbss_needle_step": (c_int32, (POINTER(vbss_needle), c_double)),
+    "vbss_needle_set_state": (c_int32, (POINTER(vbss_needle), POINTER(c_double), POINTER(c_double),
+        POINTER(c_double), POINTER(c_double))),
+    "vbss_needle_get_state": (c_int32, (POINTER(vbss_needle), POINTER(vbss_needle_state),
+        c_uint32)),
+    "vbss_needle_get_mass": (c_int32, (POINTER(vbss_needle), POINTER(vbss_needle_mass), c_uint32)),
+    "vbss_needle_get_place": (c_int32, (POINTER(vbss_needle), c_double, POINTER(c_double),
+        POINTER(c_double))),
+    "vbss_needle_get_energies": (c_int32, (POINTER(vbss_needle), POINTER(vbss_needle_energies),
+        c_uint32)),
+    "vbss_needle_get_view": (c_int32, (POINTER(vbss_needle), c_int32, POINTER(vbss_view),
+        c_uint32)),
+    "vbss_needle_save": (c_int32, (POINTER(vbss_needle), POINTER(c_uint8), c_uint64,
+        POINTER(c_uint64))),
+    "vbss_needle_restore": (c_int32, (POINTER(vbss_needle), POINTER(c_uint8), c_uint64)),
+    "vbss_needle_get_hash": (c_int32, (POINTER(vbss_needle), POINTER(c_uint64))),
+}

@@ -1,0 +1,198 @@
+"""record.h, as ctypes sees it. Written by bindings/python/generate.py: do not edit."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_char_p, c_double, c_int32, c_uint32, c_uint64, c_uint8, c_void_p
+from enum import IntEnum
+from typing import Any, ClassVar, NamedTuple
+
+from .base import vbss_context
+from .scene import vbss_scene, vbss_scene_config
+from .thread import vbss_thread_attachment
+from .values import VALUES
+
+
+class ReplayOutcome(IntEnum):
+    """The constants of vbss_replay_outcome."""
+    STEPPED = 0
+    """On its way; all hashes so far agree."""
+    ENDED = 1
+    """The log has ended as it should; all hashes agree."""
+    DIFFERS = 2
+    """The state after `step` is not the recorded one."""
+    STOPPED = 3
+    """The call has failed: the log is cut off or damaged, or a step is refused."""
+
+
+class vbss_record(ctypes.Structure):
+    """Writes the log of one scene."""
+
+
+class vbss_replay(ctypes.Structure):
+    """Reads a log."""
+
+
+class vbss_record_config(ctypes.Structure):
+    """How to write a log. Fill it with vbss_record_config_init, then change what you need.
+
+    hash_interval: The state is hashed every so many steps, 1 to 1e9; default 1.
+
+    input_capacity: Most inputs before a step, 0 to 65536; default 64.
+
+    note_bytes: Size of the note, at most 2^24; default 0.
+
+    buffer_bytes: Room for what the host has not taken yet, beyond the begin of the log, in
+    bytes, 4096 to 2^30; default 2^20. A step in which two rigid bodies move takes 262, one in
+    which two graspers move and open 320.
+
+    note: Anything the host wants to find in the log again, such as what its scene is made from;
+    NULL (default) when note_bytes is 0. Copied."""
+    struct_size: int
+    hash_interval: int
+    input_capacity: int
+    note_bytes: int
+    buffer_bytes: int
+    note: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("hash_interval", c_uint32),
+        ("input_capacity", c_uint32),
+        ("note_bytes", c_uint32),
+        ("buffer_bytes", c_uint64),
+        ("note", c_void_p),
+    ]
+
+
+class vbss_replay_info(ctypes.Structure):
+    """What a log says about itself.
+
+    library_version: Of the library that wrote it, as VBSS_VERSION_NUM.
+
+    hash_interval: As it was recorded.
+
+    note_bytes: Size of the note.
+
+    snapshot_bytes: Size of the snapshot it begins with.
+
+    log_bytes: Size of the log, what may be cut off or damaged included.
+
+    build_info: Of the library that wrote it; lives as long as the replay.
+
+    note: The host's note; never NULL; lives as long as the replay."""
+    struct_size: int
+    library_version: int
+    hash_interval: int
+    note_bytes: int
+    snapshot_bytes: int
+    log_bytes: int
+    build_info: Any
+    note: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("library_version", c_uint32),
+        ("hash_interval", c_uint32),
+        ("note_bytes", c_uint32),
+        ("snapshot_bytes", c_uint64),
+        ("log_bytes", c_uint64),
+        ("build_info", c_char_p),
+        ("note", c_void_p),
+    ]
+
+
+class ReplayInfo(NamedTuple):
+    """What a log says about itself. Fields as vbss_replay_info says."""
+    library_version: int
+    hash_interval: int
+    note_bytes: int
+    snapshot_bytes: int
+    log_bytes: int
+    build_info: Any
+    note: Any
+
+
+VALUES[vbss_replay_info] = ReplayInfo
+
+
+class vbss_replay_report(ctypes.Structure):
+    """Where a replay is, and what it has found.
+
+    outcome: How far it is.
+
+    step: Number of the last step that was made, from 1 on; 0: none.
+
+    agreed_step: Number of the last step whose hash was recorded and agrees; 0: only the begin
+    does. The first step that differs comes after it and is `step` at the latest.
+
+    recorded_hash: After `step`; 0 where none was recorded.
+
+    found_hash: Of the scene that is replayed; 0 where none was recorded.
+
+    position: Byte of the log at which the next record begins."""
+    struct_size: int
+    outcome: int
+    step: int
+    agreed_step: int
+    recorded_hash: int
+    found_hash: int
+    position: int
+    _kinds_: ClassVar[dict[str, Any]] = {"outcome": ReplayOutcome}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("outcome", c_int32),
+        ("step", c_uint64),
+        ("agreed_step", c_uint64),
+        ("recorded_hash", c_uint64),
+        ("found_hash", c_uint64),
+        ("position", c_uint64),
+    ]
+
+
+class ReplayReport(NamedTuple):
+    """Where a replay is, and what it has found. Fields as vbss_replay_report says."""
+    outcome: ReplayOutcome
+    step: int
+    agreed_step: int
+    recorded_hash: int
+    found_hash: int
+    position: int
+
+
+VALUES[vbss_replay_report] = ReplayReport
+
+
+FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "vbss_record_config_init": (c_int32, (POINTER(vbss_record_config), c_uint32)),
+    "vbss_record_create": (c_int32, (POINTER(vbss_scene), POINTER(vbss_record_config),
+        POINTER(POINTER(vbss_record)))),
+    "vbss_record_destroy": (c_int32, (POINTER(vbss_record),)),
+    "vbss_record_take": (c_int32, (POINTER(vbss_record), POINTER(POINTER(c_uint8)),
+        POINTER(c_uint64))),
+    "vbss_record_move_rigid": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
+        POINTER(c_double))),
+    "vbss_record_move_grasper": (c_int32, (POINTER(vbss_record), c_uint32, POINTER(c_double),
+        POINTER(c_double))),
+    "vbss_record_set_opening": (c_int32, (POINTER(vbss_record), c_uint32, c_double)),
+    "vbss_record_exchange": (c_int32, (POINTER(vbss_record), c_uint32, c_int32)),
+    "vbss_record_pin_thread": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32, c_uint32,
+        POINTER(c_double), POINTER(c_uint32))),
+    "vbss_record_unpin_thread": (c_int32, (POINTER(vbss_record), c_uint32)),
+    "vbss_record_cut_thread": (c_int32, (POINTER(vbss_record), c_uint32, c_double,
+        POINTER(c_uint32))),
+    "vbss_record_attach": (c_int32, (POINTER(vbss_record), c_uint32,
+        POINTER(vbss_thread_attachment), POINTER(c_uint32))),
+    "vbss_record_move_attachment": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32,
+        POINTER(c_double), POINTER(c_double))),
+    "vbss_record_detach": (c_int32, (POINTER(vbss_record), c_uint32, c_uint32)),
+    "vbss_record_step": (c_int32, (POINTER(vbss_record), c_double)),
+    "vbss_record_end": (c_int32, (POINTER(vbss_record),)),
+    "vbss_replay_create": (c_int32, (POINTER(vbss_context), POINTER(c_uint8), c_uint64,
+        POINTER(POINTER(vbss_replay)))),
+    "vbss_replay_destroy": (c_int32, (POINTER(vbss_replay),)),
+    "vbss_replay_get_info": (c_int32, (POINTER(vbss_replay), POINTER(vbss_replay_info), c_uint32)),
+    "vbss_replay_get_scene_config": (c_int32, (POINTER(vbss_replay), POINTER(vbss_scene_config))),
+    "vbss_replay_check": (c_int32, (POINTER(vbss_replay), POINTER(c_uint64))),
+    "vbss_replay_begin": (c_int32, (POINTER(vbss_replay), POINTER(vbss_scene))),
+    "vbss_replay_step": (c_int32, (POINTER(vbss_replay), POINTER(vbss_replay_report), c_uint32)),
+}

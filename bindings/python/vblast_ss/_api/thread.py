@@ -1,0 +1,586 @@
+"""thread.h, as ctypes sees it. Written by bindings/python/generate.py: do not edit."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_double, c_int32, c_uint32, c_uint64, c_uint8
+from enum import IntEnum
+from typing import Any, ClassVar, NamedTuple
+
+from .base import Method, vbss_context, vbss_view
+from .values import VALUES
+
+
+class Bending(IntEnum):
+    """The constants of vbss_bending."""
+    SPLINE = 0
+    """Fourth order: the energy of the cubic spline through the nodes, cut off to neighbours three
+    apart; a segment's length is that of its arc."""
+    LOCAL = 1
+    """Second order: each node sees its two neighbours only; a segment's length is its chord."""
+
+
+class Mesh(IntEnum):
+    """The constants of vbss_mesh."""
+    FIXED = 0
+    """Nodes and rest lengths stay as they were created."""
+    ADAPTIVE = 1
+    """Segments are divided where the thread is bent or near something, and nodes removed where it
+    is straight and alone, between two steps: docs/adaptive.md. Numbers of nodes and segments
+    change with it, those of attachments, pins, grasps and contacts too. Method OURS."""
+
+
+class ThreadPreset(IntEnum):
+    """The constants of vbss_thread_preset."""
+    SILK_2_0 = 0
+    """2-0 silk: 0.32 mm, 1.05e-4 kg/m, EA = 700 N (8.7 GPa), EI = 2.7e-8 N m^2. Diameter by USP
+    <861> (0.30 to 0.339 mm), density of a solid braid; EI is the paper thread's, scaled with
+    the fourth power of the radius, and uncertain by a factor of five."""
+    PAPER_THREAD = 1
+    """The thread of VBLaST-SS: 0.25 mm, 6.4e-5 kg/m, EA = 427 N, EI = 1e-8 N m^2."""
+
+
+class AttachmentKind(IntEnum):
+    """The constants of vbss_attachment_kind."""
+    PIN = 0
+    """The node is where `position` says."""
+    CLAMP = 1
+    """Also the thread's direction at the node is `direction`."""
+    FORCE = 2
+    """`force` pulls at the node."""
+    SPRING = 3
+    """A spring-damper from `position` to the node."""
+    MASS = 4
+    """`mass` sits on the node and is accelerated and weighed with it."""
+
+
+class ThreadField(IntEnum):
+    """The constants of vbss_thread_field. n is the number of nodes."""
+    POSITIONS = 0
+    """n x 3 doubles, m."""
+    VELOCITIES = 1
+    """n x 3 doubles, m/s."""
+    REST_LENGTHS = 2
+    """n - 1 doubles, m."""
+    LENGTHS = 3
+    """n - 1 doubles, m: of chords, or of arcs with BENDING_SPLINE."""
+    TENSIONS = 4
+    """n - 1 doubles, N, at the end of the last step."""
+    CURVATURES = 5
+    """n x 3 doubles, 1/m: from the node to the centre of curvature."""
+    SECTIONS = 6
+    """First node of each section, uint32_t; the last ends at node n - 1."""
+    SAGITTAS = 7
+    """n - 1 doubles, m: what the mesh leaves out of the shape, the sagitta of each segment: rest
+    length^2 / 8 times the larger curvature at its two nodes. Of any mesh."""
+
+
+class vbss_thread(ctypes.Structure):
+    """A suture thread."""
+
+
+class vbss_thread_config(ctypes.Structure):
+    """How to make a thread. Fill it with vbss_thread_config_init, then change what you need.
+
+    method: Default VBSS_METHOD_OURS.
+
+    bending: Default VBSS_BENDING_SPLINE; read by method OURS.
+
+    segment_count: 1 to 65536; default 120.
+
+    attachment_capacity: Most attachments at a time, 0 to 256; default 8.
+
+    cut_capacity: Most cuts of this thread and its pieces, 0 to 64; default 0.
+
+    length: m, 1e-6 to 1e3, at least 1e-7 a segment; default 0.15; ignored with rest_lengths.
+
+    radius: m, 1e-7 to 0.1; default of VBSS_PRESET_PAPER_THREAD. For contact and display to
+    come; without effect on a thread alone.
+
+    linear_density: kg/m, 1e-9 to 1e3; default of that preset.
+
+    axial_stiffness: EA in N, 1e-6 to 1e9; default of that preset.
+
+    bending_stiffness: EI in N m^2, 0 to 1e3; default of that preset.
+
+    rest_curvature: 1/m, 0 to 1e4; default 0. Its plane is free, as there is no twist.
+
+    gravity: m/s^2, each at most 1e6; default (0, -9.81, 0).
+
+    drag: Force -drag * mass * velocity, 1/s, 0 to 1e6; default 0.
+
+    damping: Rate at which motion relative to the rigid motion of each section dies away, 1/s, 0
+    to 1e6; default 0. Keeps linear and angular momentum. Read by method OURS.
+
+    start: Node 0, m, each at most 1e3; default (0, 0, 0); ignored with positions.
+
+    direction: From node 0 on, of any length from 1e-100 to 1e100; default (1, 0, 0); ignored
+    with positions.
+
+    rest_lengths: Rest length of each segment, m, 1e-7 to 1e2; segment_count values, or NULL
+    (default) for length / segment_count each. vbss_thread_grade fills such an array. Copied.
+
+    positions: Positions of the nodes, m, each at most 1e3; 3 (segment_count + 1) values, or
+    NULL (default) for a straight thread from start along direction. Copied.
+
+    spectral_radius: Method OURS: spectral radius at infinite frequency of the time integration,
+    0 (strongest damping) to 1 (none); default 0.3. Above 0.5 stiff motion may gain energy.
+
+    stretch_tolerance: Method OURS: largest stretch error that a step may leave, 1e-12 to 1e-2;
+    default 1e-6.
+
+    position_tolerance: Method OURS: largest distance that a further linearisation would move a
+    node, m, 1e-12 to 1; an estimate; default 1e-6.
+
+    iteration_limit: Method OURS: linearisations of a try, 1 to 100; default 40. Smooth motion
+    takes one or two, the worst that was met (ends shaken by 3 mm every ms) 300 in a step with
+    its halves.
+
+    halving_limit: Method OURS: how often a step is halved before its state is taken as it is, 0
+    to 10; default 5. Such states are counted in `forced`: look at it.
+
+    paper_stiffness: Method PAPER: spring constant of a segment, N/m, 0 to 1e9; default 0:
+    chosen from mass and step as docs/paper-thread.md says.
+
+    paper_damping: Method PAPER: share of the velocity relative to the section's rigid motion
+    that is removed at each explicit step, 0 to 1; default 0.
+
+    paper_substeps: Method PAPER: explicit steps in one step, 1 to 100000; 0 (default): as many
+    as the stiffest bending mode and the tension need.
+
+    paper_iteration_limit: Method PAPER: of the projection, 1 to 1000; default 50.
+
+    paper_tolerance: Method PAPER: largest |C| / l of a section, 1e-14 to 1; default 1e-6.
+
+    mesh: Default VBSS_MESH_FIXED, which reads none of what follows.
+
+    node_capacity: ADAPTIVE: most nodes, segment_count + 1 to 65537; 0 (default): four times as
+    many segments as at first, at most 65536. A scene must have room for all of them when the
+    thread is added.
+
+    finest_length: ADAPTIVE: length of the finest segments, m, 1e-7 to coarsest_length; default
+    3e-4, 1.2 diameters of the paper's thread, at which a tight knot is converged. As segments
+    are halved, theirs is within 0.63 and 1.25 of it: begin with it times a power of two.
+
+    coarsest_length: ADAPTIVE: no node is removed where a segment longer than 1.25 times this
+    would be left, m, at most 1e2; default 2e-3.
+
+    refine_angle: ADAPTIVE: curvature times length, rad, above which a segment is divided, 0.01
+    to 1; default 0.25.
+
+    coarsen_angle: ADAPTIVE: the same below which a node may be removed, 0 to half of
+    refine_angle; default 0.05.
+
+    near_distance: ADAPTIVE, in a scene: gap, m, to another strand below which a segment is
+    divided down to finest_length, and to a tool down to a quarter of its radius; 0 to 0.1;
+    default 1e-3. The floor does not count.
+
+    clear_distance: ADAPTIVE, in a scene: gap, m, within which nothing may be where a node is
+    removed; near_distance to 0.1; default 3e-3.
+
+    mesh_operations: ADAPTIVE: most divisions and removals after a step, 0 to 64; default 4."""
+    struct_size: int
+    method: int
+    bending: int
+    segment_count: int
+    attachment_capacity: int
+    cut_capacity: int
+    length: float
+    radius: float
+    linear_density: float
+    axial_stiffness: float
+    bending_stiffness: float
+    rest_curvature: float
+    gravity: Any
+    drag: float
+    damping: float
+    start: Any
+    direction: Any
+    rest_lengths: Any
+    positions: Any
+    spectral_radius: float
+    stretch_tolerance: float
+    position_tolerance: float
+    iteration_limit: int
+    halving_limit: int
+    paper_stiffness: float
+    paper_damping: float
+    paper_substeps: int
+    paper_iteration_limit: int
+    paper_tolerance: float
+    mesh: int
+    node_capacity: int
+    finest_length: float
+    coarsest_length: float
+    refine_angle: float
+    coarsen_angle: float
+    near_distance: float
+    clear_distance: float
+    mesh_operations: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "bending": Bending, "mesh": Mesh}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("method", c_int32),
+        ("bending", c_int32),
+        ("segment_count", c_uint32),
+        ("attachment_capacity", c_uint32),
+        ("cut_capacity", c_uint32),
+        ("length", c_double),
+        ("radius", c_double),
+        ("linear_density", c_double),
+        ("axial_stiffness", c_double),
+        ("bending_stiffness", c_double),
+        ("rest_curvature", c_double),
+        ("gravity", c_double * 3),
+        ("drag", c_double),
+        ("damping", c_double),
+        ("start", c_double * 3),
+        ("direction", c_double * 3),
+        ("rest_lengths", POINTER(c_double)),
+        ("positions", POINTER(c_double)),
+        ("spectral_radius", c_double),
+        ("stretch_tolerance", c_double),
+        ("position_tolerance", c_double),
+        ("iteration_limit", c_uint32),
+        ("halving_limit", c_uint32),
+        ("paper_stiffness", c_double),
+        ("paper_damping", c_double),
+        ("paper_substeps", c_uint32),
+        ("paper_iteration_limit", c_uint32),
+        ("paper_tolerance", c_double),
+        ("mesh", c_int32),
+        ("node_capacity", c_uint32),
+        ("finest_length", c_double),
+        ("coarsest_length", c_double),
+        ("refine_angle", c_double),
+        ("coarsen_angle", c_double),
+        ("near_distance", c_double),
+        ("clear_distance", c_double),
+        ("mesh_operations", c_uint32),
+        ("reserved", c_uint32),
+    ]
+
+
+class vbss_thread_attachment(ctypes.Structure):
+    """Something that acts on one node. Fill it with vbss_thread_attachment_init.
+
+    kind: Default VBSS_ATTACHMENT_PIN.
+
+    node: 0 to segment_count; default 0.
+
+    position: PIN, CLAMP: where the node is taken in the next step, m, each at most 1e3; SPRING:
+    its end.
+
+    direction: CLAMP: toward higher nodes, of any length from 1e-100 to 1e100; default (1, 0,
+    0). A thread that has moved is turned there in the next step.
+
+    force: FORCE: N, each at most 1e6.
+
+    stiffness: SPRING: N/m, 0 to 1e9.
+
+    damping: SPRING: of the velocity relative to the moving end, N s/m, 0 to 1e6.
+
+    mass: MASS: kg, 0 to 1e3."""
+    struct_size: int
+    kind: int
+    node: int
+    reserved: int
+    position: Any
+    direction: Any
+    force: Any
+    stiffness: float
+    damping: float
+    mass: float
+    _kinds_: ClassVar[dict[str, Any]] = {"kind": AttachmentKind}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("kind", c_int32),
+        ("node", c_uint32),
+        ("reserved", c_uint32),
+        ("position", c_double * 3),
+        ("direction", c_double * 3),
+        ("force", c_double * 3),
+        ("stiffness", c_double),
+        ("damping", c_double),
+        ("mass", c_double),
+    ]
+
+
+class vbss_thread_reaction(ctypes.Structure):
+    """What an attachment did in the last step.
+
+    node: The node, as cuts have renumbered it.
+
+    force: Of the attachment on the thread, N, at the end of the step.
+
+    torque: CLAMP: of the attachment on the thread, N m; else 0."""
+    struct_size: int
+    node: int
+    force: Any
+    torque: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("node", c_uint32),
+        ("force", c_double * 3),
+        ("torque", c_double * 3),
+    ]
+
+
+class ThreadReaction(NamedTuple):
+    """What an attachment did in the last step. Fields as vbss_thread_reaction says."""
+    node: int
+    force: tuple[float, ...]
+    torque: tuple[float, ...]
+
+
+VALUES[vbss_thread_reaction] = ThreadReaction
+
+
+class vbss_thread_energies(ctypes.Structure):
+    """Energies of a thread, J.
+
+    kinetic: Attached masses included.
+
+    stretching: Elastic, of EA.
+
+    bending: Elastic, of EI.
+
+    gravity: Potential, zero at the origin; attached masses included.
+
+    total: Of the four."""
+    struct_size: int
+    reserved: int
+    kinetic: float
+    stretching: float
+    bending: float
+    gravity: float
+    total: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("kinetic", c_double),
+        ("stretching", c_double),
+        ("bending", c_double),
+        ("gravity", c_double),
+        ("total", c_double),
+    ]
+
+
+class ThreadEnergies(NamedTuple):
+    """Energies of a thread, J. Fields as vbss_thread_energies says."""
+    kinetic: float
+    stretching: float
+    bending: float
+    gravity: float
+    total: float
+
+
+VALUES[vbss_thread_energies] = ThreadEnergies
+
+
+class vbss_thread_momentum(ctypes.Structure):
+    """Momentum of a thread, attached masses included.
+
+    mass: kg.
+
+    centre: Centre of mass, m.
+
+    linear: kg m/s.
+
+    angular: About the origin, kg m^2/s."""
+    struct_size: int
+    reserved: int
+    mass: float
+    centre: Any
+    linear: Any
+    angular: Any
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("mass", c_double),
+        ("centre", c_double * 3),
+        ("linear", c_double * 3),
+        ("angular", c_double * 3),
+    ]
+
+
+class ThreadMomentum(NamedTuple):
+    """Momentum of a thread, attached masses included. Fields as vbss_thread_momentum says."""
+    mass: float
+    centre: tuple[float, ...]
+    linear: tuple[float, ...]
+    angular: tuple[float, ...]
+
+
+VALUES[vbss_thread_momentum] = ThreadMomentum
+
+
+class vbss_thread_statistics(ctypes.Structure):
+    """Counters since creation, and figures of the last step.
+
+    last_iterations: Linearisations, or projection iterations, of the last step.
+
+    steps: Calls of vbss_thread_step that succeeded.
+
+    iterations: OURS: linearisations; PAPER: iterations of the projection.
+
+    substeps: Accepted parts of steps; equal to steps if none was divided.
+
+    first_order: OURS: substeps made by backward Euler.
+
+    rejections: OURS: tries that were undone and halved.
+
+    forced: OURS: substeps accepted unconverged, at the last halving.
+
+    fallbacks: PAPER: sections that did not converge, point constraints alone.
+
+    softened: OURS: linearisations made again with less compression, parts that started from the
+    old positions as the prediction was no start, and parts in which the pull of rest curvature
+    was held.
+
+    last_stretch_error: OURS: max |length / rest length - 1 - T / EA| after the last step;
+    PAPER: max |length / rest length - 1|.
+
+    stretch_error: Largest so far, after any part of a step.
+
+    last_stretch: max (length / rest length - 1) after the last step.
+
+    time: Simulated so far, s.
+
+    refined: Segments divided.
+
+    coarsened: Nodes removed.
+
+    laid_on_chord: Of the divided: those whose new node was laid on the chord instead of the
+    arc, for want of room.
+
+    refused_capacity: Divisions for which there was no node left, in thread or scene. Each time
+    it is asked.
+
+    refused_held: Changes that were wanted at or beside attachments, pins, grasps or the ends at
+    a cut. Each time it is asked.
+
+    refused_near: Removals for which something was too near. Each time it is asked.
+
+    nodes: Now; of a fixed mesh too.
+
+    most_nodes: So far; of a fixed mesh 0.
+
+    sagitta: Largest of VBSS_THREAD_SAGITTAS now, m; of a fixed mesh too."""
+    struct_size: int
+    last_iterations: int
+    steps: int
+    iterations: int
+    substeps: int
+    first_order: int
+    rejections: int
+    forced: int
+    fallbacks: int
+    softened: int
+    last_stretch_error: float
+    stretch_error: float
+    last_stretch: float
+    time: float
+    refined: int
+    coarsened: int
+    laid_on_chord: int
+    refused_capacity: int
+    refused_held: int
+    refused_near: int
+    nodes: int
+    most_nodes: int
+    sagitta: float
+    _kinds_: ClassVar[dict[str, Any]] = {}
+    _fields_ = [
+        ("struct_size", c_uint32),
+        ("last_iterations", c_uint32),
+        ("steps", c_uint64),
+        ("iterations", c_uint64),
+        ("substeps", c_uint64),
+        ("first_order", c_uint64),
+        ("rejections", c_uint64),
+        ("forced", c_uint64),
+        ("fallbacks", c_uint64),
+        ("softened", c_uint64),
+        ("last_stretch_error", c_double),
+        ("stretch_error", c_double),
+        ("last_stretch", c_double),
+        ("time", c_double),
+        ("refined", c_uint64),
+        ("coarsened", c_uint64),
+        ("laid_on_chord", c_uint64),
+        ("refused_capacity", c_uint64),
+        ("refused_held", c_uint64),
+        ("refused_near", c_uint64),
+        ("nodes", c_uint32),
+        ("most_nodes", c_uint32),
+        ("sagitta", c_double),
+    ]
+
+
+class ThreadStatistics(NamedTuple):
+    """Counters since creation, and figures of the last step. Fields as vbss_thread_statistics
+    says."""
+    last_iterations: int
+    steps: int
+    iterations: int
+    substeps: int
+    first_order: int
+    rejections: int
+    forced: int
+    fallbacks: int
+    softened: int
+    last_stretch_error: float
+    stretch_error: float
+    last_stretch: float
+    time: float
+    refined: int
+    coarsened: int
+    laid_on_chord: int
+    refused_capacity: int
+    refused_held: int
+    refused_near: int
+    nodes: int
+    most_nodes: int
+    sagitta: float
+
+
+VALUES[vbss_thread_statistics] = ThreadStatistics
+
+
+FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
+    "vbss_thread_config_init": (c_int32, (POINTER(vbss_thread_config), c_uint32)),
+    "vbss_thread_config_preset": (c_int32, (POINTER(vbss_thread_config), c_int32)),
+    "vbss_thread_grade": (c_int32, (c_double, c_double, c_double, c_double, c_double,
+        POINTER(c_double), c_uint32, POINTER(c_uint32))),
+    "vbss_thread_create": (c_int32, (POINTER(vbss_context), POINTER(vbss_thread_config),
+        POINTER(POINTER(vbss_thread)))),
+    "vbss_thread_destroy": (c_int32, (POINTER(vbss_thread),)),
+    "vbss_thread_step": (c_int32, (POINTER(vbss_thread), c_double)),
+    "vbss_thread_set_state": (c_int32, (POINTER(vbss_thread), POINTER(c_double), POINTER(c_double),
+        c_uint32)),
+    "vbss_thread_attachment_init": (c_int32, (POINTER(vbss_thread_attachment), c_uint32)),
+    "vbss_thread_attach": (c_int32, (POINTER(vbss_thread), POINTER(vbss_thread_attachment),
+        POINTER(c_uint32))),
+    "vbss_thread_move": (c_int32, (POINTER(vbss_thread), c_uint32, POINTER(c_double),
+        POINTER(c_double))),
+    "vbss_thread_detach": (c_int32, (POINTER(vbss_thread), c_uint32)),
+    "vbss_thread_get_reaction": (c_int32, (POINTER(vbss_thread), c_uint32,
+        POINTER(vbss_thread_reaction), c_uint32)),
+    "vbss_thread_cut": (c_int32, (POINTER(vbss_thread), c_double, POINTER(POINTER(vbss_thread)))),
+    "vbss_thread_get_view": (c_int32, (POINTER(vbss_thread), c_int32, POINTER(vbss_view),
+        c_uint32)),
+    "vbss_thread_get_energies": (c_int32, (POINTER(vbss_thread), POINTER(vbss_thread_energies),
+        c_uint32)),
+    "vbss_thread_get_momentum": (c_int32, (POINTER(vbss_thread), POINTER(vbss_thread_momentum),
+        c_uint32)),
+    "vbss_thread_get_statistics": (c_int32, (POINTER(vbss_thread), POINTER(vbss_thread_statistics),
+        c_uint32)),
+    "vbss_thread_save": (c_int32, (POINTER(vbss_thread), POINTER(c_uint8), c_uint64,
+        POINTER(c_uint64))),
+    "vbss_thread_restore": (c_int32, (POINTER(vbss_thread), POINTER(c_uint8), c_uint64)),
+    "vbss_thread_get_hash": (c_int32, (POINTER(vbss_thread), POINTER(c_uint64))),
+}
