@@ -166,7 +166,6 @@ def struct_lines(struct: headers.Struct, names: Names) -> list[str]:
         lines += docstring(struct.text + f" Fields as {struct.name} says.", "    ")
         lines += [f"    {f.name}: {names.value(f)}" for f in struct.fields
                   if f.name != "struct_size" and not f.name.startswith("reserved")]
-        lines += ["", "", f"VALUES[{struct.name}] = {camel(struct.name)}"]
     return lines
 
 
@@ -224,8 +223,6 @@ def head(header: headers.Header, names: Names, body: list[str]) -> str:
     wanted: dict[str, list[str]] = {}
     for word in sorted(words & set(names.home) - own):
         wanted.setdefault(names.home[word], []).append(word)
-    if "VALUES" in words:
-        wanted.setdefault("values", []).append("VALUES")
     lines.append("")
     for home, some in sorted(wanted.items()):
         text = f"from .{home} import {', '.join(some)}"
@@ -241,17 +238,13 @@ def generate(include: pathlib.Path = INCLUDE) -> dict[str, str]:
     all_headers = headers.read_all(include)
     names = Names(all_headers)
     files = {f"{header.name}.py": module(header, names) for header in all_headers}
-    files["values.py"] = ('"""Struct -> the tuple with names that its contents become. Written by '
-                          'bindings/python/generate.py: do not edit."""\n'
-                          "from __future__ import annotations\n\nfrom typing import Any\n\n"
-                          "VALUES: dict[Any, Any] = {}\n")
     lines = ['"""The C interface as ctypes sees it. Written by bindings/python/generate.py: do not edit."""',
              "from __future__ import annotations", "", "from typing import Any", ""]
     stems = sorted(header.name for header in all_headers)
-    lines += [f"from . import {', '.join(stems)}", "from .values import VALUES", "",
+    lines += [f"from . import {', '.join(stems)}", "",
               "FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {}",
               f"for _header in ({', '.join(stems)}):", "    FUNCTIONS.update(_header.FUNCTIONS)", "",
-              f'__all__ = [{", ".join(repr(s) for s in stems)}, "FUNCTIONS", "VALUES"]'.replace("'", '"')]
+              f'__all__ = [{", ".join(repr(s) for s in stems)}, "FUNCTIONS"]'.replace("'", '"')]
     files["__init__.py"] = "\n".join(lines) + "\n"
     return files
 

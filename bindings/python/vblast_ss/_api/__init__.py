@@ -4,10 +4,9 @@ from __future__ import annotations
 from typing import Any
 
 from . import base, collision, device, drain, grasper, knot, needle, record, scene, thread
-from .values import VALUES
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {}
 for _header in (base, collision, device, drain, grasper, knot, needle, record, scene, thread):
     FUNCTIONS.update(_header.FUNCTIONS)
 
-__all__ = ["base", "collision", "device", "drain", "grasper", "knot", "needle", "record", "scene", "thread", "FUNCTIONS", "VALUES"]
+__all__ = ["base", "collision", "device", "drain", "grasper", "knot", "needle", "record", "scene", "thread", "FUNCTIONS"]

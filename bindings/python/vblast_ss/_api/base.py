@@ -6,8 +6,6 @@ from ctypes import CFUNCTYPE, POINTER, c_char_p, c_int32, c_uint32, c_uint64, c_
 from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
-from .values import VALUES
-
 VBSS_VERSION_MAJOR = 0
 VBSS_VERSION_MINOR = 1
 VBSS_VERSION_PATCH = 0
@@ -201,9 +199,6 @@ class ContextStatistics(NamedTuple):
     allocation_count: int
     objects_alive: int
     objects_created: int
-
-
-VALUES[vbss_context_statistics] = ContextStatistics
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -7,7 +7,6 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import vbss_context, vbss_view
-from .values import VALUES
 
 
 class CollisionMethod(IntEnum):
@@ -122,9 +121,6 @@ class Closest(NamedTuple):
     weights_b: tuple[float, ...]
 
 
-VALUES[vbss_closest] = Closest
-
-
 class vbss_impact(ctypes.Structure):
     """What a continuous test found.
 
@@ -185,9 +181,6 @@ class Impact(NamedTuple):
     weights: tuple[float, ...]
     point_a: tuple[float, ...]
     point_b: tuple[float, ...]
-
-
-VALUES[vbss_impact] = Impact
 
 
 class vbss_collision_config(ctypes.Structure):
@@ -375,9 +368,6 @@ class CollisionStatistics(NamedTuple):
     searches: int
 
 
-VALUES[vbss_collision_statistics] = CollisionStatistics
-
-
 class vbss_response(ctypes.Structure):
     """Displacements by the paper's response.
 
@@ -415,9 +405,6 @@ class Response(NamedTuple):
     depth: float
     share_a: float
     displacement: tuple[float, ...]
-
-
-VALUES[vbss_response] = Response
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

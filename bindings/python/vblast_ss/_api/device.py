@@ -7,7 +7,6 @@ from enum import IntEnum, IntFlag
 from typing import Any, ClassVar, NamedTuple
 
 from .base import vbss_context, vbss_view
-from .values import VALUES
 
 
 class DeviceHasBits(IntFlag):
@@ -293,9 +292,6 @@ class DeviceSample(NamedTuple):
     temperature: float
 
 
-VALUES[vbss_device_sample] = DeviceSample
-
-
 # Gives the newest sample, at once. The same sample may be given again: its time says so.
 vbss_device_read_fn = CFUNCTYPE(c_int32, c_void_p, c_double, POINTER(vbss_device_sample))
 
@@ -386,9 +382,6 @@ class DeviceCapabilities(NamedTuple):
     workspace_high: tuple[float, ...]
 
 
-VALUES[vbss_device_capabilities] = DeviceCapabilities
-
-
 # Tells what the hardware can do; called once, after `open`.
 vbss_device_describe_fn = CFUNCTYPE(c_int32, c_void_p, POINTER(vbss_device_capabilities))
 
@@ -448,9 +441,6 @@ class OutputResult(NamedTuple):
     torque_load: float
     solenoid_left: float
     expires: float
-
-
-VALUES[vbss_output_result] = OutputResult
 
 
 # Takes what is to be put out, at once.
@@ -802,9 +792,6 @@ class OutputStatistics(NamedTuple):
     solenoid_on: float
 
 
-VALUES[vbss_output_statistics] = OutputStatistics
-
-
 class vbss_device_config(ctypes.Structure):
     """How to make a device. Fill it with vbss_device_config_init, then change what you need.
 
@@ -992,9 +979,6 @@ class DeviceInput(NamedTuple):
     temperature: float
 
 
-VALUES[vbss_device_input] = DeviceInput
-
-
 class vbss_device_statistics(ctypes.Structure):
     """Figures of a device since creation; [0] and [1]: of the first and the second adapter.
 
@@ -1111,9 +1095,6 @@ class DeviceStatistics(NamedTuple):
     oldest_pose: float
 
 
-VALUES[vbss_device_statistics] = DeviceStatistics
-
-
 class vbss_mock_config(ctypes.Structure):
     """How to make a mock. Fill it with vbss_mock_config_init, then change what you need.
 
@@ -1182,9 +1163,6 @@ class MockStatistics(NamedTuple):
     reads: int
     writes: int
     rows_lost: int
-
-
-VALUES[vbss_mock_statistics] = MockStatistics
 
 
 class vbss_mapping_config(ctypes.Structure):

@@ -7,7 +7,6 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
-from .values import VALUES
 
 
 class DrainMesh(IntEnum):
@@ -287,9 +286,6 @@ class DrainPlaces(NamedTuple):
     gap_points: tuple[int, ...]
 
 
-VALUES[vbss_drain_places] = DrainPlaces
-
-
 class vbss_drain_gap(ctypes.Structure):
     """How far the slit stands open.
 
@@ -322,9 +318,6 @@ class DrainGap(NamedTuple):
     gap: float
     largest: float
     signed_gap: float
-
-
-VALUES[vbss_drain_gap] = DrainGap
 
 
 class vbss_drain_energies(ctypes.Structure):
@@ -370,9 +363,6 @@ class DrainEnergies(NamedTuple):
     springs: float
     gravity: float
     total: float
-
-
-VALUES[vbss_drain_energies] = DrainEnergies
 
 
 class vbss_drain_statistics(ctypes.Structure):
@@ -439,9 +429,6 @@ class DrainStatistics(NamedTuple):
     last_move: float
     last_correction: float
     time: float
-
-
-VALUES[vbss_drain_statistics] = DrainStatistics
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -7,7 +7,6 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
-from .values import VALUES
 
 
 class GrasperKind(IntEnum):
@@ -307,9 +306,6 @@ class GrasperState(NamedTuple):
     needle: int
     drain: int
     solenoid: int
-
-
-VALUES[vbss_grasper_state] = GrasperState
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -7,7 +7,6 @@ from enum import IntEnum, IntFlag
 from typing import Any, ClassVar, NamedTuple
 
 from .base import vbss_context, vbss_view
-from .values import VALUES
 
 
 class KnotMethod(IntEnum):
@@ -404,9 +403,6 @@ class KnotThrow(NamedTuple):
     reading_step: int
 
 
-VALUES[vbss_knot_throw] = KnotThrow
-
-
 class vbss_knot_winding(ctypes.Structure):
     """How the thread winds about one tool. Updated in every step, by both methods.
 
@@ -458,9 +454,6 @@ class KnotWinding(NamedTuple):
     run_heights: tuple[float, ...]
     sense: int
     runs: int
-
-
-VALUES[vbss_knot_winding] = KnotWinding
 
 
 class vbss_knot_state(ctypes.Structure):
@@ -593,9 +586,6 @@ class KnotState(NamedTuple):
     reading_step: int
 
 
-VALUES[vbss_knot_state] = KnotState
-
-
 class vbss_knot_statistics(ctypes.Structure):
     """Figures since creation.
 
@@ -669,9 +659,6 @@ class KnotStatistics(NamedTuple):
     most_step_work: int
     most_work: int
     revoked: int
-
-
-VALUES[vbss_knot_statistics] = KnotStatistics
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -7,7 +7,6 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
-from .values import VALUES
 
 
 class NeedlePreset(IntEnum):
@@ -149,9 +148,6 @@ class NeedleState(NamedTuple):
     swage_direction: tuple[float, ...]
 
 
-VALUES[vbss_needle_state] = NeedleState
-
-
 class vbss_needle_mass(ctypes.Structure):
     """What a needle weighs.
 
@@ -192,9 +188,6 @@ class NeedleMass(NamedTuple):
     axes: tuple[tuple[float, ...], ...]
 
 
-VALUES[vbss_needle_mass] = NeedleMass
-
-
 class vbss_needle_energies(ctypes.Structure):
     """Energies, J.
 
@@ -223,9 +216,6 @@ class NeedleEnergies(NamedTuple):
     kinetic: float
     gravity: float
     total: float
-
-
-VALUES[vbss_needle_energies] = NeedleEnergies
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -9,7 +9,6 @@ from typing import Any, ClassVar, NamedTuple
 from .base import vbss_context
 from .scene import vbss_scene, vbss_scene_config
 from .thread import vbss_thread_attachment
-from .values import VALUES
 
 
 class ReplayOutcome(IntEnum):
@@ -112,9 +111,6 @@ class ReplayInfo(NamedTuple):
     note: Any
 
 
-VALUES[vbss_replay_info] = ReplayInfo
-
-
 class vbss_replay_report(ctypes.Structure):
     """Where a replay is, and what it has found.
 
@@ -157,9 +153,6 @@ class ReplayReport(NamedTuple):
     recorded_hash: int
     found_hash: int
     position: int
-
-
-VALUES[vbss_replay_report] = ReplayReport
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

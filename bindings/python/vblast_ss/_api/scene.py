@@ -11,7 +11,6 @@ from .drain import vbss_drain
 from .grasper import vbss_grasper
 from .needle import vbss_needle
 from .thread import vbss_thread
-from .values import VALUES
 
 
 class SceneMode(IntEnum):
@@ -433,9 +432,6 @@ class RigidState(NamedTuple):
     contact_torque: tuple[float, ...]
 
 
-VALUES[vbss_rigid_state] = RigidState
-
-
 class vbss_scene_statistics(ctypes.Structure):
     """Counters since creation, and figures of the last step. Method PAPER counts its passes of
     detection and response in `attempts`, pairs tested in `guard_pairs`, those listed last in
@@ -605,9 +601,6 @@ class SceneStatistics(NamedTuple):
     time_paused: float
 
 
-VALUES[vbss_scene_statistics] = SceneStatistics
-
-
 class vbss_hole(ctypes.Structure):
     """A hole of a needle in a drain.
 
@@ -682,9 +675,6 @@ class Hole(NamedTuple):
     force: tuple[float, ...]
 
 
-VALUES[vbss_hole] = Hole
-
-
 class vbss_grasp(ctypes.Structure):
     """A place of a thread, of a needle, or of a drain, that a grasper holds.
 
@@ -729,9 +719,6 @@ class Grasp(NamedTuple):
     force: tuple[float, ...]
     limit: float
     slid: float
-
-
-VALUES[vbss_grasp] = Grasp
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

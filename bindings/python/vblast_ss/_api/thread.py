@@ -7,7 +7,6 @@ from enum import IntEnum
 from typing import Any, ClassVar, NamedTuple
 
 from .base import Method, vbss_context, vbss_view
-from .values import VALUES
 
 
 class Bending(IntEnum):
@@ -334,9 +333,6 @@ class ThreadReaction(NamedTuple):
     torque: tuple[float, ...]
 
 
-VALUES[vbss_thread_reaction] = ThreadReaction
-
-
 class vbss_thread_energies(ctypes.Structure):
     """Energies of a thread, J.
 
@@ -377,9 +373,6 @@ class ThreadEnergies(NamedTuple):
     total: float
 
 
-VALUES[vbss_thread_energies] = ThreadEnergies
-
-
 class vbss_thread_momentum(ctypes.Structure):
     """Momentum of a thread, attached masses included.
 
@@ -413,9 +406,6 @@ class ThreadMomentum(NamedTuple):
     centre: tuple[float, ...]
     linear: tuple[float, ...]
     angular: tuple[float, ...]
-
-
-VALUES[vbss_thread_momentum] = ThreadMomentum
 
 
 class vbss_thread_statistics(ctypes.Structure):
@@ -546,9 +536,6 @@ class ThreadStatistics(NamedTuple):
     nodes: int
     most_nodes: int
     sagitta: float
-
-
-VALUES[vbss_thread_statistics] = ThreadStatistics
 
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {

@@ -1,0 +1,234 @@
+"""Scenes: bodies that touch, rub and are stepped together."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Iterable, NamedTuple, Optional, Sequence, Union
+
+from ._api.base import Method
+from ._api.scene import (ContactKind, EventKind, Grasp, Hole, RigidKind, RigidState, SceneField, SceneMode,
+                         SceneStatistics, vbss_capsule, vbss_grasp, vbss_hole, vbss_rigid_config, vbss_rigid_state,
+                         vbss_scene, vbss_scene_config, vbss_scene_statistics)
+from ._api.thread import vbss_thread
+from ._library import lib
+from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
+from ._values import doubles, index, initialised, optional
+from .context import Context
+from .drain import Drain
+from .errors import OutOfRangeError
+from .grasper import Grasper
+from .needle import Needle
+from .thread import Thread
+from .views import Array
+
+__all__ = ["Capsule", "Contact", "ContactKind", "Event", "EventKind", "Grasp", "Hole", "Method", "RigidKind",
+           "RigidState", "Scene", "SceneField", "SceneMode", "SceneStatistics"]
+
+Body = Union[Thread, Drain, Needle, Grasper]
+
+
+class Capsule(NamedTuple):
+    """One capsule of a rigid body, in the frame of the body, m. Equal ends: a ball."""
+    begin: Sequence[float]
+    end: Sequence[float]
+    radius: float
+
+
+class Event(NamedTuple):
+    """What happened in the last step; EventKind says what body, other and number are."""
+    kind: EventKind
+    body: int
+    other: int
+    number: int
+
+
+class Contact(NamedTuple):
+    """Which features touch. The other arrays of contacts are in the same order."""
+    kind: ContactKind
+    body_a: int
+    feature_a: int
+    body_b: int
+    feature_b: int
+
+
+def _rows(array: Array) -> list[list[int]]:
+    rows: list[list[int]] = array.tolist()
+    return rows
+
+
+class Scene(Configured, Viewed, Saved):
+    """Bodies and a floor, stepped as one system. Bodies are numbered from 1 on; 0 is the world.
+
+    Keywords are the settings of vbss_scene_config (Scene.settings_help(), Scene.defaults()). Threads, drains,
+    needles and graspers that were added stay usable for looking and telling; they come back with remove(), or
+    when the scene is closed.
+    """
+    _prefix, _noun = "vbss_scene", "scene"
+    _config, _init, _fields = vbss_scene_config, "vbss_scene_config_init", SceneField
+
+    def __init__(self, context: Optional[Context] = None, **settings: Any) -> None:
+        context = context_or_new(context)
+        config = initialised(vbss_scene_config, lib.vbss_scene_config_init, settings, "a scene")
+        self._bodies: dict[int, Object] = {}
+        super().__init__(context, created(context, vbss_scene, lib.vbss_scene_create, context._handle,
+                                          ctypes.byref(config)))
+
+    def close(self) -> None:
+        super().close()
+        self._bodies.clear()
+
+    # ---- bodies
+
+    def add(self, body: Body) -> int:
+        """Adds a Thread, Drain, Needle or Grasper of the same context; returns its number."""
+        functions = {Thread: lib.vbss_scene_add_thread, Drain: lib.vbss_scene_add_drain,
+                     Needle: lib.vbss_scene_add_needle, Grasper: lib.vbss_scene_add_grasper}
+        for kind, function in functions.items():
+            if isinstance(body, kind):
+                number = ctypes.c_uint32()
+                if body.closed:
+                    body._refuse()
+                self._call(function, body._handle, ctypes.byref(number))
+                self._bodies[number.value] = body
+                return number.value
+        raise TypeError(f"a scene takes threads, drains, needles and graspers, not {type(body).__name__}")
+
+    def add_rigid(self, capsules: Iterable[Any], **settings: Any) -> int:
+        """Adds a rigid body of capsules (begin, end, radius); returns its number. `kind` is "driven" (default),
+        "coupled" or "free"; other keywords as in vbss_rigid_config."""
+        listed = [Capsule(*one) for one in capsules]
+        array = (vbss_capsule * max(1, len(listed)))()
+        for struct, one in zip(array, listed):
+            struct.begin[:] = doubles(one.begin, "begin of a capsule", 3)
+            struct.end[:] = doubles(one.end, "end of a capsule", 3)
+            struct.radius = one.radius
+        config = initialised(vbss_rigid_config, lib.vbss_rigid_config_init, settings, "a rigid body")
+        config.capsule_count, config.capsules = len(listed), array
+        number = ctypes.c_uint32()
+        self._call(lib.vbss_scene_add_rigid, ctypes.byref(config), ctypes.byref(number))
+        return number.value
+
+    def remove(self, body: int) -> None:
+        """Removes a body, with its pins and grasps; what was added is the caller's again."""
+        self._call(lib.vbss_scene_remove, index(body))
+        self._bodies.pop(body, None)
+
+    def body(self, number: int) -> Object:
+        """The object that was added under a number, or a piece that was cut."""
+        found = self._bodies.get(number)
+        return found if found is not None and not isinstance(found, Thread) else self.thread(number)
+
+    def thread(self, body: int) -> Thread:
+        """A thread in the scene, also a piece that was cut."""
+        handle = ctypes.POINTER(vbss_thread)()
+        self._call(lib.vbss_scene_get_thread, index(body), ctypes.byref(handle))
+        known = self._bodies.get(body)
+        if isinstance(known, Thread) and known._handle is not None and \
+                ctypes.addressof(known._handle.contents) == ctypes.addressof(handle.contents):
+            return known
+        thread = Thread._of(self._context, handle)
+        self._bodies[body] = thread
+        return thread
+
+    def move_rigid(self, body: int, position: Sequence[float], orientation: Optional[Sequence[float]] = None) -> None:
+        """Says where a driven or coupled body shall be at the end of the next step."""
+        self._call(lib.vbss_scene_move_rigid, index(body), doubles(position, "position", 3),
+                   optional(orientation, "orientation", 4))
+
+    def rigid(self, body: int) -> RigidState:
+        """Where a rigid body is and what acts on it."""
+        return self._read("get_rigid", RigidState, vbss_rigid_state, index(body))
+
+    def pin_thread(self, thread: int, node: int, body: int = 0, point: Optional[Sequence[float]] = None) -> int:
+        """Pins a node of a thread to a rigid body, or to the world (0); returns the pin's name. Without a point,
+        where the node is now."""
+        pin = ctypes.c_uint32()
+        self._call(lib.vbss_scene_pin_thread, index(thread), index(node), index(body), optional(point, "point", 3),
+                   ctypes.byref(pin))
+        return pin.value
+
+    def unpin_thread(self, pin: int) -> None:
+        self._call(lib.vbss_scene_unpin_thread, index(pin))
+
+    def cut_thread(self, thread: int, arc_length: float) -> int:
+        """Cuts a thread where it lies; returns the number of the piece (see thread())."""
+        piece = ctypes.c_uint32()
+        self._call(lib.vbss_scene_cut_thread, index(thread), arc_length, ctypes.byref(piece))
+        return piece.value
+
+    def step(self, h: float = 1e-3) -> None:
+        """Moves everything forward by h seconds."""
+        self._call(lib.vbss_scene_step, h)
+
+    # ---- what there is to see
+
+    def grasp(self, tool: int, number: int = 0) -> Grasp:
+        """One of the places that a grasper holds."""
+        return self._read("get_grasp", Grasp, vbss_grasp, index(tool), index(number))
+
+    def grasps(self, tool: int) -> list[Grasp]:
+        """All of them."""
+        grasper = self._bodies.get(tool)
+        if not isinstance(grasper, Grasper):
+            raise OutOfRangeError(f"body {tool} is no grasper")
+        return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
+
+    def hole(self, number: int) -> Hole:
+        """One of the holes of needles in drains."""
+        return self._read("get_hole", Hole, vbss_hole, index(number))
+
+    @property
+    def holes(self) -> list[Hole]:
+        """All of them."""
+        found: list[Hole] = []
+        with self._context._lock:
+            self._context._quiet = True  # where they end is told by a failure
+            try:
+                while True:
+                    found.append(self.hole(len(found)))
+            except OutOfRangeError:
+                return found
+            finally:
+                self._context._quiet = False
+
+    @property
+    def contacts(self) -> list[Contact]:
+        """Which features touched at the end of the last step."""
+        return [Contact(ContactKind(kind), *rest) for kind, *rest in _rows(self.contact_features)]
+
+    @property
+    def contact_features(self) -> Array:
+        """n x 5: ContactKind, body a, feature a, body b, feature b."""
+        return self._array(SceneField.CONTACTS)
+
+    @property
+    def contact_points(self) -> Array:
+        """n x 3, m: between the two surfaces."""
+        return self._array(SceneField.CONTACT_POINTS)
+
+    @property
+    def contact_normals(self) -> Array:
+        """n x 3, unit, from b to a."""
+        return self._array(SceneField.CONTACT_NORMALS)
+
+    @property
+    def contact_forces(self) -> Array:
+        """n x 3, N: of b on a."""
+        return self._array(SceneField.CONTACT_FORCES)
+
+    @property
+    def contact_gaps(self) -> Array:
+        """n, m: distance of the surfaces, negative when they overlap."""
+        return self._array(SceneField.CONTACT_GAPS)
+
+    @property
+    def events(self) -> list[Event]:
+        """What happened in the last step."""
+        return [Event(EventKind(kind), *rest) for kind, *rest in _rows(self._array(SceneField.EVENTS))]
+
+    @property
+    def statistics(self) -> SceneStatistics:
+        return self._read("get_statistics", SceneStatistics, vbss_scene_statistics)
+
+    def _describe(self) -> str:
+        numbers = self.statistics
+        return f"{len(self._bodies)} bodies added, {numbers.contacts} contacts, t = {numbers.time:.6g} s"

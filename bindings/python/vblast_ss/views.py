@@ -1,0 +1,83 @@
+"""Arrays of the library: read-only and not copied.
+
+With numpy they are numpy arrays, without it memoryviews of the same shape. Either keeps the memory it
+looks into alive. After a step, or an edit, it shows later numbers, or those of an earlier state (the
+library changes between buffers), and after the destruction of its object the last ones: never freed memory.
+Who wants to be told takes a View, which refuses once the object has changed."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Callable
+
+from ._api.base import Type, vbss_view
+from ._memory import Memory
+from ._values import numpy
+from .errors import StaleViewError
+
+Array = Any
+"""A read-only numpy array, or a memoryview where numpy is not installed."""
+
+
+def array_of(memory: Memory, view: vbss_view) -> Array:
+    """What a view of the library describes."""
+    size = 8 if view.type == Type.F64 else 4
+    count, components, stride = view.count, view.components, view.stride_bytes
+    shape = (count,) if components == 1 else (count, components)
+    used = (count - 1) * stride + components * size if count else 0
+    data = memory.look(view.data, used) if count else memoryview(b"")
+    np = numpy()
+    if np is not None:
+        strides = (stride,) if components == 1 else (stride, size)
+        return np.ndarray(shape, np.float64 if size == 8 else np.uint32, data, 0, strides)
+    if stride != components * size:  # rows with room between them: a copy
+        row = components * size
+        data = memoryview(b"".join(data[i * stride:i * stride + row] for i in range(count)))
+    code = "d" if size == 8 else "I"
+    if not count:  # a memoryview has no shape with a zero in it
+        return data.cast(code)
+    return data.cast(code, shape)
+
+
+class View:
+    """One array of an object, as it was when the view was taken.
+
+    `array` gives it as long as the object has not changed, and raises StaleViewError afterwards."""
+
+    def __init__(self, look: Callable[[], tuple[vbss_view, Array]], name: str) -> None:
+        self._look = look
+        self._name = name
+        self.generation = look()[0].generation
+
+    @property
+    def is_current(self) -> bool:
+        return bool(self._look()[0].generation == self.generation)
+
+    @property
+    def array(self) -> Array:
+        view, array = self._look()
+        if view.generation != self.generation:
+            raise StaleViewError(f"{self._name} has changed since the view was taken (generation {self.generation}, "
+                                 f"now {view.generation}): take a new one")
+        return array
+
+    def __len__(self) -> int:
+        return len(self.array)
+
+    def __getitem__(self, item: Any) -> Any:
+        return self.array[item]
+
+    def tolist(self) -> list[Any]:
+        """A copy."""
+        return list(self.array.tolist())
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> Any:
+        array = self.array
+        return array if dtype is None else array.astype(dtype)
+
+    def __repr__(self) -> str:
+        return f"<View of {self._name}, generation {self.generation}>"
+
+
+def empty_view() -> tuple[vbss_view, int]:
+    view = vbss_view()
+    return view, ctypes.sizeof(view)
