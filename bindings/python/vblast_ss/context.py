@@ -15,7 +15,7 @@ from ._memory import Memory
 from ._values import fill, value_of
 from .errors import InvalidHandleError, check, error_of
 
-__all__ = ["Context", "arithmetic_check", "build_info", "version"]
+__all__ = ["Context", "LogLevel", "arithmetic_check", "build_info", "version"]
 
 Log = Callable[[LogLevel, str], None]
 

@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 from typing import Any, Iterable, Optional, Sequence
 
 from ._api.thread import (AttachmentKind, Bending, Mesh, ThreadEnergies, ThreadField, ThreadMomentum, ThreadPreset,
@@ -55,15 +56,15 @@ class Thread(Configured, Viewed, Saved):
         context = context_or_new(context)
         places = None if positions is None else doubles(positions, "positions", row=3)
         lengths = None if rest_lengths is None else doubles(rest_lengths, "rest_lengths")
-        counts = {"segment_count": int(settings["segment_count"])} if "segment_count" in settings else {}
+        counts = {"segment_count": operator.index(settings["segment_count"])} if "segment_count" in settings else {}
         if places is not None:
-            counts["positions"] = len(places) // 3 - 1
+            counts["positions"] = max(0, len(places) // 3 - 1)
         if lengths is not None:
             counts["rest_lengths"] = len(lengths)
         if len(set(counts.values())) > 1:
             raise ValueError("numbers of segments differ: " + ", ".join(f"{n} by {name}" for name, n in counts.items()))
         if counts:
-            settings["segment_count"] = max(0, next(iter(counts.values())))
+            settings["segment_count"] = next(iter(counts.values()))
         config = initialised(vbss_thread_config, lib.vbss_thread_config_init, settings, "a thread", prepare)
         if places is not None:
             config.positions = ctypes.cast(places, ctypes.POINTER(ctypes.c_double))

@@ -27,8 +27,14 @@ def array_of(memory: Memory, view: vbss_view) -> Array:
     data = memory.look(view.data, used) if count else memoryview(b"")
     np = numpy()
     if np is not None:
-        strides = (stride,) if components == 1 else (stride, size)
-        return np.ndarray(shape, np.float64 if size == 8 else np.uint32, data, 0, strides)
+        kind = np.float64 if size == 8 else np.uint32
+        if not count:
+            empty = np.empty(shape, kind)
+            empty.flags.writeable = False
+            return empty
+        # Through frombuffer: of a bare memoryview numpy would take what is behind it, which can be written.
+        raw = np.frombuffer(data, np.uint8)
+        return np.ndarray(shape, kind, raw, 0, (stride,) if components == 1 else (stride, size))
     if stride != components * size:  # rows with room between them: a copy
         row = components * size
         data = memoryview(b"".join(data[i * stride:i * stride + row] for i in range(count)))

@@ -1,0 +1,140 @@
+"""Scenes and what is in them."""
+import math
+
+import pytest
+
+import vblast_ss as vb
+
+BALL = [((0, 0, 0), (0, 0, 0), 5e-3)]
+
+
+@pytest.fixture
+def lying(context):
+    """A thread above a floor, and a scene."""
+    scene = vb.Scene(context, floor=True, mode="offline")
+    thread = vb.Thread(context, segment_count=20, start=(0, 3e-4, 0), cut_capacity=2)
+    return scene, thread, scene.add(thread)
+
+
+def test_a_thread_falls_on_the_floor_and_lies(lying):
+    scene, thread, body = lying
+    kinds = set()
+    for _ in range(40):
+        scene.step()
+        kinds |= {event.kind for event in scene.events}
+    assert body == 1 and vb.EventKind.TOUCH in kinds
+    contacts = scene.contacts
+    assert len(contacts) == scene.statistics.contacts == len(scene.contact_gaps) > 10
+    assert {contact.kind for contact in contacts} == {vb.ContactKind.NODE_FLOOR}
+    assert len(scene.contact_points) == len(scene.contact_normals) == len(scene.contact_forces) == len(contacts)
+    weight = sum(abs(force[1]) for force in scene.contact_forces.tolist())
+    assert weight == pytest.approx(thread.momentum.mass * 9.81, rel=0.05)
+
+
+def test_what_is_in_a_scene_belongs_to_it(lying):
+    scene, thread, body = lying
+    for refused in (thread.step, thread.close, lambda: thread.cut(0.05)):
+        with pytest.raises(vb.InSceneError):
+            refused()
+    assert scene.thread(body) is thread and scene.body(body) is thread
+    scene.remove(body)
+    thread.step()
+    with pytest.raises(vb.OutOfRangeError):
+        scene.thread(body)
+    scene.add(thread)
+    scene.close()
+    thread.step()
+    with pytest.raises(vb.InvalidHandleError):
+        scene.step()
+
+
+def test_a_scene_keeps_what_was_added(context):
+    scene = vb.Scene(context)
+    body = scene.add(vb.Thread(context, segment_count=4))
+    scene.step()
+    assert scene.thread(body).node_count == 5
+
+
+def test_threads_are_pinned_and_cut(lying):
+    scene, thread, body = lying
+    ball = scene.add_rigid(BALL, position=(0.0, 0.05, 0.0))
+    pin = scene.pin_thread(body, 0, 0)
+    other = scene.pin_thread(body, 20, ball, (0.0, 0.0, 0.0))
+    scene.move_rigid(ball, (0.0, 0.051, 0.0), orientation=(1, 0, 0, 0))
+    scene.step()
+    assert scene.rigid(ball).position == pytest.approx((0.0, 0.051, 0.0))
+    assert scene.rigid(ball).kind is vb.RigidKind.DRIVEN
+    scene.unpin_thread(pin)
+    scene.unpin_thread(other)
+    piece = scene.cut_thread(body, 0.05)
+    cut = scene.thread(piece)
+    assert cut is scene.body(piece) and cut.node_count < 20
+    scene.step()
+    assert vb.EventKind.CUT in {event.kind for event in scene.events} or cut.statistics.nodes > 2
+    with pytest.raises(vb.OutOfRangeError):
+        scene.unpin_thread(pin)
+    with pytest.raises(vb.OutOfRangeError):
+        scene.pin_thread(body, 99)
+
+
+def test_a_grasper_holds_a_thread(context):
+    scene = vb.Scene(context, mode="offline")
+    thread = vb.Thread(context, segment_count=60, start=(-0.03, 0, 0), length=0.06, gravity=(0, 0, 0))
+    tool = vb.Grasper(context)
+    # The jaws open along x: turned by a quarter about z they open along y, about the thread.
+    tool.move((0.0, 0.0, -2e-3), orientation=(math.sqrt(0.5), 0, 0, math.sqrt(0.5)))
+    scene.add(thread)
+    body = scene.add(tool)
+    tool.set_opening(0.0)
+    for _ in range(150):
+        scene.step()
+    grasps = scene.grasps(body)
+    assert len(grasps) == tool.state.grasp_count == 1
+    assert grasps[0] == scene.grasp(body, 0) and grasps[0].arc_length == pytest.approx(0.03, abs=1e-3)
+    with pytest.raises(vb.OutOfRangeError):
+        scene.grasp(body, 5)
+    with pytest.raises(vb.OutOfRangeError):
+        scene.grasps(1)
+
+
+def test_needle_and_drain_are_bodies(context):
+    scene = vb.Scene(context)
+    drain, needle = vb.Drain(context), vb.Needle(context, position=(0.0, 0.1, 0.0))
+    assert (scene.add(drain), scene.add(needle)) == (1, 2)
+    scene.step()
+    assert scene.holes == [] and needle.state.body == 2 and scene.body(1) is drain
+    with pytest.raises(vb.OutOfRangeError):
+        scene.hole(0)
+    with pytest.raises(vb.InSceneError):
+        needle.step()
+    assert "2 bodies" in repr(scene)
+
+
+def test_scenes_are_saved_and_restored(lying):
+    scene, _, _ = lying
+    scene.step()
+    saved, wanted = scene.save(), scene.state_hash
+    scene.step()
+    scene.restore(saved)
+    assert scene.state_hash == wanted
+    with pytest.raises(vb.TruncatedError):
+        scene.restore(b"not a state")
+
+
+def test_bad_bodies_are_refused(context):
+    scene = vb.Scene(context)
+    with pytest.raises(TypeError):
+        scene.add(scene)
+    with pytest.raises(vb.OutOfRangeError):
+        scene.add_rigid([])
+    with pytest.raises(ValueError):
+        scene.add_rigid([((0, 0), (0, 0, 0), 1e-3)])
+    with pytest.raises(vb.NotFiniteError):
+        scene.add_rigid([((math.nan, 0, 0), (0, 0, 0), 1e-3)])
+    with pytest.raises(TypeError, match="a rigid body has no setting 'weight'"):
+        scene.add_rigid(BALL, weight=1.0)
+    thread = vb.Thread(context)
+    thread.close()
+    with pytest.raises(vb.InvalidHandleError, match="the thread is closed"):
+        scene.add(thread)
+
