@@ -130,14 +130,20 @@ thread = vb.Thread(segment_count=10)
 thread.attach("clamp", 0)
 thread.step()
 places = thread.positions
-assert isinstance(places, memoryview) and places.readonly and places.shape == (11, 3), places
-assert places[3, 0] == places.tolist()[3][0]
-assert thread.tensions.shape == (10,) and thread.sections.format == "I"
+assert places.memory.readonly and places.shape == (11, 3) and len(places) == 11, places
+assert places[3, 0] == places.tolist()[3][0] == places[-8][0] and places[2:4] == list(places)[2:4]
+try:
+    places[11]
+except IndexError:
+    pass
+else:
+    raise AssertionError("row 11 of 11")
+assert thread.tensions.readonly and len(thread.tensions) == 10 and thread.sections.format == "I"
 thread.set_state(positions=places.tolist())
 view = thread.view("positions")
 assert len(view.tolist()) == 11
 scene = vb.Scene(floor=True)
-assert scene.contacts == [] and scene.contact_points.nbytes == 0
+assert scene.contacts == [] and len(scene.contact_points) == 0 and scene.contact_points.tolist() == []
 collision = vb.Collision()
 answers = collision.test_batch("edge_edge", [[[-1, 0, 0], [1, 0, 0], [0, -1, 1], [0, 1, 1]]],
                                [[[-1, 0, 0], [1, 0, 0], [0, -1, -1], [0, 1, -1]]])

@@ -105,8 +105,7 @@ class Thread(Configured, Viewed, Saved):
                                                      AttachmentKind.SPRING):
             places = self.positions
             if 0 <= index(node, "node") < len(places):
-                settings["position"] = places[node].tolist() if hasattr(places[node:node + 1], "dtype") \
-                    else places.tolist()[node]
+                settings["position"] = places[node]
         attachment = attachment_of(number, {"node": node, **settings})
         name = ctypes.c_uint32()
         self._call(lib.vbss_thread_attach, ctypes.byref(attachment), ctypes.byref(name))

@@ -1,13 +1,14 @@
 """Arrays of the library: read-only and not copied.
 
-With numpy they are numpy arrays, without it memoryviews of the same shape. Either keeps the memory it
-looks into alive. After a step, or an edit, it shows later numbers, or those of an earlier state (the
+With numpy they are numpy arrays; without it, memoryviews of numbers, and Rows of vectors. Each keeps the
+memory it looks into alive. After a step, or an edit, it shows later numbers, or those of an earlier state (the
 library changes between buffers), and after the destruction of its object the last ones: never freed memory.
 Who wants to be told takes a View, which refuses once the object has changed."""
 from __future__ import annotations
 
 import ctypes
-from typing import Any, Callable
+import operator
+from typing import Any, Callable, Iterator
 
 from ._api.base import Type, vbss_view
 from ._memory import Memory
@@ -15,19 +16,55 @@ from ._values import numpy
 from .errors import StaleViewError
 
 Array = Any
-"""A read-only numpy array, or a memoryview where numpy is not installed."""
+"""A read-only numpy array; where numpy is not installed a memoryview, or Rows."""
+
+
+class Rows:
+    """Vectors in the memory of the library, where numpy is not installed: rows[i] is a tuple, rows[i, j] a number."""
+
+    def __init__(self, memory: memoryview, count: int, components: int, stride: int) -> None:
+        self.memory = memory
+        self.shape = (count, components)
+        self._stride = stride
+
+    def __len__(self) -> int:
+        return self.shape[0]
+
+    def _row(self, number: int) -> tuple[Any, ...]:
+        row = number + len(self) if number < 0 else number
+        if not 0 <= row < len(self):
+            raise IndexError(f"row {number} of {len(self)}")
+        return tuple(self.memory[row * self._stride:row * self._stride + self.shape[1]])
+
+    def __getitem__(self, item: Any) -> Any:
+        if isinstance(item, tuple):
+            row, column = item
+            return self._row(operator.index(row))[column]
+        if isinstance(item, slice):
+            return [self._row(row) for row in range(*item.indices(len(self)))]
+        return self._row(operator.index(item))
+
+    def __iter__(self) -> Iterator[tuple[Any, ...]]:
+        return map(self._row, range(len(self)))
+
+    def tolist(self) -> list[list[Any]]:
+        """A copy."""
+        return [list(row) for row in self]
+
+    def __repr__(self) -> str:
+        return f"<Rows {self.shape[0]} x {self.shape[1]}>"
 
 
 def array_of(memory: Memory, view: vbss_view) -> Array:
     """What a view of the library describes."""
     size = 8 if view.type == Type.F64 else 4
     count, components, stride = view.count, view.components, view.stride_bytes
-    shape = (count,) if components == 1 else (count, components)
     used = (count - 1) * stride + components * size if count else 0
     data = memory.look(view.data, used) if count else memoryview(b"")
     np = numpy()
     if np is not None:
         kind = np.float64 if size == 8 else np.uint32
+        shape = (count,) if components == 1 else (count, components)
         if not count:
             empty = np.empty(shape, kind)
             empty.flags.writeable = False
@@ -35,13 +72,8 @@ def array_of(memory: Memory, view: vbss_view) -> Array:
         # Through frombuffer: of a bare memoryview numpy would take what is behind it, which can be written.
         raw = np.frombuffer(data, np.uint8)
         return np.ndarray(shape, kind, raw, 0, (stride,) if components == 1 else (stride, size))
-    if stride != components * size:  # rows with room between them: a copy
-        row = components * size
-        data = memoryview(b"".join(data[i * stride:i * stride + row] for i in range(count)))
-    code = "d" if size == 8 else "I"
-    if not count:  # a memoryview has no shape with a zero in it
-        return data.cast(code)
-    return data.cast(code, shape)
+    flat = data.cast("d" if size == 8 else "I")
+    return flat if components == 1 else Rows(flat, count, components, stride // size)
 
 
 class View:
