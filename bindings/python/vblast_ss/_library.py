@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import ctypes.util
 import os
 import pathlib
 import sys
@@ -48,6 +47,7 @@ def find() -> str:
                  for path in [checkout / "build" / preset / "lib" / name] if path.exists()]
         if built:
             return str(max(built, key=lambda path: path.stat().st_mtime))
+    import ctypes.util  # slow to load, and seldom wanted
     system = ctypes.util.find_library("vblast_ss")
     if system:
         return system

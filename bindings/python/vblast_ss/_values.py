@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import difflib
 import operator
 from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar
 
@@ -140,6 +139,7 @@ def fill(struct: Any, settings: Mapping[str, Any], noun: str) -> None:
     allowed = settable(type(struct))
     for name, value in settings.items():
         if name not in allowed:
+            import difflib  # slow to load, and seldom wanted
             near = difflib.get_close_matches(name, allowed, 1)
             raise TypeError(f"{noun} has no setting '{name}'" + (f"; did you mean '{near[0]}'?" if near else ""))
         kind = fields[name]

@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import ctypes
-import dataclasses
 from typing import Any, NamedTuple, Optional, Sequence
 
 from ._api.knot import (KnotEvent, KnotFaultBits, KnotField, KnotHeld, KnotMethod, KnotName, KnotReason, KnotState,
@@ -20,8 +19,7 @@ __all__ = ["Knot", "KnotDetector", "KnotEvent", "KnotFaultBits", "KnotHeld", "Kn
            "KnotVerdict", "KnotWinding", "classify"]
 
 
-@dataclasses.dataclass
-class KnotTool:
+class KnotTool(NamedTuple):
     """One tool: capsules between successive points of its axis, from the handle to the tip, m."""
     axis: Sequence[Sequence[float]]
     radius: Any = 0.0

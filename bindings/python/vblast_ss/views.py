@@ -69,11 +69,14 @@ def array_of(memory: Memory, view: vbss_view) -> Array:
             empty = np.empty(shape, kind)
             empty.flags.writeable = False
             return empty
+        if stride == components * size:
+            flat = np.frombuffer(data, kind)
+            return flat if components == 1 else flat.reshape(shape)
         # Through frombuffer: of a bare memoryview numpy would take what is behind it, which can be written.
         raw = np.frombuffer(data, np.uint8)
         return np.ndarray(shape, kind, raw, 0, (stride,) if components == 1 else (stride, size))
-    flat = data.cast("d" if size == 8 else "I")
-    return flat if components == 1 else Rows(flat, count, components, stride // size)
+    numbers = data.cast("d" if size == 8 else "I")
+    return numbers if components == 1 else Rows(numbers, count, components, stride // size)
 
 
 class View:

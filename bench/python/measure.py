@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""What the Python binding costs, beside C with the same shared library.
+
+    bench/python/measure.py [library folder]      default build/release/lib
+
+Import time in fresh interpreters; ns of a scene's step from Python and from C, for scenes of nothing and of a hanging
+thread, the least of several runs, with equal hashes of the end states; steps a second of one and of two Python
+threads with a scene each."""
+import concurrent.futures
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LIBRARY = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ROOT / "build/release/lib").resolve()
+os.environ["VBLAST_SS_LIBRARY"] = str(LIBRARY)
+os.environ["PYTHONPATH"] = str(ROOT / "bindings/python")
+sys.path.insert(0, str(ROOT / "bindings/python"))
+import vblast_ss as vb  # noqa: E402
+
+RUNS = 9
+
+
+def import_time(statement):
+    """ms that a statement adds to an interpreter, the least of several, with compiled files already there."""
+    def run(text):
+        begin = time.perf_counter()
+        subprocess.run([sys.executable, "-c", text], check=True)
+        return 1e3 * (time.perf_counter() - begin)
+    run(statement)
+    return min(run(statement) for _ in range(RUNS)) - min(run("pass") for _ in range(RUNS))
+
+
+def scene_of(segments):
+    scene = vb.Scene(vb.Context())
+    if segments:
+        thread = vb.Thread(scene.context, segment_count=segments)
+        thread.attach("pin", 0, position=(0, 0, 0))
+        scene.add(thread)
+    return scene
+
+
+def python_steps(segments, steps):
+    scene = scene_of(segments)
+    begin = time.perf_counter()
+    for _ in range(steps):
+        scene.step(1e-3)
+    return 1e9 * (time.perf_counter() - begin) / steps, scene.state_hash
+
+
+def c_steps(program, segments, steps):
+    text = subprocess.run([program, str(segments), str(steps)], check=True, capture_output=True, text=True,
+                          env={**os.environ, "LD_LIBRARY_PATH": str(LIBRARY)}).stdout.split()
+    return float(text[0]), int(text[1])
+
+
+def throughput(workers, segments, steps):
+    """Steps a second of all workers together."""
+    begin = time.perf_counter()
+    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
+        hashes = {found for _, found in pool.map(lambda _: python_steps(segments, steps), range(workers))}
+    return workers * steps / (time.perf_counter() - begin), hashes
+
+
+def main():
+    print(f"{vb.build_info()}\nPython {sys.version.split()[0]}, {os.cpu_count()} cores\n")
+    print(f"import vblast_ss: {import_time('import vblast_ss'):.0f} ms; with numpy, at the first array: "
+          f"{import_time('import vblast_ss, numpy'):.0f} ms")
+    with tempfile.TemporaryDirectory() as folder:
+        program = str(pathlib.Path(folder) / "steps")
+        subprocess.run([os.environ.get("CC", "cc"), "-O2", "-std=c11", "-I", str(ROOT / "include"),
+                        str(pathlib.Path(__file__).with_name("steps.c")), "-o", program, f"-L{LIBRARY}", "-lvblast_ss"],
+                       check=True)
+        print("\nscene                 C, us    Python, us    ratio")
+        for name, segments, steps in (("nothing", 0, 20000), ("thread of 20", 20, 3000), ("thread of 120", 120, 1000)):
+            runs = [(c_steps(program, segments, steps), python_steps(segments, steps)) for _ in range(RUNS)]
+            if len({found for pair in runs for _, found in pair}) != 1:
+                sys.exit("the end states differ")
+            c, python = (min(pair[i][0] for pair in runs) for i in (0, 1))
+            print(f"{name:18} {1e-3 * c:8.2f} {1e-3 * python:13.2f} {python / c:8.2f}")
+        scene = scene_of(120)
+        thread = scene.thread(1)
+        begin = time.perf_counter()
+        for _ in range(5000):
+            thread.positions
+        print(f"\nan array of positions: {1e6 * (time.perf_counter() - begin) / 5000:.2f} us")
+    rates = [[throughput(workers, 120, 1500) for workers in (1, 2)] for _ in range(5)]
+    if len({found for row in rates for _, hashes in row for found in hashes}) != 1:
+        sys.exit("the end states differ")
+    one, two = (max(row[i][0] for row in rates) for i in (0, 1))
+    print(f"steps a second, thread of 120: 1 worker {one:.0f}, 2 workers {two:.0f} together ({two / one:.2f} times)")
+
+
+if __name__ == "__main__":
+    main()
