@@ -75,6 +75,21 @@ def test_what_an_adapter_raises_reaches_the_caller(context):
     assert device.read(0.004).events & vb.DeviceEventBits.FAILED
 
 
+def test_what_close_raises(context, capsys):
+    class Stuck(Arm):
+        def close(self):
+            raise ArithmeticError("stuck")
+
+    device = vb.Device(Stuck(), context=context)
+    with pytest.raises(ArithmeticError):
+        device.close()
+    assert device.closed
+    vb.Device(Stuck(), context=context)  # dropped: told, as nobody called for it
+    assert "stuck" in capsys.readouterr().err
+    vb.Thread(context).step()
+    assert context.statistics.objects_alive == 0
+
+
 def test_an_adapter_that_cannot_be_opened(context):
     arm = Arm()
     arm.fail = "open"

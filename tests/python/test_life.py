@@ -58,6 +58,40 @@ def test_objects_that_are_dropped_are_destroyed(context):
     assert context.statistics.objects_alive == 0
 
 
+def test_an_object_that_is_dropped_inside_a_callback_goes_after_it(context):
+    thread = [vb.Thread(context, segment_count=10)]
+
+    def measure(time):
+        thread.clear()
+        return {"position": (time, 0, 0)}
+
+    device = vb.Device(vb.Mock(context, measure=measure))
+    device.read(0.001)
+    device.read(0.002)
+    assert context.statistics.objects_alive == 2  # device and mock
+
+
+def test_dropping_waits_for_nobody(context):
+    """While another thread is inside the context; the object goes with a later call."""
+    inside, go_on = threading.Event(), threading.Event()
+
+    def measure(time):
+        inside.set()
+        go_on.wait(60)
+        return {"position": (time, 0, 0)}
+
+    thread = vb.Thread(context, segment_count=10)
+    device = vb.Device(vb.Mock(context, measure=measure))
+    worker = threading.Thread(target=device.read, args=(0.001,))
+    worker.start()
+    assert inside.wait(60)
+    del thread
+    go_on.set()
+    worker.join()
+    device.statistics
+    assert context.statistics.objects_alive == 2
+
+
 def test_closing_a_context_closes_what_is_in_it():
     context = vb.Context()
     thread = vb.Thread(context)
@@ -187,6 +221,24 @@ def test_a_context_that_was_forked_inside_a_call_refuses_in_the_child(context):
     _, status = os.waitpid(child, 0)
     assert os.waitstatus_to_exitcode(status) == 3
     assert device.statistics.reads == 1
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+def test_a_forked_child_leaves_devices_alone():
+    script = ("import os, sys, vblast_ss as vb\n"
+              "class Arm:\n"
+              "    def read(self, now): return {'position': (0, 0, 0), 'time': now}\n"
+              "    def close(self): print('closed by', 'parent' if os.getpid() == parent else 'child', flush=True)\n"
+              "parent = os.getpid()\n"
+              "device = vb.Device(Arm())\n"
+              "child = os.fork()\n"
+              "if child:\n"
+              "    os.waitpid(child, 0)\n"
+              "else:\n"
+              "    del device\n")
+    done = subprocess.run([sys.executable, "-B", "-c", script], env={**os.environ, "PYTHONPATH": str(BINDING)},
+                          capture_output=True, text=True, timeout=60)
+    assert done.stderr == "" and done.stdout == "closed by parent\n"
 
 
 def test_an_interpreter_that_ends_closes_adapters_first():

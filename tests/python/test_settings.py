@@ -53,6 +53,37 @@ def test_bad_settings_of_a_thread_are_refused(context, settings, error):
     assert context.statistics.objects_alive == 0
 
 
+@pytest.mark.parametrize("points", [[[0.0, 1.0], [0.0, 1.0], [0.0, 1.0]], [[0.0] * 6, [1.0] * 6], [[0.0] * 3, [1.0] * 2, [2.0] * 4]])
+def test_rows_of_another_length_are_refused(context, points):
+    with pytest.raises(ValueError, match="rows of 3"):
+        vb.Thread(context, positions=points)
+    np = pytest.importorskip("numpy")
+    if len({len(point) for point in points}) == 1:
+        with pytest.raises(ValueError, match="rows of 3"):
+            vb.Thread(context, positions=np.array(points))
+
+
+@pytest.mark.parametrize("use", [lambda t: t.step("1e-3"), lambda t: t.step(None), lambda t: t.detach(1.5), lambda t: t.restore(3),
+                                 lambda t: t.move("a", (0, 0, 0)), lambda t: t.set_state(positions=5)])
+def test_arguments_of_another_type_are_type_errors(context, use):
+    with pytest.raises(TypeError):
+        use(vb.Thread(context))
+
+
+def test_arrays_of_other_types_are_taken_or_refused(context):
+    np = pytest.importorskip("numpy")
+    thread = vb.Thread(context, segment_count=2)
+    places = np.arange(9).reshape(3, 3)
+    for kind in (np.float32, np.int64, ">f8", np.uint8):
+        thread.set_state(positions=places.astype(kind))
+        assert thread.positions.tolist() == places.tolist()
+    thread.set_state(positions=np.arange(18.0).reshape(3, 6)[:, ::2])
+    assert thread.positions[1].tolist() == [6.0, 8.0, 10.0]
+    for kind in (complex, str, object):
+        with pytest.raises(TypeError):
+            thread.set_state(positions=places.astype(kind))
+
+
 def test_the_text_names_the_value_that_was_refused(context):
     with pytest.raises(vb.OutOfRangeError, match="length") as caught:
         vb.Thread(context, length=-2.0)

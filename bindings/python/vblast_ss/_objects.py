@@ -7,7 +7,7 @@ from typing import Any, ClassVar, Optional, TypeVar
 from ._library import lib
 from ._values import constant, defaults, value_of
 from .context import Context
-from .errors import InvalidHandleError
+from .errors import Error, InvalidHandleError
 from .views import Array, View, array_of, empty_view
 
 O = TypeVar("O", bound="Object")
@@ -32,9 +32,14 @@ class Object:
         with context._lock:
             if self._handle is None or context._handle is None or context._broken:
                 self._refuse()
-            status = function(self._handle, *arguments)
+            try:
+                status = function(self._handle, *arguments)
+            except ctypes.ArgumentError as error:
+                raise TypeError(str(error)) from None
             if status or context._raised is not None:
                 context._fail(status)
+        if context._dropped:
+            context._sweep()
 
     def _refuse(self) -> None:
         self._context._require()
@@ -57,7 +62,13 @@ class Object:
     def close(self) -> None:
         """Destroys the object. Arrays of it that are kept show what they showed last."""
         if self._handle is not None and not self._context.closed:
-            self._call(self._function("destroy"))
+            try:
+                self._call(self._function("destroy"))
+            except Error:
+                raise
+            except BaseException:  # of an adapter; the object is gone all the same
+                self._handle = None
+                raise
         self._handle = None
 
     def __enter__(self: O) -> O:
@@ -67,12 +78,9 @@ class Object:
         self.close()
 
     def __del__(self) -> None:
-        if getattr(self, "_handle", None) is None:
-            return
-        try:
-            self.close()
-        except Exception:  # in a scene, or inside a callback: it goes with its context
-            self._handle = None
+        if vars(self).get("_handle") is not None and not self._context.closed and not self._context._inherited:
+            kept = [value for name, value in vars(self).items() if name != "_context"]
+            self._context._drop(self._function("destroy"), self._handle, kept)
 
     def _describe(self) -> str:
         return ""
@@ -91,6 +99,7 @@ class Object:
 def created(context: Context, struct: Any, function: Any, *arguments: Any) -> Any:
     """A new handle from a create function."""
     handle = ctypes.POINTER(struct)()
+    context._sweep()
     context._call(function, *arguments, ctypes.byref(handle))
     return handle
 

@@ -79,11 +79,18 @@ def numbers(values: Any, kind: Any, name: str, count: Optional[int] = None, row:
             raise TypeError(f"{name} is an array of {values.dtype}")
         if kind is not ctypes.c_double and values.size and not 0 <= int(values.min()) <= int(values.max()) < 2**32:
             raise OutOfRangeError(f"{name} has numbers that are not from 0 to {2**32 - 1}")
+        if row > 1 and values.ndim > 1 and values.size != row * values.shape[0]:
+            raise ValueError(f"{name} has the shape {values.shape}, and rows of {row} are wanted")
         data = np.ascontiguousarray(values, dtype=np.float64 if kind is ctypes.c_double else np.uint32)
         found = data.size
         array = (kind * found)()
         ctypes.memmove(array, data.ctypes.data, data.nbytes)
     else:
+        if row > 1:
+            values = list(values)
+            lengths = {len(list(_flat(value))) for value in values if hasattr(value, "__iter__")}
+            if lengths - {row}:
+                raise ValueError(f"{name} has a row of {max(lengths - {row})} numbers, and rows of {row} are wanted")
         listed = list(_flat(values))
         found = len(listed)
         if kind is ctypes.c_double:

@@ -43,7 +43,8 @@ def closest_segment_triangle(segment: Any, triangle: Any) -> Closest:
 
 def closest_capsules(a: Any, radius_a: float, b: Any, radius_b: float) -> Closest:
     """Closest points of the surfaces of two capsules; the distance is negative when they overlap."""
-    return _closest(lib.vbss_closest_capsules, doubles(a, "a", 6), radius_a, doubles(b, "b", 6), radius_b)
+    return _closest(lib.vbss_closest_capsules, doubles(a, "a", 6), float(radius_a), doubles(b, "b", 6),
+                    float(radius_b))
 
 
 def _config(settings: dict[str, Any]) -> vbss_collision_config:
@@ -89,7 +90,7 @@ def paper_response(kind: Any, variant: Any, impact: Optional[Impact], start: Any
         given = ctypes.byref(struct)
     found = vbss_response()
     check(lib.vbss_paper_response(constant(kind, PairKind, "kind"), constant(variant, ResponseVariant, "variant"),
-                                  given, doubles(start, "start", 12), doubles(end, "end", 12), thickness,
+                                  given, doubles(start, "start", 12), doubles(end, "end", 12), float(thickness),
                                   doubles(inverse_masses, "inverse_masses", 4), ctypes.byref(found),
                                   ctypes.sizeof(found)))
     return value_of(Response, found)

@@ -4,12 +4,13 @@ from __future__ import annotations
 import atexit
 import ctypes
 import os
+import sys
 import threading
 import weakref
 from typing import Any, Callable, Optional
 
-from ._api.base import (ContextStatistics, LogLevel, vbss_context, vbss_context_config, vbss_context_statistics,
-                        vbss_log_fn)
+from ._api.base import (ContextStatistics, LogLevel, Result, vbss_context, vbss_context_config,
+                        vbss_context_statistics, vbss_log_fn)
 from ._library import lib
 from ._memory import Memory
 from ._values import fill, value_of
@@ -51,7 +52,9 @@ class Context:
         self._handle: Any = None
         self._raised: Optional[BaseException] = None
         self._broken = False
+        self._inherited = False  # by a forked child
         self._quiet = False
+        self._dropped: list[tuple[Any, Any, Any]] = []
         self._lock = threading.RLock()
         self._memory = Memory()
         self._log = log
@@ -93,7 +96,10 @@ class Context:
     def _call(self, function: Any, *arguments: Any) -> None:
         with self._lock:
             self._require()
-            status = function(*arguments)
+            try:
+                status = function(*arguments)
+            except ctypes.ArgumentError as error:
+                raise TypeError(str(error)) from None
             if status or self._raised is not None:
                 self._fail(status)
 
@@ -113,6 +119,30 @@ class Context:
             return default
         self._raised = waiting
         return result
+
+    def _drop(self, destroy: Any, handle: Any, kept: Any) -> None:
+        """Takes over what lost its last reference: to be destroyed now, or when the context is free again. Nobody
+        waits here, as references may go anywhere; what callbacks of it need is kept until then."""
+        self._dropped.append((destroy, handle, kept))
+        self._sweep()
+
+    def _sweep(self) -> None:
+        """Destroys what was dropped, unless somebody is inside the context."""
+        if not self._dropped or not self._lock.acquire(blocking=False):
+            return
+        quiet, self._quiet = self._quiet, True  # one that is still in a scene is no error
+        waiting, self._raised = self._raised, None
+        try:
+            for _ in range(len(self._dropped)):
+                destroy, handle, kept = self._dropped.pop(0)
+                if self._handle is not None and destroy(handle) == Result.ERROR_BUSY:
+                    self._dropped.append((destroy, handle, kept))
+                if self._raised is not None:  # by an adapter that was closed: nobody called for it
+                    raised, self._raised = self._raised, None
+                    sys.excepthook(type(raised), raised, raised.__traceback__)
+        finally:
+            self._quiet, self._raised = quiet, waiting
+            self._lock.release()
 
     # ---- for hosts
 
@@ -144,6 +174,7 @@ class Context:
             if status:
                 self._fail(status)
             self._handle = None
+            self._dropped.clear()
             _alive.discard(self)
             self._fail(0)
 
@@ -154,7 +185,8 @@ class Context:
         self.close()
 
     def __del__(self) -> None:
-        if getattr(self, "_handle", None) is not None and not self._broken:
+        # An inherited one leaves devices alone; its memory goes all the same.
+        if getattr(self, "_handle", None) is not None and not self._inherited:
             self.close()
 
     def __repr__(self) -> str:
@@ -177,16 +209,21 @@ _alive: weakref.WeakSet[Context] = weakref.WeakSet()
 def _close_all() -> None:
     """Before the interpreter goes: adapters are still there to be closed."""
     for context in list(_alive):
-        if not context._broken:
+        try:
             context.close()
+        except BaseException:  # what an adapter raises keeps nobody from closing the others
+            sys.excepthook(*sys.exc_info())
 
 
 def _after_fork_in_child() -> None:
-    """The child has a copy of every context; one that another thread was inside of is of no use."""
+    """The child has a copy of every context; one that another thread was inside of is of no use. What the child does
+    not close itself is not closed for it: the hardware of devices is the parent's."""
     for context in list(_alive):
+        context._inherited = True
         if not context._lock.acquire(blocking=False):
             context._broken = True
         context._lock = threading.RLock()
+    _alive.clear()
 
 
 atexit.register(_close_all)
