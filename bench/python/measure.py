@@ -3,12 +3,13 @@
 
     bench/python/measure.py [library folder]      default build/release/lib
 
-Import time in fresh interpreters; ns of a scene's step from Python and from C, for scenes of nothing and of a hanging
-thread, the least of several runs, with equal hashes of the end states; steps a second of one and of two Python
-threads with a scene each."""
+Import time in fresh interpreters; time of a scene's step from Python and from C, for scenes of nothing and of a hanging
+thread, with equal hashes of the end states: processor time, the least of several runs. Steps a second of one and of two
+Python threads with a scene each: wall time, the best of several runs; on a machine that does other things two gain less."""
 import concurrent.futures
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -25,11 +26,12 @@ RUNS = 9
 
 
 def import_time(statement):
-    """ms that a statement adds to an interpreter, the least of several, with compiled files already there."""
+    """ms of processor time that a statement adds to an interpreter, with compiled files already there."""
     def run(text):
-        begin = time.perf_counter()
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
         subprocess.run([sys.executable, "-c", text], check=True)
-        return 1e3 * (time.perf_counter() - begin)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return 1e3 * (after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime)
     run(statement)
     return min(run(statement) for _ in range(RUNS)) - min(run("pass") for _ in range(RUNS))
 
@@ -45,10 +47,10 @@ def scene_of(segments):
 
 def python_steps(segments, steps):
     scene = scene_of(segments)
-    begin = time.perf_counter()
+    begin = time.thread_time()
     for _ in range(steps):
         scene.step(1e-3)
-    return 1e9 * (time.perf_counter() - begin) / steps, scene.state_hash
+    return 1e9 * (time.thread_time() - begin) / steps, scene.state_hash
 
 
 def c_steps(program, segments, steps):
@@ -66,7 +68,7 @@ def throughput(workers, segments, steps):
 
 
 def main():
-    print(f"{vb.build_info()}\nPython {sys.version.split()[0]}, {os.cpu_count()} cores\n")
+    print(f"{vb.build_info()}\nload {os.getloadavg()[0]:.1f}, Python {sys.version.split()[0]}, {os.cpu_count()} cores\n")
     print(f"import vblast_ss: {import_time('import vblast_ss'):.0f} ms; with numpy, at the first array: "
           f"{import_time('import vblast_ss, numpy'):.0f} ms")
     with tempfile.TemporaryDirectory() as folder:
@@ -83,11 +85,14 @@ def main():
             print(f"{name:18} {1e-3 * c:8.2f} {1e-3 * python:13.2f} {python / c:8.2f}")
         scene = scene_of(120)
         thread = scene.thread(1)
-        begin = time.perf_counter()
-        for _ in range(5000):
-            thread.positions
-        print(f"\nan array of positions: {1e6 * (time.perf_counter() - begin) / 5000:.2f} us")
-    rates = [[throughput(workers, 120, 1500) for workers in (1, 2)] for _ in range(5)]
+        costs = []
+        for _ in range(RUNS):
+            begin = time.thread_time()
+            for _ in range(2000):
+                thread.positions
+            costs.append((time.thread_time() - begin) / 2000)
+        print(f"\nan array of positions: {1e6 * min(costs):.2f} us")
+    rates = [[throughput(workers, 120, 1500) for workers in (1, 2)] for _ in range(3 * RUNS)]
     if len({found for row in rates for _, hashes in row for found in hashes}) != 1:
         sys.exit("the end states differ")
     one, two = (max(row[i][0] for row in rates) for i in (0, 1))

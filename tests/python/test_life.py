@@ -149,6 +149,25 @@ def test_contexts_in_threads_give_the_same_for_one_worker_and_two():
     assert len({hashes[-1] for hashes in wanted}) == 4
 
 
+def test_contexts_do_not_wait_for_each_other(context):
+    inside, go_on = threading.Event(), threading.Event()
+
+    def measure(time):
+        inside.set()
+        go_on.wait(60)
+        return {"position": (time, 0, 0)}
+
+    device = vb.Device(vb.Mock(context, measure=measure))
+    worker = threading.Thread(target=device.read, args=(0.001,))
+    worker.start()
+    assert inside.wait(60)
+    with vb.Context() as other:
+        vb.Thread(other, segment_count=10).step()
+        assert worker.is_alive()
+    go_on.set()
+    worker.join()
+
+
 def test_threads_that_share_a_context_wait_for_each_other(context):
     thread = vb.Thread(context, segment_count=200)
     failures = []
