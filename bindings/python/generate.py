@@ -171,8 +171,9 @@ def struct_lines(struct: headers.Struct, names: Names) -> list[str]:
 
 def callback_lines(callback: headers.Function, names: Names) -> list[str]:
     kinds = [names.ctype(callback.result)] + [names.ctype(p, True) for p in callback.parameters]
-    return ["", ""] + [f"# {line}" for line in textwrap.wrap(" ".join(plain(callback.text).split("@")[0].split()), 96)] + \
-           [f"{callback.name} = CFUNCTYPE({', '.join(kinds)})"]
+    about = " ".join(plain(callback.text).split("@")[0].split())
+    return ["", "", *(f"# {line}" for line in textwrap.wrap(about, 96)),
+            f"{callback.name} = CFUNCTYPE({', '.join(kinds)})"]
 
 
 def module(header: headers.Header, names: Names) -> str:

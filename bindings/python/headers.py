@@ -124,6 +124,8 @@ def preprocess(text: str, header: Header) -> tuple[str, dict[str, list[tuple[str
         elif not parameters and re.fullmatch(r"\d+", re.sub(r"@\d+@", "", value).strip()):
             header.numbers[name] = int(re.sub(r"@\d+@", "", value))
     text = re.sub(r"^[ \t]*#[^\n]*$", "", text, flags=re.M)
+    for name, number in header.numbers.items():
+        text = re.sub(rf"\[\s*{name}\s*\]", f"[{number}]", text)
     text, brackets = re.subn(r'extern\s+"C"\s*\{', "", text)
     if brackets:
         text = re.sub(r"\}\s*$", "", text)
@@ -180,7 +182,8 @@ def take_kind(header: Header, found, about, comments, lists) -> None:
 def take_constants(header: Header, found, about, comments, lists) -> None:
     names: list[tuple[str, int, str]] = []
     body, at, before = found.group(1), 0, ""
-    form = re.compile(r"\s*(?:@(?P<comment>\d+)@|(?P<list>\w+)\(\w+\)|(?P<name>\w+)\s*=\s*\(?(?P<value>-?\d+)\)?"
+    form = re.compile(r"\s*(?:@(?P<comment>\d+)@|(?P<list>\w+)\(\w+\)|(?P<name>\w+)\s*=\s*\(?"
+                      r"(?P<value>-?(?:0x[\da-fA-F]+|\d+))u?(?:\s*<<\s*(?P<shift>\d+))?\)?"
                       r"\s*,?[ \t]*\n?[ \t]*(?:@(?P<after>\d+)@)?)")
     while body[at:].strip():
         one = form.match(body, at)
@@ -197,7 +200,7 @@ def take_constants(header: Header, found, about, comments, lists) -> None:
             after = one["after"]
             if before and after:
                 at, after = one.start("after") - 1, None
-            names.append((one["name"], int(one["value"]), before or (comments[int(after)] if after else "")))
+            names.append((one["name"], int(one["value"], 0) << int(one["shift"] or 0), before or (comments[int(after)] if after else "")))
             before = ""
     of = re.search(r"constants of #(vbss_\w+)", about)
     header.constants.append(Constants(of.group(1) if of else "", names, about))

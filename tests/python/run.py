@@ -8,11 +8,12 @@ import importlib.util
 import os
 import pathlib
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 BINDING = ROOT / "bindings" / "python"
-CACHE = os.environ.get("VBSS_WORK", "/tmp")
+CACHE = os.environ.get("VBSS_WORK", tempfile.gettempdir())
 PYTEST = ["-m", "pytest", "-q", "-p", "no:cacheprovider"]
 PARTS = {
     "generated": ([], [str(BINDING / "generate.py"), "--check"]),

@@ -65,6 +65,18 @@ def test_a_form_that_the_reader_does_not_know_is_refused(tmp_path, text):
         generate.generate(include)
 
 
+def test_forms_that_may_come_are_read(tmp_path):
+    include = tmp_path / "include"
+    shutil.copytree(ROOT / "include", include)
+    (include / "vblast_ss" / "new.h").write_text(
+        "#include <vblast_ss/base.h>\n#define VBSS_NEW_ROOM 4 /**< Room. */\n"
+        "/** Bits. */\nenum {\n    VBSS_NEW_A = 0x10, /**< A. */\n    /** B. */\n    VBSS_NEW_B = 1 << 5\n};\n"
+        "/** New. */\ntypedef struct vbss_new {\n    double rows[VBSS_NEW_ROOM][3]; /**< Rows. */\n} vbss_new;\n")
+    text = generate.generate(include)["new.py"]
+    assert "VBSS_NEW_ROOM = 4" in text and '("rows", (c_double * 3) * 4),' in text
+    assert "class NewBits(IntFlag):" in text and "A = 16" in text and "B = 32" in text and '"""B."""' in text
+
+
 def test_layouts_and_constants_are_those_of_the_compiler(tmp_path):
     compiler = os.environ.get("VBSS_CC") or shutil.which("cc") or shutil.which("gcc")
     if not compiler:

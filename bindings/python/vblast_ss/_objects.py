@@ -157,7 +157,7 @@ class Saved(Object):
         written = ctypes.c_uint64()
         function = self._function("save")
         with self._context._lock:
-            if self._handle is None or self._context.closed:
+            if self._handle is None or self._context.closed or self._context._broken:
                 self._refuse()
             self._context._quiet = True  # asking how much is no error
             function(self._handle, None, 0, ctypes.byref(written))

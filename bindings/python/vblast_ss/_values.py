@@ -5,7 +5,6 @@ import ctypes
 import operator
 from typing import Any, Callable, Iterable, Mapping, Optional, TypeVar
 
-from ._library import lib
 from .errors import OutOfRangeError, check
 
 V = TypeVar("V")
@@ -209,8 +208,3 @@ def defaults(struct_type: Any, function: Any) -> dict[str, Any]:
     struct = initialised(struct_type, function, {}, "")
     return {name: _constant_of(struct._kinds_[name])(getattr(struct, name)) if name in struct._kinds_
             else _number(getattr(struct, name)) for name in settable(struct_type)}
-
-
-def result_name(status: int) -> str:
-    """Such as "VBSS_ERROR_CAPACITY"."""
-    return str(lib.vbss_result_name(status).decode())

@@ -22,6 +22,11 @@ class Error(Exception):
         self.text = text or lib.vbss_result_string(self.status).decode()
         super().__init__(self.text)
 
+    @property
+    def name(self) -> str:
+        """Of the status, such as "VBSS_ERROR_CAPACITY"."""
+        return str(lib.vbss_result_name(self.status).decode())
+
 
 class NullArgumentError(Error, TypeError):
     """Something that is needed was None."""

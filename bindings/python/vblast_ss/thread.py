@@ -98,8 +98,8 @@ class Thread(Configured, Viewed, Saved):
 
     def attach(self, kind: Any = "pin", node: int = 0, **settings: Any) -> int:
         """Attaches something to a node: "pin", "clamp", "force", "spring" or "mass", with position, direction,
-        force, stiffness, damping, mass. A pin or clamp without a position stays where the node is. Returns the
-        name of the attachment."""
+        force, stiffness, damping, mass. A pin, clamp or spring without a position holds the node where it is.
+        Returns the name of the attachment."""
         number = constant(kind, AttachmentKind, "kind")
         if "position" not in settings and number in (AttachmentKind.PIN, AttachmentKind.CLAMP,
                                                      AttachmentKind.SPRING):
