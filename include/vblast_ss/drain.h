@@ -89,15 +89,18 @@ typedef struct vbss_drain_config {
     /** With which a tip is pushed along its direction when it enters a wall, N, 1e-3 to 1e3; default 1 (the published range
      * for both walls of a Penrose drain is 0.85 to 2.92). */
     double puncture_force;
-    /** Friction of a hole with what slides in it, N, 1e-6 to 1e3; default 0.25 (not verified). */
+    /** Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25 (not verified). */
     double hole_force;
     /** Beside that, a share of what is borne across, 0 to 10; default 0.3 (not verified). */
     double hole_friction;
     double
         hole_stiffness; /**< Of a hole across and along what is in it, N/m, 1 to 1e7; default 2e4. */
-    double hole_damping; /**< Of what slides in it, N s/m, 0 to 1e3; default 0.5. */
+    double hole_damping; /**< Of what slides in it, N s/m, 0 to 1e3; default 0.05. */
     /** Of a tip's way through the wall, over which puncture_force falls to hole_force, m, 0 to 0.1; default 0.5e-3. */
     double tip_length;
+    /** Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02 (not verified). One that is tight rubs as a
+     * rope round a post: docs/stitch.md. */
+    double thread_force;
 } vbss_drain_config;
 
 /** What an attachment does: a VBSS_DRAIN_ATTACHMENT_ constant. */

@@ -10,12 +10,12 @@
  * other. Rigid bodies are sets of capsules; they are driven (move exactly as told), coupled (a proxy tied to a given pose
  * by a spring and a damper, so that what stops the thread stops the tool) or free. A grasper (grasper.h) is a coupled one
  * with jaws that hold threads, needles and walls of drains; of method PAPER a driven one. A needle (needle.h) is a free one:
- * its tip goes through the wall of a drain on which it presses hard enough, and leaves a hole that slides along it
- * (#vbss_scene_get_hole); of method PAPER it follows the first tool that has grasped it, and no force decides about holes.
+ * its tip goes through the wall of a drain on which it presses hard enough, and leaves a hole that slides along it and on
+ * along the thread behind (#vbss_scene_get_hole); of method PAPER it follows the first tool that has grasped it, and no force decides about holes.
  *
  * Method OURS: one system of equations for all bodies and contacts, unilateral contact with Coulomb
  * friction that sticks without creep, and a guard: no accepted step lets the axis of anything pass
- * through anything, but for a needle near its holes, what is held near the jaws that hold it, a thread near a pin on the
+ * through anything, but for a needle or a thread near its holes, what is held near the jaws that hold it, a thread near a pin on the
  * body that it is pinned to (#vbss_scene_pin_thread), and segments that are too near along a thread to touch, also across a cut until its ends have come
  * apart. Method PAPER is that of VBLaST-SS (Qi et al.
  * 2017): explicit steps, edge tests at both ends of a step, displacements as response, no friction, knots
@@ -103,8 +103,9 @@ typedef struct vbss_scene_config {
      * (docs/contact.md). 0: no limit; default 250000. */
     uint32_t work_limit;
     uint32_t drain_capacity; /**< Most drains at a time, 0 to 16; default 1. */
-    uint32_t hole_capacity; /**< Most holes of needles in drains at a time, 0 to 256; default 16. */
-    uint32_t reserved;      /**< Zero. */
+    uint32_t
+        hole_capacity; /**< Most holes of needles and threads in drains at a time, 0 to 256; default 16. */
+    uint32_t reserved; /**< Zero. */
 } vbss_scene_config;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
@@ -207,8 +208,8 @@ enum {
     /** A segment of a thread, a capsule or a side of a drain's triangle, and a side of a drain's triangle. */
     VBSS_CONTACT_SIDES = 8,
     VBSS_CONTACT_DRAIN_FLOOR = 9, /**< A node of a drain, and the floor. */
-    /** A needle, three times the place of the hole among all plus: 0 and 1 across, 2 along; and 0 of the drain. PAPER: 0
-     * alone, where particles were moved. */
+    /** A needle or a thread, the place of the hole among all; and 0 of the drain. The normal is along the suture. PAPER:
+     * where particles were moved. */
     VBSS_CONTACT_HOLE = 10
 };
 
@@ -236,8 +237,13 @@ enum {
     VBSS_EVENT_PUNCTURE =
         13, /**< A needle's tip enters a wall, PAPER: has gone through: needle, drain, id of the hole (vbss_scene_get_hole). */
     VBSS_EVENT_WITHDRAWN = 14, /**< The tip has left the hole the way it came: the same. */
-    VBSS_EVENT_PASSED = 15,    /**< The needle has gone through it, swage and all: the same. */
-    VBSS_EVENT_HOLE_LOST = 16  /**< Beyond hole_capacity the wall holds: needle, drain, 0. */
+    VBSS_EVENT_PASSED =
+        15, /**< The needle has gone through it, swage and all; the thread follows: the same. */
+    VBSS_EVENT_HOLE_LOST = 16, /**< Beyond hole_capacity the wall holds: needle, drain, 0. */
+    VBSS_EVENT_RETURNED =
+        17, /**< The swage has come back through it: the needle is in it again: the same. */
+    VBSS_EVENT_UNTHREADED =
+        18 /**< An end of a thread has left the hole: thread, drain, id of the hole. */
 };
 
 /** Counters since creation, and figures of the last step. Method PAPER counts its passes of detection and
@@ -279,11 +285,11 @@ typedef struct vbss_scene_statistics {
     double time_paused;        /**< Of those parts together, s: simulated time that was lost. */
 } vbss_scene_statistics;
 
-/** A hole of a needle in a drain. */
+/** A hole of a needle or a thread in a drain. */
 typedef struct vbss_hole {
     uint32_t struct_size; /**< Bytes of this struct that the library filled. */
     uint32_t id;          /**< From 1 on, in the order in which they were made; none twice. */
-    uint32_t needle;      /**< Its number in the scene. */
+    uint32_t needle;      /**< Its number in the scene; 0: a thread is in it. */
     uint32_t drain;       /**< The same. */
     uint32_t triangle;    /**< Of the drain. */
     uint32_t outward;     /**< 1: the tip went through from inside; 0: from outside. */
@@ -291,11 +297,15 @@ typedef struct vbss_hole {
     double
         rest_position[3]; /**< Of that point of the drain at rest, m: VBSS_DRAIN_REST_POSITIONS. */
     double position[3];   /**< Where it is, in the middle of the wall, m. */
-    double direction[3];  /**< Unit: of the needle there, toward its tip. */
-    double
-        arc_length; /**< Of the needle there, from the tip, m; below 0 the tip is still before the middle. */
-    double friction; /**< On the needle toward its tip, N. */
-    double force[3]; /**< On the needle, N. */
+    double direction
+        [3]; /**< Unit: of the suture there, toward the needle's tip, or the thread's begin. */
+    /** Of what is in it, m: of the needle from the tip (below 0 that is still before the middle), of the thread from its
+     * begin. Round the swage it may be up to 0.2 mm beyond an end. */
+    double arc_length;
+    double friction;   /**< On the suture, along `direction`, N. */
+    double force[3];   /**< On the suture, N. */
+    uint32_t thread;   /**< Number of the thread that is in it; 0: a needle is. */
+    uint32_t reserved; /**< Zero. */
 } vbss_hole;
 
 /** A place of a thread, of a needle, or of a drain, that a grasper holds. */
@@ -463,7 +473,7 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
                                           vbss_grasp *grasp, uint32_t struct_size);
 
 /**
- * A hole of a needle in a drain, as it is after the last step.
+ * A hole of a needle or a thread in a drain, as it is after the last step.
  *
  * @param scene        the scene
  * @param index        which, from 0 on; their order may change with the next step
@@ -476,6 +486,27 @@ VBSS_API vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint
  */
 VBSS_API vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
                                          uint32_t struct_size);
+
+/**
+ * Makes a hole where a thread or a needle already goes through the wall of a drain: as a host lays out a stitch. From then on
+ * it is as if a needle had made it.
+ *
+ * @param scene       the scene, of method OURS
+ * @param body        the thread or the needle; a thread of three nodes at least
+ * @param arc_length  of it there, m: the hole is at the place downhill from there that is nearest; 0 to its length
+ * @param drain       the drain
+ * @param triangle    of the drain: VBSS_DRAIN_TRIANGLES
+ * @param weights     of its nodes in the hole: three, from 0 to 1, with the sum 1
+ * @param[out] id     receives its name; may be NULL
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_OUT_OF_RANGE (a value; no such body; the
+ *         suture is farther from there than it would touch the wall), VBSS_ERROR_NOT_FINITE, VBSS_ERROR_CAPACITY
+ *         (hole_capacity) or VBSS_ERROR_BUSY
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
+                                          uint32_t drain, uint32_t triangle, const double *weights,
+                                          uint32_t *id);
 
 /**
  * Removes a body, with its pins and grasps. A thread, drain or grasper is the host's again; a grasper is then where it was

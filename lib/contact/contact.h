@@ -24,7 +24,8 @@ typedef struct contact_term {
     uint32_t block;
     bool turns; /* the block is a rotation increment */
     double weight;
-    vec3 arm; /* turns: from the centre of mass to the contact point */
+    double slope; /* of a sleeve: of the weight, as what is in it slides along the normal, 1/m */
+    vec3 arm;     /* turns: from the centre of mass to the contact point */
 } contact_term;
 
 /* Which features: what the order of the rows, and memory, go by. */
@@ -40,8 +41,9 @@ typedef struct contact_found {
     double pressure; /* normal force on a, N */
     vec3 rubbing;    /* tangential force on a, N */
     vec3 way;        /* SLIP: unit, of the rubbing */
-    double share; /* SLIP: friction pressure / |augmented rubbing|; of a row with a bound 1 if its
-                        force is along the normal, 0 if it is against it */
+    double
+        share; /* SLIP: friction pressure / |augmented rubbing|; of a sleeve 1 if its force along is along
+                        the normal, 0 if it is against it: its pressure is that force, its rubbing the one across */
 } contact_found;
 
 typedef struct contact_row {
@@ -53,9 +55,15 @@ typedef struct contact_row {
     double stiffness; /* normal and tangential, N/m */
     double friction;  /* coefficient */
     double along;     /* bilateral: share of the stiffness that it has in the plane; 0: all */
-    /* Bilateral, N: if not 0, it holds along its normal alone, remembers what it held there, and gives way beyond that force
-     * with another stiffness. */
-    double bound, beyond;
+    /* Bilateral: what is in it is held across the normal and slides along it; below `least`, N, and `grip` of what is held
+     * across it sticks: against the normal, along it; either may be below 0, their sum is not. Beyond it yields with a damping, as a stiffness of the part, N/m. What it
+     * held along is remembered. */
+    bool sleeve;
+    double least, grip[2], beyond;
+    vec3 turn; /* of the normal as it slides along it, 1/m */
+    /* A sleeve's, for whoever makes rows: on which span it has been laid, and from which arc length on. */
+    uint32_t span;
+    double from;
     double augmentation;       /* r of Alart and Curnier, N/m */
     vec3 normal;               /* unit, from b to a */
     double gap;                /* at the trial state, m */

@@ -1,5 +1,5 @@
-/* The law of a row: unilateral contact with Coulomb friction, both with a stiffness; of what ties, and of what ties up to a
- * bound.
+/* The law of a row: unilateral contact with Coulomb friction, both with a stiffness; of what ties, and of what slides
+ * in a sleeve.
  *
  * Normal: pressure = -stiffness gap, if that presses. Tangential: the slip
  *   v = (slid + u)_t + (rubbing - held) / stiffness
@@ -45,43 +45,97 @@ static double stiffness_along(const contact_row *row)
     return row->bilateral && row->along > 0.0 ? row->along * row->stiffness : row->stiffness;
 }
 
-/* ---- rows with a bound: elastic up to it, viscous beyond; along the normal alone */
+/* ---- sleeves: what is held across slides along, with friction that grows with what is held
+ *
+ * Along the normal, tangent of what is in the sleeve, the force is that of a spring up to
+ *   most = least + grip |across|,    grip for either way of sliding,
+ * beyond which a damper in series with the spring yields: f = most + c v at any speed and any step (Perzyna 1966). */
 
-static double elastic_force(const contact_row *row, double slid)
+/* A direction of the force across that is off by so little changes it by its square. */
+#define SLEEVE_EXACT 1e-4
+
+typedef struct sleeve_force {
+    vec3 across;
+    double along;
+} sleeve_force;
+
+static double elastic_force(const contact_row *row, vec3 slid)
 {
-    return vec3_dot(row->held, row->normal) - row->stiffness * slid;
+    return vec3_dot(row->held, row->normal) - row->stiffness * vec3_dot(slid, row->normal);
 }
 
-/* Beyond the bound, from where it is reached on. */
-static double yielding_force(const contact_row *row, double slid, bool forward)
+/* Beyond which it slides: `forward`, that force is along the normal; `pressed` is what is held across. */
+static double most_along(const contact_row *row, bool forward, double pressed)
 {
-    double most = forward ? row->bound : -row->bound;
-    double reached = (vec3_dot(row->held, row->normal) - most) / row->stiffness;
-    return most - row->beyond * (slid - reached);
+    double most = row->least + row->grip[forward] * pressed;
+    return forward ? most : -most;
 }
 
-static double bounded_force(const contact_row *row, vec3 u, const contact_found *is)
+static double yielding_force(const contact_row *row, double elastic, double most)
 {
-    double slid = vec3_dot(vec3_add(row->slid, u), row->normal);
-    return is->state == CONTACT_SLIP ? yielding_force(row, slid, is->share > 0.5)
-                                     : elastic_force(row, slid);
+    return (row->beyond * elastic + row->stiffness * most) / (row->beyond + row->stiffness);
 }
 
-static void next_bounded(const contact_row *row, vec3 u, contact_found *next)
+/* In the state and with the direction across that the row has. */
+static sleeve_force linear_sleeve(const contact_row *row, vec3 u)
 {
-    double elastic = elastic_force(row, vec3_dot(vec3_add(row->slid, u), row->normal));
-    bool sticks = fabs(elastic) <= row->bound;
-    *next = (contact_found){.state = sticks ? CONTACT_STICK : CONTACT_SLIP,
-                            .share = elastic > 0.0 ? 1.0 : 0.0};
-    next->pressure = bounded_force(row, u, next);
+    vec3 slid = vec3_add(row->slid, u);
+    sleeve_force f = {vec3_scale(along_plane(slid, row->normal), -row->stiffness),
+                      elastic_force(row, slid)};
+    if (row->is.state == CONTACT_SLIP) {
+        double pressed = vec3_dot(f.across, row->is.way);
+        f.along = yielding_force(row, f.along, most_along(row, row->is.share > 0.5, pressed));
+    }
+    return f;
 }
 
-static void linear_bounded_law(const contact_row *row, contact_tangent *t)
+static void next_sleeve(const contact_row *row, vec3 u, contact_found *next)
 {
-    t->count = 1;
+    vec3 slid = vec3_add(row->slid, u);
+    vec3 across = vec3_scale(along_plane(slid, row->normal), -row->stiffness);
+    double elastic = elastic_force(row, slid), pressed = vec3_norm(across);
+    double least = most_along(row, false, pressed), most = most_along(row, true, pressed);
+    bool forward = elastic > most;
+    *next = (contact_found){.state = CONTACT_STICK,
+                            .pressure = elastic,
+                            .rubbing = across,
+                            .way = vec3_unit_or(across, vec3_any_normal(row->normal)),
+                            .share = forward ? 1.0 : 0.0};
+    if (forward || elastic < least) {
+        next->state = CONTACT_SLIP;
+        next->pressure = yielding_force(row, elastic, forward ? most : least);
+    }
+}
+
+static double sleeve_missed(const contact_row *row, vec3 u, const contact_found *next)
+{
+    double missed = fabs(next->pressure - linear_sleeve(row, u).along);
+    bool same = next->state == row->is.state;
+    double size = vec3_norm(next->rubbing) + fabs(next->pressure);
+    return same && missed <= SLEEVE_EXACT * size ? 0.0 : missed;
+}
+
+static vec3 sum_of(const contact_row *row, sleeve_force f)
+{
+    return vec3_add_scaled(f.across, f.along, row->normal);
+}
+
+static void linear_sleeve_law(const contact_row *row, contact_tangent *t)
+{
+    const double k = row->stiffness;
+    vec3 way = row->is.state == CONTACT_SLIP ? row->is.way : vec3_any_normal(row->normal);
+    t->count = 3;
     t->left[0] = t->right[0] = row->normal;
-    t->stiffness[0] = row->is.state == CONTACT_SLIP ? row->beyond : row->stiffness;
-    t->force = vec3_scale(row->normal, bounded_force(row, vec3_zero(), &row->is));
+    t->left[1] = t->right[1] = way;
+    t->left[2] = t->right[2] = vec3_cross(row->normal, way);
+    t->stiffness[0] = t->stiffness[1] = t->stiffness[2] = k;
+    if (row->is.state == CONTACT_SLIP) {
+        bool forward = row->is.share > 0.5;
+        double grip = forward ? row->grip[1] : -row->grip[0];
+        t->stiffness[0] = row->beyond * k / (row->beyond + k);
+        t->left[1] = vec3_add_scaled(way, grip * k / (row->beyond + k), row->normal);
+    }
+    t->force = sum_of(row, linear_sleeve(row, vec3_zero()));
 }
 
 /* ---- the others */
@@ -90,8 +144,8 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
 {
     const vec3 n = row->normal;
     const double k = row->stiffness, pressure = -k * row->gap;
-    if (row->bound > 0.0) {
-        linear_bounded_law(row, t);
+    if (row->sleeve) {
+        linear_sleeve_law(row, t);
         return;
     }
     t->count = 0;
@@ -166,9 +220,9 @@ static void close_row(const contact_row *row, vec3 moved, contact_found *next)
 
 double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *next)
 {
-    if (row->bound > 0.0) {
-        next_bounded(row, u, next);
-        return fabs(next->pressure - bounded_force(row, u, &row->is));
+    if (row->sleeve) {
+        next_sleeve(row, u, next);
+        return sleeve_missed(row, u, next);
     }
     double pressure = -row->stiffness * (row->gap + vec3_dot(row->normal, u));
     *next = (contact_found){.state = CONTACT_OPEN};
@@ -210,8 +264,8 @@ double vbss_contact_next_state(const contact_row *row, vec3 u, contact_found *ne
 vec3 vbss_contact_linear_force(const contact_row *row, vec3 u)
 {
     const vec3 n = row->normal;
-    if (row->bound > 0.0) {
-        return vec3_scale(n, bounded_force(row, u, &row->is));
+    if (row->sleeve) {
+        return sum_of(row, linear_sleeve(row, u));
     }
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
     if (row->is.state == CONTACT_OPEN) {
@@ -228,10 +282,10 @@ vec3 vbss_contact_linear_force(const contact_row *row, vec3 u)
 vec3 vbss_contact_force(const contact_row *row, vec3 u)
 {
     const vec3 n = row->normal;
-    if (row->bound > 0.0) {
+    if (row->sleeve) {
         contact_found is;
-        next_bounded(row, u, &is);
-        return vec3_scale(n, is.pressure);
+        next_sleeve(row, u, &is);
+        return vec3_add_scaled(is.rubbing, is.pressure, n);
     }
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
     if (!row->bilateral && !(pressure > 0.0)) {
@@ -256,8 +310,8 @@ void vbss_contact_state_at(const contact_row *row, const contact_stand *at, cont
     const vec3 n = row->normal;
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, at->u));
     double pressed = vec3_dot(n, at->force);
-    if (row->bound > 0.0) {
-        next_bounded(row, at->u, next);
+    if (row->sleeve) {
+        next_sleeve(row, at->u, next);
         return;
     }
     *next = (contact_found){.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN};

@@ -65,6 +65,25 @@ static inline void add_product(block *to, vec3 left, vec3 right)
     to->column[2] = lanes_add(to->column[2], lanes_mul(right.z, l));
 }
 
+/* What slides along a curve takes its force to other terms, and turns it. Without that a bend that runs through would look
+ * stiff: its own tension turns too. */
+static void add_sliding(const contact_row *row, const contact_tangent *t, const uint32_t *places,
+                        vbss_system *system)
+{
+    uint32_t n = row->term_count;
+    vec3 turned = vec3_scale(row->turn, -vec3_dot(t->force, row->normal));
+    for (uint32_t p = 0; p < n; p++) {
+        vec3 left =
+            vec3_add_scaled(map_to_block(&row->terms[p], turned), -row->terms[p].slope, t->force);
+        for (uint32_t q = 0; q < n; q++) {
+            if (places[p * n + q] != VBSS_NO_PLACE) {
+                add_product(&system->separator_blocks[places[p * n + q]], left,
+                            map_to_block(&row->terms[q], row->normal));
+            }
+        }
+    }
+}
+
 static void add_row(const contact_set *set, const contact_row *row, vbss_system *system)
 {
     contact_tangent t;
@@ -93,6 +112,9 @@ static void add_row(const contact_set *set, const contact_row *row, vbss_system 
                 add_product(&system->separator_blocks[place], left[d][p], right[d][q]);
             }
         }
+    }
+    if (row->sleeve) {
+        add_sliding(row, &t, places, system);
     }
 }
 

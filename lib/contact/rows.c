@@ -82,7 +82,8 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
     row->key = *key; /* most of it, the terms, is not looked at until it is set */
     row->term_count = 0;
     row->bilateral = false;
-    row->along = row->walls = row->bound = row->beyond = 0.0;
+    row->sleeve = false;
+    row->along = row->walls = 0.0;
     row->is = (contact_found){.state = CONTACT_OPEN};
     row->held = vec3_zero();
     row->first_place = UINT32_MAX;
@@ -144,8 +145,22 @@ bool vbss_contact_depth_is_allowed(const contact_set *set)
 
 /* ---- memory from part to part */
 
+/* Whoever lays it knows what it held. */
+static void remind_sleeve(contact_row *row, const contact_memory *m)
+{
+    row->is.rubbing = vbss_contact_turn_into_plane(m->rubbing, row->normal);
+    row->is.way = vec3_unit_or(row->is.rubbing, vec3_any_normal(row->normal));
+    row->is.share = m->share;
+    row->is.state = (contact_state)m->state;
+    row->is.pressure = m->pressure;
+}
+
 static void remind(contact_row *row, const contact_memory *m)
 {
+    if (row->sleeve) {
+        remind_sleeve(row, m);
+        return;
+    }
     row->is.state = (contact_state)m->state;
     row->is.pressure = m->pressure;
     row->held = row->is.rubbing = vbss_contact_turn_into_plane(m->rubbing, row->normal);
@@ -188,7 +203,8 @@ void vbss_contact_recall(contact_set *set)
         contact_row *row = &set->rows[i];
         row->is.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN;
         row->is.pressure = 0.0;
-        row->is.rubbing = row->held = vec3_zero();
+        row->is.rubbing = vec3_zero();
+        row->held = row->sleeve ? row->held : vec3_zero();
         for (; m < set->memory_count; m++) {
             int order = vbss_contact_compare(&set->memory[m].key, &row->key);
             if (order > 0) {

@@ -1,7 +1,7 @@
 /* What a host may ask for. */
 #include "drain/drain.h"
 
-_Static_assert(sizeof(vbss_drain_config) == 296, "published size");
+_Static_assert(sizeof(vbss_drain_config) == 304, "published size");
 
 static const vbss_drain_config defaults = {
     .struct_size = sizeof(vbss_drain_config),
@@ -32,10 +32,11 @@ static const vbss_drain_config defaults = {
     .hole_force = 0.25,
     .hole_friction = 0.3,
     .hole_stiffness = 2e4,
-    .hole_damping = 0.5,
+    .hole_damping = 0.05,
     .tip_length = 0.5e-3,
+    .thread_force = 0.02,
 };
-static const uint32_t config_sizes[] = {240, 248, 296, 0};
+static const uint32_t config_sizes[] = {240, 248, 296, 304, 0};
 static const vbss_layout config_layout = {"vbss_drain_config", &defaults, config_sizes};
 
 vbss_result vbss_drain_config_init(vbss_drain_config *config, uint32_t struct_size)
@@ -90,6 +91,7 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
         {"hole_stiffness", c->hole_stiffness, 1.0, 1e7},
         {"hole_damping", c->hole_damping, 0.0, 1e3},
         {"tip_length", c->tip_length, 0.0, 0.1},
+        {"thread_force", c->thread_force, 1e-6, 1e3},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

@@ -236,6 +236,9 @@ static void move_to_piece(scene_object *s, const scene_body *old, const scene_bo
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         move_grasp(&s->grasps[i], old, piece, cut);
     }
+    const thread_object *t = old->thread.thread;
+    vbss_scene_divide_holes(s, old->number, piece->number,
+                            vbss_thread_arc_length(t, t->node_count - 1));
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         scene_pin *p = &s->pins[i];
         if (p->id != 0 && p->thread == old->number && p->node >= cut->first_node) {
@@ -301,6 +304,7 @@ vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_l
     settle(thread);
     settle(b);
     vbss_scene_tell_cut(s, thread, b, arc_length);
+    vbss_scene_leave_short_threads(s);
     s->pattern = 0;
     s->generation++;
     *piece = b;

@@ -94,15 +94,14 @@ void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
     lay(s, row);
 }
 
-bool vbss_scene_add_tie(scene_object *s, const contact_key *key)
+contact_row *vbss_scene_add_tie(scene_object *s, const contact_key *key)
 {
     contact_row *row = vbss_contact_add(s->contacts, key);
-    if (row == NULL) {
-        return false;
+    if (row != NULL) {
+        row->bilateral = true;
+        row->thickness = 1.0; /* it overlaps nothing */
     }
-    row->bilateral = true;
-    row->thickness = 1.0; /* it overlaps nothing */
-    return true;
+    return row;
 }
 
 bool vbss_scene_add_grasp_rows(scene_object *s)
@@ -112,7 +111,7 @@ bool vbss_scene_add_grasp_rows(scene_object *s)
         for (uint32_t k = 0; g->id != 0 && !g->let_go && k < GRIP_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRIP_POINTS * i + k, g->tool,
                                      0};
-            if (!vbss_scene_add_tie(s, &key)) {
+            if (vbss_scene_add_tie(s, &key) == NULL) {
                 return false;
             }
         }

@@ -226,39 +226,32 @@ static double distance_at_begin(const scene_object *s, const collision_candidate
                                    &at[0], &at[1]));
 }
 
-/* A needle and the wall round a hole that it is in, where what moves by as much comes into it on the way; jaws and the wall
+/* A suture and the wall round a hole that it is in, where what moves by as much comes into it on the way; jaws and the wall
  * that they hold. */
 static bool is_left_out(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
-    bool first = a->kind == BODY_RIGID, point = q->kind == VBSS_PAIR_POINT_TRIANGLE;
-    const scene_body *needle = first ? a : b, *drain = first ? b : a;
-    bool holds = needle->rigid.pinch.drain == drain->number;
-    if (needle->kind != BODY_RIGID || drain->kind != BODY_DRAIN ||
-        (needle->rigid.needle == NULL && !holds)) {
+    bool first = a->kind != BODY_DRAIN, point = q->kind == VBSS_PAIR_POINT_TRIANGLE;
+    const scene_body *other = first ? a : b, *drain = first ? b : a;
+    bool holds = other->kind == BODY_RIGID && other->rigid.pinch.drain == drain->number;
+    if (other->kind == BODY_DRAIN || drain->kind != BODY_DRAIN ||
+        !(holds || vbss_scene_is_suture(other))) {
         return false;
     }
     const collision_shape *shape = s->collision->shapes[drain->shape];
-    uint32_t capsule = first ? q->a : q->b, feature = first ? q->b : q->a;
-    double at[3], end;
+    uint32_t feature = first ? q->b : q->a;
+    double at[3], share = 0.0;
     scene_spot spot;
     (void)distance_at_begin(s, q, at);
     if (point) {
-        end = capsule % 2;
-        capsule /= 2;
         spot = vbss_scene_spot(drain, feature, at);
     } else {
-        double share = at[first ? 1 : 0];
-        end = at[first ? 0 : 1];
-        spot = vbss_scene_spot_on_side(drain, shape->edges[feature], share);
+        share = at[first ? 0 : 1];
+        spot = vbss_scene_spot_on_side(drain, shape->edges[feature], at[first ? 1 : 0]);
     }
-    if (holds) {
-        return vbss_scene_is_pinched(s, drain, spot.now, needle, capsule);
-    }
-    double reach = SCENE_PIN_ARC * touching + needle->moved + drain->moved;
-    double arc = vbss_scene_arc_of(needle, capsule, end);
-    return vbss_scene_is_in_hole(s, needle, arc, drain, &spot, reach);
+    double reach = SCENE_PIN_ARC * touching + other->moved + drain->moved;
+    return vbss_scene_is_left_out(s, other, point, first ? q->a : q->b, share, drain, &spot, reach);
 }
 
 /* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it. */

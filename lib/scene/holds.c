@@ -197,7 +197,7 @@ bool vbss_scene_add_hold_rows(scene_object *s)
         const scene_body *b = &s->bodies[i];
         for (uint32_t k = 0; vbss_scene_holds_needle(s, b->number) && k < HOLD_POINTS; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.hold.needle, k, b->number, 0};
-            if (!vbss_scene_add_tie(s, &key)) {
+            if (vbss_scene_add_tie(s, &key) == NULL) {
                 return false;
             }
         }

@@ -1,38 +1,94 @@
-/* Holes in a scene: tips that enter walls, rows of what is in a hole, what does not touch there. */
+/* Holes in a scene: tips that enter walls, the suture that slides through. */
 #include "scene/scene.h"
 
-/* A tip touches within so many radii of the wire from its end. */
-#define TIP 1.0
+#include <string.h>
+
 /* The tip's line is followed so far for the wall that it presses on, in distances of touching. */
 #define REACH 4.0
+/* A tip that is so much further out than when it entered has left: tremor does not make a hole twice; so does an end of the
+ * suture, and the swage changes sides. m. */
+#define LEFT 0.2e-3
+/* Where the swage may pass in a part, nodes of both sides take part; m. */
+#define NEAR_SWAGE 2e-3
+/* Of the sum of weights. */
+#define WEIGHT_ROUNDING 1e-9
 
 /* ---- who is in it */
 
-typedef struct pierced {
-    const scene_rigid *needle;
+/* The weld of a thread's begin to the end of a needle. */
+static bool is_swage(const scene_object *s, const scene_pin *p)
+{
+    if (p->id == 0 || p->attachment != 0 || p->node != 0) {
+        return false;
+    }
+    const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
+    if (r->needle == NULL || !suture_is_curve(vbss_scene_body(s, p->thread)->thread.thread)) {
+        return false;
+    }
+    vec3 end = vbss_needle_point(r->needle, vbss_needle_length(r->needle));
+    return vec3_distance(pose_apply(r->frame, p->point), end) <= r->needle->config.wire_radius;
+}
+
+const scene_body *vbss_scene_thread_of(const scene_object *s, const scene_body *needle)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        if (s->pins[i].body == needle->number && is_swage(s, &s->pins[i])) {
+            return vbss_scene_body(s, s->pins[i].thread);
+        }
+    }
+    return NULL;
+}
+
+const scene_body *vbss_scene_needle_of(const scene_object *s, const scene_body *thread)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        if (s->pins[i].thread == thread->number && is_swage(s, &s->pins[i])) {
+            return vbss_scene_body(s, s->pins[i].body);
+        }
+    }
+    return NULL;
+}
+
+typedef struct passage {
+    const scene_body *needle, *thread; /* NULL: none */
     const scene_drain *drain;
-} pierced;
+    suture_line now, trial;
+    double arc; /* of the hole, along the line */
+} passage;
 
-static pierced who_is_in(const scene_object *s, const suture_hole *hole)
+static passage passage_of(const scene_object *s, const suture_hole *hole)
 {
-    return (pierced){&vbss_scene_body(s, hole->needle)->rigid,
-                     &vbss_scene_body(s, hole->drain)->drain};
+    passage p = {.drain = &vbss_scene_body(s, hole->drain)->drain, .arc = hole->arc};
+    if (hole->needle != 0) {
+        p.needle = vbss_scene_body(s, hole->needle);
+        p.thread = vbss_scene_thread_of(s, p.needle);
+    } else {
+        p.thread = vbss_scene_body(s, hole->thread);
+        p.needle = vbss_scene_needle_of(s, p.thread);
+    }
+    if (p.needle != NULL) {
+        const scene_rigid *r = &p.needle->rigid;
+        p.now.needle = r->needle;
+        p.now.at = vbss_scene_needle_at(r, r->body.now.at);
+        p.now.swage = vbss_needle_length(r->needle);
+        p.trial.at = vbss_scene_needle_at(r, r->trial);
+    }
+    if (p.thread != NULL) {
+        p.now.thread = p.thread->thread.thread;
+        p.now.x = p.now.thread->now.x;
+        p.trial.x = p.now.thread->trial;
+    }
+    p.trial.needle = p.now.needle;
+    p.trial.thread = p.now.thread;
+    p.trial.swage = p.now.swage;
+    p.arc += hole->thread != 0 ? p.now.swage : 0.0;
+    return p;
 }
 
-static hole_lie look_now(const scene_object *s, const suture_hole *hole)
+static suture_place look_now(const passage *p, const suture_hole *hole)
 {
-    const pierced in = who_is_in(s, hole);
-    const drain_object *d = in.drain->drain;
-    pose needle = vbss_scene_needle_at(in.needle, in.needle->body.now.at);
-    return vbss_hole_look(hole, d, d->x, in.needle->needle, needle);
-}
-
-static hole_lie look_at_trial(const scene_object *s, const suture_hole *hole)
-{
-    const pierced in = who_is_in(s, hole);
-    const drain_object *d = in.drain->drain;
-    pose needle = vbss_scene_needle_at(in.needle, in.needle->trial);
-    return vbss_hole_look(hole, d, d->trial, in.needle->needle, needle);
+    const drain_object *d = p->drain->drain;
+    return vbss_suture_nearest(&p->now, p->arc, vbss_hole_point(hole, d, d->x));
 }
 
 /* ---- rows */
@@ -41,44 +97,117 @@ bool vbss_scene_add_hole_rows(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
-        for (uint32_t k = 0; hole->id != 0 && k < HOLE_ROWS; k++) {
-            const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, HOLE_ROWS * i + k,
-                                     hole->drain, 0};
-            if (!vbss_scene_add_tie(s, &key)) {
-                return false;
-            }
+        if (hole->id == 0) {
+            continue;
         }
+        const contact_key key = {VBSS_CONTACT_HOLE, hole->needle != 0 ? hole->needle : hole->thread,
+                                 i, hole->drain, 0};
+        contact_row *row = vbss_scene_add_tie(s, &key);
+        if (row == NULL) {
+            return false;
+        }
+        row->sleeve = true;
     }
     return true;
 }
 
-static const suture_hole *hole_of(const scene_object *s, const contact_row *row)
+/* Needle and welded nodes move as one: weights and points add up. */
+static void add_needle_terms(contact_row *row, const passage *p, const suture_place *place,
+                             double of_swage)
 {
-    return &s->holes[row->key.a / HOLE_ROWS];
+    const suture_line *line = &p->trial;
+    double weight = place->on_needle + of_swage;
+    vec3 end = vbss_needle_point(line->needle, line->swage);
+    vec3 point = vec3_scale(place->needle, place->on_needle);
+    point = vec3_add_scaled(point, of_swage, end);
+    point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;
+    vbss_scene_add_rigid_terms(row, &p->needle->rigid, pose_apply(line->at, point), weight);
+}
+
+/* What a place has of a node. */
+static double number_of(const suture_place *place, const double numbers[3], uint32_t node)
+{
+    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first && node < place->first + 3;
+    return own ? numbers[node - place->first] : 0.0;
+}
+
+/* The nodes of a span and of those beside it, with what the place weighs them: it may slide on to those. */
+static void add_thread_terms(const scene_object *s, contact_row *row, const passage *p,
+                             const suture_place *place, uint32_t span)
+{
+    const thread_object *t = p->thread->thread.thread;
+    uint32_t first = span > 2 ? span - 2 : 0, last = t->node_count - 1;
+    last = span + 2 < last ? span + 2 : last;
+    first = p->needle != NULL && first == 0 ? 1 : first; /* the swage is the needle's */
+    for (uint32_t i = first; i <= last; i++) {
+        uint32_t room = t->welded[i] != 0 ? 2 : 1;
+        if (row->term_count + room > CONTACT_TERMS - 3) { /* welds beside each other */
+            break;
+        }
+        vbss_scene_add_node_term(s, row, p->thread, i, number_of(place, place->weights, i));
+        if (room == 1) {
+            row->terms[row->term_count - 1].slope = number_of(place, place->slopes, i);
+        }
+    }
+}
+
+/* Which span it may slide on from in this part: its pattern is made once. */
+static uint32_t choose_span(const passage *p, double arc)
+{
+    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage - NEAR_SWAGE);
+    return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 
 void vbss_scene_lay_hole_row(scene_object *s, contact_row *row)
 {
-    const suture_hole *hole = hole_of(s, row);
-    const pierced in = who_is_in(s, hole);
-    const drain_object *d = in.drain->drain;
-    const hole_lie now = look_at_trial(s, hole), before = look_now(s, hole);
-    vbss_hole_lay_row(hole, &d->config, &now, &before, s->part_length, row);
+    const suture_hole *hole = &s->holes[row->key.a];
+    const passage p = passage_of(s, hole);
+    const drain_object *d = p.drain->drain;
+    const vec3 point = vbss_hole_point(hole, d, d->trial);
+    if (row->term_count == 0) {
+        const suture_place before = look_now(&p, hole);
+        row->from = before.arc;
+        row->span = choose_span(&p, vbss_suture_nearest(&p.trial, p.arc, point).arc);
+        row->is.state = CONTACT_STICK;
+        const hole_bound bound = vbss_hole_bound(hole, &d->config, &p.now, &before);
+        row->least = bound.least;
+        row->grip[0] = bound.grip[0];
+        row->grip[1] = bound.grip[1];
+    }
+    uint32_t span = row->span;
+    suture_line line = p.trial;
+    line.thread = span == SUTURE_ON_NEEDLE ? NULL : line.thread;
+    const suture_place now = span == SUTURE_ON_NEEDLE
+                                 ? vbss_suture_nearest(&line, p.arc, point)
+                                 : vbss_suture_nearest_by(&line, span, p.arc, point);
+    vbss_hole_lay_row(hole, &d->config, &now, point, s->part_length, row);
     row->term_count = 0;
-    vbss_scene_add_rigid_terms(row, in.needle, now.needle, 1.0);
+    if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
+        add_needle_terms(row, &p, &now, number_of(&now, now.weights, 0));
+    }
+    if (span != SUTURE_ON_NEEDLE) {
+        add_thread_terms(s, row, &p, &now, span);
+    }
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t node = d->mesh.triangles[hole->triangle][k];
         row->terms[row->term_count++] = (contact_term){
-            .block = in.drain->first_block + d->order.place[node], .weight = -hole->weights[k]};
+            .block = p.drain->first_block + d->order.place[node], .weight = -hole->weights[k]};
     }
 }
 
 void vbss_scene_mark_hole(const scene_object *s, const contact_row *row)
 {
-    const suture_hole *hole = hole_of(s, row);
-    const scene_drain *b = &vbss_scene_body(s, hole->drain)->drain;
+    const suture_hole *hole = &s->holes[row->key.a];
+    const passage p = passage_of(s, hole);
     for (uint32_t k = 0; k < 3; k++) {
-        b->marks[b->drain->mesh.triangles[hole->triangle][k]] = 1;
+        p.drain->marks[p.drain->drain->mesh.triangles[hole->triangle][k]] = 1;
+    }
+    for (uint32_t k = 0; p.thread != NULL && k < row->term_count; k++) {
+        uint32_t node = row->terms[k].block - p.thread->thread.first_block;
+        if (row->terms[k].block >= p.thread->thread.first_block &&
+            node < p.now.thread->node_count) {
+            s->marks[p.thread->thread.first_node + node] = 1;
+        }
     }
 }
 
@@ -87,9 +216,25 @@ void vbss_scene_keep_holes(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
         if (row->key.kind == VBSS_CONTACT_HOLE) {
-            suture_hole *hole = &s->holes[row->key.a / HOLE_ROWS];
-            vbss_hole_keep(hole, &who_is_in(s, hole).drain->drain->config, row);
+            vbss_hole_keep(&s->holes[row->key.a], row);
         }
+    }
+}
+
+/* Its place along the line, of the needle or of the thread behind: that which is in it stays so for a while beyond the
+ * swage. */
+static void move_to(suture_hole *hole, const passage *p, double arc)
+{
+    bool on_thread = hole->thread != 0;
+    if (p->needle != NULL && p->thread != NULL) {
+        on_thread = arc > p->now.swage + (on_thread ? -LEFT : LEFT);
+    }
+    hole->needle = on_thread ? 0 : p->needle->number;
+    hole->thread = on_thread ? p->thread->number : 0;
+    if (on_thread) {
+        hole->arc = arc - p->now.swage;
+    } else {
+        vbss_hole_move(hole, arc);
     }
 }
 
@@ -97,100 +242,42 @@ void vbss_scene_move_holes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         if (s->holes[i].id != 0) {
-            vbss_hole_move(&s->holes[i], look_now(s, &s->holes[i]).arc);
+            const passage p = passage_of(s, &s->holes[i]);
+            move_to(&s->holes[i], &p, look_now(&p, &s->holes[i]).arc);
         }
     }
-}
-
-/* ---- what does not touch */
-
-/* Who enters aslant still has, beside its tip, the wall that it has pressed on. */
-static double reach_of(const suture_hole *hole, const needle_object *n, double arc, double reach)
-{
-    bool at_mouth = hole->arc < 0.0 && arc <= TIP * n->config.wire_radius;
-    return at_mouth ? greater(reach, -SCENE_PIN_ARC * hole->entry) : reach;
-}
-
-/* Two walls that lie on each other are near, but not along the wall. */
-bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
-                           const scene_body *drain, const scene_spot *spot, double reach)
-{
-    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        const suture_hole *hole = &s->holes[i];
-        const drain_object *d = drain->drain.drain;
-        double far = reach_of(hole, needle->rigid.needle, arc, reach);
-        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
-            fabs(hole->arc - arc) < far &&
-            vec3_distance(spot->now, vbss_hole_point(hole, d, d->x)) < far &&
-            vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest)) < far) {
-            return true;
-        }
-    }
-    return false;
-}
-
-scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3])
-{
-    const drain_object *d = drain->drain.drain;
-    return (scene_spot){vbss_drain_point(d, d->x, triangle, weights),
-                        vbss_drain_point(d, d->mesh.rest, triangle, weights)};
-}
-
-scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share)
-{
-    const drain_object *d = drain->drain.drain;
-    const vec3 *rest = d->mesh.rest;
-    return (scene_spot){vec3_lerp(d->x[node[0]], d->x[node[1]], share),
-                        vec3_lerp(rest[node[0]], rest[node[1]], share)};
-}
-
-double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share)
-{
-    const needle_object *n = needle->rigid.needle;
-    double begin = vbss_needle_corner(n, segment);
-    return begin + share * (vbss_needle_corner(n, segment + 1) - begin);
-}
-
-/* Where on the needle a row is about. */
-static double arc_of_row(const scene_body *needle, const contact_row *row)
-{
-    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
-    return point ? vbss_scene_arc_of(needle, row->key.a / 2, row->key.a % 2)
-                 : vbss_scene_arc_of(needle, row->key.a, row->at[0]);
-}
-
-static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
-                              const contact_row *row)
-{
-    const double weights[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
-    if (row->key.kind == VBSS_CONTACT_POINT_FACE) {
-        return vbss_scene_spot(drain, row->key.b, weights);
-    }
-    const uint32_t *side = s->collision->shapes[drain->shape]->edges[row->key.b];
-    return vbss_scene_spot_on_side(drain, side, row->at[1]);
-}
-
-bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
-{
-    const scene_body *a = vbss_scene_body(s, row->key.body_a);
-    const scene_body *b = vbss_scene_body(s, row->key.body_b);
-    if (a->kind != BODY_RIGID || b == NULL || b->kind != BODY_DRAIN) {
-        return false;
-    }
-    const scene_spot spot = spot_of_row(s, b, row);
-    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
-    uint32_t capsule = point ? row->key.a / 2 : row->key.a;
-    bool in_hole =
-        a->rigid.needle != NULL &&
-        vbss_scene_is_in_hole(s, a, arc_of_row(a, row), b, &spot, SCENE_PIN_ARC * row->touching);
-    return in_hole || vbss_scene_is_pinched(s, b, spot.now, a, capsule);
 }
 
 /* ---- after a step */
 
 static void tell(scene_object *s, vbss_event_kind kind, const suture_hole *hole)
 {
-    vbss_scene_add_event(s, kind, hole->needle, hole->drain, hole->id);
+    uint32_t body = hole->needle != 0 ? hole->needle : hole->thread;
+    vbss_scene_add_event(s, kind, body, hole->drain, hole->id);
+}
+
+static void tell_of_swage(scene_object *s, const suture_hole *before, const suture_hole *hole)
+{
+    if (before->id == hole->id && (before->needle == 0) != (hole->needle == 0)) {
+        vbss_event_kind kind = hole->needle == 0 ? VBSS_EVENT_PASSED : VBSS_EVENT_RETURNED;
+        uint32_t needle = hole->needle == 0 ? before->needle : hole->needle;
+        vbss_scene_add_event(s, kind, needle, hole->drain, hole->id);
+    }
+}
+
+/* How it is left, or 0. */
+static vbss_event_kind way_out(const passage *p, const suture_hole *hole)
+{
+    if (hole->needle != 0) {
+        double end = vbss_needle_length(p->now.needle) - hole->entry + LEFT;
+        return hole->arc < hole->entry - LEFT         ? VBSS_EVENT_WITHDRAWN
+               : p->thread == NULL && hole->arc > end ? VBSS_EVENT_PASSED
+                                                      : 0;
+    }
+    const thread_object *t = p->now.thread;
+    double end = vbss_thread_arc_length(t, t->node_count - 1);
+    bool out = hole->arc > end + LEFT || (p->needle == NULL && hole->arc < -LEFT);
+    return out ? VBSS_EVENT_UNTHREADED : 0;
 }
 
 void vbss_scene_leave_holes(scene_object *s)
@@ -200,11 +287,22 @@ void vbss_scene_leave_holes(scene_object *s)
         if (hole->id == 0) {
             continue;
         }
-        if (vbss_hole_is_left(hole, who_is_in(s, hole).needle->needle)) {
-            tell(s, hole->arc < 0.0 ? VBSS_EVENT_WITHDRAWN : VBSS_EVENT_PASSED, hole);
+        const passage p = passage_of(s, hole);
+        vbss_event_kind out = way_out(&p, hole);
+        tell_of_swage(s, &s->kept_holes[i], hole);
+        if (out != 0) {
+            tell(s, out, hole);
             *hole = (suture_hole){0};
         }
     }
+}
+
+/* Where on the needle a row is about. */
+static double arc_of_row(const scene_body *needle, const contact_row *row)
+{
+    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
+    return point ? vbss_scene_arc_of(needle, row->key.a / 2, row->key.a % 2)
+                 : vbss_scene_arc_of(needle, row->key.a, row->at[0]);
 }
 
 /* What a drain does to the tip of a needle. */
@@ -221,7 +319,7 @@ static bool look_at_tip(const scene_object *s, const scene_body *needle, const s
         const contact_row *row = &s->contacts->rows[i];
         if (row->key.body_a == needle->number && row->key.body_b == drain->number &&
             row->key.kind != VBSS_CONTACT_HOLE && row->is.state != CONTACT_OPEN &&
-            arc_of_row(needle, row) <= TIP * r->needle->config.wire_radius) {
+            vbss_scene_is_at_tip(needle, arc_of_row(needle, row))) {
             normal = vec3_add_scaled(normal, row->is.pressure, row->normal);
             tip->force = vec3_add(tip->force, row->is.rubbing);
         }
@@ -302,10 +400,134 @@ void vbss_scene_settle_holes(scene_object *s)
 void vbss_scene_forget_holes_of(scene_object *s, uint32_t number)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        if (s->holes[i].needle == number || s->holes[i].drain == number) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->needle == number || hole->thread == number || hole->drain == number) {
             s->holes[i] = (suture_hole){0};
         }
     }
+}
+
+void vbss_scene_divide_holes(scene_object *s, uint32_t thread, uint32_t piece, double arc_length)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        suture_hole *hole = &s->holes[i];
+        if (hole->id != 0 && hole->thread == thread && hole->arc > arc_length) {
+            hole->thread = piece;
+            hole->arc -= arc_length;
+        }
+    }
+}
+
+void vbss_scene_leave_short_threads(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        suture_hole *hole = &s->holes[i];
+        if (hole->id != 0 && hole->thread != 0 &&
+            !suture_is_curve(vbss_scene_body(s, hole->thread)->thread.thread)) {
+            tell(s, VBSS_EVENT_UNTHREADED, hole);
+            *hole = (suture_hole){0};
+        }
+    }
+}
+
+/* ---- made by the host */
+
+static vbss_result check_weights(vbss_context *context, const double *weights)
+{
+    double sum = 0.0;
+    VBSS_TRY(vbss_check_pointer(context, weights, "weights"));
+    VBSS_TRY(vbss_check_finite(context, weights, 3, "weights"));
+    for (int k = 0; k < 3; k++) {
+        VBSS_TRY(vbss_check_range(context, weights[k], 0.0, 1.0, "weights"));
+        sum += weights[k];
+    }
+    return vbss_check_range(context, sum, 1.0 - WEIGHT_ROUNDING, 1.0 + WEIGHT_ROUNDING,
+                            "the sum of weights");
+}
+
+static vbss_result check_suture(const scene_object *s, const scene_body *suture, uint32_t body,
+                                double arc_length)
+{
+    if (suture == NULL || !vbss_scene_is_suture(suture)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no needle or thread",
+                         body);
+    }
+    bool thread = suture->kind == BODY_THREAD;
+    const thread_object *t = suture->thread.thread;
+    if (thread && !suture_is_curve(t)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "a thread of two nodes has no curve");
+    }
+    double length = thread ? vbss_thread_arc_length(t, t->node_count - 1)
+                           : vbss_needle_length(suture->rigid.needle);
+    VBSS_TRY(vbss_check_finite(s->context, &arc_length, 1, "arc_length"));
+    return vbss_check_range(s->context, arc_length, 0.0, length, "arc_length");
+}
+
+static double radius_of(const scene_body *suture)
+{
+    return suture->kind == BODY_THREAD ? suture->thread.thread->config.radius
+                                       : suture->rigid.needle->config.wire_radius;
+}
+
+/* The suture shall be at the place already: no nearer to the wall than where it would touch. */
+static vbss_result lay_hole(const scene_object *s, suture_hole *hole, const scene_body *suture)
+{
+    const passage p = passage_of(s, hole);
+    const drain_object *d = p.drain->drain;
+    const vec3 point = vbss_hole_point(hole, d, d->x);
+    const suture_place place = vbss_suture_nearest(&p.now, p.arc, point);
+    double off = vec3_distance(place.point, point);
+    double most = radius_of(suture) + 0.5 * d->config.thickness;
+    if (!(off <= most)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the hole is %g m from what shall be in it: at most %g", off, most);
+    }
+    const uint32_t *node = d->mesh.triangles[hole->triangle];
+    vec3 outside =
+        vec3_cross(vec3_sub(d->x[node[1]], d->x[node[0]]), vec3_sub(d->x[node[2]], d->x[node[0]]));
+    hole->outward = vec3_dot(outside, place.tangent) > 0.0;
+    move_to(hole, &p, place.arc);
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
+                                 uint32_t drain, uint32_t triangle, const double *weights,
+                                 uint32_t *id)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_edit(scene, &s));
+    const scene_body *suture = vbss_scene_body(s, body);
+    const scene_body *d = vbss_scene_find_body(s, drain, BODY_DRAIN);
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "holes are made by hosts in scenes of method OURS");
+    }
+    VBSS_TRY(check_suture(s, suture, body, arc_length));
+    if (d == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    VBSS_TRY(vbss_check_range(s->context, triangle, 0.0, d->drain.drain->mesh.triangle_count - 1.0,
+                              "triangle"));
+    VBSS_TRY(check_weights(s->context, weights));
+    suture_hole *place = free_hole(s);
+    if (place == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u holes",
+                         s->config.hole_capacity);
+    }
+    suture_hole made = {
+        .id = s->last_hole + 1, .drain = drain, .triangle = triangle, .arc = arc_length};
+    made.needle = suture->kind == BODY_RIGID ? body : 0;
+    made.thread = suture->kind == BODY_THREAD ? body : 0;
+    memcpy(made.weights, weights, sizeof made.weights);
+    VBSS_TRY(lay_hole(s, &made, suture));
+    made.deepest = greater(made.deepest, d->drain.drain->config.tip_length); /* it is open */
+    *place = made;
+    s->last_hole = made.id;
+    s->generation++;
+    if (id != NULL) {
+        *id = made.id;
+    }
+    return VBSS_OK;
 }
 
 /* ---- looking */
@@ -313,7 +535,7 @@ void vbss_scene_forget_holes_of(scene_object *s, uint32_t number)
 vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
                                 uint32_t struct_size)
 {
-    static const uint32_t sizes[] = {sizeof(vbss_hole), 0};
+    static const uint32_t sizes[] = {168, sizeof(vbss_hole), 0};
     static const vbss_layout layout = {"vbss_hole", NULL, sizes};
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
@@ -323,8 +545,9 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *ho
         if (h->id == 0 || left-- > 0) {
             continue;
         }
-        const drain_object *d = who_is_in(s, h).drain->drain;
-        const hole_lie lie = look_now(s, h);
+        const passage p = passage_of(s, h);
+        const drain_object *d = p.drain->drain;
+        const suture_place place = look_now(&p, h);
         vbss_hole own = {.struct_size = sizeof own,
                          .id = h->id,
                          .needle = h->needle,
@@ -332,14 +555,15 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *ho
                          .triangle = h->triangle,
                          .outward = h->outward,
                          .arc_length = h->arc,
-                         .friction = h->held};
+                         .friction = h->held,
+                         .thread = h->thread};
         for (int k = 0; k < 3; k++) {
             own.weights[k] = h->weights[k];
         }
-        vec3_store(own.position, lie.drain);
+        vec3_store(own.position, vbss_hole_point(h, d, d->x));
         vec3_store(own.rest_position, vbss_hole_point(h, d, d->mesh.rest));
-        vec3_store(own.direction, lie.tangent);
-        vec3_store(own.force, vec3_add_scaled(h->across, h->held, lie.tangent));
+        vec3_store(own.direction, place.tangent);
+        vec3_store(own.force, vec3_add_scaled(h->across, h->held, place.tangent));
         return vbss_struct_write(s->context, &layout, &own, hole, struct_size);
     }
     return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no %u holes", index + 1);

@@ -44,7 +44,7 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
     suture_hole *hole = &s->holes[i];
     const scene_rigid *r = &vbss_scene_body(s, hole->needle)->rigid;
     drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
-    const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, HOLE_ROWS * i, hole->drain, 0};
+    const contact_key key = {VBSS_CONTACT_HOLE, hole->needle, i, hole->drain, 0};
     vec3 way = way_to_needle(hole, r, vbss_hole_point(hole, d, d->x));
     vec3 push = carry_triangle(hole, d, way, h);
     if (vec3_norm(way) < SCENE_NO_DEPTH * d->config.thickness || vec3_norm_squared(push) == 0.0) {
@@ -66,7 +66,7 @@ vbss_result vbss_scene_paper_carry(scene_object *s, double h)
 
 void vbss_scene_paper_lay_hole(const scene_object *s, scene_hit *hit)
 {
-    const suture_hole *hole = &s->holes[hit->key.a / HOLE_ROWS];
+    const suture_hole *hole = &s->holes[hit->key.a];
     const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
     hit->point = vbss_hole_point(hole, d, d->x);
     hit->gap = 0.0;
@@ -115,7 +115,7 @@ static void note_forces(scene_object *s)
     for (uint32_t i = 0; i < s->hit_count; i++) {
         const scene_hit *hit = &s->hits[i];
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
-            s->holes[hit->key.a / HOLE_ROWS].across = hit->force;
+            s->holes[hit->key.a].across = hit->force;
         }
     }
 }
@@ -124,7 +124,8 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
 {
     scene_rigid *r = &needle->rigid;
     const drain_object *d = drain->drain.drain;
-    pose at = pose_mul(r->body.now.at, pose_inverse(r->frame));
+    pose at = vbss_scene_needle_at(r, r->body.now.at);
+    const suture_line line = {.needle = r->needle, .at = at};
     suture_probe probe = {.needle = needle->number,
                           .drain = drain->number,
                           .wall = d,
@@ -133,7 +134,7 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
     suture_hole made;
     vbss_paper_probe_points(r->needle, at, d->config.thickness, probe.points);
     while (vbss_paper_find_puncture(&probe, r->toggles, &made)) {
-        made.arc = vbss_hole_look(&made, d, d->x, r->needle, at).arc;
+        made.arc = vbss_suture_nearest(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
         made.deepest = greater(made.arc, 0.0);
         vbss_scene_add_hole(s, &made);
     }

@@ -261,7 +261,7 @@ bool vbss_scene_add_pinch_rows(scene_object *s)
         }
         for (uint32_t k = 0; k < b->rigid.pinch.count; k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.pinch.drain, k, b->number, 0};
-            if (!vbss_scene_add_tie(s, &key)) {
+            if (vbss_scene_add_tie(s, &key) == NULL) {
                 return false;
             }
         }

@@ -158,7 +158,7 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 4, free_object,
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 5, free_object,
                                    vbss_scene_serialise};
 
 static vbss_result make_collision(scene_object *s)

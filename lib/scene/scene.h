@@ -388,7 +388,7 @@ bool vbss_scene_add_pinch_rows(scene_object *s);
 void vbss_scene_lay_pinch_row(scene_object *s, contact_row *row);
 void vbss_scene_mark_pinched(const scene_object *s, const contact_row *row);
 
-/* holes.c. Three rows a hole, in a list that has begun; how one lies in the trial state; its nodes are separators; what
+/* holes.c. A row a hole, in a list that has begun; how one lies in the trial state; its nodes are separators; what
  * rows have found, when a part is taken. */
 bool vbss_scene_add_hole_rows(scene_object *s);
 void vbss_scene_lay_hole_row(scene_object *s, contact_row *row);
@@ -396,23 +396,34 @@ void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
 void vbss_scene_keep_holes(scene_object *s);
 /* The next part has other places in them. */
 void vbss_scene_move_holes(scene_object *s);
-/* Whether a place of a needle and a spot of a drain are so near to a hole that they do not touch; the arc length of a place on
- * one of its capsules; whether a row is about such a place, or about wall and the jaws that hold it. */
-typedef struct scene_spot {
-    vec3 now, rest; /* of the wall */
-} scene_spot;
-scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3]);
-scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share);
-bool vbss_scene_is_in_hole(const scene_object *s, const scene_body *needle, double arc,
-                           const scene_body *drain, const scene_spot *spot, double reach);
-bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);
-double vbss_scene_arc_of(const scene_body *needle, uint32_t segment, double share);
 /* After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);
 void vbss_scene_leave_holes(scene_object *s);
 /* One that has been made, if there is room for it, and the event. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made);
 void vbss_scene_forget_holes_of(scene_object *s, uint32_t number);
+/* Of a thread that was cut there. */
+void vbss_scene_divide_holes(scene_object *s, uint32_t thread, uint32_t piece, double arc_length);
+/* What is left of a thread is no curve any more: after cuts, and changes of meshes. */
+void vbss_scene_leave_short_threads(scene_object *s);
+/* The thread whose begin is swaged to a needle; the needle; or NULL. */
+const scene_body *vbss_scene_thread_of(const scene_object *s, const scene_body *needle);
+const scene_body *vbss_scene_needle_of(const scene_object *s, const scene_body *thread);
+/* around_holes.c. A place of a wall, and whether a place of a thread, or of a capsule, does not touch it: at a hole that it is
+ * in, or in jaws that hold the wall. `point`: a node, or the end of a capsule; else a share of a segment. */
+typedef struct scene_spot {
+    vec3 now, rest;
+} scene_spot;
+scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3]);
+scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share);
+bool vbss_scene_is_left_out(const scene_object *s, const scene_body *body, bool point,
+                            uint32_t feature, double share, const scene_body *drain,
+                            const scene_spot *spot, double reach);
+bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row);
+bool vbss_scene_is_suture(const scene_body *b);
+/* The arc length of a place on a segment of a thread or a capsule of a needle; whether that is its tip. */
+double vbss_scene_arc_of(const scene_body *suture, uint32_t segment, double share);
+bool vbss_scene_is_at_tip(const scene_body *needle, double arc);
 
 /* paper_holes.c: particles at holes follow their needle at the end of a pass; whether a needle's capsule and a side of a drain
  * are so near to a hole that they do not touch; where a contact of a hole is shown; after a step, who leaves a hole and who
@@ -441,7 +452,7 @@ bool vbss_scene_add_grasp_rows(scene_object *s);
  * who calls it adds. */
 void vbss_scene_lay_spring(contact_row *row, const scene_rigid *tool, vec3 here, vec3 there);
 /* A row that ties two places, of whatever is held or pierced. False: no room. */
-bool vbss_scene_add_tie(scene_object *s, const contact_key *key);
+contact_row *vbss_scene_add_tie(scene_object *s, const contact_key *key);
 void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row);
 vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const vec3 *x,
                            uint32_t point);

@@ -253,6 +253,9 @@ static void visit_drain(vbss_stream *stream, scene_drain *b)
             vbss_stream_same_f64(stream, 63, numbers[i]);
         }
     }
+    if (stream->version >= 5) {
+        vbss_stream_same_f64(stream, 64, b->drain->config.thread_force);
+    }
     vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
     vbss_drain_serialise(stream, b->drain);
     vbss_stream_close(stream, outer);
@@ -416,10 +419,13 @@ static void visit_grasps(vbss_stream *stream, scene_object *s)
 
 static bool is_hole(const scene_object *s, const suture_hole *hole)
 {
-    const scene_body *n = vbss_scene_body(s, hole->needle), *d = vbss_scene_body(s, hole->drain);
-    return hole->id <= s->last_hole && n != NULL && n->kind == BODY_RIGID &&
-           n->rigid.needle != NULL && d != NULL && d->kind == BODY_DRAIN &&
-           hole->triangle < d->drain.drain->mesh.triangle_count && vbss_hole_is_sound(hole);
+    const scene_body *n = vbss_scene_body(s, hole->needle), *t = vbss_scene_body(s, hole->thread);
+    const scene_body *d = vbss_scene_body(s, hole->drain);
+    bool needle = n != NULL && n->kind == BODY_RIGID && n->rigid.needle != NULL;
+    bool thread = t != NULL && t->kind == BODY_THREAD && suture_is_curve(t->thread.thread);
+    return hole->id <= s->last_hole && (hole->needle != 0 ? needle : thread) && d != NULL &&
+           d->kind == BODY_DRAIN && hole->triangle < d->drain.drain->mesh.triangle_count &&
+           vbss_hole_is_sound(hole);
 }
 
 static void visit_holes(vbss_stream *stream, scene_object *s)

@@ -361,6 +361,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     vbss_scene_settle_holes(s);
     vbss_scene_settle_tools(s, h);
     vbss_scene_adapt_meshes(s);
+    vbss_scene_leave_short_threads(s);
     note_work(s);
     s->statistics.rows = s->contacts->count;
     s->statistics.state_solves = s->contacts->counters.solves;

@@ -1,8 +1,8 @@
-/* What a hole does to the needle in it: bears it across, rubs along. */
+/* What a hole does to the suture in it: bears it across, rubs along. */
 #include "suture/suture.h"
 
-/* A tip that is so much further out than when it entered has left: tremor does not make a hole twice. m. */
-#define LEFT 0.2e-3
+/* From this version of the stream on threads are in holes. */
+enum { THREADS = 5 };
 
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x)
 {
@@ -10,62 +10,46 @@ vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 
 }
 
 /* What it took to enter fades while the tip goes through; what was cut once stays cut. */
-double vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *c)
+static double least_of_needle(const suture_hole *hole, const vbss_drain_config *c)
 {
     double gone = hole->deepest - hole->entry;
     double left = gone < c->tip_length ? 1.0 - gone / c->tip_length : 0.0;
-    double extra = greater(c->puncture_force - c->hole_force, 0.0);
-    return c->hole_force + left * extra + c->hole_friction * vec3_norm(hole->across);
+    return c->hole_force + left * greater(c->puncture_force - c->hole_force, 0.0);
 }
 
-hole_lie vbss_hole_look(const suture_hole *hole, const drain_object *d, const vec3 *x,
-                        const needle_object *n, pose needle)
+/* From the needle's to the thread's behind the swage, over the length of a tip: nothing jumps. */
+hole_bound vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *config,
+                           const suture_line *line, const suture_place *place)
 {
-    hole_lie lie = {.drain = vbss_hole_point(hole, d, x)};
-    lie.arc = vbss_needle_nearest(n, pose_apply_inverse(needle, lie.drain));
-    lie.needle = pose_apply(needle, vbss_needle_point(n, lie.arc));
-    lie.tangent = quat_rotate(needle.orientation, vbss_needle_direction(n, lie.arc));
-    return lie;
+    hole_bound b = {least_of_needle(hole, config), {config->hole_friction, config->hole_friction}};
+    double behind = place->arc - line->swage;
+    if (line->thread == NULL || (line->needle != NULL && behind <= 0.0)) {
+        return b;
+    }
+    bool at_swage = line->needle != NULL && behind < config->tip_length;
+    double share = at_swage ? behind / config->tip_length : 1.0, grip[2];
+    vbss_suture_grip(line, place, config->hole_friction, grip);
+    b.least += share * (config->thread_force - b.least);
+    for (int k = 0; k < 2; k++) {
+        b.grip[k] += share * (grip[k] - b.grip[k]);
+    }
+    return b;
 }
 
-/* a is the needle. Toward its tip it moves when the hole goes on to larger arc lengths. */
+/* Toward the tip the suture moves when the hole goes on to larger arc lengths. */
 void vbss_hole_lay_row(const suture_hole *hole, const vbss_drain_config *config,
-                       const hole_lie *now, const hole_lie *before, double h, contact_row *row)
+                       const suture_place *now, vec3 drain, double h, contact_row *row)
 {
-    uint32_t which = row->key.a % HOLE_ROWS;
-    vec3 aside = vec3_any_normal(now->tangent);
+    row->normal = now->tangent;
+    row->turn = now->turn;
+    row->slid = vec3_sub(now->point, drain);
+    row->slid = vec3_add_scaled(row->slid, now->arc - row->from, now->tangent);
+    row->gap = 0.0;
+    row->point = drain;
+    row->held = vec3_scale(now->tangent, hole->held);
     row->stiffness = config->hole_stiffness;
-    row->point = now->drain;
-    row->friction = 0.0; /* along its normal alone */
-    row->bound = 0.0;
-    if (which == HOLE_ALONG) {
-        row->normal = now->tangent;
-        row->slid = vec3_scale(now->tangent, now->arc - before->arc);
-        row->gap = 0.0;
-        row->held = vec3_scale(now->tangent, hole->held);
-        row->bound = vbss_hole_bound(hole, config);
-        row->beyond = config->hole_damping / h;
-        row->is.state = row->is.state == CONTACT_OPEN ? CONTACT_STICK : row->is.state;
-        return;
-    }
-    row->normal = which == 0 ? aside : vec3_cross(now->tangent, aside);
-    row->slid = vec3_sub(now->needle, now->drain);
-    row->gap = vec3_dot(row->normal, row->slid);
-    row->is.state = CONTACT_STICK;
-}
-
-void vbss_hole_keep(suture_hole *hole, const vbss_drain_config *config, const contact_row *row)
-{
-    uint32_t which = row->key.a % HOLE_ROWS;
-    contact_found is;
-    (void)vbss_contact_next_state(row, vec3_zero(), &is);
-    if (which == HOLE_ALONG) {
-        double bound = vbss_hole_bound(hole, config);
-        hole->held = greater(-bound, lesser(is.pressure, bound)); /* not what is viscous */
-        return;
-    }
-    vec3 force = vec3_scale(row->normal, is.pressure);
-    hole->across = which == 0 ? force : vec3_add(hole->across, force);
+    row->beyond = config->hole_damping / h;
+    row->friction = 0.0; /* that of a sleeve */
 }
 
 void vbss_hole_move(suture_hole *hole, double arc)
@@ -74,14 +58,18 @@ void vbss_hole_move(suture_hole *hole, double arc)
     hole->deepest = greater(hole->deepest, arc);
 }
 
-bool vbss_hole_is_left(const suture_hole *hole, const needle_object *n)
+void vbss_hole_keep(suture_hole *hole, const contact_row *row)
 {
-    return hole->arc < hole->entry - LEFT || hole->arc > vbss_needle_length(n) - hole->entry + LEFT;
+    contact_found is;
+    (void)vbss_contact_next_state(row, vec3_zero(), &is);
+    hole->held = is.pressure;
+    hole->across = is.rubbing;
 }
 
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole)
 {
-    uint32_t words[] = {hole->needle, hole->drain, hole->triangle, hole->outward};
+    uint32_t words[] = {hole->needle, hole->drain, hole->triangle, hole->outward, hole->thread};
+    uint32_t count = stream->version >= THREADS ? 5 : 4;
     double *numbers[] = {&hole->entry, &hole->arc, &hole->deepest, &hole->held};
     vbss_stream_u32(stream, first_tag, &hole->id, 1);
     if (hole->id == 0 && stream->mode == VBSS_STREAM_READ) {
@@ -90,7 +78,10 @@ void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *h
     if (hole->id == 0) {
         return;
     }
-    vbss_stream_u32(stream, first_tag, words, sizeof words / sizeof words[0]);
+    if (stream->mode == VBSS_STREAM_READ && count == 4) {
+        words[4] = 0; /* what is read into may have been in a thread */
+    }
+    vbss_stream_u32(stream, first_tag, words, count);
     vbss_stream_f64(stream, first_tag + 1, hole->weights, 3);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_f64(stream, first_tag + 2, numbers[i], 1);
@@ -103,6 +94,7 @@ void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *h
     hole->drain = words[1];
     hole->triangle = words[2];
     hole->outward = words[3] != 0;
+    hole->thread = words[4];
 }
 
 bool vbss_hole_is_sound(const suture_hole *hole)
@@ -113,7 +105,8 @@ bool vbss_hole_is_sound(const suture_hole *hole)
         sum += hole->weights[k];
         inside = inside && hole->weights[k] >= 0.0;
     }
-    return inside && fabs(sum - 1.0) < 1e-9 && hole->entry <= 0.0 && hole->entry >= -1.0 &&
-           isfinite(hole->arc) && isfinite(hole->deepest) && hole->deepest >= hole->entry &&
-           isfinite(hole->held) && vec3_is_finite(hole->across);
+    return (hole->needle == 0) != (hole->thread == 0) && inside && fabs(sum - 1.0) < 1e-9 &&
+           hole->entry <= 0.0 && hole->entry >= -1.0 && isfinite(hole->arc) &&
+           isfinite(hole->deepest) && hole->deepest >= hole->entry && isfinite(hole->held) &&
+           vec3_is_finite(hole->across);
 }

@@ -1,7 +1,9 @@
-/* What couples needle and drain: where a tip enters a wall, and the hole that it leaves, which slides along the needle.
+/* What couples needle, thread and drain: where a tip enters a wall, and the hole that it leaves, which slides along the needle
+ * and on along the thread behind it.
  *
- * A hole is a material point of the drain on a needle's middle line. Across the line it ties the two with a stiffness; along
- * it rubs, up to a bound (docs/puncture.md). puncture.c says when a tip enters and where; hole.c what a hole does. Method PAPER: paper.h. */
+ * A hole is a material point of the drain on the suture's middle line. Across the line it ties the two with a stiffness; along
+ * it rubs (docs/puncture.md, docs/stitch.md). puncture.c says when a tip enters and where; curve.c what line that is; hole.c
+ * what a hole does. Method PAPER: paper.h. */
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H
 
@@ -10,22 +12,60 @@
 #include "drain/drain.h"
 #include "needle/needle.h"
 
-/* Rows of a hole: two across, one along. */
-enum { HOLE_ROWS = 3, HOLE_ALONG = 2 };
+#include "thread/thread.h"
 
 typedef struct suture_hole {
-    uint32_t id;            /* 0: free */
-    uint32_t needle, drain; /* numbers in the scene */
+    uint32_t id;     /* 0: free */
+    uint32_t needle; /* numbers in the scene: of what is in it, the other is 0 */
+    uint32_t thread;
+    uint32_t drain;
     uint32_t triangle;
     double weights[3]; /* of its corners in the hole */
     bool outward;      /* the needle went through from inside */
     double
         entry; /* arc length of the needle that was there when it entered: below 0, before the tip */
-    double arc;     /* that is there now */
-    double deepest; /* that has been */
-    double held;    /* friction on the needle, toward its tip, N */
-    vec3 across;    /* force on the needle across its line, N, in the world */
+    double arc; /* of the needle or the thread, that is there now; from the tip, from its begin */
+    double deepest; /* of the needle, that has been */
+    double held;    /* friction on the suture, toward the tip, N */
+    vec3 across;    /* force on the suture across its line, N, in the world */
 } suture_hole;
+
+/* ---- curve.c */
+
+/* A needle, a thread, or a needle with a thread swaged to its end; NULL: it has none. */
+typedef struct suture_line {
+    const needle_object *needle;
+    pose at; /* of the needle */
+    const thread_object *thread;
+    const vec3 *x; /* its nodes */
+    double swage;  /* arc length at which the thread begins, m; 0 without a needle */
+} suture_line;
+
+#define SUTURE_ON_NEEDLE UINT32_MAX
+/* A place on it: moved by the needle, by three nodes of the thread, or by both. */
+typedef struct suture_place {
+    double arc;
+    vec3 point, tangent; /* tangent: unit, toward the tip */
+    double on_needle;    /* weight of the needle's point, which is in its frame: */
+    vec3 needle;
+    uint32_t span, first; /* of the thread: which, and the first node */
+    double weights[3];
+    double slopes[3]; /* of the weights with the arc length, 1/m */
+    vec3 turn;        /* of the tangent with it, 1/m */
+} suture_place;
+
+/* Threads of two nodes are no curve. */
+static inline bool suture_is_curve(const thread_object *t)
+{
+    return t->node_count > 2;
+}
+/* The nearest place to a point downhill from an arc length; the same, among a span and those beside it. */
+suture_place vbss_suture_nearest(const suture_line *line, double from, vec3 to);
+suture_place vbss_suture_nearest_by(const suture_line *line, uint32_t by, double from, vec3 to);
+uint32_t vbss_suture_span_at(const suture_line *line, double arc);
+/* Capstan: what slides along a thread in a hole bears, over what the hole bears across: against the tangent, along it. */
+void vbss_suture_grip(const suture_line *line, const suture_place *place, double friction,
+                      double grip[2]);
 
 /* ---- puncture.c */
 
@@ -45,24 +85,21 @@ void vbss_suture_round_off(double weights[3]);
 /* ---- hole.c */
 
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x);
-/* What it bears along the needle before that slides. */
-double vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *config);
-/* How needle and drain lie there. */
-typedef struct hole_lie {
-    vec3 needle, drain; /* points that shall be the same */
-    vec3 tangent;       /* unit, toward the tip */
-    double arc;
-} hole_lie;
-hole_lie vbss_hole_look(const suture_hole *hole, const drain_object *d, const vec3 *x,
-                        const needle_object *n, pose needle);
-/* How a row of it lies: `now` in the trial state, `before` at the begin of the part, which is h long. */
+/* What it bears along the suture before that slides: `least`, and `grip` of what it bears across, where it was when the part
+ * began. */
+typedef struct hole_bound {
+    double least, grip[2];
+} hole_bound;
+hole_bound vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *config,
+                           const suture_line *line, const suture_place *place);
+/* Its row, all but the terms and what was known at the begin of the part: `now` and `drain` in the trial state; the part is h
+ * long. a is the suture. */
 void vbss_hole_lay_row(const suture_hole *hole, const vbss_drain_config *config,
-                       const hole_lie *now, const hole_lie *before, double h, contact_row *row);
-/* What rows have found becomes its state; it has slid to that arc length. */
-void vbss_hole_keep(suture_hole *hole, const vbss_drain_config *config, const contact_row *row);
+                       const suture_place *now, vec3 drain, double h, contact_row *row);
+/* It has slid to that arc length of the needle. */
 void vbss_hole_move(suture_hole *hole, double arc);
-/* Whether nothing of the needle is in it: the tip is back out, or the end has passed. */
-bool vbss_hole_is_left(const suture_hole *hole, const needle_object *n);
+/* What rows have found becomes its state. */
+void vbss_hole_keep(suture_hole *hole, const contact_row *row);
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole);
 bool vbss_hole_is_sound(const suture_hole *hole);
 

@@ -1,0 +1,153 @@
+/* What does not touch: suture and wall round a hole, wall and the jaws that hold it. */
+#include "scene/scene.h"
+
+/* A tip touches within so many radii of the wire from its end. */
+#define TIP 1.0
+
+scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3])
+{
+    const drain_object *d = drain->drain.drain;
+    return (scene_spot){vbss_drain_point(d, d->x, triangle, weights),
+                        vbss_drain_point(d, d->mesh.rest, triangle, weights)};
+}
+
+scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share)
+{
+    const drain_object *d = drain->drain.drain;
+    const vec3 *rest = d->mesh.rest;
+    return (scene_spot){vec3_lerp(d->x[node[0]], d->x[node[1]], share),
+                        vec3_lerp(rest[node[0]], rest[node[1]], share)};
+}
+
+bool vbss_scene_is_suture(const scene_body *b)
+{
+    return b->kind == BODY_THREAD || (b->kind == BODY_RIGID && b->rigid.needle != NULL);
+}
+
+double vbss_scene_arc_of(const scene_body *suture, uint32_t segment, double share)
+{
+    if (suture->kind == BODY_THREAD) {
+        const thread_object *t = suture->thread.thread;
+        double along = share > 0.0 ? share * t->rest[segment] : 0.0; /* the last node has none */
+        return vbss_thread_arc_length(t, segment) + along;
+    }
+    const needle_object *n = suture->rigid.needle;
+    double begin = vbss_needle_corner(n, segment);
+    return begin + share * (vbss_needle_corner(n, segment + 1) - begin);
+}
+
+bool vbss_scene_is_at_tip(const scene_body *needle, double arc)
+{
+    return arc <= TIP * needle->rigid.needle->config.wire_radius;
+}
+
+/* Who enters aslant still has, beside its tip, the wall that it has pressed on. */
+static double reach_of(const suture_hole *hole, const scene_body *suture, double arc, double reach)
+{
+    bool at_mouth = hole->needle != 0 && hole->arc < 0.0 && suture->kind == BODY_RIGID &&
+                    vbss_scene_is_at_tip(suture, arc);
+    return at_mouth ? greater(reach, -SCENE_PIN_ARC * hole->entry) : reach;
+}
+
+/* Along the suture, across the swage too; INFINITY: of another. */
+static double arc_from_hole(const scene_object *s, const suture_hole *hole,
+                            const scene_body *suture, double arc)
+{
+    bool thread = suture->kind == BODY_THREAD;
+    if (suture->number == (thread ? hole->thread : hole->needle)) {
+        return fabs(hole->arc - arc);
+    }
+    uint32_t number = thread ? hole->needle : hole->thread;
+    const scene_body *other =
+        thread ? vbss_scene_needle_of(s, suture) : vbss_scene_thread_of(s, suture);
+    if (number == 0 || other == NULL || other->number != number) {
+        return (double)INFINITY;
+    }
+    const scene_body *needle = thread ? other : suture;
+    double length = vbss_needle_length(needle->rigid.needle);
+    return fabs(thread ? length + arc - hole->arc : length + hole->arc - arc);
+}
+
+/* Within that reach of its swage a thread is as thick as its needle: what is left of one there touches no more than the other. */
+static double reach_at_swage(const scene_object *s, const scene_body *suture, uint32_t segment,
+                             const scene_body *drain, double reach)
+{
+    if (suture->kind != BODY_THREAD) {
+        return reach;
+    }
+    const scene_body *needle = vbss_scene_needle_of(s, suture);
+    const vbss_drain_config *wall = &drain->drain.drain->config;
+    if (needle == NULL) {
+        return reach;
+    }
+    double wire = needle->rigid.needle->config.wire_radius;
+    double touching = SCENE_PIN_ARC * (wire + 0.5 * wall->thickness);
+    double arc = vbss_scene_arc_of(suture, segment, 0.0);
+    double more = SCENE_PIN_ARC * (wire - suture->thread.thread->config.radius);
+    return arc < touching ? reach + greater(more, 0.0) : reach;
+}
+
+/* Two walls that lie on each other are near, but not along the wall. */
+static bool is_in_hole(const scene_object *s, const scene_body *suture, uint32_t segment,
+                       double share, const scene_body *drain, const scene_spot *spot, double reach)
+{
+    const drain_object *d = drain->drain.drain;
+    reach = reach_at_swage(s, suture, segment, drain, reach);
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id == 0 || hole->drain != drain->number) {
+            continue;
+        }
+        double now = vec3_distance(spot->now, vbss_hole_point(hole, d, d->x));
+        double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
+        double most = greater(reach, -SCENE_PIN_ARC * hole->entry);
+        if (!(greater(now, rest) < most)) {
+            continue;
+        }
+        double arc = vbss_scene_arc_of(suture, segment, share);
+        double far = reach_of(hole, suture, arc, reach);
+        if (greater(now, rest) < far && arc_from_hole(s, hole, suture, arc) < far) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool vbss_scene_is_left_out(const scene_object *s, const scene_body *body, bool point,
+                            uint32_t feature, double share, const scene_body *drain,
+                            const scene_spot *spot, double reach)
+{
+    if (body->kind == BODY_RIGID && point) { /* the ends of capsules stand two by two */
+        share = feature % 2;
+        feature /= 2;
+    }
+    if (body->kind == BODY_RIGID && vbss_scene_is_pinched(s, drain, spot->now, body, feature)) {
+        return true;
+    }
+    return vbss_scene_is_suture(body) &&
+           is_in_hole(s, body, feature, point && body->kind == BODY_THREAD ? 0.0 : share, drain,
+                      spot, reach);
+}
+
+static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
+                              const contact_row *row)
+{
+    const double weights[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
+    if (row->key.kind == VBSS_CONTACT_POINT_FACE) {
+        return vbss_scene_spot(drain, row->key.b, weights);
+    }
+    const uint32_t *side = s->collision->shapes[drain->shape]->edges[row->key.b];
+    return vbss_scene_spot_on_side(drain, side, row->at[1]);
+}
+
+bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
+{
+    const scene_body *a = vbss_scene_body(s, row->key.body_a);
+    const scene_body *b = vbss_scene_body(s, row->key.body_b);
+    if (a->kind == BODY_DRAIN || b == NULL || b->kind != BODY_DRAIN) {
+        return false;
+    }
+    const scene_spot spot = spot_of_row(s, b, row);
+    return vbss_scene_is_left_out(s, a, row->key.kind == VBSS_CONTACT_POINT_FACE, row->key.a,
+                                  row->at[0], b, &spot, SCENE_PIN_ARC * row->touching);
+}
