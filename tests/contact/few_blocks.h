@@ -64,6 +64,27 @@ static inline contact_row *few_plane(few_blocks *f, uint32_t feature, uint32_t b
     return row;
 }
 
+/* Bears 0.05 N along and a share of what it bears across: less against the normal than along it. */
+#define FEW_SLEEVE_STIFFNESS 2e4
+#define FEW_SLEEVE_LEAST 0.05
+#define FEW_SLEEVE_GRIP \
+    {                   \
+        0.2, 0.5        \
+    }
+static inline contact_row few_sleeve(vec3 normal)
+{
+    contact_row row = {.normal = normal,
+                       .stiffness = FEW_SLEEVE_STIFFNESS,
+                       .bilateral = true,
+                       .sleeve = true,
+                       .least = FEW_SLEEVE_LEAST,
+                       .grip = FEW_SLEEVE_GRIP,
+                       .beyond = 500.0,
+                       .thickness = 1.0};
+    row.is.state = CONTACT_STICK;
+    return row;
+}
+
 static inline void few_register(few_blocks *f)
 {
     uint32_t first;

@@ -127,15 +127,15 @@ static void rows_begin_without_what_others_were(void **state)
     list_begin(&l, 1);
     contact_row *row = add(&l, 0, 0);
     row->bilateral = true;
-    row->along = row->walls = row->bound = row->beyond = 0.25;
+    row->along = row->walls = 0.25;
+    row->sleeve = true;
     row->held = vec3_make(1.0, 2.0, 3.0);
     close_with(row, 1.0);
     vbss_contact_begin(l.set);
     row = add(&l, 1, 0);
     assert_false(row->bilateral);
     expect_near(0.0, row->along + row->walls, 0.0);
-    expect_near(0.0, row->bound, 0.0);
-    expect_near(0.0, row->beyond, 0.0);
+    assert_false(row->sleeve);
     expect_near(0.0, vec3_norm(row->held), 0.0);
     assert_int_equal(row->is.state, CONTACT_OPEN);
     list_end(&l);

@@ -38,7 +38,7 @@ static vbss_result attach_and_destroy(vbss_context *context, const void *attachm
 static void configs_keep_the_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t config_sizes[] = {240, 248, 296, 0}, attachment_sizes[] = {72, 0};
+    static const uint32_t config_sizes[] = {240, 248, 296, 304, 0}, attachment_sizes[] = {72, 0};
     const harness_config config = {config_sizes, config_init, create_and_destroy};
     const harness_config attachment = {attachment_sizes, attachment_init, attach_and_destroy};
     harness_config_protocol(&config);

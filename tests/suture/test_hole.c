@@ -1,4 +1,4 @@
-/* What a hole bears, how it slides, when it is left; that it is saved. */
+/* What a hole bears, what row it lays, what it keeps; that it is saved. */
 #include "fixture.h"
 
 static suture_hole some_hole(void)
@@ -24,148 +24,203 @@ static void what_it_bears_falls_over_the_tip_to_friction(void **state)
     fixture f;
     begin(&f);
     vbss_drain_config c = f.d->config;
+    const suture_line line = {.needle = f.n, .at = pose_identity()};
     suture_hole hole = some_hole();
-    hole.across = vec3_zero();
     for (int i = 0; i <= 20; i++) {
         double gone = c.tip_length * i / 10.0;
-        vbss_hole_move(&hole, hole.entry + gone);
+        hole.deepest = hole.entry + gone;
         double share = fmax(0.0, 1.0 - gone / c.tip_length);
         double wanted = c.hole_force + share * (c.puncture_force - c.hole_force);
-        expect_near(wanted, vbss_hole_bound(&hole, &c), 1e-12);
-        /* What was cut stays cut. */
-        vbss_hole_move(&hole, hole.entry);
-        expect_near(wanted, vbss_hole_bound(&hole, &c), 1e-12);
+        for (int back = 0; back < 2; back++) { /* what was cut stays cut */
+            hole.arc = back ? hole.entry : hole.deepest;
+            const suture_place place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
+            const hole_bound b = vbss_hole_bound(&hole, &c, &line, &place);
+            expect_near(wanted, b.least, 1e-12);
+            expect_near(c.hole_friction, b.grip[0], 0.0);
+            expect_near(c.hole_friction, b.grip[1], 0.0);
+        }
     }
-    hole.across = vec3_make(0.3, 0.4, 0.0);
-    expect_near(c.hole_force + 0.5 * c.hole_friction, vbss_hole_bound(&hole, &c), 1e-12);
     hole = some_hole();
-    hole.across = vec3_zero();
+    const suture_place place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
     c.tip_length = 0.0;
-    expect_near(c.hole_force, vbss_hole_bound(&hole, &c), 1e-15);
+    expect_near(c.hole_force, vbss_hole_bound(&hole, &c, &line, &place).least, 1e-15);
     c.tip_length = 1e-3;
     c.hole_force = 3.0; /* more than it takes to enter */
-    expect_near(3.0, vbss_hole_bound(&hole, &c), 1e-15);
+    expect_near(3.0, vbss_hole_bound(&hole, &c, &line, &place).least, 1e-15);
     end(&f);
 }
 
-/* ---- rows */
+/* Straight on behind the needle, then at a right angle: a bend at node 12. */
+enum { NODES = 24 };
+typedef struct tail {
+    vec3 x[NODES];
+    double rest[NODES - 1];
+    thread_object thread;
+    suture_line line;
+} tail;
 
-static contact_row row_of(const fixture *f, const suture_hole *hole, uint32_t which,
-                          const hole_lie *now, const hole_lie *before)
+static void begin_tail(tail *t, const needle_object *n)
 {
-    contact_row row = {.key = {.a = 3 * 5 + which}, .bilateral = true};
-    vbss_hole_lay_row(hole, &f->d->config, now, before, 1e-3, &row);
-    return row;
+    const double length = 0.25e-3, swage = vbss_needle_length(n);
+    const vec3 on = vec3_neg(vbss_needle_direction(n, swage));
+    *t = (tail){.thread = {.node_count = NODES}};
+    t->x[0] = vbss_needle_point(n, swage);
+    for (int i = 1; i < NODES; i++) {
+        t->rest[i - 1] = length;
+        t->x[i] = vec3_add_scaled(t->x[i - 1], length, i <= 12 ? on : vec3_make(0.0, 0.0, 1.0));
+    }
+    t->thread.rest = t->rest;
+    t->line = (suture_line){
+        .needle = n, .at = pose_identity(), .thread = &t->thread, .x = t->x, .swage = swage};
 }
 
-static void rows_are_square_and_one_is_along(void **state)
+/* Over the length of a tip from the needle's bound to the thread's; it never jumps, though the thread bends. */
+static void behind_the_swage_it_becomes_the_threads(void **state)
+{
+    (void)state;
+    fixture f;
+    tail t;
+    begin(&f);
+    begin_tail(&t, f.n);
+    const vbss_drain_config c = f.d->config;
+    suture_hole hole = some_hole();
+    hole.deepest = t.line.swage;
+    for (int i = -4; i <= 40; i++) {
+        double behind = 0.05 * i * c.tip_length,
+               share = fmin(fmax(behind / c.tip_length, 0.0), 1.0);
+        vec3 at = vec3_add_scaled(t.x[0], -behind,
+                                  vbss_needle_direction(f.n, t.line.swage)); /* straight so far */
+        suture_place place = vbss_suture_nearest(&t.line, t.line.swage + behind, at);
+        place.arc = t.line.swage + behind;
+        const hole_bound b = vbss_hole_bound(&hole, &c, &t.line, &place);
+        expect_near(c.hole_force + share * (c.thread_force - c.hole_force), b.least, 1e-12);
+        expect_near(c.hole_friction, b.grip[0], 1e-6);
+        expect_near(c.hole_friction, b.grip[1], 1e-6);
+    }
+    /* In the bend, and without a needle: that of a rope round a post. */
+    const suture_place bend = vbss_suture_nearest(&t.line, t.line.swage + 3e-3, t.x[12]);
+    suture_line alone = t.line;
+    alone.needle = NULL;
+    for (int i = 0; i < 2; i++) {
+        double grip[2];
+        const hole_bound b = vbss_hole_bound(&hole, &c, i == 0 ? &t.line : &alone, &bend);
+        vbss_suture_grip(&t.line, &bend, c.hole_friction, grip);
+        assert_true(grip[0] < 0.9 * c.hole_friction);
+        expect_near(c.thread_force, b.least, 1e-15);
+        expect_near(grip[0], b.grip[0], 1e-15);
+        expect_near(grip[1], b.grip[1], 1e-15);
+    }
+    end(&f);
+}
+
+/* ---- its row */
+
+static suture_place some_place(void)
+{
+    return (suture_place){.arc = 2e-3,
+                          .point = {1.3e-3, 2e-3, 3e-3},
+                          .tangent = {0.6, 0.0, 0.8},
+                          .turn = {80.0, 10.0, -60.0}};
+}
+
+static void its_row_ties_across_and_slides_along(void **state)
 {
     (void)state;
     fixture f;
     begin(&f);
-    suture_hole hole = some_hole();
-    hole_lie now = {.needle = {1e-5, 2e-5, 3e-5}, .tangent = {0.6, 0.0, 0.8}, .arc = 2e-3};
-    hole_lie before = now;
-    before.arc = 1.999e-3; /* the tip has gone on by 1 um */
-    contact_row row[HOLE_ROWS];
-    for (uint32_t k = 0; k < HOLE_ROWS; k++) {
-        row[k] = row_of(&f, &hole, k, &now, &before);
-        expect_near(1.0, vec3_norm(row[k].normal), 1e-12);
-        for (uint32_t j = 0; j < k; j++) {
-            expect_near(0.0, vec3_dot(row[j].normal, row[k].normal), 1e-12);
-        }
-    }
+    const suture_hole hole = some_hole();
+    const suture_place now = some_place();
+    const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5); /* across */
+    contact_row row = {
+        .bilateral = true, .sleeve = true, .least = 1e3, .gap = 5.0, .friction = 5.0};
+    row.from = now.arc - 1e-6; /* the tip has gone on by 1 um */
+    vbss_hole_lay_row(&hole, &f.d->config, &now, vec3_sub(now.point, off), 2e-3, &row);
     double k = f.d->config.hole_stiffness;
-    vec3 along = row[HOLE_ALONG].normal;
-    expect_near(0.0, vec3_distance(along, now.tangent), 0.0);
-    expect_near(f.d->config.hole_damping / 1e-3, row[HOLE_ALONG].beyond, 1e-9);
-    expect_near(hole.held - k * 1e-6,
-                vec3_dot(along, vbss_contact_force(&row[HOLE_ALONG], vec3_zero())), 1e-9);
-    vec3 across = vec3_add(vbss_contact_force(&row[0], vec3_zero()),
-                           vbss_contact_force(&row[1], vec3_zero()));
-    vec3 aside = vec3_add_scaled(now.needle, -vec3_dot(now.needle, along), along);
-    expect_near(0.0, vec3_distance(across, vec3_scale(aside, -k)), 1e-12);
+    expect_near(0.0, vec3_distance(row.normal, now.tangent), 0.0);
+    expect_near(0.0, vec3_distance(row.turn, now.turn), 0.0);
+    expect_near(0.0, row.gap + row.friction, 0.0);
+    expect_near(k, row.stiffness, 0.0);
+    expect_near(f.d->config.hole_damping / 2e-3, row.beyond, 1e-9);
+    const vec3 force = vbss_contact_force(&row, vec3_zero());
+    expect_near(hole.held - k * 1e-6, vec3_dot(row.normal, force), 1e-9);
+    expect_near(0.0,
+                vec3_distance(vec3_add_scaled(force, -vec3_dot(force, row.normal), row.normal),
+                              vec3_scale(off, -k)),
+                1e-9);
     end(&f);
 }
 
-static void what_was_found_is_kept_up_to_the_bound(void **state)
+/* All of it, what yields too: nothing is cut off. */
+static void what_was_found_is_kept(void **state)
 {
     (void)state;
     fixture f;
     begin(&f);
     for (int sign = -1; sign <= 1; sign += 2) {
         suture_hole hole = some_hole();
-        vbss_hole_move(&hole, 5e-3);
-        hole_lie before = {.tangent = {0.0, 0.0, 1.0}, .arc = 5e-3}, now = before;
-        now.needle = vec3_make(2e-5, 1e-5, 0.0);
-        now.arc += sign * 1e-3;
-        for (uint32_t k = 0; k < HOLE_ROWS; k++) {
-            contact_row row = row_of(&f, &hole, k, &now, &before);
-            vbss_hole_keep(&hole, &f.d->config, &row);
-        }
-        vec3 across = vec3_scale(now.needle, -f.d->config.hole_stiffness);
-        expect_near(0.0, vec3_distance(across, hole.across), 1e-12);
-        double bound = f.d->config.hole_force + f.d->config.hole_friction * vec3_norm(across);
-        expect_near(-sign * bound, hole.held, 1e-12);
-    }
-    end(&f);
-}
-
-/* ---- leaving */
-
-static void it_is_left_a_little_beyond_where_it_was_entered(void **state)
-{
-    (void)state;
-    fixture f;
-    begin(&f);
-    suture_hole hole = some_hole();
-    double length = vbss_needle_length(f.n);
-    const struct {
-        double arc;
-        bool left;
-    } cases[] = {{hole.entry, false},
-                 {hole.entry - 0.199e-3, false},
-                 {hole.entry - 0.201e-3, true},
-                 {0.5 * length, false},
-                 {length, false},
-                 {length - hole.entry + 0.199e-3, false},
-                 {length - hole.entry + 0.201e-3, true}};
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        vbss_hole_move(&hole, cases[i].arc);
-        assert_int_equal(vbss_hole_is_left(&hole, f.n), cases[i].left);
+        const suture_place now = some_place();
+        const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5);
+        contact_row row = {.bilateral = true, .sleeve = true, .least = 0.1, .grip = {0.2, 0.5}};
+        row.from = now.arc - sign * 1e-3;
+        vbss_hole_lay_row(&hole, &f.d->config, &now, vec3_sub(now.point, off), 1e-3, &row);
+        vbss_hole_keep(&hole, &row);
+        double k = row.stiffness, most = 0.1 + (sign > 0 ? 0.2 : 0.5) * k * vec3_norm(off);
+        double trial = fabs(-0.75 - sign * k * 1e-3);
+        double wanted = most + row.beyond * (trial - most) / (k + row.beyond);
+        assert_true(wanted > most + 0.01);
+        expect_near(-sign * wanted, hole.held, 1e-9);
+        expect_near(0.0, vec3_distance(hole.across, vec3_scale(off, -k)), 1e-9);
     }
     end(&f);
 }
 
 /* ---- saving */
 
+static vbss_result visit(vbss_stream *stream, uint16_t version, suture_hole *hole)
+{
+    vbss_section outer = vbss_stream_open(stream, 0x74736574, version);
+    stream->version = stream->mode == VBSS_STREAM_READ ? stream->version : version;
+    vbss_hole_serialise(stream, 9, hole);
+    vbss_stream_close(stream, outer);
+    return stream->result;
+}
+
+/* Version 4 knows no threads: what is read into forgets its own. */
 static void it_is_read_as_it_was_written(void **state)
 {
     (void)state;
-    uint8_t bytes[512];
-    vbss_stream stream;
-    suture_hole hole = some_hole(), back;
-    memset(&back, 0xa5, sizeof back);
-    back.outward = false;
-    vbss_stream_begin_write(&stream, bytes, sizeof bytes);
-    vbss_hole_serialise(&stream, 9, &hole);
-    expect_ok(stream.result);
-    size_t count = stream.position;
-    vbss_stream_begin_read(&stream, bytes, count);
-    vbss_hole_serialise(&stream, 9, &back);
-    expect_ok(stream.result);
-    assert_int_equal(stream.position, count);
-    assert_int_equal(hole.id, back.id);
-    assert_int_equal(hole.needle, back.needle);
-    assert_int_equal(hole.drain, back.drain);
-    assert_int_equal(hole.triangle, back.triangle);
-    assert_int_equal(hole.outward, back.outward);
-    assert_memory_equal(hole.weights, back.weights, sizeof hole.weights);
-    expect_same_bits(hole.entry, back.entry);
-    expect_same_bits(hole.arc, back.arc);
-    expect_same_bits(hole.deepest, back.deepest);
-    expect_same_bits(hole.held, back.held);
-    assert_memory_equal(&hole.across, &back.across, sizeof hole.across);
+    size_t sizes[2];
+    for (int i = 0; i < 3; i++) {
+        uint8_t bytes[512];
+        vbss_stream stream;
+        suture_hole hole = some_hole(), back;
+        const uint16_t version = i == 0 ? 4 : 5;
+        hole.needle = i == 2 ? 0 : 2;
+        hole.thread = i == 2 ? 3 : 0;
+        memset(&back, 0xa5, sizeof back);
+        back.outward = false;
+        vbss_stream_begin_write(&stream, bytes, sizeof bytes);
+        expect_ok(visit(&stream, version, &hole));
+        size_t count = stream.position;
+        sizes[version - 4] = count;
+        vbss_stream_begin_read(&stream, bytes, count);
+        expect_ok(visit(&stream, 5, &back));
+        assert_int_equal(stream.position, count);
+        assert_int_equal(hole.id, back.id);
+        assert_int_equal(hole.needle, back.needle);
+        assert_int_equal(hole.thread, back.thread);
+        assert_int_equal(hole.drain, back.drain);
+        assert_int_equal(hole.triangle, back.triangle);
+        assert_int_equal(hole.outward, back.outward);
+        assert_memory_equal(hole.weights, back.weights, sizeof hole.weights);
+        expect_same_bits(hole.entry, back.entry);
+        expect_same_bits(hole.arc, back.arc);
+        expect_same_bits(hole.deepest, back.deepest);
+        expect_same_bits(hole.held, back.held);
+        assert_memory_equal(&hole.across, &back.across, sizeof hole.across);
+        assert_true(vbss_hole_is_sound(&back));
+    }
+    assert_int_equal(sizes[1], sizes[0] + sizeof(uint32_t));
 }
 
 static void what_no_hole_is_like_is_told(void **state)
@@ -173,7 +228,10 @@ static void what_no_hole_is_like_is_told(void **state)
     (void)state;
     suture_hole hole = some_hole();
     assert_true(vbss_hole_is_sound(&hole));
-    for (int i = 0; i < 9; i++) {
+    hole.needle = 0;
+    hole.thread = 3;
+    assert_true(vbss_hole_is_sound(&hole));
+    for (int i = 0; i < 11; i++) {
         hole = some_hole();
         hole.weights[0] = i == 0 ? -0.25 : hole.weights[0];
         hole.weights[1] = i == 0 ? 1.0 : i == 1 ? 0.6 : hole.weights[1];
@@ -182,6 +240,8 @@ static void what_no_hole_is_like_is_told(void **state)
         hole.arc = i == 6 ? (double)NAN : hole.arc;
         hole.held = i == 7 ? (double)NAN : hole.held;
         hole.across.y = i == 8 ? (double)NAN : hole.across.y;
+        hole.needle = i == 9 ? 0 : hole.needle;  /* nothing in it */
+        hole.thread = i == 10 ? 3 : hole.thread; /* both */
         assert_false(vbss_hole_is_sound(&hole));
     }
 }
@@ -190,9 +250,9 @@ int test_hole(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_it_bears_falls_over_the_tip_to_friction),
-        cmocka_unit_test(rows_are_square_and_one_is_along),
-        cmocka_unit_test(what_was_found_is_kept_up_to_the_bound),
-        cmocka_unit_test(it_is_left_a_little_beyond_where_it_was_entered),
+        cmocka_unit_test(behind_the_swage_it_becomes_the_threads),
+        cmocka_unit_test(its_row_ties_across_and_slides_along),
+        cmocka_unit_test(what_was_found_is_kept),
         cmocka_unit_test(it_is_read_as_it_was_written),
         cmocka_unit_test(what_no_hole_is_like_is_told),
     };

@@ -1,0 +1,320 @@
+#include "scene/stitch_case.h"
+
+#include "drain/drain.h"
+#include "thread/thread.h"
+
+/* Below this no gain is looked at, J. */
+#define LEAST_GAIN 1e-6
+/* Bodies of a test. */
+enum { BODIES = 24 };
+
+/* ---- life */
+
+void stitch_case_begin(stitch_case *c)
+{
+    memset(c, 0, sizeof *c);
+    small_begin(&c->s);
+    expect_ok(stitch_scene_init(&c->options));
+    c->options.scene.contact_capacity = 4096;
+    c->options.scene.candidate_capacity = 65536;
+    c->options.thread.cut_capacity = 2;
+    c->h = 1e-3;
+}
+
+void stitch_case_make(stitch_case *c)
+{
+    expect_ok(stitch_scene_create(c->s.context, &c->options, &c->stitch));
+    c->s.scene = c->stitch.scene;
+    for (int k = 0; k < 2; k++) {
+        stitch_case_hand *hand = &c->hands[k];
+        hand->thread = c->stitch.thread;
+        hand->id = c->stitch.hands[k];
+        hand->at = hand->to = c->stitch.at[k];
+    }
+    stitch_case_reckon(c);
+}
+
+void stitch_case_open(stitch_case *c, uint32_t crossings)
+{
+    stitch_case_begin(c);
+    c->options.crossings = crossings;
+    stitch_case_make(c);
+}
+
+void stitch_case_end(stitch_case *c)
+{
+    small_end(&c->s);
+}
+
+/* ---- hands */
+
+void stitch_case_aim(stitch_case *c, int hand, vec3 to)
+{
+    double target[3];
+    vec3_store(target, to);
+    c->hands[hand].to = to;
+    expect_ok(vbss_thread_move(c->hands[hand].thread, c->hands[hand].id, target, NULL));
+}
+
+void stitch_case_shift(stitch_case *c, int hand, vec3 way)
+{
+    stitch_case_aim(c, hand, vec3_add(c->hands[hand].to, way));
+}
+
+void stitch_case_drop(stitch_case *c, int hand)
+{
+    expect_ok(vbss_thread_detach(c->hands[hand].thread, c->hands[hand].id));
+    c->hands[hand].thread = NULL;
+}
+
+bool stitch_case_take(stitch_case *c, int hand, uint32_t body, uint32_t node)
+{
+    stitch_case_hand *own = &c->hands[hand];
+    vbss_thread_attachment a;
+    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
+    a.node = node;
+    own->thread = stitch_watch_thread(c->s.scene, body);
+    own->at = own->to = small_node(own->thread, node);
+    vec3_store(a.position, own->at);
+    if (vbss_thread_attach(own->thread, &a, &own->id) != VBSS_OK) {
+        own->thread = NULL;
+        return false;
+    }
+    return true;
+}
+
+uint32_t stitch_case_cut(stitch_case *c, uint32_t body, double arc)
+{
+    uint32_t piece = 0;
+    if (vbss_scene_cut_thread(c->s.scene, body, arc, &piece) != VBSS_OK) {
+        return 0;
+    }
+    for (int k = 0; k < 2; k++) {
+        stitch_case_hand *hand = &c->hands[k];
+        vbss_thread_reaction r;
+        bool goes = hand->thread == stitch_watch_thread(c->s.scene, body) && hand->thread != NULL &&
+                    vbss_thread_get_reaction(hand->thread, hand->id, &r, sizeof r) != VBSS_OK;
+        hand->thread = goes ? stitch_watch_thread(c->s.scene, piece) : hand->thread;
+    }
+    return piece;
+}
+
+/* ---- looks */
+
+static const thread_object *thread_of(const stitch_case *c, uint32_t body)
+{
+    thread_object *t = NULL;
+    vbss_thread *thread = stitch_watch_thread(c->s.scene, body);
+    return thread != NULL && vbss_thread_open(thread, &t) == VBSS_OK ? t : NULL;
+}
+
+uint32_t stitch_case_nodes(const stitch_case *c, uint32_t body)
+{
+    const thread_object *t = thread_of(c, body);
+    return t == NULL ? 0 : t->node_count;
+}
+
+double stitch_case_length(const stitch_case *c, uint32_t body)
+{
+    const thread_object *t = thread_of(c, body);
+    assert_non_null(t);
+    return vbss_thread_arc_length(t, t->node_count - 1);
+}
+
+vec3 stitch_case_node(const stitch_case *c, uint32_t body, uint32_t node)
+{
+    return small_node(stitch_watch_thread(c->s.scene, body), node);
+}
+
+double stitch_case_fastest(const stitch_case *c)
+{
+    double fastest = 0.0;
+    for (uint32_t body = 1; body < BODIES; body++) {
+        const thread_object *t = thread_of(c, body);
+        for (uint32_t i = 0; t != NULL && i < t->node_count; i++) {
+            fastest = vbss_larger(vec3_norm(t->now.v[i]), fastest);
+        }
+    }
+    return fastest;
+}
+
+bool stitch_case_hole(const stitch_case *c, int side, vbss_hole *hole)
+{
+    return stitch_scene_hole(&c->stitch, side, hole);
+}
+
+/* ---- the ledger */
+
+/* Springs of contacts and of holes. */
+static double energy_of_contacts(const stitch_case *c)
+{
+    double energy = 0.0;
+    vbss_hole holes[STITCH_WATCH_HOLES];
+    vbss_view forces = small_view(&c->s, VBSS_SCENE_VIEW_CONTACT_FORCES);
+    vbss_view names = small_view(&c->s, VBSS_SCENE_VIEW_CONTACTS);
+    for (uint64_t i = 0; i < forces.count; i++) {
+        const uint32_t kind = ((const uint32_t *)names.data)[5 * i];
+        double square = vec3_norm_squared(((const vec3 *)forces.data)[i]);
+        energy += kind == VBSS_CONTACT_HOLE ? 0.0 : square / c->options.scene.contact_stiffness;
+    }
+    uint32_t count = stitch_watch_holes(c->s.scene, holes);
+    for (uint32_t i = 0; i < count; i++) {
+        energy += vec3_norm_squared(vec3_load(holes[i].force)) / c->options.drain.hole_stiffness;
+    }
+    return 0.5 * energy;
+}
+
+double stitch_case_energy(const stitch_case *c)
+{
+    vbss_drain_energies e = {0};
+    double energy = energy_of_contacts(c);
+    if (c->stitch.drain != NULL) {
+        expect_ok(vbss_drain_get_energies(c->stitch.drain, &e, sizeof e));
+    }
+    for (uint32_t body = 1; body < BODIES; body++) {
+        vbss_thread *thread = stitch_watch_thread(c->s.scene, body);
+        if (thread != NULL) {
+            energy += small_thread_energy(thread, c->options.thread.axial_stiffness);
+        }
+    }
+    return energy + e.total;
+}
+
+void stitch_case_reckon(stitch_case *c)
+{
+    c->first = stitch_case_energy(c);
+    c->work = c->most_work = c->excess = 0.0;
+}
+
+/* Reactions are without what presses on the node itself, or on the segments at it: the hand bears some of that too. All of
+ * it is more. */
+static double work_at(const stitch_case *c, uint32_t body, uint32_t node, vec3 way)
+{
+    double work = 0.0;
+    vbss_view forces = small_view(&c->s, VBSS_SCENE_VIEW_CONTACT_FORCES);
+    vbss_view names = small_view(&c->s, VBSS_SCENE_VIEW_CONTACTS);
+    for (uint64_t i = 0; i < forces.count; i++) {
+        const uint32_t *name = (const uint32_t *)names.data + 5 * i;
+        double along = vec3_dot(((const vec3 *)forces.data)[i], way);
+        bool at_a = name[1] == body && name[2] + 2 > node && name[2] < node + 2;
+        bool at_b = name[3] == body && name[4] + 2 > node && name[4] < node + 2;
+        bool hole = name[0] == VBSS_CONTACT_HOLE;
+        work += hole ? 0.0 : at_a ? fmax(-along, 0.0) : at_b ? fmax(along, 0.0) : 0.0;
+    }
+    return work;
+}
+
+static uint32_t body_of(const stitch_case *c, const vbss_thread *thread)
+{
+    uint32_t body = 1;
+    while (body < BODIES && stitch_watch_thread(c->s.scene, body) != thread) {
+        body++;
+    }
+    return body;
+}
+
+/* Of implicit steps the force at the end counts, which is rather more than less. */
+static double work_of_hands(stitch_case *c, double *most)
+{
+    double work = 0.0;
+    for (int k = 0; k < 2; k++) {
+        stitch_case_hand *hand = &c->hands[k];
+        vbss_thread_reaction r;
+        if (hand->thread == NULL) {
+            continue;
+        }
+        expect_ok(vbss_thread_get_reaction(hand->thread, hand->id, &r, sizeof r));
+        vec3 now = small_node(hand->thread, r.node), force = vec3_load(r.force);
+        vec3 way = vec3_sub(now, hand->at);
+        double beside = work_at(c, body_of(c, hand->thread), r.node, way);
+        work += vec3_dot(force, way) + beside;
+        *most += fmax(vec3_norm(force), vec3_norm(hand->force)) * vec3_norm(way) + beside;
+        hand->force = force;
+        hand->at = now;
+    }
+    return work;
+}
+
+static void book(stitch_case *c)
+{
+    double most = 0.0, energy = stitch_case_energy(c);
+    c->work += work_of_hands(c, &most);
+    c->most_work = fmax(c->most_work, fabs(c->work));
+    assert_true(isfinite(energy));
+    /* Where a part was thrown away, contacts in the views are those of it. */
+    vbss_scene_statistics s = small_statistics(&c->s);
+    bool whole = s.paused + s.clamped == c->broken;
+    if (whole) {
+        c->excess = fmax(c->excess, energy - c->first - c->work);
+    }
+    if (whole && c->whole) {
+        c->jump = fmax(c->jump, energy - c->energy - most);
+    }
+    c->energy = energy;
+    c->whole = whole;
+    c->broken = s.paused + s.clamped;
+}
+
+/* ---- steps */
+
+void stitch_case_step(stitch_case *c)
+{
+    small_steps(&c->s, 1, c->h);
+    c->steps++;
+    vbss_view events = small_view(&c->s, VBSS_SCENE_VIEW_EVENTS);
+    memset(c->happened, 0, sizeof c->happened);
+    for (uint64_t i = 0; i < events.count; i++) {
+        uint32_t kind = *(const uint32_t *)((const char *)events.data + i * events.stride_bytes);
+        assert_true(kind < STITCH_CASE_EVENTS);
+        c->happened[kind]++;
+        c->counts[kind]++;
+    }
+    if (c->stitch.drain != NULL) {
+        stitch_watch_look(&c->watch, c->s.scene, c->stitch.drain);
+    }
+    assert_true(isfinite(stitch_case_fastest(c)));
+    book(c);
+}
+
+void stitch_case_wait(stitch_case *c, uint32_t steps)
+{
+    for (uint32_t i = 0; i < steps; i++) {
+        stitch_case_step(c);
+    }
+}
+
+void stitch_case_pull(stitch_case *c, int hand, vec3 way, double speed)
+{
+    uint32_t steps = (uint32_t)ceil(vec3_norm(way) / (speed * c->h));
+    for (uint32_t i = 0; i < steps; i++) {
+        stitch_case_shift(c, hand, vec3_scale(way, 1.0 / steps));
+        stitch_case_step(c);
+    }
+}
+
+/* ---- what it was like */
+
+void stitch_case_finish(stitch_case *c, const char *name, double share)
+{
+    vbss_scene_statistics s = small_statistics(&c->s);
+    print_message("%s: %llu steps, %llu parts; rejected %llu states %llu stretch %llu depth %llu "
+                  "guard; clamped %llu, "
+                  "paused %llu, loose %llu; overlap %.0f um, stretch %.1e (%llu loose); %u "
+                  "crossings, %u holes; from hole %.2f, "
+                  "from suture %.2f; %llu away, %llu missed; work %.3g mJ, excess %.3g mJ, jump "
+                  "%.3g mJ; %.2g m/s\n",
+                  name, (unsigned long long)s.steps, (unsigned long long)s.parts,
+                  (unsigned long long)s.rejected_states, (unsigned long long)s.rejected_stretch,
+                  (unsigned long long)s.rejected_depth, (unsigned long long)s.rejected_guard,
+                  (unsigned long long)s.clamped, (unsigned long long)s.paused,
+                  (unsigned long long)s.loose_states, 1e6 * s.penetration, s.stretch_error,
+                  (unsigned long long)s.loose_stretch, c->watch.crossings, c->watch.holes,
+                  c->watch.farthest, c->watch.loosest, (unsigned long long)c->watch.away,
+                  (unsigned long long)c->watch.missed, 1e3 * c->most_work, 1e3 * c->excess,
+                  1e3 * c->jump, stitch_case_fastest(c));
+    assert_int_equal(c->watch.away, 0);
+    assert_int_equal(c->watch.missed, 0);
+    assert_true(s.stretch_error <= c->options.scene.stretch_tolerance || s.loose_stretch > 0);
+    assert_true(c->excess <= share * c->most_work + LEAST_GAIN);
+    stitch_case_end(c);
+}

@@ -1,0 +1,67 @@
+/* A stitch that two hands pull, drop, cut and take again: after every step the oracle looks where threads cross the wall, and a
+ * ledger says whether there is more energy than hands have put in. Every call that fails, fails the test. */
+#ifndef VBSS_TESTS_SCENE_STITCH_CASE_H
+#define VBSS_TESTS_SCENE_STITCH_CASE_H
+
+#include "scene/stitch_watch.h"
+#include "scenes/stitch_scenes.h"
+
+enum { STITCH_CASE_EVENTS = VBSS_EVENT_UNTHREADED + 1 };
+
+typedef struct stitch_case_hand {
+    vbss_thread *thread; /* NULL: it holds nothing */
+    uint32_t id;         /* of the attachment */
+    vec3 at, to;         /* the node, after the last step; where it shall go */
+    vec3 force;          /* on the thread, N */
+} stitch_case_hand;
+
+typedef struct stitch_case {
+    small s;                      /* its scene is the stitch's */
+    stitch_scene_options options; /* change them before making */
+    stitch_scene stitch;
+    stitch_case_hand hands[2]; /* left, right */
+    stitch_watch watch;
+    double h;
+    uint32_t counts[STITCH_CASE_EVENTS],
+        happened[STITCH_CASE_EVENTS]; /* so far; in the last step */
+    uint32_t steps;
+    /* the ledger, J */
+    double first, work, most_work, excess;
+    /* Most energy that a step has beyond what hands could have put into it, whatever way they pulled, with the larger force of
+     * its begin and its end: those of thin threads are noisy. Of whole steps. */
+    double jump;
+    double energy;   /* after the last step */
+    bool whole;      /* it was: nothing of it was left out */
+    uint64_t broken; /* steps of which something was */
+} stitch_case;
+
+void stitch_case_begin(stitch_case *c); /* a context and options */
+void stitch_case_make(stitch_case *c);
+void stitch_case_end(stitch_case *c); /* asserts that all memory came back */
+/* All of it, with so many crossings above the slit. */
+void stitch_case_open(stitch_case *c, uint32_t crossings);
+
+void stitch_case_aim(stitch_case *c, int hand, vec3 to);
+void stitch_case_shift(stitch_case *c, int hand, vec3 way);
+void stitch_case_drop(stitch_case *c, int hand);
+/* A node of a thread, where it is; false: it is held already. */
+bool stitch_case_take(stitch_case *c, int hand, uint32_t body, uint32_t node);
+/* The piece, or 0: it is refused. */
+uint32_t stitch_case_cut(stitch_case *c, uint32_t body, double arc);
+uint32_t stitch_case_nodes(const stitch_case *c, uint32_t body); /* 0: no such thread */
+double stitch_case_length(const stitch_case *c, uint32_t body);
+vec3 stitch_case_node(const stitch_case *c, uint32_t body, uint32_t node);
+
+void stitch_case_step(stitch_case *c);
+void stitch_case_wait(stitch_case *c, uint32_t steps);
+/* A hand goes on by that way at that speed. */
+void stitch_case_pull(stitch_case *c, int hand, vec3 way, double speed);
+double stitch_case_energy(const stitch_case *c);
+void stitch_case_reckon(stitch_case *c); /* the ledger begins anew */
+bool stitch_case_hole(const stitch_case *c, int side, vbss_hole *hole);
+double stitch_case_fastest(const stitch_case *c); /* node of all threads, m/s */
+
+/* Nothing crosses but in holes, none is lost; no more energy than was put in but for that share; then ends. */
+void stitch_case_finish(stitch_case *c, const char *name, double share);
+
+#endif

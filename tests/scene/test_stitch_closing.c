@@ -1,0 +1,168 @@
+/* A throw above a stitch: limbs that are pulled shut the slit, friction keeps it shut, and without the thread it stands open as
+ * before. */
+#include "scene/stitch_rig.h"
+
+static stitch_rig c;
+
+/* ---- a double throw */
+
+static void tie(double most)
+{
+    stitch_rig_begin(&c);
+    c.o.crossings = 5;
+    stitch_rig_make(&c);
+    stitch_rig_wait(&c, 100);
+    assert_true(stitch_rig_gap(&c).gap >= 2e-3);
+    stitch_rig_pull(&c, 700, 0.03, most);
+}
+
+static void limbs_that_are_pulled_shut_the_slit_and_the_throw_keeps_it_shut(void **state)
+{
+    (void)state;
+    tie(2.0);
+    double first = stitch_scene_pull(&c.s, 0), tight = stitch_rig_gap(&c).gap;
+    assert_true(first >= 2.0);
+    assert_true(tight <= 0.5e-3);
+    /* The hands are gone: what the throw gives is all that it gives. */
+    expect_ok(stitch_scene_let_go(&c.s, 0));
+    expect_ok(stitch_scene_let_go(&c.s, 1));
+    stitch_rig_wait(&c, 500);
+    double held = stitch_rig_gap(&c).gap;
+    stitch_rig_wait(&c, 1000);
+    double later = stitch_rig_gap(&c).gap;
+    print_message("gap %.3f mm at %.2f N, %.3f let go, %.3f a second later\n", 1e3 * tight, first,
+                  1e3 * held, 1e3 * later);
+    assert_true(held < 1e-3);
+    expect_near(held, later, 5e-6);
+    assert_int_equal(stitch_rig_statistics(&c).clamped, 0);
+    stitch_rig_end(&c);
+}
+
+static void without_the_thread_it_stands_open_again(void **state)
+{
+    (void)state;
+    vbss_drain_gap rest;
+    stitch_rig_begin(&c);
+    c.o.crossings = 5;
+    stitch_rig_make(&c);
+    rest = stitch_rig_gap(&c);
+    stitch_rig_end(&c);
+    tie(2.0);
+    expect_ok(vbss_scene_remove(c.s.scene, c.s.thread_body));
+    vbss_hole hole;
+    assert_int_equal(vbss_scene_get_hole(c.s.scene, 0, &hole, sizeof hole),
+                     VBSS_ERROR_OUT_OF_RANGE);
+    for (int i = 0; i < 2000; i++) {
+        expect_ok(vbss_scene_step(c.s.scene, c.h));
+    }
+    print_message("gap %.3f mm at first, %.3f after\n", 1e3 * rest.gap,
+                  1e3 * stitch_rig_gap(&c).gap);
+    expect_near(rest.gap, stitch_rig_gap(&c).gap, 0.1 * rest.gap);
+    stitch_rig_end(&c);
+}
+
+/* ---- limbs straight up, drawn by soft springs: both alike, whatever way the thread slides */
+
+enum { LOADS = 6, MORE = 400, REST = 600 };
+#define SOFT 2.0 /* N/m */
+
+typedef struct loading {
+    double pull[LOADS], gap[LOADS];
+} loading;
+
+static void soften(int hand)
+{
+    vbss_thread_attachment a;
+    expect_ok(stitch_scene_let_go(&c.s, hand));
+    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
+    a.kind = VBSS_ATTACHMENT_SPRING;
+    a.node = c.s.ends[hand];
+    a.stiffness = SOFT;
+    a.damping = 0.05;
+    vec3_store(a.position, c.s.at[hand]);
+    expect_ok(vbss_thread_attach(c.s.thread, &a, &c.s.hands[hand]));
+}
+
+static void draw_both(double way)
+{
+    for (int i = 0; i < MORE; i++) {
+        stitch_rig_draw(&c, 0, way / MORE);
+        stitch_rig_draw(&c, 1, way / MORE);
+        stitch_rig_wait(&c, 1);
+    }
+    stitch_rig_wait(&c, REST);
+}
+
+static void note(loading *l, int i)
+{
+    l->pull[i] = 0.5 * (stitch_scene_pull(&c.s, 0) + stitch_scene_pull(&c.s, 1));
+    l->gap[i] = stitch_rig_gap(&c).gap;
+    print_message("%.4f N: %.3f mm\n", l->pull[i], 1e3 * l->gap[i]);
+}
+
+static void load_and_unload(double friction, loading *on, loading *back)
+{
+    stitch_rig_begin(&c);
+    c.o.rise = 1.5707963267948966;
+    c.o.limb = 20e-3;
+    c.o.thread.drag = 20.0;
+    c.o.scene.thread_friction = friction;
+    c.o.drain.friction = friction;
+    c.o.drain.hole_friction = friction;
+    c.o.drain.thread_force = 1e-6;
+    stitch_rig_make(&c);
+    soften(0);
+    soften(1);
+    draw_both(0.02 / SOFT);
+    for (int i = 0; i < LOADS; i++) {
+        draw_both(0.02 / SOFT);
+        note(on, i);
+    }
+    for (int i = LOADS; i-- > 0;) {
+        note(back, i);
+        draw_both(-0.02 / SOFT);
+    }
+    stitch_rig_end(&c);
+}
+
+/* On the way on, where it was with that pull. */
+static double gap_at(const loading *on, double pull)
+{
+    int i = 1;
+    while (i + 1 < LOADS && on->pull[i] < pull) {
+        i++;
+    }
+    double share = (pull - on->pull[i - 1]) / (on->pull[i] - on->pull[i - 1]);
+    return on->gap[i - 1] + share * (on->gap[i] - on->gap[i - 1]);
+}
+
+static void more_tension_is_less_gap_and_only_friction_tells_on_from_back(void **state)
+{
+    (void)state;
+    double lag[2] = {0.0, 0.0};
+    for (int which = 0; which < 2; which++) {
+        loading on, back;
+        load_and_unload(which == 0 ? 0.0 : 0.3, &on, &back);
+        for (int i = 0; i < LOADS; i++) {
+            /* With friction the stitch may be tighter than its limbs. */
+            assert_true(which == 1 || i == 0 || on.gap[i] < on.gap[i - 1]);
+            assert_true(which == 1 || i == 0 || back.gap[i] < back.gap[i - 1]);
+            if (back.pull[i] >= on.pull[0]) {
+                lag[which] = fmax(lag[which], fabs(gap_at(&on, back.pull[i]) - back.gap[i]));
+            }
+        }
+    }
+    print_message("hysteresis %.3f mm without friction, %.3f with\n", 1e3 * lag[0], 1e3 * lag[1]);
+    assert_true(lag[0] < 0.05e-3);
+    assert_true(lag[1] > 4.0 * lag[0]);
+}
+
+int test_stitch_closing(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(limbs_that_are_pulled_shut_the_slit_and_the_throw_keeps_it_shut),
+        cmocka_unit_test(without_the_thread_it_stands_open_again),
+        cmocka_unit_test(more_tension_is_less_gap_and_only_friction_tells_on_from_back),
+    };
+    return cmocka_run_group_tests_name("scene.stitch_closing", tests, NULL, NULL);
+}
