@@ -275,6 +275,7 @@ static void add_cases(bench *b)
 {
     add_scenes(b);
     add_pierced(b);
+    add_stitched(b);
     for (int kind = 0; kind < DRAIN_SCENE_KINDS; kind++) {
         /* What snaps again and again takes long, and says nothing of meshes. */
         int meshes = kind == DRAIN_SCENE_TUGGED ? 1 : MESHES;

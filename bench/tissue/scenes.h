@@ -7,5 +7,6 @@
 void add_scenes(bench *b);
 /* pierced.c */
 void add_pierced(bench *b);
+void add_stitched(bench *b);
 
 #endif
