@@ -24,6 +24,8 @@ SCALARS = {"double": "c_double", "char": "c_char", **{f"{s}int{b}_t": f"c_{s}int
 # Structs that the library fills become tuples with names; these do too, which go both ways.
 BOTH_WAYS = {"vbss_device_sample", "vbss_device_capabilities"}
 NO_VALUES = {"vbss_view"}  # becomes an array
+# Constants without a type are called after what they begin with, but for these, by their first one.
+CALLED = {"VBSS_METRICS_HAS_LDJ": "MetricsMotionBits", "VBSS_METRICS_WHOLE": "MetricsTask"}
 
 
 def camel(name: str) -> str:
@@ -73,15 +75,16 @@ class Names:
                 if constants.kind:
                     self.enums[constants.kind] = name
                 else:
-                    self.bits[prefix] = name
+                    self.bits.setdefault(prefix, name)
 
-    def python_enum(self, field: headers.Declared) -> str:
-        """The enumeration that a field's values are of, or ""."""
+    def python_enum(self, field: headers.Declared, struct: str) -> str:
+        """The enumeration that a field's values are of, or "". Bits that are called after a struct are its own."""
         if field.pointers or field.dimensions:
             return ""
         said = re.search(r"(VBSS_\w+_) bits", field.text)
         if said:
-            return self.bits.get(said.group(1), "")
+            own = f"{camel(struct)}Bits"
+            return own if own in self.home else self.bits.get(said.group(1), "")
         return self.enums.get(field.type, "")
 
     def ctype(self, d: headers.Declared, parameter: bool = False) -> str:
@@ -111,10 +114,10 @@ class Names:
             return "Any"
         return "float" if base == "double" else "int"
 
-    def value(self, d: headers.Declared) -> str:
+    def value(self, d: headers.Declared, struct: str) -> str:
         if d.pointers:
-            return "Any"
-        kind = self.python_enum(d) or ("float" if self.kinds.get(d.type, d.type) == "double" else "int")
+            return "str" if self.ctype(d) == "c_char_p" else "Any"
+        kind = self.python_enum(d, struct) or ("float" if self.kinds.get(d.type, d.type) == "double" else "int")
         for _ in d.dimensions:
             kind = f"tuple[{kind}, ...]"
         return kind
@@ -126,12 +129,12 @@ def enum_name(constants: headers.Constants) -> tuple[str, str]:
     prefix = names[0].rsplit("_", 1)[0] + "_"
     while not all(name.startswith(prefix) for name in names):
         prefix = prefix[:-1].rsplit("_", 1)[0] + "_"
-    return (camel(constants.kind) if constants.kind else camel(prefix) + "Bits"), prefix
+    return CALLED.get(names[0]) or (camel(constants.kind) if constants.kind else camel(prefix) + "Bits"), prefix
 
 
 def enum_lines(constants: headers.Constants) -> list[str]:
     name, prefix = enum_name(constants)
-    lines = ["", "", f"class {name}({'IntEnum' if constants.kind else 'IntFlag'}):"]
+    lines = ["", "", f"class {name}({'IntFlag' if name.endswith('Bits') else 'IntEnum'}):"]
     lines += docstring(constants.text, "    ")
     for constant, number, text in constants.names:
         short = constant[len(prefix):]
@@ -155,7 +158,7 @@ def struct_lines(struct: headers.Struct, names: Names) -> list[str]:
                                   if f.name != "struct_size" and not f.name.startswith("reserved"))
     lines += docstring(about, "    ")
     lines += [f"    {f.name}: {names.annotation(f)}" for f in struct.fields]
-    kinds = {f.name: names.python_enum(f) for f in struct.fields if names.python_enum(f)}
+    kinds = {f.name: kind for f in struct.fields for kind in [names.python_enum(f, struct.name)] if kind}
     lines.append("    _kinds_: ClassVar[dict[str, Any]] = {" +
                  ", ".join(f'"{name}": {kind}' for name, kind in kinds.items()) + "}")
     lines.append("    _fields_ = [")
@@ -164,7 +167,7 @@ def struct_lines(struct: headers.Struct, names: Names) -> list[str]:
     if is_value(struct):
         lines += ["", "", f"class {camel(struct.name)}(NamedTuple):"]
         lines += docstring(struct.text + f" Fields as {struct.name} says.", "    ")
-        lines += [f"    {f.name}: {names.value(f)}" for f in struct.fields
+        lines += [f"    {f.name}: {names.value(f, struct.name)}" for f in struct.fields
                   if f.name != "struct_size" and not f.name.startswith("reserved")]
     return lines
 

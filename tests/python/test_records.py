@@ -16,7 +16,7 @@ def make(context, settings=None):
 
 def recorded(context):
     scene, body, ball, tool = make(context)
-    record = vb.Record(scene, note=b"a thread and a ball", hash_interval=1)
+    record = vb.Record(scene, note=b"a thread and a ball", hash_interval=1, snapshot_interval=3)
     log = record.take()
     record.move_rigid(ball, (0, 0.051, 0), (1, 0, 0, 0))
     record.move_grasper(tool, (0.001, 0.1, 0.0))
@@ -64,6 +64,86 @@ def test_damaged_logs_are_refused(context):
         vb.Replay(b"", context)
     with pytest.raises(TypeError):
         vb.Replay(None, context)
+
+
+def test_a_replay_goes_to_any_step(context):
+    log, wanted = recorded(context)
+    with vb.Context() as other:
+        replay = vb.Replay(log, other)
+        scene, *_ = make(other, replay.scene_settings)
+        replay.begin(scene)
+        for step in (7, 2, 0, 5):
+            assert replay.seek(step).step == step
+            assert step == 0 or scene.state_hash == replay.read(step).hash
+        with pytest.raises(vb.OutOfRangeError):
+            replay.seek(9)
+        assert replay.run().outcome is vb.ReplayOutcome.ENDED and scene.state_hash == wanted
+
+
+def test_steps_are_read_without_a_scene(context):
+    log, wanted = recorded(context)
+    replay = vb.Replay(log, context)
+    first = replay.read(1)
+    assert [one.kind.name for one in first.inputs] == ["MOVE_RIGID", "MOVE_GRASPER", "SET_OPENING", "EXCHANGE", "PIN"]
+    assert first.inputs[0].numbers[:3] == (0.0, 0.051, 0.0) and first.inputs[2].numbers == (0.5,)
+    cut = replay.read(4)
+    assert [one.kind for one in cut.inputs] == [vb.InputKind.DETACH, vb.InputKind.CUT]
+    last = replay.read(8)
+    assert (last.number, last.hash, last.h) == (8, wanted, 1e-3) and last.time == pytest.approx(8e-3)
+    assert last.position < len(log)
+    with pytest.raises(vb.OutOfRangeError):
+        replay.read(9)
+
+
+def test_events_are_in_the_log(context):
+    scene = vb.Scene(context, floor=True, mode="offline")
+    scene.add(vb.Thread(context, segment_count=5, start=(0, 1e-4, 0)))
+    record, seen = vb.Record(scene), []
+    for _ in range(20):
+        record.step()
+        seen.append(tuple(scene.events))
+    replay = vb.Replay(record.take(), context)
+    assert [replay.read(number + 1).events for number in range(20)] == seen
+    assert vb.EventKind.TOUCH in {event.kind for events in seen for event in events}
+
+
+def test_a_record_goes_on_with_a_log_that_is_cut_off(context):
+    log, _ = recorded(context)
+    half = vb.check_log(log).good_bytes // 2
+    with vb.Context() as other:
+        replay = vb.Replay(log[:half], other)
+        with pytest.raises(vb.OutOfRangeError):
+            vb.Record.resume(replay)
+        scene, *_ = make(other, replay.scene_settings)
+        replay.begin(scene)
+        record, position = vb.Record.resume(replay, buffer_bytes=1 << 16)
+        replay.close()
+        steps = vb.check_log(log[:half]).steps
+        assert position <= half and record.take() == b""
+        record.step()
+        record.end()
+        whole, wanted = log[:position] + record.take(), scene.state_hash
+        again = vb.Replay(whole, other)
+        again.begin(scene)
+        report = again.run()
+        assert (report.step, report.outcome, scene.state_hash) == (steps + 1, vb.ReplayOutcome.ENDED, wanted)
+    with pytest.raises(TypeError):
+        vb.Record.resume(None)
+
+
+def test_a_log_is_checked_whatever_it_is(context):
+    log, _ = recorded(context)
+    good = vb.check_log(log, context)
+    assert (good.result, good.ended, good.steps, good.faults) == (0, True, 8, ())
+    assert good.good_bytes == good.log_bytes == len(log) and good.snapshots == 3 and good.inputs == 10
+    broken = bytearray(log)
+    broken[-40] ^= 1
+    bad = vb.check_log(broken)
+    assert bad.result == bad.faults[0].result != 0 and len(bad.faults) == bad.fault_count == 1
+    assert bad.good_bytes <= bad.faults[0].position < len(log) and bad.faults[0].problem
+    assert vb.check_log(b"").steps == 0
+    with pytest.raises(TypeError):
+        vb.check_log(None)
 
 
 def test_what_a_record_refuses(context):

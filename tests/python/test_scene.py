@@ -128,6 +128,36 @@ def test_a_heavy_needle_goes_through_a_wall(context):
     assert vb.EventKind.PUNCTURE in events and sum(hole.weights) == pytest.approx(1.0)
 
 
+def test_a_thread_lies_in_a_hole_that_was_made_and_is_pulled_out(context):
+    scene = vb.Scene(context, mode="offline")
+    drain = vb.Drain(context, thread_force=1e-6)
+    wall = scene.add(drain)
+    mark = drain.places.marks[0]
+    _, y, z = at = drain.positions[mark].tolist()
+    across = (0.0, y / math.hypot(y, z), z / math.hypot(y, z))
+    thread = vb.Thread(context, positions=[[a + 1e-3 * (i - 5) * n for a, n in zip(at, across)] for i in range(11)],
+                       length=0.01)
+    body = scene.add(thread)
+    number, nodes = next((i, nodes) for i, nodes in enumerate(drain.triangles.tolist()) if mark in nodes)
+    weights = [float(node == mark) for node in nodes]
+    name = scene.make_hole(body, 5e-3, wall, number, weights)
+    hole = scene.hole(0)
+    assert (hole.id, hole.thread, hole.needle, hole.drain, hole.triangle) == (name, body, 0, wall, number)
+    assert hole.arc_length == pytest.approx(5e-3, abs=1e-4) and hole.position == pytest.approx(at, abs=1e-4)
+    for bad in ((body, 5e-3, wall, number, (1.0, 1.0, 0.0)), (body, 1.0, wall, number, weights), (wall, 0.0, wall, 0, weights)):
+        with pytest.raises(vb.OutOfRangeError):
+            scene.make_hole(*bad)
+    end, events = thread.attach("pin", 10), []
+    tip = thread.positions[10].tolist()
+    for step in range(400):
+        thread.move(end, [p + 2e-5 * (step + 1) * n for p, n in zip(tip, across)])
+        scene.step()
+        events += [event for event in scene.events if event.kind is vb.EventKind.UNTHREADED]
+        if events:
+            break
+    assert [event[1:] for event in events] == [(body, wall, name)] and scene.holes == []
+
+
 def test_scenes_are_saved_and_restored(lying):
     scene, _, _ = lying
     scene.step()

@@ -5,7 +5,8 @@ import pytest
 
 import vblast_ss as vb
 
-KINDS = [vb.Thread, vb.Drain, vb.Needle, vb.Grasper, vb.Scene, vb.KnotDetector, vb.Collision, vb.Mock, vb.Output]
+KINDS = [vb.Thread, vb.Drain, vb.Needle, vb.Grasper, vb.Scene, vb.KnotDetector, vb.Collision, vb.Mock, vb.Output,
+         vb.Metrics]
 
 
 @pytest.mark.parametrize("kind", KINDS)

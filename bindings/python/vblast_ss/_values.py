@@ -178,7 +178,11 @@ def _number(value: Any) -> Any:
     return tuple(map(_number, value)) if isinstance(value, ctypes.Array) else value
 
 
-def _constant_of(kind: Any) -> Callable[[int], Any]:
+def _text(value: Any) -> str:
+    return (value or b"").decode(errors="replace")
+
+
+def constant_of(kind: Any) -> Callable[[int], Any]:
     def convert(value: int) -> Any:
         try:
             return kind(value)
@@ -196,8 +200,9 @@ def value_of(value_type: type[V], struct: Any) -> V:
     if plan is None:
         kinds = dict(struct._fields_)
         plan = _PLANS[value_type] = [
-            (name, _constant_of(struct._kinds_[name]) if name in struct._kinds_ else
-             _number if issubclass(kinds[name], ctypes.Array) else None)
+            (name, constant_of(struct._kinds_[name]) if name in struct._kinds_ else
+             _number if issubclass(kinds[name], ctypes.Array) else
+             _text if kinds[name] is ctypes.c_char_p else None)
             for name in value_type._fields]  # type: ignore[attr-defined]
     return value_type(*[getattr(struct, name) if convert is None else convert(getattr(struct, name))
                         for name, convert in plan])
@@ -206,5 +211,5 @@ def value_of(value_type: type[V], struct: Any) -> V:
 def defaults(struct_type: Any, function: Any) -> dict[str, Any]:
     """Every setting with the library's default."""
     struct = initialised(struct_type, function, {}, "")
-    return {name: _constant_of(struct._kinds_[name])(getattr(struct, name)) if name in struct._kinds_
+    return {name: constant_of(struct._kinds_[name])(getattr(struct, name)) if name in struct._kinds_
             else _number(getattr(struct, name)) for name in settable(struct_type)}

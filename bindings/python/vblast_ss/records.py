@@ -2,20 +2,22 @@
 from __future__ import annotations
 
 import ctypes
-from typing import Any, NamedTuple, Optional, Sequence
+from typing import Any, NamedTuple, Optional, Sequence, Union
 
+from ._api.base import Result
 from ._api.grasper import GrasperKind
-from ._api.record import (ReplayOutcome, ReplayReport, vbss_record, vbss_record_config, vbss_replay, vbss_replay_info,
-                          vbss_replay_report)
+from ._api.record import (InputKind, ReplayOutcome, ReplayReport, vbss_log_report, vbss_log_step, vbss_record,
+                          vbss_record_config, vbss_replay, vbss_replay_info, vbss_replay_report)
 from ._api.scene import vbss_scene_config
 from ._library import lib
 from ._objects import Configured, Object, context_or_new, created
-from ._values import constant, data_of, doubles, index, initialised, optional, settable
+from ._values import constant, constant_of, data_of, doubles, index, initialised, integer, optional, settable
 from .context import Context
-from .scene import Scene
+from .scene import Event, EventKind, Scene
 from .thread import attachment_of
 
-__all__ = ["Record", "Replay", "ReplayOutcome", "ReplayReport"]
+__all__ = ["InputKind", "LogFault", "LogInput", "LogReport", "LogStep", "Record", "Replay", "ReplayOutcome",
+           "ReplayReport", "check_log"]
 
 
 class Record(Configured, Object):
@@ -42,6 +44,22 @@ class Record(Configured, Object):
         super().__init__(scene.context, created(scene.context, vbss_record, lib.vbss_record_create, scene._handle,
                                                 ctypes.byref(config)))
         self._scene = scene
+
+    @classmethod
+    def resume(cls, replay: Replay, **settings: Any) -> tuple[Record, int]:
+        """Goes on with the log of a replay that has begun, complete or cut off: brings its scene to the last complete
+        step. Returns the record, and the byte at which what it takes is to be appended, where the log is cut off
+        first. Settings that count: buffer_bytes, snapshot_interval."""
+        if not isinstance(replay, Replay):
+            raise TypeError(f"replay is {type(replay).__name__}, not a Replay")
+        config = initialised(vbss_record_config, lib.vbss_record_config_init, settings, "a record")
+        handle, position = ctypes.POINTER(vbss_record)(), ctypes.c_uint64()
+        replay._call(lib.vbss_record_resume, ctypes.byref(config), ctypes.byref(handle), ctypes.byref(position))
+        record = cls.__new__(cls)
+        Object.__init__(record, replay.context, handle)
+        assert replay._scene is not None  # it has begun
+        record._scene = replay._scene
+        return record, position.value
 
     def take(self) -> bytes:
         """What the log has grown by since it was asked last: to be appended to a file."""
@@ -112,9 +130,63 @@ class Info(NamedTuple):
     note: bytes
 
 
+class LogInput(NamedTuple):
+    """What a host has told a scene; InputKind says what the words and numbers are."""
+    kind: Union[InputKind, int]
+    words: tuple[int, ...]
+    numbers: tuple[float, ...]
+
+
+class LogStep(NamedTuple):
+    """What a log says of a step: fields as in vbss_log_step; no hash: None."""
+    number: int
+    hash: Optional[int]
+    position: int
+    h: float
+    time: float
+    inputs: tuple[LogInput, ...]
+    events: tuple[Event, ...]
+
+
+class LogFault(NamedTuple):
+    """Something wrong in a log, and at which byte."""
+    position: int
+    result: Union[Result, int]
+    problem: str
+
+
+class LogReport(NamedTuple):
+    """What is in a log, before its first fault, and the first eight of its faults: fields as in vbss_log_report."""
+    result: Union[Result, int]
+    ended: bool
+    log_bytes: int
+    good_bytes: int
+    steps: int
+    inputs: int
+    events: int
+    snapshots: int
+    time: float
+    fault_count: int
+    faults: tuple[LogFault, ...]
+
+
+def check_log(log: Any, context: Optional[Context] = None) -> LogReport:
+    """Walks through all of a log, which may be any bytes, and says what is in it, what is wrong, and where."""
+    context = context_or_new(context)
+    data, found = data_of(log, "log"), vbss_log_report()
+    context._call(lib.vbss_log_check, context._handle, data, len(data), ctypes.byref(found), ctypes.sizeof(found))
+    result = constant_of(Result)
+    faults = tuple(LogFault(position, result(status), (problem or b"").decode(errors="replace"))
+                   for position, status, problem in zip(found.fault_positions, found.fault_results,
+                                                        found.fault_problems))
+    return LogReport(result(found.result), bool(found.ended), found.log_bytes, found.good_bytes, found.steps,
+                     found.inputs, found.events, found.snapshots, found.time, found.fault_count,
+                     faults[:found.fault_count])
+
+
 class Replay(Object):
     """Reads a log. begin() brings a scene that was made like the recorded one to where the record began; step()
-    does one step of it and compares hashes; run() does all."""
+    does one step of it and compares hashes; run() does all; seek() goes to any step. read() needs no scene."""
     _prefix, _noun = "vbss_replay", "replay"
 
     def __init__(self, log: Any, context: Optional[Context] = None) -> None:
@@ -159,6 +231,23 @@ class Replay(Object):
     def step(self) -> ReplayReport:
         """Replays the next step and compares the hash."""
         return self._read("step", ReplayReport, vbss_replay_report)
+
+    def seek(self, step: int) -> ReplayReport:
+        """Brings the scene to after a step, 0 for the begin; step() goes on from there."""
+        return self._read("seek", ReplayReport, vbss_replay_report, integer(step, ctypes.c_uint64, "step"))
+
+    def read(self, number: int) -> LogStep:
+        """What the log says of a step, from 1 on; the replay stays where it is."""
+        step, kind = vbss_log_step(), constant_of(InputKind)
+        happened = constant_of(EventKind)
+        with self._context._lock:  # the arrays are good until the next call
+            self._call(lib.vbss_replay_read, integer(number, ctypes.c_uint64, "number"), ctypes.byref(step),
+                       ctypes.sizeof(step))
+            inputs = tuple(LogInput(kind(one.kind), tuple(one.words[:one.word_count]),
+                                    tuple(one.numbers[:one.number_count])) for one in step.inputs[:step.input_count])
+            words = step.events[:4 * step.event_count]
+        events = tuple(Event(happened(words[i]), *words[i + 1:i + 4]) for i in range(0, len(words), 4))
+        return LogStep(step.number, step.hash if step.hashed else None, step.position, step.h, step.time, inputs, events)
 
     def run(self) -> ReplayReport:
         """Replays until the end, or the first step that differs."""

@@ -155,6 +155,14 @@ class Scene(Configured, Viewed, Saved):
         self._call(lib.vbss_scene_cut_thread, index(thread), arc_length, ctypes.byref(piece))
         return piece.value
 
+    def make_hole(self, body: int, arc_length: float, drain: int, triangle: int, weights: Sequence[float]) -> int:
+        """Makes a hole where a thread or a needle already goes through the wall of a drain, near an arc length of it,
+        m, at a place in a triangle; returns the hole's name. From then on it is as if a needle had made it."""
+        name = ctypes.c_uint32()
+        self._call(lib.vbss_scene_make_hole, index(body), arc_length, index(drain), index(triangle),
+                   doubles(weights, "weights", 3), ctypes.byref(name))
+        return name.value
+
     def step(self, h: float = 1e-3) -> None:
         """Moves everything forward by h seconds."""
         self._call(lib.vbss_scene_step, h)
@@ -173,7 +181,7 @@ class Scene(Configured, Viewed, Saved):
         return [self.grasp(tool, number) for number in range(grasper.state.grasp_count)]
 
     def hole(self, number: int) -> Hole:
-        """One of the holes of needles in drains."""
+        """One of the holes of needles and threads in drains."""
         return self._read("get_hole", Hole, vbss_hole, index(number))
 
     @property

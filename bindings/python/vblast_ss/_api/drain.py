@@ -132,18 +132,21 @@ class vbss_drain_config(ctypes.Structure):
     1e-3 to 1e3; default 1 (the published range for both walls of a Penrose drain is 0.85 to
     2.92).
 
-    hole_force: Friction of a hole with what slides in it, N, 1e-6 to 1e3; default 0.25 (not
-    verified).
+    hole_force: Friction of a hole with a needle that slides in it, N, 1e-6 to 1e3; default 0.25
+    (not verified).
 
     hole_friction: Beside that, a share of what is borne across, 0 to 10; default 0.3 (not
     verified).
 
     hole_stiffness: Of a hole across and along what is in it, N/m, 1 to 1e7; default 2e4.
 
-    hole_damping: Of what slides in it, N s/m, 0 to 1e3; default 0.5.
+    hole_damping: Of what slides in it, N s/m, 0 to 1e3; default 0.05.
 
     tip_length: Of a tip's way through the wall, over which puncture_force falls to hole_force,
-    m, 0 to 0.1; default 0.5e-3."""
+    m, 0 to 0.1; default 0.5e-3.
+
+    thread_force: Friction of a hole with a slack thread in it, N, 1e-6 to 1e3; default 0.02
+    (not verified). One that is tight rubs as a rope round a post: docs/stitch.md."""
     struct_size: int
     method: int
     mesh: int
@@ -179,6 +182,7 @@ class vbss_drain_config(ctypes.Structure):
     hole_stiffness: float
     hole_damping: float
     tip_length: float
+    thread_force: float
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mesh": DrainMesh}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -216,6 +220,7 @@ class vbss_drain_config(ctypes.Structure):
         ("hole_stiffness", c_double),
         ("hole_damping", c_double),
         ("tip_length", c_double),
+        ("thread_force", c_double),
     ]
 
 

@@ -112,7 +112,8 @@ class vbss_grasper_config(ctypes.Structure):
     paper_stiffness: PAPER: k_s of the force to the hand, k_s (stretched length - length), N/m,
     0 to 1e6; default 50.
 
-    paper_distance: PAPER: within which closed jaws take a node, m, 0 to 0.1; default 2e-3.
+    paper_distance: PAPER: within which closed jaws take a node, from their tip, or a needle,
+    from their middle line, m, 0 to 0.1; default 2e-3 (the paper gives no number).
 
     needle_stiffness: Of the clamp on either, the same in all directions, N/m, 1 to 1e7; default
     3e4.

@@ -80,8 +80,8 @@ class ContactKind(IntEnum):
     DRAIN_FLOOR = 9
     """A node of a drain, and the floor."""
     HOLE = 10
-    """A needle, three times the place of the hole among all plus: 0 and 1 across, 2 along; and 0
-    of the drain."""
+    """A needle or a thread, the place of the hole among all; and 0 of the drain. The normal is
+    along the suture. PAPER: where particles were moved."""
 
 
 class EventKind(IntEnum):
@@ -113,13 +113,18 @@ class EventKind(IntEnum):
     NOT_EXCHANGED = 12
     """A grasper, 0, and what it was to be."""
     PUNCTURE = 13
-    """A needle's tip enters a wall: needle, drain, id of the hole (vbss_scene_get_hole)."""
+    """A needle's tip enters a wall, PAPER: has gone through: needle, drain, id of the hole
+    (vbss_scene_get_hole)."""
     WITHDRAWN = 14
     """The tip has left the hole the way it came: the same."""
     PASSED = 15
-    """The needle has gone through it, swage and all: the same."""
+    """The needle has gone through it, swage and all; the thread follows: the same."""
     HOLE_LOST = 16
     """Beyond hole_capacity the wall holds: needle, drain, 0."""
+    RETURNED = 17
+    """The swage has come back through it: the needle is in it again: the same."""
+    UNTHREADED = 18
+    """An end of a thread has left the hole: thread, drain, id of the hole."""
 
 
 class vbss_scene(ctypes.Structure):
@@ -206,7 +211,7 @@ class vbss_scene_config(ctypes.Structure):
 
     drain_capacity: Most drains at a time, 0 to 16; default 1.
 
-    hole_capacity: Most holes of needles in drains at a time, 0 to 256; default 16."""
+    hole_capacity: Most holes of needles and threads in drains at a time, 0 to 256; default 16."""
     struct_size: int
     method: int
     mode: int
@@ -602,11 +607,11 @@ class SceneStatistics(NamedTuple):
 
 
 class vbss_hole(ctypes.Structure):
-    """A hole of a needle in a drain.
+    """A hole of a needle or a thread in a drain.
 
     id: From 1 on, in the order in which they were made; none twice.
 
-    needle: Its number in the scene.
+    needle: Its number in the scene; 0: a thread is in it.
 
     drain: The same.
 
@@ -620,14 +625,17 @@ class vbss_hole(ctypes.Structure):
 
     position: Where it is, in the middle of the wall, m.
 
-    direction: Unit: of the needle there, toward its tip.
+    direction: Unit: of the suture there, toward the needle's tip, or the thread's begin.
 
-    arc_length: Of the needle there, from the tip, m; below 0 the tip is still before the
-    middle.
+    arc_length: Of what is in it, m: of the needle from the tip (below 0 that is still before
+    the middle), of the thread from its begin. Round the swage it may be up to 0.2 mm beyond an
+    end.
 
-    friction: On the needle toward its tip, N.
+    friction: On the suture, along `direction`, N.
 
-    force: On the needle, N."""
+    force: On the suture, N.
+
+    thread: Number of the thread that is in it; 0: a needle is."""
     struct_size: int
     id: int
     needle: int
@@ -641,6 +649,8 @@ class vbss_hole(ctypes.Structure):
     arc_length: float
     friction: float
     force: Any
+    thread: int
+    reserved: int
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -656,11 +666,13 @@ class vbss_hole(ctypes.Structure):
         ("arc_length", c_double),
         ("friction", c_double),
         ("force", c_double * 3),
+        ("thread", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
 class Hole(NamedTuple):
-    """A hole of a needle in a drain. Fields as vbss_hole says."""
+    """A hole of a needle or a thread in a drain. Fields as vbss_hole says."""
     id: int
     needle: int
     drain: int
@@ -673,6 +685,7 @@ class Hole(NamedTuple):
     arc_length: float
     friction: float
     force: tuple[float, ...]
+    thread: int
 
 
 class vbss_grasp(ctypes.Structure):
@@ -740,6 +753,8 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
     "vbss_scene_get_grasp": (c_int32, (POINTER(vbss_scene), c_uint32, c_uint32, POINTER(vbss_grasp),
         c_uint32)),
     "vbss_scene_get_hole": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(vbss_hole), c_uint32)),
+    "vbss_scene_make_hole": (c_int32, (POINTER(vbss_scene), c_uint32, c_double, c_uint32, c_uint32,
+        POINTER(c_double), POINTER(c_uint32))),
     "vbss_scene_remove": (c_int32, (POINTER(vbss_scene), c_uint32)),
     "vbss_scene_move_rigid": (c_int32, (POINTER(vbss_scene), c_uint32, POINTER(c_double),
         POINTER(c_double))),
