@@ -15,6 +15,7 @@
 #include "scenes/paper_needle_scenes.h"
 #include "scenes/rod.h"
 #include "scenes/scene_scenes.h"
+#include "scenes/stitch_scenes.h"
 #include "scenes/thread_scenes.h"
 #include "scenes/throw_stack.h"
 #include "scenes/tool_run.h"
@@ -594,6 +595,27 @@ static void run_paper_needle(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- a double throw that shuts a slit, hashed after every 10 steps */
+
+static void run_stitch(uint64_t *hashes, size_t count)
+{
+    static stitch_scene_options options;
+    static stitch_scene stitch;
+    vbss_context *context;
+    uint32_t step = 0;
+    must(vbss_context_create(NULL, &context));
+    must(stitch_scene_init(&options));
+    options.crossings = 5;
+    must(stitch_scene_create(context, &options, &stitch));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 10; k++) {
+            must(stitch_scene_tie(&stitch, step++, 1e-3));
+        }
+        must(vbss_scene_get_hash(stitch.scene, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -617,6 +639,7 @@ const golden_scene golden_scenes[] = {
     {"drain-hands", 64, 3, run_drain_hands}, /* the thread is there at once, the tool at 2 */
     {"needle-hands", NEEDLE_SCENE_STEPS / 10, 32, run_needle_hands}, /* held on the floor at 31 */
     {"paper-needle", PAPER_NEEDLE_SCENE_STEPS / 10, 20,
-     run_paper_needle}, /* through a wall at 17 */
+     run_paper_needle},                                /* through a wall at 17 */
+    {"stitch", STITCH_TIE_STEPS / 10, 12, run_stitch}, /* shut at 60; hands draw from 10 on */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];
