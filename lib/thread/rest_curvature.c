@@ -65,7 +65,9 @@ double vbss_thread_rest_curvature_energy(const thread_object *t)
 static vec3 moment_of(const thread_object *t, const cell *c)
 {
     double k = t->config.rest_curvature;
-    double strength = t->config.bending_stiffness * k / smooth_norm(c->turn, k * c->length);
+    double turned = smooth_norm(c->turn, k * c->length);
+    /* 0: there is no turn, and a curvature whose square is no number. */
+    double strength = turned > 0.0 ? t->config.bending_stiffness * k / turned : 0.0;
     return vec3_scale(c->turn, strength);
 }
 
