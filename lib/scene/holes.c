@@ -225,15 +225,14 @@ void vbss_scene_keep_holes(scene_object *s)
  * swage. */
 static void move_to(suture_hole *hole, const passage *p, double arc)
 {
-    bool on_thread = hole->thread != 0;
-    if (p->needle != NULL && p->thread != NULL) {
-        on_thread = arc > p->now.swage + (on_thread ? -LEFT : LEFT);
-    }
-    hole->needle = on_thread ? 0 : p->needle->number;
-    hole->thread = on_thread ? p->thread->number : 0;
-    if (on_thread) {
+    double swage = p->now.swage + (hole->thread != 0 ? -LEFT : LEFT);
+    if (p->thread != NULL && (p->needle == NULL || arc > swage)) {
+        hole->needle = 0;
+        hole->thread = p->thread->number;
         hole->arc = arc - p->now.swage;
-    } else {
+    } else if (p->needle != NULL) {
+        hole->needle = p->needle->number;
+        hole->thread = 0;
         vbss_hole_move(hole, arc);
     }
 }
@@ -268,16 +267,16 @@ static void tell_of_swage(scene_object *s, const suture_hole *before, const sutu
 /* How it is left, or 0. */
 static vbss_event_kind way_out(const passage *p, const suture_hole *hole)
 {
-    if (hole->needle != 0) {
-        double end = vbss_needle_length(p->now.needle) - hole->entry + LEFT;
-        return hole->arc < hole->entry - LEFT         ? VBSS_EVENT_WITHDRAWN
-               : p->thread == NULL && hole->arc > end ? VBSS_EVENT_PASSED
-                                                      : 0;
-    }
     const thread_object *t = p->now.thread;
-    double end = vbss_thread_arc_length(t, t->node_count - 1);
-    bool out = hole->arc > end + LEFT || (p->needle == NULL && hole->arc < -LEFT);
-    return out ? VBSS_EVENT_UNTHREADED : 0;
+    if (hole->needle == 0 && t != NULL) {
+        double end = vbss_thread_arc_length(t, t->node_count - 1);
+        bool out = hole->arc > end + LEFT || (p->needle == NULL && hole->arc < -LEFT);
+        return out ? VBSS_EVENT_UNTHREADED : 0;
+    }
+    double end = vbss_needle_length(p->now.needle) - hole->entry + LEFT;
+    return hole->arc < hole->entry - LEFT ? VBSS_EVENT_WITHDRAWN
+           : t == NULL && hole->arc > end ? VBSS_EVENT_PASSED
+                                          : 0;
 }
 
 void vbss_scene_leave_holes(scene_object *s)

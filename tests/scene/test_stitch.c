@@ -26,6 +26,7 @@ typedef struct pulled {
 static pulled pull_through(double friction, double degrees, double tail)
 {
     enum { STEPS = 1000 };
+    const double half = 0.5 * STEPS;
     const double speed = 0.02;
     pulled p = {0.0, 0.0, 0.0, 0.0, 0.0};
     stitch_rig_begin(&c);
@@ -50,9 +51,9 @@ static pulled pull_through(double friction, double degrees, double tail)
             continue;
         }
         double ratio = stitch_scene_pull(&c.s, 1) / tail;
-        p.ratio += ratio / (STEPS / 2);
-        square += ratio * ratio / (STEPS / 2);
-        p.ideal += vbss_exp(friction * (turn_at(&c.holes[0]) + turn_at(&c.holes[1]))) / (STEPS / 2);
+        p.ratio += ratio / half;
+        square += ratio * ratio / half;
+        p.ideal += vbss_exp(friction * (turn_at(&c.holes[0]) + turn_at(&c.holes[1]))) / half;
         p.work += ratio * tail * speed * c.h +
                   tail * vec3_dot(stitch_rig_outward(&c, 0),
                                   vec3_sub(stitch_rig_node(&c, c.s.ends[0]), end));

@@ -112,10 +112,11 @@ static vbss_result make_thread(vbss_context *context, const stitch_scene_options
     }
     uint32_t segments = s->node_count - 1;
     for (uint32_t i = 0; i <= segments; i++) {
-        vec3_store(s->x + 3 * i, knot_curve_at(&curve, length * i / segments));
+        vec3_store(s->x + 3 * (size_t)i, knot_curve_at(&curve, length * i / segments));
     }
     for (uint32_t i = 0; i < segments; i++) {
-        s->rest[i] = vec3_distance(vec3_load(s->x + 3 * i), vec3_load(s->x + 3 * i + 3));
+        s->rest[i] =
+            vec3_distance(vec3_load(s->x + 3 * (size_t)i), vec3_load(s->x + 3 * (size_t)i + 3));
     }
     vbss_thread_config c = o->thread;
     c.segment_count = segments;
@@ -131,8 +132,8 @@ static double arc_at(const stitch_scene *s, vec3 mark, bool second)
     uint32_t end = second ? s->node_count : half;
     double arc = 0.0;
     for (uint32_t i = best; i < end; i++) {
-        bool nearer = vec3_distance(vec3_load(s->x + 3 * i), mark) <
-                      vec3_distance(vec3_load(s->x + 3 * best), mark);
+        bool nearer = vec3_distance(vec3_load(s->x + 3 * (size_t)i), mark) <
+                      vec3_distance(vec3_load(s->x + 3 * (size_t)best), mark);
         best = nearer ? i : best;
     }
     for (uint32_t i = 0; i < best; i++) {
