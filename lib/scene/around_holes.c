@@ -92,7 +92,6 @@ static bool is_in_hole(const scene_object *s, const scene_body *suture, uint32_t
                        double share, const scene_body *drain, const scene_spot *spot, double reach)
 {
     const drain_object *d = drain->drain.drain;
-    reach = reach_at_swage(s, suture, segment, drain, reach);
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         if (hole->id == 0 || hole->drain != drain->number) {
@@ -100,12 +99,13 @@ static bool is_in_hole(const scene_object *s, const scene_body *suture, uint32_t
         }
         double now = vec3_distance(spot->now, vbss_hole_point(hole, d, d->x));
         double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
-        double most = greater(reach, -SCENE_PIN_ARC * hole->entry);
+        double own = reach_at_swage(s, suture, segment, drain, reach);
+        double most = greater(own, -SCENE_PIN_ARC * hole->entry);
         if (!(greater(now, rest) < most)) {
             continue;
         }
         double arc = vbss_scene_arc_of(suture, segment, share);
-        double far = reach_of(hole, suture, arc, reach);
+        double far = reach_of(hole, suture, arc, own);
         if (greater(now, rest) < far && arc_from_hole(s, hole, suture, arc) < far) {
             return true;
         }
