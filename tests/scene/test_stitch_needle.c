@@ -1,104 +1,33 @@
 /* A needle with its thread in the drain: the needle in the second hole, the thread in the first; drawn on it leaves a stitch.
  * Needle and thread cross the wall in holes only. */
-#include "scene/needle_case.h"
-#include "scene/stitch_watch.h"
+#include "scene/needle_stitch.h"
 
 #define SPEED 0.05
 
-static needle_case c;
-static stitch_watch watch;
-static uint32_t thread_body;
-
-static void begin(void)
-{
-    memset(&watch, 0, sizeof watch);
-    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, 1e-3);
-    vbss_needle_state n = needle_case_state(&c);
-    vec3 swage = vec3_load(n.swage), way = vec3_load(n.swage_direction);
-    uint32_t pin;
-    thread_body =
-        small_thread(&c.d.s, swage, vec3_add_scaled(swage, 50e-3, way), 100, &c.d.threads[0]);
-    expect_ok(vbss_scene_pin_thread(c.d.s.scene, thread_body, 0, c.body, NULL, &pin));
-}
-
-static void look(void)
-{
-    stitch_watch_look(&watch, c.d.s.scene, c.d.drain);
-}
-
-/* Up to so many events of that kind in all; 0: none is waited for. */
-static void turn(double way, double speed, vbss_event_kind until, uint32_t count)
-{
-    uint32_t most = (uint32_t)ceil(fabs(way) / (speed * c.d.h));
-    for (uint32_t i = 0; i < most && (until == 0 || c.counts[until] < count); i++) {
-        needle_case_turn(&c, way / most);
-        needle_case_step(&c);
-        look();
-    }
-}
-
-static void expect_in(uint32_t holes, uint32_t threads)
-{
-    vbss_hole in[NEEDLE_CASE_HOLES];
-    uint32_t found = 0;
-    assert_int_equal(needle_case_holes(&c, in), holes);
-    for (uint32_t i = 0; i < holes; i++) {
-        assert_true(in[i].thread == 0 || in[i].thread == thread_body);
-        found += in[i].thread != 0;
-    }
-    assert_int_equal(found, threads);
-}
-
-static void finish(const char *name)
-{
-    vbss_scene_statistics s = small_statistics(&c.d.s);
-    print_message("%s: from hole %.2f, from suture %.2f; %llu away, %llu missed; %llu paused, %llu "
-                  "clamped, stretch %.1e\n",
-                  name, watch.farthest, watch.loosest, (unsigned long long)watch.away,
-                  (unsigned long long)watch.missed, (unsigned long long)s.paused,
-                  (unsigned long long)s.clamped, s.stretch_error);
-    assert_int_equal(watch.away, 0);
-    assert_int_equal(watch.missed, 0);
-    needle_case_expect_kept(&c, name, 0);
-    needle_case_end(&c);
-}
-
-/* Into both walls, and on until the thread is in the first hole. */
-static void into_the_second_hole(double speed)
-{
-    turn(60e-3, speed, VBSS_EVENT_PASSED, 1);
-    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 2);
-    expect_in(2, 1);
-    turn(2e-3, speed, 0, 0);
-    expect_in(2, 1);
-    assert_int_equal(watch.crossings, 1);
-}
+static needle_stitch n;
 
 static void it_rests_with_the_needle_in_one_hole_and_the_thread_in_the_other(void **state)
 {
     (void)state;
-    begin();
-    into_the_second_hole(SPEED);
-    for (int i = 0; i < 300; i++) {
-        needle_case_step(&c);
-        look();
-    }
-    expect_in(2, 1);
-    assert_true(drain_case_fastest(&c.d) < 0.01);
-    finish("needle and thread");
+    needle_stitch_begin(&n);
+    needle_stitch_into_second(&n, SPEED);
+    needle_stitch_wait(&n, 300);
+    needle_stitch_expect_in(&n, 2, 1);
+    assert_true(drain_case_fastest(&n.c.d) < 0.01);
+    needle_stitch_finish(&n, "needle and thread");
 }
 
 static void drawn_on_the_needle_leaves_a_stitch(void **state)
 {
     (void)state;
-    begin();
-    into_the_second_hole(SPEED);
-    turn(60e-3, SPEED, VBSS_EVENT_PASSED, 2);
-    turn(3e-3, SPEED, 0, 0);
-    expect_in(2, 2);
-    assert_int_equal(watch.crossings, 2);
-    assert_int_equal(c.counts[VBSS_EVENT_WITHDRAWN] + c.counts[VBSS_EVENT_UNTHREADED], 0);
-    finish("a stitch");
+    needle_stitch_begin(&n);
+    needle_stitch_into_second(&n, SPEED);
+    needle_stitch_turn(&n, 60e-3, SPEED, VBSS_EVENT_PASSED, 2);
+    needle_stitch_turn(&n, 3e-3, SPEED, 0, 0);
+    needle_stitch_expect_in(&n, 2, 2);
+    assert_int_equal(n.watch.crossings, 2);
+    assert_int_equal(n.c.counts[VBSS_EVENT_WITHDRAWN] + n.c.counts[VBSS_EVENT_UNTHREADED], 0);
+    needle_stitch_finish(&n, "a stitch");
 }
 
 int test_stitch_needle(void)
