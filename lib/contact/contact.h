@@ -55,9 +55,9 @@ typedef struct contact_row {
     double stiffness; /* normal and tangential, N/m */
     double friction;  /* coefficient */
     double along;     /* bilateral: share of the stiffness that it has in the plane; 0: all */
-    /* Bilateral: what is in it is held across the normal and slides along it; below `least`, N, and `grip` of what is held
-     * across it sticks: against the normal, along it; either may be below 0, their sum is not. Beyond it yields with a damping, as a stiffness of the part, N/m. What it
-     * held along is remembered. */
+    /* Bilateral: what is in it is held across the normal and slides along it. Below `least`, N, and `grip` of what is held
+     * across it sticks: against the normal, along it; either may be below 0, their sum is not. Beyond, it yields with a
+     * damping, as a stiffness of the part, N/m. What it held along is remembered. */
     bool sleeve;
     double least, grip[2], beyond;
     vec3 turn; /* of the normal as it slides along it, 1/m */
