@@ -118,6 +118,7 @@ typedef struct contact_set {
     uint32_t *places; /* of each row: of its blocks row by row, then of its right-hand sides */
     uint32_t place_count, place_capacity;
     double residual; /* of the law after the last solve, N */
+    bool stopped;    /* the last search, by its limit of work: what the law says was not found */
     contact_counters counters;
     /* the last two at the last mark */
     double marked_residual;

@@ -250,6 +250,7 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
             follow(set, search, k == 0 && !search->goes_on);
             if (is_spent(set, search)) {
                 vbss_system_stop_there(search->system);
+                set->stopped = true;
                 outcome = CONTACT_LOOSE;
             }
         } else if (search->most_work > 0) { /* from there a further linearisation goes on */
@@ -277,6 +278,7 @@ static void begin_way(contact_set *set, const contact_search *search)
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
 {
     stage at = {.softness = 1.0};
+    set->stopped = false;
     if (search->most_work > 0) {
         begin_way(set, search);
     }
@@ -295,6 +297,8 @@ void vbss_contact_note_found(contact_set *set)
 void vbss_contact_return_to_found(contact_set *set)
 {
     for (uint32_t i = 0; i < set->count; i++) {
-        set->rows[i].is = set->found_before[i];
+        contact_found *is = &set->rows[i].is;
+        *is = set->found_before[i];
+        set->here[i].force = vec3_add_scaled(is->rubbing, is->pressure, set->rows[i].normal);
     }
 }

@@ -31,3 +31,16 @@ double vbss_thread_bending_energy(const thread_object *t)
     }
     return energy;
 }
+
+double vbss_thread_gain(const thread_object *t, double h)
+{
+    const thread_motion *now = &t->now;
+    double stretch = 0.0, motion = 0.0, per_time = 1.0 / h;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        double rest = t->rest[i], pull = t->trial_tension[i], before = now->tension[i];
+        vec3 v = vec3_scale(vec3_sub(t->trial[i], now->x[i]), per_time);
+        stretch += rest * (pull * pull - before * before);
+        motion += rest * (vec3_norm_squared(v) - vec3_norm_squared(now->v[i]));
+    }
+    return 0.5 * (stretch / t->config.axial_stiffness + t->config.linear_density * motion);
+}

@@ -219,6 +219,8 @@ vbss_result vbss_thread_register(thread_object *t, vbss_system *s, const uint8_t
 void vbss_thread_build_bending(thread_object *t);
 /* energy.c: of bending, rest curvature included; method PAPER has its own. */
 double vbss_thread_bending_energy(const thread_object *t);
+/* What it has more in the trial state, h after the state, of stretch and of motion; method OURS. */
+double vbss_thread_gain(const thread_object *t, double h);
 double vbss_thread_paper_bending_energy(const thread_object *t);
 /* bending.c: curvature vector at a node: turn of the chord's direction over the mean rest length; at a clamp the
  * curvature of the side toward higher nodes, else the other; zero at free ends. */
@@ -261,6 +263,7 @@ void vbss_thread_start_from_rest(thread_object *t);
 /* Moves the trial state by the increments u of the nodes. Returns the largest distance that forces left out
  * of balance would move a node: what a further linearisation could change. */
 double vbss_thread_advance(thread_object *t, const thread_stage *stage, const vec3 *u);
+double vbss_thread_missed_by(const thread_object *t, const vec3 *u);
 /* Where nothing sound was found: all free nodes stop where they are. False: not even that is finite. */
 bool vbss_thread_stop(thread_object *t);
 /* The trial state becomes the state. */

@@ -121,6 +121,20 @@ double vbss_thread_advance(thread_object *t, const thread_stage *stage, const ve
     return largest;
 }
 
+/* What lengths would miss of the tensions with which increments were found if the trial state moved by them, as a
+ * share of the rest length: they were taken to first order. */
+double vbss_thread_missed_by(const thread_object *t, const vec3 *u)
+{
+    double largest = 0.0;
+    for (uint32_t i = 0; i + 1 < t->node_count; i++) {
+        vec3 e = vec3_sub(u[i + 1], u[i]), now = vec3_sub(t->trial[i + 1], t->trial[i]);
+        double longer = vec3_norm(vec3_add(now, e)) - vec3_norm(now);
+        double missed = fabs(longer - vec3_dot(t->strains[i].tangent, e)) * t->inverse_rest[i];
+        largest = vbss_larger(missed, largest);
+    }
+    return largest;
+}
+
 /* Where the last try found nothing sound: all free nodes stop where they are; counted with `forced`.
  * False: not even that is finite. */
 bool vbss_thread_stop(thread_object *t)
