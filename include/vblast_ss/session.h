@@ -89,8 +89,9 @@ enum {
     VBSS_SESSION_EVENT_APPEARED = 1, /**< The needle has appeared: the clock starts. */
     /** The phase `number` begins; undone 1: it is an earlier one than before. */
     VBSS_SESSION_EVENT_PHASE = 2,
-    VBSS_SESSION_EVENT_TAKEN = 3,   /**< `tool` holds the needle. Undone: it does no longer. */
-    VBSS_SESSION_EVENT_DROPPED = 4, /**< Nobody holds the needle, and it is in no wall. */
+    VBSS_SESSION_EVENT_TAKEN = 3, /**< `tool` holds the needle. Undone: it does no longer. */
+    VBSS_SESSION_EVENT_DROPPED =
+        4, /**< Before the stitch: nobody holds the needle, and it is in no wall. */
     /** Mark `number` (0: in, 1: out) was pierced, `amount` mm off; `position` is of the hole. Undone: the needle, or in the
      * end the thread, has left the hole. */
     VBSS_SESSION_EVENT_PUNCTURE = 5,
@@ -157,8 +158,8 @@ typedef struct vbss_session_config {
         event_capacity; /**< Most events that are kept, the newest; 8 to 65536; default 1024. */
     /** The knot detector looks every so many steps, 1 to 1000; default 4. Its work_limit bounds the work of a look. */
     uint32_t knot_interval;
-    /** With a record or replay: the session is hashed every so many steps, 1 to 1e9; default 100. A replayed session must
-     * have the same interval to compare hashes. */
+    /** With a record: the task is hashed in the log every so many steps, and after those with events, for replays to compare;
+     * 1 to 1e9; default 100. */
     uint32_t hash_interval;
     vbss_device *devices
         [2]; /**< Of the left and the right hand; NULL (default): the host moves that tool. */
@@ -204,7 +205,7 @@ typedef struct vbss_session_status {
     uint32_t transfers;     /**< Transfers between them that were made, at most two. */
     uint32_t cut;           /**< Bits: 1 the short tail, 2 the needle's. */
     uint32_t faults;        /**< Of the knot: VBSS_KNOT_FAULT_ bits that were told. */
-    uint32_t reserved;      /**< Zero. */
+    uint32_t metrics_lost;  /**< Events for which the metrics had no room. */
     uint64_t steps;         /**< Steps so far. */
     uint64_t first_event;   /**< The oldest event that is kept; so many are lost. */
     uint64_t event_count;   /**< Events so far. */

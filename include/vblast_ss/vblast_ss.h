@@ -17,6 +17,7 @@
 #include <vblast_ss/needle.h>
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>
+#include <vblast_ss/session.h>
 #include <vblast_ss/thread.h>
 
 #endif

@@ -122,19 +122,26 @@ static vbss_result find(const log_reader *log, log_found *found)
     return VBSS_OK;
 }
 
+vbss_result vbss_log_next_of_any_kind(log_reader *log, log_found *found)
+{
+    VBSS_TRY(find(log, found));
+    size_t covered = LOG_BEFORE + found->length;
+    const uint8_t *record = log->bytes + log->at;
+    uint64_t chain = link_of(log->chain, record, covered);
+    if (chain != load_little_endian(record + covered, LOG_AFTER)) {
+        return vbss_log_corrupt(log, found->at, "the checksum of the record here differs");
+    }
+    log->chain = chain;
+    log->at += covered + LOG_AFTER;
+    return VBSS_OK;
+}
+
 vbss_result vbss_log_next(log_reader *log, log_found *found)
 {
     log_reader next = *log;
     bool known = false;
     while (!known) {
-        VBSS_TRY(find(&next, found));
-        size_t covered = LOG_BEFORE + found->length;
-        const uint8_t *record = next.bytes + next.at;
-        next.chain = link_of(next.chain, record, covered);
-        if (next.chain != load_little_endian(record + covered, LOG_AFTER)) {
-            return vbss_log_corrupt(log, found->at, "the checksum of the record here differs");
-        }
-        next.at += covered + LOG_AFTER;
+        VBSS_TRY(vbss_log_next_of_any_kind(&next, found));
         known = found->code == LOG_HEAD || found->code == LOG_SNAPSHOT || found->code == LOG_STEP ||
                 found->code == LOG_END;
         if (!known && (found->code & SMALL_LETTER) == 0) {

@@ -3,7 +3,7 @@
  * format.c lays records in a row and finds them again; head.c and steps.c visit what is in them;
  * inputs.c tells a scene what it is told, live or replayed, and sees what the record was not told. On
  * these stand writing (record.c, its calls in told.c; resume.c goes on with a log) and reading (log.c opens
- * one, check.c looks for what is wrong, replay.c steps and seeks). */
+ * one, check.c looks for what is wrong, replay.c steps and seeks); marks.c does both for sessions. */
 #ifndef VBSS_RECORD_RECORD_H
 #define VBSS_RECORD_RECORD_H
 
@@ -19,6 +19,7 @@ enum { LOG_FRONT = 8, LOG_BEFORE = 8, LOG_AFTER = 8 };
 #define LOG_SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')
 #define LOG_STEP VBSS_CODE('S', 'T', 'E', 'P')
 #define LOG_END VBSS_CODE('E', 'N', 'D', 'S')
+#define LOG_MARK VBSS_CODE('s', 'e', 's', 's')
 
 typedef struct log_writer {
     uint8_t *bytes;
@@ -58,6 +59,8 @@ typedef struct log_found {
 vbss_result vbss_log_read_front(log_reader *log);
 /* The next record that matters; unchanged on failure, which is told with its byte. */
 vbss_result vbss_log_next(log_reader *log, log_found *found);
+/* The next record, whatever it is. */
+vbss_result vbss_log_next_of_any_kind(log_reader *log, log_found *found);
 /* Whether all of the record was visited without a problem; told otherwise. */
 vbss_result vbss_log_read_all(const log_reader *log, const log_found *found,
                               const vbss_stream *stream);
@@ -186,5 +189,16 @@ vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step
 vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step *step, bool *end);
 /* Brings the scene to after that step, which is in the log. */
 vbss_result vbss_replay_go_to(replay_object *p, uint64_t step);
+
+/* ---- marks.c */
+
+/* A session after that step of the log: a hash of its task, its events so far. */
+typedef struct log_mark {
+    uint64_t number, hash, events;
+} log_mark;
+/* A mark for which there is no room is left out. */
+vbss_result vbss_log_put_mark(record_object *r, log_mark *mark);
+/* That behind the step that was replayed last; false: there is none. */
+bool vbss_log_find_mark(const replay_object *p, log_mark *mark);
 
 #endif

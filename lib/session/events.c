@@ -1,0 +1,69 @@
+/* What the task tells: the newest events in a ring, with a number each. */
+#include "session/session.h"
+
+_Static_assert(sizeof(vbss_session_event) == 120, "published size");
+
+static const uint32_t sizes[] = {120, 0};
+static const vbss_layout layout = {"vbss_session_event", NULL, sizes};
+
+vbss_session_event *vbss_session_event_at(const session_object *s, uint64_t index)
+{
+    return &s->events[index % s->config.event_capacity];
+}
+
+vbss_session_event *vbss_session_tell(session_object *s, vbss_session_event_kind kind,
+                                      uint32_t number, uint32_t undone, uint32_t tool)
+{
+    vbss_session_event *e = vbss_session_event_at(s, s->event_count);
+    *e = (vbss_session_event){.struct_size = sizeof *e,
+                              .kind = kind,
+                              .tool = (vbss_metrics_tool)tool,
+                              .number = number,
+                              .undone = undone,
+                              .phase = s->phase,
+                              .index = s->event_count++,
+                              .step = s->steps,
+                              .time = s->time};
+    if (tool < SESSION_HANDS) {
+        vec3_store(e->position, s->look.tools[tool].tip);
+        vec3_store(e->force, s->look.tools[tool].force);
+    }
+    return e;
+}
+
+/* With more in a step than there is room for, the first of them are lost. */
+static uint64_t first_of_step(const session_object *s)
+{
+    uint64_t capacity = s->config.event_capacity;
+    uint64_t kept = s->event_count > capacity ? s->event_count - capacity : 0;
+    return s->step_events > kept ? s->step_events : kept;
+}
+
+void vbss_session_announce(session_object *s)
+{
+    if (s->config.listen == NULL) {
+        return;
+    }
+    for (uint64_t i = first_of_step(s); i < s->event_count; i++) {
+        const vbss_session_event e = *vbss_session_event_at(s, i);
+        bool outer = vbss_callback_begin(s->context);
+        s->config.listen(s->config.user, &e);
+        vbss_callback_end(s->context, outer);
+    }
+}
+
+vbss_result vbss_session_get_event(vbss_session *session, uint64_t index, vbss_session_event *event,
+                                   uint32_t struct_size)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_open(session, &s));
+    uint64_t capacity = s->config.event_capacity;
+    if (index >= s->event_count || s->event_count - index > capacity) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "event %llu is not kept: there were %llu, with room for %llu",
+                         (unsigned long long)index, (unsigned long long)s->event_count,
+                         (unsigned long long)capacity);
+    }
+    return vbss_struct_write(s->context, &layout, vbss_session_event_at(s, index), event,
+                             struct_size);
+}

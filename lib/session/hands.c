@@ -1,0 +1,94 @@
+/* Devices: what hands do goes to the tools before the step, what tools feel goes back after it. */
+#include "session/session.h"
+
+_Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_DRIVER &&
+                   (int)VBSS_DEVICE_TOOL_SHEARS == (int)VBSS_GRASPER_SHEARS,
+               "tools of devices and of scenes have the same numbers");
+
+/* Steps after which a tool that has refused to be exchanged is told again. */
+enum { PATIENCE = 250 };
+
+static scene_body *tool_of(const session_object *s, uint32_t hand)
+{
+    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
+    scene_body *b = vbss_scene_body(scene, s->config.tools[hand]);
+    return b != NULL && b->kind == BODY_RIGID ? b : NULL;
+}
+
+static vbss_result move(const session_object *s, uint32_t hand, const vbss_device_input *in)
+{
+    const double *orientation =
+        (in->valid & (uint32_t)VBSS_DEVICE_HAS_ORIENTATION) != 0 ? in->orientation : NULL;
+    uint32_t body = s->config.tools[hand];
+    if ((in->valid & (uint32_t)VBSS_DEVICE_HAS_POSITION) == 0) {
+        return VBSS_OK;
+    }
+    return s->config.record != NULL
+               ? vbss_record_move_grasper(s->config.record, body, in->position, orientation)
+               : vbss_grasper_move((vbss_grasper *)tool_of(s, hand)->rigid.slot, in->position,
+                                   orientation);
+}
+
+static vbss_result set_opening(const session_object *s, uint32_t hand, const vbss_device_input *in)
+{
+    uint32_t jaw = (uint32_t)(VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_JAW_RAW);
+    if ((in->valid & jaw) == 0) {
+        return VBSS_OK;
+    }
+    return s->config.record != NULL
+               ? vbss_record_set_opening(s->config.record, s->config.tools[hand], in->jaw)
+               : vbss_grasper_set_opening((vbss_grasper *)tool_of(s, hand)->rigid.slot, in->jaw);
+}
+
+/* The hand has taken another tool; one that refused to be exchanged is told again. */
+static vbss_result exchange(const session_object *s, uint32_t hand, const vbss_device_input *in)
+{
+    const scene_body *b = tool_of(s, hand);
+    bool when = (in->events & (uint32_t)VBSS_DEVICE_EVENT_TOOL) != 0 || s->steps % PATIENCE == 0;
+    if (!when || in->tool == VBSS_DEVICE_TOOL_NONE || b->rigid.grasper->kind == in->tool) {
+        return VBSS_OK;
+    }
+    return s->config.record != NULL
+               ? vbss_record_exchange(s->config.record, s->config.tools[hand], in->tool)
+               : vbss_grasper_exchange((vbss_grasper *)b->rigid.slot, in->tool);
+}
+
+static bool has_hand(const session_object *s, uint32_t hand)
+{
+    return s->config.devices[hand] != NULL && s->config.replay == NULL && tool_of(s, hand) != NULL;
+}
+
+vbss_result vbss_session_read_hands(const session_object *s, double now)
+{
+    for (uint32_t i = 0; i < SESSION_HANDS; i++) {
+        vbss_device_input in;
+        if (!has_hand(s, i)) {
+            continue;
+        }
+        VBSS_TRY(vbss_device_read(s->config.devices[i], now, &in, sizeof in));
+        if (in.status != VBSS_DEVICE_WAITING) {
+            VBSS_TRY(move(s, i, &in));
+            VBSS_TRY(set_opening(s, i, &in));
+            VBSS_TRY(exchange(s, i, &in));
+        }
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_session_write_hands(const session_object *s, double now)
+{
+    for (uint32_t i = 0; i < SESSION_HANDS; i++) {
+        vbss_output_command command;
+        if (!has_hand(s, i)) {
+            continue;
+        }
+        const grasper_object *g = tool_of(s, i)->rigid.grasper;
+        VBSS_TRY(vbss_output_command_init(&command, sizeof command));
+        vec3_store(command.force, g->hand_force);
+        vec3_store(command.torque, g->hand_torque);
+        command.solenoid = g->solenoid;
+        VBSS_TRY(vbss_device_write(s->config.devices[i], now, &command, NULL,
+                                   sizeof(vbss_output_result)));
+    }
+    return VBSS_OK;
+}

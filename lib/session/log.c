@@ -1,0 +1,81 @@
+/* The log of a session is that of its scene, with marks: hashes of the task, which a replay must come to as well. */
+#include "session/session.h"
+
+vbss_result vbss_session_check_record(const session_object *s, vbss_record *record)
+{
+    record_object *r;
+    if (record == NULL) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_record_edit(record, &r));
+    return r->scene == s->scene
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the record is of another scene");
+}
+
+/* ---- the scene's step */
+
+static vbss_result replay_scene(session_object *s)
+{
+    vbss_replay_report report;
+    replay_object *p;
+    VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
+    if (p->scene != s->scene) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
+    }
+    VBSS_TRY(vbss_replay_step(s->config.replay, &report, sizeof report));
+    s->h = p->step.h;
+    if (report.outcome == VBSS_REPLAY_ENDED) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the log has ended");
+    }
+    return report.outcome == VBSS_REPLAY_STEPPED
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_CORRUPT,
+                           "the scene after step %llu is not the recorded one",
+                           (unsigned long long)report.step);
+}
+
+vbss_result vbss_session_step_scene(session_object *s, double h)
+{
+    if (s->config.replay != NULL) {
+        return replay_scene(s);
+    }
+    VBSS_TRY(s->config.record != NULL ? vbss_record_step(s->config.record, h)
+                                      : vbss_scene_step(s->scene, h));
+    s->h = h;
+    return VBSS_OK;
+}
+
+/* ---- marks */
+
+static vbss_result compare(session_object *s)
+{
+    replay_object *p;
+    log_mark mark;
+    VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
+    if (!vbss_log_find_mark(p, &mark)) {
+        return VBSS_OK;
+    }
+    return mark.events == s->event_count && mark.hash == vbss_session_task_hash(s)
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_CORRUPT,
+                           "the session after step %llu of the log is not the recorded one",
+                           (unsigned long long)mark.number);
+}
+
+/* After steps in which something happened, and at intervals. */
+vbss_result vbss_session_mark(session_object *s)
+{
+    record_object *r;
+    if (s->config.replay != NULL) {
+        return compare(s);
+    }
+    if (s->config.record == NULL ||
+        (s->event_count == s->step_events && s->steps % s->config.hash_interval != 0)) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_record_edit(s->config.record, &r));
+    log_mark mark = {
+        .number = r->step.number, .hash = vbss_session_task_hash(s), .events = s->event_count};
+    return vbss_log_put_mark(r, &mark);
+}

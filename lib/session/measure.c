@@ -1,0 +1,145 @@
+/* What the metrics are told: where the tools are, and of each event what they know of it. */
+#include "session/session.h"
+
+/* The metrics' kind of event; 0: none of theirs. */
+static vbss_metrics_event_kind kind_of(const vbss_session_event *e)
+{
+    switch (e->kind) {
+    case VBSS_SESSION_EVENT_APPEARED:
+        return VBSS_METRICS_EVENT_NEEDLE_APPEARS;
+    case VBSS_SESSION_EVENT_PHASE:
+        return VBSS_METRICS_EVENT_PHASE;
+    case VBSS_SESSION_EVENT_DROPPED:
+        return VBSS_METRICS_EVENT_DROP;
+    case VBSS_SESSION_EVENT_PUNCTURE:
+        return VBSS_METRICS_EVENT_PUNCTURE;
+    case VBSS_SESSION_EVENT_TAIL:
+        return VBSS_METRICS_EVENT_TAIL;
+    case VBSS_SESSION_EVENT_THROW:
+        return VBSS_METRICS_EVENT_THROW;
+    case VBSS_SESSION_EVENT_SEATED:
+        return VBSS_METRICS_EVENT_GAP;
+    case VBSS_SESSION_EVENT_TRANSFER:
+        return VBSS_METRICS_EVENT_TRANSFER;
+    case VBSS_SESSION_EVENT_TRANSFER_MISSED:
+        return VBSS_METRICS_EVENT_TRANSFER_MISSED;
+    case VBSS_SESSION_EVENT_CUT:
+        return VBSS_METRICS_EVENT_TAIL_CUT;
+    default:
+        return 0;
+    }
+}
+
+/* Of failures the metrics see the lack of time themselves. */
+static vbss_metrics_event_kind kind_of_failure(uint32_t failure)
+{
+    switch (failure) {
+    case VBSS_SESSION_FAILURE_AVULSED:
+        return VBSS_METRICS_EVENT_AVULSED;
+    case VBSS_SESSION_FAILURE_CUT_EARLY:
+    case VBSS_SESSION_FAILURE_CUT_KNOT:
+    case VBSS_SESSION_FAILURE_BROKEN:
+        return VBSS_METRICS_EVENT_BROKEN;
+    default:
+        return 0;
+    }
+}
+
+static void fill(const session_object *s, const session_look *look, const vbss_session_event *e,
+                 vbss_metrics_event *m)
+{
+    m->tool = e->tool;
+    m->number = e->number;
+    m->undone = e->undone;
+    m->wraps = e->wraps;
+    m->handedness = e->handedness;
+    m->relation = e->relation;
+    m->step = e->step;
+    m->time = e->time;
+    m->amount = e->amount;
+    for (int k = 0; k < 3; k++) {
+        m->position[k] = e->position[k];
+        m->force[k] = e->force[k];
+    }
+    if (e->kind == VBSS_SESSION_EVENT_PUNCTURE) {
+        const session_hole *hole = &s->holes[e->number];
+        m->amount = 0.0;
+        m->angle = hole->angle;
+        m->axial = hole->axial;
+    } else if (e->kind == VBSS_SESSION_EVENT_PHASE) {
+        m->undone = 0; /* the metrics just enter another one */
+    } else if (e->kind == VBSS_SESSION_EVENT_SEATED) {
+        m->number = 0;
+        m->amount = look->gap_most;
+        vec3_store(m->position, look->lips[0]);
+        vec3_store(m->other, look->lips[1]);
+    }
+}
+
+/* Whether the metrics hear of it: what gapes when a seat is lost is told when the next one is found. */
+static bool is_told(const vbss_session_event *e, vbss_metrics_event_kind *kind)
+{
+    *kind = e->kind == VBSS_SESSION_EVENT_FAILED ? kind_of_failure(e->number) : kind_of(e);
+    return *kind != 0 && !(e->kind == VBSS_SESSION_EVENT_SEATED && e->undone != 0);
+}
+
+static vbss_result tell_event(session_object *s, const session_look *look,
+                              const vbss_session_event *e)
+{
+    vbss_metrics_event_kind kind;
+    vbss_metrics_event m;
+    if (!is_told(e, &kind)) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_metrics_event_init(&m, sizeof m));
+    m.kind = kind;
+    fill(s, look, e, &m);
+    return vbss_metrics_add_event(s->config.metrics, &m);
+}
+
+static vbss_result tell_sample(const session_object *s, const session_look *look)
+{
+    vbss_metrics_sample sample;
+    VBSS_TRY(vbss_metrics_sample_init(&sample, sizeof sample));
+    sample.valid = (uint32_t)(VBSS_METRICS_HAS_LEFT | VBSS_METRICS_HAS_RIGHT |
+                              VBSS_METRICS_HAS_LEFT_FORCE | VBSS_METRICS_HAS_RIGHT_FORCE);
+    sample.step = s->steps;
+    sample.time = s->time;
+    for (int i = 0; i < SESSION_HANDS; i++) {
+        vec3_store(sample.position[i], look->tools[i].tip);
+        vec3_store(sample.force[i], look->tools[i].force);
+    }
+    return vbss_metrics_add_sample(s->config.metrics, &sample);
+}
+
+/* An event for which the metrics have no room is counted; the task goes on. */
+static vbss_result tell_events(session_object *s, const session_look *look)
+{
+    uint64_t capacity = s->config.event_capacity;
+    for (uint64_t i = s->step_events; i < s->event_count; i++) {
+        if (s->event_count - i > capacity) {
+            continue;
+        }
+        vbss_result result = tell_event(s, look, vbss_session_event_at(s, i));
+        if (result == VBSS_ERROR_CAPACITY || result == VBSS_ERROR_OUT_OF_RANGE) {
+            s->metrics_lost++;
+        } else {
+            VBSS_TRY(result);
+        }
+    }
+    return VBSS_OK;
+}
+
+/* The last sample is that of the step in which the task ends. */
+vbss_result vbss_session_measure(session_object *s, const session_look *look)
+{
+    bool ends = s->event_count > s->step_events;
+    if (s->config.metrics == NULL || (vbss_session_is_over(s) && !ends)) {
+        return VBSS_OK;
+    }
+    if (!look->lost) {
+        VBSS_TRY(tell_sample(s, look));
+    }
+    VBSS_TRY(tell_events(s, look));
+    return vbss_session_is_over(s) ? vbss_metrics_finish(s->config.metrics) : VBSS_OK;
+}

@@ -1,0 +1,242 @@
+/* The state of a session: the task, the events that are kept, and what its detector and its metrics know. The scene is saved
+ * beside it, at the same step. */
+#include "knot/knot.h"
+#include "metrics/metrics.h"
+#include "session/session.h"
+
+#define LARGEST_TIME 1e9
+#define LARGEST_LENGTH 1e6
+
+static void refuse(vbss_stream *stream, bool wrong)
+{
+    if (wrong && !stream->trusted) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no session is like this");
+    }
+}
+
+static void visit_below(vbss_stream *stream, uint16_t tag, uint32_t *value, uint32_t end)
+{
+    vbss_stream_u32(stream, tag, value, 1);
+    refuse(stream, *value >= end);
+}
+
+static void visit_bounded(vbss_stream *stream, uint16_t tag, double *value, double most)
+{
+    vbss_stream_f64(stream, tag, value, 1);
+    refuse(stream, !(fabs(*value) <= most));
+}
+
+static void visit_choice(vbss_stream *stream, uint16_t tag, int32_t *value, int32_t last)
+{
+    vbss_stream_i32(stream, tag, value, 1);
+    refuse(stream, *value < 0 || *value > last);
+}
+
+/* ---- the configuration must be the same, but for the room for events */
+
+static void visit_config(vbss_stream *stream, const vbss_session_config *c)
+{
+    const uint32_t words[] = {c->thread,        c->needle,        c->drain,
+                              c->tools[0],      c->tools[1],      c->shears,
+                              c->knot_interval, c->knots != NULL, c->metrics != NULL};
+    const double numbers[] = {c->time_limit,   c->dwell,       c->throw_dwell,   c->tail_low,
+                              c->tail_high,    c->tail_margin, c->tail_reach,    c->seat_gap,
+                              c->seat_release, c->seat_force,  c->avulsed_share, c->break_force};
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        vbss_stream_same(stream, 1, words[i]);
+    }
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_same_f64(stream, 2, numbers[i]);
+    }
+}
+
+/* ---- the task */
+
+static void visit_latch(vbss_stream *stream, session_latch *latch, uint32_t end)
+{
+    visit_below(stream, 10, &latch->value, end);
+    visit_below(stream, 11, &latch->seen, end);
+    visit_bounded(stream, 12, &latch->since, LARGEST_TIME);
+}
+
+static void visit_holes(vbss_stream *stream, session_object *s)
+{
+    for (int k = 0; k < SESSION_MARKS; k++) {
+        session_hole *hole = &s->holes[k];
+        vbss_stream_u32(stream, 20, &hole->id, 1);
+        visit_below(stream, 21, &hole->threaded, 2);
+        visit_below(stream, 22, &hole->mark, 2);
+        visit_bounded(stream, 23, &hole->angle, 4.0);
+        visit_bounded(stream, 24, &hole->axial, LARGEST_LENGTH);
+        visit_bounded(stream, 25, &hole->deviation_mm, LARGEST_LENGTH);
+    }
+    vbss_stream_u32(stream, 26, &s->newest_hole, 1);
+    vbss_stream_u32(stream, 27, s->strays, SESSION_STRAYS);
+}
+
+static void visit_throw_look(vbss_stream *stream, session_throw_look *t)
+{
+    vbss_stream_i32(stream, 30, &t->wraps, 1);
+    vbss_stream_i32(stream, 31, &t->handedness, 1);
+    visit_choice(stream, 32, &t->relation, VBSS_METRICS_RELATION_GRANNY);
+    refuse(stream, t->wraps < 0 || t->handedness < -1 || t->handedness > 1);
+}
+
+static void visit_knot(vbss_stream *stream, session_knot_look *knot)
+{
+    uint32_t located = knot->located;
+    visit_below(stream, 33, &knot->count, SESSION_THROWS + 1);
+    for (int i = 0; i < SESSION_THROWS; i++) {
+        visit_throw_look(stream, &knot->throws[i]);
+    }
+    visit_choice(stream, 34, &knot->next, VBSS_KNOT_VERDICT_UNCERTAIN);
+    vbss_stream_u32(stream, 35, &knot->faults, 1);
+    visit_below(stream, 36, &located, 2);
+    visit_bounded(stream, 37, &knot->ends[0], LARGEST_LENGTH);
+    visit_bounded(stream, 37, &knot->ends[1], LARGEST_LENGTH);
+    knot->located = located != 0;
+}
+
+static void visit_throws(vbss_stream *stream, session_object *s)
+{
+    uint32_t tied = 0;
+    for (uint32_t i = 0; i < SESSION_THROWS; i++) {
+        session_throw *t = &s->throws[i];
+        visit_throw_look(stream, &t->is);
+        visit_throw_look(stream, &t->seen);
+        visit_bounded(stream, 38, &t->since, LARGEST_TIME);
+        visit_below(stream, 39, &s->tied_by[i], VBSS_METRICS_NO_TOOL + 1);
+        tied += tied == i && t->is.wraps != 0;
+    }
+    visit_below(stream, 40, &s->throw_count, SESSION_THROWS + 1);
+    visit_below(stream, 41, &s->seated, SESSION_THROWS + 1);
+    visit_below(stream, 42, &s->missed, 1u << SESSION_THROWS);
+    visit_below(stream, 43, &s->transferred, 1u << SESSION_TRANSFERS);
+    refuse(stream, s->throw_count != tied || s->seated > s->throw_count);
+    visit_knot(stream, &s->knot);
+}
+
+static void visit_task(vbss_stream *stream, session_object *s)
+{
+    vbss_stream_u64(stream, 3, &s->steps, 1);
+    visit_bounded(stream, 4, &s->time, LARGEST_TIME);
+    visit_bounded(stream, 5, &s->end, LARGEST_TIME);
+    vbss_stream_u32(stream, 6, &s->thread, 1);
+    visit_bounded(stream, 7, &s->length, LARGEST_LENGTH);
+    visit_choice(stream, 8, &s->phase, VBSS_SESSION_PHASE_FAILED);
+    visit_choice(stream, 9, &s->failure, VBSS_SESSION_FAILURE_LOST);
+    visit_holes(stream, s);
+    visit_latch(stream, &s->held, 4);
+    visit_below(stream, 13, &s->holder, VBSS_METRICS_NO_TOOL + 1);
+    visit_latch(stream, &s->tail, 2);
+    visit_latch(stream, &s->stage, 8 * (SESSION_THROWS + 1));
+    visit_latch(stream, &s->seat, 2);
+    visit_latch(stream, &s->faults, 1u << 16);
+    visit_latch(stream, &s->broken, 2);
+    visit_throws(stream, s);
+    visit_below(stream, 50, &s->cut, 4);
+    visit_bounded(stream, 51, &s->tail_length, LARGEST_LENGTH);
+    visit_bounded(stream, 52, &s->gap, LARGEST_LENGTH);
+    visit_bounded(stream, 53, &s->tension[0], LARGEST_TIME);
+    visit_bounded(stream, 53, &s->tension[1], LARGEST_TIME);
+    vbss_stream_u32(stream, 54, &s->metrics_lost, 1);
+}
+
+uint64_t vbss_session_task_hash(session_object *s)
+{
+    vbss_stream stream;
+    vbss_stream_begin_hash(&stream);
+    visit_config(&stream, &s->config);
+    visit_task(&stream, s);
+    return vbss_hash_end(&stream.hash);
+}
+
+/* ---- events */
+
+static void visit_event(vbss_stream *stream, vbss_session_event *e)
+{
+    int32_t *const choices[] = {&e->kind,       &e->tool,     &e->stage, &e->wraps,
+                                &e->handedness, &e->relation, &e->phase};
+    for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
+        vbss_stream_i32(stream, 60, choices[i], 1);
+    }
+    vbss_stream_u32(stream, 61, &e->number, 1);
+    visit_below(stream, 62, &e->undone, 2);
+    vbss_stream_u64(stream, 63, &e->index, 1);
+    vbss_stream_u64(stream, 64, &e->step, 1);
+    vbss_stream_f64(stream, 65, &e->time, 1);
+    vbss_stream_f64(stream, 66, e->position, 3);
+    vbss_stream_f64(stream, 67, e->force, 3);
+    vbss_stream_f64(stream, 68, &e->amount, 1);
+    e->struct_size = sizeof *e;
+}
+
+static void visit_events(vbss_stream *stream, session_object *s)
+{
+    uint64_t capacity = s->config.event_capacity;
+    vbss_stream_u64(stream, 69, &s->event_count, 1);
+    vbss_stream_same(stream, 70, capacity);
+    uint64_t kept = s->event_count < capacity ? s->event_count : capacity;
+    for (uint64_t i = s->event_count - kept; i < s->event_count && stream->result == VBSS_OK; i++) {
+        vbss_session_event *e = vbss_session_event_at(s, i);
+        visit_event(stream, e);
+        refuse(stream, e->index != i);
+    }
+    s->step_events = s->event_count;
+}
+
+/* ---- its parts */
+
+static void visit_part(vbss_stream *stream, void *handle, const vbss_kind *kind)
+{
+    vbss_slot *slot;
+    if (handle == NULL || stream->result != VBSS_OK) {
+        return;
+    }
+    if (vbss_slot_open(handle, kind, &slot) != VBSS_OK) {
+        vbss_stream_refuse(stream, VBSS_ERROR_INVALID_HANDLE, "a part of it was destroyed");
+        return;
+    }
+    vbss_section outer = vbss_stream_open(stream, kind->code, kind->version);
+    kind->serialise(stream, slot->object);
+    vbss_stream_close(stream, outer);
+}
+
+/* What the detector told in its last step is no longer of the thread that it knows. */
+static void forget_knot_events(const session_object *s)
+{
+    knot_detector *d;
+    if (s->config.knots != NULL && vbss_knot_open(s->config.knots, &d) == VBSS_OK) {
+        d->event_count = d->events_lost = d->paper.loop_count = 0;
+        d->generation++;
+    }
+}
+
+static void visit_scene(vbss_stream *stream, session_object *s)
+{
+    scene_object *scene;
+    if (vbss_scene_open(s->scene, &scene) != VBSS_OK) {
+        vbss_stream_refuse(stream, VBSS_ERROR_INVALID_HANDLE, "its scene was destroyed");
+        return;
+    }
+    uint64_t steps = s->scene_steps;
+    vbss_stream_u64(stream, 71, &steps, 1);
+    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && steps != scene->statistics.steps) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "its scene is at another step");
+    }
+    s->scene_steps = steps;
+}
+
+void vbss_session_serialise(vbss_stream *stream, void *object)
+{
+    session_object *s = object;
+    visit_config(stream, &s->config);
+    visit_scene(stream, s);
+    visit_task(stream, s);
+    visit_events(stream, s);
+    visit_part(stream, s->config.knots, &vbss_knot_kind);
+    visit_part(stream, s->config.metrics, &vbss_metrics_kind);
+    if (stream->mode == VBSS_STREAM_READ) {
+        forget_knot_events(s);
+    }
+}

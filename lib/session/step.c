@@ -1,0 +1,57 @@
+/* One step of the task:
+ *   devices -> scene step -> knots -> metrics -> forces out -> record
+ * After the scene's step nothing is taken back. */
+#include "session/session.h"
+
+static vbss_result check_begin(const session_object *s)
+{
+    scene_object *scene;
+    VBSS_TRY(vbss_scene_open(s->scene, &scene));
+    return scene->statistics.steps == s->scene_steps
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                           "the scene was stepped or restored past the session: it is after step "
+                           "%llu, not %llu",
+                           (unsigned long long)scene->statistics.steps,
+                           (unsigned long long)s->scene_steps);
+}
+
+static void count_step(session_object *s)
+{
+    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
+    s->scene_steps = scene->statistics.steps;
+    s->time += s->steps > 0 ? s->h : 0.0;
+    s->steps++;
+    s->step_events = s->event_count;
+}
+
+/* What the task can see of the step, with the knot; and what that comes to. */
+static vbss_result knots(session_object *s)
+{
+    vbss_session_look(s, &s->look);
+    vbss_result result = vbss_session_look_at_knot(s, &s->look);
+    vbss_session_judge(s, &s->look);
+    return result;
+}
+
+static void keep_first(vbss_result *kept, vbss_result result)
+{
+    *kept = *kept == VBSS_OK ? result : *kept;
+}
+
+vbss_result vbss_session_step(vbss_session *session, double now, double h)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_edit(session, &s));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    VBSS_TRY(check_begin(s));
+    VBSS_TRY(vbss_session_read_hands(s, now));
+    VBSS_TRY(vbss_session_step_scene(s, h));
+    count_step(s);
+    vbss_result result = knots(s);
+    keep_first(&result, vbss_session_measure(s, &s->look));
+    keep_first(&result, vbss_session_write_hands(s, now));
+    keep_first(&result, vbss_session_mark(s));
+    vbss_session_announce(s);
+    return result;
+}
