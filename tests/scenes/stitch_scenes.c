@@ -216,12 +216,19 @@ enum { SETTLED = 100 };
 #define TIE_SPEED 0.03
 #define TIE_PULL 2.0
 
+bool stitch_scene_draws(const stitch_scene *s, int hand, uint32_t step, double h, vec3 *to)
+{
+    double way = (hand == 0 ? -1.0 : 1.0) * TIE_SPEED * h;
+    *to = vec3_add(s->at[hand], vec3_make(0.0, 0.0, way));
+    return step >= SETTLED && stitch_scene_pull(s, hand) < TIE_PULL;
+}
+
 vbss_result stitch_scene_tie(stitch_scene *s, uint32_t step, double h)
 {
-    for (int k = 0; step >= SETTLED && k < 2; k++) {
-        if (stitch_scene_pull(s, k) < TIE_PULL) {
-            double way = (k == 0 ? -1.0 : 1.0) * TIE_SPEED * h;
-            VBSS_TRY(stitch_scene_move(s, k, vec3_add(s->at[k], vec3_make(0.0, 0.0, way))));
+    vec3 to;
+    for (int k = 0; k < 2; k++) {
+        if (stitch_scene_draws(s, k, step, h, &to)) {
+            VBSS_TRY(stitch_scene_move(s, k, to));
         }
     }
     return vbss_scene_step(s->scene, h);

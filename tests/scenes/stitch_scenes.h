@@ -45,6 +45,8 @@ vbss_result stitch_scene_let_go(stitch_scene *s, int hand);
 /* One step of h of tying: the thread settles, then both hands draw outward while they pull with less than 2 N, and hold. */
 #define STITCH_TIE_STEPS 900
 vbss_result stitch_scene_tie(stitch_scene *s, uint32_t step, double h);
+/* Whether that hand moves before that step of it, and where to. */
+bool stitch_scene_draws(const stitch_scene *s, int hand, uint32_t step, double h, vec3 *to);
 /* The hole on that side, or none: false. */
 bool stitch_scene_hole(const stitch_scene *s, int side, vbss_hole *hole);
 

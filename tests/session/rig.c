@@ -1,0 +1,249 @@
+#include "rig.h"
+
+#include <string.h>
+
+#define LENGTH 0.15
+#define TAIL 17e-3
+
+/* ---- life */
+
+void rig_make(rig *r)
+{
+    vbss_metrics_config c;
+    memset(r, 0, sizeof *r);
+    r->context = harness_context(&r->memory);
+    expect_ok(session_scene_still(r->context, &r->scene));
+    expect_ok(vbss_metrics_config_init(&c, sizeof c));
+    c.duration = 60.0;
+    expect_ok(vbss_metrics_create(r->context, &c, &r->metrics));
+    r->scene.config.metrics = r->metrics;
+    r->look.thread = r->scene.config.thread;
+    r->look.length = LENGTH;
+    r->look.gap = r->look.gap_most = 3e-3;
+    r->look.radius = 6.5e-3;
+}
+
+void rig_start(rig *r)
+{
+    expect_ok(vbss_session_create(r->scene.scene, &r->scene.config, &r->session));
+    expect_ok(vbss_session_open(r->session, &r->s));
+    rig_run(r, RIG_STEP);
+    rig_expect(r, VBSS_SESSION_EVENT_APPEARED, 0, 0);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_LOADING, 0);
+}
+
+void rig_begin(rig *r)
+{
+    rig_make(r);
+    rig_start(r);
+}
+
+void rig_end(rig *r)
+{
+    harness_context_end(r->context, &r->memory);
+}
+
+/* ---- steps and events */
+
+void rig_run(rig *r, double seconds)
+{
+    session_object *s = r->s;
+    for (uint32_t n = (uint32_t)(seconds / RIG_STEP + 0.5); n > 0; n--) {
+        s->time += s->steps > 0 ? RIG_STEP : 0.0;
+        s->steps++;
+        s->step_events = s->event_count;
+        s->look = r->look;
+        vbss_session_judge(s, &s->look);
+        expect_ok(vbss_session_measure(s, &s->look));
+    }
+}
+
+const vbss_session_event *rig_expect_at(rig *r, vbss_session_event_kind kind, uint32_t number,
+                                        uint32_t undone, const char *name, const char *file,
+                                        int line)
+{
+    static vbss_session_event e;
+    if (vbss_session_get_event(r->session, r->read, &e, sizeof e) != VBSS_OK) {
+        print_error("event %s %u is missing\n", name, number);
+        _fail(file, line);
+    }
+    if (e.kind != kind || e.number != number || e.undone != undone || e.index != r->read) {
+        print_error("event %s %u (undone %u) was expected, %d %u (undone %u) came at %g s\n", name,
+                    number, undone, e.kind, e.number, e.undone, e.time);
+        _fail(file, line);
+    }
+    r->read++;
+    return &e;
+}
+
+void rig_expect_quiet_at(rig *r, const char *file, int line)
+{
+    vbss_session_event e;
+    if (vbss_session_get_event(r->session, r->read, &e, sizeof e) == VBSS_OK) {
+        print_error("event %d %u (undone %u) at %g s was not expected\n", e.kind, e.number,
+                    e.undone, e.time);
+        _fail(file, line);
+    }
+}
+
+vbss_session_status rig_status(const rig *r)
+{
+    vbss_session_status status;
+    expect_ok(vbss_session_get_status(r->session, &status, sizeof status));
+    return status;
+}
+
+/* ---- what is seen */
+
+void rig_take(rig *r, uint32_t tool)
+{
+    r->look.tools[tool].has_needle = true;
+}
+
+void rig_drop(rig *r, uint32_t tool)
+{
+    r->look.tools[tool].has_needle = false;
+}
+
+static session_hole_look *find(rig *r, uint32_t id)
+{
+    for (uint32_t i = 0; i < r->look.hole_count; i++) {
+        if (r->look.holes[i].id == id) {
+            return &r->look.holes[i];
+        }
+    }
+    fail_msg("there is no hole %u", id);
+    return NULL;
+}
+
+void rig_pierce(rig *r, uint32_t id, uint32_t mark, double axial)
+{
+    session_hole_look *hole = &r->look.holes[r->look.hole_count++];
+    *hole = (session_hole_look){.id = id, .mark = mark, .way = 1e-3};
+    hole->axial[mark] = axial;
+}
+
+void rig_thread_through(rig *r, uint32_t id, double arc)
+{
+    session_hole_look *hole = find(r, id);
+    hole->thread = r->look.thread;
+    hole->arc = arc;
+}
+
+void rig_leave(rig *r, uint32_t id)
+{
+    session_hole_look *hole = find(r, id);
+    *hole = r->look.holes[--r->look.hole_count];
+}
+
+void rig_set_throw(rig *r, uint32_t number, int32_t wraps, int32_t handedness,
+                   vbss_metrics_relation relation)
+{
+    session_knot_look *knot = &r->look.knot;
+    knot->throws[number] = (session_throw_look){wraps, handedness, relation};
+    knot->count = wraps > 0 ? number + 1 : number;
+}
+
+void rig_pull(rig *r, double force, double gap)
+{
+    r->look.tension[0] = r->look.tension[1] = force;
+    r->look.gap = r->look.gap_most = gap;
+}
+
+/* ---- from the begin to there */
+
+void rig_to_approach(rig *r)
+{
+    rig_take(r, RIG_RIGHT);
+    rig_run(r, 0.1);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_RIGHT);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_APPROACH, 0);
+    rig_expect_quiet(r);
+}
+
+void rig_to_tail(rig *r)
+{
+    rig_to_approach(r);
+    rig_pierce(r, RIG_ENTRY, 1, 0.5e-3);
+    rig_run(r, 0.1);
+    rig_expect(r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 0);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_IN_DRAIN, 0);
+    rig_pierce(r, RIG_EXIT, 0, -1e-3);
+    rig_run(r, 0.1);
+    rig_expect(r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 0);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_PULL_THROUGH, 0);
+    rig_thread_through(r, RIG_ENTRY, 0.02);
+    rig_run(r, 0.1);
+    rig_expect(r, VBSS_SESSION_EVENT_THREADED, SESSION_IN, 0);
+    rig_thread_through(r, RIG_EXIT, 0.01);
+    rig_run(r, 0.1);
+    rig_expect(r, VBSS_SESSION_EVENT_THREADED, SESSION_OUT, 0);
+    rig_thread_through(r, RIG_EXIT, LENGTH - TAIL - 12e-3);
+    rig_thread_through(r, RIG_ENTRY, LENGTH - TAIL);
+    rig_run(r, 0.1);
+    expect_near(TAIL, rig_expect(r, VBSS_SESSION_EVENT_TAIL, 0, 0)->amount, 1e-12);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_THROW_1, 0);
+    rig_expect_quiet(r);
+}
+
+static void hand_over(rig *r, uint32_t tool)
+{
+    if (!r->look.tools[1 - tool].has_needle) {
+        return;
+    }
+    rig_take(r, tool);
+    rig_run(r, 0.1);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, tool);
+    rig_drop(r, 1 - tool);
+    rig_run(r, 0.1);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, 1 - tool);
+}
+
+void rig_expect_stage(rig *r, uint32_t number, vbss_session_stage stage)
+{
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_STAGE, number, 0)->stage, stage);
+}
+
+void rig_tie(rig *r, uint32_t number)
+{
+    r->look.knot.next = VBSS_KNOT_VERDICT_WRAPPING;
+    rig_run(r, 0.1);
+    rig_expect_stage(r, number, VBSS_SESSION_STAGE_WRAP);
+    r->look.knot.next = VBSS_KNOT_VERDICT_PASSED;
+    rig_run(r, 0.1);
+    rig_expect_stage(r, number, VBSS_SESSION_STAGE_PASSED);
+    rig_set_throw(r, number, number == 0 ? 2 : 1, number % 2 == 0 ? 1 : -1,
+                  number == 0 ? VBSS_METRICS_RELATION_FIRST : VBSS_METRICS_RELATION_SQUARE);
+    rig_run(r, 0.12);
+    rig_expect(r, VBSS_SESSION_EVENT_THROW, number, 0);
+    r->look.knot.next = VBSS_KNOT_VERDICT_NONE;
+    rig_run(r, 0.1);
+    rig_expect_stage(r, number, VBSS_SESSION_STAGE_SEATING);
+}
+
+void rig_to_throw(rig *r, uint32_t number, uint32_t tool)
+{
+    bool over = r->look.tools[1 - tool].has_needle;
+    uint32_t phase = VBSS_SESSION_PHASE_THROW_1 + 2 * number;
+    hand_over(r, tool);
+    if (over && number > 0) {
+        rig_expect(r, VBSS_SESSION_EVENT_TRANSFER, number - 1, 0);
+        rig_expect_phase(r, phase, 0);
+    }
+    rig_pull(r, 0.0, 3e-4);
+    rig_tie(r, number);
+    rig_pull(r, 1.0, 3e-4);
+    rig_run(r, 0.2);
+    rig_expect(r, VBSS_SESSION_EVENT_SEATED, number, 0);
+    rig_expect_phase(r, phase + 1, 0);
+    rig_expect_stage(r, number, VBSS_SESSION_STAGE_SEATED);
+    rig_expect_quiet(r);
+}
+
+void rig_to_cut(rig *r)
+{
+    rig_to_tail(r);
+    rig_to_throw(r, 0, RIG_RIGHT);
+    rig_to_throw(r, 1, RIG_LEFT);
+    rig_to_throw(r, 2, RIG_RIGHT);
+}

@@ -1,0 +1,201 @@
+/* Each way to fail, which is for good; and what is near to it and does not fail. */
+#include "rig.h"
+
+static void expect_failed(rig *r, vbss_session_failure failure)
+{
+    rig_expect(r, VBSS_SESSION_EVENT_FAILED, (uint32_t)failure, 0);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_FAILED, 0);
+    assert_int_equal(rig_status(r).failure, failure);
+    rig_take(r, RIG_LEFT);
+    rig_run(r, 0.3);
+    rig_expect_quiet(r);
+}
+
+static uint32_t flags_of(const rig *r)
+{
+    vbss_metrics_report report;
+    expect_ok(vbss_metrics_get_report(r->metrics, &report, sizeof report));
+    assert_true((report.flags & (uint32_t)VBSS_METRICS_FINISHED) != 0);
+    expect_same_bits(0.0, report.score);
+    return report.flags;
+}
+
+static void the_time_is_up(void **state)
+{
+    (void)state;
+    rig r;
+    rig_make(&r);
+    r.scene.config.time_limit = 0.5;
+    rig_start(&r);
+    rig_run(&r, 0.499);
+    rig_expect_quiet(&r);
+    rig_run(&r, 0.1);
+    expect_failed(&r, VBSS_SESSION_FAILURE_TIMEOUT);
+    expect_near(0.5, rig_status(&r).time, 1e-9);
+    rig_end(&r);
+}
+
+static void the_drain_is_torn_off(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    rig_to_approach(&r);
+    r.look.torn = 0.49;
+    rig_run(&r, 0.3);
+    rig_expect_quiet(&r);
+    r.look.torn = 0.5;
+    rig_run(&r, RIG_STEP);
+    expect_failed(&r, VBSS_SESSION_FAILURE_AVULSED);
+    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_AVULSED) != 0);
+    rig_end(&r);
+}
+
+static void the_thread_is_cut_early(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    rig_to_tail(&r);
+    r.look.length -= 0.005;
+    rig_run(&r, RIG_STEP);
+    expect_failed(&r, VBSS_SESSION_FAILURE_CUT_EARLY);
+    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_BROKEN) != 0);
+    rig_end(&r);
+}
+
+static void the_thread_is_cut_before_the_stitch(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    r.look.length = 0.1;
+    rig_run(&r, RIG_STEP);
+    expect_failed(&r, VBSS_SESSION_FAILURE_CUT_EARLY);
+    rig_end(&r);
+}
+
+/* The knot takes 4 mm of both limbs. */
+static void to_located_knot(rig *r)
+{
+    rig_begin(r);
+    rig_to_cut(r);
+    r->s->knot.located = true;
+    r->s->knot.ends[SESSION_IN] = r->look.holes[0].arc + 4e-3;
+    r->s->knot.ends[SESSION_OUT] = r->look.holes[1].arc - 4e-3;
+}
+
+static void the_knot_is_cut_into_from_the_tail(void **state)
+{
+    (void)state;
+    rig r;
+    to_located_knot(&r);
+    r.look.length = r.look.holes[0].arc + 3.9e-3;
+    rig_run(&r, RIG_STEP);
+    expect_failed(&r, VBSS_SESSION_FAILURE_CUT_KNOT);
+    rig_end(&r);
+}
+
+static void cut_limb(rig *r, double left)
+{
+    double lost = r->look.holes[1].arc - left;
+    r->look.thread = 33;
+    r->look.length -= lost;
+    rig_thread_through(r, RIG_ENTRY, r->look.holes[0].arc - lost);
+    rig_thread_through(r, RIG_EXIT, left);
+}
+
+static void the_knot_is_cut_into_from_the_needle(void **state)
+{
+    (void)state;
+    rig r;
+    to_located_knot(&r);
+    cut_limb(&r, 3.9e-3);
+    rig_run(&r, RIG_STEP);
+    expect_failed(&r, VBSS_SESSION_FAILURE_CUT_KNOT);
+    rig_end(&r);
+}
+
+static void a_cut_beside_the_knot_is_measured_from_it(void **state)
+{
+    (void)state;
+    rig r;
+    to_located_knot(&r);
+    cut_limb(&r, 4.1e-3);
+    rig_run(&r, RIG_STEP);
+    expect_near(0.1e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_OUT, 0)->amount, 1e-12);
+    r.look.length = r.look.holes[0].arc + 4.2e-3;
+    rig_run(&r, RIG_STEP);
+    expect_near(0.2e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_IN, 0)->amount, 1e-12);
+    rig_end(&r);
+}
+
+static void the_stitch_is_cut_in_the_tissue(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    rig_to_cut(&r);
+    cut_limb(&r, 2e-3);
+    r.look.holes[1].thread = r.scene.config.thread;
+    rig_run(&r, RIG_STEP);
+    rig_expect(&r, VBSS_SESSION_EVENT_FAILED, VBSS_SESSION_FAILURE_CUT_KNOT, 0);
+    rig_end(&r);
+}
+
+static void the_thread_breaks_if_it_can(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    r.look.most_tension = 100.0;
+    rig_run(&r, 0.3);
+    rig_expect_quiet(&r);
+    rig_end(&r);
+    rig_make(&r);
+    r.scene.config.break_force = 20.0;
+    rig_start(&r);
+    r.look.most_tension = 21.0;
+    rig_run(&r, 0.04);
+    r.look.most_tension = 19.0; /* too short to break it */
+    rig_run(&r, 0.1);
+    rig_expect_quiet(&r);
+    r.look.most_tension = 21.0;
+    rig_run(&r, 0.1);
+    expect_failed(&r, VBSS_SESSION_FAILURE_BROKEN);
+    assert_true((flags_of(&r) & (uint32_t)VBSS_METRICS_BROKEN) != 0);
+    rig_end(&r);
+}
+
+static void a_body_that_is_gone_ends_it(void **state)
+{
+    (void)state;
+    rig r;
+    rig_begin(&r);
+    expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
+    expect_ok(vbss_scene_remove(r.scene.scene, r.scene.config.needle));
+    r.read = r.s->event_count;
+    expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
+    rig_expect(&r, VBSS_SESSION_EVENT_FAILED, VBSS_SESSION_FAILURE_LOST, 0);
+    rig_expect_phase(&r, VBSS_SESSION_PHASE_FAILED, 0);
+    expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
+    rig_expect_quiet(&r);
+    rig_end(&r);
+}
+
+int test_failures(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_time_is_up),
+        cmocka_unit_test(the_drain_is_torn_off),
+        cmocka_unit_test(the_thread_is_cut_early),
+        cmocka_unit_test(the_thread_is_cut_before_the_stitch),
+        cmocka_unit_test(the_knot_is_cut_into_from_the_tail),
+        cmocka_unit_test(the_knot_is_cut_into_from_the_needle),
+        cmocka_unit_test(a_cut_beside_the_knot_is_measured_from_it),
+        cmocka_unit_test(the_stitch_is_cut_in_the_tissue),
+        cmocka_unit_test(the_thread_breaks_if_it_can),
+        cmocka_unit_test(a_body_that_is_gone_ends_it),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
