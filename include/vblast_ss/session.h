@@ -179,7 +179,7 @@ typedef struct vbss_session_config {
     /** So far beyond these it is not as it should any more, m, 0 to 1; default 1e-3. */
     double tail_margin;
     double tail_reach; /**< The tail is grasped within this of its end, m, 0 to 1; default 0.01. */
-    /** A throw is seated while the slit gapes no more than this, m, 0 to 1; default 0.5e-3, */
+    /** A throw is seated when the slit gapes no more than this (edges that have crossed do not), m, 0 to 1; default 0.5e-3, */
     double seat_gap;
     double seat_release; /**< no longer from this on, seat_gap to 1; default 1e-3. */
     double seat_force;   /**< Tension of both limbs that seats it, N, 0 to 1e3; default 0.5. */

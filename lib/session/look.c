@@ -168,6 +168,7 @@ static void look_at_drain(const drain_object *d, vbss_drain *handle, vec3 middle
     vbss_drain_gap gap;
     if (vbss_drain_get_gap(handle, &gap, sizeof gap) == VBSS_OK) {
         look->gap = gap.gap;
+        look->open = gap.signed_gap;
         look->gap_most = gap.largest;
     }
     for (int k = 0; k < 2; k++) {

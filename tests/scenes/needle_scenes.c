@@ -99,6 +99,17 @@ static hand hand_at(int tool, double t)
     return tool == 0 ? first_at(t) : second_at(t);
 }
 
+void needle_scene_hand(int tool, double step, double tip[3], double turn[4], double *opening)
+{
+    const hand h = hand_at(tool, step);
+    vec3_store(tip, h.tip);
+    turn[0] = h.turn.w;
+    turn[1] = h.turn.x;
+    turn[2] = h.turn.y;
+    turn[3] = h.turn.z;
+    *opening = h.opening;
+}
+
 static vbss_result move(vbss_grasper *grasper, const hand *h)
 {
     double tip[3];

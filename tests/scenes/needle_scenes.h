@@ -28,6 +28,8 @@ enum {
 
 vbss_result needle_scene_create(vbss_context *context, vbss_scene **scene);
 vbss_result needle_scene_step(vbss_scene *scene);
+/* Where the hand of a tool (0, 1) is at that step: its tip, m, w, x, y, z, and the opening of its handle. */
+void needle_scene_hand(int tool, double step, double tip[3], double turn[4], double *opening);
 /* Of its floor, gravity: along -z. How far the hands lift and carry, m. */
 #define NEEDLE_SCENE_LIFT 0.02
 #define NEEDLE_SCENE_CARRY 0.02

@@ -81,7 +81,7 @@ uint32_t puncture_scene_steps(const puncture_scene *p, double h)
     return (uint32_t)ceil((PUNCTURE_SCENE_ON + PUNCTURE_SCENE_BACK) / (p->speed * h));
 }
 
-vbss_result puncture_scene_step_of(vbss_scene *scene, double speed, double h)
+vbss_result puncture_scene_aim(vbss_scene *scene, double speed, double h)
 {
     scene_object *s;
     vbss_scene_statistics told;
@@ -94,6 +94,12 @@ vbss_result puncture_scene_step_of(vbss_scene *scene, double speed, double h)
     quat turn = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, way / radius));
     at.orientation = quat_mul(at.orientation, turn);
     r->body.end = pose_mul(at, r->frame);
+    return VBSS_OK;
+}
+
+vbss_result puncture_scene_step_of(vbss_scene *scene, double speed, double h)
+{
+    VBSS_TRY(puncture_scene_aim(scene, speed, h));
     return vbss_scene_step(scene, h);
 }
 

@@ -28,6 +28,8 @@ vbss_result puncture_scene_create(vbss_context *context, const vbss_scene_config
 /* What hands do, and a step of h seconds; of a scene that was made like this, whoever has it. */
 vbss_result puncture_scene_step(puncture_scene *p, double h);
 vbss_result puncture_scene_step_of(vbss_scene *scene, double speed, double h);
+/* What hands do before a step, alone. */
+vbss_result puncture_scene_aim(vbss_scene *scene, double speed, double h);
 /* Steps of h until all is over. */
 uint32_t puncture_scene_steps(const puncture_scene *p, double h);
 /* How far the tip is told to be on its arc, from where it began, after so many steps. */

@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "scene/scene.h"
+#include "scenes/needle_scenes.h"
+#include "scenes/puncture_scenes.h"
 
 enum { SEGMENTS = 60 };
 /* Where needle and tools stand: beside the drain, and out of each other's way, m. */
@@ -63,6 +65,56 @@ vbss_result session_scene_still(vbss_context *context, session_scene *made)
     VBSS_TRY(vbss_scene_add_drain(made->scene, made->drain, &made->config.drain));
     VBSS_TRY(add_thread(context, made));
     return add_rest(context, made);
+}
+
+vbss_result session_scene_end(session_scene *s)
+{
+    VBSS_TRY(vbss_scene_destroy(s->scene));
+    VBSS_TRY(vbss_thread_destroy(s->thread));
+    VBSS_TRY(vbss_drain_destroy(s->drain));
+    VBSS_TRY(vbss_needle_destroy(s->needle));
+    VBSS_TRY(vbss_grasper_destroy(s->tools[0]));
+    return vbss_grasper_destroy(s->tools[1]);
+}
+
+/* ---- a needle that goes in and out, or from hand to hand */
+
+vbss_result session_scene_piercing(vbss_context *context, session_scene *made)
+{
+    vbss_scene_config scene;
+    vbss_drain_config drain;
+    puncture_scene p;
+    memset(made, 0, sizeof *made);
+    VBSS_TRY(vbss_session_config_init(&made->config, sizeof made->config));
+    VBSS_TRY(puncture_scene_configs(&scene, &drain));
+    scene.node_capacity = 256;
+    VBSS_TRY(puncture_scene_create(context, &scene, &drain, &p));
+    made->scene = p.scene;
+    made->drain = p.drain;
+    made->needle = p.needle;
+    made->config.drain = p.drain_body;
+    made->config.needle = p.needle_body;
+    VBSS_TRY(add_thread(context, made));
+    VBSS_TRY(add_tool(context, made, 0));
+    return add_tool(context, made, 1);
+}
+
+vbss_result session_scene_floor(vbss_context *context, session_scene *made)
+{
+    vbss_drain_config drain;
+    memset(made, 0, sizeof *made);
+    VBSS_TRY(vbss_session_config_init(&made->config, sizeof made->config));
+    VBSS_TRY(needle_scene_create(context, &made->scene));
+    VBSS_TRY(vbss_drain_config_init(&drain, sizeof drain));
+    drain.position[0] = 0.2;
+    drain.position[2] = 0.05;
+    VBSS_TRY(vbss_drain_create(context, &drain, &made->drain));
+    VBSS_TRY(vbss_scene_add_drain(made->scene, made->drain, &made->config.drain));
+    made->config.needle = NEEDLE_SCENE_NEEDLE;
+    made->config.thread = NEEDLE_SCENE_THREAD;
+    made->config.tools[0] = NEEDLE_SCENE_FIRST;
+    made->config.tools[1] = NEEDLE_SCENE_SECOND;
+    return VBSS_OK;
 }
 
 /* ---- a throw that is tied */

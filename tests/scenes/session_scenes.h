@@ -23,6 +23,13 @@ vbss_result session_scene_still(vbss_context *context, session_scene *made);
  * The configuration has a detector and a measurement. */
 vbss_result session_scene_tying(vbss_context *context, uint32_t crossings, session_scene *made);
 
+/* A hand turns the needle through both walls and back (puncture_scenes.h), without a tool; the thread lies aside. */
+vbss_result session_scene_piercing(vbss_context *context, session_scene *made);
+/* Two tools hand a needle over and drop it (needle_scenes.h), far from the drain; who moves them is up to the caller. */
+vbss_result session_scene_floor(vbss_context *context, session_scene *made);
+/* All of it but detector and measurement, also of one that was made in part. */
+vbss_result session_scene_end(session_scene *s);
+
 #define SESSION_SCENE_STEP 1e-3 /* s */
 /* Hands draw the throw tight (stitch_scene_tie), through the session's record if it has one; then the session is stepped. What
  * hands do follows from the scene alone. */

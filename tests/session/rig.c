@@ -19,7 +19,7 @@ void rig_make(rig *r)
     r->scene.config.metrics = r->metrics;
     r->look.thread = r->scene.config.thread;
     r->look.length = LENGTH;
-    r->look.gap = r->look.gap_most = 3e-3;
+    r->look.gap = r->look.gap_most = r->look.open = 3e-3;
     r->look.radius = 6.5e-3;
 }
 
@@ -147,7 +147,7 @@ void rig_set_throw(rig *r, uint32_t number, int32_t wraps, int32_t handedness,
 void rig_pull(rig *r, double force, double gap)
 {
     r->look.tension[0] = r->look.tension[1] = force;
-    r->look.gap = r->look.gap_most = gap;
+    r->look.gap = r->look.gap_most = r->look.open = gap;
 }
 
 /* ---- from the begin to there */

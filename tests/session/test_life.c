@@ -218,12 +218,18 @@ static void bad_handles_are_told(void **state)
 static vbss_result make_and_step(vbss_context *context, void *user)
 {
     session_scene scene;
-    vbss_session *session;
+    vbss_session *session = NULL;
     (void)user;
-    VBSS_TRY(session_scene_still(context, &scene));
-    VBSS_TRY(vbss_session_create(scene.scene, &scene.config, &session));
-    VBSS_TRY(vbss_session_step(session, 0.0, 1e-3));
-    return vbss_session_destroy(session);
+    vbss_result result = session_scene_still(context, &scene);
+    if (result == VBSS_OK) {
+        result = vbss_session_create(scene.scene, &scene.config, &session);
+    }
+    if (result == VBSS_OK) {
+        result = vbss_session_step(session, 0.0, 1e-3);
+    }
+    expect_ok(vbss_session_destroy(session));
+    expect_ok(session_scene_end(&scene));
+    return result;
 }
 
 static void each_allocation_may_fail(void **state)

@@ -1,50 +1,119 @@
 /* Throws of a real thread above a real drain: what the detector makes of them becomes events of the task. */
 #include "rig.h"
 
-static void run(uint32_t crossings, uint32_t steps, session_scene *s, vbss_context *context,
-                vbss_session **session)
+typedef struct tied {
+    harness_memory memory;
+    vbss_context *context;
+    session_scene scene;
+    vbss_session *session;
+} tied;
+
+static vbss_session_status run(tied *t, uint32_t crossings)
 {
-    expect_ok(session_scene_tying(context, crossings, s));
-    s->config.seat_gap = 1e-3;
-    s->config.seat_release = 2e-3;
-    expect_ok(vbss_session_create(s->scene, &s->config, session));
-    for (uint32_t i = 0; i < steps; i++) {
-        expect_ok(session_scene_tie(s, *session, NULL));
+    vbss_session_status status;
+    t->context = harness_context(&t->memory);
+    expect_ok(session_scene_tying(t->context, crossings, &t->scene));
+    expect_ok(vbss_session_create(t->scene.scene, &t->scene.config, &t->session));
+    for (uint32_t i = 0; i < STITCH_TIE_STEPS; i++) {
+        expect_ok(session_scene_tie(&t->scene, t->session, NULL));
     }
+    expect_ok(vbss_session_get_status(t->session, &status, sizeof status));
+    return status;
 }
 
-static void show(vbss_session *session)
+/* The events of that kind; the last of them. */
+static uint32_t count(const tied *t, vbss_session_event_kind kind, vbss_session_event *last)
 {
-    vbss_session_status t;
-    expect_ok(vbss_session_get_status(session, &t, sizeof t));
-    for (uint64_t i = t.first_event; i < t.event_count; i++) {
-        vbss_session_event e;
-        expect_ok(vbss_session_get_event(session, i, &e, sizeof e));
-        printf("%6.3f kind %d number %u undone %u stage %d wraps %d hand %d phase %d amount %g\n", e.time,
-               e.kind, e.number, e.undone, e.stage, e.wraps, e.handedness, e.phase, e.amount);
+    vbss_session_status status;
+    vbss_session_event e;
+    uint32_t found = 0;
+    expect_ok(vbss_session_get_status(t->session, &status, sizeof status));
+    for (uint64_t i = status.first_event; i < status.event_count; i++) {
+        expect_ok(vbss_session_get_event(t->session, i, &e, sizeof e));
+        if (e.kind == kind) {
+            *last = e;
+            found++;
+        }
     }
-    printf("phase %d stage %d throws %u seated %u tail %g gap %g tension %g %g\n", t.phase, t.stage,
-           t.throws, t.seated, t.tail, t.gap, t.tension[0], t.tension[1]);
+    return found;
 }
 
-static void look(void **state)
+static void a_stitch_without_a_throw_is_none(void **state)
 {
     (void)state;
-    for (uint32_t c = 1; c <= 5; c += 2) {
-        harness_memory memory;
-        vbss_context *context = harness_context(&memory);
-        static session_scene s;
-        vbss_session *session;
-        run(c, STITCH_TIE_STEPS, &s, context, &session);
-        show(session);
-        harness_context_end(context, &memory);
-    }
+    static tied t;
+    vbss_session_event e;
+    const vbss_session_status status = run(&t, 1);
+    assert_int_equal(status.phase, VBSS_SESSION_PHASE_PULL_THROUGH);
+    assert_int_equal(status.punctured, 3);
+    assert_int_equal(status.threaded, 3);
+    assert_int_equal(status.throws, 0);
+    assert_int_equal(count(&t, VBSS_SESSION_EVENT_THROW, &e), 0);
+    assert_true(status.tail > 0.04 && status.tail < 0.05); /* limb, rise and wall */
+    assert_true(status.tension[0] > 1.9 && status.tension[0] < 2.3);
+    assert_true(status.tension[1] > 1.9 && status.tension[1] < 2.3);
+    assert_true(status.deviation_mm[0] < 0.5 && status.deviation_mm[1] < 0.5);
+    harness_context_end(t.context, &t.memory);
+}
+
+static void expect_tied(uint32_t crossings, int32_t wraps, uint32_t faults)
+{
+    static tied t;
+    vbss_session_event e;
+    vbss_metrics_report report;
+    const vbss_session_status status = run(&t, crossings);
+    assert_int_equal(status.throws, 1);
+    assert_int_equal(status.seated, 1);
+    assert_int_equal(status.faults, faults);
+    assert_int_equal(status.phase, VBSS_SESSION_PHASE_TRANSFER_1);
+    assert_int_equal(status.stage, VBSS_SESSION_STAGE_SEATED);
+    assert_int_equal(count(&t, VBSS_SESSION_EVENT_THROW, &e), 1);
+    assert_int_equal(e.wraps, wraps);
+    assert_int_equal(e.handedness, 1);
+    assert_int_equal(e.relation, VBSS_METRICS_RELATION_FIRST);
+    assert_int_equal(count(&t, VBSS_SESSION_EVENT_SEATED, &e), 1);
+    assert_true(e.amount < 1.1e-3); /* edges may have crossed by then */
+    expect_ok(vbss_metrics_get_report(t.scene.config.metrics, &report, sizeof report));
+    assert_int_equal(report.throw_count, 1);
+    expect_near(1e3 * e.amount, report.gap_mm, 1e-9);
+    assert_int_equal(report.samples, STITCH_TIE_STEPS);
+    harness_context_end(t.context, &t.memory);
+}
+
+static void a_double_throw_is_tied_and_seated(void **state)
+{
+    (void)state;
+    expect_tied(5, 2, 0);
+}
+
+static void a_single_one_has_too_few_wraps(void **state)
+{
+    (void)state;
+    expect_tied(3, 1, VBSS_KNOT_FAULT_FIRST);
+}
+
+/* Blades are not wanted for it: the host cuts. */
+static void a_thread_that_is_cut_early_fails(void **state)
+{
+    (void)state;
+    rig r;
+    uint32_t piece;
+    rig_begin(&r);
+    expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
+    expect_ok(vbss_scene_cut_thread(r.scene.scene, r.scene.config.thread, 0.1, &piece));
+    r.s->length = 0.15;
+    expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
+    assert_int_equal(rig_status(&r).failure, VBSS_SESSION_FAILURE_CUT_EARLY);
+    rig_end(&r);
 }
 
 int test_tied(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(look),
+        cmocka_unit_test(a_stitch_without_a_throw_is_none),
+        cmocka_unit_test(a_double_throw_is_tied_and_seated),
+        cmocka_unit_test(a_single_one_has_too_few_wraps),
+        cmocka_unit_test(a_thread_that_is_cut_early_fails),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

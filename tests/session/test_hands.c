@@ -1,0 +1,126 @@
+/* Two devices move the tools: the needle is taken, handed over and dropped, hands feel it, and the log replays without them. */
+#include "log_bytes.h"
+#include "rig.h"
+#include "scenes/needle_scenes.h"
+
+enum { STEPS = 2000, INTERVAL = 500 };
+
+static void measure(void *user, double time, vbss_device_sample *sample)
+{
+    const int *tool = user;
+    needle_scene_hand(*tool, time / RIG_STEP, sample->position, sample->orientation, &sample->jaw);
+    sample->valid = (uint32_t)(VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION |
+                               VBSS_DEVICE_HAS_JAW);
+}
+
+static vbss_device *device_of(rig *r, const int *tool, vbss_mock **mock)
+{
+    vbss_mock_config m;
+    vbss_device_adapter adapter;
+    vbss_device *device;
+    union {
+        const int *in;
+        void *out;
+    } user = {tool};
+    expect_ok(vbss_mock_config_init(&m, sizeof m));
+    m.measure = measure;
+    m.user = user.out;
+    m.row_capacity = 2 * STEPS;
+    expect_ok(vbss_mock_create(r->context, &m, mock));
+    expect_ok(vbss_device_adapter_init(&adapter, sizeof adapter));
+    expect_ok(vbss_mock_get_adapter(*mock, &adapter));
+    expect_ok(vbss_device_create(r->context, &adapter, NULL, NULL, &device));
+    return device;
+}
+
+static void expect_events(rig *r)
+{
+    rig_expect(r, VBSS_SESSION_EVENT_APPEARED, 0, 0);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_LOADING, 0);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_LEFT);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_APPROACH, 0);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 0)->tool, VBSS_METRICS_RIGHT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, VBSS_METRICS_LEFT);
+    assert_int_equal(rig_expect(r, VBSS_SESSION_EVENT_TAKEN, 0, 1)->tool, VBSS_METRICS_RIGHT);
+    rig_expect(r, VBSS_SESSION_EVENT_DROPPED, 0, 0);
+    rig_expect_phase(r, VBSS_SESSION_PHASE_LOADING, 1);
+    rig_expect_quiet(r);
+}
+
+static uint64_t hash_of(const rig *r)
+{
+    uint64_t hash;
+    expect_ok(vbss_session_get_hash(r->session, &hash));
+    return hash;
+}
+
+static void begin(rig *r)
+{
+    memset(r, 0, sizeof *r);
+    r->context = harness_context(&r->memory);
+    expect_ok(session_scene_floor(r->context, &r->scene));
+}
+
+static uint64_t replay(const log_bytes *log)
+{
+    rig r;
+    begin(&r);
+    expect_ok(vbss_replay_create(r.context, log->bytes, log->count, &r.scene.config.replay));
+    expect_ok(vbss_replay_begin(r.scene.config.replay, r.scene.scene));
+    expect_ok(vbss_session_create(r.scene.scene, &r.scene.config, &r.session));
+    expect_ok(vbss_session_open(r.session, &r.s));
+    for (int i = 0; i < STEPS; i++) {
+        expect_ok(vbss_session_step(r.session, 0.0, 0.0));
+    }
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_session_step(r.session, 0.0, 0.0));
+    expect_events(&r);
+    uint64_t hash = hash_of(&r);
+    rig_end(&r);
+    return hash;
+}
+
+static void devices_hand_a_needle_over(void **state)
+{
+    (void)state;
+    static const int tools[2] = {0, 1};
+    rig r;
+    vbss_mock *mocks[2];
+    log_bytes log = {NULL, 0};
+    begin(&r);
+    for (int i = 0; i < 2; i++) {
+        r.scene.config.devices[i] = device_of(&r, &tools[i], &mocks[i]);
+    }
+    expect_ok(vbss_record_create(r.scene.scene, NULL, &r.scene.config.record));
+    expect_ok(vbss_session_create(r.scene.scene, &r.scene.config, &r.session));
+    expect_ok(vbss_session_open(r.session, &r.s));
+    double most = 0.0;
+    for (int i = 0; i < STEPS; i++) {
+        expect_ok(vbss_session_step(r.session, i * RIG_STEP, RIG_STEP));
+        if (i % INTERVAL == INTERVAL - 1) {
+            log_take(&log, r.scene.config.record);
+        }
+    }
+    for (int i = 0; i < 2; i++) {
+        vbss_view rows;
+        expect_ok(vbss_mock_get_view(mocks[i], VBSS_MOCK_VIEW_ROWS, &rows, sizeof rows));
+        assert_int_equal(rows.count, STEPS);
+        for (uint64_t k = 0; k < rows.count; k++) {
+            const double *row = (const double *)rows.data + 9 * k;
+            most = greater(most, vec3_norm(vec3_load(row + 1)));
+        }
+    }
+    assert_true(most > 1e-3 && most < 3.0 + 1e-9); /* N: the needle, and tools that meet */
+    expect_events(&r);
+    uint64_t hash = hash_of(&r);
+    expect_ok(vbss_record_end(r.scene.config.record));
+    log_take(&log, r.scene.config.record);
+    rig_end(&r);
+    assert_true(replay(&log) == hash);
+    free(log.bytes);
+}
+
+int test_hands(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(devices_hand_a_needle_over)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
