@@ -83,7 +83,7 @@ static void a_step_allocates_nothing(void **state)
     assert_int_equal(harness_step_allocations(&b, 200), 0);
 }
 
-/* ---- of the session alone, at one step of its scene */
+/* ---- of the session alone: its scene stands still, and the task sees a stitch with a throw */
 
 static vbss_result create_alone(vbss_context *context, void *user, void **handle)
 {
@@ -96,12 +96,41 @@ static vbss_result create_alone(vbss_context *context, void *user, void **handle
     c.throw_capacity = c.phase_capacity = c.incident_capacity = 4;
     VBSS_TRY(vbss_metrics_create(context, &c, &scene.config.metrics));
     VBSS_TRY(vbss_knot_detector_create(context, NULL, &scene.config.knots));
+    scene.config.dwell = scene.config.throw_dwell = 0.0;
+    scene.config.event_capacity = 16;
     return vbss_session_create(scene.scene, &scene.config, (vbss_session **)handle);
+}
+
+static void see(session_object *s)
+{
+    session_look *look = &s->look;
+    *look = (session_look){.thread = s->config.thread, .length = 0.15, .radius = 6.5e-3};
+    look->tools[RIG_LEFT].has_needle = s->steps % 2 == 0;
+    look->hole_count = 2;
+    for (uint32_t k = 0; k < 2; k++) {
+        look->holes[k] = (session_hole_look){.id = k + 1,
+                                             .mark = k,
+                                             .thread = look->thread,
+                                             .way = 0.2 - 0.02 * k,
+                                             .arc = 0.133 - 0.02 * k,
+                                             .axial = {1e-3, 2e-3}};
+    }
+    look->knot.count = 1;
+    look->knot.throws[0] = (session_throw_look){2, 1, VBSS_METRICS_RELATION_FIRST};
+    look->tension[0] = look->tension[1] = 1.0;
+    s->knot = look->knot;
 }
 
 static vbss_result step_alone(void *handle)
 {
-    return vbss_session_step(handle, 0.0, 1e-3);
+    session_object *s;
+    VBSS_TRY(vbss_session_open(handle, &s));
+    s->time += RIG_STEP;
+    s->steps++;
+    s->step_events = s->event_count;
+    see(s);
+    vbss_session_judge(s, &s->look);
+    return vbss_session_measure(s, &s->look);
 }
 
 static vbss_result destroy_alone(void *handle)
@@ -117,7 +146,8 @@ static void bad_snapshots_are_refused(void **state)
                             .create = create_alone,
                             .step = step_alone,
                             .destroy = destroy_alone};
-    harness_refuses_bad_snapshots(&b, 2);
+    harness_refuses_bad_snapshots(&b, 0);
+    harness_refuses_bad_snapshots(&b, 4);
 }
 
 static void a_state_wants_its_scene_at_the_same_step(void **state)
