@@ -123,7 +123,8 @@ def settable(struct_type: Any) -> list[str]:
     """Fields that keywords may set: no pointers, which belong to a keyword of their own."""
     return [name for name, kind in struct_type._fields_
             if name != "struct_size" and not name.startswith("reserved") and
-            (kind in _LIMITS or kind is ctypes.c_double or issubclass(kind, ctypes.Array))]
+            (kind in _LIMITS or kind is ctypes.c_double or
+             issubclass(kind, ctypes.Array) and not hasattr(kind._type_, "contents"))]
 
 
 def _set_array(array: Any, values: Any, name: str) -> None:

@@ -1,0 +1,100 @@
+"""The suturing task over a scene."""
+from __future__ import annotations
+
+import ctypes
+from typing import Any, Callable, Optional, Sequence
+
+from ._api.session import (SessionEvent, SessionEventKind, SessionFailure, SessionPhase, SessionStage, SessionStatus,
+                           vbss_session, vbss_session_config, vbss_session_event, vbss_session_event_fn,
+                           vbss_session_status)
+from ._library import lib
+from ._objects import Configured, Object, Saved, created
+from ._values import initialised, integer, value_of
+from .devices import Device
+from .knots import KnotDetector
+from .metrics import Metrics
+from .records import Record, Replay
+from .scene import Scene
+
+__all__ = ["Session", "SessionEvent", "SessionEventKind", "SessionFailure", "SessionPhase", "SessionStage",
+           "SessionStatus"]
+
+
+def _handle_of(part: Any, kind: type[Object], name: str) -> Any:
+    if part is None:
+        return None
+    if not isinstance(part, kind):
+        raise TypeError(f"{name} is {type(part).__name__}, not a {kind.__name__}")
+    if part.closed:
+        part._refuse()
+    return part._handle
+
+
+class Session(Configured, Saved):
+    """Runs the task on a scene: steps it, says how far it is, and tells what happened.
+
+        thread, needle, drain, tools, shears  numbers of bodies, as Scene.add returned them
+        devices                               of the left and the right hand; None: who moves the tools is up to you
+        knots, metrics, record                a KnotDetector, Metrics and a Record of the scene; None: none
+        replay                                a Replay that has begun with the scene, in the place of devices and record
+        listen                                called with each SessionEvent; must not change anything
+
+    Other keywords are the settings of vbss_session_config (Session.settings_help(), Session.defaults()).
+    """
+    _prefix, _noun = "vbss_session", "session"
+    _config, _init = vbss_session_config, "vbss_session_config_init"
+
+    def __init__(self, scene: Scene, *, devices: Sequence[Optional[Device]] = (None, None),
+                 knots: Optional[KnotDetector] = None, metrics: Optional[Metrics] = None,
+                 record: Optional[Record] = None, replay: Optional[Replay] = None,
+                 listen: Optional[Callable[[SessionEvent], Any]] = None, **settings: Any) -> None:
+        _handle_of(scene, Scene, "scene")
+        config = initialised(vbss_session_config, lib.vbss_session_config_init, settings, "a session")
+        if len(devices) != 2:
+            raise ValueError(f"{len(devices)} devices are given, and there are two hands")
+        for hand, device in enumerate(devices):
+            config.devices[hand] = _handle_of(device, Device, "a device")
+        config.knots = _handle_of(knots, KnotDetector, "knots")
+        config.metrics = _handle_of(metrics, Metrics, "metrics")
+        config.record = _handle_of(record, Record, "record")
+        config.replay = _handle_of(replay, Replay, "replay")
+        context = scene.context
+        if listen is not None:
+            function = listen
+
+            def hear(user: Any, event: Any) -> None:
+                context._guarded(None, lambda: function(value_of(SessionEvent, event.contents)))
+
+            config.listen = self._listen = vbss_session_event_fn(hear)
+        self._parts = (scene, devices, knots, metrics, record, replay)  # they live as long as it does
+        super().__init__(context, created(context, vbss_session, lib.vbss_session_create, scene._handle,
+                                          ctypes.byref(config)))
+
+    def step(self, h: float = 1e-3, now: float = 0.0) -> None:
+        """One step of the task: devices, scene, knots, metrics, forces out, record. now: the clock of the devices, s."""
+        self._call(lib.vbss_session_step, now, h)
+
+    def set_record(self, record: Optional[Record]) -> None:
+        """Writes to this record from now on; a replay is left."""
+        self._call(lib.vbss_session_set_record, _handle_of(record, Record, "record"))
+        self._parts += (record,)
+
+    @property
+    def status(self) -> SessionStatus:
+        """How far the task is."""
+        return self._read("get_status", SessionStatus, vbss_session_status)
+
+    def event(self, number: int) -> SessionEvent:
+        """The event of that index; OutOfRangeError when it is lost."""
+        return self._read("get_event", SessionEvent, vbss_session_event, integer(number, ctypes.c_uint64, "number"))
+
+    @property
+    def events(self) -> list[SessionEvent]:
+        """Those that are kept, the oldest first."""
+        status = self.status
+        return [self.event(number) for number in range(status.first_event, status.event_count)]
+
+    def _describe(self) -> str:
+        status = self.status
+        phase = status.phase.name if isinstance(status.phase, SessionPhase) else status.phase
+        return f"{phase} after {status.time:g} s, {status.throws} throws"
