@@ -15,6 +15,7 @@
 #include "scenes/paper_needle_scenes.h"
 #include "scenes/rod.h"
 #include "scenes/scene_scenes.h"
+#include "scenes/session_scenes.h"
 #include "scenes/stitch_scenes.h"
 #include "scenes/thread_scenes.h"
 #include "scenes/throw_stack.h"
@@ -616,6 +617,25 @@ static void run_stitch(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- the task while that throw is tied, with detector and metrics, hashed after every 10 steps */
+
+static void run_session(uint64_t *hashes, size_t count)
+{
+    static session_scene scene;
+    vbss_session *session;
+    vbss_context *context;
+    must(vbss_context_create(NULL, &context));
+    must(session_scene_tying(context, 5, &scene));
+    must(vbss_session_create(scene.scene, &scene.config, &session));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 10; k++) {
+            must(session_scene_tie(&scene, session, NULL));
+        }
+        must(vbss_session_get_hash(session, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -641,5 +661,6 @@ const golden_scene golden_scenes[] = {
     {"paper-needle", PAPER_NEEDLE_SCENE_STEPS / 10, 20,
      run_paper_needle},                                /* through a wall at 17 */
     {"stitch", STITCH_TIE_STEPS / 10, 12, run_stitch}, /* shut at 60; hands draw from 10 on */
+    {"session", 64, 2, run_session},                   /* tied at 14, seated at 56 */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];
