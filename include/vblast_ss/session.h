@@ -128,7 +128,7 @@ typedef struct vbss_session_event {
     int32_t handedness;           /**< THROW: +1 right-handed, -1 left-handed. */
     vbss_metrics_relation relation; /**< THROW: to the throw before. */
     vbss_session_phase phase;       /**< The phase after the step in which it happened. */
-    uint64_t index;                 /**< Of the event, from 0 on. */
+    uint64_t ordinal;               /**< Of the event, from 0 on. */
     uint64_t step;                  /**< Of the session, from 1 on. */
     double time;                    /**< Since the needle appeared, s. */
     double position[3];             /**< Of the tool's tip, or where the kind says, m. */

@@ -21,7 +21,7 @@ vbss_session_event *vbss_session_tell(session_object *s, vbss_session_event_kind
                               .number = number,
                               .undone = undone,
                               .phase = s->phase,
-                              .index = s->event_count++,
+                              .ordinal = s->event_count++,
                               .step = s->steps,
                               .time = s->time};
     if (tool < SESSION_HANDS) {

@@ -65,7 +65,7 @@ typedef struct session_look {
     double length;                          /* of it, m */
     double tension[SESSION_MARKS], most_tension;
     vec3 thread_ends[SESSION_MARKS]; /* the tail's, the begin */
-    double gap, gap_most, open; /* open: the first, below 0 where the edges have crossed; m */
+    double gap, gap_most, open;      /* open: the first, below 0 where the edges have crossed; m */
     vec3 lips[2];
     double torn, radius; /* share of the anchors; of the tube, m */
     vec3 away;           /* into the tissue */

@@ -162,7 +162,7 @@ static void visit_event(vbss_stream *stream, vbss_session_event *e)
     }
     vbss_stream_u32(stream, 61, &e->number, 1);
     visit_below(stream, 62, &e->undone, 2);
-    vbss_stream_u64(stream, 63, &e->index, 1);
+    vbss_stream_u64(stream, 63, &e->ordinal, 1);
     vbss_stream_u64(stream, 64, &e->step, 1);
     vbss_stream_f64(stream, 65, &e->time, 1);
     vbss_stream_f64(stream, 66, e->position, 3);
@@ -180,7 +180,7 @@ static void visit_events(vbss_stream *stream, session_object *s)
     for (uint64_t i = s->event_count - kept; i < s->event_count && stream->result == VBSS_OK; i++) {
         vbss_session_event *e = vbss_session_event_at(s, i);
         visit_event(stream, e);
-        refuse(stream, e->index != i);
+        refuse(stream, e->ordinal != i);
     }
     s->step_events = s->event_count;
 }

@@ -67,7 +67,7 @@ const vbss_session_event *rig_expect_at(rig *r, vbss_session_event_kind kind, ui
         print_error("event %s %u is missing\n", name, number);
         _fail(file, line);
     }
-    if (e.kind != kind || e.number != number || e.undone != undone || e.index != r->read) {
+    if (e.kind != kind || e.number != number || e.undone != undone || e.ordinal != r->read) {
         print_error("event %s %u (undone %u) was expected, %d %u (undone %u) came at %g s\n", name,
                     number, undone, e.kind, e.number, e.undone, e.time);
         _fail(file, line);

@@ -9,8 +9,8 @@ static void measure(void *user, double time, vbss_device_sample *sample)
 {
     const int *tool = user;
     needle_scene_hand(*tool, time / RIG_STEP, sample->position, sample->orientation, &sample->jaw);
-    sample->valid = (uint32_t)(VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION |
-                               VBSS_DEVICE_HAS_JAW);
+    sample->valid =
+        (uint32_t)(VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW);
 }
 
 static vbss_device *device_of(rig *r, const int *tool, vbss_mock **mock)

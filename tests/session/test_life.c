@@ -76,8 +76,8 @@ static void bad_numbers_are_refused(void **state)
     rig r;
     rig_make(&r);
     vbss_session_config c = r.scene.config;
-    double *const numbers[] = {&c.time_limit,   &c.dwell,       &c.throw_dwell, &c.tail_low,
-                               &c.tail_high,    &c.tail_margin, &c.tail_reach,  &c.seat_gap,
+    double *const numbers[] = {&c.time_limit,   &c.dwell,       &c.throw_dwell,   &c.tail_low,
+                               &c.tail_high,    &c.tail_margin, &c.tail_reach,    &c.seat_gap,
                                &c.seat_release, &c.seat_force,  &c.avulsed_share, &c.break_force};
     uint32_t *const words[] = {&c.event_capacity, &c.knot_interval, &c.hash_interval};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
@@ -202,9 +202,9 @@ static vbss_result call_destroy(void *handle)
 static void bad_handles_are_told(void **state)
 {
     (void)state;
-    static const harness_handle_call calls[] = {call_step, call_set_record, call_get_status,
-                                                call_get_event, call_save, call_restore,
-                                                call_get_hash, call_destroy};
+    static const harness_handle_call calls[] = {call_step,      call_set_record, call_get_status,
+                                                call_get_event, call_save,       call_restore,
+                                                call_get_hash,  call_destroy};
     rig r;
     rig_begin(&r);
     expect_ok(vbss_session_destroy(r.session));
@@ -261,7 +261,7 @@ static void lost_events_are_told(void **state)
                   vbss_session_get_event(r.session, status.event_count, &e, sizeof e));
     for (uint64_t i = status.first_event; i < status.event_count; i++) {
         expect_ok(vbss_session_get_event(r.session, i, &e, sizeof e));
-        assert_int_equal(e.index, i);
+        assert_int_equal(e.ordinal, i);
     }
     expect_result(VBSS_ERROR_NULL_ARGUMENT,
                   vbss_session_get_event(r.session, status.first_event, NULL, sizeof e));
@@ -277,9 +277,9 @@ static void hear(void *user, const vbss_session_event *event)
 {
     heard *h = user;
     vbss_session_event same;
-    assert_int_equal(event->index, h->count++);
+    assert_int_equal(event->ordinal, h->count++);
     if (h->session != NULL) {
-        expect_ok(vbss_session_get_event(h->session, event->index, &same, sizeof same));
+        expect_ok(vbss_session_get_event(h->session, event->ordinal, &same, sizeof same));
         assert_int_equal(same.kind, event->kind);
         expect_result(VBSS_ERROR_BUSY, vbss_session_step(h->session, 0.0, 1e-3));
     }

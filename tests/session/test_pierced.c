@@ -27,7 +27,8 @@ static void a_needle_goes_in_and_out_and_back(void **state)
     assert_true(e->amount < 0.5); /* it was aimed at the mark, mm */
     rig_expect_phase(&r, VBSS_SESSION_PHASE_IN_DRAIN, 0);
     e = rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 0);
-    assert_true(e->amount > 0.5); /* a circle through one mark square to the wall misses the other */
+    assert_true(e->amount >
+                0.5); /* a circle through one mark square to the wall misses the other */
     assert_int_equal(e->phase, VBSS_SESSION_PHASE_PULL_THROUGH);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_PULL_THROUGH, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 1);

@@ -66,7 +66,7 @@ class Session(Configured, Saved):
                 context._guarded(None, lambda: function(value_of(SessionEvent, event.contents)))
 
             config.listen = self._listen = vbss_session_event_fn(hear)
-        self._parts = (scene, devices, knots, metrics, record, replay)  # they live as long as it does
+        self._parts: tuple[Any, ...] = (scene, devices, knots, metrics, record, replay)  # they live as long as it does
         super().__init__(context, created(context, vbss_session, lib.vbss_session_create, scene._handle,
                                           ctypes.byref(config)))
 

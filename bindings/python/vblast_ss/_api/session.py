@@ -146,7 +146,7 @@ class vbss_session_event(ctypes.Structure):
 
     phase: The phase after the step in which it happened.
 
-    index: Of the event, from 0 on.
+    ordinal: Of the event, from 0 on.
 
     step: Of the session, from 1 on.
 
@@ -167,7 +167,7 @@ class vbss_session_event(ctypes.Structure):
     handedness: int
     relation: int
     phase: int
-    index: int
+    ordinal: int
     step: int
     time: float
     position: Any
@@ -185,7 +185,7 @@ class vbss_session_event(ctypes.Structure):
         ("handedness", c_int32),
         ("relation", c_int32),
         ("phase", c_int32),
-        ("index", c_uint64),
+        ("ordinal", c_uint64),
         ("step", c_uint64),
         ("time", c_double),
         ("position", c_double * 3),
@@ -205,7 +205,7 @@ class SessionEvent(NamedTuple):
     handedness: int
     relation: MetricsRelation
     phase: SessionPhase
-    index: int
+    ordinal: int
     step: int
     time: float
     position: tuple[float, ...]
