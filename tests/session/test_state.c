@@ -53,7 +53,7 @@ static vbss_result destroy(void *handle)
     return vbss_slot_destroy(handle, &tied_kind);
 }
 
-static harness_body body(uint32_t *crossings)
+static harness_body body(void *crossings)
 {
     const harness_body b = {.name = "a session that ties",
                             .kind = &tied_kind,
