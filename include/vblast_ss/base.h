@@ -97,7 +97,8 @@ typedef int32_t vbss_type;
 /** The constants of #vbss_type. */
 enum {
     VBSS_TYPE_F64 = 1, /**< double */
-    VBSS_TYPE_U32 = 2  /**< uint32_t */
+    VBSS_TYPE_U32 = 2, /**< uint32_t */
+    VBSS_TYPE_F32 = 3  /**< float, of 32 bits; only what is drawn */
 };
 
 /**

@@ -19,5 +19,6 @@
 #include <vblast_ss/scene.h>
 #include <vblast_ss/session.h>
 #include <vblast_ss/thread.h>
+#include <vblast_ss/visual.h>
 
 #endif

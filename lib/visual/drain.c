@@ -1,0 +1,306 @@
+/* A drain as a wall: curved patches over its triangles, divided alike everywhere, outer and inner face half a wall from them, and
+ * rims where the mesh ends: at both ends of the tube and along the slit. Vertices are numbered as the mesh is: those of
+ * nodes, then of sides, then inside triangles; so neighbours share them. */
+#include "visual/visual.h"
+
+typedef struct wall {
+    const visual_object *v;
+    visual_frame *frame;
+    const drain_object *drain;
+    const vec3 *normals; /* at nodes */
+    uint32_t divisions;
+    uint32_t first, face; /* vertex of node 0 on the outer face; from there to the inner one */
+    double half;          /* of the wall, m */
+} wall;
+
+/* Mean of the normals of a node's triangles with weights by which nodes on a sphere get its normals exactly: sin(angle) /
+ * (|a| |b|) of the sides there (Max 1999). */
+static void find_normals(const drain_object *d, vec3 *normals)
+{
+    const drain_mesh *m = &d->mesh;
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        normals[i] = vec3_zero();
+    }
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
+        const uint32_t *node = m->triangles[t];
+        const vec3 x[3] = {d->x[node[0]], d->x[node[1]], d->x[node[2]]};
+        vec3 normal = vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]));
+        double squared[3]; /* of the side from k to the next */
+        for (int k = 0; k < 3; k++) {
+            squared[k] = greater(vec3_norm_squared(vec3_sub(x[(k + 1) % 3], x[k])), 1e-300);
+        }
+        for (int k = 0; k < 3; k++) {
+            double weight = 1.0 / (squared[k] * squared[(k + 2) % 3]);
+            normals[node[k]] = vec3_add_scaled(normals[node[k]], weight, normal);
+        }
+    }
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        normals[i] = vec3_unit_or(normals[i], vec3_make(0.0, 1.0, 0.0));
+    }
+}
+
+static visual_side side_between(const wall *w, uint32_t a, uint32_t b)
+{
+    const vec3 *x = w->drain->x;
+    const vec3 ends[2] = {x[a], x[b]}, normals[2] = {w->normals[a], w->normals[b]};
+    return vbss_visual_side(ends, normals);
+}
+
+/* As many as the side needs that is bent most. */
+static uint32_t divisions_of(const wall *w)
+{
+    double rise = 0.0;
+    for (uint32_t i = 0; i < w->drain->mesh.side_count; i++) {
+        const uint32_t *node = w->drain->mesh.sides[i].nodes;
+        const visual_side side = side_between(w, node[0], node[1]);
+        rise = greater(rise, vbss_visual_side_rise(&side));
+    }
+    double divisions = sqrt(rise / w->v->config.surface_tolerance);
+    return (uint32_t)greater(lesser(divisions, w->v->config.division_limit) + 0.999, 1.0);
+}
+
+/* ---- vertices */
+
+/* What a node has beside its place. */
+typedef struct matter {
+    vec3 rest;
+    double texture[2];
+} matter;
+
+static matter matter_at(const wall *w, uint32_t node)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    const matter at = {m->rest[node], {m->material[node][1], fabs(m->material[node][0])}};
+    return at;
+}
+
+static matter mixed(const matter *of, const double *weights, int count)
+{
+    matter sum = {vec3_zero(), {0.0, 0.0}};
+    for (int k = 0; k < count; k++) {
+        sum.rest = vec3_add_scaled(sum.rest, weights[k], of[k].rest);
+        sum.texture[0] += weights[k] * of[k].texture[0];
+        sum.texture[1] += weights[k] * of[k].texture[1];
+    }
+    return sum;
+}
+
+static void put_faces(const wall *w, uint32_t index, vec3 middle, vec3 normal, const matter *m)
+{
+    visual_point p = {vec3_add_scaled(middle, w->half, normal),
+                      normal,
+                      {m->texture[0], m->texture[1]},
+                      m->rest,
+                      1.0};
+    visual_put(w->v, w->frame, w->first + index, &p);
+    p.position = vec3_add_scaled(middle, -w->half, normal);
+    p.normal = vec3_neg(normal);
+    p.value = -1.0;
+    visual_put(w->v, w->frame, w->first + w->face + index, &p);
+}
+
+static void put_nodes(const wall *w)
+{
+    for (uint32_t i = 0; i < w->drain->mesh.node_count; i++) {
+        const matter m = matter_at(w, i);
+        put_faces(w, i, w->drain->x[i], w->normals[i], &m);
+    }
+}
+
+static void put_sides(const wall *w)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    const uint32_t inner = w->divisions - 1;
+    for (uint32_t i = 0; i < m->side_count; i++) {
+        const uint32_t *node = m->sides[i].nodes;
+        const visual_side side = side_between(w, node[0], node[1]);
+        const matter ends[2] = {matter_at(w, node[0]), matter_at(w, node[1])};
+        for (uint32_t k = 0; k < inner; k++) {
+            double share = (double)(k + 1) / (double)w->divisions;
+            const double weights[2] = {1.0 - share, share};
+            vec3 normal, x = vbss_visual_side_point(&side, share, &normal);
+            const matter at = mixed(ends, weights, 2);
+            put_faces(w, m->node_count + i * inner + k, x, normal, &at);
+        }
+    }
+}
+
+/* Vertices strictly inside of a divided triangle. */
+static uint32_t inside_count(uint32_t divisions)
+{
+    return divisions < 3 ? 0 : (divisions - 1) * (divisions - 2) / 2;
+}
+
+static void put_inside(const wall *w)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    const uint32_t n = w->divisions;
+    uint32_t index = m->node_count + m->side_count * (n - 1);
+    for (uint32_t t = 0; t < m->triangle_count && n > 2; t++) {
+        const uint32_t *node = m->triangles[t];
+        const visual_side sides[3] = {side_between(w, node[0], node[1]),
+                                      side_between(w, node[1], node[2]),
+                                      side_between(w, node[2], node[0])};
+        const visual_patch patch = vbss_visual_patch(sides);
+        const matter corners[3] = {matter_at(w, node[0]), matter_at(w, node[1]),
+                                   matter_at(w, node[2])};
+        for (uint32_t i = 1; i + 1 < n; i++) {
+            for (uint32_t k = 1; i + k < n; k++) {
+                const double weights[3] = {(double)(n - i - k) / (double)n, (double)i / (double)n,
+                                           (double)k / (double)n};
+                vec3 normal, x = vbss_visual_patch_point(&patch, weights, &normal);
+                const matter at = mixed(corners, weights, 3);
+                put_faces(w, index++, x, normal, &at);
+            }
+        }
+    }
+}
+
+/* ---- triangles */
+
+static uint32_t side_of(const drain_mesh *m, uint32_t a, uint32_t b)
+{
+    const uint32_t low = a < b ? a : b, high = a < b ? b : a;
+    uint32_t side = m->first_side[low];
+    while (m->sides[side].nodes[0] + m->sides[side].nodes[1] != low + high) {
+        side = m->next_side[side];
+    }
+    return side;
+}
+
+/* The vertex k divisions from a toward b. */
+static uint32_t on_side(const wall *w, uint32_t side, uint32_t a, uint32_t b, uint32_t k)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    if (k == 0 || k == w->divisions) {
+        return k == 0 ? a : b;
+    }
+    uint32_t from_first = m->sides[side].nodes[0] == a ? k : w->divisions - k;
+    return m->node_count + side * (w->divisions - 1) + from_first - 1;
+}
+
+/* Of a triangle: its nodes, sides, and first vertex inside. */
+typedef struct lattice {
+    const uint32_t *node;
+    uint32_t side[3], inside;
+} lattice;
+
+/* The vertex i divisions toward the second corner and k toward the third. */
+static uint32_t vertex_at(const wall *w, const lattice *l, uint32_t i, uint32_t k)
+{
+    const uint32_t n = w->divisions, *node = l->node;
+    if (k == 0) {
+        return on_side(w, l->side[0], node[0], node[1], i);
+    }
+    if (i == 0) {
+        return on_side(w, l->side[2], node[0], node[2], k);
+    }
+    if (i + k == n) {
+        return on_side(w, l->side[1], node[1], node[2], k);
+    }
+    /* Rows 1 to i - 1 have n - 2, n - 3, ... vertices inside. */
+    return l->inside + (i - 1) * (2 * n - 2 - i) / 2 + k - 1;
+}
+
+static void join_faces(const wall *w, uint32_t a, uint32_t b, uint32_t c)
+{
+    const uint32_t outer = w->first, inner = w->first + w->face;
+    visual_join(w->v, w->frame, outer + a, outer + b, outer + c);
+    visual_join(w->v, w->frame, inner + a, inner + c, inner + b);
+}
+
+static void join_triangles(const wall *w)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    const uint32_t n = w->divisions;
+    lattice l = {NULL, {0, 0, 0}, m->node_count + m->side_count * (n - 1)};
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
+        l.node = m->triangles[t];
+        for (int k = 0; k < 3; k++) {
+            l.side[k] = side_of(m, l.node[k], l.node[(k + 1) % 3]);
+        }
+        for (uint32_t i = 0; i < n; i++) {
+            for (uint32_t k = 0; i + k < n; k++) {
+                uint32_t b = vertex_at(w, &l, i + 1, k), c = vertex_at(w, &l, i, k + 1);
+                join_faces(w, vertex_at(w, &l, i, k), b, c);
+                if (i + k + 1 < n) {
+                    join_faces(w, b, vertex_at(w, &l, i + 1, k + 1), c);
+                }
+            }
+        }
+        l.inside += inside_count(n);
+    }
+}
+
+/* ---- rims: flat strips from face to face, with vertices of their own, as what is cut has sharp edges */
+
+static void put_rim(const wall *w, const visual_side *side, double share, const matter *at)
+{
+    const uint32_t first = w->frame->vertex_count;
+    vec3 normal, middle = vbss_visual_side_point(side, share, &normal);
+    vec3 chord = vec3_sub(side->corner[1], side->corner[0]);
+    vec3 out = vec3_cross(chord, normal);
+    visual_point p = {vec3_add_scaled(middle, w->half, normal),
+                      vec3_unit_or(out, normal),
+                      {at->texture[0], at->texture[1]},
+                      at->rest,
+                      0.0};
+    w->frame->vertex_count += 2;
+    visual_put(w->v, w->frame, first, &p);
+    p.position = vec3_add_scaled(middle, -w->half, normal);
+    visual_put(w->v, w->frame, first + 1, &p);
+}
+
+static void draw_rims(const wall *w)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    for (uint32_t i = 0; i < m->side_count; i++) {
+        const uint32_t *node = m->sides[i].nodes;
+        if (m->sides[i].triangles[1] != DRAIN_NONE) {
+            continue;
+        }
+        const visual_side side = side_between(w, node[0], node[1]);
+        const matter ends[2] = {matter_at(w, node[0]), matter_at(w, node[1])};
+        for (uint32_t k = 0; k <= w->divisions; k++) {
+            double share = (double)k / (double)w->divisions;
+            const double weights[2] = {1.0 - share, share};
+            const matter at = mixed(ends, weights, 2);
+            put_rim(w, &side, share, &at);
+            if (k > 0) {
+                uint32_t here = w->frame->vertex_count - 2, before = here - 2;
+                visual_join(w->v, w->frame, before, before + 1, here);
+                visual_join(w->v, w->frame, before + 1, here + 1, here);
+            }
+        }
+    }
+}
+
+/* ---- marks */
+
+static void add_marks(const wall *w)
+{
+    const drain_mesh *m = &w->drain->mesh;
+    for (int side = 0; side < 2; side++) {
+        if (m->marks[side] != DRAIN_NONE) {
+            vbss_visual_add_spot(w->v, w->frame, VBSS_SPOT_MARK, m->rest[m->marks[side]],
+                                 w->v->config.mark_radius);
+        }
+    }
+}
+
+void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const drain_object *d)
+{
+    const drain_mesh *m = &d->mesh;
+    wall w = {v, f, d, v->bends, 1, f->vertex_count, 0, 0.5 * d->config.thickness};
+    find_normals(d, v->bends);
+    w.divisions = divisions_of(&w);
+    w.face = m->node_count + m->side_count * (w.divisions - 1) +
+             m->triangle_count * inside_count(w.divisions);
+    f->vertex_count += 2 * w.face;
+    put_nodes(&w);
+    put_sides(&w);
+    put_inside(&w);
+    join_triangles(&w);
+    draw_rims(&w);
+    add_marks(&w);
+}

@@ -1,0 +1,181 @@
+/* Lofts: a section carried along a line, ring by ring, with domes at its ends. */
+#include "visual/visual.h"
+
+/* ---- sections */
+
+/* Between a circle and the polygon in it there are r (1 - cos(pi / n)) <= r (pi / n)^2 / 2. */
+static uint32_t sides_of(const visual_object *v, double radius)
+{
+    double sides = VISUAL_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
+    double limited = lesser(greater(sides, 6.0), v->config.side_limit);
+    return (uint32_t)(limited + 0.999);
+}
+
+static void add_point(visual_section *s, double u, double v, double nu, double nv, double around)
+{
+    s->at[s->count][0] = u;
+    s->at[s->count][1] = v;
+    s->normal[s->count][0] = nu;
+    s->normal[s->count][1] = nv;
+    s->around[s->count] = around;
+    s->joined[s->count++] = true;
+}
+
+void vbss_visual_round_section(const visual_object *v, double radius, visual_section *section)
+{
+    const uint32_t sides = sides_of(v, radius);
+    section->count = 0;
+    section->dome = (sides + 3) / 4 < 2 ? 2 : (sides + 3) / 4;
+    for (uint32_t i = 0; i <= sides; i++) {
+        double share = (double)i / (double)sides, sine, cosine;
+        vbss_sincos(i == sides ? 0.0 : 2.0 * VISUAL_PI * share, &sine, &cosine);
+        add_point(section, cosine, sine, cosine, sine, share); /* the seam is a point twice */
+    }
+    section->joined[sides] = false;
+}
+
+void vbss_visual_jaw_section(const visual_object *v, double radius, visual_section *section)
+{
+    const uint32_t sides = (sides_of(v, radius) + 1) / 2;
+    section->count = 0;
+    section->dome = (sides + 1) / 2 < 2 ? 2 : (sides + 1) / 2;
+    add_point(section, -1.0, -1.0, 0.0, -1.0, 0.0);
+    for (uint32_t i = 0; i <= sides; i++) {
+        double share = (double)i / (double)sides, sine, cosine;
+        vbss_sincos(VISUAL_PI * (share - 0.5), &sine, &cosine);
+        add_point(section, cosine, sine, cosine, sine, 0.15 + 0.4 * share);
+    }
+    add_point(section, -1.0, 1.0, 0.0, 1.0, 0.7);
+    section->joined[section->count - 1] = false;
+    add_point(section, -1.0, 1.0, -1.0, 0.0, 0.7);
+    add_point(section, -1.0, -1.0, -1.0, 0.0, 1.0);
+    section->joined[section->count - 1] = false;
+}
+
+double vbss_visual_chord(double curvature, double tolerance)
+{
+    return sqrt(8.0 * tolerance / greater(curvature, 1e-12));
+}
+
+/* ---- rings */
+
+visual_loft vbss_visual_begin_loft(const visual_object *v, visual_frame *f,
+                                   const visual_section *section)
+{
+    visual_loft loft = {v, f, section, 0, false, false};
+    return loft;
+}
+
+static void join_rings(const visual_loft *l, uint32_t ring)
+{
+    for (uint32_t i = 0; i + 1 < l->section->count; i++) {
+        if (l->section->joined[i]) {
+            uint32_t a = l->before + i, b = ring + i;
+            visual_join(l->v, l->frame, a, a + 1, b);
+            visual_join(l->v, l->frame, a + 1, b + 1, b);
+        }
+    }
+}
+
+/* The ring comes behind the pole, or before it. */
+static void join_pole(const visual_loft *l, uint32_t pole, uint32_t ring, bool behind)
+{
+    for (uint32_t i = 0; i + 1 < l->section->count; i++) {
+        if (l->section->joined[i]) {
+            uint32_t a = ring + i, b = ring + i + 1;
+            visual_join(l->v, l->frame, pole, behind ? b : a, behind ? a : b);
+        }
+    }
+}
+
+void vbss_visual_add_ring(visual_loft *loft, const visual_ring *ring)
+{
+    const visual_section *s = loft->section;
+    const uint32_t first = loft->frame->vertex_count;
+    const vec3 second = vec3_cross(ring->tangent, ring->normal);
+    loft->frame->vertex_count += s->count;
+    for (uint32_t i = 0; i < s->count; i++) {
+        vec3 across = vec3_add_scaled(vec3_scale(ring->normal, s->at[i][0]), s->at[i][1], second);
+        vec3 out =
+            vec3_add_scaled(vec3_scale(ring->normal, s->normal[i][0]), s->normal[i][1], second);
+        out = vec3_add_scaled(vec3_scale(out, ring->radial), ring->axial, ring->tangent);
+        visual_point p = {
+            vec3_add_scaled(ring->centre, ring->radius, across),
+            out,
+            {s->around[i], ring->along},
+            vec3_make(ring->along, ring->radius * s->at[i][0], ring->radius * s->at[i][1]),
+            ring->value};
+        visual_put(loft->v, loft->frame, first + i, &p);
+    }
+    if (loft->begun && loft->pole) {
+        join_pole(loft, loft->before, first, true);
+    } else if (loft->begun) {
+        join_rings(loft, first);
+    }
+    loft->before = first;
+    loft->begun = true;
+    loft->pole = false;
+}
+
+void vbss_visual_add_pole(visual_loft *loft, const visual_ring *ring)
+{
+    const uint32_t index = loft->frame->vertex_count++;
+    vec3 out = vec3_scale(ring->tangent, loft->begun ? 1.0 : -1.0);
+    visual_point p = {
+        ring->centre, out, {0.5, ring->along}, vec3_make(ring->along, 0.0, 0.0), ring->value};
+    visual_put(loft->v, loft->frame, index, &p);
+    if (loft->begun) {
+        join_pole(loft, index, loft->before, false);
+    }
+    loft->before = index;
+    loft->begun = loft->pole = true;
+}
+
+void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool before)
+{
+    const uint32_t rings = loft->section->dome;
+    const double way = before ? -1.0 : 1.0;
+    visual_ring r = *ring;
+    for (uint32_t k = 0; k <= rings; k++) {
+        /* From the pole to the ring, or the other way; the ring itself is its maker's. */
+        uint32_t step = before ? rings - k : k;
+        double sine, cosine;
+        vbss_sincos(0.5 * VISUAL_PI * ((double)step / (double)rings), &sine, &cosine);
+        if (step == 0) {
+            continue;
+        }
+        double beyond = way * ring->radius * sine;
+        r.centre = vec3_add_scaled(ring->centre, beyond, ring->tangent);
+        r.along = ring->along + beyond;
+        r.radius = ring->radius * cosine;
+        r.radial = cosine;
+        r.axial = way * sine;
+        if (step == rings) {
+            vbss_visual_add_pole(loft, &r);
+        } else {
+            vbss_visual_add_ring(loft, &r);
+        }
+    }
+}
+
+void vbss_visual_add_capsule(const visual_object *v, visual_frame *f, const visual_section *section,
+                             const visual_capsule *c)
+{
+    const double length = vec3_dot(vec3_sub(c->end, c->begin), c->tangent);
+    visual_loft loft = vbss_visual_begin_loft(v, f, section);
+    visual_ring ring = {c->begin, c->tangent, c->normal, c->radius, 1.0, 0.0, 0.0, c->value};
+    vbss_visual_add_dome(&loft, &ring, true);
+    /* Where it becomes thinner, normals lean forward. */
+    double lean = length > 0.0 ? (c->radius - c->end_radius) / length : 0.0;
+    double scale = 1.0 / sqrt(1.0 + lean * lean);
+    ring.radial = scale;
+    ring.axial = lean * scale;
+    vbss_visual_add_ring(&loft, &ring);
+    if (length > 0.0) {
+        ring.centre = c->end;
+        ring.along = length;
+        ring.radius = c->end_radius;
+        vbss_visual_add_ring(&loft, &ring);
+    }
+    vbss_visual_add_dome(&loft, &ring, false);
+}

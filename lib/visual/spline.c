@@ -1,0 +1,44 @@
+/* The line of a thread: the natural cubic spline through its nodes (de Boor, A Practical Guide to Splines, chapter IV), whose
+ * parameter is the unstretched length. So a short segment between long ones has its own share of the way, and the spline
+ * moves evenly with the nodes. */
+#include "visual/visual.h"
+
+void vbss_visual_spline(const vec3 *x, const double *lengths, uint32_t node_count, vec3 *bends,
+                        double *ratios)
+{
+    const uint32_t last = node_count - 1;
+    bends[0] = bends[last] = vec3_zero();
+    ratios[0] = 0.0;
+    if (last < 2) {
+        return;
+    }
+    vec3 chord = vec3_scale(vec3_sub(x[1], x[0]), 1.0 / lengths[0]);
+    for (uint32_t i = 1; i < last; i++) {
+        vec3 next = vec3_scale(vec3_sub(x[i + 1], x[i]), 1.0 / lengths[i]);
+        vec3 right = vec3_scale(vec3_sub(next, chord), 6.0);
+        double pivot = 2.0 * (lengths[i - 1] + lengths[i]) - lengths[i - 1] * ratios[i - 1];
+        ratios[i] = lengths[i] / pivot;
+        right = vec3_add_scaled(right, -lengths[i - 1], bends[i - 1]);
+        bends[i] = vec3_scale(right, 1.0 / pivot);
+        chord = next;
+    }
+    for (uint32_t i = last - 1; i > 0; i--) {
+        bends[i] = vec3_add_scaled(bends[i], -ratios[i], bends[i + 1]);
+    }
+}
+
+vec3 vbss_visual_segment_point(const visual_segment *s, double share)
+{
+    double b = share, a = 1.0 - share, sixth = s->length * s->length / 6.0;
+    vec3 point = vec3_lerp(s->begin, s->end, share);
+    point = vec3_add_scaled(point, (a * a * a - a) * sixth, s->bend_begin);
+    return vec3_add_scaled(point, (b * b * b - b) * sixth, s->bend_end);
+}
+
+vec3 vbss_visual_segment_slope(const visual_segment *s, double share)
+{
+    double b = share, a = 1.0 - share, sixth = s->length / 6.0;
+    vec3 slope = vec3_scale(vec3_sub(s->end, s->begin), 1.0 / s->length);
+    slope = vec3_add_scaled(slope, (1.0 - 3.0 * a * a) * sixth, s->bend_begin);
+    return vec3_add_scaled(slope, (3.0 * b * b - 1.0) * sixth, s->bend_end);
+}

@@ -1,0 +1,221 @@
+/* How visuals begin and end, what they are told to show, and what they hand out. */
+#include "visual/visual.h"
+
+_Static_assert(sizeof(visual_vertex) == 48, "floats side by side");
+_Static_assert(sizeof(visual_spot) == 24, "floats side by side");
+_Static_assert(sizeof(visual_part) == 32, "numbers side by side");
+_Static_assert(sizeof(vbss_visual_statistics) == 32, "published size");
+
+static const uint32_t statistics_sizes[] = {32, 0};
+static const vbss_layout statistics_layout = {"vbss_visual_statistics", NULL, statistics_sizes};
+
+/* ---- life */
+
+enum { ARRAYS_OF_FRAME = 5, ARRAYS = 2 * ARRAYS_OF_FRAME + 3 };
+
+static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAYS])
+{
+    const vbss_visual_config *c = &v->config;
+    uint32_t n = 0;
+    for (int i = 0; i < 2; i++) {
+        visual_frame *f = &v->frames[i];
+        arrays[n++] = (vbss_array){&f->vertices, c->vertex_capacity, sizeof *f->vertices};
+        arrays[n++] = (vbss_array){&f->triangles, c->triangle_capacity, sizeof *f->triangles};
+        arrays[n++] = (vbss_array){&f->parts, c->part_capacity, sizeof *f->parts};
+        arrays[n++] = (vbss_array){&f->spots, c->spot_capacity, sizeof *f->spots};
+        arrays[n++] = (vbss_array){&f->trunks, c->part_capacity, sizeof *f->trunks};
+    }
+    arrays[n++] = (vbss_array){&v->sources, c->source_capacity, sizeof *v->sources};
+    arrays[n++] = (vbss_array){&v->bends, c->node_capacity, sizeof *v->bends};
+    arrays[n++] = (vbss_array){&v->ratios, c->node_capacity, sizeof *v->ratios};
+    return n;
+}
+
+static void free_visual(vbss_context *context, void *object)
+{
+    visual_object *v = object;
+    vbss_array arrays[ARRAYS];
+    vbss_release_arrays(context, arrays, list_arrays(v, arrays));
+    vbss_release(context, v, 1, sizeof *v);
+}
+
+/* A picture is no state: there is nothing to save. */
+const vbss_kind vbss_visual_kind_of_slot = {"visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual,
+                                            NULL};
+
+static vbss_result allocate(vbss_context *context, const vbss_visual_config *config,
+                            visual_object **visual)
+{
+    vbss_array arrays[ARRAYS];
+    visual_object *v = vbss_allocate(context, 1, sizeof *v, "visual");
+    if (v == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    v->context = context;
+    v->config = *config;
+    v->origin = vec3_load(config->origin);
+    vbss_result result = vbss_allocate_arrays(context, arrays, list_arrays(v, arrays), "visual");
+    if (result != VBSS_OK) {
+        free_visual(context, v);
+        return result;
+    }
+    *visual = v;
+    return VBSS_OK;
+}
+
+vbss_result vbss_visual_create(vbss_context *context, const vbss_visual_config *config,
+                               vbss_visual **visual)
+{
+    if (visual == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, visual, "visual");
+    }
+    *visual = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_visual_config own;
+    visual_object *v;
+    vbss_slot *slot;
+    VBSS_TRY(vbss_visual_read_config(context, config, &own));
+    VBSS_TRY(allocate(context, &own, &v));
+    vbss_result result = vbss_slot_create(context, &vbss_visual_kind_of_slot, v, &slot);
+    if (result != VBSS_OK) {
+        free_visual(context, v);
+        return result;
+    }
+    *visual = (vbss_visual *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_visual_destroy(vbss_visual *visual)
+{
+    return vbss_slot_destroy(visual, &vbss_visual_kind_of_slot);
+}
+
+/* ---- what it shows */
+
+static vbss_result add(vbss_visual *visual, const void *handle, const vbss_kind *kind,
+                       uint32_t *number)
+{
+    vbss_slot *slot, *shown;
+    VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
+    visual_object *v = slot->object;
+    VBSS_TRY(vbss_slot_open(handle, kind, &shown));
+    if (shown->context != v->context) {
+        return vbss_fail(v->context, VBSS_ERROR_INVALID_HANDLE,
+                         "%s %llu belongs to another context", kind->name,
+                         (unsigned long long)shown->ordinal);
+    }
+    for (uint32_t i = 0; i < v->config.source_capacity; i++) {
+        if (v->sources[i].number == 0) {
+            v->sources[i] = (visual_source){++v->last_source, kind, handle};
+            if (number != NULL) {
+                *number = v->last_source;
+            }
+            return VBSS_OK;
+        }
+    }
+    return vbss_fail(v->context, VBSS_ERROR_CAPACITY, "the visual has room for %u sources",
+                     v->config.source_capacity);
+}
+
+vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scene, uint32_t *source)
+{
+    return add(visual, scene, &vbss_scene_kind, source);
+}
+
+vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *thread, uint32_t *source)
+{
+    return add(visual, thread, &vbss_thread_kind, source);
+}
+
+vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drain, uint32_t *source)
+{
+    return add(visual, drain, &vbss_drain_kind, source);
+}
+
+vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *needle, uint32_t *source)
+{
+    return add(visual, needle, &vbss_needle_kind, source);
+}
+
+vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *grasper, uint32_t *source)
+{
+    return add(visual, grasper, &vbss_grasper_kind_of_slot, source);
+}
+
+vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
+    visual_object *v = slot->object;
+    for (uint32_t i = 0; i < v->config.source_capacity; i++) {
+        if (source != 0 && v->sources[i].number == source) {
+            v->sources[i] = (visual_source){0, NULL, NULL};
+            return VBSS_OK;
+        }
+    }
+    return vbss_fail(v->context, VBSS_ERROR_OUT_OF_RANGE, "the visual has no source %u", source);
+}
+
+/* ---- what it hands out */
+
+vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, vbss_view *view,
+                                 uint32_t struct_size)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(visual, &vbss_visual_kind_of_slot, &slot));
+    const visual_object *v = slot->object;
+    const visual_frame *f = &v->frames[v->front];
+    vbss_view own = {.type = VBSS_TYPE_F32, .generation = v->generation};
+    switch (field) {
+    case VBSS_VISUAL_VIEW_VERTICES:
+        own.components = 12;
+        own.stride_bytes = sizeof *f->vertices;
+        own.count = f->vertex_count;
+        own.data = f->vertices;
+        break;
+    case VBSS_VISUAL_VIEW_TRIANGLES:
+        own.type = VBSS_TYPE_U32;
+        own.components = 3;
+        own.stride_bytes = sizeof *f->triangles;
+        own.count = f->triangle_count;
+        own.data = f->triangles;
+        break;
+    case VBSS_VISUAL_VIEW_PARTS:
+        own.type = VBSS_TYPE_U32;
+        own.components = 8;
+        own.stride_bytes = sizeof *f->parts;
+        own.count = f->part_count;
+        own.data = f->parts;
+        break;
+    case VBSS_VISUAL_VIEW_SPOTS:
+        own.components = 6;
+        own.stride_bytes = sizeof *f->spots;
+        own.count = f->spot_count;
+        own.data = f->spots;
+        break;
+    default:
+        return vbss_fail(v->context, VBSS_ERROR_OUT_OF_RANGE, "a visual has no field %d", field);
+    }
+    return vbss_struct_write(v->context, &vbss_view_layout, &own, view, struct_size);
+}
+
+vbss_result vbss_visual_get_statistics(vbss_visual *visual, vbss_visual_statistics *statistics,
+                                       uint32_t struct_size)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(visual, &vbss_visual_kind_of_slot, &slot));
+    const visual_object *v = slot->object;
+    const visual_frame *f = &v->frames[v->front];
+    vbss_visual_statistics own = {.struct_size = sizeof own,
+                                  .parts = f->part_count,
+                                  .vertices = f->vertex_count,
+                                  .triangles = f->triangle_count,
+                                  .spots = f->spot_count,
+                                  .updates = v->updates};
+    for (uint32_t i = 0; i < v->config.source_capacity; i++) {
+        own.sources += v->sources[i].number != 0;
+    }
+    return vbss_struct_write(v->context, &statistics_layout, &own, statistics, struct_size);
+}
