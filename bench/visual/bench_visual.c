@@ -3,7 +3,7 @@
  *   thread  240 segments in a tight helix of eight turns, which swings
  *   drain   of default mesh, whose slit is pulled
  *   task    both, a needle and two graspers
- * at the default tolerances, and at a fifth of them. Beside the time: vertices, triangles and bytes that a renderer gets. */
+ * at the default tolerances, and at a third of them. Beside the time: vertices, triangles and bytes that a renderer gets. */
 #include <math.h>
 
 #include "harness/bench.h"
@@ -19,11 +19,11 @@ typedef struct show {
 } show;
 
 static const show shows[] = {{"visual/thread/default", true, false, false, 1.0},
-                             {"visual/thread/fine", true, false, false, 5.0},
+                             {"visual/thread/fine", true, false, false, 3.0},
                              {"visual/drain/default", false, true, false, 1.0},
-                             {"visual/drain/fine", false, true, false, 5.0},
+                             {"visual/drain/fine", false, true, false, 3.0},
                              {"visual/task/default", true, true, true, 1.0},
-                             {"visual/task/fine", true, true, true, 5.0}};
+                             {"visual/task/fine", true, true, true, 3.0}};
 
 /* One case runs at a time. */
 static vbss_context *context;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include <vblast_ss/needle.h>
+#include <vblast_ss/visual.h>
 
 #include "scenes/collision_sets.h"
 #include "scenes/device_run.h"
@@ -617,21 +618,50 @@ static void run_stitch(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
-/* ---- the task while that throw is tied, with detector and metrics, hashed after every 10 steps */
+/* ---- what is drawn of tools, a thread that they cut, a drain and a needle, hashed after every 5 steps */
 
-static void run_session(uint64_t *hashes, size_t count)
+static uint64_t hash_of_picture(vbss_visual *visual)
 {
-    static session_scene scene;
-    vbss_session *session;
+    vbss_view vertices, triangles;
+    vbss_stream stream;
+    must(vbss_visual_update(visual));
+    must(vbss_visual_get_view(visual, VBSS_VISUAL_VIEW_VERTICES, &vertices, sizeof vertices));
+    must(vbss_visual_get_view(visual, VBSS_VISUAL_VIEW_TRIANGLES, &triangles, sizeof triangles));
+    vbss_stream_begin_hash(&stream);
+    const float *numbers = vertices.data;
+    for (uint64_t i = 0; i < 12 * vertices.count; i++) {
+        add(&stream, (double)numbers[i]);
+    }
+    const uint32_t *corners = triangles.data;
+    for (uint64_t i = 0; i < 3 * triangles.count; i++) {
+        uint32_t corner = corners[i];
+        vbss_stream_u32(&stream, 2, &corner, 1);
+    }
+    return vbss_hash_end(&stream.hash);
+}
+
+static void run_visual(uint64_t *hashes, size_t count)
+{
     vbss_context *context;
+    vbss_drain_config drain_config;
+    vbss_drain *drain;
+    vbss_needle *needle;
+    vbss_visual *visual;
+    tool_run run;
     must(vbss_context_create(NULL, &context));
-    must(session_scene_tying(context, 5, &scene));
-    must(vbss_session_create(scene.scene, &scene.config, &session));
+    must(tool_run_create(context, VBSS_METHOD_OURS, &run));
+    must(vbss_drain_config_init(&drain_config, sizeof drain_config));
+    must(vbss_drain_create(context, &drain_config, &drain));
+    must(vbss_needle_create(context, NULL, &needle));
+    must(vbss_visual_create(context, NULL, &visual));
+    must(vbss_visual_add_scene(visual, run.scene, NULL));
+    must(vbss_visual_add_drain(visual, drain, NULL));
+    must(vbss_visual_add_needle(visual, needle, NULL));
     for (size_t i = 0; i < count; i++) {
-        for (int k = 0; k < 10; k++) {
-            must(session_scene_tie(&scene, session, NULL));
+        for (int k = 0; k < 5; k++) {
+            must(tool_run_step(&run));
         }
-        must(vbss_session_get_hash(session, &hashes[i]));
+        hashes[i] = hash_of_picture(visual);
     }
     must(vbss_context_destroy(context));
 }
@@ -659,7 +689,8 @@ const golden_scene golden_scenes[] = {
     {"drain-hands", 64, 3, run_drain_hands}, /* the thread is there at once, the tool at 2 */
     {"needle-hands", NEEDLE_SCENE_STEPS / 10, 32, run_needle_hands}, /* held on the floor at 31 */
     {"paper-needle", PAPER_NEEDLE_SCENE_STEPS / 10, 20,
-     run_paper_needle},                                /* through a wall at 17 */
+     run_paper_needle}, /* through a wall at 17 */
+    {"visual", TOOL_RUN_STEPS / 5, 4, run_visual},
     {"stitch", STITCH_TIE_STEPS / 10, 12, run_stitch}, /* shut at 60; hands draw from 10 on */
     {"session", 64, 2, run_session},                   /* tied at 14, seated at 56 */
 };

@@ -9,7 +9,7 @@
         print(thread.positions[-1], thread.energies.total)
 
 Objects: Context, Thread, Drain, Needle, Grasper, Scene, KnotDetector, Collision, Device, Mock, Output, Metrics,
-Record, Replay, Session. Settings are keywords over the library's defaults; failures are exceptions (vblast_ss.errors); arrays are
+Record, Replay, Visual. Settings are keywords over the library's defaults; failures are exceptions (vblast_ss.errors); arrays are
 read-only views without a copy (vblast_ss.views says how long they are good). SI units everywhere. The page
 docs/python.md tells more; vblast_ss._api is the C interface as it is."""
 from __future__ import annotations
@@ -31,6 +31,7 @@ from .scene import *  # noqa: F401,F403
 from .sessions import *  # noqa: F401,F403
 from .thread import *  # noqa: F401,F403
 from .views import View
+from .visual import *  # noqa: F401,F403
 
 __version__ = version()
 

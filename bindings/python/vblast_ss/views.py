@@ -58,12 +58,13 @@ class Rows:
 def array_of(memory: Memory, view: vbss_view) -> Array:
     """What a view of the library describes."""
     size = 8 if view.type == Type.F64 else 4
+    letter = {Type.F64: "d", Type.U32: "I", Type.F32: "f"}[Type(view.type)]
     count, components, stride = view.count, view.components, view.stride_bytes
     used = (count - 1) * stride + components * size if count else 0
     data = memory.look(view.data, used) if count else memoryview(b"")
     np = numpy()
     if np is not None:
-        kind = np.float64 if size == 8 else np.uint32
+        kind = {"d": np.float64, "I": np.uint32, "f": np.float32}[letter]
         shape = (count,) if components == 1 else (count, components)
         if not count:
             empty = np.empty(shape, kind)
@@ -75,7 +76,7 @@ def array_of(memory: Memory, view: vbss_view) -> Array:
         # Through frombuffer: of a bare memoryview numpy would take what is behind it, which can be written.
         raw = np.frombuffer(data, np.uint8)
         return np.ndarray(shape, kind, raw, 0, (stride,) if components == 1 else (stride, size))
-    numbers = data.cast("d" if size == 8 else "I")
+    numbers = data.cast(letter)
     return numbers if components == 1 else Rows(numbers, count, components, stride // size)
 
 

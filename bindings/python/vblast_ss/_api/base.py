@@ -73,6 +73,8 @@ class Type(IntEnum):
     """double"""
     U32 = 2
     """uint32_t"""
+    F32 = 3
+    """float, of 32 bits; only what is drawn"""
 
 
 class vbss_context(ctypes.Structure):
