@@ -40,8 +40,14 @@ static void free_visual(vbss_context *context, void *object)
 }
 
 /* A picture is no state: there is nothing to save. */
+static void visit_nothing(vbss_stream *stream, void *object)
+{
+    (void)stream;
+    (void)object;
+}
+
 const vbss_kind vbss_visual_kind_of_slot = {"visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual,
-                                            NULL};
+                                            visit_nothing};
 
 static vbss_result allocate(vbss_context *context, const vbss_visual_config *config,
                             visual_object **visual)

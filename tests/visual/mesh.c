@@ -49,6 +49,12 @@ static int compare_places(const void *a, const void *b)
     return p->vertex < q->vertex ? -1 : 1;
 }
 
+static bool is_same_place(const place *a, const place *b)
+{
+    return !(a->x[0] < b->x[0] || a->x[0] > b->x[0] || a->x[1] < b->x[1] || a->x[1] > b->x[1] ||
+             a->x[2] < b->x[2] || a->x[2] > b->x[2]);
+}
+
 static int compare_sides(const void *a, const void *b)
 {
     const uint64_t p = *(const uint64_t *)a, q = *(const uint64_t *)b;
@@ -58,8 +64,8 @@ static int compare_sides(const void *a, const void *b)
 /* The least vertex at the same place, for each vertex of a part. */
 static uint32_t *weld(const drawn *d, const visual_part *part)
 {
-    place *places = calloc(part->vertex_count, sizeof *places);
-    uint32_t *same = calloc(part->vertex_count, sizeof *same);
+    place *places = calloc(part->vertex_count + 1, sizeof *places);
+    uint32_t *same = calloc(part->vertex_count + 1, sizeof *same);
     assert_non_null(places);
     assert_non_null(same);
     for (uint32_t i = 0; i < part->vertex_count; i++) {
@@ -68,7 +74,7 @@ static uint32_t *weld(const drawn *d, const visual_part *part)
     }
     qsort(places, part->vertex_count, sizeof *places, compare_places);
     for (uint32_t i = 0, first = 0; i < part->vertex_count; i++) {
-        first = memcmp(places[i].x, places[first].x, sizeof places[i].x) == 0 ? first : i;
+        first = is_same_place(&places[i], &places[first]) ? first : i;
         same[places[i].vertex] = places[first].vertex;
     }
     free(places);
@@ -80,7 +86,7 @@ static uint64_t *list_sides(const drawn *d, const visual_part *part)
 {
     const size_t count = 3 * (size_t)part->triangle_count;
     uint32_t *same = weld(d, part);
-    uint64_t *sides = calloc(2 * count, sizeof *sides), *back = sides + count;
+    uint64_t *sides = calloc(2 * count + 1, sizeof *sides), *back = sides + count;
     assert_non_null(sides);
     for (uint32_t t = 0, n = 0; t < part->triangle_count; t++) {
         const uint32_t *corner = d->triangles[part->first_triangle + t].corner;

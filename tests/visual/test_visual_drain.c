@@ -113,7 +113,8 @@ static double deviation(const drawn *d, const drain_object *drain)
         const visual_side side = vbss_visual_side(x, normals);
         for (uint32_t k = 0; k < 20 * n; k++) {
             vec3 normal;
-            double share = (double)k / (20.0 * n), step = 1.0 / n, from = step * (k / 20);
+            const uint32_t part = k / 20;
+            double share = (double)k / (20.0 * n), step = 1.0 / n, from = step * part;
             vec3 a = vbss_visual_side_point(&side, from, &normal);
             vec3 b = vbss_visual_side_point(&side, from + step, &normal);
             vec3 chord = vec3_lerp(a, b, (share - from) / step);

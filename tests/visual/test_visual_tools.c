@@ -84,11 +84,10 @@ static void expect_within_capsules(const drawn *d, vbss_grasper *grasper)
 {
     vbss_view view;
     expect_ok(vbss_grasper_get_view(grasper, VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view));
-    const double *capsule = view.data;
     double outside = 0.0;
     for (uint32_t i = 0; i < d->vertex_count; i++) {
         double nearest = 1.0;
-        capsule = view.data;
+        const double *capsule = view.data;
         for (uint64_t k = 0; k < view.count; k++, capsule += 7) {
             vec3 a = vec3_load(capsule), b = vec3_load(capsule + 3), way = vec3_sub(b, a);
             vec3 p = position_of(d, i);

@@ -1,0 +1,26 @@
+/* Draws what a visual shows, through a laparoscope. */
+#ifndef VBSS_EXAMPLES_VIEWER_RENDERER_H
+#define VBSS_EXAMPLES_VIEWER_RENDERER_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include <vblast_ss/visual.h>
+
+#include "camera.h"
+#include "lens.h"
+#include "shadow.h"
+
+typedef struct renderer {
+    GLuint program, vertex_array, vertices, triangles;
+    shadow shadow;
+    lens lens;
+} renderer;
+
+/* An OpenGL 3.3 context must be current. False, told on standard error: it cannot do what is needed. */
+bool renderer_begin(renderer *r, int width, int height);
+void renderer_end(renderer *r);
+/* Pixels as lens_close has them. False, told, when a view or OpenGL failed. */
+bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c, uint8_t *pixels);
+
+#endif
