@@ -10,10 +10,13 @@
 camera camera_over(point3 target)
 {
     camera c = {.up = {0.0F, 0.0F, 1.0F}, .optics = 30.0F * DEGREE, .field = 56.0F * DEGREE};
-    /* The view is 48 degrees down, so the tube is 18. */
-    const float view = 48.0F * DEGREE, tube = view - c.optics, away = 0.078F, shaft = 0.1F;
-    c.tip = point3_add(target, away, (point3){0.0F, -cosf(view), sinf(view)});
-    c.port = point3_add(c.tip, shaft, (point3){0.0F, -cosf(tube), sinf(tube)});
+    /* The view is 50 degrees down, so the tube is 20; from the right, where tools do not hide what they do. */
+    const float view = 50.0F * DEGREE, tube = view - c.optics, away = 0.07F, shaft = 0.1F;
+    const float aside = sinf(24.0F * DEGREE), behind = cosf(24.0F * DEGREE);
+    c.tip =
+        point3_add(target, away, (point3){aside * cosf(view), -behind * cosf(view), sinf(view)});
+    c.port =
+        point3_add(c.tip, shaft, (point3){aside * cosf(tube), -behind * cosf(tube), sinf(tube)});
     return c;
 }
 

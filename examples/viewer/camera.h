@@ -18,7 +18,7 @@ typedef struct camera_view {
     point3 eye, lamp;
 } camera_view;
 
-/* The usual place: behind and above what is sutured at that place, looking along +y and down. */
+/* The usual place: behind, right of and above what is sutured at that place, looking along +y and down. */
 camera camera_over(point3 target);
 camera_view camera_look(const camera *c, float aspect);
 

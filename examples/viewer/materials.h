@@ -60,7 +60,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     /* what steel mirrors: a pink cavity, darker upward, with the lamp's glow */
     "vec3 cavity(vec3 way, float rough) {\n"
     "    float up = 0.5 + 0.5 * way.z;\n"
-    "    vec3 c = mix(vec3(0.30, 0.13, 0.10), vec3(0.10, 0.05, 0.05), up);\n"
+    "    vec3 c = mix(vec3(0.46, 0.24, 0.20), vec3(0.22, 0.14, 0.13), up);\n"
     "    return c + (1.0 - rough) * 0.10 * smoothstep(0.2, 0.9, sin(5.0 * way.x + 3.0 * way.z));\n"
     "}\n"
     /* GGX (Walter et al. 2007) with the visibility of Schlick, Fresnel by Schlick (1994) */
@@ -99,7 +99,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "}\n"
     "surface latex(vec3 n) {\n"
     "    float grain = rough_noise(1500.0 * place);\n"
-    "    vec3 c = vec3(0.80, 0.56, 0.30) * (0.90 + 0.2 * grain);\n"
+    "    vec3 c = vec3(0.76, 0.47, 0.20) * (0.90 + 0.2 * grain);\n"
     "    if (which < -0.5) c *= vec3(0.80, 0.66, 0.55);\n" /* within, it is seen through itself */
     "    if (abs(which) < 0.5) c = vec3(0.90, 0.70, 0.45);\n" /* cut */
     "    for (int i = 0; i < spot_count; i++) {\n"
@@ -120,7 +120,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "    float soft = rough_noise(140.0 * place), fine = rough_noise(700.0 * place);\n"
     "    float vessel = smoothstep(0.030, 0.0, abs(rough_noise(55.0 * place + 7.0) - 0.47));\n"
     "    vec3 c = mix(vec3(0.52, 0.17, 0.14), vec3(0.74, 0.36, 0.28), soft + 0.25 * fine);\n"
-    "    c = mix(c, vec3(0.40, 0.05, 0.06), 0.55 * vessel);\n"
+    "    c = mix(c, vec3(0.40, 0.05, 0.06), 0.35 * vessel);\n"
     "    vec2 bump = vec2(rough_noise(260.0 * place + 3.1), rough_noise(260.0 * place + 9.7)) - "
     "0.47;\n"
     "    return surface(c, vec3(0.035), normalize(n + 0.55 * vec3(bump, 0.0)), 0.30, 0.0, 0.25);\n"
@@ -129,11 +129,11 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "surface made_of(vec3 n) {\n"
     "    if (kind == 1) return silk(n);\n"
     "    if (kind == 2) return latex(n);\n"
-    "    if (kind == 3) return steel(n, 0.20);\n"
+    "    if (kind == 3) return steel(n, 0.26);\n"
     "    if (kind == 4 || kind == 5) {\n"
     "        if (which > 1.5) return jaw(n);\n"
     "        surface s = steel(n, which > 0.5 ? 0.30 : 0.46);\n"
-    "        if (which < 0.5) s.f0 *= 0.35;\n" /* the shaft's black coat */
+    "        if (which < 0.5) s.f0 *= 0.10;\n" /* the shaft's black coat */
     "        return s;\n"
     "    }\n"
     "    if (kind == 7) return tissue(n);\n"

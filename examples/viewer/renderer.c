@@ -7,8 +7,8 @@
 #include "shader.h"
 
 enum { FLOATS = 12, SPOTS = 32, PART_WORDS = 8, SPOT_FLOATS = 6 };
-/* Of the lamp at a metre, so that what is 80 mm away is bright. */
-#define BRIGHTNESS 0.034F
+/* Of the lamp at a metre, so that what is 70 mm away is bright. */
+#define BRIGHTNESS 0.0165F
 
 /* ---- what stays */
 
