@@ -172,6 +172,36 @@ static void frames_do_not_turn_about_the_line(void **state)
     end(&f);
 }
 
+/* Over one turn of a helix, in so many steps: how far the frame is turned from where it should be, rad. */
+static double error_of_carrying(int steps)
+{
+    const double radius = 5e-3, up = 3e-3, speed = sqrt(radius * radius + up * up);
+    const double turned = 2.0 * VISUAL_PI * up / speed; /* torsion times length, the other way */
+    vec3 before = vec3_zero(), along = vec3_zero(), normal = vec3_zero();
+    double angle = 0.0;
+    for (int i = 0; i <= steps; i++) {
+        double sine, cosine;
+        vbss_sincos(2.0 * VISUAL_PI * i / steps, &sine, &cosine);
+        vec3 at = vec3_make(radius * cosine, radius * sine, up * 2.0 * VISUAL_PI * i / steps);
+        vec3 tangent = vec3_scale(vec3_make(-radius * sine, radius * cosine, up), 1.0 / speed);
+        vec3 inward = vec3_make(-cosine, -sine, 0.0);
+        normal = i == 0 ? inward : vbss_visual_carry(before, along, normal, at, tangent);
+        angle = vbss_atan2(vec3_dot(normal, vec3_cross(tangent, inward)), vec3_dot(normal, inward));
+        before = at;
+        along = tangent;
+    }
+    double off = angle + turned;
+    return fabs(off - 2.0 * VISUAL_PI * floor(off / (2.0 * VISUAL_PI) + 0.5));
+}
+
+static void frames_are_carried_in_fourth_order(void **state)
+{
+    (void)state;
+    double coarse = error_of_carrying(16), fine = error_of_carrying(32);
+    assert_true(coarse < 2e-3);
+    assert_in_range((uint64_t)(coarse / fine + 0.5), 14, 18);
+}
+
 /* A thread that swings goes on with the frame it had, also where a frame made anew would jump. */
 static void frames_are_continuous_in_time(void **state)
 {
@@ -282,6 +312,7 @@ int test_visual_thread(void)
         harness_test(the_tube_goes_through_the_nodes),
         harness_test(the_line_keeps_its_tolerance),
         harness_test(frames_do_not_turn_about_the_line),
+        harness_test(frames_are_carried_in_fourth_order),
         harness_test(frames_are_continuous_in_time),
         harness_test(short_segments_do_no_harm),
         harness_test(vertices_tell_where_they_are_along_the_thread),
