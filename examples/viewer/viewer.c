@@ -135,6 +135,10 @@ static bool play(show *s, stitch *t, vbss_replay *replay)
             break;
         }
     }
+    if (report.outcome != VBSS_REPLAY_ENDED) {
+        fprintf(stderr, "viewer: step %llu is not as it was recorded, or the log ends there\n",
+                (unsigned long long)report.step);
+    }
     return report.outcome == VBSS_REPLAY_ENDED;
 }
 
@@ -143,11 +147,10 @@ static bool run(show *s, const replay_log *log)
     static stitch t;
     vbss_replay *replay;
     vbss_result result = begin_session(s, &t, log, &replay);
-    bool good = result == VBSS_OK && play(s, &t, replay);
-    if (!good) {
-        fprintf(stderr, "viewer: the session is not as it was recorded: %s\n",
-                vbss_result_string(result));
+    if (result != VBSS_OK) {
+        fprintf(stderr, "viewer: the log is none of this scene: %s\n", vbss_result_string(result));
     }
+    bool good = result == VBSS_OK && play(s, &t, replay);
     stand_destroy(&t.site.stand);
     return good;
 }
@@ -167,6 +170,9 @@ int main(int argc, char **argv)
     s.camera = camera_over((point3){0.0F, 0.0F, -2e-3F});
     s.pixels = calloc(3 * (size_t)s.o.width, (size_t)s.o.height);
     replay_log log = replay_read(s.o.log);
+    if (log.count == 0) {
+        fprintf(stderr, "viewer: %s cannot be read\n", s.o.log);
+    }
     bool good = s.pixels != NULL && log.count > 0 && run(&s, &log);
     printf("%u pictures in %s\n", (unsigned)s.frames, s.o.folder);
     free(log.data);
