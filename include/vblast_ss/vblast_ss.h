@@ -7,14 +7,19 @@
 #ifndef VBLAST_SS_VBLAST_SS_H
 #define VBLAST_SS_VBLAST_SS_H
 
+#include <vblast_ss/adapter.h>
 #include <vblast_ss/base.h>
 #include <vblast_ss/collision.h>
 #include <vblast_ss/device.h>
 #include <vblast_ss/drain.h>
 #include <vblast_ss/grasper.h>
+#include <vblast_ss/haptics.h>
 #include <vblast_ss/knot.h>
+#include <vblast_ss/mapping.h>
 #include <vblast_ss/metrics.h>
+#include <vblast_ss/mock.h>
 #include <vblast_ss/needle.h>
+#include <vblast_ss/output.h>
 #include <vblast_ss/record.h>
 #include <vblast_ss/scene.h>
 #include <vblast_ss/session.h>

@@ -5,11 +5,11 @@
 
 _Static_assert(sizeof(vbss_device_sample) == 160, "published size");
 _Static_assert(sizeof(vbss_device_capabilities) == 128, "published size");
-_Static_assert(sizeof(vbss_device_adapter) == 8 + 8 * sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_device_adapter) == 8 + 9 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_output_result) <= DEVICE_ROOM, "room for all structs");
 
 static const vbss_device_adapter adapter_defaults = {.struct_size = sizeof(vbss_device_adapter)};
-static const uint32_t adapter_sizes[] = {8u + 8u * (uint32_t)sizeof(void *), 0};
+static const uint32_t adapter_sizes[] = {8u + 9u * (uint32_t)sizeof(void *), 0};
 const vbss_layout vbss_device_adapter_layout = {"vbss_device_adapter", &adapter_defaults,
                                                 adapter_sizes};
 
@@ -51,6 +51,16 @@ vbss_result vbss_device_check_adapter(vbss_context *context, const vbss_device_a
     return VBSS_OK;
 }
 
+vbss_result vbss_device_give_adapter(vbss_context *context, const vbss_device_adapter *own,
+                                     vbss_device_adapter *adapter)
+{
+    VBSS_TRY(vbss_check_pointer(context, adapter, "adapter"));
+    uint32_t struct_size = adapter->struct_size;
+    VBSS_TRY(vbss_struct_write(context, &vbss_device_adapter_layout, own, adapter, struct_size));
+    adapter->struct_size = struct_size;
+    return VBSS_OK;
+}
+
 /* What an adapter finds behind a struct that it knows longer than this library is zero. */
 static void *cleared_room(device_source *s)
 {
@@ -59,7 +69,7 @@ static void *cleared_room(device_source *s)
 
 /* ---- texts */
 
-static void keep_text(char *to, size_t room, const char *from)
+void vbss_device_keep_text(char *to, size_t room, const char *from)
 {
     size_t bytes = strlen(from);
     bytes = bytes < room ? bytes : room - 1;
@@ -144,7 +154,8 @@ static vbss_result describe(vbss_context *context, device_source *s)
 
 vbss_result vbss_device_open_source(vbss_context *context, device_source *s)
 {
-    keep_text(s->name, sizeof s->name, s->adapter.name != NULL ? s->adapter.name : "device");
+    vbss_device_keep_text(s->name, sizeof s->name,
+                          s->adapter.name != NULL ? s->adapter.name : "device");
     if (s->adapter.open != NULL) {
         vbss_result result = call_open(context, s);
         if (result != VBSS_OK) {
@@ -184,11 +195,23 @@ vbss_result vbss_device_read_source(vbss_context *context, device_source *s, dou
     return result;
 }
 
+/* The coupling goes to the one that has the force, if it can do something with it. */
+static vbss_result call_write(device_source *s, double now, const vbss_device_coupling *coupling)
+{
+    const vbss_output_result *output = (const vbss_output_result *)s->room;
+    return coupling == NULL ? s->adapter.write(s->adapter.user, now, output)
+                            : s->adapter.couple(s->adapter.user, now, output, coupling);
+}
+
 bool vbss_device_write_source(vbss_context *context, device_source *s, double now,
-                              const vbss_output_result *output, uint32_t outputs)
+                              const vbss_output_result *output,
+                              const vbss_device_coupling *coupling, uint32_t outputs)
 {
     if (s->adapter.write == NULL) {
         return true;
+    }
+    if (s->adapter.couple == NULL || (outputs & VBSS_DEVICE_OUT_FORCE) == 0) {
+        coupling = NULL;
     }
     const double zero[3] = {0.0, 0.0, 0.0};
     vbss_output_result own = *output;
@@ -201,8 +224,7 @@ bool vbss_device_write_source(vbss_context *context, device_source *s, double no
     }
     memcpy(cleared_room(s), &own, sizeof own);
     bool outer = vbss_callback_begin(context);
-    vbss_result result =
-        s->adapter.write(s->adapter.user, now, (const vbss_output_result *)s->room);
+    vbss_result result = call_write(s, now, coupling);
     vbss_callback_end(context, outer);
     if (result != VBSS_OK) {
         vbss_device_note_failure(context, s, result);

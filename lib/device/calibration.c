@@ -148,6 +148,11 @@ vec3 vbss_device_torque_to_device(const vbss_device_calibration *c, const device
     return vec3_scale(mat3_transpose_mul_vec3(f->turn, v), f->parity * c->force_scale);
 }
 
+vec3 vbss_device_way_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v)
+{
+    return vec3_scale(mat3_transpose_mul_vec3(f->turn, v), 1.0 / c->scale);
+}
+
 /* ---- the workspace */
 
 uint32_t vbss_device_keep_inside(const vbss_device_calibration *c, vec3 *p)

@@ -1,7 +1,7 @@
 /* The inside of devices, shared by the files of lib/device.
  *
  * Pure parts know neither handles nor each other: calibration.c between frames, jaw.c the handle's opening,
- * motion.c velocities out of poses, judge.c what is wrong with a sample, stage.c and solenoid.c what may go out.
+ * motion.c velocities out of poses, coupling.c the force on a tied hand, judge.c what is wrong with a sample, stage.c and solenoid.c what may go out.
  * Adapters are called in adapter.c alone. On these stand device.c (life), ask.c and input.c (a read), write.c (a
  * write), control.c (clutch, stop, calibrating), views.c and state.c; output.c is the stage behind a handle of its
  * own; mock.c and mock_faults.c an adapter without hardware; mapping.c stands alone. */
@@ -9,12 +9,15 @@
 #define VBSS_DEVICE_DEVICE_H
 
 #include <vblast_ss/device.h>
+#include <vblast_ss/mapping.h>
+#include <vblast_ss/mock.h>
 
 #include "base/base.h"
 
 /* ---- layouts of the structs that cross the border */
 extern const vbss_layout vbss_device_sample_layout, vbss_device_capabilities_layout;
 extern const vbss_layout vbss_device_adapter_layout, vbss_device_calibration_layout;
+extern const vbss_layout vbss_device_coupling_layout;
 extern const vbss_layout vbss_output_config_layout, vbss_output_command_layout;
 extern const vbss_layout vbss_output_result_layout, vbss_output_statistics_layout;
 
@@ -50,6 +53,8 @@ vec3 vbss_device_velocity_to_world(const vbss_device_calibration *c, const devic
 vec3 vbss_device_spin_to_world(const device_frame *f, vec3 omega);
 vec3 vbss_device_force_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v);
 vec3 vbss_device_torque_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v);
+/* A difference of positions or a velocity. */
+vec3 vbss_device_way_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v);
 /* Into the workspace; bits of the axes that were outside. */
 uint32_t vbss_device_keep_inside(const vbss_device_calibration *c, vec3 *p);
 
@@ -95,6 +100,11 @@ typedef struct device_source {
     double time, heard; /* heard: the host's time then */
 } device_source;
 
+/* A table of this library's functions for a host. */
+vbss_result vbss_device_give_adapter(vbss_context *context, const vbss_device_adapter *own,
+                                     vbss_device_adapter *adapter);
+/* As much as there is room for. */
+void vbss_device_keep_text(char *to, size_t room, const char *from);
 vbss_result vbss_device_check_adapter(vbss_context *context, const vbss_device_adapter *a,
                                       bool first);
 /* VBSS_ERROR_DEVICE, told, and the adapter is closed; capabilities are checked. */
@@ -105,9 +115,10 @@ vbss_result vbss_device_read_source(vbss_context *context, device_source *s, dou
                                     const vbss_device_sample **sample);
 /* Keeps what the adapter returned, and what it says of that. */
 void vbss_device_note_failure(vbss_context *context, device_source *s, vbss_result result);
-/* Only what the adapter has; true when there was nothing to write. */
+/* Only what the adapter has; true when there was nothing to write. `coupling` NULL: there is none. */
 bool vbss_device_write_source(vbss_context *context, device_source *s, double now,
-                              const vbss_output_result *output, uint32_t outputs);
+                              const vbss_output_result *output,
+                              const vbss_device_coupling *coupling, uint32_t outputs);
 
 /* ---- judge.c: what is wrong with a sample, first to last */
 
@@ -175,6 +186,11 @@ extern const vbss_kind vbss_output_kind;
 void vbss_output_visit_config(vbss_stream *stream, const vbss_output_config *c);
 void vbss_output_visit(vbss_stream *stream, const vbss_output_config *c, output_state *s);
 
+/* ---- coupling.c */
+vbss_result vbss_device_check_coupling(vbss_context *context, const vbss_device_coupling *c);
+/* On a hand; of a coupling in the same frame. */
+vec3 vbss_device_coupling_force(const vbss_device_coupling *c, vec3 position, vec3 velocity);
+
 /* ---- device.c */
 
 /* A value that grows old. */
@@ -228,8 +244,10 @@ uint32_t vbss_device_driven(const device_object *d, uint32_t source);
 void vbss_device_ask(device_object *d, uint32_t source, double now);
 /* The pose that the last sample stands for, before clutch and re-centring. */
 pose vbss_device_calibrated(const device_object *d);
-/* Writes to the adapters what they have of it; VBSS_OUTPUT_NOT_WRITTEN when one did not take it. */
-uint32_t vbss_device_send(device_object *d, const vbss_output_result *result);
+/* Writes to the adapters what they have of it; VBSS_OUTPUT_NOT_WRITTEN when one did not take it. `coupling`
+ * in the device's frame, NULL: there is none. */
+uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
+                          const vbss_device_coupling *coupling);
 /* Latches the emergency stop and writes zeros at once. */
 void vbss_device_latch(device_object *d);
 void vbss_device_visit(vbss_stream *stream, void *object);

@@ -230,22 +230,18 @@ vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter)
 {
     mock_object *m;
     VBSS_TRY(open_mock(mock, &m));
-    VBSS_TRY(vbss_check_pointer(m->context, adapter, "adapter"));
-    vbss_device_adapter own;
-    VBSS_TRY(vbss_device_adapter_init(&own, sizeof own));
-    own.name = "mock";
-    own.user = mock;
-    own.open = mock_open;
-    own.close = mock_close;
-    own.describe = mock_describe;
-    own.read = mock_read;
-    own.write = mock_write;
-    own.explain = mock_explain;
-    uint32_t struct_size = adapter->struct_size;
-    VBSS_TRY(
-        vbss_struct_write(m->context, &vbss_device_adapter_layout, &own, adapter, struct_size));
-    adapter->struct_size = struct_size;
-    return VBSS_OK;
+    const vbss_device_adapter own = {
+        .struct_size = sizeof own,
+        .name = "mock",
+        .user = mock,
+        .open = mock_open,
+        .close = mock_close,
+        .describe = mock_describe,
+        .read = mock_read,
+        .write = mock_write,
+        .explain = mock_explain,
+    };
+    return vbss_device_give_adapter(m->context, &own, adapter);
 }
 
 /* ---- what hosts do with it */

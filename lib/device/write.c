@@ -3,12 +3,14 @@
 
 /* ---- to the adapters */
 
-uint32_t vbss_device_send(device_object *d, const vbss_output_result *result)
+uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
+                          const vbss_device_coupling *coupling)
 {
     d->unwritten = false;
     for (uint32_t i = 0; i < d->source_count; i++) {
         device_source *s = &d->sources[i];
-        if (!vbss_device_write_source(d->context, s, d->now, result, vbss_device_driven(d, i))) {
+        if (!vbss_device_write_source(d->context, s, d->now, result, coupling,
+                                      vbss_device_driven(d, i))) {
             d->statistics.failed_writes[i]++;
             d->unwritten = true;
         }
@@ -21,7 +23,7 @@ void vbss_device_latch(device_object *d)
     vbss_output_result nothing;
     vbss_output_latch(&d->output);
     vbss_output_tell(&d->limits, &d->output, VBSS_OUTPUT_STOPPED, &nothing);
-    vbss_device_send(d, &nothing);
+    vbss_device_send(d, &nothing, NULL);
 }
 
 /* ---- what is wanted */
@@ -74,13 +76,37 @@ static vbss_result demand_of(const device_object *d, double h, const vbss_output
     return VBSS_OK;
 }
 
-vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output_command *command,
-                              vbss_output_result *result, uint32_t struct_size)
+/* ---- the coupling */
+
+/* What stands against a force of the servo's own. */
+#define OFF                                                                                       \
+    (VBSS_OUTPUT_NOT_FINITE | VBSS_OUTPUT_FAULT | VBSS_OUTPUT_STOPPED | VBSS_OUTPUT_INPUT_STALE | \
+     VBSS_OUTPUT_COMMAND_STALE)
+
+/* From the world to the device, where the hand is as it was read last: what clutch, re-centring and workspace do to
+ * the pose does not stretch the spring. Its force joins the demand's. */
+static void couple(const device_object *d, vbss_device_coupling *c, output_demand *demand)
 {
-    device_object *d;
+    const vbss_device_calibration *k = &d->calibration;
+    vec3 away = vec3_sub(vec3_load(c->position), d->shown.position);
+    vec3 force = vbss_device_force_to_device(k, &d->frame, vec3_load(c->force));
+    vec3 velocity = vbss_device_way_to_device(k, &d->frame, vec3_load(c->velocity));
+    away = vbss_device_way_to_device(k, &d->frame, away);
+    vec3_store(c->position, vec3_add(d->position, away));
+    vec3_store(c->velocity, velocity);
+    vec3_store(c->force, vec3_add(force, demand->force));
+    c->stiffness *= k->scale * k->force_scale;
+    c->damping *= k->scale * k->force_scale;
+    demand->force = d->pose.known ? vbss_device_coupling_force(c, d->position, d->velocity)
+                                  : vec3_load(c->force);
+}
+
+static vbss_result put_out(device_object *d, double now, const vbss_output_command *command,
+                           vbss_device_coupling *coupling, vbss_output_result *result,
+                           uint32_t struct_size)
+{
     output_demand demand;
     vbss_output_result own = {.struct_size = sizeof own};
-    VBSS_TRY(vbss_device_edit(device, &d));
     VBSS_TRY(vbss_check_arithmetic(d->context));
     VBSS_TRY(vbss_device_check_now(d, now));
     double h = d->written ? now - d->written_at : 0.0;
@@ -89,6 +115,9 @@ vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output
         VBSS_TRY(
             vbss_struct_write(d->context, &vbss_output_result_layout, &own, result, struct_size));
     }
+    if (coupling != NULL) {
+        couple(d, coupling, &demand);
+    }
     d->begun = d->written = true;
     d->now = d->written_at = now;
     d->statistics.writes++;
@@ -96,8 +125,32 @@ vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output
     demand = completed(d, demand);
     uint32_t flags = vbss_output_advance(&d->limits, &d->output, h, &demand);
     vbss_output_tell(&d->limits, &d->output, flags, &own);
-    own.flags |= vbss_device_send(d, &own);
+    bool coupled = coupling != NULL && (flags & OFF) == 0 && !d->clutched && d->pose.known;
+    own.flags |= vbss_device_send(d, &own, coupled ? coupling : NULL);
     return result == NULL ? VBSS_OK
                           : vbss_struct_write(d->context, &vbss_output_result_layout, &own, result,
                                               struct_size);
+}
+
+vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output_command *command,
+                              vbss_output_result *result, uint32_t struct_size)
+{
+    device_object *d;
+    VBSS_TRY(vbss_device_edit(device, &d));
+    return put_out(d, now, command, NULL, result, struct_size);
+}
+
+vbss_result vbss_device_write_coupled(vbss_device *device, double now,
+                                      const vbss_output_command *command,
+                                      const vbss_device_coupling *coupling,
+                                      vbss_output_result *result, uint32_t struct_size)
+{
+    device_object *d;
+    vbss_device_coupling own;
+    VBSS_TRY(vbss_device_edit(device, &d));
+    VBSS_TRY(vbss_check_pointer(d->context, command, "command"));
+    VBSS_TRY(vbss_check_pointer(d->context, coupling, "coupling"));
+    VBSS_TRY(vbss_config_read(d->context, &vbss_device_coupling_layout, coupling, &own));
+    VBSS_TRY(vbss_device_check_coupling(d->context, &own));
+    return put_out(d, now, command, &own, result, struct_size);
 }

@@ -114,7 +114,7 @@ static vbss_result command_init(void *command, uint32_t struct_size)
 static void the_size_protocol_is_kept(void **state)
 {
     (void)state;
-    static const uint32_t sizes[][2] = {{8 + 8 * sizeof(void *), 0},
+    static const uint32_t sizes[][2] = {{8 + 9 * sizeof(void *), 0},
                                         {64 + 2 * sizeof(void *), 0},
                                         {264, 0},
                                         {16 + 3 * sizeof(void *), 0},

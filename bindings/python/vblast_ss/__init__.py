@@ -8,8 +8,8 @@
             thread.step(1e-3)
         print(thread.positions[-1], thread.energies.total)
 
-Objects: Context, Thread, Drain, Needle, Grasper, Scene, KnotDetector, Collision, Device, Mock, Output, Metrics,
-Record, Replay, Visual. Settings are keywords over the library's defaults; failures are exceptions (vblast_ss.errors); arrays are
+Objects: Context, Thread, Drain, Needle, Grasper, Scene, KnotDetector, Collision, Device, Mock, Output,
+Openhaptics, Nidaqmx, Metrics, Record, Replay. Settings are keywords over the library's defaults; failures are exceptions (vblast_ss.errors); arrays are
 read-only views without a copy (vblast_ss.views says how long they are good). SI units everywhere. The page
 docs/python.md tells more; vblast_ss._api is the C interface as it is."""
 from __future__ import annotations
@@ -23,6 +23,7 @@ from .devices import *  # noqa: F401,F403
 from .drain import *  # noqa: F401,F403
 from .errors import *  # noqa: F401,F403
 from .grasper import *  # noqa: F401,F403
+from .hardware import *  # noqa: F401,F403
 from .knots import *  # noqa: F401,F403
 from .metrics import *  # noqa: F401,F403
 from .needle import *  # noqa: F401,F403

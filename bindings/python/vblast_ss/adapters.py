@@ -5,10 +5,11 @@ import ctypes
 from typing import Any, Mapping, Optional
 
 from ._api.base import Result
-from ._api.device import (DeviceCapabilities, DeviceHasBits, DeviceSample, OutputResult, vbss_device_adapter,
-                          vbss_device_capabilities, vbss_device_close_fn, vbss_device_describe_fn,
-                          vbss_device_explain_fn, vbss_device_open_fn, vbss_device_read_fn, vbss_device_sample,
-                          vbss_device_write_fn)
+from ._api.adapter import (DeviceCapabilities, DeviceHasBits, DeviceSample, vbss_device_adapter,
+                           vbss_device_capabilities, vbss_device_close_fn, vbss_device_describe_fn,
+                           vbss_device_explain_fn, vbss_device_open_fn, vbss_device_read_fn, vbss_device_sample,
+                           vbss_device_write_fn)
+from ._api.output import OutputResult
 from ._library import lib
 from ._values import fill, initialised, value_of
 from .context import Context

@@ -4,20 +4,22 @@ from __future__ import annotations
 import ctypes
 from typing import Any, Callable, Mapping, Optional, Sequence, Union
 
-from ._api.device import (DeviceCapabilities, DeviceClock, DeviceEventBits, DeviceFlagBits, DeviceHasBits, DeviceInput,
-                          DeviceOutBits, DeviceSample, DeviceStatistics, DeviceStatus, DeviceTool, MappingMouseBits,
-                          MockFault, MockField, MockStatistics, OutputBits, OutputResult, OutputStatistics,
-                          vbss_device, vbss_device_adapter, vbss_device_calibration, vbss_device_capabilities,
-                          vbss_device_config, vbss_device_input, vbss_device_sample, vbss_device_statistics,
-                          vbss_mapping_config, vbss_mock, vbss_mock_config, vbss_mock_measure_fn,
-                          vbss_mock_statistics, vbss_output, vbss_output_command, vbss_output_config,
-                          vbss_output_result, vbss_output_statistics)
+from ._api.adapter import (DeviceCapabilities, DeviceFlagBits, DeviceHasBits, DeviceOutBits, DeviceSample, DeviceTool,
+                           vbss_device_adapter, vbss_device_capabilities, vbss_device_coupling, vbss_device_sample)
+from ._api.device import (DeviceClock, DeviceEventBits, DeviceInput, DeviceStatistics, DeviceStatus, vbss_device,
+                          vbss_device_calibration, vbss_device_config, vbss_device_input, vbss_device_statistics)
+from ._api.mapping import MappingMouseBits, vbss_mapping_config
+from ._api.mock import (MockFault, MockField, MockStatistics, vbss_mock, vbss_mock_config, vbss_mock_measure_fn,
+                        vbss_mock_statistics)
+from ._api.output import (OutputBits, OutputResult, OutputStatistics, vbss_output, vbss_output_command,
+                          vbss_output_config, vbss_output_result, vbss_output_statistics)
 from ._library import lib
 from ._objects import Configured, Object, Saved, Viewed, context_or_new, created
 from ._values import constant, doubles, index, initialised, optional, value_of
 from .adapters import Adapter, Table, capabilities_struct, fill_sample, sample_struct
 from .context import Context
 from .errors import check
+from .hardware import Part
 from .views import Array
 
 __all__ = ["Adapter", "Device", "DeviceCapabilities", "DeviceClock", "DeviceEventBits", "DeviceFlagBits",
@@ -115,7 +117,7 @@ class Mock(Configured, Viewed):
 class Device(Configured, Saved):
     """One or two adapters, calibration, and the output stage.
 
-        first, second  adapters: of Python (see Adapter), or mocks
+        first, second  adapters: of Python (see Adapter), mocks, or parts of hardware (Openhaptics.arm, Nidaqmx.handle)
         calibration    a mapping with settings of vbss_device_calibration
         output         a mapping with limits of vbss_output_config
 
@@ -128,13 +130,14 @@ class Device(Configured, Saved):
     def __init__(self, first: Any, second: Any = None, *, context: Optional[Context] = None,
                  calibration: Optional[Mapping[str, Any]] = None, output: Optional[Mapping[str, Any]] = None,
                  **settings: Any) -> None:
-        if context is None and isinstance(first, Mock):
+        if context is None and isinstance(first, (Mock, Part)):
             context = first.context
         context = context_or_new(context)
         self._adapters = (first, second)
-        self._tables = [one if one is None or isinstance(one, Mock) else Table(context, one)
+        self._tables = [one if one is None or isinstance(one, (Mock, Part)) else Table(context, one)
                         for one in self._adapters]
-        structs = [None if one is None else ctypes.byref(one._adapter() if isinstance(one, Mock) else one.struct)
+        structs = [None if one is None else
+                   ctypes.byref(one._adapter() if isinstance(one, (Mock, Part)) else one.struct)
                    for one in self._tables]
         config = initialised(vbss_device_config, lib.vbss_device_config_init, settings, "a device")
         if calibration is not None:
@@ -159,6 +162,14 @@ class Device(Configured, Saved):
         result = vbss_output_result()
         given = ctypes.byref(_command(command)) if command else None
         self._call(lib.vbss_device_write, now, given, ctypes.byref(result), ctypes.sizeof(result))
+        return value_of(OutputResult, result)
+
+    def write_coupled(self, now: float, coupling: Mapping[str, Any], **command: Any) -> OutputResult:
+        """Writes a command with the force of a virtual coupling: position, velocity, force, stiffness, damping."""
+        result = vbss_output_result()
+        struct = initialised(vbss_device_coupling, lib.vbss_device_coupling_init, coupling, "a coupling")
+        self._call(lib.vbss_device_write_coupled, now, ctypes.byref(_command(command)), ctypes.byref(struct),
+                   ctypes.byref(result), ctypes.sizeof(result))
         return value_of(OutputResult, result)
 
     def stop(self) -> None:

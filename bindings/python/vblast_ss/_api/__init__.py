@@ -3,10 +3,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from . import base, collision, device, drain, grasper, knot, metrics, needle, record, scene, thread, visual
+from . import adapter, base, collision, device, drain, grasper, haptics, knot, mapping, metrics, mock, needle, output, record, scene, thread
 
 FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {}
-for _header in (base, collision, device, drain, grasper, knot, metrics, needle, record, scene, thread, visual):
+for _header in (adapter, base, collision, device, drain, grasper, haptics, knot, mapping, metrics, mock, needle, output, record, scene, thread):
     FUNCTIONS.update(_header.FUNCTIONS)
 
-__all__ = ["base", "collision", "device", "drain", "grasper", "knot", "metrics", "needle", "record", "scene", "thread", "visual", "FUNCTIONS"]
+__all__ = ["adapter", "base", "collision", "device", "drain", "grasper", "haptics", "knot", "mapping", "metrics", "mock", "needle", "output", "record", "scene", "thread", "FUNCTIONS"]

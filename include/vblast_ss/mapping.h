@@ -1,0 +1,111 @@
+/**
+ * @file mapping.h
+ * @brief Mouse, keyboard and gamepad as hands: pure functions that move a sample.
+ *
+ * SPDX-License-Identifier: Apache-2.0
+ */
+#ifndef VBLAST_SS_MAPPING_H
+#define VBLAST_SS_MAPPING_H
+
+#include <vblast_ss/adapter.h>
+
+/** How movements of hands on a desk become a pose. Fill it with #vbss_mapping_config_init, then change what you
+ * need. Turns are about axes of the frame the pose is in. */
+typedef struct vbss_mapping_config {
+    uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
+    uint32_t pad_curve;   /**< Gamepad: power of the deflection, 1 to 4; default 2. */
+    double right[3];      /**< Direction of the screen's right, unit to 1e-6; default x. */
+    double up[3];   /**< Of its top, normal to it; default y. Right x up points towards the user. */
+    double low[3];  /**< Corner of the box that positions are kept in, m; default -0.1. */
+    double high[3]; /**< The opposite corner; each within 1e3; default 0.1. */
+    double mouse_metres;  /**< Mouse: m a count; default 1e-4. */
+    double mouse_depth;   /**< Mouse: m away from the user a notch of the wheel; default 2e-3. */
+    double mouse_radians; /**< Mouse, turning: rad a count; default 5e-3. */
+    /** Mouse, turning: rad about the direction of depth a notch; default 0.1. */
+    double mouse_roll;
+    double jaw_rate;    /**< Mouse: how fast the jaws close and open, 1/s, 0 to 1e3; default 4. */
+    double key_metres;  /**< Keyboard: m a press; default 1e-3. */
+    double key_radians; /**< Keyboard: rad a press; default 0.05. */
+    double key_jaw;     /**< Keyboard: opening a press; default 0.1. */
+    double pad_speed;   /**< Gamepad: m/s at full deflection; default 0.1. */
+    double pad_turning; /**< Gamepad: rad/s at full deflection; default 1. */
+    double pad_dead;    /**< Gamepad: deflection that counts as none, 0 to 0.9; default 0.15. */
+} vbss_mapping_config;
+
+/** Buttons of a mouse: bits. */
+enum {
+    VBSS_MAPPING_MOUSE_TURN = 1, /**< Movements turn instead of shift. */
+    VBSS_MAPPING_MOUSE_CLOSE = 2 /**< The jaws close; otherwise they open. */
+};
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/**
+ * Fills a mapping with the defaults.
+ *
+ * @param[out] config  the mapping to fill
+ * @param struct_size  `sizeof *config` as the caller was compiled
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT or VBSS_ERROR_STRUCT_SIZE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_mapping_config_init(vbss_mapping_config *config, uint32_t struct_size);
+
+/* ---- mapping: pure functions. Each moves the position, orientation and opening of a sample, makes them valid,
+ * and adds h to its time. On failure the sample is as it was. */
+
+/**
+ * Moves by a mouse: shifts in the plane of the screen and, by the wheel, in depth; turning, turns the far side of
+ * the tool the way the mouse goes, and rolls by the wheel.
+ *
+ * @param config          the mapping; NULL for the defaults
+ * @param motion          counts to the right, counts up, notches of the wheel away from the user; each at most 1e6
+ * @param buttons         VBSS_MAPPING_MOUSE_ bits
+ * @param h               time since the last call, s, 0 to 10
+ * @param[in,out] sample  an initialised sample
+ * @return VBSS_OK, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_UNKNOWN_FIELD,
+ *         VBSS_ERROR_OUT_OF_RANGE or VBSS_ERROR_NOT_FINITE
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const double motion[3],
+                                        uint32_t buttons, double h, vbss_device_sample *sample);
+
+/**
+ * Moves by presses of keys.
+ *
+ * @param config          the mapping; NULL for the defaults
+ * @param presses         how often since the last call, negative for the opposite key: right, up, towards the user,
+ *                        turns about these three, opening; each at most 1e6
+ * @param h               time since the last call, s, 0 to 10
+ * @param[in,out] sample  an initialised sample
+ * @return as #vbss_mapping_mouse
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config,
+                                           const double presses[7], double h,
+                                           vbss_device_sample *sample);
+
+/**
+ * Moves by a gamepad: axes are rates, with a dead zone and a curve.
+ *
+ * @param config          the mapping; NULL for the defaults
+ * @param axes            -1 to 1: right, up, towards the user, turns about these three; more counts as full
+ * @param opening         of the jaws, 0 to 1, as a trigger says
+ * @param h               time since the last call, s, 0 to 10
+ * @param[in,out] sample  an initialised sample
+ * @return as #vbss_mapping_mouse
+ * @threads any thread, any time
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_mapping_gamepad(const vbss_mapping_config *config, const double axes[6],
+                                          double opening, double h, vbss_device_sample *sample);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

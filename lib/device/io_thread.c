@@ -1,0 +1,75 @@
+/* A thread for lines that make one wait, and its clock. */
+#include "device/platform.h"
+
+#ifdef _WIN32
+
+#include <windows.h>
+
+static DWORD WINAPI enter(void *user)
+{
+    const device_thread *thread = user;
+    thread->run(thread->user);
+    return 0;
+}
+
+bool vbss_device_start_thread(device_thread *thread)
+{
+    thread->handle = CreateThread(NULL, 0, enter, thread, 0, NULL);
+    return thread->handle != NULL;
+}
+
+void vbss_device_join_thread(device_thread *thread)
+{
+    WaitForSingleObject(thread->handle, INFINITE);
+    CloseHandle(thread->handle);
+}
+
+void vbss_device_sleep(double seconds)
+{
+    Sleep((DWORD)(seconds * 1e3 + 0.5));
+}
+
+double vbss_device_time(void)
+{
+    LARGE_INTEGER frequency, count;
+    QueryPerformanceFrequency(&frequency);
+    QueryPerformanceCounter(&count);
+    return (double)count.QuadPart / (double)frequency.QuadPart;
+}
+
+#else
+
+#include <time.h>
+
+static void *enter(void *user)
+{
+    const device_thread *thread = user;
+    thread->run(thread->user);
+    return NULL;
+}
+
+bool vbss_device_start_thread(device_thread *thread)
+{
+    return pthread_create(&thread->handle, NULL, enter, thread) == 0;
+}
+
+void vbss_device_join_thread(device_thread *thread)
+{
+    pthread_join(thread->handle, NULL);
+}
+
+void vbss_device_sleep(double seconds)
+{
+    const time_t whole = (time_t)seconds;
+    const struct timespec time = {whole, (long)((seconds - (double)whole) * 1e9)};
+    nanosleep(&time, NULL);
+}
+
+double vbss_device_time(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+#endif

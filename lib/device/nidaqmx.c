@@ -1,0 +1,397 @@
+/* Handles and solenoids on the host's side: opened together, then adapters that exchange the newest with the rounds. */
+#include <stdio.h>
+#include <string.h>
+
+#include "device/nidaqmx.h"
+
+_Static_assert(sizeof(vbss_nidaqmx_config) == 56 + 5 * sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_nidaqmx_status) == 56, "published size");
+
+static const vbss_nidaqmx_config config_defaults = {
+    .struct_size = sizeof(vbss_nidaqmx_config),
+    .handle_count = 2,
+    .first_input = "Dev1/ai0",
+    .second_input = "Dev1/ai1",
+    .first_line = "Dev1/port0/line0",
+    .second_line = "Dev1/port0/line1",
+    .terminal = VBSS_NIDAQMX_SINGLE_ENDED,
+    .active_low = 1,
+    .own_thread = 1,
+    .low = -10.0,
+    .high = 10.0,
+    .period = 0.002,
+    .timeout = 0.004,
+};
+static const uint32_t config_sizes[] = {56u + 5u * (uint32_t)sizeof(void *), 0};
+static const vbss_layout config_layout = {"vbss_nidaqmx_config", &config_defaults, config_sizes};
+static const uint32_t status_sizes[] = {56, 0};
+static const vbss_layout status_layout = {"vbss_nidaqmx_status", NULL, status_sizes};
+
+vbss_result vbss_nidaqmx_config_init(vbss_nidaqmx_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+/* ---- the end: thread, solenoids off, tasks */
+
+static void end_task(const daq_functions *daq, daq_task task)
+{
+    if (task != NULL) {
+        daq->stop_task(task);
+        daq->clear_task(task);
+    }
+}
+
+static void close_lines(nidaqmx_object *o)
+{
+    if (o->threaded) {
+        atomic_store_explicit(&o->ending, true, memory_order_release);
+        vbss_device_join_thread(&o->thread);
+    }
+    if (o->digital != NULL && o->has_lines) {
+        vbss_nidaqmx_put_off(o);
+    }
+    end_task(&o->daq, o->analog);
+    end_task(&o->daq, o->digital);
+    vbss_device_unload_library(o->daq.library);
+}
+
+static void free_object(vbss_context *context, void *object)
+{
+    nidaqmx_object *o = object;
+    close_lines(o);
+    for (uint32_t i = 0; i < HANDLES; i++) { /* devices that are left behind find them lost */
+        if (o->handles[i].seated) {
+            vbss_slot_empty(o->handles[i].seat);
+        }
+    }
+    vbss_release(context, o, 1, sizeof *o);
+}
+
+/* Lines are the world outside, which does not go back. */
+static void visit_object(vbss_stream *stream, void *object)
+{
+    const nidaqmx_object *o = object;
+    vbss_stream_same(stream, 1, o->handle_count);
+}
+
+static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_object,
+                               visit_object};
+
+/* A handle's own handle, for adapters; it ends with the lines. */
+static void leave_handle(vbss_context *context, void *object)
+{
+    (void)context;
+    (void)object;
+}
+
+static void visit_handle(vbss_stream *stream, void *object)
+{
+    const handle *h = object;
+    vbss_stream_same(stream, 1, h->which);
+}
+
+static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1, leave_handle,
+                                      visit_handle};
+
+/* ---- the begin */
+
+static vbss_result read_name(vbss_context *context, const char *from, char *to, const char *what)
+{
+    VBSS_TRY(vbss_check_pointer(context, from, what));
+    VBSS_TRY(vbss_check_range(context, (double)strlen(from), 1.0, DAQ_NAME - 1.0, what));
+    vbss_device_keep_text(to, DAQ_NAME, from);
+    return VBSS_OK;
+}
+
+static vbss_result read_names(nidaqmx_object *o)
+{
+    const vbss_nidaqmx_config *c = &o->config;
+    const char *const inputs[HANDLES] = {c->first_input, c->second_input};
+    const char *const lines[HANDLES] = {c->first_line, c->second_line};
+    o->handle_count = c->handle_count;
+    for (uint32_t i = 0; i < o->handle_count; i++) {
+        VBSS_TRY(read_name(o->context, inputs[i], o->inputs[i], "name of an input"));
+        if (lines[i] != NULL) {
+            VBSS_TRY(read_name(o->context, lines[i], o->lines[i], "name of a line"));
+            o->has_lines = true;
+        }
+    }
+    return VBSS_OK;
+}
+
+static vbss_result read_config(nidaqmx_object *o, const vbss_nidaqmx_config *config)
+{
+    vbss_context *context = o->context;
+    vbss_nidaqmx_config *c = &o->config;
+    *c = config_defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, c));
+    }
+    VBSS_TRY(vbss_check_range(context, c->handle_count, 1.0, HANDLES, "handle_count"));
+    VBSS_TRY(vbss_check_range(context, c->terminal, VBSS_NIDAQMX_SINGLE_ENDED,
+                              VBSS_NIDAQMX_DIFFERENTIAL, "terminal"));
+    VBSS_TRY(vbss_check_range(context, c->active_low, 0.0, 1.0, "active_low"));
+    VBSS_TRY(vbss_check_range(context, c->own_thread, 0.0, 1.0, "own_thread"));
+    VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(vbss_check_range(context, c->low, -10.0, 10.0, "low"));
+    VBSS_TRY(vbss_check_range(context, c->high, c->low + 1e-3, 10.0, "high"));
+    VBSS_TRY(vbss_check_range(context, c->period, 5e-4, 1.0, "period"));
+    VBSS_TRY(vbss_check_range(context, c->timeout, 1e-3, 10.0, "timeout"));
+    return read_names(o);
+}
+
+static vbss_result open_inputs(nidaqmx_object *o)
+{
+    const int32_t terminal =
+        o->config.terminal == VBSS_NIDAQMX_DIFFERENTIAL ? DAQ_DIFFERENTIAL : DAQ_RSE;
+    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, o->daq.create_task("", &o->analog), "inputs"));
+    for (uint32_t i = 0; i < o->handle_count; i++) {
+        int32_t code = o->daq.create_voltage_input(o->analog, o->inputs[i], "", terminal,
+                                                   o->config.low, o->config.high, DAQ_VOLTS, NULL);
+        VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, o->inputs[i]));
+    }
+    return vbss_nidaqmx_check(o->context, &o->daq, o->daq.start_task(o->analog), "start of inputs");
+}
+
+/* One channel of all lines; off at once. */
+static vbss_result open_lines(nidaqmx_object *o)
+{
+    char names[2 * DAQ_NAME] = "";
+    if (!o->has_lines) {
+        return VBSS_OK;
+    }
+    for (uint32_t i = 0; i < o->handle_count; i++) {
+        if (o->lines[i][0] != '\0') {
+            size_t used = strlen(names);
+            snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? "," : "", o->lines[i]);
+        }
+    }
+    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, o->daq.create_task("", &o->digital), "lines"));
+    VBSS_TRY(vbss_nidaqmx_check(
+        o->context, &o->daq,
+        o->daq.create_digital_output(o->digital, names, "", DAQ_CHANNEL_FOR_ALL_LINES), names));
+    return vbss_nidaqmx_check(o->context, &o->daq, vbss_nidaqmx_put_off(o), names);
+}
+
+static vbss_result open_all(nidaqmx_object *o)
+{
+    VBSS_TRY(vbss_nidaqmx_load(o->context, o->config.library, &o->daq));
+    VBSS_TRY(open_inputs(o));
+    VBSS_TRY(open_lines(o));
+    if (o->config.own_thread == 0) {
+        return VBSS_OK;
+    }
+    o->thread = (device_thread){.run = vbss_nidaqmx_run, .user = o};
+    o->threaded = vbss_device_start_thread(&o->thread);
+    return o->threaded ? VBSS_OK
+                       : vbss_fail(o->context, VBSS_ERROR_DEVICE, "NI-DAQmx: no thread for it");
+}
+
+static void begin_exchanges(nidaqmx_object *o)
+{
+    atomic_init(&o->ending, false);
+    device_exchange_begin(&o->to_host);
+    o->seen.status.struct_size = sizeof o->seen.status;
+    for (int i = 0; i < 3; i++) {
+        o->reports[i] = o->seen;
+    }
+    for (uint32_t i = 0; i < HANDLES; i++) {
+        o->handles[i].lines = o;
+        o->handles[i].which = i;
+        device_exchange_begin(&o->handles[i].to_round);
+    }
+}
+
+static vbss_result reserve_slots(nidaqmx_object *o, vbss_slot **slot)
+{
+    for (uint32_t i = 0; i < o->handle_count; i++) {
+        VBSS_TRY(vbss_slot_reserve(o->context, &handle_kind, &o->handles[i].seat));
+    }
+    /* after those of the handles, so that a context that ends ends it first */
+    return vbss_slot_reserve(o->context, &kind, slot);
+}
+
+vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaqmx_config *config,
+                                vbss_nidaqmx **nidaqmx)
+{
+    if (nidaqmx == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, nidaqmx, "nidaqmx");
+    }
+    *nidaqmx = NULL;
+    VBSS_TRY(vbss_context_edit(context));
+    nidaqmx_object *o = vbss_allocate(context, 1, sizeof *o, "handle lines");
+    if (o == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    vbss_slot *slot = NULL;
+    o->context = context;
+    begin_exchanges(o);
+    vbss_result result = read_config(o, config);
+    result = result == VBSS_OK ? reserve_slots(o, &slot) : result;
+    result = result == VBSS_OK ? open_all(o) : result; /* last, as it touches the world outside */
+    if (result != VBSS_OK) {
+        free_object(context, o);
+        return result;
+    }
+    for (uint32_t i = 0; i < o->handle_count; i++) {
+        vbss_slot_fill(o->handles[i].seat, &o->handles[i]);
+        o->handles[i].seated = true;
+    }
+    vbss_slot_fill(slot, o);
+    *nidaqmx = (vbss_nidaqmx *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_nidaqmx_destroy(vbss_nidaqmx *nidaqmx)
+{
+    return vbss_slot_destroy(nidaqmx, &kind);
+}
+
+static vbss_result open_object(const void *user, nidaqmx_object **o)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(user, &kind, &slot));
+    *o = slot->object;
+    return VBSS_OK;
+}
+
+/* ---- the adapters. `user` is the handle's own, which outlives it: a device may be left behind. */
+
+static const daq_report *newest(nidaqmx_object *o)
+{
+    device_exchange_take(&o->to_host);
+    return &o->reports[o->to_host.reader];
+}
+
+static vbss_result open_seat(void *user, handle **h)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(user, &handle_kind, &slot));
+    *h = slot->object;
+    return VBSS_OK;
+}
+
+static void order(handle *h, bool on, double expires)
+{
+    h->orders[h->to_round.writer] = (handle_order){on, expires};
+    device_exchange_publish(&h->to_round);
+}
+
+static vbss_result handle_open(void *user)
+{
+    handle *h;
+    VBSS_TRY(open_seat(user, &h));
+    if (h->attached) {
+        vbss_device_keep_text(h->text, sizeof h->text, "another device stands on this handle");
+        return VBSS_ERROR_DEVICE;
+    }
+    h->attached = true;
+    return VBSS_OK;
+}
+
+static void handle_close(void *user)
+{
+    handle *h;
+    if (open_seat(user, &h) == VBSS_OK) {
+        order(h, false, 0.0);
+        h->attached = false;
+    }
+}
+
+static vbss_result handle_describe(void *user, vbss_device_capabilities *capabilities)
+{
+    handle *h;
+    VBSS_TRY(open_seat(user, &h));
+    capabilities->signals = VBSS_DEVICE_HAS_JAW_RAW;
+    capabilities->outputs = h->lines->lines[h->which][0] != '\0' ? VBSS_DEVICE_OUT_SOLENOID : 0u;
+    capabilities->input_dof = 1;
+    capabilities->update_rate = 1.0 / h->lines->config.period;
+    return VBSS_OK;
+}
+
+static vbss_result handle_read(void *user, double now, vbss_device_sample *sample)
+{
+    handle *h;
+    (void)now;
+    if (open_seat(user, &h) != VBSS_OK) {
+        sample->flags = VBSS_DEVICE_FLAG_LOST;
+        return VBSS_ERROR_DEVICE;
+    }
+    const daq_report *r = newest(h->lines);
+    sample->valid = VBSS_DEVICE_HAS_JAW_RAW;
+    sample->time = r->time;
+    sample->jaw_raw = r->volts[h->which];
+    sample->flags = r->status.state == VBSS_HARDWARE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
+    if (r->status.state == VBSS_HARDWARE_RUNNING) {
+        return VBSS_OK;
+    }
+    snprintf(h->text, sizeof h->text, "%s (%d)",
+             r->measured || r->status.error != 0 ? vbss_nidaqmx_error_name(r->status.error)
+                                                 : "nothing was measured yet",
+             r->status.error);
+    return VBSS_ERROR_DEVICE;
+}
+
+static vbss_result handle_write(void *user, double now, const vbss_output_result *output)
+{
+    handle *h;
+    (void)now;
+    VBSS_TRY(open_seat(user, &h));
+    order(h, output->solenoid != 0, output->expires);
+    return VBSS_OK;
+}
+
+static void handle_explain(void *user, char *text, uint32_t bytes)
+{
+    handle *h;
+    bool there = open_seat(user, &h) == VBSS_OK;
+    vbss_device_keep_text(text, bytes, there ? h->text : "the lines were closed");
+}
+
+vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
+                                     vbss_device_adapter *adapter)
+{
+    nidaqmx_object *o;
+    VBSS_TRY(open_object(nidaqmx, &o));
+    if (which >= o->handle_count) {
+        return vbss_fail(o->context, VBSS_ERROR_OUT_OF_RANGE, "there is no handle %u", which);
+    }
+    const vbss_device_adapter own = {
+        .struct_size = sizeof own,
+        .name = "handle",
+        .user = o->handles[which].seat,
+        .open = handle_open,
+        .close = handle_close,
+        .describe = handle_describe,
+        .read = handle_read,
+        .write = handle_write,
+        .explain = handle_explain,
+    };
+    return vbss_device_give_adapter(o->context, &own, adapter);
+}
+
+/* ---- the host's */
+
+vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now)
+{
+    nidaqmx_object *o;
+    VBSS_TRY(open_object(nidaqmx, &o));
+    if (!isfinite(now)) {
+        return VBSS_ERROR_NOT_FINITE;
+    }
+    if (o->threaded || fabs(now) > 1e9) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    vbss_nidaqmx_round(o, now);
+    return VBSS_OK;
+}
+
+vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx_status *status,
+                                    uint32_t struct_size)
+{
+    nidaqmx_object *o;
+    VBSS_TRY(open_object(nidaqmx, &o));
+    return vbss_struct_write(o->context, &status_layout, &newest(o)->status, status, struct_size);
+}

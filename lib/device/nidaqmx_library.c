@@ -1,0 +1,152 @@
+/* The vendor's library: its functions, what its errors mean, and which devices it knows. */
+#include <stdio.h>
+#include <string.h>
+
+#include "device/nidaqmx.h"
+
+#ifdef _WIN32
+#define USUAL_NAME "nicaiu.dll"
+#else
+#define USUAL_NAME "libnidaqmx.so.1"
+#endif
+
+vbss_result vbss_nidaqmx_load(vbss_context *context, const char *name, daq_functions *daq)
+{
+    const device_symbol symbols[] = {
+        {"DAQmxCreateTask", &daq->create_task},
+        {"DAQmxStartTask", &daq->start_task},
+        {"DAQmxStopTask", &daq->stop_task},
+        {"DAQmxClearTask", &daq->clear_task},
+        {"DAQmxCreateAIVoltageChan", &daq->create_voltage_input},
+        {"DAQmxCreateDOChan", &daq->create_digital_output},
+        {"DAQmxReadAnalogF64", &daq->read_analog},
+        {"DAQmxWriteDigitalLines", &daq->write_digital},
+        {"DAQmxGetExtendedErrorInfo", &daq->get_extended_error},
+        {"DAQmxGetSysDevNames", &daq->get_device_names},
+        {"DAQmxGetDevProductType", &daq->get_product},
+    };
+    char text[DEVICE_TEXT] = "";
+    name = name != NULL ? name : USUAL_NAME;
+    daq->library = vbss_device_load_library(name, text, sizeof text);
+    if (daq->library == NULL) {
+        return vbss_fail(context, VBSS_ERROR_DEVICE, "NI-DAQmx: no library %s: %s", name, text);
+    }
+    const char *missing =
+        vbss_device_find_symbols(daq->library, symbols, sizeof symbols / sizeof symbols[0]);
+    if (missing != NULL) {
+        return vbss_fail(context, VBSS_ERROR_DEVICE, "NI-DAQmx: %s has no %s", name, missing);
+    }
+    return VBSS_OK;
+}
+
+/* ---- errors */
+
+static const struct {
+    int32_t code;
+    bool lost;
+    const char *name;
+} errors[] = {
+    {-200221, false, "timeout"},
+    {-200284, false, "no sample in time"},
+    {-200279, false, "samples were overwritten"},
+    {-200220, true, "no such device"},
+    {-200170, true, "no such channel"},
+    {-200088, true, "no such task"},
+    {-200045, true, "device removed"},
+    {-50103, true, "in use by another program"},
+    {-200846, true, "written to while it is stopped"},
+    {-200077, true, "a setting it does not have"},
+    {-200562, true, "neither 0 nor 1 to a line"},
+};
+
+const char *vbss_nidaqmx_error_name(int32_t code)
+{
+    for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
+        if (errors[i].code == code) {
+            return errors[i].name;
+        }
+    }
+    return code == 0 ? "no error" : code > 0 ? "a warning" : "an error without a name";
+}
+
+/* What we do not know is not gone on with. */
+bool vbss_nidaqmx_is_lost(int32_t code)
+{
+    for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++) {
+        if (errors[i].code == code) {
+            return errors[i].lost;
+        }
+    }
+    return code < 0;
+}
+
+vbss_result vbss_nidaqmx_check(vbss_context *context, const daq_functions *daq, int32_t code,
+                               const char *what)
+{
+    if (code >= 0) {
+        return VBSS_OK;
+    }
+    char text[256] = "";
+    if (daq->get_extended_error(text, sizeof text) < 0) {
+        text[0] = '\0';
+    }
+    text[sizeof text - 1] = '\0';
+    for (char *c = text; *c != '\0'; c++) { /* one line */
+        *c = *c == '\n' || *c == '\r' ? ' ' : *c;
+    }
+    return vbss_fail(context, VBSS_ERROR_DEVICE, "NI-DAQmx: %s: %s (%d) %s", what,
+                     vbss_nidaqmx_error_name(code), code, text);
+}
+
+/* ---- which devices there are */
+
+/* Appends as much as there is room for. */
+static void append(char *text, uint32_t bytes, const char *more)
+{
+    size_t used = strlen(text);
+    vbss_device_keep_text(text + used, bytes - used, more);
+}
+
+static vbss_result list(vbss_context *context, const daq_functions *daq, char *text, uint32_t bytes)
+{
+    char names[1024] = "", product[DAQ_NAME];
+    VBSS_TRY(
+        vbss_nidaqmx_check(context, daq, daq->get_device_names(names, sizeof names), "devices"));
+    names[sizeof names - 1] = '\0';
+    for (char *name = names; *name != '\0';) { /* separated by comma and blank */
+        char *end = name;
+        while (*end != '\0' && *end != ',') {
+            end++;
+        }
+        char *next = *end == ',' ? end + 1 : end;
+        *end = '\0';
+        product[0] = '\0';
+        if (daq->get_product(name, product, sizeof product) < 0) {
+            product[0] = '\0';
+        }
+        product[sizeof product - 1] = '\0';
+        append(text, bytes, name);
+        append(text, bytes, "  ");
+        append(text, bytes, product);
+        append(text, bytes, "\n");
+        while (*next == ' ') {
+            next++;
+        }
+        name = next;
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_nidaqmx_list(vbss_context *context, const char *library, char *text,
+                              uint32_t bytes)
+{
+    daq_functions daq = {.library = NULL};
+    VBSS_TRY(vbss_context_edit(context));
+    VBSS_TRY(vbss_check_pointer(context, text, "text"));
+    VBSS_TRY(vbss_check_range(context, bytes, 1.0, 4294967295.0, "bytes"));
+    text[0] = '\0';
+    vbss_result result = vbss_nidaqmx_load(context, library, &daq);
+    result = result == VBSS_OK ? list(context, &daq, text, bytes) : result;
+    vbss_device_unload_library(daq.library);
+    return result;
+}

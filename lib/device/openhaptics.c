@@ -1,0 +1,451 @@
+/* Haptic arms on the host's side: opened all together, as one servo serves them; then adapters that exchange the newest
+ * with it. */
+#include <stdio.h>
+
+#include "device/openhaptics.h"
+
+_Static_assert(sizeof(vbss_openhaptics_config) == 16 + 6 * sizeof(void *), "no hidden padding");
+_Static_assert(sizeof(vbss_openhaptics_status) == 104, "published size");
+
+static const vbss_openhaptics_config config_defaults = {
+    .struct_size = sizeof(vbss_openhaptics_config),
+    .device_count = 1,
+    .rate = 1000,
+    .second_name = "Device2",
+};
+static const uint32_t config_sizes[] = {16u + 6u * (uint32_t)sizeof(void *), 0};
+static const vbss_layout config_layout = {"vbss_openhaptics_config", &config_defaults,
+                                          config_sizes};
+static const uint32_t status_sizes[] = {104, 0};
+static const vbss_layout status_layout = {"vbss_openhaptics_status", NULL, status_sizes};
+
+/* So long the servo is waited for at the end, s. */
+#define PATIENCE 0.2
+
+vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+/* ---- the end: zeros out -> servo off -> arms closed */
+
+static void end_servo(openhaptics_object *o)
+{
+    const double nap = 1e-3;
+    atomic_store_explicit(&o->ending, true, memory_order_release);
+    for (double waited = 0.0; o->started && waited < PATIENCE; waited += nap) {
+        if (atomic_load_explicit(&o->ended, memory_order_acquire)) {
+            break;
+        }
+        o->hd.wait_for_completion(o->callback, HD_CHECK_STATUS);
+        vbss_device_sleep(nap);
+    }
+    if (o->started) {
+        o->hd.stop_scheduler();
+    }
+    if (o->scheduled) {
+        o->hd.unschedule(o->callback);
+    }
+}
+
+static void close_arms(openhaptics_object *o)
+{
+    end_servo(o);
+    for (uint32_t i = o->arm_count; i > 0; i--) {
+        arm *a = &o->arms[i - 1];
+        if (a->opened) {
+            o->hd.make_current_device(a->device);
+            o->hd.disable(HD_FORCE_OUTPUT);
+            o->hd.disable_device(a->device);
+        }
+    }
+    if (o->arm_count >
+        0) { /* what fails now is nobody's concern, but shall not wait for the next */
+        vbss_openhaptics_check(NULL, &o->hd, "the end");
+    }
+    vbss_device_unload_library(o->hd.library);
+}
+
+static void free_object(vbss_context *context, void *object)
+{
+    openhaptics_object *o = object;
+    close_arms(o);
+    for (uint32_t i = 0; i < ARMS; i++) { /* devices that are left behind find them lost */
+        if (o->arms[i].seated) {
+            vbss_slot_empty(o->arms[i].seat);
+        }
+    }
+    vbss_release(context, object, 1, sizeof(openhaptics_object));
+}
+
+/* Arms are the world outside, which does not go back. */
+static void visit_object(vbss_stream *stream, void *object)
+{
+    openhaptics_object *o = object;
+    vbss_stream_same(stream, 1, o->arm_count);
+}
+
+static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_object,
+                               visit_object};
+
+/* An arm's own handle, for adapters; it ends with the arms. */
+static void leave_arm(vbss_context *context, void *object)
+{
+    (void)context;
+    (void)object;
+}
+
+static void visit_arm(vbss_stream *stream, void *object)
+{
+    const arm *a = object;
+    vbss_stream_same(stream, 1, a->device);
+}
+
+static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, leave_arm,
+                                   visit_arm};
+
+/* ---- the begin */
+
+static void copy_text(char *to, const char *from)
+{
+    vbss_device_keep_text(to, ARM_NAME, from != NULL ? from : "");
+}
+
+static double positive(double value, double most)
+{
+    return isfinite(value) && value > 0.0 ? lesser(value, most) : 0.0;
+}
+
+/* What the arm says of itself; what makes no sense is not known. */
+static void describe(openhaptics_object *o, arm *a)
+{
+    double force = 0.0, lasting = 0.0, box[6] = {0.0};
+    int32_t input = 0, output = 0;
+    o->hd.get_doubles(HD_NOMINAL_MAX_FORCE, &force);
+    o->hd.get_doubles(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &lasting);
+    o->hd.get_doubles(HD_MAX_WORKSPACE_DIMENSIONS, box);
+    o->hd.get_integers(HD_INPUT_DOF, &input);
+    o->hd.get_integers(HD_OUTPUT_DOF, &output);
+    o->hd.get_integers(HD_CALIBRATION_STYLE, &a->style);
+    copy_text(a->model, o->hd.get_string(HD_DEVICE_MODEL_TYPE));
+    copy_text(a->serial, o->hd.get_string(HD_DEVICE_SERIAL_NUMBER));
+    const uint32_t styles = (uint32_t)a->style;
+    a->style = (styles & HD_STYLE_INKWELL) != 0 ? HD_STYLE_INKWELL
+               : (styles & HD_STYLE_AUTO) != 0  ? HD_STYLE_AUTO
+                                                : HD_STYLE_ENCODER_RESET;
+    a->capabilities = (vbss_device_capabilities){
+        .struct_size = sizeof a->capabilities,
+        .signals = DEVICE_POSE_SIGNALS | DEVICE_MOTION_SIGNALS | VBSS_DEVICE_HAS_BUTTONS |
+                   VBSS_DEVICE_HAS_TEMPERATURE,
+        .outputs = VBSS_DEVICE_OUT_FORCE,
+        .input_dof = (uint32_t)(input > 0 ? input : 0),
+        .output_dof = (uint32_t)(output > 0 ? output : 0),
+        .max_force = positive(force, 1e3),
+        .max_continuous_force = positive(lasting, 1e3),
+        .update_rate = o->config.rate,
+    };
+    for (int i = 0; i < 3; i++) {
+        if (fabs(box[i]) < 1e5 && box[i + 3] > box[i] && box[i + 3] < 1e5) {
+            a->capabilities.workspace_low[i] = 1e-3 * box[i];
+            a->capabilities.workspace_high[i] = 1e-3 * box[i + 3];
+        }
+    }
+    const vbss_device_capabilities *c = &a->capabilities;
+    vbss_output_config *l = &a->limits;
+    l->max_force = c->max_force > 0.0 ? lesser(l->max_force, c->max_force) : l->max_force;
+    l->continuous_force = c->max_continuous_force > 0.0
+                              ? lesser(l->continuous_force, c->max_continuous_force)
+                              : l->continuous_force;
+}
+
+static void begin_arm(arm *a)
+{
+    device_exchange_begin(&a->to_servo);
+    device_exchange_begin(&a->to_host);
+    (void)vbss_device_sample_init(&a->sample, sizeof a->sample);
+    a->sample.valid = a->capabilities.signals;
+    for (int i = 0; i < 3; i++) {
+        a->reports[i].sample = a->sample;
+        a->reports[i].status.struct_size = sizeof a->status;
+    }
+    a->status.struct_size = sizeof a->status;
+    vbss_output_begin(&a->limits, &a->stage);
+}
+
+static vbss_result open_arm(openhaptics_object *o, arm *a, const char *name)
+{
+    char what[DEVICE_TEXT];
+    snprintf(what, sizeof what, "device '%.80s'", name != NULL ? name : "default");
+    a->device = o->hd.init_device(name);
+    a->opened = a->device != HD_NO_DEVICE;
+    VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, what));
+    if (!a->opened) {
+        return vbss_fail(o->context, VBSS_ERROR_DEVICE, "OpenHaptics: %s is not there", what);
+    }
+    o->hd.make_current_device(a->device);
+    o->hd.enable(HD_FORCE_OUTPUT);
+    describe(o, a);
+    begin_arm(a);
+    return vbss_openhaptics_check(o->context, &o->hd, what);
+}
+
+/* All arms, then the callback, then the scheduler that serves them. */
+static vbss_result open_arms(openhaptics_object *o)
+{
+    const char *const names[ARMS] = {o->config.first_name, o->config.second_name};
+    VBSS_TRY(vbss_openhaptics_load(o->context, o->config.library, &o->hd));
+    for (uint32_t i = 0; i < o->config.device_count; i++) {
+        o->arm_count++;
+        VBSS_TRY(open_arm(o, &o->arms[i], names[i]));
+    }
+    o->hd.set_scheduler_rate(o->config.rate);
+    VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, "rate of the servo"));
+    o->callback = o->hd.schedule(vbss_openhaptics_tick, o, HD_MAX_PRIORITY);
+    VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, "a place in the servo"));
+    o->scheduled = true;
+    o->hd.start_scheduler();
+    o->started = true;
+    return vbss_openhaptics_check(o->context, &o->hd, "begin of the servo");
+}
+
+static vbss_result read_config(openhaptics_object *wanted, const vbss_openhaptics_config *config)
+{
+    vbss_context *context = wanted->context;
+    vbss_output_config limits;
+    wanted->config = config_defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, &wanted->config));
+    }
+    VBSS_TRY(vbss_check_range(context, wanted->config.device_count, 1.0, ARMS, "device_count"));
+    VBSS_TRY(vbss_check_range(context, wanted->config.rate, 100.0, 8000.0, "rate"));
+    VBSS_TRY(vbss_check_range(context, wanted->config.reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(vbss_output_config_init(&limits, sizeof limits));
+    if (wanted->config.output != NULL) {
+        VBSS_TRY(
+            vbss_config_read(context, &vbss_output_config_layout, wanted->config.output, &limits));
+    }
+    VBSS_TRY(vbss_output_check_config(context, &limits));
+    for (int i = 0; i < ARMS; i++) {
+        wanted->arms[i].limits = limits;
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptics_config *config,
+                                    vbss_openhaptics **openhaptics)
+{
+    if (openhaptics == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, openhaptics, "openhaptics");
+    }
+    *openhaptics = NULL;
+    VBSS_TRY(vbss_context_edit(context));
+    openhaptics_object *o = vbss_allocate(context, 1, sizeof *o, "haptic arms");
+    if (o == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    o->context = context;
+    atomic_init(&o->ending, false);
+    atomic_init(&o->ended, false);
+    vbss_slot *slot = NULL;
+    vbss_result result = read_config(o, config);
+    for (uint32_t i = 0; result == VBSS_OK && i < o->config.device_count; i++) {
+        result = vbss_slot_reserve(context, &arm_kind, &o->arms[i].seat);
+    }
+    if (result ==
+        VBSS_OK) { /* after those of the arms, so that a context that ends ends it first */
+        result = vbss_slot_reserve(context, &kind, &slot);
+    }
+    if (result == VBSS_OK) { /* last, as it touches the world outside */
+        result = open_arms(o);
+    }
+    /* texts of the host's are not looked at again */
+    o->config.library = o->config.first_name = o->config.second_name = NULL;
+    o->config.output = NULL;
+    if (result != VBSS_OK) {
+        free_object(context, o);
+        return result;
+    }
+    for (uint32_t i = 0; i < o->arm_count; i++) {
+        vbss_slot_fill(o->arms[i].seat, &o->arms[i]);
+        o->arms[i].seated = true;
+    }
+    vbss_slot_fill(slot, o);
+    *openhaptics = (vbss_openhaptics *)slot;
+    return VBSS_OK;
+}
+
+vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics)
+{
+    return vbss_slot_destroy(openhaptics, &kind);
+}
+
+static vbss_result open_which(const void *handle, uint32_t which, openhaptics_object **o, arm **a)
+{
+    vbss_slot *slot;
+    *a = NULL;
+    VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
+    *o = slot->object;
+    if (which >= (*o)->arm_count) {
+        return vbss_fail((*o)->context, VBSS_ERROR_OUT_OF_RANGE, "there is no arm %u", which);
+    }
+    *a = &(*o)->arms[which];
+    return VBSS_OK;
+}
+
+/* ---- the adapters. `user` is the arm's own handle, which outlives it: a device may be left behind. */
+
+static const arm_report *newest(arm *a)
+{
+    device_exchange_take(&a->to_host);
+    return &a->reports[a->to_host.reader];
+}
+
+static vbss_result open_seat(void *user, arm **a)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(user, &arm_kind, &slot));
+    *a = slot->object;
+    return VBSS_OK;
+}
+
+static void explain_failure(arm *a, const char *text)
+{
+    vbss_device_keep_text(a->text, sizeof a->text, text);
+}
+
+static void order(arm *a, const arm_order *wanted)
+{
+    a->orders[a->to_servo.writer] = *wanted;
+    device_exchange_publish(&a->to_servo);
+}
+
+static vbss_result arm_open(void *user)
+{
+    arm *a;
+    VBSS_TRY(open_seat(user, &a));
+    if (a->attached) {
+        explain_failure(a, "another device stands on this arm");
+        return VBSS_ERROR_DEVICE;
+    }
+    a->attached = true;
+    return VBSS_OK;
+}
+
+static void arm_close(void *user)
+{
+    arm *a;
+    if (open_seat(user, &a) == VBSS_OK) {
+        order(a, &(arm_order){.given = true});
+        a->attached = false;
+    }
+}
+
+static vbss_result arm_describe(void *user, vbss_device_capabilities *capabilities)
+{
+    arm *a;
+    VBSS_TRY(open_seat(user, &a));
+    *capabilities = a->capabilities;
+    return VBSS_OK;
+}
+
+/* What somebody must do, or what the vendor's library said last. */
+static void explain_status(arm *a, const vbss_openhaptics_status *s)
+{
+    if (s->ticks == 0) {
+        explain_failure(a, "the servo has not begun yet");
+    } else if (s->state == VBSS_HARDWARE_UNCALIBRATED) {
+        explain_failure(a, "not calibrated: put the stylus into the inkwell");
+    } else if (s->error != 0) {
+        snprintf(a->text, sizeof a->text, "%s (0x%04x, %d)", vbss_openhaptics_error_name(s->error),
+                 s->error, s->internal_error);
+    }
+}
+
+static vbss_result arm_read(void *user, double now, vbss_device_sample *sample)
+{
+    arm *a;
+    (void)now;
+    if (open_seat(user, &a) != VBSS_OK) {
+        sample->flags = VBSS_DEVICE_FLAG_LOST;
+        return VBSS_ERROR_DEVICE;
+    }
+    const arm_report *r = newest(a);
+    explain_status(a, &r->status);
+    *sample = r->sample;
+    return r->status.ticks == 0 || r->status.state == VBSS_HARDWARE_LOST ? VBSS_ERROR_DEVICE
+                                                                         : VBSS_OK;
+}
+
+static vbss_result arm_write(void *user, double now, const vbss_output_result *output)
+{
+    arm *a;
+    (void)now;
+    VBSS_TRY(open_seat(user, &a));
+    order(a, &(arm_order){.given = true, .force = vec3_load(output->force)});
+    return VBSS_OK;
+}
+
+static vbss_result arm_couple(void *user, double now, const vbss_output_result *output,
+                              const vbss_device_coupling *coupling)
+{
+    arm *a;
+    (void)now;
+    VBSS_TRY(open_seat(user, &a));
+    order(a, &(arm_order){true, true, vec3_load(output->force), *coupling});
+    return VBSS_OK;
+}
+
+static void arm_explain(void *user, char *text, uint32_t bytes)
+{
+    arm *a;
+    bool there = open_seat(user, &a) == VBSS_OK;
+    vbss_device_keep_text(text, bytes, there ? a->text : "the arms were closed");
+}
+
+vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t which,
+                                         vbss_device_adapter *adapter)
+{
+    openhaptics_object *o;
+    arm *a;
+    VBSS_TRY(open_which(openhaptics, which, &o, &a));
+    const vbss_device_adapter own = {
+        .struct_size = sizeof own,
+        .name = "haptic arm",
+        .user = a->seat,
+        .open = arm_open,
+        .close = arm_close,
+        .describe = arm_describe,
+        .read = arm_read,
+        .write = arm_write,
+        .explain = arm_explain,
+        .couple = arm_couple,
+    };
+    return vbss_device_give_adapter(o->context, &own, adapter);
+}
+
+/* ---- looking at arms */
+
+vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, uint32_t which,
+                                        vbss_openhaptics_status *status, uint32_t struct_size)
+{
+    openhaptics_object *o;
+    arm *a;
+    VBSS_TRY(open_which(openhaptics, which, &o, &a));
+    return vbss_struct_write(o->context, &status_layout, &newest(a)->status, status, struct_size);
+}
+
+vbss_result vbss_openhaptics_get_identity(vbss_openhaptics *openhaptics, uint32_t which,
+                                          const char **model, const char **serial)
+{
+    openhaptics_object *o;
+    arm *a;
+    VBSS_TRY(open_which(openhaptics, which, &o, &a));
+    if (model != NULL) {
+        *model = a->model;
+    }
+    if (serial != NULL) {
+        *serial = a->serial;
+    }
+    return VBSS_OK;
+}
