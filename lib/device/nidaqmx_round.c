@@ -54,7 +54,14 @@ int32_t vbss_nidaqmx_put_off(nidaqmx_object *o)
     return set_solenoids(o, 0);
 }
 
-/* What is wanted of the solenoids, unless the host was silent for too long: until the next round would be too late. */
+/* An order may be a period old when it is found, and the next look comes a period later; where periods are long, there is no
+ * being that exact. */
+static bool is_old(const nidaqmx_object *o, const handle_order *order, double age)
+{
+    return age > greater(order->expires - 2.0 * o->config.period, 0.5 * order->expires);
+}
+
+/* What is wanted of the solenoids, unless the host was silent for too long. */
 static uint32_t wanted_now(nidaqmx_object *o, double now)
 {
     uint32_t wanted = 0;
@@ -65,7 +72,7 @@ static uint32_t wanted_now(nidaqmx_object *o, double now)
             h->ordered_at = now;
         }
         const handle_order *order = &h->orders[h->to_round.reader];
-        bool old = now - h->ordered_at + o->config.period > order->expires;
+        bool old = is_old(o, order, now - h->ordered_at);
         silent = silent || (order->on && old);
         wanted |= order->on && !old ? 1u << i : 0u;
     }

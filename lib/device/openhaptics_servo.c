@@ -168,7 +168,8 @@ static vec3 force_now(openhaptics_object *o, arm *a)
     }
     const arm_order *order = &a->orders[a->to_servo.reader];
     const double age = (double)(o->tick - a->ordered_at) * h;
-    output_demand demand = {.age = order->given ? age : OUTPUT_NEVER,
+    /* the watchdog counts from the tick before: so old it may have been when it was found */
+    output_demand demand = {.age = order->given ? age + h : OUTPUT_NEVER,
                             .temperature = a->sample.temperature,
                             .fault = a->status.state != VBSS_HARDWARE_RUNNING ||
                                      atomic_load_explicit(&o->ending, memory_order_acquire)};
