@@ -48,7 +48,7 @@ static void close_lines(nidaqmx_object *o)
         atomic_store_explicit(&o->ending, true, memory_order_release);
         vbss_device_join_thread(&o->thread);
     }
-    if (o->digital != NULL && o->has_lines) {
+    if (o->driving) {
         vbss_nidaqmx_put_off(o);
     }
     end_task(&o->daq, o->analog);
@@ -171,6 +171,7 @@ static vbss_result open_lines(nidaqmx_object *o)
     VBSS_TRY(vbss_nidaqmx_check(
         o->context, &o->daq,
         o->daq.create_digital_output(o->digital, names, "", DAQ_CHANNEL_FOR_ALL_LINES), names));
+    o->driving = true;
     return vbss_nidaqmx_check(o->context, &o->daq, vbss_nidaqmx_put_off(o), names);
 }
 

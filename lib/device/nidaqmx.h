@@ -97,7 +97,7 @@ struct nidaqmx_object {
     vbss_nidaqmx_config config;
     char inputs[HANDLES][DAQ_NAME], lines[HANDLES][DAQ_NAME]; /* line empty: there is no solenoid */
     uint32_t handle_count;
-    bool has_lines;
+    bool has_lines, driving; /* driving: the lines are open */
     handle handles[HANDLES];
     daq_task analog, digital;
     device_thread thread;

@@ -404,10 +404,10 @@ static uint64_t writes(void)
     return count;
 }
 
-static void forbid_this_thread(void)
+static void forbid_this_thread(int yes)
 {
     enter();
-    world.forbidding = true;
+    world.forbidding = yes != 0;
     world.forbidden = pthread_self();
     leave(0);
 }

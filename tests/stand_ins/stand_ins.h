@@ -81,8 +81,8 @@ typedef struct stand_in_daq_table {
     int (*level)(int line);
     uint64_t (*reads)(void);
     uint64_t (*writes)(void);
-    /* Reads and writes from the calling thread are illegal from now on. */
-    void (*forbid_this_thread)(void);
+    /* Whether reads and writes from the calling thread are illegal. */
+    void (*forbid_this_thread)(int yes);
     int (*illegal)(const char **first);
 } stand_in_daq_table;
 

@@ -1,0 +1,105 @@
+/* Real threads: a servo at 1 kHz and a thread for the lines beside the host's. What is shared is the newest of each. */
+#include <pthread.h>
+#include <time.h>
+
+#include "device/hardware_rig.h"
+#include "device/platform.h"
+
+static double real_time(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void host_step(hardware_rig *r, int i)
+{
+    expect_ok(vbss_device_read(r->devices[i], r->now, &r->inputs[i], sizeof r->inputs[i]));
+    expect_ok(vbss_device_write_coupled(r->devices[i], r->now, &r->commands[i], &r->couplings[i],
+                                        NULL, 0));
+}
+
+/* Nothing is asked about times: the machine may have others to serve. */
+static void servo_lines_and_host_share_only_the_newest(void **state)
+{
+    (void)state;
+    hardware_rig r;
+    vbss_openhaptics_status arm;
+    vbss_nidaqmx_status lines;
+    hardware_rig_begin(&r, true);
+    hardware_rig_open(&r, 2);
+    r.daq->forbid_this_thread(1);
+    double begin = real_time();
+    for (int k = 0; k < 400; k++) {
+        const struct timespec nap = {0, 1000000};
+        r.now = real_time() - begin;
+        for (int i = 0; i < 2; i++) {
+            r.couplings[i].stiffness = 100.0;
+            r.couplings[i].position[0] = 0.002;
+            r.commands[i].solenoid = k / 50 % 2 == 0;
+            host_step(&r, i);
+        }
+        nanosleep(&nap, NULL);
+    }
+    expect_ok(vbss_openhaptics_get_status(r.openhaptics, 1, &arm, sizeof arm));
+    expect_ok(vbss_nidaqmx_get_status(r.nidaqmx, &lines, sizeof lines));
+    assert_true(arm.ticks > 50 && arm.orders > 20 && arm.errors == 0);
+    assert_true(lines.cycles > 20 && lines.failed_reads == 0 && lines.failed_writes == 0);
+    assert_true(fabs(r.inputs[0].jaw_raw - 0.5) < 0.01);
+    r.daq->forbid_this_thread(0); /* the end may wait */
+    hardware_rig_end(&r);
+}
+
+/* ---- the exchange alone: what is read is one value as it was written, and never an older one */
+
+enum { VALUES = 200000 };
+
+typedef struct shared {
+    device_exchange exchange;
+    uint64_t copies[3][8];
+} shared;
+
+static void *write_values(void *user)
+{
+    shared *s = user;
+    for (uint64_t k = 1; k <= VALUES; k++) {
+        uint64_t *copy = s->copies[s->exchange.writer];
+        for (int i = 0; i < 8; i++) {
+            copy[i] = k * (uint64_t)(i + 1);
+        }
+        device_exchange_publish(&s->exchange);
+    }
+    return NULL;
+}
+
+static void the_newest_value_is_whole_and_never_older(void **state)
+{
+    (void)state;
+    static shared s;
+    pthread_t writer;
+    uint64_t last = 0;
+    device_exchange_begin(&s.exchange);
+    assert_false(device_exchange_take(&s.exchange));
+    assert_int_equal(pthread_create(&writer, NULL, write_values, &s), 0);
+    while (last < VALUES) {
+        if (device_exchange_take(&s.exchange)) {
+            const uint64_t *copy = s.copies[s.exchange.reader];
+            assert_true(copy[0] > last);
+            last = copy[0];
+            for (int i = 0; i < 8; i++) {
+                assert_true(copy[i] == last * (uint64_t)(i + 1));
+            }
+        }
+    }
+    pthread_join(writer, NULL);
+    assert_false(device_exchange_take(&s.exchange));
+}
+
+int test_hardware_threads(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(servo_lines_and_host_share_only_the_newest),
+        cmocka_unit_test(the_newest_value_is_whole_and_never_older),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
