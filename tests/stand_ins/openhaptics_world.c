@@ -6,7 +6,20 @@
 
 enum { SUBSTEPS = 20 };
 
-hd_world world = {.lock = PTHREAD_MUTEX_INITIALIZER};
+#define HAND              \
+    {                     \
+        0.1, 50.0, 2.0,   \
+        {                 \
+            0.0, 0.0, 0.0 \
+        }                 \
+    }
+
+/* As a program finds it that knows nothing of stand-ins: ticking in real time. */
+hd_world world = {.lock = PTHREAD_MUTEX_INITIALIZER,
+                  .arms = {{.hand = HAND}, {.hand = HAND}},
+                  .threaded = true,
+                  .rate = 1000,
+                  .current = NOBODY};
 
 /* ---- errors and the referee */
 
@@ -155,7 +168,7 @@ static void reset(int threaded)
     memset(&world.judge, 0, sizeof world.judge);
     memset(world.arms, 0, sizeof world.arms);
     for (int i = 0; i < STAND_IN_ARMS; i++) {
-        world.arms[i].hand = (stand_in_hand){0.1, 50.0, 2.0, {0.0, 0.0, 0.0}};
+        world.arms[i].hand = (stand_in_hand)HAND;
     }
     world.error_count = 0;
     world.callback = NULL;
