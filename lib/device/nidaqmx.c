@@ -110,7 +110,7 @@ static vbss_result read_names(nidaqmx_object *o)
     const char *const inputs[HANDLES] = {c->first_input, c->second_input};
     const char *const lines[HANDLES] = {c->first_line, c->second_line};
     o->handle_count = c->handle_count;
-    for (uint32_t i = 0; i < o->handle_count; i++) {
+    for (uint32_t i = 0; i < o->handle_count && i < HANDLES; i++) {
         VBSS_TRY(read_name(o->context, inputs[i], o->inputs[i], "name of an input"));
         if (lines[i] != NULL) {
             VBSS_TRY(read_name(o->context, lines[i], o->lines[i], "name of a line"));

@@ -1,4 +1,4 @@
-/* The inside of handles and solenoids by NI-DAQmx: the vendor's functions and numbers (nidaqmx_library.c), a round of
+/* The inside of handles and solenoids by NI-DAQmx: the vendor's functions and numbers (nidaqmx_library.c, nidaqmx_list.c), a round of
  * write and read (nidaqmx_round.c) in a thread of its own or the host's, and life and adapters on the host's side
  * (nidaqmx.c).
  *
@@ -80,18 +80,19 @@ typedef struct nidaqmx_object nidaqmx_object;
 
 /* One handle as the host sees it. */
 typedef struct handle {
+    device_exchange to_round;
     nidaqmx_object *lines;
     vbss_slot *seat; /* handle of its own, for adapters */
     uint32_t which;
     bool seated, attached; /* attached: a device stands on it */
     char text[DEVICE_TEXT];
-    device_exchange to_round;
     handle_order orders[3];
     /* the round's alone */
     double ordered_at;
 } handle;
 
 struct nidaqmx_object {
+    device_exchange to_host;
     vbss_context *context;
     daq_functions daq;
     vbss_nidaqmx_config config;
@@ -103,7 +104,6 @@ struct nidaqmx_object {
     device_thread thread;
     bool threaded;
     atomic_bool ending;
-    device_exchange to_host;
     daq_report reports[3];
     /* the round's alone */
     bool written, failing,

@@ -1,7 +1,4 @@
-/* The vendor's library: its functions, what its errors mean, and which devices it knows. */
-#include <stdio.h>
-#include <string.h>
-
+/* The vendor's library: its functions, and what its errors mean. */
 #include "device/nidaqmx.h"
 
 #ifdef _WIN32
@@ -92,61 +89,10 @@ vbss_result vbss_nidaqmx_check(vbss_context *context, const daq_functions *daq, 
     }
     text[sizeof text - 1] = '\0';
     for (char *c = text; *c != '\0'; c++) { /* one line */
-        *c = *c == '\n' || *c == '\r' ? ' ' : *c;
+        if (*c == '\n' || *c == '\r') {
+            *c = ' ';
+        }
     }
     return vbss_fail(context, VBSS_ERROR_DEVICE, "NI-DAQmx: %s: %s (%d) %s", what,
                      vbss_nidaqmx_error_name(code), code, text);
-}
-
-/* ---- which devices there are */
-
-/* Appends as much as there is room for. */
-static void append(char *text, uint32_t bytes, const char *more)
-{
-    size_t used = strlen(text);
-    vbss_device_keep_text(text + used, bytes - used, more);
-}
-
-static vbss_result list(vbss_context *context, const daq_functions *daq, char *text, uint32_t bytes)
-{
-    char names[1024] = "", product[DAQ_NAME];
-    VBSS_TRY(
-        vbss_nidaqmx_check(context, daq, daq->get_device_names(names, sizeof names), "devices"));
-    names[sizeof names - 1] = '\0';
-    for (char *name = names; *name != '\0';) { /* separated by comma and blank */
-        char *end = name;
-        while (*end != '\0' && *end != ',') {
-            end++;
-        }
-        char *next = *end == ',' ? end + 1 : end;
-        *end = '\0';
-        product[0] = '\0';
-        if (daq->get_product(name, product, sizeof product) < 0) {
-            product[0] = '\0';
-        }
-        product[sizeof product - 1] = '\0';
-        append(text, bytes, name);
-        append(text, bytes, "  ");
-        append(text, bytes, product);
-        append(text, bytes, "\n");
-        while (*next == ' ') {
-            next++;
-        }
-        name = next;
-    }
-    return VBSS_OK;
-}
-
-vbss_result vbss_nidaqmx_list(vbss_context *context, const char *library, char *text,
-                              uint32_t bytes)
-{
-    daq_functions daq = {.library = NULL};
-    VBSS_TRY(vbss_context_edit(context));
-    VBSS_TRY(vbss_check_pointer(context, text, "text"));
-    VBSS_TRY(vbss_check_range(context, bytes, 1.0, 4294967295.0, "bytes"));
-    text[0] = '\0';
-    vbss_result result = vbss_nidaqmx_load(context, library, &daq);
-    result = result == VBSS_OK ? list(context, &daq, text, bytes) : result;
-    vbss_device_unload_library(daq.library);
-    return result;
 }

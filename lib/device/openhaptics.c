@@ -19,8 +19,8 @@ static const vbss_layout config_layout = {"vbss_openhaptics_config", &config_def
 static const uint32_t status_sizes[] = {104, 0};
 static const vbss_layout status_layout = {"vbss_openhaptics_status", NULL, status_sizes};
 
-/* So long the servo is waited for at the end, s. */
-#define PATIENCE 0.2
+/* So long the servo is waited for at the end, ms. */
+#define PATIENCE 200
 
 vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32_t struct_size)
 {
@@ -31,14 +31,13 @@ vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32
 
 static void end_servo(openhaptics_object *o)
 {
-    const double nap = 1e-3;
     atomic_store_explicit(&o->ending, true, memory_order_release);
-    for (double waited = 0.0; o->started && waited < PATIENCE; waited += nap) {
+    for (int i = 0; o->started && i < PATIENCE; i++) {
         if (atomic_load_explicit(&o->ended, memory_order_acquire)) {
             break;
         }
         o->hd.wait_for_completion(o->callback, HD_CHECK_STATUS);
-        vbss_device_sleep(nap);
+        vbss_device_sleep(1e-3);
     }
     if (o->started) {
         o->hd.stop_scheduler();
@@ -194,7 +193,7 @@ static vbss_result open_arms(openhaptics_object *o)
 {
     const char *const names[ARMS] = {o->config.first_name, o->config.second_name};
     VBSS_TRY(vbss_openhaptics_load(o->context, o->config.library, &o->hd));
-    for (uint32_t i = 0; i < o->config.device_count; i++) {
+    for (uint32_t i = 0; i < o->config.device_count && i < ARMS; i++) {
         o->arm_count++;
         VBSS_TRY(open_arm(o, &o->arms[i], names[i]));
     }
@@ -249,7 +248,7 @@ vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptic
     atomic_init(&o->ended, false);
     vbss_slot *slot = NULL;
     vbss_result result = read_config(o, config);
-    for (uint32_t i = 0; result == VBSS_OK && i < o->config.device_count; i++) {
+    for (uint32_t i = 0; result == VBSS_OK && i < o->config.device_count && i < ARMS; i++) {
         result = vbss_slot_reserve(context, &arm_kind, &o->arms[i].seat);
     }
     if (result ==
@@ -283,11 +282,11 @@ vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics)
 static vbss_result open_which(const void *handle, uint32_t which, openhaptics_object **o, arm **a)
 {
     vbss_slot *slot;
-    *a = NULL;
     VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
     *o = slot->object;
     if (which >= (*o)->arm_count) {
-        return vbss_fail((*o)->context, VBSS_ERROR_OUT_OF_RANGE, "there is no arm %u", which);
+        vbss_fail((*o)->context, VBSS_ERROR_OUT_OF_RANGE, "there is no arm %u", which);
+        return VBSS_ERROR_OUT_OF_RANGE;
     }
     *a = &(*o)->arms[which];
     return VBSS_OK;

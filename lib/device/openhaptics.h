@@ -105,6 +105,7 @@ typedef struct arm_report {
 enum { ARMS = 2, ARM_NAME = 64 };
 
 typedef struct arm {
+    device_exchange to_servo, to_host;
     vbss_slot *seat; /* handle of its own, for adapters */
     uint32_t device;
     bool seated, opened, attached; /* attached: a device stands on it */
@@ -113,7 +114,6 @@ typedef struct arm {
     char text[DEVICE_TEXT]; /* what failed last, on the host's side */
     vbss_device_capabilities capabilities;
     vbss_output_config limits; /* of the stage in the servo */
-    device_exchange to_servo, to_host;
     arm_order orders[3];
     arm_report reports[3];
     /* the servo's alone */

@@ -205,7 +205,7 @@ int32_t STAND_IN_CALL DAQmxCreateDOChan(task_handle handle, const char *lines, c
         strlen(lines) >= sizeof copy || grouping < 0 || grouping > 1) {
         return leave(refuse("DAQmxCreateDOChan", "not to this task", INVALID_TASK));
     }
-    strcpy(copy, lines);
+    memcpy(copy, lines, strlen(lines) + 1);
     for (char *name = copy, *next; name != NULL; name = next) {
         next = strchr(name, ',');
         if (next != NULL) {
@@ -247,10 +247,10 @@ static double quantised(double volts)
 STAND_IN_API int32_t STAND_IN_CALL DAQmxReadAnalogF64(task_handle handle, int32_t samples,
                                                       double timeout, uint32_t fill, double *values,
                                                       uint32_t room, int32_t *read,
-                                                      uint32_t *reserved);
+                                                      const uint32_t *reserved);
 int32_t STAND_IN_CALL DAQmxReadAnalogF64(task_handle handle, int32_t samples, double timeout,
                                          uint32_t fill, double *values, uint32_t room,
-                                         int32_t *read, uint32_t *reserved)
+                                         int32_t *read, const uint32_t *reserved)
 {
     enter();
     task *t = task_of(handle);
@@ -280,11 +280,12 @@ int32_t STAND_IN_CALL DAQmxReadAnalogF64(task_handle handle, int32_t samples, do
 STAND_IN_API int32_t STAND_IN_CALL DAQmxWriteDigitalLines(task_handle handle, int32_t samples,
                                                           uint32_t auto_start, double timeout,
                                                           uint32_t layout, const uint8_t *bytes,
-                                                          int32_t *written, uint32_t *reserved);
+                                                          int32_t *written,
+                                                          const uint32_t *reserved);
 int32_t STAND_IN_CALL DAQmxWriteDigitalLines(task_handle handle, int32_t samples,
                                              uint32_t auto_start, double timeout, uint32_t layout,
                                              const uint8_t *bytes, int32_t *written,
-                                             uint32_t *reserved)
+                                             const uint32_t *reserved)
 {
     enter();
     task *t = task_of(handle);
