@@ -93,13 +93,13 @@ typedef struct handle {
 
 struct nidaqmx_object {
     device_exchange to_host;
+    handle handles[HANDLES];
     vbss_context *context;
     daq_functions daq;
     vbss_nidaqmx_config config;
     char inputs[HANDLES][DAQ_NAME], lines[HANDLES][DAQ_NAME]; /* line empty: there is no solenoid */
     uint32_t handle_count;
     bool has_lines, driving; /* driving: the lines are open */
-    handle handles[HANDLES];
     daq_task analog, digital;
     device_thread thread;
     bool threaded;
