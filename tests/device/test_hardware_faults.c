@@ -218,6 +218,39 @@ static void warnings_are_counted_and_nothing_else(void **state)
     hardware_rig_end(&r);
 }
 
+/* The host does nothing meanwhile, so what it would do does not hide what the servo does not. */
+static void the_servo_lets_go_by_itself(void **state)
+{
+    (void)state;
+    const stand_in_hd_fault faults[] = {STAND_IN_COMM_ERROR, STAND_IN_NAN_POSE, STAND_IN_TOO_FAST};
+    for (int i = 0; i < 3; i++) {
+        hardware_rig r;
+        begin_pressed(&r);
+        r.silent = true;
+        r.hd->set_fault(0, faults[i], 1);
+        hardware_rig_steps(&r, faults[i] == STAND_IN_TOO_FAST ? 2 : 1); /* told when a frame ends */
+        assert_true(hardware_rig_force(&r, 0) == 0.0);
+        hardware_rig_steps(&r, 1);
+        assert_true(hardware_rig_force(&r, 0) == 0.0);
+        hardware_rig_end(&r);
+    }
+}
+
+static void a_round_that_measures_nothing_puts_solenoids_off_and_leaves_them(void **state)
+{
+    (void)state;
+    hardware_rig r;
+    begin_pressed(&r);
+    uint64_t writes = r.daq->writes();
+    r.daq->set_fault(STAND_IN_READ_TIMEOUT, 1);
+    expect_ok(vbss_nidaqmx_pump(r.nidaqmx, r.now + 0.001)); /* while the host still wants it on */
+    assert_false(hardware_rig_solenoid(&r, 0));
+    expect_ok(vbss_nidaqmx_pump(r.nidaqmx, r.now + 0.002));
+    assert_false(hardware_rig_solenoid(&r, 0));
+    assert_true(r.daq->writes() == writes + 1);
+    hardware_rig_end(&r);
+}
+
 int test_hardware_faults(void)
 {
     const struct CMUnitTest tests[] = {
@@ -232,6 +265,8 @@ int test_hardware_faults(void)
         cmocka_unit_test(lines_that_do_not_answer_in_time_put_solenoids_off),
         cmocka_unit_test(lines_that_are_removed_are_lost),
         cmocka_unit_test(warnings_are_counted_and_nothing_else),
+        cmocka_unit_test(the_servo_lets_go_by_itself),
+        cmocka_unit_test(a_round_that_measures_nothing_puts_solenoids_off_and_leaves_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
