@@ -147,10 +147,12 @@ static vbss_result look_back(const stitch *t, pass_outcome *out)
 vbss_result pass_run(const pass_options *o, pass_outcome *out)
 {
     static stitch t;
+    char note[64];
     double *steps = out->steps;
     *out = (pass_outcome){.steps = steps, .painted = true};
     vbss_result result = stitch_create(&t, o->seed);
-    result = result ? result : stand_begin(&t.site.stand, o->log);
+    snprintf(note, sizeof note, "vbss needle pass seed %lu", (unsigned long)o->seed);
+    result = result ? result : stand_begin(&t.site.stand, o->log, note);
     result = result ? result : pass(&t, o, out);
     result = result ? result : look_back(&t, out);
     stand_destroy(&t.site.stand);

@@ -125,11 +125,13 @@ static vbss_result write_log(stand *s)
     return full ? VBSS_ERROR_CAPACITY : VBSS_OK;
 }
 
-vbss_result stand_begin(stand *s, const char *log)
+vbss_result stand_begin(stand *s, const char *log, const char *note)
 {
     vbss_record_config c;
     TRY(vbss_record_config_init(&c, sizeof c));
     c.hash_interval = HASH_INTERVAL;
+    c.note = note;
+    c.note_bytes = (uint32_t)strlen(note);
     TRY(vbss_record_create(s->scene, &c, &s->record));
     if (log != NULL) {
         s->log = fopen(log, "wb");
@@ -178,7 +180,7 @@ static vbss_result follow_cut(stand *s, uint32_t piece)
     return VBSS_OK;
 }
 
-static vbss_result follow_cuts(stand *s)
+vbss_result stand_follow(stand *s)
 {
     vbss_view view;
     TRY(vbss_scene_get_view(s->scene, VBSS_SCENE_VIEW_EVENTS, &view, sizeof view));
@@ -194,7 +196,7 @@ static vbss_result follow_cuts(stand *s)
 vbss_result stand_step(stand *s, double dt)
 {
     TRY(vbss_record_step(s->record, dt));
-    TRY(follow_cuts(s));
+    TRY(stand_follow(s));
     s->time += dt;
     return write_log(s);
 }

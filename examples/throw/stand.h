@@ -48,12 +48,14 @@ static inline double stand_height(vec x)
 }
 
 vbss_result stand_create(stand *s, double tail, double limb);
-/* Begins the log, when all is there. */
-vbss_result stand_begin(stand *s, const char *log);
+/* Begins the log, when all is there. The note says what the scene is made from. */
+vbss_result stand_begin(stand *s, const char *log, const char *note);
 /* Holds the limb up beside a node, until a hand has it; lets it go. */
 vbss_result stand_offer(stand *s, uint32_t node);
 vbss_result stand_let_go(stand *s);
 vbss_result stand_step(stand *s, double dt);
+/* After a step that was made otherwise: `thread` is what is left of it on the drain, if it was cut. */
+vbss_result stand_follow(stand *s);
 /* Ends the log. */
 vbss_result stand_end(stand *s);
 void stand_destroy(stand *s);

@@ -221,11 +221,14 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
 {
     throw_plan plan;
     bool good;
+    char note[64];
+    snprintf(note, sizeof note, "vbss throw %s seed %lu", trial_name(t->options->kind),
+             (unsigned long)t->options->seed);
     plan_first(t->options, &plan);
     plan.wrong = t->options->wrong;
     plan.unchecked = t->options->unchecked;
     TRY(trial_set_up(t->options, &t->st, t->hands));
-    TRY(stand_begin(&t->st, t->options->log));
+    TRY(stand_begin(&t->st, t->options->log, note));
     TRY(senses_create(&t->see, &t->st, &t->hands[0], &t->hands[1]));
     TRY(senses_look(&t->see));
     TRY(tie(t, &plan, &good));

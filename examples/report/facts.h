@@ -1,0 +1,155 @@
+/* All that a report is made from: what the log says (read.c), what playing it back shows (again.c), what follows from both
+ * (phases.c, measure.c). What is not known says so. */
+#ifndef VBSS_EXAMPLES_REPORT_FACTS_H
+#define VBSS_EXAMPLES_REPORT_FACTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <vblast_ss/vblast_ss.h>
+
+#define TRY(call)                     \
+    do {                              \
+        vbss_result result_ = (call); \
+        if (result_ != VBSS_OK) {     \
+            return result_;           \
+        }                             \
+    } while (0)
+
+enum { LEFT = 0, RIGHT = 1, SIDES = 2, MOST_THROWS = 8, MOST_NAME = 64 };
+
+/* ---- of the log alone */
+
+typedef struct moment {
+    double time, h;      /* s, after the step; its length */
+    double at[SIDES][3]; /* where the tools were told to be, m */
+    double opening[SIDES];
+    bool told[SIDES]; /* from the first time on */
+} moment;
+
+typedef struct happening {
+    uint32_t kind, first, second, number; /* as in VBSS_SCENE_VIEW_EVENTS */
+    uint64_t step;
+    double time;
+} happening;
+
+/* A tool has something in its jaws. */
+typedef struct holding {
+    int side;
+    uint32_t thing;
+    double from, to;
+    uint32_t ended; /* by which event; 0: it still holds it */
+} holding;
+
+/* ---- of the same steps once more */
+
+typedef struct again_step {
+    double force[SIDES]; /* on the hands, N */
+    double gap, widest;  /* of the slit, m; below 0: there is none */
+    double pulls[SIDES][3];
+    double spent; /* thread CPU time, s */
+    uint32_t contacts;
+} again_step;
+
+typedef struct reading {
+    double time;
+    uint64_t step;
+    vbss_knot_state state;
+    vbss_knot_throw throws[MOST_THROWS];
+    char notation[MOST_NAME];
+} reading;
+
+typedef struct puncture {
+    uint32_t id;
+    int mark; /* the nearer one */
+    bool withdrawn;
+    uint64_t step;
+    double time, withdrawn_time;
+    double angle, axial, tube; /* rad, m, m: seen from the mark, on a cylinder of that radius */
+    double force[3];           /* of the wall on the needle, N */
+} puncture;
+
+typedef struct again {
+    bool asked;
+    const char *name; /* of the scene that was made once more; NULL: none */
+    vbss_result result;
+    char problem[256];
+    vbss_replay_report report;
+    again_step *steps;
+    uint64_t count;
+    reading *readings;
+    size_t reading_count, reading_room;
+    puncture *punctures;
+    size_t puncture_count, puncture_room;
+    uint32_t needle;   /* its body; 0: none */
+    bool drain, knots; /* are there */
+    vbss_scene_statistics scene;
+} again;
+
+/* ---- of both */
+
+typedef struct phase {
+    char name[MOST_NAME];
+    double from, to;
+    uint64_t step;
+    bool tying; /* throws are tied or pulled down in it */
+} phase;
+
+typedef struct measured {
+    vbss_metrics_config config;
+    vbss_metrics_report report;
+    vbss_metrics_motion motion[SIDES];
+    vbss_metrics_bimanual bimanual;
+    vbss_metrics_penalty *penalties;
+    vbss_metrics_throw *throws;
+    double *speed[SIDES], *force[SIDES]; /* a row each hundredth of a second */
+    size_t rows[SIDES], force_rows[SIDES];
+    double begin; /* s: of the first row */
+} measured;
+
+typedef struct facts {
+    const char *path;
+    uint8_t *bytes;
+    size_t count;
+    vbss_context *context;
+    vbss_replay *log;
+    vbss_replay_info info;
+    vbss_log_report check;
+    uint32_t tools[SIDES]; /* their bodies; 0: none */
+    uint32_t others;       /* bodies beside these that were moved */
+    moment *moments;
+    uint64_t steps;
+    happening *events;
+    size_t event_count, event_room;
+    uint64_t counts[32]; /* of events by kind; 0: of kinds beyond */
+    holding *holdings;
+    size_t holding_count, holding_room;
+    again again;
+    phase *phases;
+    size_t phase_count, phase_room;
+    const char *phase_source;
+    measured measured;
+} facts;
+
+/* Makes an array of `used` items have room for one more; false: no memory. */
+bool facts_room(void **array, size_t *room, size_t used, size_t size);
+
+/* read.c: a log, whole or cut off. What is wrong with it is in `check`; the status is of a log that has no begin. */
+vbss_result facts_read(facts *f);
+/* again.c: plays it back, if its scene can be made once more. What fails is told in `again`. */
+vbss_result facts_again(facts *f);
+/* The last reading that was certified; NULL: none was. (again.c) */
+const reading *facts_certified(const facts *f);
+/* phases.c */
+vbss_result facts_phases(facts *f);
+/* measure.c */
+vbss_result facts_measure(facts *f);
+void facts_destroy(facts *f);
+
+static inline double facts_end(const facts *f)
+{
+    return f->steps > 0 ? f->moments[f->steps - 1].time : 0.0;
+}
+
+#endif

@@ -1,0 +1,131 @@
+/* Where the phases on the page come from. Logs do not name them yet, so they are told apart by what happened: each ends
+ * with the first time that something is done. A log that names its own phases is to be read here and nowhere else. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report/facts.h"
+
+enum { MOST_ENDS = 8 + MOST_THROWS };
+
+typedef struct phase_end {
+    char name[MOST_NAME]; /* of what ends here */
+    double time;
+    uint64_t step;
+    bool tying;
+} phase_end;
+
+typedef struct ends {
+    phase_end all[MOST_ENDS];
+    size_t count;
+} ends;
+
+static void add(ends *e, const char *name, double time, uint64_t step, bool tying)
+{
+    if (e->count < MOST_ENDS) {
+        phase_end *p = &e->all[e->count++];
+        snprintf(p->name, sizeof p->name, "%s", name);
+        p->time = time;
+        p->step = step;
+        p->tying = tying;
+    }
+}
+
+/* The n-th of a kind, counted from 1 on; NULL: there are fewer. */
+static const happening *nth(const facts *f, uint32_t kind, int n)
+{
+    for (size_t i = 0; i < f->event_count; i++) {
+        const happening *e = &f->events[i];
+        bool counts = kind != VBSS_EVENT_CUT || e->second != 0; /* a cut that was made */
+        if (e->kind == kind && counts && --n == 0) {
+            return e;
+        }
+    }
+    return NULL;
+}
+
+static void add_nth(const facts *f, ends *e, uint32_t kind, int n, const char *name)
+{
+    const happening *h = nth(f, kind, n);
+    if (h != NULL) {
+        add(e, name, h->time, h->step, false);
+    }
+}
+
+static void add_needle(const facts *f, ends *e)
+{
+    const happening *entry = nth(f, VBSS_EVENT_PUNCTURE, 1);
+    uint32_t needle = entry != NULL ? entry->first : f->again.needle;
+    for (size_t i = 0; needle != 0 && i < f->event_count; i++) {
+        if (f->events[i].kind == VBSS_EVENT_GRASP && f->events[i].first == needle) {
+            add(e, "taking the needle", f->events[i].time, f->events[i].step, false);
+            break;
+        }
+    }
+    add_nth(f, e, VBSS_EVENT_PUNCTURE, 1, "to the first wall");
+    add_nth(f, e, VBSS_EVENT_PUNCTURE, 2, "inside the drain");
+    add_nth(f, e, VBSS_EVENT_PASSED, 2, "drawing through");
+}
+
+static void add_throws(const facts *f, ends *e)
+{
+    uint32_t tied = 0;
+    for (size_t i = 0; i < f->again.reading_count; i++) {
+        const reading *r = &f->again.readings[i];
+        for (; tied < r->state.throw_count && tied < MOST_THROWS; tied++) {
+            char name[MOST_NAME];
+            snprintf(name, sizeof name, "throw %u", (unsigned)tied + 1);
+            add(e, name, r->time, r->step, true);
+        }
+    }
+}
+
+static int by_time(const void *a, const void *b)
+{
+    const phase_end *x = a, *y = b;
+    int later = (x->step > y->step) - (x->step < y->step);
+    return later != 0 ? later : strcmp(x->name, y->name);
+}
+
+vbss_result facts_phases(facts *f)
+{
+    ends e = {.count = 0};
+    double from = 0.0;
+    uint64_t step = 0;
+    add_needle(f, &e);
+    add_throws(f, &e);
+    bool throws = f->again.reading_count > 0 && e.count > 0 && e.all[e.count - 1].tying;
+    const happening *exchange = nth(f, VBSS_EVENT_EXCHANGED, 1);
+    if (exchange != NULL) {
+        add(&e, throws ? "seating, new tool" : "until a new tool", exchange->time, exchange->step,
+            throws);
+    }
+    add_nth(f, &e, VBSS_EVENT_CUT, 2, "cutting");
+    f->phase_source =
+        "The log names no phases. These were told apart by what happened in it: each ends when the "
+        "needle is held for the first time, when a wall is entered, when needle and thread are "
+        "through, when another throw is tied, when a tool is exchanged, with the second cut.";
+    qsort(e.all, e.count, sizeof e.all[0], by_time);
+    bool seating = e.count > 0 && strncmp(e.all[e.count - 1].name, "throw", 5) == 0;
+    add(&e,
+        e.count == 0 ? "the whole log"
+        : seating    ? "seating"
+                     : "until the end",
+        facts_end(f), f->steps, seating);
+    for (size_t i = 0; i < e.count; i++) {
+        if (e.all[i].step <= step) {
+            continue;
+        }
+        if (!facts_room((void **)&f->phases, &f->phase_room, f->phase_count, sizeof *f->phases)) {
+            return VBSS_ERROR_OUT_OF_MEMORY;
+        }
+        phase *p = &f->phases[f->phase_count++];
+        memcpy(p->name, e.all[i].name, sizeof p->name);
+        p->from = from;
+        p->to = from = e.all[i].time;
+        p->step = step;
+        p->tying = e.all[i].tying;
+        step = e.all[i].step;
+    }
+    return VBSS_OK;
+}

@@ -1,0 +1,148 @@
+#include "report/stage.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "needle/stitch.h"
+#include "throw/trial.h"
+
+/* ---- notes */
+
+enum { MOST_WORDS = 96 };
+
+/* "vbss throw surgeons seed 2" and nothing else; kind is empty where there is none. */
+typedef struct words {
+    char program[16], kind[16];
+    unsigned long seed;
+} words;
+
+static bool read_note(const void *note, size_t count, words *w)
+{
+    char text[MOST_WORDS];
+    int end = 0;
+    memset(w, 0, sizeof *w);
+    if (count == 0 || count >= sizeof text || memchr(note, '\0', count) != NULL) {
+        return false;
+    }
+    memcpy(text, note, count);
+    text[count] = '\0';
+    int got = sscanf(text, "vbss %15s %15s seed %10lu%n", w->program, w->kind, &w->seed, &end);
+    return got == 3 && end == (int)count;
+}
+
+static bool is_throw(const words *w)
+{
+    return strcmp(w->program, "throw") == 0 && trial_kind_of(w->kind) < TRIAL_KINDS;
+}
+
+static bool is_stitch(const words *w)
+{
+    return strcmp(w->program, "needle") == 0 && strcmp(w->kind, "pass") == 0;
+}
+
+bool stage_knows(const void *note, size_t count)
+{
+    words w;
+    return read_note(note, count, &w) && (is_throw(&w) || is_stitch(&w));
+}
+
+/* ---- scenes */
+
+static vbss_result make_throw(stage *s, const words *w)
+{
+    static stand st;
+    static hand hands[SIDES]; /* for their tools */
+    const trial_options o = {.kind = (trial_kind)trial_kind_of(w->kind), .seed = w->seed};
+    memset(&st, 0, sizeof st);
+    s->name = "two hands that tie a knot (examples/throw)";
+    s->stand = &st;
+    vbss_result result = trial_set_up(&o, &st, hands);
+    s->graspers[LEFT] = hands[LEFT].grasper;
+    s->graspers[RIGHT] = hands[RIGHT].grasper;
+    return result;
+}
+
+static vbss_result make_stitch(stage *s, const words *w)
+{
+    static stitch t;
+    memset(&t, 0, sizeof t);
+    s->name = "two hands that pass a needle (examples/needle)";
+    s->stand = &t.site.stand;
+    vbss_result result = stitch_create(&t, w->seed);
+    s->graspers[LEFT] = t.left.grasper;
+    s->graspers[RIGHT] = t.right.grasper;
+    s->drain = t.site.drain;
+    s->tube = t.site.tube;
+    s->needle = t.site.needle_body;
+    return result;
+}
+
+vbss_result stage_create(stage *s, const void *note, size_t count)
+{
+    words w;
+    memset(s, 0, sizeof *s);
+    if (!read_note(note, count, &w)) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    vbss_result result = is_throw(&w) ? make_throw(s, &w) : make_stitch(s, &w);
+    s->context = s->stand->context;
+    s->scene = s->stand->scene;
+    return result;
+}
+
+void stage_destroy(stage *s)
+{
+    if (s->stand != NULL) {
+        stand_destroy(s->stand);
+    }
+}
+
+vbss_result stage_follow(stage *s)
+{
+    return stand_follow(s->stand);
+}
+
+/* ---- the knot */
+
+static void show_holes(const stage *s, vbss_knot_input *in)
+{
+    vbss_hole hole;
+    for (uint32_t i = 0; s->drain != NULL && in->hole_count < 2; i++) {
+        if (vbss_scene_get_hole(s->scene, i, &hole, sizeof hole) != VBSS_OK) {
+            return;
+        }
+        if (hole.thread == s->stand->thread_body) {
+            memcpy(in->holes[in->hole_count++], hole.position, sizeof hole.position);
+        }
+    }
+}
+
+/* The thread alone, whatever the tools hold. */
+vbss_result stage_judge(stage *s, reading *r)
+{
+    vbss_knot_input in;
+    const vec *x = stand_nodes(s->stand);
+    if (s->detector == NULL) {
+        TRY(vbss_knot_detector_create(s->context, NULL, &s->detector));
+    }
+    TRY(vbss_knot_input_init(&in, sizeof in));
+    in.points = &x[0].x;
+    in.point_count = s->stand->nodes;
+    if (s->drain == NULL) { /* laid out through two marks */
+        in.hole_count = 2;
+        for (int i = 0; i < 2; i++) {
+            v_store(in.holes[i], x[s->stand->marks[i]]);
+            in.hole_places[i] = s->stand->marks[i];
+        }
+        in.away[2] = -1.0;
+    } else { /* from the needle on */
+        in.reversed = 1;
+        show_holes(s, &in);
+    }
+    TRY(vbss_knot_detector_judge(s->detector, &in));
+    TRY(vbss_knot_detector_get_state(s->detector, &r->state, sizeof r->state));
+    for (uint32_t i = 0; i < r->state.throw_count && i < MOST_THROWS; i++) {
+        TRY(vbss_knot_detector_get_throw(s->detector, i, &r->throws[i], sizeof r->throws[i]));
+    }
+    return vbss_knot_detector_get_notation(s->detector, r->notation, sizeof r->notation);
+}

@@ -1,0 +1,178 @@
+/* What came of it: completed or not, time, score and every point that it is below 600. */
+#include "knots/words.h"
+
+#include "report/page.h"
+
+static const char *why_not(const facts *f)
+{
+    uint32_t flags = f->measured.report.flags;
+    if (f->steps == 0) {
+        return "the log holds no complete step";
+    }
+    if ((flags & VBSS_METRICS_TIMEOUT) != 0) {
+        return "the time was up";
+    }
+    if ((flags & VBSS_METRICS_AVULSED) != 0) {
+        return "the drain was torn off";
+    }
+    if ((flags & VBSS_METRICS_BROKEN) != 0) {
+        return "the thread broke";
+    }
+    if (f->check.result == VBSS_ERROR_TRUNCATED) {
+        return "the log is cut off before both tails were cut";
+    }
+    if (f->check.result != VBSS_OK) {
+        return "the log is damaged before both tails were cut";
+    }
+    return "the log ends before both tails were cut";
+}
+
+/* ---- cards */
+
+typedef enum outcome { WHOLE, PART, NOT_DONE } outcome;
+
+/* Both tails cut is the end of the task; what else belongs to it may be missing, or not be known. */
+static outcome outcome_of(const facts *f)
+{
+    const vbss_metrics_report *r = &f->measured.report;
+    uint32_t failed = VBSS_METRICS_TIMEOUT | VBSS_METRICS_AVULSED | VBSS_METRICS_BROKEN;
+    uint32_t holes = VBSS_METRICS_PUNCTURE_0 | VBSS_METRICS_PUNCTURE_1;
+    if ((r->flags & VBSS_METRICS_STOPPED) == 0 || (r->flags & failed) != 0) {
+        return NOT_DONE;
+    }
+    return (r->flags & holes) == holes && r->throw_count >= f->measured.config.throws_wanted ? WHOLE
+                                                                                             : PART;
+}
+
+static void put_task(page *p, const facts *f)
+{
+    static const char *const words[] = {"Completed", "In part", "Not completed"};
+    static const char *const styles[] = {"good", "warn", "bad"};
+    const vbss_metrics_report *r = &f->measured.report;
+    outcome o = outcome_of(f);
+    put(p, "<div class=\"card\"><p class=\"label\">Task</p><p class=\"big %s\">%s</p><p>",
+        styles[o], words[o]);
+    if (o == NOT_DONE) {
+        put_text(p, why_not(f));
+    } else {
+        put(p, "both tails were cut");
+    }
+    if (o == PART && f->again.count == 0) {
+        put(p, "; whether all else was done is not known, as the log was not played back");
+    } else if (o == PART) {
+        put(p, "; %u of %u throws stand, %s", (unsigned)r->throw_count,
+            (unsigned)f->measured.config.throws_wanted,
+            f->again.puncture_count == 0 ? "no wall was pierced" : "not both marks were pierced");
+    }
+    put(p, "</p></div>\n");
+}
+
+static void put_knot_card(page *p, const facts *f)
+{
+    const again *a = &f->again;
+    const reading *last = a->reading_count > 0 ? &a->readings[a->reading_count - 1] : NULL;
+    const reading *proved = facts_certified(f), *shown = proved != NULL ? proved : last;
+    put(p, "<div class=\"card\"><p class=\"label\">Knot</p><p class=\"big\">");
+    put_text(p, shown == NULL ? "unknown" : shown->notation[0] != '\0' ? shown->notation : "none");
+    put(p, "</p><p>");
+    if (shown == NULL) {
+        put(p, "the log was not played back");
+    } else if (proved == last) {
+        put(p, "at the end, certified");
+    } else if (proved != NULL) {
+        put(p, "certified at %.2f s; at the end ", proved->time);
+        put_text(p, last->notation[0] != '\0' ? last->notation : "none");
+        put(p, ", %s", words_of_verdict(last->state.verdict));
+    } else {
+        put(p, "at the end%s",
+            last->state.verdict != VBSS_KNOT_VERDICT_NONE ? ", not certified" : "");
+    }
+    put(p, "</p></div>\n");
+}
+
+static void put_cards(page *p, const facts *f)
+{
+    const measured *m = &f->measured;
+    bool done = outcome_of(f) != NOT_DONE;
+    bool final = (m->report.flags & VBSS_METRICS_FINAL) != 0;
+    put(p, "<div class=\"cards\">\n");
+    put_task(p, f);
+    put(p,
+        "<div class=\"card\"><p class=\"label\">Time</p><p class=\"big\">%.2f "
+        "<small>s</small></p><p>%s</p></div>\n",
+        m->report.time,
+        done ? "from the begin of the log to the second cut"
+             : "recorded, from the begin of the log");
+    put(p,
+        "<div class=\"card\"><p class=\"label\">Score</p><p "
+        "class=\"big%s\">%.1f</p><p>%s</p></div>\n",
+        final ? "" : " unsure", m->report.score,
+        final ? "of 600, in the style of MISTELS"
+              : "of 600, provisional: not everything that counts is known");
+    put_knot_card(p, f);
+    put(p, "</div>\n");
+}
+
+/* ---- every point */
+
+static void put_where(page *p, const vbss_metrics_penalty *e)
+{
+    bool known = e->step > 0 || e->time > 0.0;
+    if (known) {
+        put(p, "<td class=\"n\">%.3f</td><td class=\"n\">%llu</td>", e->time,
+            (unsigned long long)e->step);
+    } else {
+        put(p, "<td class=\"n\">&#8211;</td><td class=\"n\">&#8211;</td>");
+    }
+    put(p, "<td>%s</td>",
+        e->tool == VBSS_METRICS_LEFT    ? "left"
+        : e->tool == VBSS_METRICS_RIGHT ? "right"
+                                        : "&#8211;");
+}
+
+static void put_score(page *p, const measured *m)
+{
+    put(p,
+        "<table><caption>From %.0f points to the score</caption><thead><tr><th "
+        "scope=\"col\">Reason</th><th scope=\"col\" class=\"n\">Measure</th><th scope=\"col\" "
+        "class=\"n\">at s</th><th scope=\"col\" class=\"n\">step</th><th scope=\"col\">tool</th>"
+        "<th scope=\"col\" class=\"n\">Points</th></tr></thead>\n<tbody>\n",
+        m->config.max_time);
+    put(p,
+        "<tr><th scope=\"row\">most there is</th><td></td><td></td><td></td><td></td><td "
+        "class=\"n\">%.1f</td></tr>\n",
+        m->config.max_time);
+    put(p,
+        "<tr><th scope=\"row\">time, a point a second</th><td class=\"n\">%.2f "
+        "s</td><td></td><td></td><td></td><td class=\"n\">&#8722;%.1f</td></tr>\n",
+        m->report.time, m->report.time);
+    for (uint32_t i = 0; i < m->report.penalty_count; i++) {
+        const vbss_metrics_penalty *e = &m->penalties[i];
+        put(p, "<tr><th scope=\"row\">");
+        put_text(p, e->text);
+        put(p, "</th><td class=\"n\">%.2f</td>", e->measure);
+        put_where(p, e);
+        put(p, "<td class=\"n\">%s%.1f</td></tr>\n", e->amount > 0.0 ? "&#8722;" : "", e->amount);
+    }
+    put(p,
+        "</tbody><tfoot><tr><th scope=\"row\" colspan=\"5\">score</th><td "
+        "class=\"n\">%.1f</td></tr></tfoot></table>\n",
+        m->report.score);
+}
+
+void page_summary(page *p, const facts *f)
+{
+    const measured *m = &f->measured;
+    put(p, "<section aria-labelledby=\"summary\"><h2 id=\"summary\">Summary</h2>\n");
+    put_cards(p, f);
+    put_score(p, m);
+    put(p,
+        "<p class=\"note\">600 &#8722; time &#8722; penalties, as Korndorffer et al. published the "
+        "form in 2005; the weights are common ones and not those of FLS, which are not published. "
+        "This is not an FLS score and says nothing of certification.");
+    if ((m->report.flags & VBSS_METRICS_FINAL) == 0) {
+        put(p, " What is not known costs nothing here, so a whole trial with the same faults "
+               "could have less.");
+    }
+    put(p, "</p></section>\n");
+}

@@ -1,0 +1,140 @@
+/* Writes what a session log says as one page that needs nothing else:
+ *
+ *     vbss-report LOG [-o FILE.html] [--pictures FOLDER] [--log-only]
+ *
+ * Without -o the page is written beside the log. The log is played back for what it does not hold, if its note says which
+ * scene it is of; --log-only does without. Exits 0 for a log that is whole, 1 for one that is cut off or damaged (the page
+ * is of its good part) or plays back to other bits, 2 where there is no page. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report/page.h"
+
+enum { MOST_PATH = 1024 };
+
+typedef struct options {
+    const char *log, *to, *pictures;
+    bool log_only;
+} options;
+
+static bool read_options(int count, char **words, options *o)
+{
+    for (int i = 1; i < count; i++) {
+        if (strcmp(words[i], "-o") == 0 && i + 1 < count) {
+            o->to = words[++i];
+        } else if (strcmp(words[i], "--pictures") == 0 && i + 1 < count) {
+            o->pictures = words[++i];
+        } else if (strcmp(words[i], "--log-only") == 0) {
+            o->log_only = true;
+        } else if (words[i][0] != '-' && o->log == NULL) {
+            o->log = words[i];
+        } else {
+            return false;
+        }
+    }
+    return o->log != NULL;
+}
+
+static bool read_whole(const char *path, facts *f)
+{
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        return false;
+    }
+    long size = fseek(file, 0, SEEK_END) == 0 ? ftell(file) : -1;
+    f->bytes = size >= 0 && fseek(file, 0, SEEK_SET) == 0 ? malloc((size_t)size + 1) : NULL;
+    f->count = f->bytes != NULL ? fread(f->bytes, 1, (size_t)size, file) : 0;
+    return fclose(file) == 0 && f->bytes != NULL && f->count == (size_t)size;
+}
+
+static vbss_result find_out(facts *f)
+{
+    TRY(facts_read(f));
+    TRY(facts_again(f));
+    TRY(facts_phases(f));
+    return facts_measure(f);
+}
+
+static bool write_page(const facts *f, const pictures *shown, const char *to)
+{
+    page *p = page_create();
+    if (p == NULL) {
+        return false;
+    }
+    page_head(p, f);
+    page_summary(p, f);
+    page_timeline(p, f);
+    page_bands(p, f);
+    page_motion(p, f);
+    page_accuracy(p, f);
+    page_knot(p, f);
+    page_simulation(p, f);
+    page_pictures(p, shown);
+    page_foot(p, f, shown);
+    bool written = page_write(p, to);
+    page_destroy(p);
+    return written;
+}
+
+/* 0, 1, 2 as above; says why. */
+static int report(facts *f, const pictures *shown, const char *to)
+{
+    vbss_result result = find_out(f);
+    if (result != VBSS_OK) {
+        const char *text = "";
+        if (f->context != NULL) {
+            (void)vbss_context_get_last_error(f->context, NULL, &text);
+        }
+        fprintf(stderr, "%s: %s%s%s\n", f->path, vbss_result_name(result),
+                text[0] != '\0' ? ": " : "", text);
+        return 2;
+    }
+    if (!write_page(f, shown, to)) {
+        fprintf(stderr, "%s cannot be written\n", to);
+        return 2;
+    }
+    bool differs = f->again.report.outcome == VBSS_REPLAY_DIFFERS;
+    if (f->check.result != VBSS_OK || differs) {
+        fprintf(stderr, "%s: %s\n", f->path,
+                differs ? "plays back to other bits" : vbss_result_name(f->check.result));
+    }
+    printf("%s\n", to);
+    return f->check.result == VBSS_OK && !differs ? 0 : 1;
+}
+
+static int run(const options *o)
+{
+    static facts f;
+    static pictures shown;
+    char beside[MOST_PATH];
+    int length = snprintf(beside, sizeof beside, "%s.html", o->log);
+    f.path = o->log;
+    f.again.asked = !o->log_only;
+    if (length < 0 || length >= MOST_PATH || !read_whole(o->log, &f)) {
+        fprintf(stderr, "%s cannot be read\n", o->log);
+        free(f.bytes);
+        return 2;
+    }
+    if (o->pictures != NULL && !pictures_read(&shown, o->pictures)) {
+        fprintf(stderr, "%s cannot be read\n", o->pictures);
+        free(f.bytes);
+        return 2;
+    }
+    int code = report(&f, &shown, o->to != NULL ? o->to : beside);
+    pictures_free(&shown);
+    facts_destroy(&f);
+    return code;
+}
+
+int main(int count, char **words)
+{
+    options o = {NULL, NULL, NULL, false};
+    if (!read_options(count, words, &o)) {
+        fprintf(
+            stderr,
+            "vbss-report LOG [-o FILE.html] [--pictures FOLDER] [--log-only: not played back]\n");
+        return 2;
+    }
+    return run(&o);
+}
