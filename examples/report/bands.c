@@ -5,7 +5,7 @@
 #include "report/page.h"
 #include "report/plot.h"
 
-enum { WIDE = 240, TALL = 26 };
+enum { WIDE = 200, TALL = 26 };
 
 typedef struct source {
     const char *mark, *text;
@@ -122,7 +122,7 @@ static void put_outcome(page *p, const facts *f)
 {
     const measured *m = &f->measured;
     uint32_t flags = m->report.flags;
-    bool final = (flags & VBSS_METRICS_FINAL) != 0;
+    bool final = (flags & VBSS_METRICS_FINAL) != 0 && !page_may_go_on(f);
     put_group(p, "Outcome");
     put_banded(p, row_of("time", "s", f->steps > 0, m->report.time, 1, 600.0), 0.0, 112.0, 421.0,
                "at most 112; the tick: 421, mean of a trial of VBLaST-SS (source e)", "a", false);

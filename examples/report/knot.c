@@ -55,9 +55,14 @@ static void put_throws(page *p, const reading *r, const again *a)
 static void put_verdict(page *p, const char *when, const reading *r)
 {
     char faults[WORDS];
+    if (r->notation[0] == '\0') {
+        put(p, "<p class=\"verdict\">%s, %.2f s: <strong>no knot</strong>%s</p>\n", when, r->time,
+            r->state.verdict == VBSS_KNOT_VERDICT_UNCERTAIN ? ", uncertain" : "");
+        return;
+    }
     words_of_faults(r->state.faults, faults);
     put(p, "<p class=\"verdict\">%s, %.2f s: <strong>", when, r->time);
-    put_text(p, r->notation[0] != '\0' ? r->notation : "no knot");
+    put_text(p, r->notation);
     put(p, "</strong> %s, %s. Against the knot of the task, 2=1=1: ", words_of_name(r->state.name),
         words_of_verdict(r->state.verdict));
     put_text(p, faults);

@@ -26,7 +26,6 @@ void pictures_free(pictures *p);
 /* Pieces, to be put as they stand; NULL ends them. */
 extern const char *const page_style[];
 
-/* What the log does not say, for the section at the end. */
 void page_head(page *p, const facts *f); /* page.c */
 void page_foot(page *p, const facts *f, const pictures *shown);
 void page_summary(page *p, const facts *f);     /* summary.c */
@@ -37,6 +36,12 @@ void page_accuracy(page *p, const facts *f);    /* accuracy.c */
 void page_knot(page *p, const facts *f);        /* knot.c */
 void page_simulation(page *p, const facts *f);  /* simulation.c */
 void page_pictures(page *p, const pictures *s); /* pictures.c */
+
+/* Whether the trial went on is not known where the log is cut off before its end. */
+static inline bool page_may_go_on(const facts *f)
+{
+    return f->check.result != VBSS_OK && (f->measured.report.flags & VBSS_METRICS_STOPPED) == 0;
+}
 
 static inline const char *page_side(int side)
 {

@@ -99,17 +99,30 @@ static void hear(const facts *f, const vbss_log_input *input, moment *m)
     }
 }
 
+static bool keep_happening(facts *f, const happening *h)
+{
+    if (!facts_room((void **)&f->events, &f->event_room, f->event_count, sizeof *f->events)) {
+        return false;
+    }
+    f->events[f->event_count++] = *h;
+    return true;
+}
+
+/* A cut by the host is an input and no event; the piece has no name in it. */
+static bool keep_cut(facts *f, const vbss_log_step *step, const vbss_log_input *input)
+{
+    const happening h = {VBSS_EVENT_CUT, input->words[0], UINT32_MAX, 0, step->number, step->time};
+    f->counts[VBSS_EVENT_CUT]++;
+    return keep_happening(f, &h);
+}
+
 static bool keep_event(facts *f, const vbss_log_step *step, const uint32_t *e)
 {
     f->counts[e[0] < KINDS ? e[0] : 0]++;
     if (e[0] == VBSS_EVENT_TOUCH || e[0] == VBSS_EVENT_PART) {
         return true; /* counted, and too many to be shown */
     }
-    if (!facts_room((void **)&f->events, &f->event_room, f->event_count, sizeof *f->events)) {
-        return false;
-    }
-    f->events[f->event_count++] = (happening){e[0], e[1], e[2], e[3], step->number, step->time};
-    return true;
+    return keep_happening(f, &(happening){e[0], e[1], e[2], e[3], step->number, step->time});
 }
 
 static vbss_result read_steps(facts *f)
@@ -125,6 +138,9 @@ static vbss_result read_steps(facts *f)
         m->h = step.h;
         for (uint32_t i = 0; i < step.input_count; i++) {
             hear(f, &step.inputs[i], m);
+            if (step.inputs[i].kind == VBSS_INPUT_CUT && !keep_cut(f, &step, &step.inputs[i])) {
+                return VBSS_ERROR_OUT_OF_MEMORY;
+            }
         }
         for (uint32_t i = 0; i < step.event_count; i++) {
             if (!keep_event(f, &step, step.events + 4 * (size_t)i)) {

@@ -88,8 +88,8 @@ static void put_scene(page *p, const again *a)
     put_count(p, "pairs tested", s->guard_pairs, "by the guard");
     put(p,
         "</tbody></table>\n<p>Deepest penetration %.1f &#181;m; largest stretch error "
-        "%.1e.</p>\n",
-        1e6 * s->penetration, s->stretch_error);
+        "%.3f %%.</p>\n",
+        1e6 * s->penetration, 100.0 * s->stretch_error);
 }
 
 static void put_replay(page *p, const facts *f)

@@ -46,7 +46,7 @@ const char *const page_style[] = {
     ".n{text-align:right;white-space:nowrap}\n",
     "tr.group th{font-weight:700;padding-top:.9rem;border-bottom:2px solid var(--line)}\n",
     ".bands caption{font-weight:400;color:var(--soft)}.bands td.n{padding-right:.5rem}"
-    ".bar{width:250px}.bar svg{display:block;width:240px}\n",
+    ".bar{width:212px}.bar svg{display:block;width:200px}\n",
     ".note{color:var(--soft);font-size:.88rem;max-width:52rem}"
     ".absent{color:var(--soft);font-style:italic}\n",
     ".sources{font-size:.84rem;color:var(--soft);padding-left:1rem;columns:2;column-gap:2rem}"

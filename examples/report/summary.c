@@ -90,11 +90,26 @@ static void put_knot_card(page *p, const facts *f)
     put(p, "</p></div>\n");
 }
 
+static void put_score_card(page *p, const facts *f)
+{
+    const vbss_metrics_report *r = &f->measured.report;
+    put(p, "<div class=\"card\"><p class=\"label\">Score</p><p class=\"big");
+    if (page_may_go_on(f)) {
+        put(p, "\">unknown</p><p>how the trial went on is not in the log</p></div>\n");
+    } else if ((r->flags & VBSS_METRICS_FINAL) != 0) {
+        put(p, "\">%.1f</p><p>of 600, in the style of MISTELS</p></div>\n", r->score);
+    } else {
+        put(p,
+            " unsure\">%.1f</p><p>of 600, provisional: not everything that counts is "
+            "known</p></div>\n",
+            r->score);
+    }
+}
+
 static void put_cards(page *p, const facts *f)
 {
     const measured *m = &f->measured;
     bool done = outcome_of(f) != NOT_DONE;
-    bool final = (m->report.flags & VBSS_METRICS_FINAL) != 0;
     put(p, "<div class=\"cards\">\n");
     put_task(p, f);
     put(p,
@@ -103,12 +118,7 @@ static void put_cards(page *p, const facts *f)
         m->report.time,
         done ? "from the begin of the log to the second cut"
              : "recorded, from the begin of the log");
-    put(p,
-        "<div class=\"card\"><p class=\"label\">Score</p><p "
-        "class=\"big%s\">%.1f</p><p>%s</p></div>\n",
-        final ? "" : " unsure", m->report.score,
-        final ? "of 600, in the style of MISTELS"
-              : "of 600, provisional: not everything that counts is known");
+    put_score_card(p, f);
     put_knot_card(p, f);
     put(p, "</div>\n");
 }
@@ -173,6 +183,10 @@ void page_summary(page *p, const facts *f)
     if ((m->report.flags & VBSS_METRICS_FINAL) == 0) {
         put(p, " What is not known costs nothing here, so a whole trial with the same faults "
                "could have less.");
+    }
+    if (page_may_go_on(f)) {
+        put(p,
+            " Here the end of the log is taken for the end of the trial, which may have gone on.");
     }
     put(p, "</p></section>\n");
 }

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Pages of logs of the demonstrations say what these said of themselves.
+
+    check_playback.py VBSS_REPORT THROW begin              the begin of a throw, cut off and whole
+    check_playback.py VBSS_REPORT THROW whole PASS_NEEDLE  a throw and a stitch
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+from pages import Page, report
+
+TOOL, THROW, PART = sys.argv[1:4]
+
+
+def run(*command):
+    return subprocess.run(command, capture_output=True, text=True).stdout
+
+
+def check_begin(folder):
+    """Half a second of a throw, which ends as not tied."""
+    log, path = folder / "begin.vbss", folder / "begin.html"
+    run(THROW, "single", "-s", "0", "-t", "0.5", "-l", log)
+    report(TOOL, log, path, 0)
+    page = Page(path)
+    steps = int(page.text().partition(" steps, ")[0].rpartition(" ")[2])
+    assert steps >= 500 and f"Played back to the same bits through step {steps}" in page.text()
+    assert float(page.rows("largest of all, right")[0][0]) > 0.0
+    assert page.cards()["Knot"][0] == "none" and page.cards()["Task"][0] == "Not completed"
+    log.write_bytes(log.read_bytes()[:-150])
+    report(TOOL, log, path, 1)
+    cut = Page(path).text()
+    assert "Played back to the same bits through step" in cut and ", where the log ends;" in cut
+    report(TOOL, log, path, 1, "--log-only")
+    assert "Not played back: it was asked not to" in Page(path).text()
+    # A note that was changed is found out.
+    note = b"vbss throw single seed 0"
+    log.write_bytes(log.read_bytes().replace(note, note[:-1] + b"7", 1))
+    report(TOOL, log, path, 2)
+
+
+def check_throw(folder):
+    log, path = folder / "single.vbss", folder / "single.html"
+    said = run(THROW, "single", "-s", "1", "-l", log)
+    found = re.search(r"good '(.*?)' hand ([+-]1)", said)
+    assert found and "the same hashes" in said, said
+    report(TOOL, log, path, 0)
+    page = Page(path)
+    assert page.cards()["Knot"] == [found[1], "at the end, certified"], page.cards()
+    rows = [row for row in page.rows("single") if len(row) == 5]  # a throw, in the order it is tied
+    number, hand, order, sure, _ = rows[-1]
+    assert hand == ("left-handed" if found[2] == "-1" else "right-handed"), (hand, said)
+    assert (number, order, sure) == ("1", "the first", "certified"), rows
+    assert 1.9 < float(page.rows("largest while tying, left")[0][0]) < 6.1, "pulls to 2 N"
+
+
+def check_stitch(folder, program):
+    log, path = folder / "pass.vbss", folder / "pass.html"
+    said = run(program, "-s", "1", "-l", log)
+    report(TOOL, log, path, 0)
+    page = Page(path)
+    for side in ("right", "left"):
+        off = re.search(side + r": ([0-9.]+) mm off", said)[1]
+        assert page.rows(f"{side} hole off its mark")[0][0] == off, (side, off)
+    assert len([e for e in page.elements("circle") if e.get("class") == "hole"]) == 2
+    assert any("Gap of the slit over time" in "".join(e.itertext()) for e in page.elements("svg"))
+    assert [row[0] for row in page.rows("taking the needle")] == ["1"]
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        if PART == "begin":
+            check_begin(folder)
+        else:
+            check_throw(folder)
+            check_stitch(folder, sys.argv[4])
+
+
+if __name__ == "__main__":
+    main()
