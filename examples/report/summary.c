@@ -70,22 +70,24 @@ static void put_task(page *p, const facts *f)
 static void put_knot_card(page *p, const facts *f)
 {
     const again *a = &f->again;
-    const reading *last = a->reading_count > 0 ? &a->readings[a->reading_count - 1] : NULL;
-    const reading *proved = facts_certified(f), *shown = proved != NULL ? proved : last;
     put(p, "<div class=\"card\"><p class=\"label\">Knot</p><p class=\"big\">");
-    put_text(p, shown == NULL ? "unknown" : shown->notation[0] != '\0' ? shown->notation : "none");
+    if (a->reading_count == 0) {
+        put(p, "unknown</p><p>the log was not played back</p></div>\n");
+        return;
+    }
+    const reading *last = &a->readings[a->reading_count - 1], *proved = facts_certified(f);
+    const reading *shown = proved != NULL ? proved : last;
+    put_text(p, shown->notation[0] != '\0' ? shown->notation : "none");
     put(p, "</p><p>");
-    if (shown == NULL) {
-        put(p, "the log was not played back");
-    } else if (proved == last) {
-        put(p, "at the end, certified");
-    } else if (proved != NULL) {
-        put(p, "certified at %.2f s; at the end ", proved->time);
+    if (shown == last) {
+        put(p, "at the end%s",
+            proved == last                                  ? ", certified"
+            : last->state.verdict != VBSS_KNOT_VERDICT_NONE ? ", not certified"
+                                                            : "");
+    } else {
+        put(p, "certified at %.2f s; at the end ", shown->time);
         put_text(p, last->notation[0] != '\0' ? last->notation : "none");
         put(p, ", %s", words_of_verdict(last->state.verdict));
-    } else {
-        put(p, "at the end%s",
-            last->state.verdict != VBSS_KNOT_VERDICT_NONE ? ", not certified" : "");
     }
     put(p, "</p></div>\n");
 }

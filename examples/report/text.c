@@ -73,9 +73,14 @@ void put_base64(page *p, const uint8_t *data, size_t count)
         uint32_t three = (uint32_t)data[i] << 16;
         three |= i + 1 < count ? (uint32_t)data[i + 1] << 8 : 0;
         three |= i + 2 < count ? data[i + 2] : 0;
-        char four[4] = {digits[three >> 18], digits[three >> 12 & 63],
-                        i + 1 < count ? digits[three >> 6 & 63] : '=',
-                        i + 2 < count ? digits[three & 63] : '='};
+        char four[4] = {digits[three >> 18], digits[three >> 12 & 63], digits[three >> 6 & 63],
+                        digits[three & 63]};
+        if (i + 1 >= count) {
+            four[2] = '=';
+        }
+        if (i + 2 >= count) {
+            four[3] = '=';
+        }
         bytes_add(&p->held, four, sizeof four);
     }
 }

@@ -8,20 +8,20 @@
 enum { WIDE = 960, LANE = 34, LANES = 4, BEGIN = 84 };
 
 typedef struct mark {
-    uint32_t kind;
     const char *words, *style;
+    uint32_t kind;
     char shape; /* c: circle, d: diamond, t: triangle, x: cross */
 } mark;
 
 static const mark marks[] = {
-    {VBSS_EVENT_PUNCTURE, "a wall is entered", "m-needle", 't'},
-    {VBSS_EVENT_WITHDRAWN, "the needle is drawn back", "m-bad", 'x'},
-    {VBSS_EVENT_PASSED, "the needle is through", "m-needle", 'c'},
-    {VBSS_EVENT_TORN, "torn out of the jaws", "m-bad", 'x'},
-    {VBSS_EVENT_CUT, "a thread is cut", "m-cut", 'd'},
-    {VBSS_EVENT_EXCHANGED, "a tool is exchanged", "m-tool", 'c'},
-    {VBSS_EVENT_CLAMPED, "a step is cut short or paused", "m-warn", 'c'},
-    {VBSS_EVENT_HOLE_LOST, "no room for a hole", "m-bad", 'x'},
+    {"a wall is entered", "m-needle", VBSS_EVENT_PUNCTURE, 't'},
+    {"the needle is drawn back", "m-bad", VBSS_EVENT_WITHDRAWN, 'x'},
+    {"the needle is through", "m-needle", VBSS_EVENT_PASSED, 'c'},
+    {"torn out of the jaws", "m-bad", VBSS_EVENT_TORN, 'x'},
+    {"a thread is cut", "m-cut", VBSS_EVENT_CUT, 'd'},
+    {"a tool is exchanged", "m-tool", VBSS_EVENT_EXCHANGED, 'c'},
+    {"a step is cut short or paused", "m-warn", VBSS_EVENT_CLAMPED, 'c'},
+    {"no room for a hole", "m-bad", VBSS_EVENT_HOLE_LOST, 'x'},
 };
 enum { MARKS = sizeof marks / sizeof marks[0] };
 

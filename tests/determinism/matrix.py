@@ -1,10 +1,12 @@
 """The determinism table: the golden program built by several compilers for several machines, every
-hash compared with tests/golden/<scene>.txt. One table, one verdict.
+hash compared with tests/golden/<scene>.txt; and logs that one build has written, replayed by each of
+them, every step's hash compared with that in the log. One table, one verdict.
 
-    matrix.py --work FOLDER [--only NAME ...] [--program FILE] [--canary]
+    matrix.py --work FOLDER [--only NAME ...] [--program FILE] [--writer FILE] [--canary]
 
 --only     these rows of BUILDS instead of all
 --program  a golden program that is already built, as one more row
+--writer   a vbss_replay_log that is already built: it writes the logs that are replayed; without it none are
 --canary   builds that must differ, and passes only if they do and are named
 """
 import argparse
@@ -62,7 +64,7 @@ def build(work, name, compiler, flags, machine="", canary_flags=""):
     folder = work / name
     shutil.rmtree(folder, ignore_errors=True)
     run(["cmake", "-S", HERE / "standalone", "-B", folder, "-G", "Ninja", *options])
-    run(["cmake", "--build", folder, "-j", "2", "--target", "vbss_golden"])
+    run(["cmake", "--build", folder, "-j", "2", "--target", "vbss_golden", "vbss_replay_log"])
     return folder / "vbss_golden"
 
 
@@ -82,37 +84,71 @@ def hashes_of(program, machine=""):
     return found
 
 
+def write_logs(writer, folder):
+    """The logs, and how many steps each has."""
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    run([writer, "write", folder])
+    logs = {log: replay(writer, log, "") for log in sorted(folder.glob("*.vbss"))}
+    if not logs or any(differs for steps, differs in logs.values()):
+        raise Broken("the build that wrote the logs does not replay them")
+    return {log: steps for log, (steps, differs) in logs.items()}
+
+
+def replay(program, log, machine):
+    """Steps made, and the first whose hash is another, or 0."""
+    command = ([f"qemu-{machine}"] if machine else []) + [program, log]
+    return tuple(int(word) for word in run(command, timeout=600).split()[1:])
+
+
+def replay_differences(program, machine, logs):
+    """One line for each log that does not replay to its end, with the step; how many steps were made."""
+    told, made = [], 0
+    for log, wanted in logs.items():
+        steps, differs = replay(program, log, machine)
+        made += steps
+        if differs or steps != wanted:
+            told.append(f"log {log.stem} after step {differs or steps}")
+    return told, made
+
+
 def print_row(*cells):
-    print("{:<15} {:<22} {:<36} {:>6} {:>6}  {:<32} {:>6} {:>5}".format(*cells), flush=True)
+    print("{:<15} {:<22} {:<36} {:>6} {:>6} {:>8}  {:<32} {:>6} {:>5}".format(*cells), flush=True)
 
 
-def row(name, make, golden, machine="", compiler="-", flags="-"):
+def row(name, make, golden, machine="", compiler="-", flags="-", logs=None):
     """Builds, runs, compares, prints; what is wrong with this build."""
     begin = time.monotonic()
-    found, ran = {}, 0.0
+    found, ran, replayed = {}, 0.0, 0
     try:
         program = make()
         start = time.monotonic()
         found = hashes_of(program, machine)
         ran = time.monotonic() - start
         wrong = differences(found, golden, bool(machine))
+        if logs:
+            told, replayed = replay_differences(program.with_name("vbss_replay_log"), machine, logs)
+            wrong += told
     except (Broken, subprocess.TimeoutExpired) as broken:
         wrong = [f"cannot be made: {broken}"]
     first = wrong[0].splitlines()[0] if wrong else "none"
-    print_row(name, compiler, flags, len(found), sum(map(len, found.values())), first[:64],
+    print_row(name, compiler, flags, len(found), sum(map(len, found.values())), replayed, first[:64],
               f"{time.monotonic() - begin - ran:.1f}", f"{ran:.1f}")
     return [f"{name}: {problem}" for problem in wrong]
 
 
-def canaries(work, golden):
+def canaries(work, golden, logs):
     """Wrong builds and a wrong golden file must be told with scene and first differing index."""
     if not golden:
         return ["there are no golden files to differ from"]
     bad = []
     for name, (compiler, flags, extra) in CANARIES.items():
         wrong = row(name, lambda: build(work, name, compiler, flags, "", extra), golden, "", compiler,
-                    "-O3 v3, contraction")
-        if not wrong or not all(" at index " in problem for problem in wrong):
+                    "-O3 v3, contraction", logs)
+        if logs and not any(" after step " in problem for problem in wrong):
+            bad.append(f"{name} must differ in the replay of a log")
+        if not wrong or not all(" at index " in problem or " after step " in problem
+                                for problem in wrong):
             bad.append(f"{name} must differ in the hashes, and: {wrong or 'does not'}")
     spoiled = {scene: list(values) for scene, values in golden.items()}
     scene, values = next(iter(spoiled.items()))
@@ -133,14 +169,17 @@ def main():
     parser.add_argument("--work", required=True, type=pathlib.Path)
     parser.add_argument("--only", nargs="+", choices=BUILDS, default=[])
     parser.add_argument("--program", type=pathlib.Path)
+    parser.add_argument("--writer", type=pathlib.Path)
     parser.add_argument("--canary", action="store_true")
     arguments = parser.parse_args()
     golden, begin = read_golden(), time.monotonic()
     names = arguments.only or ([] if arguments.program else list(BUILDS))
-    print_row("build", "compiler", "flags", "scenes", "hashes", "first difference", "make s", "run s")
-    bad = []
+    print_row("build", "compiler", "flags", "scenes", "hashes", "replayed", "first difference", "make s", "run s")
+    bad, logs = [], {}
+    if arguments.writer:
+        logs = write_logs(arguments.writer, arguments.work / "logs")
     if arguments.canary:
-        bad = canaries(arguments.work, golden)
+        bad = canaries(arguments.work, golden, logs)
     else:
         bad = unrecorded(golden)
         if arguments.program:
@@ -148,7 +187,7 @@ def main():
         for name in names:
             compiler, flags, machine = BUILDS[name]
             bad += row(name, lambda: build(arguments.work, name, compiler, flags, machine), golden,
-                       machine, compiler, flags)
+                       machine, compiler, flags, logs)
     for problem in bad:
         print("  " + problem)
     what = "canaries" if arguments.canary else "determinism"
