@@ -222,7 +222,7 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
     throw_plan plan;
     bool good;
     char note[64];
-    snprintf(note, sizeof note, "vbss throw %s seed %lu", trial_name(t->options->kind),
+    snprintf(note, sizeof note, "vbss throw %s seed %lu", trial_name((int)t->options->kind),
              (unsigned long)t->options->seed);
     plan_first(t->options, &plan);
     plan.wrong = t->options->wrong;
