@@ -6,10 +6,10 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 .ci/install-packages demo
 
 out=build/demo
-mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/needle"
+mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/needle" "$out/report"
 echo "== building (release)"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
-cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery pass_needle >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery pass_needle vbss_report >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 
 {
     echo "== embedding in C"
@@ -24,6 +24,10 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
     ./build/release/examples/drain/drain_gallery "$out/drain"
     echo "== a needle, passed through both marks of a drain by two scripted hands"
     ./build/release/examples/needle/pass_needle -v -s 1 -p "$out/needle" -l "$out/needle/pass.vbss"
+    echo "== what a teacher gets of a knot and a stitch, from their logs"
+    cp "$out"/throws/surgeons-*.png "$out/report"
+    ./build/release/examples/report/vbss-report "$out/throws/surgeons.vbss" -o "$out/report/surgeons.html" --pictures "$out/report"
+    ./build/release/examples/report/vbss-report "$out/needle/pass.vbss" -o "$out/report/pass.html" --pictures "$out/needle"
     echo "== the golden scenes, built here: the same bits as everywhere"
     python3 -B tests/determinism/matrix.py --work "$out/golden" --only gcc-O3
 } | tee "$out/report.txt"
@@ -32,4 +36,5 @@ echo
 echo "The library is in build/release/lib, this report in $out/report.txt,"
 echo "the hands at work in $out/throws: <knot>.png (all key stages), <knot>-<throw>-<stage>.png, <knot>.vbss (the log),"
 echo "the drain, touched, in $out/drain, the needle on its way through it in $out/needle,"
+echo "pages of the sessions in $out/report: surgeons.html, pass.html; open them in a browser,"
 echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>-throws.png (as told), <knot>.svg."
