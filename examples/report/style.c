@@ -110,6 +110,8 @@ const char *const page_style[] = {
     "--p3:#f6e6cf;--p4:#f3d9de;--p5:#d9ecef}\n",
     "body{font-size:10.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}"
     "main,header,footer{max-width:none;padding:0}\n",
-    "figure,table.bands tr,.card{break-inside:avoid}h2{break-after:avoid}"
+    "figure,table.bands "
+    "tr,.card{break-inside:avoid}h2,tr.group{break-after:avoid}.cards{grid-template-columns:repeat("
+    "4,1fr)}"
     "a{color:inherit;text-decoration:none}}\n",
     NULL};
