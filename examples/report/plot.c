@@ -90,14 +90,14 @@ void plot_phases(const plot *p, const facts *f)
 
 typedef struct pen {
     const plot *p;
-    bool down;
+    bool down, empty;               /* nothing is gathered of the place at hand */
     double column, low, high, last; /* of the place at hand */
 } pen;
 
 static void draw_column(pen *d)
 {
     const plot *p = d->p;
-    if (isnan(d->low)) {
+    if (d->empty) {
         return;
     }
     put(p->to, "%c%.1f %.1f", d->down ? 'L' : 'M', p->left + d->column, plot_y(p, d->low));
@@ -106,12 +106,12 @@ static void draw_column(pen *d)
         put(p->to, "L%.1f %.1fL%.1f %.1f", p->left + d->column, plot_y(p, d->high),
             p->left + d->column, plot_y(p, d->last));
     }
-    d->low = NAN;
+    d->empty = true;
 }
 
 void plot_curve(const plot *p, const double *x, const double *y, size_t n, const char *style)
 {
-    pen d = {.p = p, .column = -1.0, .low = NAN};
+    pen d = {.p = p, .column = -1.0, .empty = true};
     put(p->to, "<path class=\"%s\" d=\"M%.1f %.1f", style, p->left, p->top + p->height);
     for (size_t i = 0; i < n; i++) {
         double column = floor(plot_x(p, x[i]) - p->left);
@@ -120,10 +120,11 @@ void plot_curve(const plot *p, const double *x, const double *y, size_t n, const
             d.down = false;
             continue;
         }
-        if (isnan(d.low) || column > d.column) {
+        if (d.empty || column > d.column) {
             draw_column(&d);
             d.column = column;
             d.low = d.high = y[i];
+            d.empty = false;
         }
         d.low = fmin(d.low, y[i]);
         d.high = fmax(d.high, y[i]);
