@@ -1,0 +1,257 @@
+"""The scene in which one throw is tied: a thread that comes out of a drain, a tool W round which it is wound, and a
+tool C that holds the limb.
+
+x right, y away, z up, the top of the drain at 0. The drain is a cylinder that does not give, the thread is pinned
+where it comes out of it at both marks. Tools are rods with jaws, coupled to where hands tell them to be; a grasp is
+three pins: no jaws move. So this is a throw as far as thread, contact and hands go, cheap enough for thousands."""
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple, Optional
+
+import numpy as np
+
+from .context import Context
+from .knots import Knot, KnotDetector
+from .records import Record
+from .scene import Capsule, RigidState, Scene
+from .thread import Thread
+
+Vector = Any
+"""Three numbers, an array of numpy."""
+
+STEP = 1e-3  # s
+GRASP = 0.5e-3  # m: hands hold the grasp, so far behind the tip
+TROCAR = np.array((-0.110, -0.050, 0.080))  # W's axis goes through it
+DRAIN_RADIUS = 6.5e-3
+MARK_ANGLE = 4.5e-3 / DRAIN_RADIUS  # rad from the top: where the thread comes out, on either side
+MARK = DRAIN_RADIUS * np.array((math.sin(MARK_ANGLE), 0.0, math.cos(MARK_ANGLE))) - (0.0, 0.0, DRAIN_RADIUS)
+FLOOR = -13e-3
+TAIL = 30e-3  # of the thread beside the drain
+LIMB = 117e-3
+BEND = 15e-3  # of the limb, from where it comes out to the way to C
+TAIL_NODE = 1  # where W takes it: a longer end gets in the way of the loops
+JAW_LENGTH, JAW_RADIUS = 13e-3, 0.7e-3
+SHAFT_LENGTH, SHAFT_RADIUS = 0.12, 2.5e-3
+REACH = 1.2e-3  # of W's jaws for the tail, m: so near that no loop slips through between them
+
+
+class ThrowTask(NamedTuple):
+    """What a throw is tied with. SI units; seed: of the hands' tremor and of where W stands."""
+    seed: int = 0
+    segment: float = 0.5e-3
+    axial_stiffness: float = 427.0
+    bending_stiffness: float = 1e-8
+    friction: float = 0.15
+    """Of tools; the drain has twice as much."""
+    held_at: float = 85e-3
+    """Where C holds the limb: m from the drain along the thread."""
+    tremor: float = 0.3e-3
+    tip: tuple[float, float, float] = (29e-3, 2e-3, 14e-3)
+    """Of W in the begin."""
+    scatter: float = 1e-3
+    """Most that it stands beside that, on each axis."""
+
+
+def unit(vector: Vector) -> Vector:
+    length = math.sqrt(float(vector @ vector))
+    return vector / length if length > 1e-150 else np.array((0.0, 0.0, 1.0))
+
+
+def across(a: Vector, b: Vector) -> Vector:
+    return np.array((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
+
+
+def axis_of_w(grasp: Vector) -> Vector:
+    """From tip to handle."""
+    return unit(TROCAR - grasp)
+
+
+def away_from_w(grasp: Vector, angle: float) -> Vector:
+    """From W's axis, at an angle about it."""
+    axis = axis_of_w(grasp)
+    first = unit(np.array((1.0, 0.0, 0.0)) - axis[0] * axis)
+    return math.cos(angle) * first + math.sin(angle) * across(axis, first)
+
+
+def turn_from_z(to: Vector) -> Vector:
+    """The quaternion of the shortest turn from z to a unit vector."""
+    if to[2] < -1.0 + 1e-12:
+        return np.array((0.0, 1.0, 0.0, 0.0))
+    whole = np.array((1.0 + to[2], -to[1], to[0], 0.0))
+    return whole / math.sqrt(float(whole @ whole))
+
+
+def turned(by: Vector, then: Vector) -> Vector:
+    """Product of quaternions."""
+    a, b = by, then
+    vector = a[0] * b[1:] + b[0] * a[1:] + across(a[1:], b[1:])
+    return np.array((a[0] * b[0] - float(a[1:] @ b[1:]), *vector))
+
+
+def z_of(q: Vector) -> Vector:
+    """Where a quaternion turns z to."""
+    w, x, y, z = q
+    return np.array((2.0 * (x * z + w * y), 2.0 * (y * z - w * x), w * w - x * x - y * y + z * z))
+
+
+class Hand:
+    """Where a hand has told its tool to be, and how."""
+
+    def __init__(self, at: Vector, stand: Vector) -> None:
+        self.at, self.stand = at, stand
+        self.body = 0
+
+
+def stand_of_c(w: Vector, angle: float) -> Vector:
+    """Its handle is away from W and goes round with it."""
+    since = angle + 0.5 * math.pi
+    half = 0.5 * (since - 2.0 * math.pi * math.floor(since / (2.0 * math.pi)))
+    round_w = np.array((math.cos(half), *(math.sin(half) * axis_of_w(w))))
+    return turned(round_w, turn_from_z(away_from_w(w, -0.5 * math.pi)))
+
+
+class ThrowScene:
+    """Thread, drain and both tools, and the hands that move them."""
+
+    def __init__(self, task: ThrowTask, *, record: bool = False, note: bytes = b"",
+                 context: Optional[Context] = None) -> None:
+        self.task = task
+        random = np.random.Generator(np.random.PCG64(task.seed))
+        self._phases = random.uniform(0.0, 2.0 * math.pi, (2, 3))
+        tip = np.array(task.tip) + task.scatter * random.uniform(-1.0, 1.0, 3)
+        self.context = Context() if context is None else context
+        self.angle = -0.5 * math.pi  # of C about W
+        self.steps = 0
+        self.holds: list[int] = []  # pins of W on the tail
+        w = tip + GRASP * axis_of_w(tip)
+        points, marks, self.held_node = self._lay(unit(np.array((-0.05, -0.6, 0.75))))
+        self.right_mark, self.left_mark = marks
+        self.w = Hand(w, turn_from_z(axis_of_w(w)))
+        self.c = Hand(points[self.held_node], stand_of_c(w, self.angle))
+        self._build(points)
+        # Whoever moves, pins and steps: the scene, or its record.
+        self.record = Record(self.scene, note=note) if record else None
+        self.mover: Any = self.record or self.scene
+        self.detector = KnotDetector(self.context, point_capacity=len(points))
+
+    # ---- how it begins
+
+    def _lay(self, limb_way: Vector) -> tuple[Vector, tuple[int, int], int]:
+        """Tail, through the drain, and the limb, which bends to its way."""
+        task = self.task
+        surface = DRAIN_RADIUS + 0.125e-3 + 0.03e-3
+        centre = np.array((0.0, 0.0, -DRAIN_RADIUS))
+        out = {side: np.array((math.sin(side * MARK_ANGLE), 0.0, math.cos(side * MARK_ANGLE))) for side in (1, -1)}
+        tail, limb = (round(length / task.segment) for length in (TAIL, LIMB))
+        points = [centre + (surface + (tail - i) * task.segment) * out[1] for i in range(tail + 1)]
+        points += [centre + (surface - 1e-3) * out[1], centre + (surface - 1e-3) * out[-1], centre + surface * out[-1]]
+        left = len(points) - 1
+        for i in range(limb):
+            share = min((i + 0.5) * task.segment / BEND, 1.0)
+            points.append(points[-1] + task.segment * unit((1.0 - share) * out[-1] + share * limb_way))
+        return np.array(points), (tail, left), left + round(task.held_at / task.segment)
+
+    def _build(self, points: Vector) -> None:
+        task = self.task
+        self.scene = Scene(self.context, node_capacity=512, contact_capacity=2048, candidate_capacity=32768,
+                           capsule_capacity=8, floor=1, floor_normal=(0.0, 0.0, 1.0), floor_height=FLOOR)
+        self.thread = Thread(self.context, positions=points, axial_stiffness=task.axial_stiffness,
+                             rest_lengths=np.sqrt((np.diff(points, axis=0)**2).sum(1)),
+                             bending_stiffness=task.bending_stiffness, radius=0.125e-3, gravity=(0.0, 0.0, -9.81))
+        self.thread_body = self.scene.add(self.thread)
+        for node in range(self.right_mark, self.left_mark + 1):
+            self.thread.attach("pin", node)
+        side, end = np.array((JAW_RADIUS, 0.0, 0.0)), np.array((0.0, 0.0, JAW_LENGTH))
+        parts = [Capsule(side, side + end, JAW_RADIUS), Capsule(-side, end - side, JAW_RADIUS),
+                 Capsule(end, (0.0, 0.0, SHAFT_LENGTH), SHAFT_RADIUS)]
+        for hand, count in ((self.w, 3), (self.c, 2)):
+            hand.body = self.scene.add_rigid(parts[:count], kind="coupled", position=self._frame(hand.at, hand.stand),
+                                             orientation=hand.stand, friction=task.friction)
+        self.scene.add_rigid([((0.0, -30e-3, -DRAIN_RADIUS), (0.0, 30e-3, -DRAIN_RADIUS), DRAIN_RADIUS)],
+                             friction=2.0 * task.friction)
+        for node in range(self.held_node - 1, self.held_node + 2):
+            self.scene.pin_thread(self.thread_body, node, self.c.body)
+
+    @staticmethod
+    def _frame(grasp: Vector, stand: Vector) -> Vector:
+        return grasp - GRASP * z_of(stand)
+
+    # ---- what hands do
+
+    def take(self) -> bool:
+        """W closes its jaws: holds the tail if it is within reach."""
+        tail = self.positions[TAIL_NODE]
+        off = tail - self.w.at
+        if self.holds or float(off @ off) >= REACH**2:
+            return bool(self.holds)
+        self.holds = [self.mover.pin_thread(self.thread_body, node, self.w.body)
+                      for node in range(TAIL_NODE - 1, TAIL_NODE + 2)]
+        return True
+
+    def let_go(self) -> None:
+        for pin in self.holds:
+            self.mover.unpin_thread(pin)
+        self.holds = []
+
+    def _tremble(self, hand: int, steps: int) -> Vector:
+        """What a hand adds to where it wants to be, at 9, 12 and 10.3 Hz on the three axes."""
+        times = STEP * np.arange(self.steps, self.steps + steps)
+        rates = 2.0 * math.pi * np.array((9.0, 12.0, 10.3))
+        shown: Vector = self.task.tremor * np.sin(times[:, None] * rates + self._phases[hand])
+        return shown
+
+    def move(self, w: Vector, c: Vector, angle: float, steps: int) -> None:
+        """Both hands go evenly to where they shall be after some steps, C by then at an angle about W."""
+        shares = (np.arange(steps) + 1.0)[:, None] / steps
+        self.angle = angle
+        ways = []
+        for number, (hand, to, stand) in enumerate(((self.w, w, turn_from_z(axis_of_w(w))),
+                                                    (self.c, c, stand_of_c(w, angle)))):
+            if float(hand.stand @ stand) < 0.0:
+                stand = -stand
+            stands = hand.stand + shares * (stand - hand.stand)  # any length will do
+            stands /= np.sqrt((stands**2).sum(1))[:, None]
+            places = hand.at + shares * (to - hand.at) + self._tremble(number, steps)
+            ways.append((hand.body, places - GRASP * np.array([z_of(q) for q in stands]), stands))
+            hand.at, hand.stand = np.array(to), stand
+        mover = self.mover
+        for i in range(steps):
+            for body, places, stands in ways:
+                mover.move_rigid(body, places[i], stands[i])
+            mover.step(STEP)
+        self.steps += steps
+
+    # ---- what they see and feel
+
+    @property
+    def time(self) -> float:
+        return STEP * self.steps
+
+    @property
+    def positions(self) -> Vector:
+        return self.thread.positions
+
+    def pulls(self) -> tuple[float, float]:
+        """Tension of the thread at W and at C, N; at W 0 as long as it does not hold it."""
+        tensions = self.thread.tensions
+        return float(tensions[TAIL_NODE + 2]) if self.holds else 0.0, float(tensions[self.held_node - 3])
+
+    def on_w(self) -> tuple[int, int]:
+        """How often the limb touches W, and with which node last; 0: it does not."""
+        keys = self.scene.contact_features
+        mine = keys[(keys[:, 1] == self.thread_body) & (keys[:, 3] == self.w.body)][:, 2]
+        limb = mine[(mine > self.left_mark) & (mine < self.held_node)]
+        return len(limb), int(limb.max()) if len(limb) else 0
+
+    def tool(self, hand: Hand) -> RigidState:
+        return self.scene.rigid(hand.body)
+
+    def judge(self) -> Knot:
+        """The knot in the thread alone, whatever the tools hold."""
+        points = self.positions
+        return self.detector.judge(points, holes=(points[self.right_mark], points[self.left_mark]),
+                                   hole_places=(self.right_mark, self.left_mark), away=(0.0, 0.0, -1.0))
+
+    def close(self) -> None:
+        self.context.close()
