@@ -48,3 +48,19 @@ def test_the_pages_examples_run(name, tmp_path):
                               cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(BINDING),
                                                  "VBLAST_SS_LIBRARY": vb.library_path})
         assert done.returncode == 0, f"{block}\n{done.stderr}"
+
+
+def test_a_knots_force_is_the_published_one(tmp_path):
+    pytest.importorskip("matplotlib")
+    said = run("overhand_force.py", "--steps", "1600", "--plot", str(tmp_path / "force.png"))
+    assert "knot in the end: 1" in said and (tmp_path / "force.png").stat().st_size > 10000
+    ratios = [float(line.split()[-1]) for line in said.splitlines() if re.match(r" +\d", line)]
+    assert len(ratios) == 24 and all(1.0 < ratio < 1.2 for ratio in ratios)
+
+
+def test_a_sweep_without_dask_says_what_is_missing(tmp_path):
+    (tmp_path / "dask").mkdir()
+    (tmp_path / "dask" / "__init__.py").write_text("raise ImportError\n")
+    done = subprocess.run([sys.executable, "-B", str(BINDING / "examples" / "sweep_throws.py")], capture_output=True,
+                          text=True, timeout=60, env={**os.environ, "PYTHONPATH": f"{tmp_path}:{BINDING}"})
+    assert done.returncode == 1 and "python3-distributed" in done.stderr and "Traceback" not in done.stderr

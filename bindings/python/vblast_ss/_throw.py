@@ -162,9 +162,9 @@ class ThrowScene:
         self.thread_body = self.scene.add(self.thread)
         for node in range(self.right_mark, self.left_mark + 1):
             self.thread.attach("pin", node)
-        side, end = np.array((JAW_RADIUS, 0.0, 0.0)), np.array((0.0, 0.0, JAW_LENGTH))
-        parts = [Capsule(side, side + end, JAW_RADIUS), Capsule(-side, end - side, JAW_RADIUS),
-                 Capsule(end, (0.0, 0.0, SHAFT_LENGTH), SHAFT_RADIUS)]
+        parts = [Capsule((JAW_RADIUS, 0.0, 0.0), (JAW_RADIUS, 0.0, JAW_LENGTH), JAW_RADIUS),
+                 Capsule((-JAW_RADIUS, 0.0, 0.0), (-JAW_RADIUS, 0.0, JAW_LENGTH), JAW_RADIUS),
+                 Capsule((0.0, 0.0, JAW_LENGTH), (0.0, 0.0, SHAFT_LENGTH), SHAFT_RADIUS)]
         for hand, count in ((self.w, 3), (self.c, 2)):
             hand.body = self.scene.add_rigid(parts[:count], kind="coupled", position=self._frame(hand.at, hand.stand),
                                              orientation=hand.stand, friction=task.friction)

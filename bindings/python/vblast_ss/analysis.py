@@ -11,6 +11,7 @@ A log says what hands did, and how the scene begins only to a scene that was mad
 environment.ThrowEnvironment is made from the note in its log, for others give a function that makes it."""
 from __future__ import annotations
 
+import importlib
 import json
 import pathlib
 from typing import Any, Callable, NamedTuple, Optional
@@ -19,6 +20,7 @@ import numpy as np
 
 from ._api.record import InputKind, ReplayOutcome
 from .context import Context
+from .errors import Error
 from .grasper import Grasper
 from .knots import KnotDetector, KnotEvent
 from .metrics import Metrics
@@ -71,7 +73,7 @@ class Trace(NamedTuple):
     tools: dict[int, ToolTrace]
     """By the body's number."""
     tensions: dict[int, Any]
-    """By the thread's number: n, N, the largest along it."""
+    """By the thread's number: n, N, the largest along it where it is not held fast between two nodes that never moved."""
     contacts: Any
     """n."""
     events: list[SceneMoment]
@@ -80,6 +82,8 @@ class Trace(NamedTuple):
     """Of the knot in the end, judged at leisure."""
     faithful: bool
     """Every hash in the log was met again, to its end."""
+    problem: str
+    """Why not; a log that is cut off gives what is in it."""
     info: dict[str, Any]
     """What the log says of itself."""
 
@@ -98,6 +102,14 @@ def _scene_of(context: Context, note: bytes) -> Scene:
 def _state(scene: Scene, body: int) -> Any:
     known = scene._bodies.get(body)
     return known.state if isinstance(known, Grasper) else scene.rigid(body)
+
+
+def _tension(thread: Thread, begin: Any) -> float:
+    places, tensions = thread.positions, thread.tensions
+    if places.shape == begin.shape:  # it was not cut
+        moved = (places != begin).any(axis=1)
+        tensions = tensions[moved[:-1] | moved[1:]]
+    return float(tensions.max()) if len(tensions) else 0.0
 
 
 def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bool = True) -> Trace:
@@ -120,33 +132,41 @@ def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bo
         first_thread: Any = scene.thread(threads[0]) if threads else None
         rows: dict[int, list[tuple[Any, ...]]] = {}  # of tools; they are known when they are moved first
         tensions: dict[int, list[float]] = {number: [] for number in threads}
+        begin = {number: scene.thread(number).positions.copy() for number in threads}
         time: list[float] = []
         contacts: list[int] = []
         events: list[SceneMoment] = []
         found: list[KnotMoment] = []
         moves = (InputKind.MOVE_RIGID, InputKind.MOVE_GRASPER)
-        report = replay.step()
-        while report.outcome == ReplayOutcome.STEPPED:
-            told = replay.read(report.step)
+        steps, problem = 0, ""
+        while True:
+            try:
+                report = replay.step()
+            except Error as error:
+                problem = str(error)
+                break
+            if report.outcome != ReplayOutcome.STEPPED:
+                problem = "" if report.outcome == ReplayOutcome.ENDED else f"other hashes after step {report.agreed_step}"
+                break
+            steps = int(report.step)
+            told = replay.read(steps)
             for put in told.inputs:
                 if put.kind in moves:
                     rows.setdefault(put.words[0], [(np.nan,) * 13] * len(time))
             events += [SceneMoment(told.time, getattr(one.kind, "name", str(one.kind)).lower(), *one[1:])
                        for one in told.events if one.kind not in (EventKind.TOUCH, EventKind.PART)]
-            if report.step % every == 0:
+            if steps % every == 0:
                 time.append(told.time)
                 contacts.append(scene.statistics.contacts)
                 for body, seen in rows.items():
                     state = _state(scene, body)
                     seen.append((*state.position, *state.orientation, *state.hand_force, *state.hand_torque))
                 for number, most in tensions.items():
-                    values = scene.thread(number).tensions
-                    most.append(float(values.max()) if len(values) else 0.0)
+                    most.append(_tension(scene.thread(number), begin[number]))
                 if detector is not None:
-                    detector.step(first_thread.positions)
-                    found += [KnotMoment(told.time, one.kind.name.lower(), one.numbers, detector.notation)
+                    notation = detector.judge(first_thread.positions).notation
+                    found += [KnotMoment(told.time, one.kind.name.lower(), one.numbers, notation)
                               for one in detector.events if one.kind != KnotEvent.READ]
-            report = replay.step()
         notation = detector.judge(first_thread.positions).notation if detector is not None else ""
         tools = {}
         for body, seen in rows.items():
@@ -154,16 +174,17 @@ def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bo
             tools[body] = ToolTrace(table[:, :3], table[:, 3:7], table[:, 7:10], table[:, 10:])
         return Trace(np.array(time), tools, {number: np.array(most) for number, most in tensions.items()},
                      np.array(contacts, dtype=np.uint32), events, found, notation,
-                     report.outcome == ReplayOutcome.ENDED,
+                     not problem, problem,
                      {"library_version": about.library_version, "build_info": about.build_info,
-                      "log_bytes": about.log_bytes, "steps": int(report.step),
+                      "log_bytes": about.log_bytes, "steps": steps,
                       "note": about.note.decode(errors="replace")})
 
 
 def score(session: Trace, *, left: int, right: int, **settings: Any) -> Metrics:
     """Measures a session anew: samples of both tools, and the throws that were certified. Keywords are settings of
     Metrics; what a trace does not know (punctures, cuts, gaps) may be told to what comes back."""
-    metrics = Metrics(**{"duration": max(1.0, float(session.time[-1]) if len(session.time) else 1.0), **settings})
+    settings.setdefault("duration", max(1.0, float(session.time[-1]) if len(session.time) else 1.0))
+    metrics = Metrics(**settings)
     metrics.add_event("needle_appears", 0.0)
     throws = iter([one for one in session.knots if one.kind in ("certified", "revoked")])
     throw = next(throws, None)
@@ -185,10 +206,9 @@ def score(session: Trace, *, left: int, right: int, **settings: Any) -> Metrics:
 
 def _h5py() -> Any:
     try:
-        import h5py
+        return importlib.import_module("h5py")
     except ImportError:
         raise ImportError("HDF5 needs h5py: sudo apt-get install python3-h5py") from None
-    return h5py
 
 
 def write_hdf5(session: Trace, path: Any) -> None:
@@ -197,7 +217,7 @@ def write_hdf5(session: Trace, path: Any) -> None:
     packed = {"compression": "gzip", "shuffle": True}
     with h5py.File(path, "w") as file:
         file.attrs.update(session.info)
-        file.attrs["notation"], file.attrs["faithful"] = session.notation, session.faithful
+        file.attrs.update(notation=session.notation, faithful=session.faithful, problem=session.problem)
         file.create_dataset("time", data=session.time, **packed).attrs["unit"] = "s"
         file.create_dataset("contacts", data=session.contacts, **packed)
         for body, tool in session.tools.items():
@@ -206,7 +226,8 @@ def write_hdf5(session: Trace, path: Any) -> None:
                 made.attrs["unit"] = unit
         for number, most in session.tensions.items():
             file.create_dataset(f"threads/{number}/tension", data=most, **packed).attrs["unit"] = "N"
-        for name, listed in (("events", session.events), ("knots", session.knots)):
+        lists: tuple[tuple[str, list[Any]], ...] = (("events", session.events), ("knots", session.knots))
+        for name, listed in lists:
             file.create_dataset(name, data=[json.dumps(one._asdict()) for one in listed],
                                 dtype=h5py.string_dtype(), shape=(len(listed),))
 
@@ -216,24 +237,25 @@ def read_hdf5(path: Any) -> Trace:
     h5py = _h5py()
     with h5py.File(path, "r") as file:
         info = {name: value.item() if hasattr(value, "item") else value for name, value in file.attrs.items()}
-        notation, faithful = info.pop("notation"), bool(info.pop("faithful"))
+        notation, faithful, problem = info.pop("notation"), bool(info.pop("faithful")), info.pop("problem")
         tools = {int(body): ToolTrace(*(group[name][()] for name in ToolTrace._fields))
                  for body, group in sorted(file.get("tools", {}).items(), key=lambda pair: int(pair[0]))}
         tensions = {int(number): group["tension"][()] for number, group in file.get("threads", {}).items()}
         events = [SceneMoment(**json.loads(one)) for one in file["events"].asstr()[()]]
-        knots = [KnotMoment(**{**json.loads(one), "numbers": tuple(json.loads(one)["numbers"])})
-                 for one in file["knots"].asstr()[()]]
-        return Trace(file["time"][()], tools, tensions, file["contacts"][()], events, knots, notation, faithful, info)
+        told: list[dict[str, Any]] = [json.loads(one) for one in file["knots"].asstr()[()]]
+        knots = [KnotMoment(one["time"], one["kind"], tuple(one["numbers"]), one["notation"]) for one in told]
+        return Trace(file["time"][()], tools, tensions, file["contacts"][()], events, knots, notation, faithful, problem,
+                     info)
 
 
 # ---- pictures
 
 def _figure(rows: int, height: float) -> Any:
     try:
-        from matplotlib.figure import Figure
+        matplotlib: Any = importlib.import_module("matplotlib.figure")
     except ImportError:
         raise ImportError("plots need matplotlib: sudo apt-get install python3-matplotlib") from None
-    figure = Figure(figsize=(9.0, height), layout="constrained")
+    figure = matplotlib.Figure(figsize=(9.0, height), layout="constrained")
     return figure, list(figure.subplots(rows, 1, sharex=True, squeeze=False)[:, 0])
 
 
@@ -258,7 +280,7 @@ def plot_forces(session: Trace, names: Optional[dict[int, str]] = None) -> Any:
     for axes in (hands, threads):
         axes.grid(alpha=0.3)
         if axes.lines:
-            axes.legend(loc="upper left")
+            axes.legend()
     return figure
 
 
@@ -269,7 +291,7 @@ def plot_motion(session: Trace, names: Optional[dict[int, str]] = None) -> Any:
         for column, axis in enumerate("xyz"):
             axes.plot(session.time, 1e3 * tool.position[:, column], label=axis, linewidth=1.0)
         axes.set_ylabel(f"{_name(names, body)}, mm")
-        axes.legend(loc="upper left", ncol=3)
+        axes.legend(ncol=3)
     for body, tool in session.tools.items():
         if len(session.time) > 2:
             speed = _length(np.gradient(tool.position, session.time, axis=0))
@@ -277,7 +299,7 @@ def plot_motion(session: Trace, names: Optional[dict[int, str]] = None) -> Any:
     panels[-1].set_ylabel("speed, mm/s")
     panels[-1].set_xlabel("time, s")
     if panels[-1].lines:
-        panels[-1].legend(loc="upper left")
+        panels[-1].legend()
     for axes in panels:
         axes.grid(alpha=0.3)
     return figure
@@ -288,7 +310,8 @@ def plot_knots(session: Trace, names: Optional[dict[int, str]] = None) -> Any:
     figure, (line, touching) = _figure(2, 4.5)
     kinds = list(dict.fromkeys([one.kind for one in session.knots] + [one.kind for one in session.events]))
     for height, kind in enumerate(kinds):
-        times = [one.time for one in [*session.knots, *session.events] if one.kind == kind]
+        times = [one.time for one in session.knots if one.kind == kind]
+        times += [one.time for one in session.events if one.kind == kind]
         line.plot(times, [height] * len(times), "|", markersize=14, markeredgewidth=2)
     said = ""
     for one in session.knots:

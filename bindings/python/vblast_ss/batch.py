@@ -132,12 +132,12 @@ class Batch(Generic[I, S]):
         self._pool.shutdown()
         for scene in self._scenes:
             context = getattr(scene, "context", None)
-            for thing in (context if hasattr(context, "close") else scene,):
-                if hasattr(thing, "close"):
-                    try:
-                        thing.close()
-                    except Error:
-                        pass
+            thing: Any = context if hasattr(context, "close") else scene
+            if hasattr(thing, "close"):
+                try:
+                    thing.close()
+                except Error:
+                    pass
         self._scenes = [None] * len(self.items)
 
     def __len__(self) -> int:

@@ -11,6 +11,7 @@ is installed, ThrowEnvironment is a gymnasium.Env and its spaces are gymnasium's
 stand in. Needs numpy. Equal seeds, options and actions give equal numbers."""
 from __future__ import annotations
 
+import importlib
 import json
 import math
 from typing import Any, Callable, Mapping, NamedTuple, Optional
@@ -29,7 +30,7 @@ __all__ = ["Box", "Outcome", "RandomHands", "ScriptedThrow", "ThrowEnvironment",
 _Base: Any = object
 _GymnasiumBox: Any = None
 try:
-    import gymnasium as _gymnasium
+    _gymnasium: Any = importlib.import_module("gymnasium")
 except ImportError:
     pass
 else:
@@ -119,7 +120,8 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
         """Begins anew; without a seed the next one of a series that the last seed began."""
         if seed is not None:
             self._random = np.random.default_rng(seed)
-        task = ThrowTask(**{"seed": int(self._random.integers(2**32)), **dict(options or {})})
+        fields: dict[str, Any] = {"seed": int(self._random.integers(2**32)), **dict(options or {})}
+        task = ThrowTask(**fields)
         self.close()
         self._scene = ThrowScene(task, record=self.recorded, note=json.dumps({"throw": task._asdict()}).encode())
         self._metrics = Metrics(self._scene.context, throws_wanted=1, weight_drop=5.0,
@@ -261,8 +263,9 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
 
 def scene_of_note(note: bytes, context: Context) -> ThrowScene:
     """A scene like that of a recorded episode, by the note in its log."""
-    fields = json.loads(note)["throw"]
-    return ThrowScene(ThrowTask(**{**fields, "tip": tuple(fields["tip"])}), context=context)
+    fields: dict[str, Any] = json.loads(note)["throw"]
+    fields["tip"] = tuple(fields["tip"])
+    return ThrowScene(ThrowTask(**fields), context=context)
 
 
 # ---- policies

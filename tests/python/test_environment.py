@@ -1,0 +1,130 @@
+"""A throw as an environment: the interface, the same numbers by seed, rewards, and two policies."""
+import pytest
+
+np = pytest.importorskip("numpy")
+
+from vblast_ss.environment import (FIELDS, GRIP, SHOWN, Box, RandomHands, ScriptedThrow, ThrowEnvironment, run)  # noqa: E402
+
+STEADY = {"tremor": 0.0, "scatter": 0.0}
+
+
+@pytest.fixture
+def environment():
+    with ThrowEnvironment(time_limit=0.2) as made:
+        yield made
+
+
+def follow(environment, policy, seed):
+    seen, _ = environment.reset(seed=seed)
+    rows, over = [seen], False
+    while not over:
+        seen, reward, terminated, truncated, _ = environment.step(policy(seen))
+        rows.append(np.append(seen, reward))
+        over = terminated or truncated
+    return np.concatenate(rows), environment.scene.scene.state_hash
+
+
+def test_it_has_the_interface_of_gymnasium(environment):
+    seen, info = environment.reset(seed=3, options={"friction": 0.1})
+    assert environment.observation_space.contains(seen) and seen.shape == (17 + 3 * SHOWN,)
+    assert info["task"]["friction"] == 0.1
+    action = environment.action_space.sample()
+    assert action in environment.action_space and action.shape == (8,)
+    seen, reward, terminated, truncated, info = environment.step(action)
+    assert environment.observation_space.contains(seen) and isinstance(reward, float)
+    assert (terminated, truncated) == (False, False) and info["steps"] == environment.control
+    assert environment.render() is None and "render_modes" in environment.metadata
+    with pytest.raises(TypeError):
+        environment.reset(options={"gravity": 1.0})
+
+
+def test_an_episode_ends_with_its_time_and_a_reset_begins_another(environment):
+    environment.reset(seed=0)
+    for i in range(20):
+        seen, reward, terminated, truncated, _ = environment.step(np.zeros(8))
+        assert reward == pytest.approx(-0.01)  # of the score: a point a second
+        assert not terminated and truncated == (i == 19)
+    with pytest.raises(RuntimeError):
+        environment.step(np.zeros(8))
+    seen, info = environment.reset()
+    assert info["steps"] == 0 and seen[FIELDS["time"]] == 0.0
+
+
+def test_bad_actions_change_nothing(environment):
+    environment.reset(seed=0)
+    before = environment.scene.scene.state_hash
+    for bad in (np.zeros(7), np.full(8, np.nan), np.zeros((2, 4))):
+        with pytest.raises(ValueError):
+            environment.step(bad)
+    assert environment.scene.scene.state_hash == before
+    with pytest.raises(ValueError):
+        ThrowEnvironment(control=0)
+
+
+def test_equal_seeds_give_equal_numbers_and_others_do_not(environment):
+    first, one = follow(environment, RandomHands(7), 11)
+    with ThrowEnvironment(time_limit=0.2) as other:
+        again, two = follow(other, RandomHands(7), 11)
+        elsewhere, three = follow(other, RandomHands(7), 12)
+    assert one == two and first.tobytes() == again.tobytes()
+    assert one != three and elsewhere.tobytes() != first.tobytes()
+
+
+def test_a_series_of_resets_goes_on_from_its_seed(environment):
+    seeds = [environment.reset(seed=seed)[1]["task"]["seed"] for seed in (5, None, None, 5)]
+    assert len(set(seeds)) == 3 and seeds[0] == seeds[3]
+
+
+def test_hands_go_where_actions_say(environment):
+    seen, _ = environment.reset(seed=0, options=STEADY)
+    action = np.zeros(8)
+    action[:6] = (0.5, 0.0, 0.0, 0.0, -0.25, 0.0)
+    after, *_ = environment.step(action)
+    assert after[FIELDS["w"]] - seen[FIELDS["w"]] == pytest.approx((1e-3, 0.0, 0.0), abs=1e-12)
+    assert after[FIELDS["c"]] - seen[FIELDS["c"]] == pytest.approx((0.0, -0.5e-3, 0.0), abs=1e-12)
+
+
+def test_jaws_hold_only_what_is_within_reach_and_a_drop_costs(environment):
+    seen, _ = environment.reset(seed=0, options=STEADY)
+    action = np.zeros(8)
+    action[GRIP] = 1.0
+    seen, *_ = environment.step(action)
+    assert not seen[FIELDS["holds"]]
+    with ThrowEnvironment() as longer:
+        hands = ScriptedThrow()
+        seen, _ = longer.reset(seed=0, options=STEADY)
+        hands.phase = "travel"  # nothing is wound: it only takes the tail
+        while not seen[FIELDS["holds"]]:
+            seen, *_, truncated, _ = longer.step(hands(seen))
+            assert not truncated
+        action[GRIP] = -1.0
+        seen, reward, *_ = longer.step(action)
+        assert not seen[FIELDS["holds"]] and reward == pytest.approx(-5.01)
+
+
+def test_scripted_hands_tie_a_throw_and_are_rewarded():
+    with ThrowEnvironment() as environment:
+        outcome = run(environment, ScriptedThrow(), seed=0)
+        assert outcome.tied and outcome.notation == "1" and outcome.wraps == 1 and outcome.error == ""
+        assert outcome.time <= 5.0 and outcome.total_reward == pytest.approx(100.0 - outcome.time)
+        assert environment.metrics.report.throw_count == 1
+        with pytest.raises(RuntimeError):
+            environment.take_log()
+
+
+def test_random_hands_tie_nothing_and_break_nothing():
+    with ThrowEnvironment(time_limit=0.5) as environment:
+        outcome = run(environment, RandomHands(1), seed=1)
+    assert not outcome.tied and outcome.error == "" and outcome.steps == 500
+
+
+def test_small_boxes_stand_in_for_gymnasiums():
+    from vblast_ss.environment import _Box
+    box = _Box(-1.0, [1.0, 2.0], seed=4)
+    assert box.shape == (2,) and box.sample().tolist() == _Box(-1.0, [1.0, 2.0], seed=4).sample().tolist()
+    assert [0.0, 1.5] in box and [1.5, 0.0] not in box and [0.0] not in box
+    assert all(box.contains(box.sample()) for _ in range(20))
+    with pytest.raises(ValueError):
+        _Box(-np.inf, np.inf, (2,)).sample()
+    assert "Box(-1.0, 2.0, (2,)" in repr(box)
+    assert Box is not None
