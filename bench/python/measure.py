@@ -6,7 +6,6 @@
 Import time in fresh interpreters; time of a scene's step from Python and from C, for scenes of nothing and of a hanging
 thread, with equal hashes of the end states: processor time, the least of several runs. Steps a second of one and of two
 Python threads with a scene each: wall time, the best of several runs; on a machine that does other things two gain less."""
-import concurrent.futures
 import os
 import pathlib
 import resource
@@ -21,6 +20,7 @@ os.environ["VBLAST_SS_LIBRARY"] = str(LIBRARY)
 os.environ["PYTHONPATH"] = str(ROOT / "bindings/python")
 sys.path.insert(0, str(ROOT / "bindings/python"))
 import vblast_ss as vb  # noqa: E402
+from vblast_ss.batch import Batch  # noqa: E402
 
 RUNS = 9
 
@@ -60,11 +60,12 @@ def c_steps(program, segments, steps):
 
 
 def throughput(workers, segments, steps):
-    """Steps a second of all workers together."""
-    begin = time.perf_counter()
-    with concurrent.futures.ThreadPoolExecutor(workers) as pool:
-        hashes = {found for _, found in pool.map(lambda _: python_steps(segments, steps), range(workers))}
-    return workers * steps / (time.perf_counter() - begin), hashes
+    """Steps a second of all workers together, in a batch of a scene each."""
+    with Batch(scene_of, [segments] * workers, workers=workers) as batch:
+        begin = time.perf_counter()
+        batch.step(1e-3, steps)
+        seconds = time.perf_counter() - begin
+        return workers * steps / seconds, set(batch.map(lambda scene: scene.state_hash))
 
 
 def main():
@@ -92,6 +93,19 @@ def main():
                 thread.positions
             costs.append((time.thread_time() - begin) / 2000)
         print(f"\nan array of positions: {1e6 * min(costs):.2f} us")
+    try:
+        from vblast_ss import environment
+    except ImportError:  # without numpy
+        pass
+    else:
+        with environment.ThrowEnvironment() as throw:
+            throw.reset(seed=0)
+            begin = time.thread_time()
+            for _ in range(100):
+                throw.step([0.0] * 8)
+            each = 1e-3 * throw.control * 100
+            print(f"a throw as an environment: {1e3 * (time.thread_time() - begin) / each:.0f} ms of processor time a "
+                  f"simulated second before the thread is wound")
     rates = [[throughput(workers, 120, 1500) for workers in (1, 2)] for _ in range(3 * RUNS)]
     if len({found for row in rates for _, hashes in row for found in hashes}) != 1:
         sys.exit("the end states differ")

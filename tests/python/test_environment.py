@@ -118,6 +118,21 @@ def test_random_hands_tie_nothing_and_break_nothing():
     assert not outcome.tied and outcome.error == "" and outcome.steps == 500
 
 
+def test_a_simulation_that_fails_ends_the_episode_as_data(environment, monkeypatch):
+    import vblast_ss as vb
+
+    def fail(*_):
+        raise vb.errors.Error("it is singular")
+
+    environment.reset(seed=0)
+    environment.step(np.zeros(8))
+    monkeypatch.setattr(environment.scene, "move", fail)
+    seen, reward, terminated, truncated, info = environment.step(np.zeros(8))
+    assert terminated and not truncated and "singular" in info["error"] and info["steps"] == environment.control
+    environment.reset(seed=0)
+    assert "error" not in environment.step(np.zeros(8))[4]
+
+
 def test_small_boxes_stand_in_for_gymnasiums():
     from vblast_ss.environment import _Box
     box = _Box(-1.0, [1.0, 2.0], seed=4)

@@ -36,10 +36,14 @@ def session(number):
     begun = time.process_time()
     hands = ScriptedThrow(speed=drawn["speed"])
     options = {name: value for name, value in drawn.items() if name != "speed"}
-    with ThrowEnvironment(time_limit=5.0) as environment:
-        outcome = run(environment, hands, seed=number, options=options)
-    row = {"session": number, **drawn, **outcome._asdict(), "seconds": time.process_time() - begun}
-    return {**row, "tied": int(outcome.tied), "status": "error" if outcome.error else "report"}
+    row = {"session": number, **drawn, "tied": 0}
+    try:
+        with ThrowEnvironment(time_limit=5.0) as environment:
+            row.update(run(environment, hands, seed=number, options=options)._asdict())
+    except Exception as error:  # a session that fails is a row like others
+        row["error"] = f"{type(error).__name__}: {error}"
+    return {**row, "tied": int(row["tied"]), "seconds": time.process_time() - begun,
+            "status": "error" if row["error"] else "report"}
 
 
 def rows_of(path):
@@ -80,9 +84,9 @@ def account(rows, wall):
           f"{sum(row['status'] != 'report' for row in rows)} with an error; {wall:.0f} s by the clock for this run")
     if not rows:
         return
-    steps, seconds = (sum(float(row[name]) for row in rows) for name in ("steps", "seconds"))
+    steps, seconds = (sum(float(row.get(name) or 0) for row in rows) for name in ("steps", "seconds"))
     print(f"a session: {seconds / len(rows):.2f} s of processor time, {steps / len(rows):.0f} steps; "
-          f"a step: {1e6 * seconds / steps:.0f} us")
+          f"a step: {1e6 * seconds / max(steps, 1):.0f} us")
     print(f"tied: {sum(int(row['tied']) for row in rows)}")
     for name, (low, high) in PARAMETERS.items():
         middle = 0.5 * (low + high)

@@ -73,7 +73,8 @@ class Trace(NamedTuple):
     tools: dict[int, ToolTrace]
     """By the body's number."""
     tensions: dict[int, Any]
-    """By the thread's number: n, N, the largest along it where it is not held fast between two nodes that never moved."""
+    """By the thread's number: n, N, the largest that four segments in a row bear: between nodes that are pinned to one
+    body the thread may be strained without any pull."""
     contacts: Any
     """n."""
     events: list[SceneMoment]
@@ -104,12 +105,9 @@ def _state(scene: Scene, body: int) -> Any:
     return known.state if isinstance(known, Grasper) else scene.rigid(body)
 
 
-def _tension(thread: Thread, begin: Any) -> float:
-    places, tensions = thread.positions, thread.tensions
-    if places.shape == begin.shape:  # it was not cut
-        moved = (places != begin).any(axis=1)
-        tensions = tensions[moved[:-1] | moved[1:]]
-    return float(tensions.max()) if len(tensions) else 0.0
+def _tension(tensions: Any) -> float:
+    row = min(4, len(tensions))
+    return float(np.lib.stride_tricks.sliding_window_view(tensions, row).min(axis=1).max())
 
 
 def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bool = True) -> Trace:
@@ -132,7 +130,6 @@ def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bo
         first_thread: Any = scene.thread(threads[0]) if threads else None
         rows: dict[int, list[tuple[Any, ...]]] = {}  # of tools; they are known when they are moved first
         tensions: dict[int, list[float]] = {number: [] for number in threads}
-        begin = {number: scene.thread(number).positions.copy() for number in threads}
         time: list[float] = []
         contacts: list[int] = []
         events: list[SceneMoment] = []
@@ -162,7 +159,7 @@ def trace(log: bytes, make: Optional[Make] = None, *, every: int = 10, knots: bo
                     state = _state(scene, body)
                     seen.append((*state.position, *state.orientation, *state.hand_force, *state.hand_torque))
                 for number, most in tensions.items():
-                    most.append(_tension(scene.thread(number), begin[number]))
+                    most.append(_tension(scene.thread(number).tensions))
                 if detector is not None:
                     notation = detector.judge(first_thread.positions).notation
                     found += [KnotMoment(told.time, one.kind.name.lower(), one.numbers, notation)
@@ -243,7 +240,8 @@ def read_hdf5(path: Any) -> Trace:
         tensions = {int(number): group["tension"][()] for number, group in file.get("threads", {}).items()}
         events = [SceneMoment(**json.loads(one)) for one in file["events"].asstr()[()]]
         told: list[dict[str, Any]] = [json.loads(one) for one in file["knots"].asstr()[()]]
-        knots = [KnotMoment(one["time"], one["kind"], tuple(one["numbers"]), one["notation"]) for one in told]
+        knots = [KnotMoment(one["time"], one["kind"], (one["numbers"][0], one["numbers"][1], one["numbers"][2]), one["notation"])
+                 for one in told]
         return Trace(file["time"][()], tools, tensions, file["contacts"][()], events, knots, notation, faithful, problem,
                      info)
 
