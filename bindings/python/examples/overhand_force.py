@@ -131,6 +131,9 @@ def draw(found, friction):
     for axes, places in ((left, radii), (right, shortenings)):
         axes.plot([1e3 * place for place in places], [1e3 * force for force in forces], "o", label="simulated")
         axes.set(xscale="log", yscale="log")
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_formatter("{x:g}")
+            axis.set_minor_formatter("{x:g}")
         axes.legend(loc="lower left", fontsize=8)
         axes.grid(alpha=0.3, which="both")
     figure.suptitle(f"overhand knot pulled tight, friction {friction:g}, radius {1e6 * RADIUS:g} um")
