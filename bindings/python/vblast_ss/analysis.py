@@ -240,8 +240,8 @@ def read_hdf5(path: Any) -> Trace:
         tensions = {int(number): group["tension"][()] for number, group in file.get("threads", {}).items()}
         events = [SceneMoment(**json.loads(one)) for one in file["events"].asstr()[()]]
         told: list[dict[str, Any]] = [json.loads(one) for one in file["knots"].asstr()[()]]
-        knots = [KnotMoment(one["time"], one["kind"], (one["numbers"][0], one["numbers"][1], one["numbers"][2]), one["notation"])
-                 for one in told]
+        knots = [KnotMoment(one["time"], one["kind"], (first, second, third), one["notation"])
+                 for one in told for first, second, third in [one["numbers"]]]
         return Trace(file["time"][()], tools, tensions, file["contacts"][()], events, knots, notation, faithful, problem,
                      info)
 

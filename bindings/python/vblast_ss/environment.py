@@ -92,9 +92,10 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
         throw_points what a throw is worth, in points of the score, of which a second costs one and a drop five
         record       keep a log of the episode (take_log())
 
-    reset(options=...) takes fields of ThrowTask, such as friction or tremor. Rewards are changes of what the metrics say:
-    of the score, which falls with time and drops, and of the throws that stand. An episode is terminated when a throw is certified in the thread alone and nothing of the limb is left on
-    W, or when the simulation fails (info["error"]).
+    reset(options=...) takes fields of ThrowTask, such as friction or tremor. Rewards are changes of what the metrics
+    say: of the score, which falls with time and drops, and of the throws that stand. An episode is terminated when a
+    throw is certified in the thread alone and nothing of the limb is left on W, or when the simulation fails
+    (info["error"]).
     """
     metadata: dict[str, Any] = {"render_modes": []}
     render_mode = None
@@ -116,7 +117,8 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
 
     # ---- an episode
 
-    def reset(self, *, seed: Optional[int] = None, options: Optional[Mapping[str, Any]] = None) -> tuple[Any, dict[str, Any]]:
+    def reset(self, *, seed: Optional[int] = None,
+              options: Optional[Mapping[str, Any]] = None) -> tuple[Any, dict[str, Any]]:
         """Begins anew; without a seed the next one of a series that the last seed began."""
         if seed is not None:
             self._random = np.random.default_rng(seed)
