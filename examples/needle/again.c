@@ -8,7 +8,9 @@ static vbss_result replay(stitch *t, const pass_options *o, const replay_log *lo
 {
     vbss_replay *replay;
     vbss_replay_report report;
-    TRY(stitch_create(t, o->seed)); /* its hands for their tools alone */
+    stitch_plan plan;
+    stitch_plan_usual(&plan);
+    TRY(stitch_create(t, o->seed, &plan)); /* its hands for their tools alone */
     TRY(vbss_replay_create(t->site.stand.context, log->data, log->count, &replay));
     TRY(vbss_replay_begin(replay, t->site.stand.scene));
     do {

@@ -5,16 +5,15 @@
 #define THREAD_LENGTH 0.15
 #define GRAVITY (-9.81)
 
-enum { THREAD_SEGMENTS = 60 };
-
 /* ---- made */
 
-static vbss_result make_scene(site *s)
+static vbss_result make_scene(site *s, const site_plan *plan)
 {
     vbss_scene_config c;
     TRY(vbss_scene_config_init(&c, sizeof c));
     c.contact_capacity = 4096;
     c.candidate_capacity = 65536;
+    c.work_limit = plan->work < 0 ? 0 : plan->work > 0 ? (uint32_t)plan->work : c.work_limit;
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;
@@ -23,7 +22,7 @@ static vbss_result make_scene(site *s)
 }
 
 /* Its x, y, z are the world's y, z, x. */
-static vbss_result add_drain(site *s)
+static vbss_result add_drain(site *s, const site_plan *plan)
 {
     vbss_drain_config c;
     TRY(vbss_drain_config_init(&c, sizeof c));
@@ -36,7 +35,7 @@ static vbss_result add_drain(site *s)
     }
     TRY(vbss_drain_create(s->stand.context, &c, &s->drain));
     TRY(vbss_drain_get_places(s->drain, &s->places, sizeof s->places));
-    TRY(make_scene(s));
+    TRY(make_scene(s, plan));
     return vbss_scene_add_drain(s->stand.scene, s->drain, &s->drain_body);
 }
 
@@ -59,21 +58,21 @@ static vbss_result add_needle(site *s, vec place, double turn)
 }
 
 /* Straight on from the needle's end. */
-static vbss_result add_thread(site *s)
+static vbss_result add_thread(site *s, uint32_t segments)
 {
-    vec x[THREAD_SEGMENTS + 1];
+    static vec x[STAND_NODES];
     vbss_thread_config c;
     vbss_needle_state needle;
     uint32_t pin;
     double swage[3] = {-s->radius, 0.0, 0.0};
     TRY(vbss_needle_get_state(s->needle, &needle, sizeof needle));
-    for (uint32_t i = 0; i <= THREAD_SEGMENTS; i++) {
-        x[i] = v_along(v_load(needle.swage), i * THREAD_LENGTH / THREAD_SEGMENTS,
+    for (uint32_t i = 0; i <= segments; i++) {
+        x[i] = v_along(v_load(needle.swage), i * THREAD_LENGTH / segments,
                        v_load(needle.swage_direction));
     }
     TRY(vbss_thread_config_init(&c, sizeof c));
     TRY(vbss_thread_config_preset(&c, VBSS_PRESET_PAPER_THREAD));
-    c.segment_count = THREAD_SEGMENTS;
+    c.segment_count = segments;
     c.length = THREAD_LENGTH;
     c.positions = &x[0].x;
     c.gravity[1] = 0.0;
@@ -82,18 +81,19 @@ static vbss_result add_thread(site *s)
     c.drag = 1.0;
     TRY(vbss_thread_create(s->stand.context, &c, &s->stand.thread));
     TRY(vbss_scene_add_thread(s->stand.scene, s->stand.thread, &s->stand.thread_body));
-    s->stand.nodes = THREAD_SEGMENTS + 1;
+    s->stand.nodes = segments + 1;
+    s->stand.reversed = true;
     return vbss_scene_pin_thread(s->stand.scene, s->stand.thread_body, 0, s->needle_body, swage,
                                  &pin);
 }
 
-vbss_result site_create(site *s, vec place, double turn)
+vbss_result site_create(site *s, vec place, double turn, const site_plan *plan)
 {
     memset(s, 0, sizeof *s);
     TRY(vbss_context_create(NULL, &s->stand.context));
-    TRY(add_drain(s));
+    TRY(add_drain(s, plan));
     TRY(add_needle(s, place, turn));
-    return add_thread(s);
+    return add_thread(s, plan->segments);
 }
 
 /* ---- looked at */

@@ -18,8 +18,13 @@ typedef struct site {
     double floor;             /* height, m */
 } site;
 
+typedef struct site_plan {
+    uint32_t segments; /* of the thread */
+    int32_t work;      /* limit of a step; 0: the default, below 0: none */
+} site_plan;
+
 /* Needle's middle on the floor, and how far it is turned there. */
-vbss_result site_create(site *s, vec place, double turn);
+vbss_result site_create(site *s, vec place, double turn, const site_plan *plan);
 
 pose site_needle(const site *s);
 /* A place on the needle in its own frame, from the tip; outward from the centre there, and the way toward the tip. */

@@ -4,6 +4,7 @@
 
 #define HOLD 0.64 /* of the needle's length from its tip: where it is taken */
 #define LEAN 0.14 /* of the tool from the needle's axis, away from the drain in the end, rad */
+#define UP 1.92   /* to where, in the needle's plane, rad */
 #define JAW_RADIUS 0.25e-3 /* fine enough to take what lies flat on a floor */
 #define JAW_WIDE 0.6       /* of the handle */
 #define PRESS 0.5e-3       /* jaws into the floor, so that they are on it */
@@ -16,6 +17,8 @@
 #define IN_LUMEN 5e-3      /* of the tip, until the left hand is ready */
 #define HELPED 2e-3        /* of it while the left hand still bears the wall */
 #define OUT 8.5e-3         /* of the tip in the end */
+#define LEFT_TROCAR v3(-0.12, -0.015, 0.08)
+#define NECK 5e-3          /* of the left tool, if it has no trocar and shall be wound about */
 #define FORK 0.56          /* of the left handle: a needle goes between its jaws */
 #define FORK_BEYOND 1.8e-3 /* of the fork's tips past the mark */
 #define FOLLOW 4e-3        /* at most, of a mark that moves */
@@ -45,7 +48,7 @@ static double between(uint64_t *random, double low, double high)
     return low + (high - low) * hand_chance(random);
 }
 
-static vbss_result make_hands(stitch *t, const hand_nature *nature)
+static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_left)
 {
     vbss_grasper_config c;
     hand_nature left = *nature;
@@ -57,10 +60,16 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature)
                          v3(0.0, 0.0, 1.0), JAW_WIDE));
     TRY(vbss_grasper_config_init(&c, sizeof c));
     hand_stiffen(&c);
-    c.has_trocar = 1;
-    v_store(c.trocar, v3(-0.12, -0.015, 0.08));
-    return hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03),
-                            v3(0.56, 0.0, 0.83), FORK);
+    if (free_left) {
+        c.driver_neck = NECK;
+    } else {
+        c.has_trocar = 1;
+        v_store(c.trocar, LEFT_TROCAR);
+    }
+    TRY(hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03),
+                         v3(0.56, 0.0, 0.83), FORK));
+    hand_through(&t->left, LEFT_TROCAR);
+    return VBSS_OK;
 }
 
 /* An error of aim lies in the wall. */
@@ -71,7 +80,12 @@ static vec any_error(uint64_t *random, double size, vec normal)
     return v_add(v_scale(size * cos(angle), away), v_scale(size * sin(angle), side));
 }
 
-vbss_result stitch_create(stitch *t, uint64_t seed)
+void stitch_plan_usual(stitch_plan *plan)
+{
+    *plan = (stitch_plan){.site = {.segments = 60}};
+}
+
+vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan)
 {
     uint64_t random = seed * 7919 + 17;
     hand_nature nature = {.speed = 1.0, .seed = seed};
@@ -86,59 +100,25 @@ vbss_result stitch_create(stitch *t, uint64_t seed)
         place.y += between(&random, -8e-3, 8e-3);
         turn += between(&random, -0.8, 0.8);
     }
-    TRY(site_create(&t->site, place, turn));
+    TRY(site_create(&t->site, place, turn, &plan->site));
     for (int side = 0; side < 2; side++) {
         t->errors[side] = any_error(&random, aim, site_normal_at_rest(&t->site, side));
         t->marks[side] = site_mark(&t->site, side);
     }
     t->held.q[0] = 1.0;
-    return make_hands(t, &nature);
+    return make_hands(t, &nature, plan->free_left);
 }
 
 /* ---- the right tool with the needle in it */
 
-static pose told(const hand *h)
-{
-    pose p = {.at = h->at};
-    memcpy(p.q, h->face, sizeof p.q);
-    return p;
-}
-
-static void go(hand *h, const pose *p, double speed)
-{
-    hand_go(h, p->at, speed);
-    hand_face(h, p->q);
-}
-
-/* Of the tool when it holds the needle, in the needle's frame. */
 static pose grip(const site *s)
 {
-    double at = HOLD * s->arc * s->radius, up = 1.92;
-    vec out = site_outward(s, at);
-    vec z = v3(sin(LEAN) * cos(up), sin(LEAN) * sin(up), -cos(LEAN));
-    vec x = v_unit(v_across(out, z));
-    return pose_of(v_scale(s->radius, out), x, v_cross(z, x), z);
+    return hold_grip(s, HOLD * s->arc * s->radius, 0.0, LEAN, UP);
 }
 
-/* Where it was taken in the tool, as it is seen: with what gives way between hand and needle. */
-static void see_held(stitch *t, double dt)
-{
-    pose tool = told(&t->right), back = pose_back(&tool), needle = site_needle(&t->site);
-    pose now = pose_after(&back, &needle);
-    t->held = pose_mix(&t->held, &now, dt / SEEING);
-}
-
-/* So that the needle comes there. */
 static void steer(stitch *t, const pose *needle, double speed)
 {
-    pose back = pose_back(&t->held), tool = pose_after(needle, &back);
-    go(&t->right, &tool, speed);
-}
-
-static double off(const stitch *t, const pose *needle)
-{
-    pose now = site_needle(&t->site);
-    return v_distance(now.at, needle->at) + t->site.radius * pose_angle(&now, needle);
+    hold_steer(&t->right, &t->held, needle, speed);
 }
 
 /* ---- the way of the needle */
@@ -219,14 +199,14 @@ static void take(stitch *t)
     if (t->state == STITCH_REACH) {
         hand_open(h, JAW_WIDE);
         tool.at.z += OVER;
-        go(h, &tool, CARRY);
+        hold_go(h, &tool, CARRY);
         if (v_distance(h->at, v_add(tool.at, h->aim)) < 1e-3) {
             enter_state(t, STITCH_LOWER);
         }
         return;
     }
     tool.at.z = low;
-    go(h, &tool, CAREFUL);
+    hold_go(h, &tool, CAREFUL);
     if (t->state == STITCH_LOWER) {
         if (fabs(h->at.z - low) < 0.1e-3 + fabs(h->aim.z)) {
             enter_state(t, STITCH_CLOSE);
@@ -235,7 +215,7 @@ static void take(stitch *t)
     }
     hand_open(h, 0.0);
     if (h->holds && t->since > 0.25) {
-        pose now = told(h), back = pose_back(&now);
+        pose now = hold_told(h), back = pose_back(&now);
         t->held = pose_after(&back, &needle);
         t->from = now;
         enter_state(t, STITCH_LIFT);
@@ -253,7 +233,7 @@ static void carry(stitch *t)
     if (t->state == STITCH_LIFT) {
         pose up = t->from;
         up.at.z += 0.03;
-        go(&t->right, &up, CARRY);
+        hold_go(&t->right, &up, CARRY);
         if (v_distance(t->right.at, up.at) < 5e-3) {
             enter_state(t, STITCH_BRING);
         }
@@ -265,13 +245,13 @@ static void carry(stitch *t)
     if (t->state == STITCH_BRING) {
         needle.at = v_add(needle.at, v3(0.012, 0.0, 0.015));
         steer(t, &needle, CARRY);
-        if (off(t, &needle) < 4e-3) {
+        if (hold_off(&t->site, &needle) < 4e-3) {
             enter_state(t, STITCH_AIM);
         }
         return;
     }
     steer(t, &needle, CAREFUL);
-    if (off(t, &needle) < 1e-3 && t->support == SUPPORT_UNDER && t->support_since > 0.5) {
+    if (hold_off(&t->site, &needle) < 1e-3 && t->support == SUPPORT_UNDER && t->support_since > 0.5) {
         enter_state(t, STITCH_ENTER);
     }
 }
@@ -413,7 +393,7 @@ vbss_result stitch_lead(stitch *t, double dt)
     t->since += dt;
     t->support_since += dt;
     if (t->state > STITCH_CLOSE) {
-        see_held(t, dt);
+        hold_see(&t->held, &t->right, &t->site, dt);
     }
     for (int side = 0; side < 2; side++) {
         t->marks[side] = v_mix(t->marks[side], site_mark(&t->site, side), dt / SEEING);

@@ -2,7 +2,7 @@
 #ifndef VBSS_EXAMPLES_NEEDLE_STITCH_H
 #define VBSS_EXAMPLES_NEEDLE_STITCH_H
 
-#include "needle/site.h"
+#include "needle/hold.h"
 
 /* The right hand drives. */
 typedef enum stitch_state {
@@ -55,7 +55,13 @@ typedef struct stitch {
     double out;                 /* of the tip beyond the left wall, m */
 } stitch;
 
-vbss_result stitch_create(stitch *t, uint64_t seed);
+typedef struct stitch_plan {
+    site_plan site;
+    bool free_left; /* the left tool has no trocar, and a neck: it can be wound about later on */
+} stitch_plan;
+
+void stitch_plan_usual(stitch_plan *plan);
+vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan);
 /* Tells both hands what to do in the coming step, and moves their tools. */
 vbss_result stitch_lead(stitch *t, double dt);
 /* Looks at what it did. */

@@ -64,22 +64,27 @@ void hand_orientation(vec x, vec y, vec z, double q[4])
     }
 }
 
-/* The bend lies beside the tip, toward +y of the tool, so the shaft does not point from the tip to the trocar. A free tool
- * is as its hand is. */
-static void show(hand *h, vec tip)
+/* The bend lies beside the tip, toward +y of the tool, so the shaft does not point from the tip to the trocar. */
+static void stand_through(hand *h, vec tip, double q[4])
 {
-    h->shown = tip;
-    if (!h->shape.has_trocar) {
-        memcpy(h->shown_orientation, h->face, sizeof h->face);
-        return;
-    }
     vec to = v_sub(h->trocar, tip), n = v_unit(to);
     double sine = hand_reach(h) * sin(h->shape.driver_bend) / v_length(to);
     double cosine = sqrt(1.0 - sine * sine);
     h->roll = v_unit(v_across(h->roll, n));
     vec y = v_along(v_scale(cosine, h->roll), sine, n);
     vec z = v_along(v_scale(cosine, n), -sine, h->roll);
-    hand_orientation(v_cross(y, z), y, z, h->shown_orientation);
+    hand_orientation(v_cross(y, z), y, z, q);
+}
+
+/* A free tool is as its hand is. */
+static void show(hand *h, vec tip)
+{
+    h->shown = tip;
+    if (h->shape.has_trocar) {
+        stand_through(h, tip, h->shown_orientation);
+    } else {
+        memcpy(h->shown_orientation, h->face, sizeof h->face);
+    }
 }
 
 void hand_stiffen(vbss_grasper_config *shape)
@@ -98,6 +103,7 @@ vbss_result hand_create_with(hand *h, stand *s, const hand_nature *nature,
     h->side = 1.0;
     h->shape = *shape;
     h->trocar = v_load(shape->trocar);
+    h->through = shape->has_trocar != 0;
     h->goal = h->at = tip;
     h->point = h->roll = point;
     h->face[0] = h->wanted_face[0] = 1.0;
@@ -144,7 +150,18 @@ void hand_turn(hand *h, vec point)
 
 void hand_face(hand *h, const double q[4])
 {
+    h->through = false;
     memcpy(h->wanted_face, q, sizeof h->wanted_face);
+}
+
+void hand_through(hand *h, vec point)
+{
+    if (!h->through) {
+        h->roll = hand_rotate(h->face, v3(0.0, 1.0, 0.0));
+        h->point = h->roll;
+    }
+    h->through = true;
+    h->trocar = point;
 }
 
 void hand_open(hand *h, double opening)
@@ -217,11 +234,13 @@ vbss_result hand_step(hand *h, double dt)
     double most = JAW_SPEED * h->nature.speed * dt;
     h->time += dt;
     follow(h, dt);
-    if (h->shape.has_trocar) {
+    if (h->through) {
         turn(h, dt);
-    } else {
-        face(h, dt);
     }
+    if (h->through && !h->shape.has_trocar) {
+        stand_through(h, h->at, h->wanted_face);
+    }
+    face(h, dt);
     h->opening += clamp(h->wanted_opening - h->opening, -most, most);
     show(h, v_add(h->at, tremor(h)));
     return wire_tell(h);
@@ -242,7 +261,7 @@ vbss_result hand_feel(hand *h)
     }
     TRY(vbss_scene_get_grasp(h->stand->scene, h->body, 0, &grasp, sizeof grasp));
     h->held_thread = grasp.thread;
-    h->place = grasp.arc_length / SEGMENT;
+    h->place = stand_place(h->stand, grasp.arc_length);
     h->node = (uint32_t)(h->place + 0.5);
     h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));
     return VBSS_OK;

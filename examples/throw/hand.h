@@ -32,7 +32,8 @@ typedef struct hand {
     double
         side; /* -1: the world is seen in a mirror, so that this hand's part is always the same */
     /* in the world: */
-    vec trocar;                     /* a free tool has none: it is turned as its hand is */
+    bool through;                   /* the hand keeps the shaft on a line through `trocar` */
+    vec trocar;
     double face[4], wanted_face[4]; /* w, x, y, z: how a free tool is turned, how it shall be */
     vec aim, goal, at, velocity;    /* of the tip: error, where it shall go, is */
     vec point;                      /* to where the handle's end of the jaws shall point */
@@ -74,6 +75,8 @@ void hand_go(hand *h, vec tip, double speed);
 void hand_turn(hand *h, vec point);
 /* How a free tool shall be turned, w, x, y, z. */
 void hand_face(hand *h, const double q[4]);
+/* A free tool is held from now on as if its shaft went through a point, and rolled with hand_turn. */
+void hand_through(hand *h, vec point);
 /* 0 closed to 1 open. */
 void hand_open(hand *h, double opening);
 void hand_take_tool(hand *h, vbss_device_tool tool);

@@ -97,6 +97,11 @@ vbss_result senses_look(senses *s)
     TRY(hand_look(s->c, &s->tool_c));
     TRY(vbss_grasper_get_view(s->w->grasper, VBSS_GRASPER_VIEW_CAPSULES, &view, sizeof view));
     s->parts = view.data;
+    s->held_c = v_along(s->tool_c.tip, GRASP_BEHIND, s->tool_c.handle);
+    if (s->c->holds && !senses_holds(s, s->c)) { /* the needle */
+        s->c->node = s->nodes - 1;
+        s->held_c = s->x[s->c->node];
+    }
     s->tension_w += SMOOTH * (v_length(s->w->pull) - s->tension_w);
     s->tension_c += SMOOTH * (v_length(s->c->pull) - s->tension_c);
     find_contacts(s);
@@ -123,6 +128,9 @@ static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *p
     bool held = senses_holds(s, h);
     t.held = held ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
     t.held_place = held ? h->place : 0.0;
+    if (h->holds && !held && h->node == s->nodes - 1) {
+        t.held = VBSS_KNOT_HELD_NEEDLE;
+    }
     return t;
 }
 
@@ -180,7 +188,8 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
 static bool is_of_knot(const senses *s, const uint32_t *contact, uint32_t end)
 {
     return contact[0] == VBSS_CONTACT_SEGMENTS && contact[1] == s->stand->thread_body &&
-           contact[3] == s->stand->thread_body && contact[2] < end && contact[4] < end;
+           contact[3] == s->stand->thread_body && stand_segment(s->stand, contact[2]) < end &&
+           stand_segment(s->stand, contact[4]) < end;
 }
 
 static const uint32_t *contact_at(const vbss_view *v, uint64_t i)
@@ -242,8 +251,8 @@ static vbss_result find_roots_by_touch(senses *s)
     for (uint64_t i = 0; i < kinds.count; i++) {
         const uint32_t *c = contact_at(&kinds, i);
         if (is_of_knot(s, c, end) && v_distance(point_at(&points, i), s->knot) < KNOT_SIZE) {
-            include(s, c[2]);
-            include(s, c[4]);
+            include(s, stand_segment(s->stand, c[2]));
+            include(s, stand_segment(s->stand, c[4]));
         }
     }
     return VBSS_OK;

@@ -1,6 +1,5 @@
 #include "throw/stand.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 #define DRAIN_HALF 16e-3
@@ -114,6 +113,38 @@ vbss_result stand_create(stand *s, double tail, double limb)
     return fix_thread(s);
 }
 
+/* ---- looks */
+
+static const void *look(const stand *s, vbss_thread_field field)
+{
+    vbss_view view;
+    return vbss_thread_get_view(s->thread, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
+}
+
+static void turn_round(stand *s)
+{
+    const vec *x = look(s, VBSS_THREAD_POSITIONS);
+    for (uint32_t i = 0; s->reversed && i < s->nodes; i++) {
+        s->turned[i] = x[s->nodes - 1 - i];
+    }
+}
+
+const vec *stand_nodes(const stand *s)
+{
+    return s->reversed ? s->turned : look(s, VBSS_THREAD_POSITIONS);
+}
+
+double stand_place(const stand *s, double arc_length)
+{
+    double place = arc_length / SEGMENT;
+    return s->reversed ? s->nodes - 1 - place : place;
+}
+
+uint32_t stand_segment(const stand *s, uint32_t segment)
+{
+    return s->reversed ? s->nodes - 2 - segment : segment;
+}
+
 /* ---- the log */
 
 static vbss_result write_log(stand *s)
@@ -128,6 +159,7 @@ static vbss_result write_log(stand *s)
 vbss_result stand_begin(stand *s, const char *log, const char *note)
 {
     vbss_record_config c;
+    turn_round(s);
     TRY(vbss_record_config_init(&c, sizeof c));
     c.hash_interval = HASH_INTERVAL;
     c.note = note;
@@ -196,7 +228,8 @@ vbss_result stand_follow(stand *s)
 vbss_result stand_step(stand *s, double dt)
 {
     TRY(vbss_record_step(s->record, dt));
-    TRY(stand_follow(s));
+    TRY(follow_cuts(s));
+    turn_round(s);
     s->time += dt;
     return write_log(s);
 }
@@ -214,17 +247,4 @@ void stand_destroy(stand *s)
     }
     vbss_context_destroy(s->context);
     s->context = NULL;
-}
-
-/* ---- looks */
-
-static const void *look(const stand *s, vbss_thread_field field)
-{
-    vbss_view view;
-    return vbss_thread_get_view(s->thread, field, &view, sizeof view) == VBSS_OK ? view.data : NULL;
-}
-
-const vec *stand_nodes(const stand *s)
-{
-    return look(s, VBSS_THREAD_POSITIONS);
 }

@@ -2,6 +2,7 @@
 #ifndef VBSS_EXAMPLES_THROW_STAND_H
 #define VBSS_EXAMPLES_THROW_STAND_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include <vblast_ss/vblast_ss.h>
@@ -39,6 +40,8 @@ typedef struct stand {
     uint32_t support;  /* pin that holds the limb up until a hand has it */
     double tail, limb; /* m */
     double time;
+    bool reversed; /* the scene's thread begins at the limb's end; here all counts from the tail's */
+    vec turned[STAND_NODES]; /* its nodes then */
 } stand;
 
 /* Above the drain's round, m. */
@@ -59,6 +62,10 @@ vbss_result stand_follow(stand *s);
 /* Ends the log. */
 vbss_result stand_end(stand *s);
 void stand_destroy(stand *s);
+/* From the tail's end on. */
 const vec *stand_nodes(const stand *s);
+/* Of the scene's arc length of the thread, in segments from the tail's end; of its segments. */
+double stand_place(const stand *s, double arc_length);
+uint32_t stand_segment(const stand *s, uint32_t segment);
 
 #endif

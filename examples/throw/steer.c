@@ -34,7 +34,7 @@ vec steer_tail_root(const throw_run *t)
 /* Where C's tip is when its jaws are at a place. */
 vec steer_tip_of(const throw_run *t, vec jaws)
 {
-    return v_along(jaws, -GRASP_BEHIND, t->see->tool_c.handle);
+    return v_along(jaws, -1.0, v_sub(t->see->held_c, t->see->tool_c.tip));
 }
 
 vec steer_jaws_of(const hand_pose *p)
@@ -86,7 +86,7 @@ static void accompany(throw_run *t, double dt)
     if (v_dot(t->beside, t->beside) == 0.0) {
         t->beside = v_sub(s->tool_c.tip, turns);
     }
-    vec to = v_sub(s->last > 0 ? s->x[s->last] : turns, steer_jaws_of(&s->tool_c));
+    vec to = v_sub(s->last > 0 ? s->x[s->last] : turns, s->held_c);
     double excess = s->tension_c / TAUT - 1.0;
     if (excess > 0.0 && v_length(to) > NEAREST) {
         t->beside = v_along(t->beside, fmin(0.1, 0.02 * excess) * dt, v_unit(to));

@@ -24,7 +24,7 @@ void throw_near(throw_run *t)
     hand_turn(s->c, v3(1.0, 0.0, 0.0));
     vec jaws = v3(0.004, -0.024, t->plan.wrap_tip.z - 0.01);
     hand_go(s->c, steer_tip_of(t, jaws), 0.12);
-    if (v_distance(steer_jaws_of(&s->tool_c), jaws) < 3e-3) {
+    if (v_distance(s->held_c, jaws) < 3e-3) {
         throw_enter(t, THROW_PLACE);
         hand_aim(s->w, s->w->nature.aim);
     }
@@ -38,7 +38,7 @@ void throw_place(throw_run *t)
     if (v_distance(s->tool_w.tip, t->plan.wrap_tip) < 2e-3 && t->since > 0.2) {
         steer_frame f = steer_about_w(t, t->plan.s0);
         vec to = v_sub(steer_limb_root(t), f.origin),
-            c = v_sub(steer_jaws_of(&s->tool_c), f.origin);
+            c = v_sub(s->held_c, f.origin);
         t->begin = atan2(v_dot(to, f.away), v_dot(to, f.over));
         if (t->begin > 0.0) {
             t->begin -= 2.0 * PI;

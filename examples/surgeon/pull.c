@@ -1,0 +1,241 @@
+#include "surgeon/pull.h"
+
+#define LEFT_HOLD 4.5e-3 /* from the tip: where the left hand takes the needle */
+#define RIGHT_HOLD 0.64  /* of its length from there: where the right hand does */
+#define BEHIND 1.5e-3    /* the tool's tip */
+#define LEAN 0.3         /* of a tool from the needle's axis, rad */
+#define BEFORE 0.02      /* of jaws, along themselves, before they come */
+#define WIDE 0.7         /* of the handle */
+#define CARRY 0.08       /* m/s */
+#define CAREFUL 0.03
+#define TURNING 0.02    /* m/s, of the needle along its arc */
+#define MOST_TURN 3.3   /* rad */
+#define RISE 0.03       /* m */
+#define DRAWING 0.05    /* m/s, of the needle away from the drain */
+#define SHORT 17.5e-3   /* of the tail in the end */
+#define LONGEST 0.135   /* of what is drawn */
+#define PATIENCE 6.0    /* s, of every state but the last */
+#define LEFT_PARK v3(-0.06, -0.05, 0.06)
+#define RIGHT_PARK v3(0.05, -0.06, 0.05)
+
+const char *pull_name(pull_state state)
+{
+    static const char *const names[] = {"reach", "onto",   "close", "part", "turn", "lift",  "offer",
+                                        "ask",   "accept", "take",  "give", "draw", "drawn", "failed"};
+    return names[state];
+}
+
+void pull_begin(pull_run *p, stitch *t)
+{
+    memset(p, 0, sizeof *p);
+    p->stitch = t;
+    p->tail = -1.0;
+}
+
+static void enter(pull_run *p, pull_state state)
+{
+    p->state = state;
+    p->since = 0.0;
+    p->from = site_needle(&p->stitch->site);
+}
+
+static void fail(pull_run *p, const char *why)
+{
+    p->why = why;
+    enter(p, PULL_FAILED);
+}
+
+/* ---- one hand takes the needle from the other */
+
+/* Jaws across the needle there, so far before it. */
+static pose before(const pull_run *p, double arc_length, double distance)
+{
+    const site *s = &p->stitch->site;
+    pose needle = site_needle(s);
+    vec out = site_outward(s, arc_length);
+    pose local = hold_grip(s, arc_length, BEHIND, LEAN, atan2(out.y, out.x));
+    pose tool = pose_after(&needle, &local);
+    tool.at = v_along(tool.at, distance, hand_rotate(tool.q, v3(0.0, 0.0, 1.0)));
+    return tool;
+}
+
+static bool is_there(const hand *h, const pose *p, double within)
+{
+    pose now = hold_told(h);
+    return v_distance(h->at, v_add(p->at, h->aim)) < within && pose_angle(&now, p) < 0.1;
+}
+
+/* Open jaws to before the needle, on it, closed; true: it is held. */
+static bool take(pull_run *p, hand *h, double arc_length, pull_state first)
+{
+    int part = (int)p->state - (int)first;
+    pose tool = before(p, arc_length, part == 0 ? BEFORE : 0.0);
+    hold_go(h, &tool, part == 0 ? CARRY : CAREFUL);
+    hand_open(h, part < 2 ? WIDE : 0.0);
+    if (part < 2 && is_there(h, &tool, part == 0 ? 1e-3 : 0.3e-3)) {
+        enter(p, (pull_state)(p->state + 1));
+    }
+    if (part < 2 || !h->holds || p->since < 0.3) {
+        return false;
+    }
+    pose now = hold_told(h), back = pose_back(&now), needle = site_needle(&p->stitch->site);
+    p->held = pose_after(&back, &needle);
+    return true;
+}
+
+/* Opens, goes back along itself, then to where it waits; true: it is off the needle. */
+static bool leave(pull_run *p, hand *h, vec park)
+{
+    hand_open(h, p->since > 1.0 ? 0.0 : WIDE);
+    if (p->since < 0.15) {
+        p->back = hold_told(h);
+        return false;
+    }
+    pose away = p->back;
+    away.at = v_along(away.at, 0.04, hand_rotate(away.q, v3(0.0, 0.0, 1.0)));
+    hold_go(h, &away, CARRY);
+    if (p->since > 1.0) {
+        hand_go(h, park, CARRY);
+    }
+    return p->since > 0.8;
+}
+
+/* ---- the needle's way */
+
+static bool is_through(const pull_run *p)
+{
+    const stitch *t = p->stitch;
+    vbss_hole hole;
+    for (int side = 0; side < 2; side++) {
+        if (!site_find_hole(&t->site, t->holes[side], &hole) || hole.needle != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void turn(pull_run *p, double dt)
+{
+    stitch *t = p->stitch;
+    p->turned += TURNING * t->left.nature.speed / t->site.radius * dt;
+    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), p->turned);
+    hold_steer(&t->left, &p->held, &needle, CARRY);
+    if (is_through(p)) {
+        enter(p, PULL_LIFT);
+    } else if (p->turned > MOST_TURN) {
+        fail(p, "the needle is not through");
+    }
+}
+
+static void lift(pull_run *p)
+{
+    stitch *t = p->stitch;
+    pose needle = p->from;
+    needle.at.z += RISE;
+    hold_steer(&t->left, &p->held, &needle, DRAWING);
+    if (hold_off(&t->site, &needle) < 3e-3) {
+        enter(p, PULL_OFFER);
+    }
+}
+
+/* Open above, the tip at the left, the thread at the right. */
+static pose offered(void)
+{
+    return pose_of(v3(-0.02, -0.01, 0.055), v3(-1.0, 0.0, 0.0), v3(0.0, 0.0, 1.0), v3(0.0, 1.0, 0.0));
+}
+
+static void offer(pull_run *p)
+{
+    stitch *t = p->stitch;
+    pose needle = offered();
+    hold_steer(&t->left, &p->held, &needle, DRAWING);
+    if (hold_off(&t->site, &needle) < 2e-3) {
+        enter(p, PULL_ASK);
+    }
+}
+
+static void draw(pull_run *p, double dt)
+{
+    stitch *t = p->stitch;
+    vec mark = site_mark(&t->site, SITE_LEFT);
+    double slow = clamp((p->tail - SHORT) / 10e-3, 0.1, 1.0);
+    if (p->drawn == 0.0) {
+        p->drawn = v_distance(p->from.at, mark);
+    }
+    p->drawn = fmin(p->drawn + slow * DRAWING * t->right.nature.speed * dt, LONGEST);
+    vec way = v_unit(v3(0.25, -0.2, 1.0));
+    pose needle = offered();
+    needle.at = v_add(p->from.at, v_limit(v_sub(v_along(mark, p->drawn, way), p->from.at), 1.0));
+    hold_steer(&t->right, &p->held, &needle, CARRY);
+    if (p->tail < SHORT) {
+        enter(p, PULL_DONE);
+    }
+}
+
+/* ---- all of it */
+
+static void look(pull_run *p)
+{
+    const stitch *t = p->stitch;
+    vbss_hole hole;
+    bool is_thread = site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole) && hole.thread != 0;
+    p->tail = is_thread ? SEGMENT * (t->site.stand.nodes - 1) - hole.arc_length : -1.0;
+}
+
+void pull_step(pull_run *p, double dt)
+{
+    stitch *t = p->stitch;
+    double length = t->site.arc * t->site.radius;
+    p->since += dt;
+    look(p);
+    if (p->state > PULL_CLOSE && p->state < PULL_DONE) {
+        hand *bearer = p->state > PULL_TAKE ? &t->right : &t->left;
+        hold_see(&p->held, bearer, &t->site, dt);
+        if (!bearer->holds) {
+            fail(p, "the needle is lost");
+        }
+    }
+    switch (p->state) {
+    case PULL_REACH:
+    case PULL_ONTO:
+    case PULL_CLOSE:
+        if (take(p, &t->left, LEFT_HOLD, PULL_REACH)) {
+            enter(p, PULL_PART);
+        }
+        break;
+    case PULL_PART:
+        if (leave(p, &t->right, RIGHT_PARK)) {
+            enter(p, PULL_TURN);
+        }
+        break;
+    case PULL_TURN:
+        turn(p, dt);
+        break;
+    case PULL_LIFT:
+        lift(p);
+        break;
+    case PULL_OFFER:
+        offer(p);
+        break;
+    case PULL_ASK:
+    case PULL_ACCEPT:
+    case PULL_TAKE:
+        if (take(p, &t->right, RIGHT_HOLD * length, PULL_ASK)) {
+            enter(p, PULL_GIVE);
+        }
+        break;
+    case PULL_GIVE:
+        if (leave(p, &t->left, LEFT_PARK)) {
+            enter(p, PULL_DRAW);
+        }
+        break;
+    case PULL_DRAW:
+        draw(p, dt);
+        break;
+    default:
+        break;
+    }
+    if (p->since > PATIENCE && p->state < PULL_DRAW) {
+        fail(p, pull_name(p->state));
+    }
+}

@@ -1,0 +1,50 @@
+/* A scripted surgeon: two hands that act through devices alone, one stage of the task after the other. */
+#ifndef VBSS_EXAMPLES_SURGEON_SURGEON_H
+#define VBSS_EXAMPLES_SURGEON_SURGEON_H
+
+#include "needle/stitch.h"
+#include "surgeon/pull.h"
+#include "throw/throw.h"
+
+typedef enum surgeon_stage {
+    SURGEON_PASS, /* the needle through both marks (needle/stitch.c) */
+    SURGEON_PULL, /* it and its thread through, until the tail is short (pull.c) */
+    SURGEON_TIE,  /* a double throw (tie.c, throw/throw.c) */
+    SURGEON_DONE,
+    SURGEON_FAILED
+} surgeon_stage;
+
+typedef struct surgeon {
+    stitch stitch; /* with scene and hands */
+    pull_run pull;
+    senses see;
+    throw_run tie;
+    surgeon_stage stage;
+    const char *why; /* failed */
+    uint64_t steps;
+    double gap_before, gap; /* of the slit, m */
+} surgeon;
+
+typedef struct surgeon_options {
+    uint64_t seed;
+    surgeon_stage until; /* ends before this one */
+    int32_t work;        /* of a step, as site_plan has it */
+    const char *log;     /* may be NULL */
+} surgeon_options;
+
+vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
+/* Hands, devices, scene, and what is seen of it. */
+vbss_result surgeon_step(surgeon *s, double dt);
+/* What the hands do at the moment. */
+const char *surgeon_doing(const surgeon *s);
+/* Tail from the right hole on; -1: no thread is in it. */
+double surgeon_tail(const surgeon *s);
+
+/* ---- tie.c */
+vbss_result surgeon_begin_tie(surgeon *s);
+vbss_result surgeon_tie(surgeon *s, double dt);
+
+/* ---- show.c; a width of what is seen, m */
+bool surgeon_show(const surgeon *s, const char *path, const char *text, vec middle, double width);
+
+#endif
