@@ -12,7 +12,7 @@
 #define MOST_TURN 3.3   /* rad */
 #define RISE 0.03       /* m */
 #define DRAWING 0.05    /* m/s, of the needle away from the drain */
-#define SHORT 17.5e-3   /* of the tail in the end */
+#define SHORT 18.5e-3   /* of the tail in the end */
 #define LONGEST 0.135   /* of what is drawn */
 #define PATIENCE 6.0    /* s, of every state but the last */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
@@ -174,12 +174,11 @@ static void draw(pull_run *p, double dt)
 
 /* ---- all of it */
 
-static void look(pull_run *p)
+double pull_tail(const stitch *t)
 {
-    const stitch *t = p->stitch;
     vbss_hole hole;
     bool is_thread = site_find_hole(&t->site, t->holes[SITE_RIGHT], &hole) && hole.thread != 0;
-    p->tail = is_thread ? SEGMENT * (t->site.stand.nodes - 1) - hole.arc_length : -1.0;
+    return is_thread ? SEGMENT * (t->site.stand.nodes - 1) - hole.arc_length : -1.0;
 }
 
 void pull_step(pull_run *p, double dt)
@@ -187,7 +186,7 @@ void pull_step(pull_run *p, double dt)
     stitch *t = p->stitch;
     double length = t->site.arc * t->site.radius;
     p->since += dt;
-    look(p);
+    p->tail = pull_tail(t);
     if (p->state > PULL_CLOSE && p->state < PULL_DONE) {
         hand *bearer = p->state > PULL_TAKE ? &t->right : &t->left;
         hold_see(&p->held, bearer, &t->site, dt);

@@ -37,6 +37,8 @@ typedef struct pull_run {
 
 void pull_begin(pull_run *p, stitch *t);
 void pull_step(pull_run *p, double dt);
+/* From the right hole on; -1: no thread is in it. */
+double pull_tail(const stitch *t);
 const char *pull_name(pull_state state);
 
 #endif

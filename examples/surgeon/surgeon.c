@@ -1,5 +1,11 @@
 #include "surgeon/surgeon.h"
 
+#define MOST_OFF 2e-3  /* of a hole from its mark */
+#define TAIL_SHORT 15e-3
+#define TAIL_LONG 20e-3
+#define GAP_OPEN 2e-3
+#define GAP_SHUT 0.5e-3
+
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
 {
     memset(s, 0, sizeof *s);
@@ -20,11 +26,6 @@ const char *surgeon_doing(const surgeon *s)
     default:
         return s->stage == SURGEON_DONE ? "done" : "failed";
     }
-}
-
-double surgeon_tail(const surgeon *s)
-{
-    return s->pull.tail;
 }
 
 static void fail(surgeon *s, const char *why)
@@ -50,8 +51,14 @@ static vbss_result pass(surgeon *s, double dt)
     TRY(stand_step(&t->site.stand, dt));
     TRY(stitch_look(t));
     if (t->state == STITCH_DONE) {
+        for (int side = 0; side < 2; side++) {
+            s->off[side] = site_deviation(&t->site, &t->made[side], side);
+        }
         pull_begin(&s->pull, t);
         s->stage = SURGEON_PULL;
+        if (t->punctures != 2 || t->others > 0 || s->off[0] > MOST_OFF || s->off[1] > MOST_OFF) {
+            fail(s, "not through both marks");
+        }
     } else if (t->state == STITCH_FAILED) {
         fail(s, t->why);
     }
@@ -64,6 +71,11 @@ static vbss_result pull(surgeon *s, double dt)
     TRY(move(s, dt));
     if (s->pull.state == PULL_DONE) {
         s->stage = SURGEON_TIE;
+        s->tail = s->pull.tail;
+        s->gap_before = s->gap;
+        if (s->tail < TAIL_SHORT || s->tail > TAIL_LONG || s->gap < GAP_OPEN) {
+            fail(s, "tail or slit are not as they shall be");
+        }
         return surgeon_begin_tie(s);
     }
     if (s->pull.state == PULL_FAILED) {
@@ -78,6 +90,11 @@ static vbss_result tie(surgeon *s, double dt)
     TRY(move(s, dt));
     if (s->tie.state == THROW_DONE) {
         s->stage = SURGEON_DONE;
+        if (strcmp(s->tie.formed.notation, "2") != 0) {
+            fail(s, "not a double throw");
+        } else if (s->gap > GAP_SHUT) {
+            fail(s, "the slit is not shut");
+        }
     } else if (s->tie.state == THROW_FAILED) {
         fail(s, s->tie.why);
     }
@@ -88,20 +105,16 @@ vbss_result surgeon_step(surgeon *s, double dt)
 {
     vbss_drain_gap gap;
     s->steps++;
-    switch (s->stage) {
-    case SURGEON_PASS:
-        TRY(pass(s, dt));
-        break;
-    case SURGEON_PULL:
-        TRY(pull(s, dt));
-        break;
-    case SURGEON_TIE:
-        TRY(tie(s, dt));
-        break;
-    default:
-        break;
-    }
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
     s->gap = gap.gap;
-    return VBSS_OK;
+    switch (s->stage) {
+    case SURGEON_PASS:
+        return pass(s, dt);
+    case SURGEON_PULL:
+        return pull(s, dt);
+    case SURGEON_TIE:
+        return tie(s, dt);
+    default:
+        return VBSS_OK;
+    }
 }

@@ -22,7 +22,9 @@ typedef struct surgeon {
     surgeon_stage stage;
     const char *why; /* failed */
     uint64_t steps;
-    double gap_before, gap; /* of the slit, m */
+    double off[2];          /* of the holes from their marks, m */
+    double tail;            /* when it was set, m */
+    double gap_before, gap; /* of the slit: before the throw, now, m */
 } surgeon;
 
 typedef struct surgeon_options {
@@ -37,8 +39,6 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 vbss_result surgeon_step(surgeon *s, double dt);
 /* What the hands do at the moment. */
 const char *surgeon_doing(const surgeon *s);
-/* Tail from the right hole on; -1: no thread is in it. */
-double surgeon_tail(const surgeon *s);
 
 /* ---- tie.c */
 vbss_result surgeon_begin_tie(surgeon *s);

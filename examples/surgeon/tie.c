@@ -20,9 +20,9 @@ vbss_result surgeon_begin_tie(surgeon *s)
     find_marks(s);
     TRY(senses_create(&s->see, &t->site.stand, &t->left, &t->right));
     TRY(senses_look(&s->see));
-    s->gap_before = s->gap;
     throw_plan_usual(&plan, 2);
     plan.wrap_tip = v3(0.014, 0.0, 0.07);
+    plan.tension = 0.03;
     hand_through(&t->left, v3(-0.3, 0.03, 0.07));
     hand_through(&t->right, v3(0.3, -0.05, 0.1));
     throw_begin(&s->tie, &s->see, &plan);

@@ -264,6 +264,9 @@ vbss_result hand_feel(hand *h)
     h->place = stand_place(h->stand, grasp.arc_length);
     h->node = (uint32_t)(h->place + 0.5);
     h->pull = seen(h, v_scale(-1.0, v_load(grasp.force)));
+    if (state.needle != 0) { /* the needle leans on the tool as well, which no hand feels */
+        h->pull = v_limit(h->pull, v_length(v_load(state.hand_force)));
+    }
     return VBSS_OK;
 }
 

@@ -1,0 +1,26 @@
+/* One who watches the surgeon: what is told and painted, and how long the steps take. */
+#ifndef VBSS_EXAMPLES_SURGEON_WATCH_H
+#define VBSS_EXAMPLES_SURGEON_WATCH_H
+
+#include "surgeon/surgeon.h"
+
+enum { WATCH_STEPS = 100000 }; /* of 1 ms, at most */
+
+typedef struct watch {
+    surgeon_options options;
+    double most, every; /* s, simulated: at most; between pictures */
+    const char *folder; /* for pictures; may be NULL */
+    bool verbose;
+    int pictures;
+    double next;                      /* picture, s */
+    double *times[SURGEON_DONE];      /* of steps, s, WATCH_STEPS each */
+    uint32_t counts[SURGEON_DONE];    /* of them */
+    double left[SURGEON_DONE], right[SURGEON_DONE]; /* most that a hand feels, N */
+} watch;
+
+/* From the needle on the floor on. */
+vbss_result watch_run(watch *w, surgeon *s);
+/* What came of it. */
+void watch_tell(watch *w, const surgeon *s, vbss_result result);
+
+#endif
