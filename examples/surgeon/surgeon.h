@@ -25,6 +25,7 @@ typedef struct surgeon {
     double off[2];          /* of the holes from their marks, m */
     double tail;            /* when it was set, m */
     double gap_before, gap; /* of the slit: before the throw, now, m */
+    double shut;            /* so long, s */
 } surgeon;
 
 typedef struct surgeon_options {

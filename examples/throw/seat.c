@@ -92,7 +92,7 @@ static void pull_alike(throw_run *t, double dt)
 void throw_seat(throw_run *t, double dt)
 {
     hand_turn(t->see->w, OUTWARD);
-    if (t->plan.soft) {
+    if (t->plan.alike) {
         pull_alike(t, dt);
     } else {
         pull_one_first(t, dt);

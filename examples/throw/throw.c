@@ -46,6 +46,7 @@ void throw_plan_on_top(throw_plan *p)
     p->soft = true;
     p->drawn = 0.05;
     p->tilt = 1.2;
+    p->alike = true;
     p->low = 0.03;
     p->retries = 0; /* unwinding pulls what is tied apart */
 }

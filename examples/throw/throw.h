@@ -37,10 +37,11 @@ typedef struct throw_plan {
     uint32_t tail_node; /* where it takes it */
     double behind;      /* how far behind its tip */
     bool soft;          /* what is below is only held by its own friction: nothing may be taut */
+    bool alike;         /* both ends are pulled alike in the end */
     double light;       /* N, of C while the tail is drawn through */
     double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
     double tilt;        /* rad, of W's way meanwhile, from upright to the near side */
-    double low;         /* m, below the drain's top, to where both pull in the end */
+    double low;         /* m, below the drain's top, to where both pull then */
     double pull;        /* N, in the end */
     int retries;
     bool wrong;     /* C goes round the other way */
