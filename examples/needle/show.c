@@ -19,7 +19,8 @@ bool show_picture(const stitch *t, const char *path, const char *text)
     if (painter_create(WIDTH, HEIGHT, &p) != PAINTER_OK) {
         return false;
     }
-    bool good = show_add(p, t) && painter_set_camera(p, &c) == PAINTER_OK &&
+    bool good =
+        show_add(p, t) && painter_set_camera(p, &c) == PAINTER_OK &&
         painter_add_text(p, 10, 20, text, PAINTER_BLACK) == PAINTER_OK &&
         painter_add_scale_bar(p, wide ? 0.01 : 5e-3, wide ? "1 cm" : "5 mm") == PAINTER_OK &&
         painter_write_two_views(p, path) == PAINTER_OK;

@@ -11,12 +11,12 @@
 #define OVER 12e-3
 #define CARRY 0.1 /* m/s */
 #define CAREFUL 0.03
-#define DRIVE 12e-3        /* of the tip */
-#define BEFORE 5e-3        /* of the mark, where the needle is brought */
-#define LONGEST 27e-3      /* of the way beyond the right mark */
-#define IN_LUMEN 5e-3      /* of the tip, until the left hand is ready */
-#define HELPED 2e-3        /* of it while the left hand still bears the wall */
-#define OUT 8.5e-3         /* of the tip in the end */
+#define DRIVE 12e-3   /* of the tip */
+#define BEFORE 5e-3   /* of the mark, where the needle is brought */
+#define LONGEST 27e-3 /* of the way beyond the right mark */
+#define IN_LUMEN 5e-3 /* of the tip, until the left hand is ready */
+#define HELPED 2e-3   /* of it while the left hand still bears the wall */
+#define OUT 8.5e-3    /* of the tip in the end */
 #define LEFT_TROCAR v3(-0.12, -0.015, 0.08)
 #define NECK 5e-3          /* of the left tool, if it has no trocar and shall be wound about */
 #define FORK 0.56          /* of the left handle: a needle goes between its jaws */
@@ -251,7 +251,8 @@ static void carry(stitch *t)
         return;
     }
     steer(t, &needle, CAREFUL);
-    if (hold_off(&t->site, &needle) < 1e-3 && t->support == SUPPORT_UNDER && t->support_since > 0.5) {
+    if (hold_off(&t->site, &needle) < 1e-3 && t->support == SUPPORT_UNDER &&
+        t->support_since > 0.5) {
         enter_state(t, STITCH_ENTER);
     }
 }

@@ -3,7 +3,7 @@
  *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie: the last stage] [-t most seconds]
  *             [-w limit of work of a step, -1: none] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
  *
- * Tells of each seed what came of it. Exits 0 if all were as they shall be. */
+ * The log is played back. Tells of each seed what came of it. Exits 0 if all were as they shall be. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -18,7 +18,7 @@ static int usage(void)
 
 static surgeon_stage after(const char *stage)
 {
-    return strcmp(stage, "pass") == 0 ? SURGEON_PULL
+    return strcmp(stage, "pass") == 0   ? SURGEON_PULL
            : strcmp(stage, "pull") == 0 ? SURGEON_TIE
                                         : SURGEON_DONE;
 }
@@ -77,6 +77,11 @@ static bool run(watch w)
     watch_tell(&w, &s, result);
     bool good = result == VBSS_OK && s.stage >= w.options.until && s.stage != SURGEON_FAILED;
     stand_destroy(&s.stitch.site.stand);
+    if (w.options.log != NULL) {
+        bool same = watch_replay(&w);
+        printf("  %s, played back: %s\n", w.options.log, same ? "the same hashes" : "NOT THE SAME");
+        good = good && same;
+    }
     return good;
 }
 

@@ -8,20 +8,21 @@
 #define WIDE 0.7         /* of the handle */
 #define CARRY 0.08       /* m/s */
 #define CAREFUL 0.03
-#define TURNING 0.02    /* m/s, of the needle along its arc */
-#define MOST_TURN 3.3   /* rad */
-#define RISE 0.03       /* m */
-#define DRAWING 0.05    /* m/s, of the needle away from the drain */
-#define SHORT 18.5e-3   /* of the tail in the end */
-#define LONGEST 0.135   /* of what is drawn */
-#define PATIENCE 6.0    /* s, of every state but the last */
+#define TURNING 0.02  /* m/s, of the needle along its arc */
+#define MOST_TURN 3.3 /* rad */
+#define RISE 0.03     /* m */
+#define DRAWING 0.05  /* m/s, of the needle away from the drain */
+#define SHORT 18.5e-3 /* of the tail in the end */
+#define LONGEST 0.135 /* of what is drawn */
+#define PATIENCE 6.0  /* s, of every state but the last */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
 #define RIGHT_PARK v3(0.05, -0.06, 0.05)
 
 const char *pull_name(pull_state state)
 {
-    static const char *const names[] = {"reach", "onto",   "close", "part", "turn", "lift",  "offer",
-                                        "ask",   "accept", "take",  "give", "draw", "drawn", "failed"};
+    static const char *const names[] = {"reach", "onto",  "close", "part",   "turn",
+                                        "lift",  "offer", "ask",   "accept", "take",
+                                        "give",  "draw",  "drawn", "failed"};
     return names[state];
 }
 
@@ -141,7 +142,8 @@ static void lift(pull_run *p)
 /* Open above, the tip at the left, the thread at the right. */
 static pose offered(void)
 {
-    return pose_of(v3(-0.02, -0.01, 0.055), v3(-1.0, 0.0, 0.0), v3(0.0, 0.0, 1.0), v3(0.0, 1.0, 0.0));
+    return pose_of(v3(-0.02, -0.01, 0.055), v3(-1.0, 0.0, 0.0), v3(0.0, 0.0, 1.0),
+                   v3(0.0, 1.0, 0.0));
 }
 
 static void offer(pull_run *p)

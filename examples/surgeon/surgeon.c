@@ -1,15 +1,23 @@
 #include "surgeon/surgeon.h"
 
-#define MOST_OFF 2e-3  /* of a hole from its mark */
+enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
+
+#define MOST_OFF 2e-3 /* of a hole from its mark */
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
 #define GAP_OPEN 2e-3
 #define GAP_SHUT 0.5e-3
 
+void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
+{
+    *plan = (stitch_plan){.site = {.segments = SEGMENTS, .work = o->work}, .free_left = true};
+}
+
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
 {
+    stitch_plan plan;
     memset(s, 0, sizeof *s);
-    stitch_plan plan = {.site = {.segments = 300, .work = o->work}, .free_left = true};
+    surgeon_plan(o, &plan);
     TRY(stitch_create(&s->stitch, o->seed, &plan));
     return stand_begin(&s->stitch.site.stand, o->log);
 }

@@ -7,11 +7,12 @@
 #define SWAY 0.2 /* m/s, from one to the other */
 #define RIGHT_LINE v3(0.3, -0.05, 0.1)
 #define WRAP_TIP v3(0.014, 0.0, 0.07)
-#define WINDING 0.03   /* N, that the right hand gives way to while it winds: more draws the tail in */
-#define LOW 0.02       /* m below the drain's top, to where both hands pull */
-#define ENOUGH 1.0     /* N, of both hands, if the slit is shut */
-#define SHUT 0.45e-3   /* m */
-#define A_MOMENT 0.3   /* s */
+#define WINDING \
+    0.03           /* N, that the right hand gives way to while it winds: more draws the tail in */
+#define LOW 0.02   /* m below the drain's top, to where both hands pull */
+#define ENOUGH 1.0 /* N, of both hands, if the slit is shut */
+#define SHUT 0.45e-3 /* m */
+#define A_MOMENT 0.3 /* s */
 
 /* Where the thread goes through the drain, as places along it from the tail's end. */
 static void find_marks(surgeon *s)

@@ -124,7 +124,8 @@ void watch_tell(watch *w, const surgeon *s, vbss_result result)
             continue;
         }
         qsort(w->times[i], w->counts[i], sizeof *w->times[i], by_size);
-        printf("  %-4s %5u steps, median %.0f us, p99 %.0f, p99.9 %.0f, longest %.0f; hands feel up to "
+        printf("  %-4s %5u steps, median %.0f us, p99 %.0f, p99.9 %.0f, longest %.0f; hands feel "
+               "up to "
                "%.2f and %.2f N\n",
                stages[i], (unsigned)w->counts[i], quantile(w, i, 0.5), quantile(w, i, 0.99),
                quantile(w, i, 0.999), quantile(w, i, 1.0), w->left[i], w->right[i]);

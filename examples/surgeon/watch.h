@@ -12,14 +12,16 @@ typedef struct watch {
     const char *folder; /* for pictures; may be NULL */
     bool verbose;
     int pictures;
-    double next;                      /* picture, s */
-    double *times[SURGEON_DONE];      /* of steps, s, WATCH_STEPS each */
-    uint32_t counts[SURGEON_DONE];    /* of them */
+    double next;                                    /* picture, s */
+    double *times[SURGEON_DONE];                    /* of steps, s, WATCH_STEPS each */
+    uint32_t counts[SURGEON_DONE];                  /* of them */
     double left[SURGEON_DONE], right[SURGEON_DONE]; /* most that a hand feels, N */
 } watch;
 
 /* From the needle on the floor on. */
 vbss_result watch_run(watch *w, surgeon *s);
+/* Plays the log back on the same scene: true, to equal hashes. */
+bool watch_replay(const watch *w);
 /* What came of it. */
 void watch_tell(watch *w, const surgeon *s, vbss_result result);
 

@@ -32,7 +32,7 @@ typedef struct hand {
     double
         side; /* -1: the world is seen in a mirror, so that this hand's part is always the same */
     /* in the world: */
-    bool through;                   /* the hand keeps the shaft on a line through `trocar` */
+    bool through; /* the hand keeps the shaft on a line through `trocar` */
     vec trocar;
     double face[4], wanted_face[4]; /* w, x, y, z: how a free tool is turned, how it shall be */
     vec aim, goal, at, velocity;    /* of the tip: error, where it shall go, is */

@@ -18,13 +18,10 @@ replay_log replay_read(const char *path)
     return b;
 }
 
-static vbss_result run(const trial_options *o, const replay_log *log, bool changed, stand *s,
-                       replay_finding *f)
+static vbss_result play(stand *s, const replay_log *log, bool changed, replay_finding *f)
 {
-    hand hands[2]; /* for their tools: the log says where these go */
     vbss_replay *replay;
     vbss_replay_info info;
-    TRY(trial_set_up(o, s, hands));
     TRY(vbss_replay_create(s->context, log->data, log->count, &replay));
     TRY(vbss_replay_get_info(replay, &info, sizeof info));
     f->interval = info.hash_interval;
@@ -35,7 +32,24 @@ static vbss_result run(const trial_options *o, const replay_log *log, bool chang
     do {
         TRY(vbss_replay_step(replay, &f->report, sizeof f->report));
     } while (f->report.outcome == VBSS_REPLAY_STEPPED);
+    f->equal = f->report.outcome == VBSS_REPLAY_ENDED;
     return VBSS_OK;
+}
+
+replay_finding replay_on(stand *s, const replay_log *log)
+{
+    replay_finding f;
+    memset(&f, 0, sizeof f);
+    f.result = play(s, log, false, &f);
+    return f;
+}
+
+static vbss_result run(const trial_options *o, const replay_log *log, bool changed, stand *s,
+                       replay_finding *f)
+{
+    hand hands[2]; /* for their tools: the log says where these go */
+    TRY(trial_set_up(o, s, hands));
+    return play(s, log, changed, f);
 }
 
 replay_finding replay_run(const trial_options *o, const replay_log *log, bool changed)
@@ -45,7 +59,6 @@ replay_finding replay_run(const trial_options *o, const replay_log *log, bool ch
     memset(&f, 0, sizeof f);
     memset(&s, 0, sizeof s);
     f.result = run(o, log, changed, &s, &f);
-    f.equal = f.result == VBSS_OK && f.report.outcome == VBSS_REPLAY_ENDED;
     if (f.result != VBSS_OK) {
         const char *text = "";
         if (s.context != NULL) {

@@ -20,6 +20,8 @@ typedef struct replay_finding {
 } replay_finding;
 
 replay_log replay_read(const char *path);
+/* On that scene, made anew; tells no text. */
+replay_finding replay_on(stand *s, const replay_log *log);
 /* With `changed` a node of the thread is let go that the recorded scene held. */
 replay_finding replay_run(const trial_options *o, const replay_log *log, bool changed);
 /* Of the file that the options name. */

@@ -14,8 +14,8 @@ typedef struct senses {
     uint32_t nodes, shift;                 /* as the stand has them */
     uint32_t tail_root, limb_root, throws; /* where both come out of drain or knot; throws tied */
     hand_pose tool_w, tool_c;
-    vec held_c; /* where C holds the limb: between its jaws, or by the needle at its end */
-    const double *parts;         /* of W, as the view of capsules has them */
+    vec held_c;          /* where C holds the limb: between its jaws, or by the needle at its end */
+    const double *parts; /* of W, as the view of capsules has them */
     double tension_w, tension_c; /* N, smoothed */
     uint32_t first, last;        /* nodes of the long limb that touch W; 0: none */
     double first_s, last_s;      /* where along W from its tip, m */

@@ -40,7 +40,8 @@ typedef struct stand {
     uint32_t support;  /* pin that holds the limb up until a hand has it */
     double tail, limb; /* m */
     double time;
-    bool reversed; /* the scene's thread begins at the limb's end; here all counts from the tail's */
+    bool
+        reversed; /* the scene's thread begins at the limb's end; here all counts from the tail's */
     vec turned[STAND_NODES]; /* its nodes then */
 } stand;
 

@@ -37,8 +37,7 @@ void throw_place(throw_run *t)
     hand_turn(s->w, t->plan.wrap_point);
     if (v_distance(s->tool_w.tip, t->plan.wrap_tip) < 2e-3 && t->since > 0.2) {
         steer_frame f = steer_about_w(t, t->plan.s0);
-        vec to = v_sub(steer_limb_root(t), f.origin),
-            c = v_sub(s->held_c, f.origin);
+        vec to = v_sub(steer_limb_root(t), f.origin), c = v_sub(s->held_c, f.origin);
         t->begin = atan2(v_dot(to, f.away), v_dot(to, f.over));
         if (t->begin > 0.0) {
             t->begin -= 2.0 * PI;
