@@ -18,6 +18,7 @@
 #define HELPED 2e-3   /* of it while the left hand still bears the wall */
 #define OUT 8.5e-3    /* of the tip in the end */
 #define LEFT_TROCAR v3(-0.12, -0.015, 0.08)
+#define LEFT_POINT v3(0.56, 0.0, 0.83) /* so that it opens along the drain */
 #define NECK 5e-3          /* of the left tool, if it has no trocar and shall be wound about */
 #define FORK 0.56          /* of the left handle: a needle goes between its jaws */
 #define FORK_BEYOND 1.8e-3 /* of the fork's tips past the mark */
@@ -66,9 +67,10 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
         c.has_trocar = 1;
         v_store(c.trocar, LEFT_TROCAR);
     }
-    TRY(hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03),
-                         v3(0.56, 0.0, 0.83), FORK));
+    TRY(hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03), LEFT_POINT,
+                         FORK));
     hand_through(&t->left, LEFT_TROCAR);
+    hand_turn(&t->left, LEFT_POINT);
     return VBSS_OK;
 }
 
