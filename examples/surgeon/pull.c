@@ -8,13 +8,15 @@
 #define WIDE 0.7         /* of the handle */
 #define CARRY 0.08       /* m/s */
 #define CAREFUL 0.03
-#define TURNING 0.02  /* m/s, of the needle along its arc */
-#define MOST_TURN 3.3 /* rad */
-#define RISE 0.03     /* m */
-#define DRAWING 0.05  /* m/s, of the needle away from the drain */
-#define SHORT 18.5e-3 /* of the tail in the end */
-#define LONGEST 0.135 /* of what is drawn */
-#define PATIENCE 6.0  /* s, of every state but the last */
+#define TURNING 0.02   /* m/s, of the needle along its arc */
+#define MOST_TURN 4.5  /* rad */
+#define HALF_ROUND 2.5 /* rad: a drain that went along is left from then on by lifting too */
+#define LEAVING v3(-5e-3, 0.0, 9e-3) /* so, m for each rad */
+#define RISE 0.03                    /* m */
+#define DRAWING 0.05                 /* m/s, of the needle away from the drain */
+#define SHORT 18.5e-3                /* of the tail in the end */
+#define LONGEST 0.135                /* of what is drawn */
+#define PATIENCE 6.0                 /* s, of every state but the last */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
 #define RIGHT_PARK v3(0.05, -0.06, 0.05)
 
@@ -120,6 +122,7 @@ static void turn(pull_run *p, double dt)
     stitch *t = p->stitch;
     p->turned += TURNING * t->left.nature.speed / t->site.radius * dt;
     pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), p->turned);
+    needle.at = v_along(needle.at, fmax(p->turned - HALF_ROUND, 0.0), LEAVING);
     hold_steer(&t->left, &p->held, &needle, CARRY);
     if (is_through(p)) {
         enter(p, PULL_LIFT);
