@@ -145,13 +145,15 @@ static vbss_result open_inputs(nidaqmx_object *o)
 {
     const int32_t terminal =
         o->config.terminal == VBSS_NIDAQMX_DIFFERENTIAL ? DAQ_DIFFERENTIAL : DAQ_RSE;
-    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, o->daq.create_task("", &o->analog), "inputs"));
+    int32_t code = o->daq.create_task("", &o->analog);
+    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, "inputs"));
     for (uint32_t i = 0; i < o->handle_count; i++) {
-        int32_t code = o->daq.create_voltage_input(o->analog, o->inputs[i], "", terminal,
-                                                   o->config.low, o->config.high, DAQ_VOLTS, NULL);
+        code = o->daq.create_voltage_input(o->analog, o->inputs[i], "", terminal, o->config.low,
+                                           o->config.high, DAQ_VOLTS, NULL);
         VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, o->inputs[i]));
     }
-    return vbss_nidaqmx_check(o->context, &o->daq, o->daq.start_task(o->analog), "start of inputs");
+    code = o->daq.start_task(o->analog);
+    return vbss_nidaqmx_check(o->context, &o->daq, code, "start of inputs");
 }
 
 /* One channel of all lines; off at once. */
@@ -167,10 +169,10 @@ static vbss_result open_lines(nidaqmx_object *o)
             snprintf(names + used, sizeof names - used, "%s%s", used > 0 ? "," : "", o->lines[i]);
         }
     }
-    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, o->daq.create_task("", &o->digital), "lines"));
-    VBSS_TRY(vbss_nidaqmx_check(
-        o->context, &o->daq,
-        o->daq.create_digital_output(o->digital, names, "", DAQ_CHANNEL_FOR_ALL_LINES), names));
+    int32_t code = o->daq.create_task("", &o->digital);
+    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, "lines"));
+    code = o->daq.create_digital_output(o->digital, names, "", DAQ_CHANNEL_FOR_ALL_LINES);
+    VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, names));
     o->driving = true;
     return vbss_nidaqmx_check(o->context, &o->daq, vbss_nidaqmx_put_off(o), names);
 }

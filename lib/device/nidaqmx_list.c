@@ -13,8 +13,8 @@ static void append(char *text, uint32_t bytes, const char *more)
 static vbss_result list(vbss_context *context, const daq_functions *daq, char *text, uint32_t bytes)
 {
     char names[1024] = "", product[DAQ_NAME];
-    VBSS_TRY(
-        vbss_nidaqmx_check(context, daq, daq->get_device_names(names, sizeof names), "devices"));
+    int32_t code = daq->get_device_names(names, sizeof names);
+    VBSS_TRY(vbss_nidaqmx_check(context, daq, code, "devices"));
     names[sizeof names - 1] = '\0';
     for (char *name = names; *name != '\0';) { /* separated by comma and blank */
         char *end = name;

@@ -126,8 +126,10 @@ static void describe(openhaptics_object *o, arm *a)
     o->hd.get_integers(HD_INPUT_DOF, &input);
     o->hd.get_integers(HD_OUTPUT_DOF, &output);
     o->hd.get_integers(HD_CALIBRATION_STYLE, &a->style);
-    copy_text(a->model, o->hd.get_string(HD_DEVICE_MODEL_TYPE));
-    copy_text(a->serial, o->hd.get_string(HD_DEVICE_SERIAL_NUMBER));
+    const char *model = o->hd.get_string(HD_DEVICE_MODEL_TYPE);
+    copy_text(a->model, model);
+    const char *serial = o->hd.get_string(HD_DEVICE_SERIAL_NUMBER);
+    copy_text(a->serial, serial);
     const uint32_t styles = (uint32_t)a->style;
     a->style = (styles & HD_STYLE_INKWELL) != 0 ? HD_STYLE_INKWELL
                : (styles & HD_STYLE_AUTO) != 0  ? HD_STYLE_AUTO

@@ -187,19 +187,35 @@ static void visit_events(vbss_stream *stream, session_object *s)
 
 /* ---- its parts */
 
-static void visit_part(vbss_stream *stream, void *handle, const vbss_kind *kind)
+/* NULL: there is none, or none to visit. */
+static void *open_part(vbss_stream *stream, void *handle, const vbss_kind *kind,
+                       vbss_section *outer)
 {
     vbss_slot *slot;
     if (handle == NULL || stream->result != VBSS_OK) {
-        return;
+        return NULL;
     }
     if (vbss_slot_open(handle, kind, &slot) != VBSS_OK) {
         vbss_stream_refuse(stream, VBSS_ERROR_INVALID_HANDLE, "a part of it was destroyed");
-        return;
+        return NULL;
     }
-    vbss_section outer = vbss_stream_open(stream, kind->code, kind->version);
-    kind->serialise(stream, slot->object);
-    vbss_stream_close(stream, outer);
+    *outer = vbss_stream_open(stream, kind->code, kind->version);
+    return slot->object;
+}
+
+static void visit_parts(vbss_stream *stream, const session_object *s)
+{
+    vbss_section outer;
+    void *knots = open_part(stream, s->config.knots, &vbss_knot_kind, &outer);
+    if (knots != NULL) {
+        vbss_knot_serialise(stream, knots);
+        vbss_stream_close(stream, outer);
+    }
+    void *metrics = open_part(stream, s->config.metrics, &vbss_metrics_kind, &outer);
+    if (metrics != NULL) {
+        vbss_metrics_serialise(stream, metrics);
+        vbss_stream_close(stream, outer);
+    }
 }
 
 /* What the detector told in its last step is no longer of the thread that it knows. */
@@ -234,8 +250,7 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_scene(stream, s);
     visit_task(stream, s);
     visit_events(stream, s);
-    visit_part(stream, s->config.knots, &vbss_knot_kind);
-    visit_part(stream, s->config.metrics, &vbss_metrics_kind);
+    visit_parts(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
         forget_knot_events(s);
     }
