@@ -153,7 +153,8 @@ vbss_result pass_run(const pass_options *o, pass_outcome *out)
     stitch_plan plan;
     stitch_plan_usual(&plan);
     vbss_result result = stitch_create(&t, o->seed, &plan);
-    result = result ? result : stand_begin(&t.site.stand, o->log);
+    snprintf(note, sizeof note, "vbss needle pass seed %lu", (unsigned long)o->seed);
+    result = result ? result : stand_begin(&t.site.stand, o->log, note);
     result = result ? result : pass(&t, o, out);
     result = result ? result : look_back(&t, out);
     stand_destroy(&t.site.stand);

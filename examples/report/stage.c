@@ -68,7 +68,9 @@ static vbss_result make_stitch(stage *s, const words *w)
     memset(&t, 0, sizeof t);
     s->name = "two hands that pass a needle (examples/needle)";
     s->stand = &t.site.stand;
-    vbss_result result = stitch_create(&t, w->seed);
+    stitch_plan plan;
+    stitch_plan_usual(&plan);
+    vbss_result result = stitch_create(&t, w->seed, &plan);
     s->graspers[LEFT] = t.left.grasper;
     s->graspers[RIGHT] = t.right.grasper;
     s->drain = t.site.drain;

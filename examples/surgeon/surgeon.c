@@ -1,5 +1,7 @@
 #include "surgeon/surgeon.h"
 
+#include <stdio.h>
+
 enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
 
 #define MOST_OFF 2e-3 /* of a hole from its mark */
@@ -16,10 +18,12 @@ void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
 {
     stitch_plan plan;
+    char note[64];
     memset(s, 0, sizeof *s);
     surgeon_plan(o, &plan);
     TRY(stitch_create(&s->stitch, o->seed, &plan));
-    return stand_begin(&s->stitch.site.stand, o->log);
+    snprintf(note, sizeof note, "vbss surgeon seed %lu", (unsigned long)o->seed);
+    return stand_begin(&s->stitch.site.stand, o->log, note);
 }
 
 const char *surgeon_doing(const surgeon *s)

@@ -228,7 +228,7 @@ vbss_result stand_follow(stand *s)
 vbss_result stand_step(stand *s, double dt)
 {
     TRY(vbss_record_step(s->record, dt));
-    TRY(follow_cuts(s));
+    TRY(stand_follow(s));
     turn_round(s);
     s->time += dt;
     return write_log(s);

@@ -104,7 +104,9 @@ static bool take_picture(show *s)
 static vbss_result begin_session(show *s, stitch *t, const replay_log *log, vbss_replay **replay)
 {
     vbss_visual_config c;
-    TRY(stitch_create(t, s->o.seed));
+    stitch_plan plan;
+    stitch_plan_usual(&plan);
+    TRY(stitch_create(t, s->o.seed, &plan));
     TRY(vbss_visual_config_init(&c, sizeof c));
     TRY(vbss_visual_create(t->site.stand.context, &c, &s->visual));
     TRY(vbss_visual_add_scene(s->visual, t->site.stand.scene, NULL));
