@@ -618,6 +618,25 @@ static void run_stitch(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- the task while that throw is tied, with detector and metrics, hashed after every 10 steps */
+
+static void run_session(uint64_t *hashes, size_t count)
+{
+    static session_scene scene;
+    vbss_session *session;
+    vbss_context *context;
+    must(vbss_context_create(NULL, &context));
+    must(session_scene_tying(context, 5, &scene));
+    must(vbss_session_create(scene.scene, &scene.config, &session));
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 10; k++) {
+            must(session_scene_tie(&scene, session, NULL));
+        }
+        must(vbss_session_get_hash(session, &hashes[i]));
+    }
+    must(vbss_context_destroy(context));
+}
+
 /* ---- what is drawn of tools, a thread that they cut, a drain and a needle, hashed after every 5 steps */
 
 static uint64_t hash_of_picture(vbss_visual *visual)

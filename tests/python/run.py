@@ -2,7 +2,7 @@
 
     run.py generated    the low-level binding is what the headers say
     run.py tests        objects, arrays, lives, properties, by pytest
-    run.py sessions     whole throws, a sweep with dask, the notebook, by pytest
+    run.py sweeps       whole throws, a sweep with dask, the notebook, by pytest
     run.py package      the wheel in a fresh virtual environment, by pytest
     run.py types        mypy over the binding"""
 import importlib.util
@@ -19,9 +19,9 @@ PYTEST = ["-m", "pytest", "-q", "-p", "no:cacheprovider"]
 PARTS = {
     "generated": ([], [str(BINDING / "generate.py"), "--check"]),
     "tests": (["pytest", "numpy", "hypothesis"], [*PYTEST, "--ignore", str(HERE / "test_package.py"),
-                                                  "--ignore", str(HERE / "test_sessions.py"), str(HERE)]),
-    "sessions": (["pytest", "numpy", "matplotlib", "h5py", "distributed", "nbclient", "ipykernel"],
-                 [*PYTEST, str(HERE / "test_sessions.py")]),
+                                                  "--ignore", str(HERE / "test_sweeps.py"), str(HERE)]),
+    "sweeps": (["pytest", "numpy", "matplotlib", "h5py", "distributed", "nbclient", "ipykernel"],
+                 [*PYTEST, str(HERE / "test_sweeps.py")]),
     "package": (["pytest", "numpy"], [*PYTEST, str(HERE / "test_package.py")]),
     "types": (["mypy"], ["-m", "mypy", "--strict", "--cache-dir", f"{CACHE}/mypy", str(BINDING / "vblast_ss")]),
 }

@@ -1,42 +1,119 @@
-"""Examples that tie whole throws, and the notebook, from its first cell to its last."""
-import shutil
-
+"""The suturing task over a scene."""
 import pytest
 
 import vblast_ss as vb
-from conftest import BINDING
-from test_examples import run
-
-pytest.importorskip("numpy")
 
 
-def test_a_session_is_tied_and_scored():
-    said = run("score_session.py")
-    assert "tied" in said and "every hash met again" in said and "in the end: 1" in said and ", 1 throws," in said
+class Stand:
+    """All that a session wants, at rest."""
+
+    def __init__(self, context):
+        self.scene = vb.Scene(context)
+        self.drain = vb.Drain(context)
+        self.needle = vb.Needle(context, position=(0.08, 0.08, 0.0))
+        self.thread = vb.Thread(context, segment_count=30, gravity=(0.0, 0.0, 0.0), start=(0.0, 0.08, 0.04))
+        self.tools = [vb.Grasper(context), vb.Grasper(context)]
+        for side, tool in zip((-1, 1), self.tools):
+            tool.move((-0.08, 0.08, 0.08 * side), (0.70710678118654752, -0.70710678118654752, 0.0, 0.0))
+        self.bodies = {"drain": self.scene.add(self.drain), "thread": self.scene.add(self.thread),
+                       "needle": self.scene.add(self.needle), "tools": [self.scene.add(tool) for tool in self.tools]}
+
+    def session(self, **settings):
+        return vb.Session(self.scene, **self.bodies, **settings)
 
 
-def test_sessions_are_swept_into_a_table_that_is_gone_on_with(tmp_path):
-    pytest.importorskip("distributed")
-    path = tmp_path / "throws.csv"
-    first = run("sweep_throws.py", "--sessions", "1", "--workers", "1", "--out", str(path))
-    assert "1 ended with a report, 0 with an error" in first
-    row = path.read_text()
-    second = run("sweep_throws.py", "--sessions", "2", "--workers", "1", "--out", str(path))
-    assert "2 sessions in the table, 2 ended with a report" in second
-    assert path.read_text().startswith(row) and path.read_text().count("report") == 2
+def test_the_task_begins_with_the_needle(context):
+    stand = Stand(context)
+    heard = []
+    metrics, knots = vb.Metrics(context, duration=10.0), vb.KnotDetector(context)
+    session = stand.session(metrics=metrics, knots=knots, listen=heard.append)
+    assert session.status.phase is vb.SessionPhase.IDLE and session.events == []
+    for _ in range(5):
+        session.step()
+    status = session.status
+    assert status.phase is vb.SessionPhase.LOADING and status.steps == 5 and status.time == pytest.approx(4e-3)
+    assert status.failure is vb.SessionFailure.NONE and status.stage is vb.SessionStage.NONE
+    assert [event.kind for event in session.events] == [vb.SessionEventKind.APPEARED, vb.SessionEventKind.PHASE]
+    assert heard == session.events
+    assert metrics.report.flags & vb.MetricsBits.STARTED and metrics.report.samples == 5
+    assert "LOADING" in repr(session)
+    with pytest.raises(vb.errors.OutOfRangeError):
+        session.event(2)
 
 
-def test_the_tour_runs(tmp_path, monkeypatch):
-    nbformat = pytest.importorskip("nbformat")
-    nbclient = pytest.importorskip("nbclient")
-    pytest.importorskip("ipykernel")
-    for path in (BINDING / "examples").glob("*.*"):
-        shutil.copy(path, tmp_path)
-    monkeypatch.setenv("PYTHONPATH", str(BINDING))
-    monkeypatch.setenv("VBLAST_SS_LIBRARY", vb.library_path)
-    book = nbformat.read(tmp_path / "tour.ipynb", as_version=4)
-    assert all(not cell.get("outputs") for cell in book.cells)  # what is checked in has none
-    nbclient.NotebookClient(book, timeout=300, kernel_name="python3",
-                            resources={"metadata": {"path": str(tmp_path)}}).execute()
-    drawn = [output for cell in book.cells for output in cell.get("outputs", []) if "image/png" in output.get("data", {})]
-    assert len(drawn) == 4
+def test_a_limit_fails_it(context):
+    session = Stand(context).session(time_limit=2e-3)
+    for _ in range(4):
+        session.step()
+    assert session.status.failure is vb.SessionFailure.TIMEOUT
+    assert session.events[-1].phase is vb.SessionPhase.FAILED
+
+
+def test_a_session_goes_on_from_where_it_was_saved(context):
+    stand = Stand(context)
+    session = stand.session(metrics=vb.Metrics(context, duration=10.0))
+    session.step()
+    scene, state = stand.scene.save(), session.save()
+    session.step()
+    wanted = session.state_hash
+    with pytest.raises(vb.errors.CorruptError):
+        session.restore(state)  # its scene is further on
+    stand.scene.restore(scene)
+    session.restore(state)
+    session.step()
+    assert session.state_hash == wanted
+
+
+def test_a_log_replays_and_goes_on(context):
+    stand = Stand(context)
+    record = vb.Record(stand.scene)
+    session = stand.session(record=record, hash_interval=1)
+    log = b""
+    for i in range(6):
+        record.move_grasper(stand.bodies["tools"][0], (-0.08, 0.08, -0.08 + 1e-4 * i))
+        session.step()
+        log += record.take()
+    with vb.Context() as other:
+        again = Stand(other)
+        replay = vb.Replay(log, other)
+        replay.begin(again.scene)
+        second = again.session(replay=replay, hash_interval=1)
+        for _ in range(6):
+            second.step()
+        assert second.state_hash == session.state_hash and second.events == session.events
+        with pytest.raises(vb.errors.TruncatedError):
+            second.step()
+        going_on, position = vb.Record.resume(replay)
+        assert position <= len(log)
+        second.set_record(going_on)
+        second.step()
+        assert second.status.steps == 7 and len(going_on.take()) > 0
+        second.set_record(None)
+        second.step()
+        assert going_on.take() == b""
+
+
+def test_devices_move_the_tools(context):
+    stand = Stand(context)
+    mock = vb.Mock(context, measure=lambda time: {"position": (-0.08, 0.08, -0.08 + time), "jaw": 1.0})
+    session = stand.session(devices=(vb.Device(mock, context=context), None))
+    for i in range(10):
+        session.step(now=1e-3 * i)
+    assert stand.tools[0].state.target_position[2] == pytest.approx(-0.08 + 9e-3)
+    assert stand.tools[1].state.target_position[2] == pytest.approx(0.08)
+
+
+def test_what_does_not_fit_is_refused(context):
+    stand = Stand(context)
+    with pytest.raises(vb.errors.OutOfRangeError):
+        vb.Session(stand.scene, thread=1, needle=1, drain=1, tools=(1, 1))
+    with pytest.raises(TypeError):
+        stand.session(knots=stand.scene)
+    with pytest.raises(ValueError):
+        stand.session(devices=(None,))
+    with pytest.raises(TypeError):
+        stand.session(no_such_setting=1)
+    session = stand.session(listen=lambda event: 1 / 0)
+    with pytest.raises(ZeroDivisionError):
+        session.step()
+    assert session.status.event_count == 2  # of the task all the same

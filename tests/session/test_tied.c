@@ -13,6 +13,9 @@ static vbss_session_status run(tied *t, uint32_t crossings)
     vbss_session_status status;
     t->context = harness_context(&t->memory);
     expect_ok(session_scene_tying(t->context, crossings, &t->scene));
+    t->scene.config.seat_release =
+        1.5e-3;                   /* at 2 N edges have passed each other by a millimetre, */
+    t->scene.config.dwell = 0.02; /* soon after they met */
     expect_ok(vbss_session_create(t->scene.scene, &t->scene.config, &t->session));
     for (uint32_t i = 0; i < STITCH_TIE_STEPS; i++) {
         expect_ok(session_scene_tie(&t->scene, t->session, NULL));
@@ -59,7 +62,7 @@ static void a_stitch_without_a_throw_is_none(void **state)
 static void expect_tied(uint32_t crossings, int32_t wraps, uint32_t faults)
 {
     static tied t;
-    vbss_session_event e;
+    vbss_session_event e = {0};
     vbss_metrics_report report;
     const vbss_session_status status = run(&t, crossings);
     assert_int_equal(status.throws, 1);

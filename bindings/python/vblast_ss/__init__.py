@@ -9,7 +9,8 @@
         print(thread.positions[-1], thread.energies.total)
 
 Objects: Context, Thread, Drain, Needle, Grasper, Scene, KnotDetector, Collision, Device, Mock, Output,
-Openhaptics, Nidaqmx, Metrics, Record, Replay. Settings are keywords over the library's defaults; failures are exceptions (vblast_ss.errors); arrays are
+Openhaptics, Nidaqmx, Metrics, Record, Replay, Session, Visual. Settings are keywords over the library's defaults; failures are
+exceptions (vblast_ss.errors); arrays are
 read-only views without a copy (vblast_ss.views says how long they are good). SI units everywhere. The page
 docs/python.md tells more; vblast_ss._api is the C interface as it is."""
 from __future__ import annotations

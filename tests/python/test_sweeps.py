@@ -1,0 +1,42 @@
+"""Examples that tie whole throws, and the notebook, from its first cell to its last."""
+import shutil
+
+import pytest
+
+import vblast_ss as vb
+from conftest import BINDING
+from test_examples import run
+
+pytest.importorskip("numpy")
+
+
+def test_a_session_is_tied_and_scored():
+    said = run("score_session.py")
+    assert "tied" in said and "every hash met again" in said and "in the end: 1" in said and ", 1 throws," in said
+
+
+def test_sessions_are_swept_into_a_table_that_is_gone_on_with(tmp_path):
+    pytest.importorskip("distributed")
+    path = tmp_path / "throws.csv"
+    first = run("sweep_throws.py", "--sessions", "1", "--workers", "1", "--out", str(path))
+    assert "1 ended with a report, 0 with an error" in first
+    row = path.read_text()
+    second = run("sweep_throws.py", "--sessions", "2", "--workers", "1", "--out", str(path))
+    assert "2 sessions in the table, 2 ended with a report" in second
+    assert path.read_text().startswith(row) and path.read_text().count("report") == 2
+
+
+def test_the_tour_runs(tmp_path, monkeypatch):
+    nbformat = pytest.importorskip("nbformat")
+    nbclient = pytest.importorskip("nbclient")
+    pytest.importorskip("ipykernel")
+    for path in (BINDING / "examples").glob("*.*"):
+        shutil.copy(path, tmp_path)
+    monkeypatch.setenv("PYTHONPATH", str(BINDING))
+    monkeypatch.setenv("VBLAST_SS_LIBRARY", vb.library_path)
+    book = nbformat.read(tmp_path / "tour.ipynb", as_version=4)
+    assert all(not cell.get("outputs") for cell in book.cells)  # what is checked in has none
+    nbclient.NotebookClient(book, timeout=300, kernel_name="python3",
+                            resources={"metadata": {"path": str(tmp_path)}}).execute()
+    drawn = [output for cell in book.cells for output in cell.get("outputs", []) if "image/png" in output.get("data", {})]
+    assert len(drawn) == 4
