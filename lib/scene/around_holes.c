@@ -3,6 +3,9 @@
 
 /* A tip touches within so many radii of the wire from its end. */
 #define TIP 1.0
+/* What comes out of a hole at a small angle is in the wall still where it is no longer left out: over so many times that way
+ * more it touches at a distance that grows from nothing to the whole, and is not felt all at once. */
+#define COMES_OUT 1.0
 
 scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3])
 {
@@ -87,11 +90,23 @@ static double reach_at_swage(const scene_object *s, const scene_body *suture, ui
     return arc < touching ? reach + greater(more, 0.0) : reach;
 }
 
+/* The share of the distance of touching at which a place touches that is so many reaches from a hole. */
+static double share_beside(const scene_body *suture, double reaches)
+{
+    double whole = suture->kind == BODY_THREAD ? COMES_OUT : 0.0;
+    if (reaches < 1.0) {
+        return 0.0;
+    }
+    return reaches < 1.0 + whole ? (reaches - 1.0) / whole : 1.0;
+}
+
 /* Two walls that lie on each other are near, but not along the wall. */
-static bool is_in_hole(const scene_object *s, const scene_body *suture, uint32_t segment,
-                       double share, const scene_body *drain, const scene_spot *spot, double reach)
+static double share_in_holes(const scene_object *s, const scene_body *suture, uint32_t segment,
+                             double share, const scene_body *drain, const scene_spot *spot,
+                             double reach)
 {
     const drain_object *d = drain->drain.drain;
+    double least = 1.0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         if (hole->id == 0 || hole->drain != drain->number) {
@@ -101,32 +116,32 @@ static bool is_in_hole(const scene_object *s, const scene_body *suture, uint32_t
         double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
         double own = reach_at_swage(s, suture, segment, drain, reach);
         double most = greater(own, -SCENE_PIN_ARC * hole->entry);
-        if (!(greater(now, rest) < most)) {
+        if (!(greater(now, rest) < (1.0 + COMES_OUT) * most)) {
             continue;
         }
         double arc = vbss_scene_arc_of(suture, segment, share);
         double far = reach_of(hole, suture, arc, own);
-        if (greater(now, rest) < far && arc_from_hole(s, hole, suture, arc) < far) {
-            return true;
-        }
+        double away = greater(greater(now, rest), arc_from_hole(s, hole, suture, arc));
+        least = lesser(least, share_beside(suture, away / far));
     }
-    return false;
+    return least;
 }
 
-bool vbss_scene_is_left_out(const scene_object *s, const scene_body *body, bool point,
-                            uint32_t feature, double share, const scene_body *drain,
-                            const scene_spot *spot, double reach)
+double vbss_scene_share_touching(const scene_object *s, const scene_body *body, bool point,
+                                 uint32_t feature, double share, const scene_body *drain,
+                                 const scene_spot *spot, double reach)
 {
     if (body->kind == BODY_RIGID && point) { /* the ends of capsules stand two by two */
         share = feature % 2;
         feature /= 2;
     }
     if (body->kind == BODY_RIGID && vbss_scene_is_pinched(s, drain, spot->now, body, feature)) {
-        return true;
+        return 0.0;
     }
-    return vbss_scene_is_suture(body) &&
-           is_in_hole(s, body, feature, point && body->kind == BODY_THREAD ? 0.0 : share, drain,
-                      spot, reach);
+    bool node = point && body->kind == BODY_THREAD;
+    return vbss_scene_is_suture(body)
+               ? share_in_holes(s, body, feature, node ? 0.0 : share, drain, spot, reach)
+               : 1.0;
 }
 
 static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
@@ -140,14 +155,14 @@ static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
     return vbss_scene_spot_on_side(drain, side, row->at[1]);
 }
 
-bool vbss_scene_is_row_left_out(const scene_object *s, const contact_row *row)
+double vbss_scene_share_of_row(const scene_object *s, const contact_row *row)
 {
     const scene_body *a = vbss_scene_body(s, row->key.body_a);
     const scene_body *b = vbss_scene_body(s, row->key.body_b);
     if (a->kind == BODY_DRAIN || b == NULL || b->kind != BODY_DRAIN) {
-        return false;
+        return 1.0;
     }
     const scene_spot spot = spot_of_row(s, b, row);
-    return vbss_scene_is_left_out(s, a, row->key.kind == VBSS_CONTACT_POINT_FACE, row->key.a,
-                                  row->at[0], b, &spot, SCENE_PIN_ARC * row->touching);
+    return vbss_scene_share_touching(s, a, row->key.kind == VBSS_CONTACT_POINT_FACE, row->key.a,
+                                     row->at[0], b, &spot, SCENE_PIN_ARC * row->touching);
 }

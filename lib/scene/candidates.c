@@ -198,7 +198,10 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
         near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
     }
     bool surface = key->kind == VBSS_CONTACT_POINT_FACE || key->kind == VBSS_CONTACT_SIDES;
-    if (!near || (surface && vbss_scene_is_row_left_out(s, row))) {
+    double share = near && surface ? vbss_scene_share_of_row(s, row) : 1.0;
+    row->spared = (1.0 - share) * row->touching;
+    row->gap_before += row->spared;
+    if (!near || share == 0.0) {
         s->contacts->count--;
     }
     return true;

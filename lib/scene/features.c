@@ -384,8 +384,8 @@ static void place_row(const scene_object *s, contact_row *row, const side *d, co
     } else {
         vec3 there = place_side(s, row, e, 1, vec3_scale(n, e->radius), -1.0);
         double share = share_of_radius(d, e);
-        row->gap =
-            vec3_dot(n, vec3_sub(here, there)) - share * d->radius - share * e->radius - row->walls;
+        row->gap = vec3_dot(n, vec3_sub(here, there)) - share * d->radius - share * e->radius -
+                   row->walls + row->spared;
     }
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
 }
@@ -470,8 +470,8 @@ static void lay_again(const scene_object *s, contact_row *row, const side *d, co
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
     double at[2], walls, share = share_of_radius(d, e);
-    row->gap =
-        vec3_norm(apart_of(s, d, e, TRIAL, at, &walls)) - share * d->radius - share * e->radius;
+    row->gap = vec3_norm(apart_of(s, d, e, TRIAL, at, &walls)) - share * d->radius -
+               share * e->radius + row->spared;
 }
 
 static void look(const scene_object *s, contact_row *row, const side *d, const side *e,

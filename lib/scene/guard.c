@@ -76,7 +76,7 @@ static bool are_apart(const scene_object *s)
     bool apart = !s->unlisted;
     for (uint32_t i = 0; apart && i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
-        apart = row->bilateral || row->gap_before >= -DEEP * row->touching;
+        apart = row->bilateral || row->gap_before - row->spared >= -DEEP * row->touching;
     }
     return apart;
 }
@@ -195,6 +195,12 @@ static double thickness_of(const scene_object *s, const collision_candidate *q)
     return 2.0 * lesser(radius_of(s, q, false, lips), radius_of(s, q, true, lips));
 }
 
+/* As near as contact may let them come. */
+static double allowed_by_contact(const scene_object *s, const collision_candidate *q)
+{
+    return touching_of(s, q) - s->config.penetration_tolerance * thickness_of(s, q);
+}
+
 static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
 {
     const collision_shape *of[4];
@@ -203,9 +209,8 @@ static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
     for (uint32_t k = 0; k < 4; k++) {
         put_vertex(s->block, k, at, of[k]->start[vertices[k]], of[k]->end[vertices[k]]);
     }
-    /* First as near as contact may let them come: what it has looked at is seldom nearer. */
-    double allowed = s->config.penetration_tolerance * thickness_of(s, q);
-    s->block->thickness[at] = touching_of(s, q) - allowed;
+    /* What contact has looked at is seldom nearer. */
+    s->block->thickness[at] = allowed_by_contact(s, q);
 }
 
 /* How far apart they begin, and where: shares of two edges; weights of a triangle's corners. */
@@ -228,7 +233,7 @@ static double distance_at_begin(const scene_object *s, const collision_candidate
 
 /* A suture and the wall round a hole that it is in, where what moves by as much comes into it on the way; jaws and the wall
  * that they hold. */
-static bool is_left_out(const scene_object *s, const collision_candidate *q, double touching)
+static double share_at_wall(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
@@ -237,7 +242,7 @@ static bool is_left_out(const scene_object *s, const collision_candidate *q, dou
     bool holds = other->kind == BODY_RIGID && other->rigid.pinch.drain == drain->number;
     if (other->kind == BODY_DRAIN || drain->kind != BODY_DRAIN ||
         !(holds || vbss_scene_is_suture(other))) {
-        return false;
+        return 1.0;
     }
     const collision_shape *shape = s->collision->shapes[drain->shape];
     uint32_t feature = first ? q->b : q->a;
@@ -251,26 +256,29 @@ static bool is_left_out(const scene_object *s, const collision_candidate *q, dou
         spot = vbss_scene_spot_on_side(drain, shape->edges[feature], at[first ? 1 : 0]);
     }
     double reach = SCENE_PIN_ARC * touching + other->moved + drain->moved;
-    return vbss_scene_is_left_out(s, other, point, first ? q->a : q->b, share, drain, &spot, reach);
+    return vbss_scene_share_touching(s, other, point, first ? q->a : q->b, share, drain, &spot,
+                                     reach);
 }
 
-/* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it. */
-static bool may_meet(const scene_object *s, const collision_candidate *q, double touching)
+/* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it: none. */
+static double share_touching(const scene_object *s, const collision_candidate *q, double touching)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
-        return is_left_out(s, q, touching);
+        return share_at_wall(s, q, touching);
     }
     if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
-        return vbss_scene_adjoins(s, a, q->a, b, q->b);
+        return vbss_scene_adjoins(s, a, q->a, b, q->b) ? 0.0 : 1.0;
     }
     if (a->kind == b->kind) {
-        return vbss_scene_is_in_jaws(s, a, q->a, b, q->b) ||
-               vbss_scene_is_in_jaws(s, b, q->b, a, q->a);
+        bool held = vbss_scene_is_in_jaws(s, a, q->a, b, q->b) ||
+                    vbss_scene_is_in_jaws(s, b, q->b, a, q->a);
+        return held ? 0.0 : 1.0;
     }
-    return a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, q->b, touching)
-                                  : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);
+    bool comes = a->kind == BODY_THREAD ? vbss_scene_comes_from(s, a, q->a, b, q->b, touching)
+                                        : vbss_scene_comes_from(s, b, q->b, a, q->a, touching);
+    return comes ? 0.0 : 1.0;
 }
 
 static double least_radius(const scene_object *s, const scene_body *b, uint32_t shape)
@@ -337,13 +345,15 @@ static double time_at(scene_object *s, const collision_candidate *q, double thic
 
 /* Share of the part after which a pair that hit comes too near; 1: it does not. What begins near is a row, and
  * contact has seen to it; what comes from further away may be none. */
-static double time_of_hit(scene_object *s, const collision_candidate *q, double time)
+static double time_of_hit(scene_object *s, const collision_candidate *q, double share, double time)
 {
     double at[3], touching = touching_of(s, q), distance = distance_at_begin(s, q, at);
+    double guarded = GUARDED * share * touching;
     if (distance >= touching + s->config.contact_margin) {
-        return time;
+        double nearer = (1.0 - share) * touching;
+        return share < 1.0 ? time_at(s, q, greater(allowed_by_contact(s, q) - nearer, guarded))
+                           : time;
     }
-    double guarded = GUARDED * touching;
     bool near = distance <= guarded * (1.0 + 2.0 * s->collision->rules.tolerance);
     double hit = time_at(s, q, near ? GUARDED_WHEN_NEARER * distance : guarded);
     return hit < 1.0 && distance < NEAREST * guarded ? 0.0 : hit;
@@ -387,8 +397,9 @@ static double earliest_hit(scene_object *s)
         }
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[which[i]];
-            if (hit[i] && !may_meet(s, q, touching_of(s, q))) {
-                double t = time_of_hit(s, q, time[i]);
+            double share = hit[i] ? share_touching(s, q, touching_of(s, q)) : 0.0;
+            if (share > 0.0) {
+                double t = time_of_hit(s, q, share, time[i]);
                 earliest = lesser(t, earliest);
             }
         }

@@ -182,9 +182,9 @@ static void a_hole_is_in_one_wall(void **state)
     const suture_hole *hole = &s->holes[0];
     scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->weights);
     const scene_body *needle = vbss_scene_body(s, c.body);
-    assert_true(vbss_scene_is_left_out(s, needle, true, 0, 0.0, drain, &spot, 1e-3));
+    assert_true(vbss_scene_share_touching(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 0.0);
     spot.rest.z = -spot.rest.z;
-    assert_false(vbss_scene_is_left_out(s, needle, true, 0, 0.0, drain, &spot, 1e-3));
+    assert_true(vbss_scene_share_touching(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 1.0);
     needle_case_end(&c);
 }
 

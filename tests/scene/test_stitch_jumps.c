@@ -1,12 +1,50 @@
-/* Jumps in a stitch that are known: these tests are expected to fail (docs/stitch.md, "What is open"). A segment that has slid
- * out of what a hole exempts is in the wall by a tenth of a millimetre, and is felt all at once; and what a change of
- * the mesh beside a hole moves. */
+/* What must not jump in a stitch: what a segment feels as it comes out of a hole, and where a hole is when the mesh changes. */
 #include "scene/stitch_case.h"
 
 static stitch_case c;
 
 /* More energy than was put in, as a share of that. */
 #define SHARE 0.05
+/* Within which of a hole nothing touches, m. */
+#define REACH 1e-3
+
+/* ---- beside a hole */
+
+/* At which share of the distance of touching a place of the thread touches that is so far from the first hole, along it. */
+static double share_at(const suture_hole *hole, double away)
+{
+    const scene_object *s = small_object(&c.s);
+    const scene_body *thread = vbss_scene_body(s, hole->thread);
+    const scene_body *drain = vbss_scene_body(s, hole->drain);
+    const thread_object *t = thread->thread.thread;
+    const scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->weights);
+    double arc = hole->arc + away;
+    uint32_t segment = 0;
+    while (vbss_thread_arc_length(t, segment + 1) < arc) {
+        segment++;
+    }
+    double share = (arc - vbss_thread_arc_length(t, segment)) / t->rest[segment];
+    return vbss_scene_share_touching(s, thread, false, segment, share, drain, &spot, REACH);
+}
+
+static void what_comes_out_of_a_hole_touches_little_by_little(void **state)
+{
+    (void)state;
+    stitch_case_begin(&c);
+    stitch_case_make(&c);
+    const suture_hole *hole = &small_object(&c.s)->holes[0];
+    assert_true(hole->thread == c.stitch.thread_body);
+    double last = 0.0;
+    for (uint32_t i = 0; i <= 100; i++) {
+        double away = 0.03 * i * REACH, share = share_at(hole, away);
+        assert_true(share >= last && share - last < 0.031);
+        assert_true(away >= 0.999 * REACH || share == 0.0);
+        assert_true(away <= 2.001 * REACH || share == 1.0);
+        last = share;
+    }
+    assert_true(last == 1.0);
+    stitch_case_end(&c);
+}
 
 /* ---- torn off */
 
@@ -85,6 +123,7 @@ static void changes_of_the_mesh_leave_holes_where_they_are(void **state)
 int test_stitch_jumps(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_comes_out_of_a_hole_touches_little_by_little),
         cmocka_unit_test(it_tears_the_drain_off_its_block_and_stays_in_it),
         cmocka_unit_test(changes_of_the_mesh_leave_holes_where_they_are),
     };
