@@ -1,0 +1,198 @@
+#include "trainer/stage.h"
+
+#include <math.h>
+#include <string.h>
+
+#define GRAVITY (-9.81)
+#define FINE 0.25e-3 /* radius of jaws that take what lies flat on a floor */
+#define NECK 5e-3    /* of the left tool, to wind a thread about */
+#define ABOVE 0.03
+#define WIDE 0.6     /* of the handle */
+#define PRESS 0.3e-3 /* of jaws into the floor */
+#define GO 1.0       /* s, until the hands are over their places, */
+#define DOWN 1.5     /* and down */
+#define CLOSED 0.25  /* s of each closing */
+#define EVERY 1.25   /* from one to the next: a quarter of the time is what a solenoid bears */
+#define FIRST 1.75   /* closing */
+#define SEGMENTS 300 /* of the thread */
+
+/* ---- tools */
+
+static vbss_result add_tool(stage *s, int side, vec start)
+{
+    vbss_grasper_config c;
+    double at[3];
+    v_store(at, start);
+    s->start[side] = start;
+    TRY(vbss_grasper_config_init(&c, sizeof c));
+    c.driver_radius = side == RIGHT ? FINE : c.driver_radius;
+    c.driver_neck = side == LEFT ? NECK : c.driver_neck;
+    TRY(vbss_grasper_create(s->context, &c, &s->tools[side]));
+    TRY(vbss_grasper_move(s->tools[side], at, NULL));
+    TRY(vbss_grasper_set_opening(s->tools[side], WIDE));
+    return vbss_scene_add_grasper(s->scene, s->tools[side], &s->bodies[side]);
+}
+
+/* ---- a needle on a table */
+
+static vbss_result create_table(stage *s)
+{
+    vbss_scene_config c;
+    vbss_needle_config n;
+    vbss_needle *needle;
+    uint32_t body;
+    TRY(vbss_context_create(NULL, &s->context));
+    TRY(vbss_scene_config_init(&c, sizeof c));
+    c.floor = 1;
+    c.floor_normal[1] = 0.0;
+    c.floor_normal[2] = 1.0;
+    TRY(vbss_scene_create(s->context, &c, &s->scene));
+    TRY(vbss_needle_config_init(&n, sizeof n));
+    n.gravity[2] = GRAVITY;
+    n.drag = 5.0; /* felt: what is let go stays */
+    n.position[2] = n.wire_radius;
+    n.orientation[0] = n.orientation[3] = sqrt(0.5);
+    TRY(vbss_needle_create(s->context, &n, &needle));
+    TRY(vbss_scene_add_needle(s->scene, needle, &body));
+    /* where the arc runs away from who trains, so that upright jaws close on it */
+    vbss_needle_state state;
+    TRY(vbss_needle_get_state(needle, &state, sizeof state));
+    double angle = -0.5 * n.arc;
+    pose at = pose_load(state.position, state.orientation);
+    s->needle = pose_point(&at, v3(n.radius * cos(angle), n.radius * sin(angle), 0.0));
+    s->middle = v3(0.0, 0.0, 0.03);
+    TRY(add_tool(s, RIGHT, v3(0.03, 0.0, ABOVE)));
+    return add_tool(s, LEFT, v3(-0.03, 0.0, ABOVE));
+}
+
+static double smooth(double from, double to, double time)
+{
+    double x = fmin(fmax((time - from) / (to - from), 0.0), 1.0);
+    return x * x * (3.0 - 2.0 * x);
+}
+
+static bool is_closed(double time)
+{
+    return time >= FIRST && fmod(time - FIRST, EVERY) < CLOSED;
+}
+
+/* The right hand closes on the needle again and again, the left one presses on the table. */
+static motion script_table(const stage *s, int side, double time)
+{
+    vec over = side == RIGHT ? s->needle : v3(-0.03, 0.02, 0.0);
+    double radius = side == RIGHT ? FINE : 0.5e-3;
+    double low = s->floor + radius - (side == RIGHT ? PRESS : 2.0 * PRESS);
+    over.z = ABOVE;
+    vec at = v_mix(s->start[side], over, smooth(0.0, GO, time));
+    at.z += (low - at.z) * smooth(GO, DOWN, time);
+    return (motion){at, side == RIGHT && is_closed(time) ? 0.0 : WIDE};
+}
+
+/* ---- the stitch */
+
+static vbss_result add_session(stage *s)
+{
+    vbss_session_config c;
+    TRY(vbss_session_config_init(&c, sizeof c));
+    c.thread = s->site.stand.thread_body;
+    c.needle = s->site.needle_body;
+    c.drain = s->site.drain_body;
+    c.tools[0] = s->bodies[LEFT];
+    c.tools[1] = s->bodies[RIGHT];
+    return vbss_session_create(s->scene, &c, &s->session);
+}
+
+static vbss_result create_stitch(stage *s)
+{
+    const site_plan plan = {.segments = SEGMENTS};
+    vbss_result result = site_create(&s->site, v3(0.035, -0.005, 0.0), 3.141592653589793, &plan);
+    s->context = s->site.stand.context;
+    s->scene = s->site.stand.scene;
+    TRY(result);
+    s->floor = s->site.floor;
+    s->middle = v3(0.0, 0.0, 0.02);
+    TRY(add_tool(s, RIGHT, v3(0.05, -0.05, ABOVE)));
+    TRY(add_tool(s, LEFT, v3(-0.04, -0.01, ABOVE)));
+    return add_session(s);
+}
+
+/* The left hand leans on the drain's top beside the slit, the right one goes round above the needle. */
+static motion script_stitch(const stage *s, int side, double time)
+{
+    double turn = 2.0 * fmax(time - GO, 0.0), outer = s->site.tube + 0.5 * s->site.wall;
+    if (side == RIGHT) {
+        vec at = v3(0.035 + 5e-3 * (cos(turn) - 1.0), -0.005 + 5e-3 * sin(turn), 0.01);
+        return (motion){v_mix(s->start[side], at, smooth(0.0, GO, time)),
+                        is_closed(time) ? 0.0 : WIDE};
+    }
+    double aside = -4e-3, top = sqrt(outer * outer - aside * aside) - outer;
+    vec at = v3(aside, 8e-3, ABOVE);
+    at = v_mix(s->start[side], at, smooth(0.0, GO, time));
+    at.z += (top - 1e-3 * (1.0 - cos(turn)) - at.z) * smooth(GO, DOWN, time);
+    return (motion){at, 0.0};
+}
+
+/* ---- the table */
+
+static const stage_row rows[] = {
+    {"stitch", "the task: a drain, a needle on the floor, its thread", create_stitch, script_stitch,
+     0.0, 0.0},
+    {"table", "light: a needle on a table, to try arms, handles and solenoids", create_table,
+     script_table, FIRST, EVERY},
+};
+
+const stage_row *stage_at(size_t number)
+{
+    return number < sizeof rows / sizeof *rows ? &rows[number] : NULL;
+}
+
+const stage_row *stage_find(const char *name)
+{
+    for (size_t i = 0; stage_at(i) != NULL; i++) {
+        if (strcmp(rows[i].name, name) == 0) {
+            return &rows[i];
+        }
+    }
+    return NULL;
+}
+
+vbss_result stage_create(stage *s, const stage_row *row)
+{
+    memset(s, 0, sizeof *s);
+    s->row = row;
+    return row->create(s);
+}
+
+vbss_result stage_step(stage *s, double h)
+{
+    return s->session != NULL ? vbss_session_step(s->session, 0.0, h)
+                              : vbss_scene_step(s->scene, h);
+}
+
+const char *stage_phase(const stage *s)
+{
+    static const char *const names[] = {
+        "idle",    "loading",  "approach", "in the drain", "pull through", "throw 1", "transfer",
+        "throw 2", "transfer", "throw 3",  "cut",          "done",         "failed"};
+    vbss_session_status status;
+    if (s->session == NULL ||
+        vbss_session_get_status(s->session, &status, sizeof status) != VBSS_OK) {
+        return "";
+    }
+    return names[status.phase];
+}
+
+uint64_t stage_closings(const stage_row *row, double time)
+{
+    return row->closings_every > 0.0 && time > row->closings_begin
+               ? 1 + (uint64_t)((time - row->closings_begin) / row->closings_every)
+               : 0;
+}
+
+void stage_destroy(stage *s)
+{
+    if (s->context != NULL) {
+        (void)vbss_context_destroy(s->context);
+        s->context = NULL;
+    }
+}

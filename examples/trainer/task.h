@@ -1,0 +1,50 @@
+/* The task: what happens in each slot of 1 ms, in a thread of its own. Hands are read, tools told, the scene stepped, and
+ * what the tools feel is handed to the servo as a coupling, before the slot is over. */
+#ifndef VBSS_EXAMPLES_TRAINER_TASK_H
+#define VBSS_EXAMPLES_TRAINER_TASK_H
+
+#include "trainer/figures.h"
+#include "trainer/hardware.h"
+#include "trainer/pace.h"
+#include "trainer/rehearsal.h"
+
+typedef struct task_hand {
+    double told[3];      /* to the tool, m */
+    double opening;      /* of a handle that is the arm's button */
+    uint32_t let_go;     /* buttons that were up once: one that is stuck does not count */
+    uint32_t wanted, on; /* solenoid, in the last slot */
+    double noted[16];    /* when an event of that bit was told last, s */
+} task_hand;
+
+typedef struct task {
+    const options *options;
+    const calibration *calibration;
+    double duration; /* s; below 0: no end */
+    double clock;    /* of the devices, s: real time, which goes on where slots are missed */
+    stage stage;
+    hardware hardware;
+    rehearsal rehearsal;
+    pace pace;
+    task_hand hands[HANDS];
+    figures now;
+    exchange shown;
+    double stopped_since; /* s; below 0: it is not */
+    bool failed;          /* the scene */
+    atomic_bool end;      /* somebody wants it to; */
+    atomic_bool ended;    /* it has */
+} task;
+
+void task_init(task *t);
+/* As pthread_create wants it. */
+void *task_run(void *t);
+
+/* ---- watch.c: faults that are caused, and events that are told */
+
+/* Before the slot's work: moves the stand-ins' hands, begins and ends faults, lets their clock tick. */
+vbss_result task_rehearse(task *t);
+/* After it: whether what was to be safe is. */
+void task_judge(task *t);
+/* What a read has found. */
+void task_tell(task *t, int side, const vbss_device_input *in);
+
+#endif

@@ -1,0 +1,166 @@
+"""The trainer against the stand-ins of the vendors' libraries: check_trainer.py SUBJECT TRAINER OPENHAPTICS NIDAQ FOLDER [LOG]
+
+Time is simulated, but for `real_time` and `interrupted`, and nothing is asserted of how long anything takes."""
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+
+GOOD, FAULTY, WRONG_WORD, NOT_THERE = 0, 1, 2, 3
+
+
+class Bench:
+    def __init__(self, trainer, arms, lines, folder):
+        self.trainer, self.folder = trainer, pathlib.Path(folder)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        self.arms = ["--openhaptics", "--openhaptics-library", arms]
+        self.lines = ["--nidaq", "--nidaq-library", lines]
+        self.file = str(self.folder / "calibration.txt")
+
+    def run(self, wanted, *words):
+        done = subprocess.run([self.trainer, *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+        text = done.stdout + done.stderr
+        assert done.returncode in wanted if isinstance(wanted, tuple) else done.returncode == wanted, \
+            f"{words}: ended with {done.returncode}, not {wanted}\n{text}"
+        for line in text.splitlines():
+            if line.startswith(("slots", "wall misses", "fault", "right:")):
+                print(line)
+        return text
+
+    def rehearse(self, wanted, *words):
+        text = self.run(wanted, *self.arms, *self.lines, "--simulated", "--calibration", self.file, *words)
+        assert "illegal calls: 0" in text or "--calibrate" in words, text
+        return text
+
+    def calibrate(self):
+        self.rehearse(GOOD, "--calibrate")
+
+
+def facts(path):
+    return {line.split()[0]: [float(x) for x in line.split()[1:]]
+            for line in pathlib.Path(path).read_text().splitlines() if not line.startswith("#")}
+
+
+def calibrated(b, _):
+    """What the guide finds of the stand-ins is how they are: turned by acos 0.8 about their z, 0.6 V closed, 1.2 V open."""
+    b.calibrate()
+    found = facts(b.file)
+    step = 20 / 2**11  # of the converter, V
+    for side in ("left", "right"):
+        assert found[f"{side}.axes"] == [1, -3, 2], found
+        want = [0.9**0.5, 0, 0.1**0.5, 0]  # half of that angle, back, about the world's -y
+        assert all(abs(a - w) < 1e-9 for a, w in zip(found[f"{side}.mount"], want)), found
+        closed, opened = found[f"{side}.jaw_closed_open"]
+        assert abs(closed - 0.6) < step and abs(opened - 1.2) < step, found
+        for low, high in zip(found[f"{side}.workspace_low"], found[f"{side}.workspace_high"]):
+            assert 0.14 <= high - low < 0.16, found
+    before = pathlib.Path(b.file).read_text()
+    b.rehearse(NOT_THERE, "--calibrate", "--calibration", str(b.folder / "no/such/file"))
+    assert pathlib.Path(b.file).read_text() == before
+
+
+def pulses(b, _):
+    """Solenoids go on as often as the script closes its jaws on the needle: on the lines, not only in our books."""
+    b.calibrate()
+    text = b.rehearse(GOOD, "--scene", "table", "--seconds", "12")
+    right = re.search(r"right: .*wanted (\d+), let through (\d+), on the line (\d+), script (\d+)", text)
+    left = re.search(r"left: .*wanted (\d+), let through (\d+), on the line (\d+), script (\d+)", text)
+    assert right and set(right.groups()) == {"9"}, text
+    assert left and set(left.groups()) == {"0"}, text
+    assert float(re.search(r"right: .*most force ([\d.]+) N", text)[1]) > 0.0, text
+
+
+def task(b, _):
+    """The scene of the task, with both arms."""
+    b.calibrate()
+    text = b.rehearse(GOOD, "--scene", "stitch", "--seconds", "1.8")
+    assert "slots: 1800," in text, text
+    assert float(re.search(r"left: .*most force ([\d.]+) N", text)[1]) > 0.0, text
+
+
+ARMS = {"unplugged": "communication failed", "communication": "emergency stop", "nan": "a sample was refused",
+        "warm": "refuses forces", "too_fast": "refuses forces", "stale": "the pose is old",
+        "lines_timeout": "no sample in time", "lines_removed": "device removed"}
+MOCKS = {"unplugged": "unplugged by a fault", "communication": "a read fails by a fault", "nan": "a sample was refused",
+         "warm": "refuses forces", "stale": "the pose is old"}
+
+
+def faults(b, _):
+    """Each fault, while force and solenoid are on, ends in safe outputs within 10 ms, is told, and tells by the exit."""
+    b.calibrate()
+    for name, word in ARMS.items():
+        expect_safe(b.rehearse(FAULTY, "--scene", "table", "--seconds", "3.4", "--fault", f"{name}@3.15+0.2"), name, word)
+    for name, word in MOCKS.items():
+        expect_safe(b.run(FAULTY, "--mock", "--simulated", "--scene", "table", "--seconds", "3.4", "--fault",
+                          f"{name}@3.15+0.2"), name, word)
+
+
+def expect_safe(text, name, word):
+    found = re.search(rf"fault {name}: safe after (\d+) ms$", text, re.MULTILINE)
+    assert found and int(found[1]) <= 10, text
+    assert word in text and "ended with faults, outputs off" in text, text
+
+
+def refused(b, _):
+    """What is not there, and what is no word, is told, and nothing runs."""
+    b.calibrate()
+    mock = ["--mock", "--simulated", "--seconds", "1"]
+    nowhere = "/nowhere/library.so"
+    for status, words, text in [
+            (NOT_THERE, ["--openhaptics", "--openhaptics-library", nowhere], f"no library {nowhere}"),
+            (NOT_THERE, ["--mock", "--nidaq", "--nidaq-library", nowhere], f"no library {nowhere}"),
+            (NOT_THERE, ["--list", "--openhaptics", "--openhaptics-library", nowhere], f"no library {nowhere}"),
+            (NOT_THERE, ["--list", "--nidaq", "--nidaq-library", nowhere], f"no library {nowhere}"),
+            (NOT_THERE, [*b.arms[:1], "Left,Device9", *b.arms[1:]], "Device9"),
+            (NOT_THERE, ["--mock", "--nidaq", "Dev7/ai0:Dev7/port0/line0", *b.lines[1:]], "Dev7/ai0"),
+            (NOT_THERE, [*mock, "--calibration", "/nowhere/file"], "cannot be opened"),
+            (NOT_THERE, ["--replay", "/nowhere/log"], "cannot be read"),
+            (NOT_THERE, ["--replay", b.file], b.file),
+            (NOT_THERE, ["--openhaptics", "--openhaptics-library", b.lines[2]], "has no hdInitDevice"),
+            (NOT_THERE, [*mock, "--fault", "too_fast@0.5"], "too_fast"),
+            (WRONG_WORD, [], "--openhaptics"),
+            (WRONG_WORD, ["--mack"], "--mack"),
+            (WRONG_WORD, [*mock, "--scene", "theatre"], "theatre"),
+            (WRONG_WORD, [*mock, "--fault", "flood@0.5"], "no such fault")]:
+        assert text in b.run(status, *words), words
+    listed = b.run(GOOD, "--list", *b.arms, *b.lines)
+    assert "Touch (stand-in)" in listed and "USB-6008" in listed and "scene stitch" in listed, listed
+
+
+def replayed(b, log):
+    """A log's hands, with the handles' real lines or without, until its end."""
+    b.calibrate()
+    text = b.run(GOOD, "--replay", log, "--simulated", "--scene", "table")
+    seconds = float(re.search(r"scene table, ([\d.]+) s", text)[1])
+    assert seconds > 5.0 and "right: log," in text, text
+    b.run(GOOD, "--replay", log, *b.lines, "--calibration", b.file, "--simulated", "--scene", "table", "--seconds", "2")
+    text = b.run(GOOD, *b.arms[:1], "Left", *b.arms[1:], "--replay", log, "--simulated", "--calibration", b.file, "--scene",
+                 "table", "--seconds", "2")
+    assert "right: log," in text and "left: Touch" in text, text
+
+
+def real_time(b, _):
+    """On the real clock, with the stand-ins' own threads. A machine that is busy may let poses grow old, which is a fault."""
+    b.calibrate()
+    text = b.run((GOOD, FAULTY), *b.arms, *b.lines, "--calibration", b.file, "--scene", "table", "--seconds", "0.5")
+    assert "illegal calls: 0" in text and "wall misses:" in text, text
+
+
+def interrupted(b, _):
+    """Ctrl-C ends it as its end does."""
+    run = subprocess.Popen([b.trainer, "--mock", "--scene", "table"], stdout=subprocess.PIPE, text=True)
+    first = run.stdout.readline()
+    run.send_signal(signal.SIGINT)
+    rest = run.communicate(timeout=60)[0]
+    assert run.returncode == GOOD and "ended well, outputs off" in rest, first + rest
+
+
+def main():
+    subject, trainer, arms, lines, folder, *log = sys.argv[1:]
+    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, refused, replayed, real_time, interrupted)}
+    subjects[subject](Bench(trainer, arms, lines, folder), log[0] if log else None)
+
+
+if __name__ == "__main__":
+    main()
