@@ -2,6 +2,7 @@
 
 Time is simulated, but for `real_time` and `interrupted`, and nothing is asserted of how long anything takes."""
 import pathlib
+import random
 import re
 import signal
 import subprocess
@@ -96,6 +97,22 @@ def faults(b, _):
                           f"{name}@3.15+0.2"), name, word)
 
 
+def random_faults(b, _):
+    """Any fault at any moment of the scene, on one arm or two: safe within 10 ms, told, no illegal call."""
+    b.calibrate()
+    chance, counts = random.Random(14), {}
+    for _ in range(60):
+        name = chance.choice(sorted(ARMS))
+        begin = chance.uniform(0.1, 4.0)
+        arms = [b.arms[0], *chance.choice([[], ["Left"]]), *b.arms[1:], "--mock"]
+        text = b.run(FAULTY, *arms, *b.lines, "--simulated", "--calibration", b.file, "--scene", "table", "--seconds",
+                     f"{begin + 0.3:.3f}", "--fault", f"{name}@{begin:.4f}+{chance.uniform(0.03, 0.2):.3f}")
+        found = re.search(rf"fault {name}: safe after (\d+) ms", text)
+        assert found and int(found[1]) <= 10 and ARMS[name] in text and "illegal calls: 0" in text, text
+        counts[name] = counts.get(name, 0) + 1
+    print(counts)
+
+
 def expect_safe(text, name, word):
     found = re.search(rf"fault {name}: safe after (\d+) ms$", text, re.MULTILINE)
     assert found and int(found[1]) <= 10, text
@@ -158,7 +175,7 @@ def interrupted(b, _):
 
 def main():
     subject, trainer, arms, lines, folder, *log = sys.argv[1:]
-    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, refused, replayed, real_time, interrupted)}
+    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, random_faults, refused, replayed, real_time, interrupted)}
     subjects[subject](Bench(trainer, arms, lines, folder), log[0] if log else None)
 
 
