@@ -276,12 +276,27 @@ VBSS_API vbss_result vbss_session_destroy(vbss_session *session);
 VBSS_API vbss_result vbss_session_step(vbss_session *session, double now, double h);
 
 /**
+ * Brings a session that follows a replay, and its scene, to after a step of the log: restores the newest states of both at or
+ * before it, and makes the steps from there on, comparing as #vbss_session_step does. What follows has the same bits as without.
+ * Nobody hears of the events on the way; those that are kept can be read. When the log does not have the step, or no such state
+ * can be restored, session, scene and replay stay as they are.
+ *
+ * @param session  the session; its replay has begun with its scene
+ * @param step     number of the step in the log, from 1 on; 0: the begin
+ * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (it follows no replay, the log ends before the step, or has no state of a session
+ *         at or before it), what #vbss_replay_seek, #vbss_session_restore and #vbss_session_step return
+ * @threads one thread at a time per context
+ * @since 0.1
+ */
+VBSS_API vbss_result vbss_session_seek(vbss_session *session, uint64_t step);
+
+/**
  * From now on the session writes to a record, or to none, as after a replay that has ended and #vbss_record_resume.
- * A replay that it had is left.
+ * A replay that it had is left. Into a record that has just begun its state is put, so that what follows can be replayed.
  *
  * @param session  the session
  * @param record   of the session's scene; NULL: none
- * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of the record), VBSS_ERROR_OUT_OF_RANGE (of another scene) or
+ * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE (also: of the record or a part), VBSS_ERROR_OUT_OF_RANGE (of another scene) or
  *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1

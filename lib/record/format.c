@@ -59,6 +59,7 @@ vbss_result vbss_log_seal(log_writer *log, const vbss_stream *stream)
     log->chain = link_of(log->chain, record, covered);
     store_little_endian(record + covered, log->chain, LOG_AFTER);
     log->used += covered + LOG_AFTER;
+    log->grown += covered + LOG_AFTER;
     return VBSS_OK;
 }
 

@@ -1,5 +1,11 @@
-/* Marks: what a session notes of itself behind a step. Who knows no sessions passes over them. */
+/* What a session notes of itself behind a step: marks, and its state behind a snapshot of its scene. Who knows no sessions
+ * passes over them. */
 #include "record/record.h"
+
+/* A state is put in the log when that has grown by so many times its size: states are a fifth of it at most. */
+enum { STATES_APART = 4 };
+
+/* ---- marks */
 
 static void visit(vbss_stream *stream, log_mark *mark)
 {
@@ -45,4 +51,72 @@ bool vbss_log_find_mark(const replay_object *p, log_mark *mark)
         }
     }
     return false;
+}
+
+/* ---- states */
+
+vbss_result vbss_log_put_state(record_object *r, const vbss_slot *session)
+{
+    log_snapshot state = {.number = r->step.number};
+    vbss_stream stream;
+    size_t count = 0;
+    if (r->ended || !r->snapshot_is_last) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_snapshot_size(session, &count));
+    state.count = (uint32_t)count;
+    vbss_stream_begin_measure(&stream);
+    vbss_log_visit_state(&stream, &state);
+    size_t need = log_record_bytes(&stream) + r->event_bytes + r->end_bytes;
+    bool early = state.number > 0 && r->log.grown < STATES_APART * (uint64_t)count;
+    if (early || count >= UINT32_MAX || need > vbss_log_room(&r->log)) {
+        return VBSS_OK;
+    }
+    vbss_log_open(&r->log, &stream);
+    vbss_log_visit_state(&stream, &state);
+    VBSS_TRY(stream.result);
+    VBSS_TRY(vbss_snapshot_save(session, state.place, count, &count));
+    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    r->log.grown = 0;
+    r->snapshot_is_last = false;
+    return VBSS_OK;
+}
+
+static vbss_result read_state(const replay_object *p, const log_found *found, uint64_t steps,
+                              log_snapshot *state)
+{
+    vbss_stream stream;
+    vbss_stream_begin_read(&stream, found->payload, found->length);
+    vbss_log_visit_state(&stream, state);
+    VBSS_TRY(vbss_log_read_all(&p->begin, found, &stream));
+    return state->number == steps
+               ? VBSS_OK
+               : vbss_log_corrupt(&p->begin, found->at, "a state of another step");
+}
+
+vbss_result vbss_log_find_state(const replay_object *p, uint64_t step, log_snapshot *state)
+{
+    log_reader log = p->begin;
+    uint64_t steps = 0, scene = 0; /* scene: of its newest snapshot */
+    log_fault beyond;
+    *state = (log_snapshot){.bytes = NULL};
+    for (;;) {
+        log_found found;
+        log.fault = steps == step ? &beyond : NULL; /* what follows the step is read in its turn */
+        vbss_result result = vbss_log_next_of_any_kind(&log, &found);
+        bool on = result == VBSS_OK && found.code != LOG_END;
+        if (steps == step && (!on || found.code == LOG_STEP)) {
+            return VBSS_OK;
+        }
+        VBSS_TRY(result);
+        if (!on) {
+            return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
+                             (unsigned long long)step);
+        }
+        steps += found.code == LOG_STEP;
+        scene = found.code == LOG_SNAPSHOT ? steps : scene;
+        if (found.code == LOG_STATE && scene == steps) {
+            VBSS_TRY(read_state(p, &found, steps, state));
+        }
+    }
 }

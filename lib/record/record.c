@@ -90,7 +90,9 @@ static vbss_result write_snapshot(record_object *r, size_t count)
     vbss_log_visit_snapshot(&stream, &snapshot);
     VBSS_TRY(stream.result);
     VBSS_TRY(vbss_snapshot_save((const vbss_slot *)r->scene, snapshot.place, count, &count));
-    return vbss_log_seal(&r->log, &stream);
+    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    r->snapshot_is_last = true;
+    return VBSS_OK;
 }
 
 static size_t measure_end(log_step *step)
@@ -289,6 +291,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     next.input_count = next.event_count = 0;
     next.events = NULL; /* the scene may end before the record */
     r->step = next;
+    r->snapshot_is_last = false;
     r->snapshot_due |= r->snapshot_interval > 0 && next.number % r->snapshot_interval == 0;
     if (r->snapshot_due) {
         note_snapshot(r);

@@ -20,12 +20,14 @@ enum { LOG_FRONT = 8, LOG_BEFORE = 8, LOG_AFTER = 8 };
 #define LOG_STEP VBSS_CODE('S', 'T', 'E', 'P')
 #define LOG_END VBSS_CODE('E', 'N', 'D', 'S')
 #define LOG_MARK VBSS_CODE('s', 'e', 's', 's')
+#define LOG_STATE VBSS_CODE('s', 't', 'a', 't')
 
 typedef struct log_writer {
     uint8_t *bytes;
     size_t capacity, used;
     bool taken;     /* what is used is the host's until the next record */
     uint64_t chain; /* checksum of the last record */
+    uint64_t grown; /* by so many bytes since a session's state was put in it */
 } log_writer;
 void vbss_log_begin(log_writer *log);
 size_t vbss_log_room(const log_writer *log);
@@ -90,6 +92,8 @@ typedef struct log_snapshot {
     uint8_t *place;       /* where to save it in the log that is written */
 } log_snapshot;
 void vbss_log_visit_snapshot(vbss_stream *stream, log_snapshot *snapshot);
+/* That of a session beside it. */
+void vbss_log_visit_state(vbss_stream *stream, log_snapshot *state);
 vbss_result vbss_log_make_blob(vbss_context *context, log_blob *blob, const void *bytes,
                                size_t count);
 void vbss_log_free_head(log_head *head);
@@ -148,6 +152,7 @@ typedef struct record_object {
     size_t event_bytes; /* and for the events of a step */
     uint32_t snapshot_interval;
     bool snapshot_due, ended;
+    bool snapshot_is_last; /* what was noted last of the scene is a snapshot */
 } record_object;
 vbss_result vbss_record_edit(vbss_record *handle, record_object **record);
 /* What a host asks for, checked. */
@@ -200,5 +205,10 @@ typedef struct log_mark {
 vbss_result vbss_log_put_mark(record_object *r, log_mark *mark);
 /* That behind the step that was replayed last; false: there is none. */
 bool vbss_log_find_mark(const replay_object *p, log_mark *mark);
+/* The state of a session behind a snapshot of its scene that was just written. As it grows with the trial, it is left out until
+ * the log has grown by more; and where there is no room. */
+vbss_result vbss_log_put_state(record_object *r, const vbss_slot *session);
+/* The newest one at or before that step, which must be in the log; its bytes are NULL: there is none. */
+vbss_result vbss_log_find_state(const replay_object *p, uint64_t step, log_snapshot *state);
 
 #endif

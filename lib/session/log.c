@@ -46,7 +46,7 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
     return VBSS_OK;
 }
 
-/* ---- marks */
+/* ---- marks and states */
 
 static vbss_result compare(session_object *s)
 {
@@ -64,12 +64,19 @@ static vbss_result compare(session_object *s)
 }
 
 /* After steps in which something happened, and at intervals. */
-vbss_result vbss_session_mark(session_object *s)
+vbss_result vbss_session_put_state(const vbss_slot *slot, vbss_record *record)
 {
     record_object *r;
-    if (s->config.replay != NULL) {
-        return compare(s);
+    if (record == NULL) {
+        return VBSS_OK;
     }
+    VBSS_TRY(vbss_record_edit(record, &r));
+    return vbss_log_put_state(r, slot);
+}
+
+static vbss_result write_mark(session_object *s)
+{
+    record_object *r;
     if (s->config.record == NULL ||
         (s->event_count == s->step_events && s->steps % s->config.hash_interval != 0)) {
         return VBSS_OK;
@@ -78,4 +85,13 @@ vbss_result vbss_session_mark(session_object *s)
     log_mark mark = {
         .number = r->step.number, .hash = vbss_session_task_hash(s), .events = s->event_count};
     return vbss_log_put_mark(r, &mark);
+}
+
+vbss_result vbss_session_mark(const vbss_slot *slot, session_object *s)
+{
+    if (s->config.replay != NULL) {
+        return compare(s);
+    }
+    VBSS_TRY(write_mark(s));
+    return vbss_session_put_state(slot, s->config.record);
 }

@@ -176,6 +176,11 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
         free_session(s->context, s);
         return result;
     }
+    result = vbss_session_put_state(slot, own.record);
+    if (result != VBSS_OK) {
+        (void)vbss_session_destroy((vbss_session *)slot);
+        return result;
+    }
     *session = (vbss_session *)slot;
     return VBSS_OK;
 }
@@ -190,6 +195,7 @@ vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record)
     session_object *s;
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_session_check_record(s, record));
+    VBSS_TRY(vbss_session_put_state((const vbss_slot *)session, record));
     s->config.record = record;
     s->config.replay = NULL;
     return VBSS_OK;

@@ -5,7 +5,7 @@
  * hands.c is the first and the fifth arrow, scene.c the second, knots.c shows the thread to the detector, measure.c tells the
  * metrics, log.c writes marks and compares them. Between them look.c puts what the task can see of a step into one struct, and
  * task.c, throws.c and ends.c find from that alone which facts hold, and so the phase; events.c keeps what they tell.
- * config.c checks, session.c makes and ends, state.c saves. */
+ * config.c checks, session.c makes and ends, state.c saves, seek.c goes to a step of a log. */
 #ifndef VBSS_SESSION_SESSION_H
 #define VBSS_SESSION_SESSION_H
 
@@ -144,9 +144,13 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
 vbss_result vbss_session_read_hands(const session_object *s, double now);
 vbss_result vbss_session_write_hands(const session_object *s, double now);
 
-/* log.c: the scene's step, recorded or replayed; then the mark of the session, written or compared. */
+/* step.c: a step of which nobody hears. */
+vbss_result vbss_session_make_step(const vbss_slot *slot, session_object *s, double now, double h);
+
+/* log.c: the scene's step, recorded or replayed; then the mark of the session, written or compared, and its state. */
 vbss_result vbss_session_step_scene(session_object *s, double h);
-vbss_result vbss_session_mark(session_object *s);
+vbss_result vbss_session_mark(const vbss_slot *slot, session_object *s);
+vbss_result vbss_session_put_state(const vbss_slot *slot, vbss_record *record); /* NULL: none */
 
 /* look.c */
 void vbss_session_look(const session_object *s, session_look *look);

@@ -39,11 +39,8 @@ static void keep_first(vbss_result *kept, vbss_result result)
     *kept = *kept == VBSS_OK ? result : *kept;
 }
 
-vbss_result vbss_session_step(vbss_session *session, double now, double h)
+vbss_result vbss_session_make_step(const vbss_slot *slot, session_object *s, double now, double h)
 {
-    session_object *s;
-    VBSS_TRY(vbss_session_edit(session, &s));
-    VBSS_TRY(vbss_check_arithmetic(s->context));
     VBSS_TRY(check_begin(s));
     VBSS_TRY(vbss_session_read_hands(s, now));
     VBSS_TRY(vbss_session_step_scene(s, h));
@@ -51,7 +48,19 @@ vbss_result vbss_session_step(vbss_session *session, double now, double h)
     vbss_result result = knots(s);
     keep_first(&result, vbss_session_measure(s, &s->look));
     keep_first(&result, vbss_session_write_hands(s, now));
-    keep_first(&result, vbss_session_mark(s));
-    vbss_session_announce(s);
+    keep_first(&result, vbss_session_mark(slot, s));
+    return result;
+}
+
+vbss_result vbss_session_step(vbss_session *session, double now, double h)
+{
+    session_object *s;
+    VBSS_TRY(vbss_session_edit(session, &s));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    uint64_t steps = s->steps;
+    vbss_result result = vbss_session_make_step((const vbss_slot *)session, s, now, h);
+    if (s->steps > steps) {
+        vbss_session_announce(s);
+    }
     return result;
 }

@@ -5,6 +5,7 @@
 #include "fuzz/fuzz.h"
 
 #define SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')
+#define STATE VBSS_CODE('s', 't', 'a', 't')
 
 void seal_snapshot(uint8_t *bytes, size_t count)
 {
@@ -22,7 +23,8 @@ void seal_snapshot(uint8_t *bytes, size_t count)
 static void seal_inside(uint8_t *section, size_t count)
 {
     enum { BEFORE = 44, AFTER = 8 };
-    if (count > BEFORE + AFTER && load_little_endian(section + 4, 4) == SNAPSHOT) {
+    uint32_t code = count > BEFORE + AFTER ? (uint32_t)load_little_endian(section + 4, 4) : 0;
+    if (code == SNAPSHOT || code == STATE) {
         seal_snapshot(section + BEFORE, count - BEFORE - AFTER);
     }
 }

@@ -1,0 +1,75 @@
+/* A session that follows a log goes to a step of it: scene and session are restored from their newest states there, and the
+ * steps from there on are made. */
+#include "session/session.h"
+
+static vbss_result open_replay(const session_object *s, replay_object **replay)
+{
+    scene_object *scene;
+    if (s->config.replay == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the session follows no replay");
+    }
+    VBSS_TRY(vbss_replay_edit(s->config.replay, replay));
+    VBSS_TRY(vbss_scene_open(s->scene, &scene));
+    return (*replay)->scene == s->scene
+               ? VBSS_OK
+               : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
+}
+
+static vbss_result restore(const vbss_slot *slot, const session_object *s, replay_object *p,
+                           const log_snapshot *state)
+{
+    VBSS_TRY(vbss_replay_go_to(p, state->number));
+    if (p->report.outcome != VBSS_REPLAY_STEPPED) {
+        return vbss_fail(s->context, VBSS_ERROR_CORRUPT,
+                         "the scene after step %llu is not the recorded one",
+                         (unsigned long long)state->number);
+    }
+    return vbss_object_restore(slot, &vbss_session_kind, state->bytes, state->count);
+}
+
+/* A state with the right checksum may be refused all the same, when the scene has been restored: there is a way back. */
+static vbss_result restore_or_stay(const vbss_slot *slot, const session_object *s, replay_object *p,
+                                   const log_snapshot *state)
+{
+    const replay_object before = *p;
+    size_t count = 0, written = 0;
+    VBSS_TRY(vbss_snapshot_size((const vbss_slot *)s->scene, &count));
+    uint8_t *bytes = vbss_allocate(s->context, count, 1, "way back of a session");
+    if (bytes == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    vbss_result result = vbss_snapshot_save((const vbss_slot *)s->scene, bytes, count, &written);
+    if (result == VBSS_OK) {
+        result = restore(slot, s, p, state);
+        if (result != VBSS_OK) {
+            p->log = before.log;
+            p->report = before.report;
+            p->stopped = before.stopped;
+            (void)vbss_scene_restore(s->scene, bytes, count); /* its own state of a moment ago */
+        }
+    }
+    vbss_release(s->context, bytes, count, 1);
+    return result;
+}
+
+vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
+{
+    const vbss_slot *slot = (const vbss_slot *)session;
+    session_object *s;
+    replay_object *p;
+    log_snapshot state;
+    VBSS_TRY(vbss_session_edit(session, &s));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    VBSS_TRY(open_replay(s, &p));
+    VBSS_TRY(vbss_log_find_state(p, step, &state));
+    if (state.bytes == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the log has no state of a session before step %llu",
+                         (unsigned long long)step);
+    }
+    VBSS_TRY(restore_or_stay(slot, s, p, &state));
+    while (p->report.step < step) {
+        VBSS_TRY(vbss_session_make_step(slot, s, 0.0, 0.0));
+    }
+    return VBSS_OK;
+}
