@@ -156,8 +156,6 @@ static vbss_result read_knot(facts *f, stage *s, uint64_t step)
     return VBSS_OK;
 }
 
-/* ---- all of it */
-
 static vbss_result look(facts *f, stage *s, uint64_t step, double spent, size_t *next)
 {
     again *a = &f->again;
@@ -173,6 +171,51 @@ static vbss_result look(facts *f, stage *s, uint64_t step, double spent, size_t 
     return step % JUDGED_EVERY == 0 || step == f->steps ? read_knot(f, s, step) : VBSS_OK;
 }
 
+/* ---- with its session */
+
+/* Where the session is not the recorded one the scene goes on without. */
+static vbss_result step(again *a, stage *s, vbss_replay *replay)
+{
+    vbss_session_status status;
+    if (s->task.session == NULL) {
+        return vbss_replay_step(replay, &a->report, sizeof a->report);
+    }
+    vbss_result result = vbss_session_step(s->task.session, 0.0, 0.0);
+    TRY(vbss_session_get_status(s->task.session, &status, sizeof status));
+    if (status.steps > a->report.step) { /* the scene's step was made, and agrees */
+        a->report.step++;
+        a->session.agrees = result == VBSS_OK;
+        return a->session.agrees ? VBSS_OK : task_destroy(&s->task);
+    }
+    return vbss_replay_step(replay, &a->report, sizeof a->report); /* where it is, once more */
+}
+
+/* What it told and measured; the tools must be those of the page. */
+static vbss_result read_session(facts *f, stage *s)
+{
+    told *t = &f->again.session;
+    if (s->task.session == NULL || f->again.count == 0) {
+        return VBSS_OK;
+    }
+    TRY(vbss_session_get_status(s->task.session, &t->status, sizeof t->status));
+    for (uint64_t i = t->status.first_event; i < t->status.event_count; i++) {
+        if (!facts_room((void **)&t->events, &t->room, t->count, sizeof *t->events)) {
+            return VBSS_ERROR_OUT_OF_MEMORY;
+        }
+        TRY(vbss_session_get_event(s->task.session, i, &t->events[t->count], sizeof *t->events));
+        t->count++;
+    }
+    if (f->tools[LEFT] != s->tasked->left.body || f->tools[RIGHT] != s->tasked->right.body) {
+        return VBSS_OK;
+    }
+    t->measured = true;
+    TRY(vbss_metrics_config_init(&f->measured.config, sizeof f->measured.config));
+    TRY(vbss_metrics_finish(s->task.metrics));
+    return facts_take(f, s->task.metrics);
+}
+
+/* ---- all of it */
+
 static vbss_result play(facts *f, stage *s)
 {
     again *a = &f->again;
@@ -185,9 +228,11 @@ static vbss_result play(facts *f, stage *s)
     a->knots = true;
     TRY(vbss_replay_create(s->context, f->bytes, f->count, &replay));
     TRY(vbss_replay_begin(replay, s->scene));
+    TRY(stage_follow_task(s, replay));
+    a->session.there = a->session.agrees = s->tasked != NULL;
     for (;;) {
         double begin = now();
-        TRY(vbss_replay_step(replay, &a->report, sizeof a->report));
+        TRY(step(a, s, replay));
         double spent = now() - begin;
         if (a->report.outcome != VBSS_REPLAY_STEPPED || a->report.step > f->steps) {
             return VBSS_OK;
@@ -225,6 +270,7 @@ vbss_result facts_again(facts *f)
         }
         snprintf(a->problem, sizeof a->problem, "%s", text);
     }
+    vbss_result result = read_session(f, &s);
     stage_destroy(&s);
-    return VBSS_OK;
+    return result;
 }

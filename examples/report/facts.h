@@ -70,6 +70,15 @@ typedef struct puncture {
     double force[3];           /* of the wall on the needle, N */
 } puncture;
 
+/* Of the session that ran beside the scene, once more. */
+typedef struct told {
+    bool there, agrees; /* the scene has one; it is the one that was recorded */
+    bool measured;      /* what is measured is its */
+    vbss_session_status status;
+    vbss_session_event *events;
+    size_t count, room;
+} told;
+
 typedef struct again {
     bool asked;
     const char *name; /* of the scene that was made once more; NULL: none */
@@ -84,6 +93,7 @@ typedef struct again {
     size_t puncture_count, puncture_room;
     uint32_t needle;   /* its body; 0: none */
     bool drain, knots; /* are there */
+    told session;
     vbss_scene_statistics scene;
 } again;
 
@@ -143,8 +153,9 @@ vbss_result facts_again(facts *f);
 const reading *facts_certified(const facts *f);
 /* phases.c */
 vbss_result facts_phases(facts *f);
-/* measure.c */
+/* measure.c: of the session, if that has measured; otherwise from what is known. */
 vbss_result facts_measure(facts *f);
+vbss_result facts_take(facts *f, vbss_metrics *metrics);
 void facts_destroy(facts *f);
 
 static inline double facts_end(const facts *f)

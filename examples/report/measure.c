@@ -202,12 +202,14 @@ static vbss_result copy_rows(vbss_metrics *metrics, vbss_metrics_field field, do
     return VBSS_OK;
 }
 
-static vbss_result take(vbss_metrics *metrics, measured *m)
+vbss_result facts_take(facts *f, vbss_metrics *metrics)
 {
+    measured *m = &f->measured;
     static const vbss_metrics_field speeds[SIDES] = {VBSS_METRICS_VIEW_LEFT_SPEED,
                                                      VBSS_METRICS_VIEW_RIGHT_SPEED},
                                     forces[SIDES] = {VBSS_METRICS_VIEW_LEFT_FORCE,
                                                      VBSS_METRICS_VIEW_RIGHT_FORCE};
+    m->begin = f->steps > 0 ? f->moments[0].time : 0.0;
     TRY(vbss_metrics_get_report(metrics, &m->report, sizeof m->report));
     for (int side = 0; side < SIDES; side++) {
         TRY(vbss_metrics_get_motion(metrics, side, VBSS_METRICS_WHOLE, &m->motion[side],
@@ -234,11 +236,13 @@ vbss_result facts_measure(facts *f)
 {
     measured *m = &f->measured;
     feeder d = {.f = f, .needle_side = -1};
+    if (f->again.session.measured) {
+        return VBSS_OK;
+    }
     TRY(vbss_metrics_config_init(&m->config, sizeof m->config));
     m->config.duration = fmin(7200.0, fmax(1.0, facts_end(f) + 1.0));
-    m->begin = f->steps > 0 ? f->moments[0].time : 0.0;
     TRY(vbss_metrics_create(f->context, &m->config, &d.metrics));
     TRY(feed(&d));
-    TRY(take(d.metrics, m));
+    TRY(facts_take(f, d.metrics));
     return vbss_metrics_destroy(d.metrics);
 }

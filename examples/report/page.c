@@ -66,12 +66,13 @@ static void put_limits(page *p, const facts *f)
     put(p, "<section aria-labelledby=\"limits\"><h2 id=\"limits\">What this report does not "
            "know</h2>\n<ul>\n");
     put_absent(p, true, "Who, when, and on which machine: logs do not hold it.");
-    put_absent(p, true,
+    put_absent(p, !a->session.measured,
                "When the needle appeared: there is no such event in the log, so the clock "
                "starts with the log.");
     put_absent(p, f->measured.report.tightness_ours == VBSS_METRICS_TIGHTNESS_UNKNOWN,
                "Whether the knot holds: no pull test is in the log.");
-    put_absent(p, true, "Lengths of the tails, and what was dropped: not worked out from the log.");
+    put_absent(p, !a->session.measured,
+               "Lengths of the tails, and what was dropped: not worked out from the log.");
     put_absent(p, a->count == 0,
                "Forces, contacts, the thread, the drain and the knot: logs hold what the scene was "
                "told, and these come from playing that back, which was not done.");

@@ -1,10 +1,11 @@
-/* Where the phases on the page come from. Logs do not name them yet, so they are told apart by what happened: each ends
- * with the first time that something is done. A log that names its own phases is to be read here and nowhere else. */
+/* Where the phases on the page come from. They are those of the session, if there is one; otherwise they are told apart by what
+ * happened: each ends with the first time that something is done. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "report/facts.h"
+#include "surgeon/task.h"
 
 enum { MOST_ENDS = 8 + MOST_THROWS };
 
@@ -87,7 +88,60 @@ static int by_time(const void *a, const void *b)
     return later != 0 ? later : strcmp(x->name, y->name);
 }
 
-vbss_result facts_phases(facts *f)
+/* From the last one on, which ends there. */
+static vbss_result add_phase(facts *f, const char *name, double from, uint64_t step, double to,
+                             bool tying)
+{
+    if (!(to > from)) {
+        return VBSS_OK;
+    }
+    if (!facts_room((void **)&f->phases, &f->phase_room, f->phase_count, sizeof *f->phases)) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    phase *p = &f->phases[f->phase_count++];
+    snprintf(p->name, sizeof p->name, "%s", name);
+    p->from = from;
+    p->to = to;
+    p->step = step;
+    p->tying = tying;
+    return VBSS_OK;
+}
+
+/* ---- of the session */
+
+static bool is_tying(vbss_session_phase p)
+{
+    return p == VBSS_SESSION_PHASE_THROW_1 || p == VBSS_SESSION_PHASE_THROW_2 ||
+           p == VBSS_SESSION_PHASE_THROW_3;
+}
+
+static vbss_result take_phases(facts *f)
+{
+    const told *t = &f->again.session;
+    vbss_session_phase now = VBSS_SESSION_PHASE_LOADING;
+    double from = 0.0;
+    uint64_t step = 0;
+    f->phase_source =
+        "The phases are those of the session that ran beside the scene: each waits for a fact, "
+        "such "
+        "as a hole at a mark or a throw that is seated, and comes back when that is undone.";
+    for (size_t i = 0; i < t->count; i++) {
+        const vbss_session_event *e = &t->events[i];
+        if (e->kind != VBSS_SESSION_EVENT_PHASE || e->step == 0 || e->step > f->steps) {
+            continue;
+        }
+        double to = e->step > 1 ? f->moments[e->step - 1].time : 0.0;
+        TRY(add_phase(f, task_phase_name(now), from, step, to, is_tying(now)));
+        now = (vbss_session_phase)e->number;
+        from = to;
+        step = e->step - 1;
+    }
+    return add_phase(f, task_phase_name(now), from, step, facts_end(f), is_tying(now));
+}
+
+/* ---- from what happened */
+
+static vbss_result tell_apart(facts *f)
 {
     ends e = {.count = 0};
     double from = 0.0;
@@ -102,7 +156,8 @@ vbss_result facts_phases(facts *f)
     }
     add_nth(f, &e, VBSS_EVENT_CUT, 2, "cutting");
     f->phase_source =
-        "The log names no phases. These were told apart by what happened in it: each ends when the "
+        "The log has no session. Its phases were told apart by what happened in it: each ends when "
+        "the "
         "needle is held for the first time, when a wall is entered, when needle and thread are "
         "through, when another throw is tied, when a tool is exchanged, with the second cut.";
     qsort(e.all, e.count, sizeof e.all[0], by_time);
@@ -116,16 +171,14 @@ vbss_result facts_phases(facts *f)
         if (e.all[i].step <= step) {
             continue;
         }
-        if (!facts_room((void **)&f->phases, &f->phase_room, f->phase_count, sizeof *f->phases)) {
-            return VBSS_ERROR_OUT_OF_MEMORY;
-        }
-        phase *p = &f->phases[f->phase_count++];
-        memcpy(p->name, e.all[i].name, sizeof p->name);
-        p->from = from;
-        p->to = from = e.all[i].time;
-        p->step = step;
-        p->tying = e.all[i].tying;
+        TRY(add_phase(f, e.all[i].name, from, step, e.all[i].time, e.all[i].tying));
+        from = e.all[i].time;
         step = e.all[i].step;
     }
     return VBSS_OK;
+}
+
+vbss_result facts_phases(facts *f)
+{
+    return f->again.session.count > 0 ? take_phases(f) : tell_apart(f);
 }

@@ -222,6 +222,7 @@ void facts_destroy(facts *f)
     free(f->again.steps);
     free(f->again.readings);
     free(f->again.punctures);
+    free(f->again.session.events);
     free(f->holdings);
     free(f->events);
     free(f->moments);

@@ -3,14 +3,14 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "needle/stitch.h"
+#include "surgeon/surgeon.h"
 #include "throw/trial.h"
 
 /* ---- notes */
 
 enum { MOST_WORDS = 96 };
 
-/* "vbss throw surgeons seed 2" and nothing else; kind is empty where there is none. */
+/* "vbss throw surgeons seed 2" and nothing else, or "vbss surgeon seed 2", whose kind is empty. */
 typedef struct words {
     char program[16], kind[16];
     unsigned long seed;
@@ -27,6 +27,10 @@ static bool read_note(const void *note, size_t count, words *w)
     memcpy(text, note, count);
     text[count] = '\0';
     int got = sscanf(text, "vbss %15s %15s seed %10lu%n", w->program, w->kind, &w->seed, &end);
+    if (got != 3) {
+        w->kind[0] = '\0';
+        got = 1 + sscanf(text, "vbss %15s seed %10lu%n", w->program, &w->seed, &end);
+    }
     return got == 3 && end == (int)count;
 }
 
@@ -40,10 +44,15 @@ static bool is_stitch(const words *w)
     return strcmp(w->program, "needle") == 0 && strcmp(w->kind, "pass") == 0;
 }
 
+static bool is_surgeon(const words *w)
+{
+    return strcmp(w->program, "surgeon") == 0 && w->kind[0] == '\0';
+}
+
 bool stage_knows(const void *note, size_t count)
 {
     words w;
-    return read_note(note, count, &w) && (is_throw(&w) || is_stitch(&w));
+    return read_note(note, count, &w) && (is_throw(&w) || is_stitch(&w) || is_surgeon(&w));
 }
 
 /* ---- scenes */
@@ -65,11 +74,18 @@ static vbss_result make_throw(stage *s, const words *w)
 static vbss_result make_stitch(stage *s, const words *w)
 {
     static stitch t;
-    memset(&t, 0, sizeof t);
-    s->name = "two hands that pass a needle (examples/needle)";
-    s->stand = &t.site.stand;
+    const surgeon_options usual = {.seed = w->seed};
     stitch_plan plan;
-    stitch_plan_usual(&plan);
+    memset(&t, 0, sizeof t);
+    s->stand = &t.site.stand;
+    if (is_surgeon(w)) {
+        s->name = "a scripted surgeon (examples/surgeon)";
+        s->tasked = &t;
+        surgeon_plan(&usual, &plan);
+    } else {
+        s->name = "two hands that pass a needle (examples/needle)";
+        stitch_plan_usual(&plan);
+    }
     vbss_result result = stitch_create(&t, w->seed, &plan);
     s->graspers[LEFT] = t.left.grasper;
     s->graspers[RIGHT] = t.right.grasper;
@@ -104,42 +120,80 @@ vbss_result stage_follow(stage *s)
     return stand_follow(s->stand);
 }
 
+vbss_result stage_follow_task(stage *s, vbss_replay *replay)
+{
+    return s->tasked != NULL ? task_create(&s->task, s->tasked, NULL, replay) : VBSS_OK;
+}
+
 /* ---- the knot */
 
-static void show_holes(const stage *s, vbss_knot_input *in)
+/* Laid out through two marks. */
+static void show_laid(const stage *s, vbss_knot_input *in)
 {
-    vbss_hole hole;
-    for (uint32_t i = 0; s->drain != NULL && in->hole_count < 2; i++) {
-        if (vbss_scene_get_hole(s->scene, i, &hole, sizeof hole) != VBSS_OK) {
-            return;
-        }
-        if (hole.thread == s->stand->thread_body) {
-            memcpy(in->holes[in->hole_count++], hole.position, sizeof hole.position);
-        }
+    const vec *x = stand_nodes(s->stand);
+    in->points = &x[0].x;
+    in->point_count = s->stand->nodes;
+    in->hole_count = 2;
+    for (int i = 0; i < 2; i++) {
+        v_store(in->holes[i], x[s->stand->marks[i]]);
+        in->hole_places[i] = s->stand->marks[i];
     }
+    in->away[2] = -1.0;
+}
+
+/* The piece of thread that goes through two holes, the tail's first; 0: there is none. From the needle on its nodes are SEGMENT
+ * apart. */
+static uint32_t show_holes(const stage *s, vbss_knot_input *in)
+{
+    vbss_hole all[2];
+    uint32_t count = 0;
+    for (uint32_t i = 0; count < 2; i++) {
+        if (vbss_scene_get_hole(s->scene, i, &all[count], sizeof all[count]) != VBSS_OK) {
+            return 0;
+        }
+        count += all[count].thread != 0;
+    }
+    int tail = all[0].arc_length > all[1].arc_length ? 0 : 1;
+    for (int i = 0; i < 2; i++) {
+        const vbss_hole *hole = &all[i == 0 ? tail : 1 - tail];
+        memcpy(in->holes[i], hole->position, sizeof hole->position);
+        in->hole_places[i] = hole->arc_length / SEGMENT;
+    }
+    in->hole_count = 2;
+    in->away[2] = -1.0;
+    return all[0].thread == all[1].thread ? all[0].thread : 0;
+}
+
+/* Sewn, from the needle on; without holes nothing is tied. */
+static vbss_result show_sewn(const stage *s, vbss_knot_input *in)
+{
+    vbss_thread *thread = s->stand->thread;
+    vbss_view view;
+    uint32_t piece = show_holes(s, in);
+    in->reversed = 1;
+    if (piece == 0) {
+        in->hole_count = 0;
+    } else {
+        TRY(vbss_scene_get_thread(s->scene, piece, &thread));
+    }
+    TRY(vbss_thread_get_view(thread, VBSS_THREAD_POSITIONS, &view, sizeof view));
+    in->points = view.data;
+    in->point_count = (uint32_t)view.count;
+    return VBSS_OK;
 }
 
 /* The thread alone, whatever the tools hold. */
 vbss_result stage_judge(stage *s, reading *r)
 {
     vbss_knot_input in;
-    const vec *x = stand_nodes(s->stand);
     if (s->detector == NULL) {
         TRY(vbss_knot_detector_create(s->context, NULL, &s->detector));
     }
     TRY(vbss_knot_input_init(&in, sizeof in));
-    in.points = &x[0].x;
-    in.point_count = s->stand->nodes;
-    if (s->drain == NULL) { /* laid out through two marks */
-        in.hole_count = 2;
-        for (int i = 0; i < 2; i++) {
-            v_store(in.holes[i], x[s->stand->marks[i]]);
-            in.hole_places[i] = s->stand->marks[i];
-        }
-        in.away[2] = -1.0;
-    } else { /* from the needle on */
-        in.reversed = 1;
-        show_holes(s, &in);
+    if (s->drain == NULL) {
+        show_laid(s, &in);
+    } else {
+        TRY(show_sewn(s, &in));
     }
     TRY(vbss_knot_detector_judge(s->detector, &in));
     TRY(vbss_knot_detector_get_state(s->detector, &r->state, sizeof r->state));

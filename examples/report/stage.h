@@ -4,12 +4,11 @@
 #define VBSS_EXAMPLES_REPORT_STAGE_H
 
 #include "report/facts.h"
-
-struct stand;
+#include "surgeon/task.h"
 
 typedef struct stage {
     const char *name;
-    struct stand *stand; /* whose context all is in */
+    stand *stand; /* whose context all is in */
     vbss_context *context;
     vbss_scene *scene;
     vbss_grasper *graspers[SIDES];
@@ -17,6 +16,8 @@ typedef struct stage {
     double tube;       /* its middle radius, m */
     uint32_t needle;   /* body; 0: none */
     vbss_knot_detector *detector;
+    const stitch *tasked; /* of which there is a session; may be NULL */
+    task task;
 } stage;
 
 /* False: the note names no scene that is known. */
@@ -25,6 +26,8 @@ vbss_result stage_create(stage *s, const void *note, size_t count);
 /* After a step: which thread it is now, if it was cut. */
 vbss_result stage_follow(stage *s);
 vbss_result stage_judge(stage *s, reading *r);
+/* Its session, if it has one, follows the replay. */
+vbss_result stage_follow_task(stage *s, vbss_replay *replay);
 void stage_destroy(stage *s);
 
 #endif

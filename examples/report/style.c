@@ -6,12 +6,14 @@ const char *const page_style[] = {
     "--panel:#f5f7f9;\n",
     "--left:#1b6ec2;--right:#c4570a;--good:#177245;--warn:#9a5b00;--bad:#b3261e;"
     "--band:#bfe0cc;\n",
-    "--p0:#d6e4f5;--p1:#e4dcf3;--p2:#d8ecdf;--p3:#f6e6cf;--p4:#f3d9de;--p5:#d9ecef}\n",
+    "--knot:#7a3fa8;--p0:#d6e4f5;--p1:#e4dcf3;--p2:#d8ecdf;--p3:#f6e6cf;--p4:#f3d9de;--p5:#d9ecef}"
+    "\n",
     "@media (prefers-color-scheme:dark){:root{--paper:#12161b;--ink:#e6eaef;--soft:#9aa7b5;"
     "--line:#2c343e;\n",
     "--panel:#1a2027;--left:#6db3f5;--right:#f2a05c;--good:#63c794;--warn:#e0a94f;"
     "--bad:#f28b82;--band:#244f38;\n",
-    "--p0:#22364d;--p1:#352b4d;--p2:#1f4030;--p3:#4a391d;--p4:#4c2731;--p5:#1d4148}}\n",
+    "--knot:#c49af0;--p0:#22364d;--p1:#352b4d;--p2:#1f4030;--p3:#4a391d;--p4:#4c2731;--p5:#1d4148}}"
+    "\n",
     "*{box-sizing:border-box}\n",
     "body{margin:0;background:var(--paper);color:var(--ink);"
     "font:16px/1.5 system-ui,'Segoe UI',Roboto,\n",
@@ -93,7 +95,8 @@ const char *const page_style[] = {
     ".phase.p3{fill:var(--p3)}.phase.p4{fill:var(--p4)}.phase.p5{fill:var(--p5)}\n",
     ".hold.left{fill:var(--left)}.hold.right{fill:var(--right)}\n",
     ".m-needle{fill:var(--good)}.m-bad{fill:var(--bad);stroke:var(--bad)}"
-    ".m-cut{fill:var(--ink)}.m-tool{fill:var(--left)}.m-warn{fill:var(--warn)}\n",
+    ".m-knot{fill:var(--knot)}td.back{color:var(--bad)}.m-cut{fill:var(--ink)}.m-tool{fill:var(--"
+    "left)}.m-warn{fill:var(--warn)}\n",
     ".stroke{fill:none;stroke-width:2}.scale{stroke:var(--soft);stroke-width:1.2;fill:none}\n",
     ".band{fill:var(--band)}"
     ".band.unsure{fill:var(--band);opacity:.75;stroke:var(--good);stroke-dasharray:2.5 2}\n",

@@ -2,6 +2,7 @@
 #include "knots/words.h"
 
 #include "report/page.h"
+#include "surgeon/task.h"
 
 static const char *why_not(const facts *f)
 {
@@ -54,6 +55,9 @@ static void put_task(page *p, const facts *f)
         styles[o], words[o]);
     if (o == NOT_DONE) {
         put_text(p, why_not(f));
+        if (f->again.session.count > 0) {
+            put(p, "; the phase then: %s", task_phase_name(f->again.session.status.phase));
+        }
     } else {
         put(p, "both tails were cut");
     }

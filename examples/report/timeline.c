@@ -25,6 +25,15 @@ static const mark marks[] = {
 };
 enum { MARKS = sizeof marks / sizeof marks[0] };
 
+/* Of the session: its kinds of events. */
+static const mark told_marks[] = {
+    {"a throw is tied", "m-knot", VBSS_SESSION_EVENT_THROW, 'c'},
+    {"a throw is seated", "m-knot", VBSS_SESSION_EVENT_SEATED, 'd'},
+    {"the needle has changed hands", "m-tool", VBSS_SESSION_EVENT_TRANSFER, 't'},
+    {"the needle is dropped", "m-bad", VBSS_SESSION_EVENT_DROPPED, 'x'},
+};
+enum { TOLD_MARKS = sizeof told_marks / sizeof told_marks[0] };
+
 static double at(const facts *f, double time)
 {
     double end = facts_end(f);
@@ -98,6 +107,27 @@ static void put_shape(page *p, char shape, double x, double y, const char *style
     }
 }
 
+static void put_mark(page *p, const facts *f, const mark *m, double time, uint64_t step)
+{
+    put_shape(p, m->shape, at(f, time), 3 * LANE + 17.0, m->style);
+    put(p, "<title>%s: %.3f s, step %llu</title></path>\n", m->words, time,
+        (unsigned long long)step);
+}
+
+static void put_told(page *p, const facts *f)
+{
+    const told *t = &f->again.session;
+    for (size_t i = 0; i < t->count; i++) {
+        const vbss_session_event *e = &t->events[i];
+        for (int k = 0; k < TOLD_MARKS; k++) {
+            if (told_marks[k].kind == (uint32_t)e->kind && e->undone == 0 && e->step > 0 &&
+                e->step <= f->steps) {
+                put_mark(p, f, &told_marks[k], f->moments[e->step - 1].time, e->step);
+            }
+        }
+    }
+}
+
 /* What falls on one place is drawn once. */
 static void put_events(page *p, const facts *f)
 {
@@ -111,11 +141,10 @@ static void put_events(page *p, const facts *f)
                 continue;
             }
             last = x;
-            put_shape(p, marks[k].shape, x, 3 * LANE + 17.0, marks[k].style);
-            put(p, "<title>%s: %.3f s, step %llu</title></path>\n", marks[k].words, e->time,
-                (unsigned long long)e->step);
+            put_mark(p, f, &marks[k], e->time, e->step);
         }
     }
+    put_told(p, f);
 }
 
 static void put_axis(page *p, const facts *f)
@@ -128,17 +157,33 @@ static void put_axis(page *p, const facts *f)
     put(p, "<text class=\"lane\" x=\"0\" y=\"%d\">time, s</text>\n", LANES * LANE + 16);
 }
 
+static void put_entry(page *p, const mark *m, unsigned long long count)
+{
+    if (count > 0) {
+        put(p, "<span><svg viewBox=\"-8 -9 16 18\" width=\"14\" height=\"15\" "
+               "aria-hidden=\"true\">");
+        put_shape(p, m->shape, 0.0, 0.0, m->style);
+        put(p, "</path></svg> %s: %llu</span> ", m->words, count);
+    }
+}
+
+static unsigned long long count_told(const told *t, uint32_t kind)
+{
+    unsigned long long count = 0;
+    for (size_t i = 0; i < t->count; i++) {
+        count += (uint32_t)t->events[i].kind == kind && t->events[i].undone == 0;
+    }
+    return count;
+}
+
 static void put_legend(page *p, const facts *f)
 {
     put(p, "<p class=\"legend\">");
     for (int k = 0; k < MARKS; k++) {
-        unsigned long long count = f->counts[marks[k].kind];
-        if (count > 0) {
-            put(p, "<span><svg viewBox=\"-8 -9 16 18\" width=\"14\" height=\"15\" "
-                   "aria-hidden=\"true\">");
-            put_shape(p, marks[k].shape, 0.0, 0.0, marks[k].style);
-            put(p, "</path></svg> %s: %llu</span> ", marks[k].words, count);
-        }
+        put_entry(p, &marks[k], f->counts[marks[k].kind]);
+    }
+    for (int k = 0; k < TOLD_MARKS; k++) {
+        put_entry(p, &told_marks[k], count_told(&f->again.session, told_marks[k].kind));
     }
     put(p, "</p>\n");
 }
@@ -176,5 +221,7 @@ void page_timeline(page *p, const facts *f)
     put_table(p, f);
     put(p, "<p class=\"note\">");
     put_text(p, f->phase_source);
-    put(p, "</p></section>\n");
+    put(p, "</p>\n");
+    page_session(p, f);
+    put(p, "</section>\n");
 }

@@ -1,21 +1,35 @@
-/* The log of a performance, played back. */
+/* The log of a performance, played back: the scene, and its session. */
 #include <stdlib.h>
 
 #include "surgeon/watch.h"
 #include "throw/replay.h"
+
+static vbss_result play(stitch *t, const replay_log *log, vbss_replay_report *report)
+{
+    vbss_replay *replay;
+    task k;
+    TRY(vbss_replay_create(t->site.stand.context, log->data, log->count, &replay));
+    TRY(vbss_replay_begin(replay, t->site.stand.scene));
+    TRY(task_create(&k, t, NULL, replay));
+    vbss_result result = VBSS_OK;
+    while (result == VBSS_OK) {
+        result = vbss_session_step(k.session, 0.0, 0.0);
+    }
+    TRY(result == VBSS_ERROR_OUT_OF_RANGE ? VBSS_OK : result); /* at its end */
+    return vbss_replay_step(replay, report, sizeof *report);
+}
 
 bool watch_replay(const watch *w)
 {
     static stitch t; /* its hands for their tools alone */
     stitch_plan plan;
     replay_log log = replay_read(w->options.log);
-    bool equal = false;
+    vbss_replay_report report = {.outcome = VBSS_REPLAY_STOPPED};
     surgeon_plan(&w->options, &plan);
     memset(&t, 0, sizeof t);
-    if (log.count > 0 && stitch_create(&t, w->options.seed, &plan) == VBSS_OK) {
-        equal = replay_on(&t.site.stand, &log).equal;
-    }
+    bool played = log.count > 0 && stitch_create(&t, w->options.seed, &plan) == VBSS_OK &&
+                  play(&t, &log, &report) == VBSS_OK;
     free(log.data);
     stand_destroy(&t.site.stand);
-    return equal;
+    return played && report.outcome == VBSS_REPLAY_ENDED;
 }

@@ -75,6 +75,7 @@ static bool run(watch w)
     }
     vbss_result result = watch_run(&w, &s);
     watch_tell(&w, &s, result);
+    watch_tell_task(&w);
     bool good = result == VBSS_OK && s.stage >= w.options.until && s.stage != SURGEON_FAILED;
     stand_destroy(&s.stitch.site.stand);
     if (w.options.log != NULL) {

@@ -2,18 +2,11 @@
 
 #include <stdio.h>
 
-enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
-
 #define MOST_OFF 2e-3 /* of a hole from its mark */
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
 #define GAP_OPEN 2e-3
 #define GAP_SHUT 0.5e-3
-
-void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
-{
-    *plan = (stitch_plan){.site = {.segments = SEGMENTS, .work = o->work}, .free_left = true};
-}
 
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
 {

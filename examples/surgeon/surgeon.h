@@ -35,7 +35,7 @@ typedef struct surgeon_options {
     const char *log;     /* may be NULL */
 } surgeon_options;
 
-/* What there is before the first step. */
+/* What there is before the first step. (plan.c) */
 void surgeon_plan(const surgeon_options *o, stitch_plan *plan);
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */

@@ -3,11 +3,13 @@
 #define VBSS_EXAMPLES_SURGEON_WATCH_H
 
 #include "surgeon/surgeon.h"
+#include "surgeon/task.h"
 
 enum { WATCH_STEPS = 100000 }; /* of 1 ms, at most */
 
 typedef struct watch {
     surgeon_options options;
+    task task;          /* beside the scene */
     double most, every; /* s, simulated: at most; between pictures */
     const char *folder; /* for pictures; may be NULL */
     bool verbose;
@@ -20,9 +22,11 @@ typedef struct watch {
 
 /* From the needle on the floor on. */
 vbss_result watch_run(watch *w, surgeon *s);
-/* Plays the log back on the same scene: true, to equal hashes. */
+/* Plays the log back on the same scene, its session too: true, to equal hashes. */
 bool watch_replay(const watch *w);
 /* What came of it. */
 void watch_tell(watch *w, const surgeon *s, vbss_result result);
+/* And what its session says of it: phase, measures, events. (tell.c) */
+void watch_tell_task(const watch *w);
 
 #endif

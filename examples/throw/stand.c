@@ -227,7 +227,8 @@ vbss_result stand_follow(stand *s)
 
 vbss_result stand_step(stand *s, double dt)
 {
-    TRY(vbss_record_step(s->record, dt));
+    TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
+                           : vbss_record_step(s->record, dt));
     TRY(stand_follow(s));
     turn_round(s);
     s->time += dt;

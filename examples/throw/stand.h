@@ -30,8 +30,9 @@ typedef struct stand {
     vbss_context *context;
     vbss_scene *scene;
     vbss_thread *thread;
-    vbss_record *record; /* steps are made through it */
-    FILE *log;           /* gets it; may be NULL */
+    vbss_record *record;   /* steps are made through it, */
+    vbss_session *session; /* or through that, which writes to it; may be NULL */
+    FILE *log;             /* gets it; may be NULL */
     uint32_t thread_body, drain;
     uint32_t nodes;
     uint32_t marks[2]; /* nodes at the right mark (the tail's) and the left one (the long limb's) */

@@ -83,6 +83,12 @@ def test_a_log_replays_and_goes_on(context):
         assert second.state_hash == session.state_hash and second.events == session.events
         with pytest.raises(vb.errors.TruncatedError):
             second.step()
+        second.seek(2)
+        assert second.status.steps == 2
+        with pytest.raises(vb.errors.OutOfRangeError):
+            second.seek(7)
+        second.seek(6)
+        assert second.state_hash == session.state_hash and second.events == session.events
         going_on, position = vb.Record.resume(replay)
         assert position <= len(log)
         second.set_record(going_on)

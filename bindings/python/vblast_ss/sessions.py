@@ -74,6 +74,10 @@ class Session(Configured, Saved):
         """One step of the task: devices, scene, knots, metrics, forces out, record. now: the clock of the devices, s."""
         self._call(lib.vbss_session_step, now, h)
 
+    def seek(self, step: int) -> None:
+        """To after that step of the log that is followed, from the newest states in it; listeners hear nothing of the way."""
+        self._call(lib.vbss_session_seek, integer(step, ctypes.c_uint64, "step"))
+
     def set_record(self, record: Optional[Record]) -> None:
         """Writes to this record from now on; a replay is left."""
         self._call(lib.vbss_session_set_record, _handle_of(record, Record, "record"))

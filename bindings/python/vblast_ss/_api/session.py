@@ -464,6 +464,7 @@ FUNCTIONS: dict[str, tuple[Any, tuple[Any, ...]]] = {
         POINTER(POINTER(vbss_session)))),
     "vbss_session_destroy": (c_int32, (POINTER(vbss_session),)),
     "vbss_session_step": (c_int32, (POINTER(vbss_session), c_double, c_double)),
+    "vbss_session_seek": (c_int32, (POINTER(vbss_session), c_uint64)),
     "vbss_session_set_record": (c_int32, (POINTER(vbss_session), POINTER(vbss_record))),
     "vbss_session_get_status": (c_int32, (POINTER(vbss_session), POINTER(vbss_session_status),
         c_uint32)),

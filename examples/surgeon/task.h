@@ -1,0 +1,24 @@
+/* The session of a stitch: which phase of the task it is in, what happened, and the measures of it. The same for who makes the
+ * stitch and who plays its log back. */
+#ifndef VBSS_EXAMPLES_SURGEON_TASK_H
+#define VBSS_EXAMPLES_SURGEON_TASK_H
+
+#include "needle/stitch.h"
+
+typedef struct task {
+    vbss_knot_detector *knots;
+    vbss_metrics *metrics;
+    vbss_session *session;
+} task;
+
+/* With a record the session writes to it; with a replay it follows that. */
+vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_replay *replay);
+/* In the context of the stitch, which ends them otherwise. */
+vbss_result task_destroy(task *k);
+
+const char *task_phase_name(vbss_session_phase phase);
+enum { TASK_WORDS = 256 };
+/* What happened, in words, with its number and amount. */
+void task_words(const vbss_session_event *e, char words[TASK_WORDS]);
+
+#endif
