@@ -22,6 +22,11 @@ vbss_result drain_scene_create(vbss_context *context, vbss_scene **scene);
 /* What a host tells the small one before a step; in 40 steps jaws close on the thread and let it go, and so on. */
 vbss_result small_scene_drive(vbss_record *record, uint32_t step);
 
+/* ---- session_scene.c: thread, needle, drain and two tools, and the numbers of a session over them, with a detector */
+
+vbss_result session_scene_create(vbss_context *context, vbss_scene **scene,
+                                 vbss_session_config *session);
+
 /* ---- seal.c: right checksums over wrong bytes, so that what lies behind them is tried */
 
 void seal_snapshot(uint8_t *bytes, size_t count);

@@ -1,29 +1,43 @@
 /* Any bytes as a log: checked, read, replayed, sought in and gone on with. The first byte says how: 1 with right
- * checksums, 2 as the snapshot of a scene rather than a log, 4 of one with a drain. Whatever comes of it is a status, the counts of all
+ * checksums, 2 as the snapshot of a scene rather than a log, 4 of one with a drain, 8 of one
+ * that a session follows. Whatever comes of it is a status, the counts of all
  * readers agree, and the scene can be brought back to where it was. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "fuzz/fuzz.h"
 
-enum { SEALED = 1, SNAPSHOT = 2, DRAIN = 4, MOST_STEPS = 12 };
+enum { SEALED = 1, SNAPSHOT = 2, DRAIN = 4, FOLLOWED = 8, MOST_STEPS = 12 };
 
 typedef struct table {
     vbss_context *context;
     vbss_scene *scene;
     uint8_t *state; /* the scene's own, to come back to */
     uint64_t state_bytes, hash;
+    vbss_session_config session; /* struct_size 0: there is none */
 } table;
 
-static void set_table(table *t, vbss_result (*create)(vbss_context *, vbss_scene **))
+static void keep_state(table *t)
 {
-    MUST(vbss_context_create(NULL, &t->context) == VBSS_OK);
-    MUST(create(t->context, &t->scene) == VBSS_OK);
     MUST(vbss_scene_save(t->scene, NULL, 0, &t->state_bytes) == VBSS_ERROR_CAPACITY);
     t->state = malloc((size_t)t->state_bytes);
     MUST(t->state != NULL);
     MUST(vbss_scene_save(t->scene, t->state, t->state_bytes, &t->state_bytes) == VBSS_OK);
     MUST(vbss_scene_get_hash(t->scene, &t->hash) == VBSS_OK);
+}
+
+static void set_table(table *t, vbss_result (*create)(vbss_context *, vbss_scene **))
+{
+    MUST(vbss_context_create(NULL, &t->context) == VBSS_OK);
+    MUST(create(t->context, &t->scene) == VBSS_OK);
+    keep_state(t);
+}
+
+static void set_followed(table *t)
+{
+    MUST(vbss_context_create(NULL, &t->context) == VBSS_OK);
+    MUST(session_scene_create(t->context, &t->scene, &t->session) == VBSS_OK);
+    keep_state(t);
 }
 
 static void come_back(const table *t)
@@ -92,6 +106,25 @@ static void go_on(vbss_replay *replay, uint64_t steps)
     MUST(vbss_record_destroy(record) == VBSS_OK);
 }
 
+/* A session steps and seeks; what of it fails is a status, and it can always be saved. */
+static void follow(const table *t, vbss_replay *replay, uint64_t steps)
+{
+    vbss_session_config config = t->session;
+    vbss_session *session;
+    uint64_t hash;
+    MUST(vbss_replay_begin(replay, t->scene) == VBSS_OK);
+    config.replay = replay;
+    MUST(vbss_session_create(t->scene, &config, &session) == VBSS_OK);
+    const uint64_t ways[] = {steps, 0, steps / 2, steps + 1};
+    for (size_t i = 0; i < sizeof ways / sizeof ways[0]; i++) {
+        (void)vbss_session_seek(session, ways[i]);
+        MUST(vbss_session_get_hash(session, &hash) == VBSS_OK);
+        (void)vbss_session_step(session, 0.0, 0.0);
+    }
+    MUST(vbss_session_get_hash(session, &hash) == VBSS_OK);
+    MUST(vbss_session_destroy(session) == VBSS_OK);
+}
+
 static void try_log(const table *t, const uint8_t *bytes, size_t count)
 {
     vbss_log_report report;
@@ -114,6 +147,9 @@ static void try_log(const table *t, const uint8_t *bytes, size_t count)
     if (vbss_replay_begin(replay, t->scene) == VBSS_OK) {
         replay_some(replay, steps);
         if (steps <= MOST_STEPS) {
+            if (t->session.struct_size != 0) {
+                follow(t, replay, steps);
+            }
             go_on(replay, steps);
         }
     }
@@ -122,15 +158,16 @@ static void try_log(const table *t, const uint8_t *bytes, size_t count)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static table tables[2];
+    static table tables[3];
     if (tables[0].context == NULL) {
         set_table(&tables[0], small_scene_create);
         set_table(&tables[1], drain_scene_create);
+        set_followed(&tables[2]);
     }
     if (size == 0) {
         return 0;
     }
-    const table *t = &tables[(data[0] & DRAIN) != 0];
+    const table *t = &tables[(data[0] & FOLLOWED) != 0 ? 2 : (data[0] & DRAIN) != 0];
     size_t count = size - 1;
     uint8_t *bytes =
         malloc(count > 0 ? count : 1); /* of its own, so that a read beyond its end is told */

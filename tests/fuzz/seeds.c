@@ -108,12 +108,44 @@ static void make_drain_states(seed_taker take, void *user)
     MUST(vbss_context_destroy(context) == VBSS_OK);
 }
 
+/* With states of a session: behind each second step, as the log grows by more than four times one of them meanwhile. */
+static void make_followed_log(seed_taker take, void *user)
+{
+    vbss_context *context;
+    vbss_scene *scene;
+    vbss_session *session;
+    vbss_session_config config;
+    vbss_record_config c;
+    MUST(vbss_context_create(NULL, &context) == VBSS_OK);
+    MUST(session_scene_create(context, &scene, &config) == VBSS_OK);
+    MUST(vbss_record_config_init(&c, sizeof c) == VBSS_OK);
+    c.snapshot_interval = 2;
+    c.input_capacity = 4;
+    MUST(vbss_record_create(scene, &c, &config.record) == VBSS_OK);
+    MUST(vbss_session_create(scene, &config, &session) == VBSS_OK);
+    growing log = {NULL, 0};
+    append(&log, (const uint8_t *)"", 1);
+    for (int i = 0; i < 5; i++) {
+        append_log(&log, config.record);
+        MUST(vbss_session_step(session, 0.0, 1e-3) == VBSS_OK);
+    }
+    MUST(vbss_record_end(config.record) == VBSS_OK);
+    append_log(&log, config.record);
+    for (uint8_t how = 8; how < 10; how++) {
+        log.bytes[0] = how;
+        take(user, how == 8 ? "followed-0" : "followed-1", log.bytes, log.count);
+    }
+    free(log.bytes);
+    MUST(vbss_context_destroy(context) == VBSS_OK);
+}
+
 void make_log_seeds(seed_taker take, void *user)
 {
     make_log(0, 6, true, take, user);
     make_log(12, 10, false, take, user); /* jaws hold the thread */
     make_log(29, 6, true, take, user);   /* pinned, exchanged, cut */
     make_drain_states(take, user);
+    make_followed_log(take, user);
 }
 
 /* ---- configurations: as they are initialised */
