@@ -156,8 +156,7 @@ static vbss_result tell_apart(facts *f)
     }
     add_nth(f, &e, VBSS_EVENT_CUT, 2, "cutting");
     f->phase_source =
-        "The log has no session. Its phases were told apart by what happened in it: each ends when "
-        "the "
+        "No session was followed. The phases were told apart by what happened: each ends when the "
         "needle is held for the first time, when a wall is entered, when needle and thread are "
         "through, when another throw is tied, when a tool is exchanged, with the second cut.";
     qsort(e.all, e.count, sizeof e.all[0], by_time);

@@ -116,7 +116,9 @@ static void put_replay(page *p, const facts *f)
             (unsigned long long)a->count, (unsigned long long)a->report.agreed_step,
             a->result == VBSS_OK ? "" : ", where the log ends");
     }
-    put(p, "the scene: %s.</p>\n", a->name);
+    put(p, "the scene: %s%s.</p>\n", a->name,
+        a->session.there && a->session.agrees ? "; its session was followed, and came to the same"
+                                              : "");
     if (a->result != VBSS_OK) {
         put(p, "<p class=\"bad\">It ended with %s. ", vbss_result_name(a->result));
         put_text(p, a->problem);

@@ -13,14 +13,15 @@ typedef struct mark {
     char shape; /* c: circle, d: diamond, t: triangle, x: cross */
 } mark;
 
+/* What is drawn first lies below. */
 static const mark marks[] = {
+    {"a step is cut short or paused", "m-warn", VBSS_EVENT_CLAMPED, 'c'},
     {"a wall is entered", "m-needle", VBSS_EVENT_PUNCTURE, 't'},
     {"the needle is drawn back", "m-bad", VBSS_EVENT_WITHDRAWN, 'x'},
     {"the needle is through", "m-needle", VBSS_EVENT_PASSED, 'c'},
     {"torn out of the jaws", "m-bad", VBSS_EVENT_TORN, 'x'},
     {"a thread is cut", "m-cut", VBSS_EVENT_CUT, 'd'},
     {"a tool is exchanged", "m-tool", VBSS_EVENT_EXCHANGED, 'c'},
-    {"a step is cut short or paused", "m-warn", VBSS_EVENT_CLAMPED, 'c'},
     {"no room for a hole", "m-bad", VBSS_EVENT_HOLE_LOST, 'x'},
 };
 enum { MARKS = sizeof marks / sizeof marks[0] };

@@ -3,6 +3,7 @@
 
     check_playback.py VBSS_REPORT THROW begin              the begin of a throw, cut off and whole
     check_playback.py VBSS_REPORT THROW whole PASS_NEEDLE  a throw and a stitch
+    check_playback.py VBSS_REPORT SURGEON session          a stitch with its session
 """
 import pathlib
 import re
@@ -69,11 +70,41 @@ def check_stitch(folder, program):
     assert [row[0] for row in page.rows("taking the needle")] == ["1"]
 
 
+def check_session(folder):
+    """The needle is passed: phases, holes and events are those that the session told."""
+    log, path = folder / "surgeon.vbss", folder / "surgeon.html"
+    said = run(THROW, "-s", "1", "-u", "pass", "-l", log)
+    phase = re.search(r"session: phase '(.*?)'", said)[1]
+    assert "played back: the same hashes" in said and phase == "drawing through", said
+    report(TOOL, log, path, 0)
+    page = Page(path)
+    assert page.cards()["Task"][1].endswith("the phase then: " + phase), page.cards()
+    assert "its session was followed, and came to the same" in page.text()
+    begins = [float(time) for time in re.findall(r"([0-9.]+) s  step +[0-9]+  phase: ", said)]
+    names = re.findall(r"phase: (.*)", said)
+    for name, begin in zip(names, begins):
+        row = [r for r in page.rows(name) if len(r) == 4][0]  # of the table of phases
+        assert abs(float(row[1]) - begin) < 0.006, (name, row, begin)
+    for hole in ("in", "out"):
+        off = re.search(f"hole {hole}, ([0-9.]+) mm off", said)[1]
+        assert page.rows(f"hole {hole} off its mark")[0][0] == off, (hole, off)
+    told = int(re.search(r"([0-9]+) events", said)[1])
+    assert f"All that the session told ({told})" in page.text()
+    # Without playing back, and of another surgeon's hands, there is no session to tell.
+    report(TOOL, log, path, 0, "--log-only")
+    assert "No session was followed" in Page(path).text()
+    note = b"vbss surgeon seed 1"
+    log.write_bytes(log.read_bytes().replace(note, note[:-1] + b"2", 1))
+    report(TOOL, log, path, 2)
+
+
 def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         if PART == "begin":
             check_begin(folder)
+        elif PART == "session":
+            check_session(folder)
         else:
             check_throw(folder)
             check_stitch(folder, sys.argv[4])
