@@ -2,15 +2,11 @@
  * steps from there on are made. */
 #include "session/session.h"
 
-static vbss_result open_replay(const session_object *s, replay_object **replay)
+static vbss_result check_scene(const session_object *s, const replay_object *p)
 {
     scene_object *scene;
-    if (s->config.replay == NULL) {
-        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the session follows no replay");
-    }
-    VBSS_TRY(vbss_replay_edit(s->config.replay, replay));
     VBSS_TRY(vbss_scene_open(s->scene, &scene));
-    return (*replay)->scene == s->scene
+    return p->scene == s->scene
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
 }
@@ -60,7 +56,11 @@ vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
     log_snapshot state;
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_check_arithmetic(s->context));
-    VBSS_TRY(open_replay(s, &p));
+    if (s->config.replay == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the session follows no replay");
+    }
+    VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
+    VBSS_TRY(check_scene(s, p));
     VBSS_TRY(vbss_log_find_state(p, step, &state));
     if (state.bytes == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
