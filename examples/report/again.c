@@ -168,6 +168,7 @@ static vbss_result look(facts *f, stage *s, uint64_t step, double spent, size_t 
     here->spent = spent;
     a->count = step;
     TRY(look_at_events(f, s, step, next));
+    TRY(a->watch != NULL ? a->watch(a->user, s, step) : VBSS_OK);
     return step % JUDGED_EVERY == 0 || step == f->steps ? read_knot(f, s, step) : VBSS_OK;
 }
 
@@ -228,8 +229,7 @@ static vbss_result play(facts *f, stage *s)
     a->knots = true;
     TRY(vbss_replay_create(s->context, f->bytes, f->count, &replay));
     TRY(vbss_replay_begin(replay, s->scene));
-    TRY(stage_follow_task(s, replay));
-    a->session.there = a->session.agrees = s->tasked != NULL;
+    TRY(a->watch != NULL ? a->watch(a->user, s, 0) : VBSS_OK);
     for (;;) {
         double begin = now();
         TRY(step(a, s, replay));

@@ -70,18 +70,15 @@ typedef struct puncture {
     double force[3];           /* of the wall on the needle, N */
 } puncture;
 
-/* Of the session that ran beside the scene, once more. */
-typedef struct told {
-    bool there, agrees; /* the scene has one; it is the one that was recorded */
-    bool measured;      /* what is measured is its */
-    vbss_session_status status;
-    vbss_session_event *events;
-    size_t count, room;
-} told;
+struct stage;
+/* What one who looks at the scene is called with: right after a step, and before the first one (step 0). */
+typedef vbss_result again_watch(void *user, struct stage *s, uint64_t step);
 
 typedef struct again {
     bool asked;
-    const char *name; /* of the scene that was made once more; NULL: none */
+    again_watch *watch; /* looks only; may be NULL */
+    void *user;         /* handed to it */
+    const char *name;   /* of the scene that was made once more; NULL: none */
     vbss_result result;
     char problem[256];
     vbss_replay_report report;

@@ -45,6 +45,11 @@ void put(page *p, const char *format, ...)
     bytes_add(&p->held, piece, (size_t)length);
 }
 
+void put_markup(page *p, const char *markup, size_t count)
+{
+    bytes_add(&p->held, markup, count);
+}
+
 void put_text(page *p, const char *text)
 {
     xml_text(&p->held, text);

@@ -18,6 +18,8 @@ __attribute__((format(printf, 2, 3)))
 #endif
 /* Markup, as it stands: never with words from outside in its %s. */
 void put(page *p, const char *format, ...);
+/* Markup of any length, as it stands. */
+void put_markup(page *p, const char *markup, size_t count);
 /* Words: escaped; what is not UTF-8, and control characters, become U+FFFD. */
 void put_text(page *p, const char *text);
 /* The same of bytes that need not end with a zero. */

@@ -1,0 +1,13 @@
+# Files as arrays in C: cmake -D OUT=assets.c -D FILES="page=page.html;style=style.css" -P assets.cmake
+set(text "/* Written by assets.cmake. */\n#include \"replay_page/assets.h\"\n")
+foreach(pair IN LISTS FILES)
+  string(REGEX MATCH "^([a-z]+)=(.*)$" matched "${pair}")
+  set(name ${CMAKE_MATCH_1})
+  file(READ "${CMAKE_MATCH_2}" hex HEX)
+  string(LENGTH "${hex}" digits)
+  math(EXPR size "${digits} / 2")
+  string(REGEX REPLACE "(................................)" "\\1\n" hex "${hex}")
+  string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
+  string(APPEND text "const unsigned char asset_${name}[] = {\n${hex}};\nconst size_t asset_${name}_size = ${size};\n")
+endforeach()
+file(WRITE "${OUT}" "${text}")
