@@ -15,6 +15,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "viewer"))
 import blocks  # noqa: E402
 import browser  # noqa: E402
+import film  # noqa: E402
 
 TIMES = (1.6, 4.8)  # s
 VIEW = (320, 240)
@@ -143,7 +144,7 @@ def check_page(tool, log, folder):
     assert source.count("<script") == 2 and " src=" not in source and "default-src 'none'" in source
     with browser.Browser((800, 760)) as chromium:
         player = Player(chromium, page)
-        complaints = check_stills(player, folder)
+        complaints = film.check(page) + check_stills(player, folder)
         check_controls(player)
         check_playing(player)
         check_theme(player)
