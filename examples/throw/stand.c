@@ -222,6 +222,7 @@ vbss_result stand_follow(stand *s)
             TRY(follow_cut(s, event[2]));
         }
     }
+    turn_round(s);
     return VBSS_OK;
 }
 
@@ -230,7 +231,6 @@ vbss_result stand_step(stand *s, double dt)
     TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
                            : vbss_record_step(s->record, dt));
     TRY(stand_follow(s));
-    turn_round(s);
     s->time += dt;
     return write_log(s);
 }

@@ -59,7 +59,7 @@ vbss_result stand_begin(stand *s, const char *log, const char *note);
 vbss_result stand_offer(stand *s, uint32_t node);
 vbss_result stand_let_go(stand *s);
 vbss_result stand_step(stand *s, double dt);
-/* After a step that was made otherwise: `thread` is what is left of it on the drain, if it was cut. */
+/* After a step that was made otherwise: where its nodes are; `thread` is what is left of it on the drain, if it was cut. */
 vbss_result stand_follow(stand *s);
 /* Ends the log. */
 vbss_result stand_end(stand *s);

@@ -24,7 +24,7 @@ class Browser:
     def __init__(self, size):
         self.size, self.number, self.buffer, self.session = size, 0, b"", None
         self.requests, self.complaints = [], []
-        self.profile = tempfile.TemporaryDirectory()
+        self.profile = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)  # its children may still be writing there
         to_it, self.to_it = os.pipe()
         self.from_it, from_it = os.pipe()
         command = [find(), *FLAGS, f"--user-data-dir={self.profile.name}", f"--window-size={size[0]},{size[1]}", "about:blank"]
@@ -51,7 +51,6 @@ class Browser:
             os.killpg(self.process.pid, signal.SIGKILL)
             self.process.wait()
         os.close(self.from_it)
-        self.profile._ignore_cleanup_errors = True  # its children may still be writing there
         self.profile.cleanup()
 
     def ask(self, method, **parameters):

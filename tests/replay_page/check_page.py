@@ -3,6 +3,7 @@ asks for nothing and complains of nothing.
 
     check_page.py logs <vbss-replay-page> <log of pass_needle -s 1> <folder>   without a browser
     check_page.py page <vbss-replay-page> <log of pass_needle -s 1> <folder>
+    check_page.py surgeon <vbss-replay-page> <log of surgeon -s 0> <folder>    the knot, without a browser
 
 With VBSS_UPDATE_STILLS=1 stills.txt is written instead: look at the pictures before it is committed."""
 import os
@@ -166,11 +167,25 @@ def check_others(tool, log, folder):
     write(tool, log, page, 2, "--rate", "0")
 
 
+def check_surgeon(tool, log, folder):
+    """Its page says of the thread what the surgeon's own eyes said: a double throw, tied after the needle was through."""
+    print(write(tool, log, folder / "stitch.html", 0, "--rate", "2").strip())
+    session = film.read_session(folder / "stitch.html")
+    last = session["knots"][-1]
+    through = [e["time"] for e in session["events"] if e["words"] == "the needle is through the wall of the drain"]
+    assert (last["notation"], last["verdict"]) == ("2", "certified"), session["knots"]
+    assert len(through) == 2 and all(k["notation"] == "" for k in session["knots"] if k["time"] <= through[1])
+    assert session["gaps"][-1] < 0.5 < 2.0 < session["gaps"][1], "the throw shuts the slit"
+
+
 def main():
     part, tool, log, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3]), pathlib.Path(sys.argv[4])
     folder.mkdir(parents=True, exist_ok=True)
     if part == "logs":
         check_others(tool, log, folder)
+        return 0
+    if part == "surgeon":
+        check_surgeon(tool, log, folder)
         return 0
     if browser.find() is None:
         sys.exit("no Chromium: .ci/install-packages tests installs it")
