@@ -84,8 +84,9 @@ static void pull_alike(throw_run *t, double dt)
     senses *s = t->see;
     const double full = t->plan.pull, low = -t->plan.low;
     double wanted = fmin(full, 0.1 + RISE * t->since);
-    pull(s->w, &s->tool_w, &t->carrot_w, v3(-0.07, 0.0, low), s->tension_w, wanted, dt);
-    pull(s->c, &s->tool_c, &t->carrot_c, v3(0.095, 0.0, low), s->tension_c, wanted, dt);
+    vec to_w = v3(-0.07 - t->plan.far, 0.0, low), to_c = v3(0.095 + t->plan.far, 0.0, low);
+    pull(s->w, &s->tool_w, &t->carrot_w, to_w, s->tension_w, wanted, dt);
+    pull(s->c, &s->tool_c, &t->carrot_c, to_c, s->tension_c, wanted, dt);
     t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
 }
 

@@ -112,6 +112,9 @@ vec senses_tip_holding_up(const senses *s, vec way, double share)
 {
     double length = senses_length(s, s->limb_root, s->c->node);
     vec jaws = v_along(s->x[s->limb_root], share * length, v_unit(way));
+    if (s->c->holds && !senses_holds(s, s->c)) { /* by the needle */
+        return v_sub(jaws, v_sub(s->held_c, s->tool_c.tip));
+    }
     return v_along(jaws, -GRASP_BEHIND, s->tool_c.handle);
 }
 

@@ -186,7 +186,20 @@ vbss_result stand_let_go(stand *s)
     return pin != 0 ? vbss_record_unpin_thread(s->record, pin) : VBSS_OK;
 }
 
-/* The thread is from now on what is left of it on the drain: of the tail's cut that is the new piece. */
+/* Off the tail's end, so many nodes. */
+static vbss_result shorten(stand *s, uint32_t nodes)
+{
+    if (nodes > s->marks[0]) {
+        return VBSS_ERROR_OUT_OF_RANGE; /* through the knot */
+    }
+    s->nodes -= nodes;
+    s->marks[0] -= nodes;
+    s->marks[1] -= nodes;
+    s->shift += nodes;
+    return VBSS_OK;
+}
+
+/* The thread is from now on what is left of it on the drain: the piece before the cut, as the scene counts, or the new one. */
 static vbss_result follow_cut(stand *s, uint32_t piece)
 {
     vbss_thread *beyond;
@@ -195,20 +208,20 @@ static vbss_result follow_cut(stand *s, uint32_t piece)
     TRY(vbss_thread_get_view(s->thread, VBSS_THREAD_POSITIONS, &before, sizeof before));
     TRY(vbss_thread_get_view(beyond, VBSS_THREAD_POSITIONS, &after, sizeof after));
     s->cuts++;
-    if (before.count > s->marks[1]) { /* beyond the drain */
-        s->nodes = (uint32_t)before.count;
+    uint32_t first = (uint32_t)before.count, other = (uint32_t)after.count;
+    if (first > (s->reversed ? s->nodes - 1 - s->marks[0] : s->marks[1])) { /* on it still */
+        if (s->reversed) {
+            return shorten(s, s->nodes - first);
+        }
+        s->nodes = first;
         return VBSS_OK;
-    }
-    uint32_t shift = s->nodes - (uint32_t)after.count;
-    if (shift > s->marks[0]) {
-        return VBSS_ERROR_OUT_OF_RANGE; /* through the knot */
     }
     s->thread = beyond;
     s->thread_body = piece;
-    s->nodes -= shift;
-    s->marks[0] -= shift;
-    s->marks[1] -= shift;
-    s->shift += shift;
+    if (!s->reversed) {
+        return shorten(s, s->nodes - other);
+    }
+    s->nodes = other;
     return VBSS_OK;
 }
 

@@ -1,6 +1,7 @@
 #include "throw/steer.h"
 
 #define TAUT 0.01    /* N: the limb, when nothing may be */
+#define NECK 1.3e-3  /* radius of what it is wound about */
 #define NEAREST 6e-3 /* of C's jaws to the turns */
 
 /* ---- geometry about W */
@@ -42,15 +43,24 @@ vec steer_jaws_of(const hand_pose *p)
     return v_along(p->tip, GRASP_BEHIND, p->handle);
 }
 
+/* Of the limb beyond W, if it were taut. */
+static double taut_length(const throw_run *t)
+{
+    steer_frame f = steer_about_w(t, t->plan.s0);
+    double wound = fmax(fabs(t->phi - t->begin) - PI, 0.0) * NECK;
+    return t->hold - v_distance(steer_limb_root(t), f.origin) - wound;
+}
+
 /* Of the limb between W and C. */
 static double steer_free_length(const throw_run *t)
 {
     const senses *s = t->see;
-    if (s->last > 0) {
-        return senses_length(s, s->last, s->c->node);
+    if (s->last == 0) {
+        steer_frame f = steer_about_w(t, t->plan.s0);
+        return t->hold - v_distance(steer_limb_root(t), f.origin);
     }
-    steer_frame f = steer_about_w(t, t->plan.s0);
-    return t->hold - v_distance(steer_limb_root(t), f.origin);
+    double length = senses_length(s, s->last, s->c->node);
+    return t->plan.firm ? fmax(length, taut_length(t)) : length;
 }
 
 /* ---- C keeps the limb taut at its angle */

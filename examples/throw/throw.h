@@ -38,10 +38,12 @@ typedef struct throw_plan {
     double behind;      /* how far behind its tip */
     bool soft;          /* what is below is only held by its own friction: nothing may be taut */
     bool alike;         /* both ends are pulled alike in the end */
+    bool firm;          /* C winds as wide as the limb is long, however slack it has become */
     double light;       /* N, of C while the tail is drawn through */
     double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
     double tilt;        /* rad, of W's way meanwhile, from upright to the near side */
     double low;         /* m, below the drain's top, to where both pull then */
+    double far;         /* m, farther outward than usual */
     double pull;        /* N, in the end */
     int retries;
     bool wrong;     /* C goes round the other way */
