@@ -57,6 +57,9 @@ static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_le
     TRY(vbss_grasper_config_init(&c, sizeof c));
     hand_stiffen(&c);
     c.driver_radius = JAW_RADIUS;
+    if (free_left) { /* this one is wound about as well */
+        c.driver_neck = NECK;
+    }
     TRY(hand_create_with(&t->right, &t->site.stand, nature, &c, v3(0.05, -0.05, 0.03),
                          v3(0.0, 0.0, 1.0), JAW_WIDE));
     TRY(vbss_grasper_config_init(&c, sizeof c));

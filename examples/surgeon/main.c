@@ -1,6 +1,6 @@
 /* A scripted surgeon makes a stitch, through devices alone:
  *
- *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie: the last stage] [-t most seconds]
+ *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w limit of work of a step, -1: none] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
  *
  * The log is played back. Tells of each seed what came of it. Exits 0 if all were as they shall be. */
@@ -11,16 +11,21 @@
 
 static int usage(void)
 {
-    fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie] [-t most seconds] [-w work] "
-                    "[-l log] [-p folder for pictures] [-e seconds between them] [-v]\n");
+    fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut] "
+                    "[-t most seconds] [-w work] [-l log] [-p folder for pictures] [-e seconds "
+                    "between them] [-v]\n");
     return 2;
 }
 
-static surgeon_stage after(const char *stage)
+/* The one after that of this name; all of them, if there is none. */
+static surgeon_stage after(const char *name)
 {
-    return strcmp(stage, "pass") == 0   ? SURGEON_PULL
-           : strcmp(stage, "pull") == 0 ? SURGEON_TIE
-                                        : SURGEON_DONE;
+    for (int i = 0; i < SURGEON_DONE; i++) {
+        if (strcmp(name, surgeon_stage_name((surgeon_stage)i)) == 0) {
+            return (surgeon_stage)(i + 1);
+        }
+    }
+    return SURGEON_DONE;
 }
 
 static bool read_options(int count, char **words, watch *w, int *seeds)
@@ -88,7 +93,7 @@ static bool run(watch w)
 
 int main(int count, char **words)
 {
-    watch w = {.options = {.until = SURGEON_DONE}, .most = 60.0, .every = 1e9};
+    watch w = {.options = {.until = SURGEON_DONE}, .most = 120.0, .every = 1e9};
     int seeds = 1, good = 0;
     if (!read_options(count, words, &w, &seeds)) {
         return usage();

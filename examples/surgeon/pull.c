@@ -1,16 +1,13 @@
 #include "surgeon/pull.h"
 
+#include "surgeon/handing.h"
+
 #define LEFT_HOLD 4.5e-3 /* from the tip: where the left hand takes the needle */
 #define RIGHT_HOLD 0.64  /* of its length from there: where the right hand does */
-#define BEHIND 1.5e-3    /* the tool's tip */
-#define LEAN 0.3         /* of a tool from the needle's axis, rad */
-#define BEFORE 0.02      /* of jaws, along themselves, before they come */
-#define WIDE 0.7         /* of the handle */
 #define CARRY 0.08       /* m/s */
-#define CAREFUL 0.03
-#define TURNING 0.02   /* m/s, of the needle along its arc */
-#define MOST_TURN 4.5  /* rad */
-#define HALF_ROUND 2.5 /* rad: a drain that went along is left from then on by lifting too */
+#define TURNING 0.02     /* m/s, of the needle along its arc */
+#define MOST_TURN 4.5    /* rad */
+#define HALF_ROUND 2.5   /* rad: a drain that went along is left from then on by lifting too */
 #define LEAVING v3(-5e-3, 0.0, 9e-3) /* so, m for each rad */
 #define RISE 0.03                    /* m */
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
@@ -50,57 +47,18 @@ static void fail(pull_run *p, const char *why)
 
 /* ---- one hand takes the needle from the other */
 
-/* Jaws across the needle there, so far before it. */
-static pose before(const pull_run *p, double arc_length, double distance)
-{
-    const site *s = &p->stitch->site;
-    pose needle = site_needle(s);
-    vec out = site_outward(s, arc_length);
-    pose local = hold_grip(s, arc_length, BEHIND, LEAN, atan2(out.y, out.x));
-    pose tool = pose_after(&needle, &local);
-    tool.at = v_along(tool.at, distance, hand_rotate(tool.q, v3(0.0, 0.0, 1.0)));
-    return tool;
-}
-
-static bool is_there(const hand *h, const pose *p, double within)
-{
-    pose now = hold_told(h);
-    return v_distance(h->at, v_add(p->at, h->aim)) < within && pose_angle(&now, p) < 0.1;
-}
-
 /* Open jaws to before the needle, on it, closed; true: it is held. */
 static bool take(pull_run *p, hand *h, double arc_length, pull_state first)
 {
+    const site *s = &p->stitch->site;
     int part = (int)p->state - (int)first;
-    pose tool = before(p, arc_length, part == 0 ? BEFORE : 0.0);
-    hold_go(h, &tool, part == 0 ? CARRY : CAREFUL);
-    hand_open(h, part < 2 ? WIDE : 0.0);
-    if (part < 2 && is_there(h, &tool, part == 0 ? 1e-3 : 0.3e-3)) {
+    handing_news news = handing_take(s, h, arc_length, (handing_part)part, p->since);
+    if (news == HANDING_NEXT) {
         enter(p, (pull_state)(p->state + 1));
+    } else if (news == HANDING_HELD) {
+        p->held = handing_held(s, h);
     }
-    if (part < 2 || !h->holds || p->since < 0.3) {
-        return false;
-    }
-    pose now = hold_told(h), back = pose_back(&now), needle = site_needle(&p->stitch->site);
-    p->held = pose_after(&back, &needle);
-    return true;
-}
-
-/* Opens, goes back along itself, then to where it waits; true: it is off the needle. */
-static bool leave(pull_run *p, hand *h, vec park)
-{
-    hand_open(h, p->since > 1.0 ? 0.0 : WIDE);
-    if (p->since < 0.15) {
-        p->back = hold_told(h);
-        return false;
-    }
-    pose away = p->back;
-    away.at = v_along(away.at, 0.04, hand_rotate(away.q, v3(0.0, 0.0, 1.0)));
-    hold_go(h, &away, CARRY);
-    if (p->since > 1.0) {
-        hand_go(h, park, CARRY);
-    }
-    return p->since > 0.8;
+    return news == HANDING_HELD;
 }
 
 /* ---- the needle's way */
@@ -208,7 +166,7 @@ void pull_step(pull_run *p, double dt)
         }
         break;
     case PULL_PART:
-        if (leave(p, &t->right, RIGHT_PARK)) {
+        if (handing_leave(&t->right, p->since, &p->back, RIGHT_PARK)) {
             enter(p, PULL_TURN);
         }
         break;
@@ -229,7 +187,7 @@ void pull_step(pull_run *p, double dt)
         }
         break;
     case PULL_GIVE:
-        if (leave(p, &t->left, LEFT_PARK)) {
+        if (handing_leave(&t->left, p->since, &p->back, LEFT_PARK)) {
             enter(p, PULL_DRAW);
         }
         break;

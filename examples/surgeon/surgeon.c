@@ -19,6 +19,13 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     return stand_begin(&s->stitch.site.stand, o->log, note);
 }
 
+const char *surgeon_stage_name(surgeon_stage stage)
+{
+    static const char *const names[] = {"pass", "pull",  "tie", "over", "second",
+                                        "back", "third", "cut", "done", "failed"};
+    return names[stage];
+}
+
 const char *surgeon_doing(const surgeon *s)
 {
     switch (s->stage) {
@@ -27,7 +34,14 @@ const char *surgeon_doing(const surgeon *s)
     case SURGEON_PULL:
         return pull_name(s->pull.state);
     case SURGEON_TIE:
+    case SURGEON_SECOND:
+    case SURGEON_THIRD:
         return throw_state_name(s->tie.state);
+    case SURGEON_OVER:
+    case SURGEON_BACK:
+        return hand_over_name(s->over.state);
+    case SURGEON_CUT:
+        return cut_state_name(s->cut.state);
     default:
         return s->stage == SURGEON_DONE ? "done" : "failed";
     }
@@ -89,19 +103,58 @@ static vbss_result pull(surgeon *s, double dt)
     return VBSS_OK;
 }
 
+/* Of the throws as they were tied. */
+static const char *notation_after(surgeon_stage stage)
+{
+    return stage == SURGEON_TIE ? "2" : stage == SURGEON_SECOND ? "2=1" : "2=1=1";
+}
+
 static vbss_result tie(surgeon *s, double dt)
 {
     TRY(surgeon_tie(s, dt));
     TRY(move(s, dt));
     if (s->tie.state == THROW_DONE) {
-        s->stage = SURGEON_DONE;
-        if (strcmp(s->tie.formed.notation, "2") != 0) {
-            fail(s, "not a double throw");
-        } else if (s->gap > GAP_SHUT) {
+        const char *wanted = notation_after(s->stage);
+        s->stage = (surgeon_stage)(s->stage + 1);
+        if (strcmp(s->tie.formed.notation, wanted) != 0) {
+            fail(s, "not the throw that it shall be");
+        } else if (s->stage == SURGEON_OVER && s->gap > GAP_SHUT) {
             fail(s, "the slit is not shut");
+        } else if (s->stage == SURGEON_CUT) {
+            return surgeon_begin_cut(s);
+        } else {
+            return surgeon_begin_hand_over(s);
         }
     } else if (s->tie.state == THROW_FAILED) {
         fail(s, s->tie.why);
+    }
+    return VBSS_OK;
+}
+
+static vbss_result over(surgeon *s, double dt)
+{
+    TRY(surgeon_look(s));
+    TRY(hand_over_step(&s->over, dt));
+    TRY(move(s, dt));
+    if (s->over.state == HAND_OVER_DONE) {
+        s->stage = (surgeon_stage)(s->stage + 1);
+        return surgeon_begin_later(s);
+    }
+    if (s->over.state == HAND_OVER_FAILED) {
+        fail(s, s->over.why);
+    }
+    return VBSS_OK;
+}
+
+static vbss_result cut(surgeon *s, double dt)
+{
+    TRY(surgeon_look(s));
+    TRY(cut_step(&s->cut, dt));
+    TRY(move(s, dt));
+    if (s->cut.state == CUT_DONE) {
+        s->stage = SURGEON_DONE;
+    } else if (s->cut.state == CUT_FAILED) {
+        fail(s, "not cut");
     }
     return VBSS_OK;
 }
@@ -118,7 +171,14 @@ vbss_result surgeon_step(surgeon *s, double dt)
     case SURGEON_PULL:
         return pull(s, dt);
     case SURGEON_TIE:
+    case SURGEON_SECOND:
+    case SURGEON_THIRD:
         return tie(s, dt);
+    case SURGEON_OVER:
+    case SURGEON_BACK:
+        return over(s, dt);
+    case SURGEON_CUT:
+        return cut(s, dt);
     default:
         return VBSS_OK;
     }

@@ -3,13 +3,20 @@
 #define VBSS_EXAMPLES_SURGEON_SURGEON_H
 
 #include "needle/stitch.h"
+#include "surgeon/hand_over.h"
 #include "surgeon/pull.h"
+#include "throw/cut.h"
 #include "throw/throw.h"
 
 typedef enum surgeon_stage {
-    SURGEON_PASS, /* the needle through both marks (needle/stitch.c) */
-    SURGEON_PULL, /* it and its thread through, until the tail is short (pull.c) */
-    SURGEON_TIE,  /* a double throw (tie.c, throw/throw.c) */
+    SURGEON_PASS,   /* the needle through both marks (needle/stitch.c) */
+    SURGEON_PULL,   /* it and its thread through, until the tail is short (pull.c) */
+    SURGEON_TIE,    /* a double throw (tie.c, throw/throw.c) */
+    SURGEON_OVER,   /* the needle to the left hand (hand_over.c) */
+    SURGEON_SECOND, /* a single throw, the mirror image (later.c) */
+    SURGEON_BACK,   /* the needle to the right hand */
+    SURGEON_THIRD,  /* another one, as the first */
+    SURGEON_CUT,    /* both tails (throw/cut.c) */
     SURGEON_DONE,
     SURGEON_FAILED
 } surgeon_stage;
@@ -19,6 +26,8 @@ typedef struct surgeon {
     pull_run pull;
     senses see;
     throw_run tie;
+    hand_over over;
+    cut_run cut;
     surgeon_stage stage;
     const char *why; /* failed */
     uint64_t steps;
@@ -40,12 +49,22 @@ void surgeon_plan(const surgeon_options *o, stitch_plan *plan);
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);
+/* As the program knows it. */
+const char *surgeon_stage_name(surgeon_stage stage);
 /* What the hands do at the moment. */
 const char *surgeon_doing(const surgeon *s);
 
 /* ---- tie.c */
 vbss_result surgeon_begin_tie(surgeon *s);
+void surgeon_hold_level(surgeon *s);
 vbss_result surgeon_tie(surgeon *s, double dt);
+/* What the senses tell, from the tying on. */
+vbss_result surgeon_look(surgeon *s);
+
+/* ---- later.c */
+vbss_result surgeon_begin_hand_over(surgeon *s);
+vbss_result surgeon_begin_later(surgeon *s);
+vbss_result surgeon_begin_cut(surgeon *s);
 
 /* ---- show.c; a width of what is seen, m */
 bool surgeon_show(const surgeon *s, const char *path, const char *text, vec middle, double width);

@@ -1,17 +1,19 @@
 #include "surgeon/surgeon.h"
+#include "throw/steer.h"
 
-/* Where a line through the left tool's shaft goes: level while it is wound about and draws, steep when it takes the tail,
+/* Where a line through the shaft of W goes, which is the left tool in the first throw: level while it is wound about and draws, steep when it takes the tail,
  * which lies on the drain and beyond. */
 #define LEVEL v3(-0.3, 0.03, 0.07)
 #define STEEP v3(-0.15, -0.02, 0.2)
 #define SWAY 0.2 /* m/s, from one to the other */
-#define RIGHT_LINE v3(0.3, -0.05, 0.1)
+#define OTHER v3(0.3, -0.05, 0.1)
 #define WRAP_TIP v3(0.014, 0.0, 0.07)
 #define WINDING \
     0.03           /* N, that the right hand gives way to while it winds: more draws the tail in */
 #define LOW 0.02   /* m below the drain's top, to where both hands pull */
 #define ENOUGH 1.0 /* N, of both hands, if the slit is shut */
 #define SHUT 0.45e-3 /* m */
+#define INWARD 0.3   /* of ahead: the thread on the orbit */
 #define A_MOMENT 0.3 /* s */
 
 /* Where the thread goes through the drain, as places along it from the tail's end. */
@@ -27,6 +29,14 @@ static void find_marks(surgeon *s)
     }
 }
 
+/* Both point at each other. */
+void surgeon_hold_level(surgeon *s)
+{
+    hand *w = s->see.w, *c = s->see.c;
+    hand_through(w, seen(w, LEVEL));
+    hand_through(c, seen(c, OTHER));
+}
+
 vbss_result surgeon_begin_tie(surgeon *s)
 {
     stitch *t = &s->stitch;
@@ -39,31 +49,72 @@ vbss_result surgeon_begin_tie(surgeon *s)
     plan.tension = WINDING;
     plan.alike = true; /* the drain gives way to what is pulled unlike */
     plan.low = LOW;
-    hand_through(&t->left, LEVEL);
-    hand_through(&t->right, RIGHT_LINE);
+    surgeon_hold_level(s);
     throw_begin(&s->tie, &s->see, &plan);
     return VBSS_OK;
 }
 
 static void sway(surgeon *s, double dt)
 {
-    hand *h = &s->stitch.left;
+    hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
-    vec way = v_sub(steep ? STEEP : LEVEL, h->trocar);
+    vec way = v_sub(seen(h, steep ? STEEP : LEVEL), h->trocar);
     hand_through(h, v_add(h->trocar, v_limit(way, SWAY * h->nature.speed * dt)));
+}
+
+/* C rolls so that what lies that way from its tip points where it shall. */
+static void roll(surgeon *s, vec from, vec way)
+{
+    const senses *e = &s->see;
+    vec axis = e->tool_c.handle, now = v_unit(v_across(from, axis));
+    vec wanted = v_unit(v_across(way, axis)), is = seen(e->c, e->c->roll);
+    hand_turn(e->c, v_along(v_scale(v_dot(is, now), wanted), v_dot(is, v_cross(axis, now)),
+                            v_cross(axis, wanted)));
+}
+
+/* The needle's end with the thread goes ahead on the orbit, or the limb would be wound about C's jaws as well. */
+static void lead_thread(surgeon *s)
+{
+    const senses *e = &s->see;
+    vec to = v_sub(s->tie.plan.wrap_tip, e->held_c);
+    vec inward = v_unit(v_across(to, e->tool_c.handle));
+    roll(s, v_sub(e->held_c, e->tool_c.tip), v_along(v3(0.0, -inward.z, inward.y), INWARD, inward));
+    if (s->tie.state == THROW_PLACE) { /* the limb stays below W, however the needle turns */
+        vec below = v3(0.004, -0.024, s->tie.plan.wrap_tip.z - 0.01);
+        hand_go(e->c, steer_tip_of(&s->tie, below), 0.12);
+    }
+}
+
+/* Above its jaws, so that they can go low. */
+static void raise_needle(surgeon *s)
+{
+    const senses *e = &s->see;
+    vec middle = seen(e->c, site_needle(&s->stitch.site).at);
+    roll(s, v_sub(middle, e->tool_c.tip), v3(0.0, 0.0, 1.0));
+}
+
+vbss_result surgeon_look(surgeon *s)
+{
+    find_marks(s);
+    TRY(senses_look(&s->see));
+    return s->steps % 10 == 0 ? senses_wind(&s->see) : VBSS_OK;
 }
 
 vbss_result surgeon_tie(surgeon *s, double dt)
 {
-    find_marks(s);
     sway(s, dt);
-    s->tie.tail_root = s->see.tail_root = s->stitch.site.stand.marks[0];
-    s->tie.limb_root = s->see.limb_root = s->stitch.site.stand.marks[1];
-    TRY(senses_look(&s->see));
-    if (s->steps % 10 == 0) {
-        TRY(senses_wind(&s->see));
+    if (s->stage == SURGEON_TIE) { /* both come out of the drain */
+        find_marks(s);
+        s->tie.tail_root = s->see.tail_root = s->stitch.site.stand.marks[0];
+        s->tie.limb_root = s->see.limb_root = s->stitch.site.stand.marks[1];
     }
+    TRY(surgeon_look(s));
     TRY(throw_step(&s->tie, dt));
+    if (s->stage != SURGEON_TIE && s->tie.state <= THROW_CHECK) {
+        lead_thread(s);
+    } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
+        raise_needle(s);
+    }
     bool shut = s->tie.state == THROW_SEAT && s->gap < SHUT && s->see.tension_w > ENOUGH &&
                 s->see.tension_c > ENOUGH;
     s->shut = shut ? s->shut + dt : 0.0;

@@ -9,8 +9,6 @@
 #define MICRO 1e6
 #define OFTEN 0.2 /* s: so often it is told how things stand */
 
-static const char *const stages[] = {"pass", "pull", "tie"};
-
 static double now(void)
 {
     struct timespec t;
@@ -30,7 +28,7 @@ static void tell_state(const surgeon *s, const char *doing)
            MILLI * t->left.at.y, MILLI * t->left.at.z, v_length(t->left.pull),
            MILLI * t->right.at.x, MILLI * t->right.at.y, MILLI * t->right.at.z,
            v_length(t->right.pull));
-    if (s->stage == SURGEON_TIE) {
+    if (s->stage >= SURGEON_TIE) {
         printf("  turns %.2f, %.1f to %.1f behind the tip, angle %.1f radius %.1f", e->turns,
                MILLI * e->first_s, MILLI * e->last_s, s->tie.phi, MILLI * s->tie.rho);
     }
@@ -41,7 +39,8 @@ static void tell_state(const surgeon *s, const char *doing)
 static void paint(watch *w, const surgeon *s, const char *doing)
 {
     char path[512], text[96];
-    bool near = s->stage == SURGEON_PASS || s->stage == SURGEON_DONE || s->tie.state >= THROW_SEAT;
+    bool over = s->stage == SURGEON_OVER || s->stage == SURGEON_BACK;
+    bool near = s->stage == SURGEON_PASS || (!over && s->tie.state >= THROW_SEAT);
     snprintf(path, sizeof path, "%s/%03d-%s.png", w->folder, w->pictures++, doing);
     snprintf(text, sizeof text, "%.2f s, seed %lu: %s, slit %.2f mm", s->stitch.site.stand.time,
              (unsigned long)w->options.seed, doing, MILLI * s->gap);
@@ -126,11 +125,12 @@ void watch_tell(watch *w, const surgeon *s, vbss_result result)
             continue;
         }
         qsort(w->times[i], w->counts[i], sizeof *w->times[i], by_size);
-        printf("  %-4s %5u steps, median %.0f us, p99 %.0f, p99.9 %.0f, longest %.0f; hands feel "
+        printf("  %-6s %5u steps, median %.0f us, p99 %.0f, p99.9 %.0f, longest %.0f; hands feel "
                "up to "
                "%.2f and %.2f N\n",
-               stages[i], (unsigned)w->counts[i], quantile(w, i, 0.5), quantile(w, i, 0.99),
-               quantile(w, i, 0.999), quantile(w, i, 1.0), w->left[i], w->right[i]);
+               surgeon_stage_name((surgeon_stage)i), (unsigned)w->counts[i], quantile(w, i, 0.5),
+               quantile(w, i, 0.99), quantile(w, i, 0.999), quantile(w, i, 1.0), w->left[i],
+               w->right[i]);
     }
     if (vbss_scene_get_statistics(st->scene, &c, sizeof c) == VBSS_OK) {
         printf("  clamped %lu, paused %lu\n", (unsigned long)c.clamped, (unsigned long)c.paused);

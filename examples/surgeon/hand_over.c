@@ -1,0 +1,184 @@
+#include "surgeon/hand_over.h"
+
+#include "surgeon/handing.h"
+
+#define TAUT 0.03    /* N: less is slack */
+#define A_MOMENT 0.3 /* s */
+/* Of the needle's length from its tip: where it is taken. Always nearer to the tip: by the jaws that have it lies thread, which may have
+ * come round them as they went round W. */
+#define LEFT_HOLD 0.4
+#define RIGHT_HOLD 0.18
+#define UP \
+    0.62 /* share of the free limb, by which the swage is held up from the knot: that it comes off those jaws */
+#define UPWARD v3(0.6, -0.35, 1.0)  /* on the bearer's side, where the limb is all the time */
+#define LIFTING 0.06                /* m/s */
+#define AWAY v3(0.06, -0.06, 0.05)  /* of who lets go, from the needle's side */
+#define ASIDE v3(0.05, -0.06, 0.06) /* of who lets the tail go */
+#define PATIENCE 6.0                /* s, of every state */
+
+const char *hand_over_name(hand_over_state state)
+{
+    static const char *const names[] = {"ease",      "release", "offer", "ask",   "accept",
+                                        "take over", "give",    "given", "failed"};
+    return names[state];
+}
+
+vbss_result hand_over_begin(hand_over *o, stitch *t, senses *see)
+{
+    memset(o, 0, sizeof *o);
+    o->stitch = t;
+    o->see = see;
+    o->carrot_w = see->tool_w.tip;
+    o->carrot_c = see->tool_c.tip;
+    return senses_find_roots(see);
+}
+
+static void enter(hand_over *o, hand_over_state state)
+{
+    o->state = state;
+    o->since = 0.0;
+}
+
+/* ---- the knot is let alone */
+
+/* Back toward it, slower as the pull ceases. */
+static void give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
+{
+    double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
+    *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
+    hand_go(h, *carrot, 0.05);
+}
+
+static void ease(hand_over *o, double dt)
+{
+    senses *s = o->see;
+    o->slack_w = s->tension_w < TAUT ? o->slack_w + dt : 0.0;
+    o->slack_c = s->tension_c < TAUT ? o->slack_c + dt : 0.0;
+    if (o->slack_w < A_MOMENT) {
+        give_way(s->w, &s->tool_w, &o->carrot_w, s->x[s->tail_root], s->tension_w, dt);
+    }
+    if (o->slack_c < A_MOMENT) {
+        give_way(s->c, &s->tool_c, &o->carrot_c, s->x[s->limb_root], s->tension_c, dt);
+    }
+    if (fmin(o->slack_w, o->slack_c) >= A_MOMENT || o->since > 3.0) {
+        o->from = s->tool_w.tip;
+        o->from_handle = s->tool_w.handle;
+        enter(o, HAND_OVER_RELEASE);
+    }
+}
+
+/* Held up on the bearer's side; the swage toward the knot. */
+static void choose_offered(hand_over *o)
+{
+    const senses *s = o->see;
+    vec root = s->x[s->limb_root], way = v_unit(UPWARD), z = v3(0.0, 1.0, 0.0);
+    double free = senses_length(s, s->limb_root, s->nodes - 1);
+    root.x *= s->w->side;
+    way.x *= s->c == &o->stitch->right ? 1.0 : -1.0;
+    vec swage = v_along(root, UP * free, way), x = v_unit(v_across(way, z));
+    o->offered = pose_of(v_along(swage, o->stitch->site.radius, x), x, v_cross(z, x), z);
+}
+
+/* W's jaws open and are drawn back along themselves. */
+static void release(hand_over *o)
+{
+    senses *s = o->see;
+    hand_open(s->w, 0.4);
+    if (o->since > 0.2) {
+        hand_go(s->w, v_along(o->from, 20e-3, o->from_handle), 0.04);
+    }
+    if (o->since > 0.9) {
+        hand_open(s->w, 0.0);
+        choose_offered(o);
+        s->w->side = s->c->side = 1.0; /* needle and world are not seen in a mirror */
+        o->held = handing_held(&o->stitch->site, s->c);
+        enter(o, HAND_OVER_OFFER);
+    }
+}
+
+/* ---- the needle */
+
+static void offer(hand_over *o)
+{
+    senses *s = o->see;
+    vec aside = ASIDE;
+    aside.x *= s->w == &o->stitch->left ? -1.0 : 1.0;
+    hold_steer(s->c, &o->held, &o->offered, LIFTING);
+    hand_go(s->w, aside, LIFTING);
+    if (hold_off(&o->stitch->site, &o->offered) < 2e-3) {
+        enter(o, HAND_OVER_ASK);
+    }
+}
+
+static void take(hand_over *o)
+{
+    senses *s = o->see;
+    const site *at = &o->stitch->site;
+    double share = s->w == &o->stitch->left ? LEFT_HOLD : RIGHT_HOLD;
+    handing_part part = (handing_part)(o->state - HAND_OVER_ASK);
+    handing_news news = handing_take(at, s->w, share * at->arc * at->radius, part, o->since);
+    if (news != HANDING_GOES_ON) {
+        enter(o, (hand_over_state)(o->state + 1));
+    }
+}
+
+/* Who holds the limb now is C, and pulls it to where C's mirror image would. */
+static vbss_result exchange(senses *s, bool right_is_w)
+{
+    hand *w = s->w;
+    s->w = s->c;
+    s->c = w;
+    s->w->side = s->c->side = right_is_w ? -1.0 : 1.0;
+    return vbss_knot_detector_reset(s->detector);
+}
+
+static vbss_result give(hand_over *o)
+{
+    senses *s = o->see;
+    bool is_right = s->c == &o->stitch->right;
+    vec away = AWAY;
+    away.x *= is_right ? 1.0 : -1.0;
+    if (!handing_leave(s->c, o->since, &o->back, away) || o->since < 2.0) {
+        return VBSS_OK;
+    }
+    enter(o, HAND_OVER_DONE);
+    return exchange(s, is_right);
+}
+
+vbss_result hand_over_step(hand_over *o, double dt)
+{
+    const senses *s = o->see;
+    o->since += dt;
+    if (o->state > HAND_OVER_RELEASE && o->state < HAND_OVER_GIVE) {
+        hold_see(&o->held, s->c, &o->stitch->site, dt);
+        if (!s->c->holds) {
+            o->why = "the needle is lost";
+            enter(o, HAND_OVER_FAILED);
+        }
+    }
+    switch (o->state) {
+    case HAND_OVER_EASE:
+        ease(o, dt);
+        break;
+    case HAND_OVER_RELEASE:
+        release(o);
+        break;
+    case HAND_OVER_OFFER:
+        offer(o);
+        break;
+    case HAND_OVER_ASK:
+    case HAND_OVER_ACCEPT:
+    case HAND_OVER_TAKE:
+        take(o);
+        break;
+    case HAND_OVER_GIVE:
+        return give(o);
+    default:
+        return VBSS_OK;
+    }
+    if (o->since > PATIENCE) {
+        o->why = hand_over_name(o->state);
+        enter(o, HAND_OVER_FAILED);
+    }
+    return VBSS_OK;
+}

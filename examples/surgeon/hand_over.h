@@ -1,0 +1,39 @@
+/* Between two throws: both hands ease, the tail is let go, and the needle goes into the other hand. Afterwards who pulled
+ * the tail has the needle, and both see the world in a mirror, so that the next throw is the same work. */
+#ifndef VBSS_EXAMPLES_SURGEON_HAND_OVER_H
+#define VBSS_EXAMPLES_SURGEON_HAND_OVER_H
+
+#include "needle/stitch.h"
+#include "throw/senses.h"
+
+typedef enum hand_over_state {
+    HAND_OVER_EASE,    /* nothing is taut any longer */
+    HAND_OVER_RELEASE, /* W lets the tail go and withdraws */
+    HAND_OVER_OFFER,   /* C holds the needle up */
+    HAND_OVER_ASK,     /* W comes to before it */
+    HAND_OVER_ACCEPT,  /* its jaws on either side */
+    HAND_OVER_TAKE,
+    HAND_OVER_GIVE, /* C lets go and leaves */
+    HAND_OVER_DONE,
+    HAND_OVER_FAILED
+} hand_over_state;
+
+typedef struct hand_over {
+    stitch *stitch;
+    senses *see;
+    hand_over_state state;
+    double since;
+    const char *why;
+    vec carrot_w, carrot_c;  /* where both ease to */
+    double slack_w, slack_c; /* s, for so long */
+    vec from, from_handle;   /* where W lets go, and how it withdraws */
+    pose held;               /* the needle in the frame of what its bearer was told */
+    pose offered;
+    pose back; /* of the tool that leaves */
+} hand_over;
+
+vbss_result hand_over_begin(hand_over *o, stitch *t, senses *see);
+vbss_result hand_over_step(hand_over *o, double dt);
+const char *hand_over_name(hand_over_state state);
+
+#endif

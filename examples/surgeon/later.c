@@ -1,0 +1,51 @@
+#include "surgeon/surgeon.h"
+
+/* The second and third throw: each mirrors the one before, so that the knot is square. */
+#define WRAP_TIP_X \
+    0.018 /* of W, so that what stands up to it is behind the turns, and C's needle clear of it */
+#define TURN_ROOM 0.045  /* m of the limb are left to go round W: that high is W */
+#define TURN_PLACE 0.010 /* behind W's tip */
+#define SLACK 0.97
+#define WINDING 0.03 /* N, that C gives way to */
+#define ALIKE \
+    0.05          /* N, of both hands while the tail is drawn: else what is tied goes to one side */
+#define LOW 0.015 /* m below the drain's top, to where both pull: the floor is not far */
+#define FAR 0.05  /* m farther out than C may be already */
+#define PULL 1.5  /* N, of both hands in the end */
+#define NEAR_SIDE v3(-0.08, -0.3, 0.15)
+
+vbss_result surgeon_begin_hand_over(surgeon *s)
+{
+    return hand_over_begin(&s->over, &s->stitch, &s->see);
+}
+
+vbss_result surgeon_begin_later(surgeon *s)
+{
+    senses *e = &s->see;
+    throw_plan plan;
+    TRY(senses_look(e));
+    TRY(senses_find_roots(e));
+    throw_plan_on_top(&plan);
+    double limb = senses_length(e, e->limb_root, e->c->node);
+    plan.wrap_tip = v3(WRAP_TIP_X, 0.0, clamp(limb - TURN_ROOM, 0.03, 0.07));
+    plan.s0 = TURN_PLACE;
+    plan.slack = SLACK;
+    plan.firm = true;
+    plan.tension = WINDING;
+    plan.light = plan.drawn = ALIKE;
+    plan.low = LOW;
+    plan.far = FAR;
+    plan.pull = PULL;
+    surgeon_hold_level(s);
+    s->shut = 0.0;
+    throw_begin(&s->tie, e, &plan);
+    return VBSS_OK;
+}
+
+/* The shears come from the near side, across both ends. */
+vbss_result surgeon_begin_cut(surgeon *s)
+{
+    hand *w = s->see.w;
+    hand_through(w, seen(w, NEAR_SIDE));
+    return cut_begin(&s->cut, &s->see);
+}
