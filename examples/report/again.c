@@ -194,7 +194,7 @@ static vbss_result step(again *a, stage *s, vbss_replay *replay)
 /* What it told and measured; the tools must be those of the page. */
 static vbss_result read_session(facts *f, stage *s)
 {
-    told *t = &f->again.session;
+    followed *t = &f->again.session;
     if (s->task.session == NULL || f->again.count == 0) {
         return VBSS_OK;
     }
@@ -229,6 +229,8 @@ static vbss_result play(facts *f, stage *s)
     a->knots = true;
     TRY(vbss_replay_create(s->context, f->bytes, f->count, &replay));
     TRY(vbss_replay_begin(replay, s->scene));
+    TRY(stage_follow_task(s, replay));
+    a->session.there = a->session.agrees = s->tasked != NULL;
     TRY(a->watch != NULL ? a->watch(a->user, s, 0) : VBSS_OK);
     for (;;) {
         double begin = now();

@@ -70,6 +70,15 @@ typedef struct puncture {
     double force[3];           /* of the wall on the needle, N */
 } puncture;
 
+/* Of the session that ran beside the scene, once more. */
+typedef struct followed {
+    bool there, agrees; /* the scene has one; it is the one that was recorded */
+    bool measured;      /* what is measured is its */
+    vbss_session_status status;
+    vbss_session_event *events;
+    size_t count, room;
+} followed;
+
 struct stage;
 /* What one who looks at the scene is called with: right after a step, and before the first one (step 0). */
 typedef vbss_result again_watch(void *user, struct stage *s, uint64_t step);
@@ -90,7 +99,7 @@ typedef struct again {
     size_t puncture_count, puncture_room;
     uint32_t needle;   /* its body; 0: none */
     bool drain, knots; /* are there */
-    told session;
+    followed session;
     vbss_scene_statistics scene;
 } again;
 

@@ -117,7 +117,7 @@ static bool is_tying(vbss_session_phase p)
 
 static vbss_result take_phases(facts *f)
 {
-    const told *t = &f->again.session;
+    const followed *t = &f->again.session;
     vbss_session_phase now = VBSS_SESSION_PHASE_LOADING;
     double from = 0.0;
     uint64_t step = 0;

@@ -20,7 +20,7 @@ static void put_row(page *p, const vbss_session_event *e)
 
 void page_session(page *p, const facts *f)
 {
-    const told *t = &f->again.session;
+    const followed *t = &f->again.session;
     if (t->there && !t->agrees) {
         put(p,
             "<p class=\"bad\">The session, as it is made here, is not the one that was recorded: "

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "needle/stitch.h"
 #include "surgeon/surgeon.h"
 #include "throw/trial.h"
 
@@ -11,7 +10,7 @@
 
 enum { MOST_WORDS = 96 };
 
-/* "vbss throw surgeons seed 2" or "vbss surgeon seed 2" and nothing else; kind is empty where there is none. */
+/* "vbss throw surgeons seed 2" and nothing else, or "vbss surgeon seed 2", whose kind is empty. */
 typedef struct words {
     char program[16], kind[16];
     unsigned long seed;
@@ -28,12 +27,11 @@ static bool read_note(const void *note, size_t count, words *w)
     memcpy(text, note, count);
     text[count] = '\0';
     int got = sscanf(text, "vbss %15s %15s seed %10lu%n", w->program, w->kind, &w->seed, &end);
-    if (got == 3 && end == (int)count) {
-        return true;
+    if (got != 3) {
+        w->kind[0] = '\0';
+        got = 1 + sscanf(text, "vbss %15s seed %10lu%n", w->program, &w->seed, &end);
     }
-    w->kind[0] = '\0';
-    got = sscanf(text, "vbss %15s seed %10lu%n", w->program, &w->seed, &end);
-    return got == 2 && end == (int)count;
+    return got == 3 && end == (int)count;
 }
 
 static bool is_throw(const words *w)
@@ -76,12 +74,13 @@ static vbss_result make_throw(stage *s, const words *w)
 static vbss_result make_stitch(stage *s, const words *w)
 {
     static stitch t;
+    const surgeon_options usual = {.seed = w->seed};
+    stitch_plan plan;
     memset(&t, 0, sizeof t);
     s->stand = &t.site.stand;
-    stitch_plan plan;
     if (is_surgeon(w)) {
-        const surgeon_options usual = {.seed = w->seed};
-        s->name = "a surgeon who makes a stitch (examples/surgeon)";
+        s->name = "a scripted surgeon (examples/surgeon)";
+        s->tasked = &t;
         surgeon_plan(&usual, &plan);
     } else {
         s->name = "two hands that pass a needle (examples/needle)";
@@ -131,15 +130,13 @@ vbss_result stage_follow_task(stage *s, vbss_replay *replay)
 /* Laid out through two marks. */
 static void show_laid(const stage *s, vbss_knot_input *in)
 {
-    vbss_hole hole;
-    for (uint32_t i = 0; s->drain != NULL && in->hole_count < 2; i++) {
-        if (vbss_scene_get_hole(s->scene, i, &hole, sizeof hole) != VBSS_OK) {
-            return;
-        }
-        if (hole.thread == s->stand->thread_body) {
-            memcpy(in->holes[in->hole_count], hole.position, sizeof hole.position);
-            in->hole_places[in->hole_count++] = stand_place(s->stand, hole.arc_length);
-        }
+    const vec *x = stand_nodes(s->stand);
+    in->points = &x[0].x;
+    in->point_count = s->stand->nodes;
+    in->hole_count = 2;
+    for (int i = 0; i < 2; i++) {
+        v_store(in->holes[i], x[s->stand->marks[i]]);
+        in->hole_places[i] = s->stand->marks[i];
     }
     in->away[2] = -1.0;
 }
@@ -193,18 +190,11 @@ vbss_result stage_judge(stage *s, reading *r)
         TRY(vbss_knot_detector_create(s->context, NULL, &s->detector));
     }
     TRY(vbss_knot_input_init(&in, sizeof in));
-    in.points = &x[0].x;
-    in.point_count = s->stand->nodes;
-    if (s->drain == NULL) { /* laid out through two marks */
-        in.hole_count = 2;
-        for (int i = 0; i < 2; i++) {
-            v_store(in.holes[i], x[s->stand->marks[i]]);
-            in.hole_places[i] = s->stand->marks[i];
-        }
+    if (s->drain == NULL) {
+        show_laid(s, &in);
     } else {
-        show_holes(s, &in);
+        TRY(show_sewn(s, &in));
     }
-    in.away[2] = -1.0;
     TRY(vbss_knot_detector_judge(s->detector, &in));
     TRY(vbss_knot_detector_get_state(s->detector, &r->state, sizeof r->state));
     for (uint32_t i = 0; i < r->state.throw_count && i < MOST_THROWS; i++) {

@@ -117,7 +117,7 @@ static void put_mark(page *p, const facts *f, const mark *m, double time, uint64
 
 static void put_told(page *p, const facts *f)
 {
-    const told *t = &f->again.session;
+    const followed *t = &f->again.session;
     for (size_t i = 0; i < t->count; i++) {
         const vbss_session_event *e = &t->events[i];
         for (int k = 0; k < TOLD_MARKS; k++) {
@@ -168,7 +168,7 @@ static void put_entry(page *p, const mark *m, unsigned long long count)
     }
 }
 
-static unsigned long long count_told(const told *t, uint32_t kind)
+static unsigned long long count_told(const followed *t, uint32_t kind)
 {
     unsigned long long count = 0;
     for (size_t i = 0; i < t->count; i++) {

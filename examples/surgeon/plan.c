@@ -1,4 +1,4 @@
-/* What a performance begins with; whoever plays its log back has this too. */
+/* What there is before the first step; also for who plays a log back. */
 #include "surgeon/surgeon.h"
 
 enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
