@@ -41,24 +41,16 @@ static void enter(hand_over *o, hand_over_state state)
 
 /* ---- the knot is let alone */
 
-/* Back toward it, slower as the pull ceases. */
-static void give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
-{
-    double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
-    *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
-    hand_go(h, *carrot, 0.05);
-}
-
 static void ease(hand_over *o, double dt)
 {
     senses *s = o->see;
     o->slack_w = s->tension_w < TAUT ? o->slack_w + dt : 0.0;
     o->slack_c = s->tension_c < TAUT ? o->slack_c + dt : 0.0;
     if (o->slack_w < A_MOMENT) {
-        give_way(s->w, &s->tool_w, &o->carrot_w, s->x[s->tail_root], s->tension_w, dt);
+        hand_give_way(s->w, &s->tool_w, &o->carrot_w, s->x[s->tail_root], s->tension_w, dt);
     }
     if (o->slack_c < A_MOMENT) {
-        give_way(s->c, &s->tool_c, &o->carrot_c, s->x[s->limb_root], s->tension_c, dt);
+        hand_give_way(s->c, &s->tool_c, &o->carrot_c, s->x[s->limb_root], s->tension_c, dt);
     }
     if (fmin(o->slack_w, o->slack_c) >= A_MOMENT || o->since > 3.0) {
         o->from = s->tool_w.tip;

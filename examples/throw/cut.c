@@ -38,24 +38,16 @@ static void enter(cut_run *t, cut_state state)
     t->since = 0.0;
 }
 
-/* Back toward the knot, slower as the pull ceases. */
-static void ease(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
-{
-    double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
-    *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
-    hand_go(h, *carrot, 0.05);
-}
-
 static void do_ease(cut_run *t, double dt)
 {
     senses *s = t->see;
     t->slack_w = s->tension_w < TAUT ? t->slack_w + dt : 0.0;
     t->slack_c = s->tension_c < TAUT ? t->slack_c + dt : 0.0;
     if (t->slack_w < 0.3) {
-        ease(s->w, &s->tool_w, &t->carrot_w, s->x[s->tail_root], s->tension_w, dt);
+        hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[s->tail_root], s->tension_w, dt);
     }
     if (t->slack_c < 0.3) {
-        ease(s->c, &s->tool_c, &t->carrot_c, s->x[s->limb_root], s->tension_c, dt);
+        hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[s->limb_root], s->tension_c, dt);
     }
     if ((t->slack_w >= 0.3 && t->slack_c >= 0.3) || t->since > 3.0) {
         t->from = s->tool_w.tip;

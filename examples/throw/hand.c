@@ -174,6 +174,13 @@ void hand_take_tool(hand *h, vbss_device_tool tool)
     h->tool = tool;
 }
 
+void hand_give_way(hand *h, const hand_pose *p, vec *carrot, vec knot, double felt, double dt)
+{
+    double speed = clamp(0.02 * felt, 0.002, 0.02) * h->nature.speed;
+    *carrot = v_along(*carrot, speed * dt, v_unit(v_sub(knot, p->tip)));
+    hand_go(h, *carrot, 0.05);
+}
+
 void hand_aim(hand *h, double size)
 {
     h->aim = v_scale(size, any_direction(&h->random));
