@@ -1,8 +1,7 @@
-/* A font of strokes for pictures in pixels. A glyph is a list of strokes parted by blanks; a stroke
- * is a list of points "xy", x to the right, y up: 2 is the base line, 6 the height of an x, 8 of an
- * X. A single point is a dot. */
-#include "picture.h"
+/* A font of strokes for pictures in pixels. */
+#include "font.h"
 
+#include <stddef.h>
 #include <string.h>
 
 static const char *const printable[95] = {

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "font.h"
 #include "painter.h"
 
 typedef struct vec {
@@ -195,10 +196,6 @@ typedef struct pixel_area {
 
 sheet sheet_on_pixels(pixel_area *area);
 void picture_overlay(const painter *p, const painter_camera *camera, const sheet *to);
-/* Strokes of a character as pairs of digits "xy", strokes parted by blanks; see font.c. */
-const char *font_glyph(const char **text);
-double font_advance(const char *glyph);
-double font_width(const char *text);
 
 /* ---- bytes (deflate.c, png.c) */
 
