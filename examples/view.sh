@@ -10,5 +10,5 @@ mkdir -p "$out"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 cmake --build --preset release --target pass_needle viewer vbss_replay_page >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 ./build/release/examples/needle/pass_needle -k -s 1 -l "$out/pass.vbss"
-./build/release/examples/viewer/viewer --replay "$out/pass.vbss" --seed 1 --png "$out" --every "${1:-0.5}"
+./build/release/examples/viewer/viewer --replay "$out/pass.vbss" --png "$out" --every "${1:-0.5}"
 ./build/release/examples/replay_page/vbss-replay-page "$out/pass.vbss" -o "$out/pass.html"

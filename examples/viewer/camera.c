@@ -7,17 +7,20 @@
 #define LAMP_ABOVE \
     7e-3F /* of the optics' axis: the fibres' opening, a little exaggerated, for shadows that can be seen */
 
-camera camera_over(point3 target)
+camera camera_from(point3 target, float aside, float down, float away)
 {
     camera c = {.up = {0.0F, 0.0F, 1.0F}, .optics = 30.0F * DEGREE, .field = 56.0F * DEGREE};
-    /* The view is 50 degrees down, so the tube is 20; from the right, where tools do not hide what they do. */
-    const float view = 50.0F * DEGREE, tube = view - c.optics, away = 0.07F, shaft = 0.1F;
-    const float aside = sinf(24.0F * DEGREE), behind = cosf(24.0F * DEGREE);
-    c.tip =
-        point3_add(target, away, (point3){aside * cosf(view), -behind * cosf(view), sinf(view)});
-    c.port =
-        point3_add(c.tip, shaft, (point3){aside * cosf(tube), -behind * cosf(tube), sinf(tube)});
+    const float tube = down - c.optics, shaft = 0.1F;
+    const float x = sinf(aside), y = -cosf(aside);
+    c.tip = point3_add(target, away, (point3){x * cosf(down), y * cosf(down), sinf(down)});
+    c.port = point3_add(c.tip, shaft, (point3){x * cosf(tube), y * cosf(tube), sinf(tube)});
+    c.gain = (away / CAMERA_AWAY) * (away / CAMERA_AWAY);
     return c;
+}
+
+camera camera_over(point3 target)
+{
+    return camera_from(target, CAMERA_ASIDE, CAMERA_DOWN, CAMERA_AWAY);
 }
 
 camera_view camera_look(const camera *c, float aspect)
@@ -31,7 +34,7 @@ camera_view camera_look(const camera *c, float aspect)
     float slope = tanf(0.5F * c->field);
     matrix4 look = matrix4_look(c->tip, right, up, forward);
     matrix4 lens = matrix4_perspective(slope, aspect, NEAR, FAR);
-    camera_view v = {.eye = c->tip};
+    camera_view v = {.eye = c->tip, .right = right, .up = up};
     v.seen = matrix4_after(&lens, &look);
     v.lamp = point3_add(point3_add(c->tip, LAMP_ABOVE, up), LAMP_ABOVE, right);
     /* It lights what is seen, and a little more. */

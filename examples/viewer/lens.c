@@ -15,12 +15,12 @@ static const char *const fragment =
     "in vec2 at;\n"
     "out vec4 colour;\n"
     "uniform sampler2D light;\n"
-    "uniform float aspect;\n"
+    "uniform float aspect, barrel, spread;\n"
     "void main() {\n"
     "    vec2 p = 2.0 * at - 1.0;\n"
     "    vec2 round = vec2(p.x * aspect, p.y);\n" /* 1 at the upper edge */
     "    float r2 = dot(round, round);\n"
-    "    vec2 bent = p * (1.0 + 0.07 * r2) / 1.12;\n" /* barrel */
+    "    vec2 bent = p * (1.0 + barrel * r2) / spread;\n"
     "    vec3 c = texture(light, 0.5 * bent + 0.5).rgb;\n"
     "    c *= 1.0 - 0.42 * smoothstep(0.1, 1.3, r2);\n"                 /* less light aside */
     "    c *= 1.0 - smoothstep(1.08, 1.13, sqrt(r2));\n"                /* the round field */
@@ -101,17 +101,7 @@ void lens_open(const lens *l)
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-/* OpenGL's rows begin at the bottom. */
-static void read_rows(const lens *l, uint8_t *pixels)
-{
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    for (int y = 0; y < l->height; y++) {
-        glReadPixels(0, l->height - 1 - y, l->width, 1, GL_RGB, GL_UNSIGNED_BYTE,
-                     pixels + 3 * (size_t)l->width * (size_t)y);
-    }
-}
-
-void lens_close(const lens *l, uint8_t *pixels)
+void lens_close(const lens *l)
 {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, l->many);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, l->one);
@@ -124,9 +114,43 @@ void lens_close(const lens *l, uint8_t *pixels)
     glBindTexture(GL_TEXTURE_2D, l->light);
     glUniform1i(glGetUniformLocation(l->program, "light"), 0);
     glUniform1f(glGetUniformLocation(l->program, "aspect"), (float)l->width / (float)l->height);
+    glUniform1f(glGetUniformLocation(l->program, "barrel"), LENS_BARREL);
+    glUniform1f(glGetUniformLocation(l->program, "spread"), LENS_SPREAD);
     glBindVertexArray(l->empty);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    if (pixels != NULL) {
-        read_rows(l, pixels);
+}
+
+/* The cubic is solved by repetition: it is nearly 1. */
+void lens_bend(const lens *l, float place[2])
+{
+    enum { ROUNDS = 12 };
+    const float aspect = (float)l->width / (float)l->height;
+    const float x = place[0] * LENS_SPREAD, y = place[1] * LENS_SPREAD;
+    place[0] = x;
+    place[1] = y;
+    for (int i = 0; i < ROUNDS; i++) {
+        float across = place[0] * aspect, r2 = across * across + place[1] * place[1];
+        float share = 1.0F / (1.0F + LENS_BARREL * r2);
+        place[0] = x * share;
+        place[1] = y * share;
     }
+}
+
+/* OpenGL's rows begin at the bottom. */
+void lens_read(const lens *l, uint8_t *pixels)
+{
+    glBindFramebuffer(GL_FRAMEBUFFER, l->out);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int y = 0; y < l->height; y++) {
+        glReadPixels(0, l->height - 1 - y, l->width, 1, GL_RGB, GL_UNSIGNED_BYTE,
+                     pixels + 3 * (size_t)l->width * (size_t)y);
+    }
+}
+
+void lens_show(const lens *l, int width, int height)
+{
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, l->out);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, l->width, l->height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                      GL_LINEAR);
 }

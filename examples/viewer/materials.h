@@ -31,7 +31,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "uniform vec4 spots[32];\n" /* place at rest, radius; marks first */
     "uniform int mark_count;\n"
     "uniform vec3 eye, lamp;\n"
-    "uniform float brightness;\n"
+    "uniform float brightness, most_tension;\n"
     "uniform mat4 light;\n"
     "uniform sampler2DShadow shadow;\n"
     "const float PI = 3.14159265;\n"
@@ -82,6 +82,10 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "    float fine = smoothstep(0.02, 0.1, 1.0 / (60.0 * length(fwidth(vec2(along, round))) + "
     "1e-3));\n"
     "    vec3 c = vec3(0.055, 0.045, 0.10) * (1.0 + 0.5 * fine * braid);\n"
+    "    if (most_tension > 0.0) {\n" /* blue, green, yellow, red */
+    "        float s = 3.0 * clamp(which / most_tension, 0.0, 1.0);\n"
+    "        c = 0.8 * clamp(vec3(s - 1.0, min(s, 3.0 - s), 1.0 - s), 0.0, 1.0);\n"
+    "    }\n"
     "    return surface(c, vec3(0.05), normalize(n + 0.15 * fine * braid * vec3(0.3, 0.5, 0.4)), "
     "0.42, 0.0, 0.1);\n"
     "}\n"

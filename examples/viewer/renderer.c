@@ -49,6 +49,12 @@ bool renderer_begin(renderer *r, int width, int height)
     return true;
 }
 
+bool renderer_resize(renderer *r, int width, int height)
+{
+    lens_end(&r->lens);
+    return lens_begin(&r->lens, width, height) && renderer_good();
+}
+
 void renderer_end(renderer *r)
 {
     const GLuint buffers[2] = {r->vertices, r->triangles};
@@ -135,7 +141,7 @@ static void set_spots(const renderer *r, const meshes *m, uint64_t part)
     }
 }
 
-static void draw_seen(const renderer *r, const meshes *m, const camera_view *view)
+static void draw_seen(const renderer *r, const meshes *m, const camera_view *view, float gain)
 {
     lens_open(&r->lens);
     glUseProgram(r->program);
@@ -143,7 +149,8 @@ static void draw_seen(const renderer *r, const meshes *m, const camera_view *vie
     glUniformMatrix4fv(named(r, "light"), 1, GL_FALSE, view->light.m);
     glUniform3f(named(r, "eye"), view->eye.x, view->eye.y, view->eye.z);
     glUniform3f(named(r, "lamp"), view->lamp.x, view->lamp.y, view->lamp.z);
-    glUniform1f(named(r, "brightness"), BRIGHTNESS);
+    glUniform1f(named(r, "brightness"), BRIGHTNESS * gain);
+    glUniform1f(named(r, "most_tension"), r->most_tension);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, r->shadow.depth);
     glUniform1i(named(r, "shadow"), 0);
@@ -155,7 +162,16 @@ static void draw_seen(const renderer *r, const meshes *m, const camera_view *vie
     }
 }
 
-bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c, uint8_t *pixels)
+bool renderer_good(void)
+{
+    GLenum error = glGetError();
+    if (error != GL_NO_ERROR) {
+        fprintf(stderr, "viewer: OpenGL error 0x%x\n", (unsigned)error);
+    }
+    return error == GL_NO_ERROR;
+}
+
+bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c)
 {
     meshes m;
     if (!look(visual, &m)) {
@@ -165,11 +181,7 @@ bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c, uint8_t *p
     glEnable(GL_DEPTH_TEST);
     upload(r, &m);
     draw_shadows(r, &m, &view.light);
-    draw_seen(r, &m, &view);
-    lens_close(&r->lens, pixels);
-    GLenum error = glGetError();
-    if (error != GL_NO_ERROR) {
-        fprintf(stderr, "viewer: OpenGL error 0x%x\n", (unsigned)error);
-    }
-    return error == GL_NO_ERROR;
+    draw_seen(r, &m, &view, c->gain);
+    lens_close(&r->lens);
+    return renderer_good();
 }

@@ -20,7 +20,7 @@ def main():
     for old in folder.glob("frame-*.png"):
         old.unlink()
     environment = dict(os.environ, LIBGL_ALWAYS_SOFTWARE="1", GALLIUM_DRIVER="llvmpipe")
-    run = subprocess.run([viewer, "--replay", log, "--seed", "1", "--png", str(folder), "--every", "1.2", "--size",
+    run = subprocess.run([viewer, "--replay", log, "--png", str(folder), "--every", "1.2", "--size",
                           f"{WIDTH}x{HEIGHT}"], env=environment)
     if run.returncode != 0:
         return run.returncode

@@ -1,0 +1,28 @@
+/* The ways in which the viewer can be used. */
+#ifndef VBSS_EXAMPLES_VIEWER_MODES_H
+#define VBSS_EXAMPLES_VIEWER_MODES_H
+
+#include <stdint.h>
+
+enum { MODE_NO_OPENGL = 77 }; /* what it exits with then */
+
+typedef struct options {
+    const char *log;    /* to be played back */
+    const char *live;   /* or a scene to be played in */
+    const char *keep;   /* its log */
+    const char *folder; /* of stills */
+    const char *film;
+    double every, from, to; /* s, of pictures; every 0: as it is usual, live each frame */
+    int width, height;
+    uint32_t looks;  /* SHOW_ bits */
+    int frame_steps; /* of each frame, however long they take; 0: as many as the clock asks */
+    int tell;        /* 1: a line a frame, on standard output */
+} options;
+
+/* Without a window: stills, or a film (take.c). */
+int mode_take(const options *o);
+/* In a window (hands.c, replay.c). */
+int mode_live(const options *o);
+int mode_replay(const options *o);
+
+#endif

@@ -1,0 +1,128 @@
+#include "player.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool told(const char *path, const char *what, const char *why)
+{
+    fprintf(stderr, "viewer: %s %s%s%s\n", path, what, *why != '\0' ? ": " : "", why);
+    return false;
+}
+
+/* ---- opened */
+
+static vbss_result begin(player *p, vbss_context *reader)
+{
+    vbss_replay_info info;
+    vbss_log_report report;
+    vbss_replay *first;
+    TRY(vbss_replay_create(reader, p->log.data, p->log.count, &first));
+    TRY(vbss_replay_get_info(first, &info, sizeof info));
+    TRY(vbss_log_check(reader, p->log.data, p->log.count, &report, sizeof report));
+    p->steps = report.steps;
+    p->length = report.time;
+    p->whole = report.fault_count == 0;
+    TRY(stage_create(&p->stage, info.note, info.note_bytes));
+    TRY(vbss_replay_create(p->stage.context, p->log.data, p->log.count, &p->replay));
+    TRY(vbss_replay_begin(p->replay, p->stage.scene));
+    return stage_follow_task(&p->stage, p->replay);
+}
+
+bool player_open(player *p, const char *path)
+{
+    vbss_context *reader;
+    memset(p, 0, sizeof *p);
+    p->log = replay_read(path);
+    if (p->log.count == 0) {
+        return told(path, "cannot be read", "");
+    }
+    if (vbss_context_create(NULL, &reader) != VBSS_OK) {
+        return told(path, "cannot be read", "no memory");
+    }
+    vbss_result result = begin(p, reader);
+    (void)vbss_context_destroy(reader);
+    return result == VBSS_OK ||
+           told(path, "is no log of a scene that can be made here", vbss_result_string(result));
+}
+
+void player_close(player *p)
+{
+    stage_destroy(&p->stage);
+    free(p->log.data);
+}
+
+/* ---- played */
+
+/* Where the session is not the recorded one the scene goes on without. */
+static vbss_result follow(player *p, bool *stepped)
+{
+    vbss_session_status status;
+    vbss_result result = vbss_session_step(p->stage.task.session, 0.0, 0.0);
+    TRY(vbss_session_get_status(p->stage.task.session, &status, sizeof status));
+    *stepped = status.steps > p->step;
+    return *stepped && result != VBSS_OK ? task_destroy(&p->stage.task) : VBSS_OK;
+}
+
+static vbss_result make_step(player *p, vbss_replay_report *report, bool *stepped)
+{
+    if (p->stage.task.session != NULL) {
+        TRY(follow(p, stepped));
+        if (*stepped) {
+            return VBSS_OK;
+        }
+    }
+    TRY(vbss_replay_step(p->replay, report, sizeof *report));
+    *stepped = report->outcome == VBSS_REPLAY_STEPPED;
+    return VBSS_OK;
+}
+
+static bool differ(player *p, vbss_result result)
+{
+    p->differs = true;
+    fprintf(stderr, "viewer: step %llu is not as it was recorded%s%s\n",
+            (unsigned long long)p->step + 1, result != VBSS_OK ? ": " : "",
+            result != VBSS_OK ? vbss_result_string(result) : "");
+    return false;
+}
+
+static vbss_result look(player *p)
+{
+    vbss_scene_statistics now;
+    TRY(vbss_scene_get_statistics(p->stage.scene, &now, sizeof now));
+    p->time = now.time;
+    return VBSS_OK;
+}
+
+bool player_step(player *p)
+{
+    vbss_replay_report report = {.outcome = VBSS_REPLAY_STEPPED};
+    bool stepped = false;
+    if (p->step >= p->steps || p->differs) {
+        return false;
+    }
+    vbss_result result = make_step(p, &report, &stepped);
+    if (result != VBSS_OK || !stepped) {
+        return differ(p, result);
+    }
+    p->step++;
+    result = stage_follow(&p->stage);
+    return (result == VBSS_OK && look(p) == VBSS_OK) || differ(p, result);
+}
+
+bool player_seek(player *p, uint64_t step)
+{
+    vbss_replay_report report;
+    if (step > p->steps || p->differs) {
+        return false;
+    }
+    vbss_result result = p->stage.task.session != NULL
+                             ? vbss_session_seek(p->stage.task.session, step)
+                             : vbss_replay_seek(p->replay, step, &report, sizeof report);
+    if (result != VBSS_OK) {
+        return differ(p, result);
+    }
+    p->step = step;
+    p->jumped = true;
+    return look(p) == VBSS_OK;
+}
