@@ -1,0 +1,35 @@
+/* A scene under two hands of one mouse: what a person does, made into steps of a millisecond. */
+#ifndef VBSS_EXAMPLES_VIEWER_LIVE_H
+#define VBSS_EXAMPLES_VIEWER_LIVE_H
+
+#include "mouse_hand.h"
+#include "report/stage.h"
+
+typedef struct live_scene {
+    const char *name, *what;
+    const char *note;  /* of its log: which scene it is, for whoever plays it back */
+    point3 target;     /* of the camera */
+    float aside, away; /* rad, m */
+} live_scene;
+
+typedef struct live {
+    const live_scene *scene;
+    stage stage;
+    mouse_hand hands[SIDES];
+    int active;
+    uint64_t steps;
+    double time; /* s */
+} live;
+
+/* NULL: there is none of that name, or number. */
+const live_scene *live_find(const char *name);
+const live_scene *live_at(size_t number);
+/* The log may be NULL. */
+vbss_result live_create(live *l, const live_scene *scene, const char *log);
+/* Hands, scene, knots of the session; a limb that stood by itself is let go when a hand has it. */
+vbss_result live_step(live *l);
+/* Ends the log. */
+vbss_result live_end(live *l);
+void live_destroy(live *l);
+
+#endif

@@ -1,0 +1,37 @@
+/* A hand on a desk as a device: a mouse and keys move it, and it moves a tool, by the same interface as an arm. */
+#ifndef VBSS_EXAMPLES_VIEWER_MOUSE_HAND_H
+#define VBSS_EXAMPLES_VIEWER_MOUSE_HAND_H
+
+#include <stdbool.h>
+
+#include <vblast_ss/vblast_ss.h>
+
+#include "camera.h"
+
+enum { MOUSE_WAYS = 2 }; /* it shifts; it turns */
+
+typedef struct mouse_hand {
+    vbss_mapping_config mapping;
+    vbss_device_sample sample;
+    double pending[MOUSE_WAYS][3]; /* counts to the right and up, notches away: not yet gone */
+    bool closes;                   /* the jaws; otherwise they open */
+    bool clutched;
+    double time;          /* of the last sample, s */
+    vbss_device *device;  /* which reads it; */
+    vbss_grasper *tool;   /* which it leads */
+    uint32_t body;        /* the tool's, in its scene */
+    vbss_device_input in; /* as read last */
+} mouse_hand;
+
+/* It begins where its tool is, whose jaws stay as they are. Stays at its place in memory: the device knows it. */
+vbss_result mouse_hand_create(mouse_hand *m, vbss_context *context, vbss_grasper *tool);
+/* Movements go along the picture from now on. */
+void mouse_hand_look(mouse_hand *m, const camera *c);
+/* Counts to the right and up, notches away from the user; the hand goes that way as a hand does, within a tenth of a second. */
+void mouse_hand_move(mouse_hand *m, bool turns, double right, double up, double away);
+/* The mouse moves freely while it is held. */
+vbss_result mouse_hand_clutch(mouse_hand *m, bool held);
+/* Reads the device. */
+vbss_result mouse_hand_read(mouse_hand *m, double now);
+
+#endif

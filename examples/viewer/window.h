@@ -1,0 +1,40 @@
+/* A window with OpenGL 3.3, and what a person does in it, told as it happens. */
+#ifndef VBSS_EXAMPLES_VIEWER_WINDOW_H
+#define VBSS_EXAMPLES_VIEWER_WINDOW_H
+
+#include <stdbool.h>
+
+#include "show.h"
+
+/* Who is told; places are in pixels of the picture from its upper left corner. Any may be NULL. */
+typedef struct desk {
+    void *user;
+    void (*moved)(void *user, double right, double down, double x, double y);
+    void (*wheeled)(void *user, double notches);
+    void (*pressed)(void *user, int button, bool down, double x, double y);
+    void (*key)(void *user, int key, bool shift); /* pressed, or repeated */
+} desk;
+
+typedef struct window {
+    void *handle; /* of GLFW */
+    const desk *desk;
+    double x, y;  /* of the pointer */
+    bool known;   /* where it is */
+    bool taken;   /* the pointer is the window's: it moves hands, and is not seen */
+    bool resized; /* since the last picture */
+} window;
+
+/* False, told on standard error: there is no screen, or no OpenGL. */
+bool window_begin(window *w, const char *title, int width, int height);
+void window_end(window *w);
+/* Tells the desk what was done; false: the window shall be closed. */
+bool window_listen(window *w, const desk *d);
+/* The picture; in its size, when that has changed. False, told: OpenGL failed. */
+bool window_show(window *w, show *s);
+void window_take_pointer(window *w, bool take);
+bool window_is_down(const window *w, int key);
+void window_close(window *w);
+/* s, of a clock that goes on. */
+double window_clock(void);
+
+#endif
