@@ -54,7 +54,7 @@ static bool play(taking *t)
     const double usual = t->o->film != NULL ? 1.0 / FILM_RATE : STILLS_EVERY;
     const double every = t->o->every > 0.0 ? t->o->every : usual;
     do {
-        if (t->player.time > t->o->to) {
+        if (t->player.time > t->o->to + 1e-9) { /* times are sums of steps */
             return true;
         }
         if (t->player.time >= t->o->from + every * t->frames - 1e-9 && !take_picture(t)) {

@@ -1,0 +1,273 @@
+"""The viewer's window, on a screen without a monitor, by a mouse and a keyboard that a script moves.
+
+    check_window.py live <viewer> <folder>          keys, size, clutch, overlays
+    check_window.py needle <viewer> <folder>        a needle is picked up
+    check_window.py throw <viewer> <folder>         a throw is tied
+    check_window.py replay <viewer> <folder> <log>  a log of pass_needle is played, stopped, stepped, sought
+    check_window.py surgeon <viewer> <folder> <log> a log of surgeon -u tie, with its session, is sought
+    check_window.py film <viewer> <folder> <log>    a film of a part of it, by ffmpeg
+
+What a mouse has done is played back from its log afterwards. No error of OpenGL may be told anywhere."""
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+
+import blocks
+from desk import COUNT, Desk, UP, add, dot, missing
+import tie
+
+SMALL = (320, 240)
+NEARLY = 1e-5  # m: what is left of a movement a third of a second after it
+
+
+def play_back(viewer, log, folder):
+    """The log is whole, and its steps are the same bits again."""
+    run = subprocess.run([viewer, "--replay", log, "--png", folder, "--every", "1000", "--size", "64x48"],
+                         capture_output=True, text=True)
+    assert run.returncode == 0, (run.returncode, run.stderr)
+
+
+def end(desk):
+    code = desk.close()
+    assert code == 0 and desk.errors == "", (code, desk.errors)
+
+
+def brightness(path):
+    rows = blocks.read_png(path)
+    means = [sum(row) / len(row) for row in rows]
+    return sum(means) / len(means)
+
+
+def distance(a, b):
+    return math.sqrt(sum((p - q) ** 2 for p, q in zip(a, b)))
+
+
+# ---- live
+
+
+def check_size(desk, folder):
+    """Another size is taken; the picture fills it: its middle column is lit from top to bottom."""
+    window = desk.find_window()
+    for width, height in ((480, 300), (200, 260), SMALL):
+        desk.do(f"windowsize {window} {width} {height}")
+        desk.wait(until=lambda s, wanted=(width, height): s.size == wanted, most=60.0)
+        desk.wait(4)
+        desk.picture(folder / f"size-{width}x{height}.png")
+        rows = blocks.read_png(folder / f"size-{width}x{height}.png")
+        assert (len(rows[0]) // 3, len(rows)) == (width, height)
+        middle = [sum(row[3 * (width // 2):3 * (width // 2) + 3]) for row in rows]
+        dark = sum(v < 30 for v in middle)
+        assert dark < 0.1 * height, f"{dark} of {height} pixels of the middle are dark at {width}x{height}"
+
+
+def check_overlays(desk, folder):
+    """Each changes the picture, and off again gives the one that was."""
+    desk.do("key p")
+    desk.wait(3)
+    desk.picture(folder / "plain.png")
+    plain = blocks.blocks(blocks.read_png(folder / "plain.png"))
+    for key in ("3", "4", "5", "6", "h"):
+        for on in (True, False):
+            desk.key(key)
+            desk.wait(2)
+            desk.picture(folder / f"overlay-{key}.png")
+            off = blocks.apart(plain, blocks.blocks(blocks.read_png(folder / f"overlay-{key}.png")))
+            print(f"overlay {key} {'on' if on else 'off'}: {off:.1f} off at most")
+            assert (off > 1.0) == on, (key, on, off)
+    for key in ("1", "2"):
+        desk.key(key)
+        desk.key(key)
+    desk.do("key p")
+    desk.wait(3)
+
+
+def check_hands(desk):
+    start = desk.state.tools["right"].told
+    desk.nudge("right", add((0.0, 0.0, 0.0), UP, 10e-3))
+    moved = desk.wait(20).tools["right"].told
+    assert abs(dot(add(moved, start, -1.0), UP) - 10e-3) < 1e-4, (start, moved)
+    desk.do("keydown space")
+    desk.wait(3)
+    desk.nudge("right", (20e-3, 0.0, 0.0))
+    held = desk.wait(20).tools["right"].told
+    assert distance(held, moved) < NEARLY, "the clutch does not hold"
+    desk.do("keyup space")
+    desk.nudge("right", (5e-3, 0.0, 0.0))
+    after = desk.wait(20).tools["right"].told
+    assert abs(after[0] - held[0] - 5e-3) < 2 * COUNT, "the clutch jumps"
+    desk.select("left")
+    left = desk.state.tools["left"].told
+    desk.nudge("left", (-5e-3, 0.0, 0.0))
+    s = desk.wait(20)
+    assert abs(s.tools["left"].told[0] - left[0] + 5e-3) < 2 * COUNT and distance(s.tools["right"].told, after) < NEARLY
+    jaw = s.tools["left"].jaw
+    desk.jaws("left", jaw > 0.5)
+    time = desk.wait(1).time
+    desk.do("keyup shift", "key r")
+    desk.wait(until=lambda s: s.time < time)
+
+
+def check_live(viewer, folder):
+    log = folder / "live.vbss"
+    with Desk(viewer, ["--live", "throw", "--show", "contacts", "--log", str(log)], every=0.0) as desk:
+        desk.wait(3)
+        desk.key("1")
+        check_size(desk, folder)
+        check_overlays(desk, folder)
+        desk.begin()
+        check_hands(desk)
+        end(desk)
+    play_back(viewer, log, folder)
+
+
+def check_needle(viewer, folder):
+    """The needle lies as examples/needle/stitch.c lays it for steady hands; it is taken where they take it."""
+    radius, along = 10.5e-3, 0.64 * math.pi
+    place = (0.035 - radius * math.cos(along), -0.005 - radius * math.sin(along))
+    log = folder / "needle.vbss"
+    with Desk(viewer, ["--live", "needle", "--show", "task", "--log", str(log)]) as desk:
+        desk.begin()
+        desk.roll_to("right", (-math.cos(along), -math.sin(along), 0.0), (1.0, 0.0, 0.0))
+        desk.go("right", (*place, 0.0))
+        desk.go("right", (*place, -14.2e-3))
+        desk.jaws("right", True)
+        desk.go("right", (*place, 15e-3))
+        s = desk.wait(30)
+        desk.picture(folder / "needle.png")
+        tool = s.tools["right"]
+        print(f"holds {tool.needle} at {1e3 * tool.at[2]:.1f} mm after {s.time:.1f} s, {s.frame} frames")
+        assert tool.needle != 0 and tool.at[2] > 10e-3
+        end(desk)
+    play_back(viewer, log, folder)
+
+
+def check_throw(viewer, folder):
+    log = folder / "throw.vbss"
+    with Desk(viewer, ["--live", "throw", "--show", "knot", "--log", str(log)]) as desk:
+        desk.begin()
+        s = tie.tie_throw(desk)
+        desk.wait(10)
+        desk.picture(folder / "throw.png")
+        print(f"verdict {s.verdict}, {s.throws} throws, {s.notation} after {s.time:.1f} s, {s.frame} frames")
+        assert s.verdict == tie.CERTIFIED and s.throws == 1 and s.notation == "1"
+        end(desk)
+    play_back(viewer, log, folder)
+
+
+# ---- logs
+
+
+class Played:
+    """A frame of --replay --tell."""
+
+    def __init__(self, line):
+        words = line.split()
+        self.frame, self.step, self.steps, self.time = int(words[1]), int(words[3]), int(words[5]), float(words[7])
+        self.playing, self.speed = words[9] == "1", float(words[11])
+        self.verdict, self.throws, self.notation = int(words[15]), int(words[16]), words[17]
+        self.size = tuple(int(w) for w in words[-2:])
+
+
+def still_frames(desk, frames=4):
+    first = desk.wait(1).step
+    return desk.wait(frames).step == first
+
+
+def check_replay(viewer, folder, log):
+    with Desk(viewer, ["--replay", log, "--show", "task"], parse=Played, every=0.0) as desk:
+        s = desk.wait(until=lambda s: s.step > 30)
+        assert s.playing
+        desk.do("key space")
+        s = desk.wait(until=lambda s: not s.playing)
+        assert still_frames(desk)
+        at = desk.state.step
+        desk.do("key s")
+        desk.wait(until=lambda s: s.step == at + 1)
+        desk.do("key shift+s")
+        desk.wait(until=lambda s: s.step == at)
+        desk.do("key period")
+        desk.wait(until=lambda s: s.step == at + 1000)
+        desk.do("key shift+comma")
+        desk.wait(until=lambda s: s.step == at + 900)
+        desk.do("key minus", "key minus")
+        desk.wait(until=lambda s: s.speed == 0.25)
+        width, height = desk.state.size
+        for share in (0.75, 0.25, 0.5):  # on the line of time
+            x = round(7 + share * (width - 14))
+            desk.do(f"mousemove {x} {height - 9}", "mousedown 1")
+            s = desk.wait(until=lambda s, share=share: abs(s.step - share * s.steps) < 0.02 * s.steps)
+        desk.do(f"mousemove {width // 2 + 30} {height - 9}")  # dragged
+        desk.wait(until=lambda s: s.step > 0.55 * s.steps)
+        desk.do("mouseup 1", "mousemove 20 20")
+        assert still_frames(desk)
+        desk.do(f"mousemove {width - 9} {height - 9}", "click 1")
+        desk.wait(until=lambda s: s.step > 0.98 * s.steps)
+        desk.do("key space")
+        s = desk.wait(until=lambda s: s.step == s.steps and not s.playing)
+        desk.do("key r")
+        desk.wait(until=lambda s: s.step == 0)
+        end(desk)
+
+
+def check_surgeon(viewer, folder, log):
+    """Before the knot and after it, and before it again."""
+    with Desk(viewer, ["--replay", log, "--show", "task,knot,tension,contacts,forces"], parse=Played, every=0.0) as desk:
+        desk.wait(2)
+        desk.do("key space")
+        desk.wait(until=lambda s: not s.playing)
+        width, height = desk.state.size
+        for share, throws in ((0.5, 0), (0.99, 1), (0.3, 0)):
+            desk.do(f"mousemove {round(7 + share * (width - 14))} {height - 9}", "click 1")
+            desk.wait(until=lambda s, share=share: abs(s.step - share * s.steps) < 0.02 * s.steps)
+            s = desk.wait(2)
+            print(f"step {s.step}: verdict {s.verdict}, {s.throws} throws, {s.notation}")
+            desk.picture(folder / f"at-{100 * share:.0f}.png")
+            assert s.throws == throws
+        end(desk)
+
+
+def check_film(viewer, folder, log):
+    film = folder / "pass.mp4"
+    run = subprocess.run([viewer, "--replay", log, "--mp4", str(film), "--to", "1.0", "--size", "320x240", "--show",
+                          "task,knot"], capture_output=True, text=True)
+    assert run.returncode == 0, (run.returncode, run.stderr)
+    told = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", str(film)],
+                          capture_output=True, text=True, check=True).stdout
+    stream = json.loads(told)["streams"][0]
+    print({k: stream[k] for k in ("codec_name", "width", "height", "avg_frame_rate", "nb_read_frames", "duration")})
+    assert stream["codec_name"] == "h264" and stream["pix_fmt"] == "yuv420p"
+    assert (stream["width"], stream["height"], stream["avg_frame_rate"]) == (320, 240, "30/1")
+    assert int(stream["nb_read_frames"]) == 31
+    # a picture of it is that of a still of the same moment
+    for name, words in (("film", ["ffmpeg", "-loglevel", "error", "-y", "-ss", "0.5", "-i", str(film), "-frames:v", "1",
+                                  str(folder / "of-film.png")]),
+                        ("still", [viewer, "--replay", log, "--png", str(folder), "--from", "0.5", "--to", "0.5", "--every",
+                                   "10", "--size", "320x240", "--show", "task,knot"])):
+        subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+        print(name, "written")
+    off = blocks.apart(*(blocks.blocks(blocks.read_png(folder / name)) for name in ("of-film.png", "frame-0000.png")))
+    print(f"{off:.1f} off at most")
+    assert off < blocks.TOLERANCE
+    # what cannot be written is told
+    bad = subprocess.run([viewer, "--replay", log, "--mp4", str(folder / "no" / "film.mp4"), "--to", "0.1", "--size", "64x48"],
+                         capture_output=True, text=True)
+    assert bad.returncode == 1 and "ffmpeg has failed" in bad.stderr, (bad.returncode, bad.stderr)
+
+
+def main():
+    what, viewer, folder = sys.argv[1], sys.argv[2], pathlib.Path(sys.argv[3])
+    folder.mkdir(parents=True, exist_ok=True)
+    os.environ.update(LIBGL_ALWAYS_SOFTWARE="1", GALLIUM_DRIVER="llvmpipe")
+    lacking = missing()
+    if lacking:
+        print("is not there:", *lacking)
+        return 1
+    {"live": check_live, "needle": check_needle, "throw": check_throw, "replay": check_replay, "surgeon": check_surgeon,
+     "film": check_film}[what](viewer, folder, *sys.argv[4:])
+    return 0
+
+
+sys.exit(main())
