@@ -6,10 +6,10 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 .ci/install-packages demo
 
 out=build/demo
-mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/needle" "$out/report"
+mkdir -p "$out/knots" "$out/throws" "$out/drain" "$out/needle" "$out/surgeon" "$out/report"
 echo "== building (release)"
 cmake --preset release >"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
-cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery pass_needle vbss_report >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
+cmake --build --preset release --target embed_c embed_cpp first_throw knot_gallery drain_gallery pass_needle surgeon vbss_report viewer vbss_replay_page >>"$out/build.log" 2>&1 || { cat "$out/build.log"; exit 1; }
 
 {
     echo "== embedding in C"
@@ -24,6 +24,12 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
     ./build/release/examples/drain/drain_gallery "$out/drain"
     echo "== a needle, passed through both marks of a drain by two scripted hands"
     ./build/release/examples/needle/pass_needle -v -s 1 -p "$out/needle" -l "$out/needle/pass.vbss"
+    echo "== a scripted surgeon: through both marks, the tail set, a double throw (a minute or two)"
+    ./build/release/examples/surgeon/surgeon -s 0 -u tie -l "$out/surgeon/stitch.vbss"
+    echo "== stills of the stitch, through a laparoscope; a page that plays it in any browser"
+    ./build/release/examples/viewer/viewer --replay "$out/surgeon/stitch.vbss" --png "$out/surgeon" --every 4 --size 640x480 ||
+        [ $? -eq 77 ] # no OpenGL here: no stills
+    ./build/release/examples/replay_page/vbss-replay-page "$out/surgeon/stitch.vbss" -o "$out/surgeon/stitch.html"
     echo "== what a teacher gets of a knot and a stitch, from their logs"
     cp "$out"/throws/surgeons-*.png "$out/report"
     ./build/release/examples/report/vbss-report "$out/throws/surgeons.vbss" -o "$out/report/surgeons.html" --pictures "$out/report"
@@ -36,5 +42,6 @@ echo
 echo "The library is in build/release/lib, this report in $out/report.txt,"
 echo "the hands at work in $out/throws: <knot>.png (all key stages), <knot>-<throw>-<stage>.png, <knot>.vbss (the log),"
 echo "the drain, touched, in $out/drain, the needle on its way through it in $out/needle,"
+echo "the stitch in $out/surgeon: frame-*.png, stitch.html (plays in a browser), stitch.vbss (the log; ./examples/play.sh: with a mouse),"
 echo "pages of the sessions in $out/report: surgeons.html, pass.html; open them in a browser,"
 echo "pictures of the knots in $out/knots: <knot>.png (tight), <knot>-stages.png, <knot>-throws.png (as told), <knot>.svg."
