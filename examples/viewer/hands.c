@@ -183,7 +183,7 @@ static void put_help(show *s)
 {
     const int lines = (int)(sizeof help / sizeof *help);
     const float top = s->tall - LINE * (float)(lines + 2) - MARGIN;
-    pen_box(&s->pen, 0.5F * MARGIN, top, 480.0F, LINE * (float)lines + 0.5F * LINE, PEN_SHADE);
+    pen_box(&s->pen, 0.5F * MARGIN, top, 510.0F, LINE * (float)lines + 0.5F * LINE, PEN_SHADE);
     for (int i = 0; i < lines; i++) {
         pen_text(&s->pen, MARGIN, top + LINE * (float)(i + 1), TEXT, PEN_WHITE, help[i]);
     }
