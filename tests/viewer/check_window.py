@@ -169,6 +169,7 @@ class Played:
         self.playing, self.speed = words[9] == "1", float(words[11])
         self.verdict, self.throws, self.notation = int(words[15]), int(words[16]), words[17]
         self.size = tuple(int(w) for w in words[-2:])
+        self.agrees = abs(self.time - 1e-3 * self.step) < 6e-4  # the scene is where the window says; as it is printed
 
 
 def still_frames(desk, frames=4):
@@ -209,6 +210,8 @@ def check_replay(viewer, folder, log):
         s = desk.wait(until=lambda s: s.step == s.steps and not s.playing)
         desk.do("key r")
         desk.wait(until=lambda s: s.step == 0)
+        apart = [line for line in desk.lines if not Played(line).agrees]
+        assert not apart, apart[:3]
         end(desk)
 
 

@@ -114,7 +114,8 @@ class Desk:
                 s = self.state
                 if s is not None and (until(s) if until is not None else s.frame >= first + frames):
                     return s
-                if not self.changed.wait(timeout=1.0) and time.monotonic() > end:
+                self.changed.wait(timeout=1.0)
+                if time.monotonic() > end:
                     raise TimeoutError(f"not within {most} s: {self.lines[-1:]}")
 
     def do(self, *commands):
