@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -14,9 +13,6 @@
 #define FINE 0.25       /* of a movement, with shift */
 #define KEY_METRES 0.03 /* a second */
 #define MOST_STEPS 50   /* a frame: what takes longer is slow motion */
-#define TEXT 11.0F      /* pixels, a capital letter */
-#define LINE 20.0F
-#define MARGIN 14.0F
 #define MICRO 1e6
 
 typedef struct playing {
@@ -132,13 +128,6 @@ static vbss_result clutch(playing *p)
 
 /* ---- steps */
 
-static double cpu_time(void)
-{
-    struct timespec t;
-    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* So many that the scene's time goes as fast as the clock, unless that is too many. */
 static int count_steps(playing *p, double elapsed)
 {
@@ -156,9 +145,9 @@ static vbss_result make_steps(playing *p, int count)
 {
     double longest = 0.0;
     for (int i = 0; i < count; i++) {
-        const double begin = cpu_time();
+        const double begin = show_clock();
         TRY(live_step(&p->live));
-        longest = fmax(longest, cpu_time() - begin);
+        longest = fmax(longest, show_clock() - begin);
     }
     if (count > 0) {
         show_time(&p->show, (float)(MICRO * longest));
@@ -178,16 +167,6 @@ static const char *const help[] = {
     "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times",
     "P pause, . a frame on    R from the beginning    H this    Esc",
 };
-
-static void put_help(show *s)
-{
-    const int lines = (int)(sizeof help / sizeof *help);
-    const float top = s->tall - LINE * (float)(lines + 2) - MARGIN;
-    pen_box(&s->pen, 0.5F * MARGIN, top, 510.0F, LINE * (float)lines + 0.5F * LINE, PEN_SHADE);
-    for (int i = 0; i < lines; i++) {
-        pen_text(&s->pen, MARGIN, top + LINE * (float)(i + 1), TEXT, PEN_WHITE, help[i]);
-    }
-}
 
 /* The tool that the mouse has, and how far it is above what lies below it. */
 static void put_tool(playing *p)
@@ -219,7 +198,7 @@ static const char *words_of_hold(const vbss_grasper_state *tool)
 static void put_state(playing *p)
 {
     show *s = &p->show;
-    const float y = s->tall - MARGIN;
+    const float y = s->tall - SHOW_MARGIN;
     char line[200];
     vbss_grasper_state tool;
     if (vbss_grasper_get_state(active(p)->tool, &tool, sizeof tool) != VBSS_OK) {
@@ -229,11 +208,11 @@ static void put_state(playing *p)
              p->live.active == LEFT ? "left" : "right", active(p)->closes ? "closed" : "open",
              words_of_hold(&tool), active(p)->clutched ? ", stays" : "",
              p->paused ? ", paused" : "", p->window.taken ? "" : "   click to take it, H for help");
-    pen_box(&s->pen, 0.5F * MARGIN, y - 1.4F * TEXT, 480.0F, 2.0F * TEXT, PEN_SHADE);
-    pen_text(&s->pen, MARGIN, y, TEXT, PEN_WHITE, line);
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, 480.0F, 2.0F * SHOW_TEXT, PEN_SHADE);
+    pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, PEN_WHITE, line);
     if (!p->paused && p->o->frame_steps == 0 && p->pace < 0.9) {
         snprintf(line, sizeof line, "slow motion, %.2f of real time", p->pace);
-        pen_text(&s->pen, MARGIN + 490.0F, y, TEXT, PEN_YELLOW, line);
+        pen_text(&s->pen, SHOW_MARGIN + 490.0F, y, SHOW_TEXT, PEN_YELLOW, line);
     }
 }
 
@@ -294,7 +273,7 @@ static bool draw(playing *p)
     put_tool(p);
     put_state(p);
     if ((p->show.looks & SHOW_HELP) != 0) {
-        put_help(&p->show);
+        overlay_help(&p->show, help, (int)(sizeof help / sizeof *help));
     }
     return window_show(&p->window, &p->show);
 }

@@ -8,9 +8,7 @@
 #define JUDGED_EVERY 0.1  /* s */
 #define FORCE_LENGTH 0.01 /* m/N */
 #define LEAST_FORCE 5e-3  /* N: what is less is not drawn */
-#define TEXT 11.0F        /* pixels, a capital letter */
-#define LINE 20.0F        /* from line to line */
-#define MARGIN 14.0F
+#define HELP_WIDE 520.0F
 #define GRAPH_TALL 70.0F
 #define MOST_TIME 2000.0F /* us, at its top */
 #define BUDGET 1000.0F    /* of a step in real time */
@@ -79,8 +77,8 @@ static void draw_hands(show *s)
 
 static void put_line(show *s, float *y, pen_colour colour, const char *text)
 {
-    pen_text(&s->pen, MARGIN, *y, TEXT, colour, text);
-    *y += LINE;
+    pen_text(&s->pen, SHOW_MARGIN, *y, SHOW_TEXT, colour, text);
+    *y += SHOW_LINE;
 }
 
 static const char *verdict_of(const vbss_knot_state *k)
@@ -151,8 +149,8 @@ static void put_task(show *s, float *y, double time)
 
 static void put_times(show *s)
 {
-    const float right = s->wide - MARGIN, x = right - SHOW_TIMES_KEPT;
-    const float top = MARGIN, bottom = top + GRAPH_TALL;
+    const float right = s->wide - SHOW_MARGIN, x = right - SHOW_TIMES_KEPT;
+    const float top = SHOW_MARGIN, bottom = top + GRAPH_TALL;
     float most = 0.0F;
     char line[MOST_LINE];
     pen_box(&s->pen, x, top, SHOW_TIMES_KEPT, GRAPH_TALL, PEN_SHADE);
@@ -165,7 +163,7 @@ static void put_times(show *s)
     }
     pen_box(&s->pen, x, bottom - GRAPH_TALL * BUDGET / MOST_TIME, SHOW_TIMES_KEPT, 1.0F, PEN_PALE);
     snprintf(line, sizeof line, "longest step %.0f us; line: 1 ms", (double)most);
-    pen_text(&s->pen, x, bottom + LINE, 0.8F * TEXT, PEN_PALE, line);
+    pen_text(&s->pen, x, bottom + SHOW_LINE, 0.8F * SHOW_TEXT, PEN_PALE, line);
 }
 
 static int count_lines(const show *s)
@@ -177,11 +175,12 @@ static int count_lines(const show *s)
 static void put_words(show *s, double time)
 {
     const int lines = count_lines(s);
-    float y = MARGIN + LINE;
+    float y = SHOW_MARGIN + SHOW_LINE;
     if (lines == 0) {
         return;
     }
-    pen_box(&s->pen, 0.5F * MARGIN, 0.5F * MARGIN, 330.0F, LINE * (float)lines + MARGIN, PEN_SHADE);
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, 0.5F * SHOW_MARGIN, 330.0F,
+            SHOW_LINE * (float)lines + SHOW_MARGIN, PEN_SHADE);
     if ((s->looks & SHOW_TASK) != 0) {
         put_task(s, &y, time);
     }
@@ -207,5 +206,17 @@ void overlay_draw(show *s, double time)
     put_words(s, time);
     if ((s->looks & SHOW_TIMES) != 0) {
         put_times(s);
+    }
+}
+
+void overlay_help(show *s, const char *const *lines, int count)
+{
+    const float above = 3.0F * SHOW_LINE + SHOW_MARGIN; /* the line of state, or of time */
+    const float top = s->tall - SHOW_LINE * (float)count - above;
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, top, HELP_WIDE, SHOW_LINE * ((float)count + 0.5F),
+            PEN_SHADE);
+    for (int i = 0; i < count; i++) {
+        pen_text(&s->pen, SHOW_MARGIN, top + SHOW_LINE * (float)(i + 1), SHOW_TEXT, PEN_WHITE,
+                 lines[i]);
     }
 }

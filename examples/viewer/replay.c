@@ -1,7 +1,6 @@
 /* A log in a window, with a time line. */
 #include <math.h>
 #include <stdio.h>
-#include <time.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -16,9 +15,6 @@
 #define SLOWEST 0.0625 /* of real time */
 #define FASTEST 8.0
 #define MOST_WORK 0.1 /* s of steps a frame */
-#define MARGIN 14.0F
-#define TEXT 11.0F
-#define LINE 20.0F
 #define BAR_TALL 10.0F
 #define MICRO 1e6
 
@@ -40,12 +36,12 @@ typedef struct watching {
 
 static double bar_width(const watching *w)
 {
-    return (double)w->show.wide - 2.0 * (double)MARGIN;
+    return (double)w->show.wide - 2.0 * (double)SHOW_MARGIN;
 }
 
 static double bar_top(const watching *w)
 {
-    return (double)w->show.tall - (double)(MARGIN + BAR_TALL);
+    return (double)w->show.tall - (double)(SHOW_MARGIN + BAR_TALL);
 }
 
 static void ask_for(watching *w, double step)
@@ -55,7 +51,7 @@ static void ask_for(watching *w, double step)
 
 static void ask_at(watching *w, double x)
 {
-    ask_for(w, (x / (double)w->show.pen.scale - (double)MARGIN) / bar_width(w) *
+    ask_for(w, (x / (double)w->show.pen.scale - (double)SHOW_MARGIN) / bar_width(w) *
                    (double)w->player.steps);
 }
 
@@ -74,7 +70,7 @@ static void on_pressed(void *user, int button, bool down, double x, double y)
 {
     watching *w = user;
     w->dragging = down && button == GLFW_MOUSE_BUTTON_LEFT &&
-                  y / (double)w->show.pen.scale >= bar_top(w) - (double)MARGIN;
+                  y / (double)w->show.pen.scale >= bar_top(w) - (double)SHOW_MARGIN;
     if (w->dragging) {
         ask_at(w, x);
     }
@@ -113,13 +109,6 @@ static void on_key(void *user, int key, bool shift)
 
 /* ---- steps */
 
-static double cpu_time(void)
-{
-    struct timespec t;
-    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* One step on is made as such, so that its time is seen. */
 static void jump(watching *w)
 {
@@ -150,12 +139,12 @@ static void go_on(watching *w)
                  ? w->due + (w->o->frame_steps > 0 ? STEP * w->o->frame_steps : elapsed * w->speed)
                  : 0.0;
     while (w->due >= STEP) {
-        const double before = cpu_time();
+        const double before = show_clock();
         if (!player_step(&w->player)) {
             w->playing = false;
             break;
         }
-        longest = fmax(longest, cpu_time() - before);
+        longest = fmax(longest, show_clock() - before);
         w->due -= STEP;
         if (w->o->frame_steps == 0 && window_clock() - now > MOST_WORK) {
             w->due = 0.0; /* slow motion */
@@ -176,20 +165,10 @@ static const char *const help[] = {
     "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times    H this",
 };
 
-static void put_help(show *s)
-{
-    const int lines = (int)(sizeof help / sizeof *help);
-    const float top = s->tall - LINE * (float)(lines + 3) - MARGIN;
-    pen_box(&s->pen, 0.5F * MARGIN, top, 520.0F, LINE * (float)lines + 0.5F * LINE, PEN_SHADE);
-    for (int i = 0; i < lines; i++) {
-        pen_text(&s->pen, MARGIN, top + LINE * (float)(i + 1), TEXT, PEN_WHITE, help[i]);
-    }
-}
-
 static void put_line_of_time(watching *w)
 {
     show *s = &w->show;
-    const float x = MARGIN, y = (float)bar_top(w), wide = (float)bar_width(w);
+    const float x = SHOW_MARGIN, y = (float)bar_top(w), wide = (float)bar_width(w);
     const float part =
         w->player.steps > 0 ? (float)((double)w->player.step / (double)w->player.steps) : 0.0F;
     char line[120];
@@ -200,7 +179,7 @@ static void put_line_of_time(watching *w)
              w->player.length, (unsigned long long)w->player.step, w->speed,
              w->playing ? "" : ", paused",
              w->player.differs ? ", NOT AS RECORDED FROM HERE ON" : "");
-    pen_text(&s->pen, x, y - 8.0F, TEXT, w->player.differs ? PEN_RED : PEN_WHITE, line);
+    pen_text(&s->pen, x, y - 8.0F, SHOW_TEXT, w->player.differs ? PEN_RED : PEN_WHITE, line);
 }
 
 static void tell(watching *w)
@@ -227,7 +206,7 @@ static bool draw(watching *w)
     }
     put_line_of_time(w);
     if ((w->show.looks & SHOW_HELP) != 0) {
-        put_help(&w->show);
+        overlay_help(&w->show, help, (int)(sizeof help / sizeof *help));
     }
     return window_show(&w->window, &w->show);
 }

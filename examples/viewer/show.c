@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
 
 #define USUAL_HEIGHT 720.0F /* pixels, with a point each */
 #define SMALLEST 0.5F
@@ -42,6 +43,13 @@ bool show_stage(show *s, stage *st)
     s->stage = st;
     s->judged = false;
     return is_ok(see(s, st));
+}
+
+double show_clock(void)
+{
+    struct timespec t;
+    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 void show_time(show *s, float microseconds)

@@ -18,6 +18,11 @@ enum {
     SHOW_ALL = 127
 };
 
+/* Of words, in points of the pen: a capital letter, from line to line, to the border. */
+#define SHOW_TEXT 11.0F
+#define SHOW_LINE 20.0F
+#define SHOW_MARGIN 14.0F
+
 enum { SHOW_TIMES_KEPT = 240 };
 
 typedef struct show {
@@ -42,6 +47,8 @@ bool show_begin(show *s, int width, int height);
 void show_end(show *s);
 /* What it shows from now on; false, told: no memory. */
 bool show_stage(show *s, stage *st);
+/* s of work of this thread, to measure steps. */
+double show_clock(void);
 /* A frame's longest step. */
 void show_time(show *s, float microseconds);
 /* The scene as it is, and what is switched on; more may be drawn with the pen before show_finish. False, told: a frame failed. */
@@ -52,6 +59,8 @@ bool show_finish(show *s);
 
 /* ---- overlay.c */
 void overlay_draw(show *s, double time);
+/* Lines above the lower border. */
+void overlay_help(show *s, const char *const *lines, int count);
 /* Judges the knot, if it was not just done; false: there is none to judge. */
 bool overlay_judge(show *s, double time);
 
