@@ -12,6 +12,7 @@ NEEDED = ("Xvfb", "xdotool", "ffmpeg")
 COUNT = 1e-4  # m
 NOTCH = 2e-3 / 4  # m, with Shift
 ROLL = 0.1  # rad a notch
+CLICK = 0.02  # s
 MOST = 60  # counts a frame: the pointer is warped back to the middle of a small window after it
 DOWN = math.radians(50.0)  # the camera looks down by so much, along +y
 RIGHT = (1.0, 0.0, 0.0)
@@ -181,12 +182,17 @@ class Desk:
             self.do("key Tab")
             self.wait(until=lambda s: s.active == side)
 
+    def turn_wheel(self, notches):
+        """Until they have come: xdotool takes 12 ms for each, in which a quick machine makes many frames."""
+        self.do(*(["click 4" if notches > 0 else "click 5"] * abs(notches)))
+        time.sleep(0.05 + CLICK * abs(notches))
+
     def roll(self, side, notches):
         """About the tool's axis."""
         self.select(side)
         self.do("keyup shift", "mousedown 3")
         self.wait(2)
-        self.do(*(["click 4" if notches > 0 else "click 5"] * abs(notches)))
+        self.turn_wheel(notches)
         self.wait(20)
         self.do("mouseup 3", "keydown shift")
         self.wait(2)
@@ -203,7 +209,7 @@ class Desk:
         notches = round(dot(way, AWAY) / NOTCH)
         counts = [round(c) for c in rest]
         if notches:
-            self.do(*(["click 4" if notches > 0 else "click 5"] * abs(notches)))
+            self.turn_wheel(notches)
         sent = [0, 0]
         while sent != counts:
             step = [max(-MOST, min(MOST, c - s)) for c, s in zip(counts, sent)]
