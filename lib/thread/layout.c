@@ -5,6 +5,9 @@
 
 double vbss_thread_arc_length(const thread_object *t, uint32_t node)
 {
+    if (t->layout_known) {
+        return t->rest_arc[node];
+    }
     double arc_length = 0.0;
     for (uint32_t i = 0; i < node; i++) {
         arc_length += t->rest[i];
@@ -48,9 +51,11 @@ static void spread_mass(thread_object *t)
     uint32_t n = t->node_count;
     double density = t->config.linear_density;
     memset(t->mass, 0, n * sizeof *t->mass);
+    t->rest_arc[0] = 0.0;
     t->shortest_rest = t->rest[0];
     for (uint32_t i = 0; i + 1 < n; i++) {
         t->inverse_rest[i] = 1.0 / t->rest[i];
+        t->rest_arc[i + 1] = t->rest_arc[i] + t->rest[i];
         t->shortest_rest = t->rest[i] < t->shortest_rest ? t->rest[i] : t->shortest_rest;
         t->mass[i] += 0.5 * density * t->rest[i];
         t->mass[i + 1] += 0.5 * density * t->rest[i];

@@ -167,7 +167,7 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 34 };
+enum { PARTS = 35 };
 
 static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
 {
@@ -191,6 +191,7 @@ static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
         {&t->welded, n, sizeof *t->welded},
         {&t->mass, n, sizeof *t->mass},
         {&t->inverse_rest, n, sizeof *t->inverse_rest},
+        {&t->rest_arc, n, sizeof *t->rest_arc},
         {&t->sections, n, sizeof *t->sections},
         {&t->trial, n, sizeof(vec3)},
         {&t->trial_tension, n, sizeof(double)},

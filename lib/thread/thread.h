@@ -124,6 +124,7 @@ typedef struct thread_object {
     uint8_t *welded;                  /* per node: a body of its scene holds it */
     double *mass;                     /* per node, attached masses included */
     double *inverse_rest;             /* per segment, 1/m */
+    double *rest_arc;                 /* per node: arc length from the begin, at rest, m */
     double shortest_rest;             /* m */
     uint32_t *sections; /* first node of each section: held nodes and both ends divide */
     uint32_t section_count;
