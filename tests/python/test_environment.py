@@ -134,7 +134,7 @@ def test_a_simulation_that_fails_ends_the_episode_as_data(environment, monkeypat
 
 
 def test_small_boxes_stand_in_for_gymnasiums():
-    from vblast_ss.environment import _Box
+    from vblast_ss._episode import _Box
     box = _Box(-1.0, [1.0, 2.0], seed=4)
     assert box.shape == (2,) and box.sample().tolist() == _Box(-1.0, [1.0, 2.0], seed=4).sample().tolist()
     assert [0.0, 1.5] in box and [1.5, 0.0] not in box and [0.0] not in box

@@ -11,14 +11,12 @@ from typing import Any, NamedTuple, Optional
 
 import numpy as np
 
+from ._pose import Vector, across, turned, unit
 from .context import Context
 from .knots import Knot, KnotDetector
 from .records import Record
 from .scene import Capsule, RigidState, Scene
 from .thread import Thread
-
-Vector = Any
-"""Three numbers, an array of numpy."""
 
 STEP = 1e-3  # s
 GRASP = 0.5e-3  # m: hands hold the grasp, so far behind the tip
@@ -53,15 +51,6 @@ class ThrowTask(NamedTuple):
     """Most that it stands beside that, on each axis."""
 
 
-def unit(vector: Vector) -> Vector:
-    length = math.sqrt(float(vector @ vector))
-    return vector / length if length > 1e-150 else np.array((0.0, 0.0, 1.0))
-
-
-def across(a: Vector, b: Vector) -> Vector:
-    return np.array((a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]))
-
-
 def axis_of_w(grasp: Vector) -> Vector:
     """From tip to handle."""
     return unit(TROCAR - grasp)
@@ -80,13 +69,6 @@ def turn_from_z(to: Vector) -> Vector:
         return np.array((0.0, 1.0, 0.0, 0.0))
     whole = np.array((1.0 + to[2], -to[1], to[0], 0.0))
     return whole / math.sqrt(float(whole @ whole))
-
-
-def turned(by: Vector, then: Vector) -> Vector:
-    """Product of quaternions."""
-    a, b = by, then
-    vector = a[0] * b[1:] + b[0] * a[1:] + across(a[1:], b[1:])
-    return np.array((a[0] * b[0] - float(a[1:] @ b[1:]), *vector))
 
 
 def z_of(q: Vector) -> Vector:

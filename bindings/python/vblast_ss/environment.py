@@ -11,7 +11,6 @@ is installed, ThrowEnvironment is a gymnasium.Env and its spaces are gymnasium's
 stand in. Needs numpy. Equal seeds, options and actions give equal numbers."""
 from __future__ import annotations
 
-import importlib
 import json
 import math
 from typing import Any, Callable, Mapping, NamedTuple, Optional
@@ -19,54 +18,15 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional
 import numpy as np
 
 from . import _throw
-from ._throw import STEP, ThrowScene, ThrowTask, across, axis_of_w, away_from_w, unit
+from ._episode import Box, Episodes
+from ._pose import across, unit
+from ._throw import STEP, ThrowScene, ThrowTask, axis_of_w, away_from_w
 from .context import Context
 from .errors import Error
 from .knots import KnotVerdict
 from .metrics import Metrics
 
 __all__ = ["Box", "Outcome", "RandomHands", "ScriptedThrow", "ThrowEnvironment", "ThrowTask", "run", "scene_of_note"]
-
-_Base: Any = object
-_GymnasiumBox: Any = None
-try:
-    _gymnasium: Any = importlib.import_module("gymnasium")
-except ImportError:
-    pass
-else:
-    _Base, _GymnasiumBox = _gymnasium.Env, _gymnasium.spaces.Box
-
-
-class _Box:
-    """Arrays between bounds, as far as an environment needs gymnasium.spaces.Box."""
-
-    def __init__(self, low: Any, high: Any, shape: Optional[tuple[int, ...]] = None, dtype: Any = np.float64,
-                 seed: Optional[int] = None) -> None:
-        self.dtype = np.dtype(dtype)
-        self.shape = np.broadcast(np.asarray(low), np.asarray(high)).shape if shape is None else tuple(shape)
-        self.low, self.high = (np.broadcast_to(np.asarray(bound, self.dtype), self.shape) for bound in (low, high))
-        self.seed(seed)
-
-    def seed(self, seed: Optional[int] = None) -> None:
-        self._random = np.random.default_rng(seed)
-
-    def sample(self) -> Any:
-        if not (np.isfinite(self.low).all() and np.isfinite(self.high).all()):
-            raise ValueError("there is no even chance without bounds")
-        return self._random.uniform(self.low, self.high).astype(self.dtype)
-
-    def contains(self, x: Any) -> bool:
-        x = np.asarray(x)
-        return x.shape == self.shape and bool(((x >= self.low) & (x <= self.high)).all())
-
-    __contains__ = contains
-
-    def __repr__(self) -> str:
-        return f"Box({self.low.min()}, {self.high.max()}, {self.shape}, {self.dtype})"
-
-
-Box: Any = _GymnasiumBox or _Box
-"""gymnasium.spaces.Box where there is one."""
 
 SHOWN = 32
 """Points of the thread that are observed."""
@@ -84,7 +44,7 @@ W, C, TURNING, GRIP = slice(0, 3), slice(3, 6), 6, 7
 """What is where in an action: speeds of both hands, of C's turn about W, and W's jaws: above 0 they close."""
 
 
-class ThrowEnvironment(_Base):  # type: ignore[misc]
+class ThrowEnvironment(Episodes):
     """Tie a single throw.
 
         time_limit   s simulated, after which an episode is truncated
@@ -97,33 +57,19 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
     throw is certified in the thread alone and nothing of the limb is left on W, or when the simulation fails
     (info["error"]).
     """
-    metadata: dict[str, Any] = {"render_modes": []}
-    render_mode = None
-    spec = None
 
     def __init__(self, *, time_limit: float = 5.0, control: int = 10, throw_points: float = 100.0,
                  record: bool = False) -> None:
-        if control < 1 or not time_limit > 0.0:
-            raise ValueError("an episode has steps and time")
-        self.time_limit, self.control, self.throw_points, self.recorded = time_limit, control, throw_points, record
-        size = FIELDS["thread"].stop  # type: ignore[attr-defined]
-        self.observation_space = Box(-np.inf, np.inf, (size,), np.float64)
-        self.action_space = Box(-1.0, 1.0, (8,), np.float64)
-        self._scene: Optional[ThrowScene] = None
+        super().__init__(time_limit, control, record, 8, FIELDS["thread"].stop)  # type: ignore[attr-defined]
+        self.throw_points = throw_points
         self._metrics: Optional[Metrics] = None
-        self._random = np.random.default_rng()
-        self._log = b""
-        self._over = True
 
     # ---- an episode
 
     def reset(self, *, seed: Optional[int] = None,
               options: Optional[Mapping[str, Any]] = None) -> tuple[Any, dict[str, Any]]:
         """Begins anew; without a seed the next one of a series that the last seed began."""
-        if seed is not None:
-            self._random = np.random.default_rng(seed)
-        fields: dict[str, Any] = {"seed": int(self._random.integers(2**32)), **dict(options or {})}
-        task = ThrowTask(**fields)
+        task = ThrowTask(**self._fields(seed, options))
         self.close()
         self._scene = ThrowScene(task, record=self.recorded, note=json.dumps({"throw": task._asdict()}).encode())
         self._metrics = Metrics(self._scene.context, throws_wanted=1, weight_drop=5.0,
@@ -137,13 +83,8 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
         """Both hands do something for `control` steps."""
-        scene, metrics = self._scene, self._metrics
-        if scene is None or metrics is None or self._over:
-            raise RuntimeError("the episode is over: reset()")
-        wanted = np.asarray(action, np.float64)
-        if wanted.shape != (8,) or not np.isfinite(wanted).all():
-            raise ValueError("an action is 8 finite numbers")
-        wanted = np.clip(wanted, -1.0, 1.0)
+        wanted = self._wanted(action)
+        scene, metrics = self.scene, self.metrics
         error = ""
         try:
             self._grip(bool(wanted[GRIP] > 0.0))
@@ -168,19 +109,8 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
         return self._observe(), reward, terminated, truncated, info
 
     def close(self) -> None:
-        if self._scene is not None:
-            self._scene.close()
-        self._scene = self._metrics = None
-        self._over = True
-
-    def render(self) -> None:
-        """There is nothing to see."""
-
-    def __enter__(self) -> ThrowEnvironment:
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
+        super().close()
+        self._metrics = None
 
     # ---- what happens
 
@@ -243,24 +173,14 @@ class ThrowEnvironment(_Base):  # type: ignore[misc]
     def scene(self) -> ThrowScene:
         if self._scene is None:
             raise RuntimeError("there is no episode: reset()")
-        return self._scene
+        scene: ThrowScene = self._scene
+        return scene
 
     @property
     def metrics(self) -> Metrics:
         if self._metrics is None:
             raise RuntimeError("there is no episode: reset()")
         return self._metrics
-
-    def take_log(self) -> bytes:
-        """Ends the log of the episode, and gives it; analysis.trace() reads it."""
-        record = self.scene.record
-        if record is None:
-            raise RuntimeError("nothing is recorded: ThrowEnvironment(record=True)")
-        if not record.closed:
-            record.end()
-            self._log += record.take()
-            record.close()
-        return self._log
 
 
 def scene_of_note(note: bytes, context: Context) -> ThrowScene:
@@ -280,14 +200,14 @@ def _toward(target: Any, at: Any, speed: float) -> Any:
 
 
 class RandomHands:
-    """Hands that do anything: each action is that before, and some chance."""
+    """Hands that do anything: each action is that before, and some chance. size: of an action."""
 
-    def __init__(self, seed: int = 0) -> None:
+    def __init__(self, seed: int = 0, size: int = 8) -> None:
         self._random = np.random.default_rng(seed)
-        self._action = np.zeros(8)
+        self._action = np.zeros(size)
 
     def __call__(self, observation: Any) -> Any:
-        self._action = np.clip(0.9 * self._action + self._random.normal(0.0, 0.3, 8), -1.0, 1.0)
+        self._action = np.clip(0.9 * self._action + self._random.normal(0.0, 0.3, self._action.shape), -1.0, 1.0)
         return self._action
 
 
