@@ -91,13 +91,15 @@ class Trace(NamedTuple):
 
 def _scene_of(context: Context, note: bytes) -> Scene:
     try:
-        known = "throw" in json.loads(note)
+        said = json.loads(note)
     except ValueError:
-        known = False
-    if not known:
-        raise ValueError("the log does not say from what its scene is made: give a function that makes it")
-    from .environment import scene_of_note  # gymnasium may be slow to load
-    return scene_of_note(note, context).scene
+        said = {}
+    from . import environment, suturing  # gymnasium may be slow to load
+    for name, module in (("throw", environment), ("suture", suturing)):
+        if isinstance(said, dict) and name in said:
+            scene: Scene = module.scene_of_note(note, context).scene
+            return scene
+    raise ValueError("the log does not say from what its scene is made: give a function that makes it")
 
 
 def _state(scene: Scene, body: int) -> Any:
