@@ -21,9 +21,10 @@ def test_sessions_are_swept_into_a_table_that_is_gone_on_with(tmp_path):
     first = run("sweep_throws.py", "--sessions", "1", "--workers", "1", "--out", str(path))
     assert "1 ended with a report, 0 with an error" in first
     row = path.read_text()
-    second = run("sweep_throws.py", "--sessions", "2", "--workers", "1", "--out", str(path))
-    assert "2 sessions in the table, 2 ended with a report" in second
-    assert path.read_text().startswith(row) and path.read_text().count("report") == 2
+    second = run("sweep_throws.py", "--sessions", "5", "--workers", "1", "--out", str(path))  # two are sent out at once
+    assert "5 sessions in the table, 0 of 5 are missing; 5 ended with a report" in second
+    assert path.read_text().startswith(row) and path.read_text().count("report") == 5
+    assert sorted(line.split(",")[0] for line in path.read_text().splitlines()[1:]) == list("01234")
 
 
 def test_the_tour_runs(tmp_path, monkeypatch):

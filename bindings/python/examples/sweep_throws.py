@@ -10,6 +10,7 @@ takes the workers of a dask cluster on other machines in place of processes here
 import argparse
 import contextlib
 import csv
+import itertools
 import os
 import pathlib
 import sys
@@ -66,7 +67,7 @@ def sweep(path, wanted, client, seconds):
         begun = time.monotonic()
         room = 2 * sum(client.nthreads().values())  # no more is sent out than is soon begun
         queue = dask.distributed.as_completed()
-        for number, _ in zip(missing, range(room)):
+        for number in itertools.islice(missing, room):
             queue.add(client.submit(session, number, pure=False))
         for future in queue:
             row = future.result()
@@ -74,13 +75,14 @@ def sweep(path, wanted, client, seconds):
             file.flush()
             rows.append(row)
             if time.monotonic() - begun < seconds:
-                for number, _ in zip(missing, range(1)):
+                for number in itertools.islice(missing, 1):
                     queue.add(client.submit(session, number, pure=False))
     return rows
 
 
-def account(rows, wall):
-    print(f"{len(rows)} sessions in the table, {sum(row['status'] == 'report' for row in rows)} ended with a report, "
+def account(rows, wanted, wall):
+    print(f"{len(rows)} sessions in the table, {max(0, wanted - len(rows))} of {wanted} are missing; "
+          f"{sum(row['status'] == 'report' for row in rows)} ended with a report, "
           f"{sum(row['status'] != 'report' for row in rows)} with an error; {wall:.0f} s by the clock for this run")
     if not rows:
         return
@@ -113,7 +115,7 @@ def main():
                                                 dashboard_address=None)
     with cluster as there, dask.distributed.Client(there) as client:
         rows = sweep(chosen.out, chosen.sessions, client, chosen.seconds)
-    account(rows, time.monotonic() - begun)
+    account(rows, chosen.sessions, time.monotonic() - begun)
     return 1 if any(row["status"] != "report" for row in rows) else 0
 
 
