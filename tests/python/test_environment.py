@@ -1,8 +1,14 @@
 """A throw as an environment: the interface, the same numbers by seed, rewards, and two policies."""
+import os
+import subprocess
+import sys
+
 import pytest
 
 np = pytest.importorskip("numpy")
 
+import vblast_ss as vb  # noqa: E402
+from conftest import BINDING  # noqa: E402
 from vblast_ss.environment import (FIELDS, GRIP, SHOWN, Box, RandomHands, ScriptedThrow, ThrowEnvironment, run)  # noqa: E402
 
 STEADY = {"tremor": 0.0, "scatter": 0.0}
@@ -119,8 +125,6 @@ def test_random_hands_tie_nothing_and_break_nothing():
 
 
 def test_a_simulation_that_fails_ends_the_episode_as_data(environment, monkeypatch):
-    import vblast_ss as vb
-
     def fail(*_):
         raise vb.errors.Error("it is singular")
 
@@ -143,3 +147,21 @@ def test_small_boxes_stand_in_for_gymnasiums():
         _Box(-np.inf, np.inf, (2,)).sample()
     assert "Box(-1.0, 2.0, (2,)" in repr(box)
     assert Box is not None
+
+
+def test_gymnasium_is_used_where_it_is_installed(tmp_path):
+    """By a package of its name that has what is asked of it."""
+    (tmp_path / "gymnasium").mkdir()
+    (tmp_path / "gymnasium" / "__init__.py").write_text(
+        "from . import spaces\nclass Env:\n    seeded = None\n"
+        "    def reset(self, *, seed=None, options=None):\n        self.seeded = seed\n")
+    (tmp_path / "gymnasium" / "spaces.py").write_text(
+        "class Box:\n    def __init__(self, low, high, shape=None, dtype=None, seed=None):\n        self.shape = shape\n")
+    script = ("import gymnasium\nfrom vblast_ss import environment, suturing\n"
+              "for made in (environment.ThrowEnvironment(), suturing.SutureEnvironment()):\n"
+              "    assert isinstance(made, gymnasium.Env) and isinstance(made.action_space, gymnasium.spaces.Box)\n"
+              "    seen, _ = made.reset(seed=5)\n    assert made.seeded == 5 and seen.shape == made.observation_space.shape\n"
+              "    made.step([0.0] * made.action_space.shape[0])\n    made.close()\n")
+    done = subprocess.run([sys.executable, "-B", "-c", script], capture_output=True, text=True, timeout=60,
+                          env={**os.environ, "PYTHONPATH": f"{tmp_path}:{BINDING}", "VBLAST_SS_LIBRARY": vb.library_path})
+    assert done.returncode == 0, done.stderr

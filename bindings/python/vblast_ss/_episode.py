@@ -71,6 +71,8 @@ class Episodes(Base):  # type: ignore[misc]
 
     def _fields(self, seed: Optional[int], options: Optional[Mapping[str, Any]]) -> dict[str, Any]:
         """Of the task of an episode; without a seed the next one of a series that the last seed began."""
+        if Base is not object:
+            super().reset(seed=seed)  # of gymnasium, whose np_random is not used here
         if seed is not None:
             self._random = np.random.default_rng(seed)
         return {"seed": int(self._random.integers(2**32)), **dict(options or {})}
