@@ -24,6 +24,12 @@ def test_the_hanging_thread_meets_the_elastica():
     assert 3.0 * off < float(re.search(r"apart by ([\d.e+-]+) um", run("hang_thread.py", "12")).group(1))
 
 
+def test_the_hanging_thread_is_drawn(tmp_path):
+    pytest.importorskip("matplotlib")
+    run("hang_thread.py", "--plot", str(tmp_path / "hanging.png"))
+    assert (tmp_path / "hanging.png").stat().st_size > 10000
+
+
 def test_knots_are_told_from_a_file(tmp_path):
     assert run("classify_knots.py").splitlines() == [
         "right overhand: 1 (single, certified, right)", "left overhand: 1 (single, certified, left)",
