@@ -6,7 +6,7 @@ np = pytest.importorskip("numpy")
 import vblast_ss as vb  # noqa: E402
 from vblast_ss import analysis  # noqa: E402
 from vblast_ss.suturing import (ACTIONS, FIELDS, HIGH, JAWS, LOW, MOVE, ROTATE, SHEARS, RandomHands,  # noqa: E402
-                                ScriptedStitch, SutureEnvironment)
+                                ScriptedStitch, SutureEnvironment, played_back)
 
 SHORT = {"segments": 60}  # enough for the needle's way
 STEADY = {**SHORT, "tremor": 0.0, "scatter": 0.0, "turn_scatter": 0.0}
@@ -78,6 +78,27 @@ def test_bad_actions_change_nothing(environment):
     assert environment.scene.scene.state_hash == before
     with pytest.raises(ValueError):
         SutureEnvironment(control=0)
+
+
+def test_any_list_is_an_action_or_refused(environment):
+    hypothesis = pytest.importorskip("hypothesis")
+    st = hypothesis.strategies
+    environment.reset(seed=0, options=SHORT)
+    number = st.floats(allow_nan=True, allow_infinity=True)
+
+    @hypothesis.settings(max_examples=15, deadline=None, derandomize=True)
+    @hypothesis.given(action=st.one_of(st.lists(number, max_size=20), st.lists(st.floats(-1e300, 1e300),
+                                                                               min_size=ACTIONS, max_size=ACTIONS)))
+    def take(action):
+        steps = environment.scene.steps
+        try:
+            seen, *_ = environment.step(action)
+        except ValueError:
+            assert environment.scene.steps == steps
+        else:
+            assert np.isfinite(seen).all() and len(action) == ACTIONS and np.isfinite(action).all()
+
+    take()
 
 
 def test_equal_seeds_give_equal_numbers_and_others_do_not(environment):
@@ -194,7 +215,12 @@ def test_a_failed_task_and_a_simulation_that_fails_end_the_episode(environment, 
 def test_an_episode_is_recorded_and_replayed():
     with SutureEnvironment(time_limit=0.3, record=True) as environment:
         follow(environment, RandomHands(2, ACTIONS), 4)
-        log = environment.take_log()
+        log, events, score = environment.take_log(), environment.session.events, environment.metrics.report.score
+        state = environment.session.state_hash
+    again = played_back(log)
+    assert again.session.events == events and again.metrics.report.score == score
+    assert again.session.state_hash == state and again.steps == 300
+    again.close()
     session = analysis.trace(log)
     assert session.faithful and session.info["steps"] == 300 and len(session.tools) == 2
     with SutureEnvironment() as other:

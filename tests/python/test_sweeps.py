@@ -15,6 +15,16 @@ def test_a_session_is_tied_and_scored():
     assert "tied" in said and "every hash met again" in said and "in the end: 1" in said and ", 1 throws," in said
 
 
+def test_a_needle_is_driven_and_the_log_is_kept(tmp_path):
+    pytest.importorskip("matplotlib")
+    said = run("drive_needle.py", "--segments", "60", "--plot", str(tmp_path / "needle.png"),
+               "--log", str(tmp_path / "needle.vbss"))
+    assert "taken 0" in said and said.count("puncture") == 2 and "done" in said
+    assert (tmp_path / "needle.png").stat().st_size > 10000
+    told = run("score_session.py", str(tmp_path / "needle.vbss"), "--plots", str(tmp_path / "plots"))
+    assert "every hash met again" in told and "in the end: pull_through" in told and told.count("points: ") >= 2
+
+
 def test_sessions_are_swept_into_a_table_that_is_gone_on_with(tmp_path):
     pytest.importorskip("distributed")
     path = tmp_path / "throws.csv"
@@ -40,4 +50,4 @@ def test_the_tour_runs(tmp_path, monkeypatch):
     nbclient.NotebookClient(book, timeout=300, kernel_name="python3",
                             resources={"metadata": {"path": str(tmp_path)}}).execute()
     drawn = [output for cell in book.cells for output in cell.get("outputs", []) if "image/png" in output.get("data", {})]
-    assert len(drawn) == 4
+    assert len(drawn) == 5

@@ -18,7 +18,7 @@ from .grasper import Grasper, GrasperState
 from .knots import KnotDetector
 from .metrics import Metrics
 from .needle import Needle
-from .records import Record
+from .records import Record, Replay
 from .scene import Scene
 from .sessions import Session
 from .thread import Thread
@@ -94,7 +94,7 @@ class SutureScene:
     """Bodies, hands, and the session that watches them."""
 
     def __init__(self, task: SutureTask, *, duration: float = 600.0, record: bool = False, note: bytes = b"",
-                 context: Optional[Context] = None) -> None:
+                 context: Optional[Context] = None, replay: Optional[Replay] = None) -> None:
         self.task = task
         self.steps = 0
         self.context = Context() if context is None else context
@@ -104,12 +104,15 @@ class SutureScene:
         turn = math.pi + task.turn_scatter * random.uniform(-1.0, 1.0)
         self._build(np.array((x, y, FLOOR + WIRE)), turn, phases)
         self.record = Record(self.scene, note=note, hash_interval=100) if record else None
+        if replay is not None:  # takes the place of hands
+            replay.begin(self.scene)
         self.metrics = Metrics(self.context, drain_radius=TUBE, max_time=MAX_TIME, weight_drop=5.0,
                                duration=duration)
         self.session = Session(
             self.scene, thread=self.thread_body, needle=self.needle_body, drain=self.drain_body,
-            tools=[tool.body for tool in self.tools], devices=[tool.device for tool in self.tools],
-            knots=KnotDetector(self.context), metrics=self.metrics, record=self.record)
+            tools=[tool.body for tool in self.tools],
+            devices=[tool.device if replay is None else None for tool in self.tools],
+            knots=KnotDetector(self.context), metrics=self.metrics, record=self.record, replay=replay)
 
     def _build(self, place: Vector, turn: float, phases: Vector) -> None:
         context = self.context

@@ -31,10 +31,12 @@ from .devices import DeviceTool
 from .environment import RandomHands
 from .errors import Error
 from .metrics import Metrics, MetricsBits
+from .records import Replay
 from .sessions import Session, SessionEvent, SessionEventKind, SessionPhase
 
 __all__ = ["ACTIONS", "Box", "EVENT_POINTS", "FIELDS", "HIGH", "JAWS", "LOW", "MOVE", "ROTATE", "RandomHands", "SHEARS",
-           "SHOWN", "SPEED", "ScriptedStitch", "SutureEnvironment", "SutureTask", "TURN", "scene_of_note"]
+           "SHOWN", "SPEED", "ScriptedStitch", "SutureEnvironment", "SutureTask", "TURN", "played_back",
+           "scene_of_note"]
 
 EVENT_POINTS = {"taken": 5.0, "threaded": 10.0, "tail": 10.0, "throw": 20.0, "seated": 20.0, "transfer": 10.0,
                 "cut": 10.0, "stray": -10.0, "fault": -10.0}
@@ -70,8 +72,9 @@ class SutureEnvironment(Episodes):
         """Begins anew; without a seed the next one of a series that the last seed began."""
         task = SutureTask(**self._fields(seed, options))
         self.close()
-        self._scene = SutureScene(task, duration=self.time_limit + 1.0, record=self.recorded,
-                                  note=json.dumps({"suture": task._asdict()}).encode())
+        duration = self.time_limit + 1.0  # of the metrics
+        self._scene = SutureScene(task, duration=duration, record=self.recorded,
+                                  note=json.dumps({"suture": {**task._asdict(), "duration": duration}}).encode())
         self._log, self._over, self._heard, self._phase = b"", False, 0, int(SessionPhase.LOADING)
         self._standing: set[tuple[SessionEventKind, int]] = set()
         self._worth = self._worth_now([])
@@ -167,8 +170,28 @@ class SutureEnvironment(Episodes):
         return self.scene.metrics
 
 
+def _task_of(note: bytes) -> tuple[SutureTask, float]:
+    fields: dict[str, Any] = json.loads(note)["suture"]
+    duration = float(fields.pop("duration"))
+    fields["place"] = tuple(fields["place"])
+    return SutureTask(**fields), duration
+
+
 def scene_of_note(note: bytes, context: Context) -> SutureScene:
     """A scene like that of a recorded episode, by the note in its log."""
-    fields: dict[str, Any] = json.loads(note)["suture"]
-    fields["place"] = tuple(fields["place"])
-    return SutureScene(SutureTask(**fields), context=context)
+    task, duration = _task_of(note)
+    return SutureScene(task, duration=duration, context=context)
+
+
+def played_back(log: bytes) -> SutureScene:
+    """Scene, session and metrics as they were in the end of a recorded episode, found by making its steps again;
+    CorruptError if these are others. To be closed."""
+    context = Context()
+    replay = Replay(log, context)
+    task, duration = _task_of(replay.info.note)
+    steps = replay.check()
+    scene = SutureScene(task, duration=duration, context=context, replay=replay)
+    for _ in range(steps):
+        scene.session.step(STEP)
+    scene.steps = steps
+    return scene
