@@ -1,4 +1,6 @@
 """The whole task as an environment: the interface, the same numbers by seed, rewards, and two policies."""
+import weakref
+
 import pytest
 
 np = pytest.importorskip("numpy")
@@ -196,12 +198,30 @@ def test_random_hands_make_no_stitch_and_break_nothing():
         assert truncated and "error" not in info and info["phase"] == "LOADING" and info["steps"] == 500
 
 
+def test_each_episode_leaves_nothing_behind():
+    """Also not until somebody collects: an episode has megabytes."""
+    with SutureEnvironment(record=True) as environment:
+        contexts = []
+        for seed in range(4):
+            environment.reset(seed=seed, options=SHORT)
+            environment.step(still())
+            contexts.append(weakref.ref(environment.scene.context))
+        assert [context() is not None for context in contexts] == [False, False, False, True]
+
+
 def test_a_failed_task_and_a_simulation_that_fails_end_the_episode(environment, monkeypatch):
     environment.reset(seed=0, options=SHORT)
     environment.step(still())
     environment.scene.scene.remove(environment.scene.needle_body)
-    worth = environment.step(still())
-    assert worth[2] and not worth[3] and worth[4]["failure"] == "LOST"
+    _, _, terminated, truncated, info = environment.step(still())
+    assert terminated and not truncated and info["failure"] == "LOST"
+
+    environment.reset(seed=0, options=SHORT)
+    environment.step(still())
+    environment.scene.scene.cut_thread(environment.scene.thread_body, 0.1)
+    seen, reward, terminated, _, info = environment.step(still())
+    assert terminated and info["failure"] == "CUT_EARLY" and environment.observation_space.contains(seen)
+    assert info["score"] == 0.0 and reward == pytest.approx(-600.0 + 9e-3)  # what was left of the score
 
     def fail(*_):
         raise vb.errors.Error("it is singular")

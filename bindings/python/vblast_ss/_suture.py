@@ -34,6 +34,7 @@ LEFT_JAW = 0.5e-3
 NECK = 5e-3  # so that thread can be wound about a tool
 STIFFNESS, DAMPING = 2000.0, 10.0  # of a coupling without an arm that would buzz, N/m and N s/m
 JAW_SPEED = 8.0  # of a handle's opening, 1/s
+CUTS = 4  # of the thread, at most
 MAX_TIME = 600.0  # with which the score begins
 LEFT, RIGHT = 0, 1
 
@@ -119,8 +120,8 @@ class SutureScene:
         self.drain = Drain(context, radius=TUBE, thickness=WALL, position=(0.0, 0.0, CENTRE),
                            orientation=(0.5, 0.5, 0.5, 0.5))  # its x, y, z are the world's y, z, x
         self.marks = self.drain.places.marks
-        self.scene = Scene(context, contact_capacity=4096, candidate_capacity=65536, floor=1,
-                           floor_normal=(0.0, 0.0, 1.0), floor_height=FLOOR)
+        self.scene = Scene(context, thread_capacity=1 + CUTS, node_capacity=2048, contact_capacity=4096,
+                           candidate_capacity=65536, floor=1, floor_normal=(0.0, 0.0, 1.0), floor_height=FLOOR)
         self.drain_body = self.scene.add(self.drain)
         # It lies so that turning it clockwise, as seen from above, drives its tip.
         self.needle = Needle(context, radius=NEEDLE_RADIUS, arc=NEEDLE_ARC, wire_radius=WIRE, gravity=(0.0, 0.0, -9.81),
@@ -130,7 +131,7 @@ class SutureScene:
         along = np.arange(self.task.segments + 1)[:, None] * THREAD / self.task.segments
         self.thread = Thread(context, preset="paper_thread", segment_count=self.task.segments, length=THREAD,
                              positions=np.array(lies.swage) + along * np.array(lies.swage_direction),
-                             gravity=(0.0, 0.0, -9.81), damping=2.0, drag=1.0)
+                             gravity=(0.0, 0.0, -9.81), damping=2.0, drag=1.0, cut_capacity=CUTS)
         self.thread_body = self.scene.add(self.thread)
         self.scene.pin_thread(self.thread_body, 0, self.needle_body, (-NEEDLE_RADIUS, 0.0, 0.0))
         right = Tool(self.scene, context, (0.05, -0.05, 0.03), 0.6, {"driver_radius": JAW}, phases[RIGHT])

@@ -17,6 +17,7 @@ Needs numpy. Equal seeds, options and actions give equal numbers."""
 from __future__ import annotations
 
 import json
+import math
 from typing import Any, Mapping, Optional
 
 import numpy as np
@@ -123,7 +124,7 @@ class SutureEnvironment(Episodes):
         if phase not in (SessionPhase.IDLE, SessionPhase.FAILED):  # which is no further than where it failed
             self._phase = int(phase)
         score = report.score if report.flags & MetricsBits.STARTED else MAX_TIME  # the clock waits for the first step
-        return score + self.phase_points * self._phase + sum(self._points[kind] for kind, _ in self._standing)
+        return score + self.phase_points * self._phase + math.fsum(self._points[kind] for kind, _ in self._standing)
 
     def _observe(self) -> Any:
         scene = self.scene
