@@ -5,7 +5,9 @@
 
 Import time in fresh interpreters; time of a scene's step from Python and from C, for scenes of nothing and of a hanging
 thread, with equal hashes of the end states: processor time, the least of several runs. Steps a second of one and of two
-Python threads with a scene each: wall time, the best of several runs; on a machine that does other things two gain less."""
+Python threads with a scene each, the best of several runs: by the clock, and by the processor time of each thread, which is what a
+core of its own would give; by the clock two gain less on a machine that does other things. Environments: processor time of a
+simulated second."""
 import os
 import pathlib
 import resource
@@ -60,12 +62,32 @@ def c_steps(program, segments, steps):
 
 
 def throughput(workers, segments, steps):
-    """Steps a second of all workers together, in a batch of a scene each."""
+    """Steps a second of all workers together by the clock, and of each by its processor time, in a batch of a scene each."""
     with Batch(scene_of, [segments] * workers, workers=workers) as batch:
+        made = [cost.seconds for cost in batch.costs]
         begin = time.perf_counter()
         batch.step(1e-3, steps)
         seconds = time.perf_counter() - begin
-        return workers * steps / seconds, set(batch.map(lambda scene: scene.state_hash))
+        own = [steps / (cost.seconds - before) for cost, before in zip(batch.costs, made)]
+        return workers * steps / seconds, sum(own) / workers, set(batch.map(lambda scene: scene.state_hash))
+
+
+def environments():
+    """ms of processor time a simulated second takes, at its begin, while hands are still."""
+    from vblast_ss import environment, suturing  # want numpy
+    for name, make, options in (("a throw", environment.ThrowEnvironment, {}),
+                                ("the whole task, 60 segments", suturing.SutureEnvironment, {"segments": 60}),
+                                ("the whole task, 300 segments", suturing.SutureEnvironment, {})):
+        costs = []
+        with make() as made:
+            for _ in range(3):
+                made.reset(seed=0, options=options)
+                still = [0.0] * made.action_space.shape[0]
+                begin = time.thread_time()
+                for _ in range(50):
+                    made.step(still)
+                costs.append((time.thread_time() - begin) / (1e-3 * made.control * 50))
+        print(f"{name} as an environment: {1e3 * min(costs):.0f} ms of processor time a simulated second")
 
 
 def main():
@@ -94,23 +116,16 @@ def main():
             costs.append((time.thread_time() - begin) / 2000)
         print(f"\nan array of positions: {1e6 * min(costs):.2f} us")
     try:
-        from vblast_ss import environment
-    except ImportError:  # without numpy
-        pass
-    else:
-        with environment.ThrowEnvironment() as throw:
-            throw.reset(seed=0)
-            begin = time.thread_time()
-            for _ in range(100):
-                throw.step([0.0] * 8)
-            each = 1e-3 * throw.control * 100
-            print(f"a throw as an environment: {1e3 * (time.thread_time() - begin) / each:.0f} ms of processor time a "
-                  f"simulated second before the thread is wound")
+        environments()
+    except ImportError:
+        print("environments: want numpy")
     rates = [[throughput(workers, 120, 1500) for workers in (1, 2)] for _ in range(3 * RUNS)]
-    if len({found for row in rates for _, hashes in row for found in hashes}) != 1:
+    if len({found for row in rates for *_, hashes in row for found in hashes}) != 1:
         sys.exit("the end states differ")
     one, two = (max(row[i][0] for row in rates) for i in (0, 1))
-    print(f"steps a second, thread of 120: 1 worker {one:.0f}, 2 workers {two:.0f} together ({two / one:.2f} times)")
+    own_one, own_two = (max(row[i][1] for row in rates) for i in (0, 1))
+    print(f"steps a second, thread of 120: 1 worker {one:.0f}, 2 workers {two:.0f} together ({two / one:.2f} times); "
+          f"by processor time a core: {own_one:.0f} with 1, {own_two:.0f} with 2 ({own_two / own_one:.2f})")
 
 
 if __name__ == "__main__":
