@@ -1,7 +1,8 @@
-"""A scripted policy takes the needle off the floor and drives it through both marks of the drain: the begin of the whole
-task as an environment.
+"""A scripted policy takes the needle off the floor and drives it through both marks of the drain, and another draws the thread
+after it: the begin of the whole task as an environment.
 
-    python3 bindings/python/examples/drive_needle.py [--seed 0] [--segments 300] [--plot needle.png] [--log needle.vbss]
+    python3 bindings/python/examples/drive_needle.py [--seed 0] [--segments 300] [--pull] [--plot needle.png]
+        [--log needle.vbss]
 
 Tells each event of the session, and what there was of reward by then. --plot draws what hands feel and how far the needle
 is through, --log keeps the log, which score_session.py plays back."""
@@ -9,14 +10,14 @@ import argparse
 import pathlib
 import sys
 
-from vblast_ss.suturing import FIELDS, ScriptedStitch, SutureEnvironment
+from vblast_ss.suturing import FIELDS, ScriptedPull, ScriptedStitch, SutureEnvironment
 
 
-def drive(seed, segments, log=None):
+def drive(seed, segments, pull=False, log=None):
     """Rows of time, pull on either hand, depth inward and outward, reward so far; and why it was given up, if it was."""
     rows, total, over = [], 0.0, False
     policy = ScriptedStitch()
-    with SutureEnvironment(time_limit=20.0, record=log is not None) as environment:
+    with SutureEnvironment(time_limit=40.0, record=log is not None) as environment:
         seen, info = environment.reset(seed=seed, options={"segments": segments})
         while not over and not policy.done:
             seen, reward, terminated, truncated, info = environment.step(policy(seen))
@@ -26,6 +27,8 @@ def drive(seed, segments, log=None):
                       f"  {info['phase'].lower()}  {total:+.2f}")
             pulls = [sum(part**2 for part in seen[FIELDS[name]])**0.5 for name in ("left_force", "right_force")]
             rows.append((info["time"], *pulls, *seen[FIELDS["depth"]], total))
+            if pull and policy.phase == "done" and isinstance(policy, ScriptedStitch):
+                policy = ScriptedPull()
         if log is not None:
             log.write_bytes(environment.take_log())
         print(f"{policy.phase} {policy.why or info.get('error', '')} after {info['time']:.2f} s, {info['steps']} steps; holes "
@@ -56,10 +59,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--segments", type=int, default=300)
+    parser.add_argument("--pull", action="store_true")
     parser.add_argument("--plot", type=pathlib.Path)
     parser.add_argument("--log", type=pathlib.Path)
     chosen = parser.parse_args()
-    rows, done = drive(chosen.seed, chosen.segments, chosen.log)
+    rows, done = drive(chosen.seed, chosen.segments, chosen.pull, chosen.log)
     if chosen.plot:
         draw(rows).savefig(chosen.plot)
         print("drawn:", chosen.plot)

@@ -31,16 +31,16 @@ AWAY, AXIS = np.array((0.0, 1.0, 0.0)), np.array((0.0, 0.0, 1.0))
 TRIES = 5
 
 
-def _length(vector: Vector) -> float:
+def length(vector: Vector) -> float:
     return math.sqrt(float(vector @ vector))
 
 
-def _limited(vector: Vector, most: float) -> Vector:
-    length = _length(vector)
-    return vector * (most / length) if length > most else vector
+def limited(vector: Vector, most: float) -> Vector:
+    size = length(vector)
+    return vector * (most / size) if size > most else vector
 
 
-def _flat(vector: Vector, normal: Vector) -> Vector:
+def flat(vector: Vector, normal: Vector) -> Vector:
     return vector - float(vector @ normal) * normal
 
 
@@ -52,24 +52,37 @@ def _outward(at: Vector) -> Vector:
 def _through(tip: Vector) -> Pose:
     """The left tool with its shaft toward its trocar."""
     z = unit(TROCAR - tip)
-    y = unit(_flat(POINT, z))
+    y = unit(flat(POINT, z))
     return Pose(tip, turn_of(across(y, z), y, z))
 
 
-def _grip() -> Pose:
-    """The tool in the needle's frame."""
-    angle = -HOLD / NEEDLE_RADIUS
+def grip(arc_length: float, behind: float, lean: float, up: Optional[float] = None) -> Pose:
+    """The tool in the needle's frame: so far from the needle's tip and behind its own, it comes against the needle's axis,
+    and leans to an angle in the needle's plane, or outward."""
+    angle = -arc_length / NEEDLE_RADIUS
     out = np.array((math.cos(angle), math.sin(angle), 0.0))
-    z = np.array((math.sin(LEAN) * math.cos(UP), math.sin(LEAN) * math.sin(UP), -math.cos(LEAN)))
-    x = unit(_flat(out, z))
-    return Pose(NEEDLE_RADIUS * out, turn_of(x, across(z, x), z))
+    up = angle if up is None else up
+    z = np.array((math.sin(lean) * math.cos(up), math.sin(lean) * math.sin(up), -math.cos(lean)))
+    x = unit(flat(out, z))
+    return Pose(NEEDLE_RADIUS * out - behind * z, turn_of(x, across(z, x), z))
 
 
 def go(action: Any, now: Pose, to: Pose, speed: float) -> None:
     """Part of an action: toward a pose, slower when near."""
-    action[space.MOVE] = _limited((to.at - now.at) / LAG, speed) / space.SPEED
+    action[space.MOVE] = limited((to.at - now.at) / LAG, speed) / space.SPEED
     rotation = rotation_of(turned(to.q, back(now.q)))
-    action[space.ROTATE] = _limited(rotation / LAG, space.TURN) / space.TURN
+    action[space.ROTATE] = limited(rotation / LAG, space.TURN) / space.TURN
+
+
+def seen_of(observation: Any) -> dict[str, Any]:
+    """What is observed, by name; poses as such, without the thread."""
+    see = {name: observation[place] for name, place in space.FIELDS.items() if name != "thread"}
+    return {**see, **{name: Pose(see[name][:3], see[name][3:]) for name in ("needle", "left", "right")}}
+
+
+def off(now: Pose, needle: Pose) -> float:
+    """From where the needle is to there: of its centre, and of its arc by what it is turned, m."""
+    return length(needle.at - now.at) + NEEDLE_RADIUS * needle.angle(now)
 
 
 class ScriptedStitch:
@@ -96,8 +109,7 @@ class ScriptedStitch:
         return self.phase in ("done", "failed")
 
     def __call__(self, observation: Any) -> Any:
-        see = {name: observation[place] for name, place in space.FIELDS.items() if name != "thread"}
-        see.update({name: Pose(see[name][:3], see[name][3:]) for name in ("needle", "left", "right")})
+        see = seen_of(observation)
         h, self._time = float(see["time"]) - self._time, float(see["time"])
         self._since += h
         self._support_since += h
@@ -135,7 +147,7 @@ class ScriptedStitch:
             self._enter("reach")
 
     def _over(self, see: Mapping[str, Any], height: Optional[float]) -> Pose:
-        tool: Pose = see["needle"].after(_grip())
+        tool: Pose = see["needle"].after(grip(HOLD, 0.0, LEAN, UP))
         at = tool.at.copy()
         at[2] = at[2] + OVER if height is None else height
         return Pose(at, tool.q)
@@ -144,7 +156,7 @@ class ScriptedStitch:
         tool = self._over(see, None)
         action[space.JAWS] = 2.0 * WIDE - 1.0
         go(action, see["right"], tool, CARRY)
-        if _length(tool.at - see["right"].at) < 1e-3 and tool.angle(see["right"]) < 0.1:
+        if length(tool.at - see["right"].at) < 1e-3 and tool.angle(see["right"]) < 0.1:
             self._enter("lower")
 
     def _lower(self, see: Mapping[str, Any], action: Any, h: float) -> None:
@@ -171,14 +183,10 @@ class ScriptedStitch:
         """So that the needle comes there; what gives way between it and the hand is seen, a little late."""
         go(action, see["right"], needle.after(self._held.inverse()), speed)
 
-    @staticmethod
-    def _off(see: Mapping[str, Any], needle: Pose) -> float:
-        return _length(needle.at - see["needle"].at) + NEEDLE_RADIUS * needle.angle(see["needle"])
-
     def _lift(self, see: Mapping[str, Any], action: Any, h: float) -> None:
         up = Pose(self._from.at + np.array((0.0, 0.0, 0.03)), self._from.q)
         go(action, see["right"], up, CARRY)
-        if _length(up.at - see["right"].at) < 5e-3:
+        if length(up.at - see["right"].at) < 5e-3:
             self._enter("bring" if self.through else "done")
 
     def _entering(self) -> Pose:
@@ -193,14 +201,14 @@ class ScriptedStitch:
         needle = self._entering()
         needle = Pose(needle.at + np.array((0.012, 0.0, 0.015)), needle.q)
         self._steer(see, action, needle, CARRY)
-        if self._off(see, needle) < 4e-3:
+        if off(see["needle"], needle) < 4e-3:
             self._enter("aim")
 
     def _aim(self, see: Mapping[str, Any], action: Any, h: float) -> None:
         self._entry = self._marks[1]
         needle = self._entering()
         self._steer(see, action, needle, CAREFUL)
-        if self._off(see, needle) < 1e-3 and self.support == "under" and self._support_since > 0.5:
+        if off(see["needle"], needle) < 1e-3 and self.support == "under" and self._support_since > 0.5:
             self._enter("pierce")
 
     # ---- through both walls
@@ -222,14 +230,14 @@ class ScriptedStitch:
         rest, normal = self._rest[0], _outward(self._rest[0])
         moved = self._marks[0] - rest
         moved = moved - max(float(moved @ normal), 0.0) * normal
-        return rest + LEAD * across(AWAY, normal) + self._trim + _limited(moved, FOLLOW)
+        return rest + LEAD * across(AWAY, normal) + self._trim + limited(moved, FOLLOW)
 
     def _crossing(self) -> Pose:
         """On the circle through entry and exit, above which its centre lies."""
         start, end = self._entry, self._exit()
         e1 = unit(start - end)
-        e3 = unit(_flat(AXIS, e1))
-        half = 0.5 * _length(start - end)
+        e3 = unit(flat(AXIS, e1))
+        half = 0.5 * length(start - end)
         centre = 0.5 * (start + end) + math.sqrt(NEEDLE_RADIUS**2 - half**2) * e3
         x, z = unit(start - centre), across(e3, e1)
         return Pose(centre, turn_of(x, across(z, x), z)).rolled(AXIS, self._gone / NEEDLE_RADIUS)
@@ -253,10 +261,10 @@ class ScriptedStitch:
         needle = see["needle"]
         to = self._marks[0] - needle.at
         z = rotate(needle.q, AXIS)
-        flat = _flat(to, z)
-        miss = (_length(flat) - NEEDLE_RADIUS) * unit(flat) + float(to @ z) * z
-        self._trim = _limited(self._trim + h / 0.1 * miss, FOLLOW)  # the wall drives the tip aside
-        self._on(see, action, 0.5 * DRIVE * h * min(max(2.0 - _length(miss) / 0.4e-3, 0.05), 1.0), h)
+        in_plane = flat(to, z)
+        miss = (length(in_plane) - NEEDLE_RADIUS) * unit(in_plane) + float(to @ z) * z
+        self._trim = limited(self._trim + h / 0.1 * miss, FOLLOW)  # the wall drives the tip aside
+        self._on(see, action, 0.5 * DRIVE * h * min(max(2.0 - length(miss) / 0.4e-3, 0.05), 1.0), h)
 
     def _draw(self, see: Mapping[str, Any], action: Any, h: float) -> None:
         self._on(see, action, DRIVE * h, h)
@@ -275,10 +283,10 @@ class ScriptedStitch:
 
     def _bear(self, see: Mapping[str, Any], action: Any) -> None:
         assert self._rest is not None
-        off = 0.5 * WALL + LEFT_JAW
+        thick = 0.5 * WALL + LEFT_JAW
         left, normals = see["left"], [_outward(mark) for mark in self._rest]
-        inside = self._rest[1] + (0.2e-3 - off) * normals[1]
-        outside = self._rest[0] + off * normals[0] - LOWER * across(AWAY, normals[0])
+        inside = self._rest[1] + (0.2e-3 - thick) * normals[1]
+        outside = self._rest[0] + thick * normals[0] - LOWER * across(AWAY, normals[0])
         way, beside = unit(TROCAR - inside), unit(TROCAR - outside)
         tip = inside - FORK_BEYOND * way
         # support: where to, how fast
@@ -287,7 +295,7 @@ class ScriptedStitch:
                   "on": (outside - PUSH * beside, CAREFUL), "back": (outside + 0.03 * beside, CARRY)}
         to, speed = places[self.support]
         go(action, left, _through(to if self.support != "away" else left.at), speed)
-        near = _length(to - left.at)
+        near = length(to - left.at)
         if self.support == "away" and self.phase != "lie":
             self._bear_on("over")
         elif self.support == "over" and near < 0.5e-3:

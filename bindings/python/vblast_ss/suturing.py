@@ -23,6 +23,7 @@ from typing import Any, Mapping, Optional
 import numpy as np
 
 from ._episode import Box, Episodes
+from ._pull import ScriptedPull
 from ._stitch import ScriptedStitch
 from ._suture import LEFT, MAX_TIME, RIGHT, STEP, SutureScene, SutureTask
 from ._suture_space import (ACTIONS, FIELDS, HIGH, JAWS, LOW, MOVE, ROTATE, SHEARS, SHOWN, SPEED, TURN, WIDTHS)
@@ -36,7 +37,7 @@ from .records import Replay
 from .sessions import Session, SessionEvent, SessionEventKind, SessionPhase
 
 __all__ = ["ACTIONS", "Box", "EVENT_POINTS", "FIELDS", "HIGH", "JAWS", "LOW", "MOVE", "ROTATE", "RandomHands", "SHEARS",
-           "SHOWN", "SPEED", "ScriptedStitch", "SutureEnvironment", "SutureTask", "TURN", "played_back",
+           "SHOWN", "SPEED", "ScriptedPull", "ScriptedStitch", "SutureEnvironment", "SutureTask", "TURN", "played_back",
            "scene_of_note"]
 
 EVENT_POINTS = {"taken": 5.0, "threaded": 10.0, "tail": 10.0, "throw": 20.0, "seated": 20.0, "transfer": 10.0,
@@ -140,7 +141,8 @@ class SutureEnvironment(Episodes):
                 ("left_force", states[LEFT].hand_force), ("right_force", states[RIGHT].hand_force),
                 ("holds", [state.grasp_count > 0 for state in states]), ("left_mark", marks[LEFT]),
                 ("right_mark", marks[RIGHT]), ("pierced", [depth is not None for depth in depths]),
-                ("depth", [depth or 0.0 for depth in depths]), ("gap", status.gap), ("tail", status.tail),
+                ("depth", [depth or 0.0 for depth in depths]),
+                ("threaded", [status.threaded & 1, status.threaded >> 1 & 1]), ("gap", status.gap), ("tail", status.tail),
                 ("throws", status.throws), ("seated", status.seated),
                 ("thread", points[np.linspace(0, len(points) - 1, SHOWN).round().astype(int)].ravel())):
             seen[FIELDS[name]] = value
