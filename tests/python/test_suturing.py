@@ -8,7 +8,7 @@ np = pytest.importorskip("numpy")
 import vblast_ss as vb  # noqa: E402
 from vblast_ss import analysis  # noqa: E402
 from vblast_ss.suturing import (ACTIONS, FIELDS, HIGH, JAWS, LOW, MOVE, ROTATE, SHEARS, RandomHands,  # noqa: E402
-                                ScriptedPull, ScriptedStitch, SutureEnvironment, played_back)
+                                ScriptedStitch, SutureEnvironment, played_back)
 
 SHORT = {"segments": 60}  # enough for the needle's way
 STEADY = {**SHORT, "tremor": 0.0, "scatter": 0.0, "turn_scatter": 0.0}
@@ -185,25 +185,6 @@ def test_scripted_hands_drive_the_needle_through_both_marks(seed):
         assert not any(event.undone or event.kind is vb.SessionEventKind.STRAY for event in heard)
         # Three phases and the taking; time and what the holes are off cost.
         assert total == pytest.approx(155.0 + environment.metrics.report.score - 600.0) and total > 125.0
-
-
-def test_scripted_hands_draw_the_thread_through():
-    with SutureEnvironment(time_limit=30.0) as environment:
-        total, heard = 0.0, []
-        seen, _ = environment.reset(seed=1, options=SHORT)
-        for policy in (ScriptedStitch(), ScriptedPull()):
-            while not policy.done:
-                seen, reward, terminated, truncated, info = environment.step(policy(seen))
-                total += reward
-                heard += info["events"]
-                assert not terminated and not truncated
-            assert policy.why == ""
-        assert info["phase"] == "THROW_1" and 15e-3 < info["tail"] < 20e-3
-        assert seen[FIELDS["threaded"]].all() and not seen[FIELDS["pierced"]].any() and seen[FIELDS["holder"]] == 1
-        held = [event.tool for event in heard if event.kind is vb.SessionEventKind.TAKEN and not event.undone]
-        assert held == [vb.MetricsTool.RIGHT, vb.MetricsTool.LEFT, vb.MetricsTool.RIGHT]
-        # Four phases, what is held, threaded twice, and the tail; time and what the holes are off cost.
-        assert total == pytest.approx(200.0 + 5.0 + 20.0 + 10.0 + environment.metrics.report.score - 600.0)
 
 
 def test_random_hands_make_no_stitch_and_break_nothing():

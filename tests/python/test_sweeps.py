@@ -1,4 +1,5 @@
-"""Examples that tie whole throws, and the notebook, from its first cell to its last."""
+"""What takes long: a thread that is drawn through, examples that tie whole throws, and the notebook, from its first cell
+to its last."""
 import shutil
 
 import pytest
@@ -8,6 +9,27 @@ from conftest import BINDING
 from test_examples import run
 
 pytest.importorskip("numpy")
+
+from vblast_ss.suturing import FIELDS, ScriptedPull, ScriptedStitch, SutureEnvironment  # noqa: E402
+
+
+def test_scripted_hands_draw_the_thread_through():
+    with SutureEnvironment(time_limit=30.0) as environment:
+        total, heard = 0.0, []
+        seen, _ = environment.reset(seed=1, options={"segments": 60})
+        for policy in (ScriptedStitch(), ScriptedPull()):
+            while not policy.done:
+                seen, reward, terminated, truncated, info = environment.step(policy(seen))
+                total += reward
+                heard += info["events"]
+                assert not terminated and not truncated
+            assert policy.why == ""
+        assert info["phase"] == "THROW_1" and 15e-3 < info["tail"] < 20e-3
+        assert seen[FIELDS["threaded"]].all() and not seen[FIELDS["pierced"]].any() and seen[FIELDS["holder"]] == 1
+        held = [event.tool for event in heard if event.kind is vb.SessionEventKind.TAKEN and not event.undone]
+        assert held == [vb.MetricsTool.RIGHT, vb.MetricsTool.LEFT, vb.MetricsTool.RIGHT]
+        # Four phases, what is held, threaded twice, and the tail; time and what the holes are off cost.
+        assert total == pytest.approx(200.0 + 5.0 + 20.0 + 10.0 + environment.metrics.report.score - 600.0)
 
 
 def test_a_session_is_tied_and_scored():

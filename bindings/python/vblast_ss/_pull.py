@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _suture_space as space
 from ._pose import Pose, rotate, turn_of, unit
-from ._stitch import AXIS, HOLD, SEEING, go, grip, length, off, seen_of
+from ._stitch import AXIS, HOLD, SEEING, TRIES, go, grip, length, off, seen_of
 from ._suture import NEEDLE_RADIUS
 
 TIP_HOLD = 4.5e-3  # from the tip: where the left hand takes the needle
@@ -39,6 +39,7 @@ class ScriptedPull:
         """Why it has given up."""
         self._since = self._turned = self._drawn = 0.0
         self._time = -1.0
+        self._tries = 0
         self._jaws = {"left": 0.56, "right": 0.0}
         self._held = self._from = self._back = OFFERED
 
@@ -76,7 +77,8 @@ class ScriptedPull:
 
     def _taken(self, see: Mapping[str, Any], action: Any, name: str, arc_length: float, part: int) -> None:
         """Open jaws come to before it (0), one on either side (1), and close (2)."""
-        tool = see["needle"].after(grip(arc_length, BEHIND, LEAN))
+        # A hand that closes does not follow what it pushes aside.
+        tool = (self._from if part == 2 else see["needle"]).after(grip(arc_length, BEHIND, LEAN))
         if part == 0:
             tool = Pose(tool.at + AHEAD * rotate(tool.q, AXIS), tool.q)
         go(action[LEFT if name == "left" else RIGHT], see[name], tool, (CARRY, CAREFUL, CAREFUL)[part])
@@ -86,6 +88,11 @@ class ScriptedPull:
             if part == 2:
                 self._held = see[name].inverse().after(see["needle"])
             self._next(see)
+        elif part == 2 and self._since > 0.8:  # missed: once more
+            self._tries += 1
+            self.phase, self._since = ("reach" if name == "left" else "ask"), 0.0
+            if self._tries == TRIES:
+                self._fail("the needle is not taken")
 
     def _left(self, see: Mapping[str, Any], action: Any, name: str) -> None:
         """A hand opens, and goes back along itself."""
