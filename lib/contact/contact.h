@@ -64,11 +64,12 @@ typedef struct contact_row {
     /* A sleeve's, for whoever makes rows: on which span it has been laid, and from which arc length on. */
     uint32_t span;
     double from;
-    double augmentation;       /* r of Alart and Curnier, N/m */
-    vec3 normal;               /* unit, from b to a */
-    double gap;                /* at the trial state, m */
-    vec3 slid;                 /* of a against b from the begin of the part to the trial state, m */
-    double at[2];              /* where on the features: for whoever makes rows */
+    double augmentation; /* r of Alart and Curnier, N/m */
+    vec3 normal;         /* unit, from b to a */
+    double gap;          /* at the trial state, m */
+    vec3 slid;           /* of a against b from the begin of the part to the trial state, m */
+    double at[2];        /* where on the features: for whoever makes rows */
+    double piece[2][2];  /* of a segment a: from and to which share it is looked at: the same */
     uint32_t points[2], later; /* what is there: the same, while they are made */
     vec3 point;                /* between the surfaces: the same */
     double touching; /* m: distance of the features\' middles at which they touch: the same */

@@ -84,6 +84,8 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
     row->bilateral = false;
     row->sleeve = false;
     row->along = row->walls = 0.0;
+    row->piece[0][0] = row->piece[1][0] = 0.0;
+    row->piece[0][1] = row->piece[1][1] = 1.0;
     row->is = (contact_found){.state = CONTACT_OPEN};
     row->held = vec3_zero();
     row->first_place = UINT32_MAX;

@@ -1,5 +1,5 @@
 /* What does not touch: suture and wall round a hole, wall and the jaws that hold it. */
-#include "scene/scene.h"
+#include "scene/around_holes.h"
 
 /* A tip touches within so many radii of the wire from its end. */
 #define TIP 1.0
@@ -142,6 +142,85 @@ double vbss_scene_share_touching(const scene_object *s, const scene_body *body, 
     return vbss_scene_is_suture(body)
                ? share_in_holes(s, body, feature, node ? 0.0 : share, drain, spot, reach)
                : 1.0;
+}
+
+/* ---- the axis of a needle, cut at its holes */
+
+/* Moves `from` on to where a hole ends, if it is at that; else `to` back to where it begins. True: it was at it. */
+static bool pass_hole(const suture_hole *hole, const scene_body *needle, double reach, double *from,
+                      double *to)
+{
+    double begin = hole->arc - reach, end = hole->arc + reach;
+    double mouth = hole->arc + reach_of(hole, needle, 0.0, reach);
+    end = greater(end, lesser(TIP * needle->rigid.needle->config.wire_radius, mouth));
+    bool at = begin <= *from && *from < end;
+    *from = at ? end : *from;
+    *to = begin > *from ? lesser(*to, begin) : *to;
+    return at;
+}
+
+/* From and to which arc length the next piece of a capsule's axis goes; false: there is none. */
+static bool find_piece(const scene_object *s, const scene_body *needle, const scene_body *drain,
+                       double reach, double *from, double *to)
+{
+    const double end = *to;
+    bool moved = true;
+    while (moved) { /* behind one hole may be another that was looked at before */
+        moved = false;
+        *to = end;
+        for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+            const suture_hole *h = &s->holes[i];
+            bool own = h->id != 0 && h->needle == needle->number && h->drain == drain->number;
+            moved = (own && pass_hole(h, needle, reach, from, to)) || moved;
+        }
+    }
+    return *from < *to;
+}
+
+/* What of a side lies on that way of a plane across `along`; false: nothing. */
+static bool clip_side(const vec3 side[2], vec3 point, vec3 along, double shares[2])
+{
+    double begin = vec3_dot(vec3_sub(side[0], point), along);
+    double end = vec3_dot(vec3_sub(side[1], point), along);
+    if (begin < 0.0 && end < 0.0) {
+        return false;
+    }
+    double cut = begin != end ? begin / (begin - end) : 0.0;
+    shares[0] = begin < 0.0 ? greater(shares[0], cut) : shares[0];
+    shares[1] = end < 0.0 ? lesser(shares[1], cut) : shares[1];
+    return shares[0] < shares[1];
+}
+
+static bool clip_to_piece(const vec3 axis[2], const vec3 side[2], double at[2][2])
+{
+    vec3 along = vec3_sub(axis[1], axis[0]);
+    at[1][0] = 0.0;
+    at[1][1] = 1.0;
+    return (at[0][0] <= 0.0 ||
+            clip_side(side, vec3_lerp(axis[0], axis[1], at[0][0]), along, at[1])) &&
+           (at[0][1] >= 1.0 ||
+            clip_side(side, vec3_lerp(axis[0], axis[1], at[0][1]), vec3_neg(along), at[1]));
+}
+
+bool vbss_scene_next_piece(const scene_object *s, const scene_body *needle, uint32_t capsule,
+                           const scene_body *drain, uint32_t side, double reach, scene_piece *piece)
+{
+    const uint32_t *node = s->collision->shapes[drain->shape]->edges[side];
+    const vec3 *x = drain->drain.drain->x, on[2] = {x[node[0]], x[node[1]]};
+    const vec3 *axis = s->capsules[needle->rigid.first_capsule + capsule].now;
+    const double begin = vbss_scene_arc_of(needle, capsule, 0.0);
+    const double end = vbss_scene_arc_of(needle, capsule, 1.0);
+    double from = piece->begun ? piece->arc : begin, to = end;
+    while (find_piece(s, needle, drain, reach, &from, &to)) {
+        *piece = (scene_piece){true, to, {{(from - begin) / (end - begin)}}};
+        piece->at[0][1] = to < end ? (to - begin) / (end - begin) : 1.0;
+        if (clip_to_piece(axis, on, piece->at)) {
+            return true;
+        }
+        from = to;
+        to = end;
+    }
+    return false;
 }
 
 static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,

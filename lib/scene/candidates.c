@@ -3,7 +3,7 @@
  * The search lists pairs whose swept boxes come near; of these, those become rows that are nearer than the
  * distance of touching, the margin, and what they may approach each other. How far things may move is
  * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
-#include "scene/scene.h"
+#include "scene/around_holes.h"
 
 #include <string.h>
 
@@ -181,6 +181,45 @@ static double approach_of(const scene_meeting *m, vec3 normal)
     return SCENE_AHEAD * most;
 }
 
+/* Laid, and whether it is near enough to touch. */
+static bool lay(const scene_object *s, contact_row *row, const scene_meeting *m)
+{
+    uint32_t kind = row->key.kind;
+    double margin = s->config.contact_margin, reach = reach_of(m);
+    bool near = vbss_scene_lay_row(s, row, m->a, m->b, reach + margin);
+    if (near && (kind == VBSS_CONTACT_SEGMENTS || scene_is_of_surface(kind))) {
+        near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
+    }
+    return near;
+}
+
+/* Where a needle is nearest to a side it is in its hole: the rest of it, before and behind, may touch that side elsewhere. A
+ * pair has one row, of the nearest piece. */
+static bool lay_beside_holes(const scene_object *s, contact_row *row, const scene_meeting *m)
+{
+    const double reach = SCENE_PIN_ARC * row->touching;
+    scene_piece piece = {.begun = false}, nearest = piece;
+    double least = (double)INFINITY;
+    while (vbss_scene_next_piece(s, m->a, row->key.a, m->b, row->key.b, reach, &piece)) {
+        memcpy(row->piece, piece.at, sizeof piece.at);
+        if (lay(s, row, m) && row->gap_before < least) {
+            least = row->gap_before;
+            nearest = piece;
+        }
+    }
+    if (!nearest.begun) {
+        return false;
+    }
+    memcpy(row->piece, nearest.at, sizeof nearest.at);
+    return lay(s, row, m);
+}
+
+static bool is_needle_at_drain(const contact_row *row, const scene_meeting *m)
+{
+    return row->key.kind == VBSS_CONTACT_SIDES && m->a->kind == BODY_RIGID &&
+           m->a->rigid.needle != NULL;
+}
+
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m)
 {
     if (is_given(s, m->a, key->kind, false, key->a) && is_given(s, m->b, key->kind, true, key->b)) {
@@ -191,14 +230,11 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
     if (row == NULL) {
         return false;
     }
-    double margin = s->config.contact_margin, reach = reach_of(m);
-    bool near = vbss_scene_lay_row(s, row, m->a, m->b, reach + margin);
-    if (near && (key->kind == VBSS_CONTACT_SEGMENTS || key->kind == VBSS_CONTACT_POINT_FACE ||
-                 key->kind == VBSS_CONTACT_SIDES)) {
-        near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
+    bool near = lay(s, row, m);
+    double share = near && scene_is_of_surface(key->kind) ? vbss_scene_share_of_row(s, row) : 1.0;
+    if (share == 0.0 && is_needle_at_drain(row, m)) {
+        share = lay_beside_holes(s, row, m) ? 1.0 : 0.0;
     }
-    bool surface = key->kind == VBSS_CONTACT_POINT_FACE || key->kind == VBSS_CONTACT_SIDES;
-    double share = near && surface ? vbss_scene_share_of_row(s, row) : 1.0;
     row->spared = (1.0 - share) * row->touching;
     row->gap_before += row->spared;
     if (!near || share == 0.0) {

@@ -204,14 +204,35 @@ static vec3 between_lips(const scene_object *s, const side *d, const side *e, mo
     return apart;
 }
 
+/* Beside a hole. */
+static bool is_cut(const contact_row *row)
+{
+    return row->piece[0][0] > 0.0 || row->piece[0][1] < 1.0;
+}
+
+static void cut_axis(vec3 axis[2], const double piece[2])
+{
+    vec3 begin = axis[0];
+    axis[0] = vec3_lerp(begin, axis[1], piece[0]);
+    axis[1] = vec3_lerp(begin, axis[1], piece[1]);
+}
+
 /* From b to a between the surfaces' middles where they are nearest: where that is on both, and what of it is wall. */
-static inline vec3 apart_of(const scene_object *s, const side *d, const side *e, moment when,
-                            double at[2], double *walls)
+static inline vec3 apart_of(const scene_object *s, const contact_row *row, const side *d,
+                            const side *e, moment when, double at[2], double *walls)
 {
     vec3 one[3], other[3];
     axis_of(s, d, when, one);
     axis_of(s, e, when, other);
+    bool cut = is_cut(row);
+    if (cut) {
+        cut_axis(one, row->piece[0]);
+        cut_axis(other, row->piece[1]);
+    }
     vec3 apart = closest(d, e, one, other, at);
+    for (int k = 0; cut && k < 2; k++) {
+        at[k] = row->piece[k][0] + at[k] * (row->piece[k][1] - row->piece[k][0]);
+    }
     *walls = 0.0;
     return are_lips(d, e) ? between_lips(s, d, e, when, apart, walls) : apart;
 }
@@ -431,7 +452,7 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
         return row->gap_before < reach;
     }
     const side e = side_of(s, row, b, 1);
-    vec3 apart = apart_of(s, &d, &e, BEGIN, row->at, &row->walls);
+    vec3 apart = apart_of(s, row, &d, &e, BEGIN, row->at, &row->walls);
     double share = share_of_radius(&d, &e);
     double distance = vec3_norm(apart), touching = share * (d.radius + e.radius);
     row->thickness = 2.0 * lesser(d.radius, e.radius); /* of lips too: they are soft */
@@ -447,7 +468,7 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     }
     /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. */
     double at[2], walls;
-    vec3 then = apart_of(s, &d, &e, AHEAD, at, &walls);
+    vec3 then = apart_of(s, row, &d, &e, AHEAD, at, &walls);
     double later = vec3_norm(then);
     if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
         row->normal = vec3_scale(then, 1.0 / later);
@@ -462,7 +483,7 @@ typedef enum look_at_row { SET, REFRESH, LAY_AGAIN, MEASURE } look_at_row;
 
 static void lay_again(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    row->normal = vec3_unit_or(apart_of(s, d, e, TRIAL, row->at, &row->walls), row->normal);
+    row->normal = vec3_unit_or(apart_of(s, row, d, e, TRIAL, row->at, &row->walls), row->normal);
     row->held = vbss_contact_turn_into_plane(row->held, row->normal);
     row->is.way = vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
 }
@@ -470,7 +491,7 @@ static void lay_again(const scene_object *s, contact_row *row, const side *d, co
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
     double at[2], walls, share = share_of_radius(d, e);
-    row->gap = vec3_norm(apart_of(s, d, e, TRIAL, at, &walls)) - share * d->radius -
+    row->gap = vec3_norm(apart_of(s, row, d, e, TRIAL, at, &walls)) - share * d->radius -
                share * e->radius + row->spared;
 }
 

@@ -3,7 +3,7 @@
  * Axes are kept at half the distance of touching by one-sided continuous tests: a miss is a proof. Contacts
  * rest near the whole distance, so the guard sleeps unless something goes wrong. Pairs that begin nearer than
  * half must not come much nearer still, so that a bad state can be left. */
-#include "scene/scene.h"
+#include "scene/around_holes.h"
 
 #include "collision/closest.h"
 
@@ -201,31 +201,58 @@ static double allowed_by_contact(const scene_object *s, const collision_candidat
     return touching_of(s, q) - s->config.penetration_tolerance * thickness_of(s, q);
 }
 
-static void put_pair(scene_object *s, const collision_candidate *q, uint32_t at)
+/* A pair of features, and of which pieces of both: NULL, of all of it. */
+typedef struct corners {
+    vec3 start[4], end[4];
+} corners;
+
+static void cut_axis(vec3 axis[2], const double piece[2])
+{
+    vec3 begin = axis[0];
+    axis[0] = vec3_lerp(begin, axis[1], piece[0]);
+    axis[1] = vec3_lerp(begin, axis[1], piece[1]);
+}
+
+static void corners_of(const scene_object *s, const collision_candidate *q,
+                       const scene_piece *piece, corners *c)
 {
     const collision_shape *of[4];
     uint32_t vertices[4];
     vertices_of(s, q, of, vertices);
     for (uint32_t k = 0; k < 4; k++) {
-        put_vertex(s->block, k, at, of[k]->start[vertices[k]], of[k]->end[vertices[k]]);
+        c->start[k] = of[k]->start[vertices[k]];
+        c->end[k] = of[k]->end[vertices[k]];
+    }
+    bool first = s->bodies[s->shape_places[q->shape_a]].kind == BODY_RIGID;
+    for (uint32_t k = 0; piece != NULL && k < 2; k++) {
+        uint32_t at = (k == 0) == first ? 0 : 2;
+        cut_axis(c->start + at, piece->at[k]);
+        cut_axis(c->end + at, piece->at[k]);
+    }
+}
+
+static void put_pair(scene_object *s, const collision_candidate *q, const scene_piece *piece,
+                     uint32_t at)
+{
+    corners c;
+    corners_of(s, q, piece, &c);
+    for (uint32_t k = 0; k < 4; k++) {
+        put_vertex(s->block, k, at, c.start[k], c.end[k]);
     }
     /* What contact has looked at is seldom nearer. */
     s->block->thickness[at] = allowed_by_contact(s, q);
 }
 
 /* How far apart they begin, and where: shares of two edges; weights of a triangle's corners. */
-static double distance_at_begin(const scene_object *s, const collision_candidate *q, double at[3])
+static double distance_at_begin(const scene_object *s, const collision_candidate *q,
+                                const scene_piece *piece, double at[3])
 {
-    const collision_shape *of[4];
-    uint32_t vertices[4];
-    vec3 x[4];
-    vertices_of(s, q, of, vertices);
-    for (uint32_t k = 0; k < 4; k++) {
-        x[k] = of[k]->start[vertices[k]];
-    }
+    corners c;
+    corners_of(s, q, piece, &c);
+    const vec3 *x = c.start;
     if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
-        const vec3 corners[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
-        return vec3_norm(closest_corners(corners, at));
+        const vec3 triangle[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
+        return vec3_norm(closest_corners(triangle, at));
     }
     return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]),
                                    &at[0], &at[1]));
@@ -248,7 +275,7 @@ static double share_at_wall(const scene_object *s, const collision_candidate *q,
     uint32_t feature = first ? q->b : q->a;
     double at[3], share = 0.0;
     scene_spot spot;
-    (void)distance_at_begin(s, q, at);
+    (void)distance_at_begin(s, q, NULL, at);
     if (point) {
         spot = vbss_scene_spot(drain, feature, at);
     } else {
@@ -335,9 +362,10 @@ static void ask(scene_object *s, uint32_t kind, uint32_t count)
                             &s->collision->counters);
 }
 
-static double time_at(scene_object *s, const collision_candidate *q, double thickness)
+static double time_at(scene_object *s, const collision_candidate *q, const scene_piece *piece,
+                      double thickness)
 {
-    put_pair(s, q, 0);
+    put_pair(s, q, piece, 0);
     s->block->thickness[0] = thickness;
     ask(s, q->kind, 1);
     return s->block->hit[0] != 0 ? s->block->time[0] : 1.0;
@@ -345,18 +373,42 @@ static double time_at(scene_object *s, const collision_candidate *q, double thic
 
 /* Share of the part after which a pair that hit comes too near; 1: it does not. What begins near is a row, and
  * contact has seen to it; what comes from further away may be none. */
-static double time_of_hit(scene_object *s, const collision_candidate *q, double share, double time)
+static double time_of_hit(scene_object *s, const collision_candidate *q, const scene_piece *piece,
+                          double share, double time)
 {
-    double at[3], touching = touching_of(s, q), distance = distance_at_begin(s, q, at);
+    double at[3], touching = touching_of(s, q), distance = distance_at_begin(s, q, piece, at);
     double guarded = GUARDED * share * touching;
     if (distance >= touching + s->config.contact_margin) {
         double nearer = (1.0 - share) * touching;
-        return share < 1.0 ? time_at(s, q, greater(allowed_by_contact(s, q) - nearer, guarded))
-                           : time;
+        double allowed = greater(allowed_by_contact(s, q) - nearer, guarded);
+        return share < 1.0 ? time_at(s, q, piece, allowed) : time;
     }
     bool near = distance <= guarded * (1.0 + 2.0 * s->collision->rules.tolerance);
-    double hit = time_at(s, q, near ? GUARDED_WHEN_NEARER * distance : guarded);
+    double hit = time_at(s, q, piece, near ? GUARDED_WHEN_NEARER * distance : guarded);
     return hit < 1.0 && distance < NEAREST * guarded ? 0.0 : hit;
+}
+
+/* Of a needle and a side that touch nowhere where they are nearest, at a hole: what is left of the needle beside its holes. */
+static double time_beside_holes(scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    bool first = a->kind == BODY_RIGID;
+    const scene_body *needle = first ? a : b, *drain = first ? b : a;
+    if (q->kind != VBSS_PAIR_EDGE_EDGE || drain->kind != BODY_DRAIN || needle->kind != BODY_RIGID ||
+        needle->rigid.needle == NULL) {
+        return 1.0;
+    }
+    double reach = SCENE_PIN_ARC * touching_of(s, q) + needle->moved + drain->moved;
+    scene_piece piece = {.begun = false};
+    double earliest = 1.0;
+    while (vbss_scene_next_piece(s, needle, first ? q->a : q->b, drain, first ? q->b : q->a, reach,
+                                 &piece)) {
+        double time = time_at(s, q, &piece, allowed_by_contact(s, q));
+        time = time < 1.0 ? time_of_hit(s, q, &piece, 1.0, time) : 1.0;
+        earliest = lesser(time, earliest);
+    }
+    return earliest;
 }
 
 /* The next pairs of one kind that have to be asked about, from *next on; returns how many, and which. */
@@ -375,7 +427,7 @@ static uint32_t gather(scene_object *s, uint32_t *next, uint32_t which[IMPACT_BL
         if (count > 0 && q->kind != c->candidates[which[0]].kind) {
             break;
         }
-        put_pair(s, q, count);
+        put_pair(s, q, NULL, count);
         which[count++] = *next;
     }
     return count;
@@ -397,9 +449,10 @@ static double earliest_hit(scene_object *s)
         }
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[which[i]];
-            double share = hit[i] ? share_touching(s, q, touching_of(s, q)) : 0.0;
-            if (share > 0.0) {
-                double t = time_of_hit(s, q, share, time[i]);
+            if (hit[i]) {
+                double share = share_touching(s, q, touching_of(s, q));
+                double t =
+                    share > 0.0 ? time_of_hit(s, q, NULL, share, time[i]) : time_beside_holes(s, q);
                 earliest = lesser(t, earliest);
             }
         }

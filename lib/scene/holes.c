@@ -1,10 +1,8 @@
 /* Holes in a scene: tips that enter walls, the suture that slides through. */
-#include "scene/scene.h"
+#include "scene/around_holes.h"
 
 #include <string.h>
 
-/* The tip's line is followed so far for the wall that it presses on, in distances of touching. */
-#define REACH 4.0
 /* A tip that is so much further out than when it entered has left: tremor does not make a hole twice; so does an end of the
  * suture, and the swage changes sides. m. */
 #define LEFT 0.2e-3
@@ -369,7 +367,8 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
     suture_hole made;
     const drain_object *d = drain->drain.drain;
     double wire = needle->rigid.needle->config.wire_radius;
-    double reach = REACH * (wire + 0.5 * d->config.thickness);
+    /* Farther on than a flat wall lies that it may enter, it does not go into that on which it presses. */
+    double reach = (wire + 0.5 * d->config.thickness) / SUTURE_LEAST_INTO;
     if (is_entering(s, needle, drain) || !look_at_tip(s, needle, drain, &tip) ||
         !vbss_suture_enters(&d->config, &tip) ||
         !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {

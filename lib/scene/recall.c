@@ -2,11 +2,6 @@
  * number, on a drain to a side or triangle that has a node in common. */
 #include "scene/scene.h"
 
-static bool is_of_surface(uint32_t kind)
-{
-    return kind == VBSS_CONTACT_POINT_FACE || kind == VBSS_CONTACT_SIDES;
-}
-
 static bool share_a_node(const scene_object *s, const scene_body *b, const contact_key *x,
                          const contact_key *y, bool is_b)
 {
@@ -44,7 +39,7 @@ static uint32_t find_next(const scene_object *s, const contact_key *key)
     uint32_t best = UINT32_MAX;
     for (uint32_t i = 0; a != NULL && b != NULL && i < set->count; i++) {
         const contact_row *row = &set->rows[i];
-        if (is_of_surface(row->key.kind) && row->is.state == CONTACT_OPEN &&
+        if (scene_is_of_surface(row->key.kind) && row->is.state == CONTACT_OPEN &&
             row->key.body_a == key->body_a && row->key.body_b == key->body_b &&
             (best == UINT32_MAX || row->gap_before < set->rows[best].gap_before) &&
             are_beside(s, a, key, &row->key) && share_a_node(s, b, key, &row->key, true)) {
@@ -63,7 +58,7 @@ void vbss_scene_recall_rows(scene_object *s)
         if (set->recalled[m] != 0) {
             continue;
         }
-        if (!is_of_surface(key->kind)) {
+        if (!scene_is_of_surface(key->kind)) {
             vbss_contact_pass_on(set, m);
             continue;
         }

@@ -411,23 +411,6 @@ void vbss_scene_leave_short_threads(scene_object *s);
 /* The thread whose begin is swaged to a needle; the needle; or NULL. */
 const scene_body *vbss_scene_thread_of(const scene_object *s, const scene_body *needle);
 const scene_body *vbss_scene_needle_of(const scene_object *s, const scene_body *thread);
-/* around_holes.c. A place of a wall, and at which share of the distance of touching a place of a thread, or of a capsule,
- * touches it: 0 at a hole that it is in, or in jaws that hold the wall. `point`: a node, or the end of a capsule; else a share
- * of a segment. `reach`: within which of a hole nothing touches. */
-typedef struct scene_spot {
-    vec3 now, rest;
-} scene_spot;
-scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3]);
-scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share);
-double vbss_scene_share_touching(const scene_object *s, const scene_body *body, bool point,
-                                 uint32_t feature, double share, const scene_body *drain,
-                                 const scene_spot *spot, double reach);
-double vbss_scene_share_of_row(const scene_object *s, const contact_row *row);
-bool vbss_scene_is_suture(const scene_body *b);
-/* The arc length of a place on a segment of a thread or a capsule of a needle; whether that is its tip. */
-double vbss_scene_arc_of(const scene_body *suture, uint32_t segment, double share);
-bool vbss_scene_is_at_tip(const scene_body *needle, double arc);
-
 /* paper_holes.c: particles at holes follow their needle at the end of a pass; whether a needle's capsule and a side of a drain
  * are so near to a hole that they do not touch; where a contact of a hole is shown; after a step, who leaves a hole and who
  * makes one. */
@@ -527,6 +510,11 @@ static inline bool scene_is_of_node(uint32_t kind)
 {
     return kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR ||
            kind == VBSS_CONTACT_POINT_FACE;
+}
+
+static inline bool scene_is_of_surface(uint32_t kind)
+{
+    return kind == VBSS_CONTACT_POINT_FACE || kind == VBSS_CONTACT_SIDES;
 }
 
 static inline bool scene_is_of_segment(uint32_t kind)

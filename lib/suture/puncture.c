@@ -3,8 +3,6 @@
 
 #include "collision/closest.h"
 
-/* Along the wall rather than into it: cosine between the tip's way and the inner normal below which it only slides. */
-#define LEAST_INTO 0.3
 /* Beyond this from the free edge, in radii of the wire, there is wall all round it. */
 #define FROM_EDGE 1.0
 /* A line through a side meets one of its triangles, however weights are rounded. */
@@ -14,7 +12,7 @@ bool vbss_suture_enters(const vbss_drain_config *config, const suture_tip *tip)
 {
     double pressed = -vec3_dot(tip->force, tip->direction);
     double into = -vec3_dot(tip->normal, tip->direction);
-    return pressed >= config->puncture_force && into >= LEAST_INTO;
+    return pressed >= config->puncture_force && into >= SUTURE_LEAST_INTO;
 }
 
 /* Where a line meets a triangle: how far on, and the weights of the corners there. Moeller and Trumbore 1997. */

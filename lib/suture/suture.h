@@ -74,6 +74,8 @@ typedef struct suture_tip {
     vec3 force;               /* of the wall on it, N */
     vec3 normal;              /* of that force without friction: unit, away from the wall */
 } suture_tip;
+/* Along the wall rather than into it: cosine between the tip's way and the inner normal below which it only slides. */
+#define SUTURE_LEAST_INTO 0.3
 /* Whether it is pressed in, and not along, so that the wall gives way. */
 bool vbss_suture_enters(const vbss_drain_config *config, const suture_tip *tip);
 /* The hole that it makes: where its line meets the wall within `reach`; false: nowhere, or where the wall ends. */

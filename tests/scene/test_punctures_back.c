@@ -1,4 +1,5 @@
 /* A needle that leaves a hole, the way it came or through it, and comes again; tremor at the wall. */
+#include "scene/around_holes.h"
 #include "scene/needle_case.h"
 
 static needle_case c;
@@ -188,6 +189,71 @@ static void a_hole_is_in_one_wall(void **state)
     needle_case_end(&c);
 }
 
+/* A side along the capsule's axis, a millimetre beside it, so that its shares are the same. */
+static void lay_side_along(scene_object *s, const scene_body *needle, uint32_t capsule,
+                           uint32_t side)
+{
+    drain_object *d = vbss_scene_body(s, c.d.body)->drain.drain;
+    const scene_body *drain = vbss_scene_body(s, c.d.body);
+    const uint32_t *node = s->collision->shapes[drain->shape]->edges[side];
+    const vec3 *axis = s->capsules[needle->rigid.first_capsule + capsule].now;
+    vec3 aside = vec3_cross(vec3_sub(axis[1], axis[0]), vec3_make(1.0, 0.0, 0.0));
+    for (int k = 0; k < 2; k++) {
+        d->x[node[k]] = vec3_add_scaled(axis[k], 1e-3, vec3_unit_or(aside, vec3_zero()));
+    }
+}
+
+static void expect_piece(scene_object *s, uint32_t capsule, double from, double to,
+                         scene_piece *piece)
+{
+    const scene_body *needle = vbss_scene_body(s, c.body), *drain = vbss_scene_body(s, c.d.body);
+    const needle_object *n = needle->rigid.needle;
+    double begin = vbss_needle_corner(n, capsule), end = vbss_needle_corner(n, capsule + 1);
+    assert_true(vbss_scene_next_piece(s, needle, capsule, drain, 0, 0.5e-3, piece));
+    const double expected[2] = {(from - begin) / (end - begin), (to - begin) / (end - begin)};
+    for (int k = 0; k < 2; k++) {
+        assert_true(fabs(piece->at[0][k] - expected[k]) < 1e-12);
+        assert_true(fabs(piece->at[1][k] - expected[k]) < 1e-9);
+    }
+}
+
+static void expect_no_piece(scene_object *s, uint32_t capsule, scene_piece *piece)
+{
+    const scene_body *needle = vbss_scene_body(s, c.body), *drain = vbss_scene_body(s, c.d.body);
+    assert_false(vbss_scene_next_piece(s, needle, capsule, drain, 0, 0.5e-3, piece));
+}
+
+/* A capsule is longer than what a hole exempts: what is left of it before and behind the hole touches what is beside that. */
+static void a_needle_touches_before_and_behind_its_hole(void **state)
+{
+    (void)state;
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    assert_true(needle_case_drive(&c, 9e-3, SPEED, VBSS_EVENT_PUNCTURE));
+    scene_object *s = small_object(&c.d.s);
+    const scene_body *needle = vbss_scene_body(s, c.body);
+    const needle_object *n = needle->rigid.needle;
+    const double first = vbss_needle_corner(n, 1), second = vbss_needle_corner(n, 2);
+    scene_piece piece = {.begun = false};
+    lay_side_along(s, needle, 1, 0);
+    s->holes[0].arc = first + 1e-3;
+    expect_piece(s, 1, first, first + 0.5e-3, &piece);
+    expect_piece(s, 1, first + 1.5e-3, second, &piece);
+    expect_no_piece(s, 1, &piece);
+    /* A second one overlaps the first, and reaches over the end. */
+    s->holes[1] = s->holes[0];
+    s->holes[1].arc = first + 0.2e-3;
+    piece = (scene_piece){.begun = false};
+    expect_piece(s, 1, first + 1.5e-3, second, &piece);
+    expect_no_piece(s, 1, &piece);
+    /* On its way in, the tip alone is at the mouth. */
+    s->holes[1] = (suture_hole){0};
+    s->holes[0].arc = s->holes[0].entry = -2e-3;
+    lay_side_along(s, needle, 0, 0);
+    piece = (scene_piece){.begun = false};
+    expect_piece(s, 0, n->config.wire_radius, first, &piece);
+    needle_case_end(&c);
+}
+
 int test_punctures_back(void)
 {
     const struct CMUnitTest tests[] = {
@@ -198,6 +264,7 @@ int test_punctures_back(void)
         cmocka_unit_test(a_tip_that_is_drawn_along_the_wall_slides),
         cmocka_unit_test(who_enters_aslant_enters_once),
         cmocka_unit_test(a_hole_is_in_one_wall),
+        cmocka_unit_test(a_needle_touches_before_and_behind_its_hole),
     };
     return cmocka_run_group_tests_name("scene.punctures_back", tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 /* What must not jump in a stitch: what a segment feels as it comes out of a hole, and where a hole is when the mesh changes. */
+#include "scene/around_holes.h"
 #include "scene/stitch_case.h"
 
 static stitch_case c;
