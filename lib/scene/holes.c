@@ -382,8 +382,9 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
 void vbss_scene_settle_holes(scene_object *s)
 {
     vbss_scene_leave_holes(s);
-    /* What presses where a part was thrown away says nothing of what the wall bears. */
-    for (uint32_t i = 0; s->taken && i < s->place_count; i++) {
+    /* What presses where a part was thrown away says nothing of what the wall bears, nor what does where a search was stopped. */
+    bool known = s->taken && !s->contacts->stopped;
+    for (uint32_t i = 0; known && i < s->place_count; i++) {
         const scene_body *needle = &s->bodies[i];
         for (uint32_t k = 0;
              needle->kind == BODY_RIGID && needle->rigid.needle != NULL && k < s->place_count;

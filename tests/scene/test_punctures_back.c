@@ -254,6 +254,28 @@ static void a_needle_touches_before_and_behind_its_hole(void **state)
     needle_case_end(&c);
 }
 
+/* Forces that balance nothing pierce nothing: those of a search that its limit of work has stopped. */
+static void a_stopped_search_pierces_nothing(void **state)
+{
+    (void)state;
+    needle_case_begin_at_mark(&c, VBSS_DRAIN_MESH_137, BEFORE);
+    scene_object *s = small_object(&c.d.s);
+    drain_object *d = vbss_scene_body(s, c.d.body)->drain.drain;
+    for (uint32_t i = 0; i < 1000 && c.at_tip < 0.5; i++) {
+        needle_case_turn(&c, 10e-6);
+        needle_case_step(&c);
+    }
+    assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
+    d->config.puncture_force = 0.25;
+    s->contacts->stopped = true;
+    vbss_scene_settle_holes(s);
+    assert_true(s->holes[0].id == 0);
+    s->contacts->stopped = false;
+    vbss_scene_settle_holes(s);
+    assert_true(s->holes[0].id != 0);
+    needle_case_end(&c);
+}
+
 int test_punctures_back(void)
 {
     const struct CMUnitTest tests[] = {
@@ -265,6 +287,7 @@ int test_punctures_back(void)
         cmocka_unit_test(who_enters_aslant_enters_once),
         cmocka_unit_test(a_hole_is_in_one_wall),
         cmocka_unit_test(a_needle_touches_before_and_behind_its_hole),
+        cmocka_unit_test(a_stopped_search_pierces_nothing),
     };
     return cmocka_run_group_tests_name("scene.punctures_back", tests, NULL, NULL);
 }
