@@ -138,6 +138,7 @@ static vbss_result look_back(const stitch *t, pass_outcome *out)
     out->punctures = t->punctures;
     out->others = t->others;
     out->tries = t->tries + 1;
+    out->again = t->again;
     out->out = t->out;
     out->time = t->site.stand.time;
     qsort(out->steps, out->count, sizeof *out->steps, by_size);

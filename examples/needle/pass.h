@@ -21,7 +21,8 @@ typedef struct pass_outcome {
     bool good;
     const char *state, *why;
     uint32_t punctures, others;
-    int tries;
+    int tries;      /* to take the needle */
+    int again;      /* times that it was drawn back from the left wall */
     double off[2];  /* of the holes from the marks, m; below 0: there is none */
     double wall[2]; /* largest force of a wall on the needle before it enters, N */
     double hole[2]; /* largest of a hole on it, N */

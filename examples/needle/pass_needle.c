@@ -20,6 +20,7 @@ static int usage(void)
 
 typedef struct tally {
     int seeds, good, within; /* 1 mm of both marks */
+    int again;               /* seeds that were drawn back */
     double off[2], most_off[2], wall[2];
     double least_wall[2];
 } tally;
@@ -73,9 +74,10 @@ static double quantile(const pass_outcome *out, double share)
 
 static void tell(uint64_t seed, const pass_outcome *o)
 {
-    printf("seed %3lu: %s %s %s  %.2f s, taken at try %d, holes %u, else %u, out %.1f mm\n",
+    printf("seed %3lu: %s %s %s  %.2f s, taken at try %d, back from the left wall %d, holes %u, "
+           "else %u, out %.1f mm\n",
            (unsigned long)seed, o->good ? "good" : "BAD ", o->state, o->why, o->time, o->tries,
-           (unsigned)o->punctures, (unsigned)o->others, MILLI * o->out);
+           o->again, (unsigned)o->punctures, (unsigned)o->others, MILLI * o->out);
     printf("  right: %.2f mm off, wall %.2f N, hole %.2f N; left: %.2f mm off, wall %.2f N, hole "
            "%.2f N; hands %.2f and %.2f N; slid in the jaws %.3f mm\n",
            MILLI * o->off[1], o->wall[1], o->hole[1], MILLI * o->off[0], o->wall[0], o->hole[0],
@@ -91,6 +93,7 @@ static void count(tally *t, const pass_outcome *o)
 {
     t->seeds++;
     t->good += o->good;
+    t->again += o->again > 0;
     t->within += o->good && o->off[0] < 1e-3 && o->off[1] < 1e-3;
     for (int side = 0; o->good && side < 2; side++) {
         t->off[side] += o->off[side];
@@ -130,7 +133,9 @@ int main(int argc, char **argv)
             tell(o.seed, &out);
         }
     }
-    printf("%d of %d through both marks, %d within 1 mm of both\n", t.good, t.seeds, t.within);
+    printf(
+        "%d of %d through both marks, %d within 1 mm of both; drawn back from the left wall: %d\n",
+        t.good, t.seeds, t.within, t.again);
     if (t.good > 0) {
         printf("off, mean and most: right %.2f, %.2f mm; left %.2f, %.2f mm; walls entered at "
                "%.2f to %.2f N and %.2f to %.2f N\n",

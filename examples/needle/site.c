@@ -161,6 +161,25 @@ bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole)
     return false;
 }
 
+vec site_normal(const site *s, int side)
+{
+    vbss_view view;
+    const vec *x = look(s, VBSS_DRAIN_POSITIONS);
+    vec sum = v3(0.0, 0.0, 0.0);
+    uint32_t mark = s->places.marks[side];
+    if (vbss_drain_get_view(s->drain, VBSS_DRAIN_TRIANGLES, &view, sizeof view) != VBSS_OK) {
+        return sum;
+    }
+    for (uint64_t i = 0; i < view.count; i++) {
+        const uint32_t *node = (const uint32_t *)view.data + 3 * i;
+        if (node[0] == mark || node[1] == mark || node[2] == mark) {
+            vec a = v_sub(x[node[1]], x[node[0]]), b = v_sub(x[node[2]], x[node[0]]);
+            sum = v_add(sum, v_cross(a, b)); /* by its size */
+        }
+    }
+    return v_unit(sum);
+}
+
 double site_deviation(const site *s, const vbss_hole *hole, int side)
 {
     vec mark = rest(s, side), at = v_load(hole->rest_position);

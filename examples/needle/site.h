@@ -34,6 +34,8 @@ vec site_forward(const site *s, double arc_length);
 vec site_mark(const site *s, int side);
 vec site_mark_at_rest(const site *s, int side);
 vec site_normal_at_rest(const site *s, int side);
+/* As it is. */
+vec site_normal(const site *s, int side);
 /* The hole of that id; false: there is none (any longer). */
 bool site_find_hole(const site *s, uint32_t id, vbss_hole *hole);
 /* How far a hole is from a mark on the cylinder, m. */

@@ -2,116 +2,46 @@
 
 #include <stdbool.h>
 
-#define HOLD 0.64 /* of the needle's length from its tip: where it is taken */
-#define LEAN 0.14 /* of the tool from the needle's axis, away from the drain in the end, rad */
-#define UP 1.92   /* to where, in the needle's plane, rad */
-#define JAW_RADIUS 0.25e-3 /* fine enough to take what lies flat on a floor */
-#define JAW_WIDE 0.6       /* of the handle */
-#define PRESS 0.5e-3       /* jaws into the floor, so that they are on it */
+#define HOLD 0.64    /* of the needle's length from its tip: where it is taken */
+#define LEAN 0.14    /* of the tool from the needle's axis, away from the drain in the end, rad */
+#define UP 1.92      /* to where, in the needle's plane, rad */
+#define PRESS 0.5e-3 /* jaws into the floor, so that they are on it */
 #define OVER 12e-3
 #define CARRY 0.1 /* m/s */
 #define CAREFUL 0.03
-#define DRIVE 12e-3   /* of the tip */
-#define BEFORE 5e-3   /* of the mark, where the needle is brought */
-#define LONGEST 27e-3 /* of the way beyond the right mark */
-#define IN_LUMEN 5e-3 /* of the tip, until the left hand is ready */
-#define HELPED 2e-3   /* of it while the left hand still bears the wall */
-#define OUT 8.5e-3    /* of the tip in the end */
-#define LEFT_TROCAR v3(-0.12, -0.015, 0.08)
-#define LEFT_POINT v3(0.56, 0.0, 0.83) /* so that it opens along the drain */
-#define NECK 5e-3          /* of the left tool, if it has no trocar and shall be wound about */
-#define FORK 0.56          /* of the left handle: a needle goes between its jaws */
+#define DRIVE 12e-3        /* of the tip */
+#define BEFORE 5e-3        /* of the mark, where the needle is brought */
+#define LONGEST 27e-3      /* of the way beyond the right mark */
+#define IN_LUMEN 5e-3      /* of the tip, until the left hand is ready */
+#define HELPED 2e-3        /* of it while the left hand still bears the wall */
+#define OUT 8.5e-3         /* of the tip in the end */
 #define FORK_BEYOND 1.8e-3 /* of the fork's tips past the mark */
 #define FOLLOW 4e-3        /* at most, of a mark that moves */
 #define LOWER 0.7e-3       /* than the left mark the fork bears it */
 #define PUSH 4e-3          /* of the wall against the needle */
 #define LEAD \
-    0.35e-3 /* toward the slit, as the tip slides away from it on the wall before it enters */
-#define TRIMMING 0.1  /* s, in which what misses the mark is taken into the aim */
-#define SLOWLY 0.5    /* through the left wall, whatever the hand */
-#define NEARLY 0.4e-3 /* beside the mark: with more, slower still */
-#define SEEING 0.1    /* s: what is seen is told so late */
+    0.35e-3       /* toward the slit, as the tip slides away from it on the wall before it enters */
+#define FELT 2.5  /* N: a hand that feels more draws back */
+#define BEARS 0.1 /* N: a hand whose fork bears the wall feels more, once that is pressed for */
+#define PRESSED 0.5 /* so many s */
+#define SQUARE \
+    0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
+#define ASLANT 0.25     /* so much of it is lost when the wall tips over */
+#define NEAR 1.5e-3     /* of the tip to the middle of the wall, when it presses on that */
+#define FORK_MOVED 2e-3 /* at most */
+#define TRIMMING 0.1    /* s, in which what misses the mark is taken into the aim */
+#define SLOWLY 0.5      /* through the left wall, whatever the hand */
+#define NEARLY 0.4e-3   /* beside the mark: with more, slower still */
+#define SEEING 0.1      /* s: what is seen is told so late */
 
-enum { TRIES = 5 }; /* to take it */
+enum { TRIES = 5, AGAIN = 4 }; /* to take it; to come back to the left wall */
 
 static const char *const names[] = {"lie",   "reach", "lower", "close", "lift", "bring", "aim",
-                                    "enter", "cross", "leave", "draw",  "done", "failed"};
+                                    "enter", "cross", "leave", "ease",  "draw", "done",  "failed"};
 
 const char *stitch_name(stitch_state state)
 {
     return names[state];
-}
-
-/* ---- made */
-
-static double between(uint64_t *random, double low, double high)
-{
-    return low + (high - low) * hand_chance(random);
-}
-
-static vbss_result make_hands(stitch *t, const hand_nature *nature, bool free_left)
-{
-    vbss_grasper_config c;
-    hand_nature left = *nature;
-    left.seed += 1000;
-    TRY(vbss_grasper_config_init(&c, sizeof c));
-    hand_stiffen(&c);
-    c.driver_radius = JAW_RADIUS;
-    if (free_left) { /* this one is wound about as well */
-        c.driver_neck = NECK;
-    }
-    TRY(hand_create_with(&t->right, &t->site.stand, nature, &c, v3(0.05, -0.05, 0.03),
-                         v3(0.0, 0.0, 1.0), JAW_WIDE));
-    TRY(vbss_grasper_config_init(&c, sizeof c));
-    hand_stiffen(&c);
-    if (free_left) {
-        c.driver_neck = NECK;
-    } else {
-        c.has_trocar = 1;
-        v_store(c.trocar, LEFT_TROCAR);
-    }
-    TRY(hand_create_with(&t->left, &t->site.stand, &left, &c, v3(-0.04, -0.01, 0.03), LEFT_POINT,
-                         FORK));
-    hand_through(&t->left, LEFT_TROCAR);
-    hand_turn(&t->left, LEFT_POINT);
-    return VBSS_OK;
-}
-
-/* An error of aim lies in the wall. */
-static vec any_error(uint64_t *random, double size, vec normal)
-{
-    double angle = between(random, 0.0, 6.283185307179586);
-    vec away = v3(0.0, 1.0, 0.0), side = v_cross(normal, away);
-    return v_add(v_scale(size * cos(angle), away), v_scale(size * sin(angle), side));
-}
-
-void stitch_plan_usual(stitch_plan *plan)
-{
-    *plan = (stitch_plan){.site = {.segments = 60}};
-}
-
-vbss_result stitch_create(stitch *t, uint64_t seed, const stitch_plan *plan)
-{
-    uint64_t random = seed * 7919 + 17;
-    hand_nature nature = {.speed = 1.0, .seed = seed};
-    vec place = v3(0.035, -0.005, 0.0);
-    double turn = 3.141592653589793, aim = 0.0;
-    memset(t, 0, sizeof *t);
-    if (seed > 0) { /* 0: steady hands, everything where it belongs */
-        nature.speed = between(&random, 0.6, 1.5);
-        nature.tremor = between(&random, 0.1e-3, 0.4e-3);
-        nature.aim = nature.aim_end = aim = 0.5e-3;
-        place.x += between(&random, -8e-3, 8e-3);
-        place.y += between(&random, -8e-3, 8e-3);
-        turn += between(&random, -0.8, 0.8);
-    }
-    TRY(site_create(&t->site, place, turn, &plan->site));
-    for (int side = 0; side < 2; side++) {
-        t->errors[side] = any_error(&random, aim, site_normal_at_rest(&t->site, side));
-        t->marks[side] = site_mark(&t->site, side);
-    }
-    t->held.q[0] = 1.0;
-    return make_hands(t, &nature, plan->free_left);
 }
 
 /* ---- the right tool with the needle in it */
@@ -200,9 +130,9 @@ static void take(stitch *t)
     hand *h = &t->right;
     pose needle = site_needle(&t->site), local = grip(&t->site);
     pose tool = pose_after(&needle, &local);
-    double low = t->site.floor + JAW_RADIUS - PRESS;
+    double low = t->site.floor + h->shape.driver_radius - PRESS;
     if (t->state == STITCH_REACH) {
-        hand_open(h, JAW_WIDE);
+        hand_open(h, STITCH_JAW_WIDE);
         tool.at.z += OVER;
         hold_go(h, &tool, CARRY);
         if (v_distance(h->at, v_add(tool.at, h->aim)) < 1e-3) {
@@ -262,6 +192,53 @@ static void carry(stitch *t)
     }
 }
 
+static double felt(const hand *h)
+{
+    vbss_grasper_state s;
+    return vbss_grasper_get_state(h->grasper, &s, sizeof s) == VBSS_OK
+               ? v_length(v_load(s.hand_force))
+               : 0.0;
+}
+
+/* Whether the left wall tips over the fork instead of being pierced, as is seen, or leaves it, or the hand feels too much. */
+static bool gives_way(stitch *t)
+{
+    pose needle = site_needle(&t->site);
+    vec n = site_normal(&t->site, SITE_LEFT);
+    vec from = v_sub(pose_point(&needle, v3(t->site.radius, 0.0, 0.0)), t->marks[SITE_LEFT]);
+    double square = v_dot(hand_rotate(needle.q, v3(0.0, 1.0, 0.0)), n);
+    bool presses = fabs(v_dot(from, n)) < NEAR;
+    if (presses && square > t->square) {
+        t->square = square;
+        t->pressed = from;
+    }
+    bool tips = presses && t->square > SQUARE && square < t->square - ASLANT;
+    bool leaves = t->since > PRESSED && felt(&t->left) < BEARS;
+    return tips || leaves || felt(&t->right) > FELT;
+}
+
+/* The fork is set anew, so that the needle comes between its jaws, and nearer to their tips, but not beyond the mark: near its
+ * edge the wall leaves it. */
+static void try_again(stitch *t)
+{
+    vec along = v3(0.0, 1.0, 0.0);
+    vec up = v_cross(along, site_normal_at_rest(&t->site, SITE_LEFT));
+    if (t->square > 0.0) { /* it has pressed */
+        double higher = v_dot(t->pressed, up) + 0.5 * LOWER;
+        double aside = v_dot(t->pressed, along);
+        t->fork = v_scale(clamp(aside, -FORK_MOVED, FORK_MOVED), along);
+        t->fork = v_along(t->fork, clamp(higher, -LOWER, LOWER), up);
+    }
+    t->trim = v3(0.0, 0.0, 0.0);
+    t->square = 0.0;
+    hand_aim(&t->left, t->left.nature.aim_end);
+    t->again++;
+    enter_state(t, STITCH_EASE);
+    if (t->again > AGAIN) {
+        fail(t, "the left wall gives way");
+    }
+}
+
 static void drive(stitch *t, double dt)
 {
     double step = DRIVE * t->right.nature.speed * dt;
@@ -282,7 +259,15 @@ static void drive(stitch *t, double dt)
         t->trim = v_limit(v_along(t->trim, dt / TRIMMING, off), FOLLOW);
         step = SLOWLY * DRIVE * dt * clamp(2.0 - v_length(off) / NEARLY, 0.05, 1.0);
     }
-    if (!waits && t->gone < LONGEST) {
+    if (t->state == STITCH_LEAVE && gives_way(t)) {
+        try_again(t);
+    }
+    if (t->state == STITCH_EASE) {
+        t->gone -= step;
+        if (t->gone <= IN_LUMEN) {
+            enter_state(t, STITCH_CROSS);
+        }
+    } else if (!waits && t->gone < LONGEST) {
         t->gone += step;
     }
     t->along = fmin(1.0, t->along + dt / 0.5);
@@ -321,6 +306,7 @@ static void lead_right(stitch *t, double dt)
     case STITCH_ENTER:
     case STITCH_CROSS:
     case STITCH_LEAVE:
+    case STITCH_EASE:
     case STITCH_DRAW:
         drive(t, dt);
         break;
@@ -347,6 +333,7 @@ static void lead_left(stitch *t)
     vec in = v_along(right, -off + 0.2e-3, site_normal_at_rest(&t->site, SITE_RIGHT));
     vec outer = site_normal_at_rest(&t->site, SITE_LEFT);
     vec on = v_along(v_along(left, off, outer), -LOWER, v_cross(v3(0.0, 1.0, 0.0), outer));
+    on = v_add(on, t->fork);
     vec way = v_unit(v_sub(h->trocar, in)), tip = v_along(in, -FORK_BEYOND, way);
     switch (t->support) {
     case SUPPORT_AWAY:
@@ -376,14 +363,17 @@ static void lead_left(stitch *t)
     case SUPPORT_BESIDE:
         way = v_unit(v_sub(h->trocar, on));
         hand_go(h, v_along(on, 4e-3, way), CARRY);
-        if (v_distance(h->at, v_add(v_along(on, 4e-3, way), h->aim)) < 0.5e-3) {
+        if (t->state != STITCH_EASE &&
+            v_distance(h->at, v_add(v_along(on, 4e-3, way), h->aim)) < 0.5e-3) {
             enter_support(t, SUPPORT_ON);
         }
         break;
     case SUPPORT_ON:
         way = v_unit(v_sub(h->trocar, on));
         hand_go(h, v_along(on, -PUSH, way), CAREFUL);
-        if (t->out > HELPED) {
+        if (t->state == STITCH_EASE) {
+            enter_support(t, SUPPORT_BESIDE);
+        } else if (t->out > HELPED) {
             enter_support(t, SUPPORT_BACK);
         }
         break;
@@ -431,7 +421,7 @@ static void punctured(stitch *t, uint32_t id)
         t->gone = hole.arc_length;
         t->entry = site_mark_at_rest(&t->site, SITE_RIGHT);
         enter_state(t, STITCH_CROSS);
-    } else if (side == SITE_LEFT && (t->state == STITCH_CROSS || t->state == STITCH_LEAVE)) {
+    } else if (side == SITE_LEFT && t->state >= STITCH_CROSS && t->state < STITCH_DRAW) {
         enter_state(t, STITCH_DRAW);
     }
 }

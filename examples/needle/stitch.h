@@ -4,6 +4,8 @@
 
 #include "needle/hold.h"
 
+#define STITCH_JAW_WIDE 0.6 /* of the right handle, when it takes a needle */
+
 /* The right hand drives. */
 typedef enum stitch_state {
     STITCH_LIE,   /* all comes to rest */
@@ -16,6 +18,7 @@ typedef enum stitch_state {
     STITCH_ENTER, /* through the right wall */
     STITCH_CROSS, /* the lumen */
     STITCH_LEAVE, /* through the left wall */
+    STITCH_EASE,  /* back from it, to try again */
     STITCH_DRAW,  /* until enough of it stands out */
     STITCH_DONE,
     STITCH_FAILED
@@ -45,6 +48,10 @@ typedef struct stitch {
     vec errors[2]; /* of aim, at the left and the right mark */
     vec marks[2];  /* as seen, a little late */
     vec trim;      /* of the aim at the left mark */
+    double square; /* cosine between needle and left wall, the largest of this try */
+    vec pressed;   /* where the needle pressed on it then, from the mark */
+    vec fork;      /* so far from its usual place the fork is set on the left wall */
+    int again;     /* times that the needle has been drawn back from it */
     vec hole;      /* the first, likewise */
     vec entry;     /* where the right mark is taken to be while it is entered */
     double gone;   /* the tip beyond the right mark along the way it shall go, m */
