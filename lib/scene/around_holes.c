@@ -146,12 +146,13 @@ double vbss_scene_share_touching(const scene_object *s, const scene_body *body, 
 
 /* ---- the axis of a needle, cut at its holes */
 
-/* Moves `from` on to where a hole ends, if it is at that; else `to` back to where it begins. True: it was at it. */
-static bool pass_hole(const suture_hole *hole, const scene_body *needle, double reach, double *from,
-                      double *to)
+/* Moves `from` on to where a hole ends that is at `arc` of the needle, if it is at that; else `to` back to where it begins. True:
+ * it was at it. */
+static bool pass_hole(const suture_hole *hole, double arc, const scene_body *needle, double reach,
+                      double *from, double *to)
 {
-    double begin = hole->arc - reach, end = hole->arc + reach;
-    double mouth = hole->arc + reach_of(hole, needle, 0.0, reach);
+    double begin = arc - reach, end = arc + reach;
+    double mouth = arc + reach_of(hole, needle, 0.0, reach);
     end = greater(end, lesser(TIP * needle->rigid.needle->config.wire_radius, mouth));
     bool at = begin <= *from && *from < end;
     *from = at ? end : *from;
@@ -163,15 +164,20 @@ static bool pass_hole(const suture_hole *hole, const scene_body *needle, double 
 static bool find_piece(const scene_object *s, const scene_body *needle, const scene_body *drain,
                        double reach, double *from, double *to)
 {
-    const double end = *to;
+    const double end = *to, length = vbss_needle_length(needle->rigid.needle);
+    const scene_body *thread = vbss_scene_thread_of(s, needle);
     bool moved = true;
     while (moved) { /* behind one hole may be another that was looked at before */
         moved = false;
         *to = end;
         for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
             const suture_hole *h = &s->holes[i];
-            bool own = h->id != 0 && h->needle == needle->number && h->drain == drain->number;
-            moved = (own && pass_hole(h, needle, reach, from, to)) || moved;
+            bool behind = thread != NULL && h->thread == thread->number; /* in its thread */
+            bool own = h->id != 0 && (behind || h->needle == needle->number);
+            double arc = behind ? length + h->arc : h->arc;
+            moved =
+                (own && h->drain == drain->number && pass_hole(h, arc, needle, reach, from, to)) ||
+                moved;
         }
     }
     return *from < *to;

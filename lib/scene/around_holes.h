@@ -27,6 +27,12 @@ typedef struct scene_piece {
 bool vbss_scene_next_piece(const scene_object *s, const scene_body *needle, uint32_t capsule,
                            const scene_body *drain, uint32_t side, double reach,
                            scene_piece *piece);
+static inline void scene_cut_axis(vec3 axis[2], const double piece[2])
+{
+    vec3 begin = axis[0];
+    axis[0] = vec3_lerp(begin, axis[1], piece[0]);
+    axis[1] = vec3_lerp(begin, axis[1], piece[1]);
+}
 bool vbss_scene_is_suture(const scene_body *b);
 /* The arc length of a place on a segment of a thread or a capsule of a needle; whether that is its tip. */
 double vbss_scene_arc_of(const scene_body *suture, uint32_t segment, double share);

@@ -2,7 +2,7 @@
  *
  * A side of a row is a point that moves with its body: a mean of nodes, or a point of a rigid body's
  * surface. Where it was when the part began is known too, which is what friction is about. */
-#include "scene/scene.h"
+#include "scene/around_holes.h"
 
 #include "collision/closest.h"
 
@@ -210,13 +210,6 @@ static bool is_cut(const contact_row *row)
     return row->piece[0][0] > 0.0 || row->piece[0][1] < 1.0;
 }
 
-static void cut_axis(vec3 axis[2], const double piece[2])
-{
-    vec3 begin = axis[0];
-    axis[0] = vec3_lerp(begin, axis[1], piece[0]);
-    axis[1] = vec3_lerp(begin, axis[1], piece[1]);
-}
-
 /* From b to a between the surfaces' middles where they are nearest: where that is on both, and what of it is wall. */
 static inline vec3 apart_of(const scene_object *s, const contact_row *row, const side *d,
                             const side *e, moment when, double at[2], double *walls)
@@ -226,8 +219,8 @@ static inline vec3 apart_of(const scene_object *s, const contact_row *row, const
     axis_of(s, e, when, other);
     bool cut = is_cut(row);
     if (cut) {
-        cut_axis(one, row->piece[0]);
-        cut_axis(other, row->piece[1]);
+        scene_cut_axis(one, row->piece[0]);
+        scene_cut_axis(other, row->piece[1]);
     }
     vec3 apart = closest(d, e, one, other, at);
     for (int k = 0; cut && k < 2; k++) {

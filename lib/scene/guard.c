@@ -206,13 +206,6 @@ typedef struct corners {
     vec3 start[4], end[4];
 } corners;
 
-static void cut_axis(vec3 axis[2], const double piece[2])
-{
-    vec3 begin = axis[0];
-    axis[0] = vec3_lerp(begin, axis[1], piece[0]);
-    axis[1] = vec3_lerp(begin, axis[1], piece[1]);
-}
-
 static void corners_of(const scene_object *s, const collision_candidate *q,
                        const scene_piece *piece, corners *c)
 {
@@ -226,8 +219,8 @@ static void corners_of(const scene_object *s, const collision_candidate *q,
     bool first = s->bodies[s->shape_places[q->shape_a]].kind == BODY_RIGID;
     for (uint32_t k = 0; piece != NULL && k < 2; k++) {
         uint32_t at = (k == 0) == first ? 0 : 2;
-        cut_axis(c->start + at, piece->at[k]);
-        cut_axis(c->end + at, piece->at[k]);
+        scene_cut_axis(c->start + at, piece->at[k]);
+        scene_cut_axis(c->end + at, piece->at[k]);
     }
 }
 
