@@ -5,6 +5,8 @@
 #define THREAD_LENGTH 0.15
 #define GRAVITY (-9.81)
 
+enum { CUTS = 4 }; /* of the thread: both tails, and two more */
+
 /* ---- made */
 
 static vbss_result make_scene(site *s, const site_plan *plan)
@@ -13,6 +15,7 @@ static vbss_result make_scene(site *s, const site_plan *plan)
     TRY(vbss_scene_config_init(&c, sizeof c));
     c.contact_capacity = 4096;
     c.candidate_capacity = 65536;
+    c.thread_capacity = 1 + CUTS;
     c.work_limit = plan->work < 0 ? 0 : plan->work > 0 ? (uint32_t)plan->work : c.work_limit;
     c.floor = 1;
     c.floor_normal[1] = 0.0;
@@ -79,6 +82,7 @@ static vbss_result add_thread(site *s, uint32_t segments)
     c.gravity[2] = GRAVITY;
     c.damping = 2.0;
     c.drag = 1.0;
+    c.cut_capacity = CUTS;
     TRY(vbss_thread_create(s->stand.context, &c, &s->stand.thread));
     TRY(vbss_scene_add_thread(s->stand.scene, s->stand.thread, &s->stand.thread_body));
     s->stand.nodes = segments + 1;

@@ -12,6 +12,7 @@
 #define LOW 0.015 /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05  /* m farther out than C may be already */
 #define PULL 1.5  /* N, of both hands in the end */
+#define BLADES_CLEAR 2.5e-3 /* m off the drain, which open blades would push */
 #define NEAR_SIDE v3(-0.08, -0.3, 0.15)
 
 vbss_result surgeon_begin_hand_over(surgeon *s)
@@ -47,5 +48,7 @@ vbss_result surgeon_begin_cut(surgeon *s)
 {
     hand *w = s->see.w;
     hand_through(w, seen(w, NEAR_SIDE));
-    return cut_begin(&s->cut, &s->see);
+    TRY(cut_begin(&s->cut, &s->see));
+    s->cut.clear = BLADES_CLEAR;
+    return VBSS_OK;
 }

@@ -92,9 +92,13 @@ static vec way_at(const senses *s, uint32_t node)
     return v_unit(v_sub(s->x[node + 2], s->x[node - 2]));
 }
 
-/* What else lies between the blades would be cut with it; hardly anything of them is beyond the place. */
-static bool is_alone(const senses *s, uint32_t node)
+/* What else lies between the blades would be cut with it, and open they are wide; hardly anything of them is beyond
+ * the place. */
+static bool is_alone(const senses *s, uint32_t node, double clear)
 {
+    if (clear > 0.0 && stand_height(s->x[node]) < clear) {
+        return false;
+    }
     vec way = way_at(s, node);
     vec back = v_unit(v_across(v_sub(seen(s->w, s->w->trocar), s->x[node]), way));
     for (uint32_t i = 0; i < s->nodes; i++) {
@@ -109,8 +113,9 @@ static bool is_alone(const senses *s, uint32_t node)
 }
 
 /* As near to the knot as the blades can be without touching more than that end. */
-static uint32_t place_of(const senses *s, bool limb, int tries)
+static uint32_t place_of(const cut_run *t, bool limb, int tries)
 {
+    const senses *s = t->see;
     uint32_t left = (uint32_t)((LEFT + FARTHER * tries) / SEGMENT);
     /* Before C's jaws; and two nodes on either side are looked at. */
     uint32_t end = limb && senses_holds(s, s->c) ? s->c->node : s->nodes;
@@ -119,7 +124,7 @@ static uint32_t place_of(const senses *s, bool limb, int tries)
         node = s->tail_root > left + 2 ? s->tail_root - left : 2; /* it may be that short */
     }
     node = node < last ? node : last;
-    while (node > 8 && node + 8 < end && !is_alone(s, node)) {
+    while (node > 8 && node + 8 < end && !is_alone(s, node, t->clear)) {
         node += limb ? 1 : UINT32_MAX;
     }
     return node;
@@ -130,7 +135,7 @@ static vbss_result aim_at(cut_run *t, bool limb)
 {
     senses *s = t->see;
     TRY(senses_find_roots(s));
-    uint32_t node = place_of(s, limb, 0);
+    uint32_t node = place_of(t, limb, 0);
     catch_begin(&t->grip, s, s->w, node, OPENING, SPEED);
     t->grip.behind = BEHIND;
     t->grip.resolute = true;
@@ -171,7 +176,7 @@ static bool is_cut(cut_run *t, double dt)
         return true;
     }
     if (t->grip.state == CATCH_COME) { /* the ends still move */
-        t->grip.node = place_of(s, t->state == CUT_LIMB, t->grip.tries);
+        t->grip.node = place_of(t, t->state == CUT_LIMB, t->grip.tries);
     }
     hand_turn(s->w, across(s, t->grip.node));
     catch_step(&t->grip, dt);

@@ -28,6 +28,7 @@ typedef struct cut_run {
     int ends;                    /* cut so far */
     double left_tail, left_limb; /* m from the knot, as cut */
     vec from, back;              /* where W lets go, and how it withdraws */
+    double clear; /* m off the drain, where blades may cut; 0 from cut_begin: anywhere */
     vec carrot_w, carrot_c;
     double slack_w, slack_c; /* s, for so long */
 } cut_run;
