@@ -8,10 +8,14 @@
 #define SLACK 0.97
 #define WINDING 0.03 /* N, that C gives way to */
 #define ALIKE \
-    0.05          /* N, of both hands while the tail is drawn: else what is tied goes to one side */
-#define LOW 0.015 /* m below the drain's top, to where both pull: the floor is not far */
-#define FAR 0.05  /* m farther out than C may be already */
-#define PULL 1.5  /* N, of both hands in the end */
+    0.05 /* N, of both hands while the tail is drawn: else what is tied goes to one side */
+#define SLACK_TAIL \
+    0.75 /* share of the tail that W goes to then, until the turns are off its jaws */
+#define LEAST_HEIGHT 5e-3   /* m above the drain's top, of W then */
+#define LOW 0.015           /* m below the drain's top, to where both pull: the floor is not far */
+#define FAR 0.05            /* m farther out than C may be already */
+#define PULL 1.5            /* N, of both hands in the end */
+#define OFF_FLOOR 2e-3      /* m, where W takes the tail */
 #define BLADES_CLEAR 2.5e-3 /* m off the drain, which open blades would push */
 #define NEAR_SIDE v3(-0.08, -0.3, 0.15)
 
@@ -36,6 +40,10 @@ vbss_result surgeon_begin_later(surgeon *s)
     plan.light = plan.drawn = ALIKE;
     plan.low = LOW;
     plan.far = FAR;
+    plan.off_floor = OFF_FLOOR;
+    plan.reach = SLACK_TAIL;
+    plan.least_height = LEAST_HEIGHT;
+    plan.down = true;
     plan.pull = PULL;
     surgeon_hold_level(s);
     s->shut = 0.0;

@@ -2,9 +2,23 @@
 
 #define UPRIGHT (0.5 * PI)
 
+/* Open jaws do not get at what lies on the floor: told to, they press on it. */
+static uint32_t place_of_tail(const throw_run *t)
+{
+    const senses *s = t->see;
+    uint32_t node = t->plan.tail_node;
+    while (2 * node < t->tail_root && s->x[node].z < FLOOR_HEIGHT + t->plan.off_floor) {
+        node++;
+    }
+    return node;
+}
+
 void throw_tail(throw_run *t, double dt)
 {
     const senses *s = t->see;
+    if (t->grip.state == CATCH_COME) {
+        t->grip.node = place_of_tail(t);
+    }
     hand_turn(s->w, catch_point(s, s->w, t->grip.node));
     catch_step(&t->grip, dt);
     steer_keep(t, dt);

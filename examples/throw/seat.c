@@ -1,8 +1,13 @@
 #include "throw/states.h"
 
-#define RISE 1.0      /* N/s, of a pull at both ends */
-#define FAR_SIDE 0.02 /* m, of C from the knot while it comes down */
-#define LOW 0.003     /* m above the drain's top, where it has come down */
+#define RISE 1.0                    /* N/s, of a pull at both ends */
+#define FAR_SIDE 0.02               /* m, of C from the knot while it comes down */
+#define CLOSING 0.1                 /* N, of both, while a turn closes on the tail */
+#define BESIDE (PI * 205.0 / 180.0) /* of W then */
+#define UNLIKE 0.15                 /* N, of one end more than of the other */
+#define FAR_W (-0.07)               /* m, to where both pull in the end */
+#define FAR_C 0.095
+#define LOW 0.003 /* m above the drain's top, where it has come down */
 
 /* C follows to the right, and gives way toward W. */
 void throw_follow(throw_run *t, double dt)
@@ -27,12 +32,16 @@ void throw_follow(throw_run *t, double dt)
 void throw_on_leash(throw_run *t, double most, double dt)
 {
     const senses *s = t->see;
-    double full = 0.98 * senses_length(s, s->w->node, t->tail_root);
+    double share = s->last > 0 && t->state == THROW_DRAW ? t->plan.reach : REACH;
+    double full = share * senses_length(s, s->w->node, t->tail_root);
     t->leash += s->tension_w > most ? -0.03 * dt : 0.01 * dt;
     t->leash = clamp(t->leash, 0.3 * full, full);
-    double up = sin(t->angle), tilt = t->plan.tilt;
+    double up = sin(t->angle), tilt = up > 0.0 ? t->plan.tilt : 0.0;
     vec way = v3(cos(t->angle), -up * sin(tilt), up * cos(tilt));
     vec jaws = v_along(steer_tail_root(t), t->leash, way);
+    if (t->state == THROW_DRAW) {
+        jaws.z = fmax(jaws.z, t->plan.least_height);
+    }
     hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), 0.08);
 }
 
@@ -52,18 +61,23 @@ void throw_lower(throw_run *t, double dt)
     }
 }
 
-/* Where a hand goes to pull: fast while there is slack, then as the force that is missing asks. */
-static void pull(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, double wanted,
-                 double dt)
+static void draw(hand *h, const hand_pose *p, vec *carrot, vec to, double speed, double dt)
 {
-    double missing = wanted - felt;
-    double speed = felt < 0.3 && missing > 0.1 ? 0.04 : clamp(0.006 * missing, -0.02, 0.012);
     vec way = v_sub(to, p->tip);
     if (v_length(way) > 2e-3) {
         *carrot = v_along(*carrot, speed * dt, v_unit(way));
     }
     *carrot = v_add(p->tip, v_limit(v_sub(*carrot, p->tip), 5e-3));
     hand_go(h, *carrot, 0.05);
+}
+
+/* Where a hand goes to pull: fast while there is slack, then as the force that is missing asks. */
+static void pull(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, double wanted,
+                 double dt)
+{
+    double missing = wanted - felt;
+    bool slack = felt < 0.3 && missing > 0.1;
+    draw(h, p, carrot, to, slack ? 0.04 : clamp(0.006 * missing, -0.02, 0.012), dt);
 }
 
 /* W lightly until C feels half the force, so that the turns run down to the drain. */
@@ -78,21 +92,51 @@ static void pull_one_first(throw_run *t, double dt)
     t->clear = light == full && t->clear == 0.0 ? dt : pulled ? t->clear + dt : t->clear;
 }
 
+/* Far out, and so low. */
+static vec outward(const throw_run *t, double way)
+{
+    return v3(way + (way > 0.0 ? t->plan.far : -t->plan.far), 0.0, -t->plan.low);
+}
+
+/* Both hands low on either side and the tail straight, C draws the limb round it: the turn runs down to what is tied. Closed
+ * from above, or by W, it locks where it happens to be, up to 14 mm from there. */
+static bool is_closed(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    if (!t->plan.down || t->closed > 0.0) {
+        return true;
+    }
+    t->angle = fmin(t->angle + 0.04 / t->leash * dt, BESIDE);
+    throw_on_leash(t, CLOSING, dt);
+    double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
+    draw(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), speed, dt);
+    t->clear = s->tension_c > 0.5 * CLOSING ? t->clear + dt : 0.0;
+    if (t->clear > 0.1 || t->since > 8.0) {
+        t->closed = t->since;
+        t->clear = 0.0;
+        t->carrot_w = s->tool_w.tip;
+    }
+    return false;
+}
+
 /* Both ends alike and downward: pulled unlike, a throw on another one locks before it is down. */
 static void pull_alike(throw_run *t, double dt)
 {
     senses *s = t->see;
-    const double full = t->plan.pull, low = -t->plan.low;
-    double wanted = fmin(full, 0.1 + RISE * t->since);
-    vec to_w = v3(-0.07 - t->plan.far, 0.0, low), to_c = v3(0.095 + t->plan.far, 0.0, low);
-    pull(s->w, &s->tool_w, &t->carrot_w, to_w, s->tension_w, wanted, dt);
-    pull(s->c, &s->tool_c, &t->carrot_c, to_c, s->tension_c, wanted, dt);
+    const double full = t->plan.pull, more = t->plan.down ? UNLIKE : full;
+    double wanted = fmin(full, 0.1 + RISE * (t->since - t->closed));
+    double of_w = fmin(wanted, s->tension_c + more), of_c = fmin(wanted, s->tension_w + more);
+    pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
+    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, of_c, dt);
     t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
 }
 
 void throw_seat(throw_run *t, double dt)
 {
     hand_turn(t->see->w, OUTWARD);
+    if (!is_closed(t, dt)) {
+        return;
+    }
     if (t->plan.alike) {
         pull_alike(t, dt);
     } else {
@@ -100,7 +144,7 @@ void throw_seat(throw_run *t, double dt)
     }
     if (t->clear > 0.5) {
         throw_enter(t, THROW_DONE);
-    } else if (t->since > 12.0) {
+    } else if (t->since - t->closed > 12.0) {
         throw_fail(t, "not pulled tight");
     }
 }

@@ -25,6 +25,8 @@ void throw_plan_usual(throw_plan *p, int wraps)
         .tension = 0.04,
         .clearance = 0.003,
         .drawn = 0.15,
+        .reach = REACH,
+        .least_height = -1.0,
         .pull = 2.0,
         .retries = 2,
         .light = 0.02,

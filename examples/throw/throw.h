@@ -4,6 +4,8 @@
 
 #include "throw/catch.h"
 
+#define REACH 0.98 /* of a tail's or a limb's length, nearly taut */
+
 typedef enum throw_state {
     THROW_PICK,   /* C takes the limb */
     THROW_NEAR,   /* the limb to the near side, under where W will be */
@@ -36,15 +38,19 @@ typedef struct throw_plan {
     double opening;     /* of W's handle, when it takes the tail */
     uint32_t tail_node; /* where it takes it */
     double behind;      /* how far behind its tip */
-    bool soft;          /* what is below is only held by its own friction: nothing may be taut */
-    bool alike;         /* both ends are pulled alike in the end */
-    bool firm;          /* C winds as wide as the limb is long, however slack it has become */
-    double light;       /* N, of C while the tail is drawn through */
-    double drawn;       /* N, of W meanwhile: what is tied already stays quiet */
-    double tilt;        /* rad, of W's way meanwhile, from upright to the near side */
-    double low;         /* m, below the drain's top, to where both pull then */
-    double far;         /* m, farther outward than usual */
-    double pull;        /* N, in the end */
+    double off_floor; /* m: what of the tail is nearer to the floor is left, the next place taken */
+    bool soft;        /* what is below is only held by its own friction: nothing may be taut */
+    bool alike;       /* both ends are pulled alike in the end */
+    bool down;        /* the turn is closed from below, on either side of the drain, before that */
+    bool firm;        /* C winds as wide as the limb is long, however slack it has become */
+    double light;     /* N, of C while the tail is drawn through */
+    double drawn;     /* N, of W meanwhile: what is tied already stays quiet */
+    double reach; /* share of the tail that W goes to while turns are on its jaws: it hangs slack */
+    double least_height; /* m above the drain's top, of W meanwhile */
+    double tilt;         /* rad, of W's way meanwhile, from upright to the near side */
+    double low;          /* m, below the drain's top, to where both pull then */
+    double far;          /* m, farther outward than usual */
+    double pull;         /* N, in the end */
     int retries;
     bool wrong;     /* C goes round the other way */
     bool unchecked; /* what it would tie does not matter */
@@ -66,6 +72,7 @@ typedef struct throw_run {
     int retries, refused;
     const char *why;
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
+    double closed; /* s in this state when the turn had closed on the tail; 0: not yet */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
