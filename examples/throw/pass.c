@@ -85,7 +85,7 @@ vbss_result throw_draw(throw_run *t, double dt)
     if (formed) {
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_LOWER);
-    } else if (t->since > 8.0) {
+    } else if (t->since > (t->plan.reach < REACH ? 14.0 : 8.0)) {
         throw_fail(t, "not drawn through");
     }
     return VBSS_OK;

@@ -2,6 +2,7 @@
 
 #define RISE 1.0                    /* N/s, of a pull at both ends */
 #define FAR_SIDE 0.02               /* m, of C from the knot while it comes down */
+#define SLACK_TIME 5.0              /* s: turns that are still on W's jaws then are drawn off */
 #define CLOSING 0.1                 /* N, of both, while a turn closes on the tail */
 #define BESIDE (PI * 205.0 / 180.0) /* of W then */
 #define UNLIKE 0.15                 /* N, of one end more than of the other */
@@ -32,7 +33,8 @@ void throw_follow(throw_run *t, double dt)
 void throw_on_leash(throw_run *t, double most, double dt)
 {
     const senses *s = t->see;
-    double share = s->last > 0 && t->state == THROW_DRAW ? t->plan.reach : REACH;
+    bool slack = s->last > 0 && t->state == THROW_DRAW && t->since < SLACK_TIME;
+    double share = slack ? t->plan.reach : REACH;
     double full = share * senses_length(s, s->w->node, t->tail_root);
     t->leash += s->tension_w > most ? -0.03 * dt : 0.01 * dt;
     t->leash = clamp(t->leash, 0.3 * full, full);
