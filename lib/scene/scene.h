@@ -229,6 +229,7 @@ typedef struct scene_part {
     bool straight;     /* rows keep their normals: with new ones no shape was found */
     bool again;        /* ways are those of the attempt before */
     bool smallest;     /* it is not halved any more */
+    bool stops;        /* and its searches stop: states were not found */
 } scene_part;
 
 typedef struct scene_object scene_object;

@@ -25,14 +25,9 @@ enum { COST_OF_NODE = 60, COST_OF_ROW = 60, COST_OF_TRIANGLE = 40, COST_OF_KEPT 
 /* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
  * slid far is too near, it goes on with new ones, so often. */
 enum { TURNS = 3 };
-/* Of so many parts of the limit of work, one. */
-enum { RESERVE = 4 };
 /* More energy than this, J, is not taken from a search that was stopped: what a quick hand does in a millisecond, with 2 N
  * at 0.5 m/s. */
 #define MOST_GAIN 1e-3
-/* Lengths that are missed by so much when no more work may be done are not found by LAST linearisations either: one in
- * fifty. */
-#define HOPELESS 0.1
 /* Numbers beyond this are no motion. */
 #define TOO_FAR 1e100
 
@@ -310,21 +305,12 @@ static bool is_false(const scene_object *s, const scene_part *part)
     return !(gained <= MOST_GAIN);
 }
 
-/* Whether a search was stopped that can go on from where it has led to, in a further linearisation. Nobody knows whether that
- * has its lengths in the end: it is not begun with the last of the work. */
-static bool has_more(const scene_object *s)
-{
-    return s->contacts->stopped &&
-           s->contacts->counters.work < s->most_work - s->most_work / RESERVE;
-}
-
-/* Linearises until threads have their lengths, and forces are found or no more work may be done; k counts on. */
+/* Linearises until threads have their lengths; k counts on. */
 static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_t *k)
 {
     shape_error e = {true, false, 0.0};
     bool looked = false, went_on = false;
-    for (uint32_t last = 0;
-         *k < s->config.linearisation_limit && last < LAST && (!e.converged || has_more(s));
+    for (uint32_t last = 0; *k < s->config.linearisation_limit && !e.converged && last < LAST;
          last += vbss_scene_is_spent(s)) {
         scene_verdict verdict = find_increments(s, part, *k > 0);
         if (verdict != VERDICT_ACCEPTED) {
@@ -336,8 +322,7 @@ static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_
             return VERDICT_SINGULAR;
         }
         vbss_scene_refresh_rows(s);
-        bool hopeless = vbss_scene_is_spent(s) && e.stretch > HOPELESS;
-        if ((moves.too_far || hopeless) && !part->smallest) {
+        if (moves.too_far && !part->smallest) {
             return VERDICT_STRETCH;
         }
         if (e.converged && moves.look && !looked) {

@@ -99,15 +99,13 @@ static bool is_limited(const scene_object *s)
            s->statistics.steps > 0;
 }
 
-/* The smallest part has a limit of its own, so many times that of a step, or nothing might ever move again: neither where
- * other parts have taken all the work, nor where states cycle and what a search led to by then must do. */
-enum { AT_LEAST = 4 };
-
+/* The smallest part is finished whatever it takes, or nothing might ever move again; where states cycle, what a search has led
+ * to by a limit of its own must do. */
 static void limit_work(scene_object *s, const scene_part *part)
 {
-    uint64_t own = (uint64_t)s->config.work_limit;
-    uint64_t most = part->smallest ? s->contacts->counters.work + AT_LEAST * own : own;
-    s->most_work = is_limited(s) ? most : 0;
+    uint64_t before = part->stops ? s->contacts->counters.work : 0;
+    bool limited = is_limited(s) && (part->stops || !part->smallest);
+    s->most_work = limited ? before + s->config.work_limit : 0;
 }
 
 static void note_work(scene_object *s)
@@ -211,12 +209,16 @@ static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
         at->part.again = true;
         return true;
     }
+    if (verdict == VERDICT_STATES && least && is_limited(s) && !at->part.stops) {
+        at->part.stops = true;
+        return true;
+    }
     /* What is deep already is no better for being halved. */
     if (s->turned && !at->part.straight && (least || over || s->recovering)) {
         at->part.straight = true;
         return true;
     }
-    at->part.again = at->part.straight = false;
+    at->part.again = at->part.straight = at->part.stops = false;
     if (!least && !over) {
         vbss_scene_unsettle(s);
         at->size *= 0.5;
@@ -268,7 +270,7 @@ static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
 static void go_on(scene_object *s, progress *at)
 {
     note_errors(s);
-    at->part.again = at->part.straight = false;
+    at->part.again = at->part.straight = at->part.stops = false;
     at->part.begin = at->part.end;
     double pairs = at->part.begin / (2.0 * at->size);
     if (at->size < 1.0 && floor(pairs) == pairs) {
