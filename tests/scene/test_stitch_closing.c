@@ -65,6 +65,7 @@ static void without_the_thread_it_stands_open_again(void **state)
 
 enum { LOADS = 6, MORE = 400, REST = 600 };
 #define SOFT 2.0 /* N/m */
+#define NO_LIMIT UINT32_MAX
 
 typedef struct loading {
     double pull[LOADS], gap[LOADS];
@@ -100,9 +101,11 @@ static void note(loading *l, int i)
     print_message("%.4f N: %.3f mm\n", l->pull[i], 1e3 * l->gap[i]);
 }
 
-static void load_and_unload(double friction, loading *on, loading *back)
+/* Work 0: the default's limit. */
+static void load_and_unload(double friction, uint32_t work, loading *on, loading *back)
 {
     stitch_rig_begin(&c);
+    c.o.scene.work_limit = work > 0 ? work : c.o.scene.work_limit;
     c.o.rise = 1.5707963267948966;
     c.o.limb = 20e-3;
     c.o.thread.drag = 20.0;
@@ -136,34 +139,45 @@ static double gap_at(const loading *on, double pull)
     return on->gap[i - 1] + share * (on->gap[i] - on->gap[i - 1]);
 }
 
-/* Without friction a chain over lips still rests in more than one place: gaps of one pull scatter by some 0.05 mm, however long it
- * rests. So what tells on from back is the mean; the most is bounded. */
+typedef struct lag {
+    double mean, most; /* by how much less the gap is on the way back */
+} lag;
+
+static lag lag_of(double friction, uint32_t work)
+{
+    loading on, back;
+    lag l = {0.0, 0.0};
+    int count = 0;
+    load_and_unload(friction, work, &on, &back);
+    for (int i = 0; i < LOADS; i++) {
+        /* With friction the stitch may be tighter than its limbs. */
+        assert_true(friction > 0.0 || i == 0 || on.gap[i] < on.gap[i - 1]);
+        assert_true(friction > 0.0 || i == 0 || back.gap[i] < back.gap[i - 1]);
+        if (back.pull[i] >= on.pull[0]) {
+            double less = gap_at(&on, back.pull[i]) - back.gap[i];
+            l.mean += less;
+            l.most = fmax(l.most, fabs(less));
+            count++;
+        }
+    }
+    l.mean /= count;
+    return l;
+}
+
+/* Searches that are stopped leave gaps of one pull that differ by some 0.05 mm; without a limit of work they do not. */
 static void more_tension_is_less_gap_and_only_friction_tells_on_from_back(void **state)
 {
     (void)state;
-    double lag[2] = {0.0, 0.0}, most[2] = {0.0, 0.0};
-    for (int which = 0; which < 2; which++) {
-        loading on, back;
-        int count = 0;
-        load_and_unload(which == 0 ? 0.0 : 0.3, &on, &back);
-        for (int i = 0; i < LOADS; i++) {
-            /* With friction the stitch may be tighter than its limbs. */
-            assert_true(which == 1 || i == 0 || on.gap[i] < on.gap[i - 1]);
-            assert_true(which == 1 || i == 0 || back.gap[i] < back.gap[i - 1]);
-            if (back.pull[i] >= on.pull[0]) {
-                double tighter = gap_at(&on, back.pull[i]) - back.gap[i];
-                lag[which] += tighter;
-                most[which] = fmax(most[which], fabs(tighter));
-                count++;
-            }
-        }
-        lag[which] /= count;
-    }
-    print_message("tighter on the way back by %.3f mm without friction (at most %.3f), %.3f with\n",
-                  1e3 * lag[0], 1e3 * most[0], 1e3 * lag[1]);
-    assert_true(fabs(lag[0]) < 0.03e-3);
-    assert_true(most[0] < 0.15e-3);
-    assert_true(lag[1] > 4.0 * fabs(lag[0]));
+    lag exact = lag_of(0.0, NO_LIMIT), none = lag_of(0.0, 0), rubs = lag_of(0.3, 0);
+    print_message("less gap on the way back, without friction nor limit of work %.3f mm (at most "
+                  "%.3f), with the limit %.3f (%.3f), with friction %.3f (%.3f)\n",
+                  1e3 * exact.mean, 1e3 * exact.most, 1e3 * none.mean, 1e3 * none.most,
+                  1e3 * rubs.mean, 1e3 * rubs.most);
+    assert_true(exact.most < 0.05e-3);
+    assert_true(fabs(none.mean) < 0.03e-3);
+    assert_true(none.most < 0.15e-3);
+    assert_true(rubs.most > 4.0 * none.most);
+    assert_true(rubs.mean > 4.0 * fabs(none.mean));
 }
 
 int test_stitch_closing(void)
