@@ -290,6 +290,15 @@ void vbss_system_keep_factor(vbss_system *system, uint32_t b, bool keep)
     system->chain_kept[system->chain_of[b]] = keep;
 }
 
+static bool keeps_a_factor(const vbss_system *system)
+{
+    bool some = false;
+    for (uint32_t chain = 0; chain < system->chain_count; chain++) {
+        some = some || system->chain_kept[chain] != 0;
+    }
+    return some;
+}
+
 /* Runs fill in where both blocks are of their chain. */
 static void clear_fill_of_others(vbss_system *system)
 {
@@ -309,7 +318,7 @@ static void clear_fill_of_others(vbss_system *system)
 
 void vbss_system_clear(vbss_system *system)
 {
-    if (memchr(system->chain_kept, true, system->chain_count) != NULL) {
+    if (keeps_a_factor(system)) {
         clear_fill_of_others(system);
         return;
     }
