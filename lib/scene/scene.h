@@ -68,9 +68,7 @@ typedef struct scene_drain {
     uint8_t *at_lip;      /* per node */
     uint32_t *near;       /* meshes.c: sides or triangles that a search has found */
     drain_stage stage;
-    double moved;     /* by the last linearisation of the part, its farthest node, m */
-    bool kept_factor; /* in the linearisation at hand its stiffness is that of one before */
-    double stale;     /* by all since its stiffness was assembled, m */
+    double moved;               /* by the last linearisation of the part, its farthest node, m */
     vbss_drain_statistics kept; /* before the step */
 } scene_drain;
 

@@ -15,13 +15,8 @@
 #define LOOSE_OVERLAP 0.02
 /* So many linearisations follow when no more work may be done, with a solve each: lengths come before contacts. */
 enum { LAST = 5 };
-/* Of a linearisation, in products of blocks; of a triangle likewise whose stiffness is kept. */
-enum { COST_OF_NODE = 60, COST_OF_ROW = 60, COST_OF_TRIANGLE = 40, COST_OF_KEPT = 12 };
-/* A drain that has moved by no more than this share of its move_limit keeps stiffness and factor in a further linearisation
- * that follows a search that was stopped. */
-#define STILL_TRUE 0.25
-#define NONE (-1.0)
-#define ALL ((double)INFINITY)
+/* Of a linearisation, in products of blocks; and of a further look. */
+enum { COST_OF_NODE = 60, COST_OF_ROW = 60, COST_OF_TRIANGLE = 40, COST_OF_LOOK = 12 };
 /* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
  * slid far is too near, it goes on with new ones, so often. */
 enum { TURNS = 3 };
@@ -33,20 +28,8 @@ enum { TURNS = 3 };
 
 /* ---- one linearisation */
 
-/* Drains are assembled anew that have moved too far: by more than a share of their move_limit. */
-static void keep_factors(scene_object *s, double most)
-{
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        scene_drain *b = &s->bodies[i].drain;
-        if (s->bodies[i].kind == BODY_DRAIN) {
-            b->kept_factor = b->stale <= most * b->drain->config.move_limit;
-            b->stale = b->kept_factor ? b->stale : 0.0;
-            vbss_system_keep_factor(s->system, b->first_block, b->kept_factor);
-        }
-    }
-}
-
-static void assemble(scene_object *s, const scene_part *part)
+/* Again: right-hand sides count, what else is set is not looked at. */
+static void assemble(scene_object *s, const scene_part *part, bool again)
 {
     const vbss_rigid_part p = {part->step, part->begin, part->end};
     vbss_system *system = s->system;
@@ -59,7 +42,7 @@ static void assemble(scene_object *s, const scene_part *part)
         } else if (b->kind == BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
-        } else if (b->kind == BODY_DRAIN && b->drain.kept_factor) {
+        } else if (b->kind == BODY_DRAIN && again) {
             vbss_drain_assemble_rhs(b->drain.drain, &b->drain.stage, system, b->drain.first_block);
         } else if (b->kind == BODY_DRAIN) {
             vbss_drain_assemble(b->drain.drain, &b->drain.stage, system, b->drain.first_block);
@@ -90,15 +73,13 @@ static uint64_t limit_search(const scene_object *s)
     return most == 0 ? 0 : done < most ? done + (most - done) / 2 : 1;
 }
 
-static void spend(scene_object *s)
+static void spend(scene_object *s, uint32_t on_triangle)
 {
     vbss_scene_spend(s, COST_OF_NODE, s->node_count);
     vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
     for (uint32_t i = 0; i < s->place_count; i++) {
-        const scene_drain *b = &s->bodies[i].drain;
         if (s->bodies[i].kind == BODY_DRAIN) {
-            vbss_scene_spend(s, b->kept_factor ? COST_OF_KEPT : COST_OF_TRIANGLE,
-                             b->drain->mesh.triangle_count);
+            vbss_scene_spend(s, on_triangle, s->bodies[i].drain.drain->mesh.triangle_count);
         }
     }
 }
@@ -132,16 +113,15 @@ static scene_verdict find_states(scene_object *s, uint64_t most_work, bool goes_
 static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on)
 {
     uint64_t most_work = limit_search(s);
-    keep_factors(s, goes_on && s->contacts->stopped ? STILL_TRUE : NONE);
-    spend(s);
-    assemble(s, part);
+    spend(s, COST_OF_TRIANGLE);
+    assemble(s, part, false);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
     while (!vbss_system_condense(s->system)) {
         if (!leave_compression_out(s)) {
             return VERDICT_SINGULAR;
         }
-        assemble(s, part);
+        assemble(s, part, false);
         vbss_scene_set_weld_arms(s);
     }
     return find_states(s, most_work, goes_on);
@@ -227,7 +207,6 @@ static drain_moves note_moves(scene_object *s)
             const vbss_drain_config *c = &b->drain->config;
             b->moved = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
             b->drain->statistics.linearisations++;
-            b->stale += b->moved;
             m.finite = m.finite && b->moved < TOO_FAR;
             m.look = m.look || b->moved > c->position_tolerance;
             m.again = m.again || b->moved > c->move_limit;
@@ -275,10 +254,9 @@ static bool is_believed(scene_object *s)
 static scene_verdict look_again(scene_object *s, const scene_part *part, shape_error *e)
 {
     uint64_t most_work = limit_search(s);
-    keep_factors(s, ALL);
-    spend(s);
+    spend(s, COST_OF_LOOK);
     vbss_contact_note_found(s->contacts);
-    assemble(s, part);
+    assemble(s, part, true);
     vbss_scene_set_weld_arms(s);
     vbss_system_condense_rhs(s->system);
     if (find_states(s, most_work, true) != VERDICT_ACCEPTED || !is_believed(s)) {

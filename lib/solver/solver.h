@@ -139,7 +139,6 @@ typedef struct vbss_system {
     uint32_t *chain_ends;     /* first block after each chain */
     uint32_t *chain_of;       /* block -> chain */
     uint8_t *chain_ordered;   /* its blocks are eliminated as they are numbered */
-    uint8_t *chain_kept;      /* its numbers stay as condense has left them */
     uint32_t *known;          /* couplings of two separators by hash, for couple_once; 0 is free */
     uint32_t known_capacity;  /* a power of two */
     uint32_t known_to;        /* of couplings, from 1 on: those that have been looked at */
@@ -224,9 +223,6 @@ void vbss_system_begin_again(vbss_system *system);
  * block has the rows of the block that is eliminated later: of the higher one unless it is `flipped`;
  * its transpose is meant with it. clear empties what nobody sets: fill. */
 void vbss_system_clear(vbss_system *system);
-/* The chain of a block sets its right-hand sides only from now on, or no longer: its numbers and its factor stay as condense
- * has left them. To be said before clear, after a condense that succeeded and with no other pattern since. */
-void vbss_system_keep_factor(vbss_system *system, uint32_t block, bool keep);
 
 /* Eliminates the runs. False: a pivot was too small. */
 bool vbss_system_condense(vbss_system *system);

@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 45 };
+enum { PARTS = 44 };
 #define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
@@ -21,7 +21,6 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
         {&s->chain_of, blocks, sizeof *s->chain_of},
         {&s->chain_ordered, blocks, sizeof *s->chain_ordered},
-        {&s->chain_kept, blocks, sizeof *s->chain_kept},
         {&s->known, s->known_capacity, sizeof *s->known},
         {&s->known_places, s->coupling_capacity, sizeof *s->known_places},
         {&s->order, blocks, sizeof *s->order},
@@ -168,7 +167,6 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
     }
     system->block_count += count;
     system->chain_ordered[system->chain_count] = false;
-    system->chain_kept[system->chain_count] = false;
     system->chain_ends[system->chain_count++] = system->block_count;
     return VBSS_OK;
 }
@@ -285,43 +283,8 @@ void vbss_system_begin_again(vbss_system *system)
 
 /* ---- the numbers */
 
-void vbss_system_keep_factor(vbss_system *system, uint32_t b, bool keep)
-{
-    system->chain_kept[system->chain_of[b]] = keep;
-}
-
-static bool keeps_a_factor(const vbss_system *system)
-{
-    bool some = false;
-    for (uint32_t chain = 0; chain < system->chain_count; chain++) {
-        some = some || system->chain_kept[chain] != 0;
-    }
-    return some;
-}
-
-/* Runs fill in where both blocks are of their chain. */
-static void clear_fill_of_others(vbss_system *system)
-{
-    for (uint32_t k = 0; k < system->active_count; k++) {
-        const vbss_entry *end = system->entries + system->column_start[k + 1];
-        const vbss_entry *e = system->entries + system->column_start[k];
-        if (system->chain_kept[system->chain_of[system->order[k]]]) {
-            continue;
-        }
-        for (; e < end; e++) {
-            if (e->index > system->own_count) {
-                memset(&system->numbers[e->index], 0, sizeof *system->numbers);
-            }
-        }
-    }
-}
-
 void vbss_system_clear(vbss_system *system)
 {
-    if (keeps_a_factor(system)) {
-        clear_fill_of_others(system);
-        return;
-    }
     /* Fill stands behind the couplings of bodies. */
     block *fill = system->numbers + system->own_count + 1;
     memset(fill, 0, system->fill_count * sizeof *fill);

@@ -1,4 +1,4 @@
-/* Chains that bring their order, other right-hand sides for a factor, and chains whose factor stands. */
+/* Chains that bring their order, and other right-hand sides for a factor. */
 #include <string.h>
 
 #include "solver/twin.h"
@@ -144,91 +144,12 @@ static void another_right_hand_side_gives_the_bits_of_a_new_factor(void **state)
     }
 }
 
-/* ---- a chain's factor stands, others change */
-
-/* Numbers of chains that are not kept, right-hand sides of all. */
-static void write_others(twin *t, const bool *kept)
-{
-    for (uint32_t chain = 0, begin = 0; chain < t->chains; begin = t->chain_end[chain++]) {
-        vbss_system_keep_factor(t->system, begin, kept[chain]);
-    }
-    vbss_system_clear(t->system);
-    for (uint32_t b = 0; b < t->blocks; b++) {
-        t->system->rhs[b] = t->rhs[b];
-        if (!kept[t->system->chain_of[b]]) {
-            block_set(&t->system->diagonal[b], t->diagonal[b]);
-        }
-    }
-    for (uint32_t c = 0; c < t->couplings; c++) {
-        const twin_coupling *k = &t->coupling[c];
-        if (!kept[t->system->chain_of[k->high]]) {
-            bool flipped = t->system->couplings[k->handle].flipped != 0;
-            block_set(&t->system->numbers[k->handle], flipped ? mat3_transpose(k->m) : k->m);
-        }
-    }
-}
-
-static void change_others(twin *t, harness_source *source, const bool *kept)
-{
-    for (uint32_t b = 0; b < t->blocks; b++) {
-        t->rhs[b] = harness_draw_vec3(source, -1.0, 1.0);
-        if (!kept[t->system->chain_of[b]]) {
-            t->diagonal[b] = mat3_scale(t->diagonal[b], 1.5);
-        }
-    }
-    for (uint32_t c = 0; c < t->couplings; c++) {
-        if (!kept[t->system->chain_of[t->coupling[c].high]]) {
-            t->coupling[c].m = mat3_scale(t->coupling[c].m, 1.25);
-        }
-    }
-}
-
-static void others_change(harness_source *source, void *user)
-{
-    const twin_roles *kind = user;
-    static double wanted[3 * TWIN_BLOCKS];
-    static const bool none[4];
-    twin *t = &subject;
-    draw_sparse(t, source, *kind);
-    bool kept[4];
-    for (int chain = 0; chain < 4; chain++) {
-        kept[chain] = harness_draw_below(source, 2) == 0;
-    }
-    bool has_wide = t->system->wide;
-    for (int wide = 0; wide <= (has_wide ? 1 : 0); wide++) {
-        t->system->wide = wide == 1;
-        write_others(t, none);
-        assert_true(twin_solve(t));
-        for (int round = 0; round < 2;
-             round++) { /* the second from a factor that was kept before */
-            change_others(t, source, kept);
-            write_others(t, kept);
-            assert_true(twin_solve(t));
-        }
-        memcpy(wanted, t->x, (size_t)3 * t->blocks * sizeof *wanted);
-        write_others(t, none);
-        assert_true(twin_solve(t));
-        expect_same_solution(t, wanted);
-    }
-    end_sparse(t);
-}
-
-static void a_factor_that_stands_gives_the_bits_of_a_new_one_while_other_chains_change(void **state)
-{
-    (void)state;
-    twin_roles kinds[] = {TWIN_RUNS, TWIN_SCATTERED, TWIN_GIVEN, TWIN_MIXED, TWIN_SEPARATORS};
-    for (int k = 0; k < 5; k++) {
-        harness_property("kept factor", 60, others_change, &kinds[k]);
-    }
-}
-
 int test_kept_order(void)
 {
     const struct CMUnitTest tests[] = {
         harness_test(chains_that_keep_their_order_give_what_a_plain_solve_gives),
         harness_test(a_kept_order_is_kept),
         harness_test(another_right_hand_side_gives_the_bits_of_a_new_factor),
-        harness_test(a_factor_that_stands_gives_the_bits_of_a_new_one_while_other_chains_change),
     };
     return cmocka_run_group_tests_name("solver.kept_order", tests, NULL, NULL);
 }
