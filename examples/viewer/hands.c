@@ -354,17 +354,10 @@ int mode_live(const options *o)
         }
         return 2;
     }
-    if (!window_begin(&p.window, "vblast_ss", o->width, o->height)) {
+    if (!window_begin(&p.window, &p.show, o->width, o->height, o->looks)) {
         return MODE_NO_OPENGL;
     }
-    if (!show_begin(&p.show, o->width, o->height)) {
-        window_end(&p.window);
-        return MODE_NO_OPENGL;
-    }
-    p.window.resized = true; /* a screen of many pixels */
-    p.show.looks = o->looks != 0 ? o->looks : SHOW_KNOT | SHOW_TASK | SHOW_HELP;
     bool good = play_sessions(&p);
-    show_end(&p.show);
-    window_end(&p.window);
+    window_end(&p.window, &p.show);
     return good ? 0 : 1;
 }

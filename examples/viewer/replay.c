@@ -240,18 +240,11 @@ int mode_replay(const options *o)
     w.playing = true;
     w.speed = 1.0;
     w.desk = (desk){&w, on_moved, NULL, on_pressed, on_key};
-    if (!window_begin(&w.window, "vblast_ss", o->width, o->height)) {
+    if (!window_begin(&w.window, &w.show, o->width, o->height, o->looks)) {
         return MODE_NO_OPENGL;
     }
-    if (!show_begin(&w.show, o->width, o->height)) {
-        window_end(&w.window);
-        return MODE_NO_OPENGL;
-    }
-    w.window.resized = true; /* a screen of many pixels */
-    w.show.looks = o->looks != 0 ? o->looks : SHOW_KNOT | SHOW_TASK | SHOW_HELP;
     bool good = watch(&w);
     player_close(&w.player);
-    show_end(&w.show);
-    window_end(&w.window);
+    window_end(&w.window, &w.show);
     return good ? 0 : 1;
 }

@@ -81,7 +81,7 @@ static void hear(window *w)
     glfwSetFramebufferSizeCallback(w->handle, on_size);
 }
 
-bool window_begin(window *w, const char *title, int width, int height)
+static bool open_window(window *w, int width, int height)
 {
     *w = (window){.handle = NULL};
     glfwSetErrorCallback(tell_error);
@@ -92,7 +92,7 @@ bool window_begin(window *w, const char *title, int width, int height)
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    w->handle = glfwCreateWindow(width, height, title, NULL, NULL);
+    w->handle = glfwCreateWindow(width, height, "vblast_ss", NULL, NULL);
     if (w->handle == NULL) {
         glfwTerminate();
         return false;
@@ -103,10 +103,30 @@ bool window_begin(window *w, const char *title, int width, int height)
     return true;
 }
 
-void window_end(window *w)
+static void shut_window(window *w)
 {
     glfwDestroyWindow(w->handle);
     glfwTerminate();
+}
+
+bool window_begin(window *w, show *s, int width, int height, uint32_t looks)
+{
+    if (!open_window(w, width, height)) {
+        return false;
+    }
+    if (!show_begin(s, width, height)) {
+        shut_window(w);
+        return false;
+    }
+    w->resized = true; /* a screen of many pixels */
+    s->looks = looks != 0 ? looks : SHOW_KNOT | SHOW_TASK | SHOW_HELP;
+    return true;
+}
+
+void window_end(window *w, show *s)
+{
+    show_end(s);
+    shut_window(w);
 }
 
 /* ---- used */

@@ -24,9 +24,9 @@ typedef struct window {
     bool resized; /* since the last picture */
 } window;
 
-/* False, told on standard error: there is no screen, or no OpenGL. */
-bool window_begin(window *w, const char *title, int width, int height);
-void window_end(window *w);
+/* A window and what is shown in it. False, told on standard error: there is no screen, or no OpenGL. */
+bool window_begin(window *w, show *s, int width, int height, uint32_t looks);
+void window_end(window *w, show *s);
 /* Tells the desk what was done; false: the window shall be closed. */
 bool window_listen(window *w, const desk *d);
 /* The picture; in its size, when that has changed. False, told: OpenGL failed. */
