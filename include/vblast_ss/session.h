@@ -145,6 +145,15 @@ typedef struct vbss_session_event {
  */
 typedef void (*vbss_session_event_fn)(void *user, const vbss_session_event *event);
 
+/** What the gap of the slit is between. */
+typedef enum vbss_session_gap {
+    /** The lips, which are as high as the wall: #vbss_drain_gap.opening. A wall that rises is shut when it meets the other
+     * one's face. Drains of method PAPER: EDGES. */
+    VBSS_SESSION_GAP_LIPS = 0,
+    /** The edges in the middle of the wall: #vbss_drain_gap.gap, the paper's measure. */
+    VBSS_SESSION_GAP_EDGES = 1
+} vbss_session_gap;
+
 /** How to make a session. Fill it with #vbss_session_config_init, then set the numbers of the bodies. */
 typedef struct vbss_session_config {
     uint32_t struct_size; /**< Size of this struct in bytes, set by the init function. */
@@ -187,6 +196,9 @@ typedef struct vbss_session_config {
     double avulsed_share;
     double
         break_force; /**< Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not. */
+    /** What seats throws and is told as gap, to status, events and metrics; default LIPS. */
+    vbss_session_gap gap_measure;
+    uint32_t reserved; /**< Zero. */
 } vbss_session_config;
 
 /** How far a session is. */
@@ -211,7 +223,7 @@ typedef struct vbss_session_status {
     uint64_t event_count;   /**< Events so far. */
     double time;            /**< Since the needle appeared, until the end or now, s. */
     double tail;            /**< Length of the short tail, from the hole, m; 0 without. */
-    double gap;             /**< Between the middles of the slit's edges, m. */
+    double gap;             /**< Of the slit's middle, as `gap_measure` says, m. */
     double tension[2];      /**< Largest of the short limb, of the needle's, N. */
     double deviation_mm[2]; /**< Of the holes from the marks. */
 } vbss_session_status;

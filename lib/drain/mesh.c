@@ -78,6 +78,7 @@ vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options
 void vbss_drain_mesh_parts(drain_mesh *m, vbss_array parts[DRAIN_MESH_PARTS])
 {
     size_t nodes = m->node_count, triangles = m->triangle_count, sides = m->side_count;
+    size_t edges = m->slit_count > 0 ? m->slit_count - 1 : 0; /* of a lip */
     const vbss_array all[] = {
         {&m->rest, nodes, sizeof *m->rest},
         {&m->angle, nodes, sizeof *m->angle},
@@ -91,6 +92,8 @@ void vbss_drain_mesh_parts(drain_mesh *m, vbss_array parts[DRAIN_MESH_PARTS])
         {&m->next_side, sides, sizeof *m->next_side},
         {&m->slit[DRAIN_LEFT], m->slit_count, sizeof(uint32_t)},
         {&m->slit[DRAIN_RIGHT], m->slit_count, sizeof(uint32_t)},
+        {&m->lips[DRAIN_LEFT], edges, sizeof(uint32_t)},
+        {&m->lips[DRAIN_RIGHT], edges, sizeof(uint32_t)},
         {&m->fixed, m->fixed_count, sizeof *m->fixed},
     };
     _Static_assert(sizeof all == DRAIN_MESH_PARTS * sizeof(vbss_array), "the table has its length");

@@ -85,6 +85,7 @@ typedef struct drain_mesh {
     uint32_t *first_side, *next_side; /* of a node, after a side: those whose lesser node it is */
 
     uint32_t *slit[2]; /* nodes of either edge with both tips, along x */
+    uint32_t *lips[2]; /* the triangles between them, one less */
     uint32_t *fixed;   /* nodes of the strip */
 } drain_mesh;
 
@@ -93,7 +94,7 @@ void vbss_drain_mesh_defaults(drain_mesh_options *options);
 /* Checks the options and counts; the arrays are NULL. */
 vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options *options,
                                  drain_mesh *mesh);
-enum { DRAIN_MESH_PARTS = 13 };
+enum { DRAIN_MESH_PARTS = 15 };
 /* What a planned mesh has room for, to be allocated and released with its owner. */
 void vbss_drain_mesh_parts(drain_mesh *mesh, vbss_array parts[DRAIN_MESH_PARTS]);
 void vbss_drain_mesh_fill(drain_mesh *mesh);

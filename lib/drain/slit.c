@@ -32,11 +32,27 @@ double vbss_drain_shift(const drain_mesh *m, double x, double arc)
     return 0.5 * m->options.opening * (im / (re * re + im * im)) * (1.0 - share * share);
 }
 
+/* It has one. */
+static uint32_t triangle_of_edge(const drain_mesh *m, uint32_t p, uint32_t q)
+{
+    uint32_t s = m->first_side[p < q ? p : q];
+    while (m->sides[s].nodes[0] + m->sides[s].nodes[1] != p + q) {
+        s = m->next_side[s];
+    }
+    return m->sides[s].triangles[0];
+}
+
 void vbss_drain_list_slit(drain_mesh *m)
 {
     uint32_t first = m->grid.axial_cells / 2 - m->grid.tip;
     for (uint32_t k = 0; k < m->slit_count; k++) {
         m->slit[DRAIN_LEFT][k] = vbss_drain_node(m, first + k, 0, DRAIN_LEFT);
         m->slit[DRAIN_RIGHT][k] = vbss_drain_node(m, first + k, 0, DRAIN_RIGHT);
+    }
+    for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
+        const uint32_t *nodes = m->slit[side];
+        for (uint32_t k = 0; k + 1 < m->slit_count; k++) {
+            m->lips[side][k] = triangle_of_edge(m, nodes[k], nodes[k + 1]);
+        }
     }
 }

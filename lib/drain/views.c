@@ -1,17 +1,15 @@
-/* Looking at a drain: arrays, places, the gap, energies, counters. */
+/* Looking at a drain: arrays, places, energies, counters. */
 #include "drain/drain.h"
 
 #include <string.h>
 
 _Static_assert(sizeof(vbss_drain_places) == 32, "published size");
-_Static_assert(sizeof(vbss_drain_gap) == 32, "published size");
 _Static_assert(sizeof(vbss_drain_energies) == 56, "published size");
 _Static_assert(sizeof(vbss_drain_statistics) == 80, "published size");
 
-static const uint32_t places_sizes[] = {32, 0}, gap_sizes[] = {32, 0}, energies_sizes[] = {56, 0};
+static const uint32_t places_sizes[] = {32, 0}, energies_sizes[] = {56, 0};
 static const uint32_t statistics_sizes[] = {80, 0};
 static const vbss_layout places_layout = {"vbss_drain_places", NULL, places_sizes};
-static const vbss_layout gap_layout = {"vbss_drain_gap", NULL, gap_sizes};
 static const vbss_layout energies_layout = {"vbss_drain_energies", NULL, energies_sizes};
 static const vbss_layout statistics_layout = {"vbss_drain_statistics", NULL, statistics_sizes};
 
@@ -103,7 +101,7 @@ vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_
     return vbss_struct_write(d->context, &vbss_view_layout, &own, view, struct_size);
 }
 
-/* ---- places and the gap */
+/* ---- places */
 
 vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
                                   uint32_t struct_size)
@@ -117,25 +115,6 @@ vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
                                    .marks = {m->marks[DRAIN_LEFT], m->marks[DRAIN_RIGHT]},
                                    .gap_points = {m->middle[DRAIN_LEFT], m->middle[DRAIN_RIGHT]}};
     return vbss_struct_write(d->context, &places_layout, &own, places, struct_size);
-}
-
-vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t struct_size)
-{
-    drain_object *d;
-    VBSS_TRY(vbss_drain_open(drain, &d));
-    const drain_mesh *m = &d->mesh;
-    vbss_drain_gap own = {.struct_size = sizeof own};
-    vec3 between = vec3_sub(d->x[m->middle[DRAIN_RIGHT]], d->x[m->middle[DRAIN_LEFT]]);
-    own.gap = vec3_norm(between);
-    own.signed_gap = vec3_dot(between, quat_rotate(d->frame.orientation, vec3_make(0.0, 0.0, 1.0)));
-    for (uint32_t i = 0; i < m->slit_count; i++) {
-        double apart = vec3_distance(d->x[m->slit[DRAIN_LEFT][i]], d->x[m->slit[DRAIN_RIGHT][i]]);
-        if (apart > own.largest) {
-            own.largest = apart;
-            own.largest_pair = i;
-        }
-    }
-    return vbss_struct_write(d->context, &gap_layout, &own, gap, struct_size);
 }
 
 /* ---- sums over the drain */

@@ -4,7 +4,10 @@
 #include "metrics/metrics.h"
 #include "session/session.h"
 
-_Static_assert(sizeof(vbss_session_config) == 136 + 8 * sizeof(void *), "published size");
+#define BEFORE_GAP_MEASURE offsetof(vbss_session_config, gap_measure)
+
+_Static_assert(sizeof(vbss_session_config) == 144 + 8 * sizeof(void *), "published size");
+_Static_assert(BEFORE_GAP_MEASURE == 136 + 8 * sizeof(void *), "published size");
 
 static const vbss_session_config defaults = {
     .struct_size = sizeof(vbss_session_config),
@@ -23,7 +26,7 @@ static const vbss_session_config defaults = {
     .seat_force = 0.5,
     .avulsed_share = 0.5,
 };
-static const uint32_t sizes[] = {sizeof(vbss_session_config), 0};
+static const uint32_t sizes[] = {BEFORE_GAP_MEASURE, sizeof(vbss_session_config), 0};
 static const vbss_layout layout = {"vbss_session_config", &defaults, sizes};
 
 vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size)
@@ -55,6 +58,8 @@ vbss_result vbss_session_read_config(vbss_context *context, const vbss_session_c
         {"seat_force", own->seat_force, 0.0, 1e3},
         {"avulsed_share", own->avulsed_share, 0.0, 1.0},
         {"break_force", own->break_force, 0.0, 1e6},
+        {"reserved", own->reserved, 0.0, 0.0},
+        {"gap_measure", own->gap_measure, VBSS_SESSION_GAP_LIPS, VBSS_SESSION_GAP_EDGES},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,

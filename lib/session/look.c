@@ -162,17 +162,26 @@ static session_tool_look look_at_tool(const session_object *s, const scene_objec
 
 /* ---- the drain */
 
-static void look_at_drain(const drain_object *d, vbss_drain *handle, vec3 middle_of_tube,
-                          session_look *look)
+/* Walls of method PAPER are surfaces: they have no height. */
+static void look_at_gap(const session_object *s, const drain_object *d, const vbss_drain_gap *gap,
+                        session_look *look)
+{
+    bool edges =
+        s->config.gap_measure == VBSS_SESSION_GAP_EDGES || d->config.method == VBSS_METHOD_PAPER;
+    look->gap = edges ? gap->gap : gap->opening;
+    look->open = edges ? gap->signed_gap : gap->opening;
+    look->gap_most = edges ? gap->largest : gap->widest_opening;
+    for (int k = 0; k < 2; k++) {
+        look->lips[k] = edges ? d->x[d->mesh.middle[k]] : vec3_load(gap->lips[k]);
+    }
+}
+
+static void look_at_drain(const session_object *s, const drain_object *d, vbss_drain *handle,
+                          vec3 middle_of_tube, session_look *look)
 {
     vbss_drain_gap gap;
     if (vbss_drain_get_gap(handle, &gap, sizeof gap) == VBSS_OK) {
-        look->gap = gap.gap;
-        look->open = gap.signed_gap;
-        look->gap_most = gap.largest;
-    }
-    for (int k = 0; k < 2; k++) {
-        look->lips[k] = d->x[d->mesh.middle[k]];
+        look_at_gap(s, d, &gap, look);
     }
     look->torn =
         d->mesh.fixed_count > 0 ? (double)d->statistics.torn / (double)d->mesh.fixed_count : 0.0;
@@ -203,5 +212,5 @@ void vbss_session_look(const session_object *s, session_look *look)
             look->tools[i] = look_at_tool(s, scene, b.tools[i], &b, look->length);
         }
     }
-    look_at_drain(d, (vbss_drain *)b.drain->drain.slot, d->frame.position, look);
+    look_at_drain(s, d, (vbss_drain *)b.drain->drain.slot, d->frame.position, look);
 }

@@ -173,6 +173,70 @@ static void edges_that_have_crossed_have_a_negative_gap(void **state)
     drain_rig_end(&r);
 }
 
+/* ---- the lips */
+
+/* Their inner ends. A facet beside the edge leans as the tube does in its middle, not at the edge. */
+static void lips_at_rest_are_as_far_apart_as_their_inner_ends(void **state)
+{
+    (void)state;
+    drain_rig r;
+    drain_rig_begin(&r);
+    drain_rig_make(&r);
+    vbss_drain_gap gap = drain_rig_gap(&r);
+    vec3 left = vec3_load(gap.lips[0]), right = vec3_load(gap.lips[1]);
+    expect_near(2.0 * 6.0e-3 * sin(1.5 / 6.5), gap.opening, 0.15e-3);
+    expect_near(gap.opening, vec3_distance(left, right), 1e-15);
+    assert_true(gap.widest_opening >= gap.opening);
+    expect_near_vec3(vec3_make(left.x, left.y, -left.z), right, 1e-12);
+    assert_true(left.z < 0.0 && left.y < drain_rig_position(&r, r.places.gap_points[0]).y);
+    drain_rig_end(&r);
+}
+
+/* The triangles beside the middles of the edges, their nodes pinned where the walls stand upright, so far from the plane between
+ * them: what is apart there is twice that less a wall, whatever the middles say. */
+static void stand_up(drain_rig *r, double from_plane)
+{
+    const uint32_t(*triangles)[3] =
+        (const uint32_t(*)[3])drain_rig_numbers(r, VBSS_DRAIN_TRIANGLES);
+    for (uint32_t n = 0; n < r->places.node_count; n++) {
+        bool beside[2] = {false, false};
+        for (uint32_t t = 0; t < r->places.triangle_count; t++) {
+            for (int side = 0; side < 2; side++) {
+                uint32_t middle = r->places.gap_points[side];
+                bool has_middle = false, has = false;
+                for (int k = 0; k < 3; k++) {
+                    has_middle = has_middle || triangles[t][k] == middle;
+                    has = has || triangles[t][k] == n;
+                }
+                beside[side] = beside[side] || (has_middle && has);
+            }
+        }
+        if (beside[0] || beside[1]) {
+            vec3 at = drain_rig_position(r, n);
+            drain_rig_pin(r, n, vec3_make(at.x, at.y, beside[0] ? -from_plane : from_plane));
+        }
+    }
+    drain_rig_run(r, 1e-3, 1);
+}
+
+static void lips_that_stand_face_to_face_are_apart_by_what_no_wall_fills(void **state)
+{
+    (void)state;
+    const double walls = 1e-3, apart[] = {0.2e-3, 1e-3};
+    for (int i = 0; i < 2; i++) {
+        drain_rig r;
+        drain_rig_begin(&r);
+        r.config.attachment_capacity = 32;
+        drain_rig_make(&r);
+        stand_up(&r, 0.5 * (walls + apart[i]));
+        vbss_drain_gap gap = drain_rig_gap(&r);
+        expect_near(walls + apart[i], gap.gap, 1e-12);
+        expect_near(apart[i], gap.opening, 1e-12);
+        assert_true(gap.widest_opening >= gap.opening);
+        drain_rig_end(&r);
+    }
+}
+
 /* ---- strains */
 
 static void nothing_is_strained_at_rest(void **state)
@@ -313,6 +377,8 @@ int test_drain_views(void)
         cmocka_unit_test(places_are_where_they_shall_be),
         cmocka_unit_test(the_gap_at_rest_is_the_chord_of_the_opening),
         cmocka_unit_test(edges_that_have_crossed_have_a_negative_gap),
+        cmocka_unit_test(lips_at_rest_are_as_far_apart_as_their_inner_ends),
+        cmocka_unit_test(lips_that_stand_face_to_face_are_apart_by_what_no_wall_fills),
         cmocka_unit_test(nothing_is_strained_at_rest),
         cmocka_unit_test(a_drain_that_has_grown_is_strained_alike_everywhere),
         cmocka_unit_test(energies_are_those_of_lumped_masses),

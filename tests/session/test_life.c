@@ -31,7 +31,7 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
     memcpy(own.bytes, config, size < sizeof own ? size : sizeof own);
     memcpy(own.bytes, &size, sizeof size);
     vbss_session_config *c = &own.config;
-    if (size >= sizeof *c) {
+    if (size >= offsetof(vbss_session_config, gap_measure)) {
         c->thread = scene.config.thread;
         c->needle = scene.config.needle;
         c->drain = scene.config.drain;
@@ -45,7 +45,8 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void configs_follow_the_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t sizes[] = {sizeof(vbss_session_config), 0};
+    static const uint32_t sizes[] = {offsetof(vbss_session_config, gap_measure), /* before the slit's lips */
+                                     sizeof(vbss_session_config), 0};
     const harness_config config = {sizes, init_config, create_and_destroy};
     harness_config_protocol(&config);
 }
@@ -112,6 +113,27 @@ static void bad_numbers_are_refused(void **state)
         *words[i] = good;
     }
     rig_end(&r);
+}
+
+static void what_gapes_is_between_the_lips_or_the_edges(void **state)
+{
+    (void)state;
+    for (int i = VBSS_SESSION_GAP_LIPS; i <= VBSS_SESSION_GAP_EDGES; i++) {
+        rig r;
+        vbss_drain_gap gap;
+        vbss_session_status status;
+        rig_make(&r);
+        r.scene.config.gap_measure = (vbss_session_gap)2;
+        expect_refused(&r, VBSS_ERROR_OUT_OF_RANGE, &r.scene.config);
+        r.scene.config.gap_measure = (vbss_session_gap)i;
+        expect_ok(vbss_session_create(r.scene.scene, &r.scene.config, &r.session));
+        expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
+        expect_ok(vbss_session_get_status(r.session, &status, sizeof status));
+        expect_ok(vbss_drain_get_gap(r.scene.drain, &gap, sizeof gap));
+        assert_true(gap.opening < gap.gap - 1e-4);
+        expect_near(i == VBSS_SESSION_GAP_LIPS ? gap.opening : gap.gap, status.gap, 0.0);
+        rig_end(&r);
+    }
 }
 
 static void parts_must_be_alive_and_of_this_context(void **state)
@@ -319,6 +341,7 @@ int test_life(void)
         cmocka_unit_test(configs_follow_the_size_protocol),
         cmocka_unit_test(bodies_must_be_what_they_are_called),
         cmocka_unit_test(bad_numbers_are_refused),
+        cmocka_unit_test(what_gapes_is_between_the_lips_or_the_edges),
         cmocka_unit_test(parts_must_be_alive_and_of_this_context),
         cmocka_unit_test(a_scene_that_is_stepped_past_its_session_is_told),
         cmocka_unit_test(bad_handles_are_told),

@@ -1,0 +1,63 @@
+/* How far the slit stands open: its edges in the middle of the wall, as the paper measures, and the lips, which are as high
+ * as the wall. */
+#include "collision/closest.h"
+#include "drain/drain.h"
+
+_Static_assert(sizeof(vbss_drain_gap) == 96, "published size");
+static const uint32_t gap_sizes[] = {32, 96, 0};
+static const vbss_layout gap_layout = {"vbss_drain_gap", NULL, gap_sizes};
+
+/* From face to face at a node of an edge: across the triangles beside it. */
+static vec3 through_wall(const drain_object *d, int side, uint32_t i)
+{
+    const drain_mesh *m = &d->mesh;
+    vec3 normal = vec3_zero();
+    for (uint32_t k = i > 0 ? i - 1 : 0; k <= i && k + 1 < m->slit_count; k++) {
+        const uint32_t *n = m->triangles[m->lips[side][k]];
+        vec3 cross = vec3_cross(vec3_sub(d->x[n[1]], d->x[n[0]]), vec3_sub(d->x[n[2]], d->x[n[0]]));
+        normal = vec3_add(normal, vec3_unit_or(cross, vec3_zero()));
+    }
+    return vec3_scale(vec3_unit_or(normal, vec3_zero()), d->config.thickness);
+}
+
+/* Of two opposite nodes' lines through the wall; where they are nearest. */
+static double opening_at(const drain_object *d, uint32_t i, vec3 lips[2])
+{
+    const drain_mesh *m = &d->mesh;
+    vec3 begins[2], through[2];
+    double at[2];
+    for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
+        through[side] = through_wall(d, side, i);
+        begins[side] = vec3_add_scaled(d->x[m->slit[side][i]], -0.5, through[side]);
+    }
+    vec3 between = vec3_sub(begins[DRAIN_RIGHT], begins[DRAIN_LEFT]);
+    vec3 apart = closest_edges(through[DRAIN_LEFT], through[DRAIN_RIGHT], between, &at[0], &at[1]);
+    for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
+        lips[side] = vec3_add_scaled(begins[side], at[side], through[side]);
+    }
+    return vec3_norm(apart);
+}
+
+vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t struct_size)
+{
+    drain_object *d;
+    VBSS_TRY(vbss_drain_open(drain, &d));
+    const drain_mesh *m = &d->mesh;
+    vbss_drain_gap own = {.struct_size = sizeof own};
+    vec3 lips[2], between = vec3_sub(d->x[m->middle[DRAIN_RIGHT]], d->x[m->middle[DRAIN_LEFT]]);
+    own.gap = vec3_norm(between);
+    own.signed_gap = vec3_dot(between, quat_rotate(d->frame.orientation, vec3_make(0.0, 0.0, 1.0)));
+    for (uint32_t i = 0; i < m->slit_count; i++) {
+        double apart = vec3_distance(d->x[m->slit[DRAIN_LEFT][i]], d->x[m->slit[DRAIN_RIGHT][i]]);
+        if (apart > own.largest) {
+            own.largest = apart;
+            own.largest_pair = i;
+        }
+        own.widest_opening = greater(own.widest_opening, opening_at(d, i, lips));
+    }
+    own.opening = opening_at(d, m->slit_count / 2, lips);
+    for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
+        vec3_store(own.lips[side], lips[side]);
+    }
+    return vbss_struct_write(d->context, &gap_layout, &own, gap, struct_size);
+}
