@@ -3,6 +3,7 @@
 #define VBSS_EXAMPLES_NEEDLE_STITCH_H
 
 #include "needle/hold.h"
+#include "throw/skill.h"
 
 #define STITCH_JAW_WIDE 0.6 /* of the right handle, when it takes a needle */
 
@@ -65,6 +66,7 @@ typedef struct stitch {
 typedef struct stitch_plan {
     site_plan site;
     bool free_left; /* the left tool has no trocar, and a neck: it can be wound about later on */
+    const hand_skill *skill; /* NULL: an expert's */
 } stitch_plan;
 
 void stitch_plan_usual(stitch_plan *plan);

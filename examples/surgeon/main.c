@@ -2,6 +2,7 @@
  *
  *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w limit of work of a step, -1: none] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
+ *             [-k expert|resident|novice: whose hands]
  *
  * The log is played back. Tells of each seed what came of it. Exits 0 if all were as they shall be. */
 #include <stdio.h>
@@ -13,7 +14,7 @@ static int usage(void)
 {
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w work] [-l log] [-p folder for pictures] [-e seconds "
-                    "between them] [-v]\n");
+                    "between them] [-k expert|resident|novice] [-v]\n");
     return 2;
 }
 
@@ -54,6 +55,12 @@ static bool read_options(int count, char **words, watch *w, int *seeds)
             break;
         case 'w':
             w->options.work = atoi(words[i]);
+            break;
+        case 'k':
+            w->options.skill = skill_named(words[i]);
+            if (w->options.skill == NULL) {
+                return false;
+            }
             break;
         case 'l':
             w->options.log = words[i];

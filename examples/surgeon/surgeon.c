@@ -15,6 +15,7 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     memset(s, 0, sizeof *s);
     surgeon_plan(o, &plan);
     TRY(stitch_create(&s->stitch, o->seed, &plan));
+    hesitation_begin(&s->thinks, skill_or_expert(o->skill), o->seed);
     snprintf(note, sizeof note, "vbss surgeon seed %lu", (unsigned long)o->seed);
     return stand_begin(&s->stitch.site.stand, o->log, note);
 }
@@ -61,6 +62,21 @@ static vbss_result move(surgeon *s, double dt)
     TRY(stand_step(&t->site.stand, dt));
     TRY(hand_feel(&t->right));
     return hand_feel(&t->left);
+}
+
+/* The hands stay where they were told to be; their tremor does not. */
+static vbss_result think(surgeon *s, double dt)
+{
+    if (s->stage == SURGEON_PASS) {
+        TRY(hand_step(&s->stitch.right, dt));
+        TRY(hand_step(&s->stitch.left, dt));
+        TRY(stand_step(&s->stitch.site.stand, dt));
+        return stitch_look(&s->stitch);
+    }
+    if (s->stage > SURGEON_PULL) {
+        TRY(surgeon_look(s));
+    }
+    return move(s, dt);
 }
 
 static vbss_result pass(surgeon *s, double dt)
@@ -165,6 +181,9 @@ vbss_result surgeon_step(surgeon *s, double dt)
     s->steps++;
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
     s->gap = gap.gap;
+    if (hesitates(&s->thinks, surgeon_doing(s), dt)) {
+        return think(s, dt);
+    }
     switch (s->stage) {
     case SURGEON_PASS:
         return pass(s, dt);

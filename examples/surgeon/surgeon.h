@@ -28,6 +28,7 @@ typedef struct surgeon {
     throw_run tie;
     hand_over over;
     cut_run cut;
+    hesitation thinks;
     surgeon_stage stage;
     const char *why; /* failed */
     uint64_t steps;
@@ -41,6 +42,7 @@ typedef struct surgeon_options {
     uint64_t seed;
     surgeon_stage until; /* ends before this one */
     int32_t work;        /* of a step, as site_plan has it */
+    const hand_skill *skill; /* NULL: an expert's */
     const char *log;     /* may be NULL */
 } surgeon_options;
 
