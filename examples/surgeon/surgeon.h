@@ -40,10 +40,10 @@ typedef struct surgeon {
 
 typedef struct surgeon_options {
     uint64_t seed;
-    surgeon_stage until; /* ends before this one */
-    int32_t work;        /* of a step, as site_plan has it */
+    surgeon_stage until;     /* ends before this one */
+    int32_t work;            /* of a step, as site_plan has it */
     const hand_skill *skill; /* NULL: an expert's */
-    const char *log;     /* may be NULL */
+    const char *log;         /* may be NULL */
 } surgeon_options;
 
 /* What there is before the first step. (plan.c) */

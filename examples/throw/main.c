@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "knots/words.h"
+#include "throw/mistake.h"
 #include "throw/replay.h"
 
 static int usage(void)
@@ -11,7 +13,9 @@ static int usage(void)
             "throw single|double|square|surgeons|fls [-s seed] [-n seeds] [-l log] [-v]\n"
             "      [-k: cut both ends] [-w: wind the wrong way] [-u: draw through unchecked]\n"
             "      [-p folder for pictures] [-e seconds between them] [-c: close] [-t most "
-            "seconds a throw]\n");
+            "seconds a throw]\n"
+            "      [-m granny|handle|counter|bight|dropped|one-sided: the mistake in the last "
+            "throw]\n");
     return 2;
 }
 
@@ -55,6 +59,12 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds)
         case 'p':
             o->folder = value;
             break;
+        case 'm':
+            o->mistake = mistake_named(value);
+            if (o->mistake == THROW_NO_MISTAKE) {
+                return false;
+            }
+            break;
         case 'e':
             o->every = strtod(value, NULL);
             break;
@@ -67,6 +77,17 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds)
         i++;
     }
     return true;
+}
+
+static void tell_mistake(const trial_options *o, const trial_outcome *out)
+{
+    const vbss_knot_state *k = &out->knot.state, *next = &out->predicted.state;
+    char faults[WORDS];
+    words_of_faults(k->faults, faults);
+    printf("  %s: wanted: %s\n", mistake_name(o->mistake), mistake_wanted(o->mistake));
+    printf("  told: at the tail %s, %d wraps to come; in the end '%s', %s, slip %.2f; %s\n",
+           words_of_verdict(next->next_verdict), (int)next->next_wraps, out->knot.notation,
+           words_of_verdict(k->verdict), out->knot.slip, faults);
 }
 
 int main(int count, char **words)
@@ -93,6 +114,9 @@ int main(int count, char **words)
                (unsigned long)out.clamped, out.state, out.why, out.refused, out.cuts,
                out.left[0] * 1e3, out.left[1] * 1e3, out.kept ? "kept" : "",
                out.tight ? "tight" : "");
+        if (o.mistake != THROW_NO_MISTAKE) {
+            tell_mistake(&o, &out);
+        }
         if (o.log != NULL) {
             replay_finding f = replay_file(&o);
             good -= out.good && !f.equal;

@@ -43,7 +43,7 @@ vbss_result throw_close(throw_run *t, double dt)
                  k->next_handedness == throw_handedness(t);
     if (right || t->plan.unchecked) {
         vec from = v_sub(steer_jaws_of(&s->tool_w), steer_tail_root(t));
-        t->angle = atan2(from.z, from.x);
+        t->angle = t->begun = atan2(from.z, from.x);
         t->leash = hypot(from.z, from.x);
         t->clear = 0.0;
         t->carrot_c = s->tool_c.tip;
@@ -65,6 +65,22 @@ static vbss_result is_formed(throw_run *t, bool *formed)
     return VBSS_OK;
 }
 
+#define OFF_JAWS 0.5 /* s, that turns are off them */
+#define DROP_AT 0.4  /* rad of W's way, on which the end comes through later */
+
+/* How the drawing of a throw ends that is none, or is left. */
+static void draw_in_vain(throw_run *t, double dt)
+{
+    const senses *s = t->see;
+    t->clear = s->last == 0 ? t->clear + dt : 0.0;
+    if (t->plan.mistake == THROW_DROPPED && fabs(t->angle - t->begun) > DROP_AT) {
+        t->dropped = true;
+        throw_enter(t, THROW_UNWIND);
+    } else if (t->plan.mistake != THROW_DROPPED && t->clear > OFF_JAWS) {
+        throw_enter(t, THROW_DONE);
+    }
+}
+
 vbss_result throw_draw(throw_run *t, double dt)
 {
     senses *s = t->see;
@@ -79,6 +95,10 @@ vbss_result throw_draw(throw_run *t, double dt)
     }
     throw_on_leash(t, t->plan.drawn, dt);
     throw_follow(t, dt);
+    if (t->plan.mistake >= THROW_TO_HANDLE && t->plan.mistake <= THROW_DROPPED) {
+        draw_in_vain(t, dt);
+        return VBSS_OK;
+    }
     if (fmod(t->since, 0.02) < dt && s->turns < t->plan.wraps) {
         TRY(is_formed(t, &formed));
     }

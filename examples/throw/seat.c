@@ -55,7 +55,10 @@ void throw_lower(throw_run *t, double dt)
     t->angle = fmin(t->angle + 0.04 / t->leash * dt, PI * 173.0 / 180.0);
     throw_on_leash(t, 0.05, dt);
     throw_follow(t, dt);
-    if ((t->angle > PI * 172.0 / 180.0 && s->tool_w.tip.z < 6e-3) || t->since > 3.0) {
+    bool low = (t->angle > PI * 172.0 / 180.0 && s->tool_w.tip.z < 6e-3) || t->since > 3.0;
+    if (low && t->plan.mistake == THROW_SLACK) {
+        throw_enter(t, THROW_DONE);
+    } else if (low) {
         t->carrot_w = s->tool_w.tip;
         t->carrot_c = s->tool_c.tip;
         t->clear = 0.0;
@@ -121,6 +124,21 @@ static bool is_closed(throw_run *t, double dt)
     return false;
 }
 
+/* C alone moves, until it feels the limb; the thread of the open loop then goes to the limb, not to the tail. */
+static bool is_taken_up(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    if (!t->plan.still || t->closed > 0.0) {
+        return true;
+    }
+    pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, 2.0 * CLOSING, dt);
+    if (s->tension_c > CLOSING || t->since > 8.0) {
+        t->closed = t->since;
+        t->carrot_w = s->tool_w.tip;
+    }
+    return false;
+}
+
 /* Both ends alike and downward: pulled unlike, a throw on another one locks before it is down. */
 static void pull_alike(throw_run *t, double dt)
 {
@@ -133,13 +151,25 @@ static void pull_alike(throw_run *t, double dt)
     t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
 }
 
+/* The tail gets straight, and the limb is hitched round it. */
+static void pull_tail_alone(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    const double full = t->plan.pull;
+    pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, full, dt);
+    throw_follow(t, dt);
+    t->clear += s->tension_w > 0.9 * full ? dt : 0.0;
+}
+
 void throw_seat(throw_run *t, double dt)
 {
     hand_turn(t->see->w, OUTWARD);
-    if (!is_closed(t, dt)) {
+    if (!is_taken_up(t, dt) || !is_closed(t, dt)) {
         return;
     }
-    if (t->plan.alike) {
+    if (t->plan.mistake == THROW_ONE_SIDED) {
+        pull_tail_alone(t, dt);
+    } else if (t->plan.alike) {
         pull_alike(t, dt);
     } else {
         pull_one_first(t, dt);

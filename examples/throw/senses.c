@@ -178,10 +178,12 @@ vbss_result senses_judge(senses *s, bool with_tools, senses_knot *k)
     TRY(vbss_knot_detector_judge(d, &in));
     TRY(vbss_knot_detector_get_state(d, &k->state, sizeof k->state));
     k->handedness = 0;
+    k->slip = 0.0;
     if (k->state.throw_count > 0) {
         vbss_knot_throw last;
         TRY(vbss_knot_detector_get_throw(d, k->state.throw_count - 1, &last, sizeof last));
         k->handedness = last.handedness;
+        k->slip = last.slip;
     }
     return vbss_knot_detector_get_notation(d, k->notation, sizeof k->notation);
 }

@@ -39,6 +39,7 @@ typedef struct senses_knot {
     vbss_knot_state state;
     char notation[32];
     int handedness; /* of the last throw */
+    double slip;    /* of it, as the detector has it */
 } senses_knot;
 /* After a throw: from where tail and limb are free now. */
 vbss_result senses_find_roots(senses *s);

@@ -53,6 +53,24 @@ void throw_plan_on_top(throw_plan *p)
     p->retries = 0; /* unwinding pulls what is tied apart */
 }
 
+#define FROM_TIP 5e-3       /* of the first turn, when the next are nearer to the handle */
+#define TIP_BEFORE (-12e-3) /* W then, so that the limb stands up to it on the tip's side */
+enum { TAIL_MIDDLE = 30 };  /* nodes from its end */
+
+void throw_plan_spoil(throw_plan *p, throw_mistake mistake)
+{
+    p->mistake = mistake;
+    p->wrong = mistake == THROW_REVERSED;
+    p->unchecked = mistake != THROW_NO_MISTAKE;
+    if (mistake == THROW_TO_HANDLE) {
+        p->s0 = FROM_TIP;
+        p->ds = -2.0 * p->ds;
+        p->wrap_tip.x = TIP_BEFORE;
+    } else if (mistake == THROW_BIGHT) {
+        p->tail_node = TAIL_MIDDLE;
+    }
+}
+
 int throw_handedness(const throw_run *t)
 {
     return t->see->w->side > 0.0 ? -1 : 1;

@@ -23,6 +23,18 @@ typedef enum throw_state {
     THROW_STATES
 } throw_state;
 
+/* What the hands do wrong in a throw, knowingly: without it they would see it and begin anew. */
+typedef enum throw_mistake {
+    THROW_NO_MISTAKE,
+    THROW_REVERSED, /* C winds the other way: as before, if the one below was tied by the other hand */
+    THROW_TO_HANDLE, /* each turn is nearer to W's handle than the last */
+    THROW_COUNTER,   /* the last turns are wound back again */
+    THROW_BIGHT,     /* W takes the tail in its middle, and draws that through */
+    THROW_DROPPED,   /* W lets the tail go before its end is through */
+    THROW_ONE_SIDED, /* W alone pulls, until the tail is straight */
+    THROW_SLACK,     /* nobody pulls: a session tells, the detector does not */
+} throw_mistake;
+
 /* How a throw is tied; lengths in m. */
 typedef struct throw_plan {
     int wraps;
@@ -41,10 +53,11 @@ typedef struct throw_plan {
     double off_floor; /* m: what of the tail is nearer to the floor is left, the next place taken */
     bool soft;        /* what is below is only held by its own friction: nothing may be taut */
     bool alike;       /* both ends are pulled alike in the end */
-    bool down;        /* the turn is closed from below, on either side of the drain, before that */
-    bool firm;        /* C winds as wide as the limb is long, however slack it has become */
-    double light;     /* N, of C while the tail is drawn through */
-    double drawn;     /* N, of W meanwhile: what is tied already stays quiet */
+    bool still;   /* W waits before that, until C has taken up the slack: the tail stays short */
+    bool down;    /* the turn is closed from below, on either side of the drain, before that */
+    bool firm;    /* C winds as wide as the limb is long, however slack it has become */
+    double light; /* N, of C while the tail is drawn through */
+    double drawn; /* N, of W meanwhile: what is tied already stays quiet */
     double reach; /* share of the tail that W goes to while turns are on its jaws: it hangs slack */
     double least_height; /* m above the drain's top, of W meanwhile */
     double tilt;         /* rad, of W's way meanwhile, from upright to the near side */
@@ -54,6 +67,7 @@ typedef struct throw_plan {
     int retries;
     bool wrong;     /* C goes round the other way */
     bool unchecked; /* what it would tie does not matter */
+    throw_mistake mistake;
 } throw_plan;
 
 typedef struct throw_run {
@@ -66,16 +80,21 @@ typedef struct throw_run {
     vec carrot_w, carrot_c;
     vec beside; /* of C from the turns on W; zero: not yet taken */
     double angle, leash, clear, hold;
+    double begun; /* the angle when W began to draw */
     catch_run grip;
     uint32_t throws_before;
     uint32_t tail_root, limb_root; /* nodes where tail and limb come out of drain or knot */
     int retries, refused;
     const char *why;
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
+    bool back;                     /* winding back what was wound */
+    bool dropped;                  /* the tail, knowingly */
     double closed; /* s in this state when the turn had closed on the tail; 0: not yet */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
+/* The hands shall make that mistake in it. */
+void throw_plan_spoil(throw_plan *p, throw_mistake mistake);
 /* A single on top of what is tied. */
 void throw_plan_on_top(throw_plan *p);
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan);

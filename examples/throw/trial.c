@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "throw/mistake.h"
 #include "throw/picture.h"
 
 #define STEP 1e-3
@@ -64,6 +65,9 @@ static hand_nature nature_of(uint64_t seed)
 static void plan_first(const trial_options *o, throw_plan *plan)
 {
     throw_plan_usual(plan, knots[o->kind].wraps);
+    if (o->mistake != THROW_NO_MISTAKE && knots[o->kind].throws == 1) {
+        throw_plan_spoil(plan, o->mistake);
+    }
 }
 
 vbss_result trial_set_up(const trial_options *o, stand *s, hand hands[2])
@@ -225,17 +229,21 @@ static vbss_result tie_all(trial *t, trial_outcome *out)
     snprintf(note, sizeof note, "vbss throw %s seed %lu", trial_name((int)t->options->kind),
              (unsigned long)t->options->seed);
     plan_first(t->options, &plan);
-    plan.wrong = t->options->wrong;
-    plan.unchecked = t->options->unchecked;
+    plan.wrong = plan.wrong || t->options->wrong;
+    plan.unchecked = plan.unchecked || t->options->unchecked;
     TRY(trial_set_up(t->options, &t->st, t->hands));
     TRY(stand_begin(&t->st, t->options->log, note));
     TRY(senses_create(&t->see, &t->st, &t->hands[0], &t->hands[1]));
     TRY(senses_look(&t->see));
+    const int throws = knots[t->options->kind].throws;
     TRY(tie(t, &plan, &good));
     out->retries = t->run.retries;
     out->refused = t->run.refused;
-    for (int i = 1; i < knots[t->options->kind].throws && good; i++) {
+    for (int i = 1; i < throws && good; i++) {
         throw_plan_on_top(&plan);
+        if (t->options->mistake != THROW_NO_MISTAKE && i + 1 == throws) {
+            throw_plan_spoil(&plan, t->options->mistake);
+        }
         TRY(change_hands(t, &good));
         if (good) {
             TRY(tie(t, &plan, &good));
@@ -261,12 +269,15 @@ static bool note(trial *t, const senses_knot *k, trial_outcome *out)
 
 static vbss_result look_back(trial *t, trial_outcome *out)
 {
+    const knot *tied = &knots[t->options->kind];
     senses_knot k;
     vbss_scene_statistics c;
     TRY(senses_find_knot(&t->see));
     TRY(senses_judge(&t->see, false, &k));
     TRY(vbss_scene_get_statistics(t->st.scene, &c, sizeof c));
     bool proved = note(t, &k, out);
+    out->knot = k;
+    out->predicted = t->run.predicted;
     out->height = t->see.knot_height;
     out->lowest = t->see.knot_lowest;
     out->highest = t->see.knot_highest;
@@ -274,8 +285,13 @@ static vbss_result look_back(trial *t, trial_outcome *out)
     out->clamped = c.clamped;
     out->state = throw_state_name(t->run.state);
     out->why = t->run.why != NULL ? t->run.why : "";
+    if (t->options->mistake != THROW_NO_MISTAKE) {
+        out->good = out->good && mistake_is_told(t->options->mistake, out, (uint32_t)tied->throws,
+                                                 tied->throws > 1 ? 1 : tied->wraps);
+        return VBSS_OK;
+    }
     out->good = out->good && proved && out->handedness == throw_handedness(&t->run) &&
-                strcmp(out->notation, knots[t->options->kind].notation) == 0 && out->height < 2e-3;
+                strcmp(out->notation, tied->notation) == 0 && out->height < 2e-3;
     return VBSS_OK;
 }
 

@@ -39,19 +39,21 @@ typedef struct trial_options {
     uint64_t seed; /* 0: steady hands of usual speed */
     double most;   /* s for a throw, a change of hands, the cutting */
     int verbose;
-    const char *log;    /* file; may be NULL */
-    const char *folder; /* of pictures; may be NULL */
-    double every;       /* s between them */
-    trial_watch *watch; /* looks only; may be NULL */
-    void *user;         /* handed to it */
-    bool cut;           /* both ends, in the end */
-    bool wrong;         /* wound about the wrong way */
-    bool unchecked;     /* and drawn through all the same */
-    bool near;          /* of the knot only */
+    const char *log;       /* file; may be NULL */
+    const char *folder;    /* of pictures; may be NULL */
+    double every;          /* s between them */
+    trial_watch *watch;    /* looks only; may be NULL */
+    void *user;            /* handed to it */
+    bool cut;              /* both ends, in the end */
+    bool wrong;            /* wound about the wrong way */
+    bool unchecked;        /* and drawn through all the same */
+    bool near;             /* of the knot only */
+    throw_mistake mistake; /* in the last throw */
 } trial_options;
 
 typedef struct trial_outcome {
     bool good;
+    senses_knot knot, predicted; /* in the end; when W had the tail of the last throw */
     char notation
         [32]; /* with the order of the throws as it was when the last one formed, if that can no longer be read */
     bool tight;     /* so it was: its type is proved still */

@@ -55,6 +55,10 @@ void throw_orbit(throw_run *t, double dt)
     const senses *s = t->see;
     double way = t->plan.wrong ? -1.0 : 1.0;
     double end = t->begin + way * (2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond);
+    if (t->back) {
+        end -= way * 2.0 * PI * t->plan.wraps;
+        way = -way;
+    }
     double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
     bool stuck = s->tension_c > 3.0 * t->plan.tension;
     t->clear = stuck ? t->clear + dt : 0.0;
@@ -67,7 +71,10 @@ void throw_orbit(throw_run *t, double dt)
     steer_keep_taut(t, 0.3, dt);
     if (way * (end - t->phi) < 1e-9 ||
         (t->clear > 0.7 && way * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */
-        throw_enter(t, THROW_CHECK);
+        bool turns_back = t->plan.mistake == THROW_COUNTER && !t->back;
+        throw_enter(t, turns_back ? THROW_ORBIT : THROW_CHECK);
+        t->back = t->back || turns_back;
+        t->clear = 0.0;
     } else if (t->since > 15.0) {
         throw_fail(t, "orbit takes too long");
     }
@@ -84,7 +91,7 @@ void throw_unwind(throw_run *t)
     steer_yield(t);
     if ((out && s->tool_w.tip.x < -0.045) || t->since > 4.0) {
         t->give = 1.0;
-        throw_enter(t, THROW_NEAR);
+        throw_enter(t, t->dropped ? THROW_DONE : THROW_NEAR);
     }
 }
 
@@ -97,7 +104,9 @@ void throw_check(throw_run *t, double dt)
     }
     double more = t->plan.soft ? 1.4 : 0.9; /* a slack limb winds further on */
     double turns = t->plan.wrong ? -s->turns : s->turns;
-    if (turns > t->plan.wraps - 0.15 && turns < t->plan.wraps + more) {
+    bool meant = t->plan.mistake == THROW_TO_HANDLE || t->plan.mistake == THROW_COUNTER;
+    bool right = turns > t->plan.wraps - 0.15 && turns < t->plan.wraps + more;
+    if (right || meant) {
         throw_enter(t, THROW_TAIL);
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;
