@@ -49,6 +49,7 @@ vbss_result surgeon_begin_tie(surgeon *s)
     plan.tension = WINDING;
     plan.alike = true; /* the drain gives way to what is pulled unlike */
     plan.low = LOW;
+    plan.still = true;
     surgeon_hold_level(s);
     throw_begin(&s->tie, &s->see, &plan);
     return VBSS_OK;
