@@ -60,7 +60,7 @@ static void steer(stitch *t, const pose *needle, double speed)
 
 static vec aimed(const stitch *t, int side)
 {
-    return v_add(t->marks[side], t->errors[side]);
+    return v_add(v_add(t->marks[side], t->errors[side]), t->beside);
 }
 
 /* The needle with its tip at a point, straight through the wall there. */
@@ -85,7 +85,7 @@ static vec exit_aim(const stitch *t)
     vec moved = v_sub(t->marks[SITE_LEFT], rest);
     moved = v_along(moved, -fmax(v_dot(moved, n), 0.0), n);
     vec up = v_cross(v3(0.0, 1.0, 0.0), n);
-    vec aim = v_along(v_add(rest, t->errors[SITE_LEFT]), LEAD, up);
+    vec aim = v_along(v_add(v_add(rest, t->errors[SITE_LEFT]), t->beside), LEAD, up);
     return v_add(v_add(aim, t->trim), v_limit(moved, FOLLOW));
 }
 
@@ -225,7 +225,7 @@ static void try_again(stitch *t)
     vec up = v_cross(along, site_normal_at_rest(&t->site, SITE_LEFT));
     if (t->square > 0.0) { /* it has pressed */
         double higher = v_dot(t->pressed, up) + 0.5 * LOWER;
-        double aside = v_dot(t->pressed, along);
+        double aside = v_dot(v_sub(t->pressed, t->beside), along);
         t->fork = v_scale(clamp(aside, -FORK_MOVED, FORK_MOVED), along);
         t->fork = v_along(t->fork, clamp(higher, -LOWER, LOWER), up);
     }
@@ -252,6 +252,9 @@ static void drive(stitch *t, double dt)
         steer(t, &needle, CARRY);
         return;
     }
+    if (t->withdraws && t->gone >= IN_LUMEN) {
+        enter_state(t, STITCH_EASE);
+    }
     bool ready = t->support == SUPPORT_ON && t->support_since > 0.4;
     bool waits = t->state == STITCH_CROSS && t->gone >= IN_LUMEN;
     if (t->state == STITCH_LEAVE) { /* the wall drives the tip aside */
@@ -264,7 +267,7 @@ static void drive(stitch *t, double dt)
     }
     if (t->state == STITCH_EASE) {
         t->gone -= step;
-        if (t->gone <= IN_LUMEN) {
+        if (t->gone <= IN_LUMEN && !t->withdraws) {
             enter_state(t, STITCH_CROSS);
         }
     } else if (!waits && t->gone < LONGEST) {
@@ -327,8 +330,8 @@ static void enter_support(stitch *t, stitch_support support)
 static void lead_left(stitch *t)
 {
     hand *h = &t->left;
-    vec right = site_mark_at_rest(&t->site, SITE_RIGHT),
-        left = site_mark_at_rest(&t->site, SITE_LEFT);
+    vec right = v_add(site_mark_at_rest(&t->site, SITE_RIGHT), t->beside),
+        left = v_add(site_mark_at_rest(&t->site, SITE_LEFT), t->beside);
     double off = 0.5 * t->site.wall + h->shape.driver_radius;
     vec in = v_along(right, -off + 0.2e-3, site_normal_at_rest(&t->site, SITE_RIGHT));
     vec outer = site_normal_at_rest(&t->site, SITE_LEFT);
@@ -419,7 +422,7 @@ static void punctured(stitch *t, uint32_t id)
     if (side == SITE_RIGHT && t->state == STITCH_ENTER) {
         t->hole = v_load(hole.position);
         t->gone = hole.arc_length;
-        t->entry = site_mark_at_rest(&t->site, SITE_RIGHT);
+        t->entry = v_add(site_mark_at_rest(&t->site, SITE_RIGHT), t->beside);
         enter_state(t, STITCH_CROSS);
     } else if (side == SITE_LEFT && t->state >= STITCH_CROSS && t->state < STITCH_DRAW) {
         enter_state(t, STITCH_DRAW);

@@ -44,19 +44,21 @@ typedef struct stitch {
     double since, support_since; /* s in the state */
     int tries;                   /* to take it */
     const char *why;
-    pose held;     /* the needle in the frame of what the right tool was told */
-    pose from;     /* of the right tool, when it lifts */
-    vec errors[2]; /* of aim, at the left and the right mark */
-    vec marks[2];  /* as seen, a little late */
-    vec trim;      /* of the aim at the left mark */
-    double square; /* cosine between needle and left wall, the largest of this try */
-    vec pressed;   /* where the needle pressed on it then, from the mark */
-    vec fork;      /* so far from its usual place the fork is set on the left wall */
-    int again;     /* times that the needle has been drawn back from it */
-    vec hole;      /* the first, likewise */
-    vec entry;     /* where the right mark is taken to be while it is entered */
-    double gone;   /* the tip beyond the right mark along the way it shall go, m */
-    double along;  /* share of the change from the circle of entry to that through both marks */
+    pose held;      /* the needle in the frame of what the right tool was told */
+    pose from;      /* of the right tool, when it lifts */
+    vec beside;     /* so far from both marks it is stitched, knowingly */
+    bool withdraws; /* and knowingly drawn back out of the first wall */
+    vec errors[2];  /* of aim, at the left and the right mark */
+    vec marks[2];   /* as seen, a little late */
+    vec trim;       /* of the aim at the left mark */
+    double square;  /* cosine between needle and left wall, the largest of this try */
+    vec pressed;    /* where the needle pressed on it then, from the mark */
+    vec fork;       /* so far from its usual place the fork is set on the left wall */
+    int again;      /* times that the needle has been drawn back from it */
+    vec hole;       /* the first, likewise */
+    vec entry;      /* where the right mark is taken to be while it is entered */
+    double gone;    /* the tip beyond the right mark along the way it shall go, m */
+    double along;   /* share of the change from the circle of entry to that through both marks */
     uint32_t punctures, others; /* holes made; tears, slips out, withdrawals */
     uint32_t holes[2];          /* their ids: left, right */
     vbss_hole made[2];          /* when made */

@@ -4,13 +4,14 @@
 #include "surgeon/watch.h"
 #include "throw/replay.h"
 
-static vbss_result play(stitch *t, const replay_log *log, vbss_replay_report *report)
+static vbss_result play(const watch *w, stitch *t, const replay_log *log,
+                        vbss_replay_report *report)
 {
     vbss_replay *replay;
     task k;
     TRY(vbss_replay_create(t->site.stand.context, log->data, log->count, &replay));
     TRY(vbss_replay_begin(replay, t->site.stand.scene));
-    TRY(task_create(&k, t, NULL, replay));
+    TRY(task_create_within(&k, t, NULL, replay, surgeon_time_limit(&w->options)));
     vbss_result result = VBSS_OK;
     while (result == VBSS_OK) {
         result = vbss_session_step(k.session, 0.0, 0.0);
@@ -28,7 +29,7 @@ bool watch_replay(const watch *w)
     surgeon_plan(&w->options, &plan);
     memset(&t, 0, sizeof t);
     bool played = log.count > 0 && stitch_create(&t, w->options.seed, &plan) == VBSS_OK &&
-                  play(&t, &log, &report) == VBSS_OK;
+                  play(w, &t, &log, &report) == VBSS_OK;
     free(log.data);
     stand_destroy(&t.site.stand);
     return played && report.outcome == VBSS_REPLAY_ENDED;

@@ -84,7 +84,7 @@ static void release(hand_over *o)
         choose_offered(o);
         s->w->side = s->c->side = 1.0; /* needle and world are not seen in a mirror */
         o->held = handing_held(&o->stitch->site, s->c);
-        enter(o, HAND_OVER_OFFER);
+        enter(o, o->kept ? HAND_OVER_DONE : HAND_OVER_OFFER);
     }
 }
 

@@ -24,6 +24,7 @@ typedef struct hand_over {
     hand_over_state state;
     double since;
     const char *why;
+    bool kept;               /* the needle stays where it is; the tail is let go all the same */
     vec carrot_w, carrot_c;  /* where both ease to */
     double slack_w, slack_c; /* s, for so long */
     vec from, from_handle;   /* where W lets go, and how it withdraws */

@@ -21,7 +21,9 @@
 
 vbss_result surgeon_begin_hand_over(surgeon *s)
 {
-    return hand_over_begin(&s->over, &s->stitch, &s->see);
+    TRY(hand_over_begin(&s->over, &s->stitch, &s->see));
+    s->over.kept = s->mistake == SURGEON_KEPT;
+    return VBSS_OK;
 }
 
 vbss_result surgeon_begin_later(surgeon *s)

@@ -62,6 +62,12 @@ static bool read_options(int count, char **words, watch *w, int *seeds)
                 return false;
             }
             break;
+        case 'm':
+            w->options.mistake = surgeon_mistake_named(words[i]);
+            if (w->options.mistake == SURGEON_NO_MISTAKE) {
+                return false;
+            }
+            break;
         case 'l':
             w->options.log = words[i];
             break;
@@ -78,6 +84,15 @@ static bool read_options(int count, char **words, watch *w, int *seeds)
     return true;
 }
 
+static bool judge_mistake(const watch *w)
+{
+    surgeon_mistake mistake = w->options.mistake;
+    bool told = surgeon_mistake_is_told(mistake, w->task.session, w->task.metrics);
+    printf("  %s: wanted: %s: %s\n", surgeon_mistake_name(mistake), surgeon_mistake_wanted(mistake),
+           told ? "so it is told" : "NOT TOLD");
+    return told;
+}
+
 static bool run(watch w)
 {
     static surgeon s;
@@ -88,7 +103,10 @@ static bool run(watch w)
     vbss_result result = watch_run(&w, &s);
     watch_tell(&w, &s, result);
     watch_tell_task(&w);
-    bool good = result == VBSS_OK && s.stage >= w.options.until && s.stage != SURGEON_FAILED;
+    bool good =
+        result == VBSS_OK && (w.options.mistake != SURGEON_NO_MISTAKE
+                                  ? judge_mistake(&w)
+                                  : s.stage >= w.options.until && s.stage != SURGEON_FAILED);
     stand_destroy(&s.stitch.site.stand);
     if (w.options.log != NULL) {
         bool same = watch_replay(&w);

@@ -1,10 +1,17 @@
 /* What there is before the first step; also for who plays a log back. */
 #include "surgeon/surgeon.h"
 
+#define IDLE_TIME 5.0 /* s: who is idle need not be watched for 600 */
+
 enum { SEGMENTS = 300 }; /* of the thread: SEGMENT each */
 
 void surgeon_plan(const surgeon_options *o, stitch_plan *plan)
 {
     *plan = (stitch_plan){
         .site = {.segments = SEGMENTS, .work = o->work}, .free_left = true, .skill = o->skill};
+}
+
+double surgeon_time_limit(const surgeon_options *o)
+{
+    return o->mistake == SURGEON_IDLE ? IDLE_TIME : 0.0;
 }

@@ -7,6 +7,9 @@
 #define TAIL_LONG 20e-3
 #define GAP_OPEN 2e-3
 #define GAP_SHUT 0.5e-3
+#define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
+#define LIFT 0.08                 /* m, of a needle in both walls */
+#define A_MOMENT 0.1              /* s */
 
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
 {
@@ -16,6 +19,12 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     surgeon_plan(o, &plan);
     TRY(stitch_create(&s->stitch, o->seed, &plan));
     hesitation_begin(&s->thinks, skill_or_expert(o->skill), o->seed);
+    s->mistake = o->mistake;
+    s->limit = surgeon_time_limit(o);
+    s->stitch.withdraws = o->mistake == SURGEON_WITHDRAWN;
+    if (o->mistake == SURGEON_MISSED) {
+        s->stitch.beside = BESIDE;
+    }
     snprintf(note, sizeof note, "vbss surgeon seed %lu", (unsigned long)o->seed);
     return stand_begin(&s->stitch.site.stand, o->log, note);
 }
@@ -100,8 +109,27 @@ static vbss_result pass(surgeon *s, double dt)
     return VBSS_OK;
 }
 
+/* The needle, in both walls, goes straight up. */
+static vbss_result lift(surgeon *s, double dt)
+{
+    hand *h = &s->stitch.right;
+    vec up = h->at;
+    up.z = LIFT;
+    hand_go(h, up, 0.05);
+    TRY(move(s, dt));
+    if (!h->holds) {
+        fail(s, "the needle is lost");
+    } else if (h->at.z > LIFT - 1e-3) {
+        fail(s, "lifted");
+    }
+    return VBSS_OK;
+}
+
 static vbss_result pull(surgeon *s, double dt)
 {
+    if (s->mistake == SURGEON_TORN) {
+        return lift(s, dt);
+    }
     pull_step(&s->pull, dt);
     TRY(move(s, dt));
     if (s->pull.state == PULL_DONE) {
@@ -181,7 +209,9 @@ vbss_result surgeon_step(surgeon *s, double dt)
     s->steps++;
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
     s->gap = gap.gap;
-    if (hesitates(&s->thinks, surgeon_doing(s), dt)) {
+    if (s->limit > 0.0 && s->stitch.site.stand.time > s->limit + A_MOMENT) {
+        fail(s, "idle");
+    } else if (s->mistake == SURGEON_IDLE || hesitates(&s->thinks, surgeon_doing(s), dt)) {
         return think(s, dt);
     }
     switch (s->stage) {

@@ -4,6 +4,7 @@
 
 #include "needle/stitch.h"
 #include "surgeon/hand_over.h"
+#include "surgeon/mistake.h"
 #include "surgeon/pull.h"
 #include "throw/cut.h"
 #include "throw/throw.h"
@@ -29,6 +30,8 @@ typedef struct surgeon {
     hand_over over;
     cut_run cut;
     hesitation thinks;
+    surgeon_mistake mistake;
+    double limit; /* s, of who is idle; 0: none */
     surgeon_stage stage;
     const char *why; /* failed */
     uint64_t steps;
@@ -43,11 +46,14 @@ typedef struct surgeon_options {
     surgeon_stage until;     /* ends before this one */
     int32_t work;            /* of a step, as site_plan has it */
     const hand_skill *skill; /* NULL: an expert's */
-    const char *log;         /* may be NULL */
+    surgeon_mistake mistake;
+    const char *log; /* may be NULL */
 } surgeon_options;
 
 /* What there is before the first step. (plan.c) */
 void surgeon_plan(const surgeon_options *o, stitch_plan *plan);
+/* Of the session, s; 0: the usual one. (plan.c) */
+double surgeon_time_limit(const surgeon_options *o);
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);

@@ -8,6 +8,12 @@
 
 vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_replay *replay)
 {
+    return task_create_within(k, t, record, replay, 0.0);
+}
+
+vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
+                               double time_limit)
+{
     const site *s = &t->site;
     vbss_session_config c;
     vbss_metrics_config measures;
@@ -26,6 +32,7 @@ vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_repl
     c.metrics = k->metrics;
     c.record = record;
     c.replay = replay;
+    c.time_limit = time_limit > 0.0 ? time_limit : c.time_limit;
     return vbss_session_create(s->stand.scene, &c, &k->session);
 }
 

@@ -13,6 +13,9 @@ typedef struct task {
 
 /* With a record the session writes to it; with a replay it follows that. */
 vbss_result task_create(task *k, const stitch *t, vbss_record *record, vbss_replay *replay);
+/* With another limit of time, s; 0: the usual one. */
+vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vbss_replay *replay,
+                               double time_limit);
 /* In the context of the stitch, which ends them otherwise. */
 vbss_result task_destroy(task *k);
 

@@ -50,6 +50,9 @@ vbss_result surgeon_begin_tie(surgeon *s)
     plan.alike = true; /* the drain gives way to what is pulled unlike */
     plan.low = LOW;
     plan.still = true;
+    if (s->mistake == SURGEON_SLACK) {
+        throw_plan_spoil(&plan, THROW_SLACK);
+    }
     surgeon_hold_level(s);
     throw_begin(&s->tie, &s->see, &plan);
     return VBSS_OK;

@@ -79,7 +79,8 @@ vbss_result watch_run(watch *w, surgeon *s)
 {
     const char *before = "";
     TRY(surgeon_create(s, &w->options));
-    TRY(task_create(&w->task, &s->stitch, s->stitch.site.stand.record, NULL));
+    TRY(task_create_within(&w->task, &s->stitch, s->stitch.site.stand.record, NULL,
+                           surgeon_time_limit(&w->options)));
     s->stitch.site.stand.session = w->task.session;
     while (s->stage < w->options.until && s->stage < SURGEON_DONE &&
            s->stitch.site.stand.time < w->most) {
