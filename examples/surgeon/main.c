@@ -2,9 +2,9 @@
  *
  *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w limit of work of a step, -1: none] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
- *             [-k expert|resident|novice: whose hands]
+ *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
  *
- * The log is played back. Tells of each seed what came of it. Exits 0 if all were as they shall be. */
+ * The log is played back. Tells of each seed what came of it. Exits 0 if all were as they shall be, or the mistake is told. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -14,7 +14,7 @@ static int usage(void)
 {
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w work] [-l log] [-p folder for pictures] [-e seconds "
-                    "between them] [-k expert|resident|novice] [-v]\n");
+                    "between them] [-k expert|resident|novice] [-m mistake] [-v]\n");
     return 2;
 }
 
