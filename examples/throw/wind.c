@@ -46,6 +46,7 @@ void throw_place(throw_run *t)
         t->rho = hypot(v_dot(c, f.away), v_dot(c, f.over));
         hand_aim(s->c, s->c->nature.aim);
         t->clear = 0.0;
+        t->back = false;
         throw_enter(t, THROW_ORBIT);
     }
 }
