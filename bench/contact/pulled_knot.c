@@ -127,7 +127,8 @@ static bool lay(pulled_knot *k)
 
 bool pulled_knot_run(pulled_knot *k)
 {
-    for (k->steps_to_load = 0; k->steps_to_load < k->most_steps && !loaded(k); k->steps_to_load++) {
+    for (k->steps_to_load = 0; k->steps_to_load < k->most_steps && (k->whole || !loaded(k));
+         k->steps_to_load++) {
         if (contact_scene_step(&k->scene, k->h) != VBSS_OK) {
             k->broken = true; /* no finite state */
             break;

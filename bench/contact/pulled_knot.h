@@ -16,6 +16,7 @@ typedef struct pulled_knot {
     bool pinned;         /* the nodes of both strands that are nearest to a crossing, in space */
     uint32_t hold_steps; /* not held: timed too, after the load is reached */
     uint32_t most_steps; /* to get there */
+    bool whole;          /* all of them, load or not */
     void (*more)(bench_result *result); /* called after its own counters; may be NULL */
 
     /* of a run */

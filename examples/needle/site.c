@@ -39,11 +39,13 @@ static vbss_result add_drain(site *s, const site_plan *plan)
     TRY(vbss_drain_create(s->stand.context, &c, &s->drain));
     TRY(vbss_drain_get_places(s->drain, &s->places, sizeof s->places));
     TRY(make_scene(s, plan));
-    return vbss_scene_add_drain(s->stand.scene, s->drain, &s->drain_body);
+    return (plan->without & SITE_NO_DRAIN) != 0
+               ? VBSS_OK
+               : vbss_scene_add_drain(s->stand.scene, s->drain, &s->drain_body);
 }
 
 /* It lies so that turning it clockwise, as seen from above, drives its tip. */
-static vbss_result add_needle(site *s, vec place, double turn)
+static vbss_result add_needle(site *s, vec place, double turn, const site_plan *plan)
 {
     vbss_needle_config c;
     TRY(vbss_needle_config_init(&c, sizeof c));
@@ -57,12 +59,15 @@ static vbss_result add_needle(site *s, vec place, double turn)
     c.orientation[1] = cos(0.5 * turn);
     c.orientation[2] = sin(0.5 * turn);
     TRY(vbss_needle_create(s->stand.context, &c, &s->needle));
-    return vbss_scene_add_needle(s->stand.scene, s->needle, &s->needle_body);
+    return (plan->without & SITE_NO_NEEDLE) != 0
+               ? VBSS_OK
+               : vbss_scene_add_needle(s->stand.scene, s->needle, &s->needle_body);
 }
 
 /* Straight on from the needle's end. */
-static vbss_result add_thread(site *s, uint32_t segments)
+static vbss_result add_thread(site *s, const site_plan *plan)
 {
+    const uint32_t segments = plan->segments;
     static vec x[STAND_NODES];
     vbss_thread_config c;
     vbss_needle_state needle;
@@ -84,9 +89,15 @@ static vbss_result add_thread(site *s, uint32_t segments)
     c.drag = 1.0;
     c.cut_capacity = CUTS;
     TRY(vbss_thread_create(s->stand.context, &c, &s->stand.thread));
-    TRY(vbss_scene_add_thread(s->stand.scene, s->stand.thread, &s->stand.thread_body));
     s->stand.nodes = segments + 1;
     s->stand.reversed = true;
+    if ((plan->without & SITE_NO_THREAD) != 0) {
+        return VBSS_OK;
+    }
+    TRY(vbss_scene_add_thread(s->stand.scene, s->stand.thread, &s->stand.thread_body));
+    if ((plan->without & SITE_NO_NEEDLE) != 0) { /* nobody holds its begin */
+        return VBSS_OK;
+    }
     return vbss_scene_pin_thread(s->stand.scene, s->stand.thread_body, 0, s->needle_body, swage,
                                  &pin);
 }
@@ -96,8 +107,8 @@ vbss_result site_create(site *s, vec place, double turn, const site_plan *plan)
     memset(s, 0, sizeof *s);
     TRY(vbss_context_create(NULL, &s->stand.context));
     TRY(add_drain(s, plan));
-    TRY(add_needle(s, place, turn));
-    return add_thread(s, plan->segments);
+    TRY(add_needle(s, place, turn, plan));
+    return add_thread(s, plan);
 }
 
 /* ---- looked at */

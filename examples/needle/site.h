@@ -18,9 +18,13 @@ typedef struct site {
     double floor;             /* height, m */
 } site;
 
+/* Bits: what is made, and lies where it would, but is not in the scene. */
+enum { SITE_NO_THREAD = 1, SITE_NO_DRAIN = 2, SITE_NO_NEEDLE = 4 };
+
 typedef struct site_plan {
     uint32_t segments; /* of the thread */
     int32_t work;      /* limit of a step; 0: the default, below 0: none */
+    uint32_t without;  /* SITE_NO_ bits; who stitches needs it all */
 } site_plan;
 
 /* Needle's middle on the floor, and how far it is turned there. */
