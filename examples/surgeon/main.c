@@ -3,8 +3,11 @@
  *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
  *             [-w limit of work of a step, -1: none] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
+ *             [-a folder for pictures of the key stages]
  *
- * The log is played back. Tells of each seed what came of it. Exits 0 if all were as they shall be, or the mistake is told. */
+ * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
+ * named or, if none was, the session calls the whole task done, or if their mistake is told, and logs play back to the same;
+ * else 1. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -14,7 +17,8 @@ static int usage(void)
 {
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w work] [-l log] [-p folder for pictures] [-e seconds "
-                    "between them] [-k expert|resident|novice] [-m mistake] [-v]\n");
+                    "between them] [-k expert|resident|novice] [-m mistake] [-a folder for the "
+                    "key stages] [-v]\n");
     return 2;
 }
 
@@ -29,7 +33,7 @@ static surgeon_stage after(const char *name)
     return SURGEON_DONE;
 }
 
-static bool read_options(int count, char **words, watch *w, int *seeds)
+static bool read_options(int count, char **words, watch *w, int *seeds, bool *whole)
 {
     for (int i = 1; i < count; i++) {
         const char *word = words[i];
@@ -49,6 +53,7 @@ static bool read_options(int count, char **words, watch *w, int *seeds)
             break;
         case 'u':
             w->options.until = after(words[i]);
+            *whole = false;
             break;
         case 't':
             w->most = strtod(words[i], NULL);
@@ -74,6 +79,9 @@ static bool read_options(int count, char **words, watch *w, int *seeds)
         case 'p':
             w->folder = words[i];
             break;
+        case 'a':
+            w->album = words[i];
+            break;
         case 'e':
             w->every = strtod(words[i], NULL);
             break;
@@ -93,20 +101,22 @@ static bool judge_mistake(const watch *w)
     return told;
 }
 
-static bool run(watch w)
+/* All stages that were asked for were gone through and, if that is the whole task, the session calls it done. */
+static bool is_made(const watch *w, const surgeon *s, bool whole)
+{
+    return s->stage >= w->options.until && s->stage != SURGEON_FAILED && !w->unpainted &&
+           (!whole || watch_complete(w));
+}
+
+static bool run(watch w, bool whole)
 {
     static surgeon s;
-    static double times[SURGEON_DONE][WATCH_STEPS];
-    for (int i = 0; i < SURGEON_DONE; i++) {
-        w.times[i] = times[i];
-    }
-    vbss_result result = watch_run(&w, &s);
-    watch_tell(&w, &s, result);
-    watch_tell_task(&w);
-    bool good =
-        result == VBSS_OK && (w.options.mistake != SURGEON_NO_MISTAKE
-                                  ? judge_mistake(&w)
-                                  : s.stage >= w.options.until && s.stage != SURGEON_FAILED);
+    static double times[WATCH_STEPS];
+    vbss_result result = watch_run(&w, &s, times);
+    watch_report(&w, &s, result);
+    watch_tell_events(&w);
+    bool good = result == VBSS_OK &&
+                (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
     stand_destroy(&s.stitch.site.stand);
     if (w.options.log != NULL) {
         bool same = watch_replay(&w);
@@ -120,11 +130,12 @@ int main(int count, char **words)
 {
     watch w = {.options = {.until = SURGEON_DONE}, .most = 120.0, .every = 1e9};
     int seeds = 1, good = 0;
-    if (!read_options(count, words, &w, &seeds)) {
+    bool whole = true; /* until a last stage is named */
+    if (!read_options(count, words, &w, &seeds, &whole)) {
         return usage();
     }
     for (int i = 0; i < seeds; i++, w.options.seed++) {
-        good += run(w);
+        good += run(w, whole);
     }
     printf("%d of %d\n", good, seeds);
     return good == seeds ? 0 : 1;

@@ -1,20 +1,11 @@
 #include "surgeon/watch.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
+#include <string.h>
 
 #define STEP 1e-3
 #define MILLI 1e3
-#define MICRO 1e6
 #define OFTEN 0.2 /* s: so often it is told how things stand */
-
-static double now(void)
-{
-    struct timespec t;
-    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- told */
 
@@ -48,11 +39,11 @@ static void paint(watch *w, const surgeon *s, const char *doing)
                       !near                      ? 0.14
                       : s->stage == SURGEON_PASS ? 0.06
                                                  : 0.035)) {
-        printf("%s cannot be painted\n", path);
+        w->unpainted = true;
     }
 }
 
-static double hand_feels(const hand *h)
+double watch_feels(const hand *h)
 {
     vbss_grasper_state g;
     bool good = vbss_grasper_get_state(h->grasper, &g, sizeof g) == VBSS_OK;
@@ -62,12 +53,20 @@ static double hand_feels(const hand *h)
 static void look(watch *w, const surgeon *s, const char *doing, bool changed)
 {
     const stitch *t = &s->stitch;
+    vbss_scene_statistics c;
+    if (vbss_scene_get_statistics(t->site.stand.scene, &c, sizeof c) == VBSS_OK &&
+        c.contacts > w->most_contacts) {
+        w->most_contacts = c.contacts;
+    }
     if (s->stage < SURGEON_DONE) {
-        w->left[s->stage] = fmax(w->left[s->stage], hand_feels(&t->left));
-        w->right[s->stage] = fmax(w->right[s->stage], hand_feels(&t->right));
+        w->left[s->stage] = fmax(w->left[s->stage], watch_feels(&t->left));
+        w->right[s->stage] = fmax(w->right[s->stage], watch_feels(&t->right));
     }
     if (w->verbose && (changed || fmod(t->site.stand.time, OFTEN) < STEP)) {
         tell_state(s, doing);
+    }
+    if (changed) {
+        watch_album(w, s, doing);
     }
     if (w->folder != NULL && (changed || t->site.stand.time >= w->next)) {
         paint(w, s, doing);
@@ -75,66 +74,61 @@ static void look(watch *w, const surgeon *s, const char *doing, bool changed)
     }
 }
 
-vbss_result watch_run(watch *w, surgeon *s)
+/* Of the steps of all stages there is room for so many. */
+static void keep_time(watch *w, surgeon_stage stage, double time)
+{
+    uint32_t *count = &w->counts[stage];
+    uint32_t before = (uint32_t)(w->times[stage] - w->times[0]);
+    if (before + *count < WATCH_STEPS) {
+        w->times[stage][(*count)++] = time;
+    }
+}
+
+static void enter(watch *w, const surgeon *s, surgeon_stage before)
+{
+    if (s->stage < SURGEON_DONE) {
+        w->times[s->stage] = w->times[before] + w->counts[before];
+        w->begin[s->stage] = s->stitch.site.stand.time;
+    }
+    watch_progress(w, s, true);
+}
+
+static vbss_result perform(watch *w, surgeon *s)
 {
     const char *before = "";
+    while (s->stage < w->options.until && s->stage < SURGEON_DONE &&
+           s->stitch.site.stand.time < w->most) {
+        surgeon_stage stage = s->stage;
+        double begin = watch_cpu_clock();
+        TRY(surgeon_step(s, STEP));
+        keep_time(w, stage, watch_cpu_clock() - begin);
+        const char *doing = surgeon_doing(s);
+        look(w, s, doing, strcmp(doing, before) != 0);
+        if (s->stage != stage) {
+            enter(w, s, stage);
+        } else {
+            watch_progress(w, s, false);
+        }
+        before = doing;
+    }
+    return VBSS_OK;
+}
+
+vbss_result watch_run(watch *w, surgeon *s, double *times)
+{
     TRY(surgeon_create(s, &w->options));
     TRY(task_create_within(&w->task, &s->stitch, s->stitch.site.stand.record, NULL,
                            surgeon_time_limit(&w->options)));
     s->stitch.site.stand.session = w->task.session;
-    while (s->stage < w->options.until && s->stage < SURGEON_DONE &&
-           s->stitch.site.stand.time < w->most) {
-        surgeon_stage stage = s->stage;
-        double begin = now();
-        TRY(surgeon_step(s, STEP));
-        if (w->counts[stage] < WATCH_STEPS) {
-            w->times[stage][w->counts[stage]++] = now() - begin;
-        }
-        const char *doing = surgeon_doing(s);
-        look(w, s, doing, strcmp(doing, before) != 0);
-        before = doing;
-    }
-    return stand_end(&s->stitch.site.stand);
+    w->began = watch_wall_clock();
+    w->times[0] = times;
+    vbss_result result = perform(w, s);
+    w->wall = watch_wall_clock() - w->began;
+    (void)vbss_session_get_status(w->task.session, &w->status, sizeof w->status);
+    return result != VBSS_OK ? result : stand_end(&s->stitch.site.stand);
 }
 
-/* ---- in the end */
-
-static int by_size(const void *a, const void *b)
+bool watch_complete(const watch *w)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double quantile(const watch *w, int stage, double share)
-{
-    uint32_t count = w->counts[stage], i = (uint32_t)(share * count);
-    return MICRO * w->times[stage][i < count ? i : count - 1];
-}
-
-void watch_tell(watch *w, const surgeon *s, vbss_result result)
-{
-    const stand *st = &s->stitch.site.stand;
-    vbss_scene_statistics c;
-    printf("seed %lu: %s, %s %s after %.2f s\n", (unsigned long)w->options.seed,
-           vbss_result_name(result), surgeon_doing(s), s->why != NULL ? s->why : "", st->time);
-    printf("  holes %.2f and %.2f mm off their marks; tail %.1f mm; slit %.2f mm before the throw, "
-           "%.2f mm now; throw '%s' of handedness %d\n",
-           MILLI * s->off[SITE_RIGHT], MILLI * s->off[SITE_LEFT], MILLI * s->tail,
-           MILLI * s->gap_before, MILLI * s->gap, s->tie.formed.notation, s->tie.formed.handedness);
-    for (int i = 0; i < SURGEON_DONE; i++) {
-        if (w->counts[i] == 0) {
-            continue;
-        }
-        qsort(w->times[i], w->counts[i], sizeof *w->times[i], by_size);
-        printf("  %-6s %5u steps, median %.0f us, p99 %.0f, p99.9 %.0f, longest %.0f; hands feel "
-               "up to "
-               "%.2f and %.2f N\n",
-               surgeon_stage_name((surgeon_stage)i), (unsigned)w->counts[i], quantile(w, i, 0.5),
-               quantile(w, i, 0.99), quantile(w, i, 0.999), quantile(w, i, 1.0), w->left[i],
-               w->right[i]);
-    }
-    if (vbss_scene_get_statistics(st->scene, &c, sizeof c) == VBSS_OK) {
-        printf("  clamped %lu, paused %lu\n", (unsigned long)c.clamped, (unsigned long)c.paused);
-    }
-    fflush(stdout);
+    return w->options.until == SURGEON_DONE && w->status.phase == VBSS_SESSION_PHASE_DONE;
 }

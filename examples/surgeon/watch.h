@@ -5,28 +5,53 @@
 #include "surgeon/surgeon.h"
 #include "surgeon/task.h"
 
-enum { WATCH_STEPS = 100000 }; /* of 1 ms, at most */
+enum { WATCH_STEPS = 200000 }; /* of 1 ms, at most */
 
 typedef struct watch {
     surgeon_options options;
     task task;          /* beside the scene */
     double most, every; /* s, simulated: at most; between pictures */
-    const char *folder; /* for pictures; may be NULL */
+    const char *folder; /* for pictures of all that the hands do; may be NULL */
+    const char *album;  /* for those of the key stages; may be NULL */
     bool verbose;
     int pictures;
-    double next;                                    /* picture, s */
-    double *times[SURGEON_DONE];                    /* of steps, s, WATCH_STEPS each */
-    uint32_t counts[SURGEON_DONE];                  /* of them */
-    double left[SURGEON_DONE], right[SURGEON_DONE]; /* most that a hand feels, N */
+    bool unpainted; /* a picture could not be made */
+    double next;    /* picture, s */
+    double told;    /* s: when it was last told how far they are */
+    double began;   /* by a clock that goes on, s */
+    double wall;    /* s that the performance took with all that watches it */
+    /* of each stage: when it began, s; CPU times of its steps, s, WATCH_STEPS for all together; most that hands feel, N */
+    double begin[SURGEON_DONE];
+    double *times[SURGEON_DONE];
+    uint32_t counts[SURGEON_DONE];
+    double left[SURGEON_DONE], right[SURGEON_DONE];
+    uint32_t most_contacts;     /* at a time */
+    vbss_session_status status; /* in the end */
 } watch;
 
-/* From the needle on the floor on. */
-vbss_result watch_run(watch *w, surgeon *s);
+/* From the needle on the floor on. `times` has room for WATCH_STEPS. */
+vbss_result watch_run(watch *w, surgeon *s, double *times);
+/* The whole task was asked for, and the session says that it is done. */
+bool watch_complete(const watch *w);
 /* Plays the log back on the same scene, its session too: true, to equal hashes. */
 bool watch_replay(const watch *w);
-/* What came of it. */
-void watch_tell(watch *w, const surgeon *s, vbss_result result);
-/* And what its session says of it: phase, measures, events. (tell.c) */
-void watch_tell_task(const watch *w);
+/* The force on the hand of a tool, N. */
+double watch_feels(const hand *h);
+
+/* ---- times.c */
+double watch_wall_clock(void);
+double watch_cpu_clock(void);
+/* Of sorted times, in us: the nearest rank. */
+double watch_quantile(const double *times, uint32_t count, double share);
+void watch_sort(double *times, uint32_t count);
+
+/* ---- progress.c: how far they are, as they go; `enters`: a stage begins */
+void watch_progress(watch *w, const surgeon *s, bool enters);
+/* ---- album.c: the key stages, when the hands begin to do something else */
+void watch_album(watch *w, const surgeon *s, const char *doing);
+/* ---- report.c: in the end, what came of it; sorts the times */
+void watch_report(watch *w, const surgeon *s, vbss_result result);
+/* ---- tell.c: what happened, as the session says */
+void watch_tell_events(const watch *w);
 
 #endif

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "knots/words.h"
+#include "throw/counts.h"
 #include "throw/demo.h"
 
 #define PERCENT 100.0
@@ -93,53 +94,12 @@ static void tell_time(demo *d)
            (unsigned long)t->count);
 }
 
-/* ---- counts */
-
-static unsigned long long u(uint64_t count)
-{
-    return count;
-}
-
-static void tell_scene(const demo *d)
-{
-    const vbss_scene_statistics *s = &d->scene;
-    printf("  contacts at the end %u; parts of steps %llu of %llu attempts; rejected: states %llu, "
-           "stretch %llu,"
-           " depth %llu, guard %llu, singular %llu, full %llu\n",
-           (unsigned)s->contacts, u(s->parts), u(s->attempts), u(s->rejected_states),
-           u(s->rejected_stretch), u(s->rejected_depth), u(s->rejected_guard),
-           u(s->rejected_singular), u(s->rejected_full));
-    printf("  loose states %llu, loose stretch %llu, clamped by the guard %llu, recovering %llu; "
-           "pairs the guard"
-           " tested %llu\n",
-           u(s->loose_states), u(s->loose_stretch), u(s->clamped), u(s->recovering),
-           u(s->guard_pairs));
-    printf("  deepest penetration %.1f %% of the thread's diameter; largest stretch error %.1e\n",
-           PERCENT * s->penetration / (2.0 * THREAD_RADIUS), s->stretch_error);
-}
-
-static void tell_device(const demo *d, int i)
-{
-    const vbss_device_statistics *in = &d->device[i];
-    const vbss_output_statistics *out = &d->output[i];
-    printf("  %s: %llu samples read, %llu refused; %llu forces written, largest %.2f N (the "
-           "tool's: %.2f N);"
-           " limited %llu, slewed %llu, over the continuous load %llu, stale %llu, watchdog %llu; "
-           "held at the workspace %llu\n",
-           i == 0 ? "left device" : "right device", u(in->accepted[0]),
-           u(in->out_of_order[0] + in->not_finite[0] + in->out_of_range[0] + in->not_unit[0] +
-             in->failed_reads[0]),
-           u(out->steps), out->largest_force, d->most[i], u(out->clamped), u(out->slewed),
-           u(out->continuous), u(out->input_stale + out->command_stale), u(out->watchdogs),
-           u(in->clamped_reads));
-}
-
 bool demo_tell(demo *d)
 {
     bool good = tell_knot(d);
     tell_time(d);
-    tell_scene(d);
-    tell_device(d, 0);
-    tell_device(d, 1);
+    counts_tell_scene(&d->scene);
+    counts_tell_device("left device", &d->device[0], &d->output[0], d->most[0]);
+    counts_tell_device("right device", &d->device[1], &d->output[1], d->most[1]);
     return good;
 }

@@ -1,0 +1,62 @@
+/* Pictures of the key stages: each when the hands have come to it, from the front and from above. */
+#include <stdio.h>
+#include <string.h>
+
+#include "surgeon/watch.h"
+
+#define MILLI 1e3
+
+/* What is looked at. */
+typedef enum look { LOOK_AT_DRAIN, LOOK_AT_W, LOOK_AT_SLIT } look;
+
+typedef struct key {
+    surgeon_stage stage;
+    const char *doing; /* when the hands begin to do this, */
+    const char *file;  /* it is time for that picture */
+    const char *words;
+    look at;
+    double width; /* of what is seen, m */
+} key;
+
+static const key keys[] = {
+    {SURGEON_PASS, "draw", "1-needle-in-the-drain", "the needle is through both marks",
+     LOOK_AT_DRAIN, 0.05},
+    {SURGEON_TIE, "near", "2-tail-set", "the thread is drawn through, the tail is short",
+     LOOK_AT_DRAIN, 0.06},
+    {SURGEON_TIE, "tail", "3-double-wrap", "the limb is wound twice round the left tool", LOOK_AT_W,
+     0.05},
+    {SURGEON_TIE, "lower", "4-throw-1-drawn-through", "the double throw", LOOK_AT_SLIT, 0.06},
+    {SURGEON_OVER, "ease", "5-throw-1-tight", "the double throw is pulled tight", LOOK_AT_SLIT,
+     0.025},
+    {SURGEON_SECOND, "near", "6-needle-changed-hands", "the left tool has taken the needle over",
+     LOOK_AT_DRAIN, 0.16},
+    {SURGEON_SECOND, "lower", "7-throw-2-drawn-through", "the second throw", LOOK_AT_SLIT, 0.06},
+    {SURGEON_BACK, "ease", "8-throw-2-tight", "the second throw is pulled tight", LOOK_AT_SLIT,
+     0.025},
+    {SURGEON_THIRD, "lower", "9-throw-3-drawn-through", "the third throw", LOOK_AT_SLIT, 0.06},
+    {SURGEON_CUT, "ease", "a-knot-tight", "the knot is pulled tight", LOOK_AT_SLIT, 0.02},
+    {SURGEON_DONE, "done", "b-tails-cut", "both tails are cut", LOOK_AT_SLIT, 0.025},
+};
+
+/* The tool that is wound about, above all else; what lies on the slit. */
+static vec middle_of(const surgeon *s, look at)
+{
+    return at == LOOK_AT_W      ? s->stitch.left.at
+           : at == LOOK_AT_SLIT ? v3(0.0, 0.0, 0.0)
+                                : v3(0.0, 0.0, 5e-3);
+}
+
+void watch_album(watch *w, const surgeon *s, const char *doing)
+{
+    char path[1024], text[128];
+    for (size_t i = 0; w->album != NULL && i < sizeof keys / sizeof keys[0]; i++) {
+        const key *k = &keys[i];
+        if (s->stage != k->stage || strcmp(doing, k->doing) != 0) {
+            continue;
+        }
+        snprintf(path, sizeof path, "%s/%s.png", w->album, k->file);
+        snprintf(text, sizeof text, "%.2f s: %s; slit %.2f mm", s->stitch.site.stand.time, k->words,
+                 MILLI * s->gap);
+        w->unpainted = !surgeon_show(s, path, text, middle_of(s, k->at), k->width) || w->unpainted;
+    }
+}
