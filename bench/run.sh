@@ -5,7 +5,7 @@ cd "$(dirname "$(readlink -f "$0")")/.."
 
 usage() {
     cat <<'END'
-usage: bench/run.sh [suite ...] [--quick] [--filter SUBSTRING] [--repetitions N]
+usage: bench/run.sh [suite ...] [--quick] [--filter SUBSTRING] [--repetitions N] [--seeds N]
   Without a suite, all of them. --quick takes a look: two repetitions, and the files say so.
 END
 }
@@ -15,7 +15,7 @@ options=()
 while (($# > 0)); do
     case "$1" in
     --quick) options+=("$1") ;;
-    --filter | --repetitions)
+    --filter | --repetitions | --seeds)
         if (($# < 2)); then
             echo "bench/run.sh: $1 needs a value" >&2
             exit 2

@@ -70,16 +70,26 @@ typedef struct bench_growth {
     uint32_t n_min, n_max;
 } bench_growth;
 
+/* An experiment too long to be repeated, that times itself: run is called once and tells with bench_trial_steps what steps took. */
+typedef struct bench_trial {
+    const char *name;
+    void *user;
+    void (*run)(void *user, bench_result *result);
+} bench_trial;
+
 /* Names and user data must outlive the run; the structs are copied. */
 void bench_add_stepped(bench *b, const bench_stepped *stepped);
 void bench_add_batch(bench *b, const bench_batch *batch);
 void bench_add_growth(bench *b, const bench_growth *growth);
+void bench_add_trial(bench *b, const bench_trial *trial);
 /* A case that cannot run here (a peer is not installed) is told, not left out silently. */
 void bench_add_skipped(bench *b, const char *name, const char *reason);
 /* True for a quick look: a suite may then check fewer arguments. Scenes must stay the same. */
 bool bench_is_quick(const bench *b);
+/* How many seeds a suite that has such should run: of --seeds, else 5, and 1 for a quick look. */
+unsigned bench_seeds(const bench *b);
 
-/* ---- in finish */
+/* ---- in finish, and in the run of a trial */
 
 /* A counter is an error, a count, any number that belongs beside the time; setting it again
  * replaces it. A value that is not finite makes the case an error. */
@@ -88,6 +98,9 @@ void bench_counter(bench_result *result, const char *name, double value);
 double bench_counter_value(const bench_result *result, const char *name);
 /* Sets dt_us, and us_per_ms: CPU microseconds per simulated millisecond, mean over the steps. */
 void bench_simulated_step(bench_result *result, double dt_us);
+/* Of a trial: what `count` steps took, in us, by the thread's CPU time and by the clock; sorts both. Sets the times of the case and
+ * the counters p50_us, p99_us, p999_us, max_us, mean_us (CPU) and wall_p50_us, wall_p99_us, wall_p999_us, wall_max_us. */
+void bench_trial_steps(bench_result *result, double *cpu_us, double *wall_us, uint32_t count);
 /* Makes the case an error; the first text stays. */
 void bench_fail(bench_result *result, const char *format, ...) BENCH_PRINTF(2, 3);
 

@@ -6,7 +6,8 @@
 
 bench_options bench_default_options(void)
 {
-    bench_options options = {.repetitions = BENCH_REPETITIONS, .batch_ns = 2e6};
+    bench_options options = {
+        .repetitions = BENCH_REPETITIONS, .seeds = BENCH_SEEDS, .batch_ns = 2e6};
     return options;
 }
 
@@ -14,10 +15,12 @@ void bench_print_usage(FILE *to, const char *suite)
 {
     fprintf(to,
             "usage: bench_%s [--out FILE] [--filter SUBSTRING] [--repetitions N] [--quick]\n"
-            "                [--list] [--git ID]\n"
+            "                [--seeds N] [--list] [--git ID]\n"
             "  --repetitions N  by default and at least %d, with --quick %d\n"
+            "  --seeds N        of suites that have some, by default %d, with --quick %d\n"
             "  --quick          a look, not a measurement: the file is marked as quick\n",
-            suite, (int)BENCH_REPETITIONS, (int)BENCH_QUICK_REPETITIONS);
+            suite, (int)BENCH_REPETITIONS, (int)BENCH_QUICK_REPETITIONS, (int)BENCH_SEEDS,
+            (int)BENCH_QUICK_SEEDS);
 }
 
 static bool parse_count(const char *text, unsigned *value)
@@ -34,12 +37,14 @@ static bool parse_count(const char *text, unsigned *value)
 
 bool bench_parse_options(int argc, char **argv, bench_options *options, FILE *complaints)
 {
-    unsigned repetitions = 0;
+    unsigned repetitions = 0, seeds = 0;
     *options = bench_default_options();
     for (int i = 1; i < argc; i++) {
         const char *word = argv[i];
         const char **text = NULL;
-        bool wants_count = strcmp(word, "--repetitions") == 0;
+        unsigned *wanted = strcmp(word, "--repetitions") == 0 ? &repetitions
+                           : strcmp(word, "--seeds") == 0     ? &seeds
+                                                              : NULL;
         if (strcmp(word, "--out") == 0) {
             text = &options->out;
         } else if (strcmp(word, "--filter") == 0) {
@@ -52,11 +57,11 @@ bool bench_parse_options(int argc, char **argv, bench_options *options, FILE *co
             options->list = true;
         } else if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0) {
             options->help = true;
-        } else if (!wants_count) {
+        } else if (wanted == NULL) {
             fprintf(complaints, "unknown argument '%s'\n", word);
             return false;
         }
-        if (text == NULL && !wants_count) {
+        if (text == NULL && wanted == NULL) {
             continue;
         }
         if (++i == argc) {
@@ -65,8 +70,8 @@ bool bench_parse_options(int argc, char **argv, bench_options *options, FILE *co
         }
         if (text != NULL) {
             *text = argv[i];
-        } else if (!parse_count(argv[i], &repetitions)) {
-            fprintf(complaints, "--repetitions needs a number, not '%s'\n", argv[i]);
+        } else if (!parse_count(argv[i], wanted)) {
+            fprintf(complaints, "%s needs a number, not '%s'\n", word, argv[i]);
             return false;
         }
     }
@@ -77,5 +82,8 @@ bool bench_parse_options(int argc, char **argv, bench_options *options, FILE *co
         return false;
     }
     options->repetitions = repetitions != 0 ? repetitions : least;
+    options->seeds = seeds != 0       ? seeds
+                     : options->quick ? (unsigned)BENCH_QUICK_SEEDS
+                                      : (unsigned)BENCH_SEEDS;
     return true;
 }

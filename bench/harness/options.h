@@ -5,13 +5,14 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { BENCH_REPETITIONS = 7, BENCH_QUICK_REPETITIONS = 2 };
+enum { BENCH_REPETITIONS = 7, BENCH_QUICK_REPETITIONS = 2, BENCH_SEEDS = 5, BENCH_QUICK_SEEDS = 1 };
 
 typedef struct bench_options {
     const char *out;    /* JSON file, NULL: none */
     const char *filter; /* only cases whose name contains it, NULL: all */
     const char *git;    /* commit, NULL: unknown */
     unsigned repetitions;
+    unsigned seeds; /* of suites that have some */
     bool quick;
     bool list;
     bool help;

@@ -44,7 +44,8 @@ static void write_context(const bench *b, const bench_environment *environment, 
                       "stepped cases: per step the minimum of thread CPU time over repetitions, "
                       "less that of an empty interval, then nearest-rank percentiles over steps; "
                       "batches: per item, minimum and median over repetitions; "
-                      "real_time is wall time, treated alike");
+                      "real_time is wall time, treated alike; "
+                      "trials: made once, percentiles over their steps");
     bench_json_number(json, "cpu_timer_overhead_ns", b->timer.overhead_ns);
     bench_json_number(json, "cpu_timer_resolution_ns", b->timer.resolution_ns);
     bench_json_integer(json, "cpu_timer_subtracted_ns", b->timer.empty_cpu_ns);

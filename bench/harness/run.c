@@ -105,6 +105,19 @@ void bench_add_growth(bench *b, const bench_growth *growth)
     }
 }
 
+void bench_add_trial(bench *b, const bench_trial *trial)
+{
+    bench_case *added = add_case(b, BENCH_TRIAL, trial->name);
+    if (added == NULL) {
+        return;
+    }
+    if (trial->run == NULL) {
+        refuse(b, trial->name, "needs run");
+        return;
+    }
+    added->trial = *trial;
+}
+
 void bench_add_skipped(bench *b, const char *name, const char *reason)
 {
     bench_case *added = add_case(b, BENCH_SKIPPED, name);
@@ -116,6 +129,11 @@ void bench_add_skipped(bench *b, const char *name, const char *reason)
 bool bench_is_quick(const bench *b)
 {
     return b->options.quick;
+}
+
+unsigned bench_seeds(const bench *b)
+{
+    return b->options.seeds;
 }
 
 bool bench_begin(bench *b, const bench_suite *suite, const bench_options *options,
@@ -142,6 +160,10 @@ static void measure(bench *b, bench_case *c)
         break;
     case BENCH_GROWTH:
         c->measured = bench_fit_growth(b, &c->growth, &c->result);
+        break;
+    case BENCH_TRIAL:
+        bench_measure_trial(&c->trial, &c->result);
+        c->measured = true;
         break;
     case BENCH_SKIPPED:
         break;

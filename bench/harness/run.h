@@ -12,7 +12,13 @@
 #include "harness/options.h"
 #include "harness/result.h"
 
-typedef enum bench_kind { BENCH_STEPPED, BENCH_BATCH, BENCH_GROWTH, BENCH_SKIPPED } bench_kind;
+typedef enum bench_kind {
+    BENCH_STEPPED,
+    BENCH_BATCH,
+    BENCH_GROWTH,
+    BENCH_TRIAL,
+    BENCH_SKIPPED
+} bench_kind;
 
 enum { BENCH_MAX_NAME = 128 };
 
@@ -28,6 +34,7 @@ typedef struct bench_case {
     bench_stepped stepped;
     bench_batch batch;
     bench_growth growth;
+    bench_trial trial;
     const char *reason; /* why it is skipped */
     bool selected;
     bool measured;
@@ -60,6 +67,7 @@ void bench_end(bench *b);
 bool bench_split_name(const char *suite, const char *name, bench_name *parts);
 
 void bench_measure_stepped(const bench *b, const bench_stepped *stepped, bench_result *result);
+void bench_measure_trial(const bench_trial *trial, bench_result *result);
 void bench_measure_batch(const bench *b, const bench_batch *batch, bench_result *result);
 /* True when the growth could be judged: false leaves the case unmeasured, because a filter left out
  * its family. */

@@ -9,6 +9,7 @@ static void add_cases(bench *b)
     add_tying_cases(b);
     add_drawn_cases(b);
     add_wound_cases(b);
+    add_performances(b);
 }
 
 int main(int argc, char **argv)

@@ -11,5 +11,7 @@ void add_tying_cases(bench *b);
 /* drawn.c, wound.c: a double throw with 30 to 480 segments: drawn tight; wound round a tool. */
 void add_drawn_cases(bench *b);
 void add_wound_cases(bench *b);
+/* performances.c: the whole task by scripted surgeons. */
+void add_performances(bench *b);
 
 #endif

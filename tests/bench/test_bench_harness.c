@@ -363,6 +363,35 @@ static void a_batch_is_timed_per_item(void **state)
     bench_end(&b);
 }
 
+static void run_trial(void *user, bench_result *result)
+{
+    double cpu[3] = {5.0, 1.0, 3.0}, wall[3] = {2.0, 7.0, 6.0};
+    uint32_t *runs = user;
+    ++*runs;
+    bench_trial_steps(result, cpu, wall, *runs == 1 ? 3 : 0);
+    bench_counter(result, "completed", 0.5);
+}
+
+static void a_trial_is_run_once_and_times_itself(void **state)
+{
+    (void)state;
+    uint32_t runs = 0;
+    const bench_trial trial = {"fake/trial/ours", &runs, run_trial};
+    bench_result result = {0}, second = {0};
+    bench_measure_trial(&trial, &result);
+    assert_false(result.failed);
+    assert_int_equal(runs, 1);
+    assert_int_equal(result.repetitions, 1);
+    assert_int_equal(result.iterations, 3);
+    expect_same_bits(3.0, result.cpu_time);
+    expect_same_bits(6.0, result.real_time);
+    expect_same_bits(5.0, bench_counter_value(&result, "max_us"));
+    expect_same_bits(3.0, bench_counter_value(&result, "mean_us"));
+    expect_same_bits(0.5, bench_counter_value(&result, "completed"));
+    bench_measure_trial(&trial, &second); /* this time it makes no step */
+    assert_true(second.failed);
+}
+
 static void a_dear_timer_enlarges_the_batch(void **state)
 {
     (void)state;
@@ -479,6 +508,11 @@ static void options_are_parsed(void **state)
     assert_int_equal(options.repetitions, 20);
     assert_true(parse(&options, "--repetitions", "3", "--quick"));
     assert_int_equal(options.repetitions, 3);
+    assert_int_equal(options.seeds, BENCH_QUICK_SEEDS);
+    assert_true(parse(&options, "--seeds", "100", NULL));
+    assert_int_equal(options.seeds, 100);
+    assert_int_equal(options.repetitions, 7);
+    assert_false(parse(&options, "--seeds", "0", NULL));
     assert_false(parse(&options, "--repetitions", "6", NULL));
     assert_false(parse(&options, "--repetitions", "7x", NULL));
     assert_false(parse(&options, "--repetitions", "-8", NULL));
@@ -561,6 +595,7 @@ int test_bench_harness(void)
         cmocka_unit_test(a_repetition_that_differs_is_an_error),
         cmocka_unit_test(a_failing_callback_ends_the_case),
         cmocka_unit_test(a_batch_is_timed_per_item),
+        cmocka_unit_test(a_trial_is_run_once_and_times_itself),
         cmocka_unit_test(a_dear_timer_enlarges_the_batch),
         cmocka_unit_test(growth_is_fitted_within_its_range),
         cmocka_unit_test(the_filter_selects_by_substring),
