@@ -7,8 +7,12 @@
 static const char *why_not(const facts *f)
 {
     uint32_t flags = f->measured.report.flags;
+    vbss_session_failure failure = f->again.session.status.failure;
     if (f->steps == 0) {
         return "the log holds no complete step";
+    }
+    if (f->again.session.count > 0 && failure != VBSS_SESSION_FAILURE_NONE) {
+        return task_failure_name(failure);
     }
     if ((flags & VBSS_METRICS_TIMEOUT) != 0) {
         return "the time was up";

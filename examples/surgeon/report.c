@@ -60,16 +60,6 @@ static void tell_steps(watch *w)
 
 /* ---- the task */
 
-static const char *why_failed(vbss_session_failure failure)
-{
-    char words[TASK_WORDS];
-    static char kept[TASK_WORDS];
-    const vbss_session_event e = {.kind = VBSS_SESSION_EVENT_FAILED, .number = (uint32_t)failure};
-    task_words(&e, words);
-    snprintf(kept, sizeof kept, "%s", words);
-    return kept;
-}
-
 static void tell_outcome(const watch *w, const surgeon *s, vbss_result result)
 {
     printf("seed %lu: %s\n", (unsigned long)w->options.seed,
@@ -77,9 +67,7 @@ static void tell_outcome(const watch *w, const surgeon *s, vbss_result result)
     printf("  the hands: %s, %s%s%s after %.2f s; the session: phase '%s', %s\n",
            vbss_result_name(result), surgeon_doing(s), s->why != NULL ? ": " : "",
            s->why != NULL ? s->why : "", s->stitch.site.stand.time,
-           task_phase_name(w->status.phase),
-           w->status.failure != VBSS_SESSION_FAILURE_NONE ? why_failed(w->status.failure)
-                                                          : "no failure");
+           task_phase_name(w->status.phase), task_failure_name(w->status.failure));
 }
 
 static void tell_phases(const watch *w, const vbss_metrics_report *r)

@@ -64,7 +64,7 @@ static const char *const phases[] = {
 };
 static const char *const stages[] = {"nothing of it", "wrapped", "tail grasped",
                                      "passed",        "tied",    "seated"};
-static const char *const failures[] = {"no",
+static const char *const failures[] = {"no failure",
                                        "the time is up",
                                        "the drain was torn off",
                                        "cut before the third throw was seated",
@@ -77,6 +77,11 @@ static const char *const marks[] = {"in", "out"};
 const char *task_phase_name(vbss_session_phase phase)
 {
     return phase >= 0 && phase <= VBSS_SESSION_PHASE_FAILED ? phases[phase] : "?";
+}
+
+const char *task_failure_name(vbss_session_failure failure)
+{
+    return failure >= 0 && failure <= VBSS_SESSION_FAILURE_LOST ? failures[failure] : "?";
 }
 
 static const char *tool_of(const vbss_session_event *e)
@@ -169,7 +174,7 @@ static void words_of_knot(const vbss_session_event *e, char words[TASK_WORDS])
         return;
     default:
         snprintf(words, TASK_WORDS, "failed: %s",
-                 failures[e->number <= VBSS_SESSION_FAILURE_LOST ? e->number : 0]);
+                 task_failure_name((vbss_session_failure)e->number));
         return;
     }
 }

@@ -20,6 +20,8 @@ vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vb
 vbss_result task_destroy(task *k);
 
 const char *task_phase_name(vbss_session_phase phase);
+/* Why it has failed; "no failure". */
+const char *task_failure_name(vbss_session_failure failure);
 enum { TASK_WORDS = 256 };
 /* What happened, in words, with its number and amount. */
 void task_words(const vbss_session_event *e, char words[TASK_WORDS]);
