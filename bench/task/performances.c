@@ -22,7 +22,7 @@
 #endif
 
 #define STEP_S 1e-3
-enum { MOST_STEPS = 300000, NOTATION = 32 };
+enum { MOST_STEPS = 300000, NOTATION = 32, KINDS = 7 };
 
 /* Whose hands: more of them need a line more. */
 static const char *const skills[] = {"expert", "resident", "novice"};
@@ -37,7 +37,7 @@ typedef struct performances {
     double cpu_s;
     unsigned completed, hands_done, certified, repeats;
     double gap, force;
-    uint64_t clamped, paused, rejected_guard, passed[6];
+    uint64_t clamped, paused, rejected_guard, passed[KINDS];
 } performances;
 
 static performances all[SKILLS];
@@ -148,9 +148,10 @@ static vbss_result look_again(performances *c, performance *p, const surgeon_opt
     }
     if (watch != NULL) {
         passed_counts found = passed_get(watch);
-        const uint64_t kinds[6] = {passed_sum(&found), found.threads,      found.thread_needle,
-                                   found.thread_drain, found.needle_drain, found.tool_drain};
-        for (int i = 0; i < 6; i++) {
+        const uint64_t kinds[KINDS] = {passed_sum(&found), found.threads,      found.thread_needle,
+                                       found.thread_drain, found.needle_drain, found.tool_drain,
+                                       found.in_jaws};
+        for (int i = 0; i < KINDS; i++) {
             c->passed[i] += kinds[i];
         }
         if (kinds[0] > 0) {
@@ -192,10 +193,10 @@ static void tell(performances *c, bench_result *result)
     bench_counter(result, "certified", (double)c->certified / c->seeds);
     bench_counter(result, "real_time_factor", STEP_S * c->steps / c->cpu_s);
 #ifdef VBSS_HAVE_ORACLE
-    static const char *const kinds[6] = {"pass_throughs",        "passed_threads",
-                                         "passed_thread_needle", "passed_thread_drain",
-                                         "passed_needle_drain",  "passed_tool_drain"};
-    for (int i = 0; i < 6; i++) {
+    static const char *const kinds[KINDS] = {
+        "pass_throughs",       "passed_threads",    "passed_thread_needle", "passed_thread_drain",
+        "passed_needle_drain", "passed_tool_drain", "met_in_jaws"};
+    for (int i = 0; i < KINDS; i++) {
         bench_counter(result, kinds[i], (double)c->passed[i]);
     }
     bench_counter(result, "repeats", (double)c->repeats / c->seeds);
