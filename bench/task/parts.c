@@ -9,7 +9,7 @@
 #include "task/bench_task.h"
 
 #define STEP_S 1e-3
-enum { STEPS = 1000, SEGMENTS = 300, TOOLS = 2 };
+enum { STEPS = 1000, SEGMENTS = 300, TOOLS = 2, HASH_INTERVAL = 100 };
 
 /* In the order in which they are added. */
 typedef enum part {
@@ -21,7 +21,8 @@ typedef enum part {
     PART_SESSION, /* that looks at bodies alone */
     PART_KNOTS,
     PART_METRICS,
-    PART_RECORD,
+    PART_RECORD, /* with a hash every HASH_INTERVAL steps */
+    PART_HASHES, /* in every step, as is the default */
     PARTS
 } part;
 
@@ -41,7 +42,7 @@ static parts_case cases[PARTS] = {
     {.name = "task/at-rest/2-tools"},    {.name = "task/at-rest/3-drain"},
     {.name = "task/at-rest/4-needle"},   {.name = "task/at-rest/5-session"},
     {.name = "task/at-rest/6-knots"},    {.name = "task/at-rest/7-metrics"},
-    {.name = "task/at-rest/8-recorded"},
+    {.name = "task/at-rest/8-recorded"}, {.name = "task/at-rest/9-hashed"},
 };
 
 /* ---- made anew for each repetition */
@@ -87,7 +88,10 @@ static vbss_result add_session(parts_case *c)
         TRY(vbss_metrics_create(s->stand.context, NULL, &config.metrics));
     }
     if (has(c, PART_RECORD)) {
-        TRY(vbss_record_create(s->stand.scene, NULL, &c->record));
+        vbss_record_config record;
+        TRY(vbss_record_config_init(&record, sizeof record));
+        record.hash_interval = has(c, PART_HASHES) ? 1 : HASH_INTERVAL;
+        TRY(vbss_record_create(s->stand.scene, &record, &c->record));
         config.record = c->record;
     }
     return vbss_session_create(s->stand.scene, &config, &c->session);

@@ -5,9 +5,9 @@
 #include "scenes/session_scenes.h"
 #include "task/bench_task.h"
 
-enum { CROSSINGS = 5 }; /* of the limbs: a double throw */
+enum { CROSSINGS = 5 /* of the limbs: a double throw */, HASH_INTERVAL = 100 };
 
-typedef enum part { PART_SESSION, PART_KNOTS, PART_METRICS, PART_RECORD, PARTS } part;
+typedef enum part { PART_SESSION, PART_KNOTS, PART_METRICS, PART_RECORD, PART_HASHES, PARTS } part;
 
 typedef struct tying_case {
     const char *name;
@@ -21,7 +21,8 @@ typedef struct tying_case {
 static tying_case cases[PARTS] = {{.name = "task/tying/5-session"},
                                   {.name = "task/tying/6-knots"},
                                   {.name = "task/tying/7-metrics"},
-                                  {.name = "task/tying/8-recorded"}};
+                                  {.name = "task/tying/8-recorded"},
+                                  {.name = "task/tying/9-hashed"}};
 static uint64_t last_hash; /* of the first case, 0: not run */
 
 static vbss_result make(tying_case *c)
@@ -35,7 +36,10 @@ static vbss_result make(tying_case *c)
         c->scene.config.metrics = NULL;
     }
     if (c->last >= PART_RECORD) {
-        VBSS_TRY(vbss_record_create(c->scene.scene, NULL, &c->record));
+        vbss_record_config record;
+        VBSS_TRY(vbss_record_config_init(&record, sizeof record));
+        record.hash_interval = c->last >= PART_HASHES ? 1 : HASH_INTERVAL;
+        VBSS_TRY(vbss_record_create(c->scene.scene, &record, &c->record));
         c->scene.config.record = c->record;
     }
     return vbss_session_create(c->scene.scene, &c->scene.config, &c->session);
