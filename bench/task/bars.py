@@ -5,7 +5,7 @@ so a promise that is not kept is told, not made an error."""
 import json
 import sys
 
-# Qi et al. 2017 (doi in docs/paper-thread.md): on a desktop's CPU of 2013.
+# Qi et al. 2017, doi 10.1016/j.jbi.2017.09.010, section 8: on a desktop CPU of 2013 (Core i7-4930K).
 PAPER_SEGMENTS, PAPER_FRAMES = 30, 150
 PAPER_GROWN_SEGMENTS, PAPER_GROWN_MS = 120, 10.0
 

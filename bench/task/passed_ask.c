@@ -4,10 +4,10 @@
 #include "oracle/surface.h"
 #include "task/passed_part.h"
 
-/* m: so far along thread or needle from a hole the wall round it is not asked; so far along a thread from where jaws hold it is
- * in them; so far from the swage the thread is not asked with the needle. */
+/* m: so far along thread or needle from a hole the wall round it is not asked; so far along a thread from where jaws hold it they do
+ * not touch it (docs/graspers.md); so far from the swage the thread is not asked with the needle. */
 #define HOLE_REACH 1e-3
-#define JAW_REACH 1e-3
+#define JAW_REACH 1.5e-3
 #define SWAGE_REACH 1.2e-3
 enum { MOST_STRETCHES = 256 };
 

@@ -11,31 +11,31 @@ typedef enum look { LOOK_AT_DRAIN, LOOK_AT_W, LOOK_AT_SLIT } look;
 
 typedef struct key {
     surgeon_stage stage;
+    look at;
     const char *doing; /* when the hands begin to do this, */
     const char *file;  /* it is time for that picture */
     const char *words;
-    look at;
     double width; /* of what is seen, m */
 } key;
 
 static const key keys[] = {
-    {SURGEON_PASS, "draw", "1-needle-in-the-drain", "the needle is through both marks",
-     LOOK_AT_DRAIN, 0.05},
-    {SURGEON_TIE, "near", "2-tail-set", "the thread is drawn through, the tail is short",
-     LOOK_AT_DRAIN, 0.06},
-    {SURGEON_TIE, "tail", "3-double-wrap", "the limb is wound twice round the left tool", LOOK_AT_W,
+    {SURGEON_PASS, LOOK_AT_DRAIN, "draw", "1-needle-in-the-drain",
+     "the needle is through both marks", 0.05},
+    {SURGEON_TIE, LOOK_AT_DRAIN, "near", "2-tail-set",
+     "the thread is drawn through, the tail is short", 0.06},
+    {SURGEON_TIE, LOOK_AT_W, "tail", "3-double-wrap", "the limb is wound twice round the left tool",
      0.05},
-    {SURGEON_TIE, "lower", "4-throw-1-drawn-through", "the double throw", LOOK_AT_SLIT, 0.06},
-    {SURGEON_OVER, "ease", "5-throw-1-tight", "the double throw is pulled tight", LOOK_AT_SLIT,
+    {SURGEON_TIE, LOOK_AT_SLIT, "lower", "4-throw-1-drawn-through", "the double throw", 0.06},
+    {SURGEON_OVER, LOOK_AT_SLIT, "ease", "5-throw-1-tight", "the double throw is pulled tight",
      0.025},
-    {SURGEON_SECOND, "near", "6-needle-changed-hands", "the left tool has taken the needle over",
-     LOOK_AT_DRAIN, 0.16},
-    {SURGEON_SECOND, "lower", "7-throw-2-drawn-through", "the second throw", LOOK_AT_SLIT, 0.06},
-    {SURGEON_BACK, "ease", "8-throw-2-tight", "the second throw is pulled tight", LOOK_AT_SLIT,
+    {SURGEON_SECOND, LOOK_AT_DRAIN, "near", "6-needle-changed-hands",
+     "the left tool has taken the needle over", 0.16},
+    {SURGEON_SECOND, LOOK_AT_SLIT, "lower", "7-throw-2-drawn-through", "the second throw", 0.06},
+    {SURGEON_BACK, LOOK_AT_SLIT, "ease", "8-throw-2-tight", "the second throw is pulled tight",
      0.025},
-    {SURGEON_THIRD, "lower", "9-throw-3-drawn-through", "the third throw", LOOK_AT_SLIT, 0.06},
-    {SURGEON_CUT, "ease", "a-knot-tight", "the knot is pulled tight", LOOK_AT_SLIT, 0.02},
-    {SURGEON_DONE, "done", "b-tails-cut", "both tails are cut", LOOK_AT_SLIT, 0.025},
+    {SURGEON_THIRD, LOOK_AT_SLIT, "lower", "9-throw-3-drawn-through", "the third throw", 0.06},
+    {SURGEON_CUT, LOOK_AT_SLIT, "ease", "a-knot-tight", "the knot is pulled tight", 0.02},
+    {SURGEON_DONE, LOOK_AT_SLIT, "done", "b-tails-cut", "both tails are cut", 0.025},
 };
 
 /* The tool that is wound about, above all else; what lies on the slit. */
