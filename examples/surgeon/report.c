@@ -103,24 +103,39 @@ static void tell_tails(const surgeon *s, const vbss_metrics_report *r)
 {
     static const uint32_t known[2] = {VBSS_METRICS_TAIL_0, VBSS_METRICS_TAIL_1};
     static const char *const names[2] = {"short", "needle's"};
-    printf("  tail %.1f mm when it was set", MILLI * s->tail);
+    printf("  %u transfers, %u drops", (unsigned)r->transfers, (unsigned)r->drops);
+    if (s->tail > 0.0) {
+        printf("; tail %.1f mm when it was set", MILLI * s->tail);
+    }
     for (int i = 0; i < 2; i++) {
         if ((r->flags & known[i]) != 0) {
-            printf(", the %s %.1f mm in the end", names[i], r->tail_mm[i]);
+            printf("; the %s one %.1f mm in the end", names[i], r->tail_mm[i]);
         }
     }
-    printf("; %u transfers, %u drops\n", (unsigned)r->transfers, (unsigned)r->drops);
+    printf("\n");
+}
+
+static void tell_slit(const surgeon *s, const vbss_metrics_report *r)
+{
+    printf("  slit %.2f mm in the end", MILLI * s->gap);
+    if (s->gap_before > 0.0) {
+        printf("; %.2f before the first throw", MILLI * s->gap_before);
+    }
+    if ((r->flags & VBSS_METRICS_GAP) != 0) {
+        printf("; as it is scored %.2f, at the widest %.2f", r->gap_mm, r->gap_largest_mm);
+    }
+    printf("\n");
 }
 
 static void tell_measures(const surgeon *s, const vbss_metrics_report *r)
 {
-    printf("  holes %.2f and %.2f mm off their marks; slit %.2f mm before the first throw, %.2f mm "
-           "in the end (session: %.2f, at the widest %.2f)\n",
-           r->deviation_mm[0], r->deviation_mm[1], MILLI * s->gap_before, MILLI * s->gap, r->gap_mm,
-           r->gap_largest_mm);
+    printf(
+        "  holes %.2f and %.2f mm off their marks; tightness by the pull test: %s, by the strain: "
+        "%s\n",
+        r->deviation_mm[0], r->deviation_mm[1], words_of_tightness(r->tightness_ours),
+        words_of_tightness(r->tightness_paper));
+    tell_slit(s, r);
     tell_tails(s, r);
-    printf("  tightness by the pull test: %s, by the strain: %s\n",
-           words_of_tightness(r->tightness_ours), words_of_tightness(r->tightness_paper));
 }
 
 static void tell_score(const watch *w, const vbss_metrics_report *r)
