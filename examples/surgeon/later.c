@@ -1,4 +1,5 @@
 #include "surgeon/surgeon.h"
+#include "throw/steer.h"
 
 /* The second and third throw: each mirrors the one before, so that the knot is square. */
 #define WRAP_TIP_X \
@@ -14,6 +15,7 @@
 #define LEAST_HEIGHT 5e-3   /* m above the drain's top, of W then */
 #define LOW 0.015           /* m below the drain's top, to where both pull: the floor is not far */
 #define FAR 0.05            /* m farther out than C may be already */
+#define ASKEW (-PI / 4.0)   /* so that the ends do not go straight back over what is tied */
 #define PULL 1.5            /* N, of both hands in the end */
 #define OFF_FLOOR 2e-3      /* m, where W takes the tail */
 #define BLADES_CLEAR 2.5e-3 /* m off the drain, which open blades would push */
@@ -42,6 +44,7 @@ vbss_result surgeon_begin_later(surgeon *s)
     plan.light = plan.drawn = ALIKE;
     plan.low = LOW;
     plan.far = FAR;
+    plan.askew = ASKEW;
     plan.off_floor = OFF_FLOOR;
     plan.reach = SLACK_TAIL;
     plan.least_height = LEAST_HEIGHT;

@@ -6,7 +6,7 @@
  *             [-a folder for pictures of the key stages]
  *
  * The log is played back. Tells of each seed what came of it. Exits 0 if in all seeds the hands have made the last stage that was
- * named or, if none was, the session calls the whole task done, or if their mistake is told, and logs play back to the same;
+ * named or, if none was, the session calls the whole task done and the slit is shut, or if their mistake is told, and logs play back to the same;
  * else 1. */
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,7 +105,7 @@ static bool judge_mistake(const watch *w)
 static bool is_made(const watch *w, const surgeon *s, bool whole)
 {
     return s->stage >= w->options.until && s->stage != SURGEON_FAILED && !w->unpainted &&
-           (!whole || watch_complete(w));
+           (!whole || (watch_complete(w) && surgeon_slit_is_shut(s)));
 }
 
 static bool run(watch w, bool whole)
@@ -115,8 +115,9 @@ static bool run(watch w, bool whole)
     vbss_result result = watch_run(&w, &s, times);
     watch_report(&w, &s, result);
     watch_tell_events(&w);
-    bool good = result == VBSS_OK &&
-                (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
+    bool good =
+        result == VBSS_OK &&
+        (w.options.mistake != SURGEON_NO_MISTAKE ? judge_mistake(&w) : is_made(&w, &s, whole));
     stand_destroy(&s.stitch.site.stand);
     if (w.options.log != NULL) {
         bool same = watch_replay(&w);

@@ -117,7 +117,8 @@ static void tell_tails(const surgeon *s, const vbss_metrics_report *r)
 
 static void tell_slit(const surgeon *s, const vbss_metrics_report *r)
 {
-    printf("  slit %.2f mm in the end", MILLI * s->gap);
+    printf("  slit %.2f mm in the end (%.2f between the edges' middles)", MILLI * s->gap,
+           MILLI * s->edges);
     if (s->gap_before > 0.0) {
         printf("; %.2f before the first throw", MILLI * s->gap_before);
     }

@@ -29,6 +29,11 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     return stand_begin(&s->stitch.site.stand, o->log, note);
 }
 
+bool surgeon_slit_is_shut(const surgeon *s)
+{
+    return s->gap <= GAP_SHUT;
+}
+
 const char *surgeon_stage_name(surgeon_stage stage)
 {
     static const char *const names[] = {"pass", "pull",  "tie", "over", "second",
@@ -208,7 +213,8 @@ vbss_result surgeon_step(surgeon *s, double dt)
     vbss_drain_gap gap;
     s->steps++;
     TRY(vbss_drain_get_gap(s->stitch.site.drain, &gap, sizeof gap));
-    s->gap = gap.gap;
+    s->gap = gap.opening;
+    s->edges = gap.gap;
     if (s->limit > 0.0 && s->stitch.site.stand.time > s->limit + A_MOMENT) {
         fail(s, "idle");
     } else if (s->mistake == SURGEON_IDLE || hesitates(&s->thinks, surgeon_doing(s), dt)) {

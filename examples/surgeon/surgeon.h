@@ -37,7 +37,8 @@ typedef struct surgeon {
     uint64_t steps;
     double off[2];          /* of the holes from their marks, m */
     double tail;            /* when it was set, m */
-    double gap_before, gap; /* of the slit: before the throw, now, m */
+    double gap_before, gap; /* between the lips: before the throw, now, m */
+    double edges;           /* between the middles of the slit's edges, m */
     double shut;            /* so long, s */
 } surgeon;
 
@@ -58,6 +59,7 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);
 /* As the program knows it. */
+bool surgeon_slit_is_shut(const surgeon *s); /* between its lips */
 const char *surgeon_stage_name(surgeon_stage stage);
 /* What the hands do at the moment. */
 const char *surgeon_doing(const surgeon *s);

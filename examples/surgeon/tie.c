@@ -12,7 +12,7 @@
     0.03           /* N, that the right hand gives way to while it winds: more draws the tail in */
 #define LOW 0.02   /* m below the drain's top, to where both hands pull */
 #define ENOUGH 1.0 /* N, of both hands, if the slit is shut */
-#define SHUT 0.45e-3 /* m */
+#define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
 #define INWARD 0.3   /* of ahead: the thread on the orbit */
 #define A_MOMENT 0.3 /* s */
 
@@ -119,7 +119,7 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
         raise_needle(s);
     }
-    bool shut = s->tie.state == THROW_SEAT && s->gap < SHUT && s->see.tension_w > ENOUGH &&
+    bool shut = s->tie.state == THROW_SEAT && s->edges < SHUT && s->see.tension_w > ENOUGH &&
                 s->see.tension_c > ENOUGH;
     s->shut = shut ? s->shut + dt : 0.0;
     if (s->shut > A_MOMENT) { /* more might shift its lips past each other */

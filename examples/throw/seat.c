@@ -5,8 +5,10 @@
 #define SLACK_TIME 5.0              /* s: turns that are still on W's jaws then are drawn off */
 #define CLOSING 0.1                 /* N, of both, while a turn closes on the tail */
 #define BESIDE (PI * 205.0 / 180.0) /* of W then */
-#define UNLIKE 0.15                 /* N, of one end more than of the other */
-#define FAR_W (-0.07)               /* m, to where both pull in the end */
+#define BESIDE_ASKEW (PI * 190.0 / 180.0) /* the drain is in the way */
+#define ABOVE_ASKEW 0.01                  /* m, of C: the same */
+#define UNLIKE 0.15                       /* N, of one end more than of the other */
+#define FAR_W (-0.07)                     /* m, to where both pull in the end */
 #define FAR_C 0.095
 #define LOW 0.003 /* m above the drain's top, where it has come down */
 
@@ -29,6 +31,12 @@ void throw_follow(throw_run *t, double dt)
     hand_go(s->c, t->carrot_c, 0.15);
 }
 
+static vec turned(vec way, double about)
+{
+    double c = cos(about), s = sin(about);
+    return v3(c * way.x - s * way.y, s * way.x + c * way.y, way.z);
+}
+
 /* W is on a leash: the tail, or what is left of it. */
 void throw_on_leash(throw_run *t, double most, double dt)
 {
@@ -40,6 +48,7 @@ void throw_on_leash(throw_run *t, double most, double dt)
     t->leash = clamp(t->leash, 0.3 * full, full);
     double up = sin(t->angle), tilt = up > 0.0 ? t->plan.tilt : 0.0;
     vec way = v3(cos(t->angle), -up * sin(tilt), up * cos(tilt));
+    way = t->state == THROW_SEAT ? turned(way, t->plan.askew) : way;
     vec jaws = v_along(steer_tail_root(t), t->leash, way);
     if (t->state == THROW_DRAW) {
         jaws.z = fmax(jaws.z, t->plan.least_height);
@@ -104,17 +113,21 @@ static vec outward(const throw_run *t, double way)
 }
 
 /* Both hands low on either side and the tail straight, C draws the limb round it: the turn runs down to what is tied. Closed
- * from above, or by W, it locks where it happens to be, up to 14 mm from there. */
+ * from above, or by W, it locks where it happens to be, up to 14 mm from there. In line with the stitch the ends go straight
+ * back over what is tied, which opens at 0.05 N; askew it holds. */
 static bool is_closed(throw_run *t, double dt)
 {
     senses *s = t->see;
     if (!t->plan.down || t->closed > 0.0) {
         return true;
     }
-    t->angle = fmin(t->angle + 0.04 / t->leash * dt, BESIDE);
+    bool askew = t->plan.askew != 0.0;
+    t->angle = fmin(t->angle + 0.04 / t->leash * dt, askew ? BESIDE_ASKEW : BESIDE);
     throw_on_leash(t, CLOSING, dt);
     double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
-    draw(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), speed, dt);
+    vec to = turned(outward(t, FAR_C), t->plan.askew);
+    to.z += askew ? ABOVE_ASKEW : 0.0;
+    draw(s->c, &s->tool_c, &t->carrot_c, to, speed, dt);
     t->clear = s->tension_c > 0.5 * CLOSING ? t->clear + dt : 0.0;
     if (t->clear > 0.1 || t->since > 8.0) {
         t->closed = t->since;

@@ -63,7 +63,9 @@ typedef struct throw_plan {
     double tilt;         /* rad, of W's way meanwhile, from upright to the near side */
     double low;          /* m, below the drain's top, to where both pull then */
     double far;          /* m, farther outward than usual */
-    double pull;         /* N, in the end */
+    double
+        askew; /* rad about the upright, that both hands are off the stitch's line while it is closed */
+    double pull; /* N, in the end */
     int retries;
     bool wrong;     /* C goes round the other way */
     bool unchecked; /* what it would tie does not matter */
