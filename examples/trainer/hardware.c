@@ -216,9 +216,6 @@ bool hardware_list(const options *o)
     hardware h;
     bool good = true;
     memset(&h, 0, sizeof h);
-    for (size_t i = 0; stage_at(i) != NULL; i++) {
-        printf("scene %s: %s\n", stage_at(i)->name, stage_at(i)->what);
-    }
     if (vbss_context_create(NULL, &h.context) != VBSS_OK) {
         return false;
     }

@@ -156,6 +156,9 @@ int main(int count, char **words)
         return refuse(WRONG_WORD, "--fault", "no such fault");
     }
     if (o.list) {
+        for (size_t i = 0; stage_at(i) != NULL; i++) {
+            printf("scene %s: %s\n", stage_at(i)->name, stage_at(i)->what);
+        }
         return hardware_list(&o) ? GOOD : NOT_THERE;
     }
     const struct sigaction on_interrupt = {.sa_handler = interrupt};

@@ -4,96 +4,48 @@
 #include <string.h>
 
 #define STEP PACE_PERIOD
-#define JOIN_SPEED 0.15   /* m/s, of a tool that comes to its hand */
-#define JOINED 0.5e-3     /* m */
-#define STIFFNESS 400.0   /* of the coupling to the hand, N/m */
-#define DAMPING 1.0       /* N s/m */
-#define BUTTON_SPEED 4.0  /* of the opening, 1/s */
 #define LAST_SECONDS 0.05 /* after an emergency stop, so that all of it is told */
 
-enum { CLOSES = 1, CLUTCHES = 2 }; /* buttons of an arm */
-
 /* ---- in */
-
-/* The tool comes to the hand; from then on it is where the hand is. */
-static void lead(task_hand *h, hand_figures *f, const double to[3])
-{
-    double way[3], length = 0.0;
-    for (int i = 0; i < 3; i++) {
-        way[i] = to[i] - h->told[i];
-        length += way[i] * way[i];
-    }
-    length = sqrt(length);
-    f->joined = f->joined || length < JOINED;
-    double share = f->joined || length <= JOIN_SPEED * STEP ? 1.0 : JOIN_SPEED * STEP / length;
-    for (int i = 0; i < 3; i++) {
-        h->told[i] += share * way[i];
-    }
-}
-
-static double find_opening(task_hand *h, const vbss_device_input *in)
-{
-    if ((in->valid & VBSS_DEVICE_HAS_JAW) != 0) {
-        return in->jaw;
-    }
-    double wanted = (in->buttons & h->let_go & CLOSES) != 0 ? 0.0 : 1.0, most = BUTTON_SPEED * STEP;
-    h->opening += fmin(fmax(wanted - h->opening, -most), most);
-    return h->opening;
-}
 
 static vbss_result read_hand(task *t, int side)
 {
     hand_figures *f = &t->now.hands[side];
-    task_hand *h = &t->hands[side];
-    vbss_device *device = t->hardware.devices[side];
+    grip *g = &t->hands[side].grip;
     vbss_grasper *tool = t->stage.tools[side];
-    TRY(vbss_device_read(device, t->clock, &f->in, sizeof f->in));
+    bool known;
+    TRY(grip_read(g, t->hardware.devices[side], t->clock, STEP, &known));
+    f->in = g->in;
+    f->joined = g->joined;
+    f->jaw = g->jaw;
     task_tell(t, side, &f->in);
-    if (f->in.status == VBSS_DEVICE_WAITING) {
+    if (!known) {
         return VBSS_OK;
     }
-    h->let_go |= ~f->in.buttons;
-    TRY(vbss_device_clutch(device, (f->in.buttons & h->let_go & CLUTCHES) != 0));
-    lead(h, f, f->in.position);
-    f->jaw = find_opening(h, &f->in);
-    TRY(vbss_grasper_move(tool, h->told, f->in.orientation));
-    return vbss_grasper_set_opening(tool, f->jaw);
+    TRY(vbss_grasper_move(tool, g->told, g->in.orientation));
+    return vbss_grasper_set_opening(tool, g->jaw);
 }
 
 /* ---- out */
 
-static void count_pulses(task_hand *h, hand_figures *f, uint32_t wanted, uint32_t on)
+static void count_pulses(task_hand *h, hand_figures *f)
 {
-    f->asked += h->wanted == 0 && wanted != 0;
-    f->given += h->on == 0 && on != 0;
-    h->wanted = wanted;
-    h->on = f->solenoid = on;
+    const grip *g = &h->grip;
+    f->asked += h->wanted == 0 && g->wanted != 0;
+    f->given += h->on == 0 && g->on != 0;
+    h->wanted = g->wanted;
+    h->on = f->solenoid = g->on;
 }
 
 static vbss_result write_hand(task *t, int side)
 {
     hand_figures *f = &t->now.hands[side];
-    vbss_output_command command;
-    vbss_device_coupling coupling;
-    vbss_output_result out;
+    task_hand *h = &t->hands[side];
     vbss_grasper_state tool;
-    TRY(vbss_output_command_init(&command, sizeof command));
-    TRY(vbss_device_coupling_init(&coupling, sizeof coupling));
     TRY(vbss_grasper_get_state(t->stage.tools[side], &tool, sizeof tool));
-    if (f->joined) {
-        command.solenoid = tool.solenoid;
-        memcpy(coupling.position, tool.position, sizeof coupling.position);
-        memcpy(coupling.velocity, tool.velocity, sizeof coupling.velocity);
-        coupling.stiffness = STIFFNESS;
-        coupling.damping = DAMPING;
-        TRY(vbss_device_write_coupled(t->hardware.devices[side], t->clock, &command, &coupling,
-                                      &out, sizeof out));
-    } else {
-        TRY(vbss_device_write(t->hardware.devices[side], t->clock, &command, &out, sizeof out));
-    }
-    count_pulses(&t->hands[side], f, command.solenoid, out.solenoid);
-    f->force = sqrt(out.force[0] * out.force[0] + out.force[1] * out.force[1] +
-                    out.force[2] * out.force[2]);
+    TRY(grip_write(&h->grip, t->hardware.devices[side], t->clock, &tool));
+    count_pulses(h, f);
+    f->force = h->grip.force;
     f->most_force = fmax(f->most_force, f->force);
     return VBSS_OK;
 }
@@ -156,8 +108,9 @@ void task_init(task *t)
     atomic_init(&t->ended, false);
     t->stopped_since = -1.0;
     for (int side = 0; side < HANDS; side++) {
-        v_store(t->hands[side].told, t->stage.start[side]);
-        t->hands[side].opening = 1.0;
+        double at[3];
+        v_store(at, t->stage.start[side]);
+        grip_begin(&t->hands[side].grip, at);
     }
 }
 

@@ -4,14 +4,13 @@
 #define VBSS_EXAMPLES_TRAINER_TASK_H
 
 #include "trainer/figures.h"
+#include "trainer/grip.h"
 #include "trainer/hardware.h"
 #include "trainer/pace.h"
 #include "trainer/rehearsal.h"
 
 typedef struct task_hand {
-    double told[3];      /* to the tool, m */
-    double opening;      /* of a handle that is the arm's button */
-    uint32_t let_go;     /* buttons that were up once: one that is stuck does not count */
+    grip grip;
     uint32_t wanted, on; /* solenoid, in the last slot */
     double noted[16];    /* when an event of that bit was told last, s */
 } task_hand;

@@ -1,0 +1,90 @@
+#include "trainer/grip.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "throw/stand.h"
+
+#define JOIN_SPEED 0.15  /* m/s, of a tool that comes to its hand */
+#define JOINED 0.5e-3    /* m */
+#define STIFFNESS 400.0  /* of the coupling to the hand, N/m */
+#define DAMPING 1.0      /* N s/m */
+#define BUTTON_SPEED 4.0 /* of the opening, 1/s */
+
+enum { CLOSES = 1, CLUTCHES = 2 }; /* buttons of an arm */
+
+void grip_begin(grip *g, const double at[3])
+{
+    memset(g, 0, sizeof *g);
+    memcpy(g->told, at, sizeof g->told);
+    g->opening = 1.0;
+}
+
+/* ---- in */
+
+/* The tool comes to the hand; from then on it is where the hand is, until that is lost. */
+static void lead(grip *g, double h)
+{
+    const double *to = g->in.position;
+    double way[3], length = 0.0;
+    for (int i = 0; i < 3; i++) {
+        way[i] = to[i] - g->told[i];
+        length += way[i] * way[i];
+    }
+    length = sqrt(length);
+    g->joined = g->in.status != VBSS_DEVICE_LOST && (g->joined || length < JOINED);
+    double share = g->joined || length <= JOIN_SPEED * h ? 1.0 : JOIN_SPEED * h / length;
+    for (int i = 0; i < 3; i++) {
+        g->told[i] += share * way[i];
+    }
+}
+
+static double find_opening(grip *g, double h)
+{
+    if ((g->in.valid & VBSS_DEVICE_HAS_JAW) != 0) {
+        return g->in.jaw;
+    }
+    double wanted = (g->in.buttons & g->let_go & CLOSES) != 0 ? 0.0 : 1.0, most = BUTTON_SPEED * h;
+    g->opening += fmin(fmax(wanted - g->opening, -most), most);
+    return g->opening;
+}
+
+vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *known)
+{
+    TRY(vbss_device_read(device, now, &g->in, sizeof g->in));
+    *known = g->in.status != VBSS_DEVICE_WAITING;
+    if (!*known) {
+        return VBSS_OK;
+    }
+    g->let_go |= ~g->in.buttons;
+    TRY(vbss_device_clutch(device, (g->in.buttons & g->let_go & CLUTCHES) != 0));
+    lead(g, h);
+    g->jaw = find_opening(g, h);
+    return VBSS_OK;
+}
+
+/* ---- out */
+
+vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool)
+{
+    vbss_output_command command;
+    vbss_device_coupling coupling;
+    vbss_output_result out;
+    TRY(vbss_output_command_init(&command, sizeof command));
+    TRY(vbss_device_coupling_init(&coupling, sizeof coupling));
+    if (g->joined) {
+        command.solenoid = tool->solenoid;
+        memcpy(coupling.position, tool->position, sizeof coupling.position);
+        memcpy(coupling.velocity, tool->velocity, sizeof coupling.velocity);
+        coupling.stiffness = STIFFNESS;
+        coupling.damping = DAMPING;
+        TRY(vbss_device_write_coupled(device, now, &command, &coupling, &out, sizeof out));
+    } else {
+        TRY(vbss_device_write(device, now, &command, &out, sizeof out));
+    }
+    g->wanted = command.solenoid;
+    g->on = out.solenoid;
+    g->force = sqrt(out.force[0] * out.force[0] + out.force[1] * out.force[1] +
+                    out.force[2] * out.force[2]);
+    return VBSS_OK;
+}

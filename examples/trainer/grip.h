@@ -1,0 +1,28 @@
+/* A device's hand on a tool: the tool comes to the hand, is led by it, and is felt. One slot of a millisecond: grip_read, the
+ * scene's step, grip_write. */
+#ifndef VBSS_EXAMPLES_TRAINER_GRIP_H
+#define VBSS_EXAMPLES_TRAINER_GRIP_H
+
+#include <stdbool.h>
+
+#include <vblast_ss/device.h>
+#include <vblast_ss/grasper.h>
+
+typedef struct grip {
+    vbss_device_input in; /* as read last */
+    double told[3];       /* to the tool, m */
+    double jaw;           /* the same */
+    double opening;       /* of a handle that is the arm's button */
+    uint32_t let_go;      /* buttons that were up once: one that is stuck does not count */
+    bool joined;          /* the tool has come to the hand */
+    double force;         /* that goes out, N */
+    uint32_t wanted, on;  /* solenoid: by the tool; let through by the output stage */
+} grip;
+
+/* The tool begins there. */
+void grip_begin(grip *g, const double at[3]);
+/* False in `known`: there was no pose yet; the tool is to stay where it is. */
+vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *known);
+vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool);
+
+#endif
