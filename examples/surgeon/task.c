@@ -79,6 +79,11 @@ const char *task_phase_name(vbss_session_phase phase)
     return phase >= 0 && phase <= VBSS_SESSION_PHASE_FAILED ? phases[phase] : "?";
 }
 
+const char *task_stage_name(vbss_session_stage stage)
+{
+    return stage >= 0 && stage <= VBSS_SESSION_STAGE_SEATED ? stages[stage] : "?";
+}
+
 const char *task_failure_name(vbss_session_failure failure)
 {
     return failure >= 0 && failure <= VBSS_SESSION_FAILURE_LOST ? failures[failure] : "?";
@@ -148,7 +153,7 @@ static void words_of_knot(const vbss_session_event *e, char words[TASK_WORDS])
     char faults[WORDS];
     switch (e->kind) {
     case VBSS_SESSION_EVENT_STAGE:
-        snprintf(words, TASK_WORDS, "throw %d: %s", throw_number(e), stages[e->stage % 6]);
+        snprintf(words, TASK_WORDS, "throw %d: %s", throw_number(e), task_stage_name(e->stage));
         return;
     case VBSS_SESSION_EVENT_THROW:
         words_of_tied(e, words);

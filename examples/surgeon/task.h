@@ -20,6 +20,7 @@ vbss_result task_create_within(task *k, const stitch *t, vbss_record *record, vb
 vbss_result task_destroy(task *k);
 
 const char *task_phase_name(vbss_session_phase phase);
+const char *task_stage_name(vbss_session_stage stage);
 /* Why it has failed; "no failure". */
 const char *task_failure_name(vbss_session_failure failure);
 enum { TASK_WORDS = 256 };

@@ -10,12 +10,19 @@
 #define CAMERA_DOWN 0.87266463F  /* rad */
 #define CAMERA_AWAY 0.07F        /* m */
 
+/* Of what is between lens and target; a shaft of 5 mm covers a tenth of the picture's height at the most of it. */
+#define CAMERA_CLEAR 0.6F
+#define CAMERA_MOST_CLEAR 0.045F /* m */
+#define CAMERA_GONE 0.7F         /* of the two */
+
 typedef struct camera {
     point3 port, tip; /* m: the tube goes from one to the other */
     point3 up;        /* in the picture, about */
     float optics;     /* rad: of the view, downward from the tube's axis; 30 degrees are usual */
     float field;      /* rad: from the upper to the lower edge of the picture */
     float gain;       /* of the light: as much more as it is farther than usual */
+    float
+        clear; /* m: tools that come nearer to the lens are seen through, and not at all at CAMERA_GONE of it */
 } camera;
 
 typedef struct camera_view {

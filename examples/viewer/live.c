@@ -1,25 +1,28 @@
 #include "live.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #define STEP 1e-3
 
+enum { NOTE = 64 };
+
 static const live_scene scenes[] = {
     {"throw",
      "a thread that stands up from a drain, to tie a throw",
-     "vbss throw single seed 0",
+     "vbss throw single seed",
      {0.0F, 0.0F, 0.012F},
      0.0F,
      0.12F},
     {"needle",
      "a needle with a short thread on the floor, beside a drain",
-     "vbss needle pass seed 0",
+     "vbss needle pass seed",
      {0.012F, 0.0F, 0.0F},
      0.0F,
      0.10F},
     {"stitch",
      "the whole task: needle, drain, 150 mm of thread",
-     "vbss surgeon seed 0",
+     "vbss surgeon seed",
      {0.012F, 0.0F, 0.0F},
      0.0F,
      0.10F},
@@ -54,28 +57,73 @@ static vbss_result begin_task(live *l)
     return VBSS_OK;
 }
 
-vbss_result live_create(live *l, const live_scene *scene, const char *log)
+bool live_by_device(const live *l, int side)
 {
+    return l->arms != NULL && arms_device(l->arms, side) != NULL;
+}
+
+static vbss_result begin_hand(live *l, int side)
+{
+    vbss_grasper_state tool;
+    TRY(vbss_grasper_get_state(l->stage.graspers[side], &tool, sizeof tool));
+    grip_begin(&l->grips[side], tool.target_position);
+    return mouse_hand_create(&l->hands[side], l->stage.context, l->stage.graspers[side]);
+}
+
+vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
+                        const char *log)
+{
+    char note[NOTE];
     memset(l, 0, sizeof *l);
     l->scene = scene;
-    l->active = RIGHT;
-    TRY(stage_create(&l->stage, scene->note, strlen(scene->note)));
-    TRY(stand_begin(l->stage.stand, log, scene->note));
-    for (int side = 0; side < SIDES; side++) {
-        TRY(mouse_hand_create(&l->hands[side], l->stage.context, l->stage.graspers[side]));
-    }
+    l->arms = a;
+    l->active = live_by_device(l, RIGHT) && !live_by_device(l, LEFT) ? LEFT : RIGHT;
+    snprintf(note, sizeof note, "%s %lu", scene->note, seed);
+    TRY(stage_create(&l->stage, note, strlen(note)));
+    TRY(stand_begin(l->stage.stand, log, note));
+    TRY(begin_hand(l, LEFT));
+    TRY(begin_hand(l, RIGHT));
     return begin_task(l);
 }
 
 /* ---- a step */
 
+static vbss_result tell_tool(const live *l, int side, const double at[3], const double turned[4],
+                             double opening)
+{
+    vbss_record *record = l->stage.stand->record;
+    const uint32_t body = l->hands[side].body;
+    TRY(vbss_record_move_grasper(record, body, at, turned));
+    return vbss_record_set_opening(record, body, opening);
+}
+
+/* Of devices: the begin of the step, as logs have it. */
+static double device_clock(const live *l)
+{
+    return arms_clock(l->arms, STEP * (double)l->steps);
+}
+
 static vbss_result lead(live *l, int side)
 {
     mouse_hand *m = &l->hands[side];
-    vbss_record *record = l->stage.stand->record;
-    TRY(mouse_hand_read(m, l->time));
-    TRY(vbss_record_move_grasper(record, m->body, m->in.position, m->in.orientation));
-    return vbss_record_set_opening(record, m->body, m->in.jaw);
+    grip *g = &l->grips[side];
+    bool known = true;
+    if (!live_by_device(l, side)) {
+        TRY(mouse_hand_read(m, l->time));
+        return tell_tool(l, side, m->in.position, m->in.orientation, m->in.jaw);
+    }
+    TRY(grip_read(g, arms_device(l->arms, side), device_clock(l), STEP, &known));
+    return known ? tell_tool(l, side, g->told, g->in.orientation, g->jaw) : VBSS_OK;
+}
+
+static vbss_result feel(live *l, int side)
+{
+    vbss_grasper_state tool;
+    if (!live_by_device(l, side)) {
+        return VBSS_OK;
+    }
+    TRY(vbss_grasper_get_state(l->stage.graspers[side], &tool, sizeof tool));
+    return grip_write(&l->grips[side], arms_device(l->arms, side), device_clock(l), &tool);
 }
 
 static vbss_result let_go(live *l)
@@ -94,6 +142,8 @@ vbss_result live_step(live *l)
     TRY(lead(l, LEFT));
     TRY(lead(l, RIGHT));
     TRY(stand_step(l->stage.stand, STEP));
+    TRY(feel(l, LEFT));
+    TRY(feel(l, RIGHT));
     l->steps++;
     return let_go(l);
 }

@@ -1,14 +1,17 @@
-/* A scene under two hands of one mouse: what a person does, made into steps of a millisecond. */
+/* A scene under two hands, of one mouse or of devices: what a person does, made into steps of a millisecond. */
 #ifndef VBSS_EXAMPLES_VIEWER_LIVE_H
 #define VBSS_EXAMPLES_VIEWER_LIVE_H
 
+#include "arms.h"
 #include "mouse_hand.h"
 #include "report/stage.h"
+#include "trainer/grip.h"
 
 typedef struct live_scene {
     const char *name, *what;
-    const char *note;  /* of its log: which scene it is, for whoever plays it back */
-    point3 target;     /* of the camera */
+    const char
+        *note;     /* of its log, before the seed: which scene it is, for whoever plays it back */
+    point3 target; /* of the camera */
     float aside, away; /* rad, m */
 } live_scene;
 
@@ -16,6 +19,8 @@ typedef struct live {
     const live_scene *scene;
     stage stage;
     mouse_hand hands[SIDES];
+    arms *arms;        /* NULL: both hands are the mouse's */
+    grip grips[SIDES]; /* of those that are not */
     int active;
     uint64_t steps;
     double time; /* s */
@@ -24,8 +29,11 @@ typedef struct live {
 /* NULL: there is none of that name, or number. */
 const live_scene *live_find(const char *name);
 const live_scene *live_at(size_t number);
-/* The log may be NULL. */
-vbss_result live_create(live *l, const live_scene *scene, const char *log);
+/* Arms, which are open, and log may be NULL. */
+vbss_result live_create(live *l, const live_scene *scene, unsigned long seed, arms *a,
+                        const char *log);
+/* A device leads that hand. */
+bool live_by_device(const live *l, int side);
 /* Hands, scene, knots of the session; a limb that stood by itself is let go when a hand has it. */
 vbss_result live_step(live *l);
 /* Ends the log. */

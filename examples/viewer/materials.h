@@ -31,7 +31,7 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "uniform vec4 spots[32];\n" /* place at rest, radius; marks first */
     "uniform int mark_count;\n"
     "uniform vec3 eye, lamp;\n"
-    "uniform float brightness, most_tension;\n"
+    "uniform float brightness, most_tension, clear, gone;\n"
     "uniform mat4 light;\n"
     "uniform sampler2DShadow shadow;\n"
     "const float PI = 3.14159265;\n"
@@ -157,7 +157,10 @@ static const char *const material_fragment[MATERIAL_PIECES] = {
     "    vec3 around = cavity(reflect(-v, s.normal), s.rough);\n"
     "    c += s.metal * s.f0 * around * (0.35 + 0.65 * reached);\n"
     "    c += s.albedo * vec3(0.050, 0.034, 0.030);\n" /* what the cavity gives back */
-    "    colour = vec4(c, 1.0);\n"
+    /* of a pixel's samples; the places between their shares from noise */
+    "    float there = clear > 0.0 ? smoothstep(gone * clear, clear, distance(eye, at)) : 1.0;\n"
+    "    if (there <= 0.0) discard;\n"
+    "    colour = vec4(c, there < 1.0 ? there + 0.25 * (hash(gl_FragCoord.xy) - 0.5) : 1.0);\n"
     "}\n"};
 
 #endif

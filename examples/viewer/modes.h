@@ -4,12 +4,17 @@
 
 #include <stdint.h>
 
+enum { MOST_DEVICE_WORDS = 32 };
 enum { MODE_NO_OPENGL = 77 }; /* what it exits with then */
 
 typedef struct options {
-    const char *log;    /* to be played back */
-    const char *live;   /* or a scene to be played in */
-    const char *keep;   /* its log */
+    const char *log;                  /* to be played back */
+    const char *live;                 /* or a scene to be played in */
+    const char *keep;                 /* its log */
+    const char *hands;                /* a log whose hands move its tools */
+    unsigned long seed;               /* of it */
+    char *devices[MOST_DEVICE_WORDS]; /* words for the trainer's part */
+    int device_words;
     const char *folder; /* of stills */
     const char *film;
     double every, from, to; /* s, of pictures; every 0: as it is usual, live each frame */
@@ -17,6 +22,8 @@ typedef struct options {
     uint32_t looks;  /* SHOW_ bits */
     int frame_steps; /* of each frame, however long they take; 0: as many as the clock asks */
     int tell;        /* 1: a line a frame, on standard output */
+    int lockstep;    /* 1: a frame for each byte on standard input, and none without */
+    int renew;       /* so many frames after the begin the context counts as lost; 0: never */
 } options;
 
 /* Without a window: stills, or a film (take.c). */

@@ -44,6 +44,22 @@ static vbss_result roll(mouse_hand *m, double notches, uint32_t buttons)
     return vbss_mapping_mouse(&own, motion, buttons, 0.0, &m->sample);
 }
 
+/* Speeds are those of the mapping, times the grain; jaws are the mouse's. */
+static vbss_result go_by_pad(mouse_hand *m, double h)
+{
+    vbss_mapping_config screen = m->mapping, own;
+    double shift[6] = {0.0}, spin[6] = {0.0};
+    memcpy(shift, m->pull, 5 * sizeof *shift);
+    spin[5] = m->pull[5];
+    screen.pad_speed *= m->grain;
+    screen.pad_turning *= m->grain;
+    own = screen;
+    v_store(own.right, hand_rotate(m->sample.orientation, v3(1.0, 0.0, 0.0)));
+    v_store(own.up, hand_rotate(m->sample.orientation, v3(0.0, 1.0, 0.0)));
+    TRY(vbss_mapping_gamepad(&screen, shift, m->sample.jaw, h, &m->sample));
+    return vbss_mapping_gamepad(&own, spin, m->sample.jaw, h, &m->sample);
+}
+
 static vbss_result read_hand(void *user, double now, vbss_device_sample *sample)
 {
     mouse_hand *m = user;
@@ -56,6 +72,7 @@ static vbss_result read_hand(void *user, double now, vbss_device_sample *sample)
     TRY(vbss_mapping_mouse(&m->mapping, motion, jaws | VBSS_MAPPING_MOUSE_TURN, 0.0, &m->sample));
     take(m, SHIFT, h, motion);
     TRY(vbss_mapping_mouse(&m->mapping, motion, jaws, h, &m->sample));
+    TRY(go_by_pad(m, h));
     m->time = now;
     m->sample.time = now;
     const uint32_t size = sample->struct_size;
@@ -129,6 +146,12 @@ void mouse_hand_move(mouse_hand *m, bool turns, double right, double up, double 
     rest[0] += right;
     rest[1] += up;
     rest[2] += away;
+}
+
+void mouse_hand_pull(mouse_hand *m, const double axes[6], double grain)
+{
+    memcpy(m->pull, axes, sizeof m->pull);
+    m->grain = grain;
 }
 
 vbss_result mouse_hand_clutch(mouse_hand *m, bool held)

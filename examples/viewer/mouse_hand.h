@@ -14,6 +14,7 @@ typedef struct mouse_hand {
     vbss_mapping_config mapping;
     vbss_device_sample sample;
     double pending[MOUSE_WAYS][3]; /* counts to the right and up, notches away: not yet gone */
+    double pull[6], grain;         /* of a gamepad's sticks, and how fine */
     bool closes;                   /* the jaws; otherwise they open */
     bool clutched;
     double time;          /* of the last sample, s */
@@ -29,6 +30,9 @@ vbss_result mouse_hand_create(mouse_hand *m, vbss_context *context, vbss_grasper
 void mouse_hand_look(mouse_hand *m, const camera *c);
 /* Counts to the right and up, notches away from the user; the hand goes that way as a hand does, within a tenth of a second. */
 void mouse_hand_move(mouse_hand *m, bool turns, double right, double up, double away);
+/* A gamepad's sticks, until it is told again; a smaller grain is slower. Axes as vbss_mapping_gamepad has them, but the last
+ * turns about the tool's own axis. */
+void mouse_hand_pull(mouse_hand *m, const double axes[6], double grain);
 /* The mouse moves freely while it is held. */
 vbss_result mouse_hand_clutch(mouse_hand *m, bool held);
 /* Reads the device. */

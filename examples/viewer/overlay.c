@@ -9,6 +9,7 @@
 #define FORCE_LENGTH 0.01 /* m/N */
 #define LEAST_FORCE 5e-3  /* N: what is less is not drawn */
 #define HELP_WIDE 520.0F
+#define WORDS_WIDE 450.0F
 #define GRAPH_TALL 70.0F
 #define MOST_TIME 2000.0F /* us, at its top */
 #define BUDGET 1000.0F    /* of a step in real time */
@@ -114,19 +115,11 @@ static void put_knot(show *s, float *y, double time)
     put_line(s, y, k->throw_count > 0 ? PEN_GREEN : PEN_WHITE, line);
 }
 
-static void put_task(show *s, float *y, double time)
+/* Of the hands, and of the scene's work. */
+static void put_work(show *s, float *y)
 {
-    vbss_session_status status;
     vbss_scene_statistics now;
     char line[MOST_LINE];
-    if (s->stage->task.session != NULL &&
-        vbss_session_get_status(s->stage->task.session, &status, sizeof status) == VBSS_OK) {
-        snprintf(line, sizeof line, "%s, %.1f s, events %llu", task_phase_name(status.phase), time,
-                 (unsigned long long)status.event_count);
-    } else {
-        snprintf(line, sizeof line, "%.1f s", time);
-    }
-    put_line(s, y, PEN_WHITE, line);
     if (vbss_scene_get_statistics(s->stage->scene, &now, sizeof now) == VBSS_OK) {
         snprintf(line, sizeof line, "contacts %u, clamped %llu", (unsigned)now.contacts,
                  (unsigned long long)now.clamped);
@@ -168,7 +161,8 @@ static void put_times(show *s)
 
 static int count_lines(const show *s)
 {
-    return ((s->looks & SHOW_KNOT) != 0) + 4 * ((s->looks & SHOW_TASK) != 0) +
+    return ((s->looks & SHOW_KNOT) != 0) +
+           ((s->looks & SHOW_TASK) != 0 ? 3 + standing_lines(s) : 0) +
            ((s->looks & SHOW_TENSION) != 0) + ((s->looks & SHOW_FORCES) != 0);
 }
 
@@ -179,10 +173,11 @@ static void put_words(show *s, double time)
     if (lines == 0) {
         return;
     }
-    pen_box(&s->pen, 0.5F * SHOW_MARGIN, 0.5F * SHOW_MARGIN, 330.0F,
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, 0.5F * SHOW_MARGIN, WORDS_WIDE,
             SHOW_LINE * (float)lines + SHOW_MARGIN, PEN_SHADE);
     if ((s->looks & SHOW_TASK) != 0) {
-        put_task(s, &y, time);
+        y = standing_put(s, y, time);
+        put_work(s, &y);
     }
     if ((s->looks & SHOW_KNOT) != 0) {
         put_knot(s, &y, time);

@@ -99,11 +99,19 @@ static void draw_part(const uint32_t *part)
                    place(3 * sizeof(uint32_t) * (size_t)part[5]));
 }
 
-static void draw_shadows(const renderer *r, const meshes *m, const matrix4 *light)
+/* Tools are led from behind the camera: one before the lens would hide what the other one does. */
+static float clear_of(const uint32_t *part, const camera *c)
 {
-    shadow_cast(&r->shadow, light);
+    return part[0] == VBSS_VISUAL_DRIVER || part[0] == VBSS_VISUAL_SHEARS ? c->clear : 0.0F;
+}
+
+static void draw_shadows(const renderer *r, const meshes *m, const camera_view *view,
+                         const camera *c)
+{
+    shadow_cast(&r->shadow, &view->light);
     const uint32_t *parts = m->parts.data;
     for (uint64_t i = 0; i < m->parts.count; i++) {
+        shadow_clear(&r->shadow, view->lamp, clear_of(parts + PART_WORDS * i, c));
         if (parts[PART_WORDS * i] != VBSS_VISUAL_FLOOR) { /* which is below everything */
             draw_part(parts + PART_WORDS * i);
         }
@@ -141,34 +149,39 @@ static void set_spots(const renderer *r, const meshes *m, uint64_t part)
     }
 }
 
-static void draw_seen(const renderer *r, const meshes *m, const camera_view *view, float gain)
+static void draw_seen(const renderer *r, const meshes *m, const camera_view *view, const camera *c)
 {
     lens_open(&r->lens);
+    glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
     glUseProgram(r->program);
     glUniformMatrix4fv(named(r, "seen"), 1, GL_FALSE, view->seen.m);
     glUniformMatrix4fv(named(r, "light"), 1, GL_FALSE, view->light.m);
     glUniform3f(named(r, "eye"), view->eye.x, view->eye.y, view->eye.z);
     glUniform3f(named(r, "lamp"), view->lamp.x, view->lamp.y, view->lamp.z);
-    glUniform1f(named(r, "brightness"), BRIGHTNESS * gain);
+    glUniform1f(named(r, "brightness"), BRIGHTNESS * c->gain);
     glUniform1f(named(r, "most_tension"), r->most_tension);
+    glUniform1f(named(r, "gone"), CAMERA_GONE);
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, r->shadow.depth);
     glUniform1i(named(r, "shadow"), 0);
     const uint32_t *parts = m->parts.data;
     for (uint64_t i = 0; i < m->parts.count; i++) {
         glUniform1i(named(r, "kind"), (GLint)parts[PART_WORDS * i]);
+        glUniform1f(named(r, "clear"), clear_of(parts + PART_WORDS * i, c));
         set_spots(r, m, i);
         draw_part(parts + PART_WORDS * i);
     }
+    glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
 }
 
 bool renderer_good(void)
 {
     GLenum error = glGetError();
-    if (error != GL_NO_ERROR) {
-        fprintf(stderr, "viewer: OpenGL error 0x%x\n", (unsigned)error);
+    if (error == GL_NO_ERROR || error == GL_CONTEXT_LOST) { /* the window makes it anew */
+        return true;
     }
-    return error == GL_NO_ERROR;
+    fprintf(stderr, "viewer: OpenGL error 0x%x\n", (unsigned)error);
+    return false;
 }
 
 bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c)
@@ -180,8 +193,8 @@ bool renderer_draw(renderer *r, vbss_visual *visual, const camera *c)
     const camera_view view = camera_look(c, (float)r->lens.width / (float)r->lens.height);
     glEnable(GL_DEPTH_TEST);
     upload(r, &m);
-    draw_shadows(r, &m, &view.light);
-    draw_seen(r, &m, &view, c->gain);
+    draw_shadows(r, &m, &view, c);
+    draw_seen(r, &m, &view, c);
     lens_close(&r->lens);
     return renderer_good();
 }

@@ -116,6 +116,7 @@ static void jump(watching *w)
     w->wanted = -1;
     w->due = 0.0;
     w->show.judged = false;
+    w->show.scored = false;
     if (to == w->player.step + 1) {
         (void)player_step(&w->player);
     } else if (to != w->player.step) {
@@ -185,14 +186,15 @@ static void put_line_of_time(watching *w)
 static void tell(watching *w)
 {
     (void)overlay_judge(&w->show, w->player.time);
-    printf("frame %llu step %llu of %llu time %.3f playing %d speed %g looks %u knot %d %u %s size "
-           "%d %d\n",
+    printf("frame %llu step %llu of %llu time %.3f playing %d speed %g looks %u knot %d %u %s",
            (unsigned long long)w->frames, (unsigned long long)w->player.step,
            (unsigned long long)w->player.steps, w->player.time, w->playing, w->speed,
            (unsigned)w->show.looks, (int)w->show.knot.state.verdict,
            (unsigned)w->show.knot.state.throw_count,
-           w->show.knot.notation[0] != '\0' ? w->show.knot.notation : "-",
-           w->show.renderer.lens.width, w->show.renderer.lens.height);
+           w->show.knot.notation[0] != '\0' ? w->show.knot.notation : "-");
+    standing_tell(&w->show, w->player.time);
+    printf(" renewed %u size %d %d\n", w->window.renewed, w->show.renderer.lens.width,
+           w->show.renderer.lens.height);
     fflush(stdout);
 }
 
@@ -201,7 +203,8 @@ static bool draw(watching *w)
     if (w->player.jumped && w->player.stage.stand->cuts > 0) {
         w->show.looks &= ~(uint32_t)SHOW_KNOT; /* which piece it is, is not known after a jump */
     }
-    if (!show_draw(&w->show, w->player.time)) {
+    w->window.give_up = w->o->renew > 0 && w->frames == (uint64_t)w->o->renew;
+    if (!window_ready(&w->window, &w->show) || !show_draw(&w->show, w->player.time)) {
         return false;
     }
     put_line_of_time(w);

@@ -5,9 +5,14 @@
 static const char vertex[] = "#version 330 core\n"
                              "layout(location = 0) in vec3 position;\n"
                              "uniform mat4 light;\n"
-                             "void main() { gl_Position = light * vec4(position, 1.0); }\n";
+                             "out vec3 at;\n"
+                             "void main() { at = position; gl_Position = light * vec4(position, "
+                             "1.0); }\n";
 static const char *const fragment = "#version 330 core\n"
-                                    "void main() {}\n";
+                                    "in vec3 at;\n"
+                                    "uniform vec3 lamp;\n"
+                                    "uniform float clear;\n"
+                                    "void main() { if (distance(at, lamp) < clear) discard; }\n";
 
 bool shadow_begin(shadow *s)
 {
@@ -45,4 +50,10 @@ void shadow_cast(const shadow *s, const matrix4 *light)
     glUniformMatrix4fv(glGetUniformLocation(s->program, "light"), 1, GL_FALSE, light->m);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(2.0F, 4.0F);
+}
+
+void shadow_clear(const shadow *s, point3 lamp, float clear)
+{
+    glUniform3f(glGetUniformLocation(s->program, "lamp"), lamp.x, lamp.y, lamp.z);
+    glUniform1f(glGetUniformLocation(s->program, "clear"), clear);
 }

@@ -21,6 +21,11 @@ bool show_begin(show *s, int width, int height)
 {
     memset(s, 0, sizeof *s);
     s->camera = camera_over((point3){0.0F, 0.0F, -2e-3F});
+    return show_renew(s, width, height);
+}
+
+bool show_renew(show *s, int width, int height)
+{
     return renderer_begin(&s->renderer, width, height) && pen_begin(&s->pen);
 }
 
@@ -42,6 +47,7 @@ bool show_stage(show *s, stage *st)
 {
     s->stage = st;
     s->judged = false;
+    s->scored = false;
     return is_ok(see(s, st));
 }
 

@@ -37,6 +37,11 @@ typedef struct show {
     reading knot;
     bool judged;
     double judged_at; /* s */
+    /* the task, as it was measured last */
+    vbss_session_status status;
+    vbss_metrics_report report;
+    bool scored;
+    double scored_at; /* s */
     /* the longest step of each frame, us, and the ring's end */
     float times[SHOW_TIMES_KEPT];
     int times_next;
@@ -45,6 +50,8 @@ typedef struct show {
 /* As renderer_begin. */
 bool show_begin(show *s, int width, int height);
 void show_end(show *s);
+/* After show_end, in another context: what it shows is as it was. */
+bool show_renew(show *s, int width, int height);
 /* What it shows from now on; false, told: no memory. */
 bool show_stage(show *s, stage *st);
 /* s of work of this thread, to measure steps. */
@@ -63,5 +70,14 @@ void overlay_draw(show *s, double time);
 void overlay_help(show *s, const char *const *lines, int count);
 /* Judges the knot, if it was not just done; false: there is none to judge. */
 bool overlay_judge(show *s, double time);
+
+/* ---- standing.c */
+/* Asks session and metrics, if that was not just done; false: there are none. */
+bool standing_read(show *s, double time);
+/* Lines of them, from that height down; the height after the last. */
+float standing_put(show *s, float y, double time);
+int standing_lines(const show *s);
+/* For a script, on standard output. */
+void standing_tell(show *s, double time);
 
 #endif

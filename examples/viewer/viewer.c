@@ -1,6 +1,8 @@
 /* Looks at a session through a laparoscope, or plays one:
  *
- *     viewer --live throw|needle|stitch [--log FILE]      in a window, with a mouse and keys; F1 tells which
+ *     viewer --live throw|needle|stitch [--log FILE]      in a window, with a mouse and keys; F1 tells which; a gamepad too
+ *     viewer --live ... --openhaptics [...] --nidaq [...] with arms and handles, as examples/trainer has them
+ *     viewer --live ... --hands LOG [--fault NAME@FROM]   with the hands of a log, as mock devices
  *     viewer --replay LOG                                 in a window, with a time line
  *     viewer --replay LOG --png FOLDER [--every SECONDS]  stills, without a window
  *     viewer --replay LOG --mp4 FILE                      a film, by ffmpeg, without a window
@@ -58,11 +60,8 @@ static bool read_option(const char *name, const char *value, options *o)
     const struct {
         const char *name;
         const char **to;
-    } texts[] = {{"--replay", &o->log},
-                 {"--live", &o->live},
-                 {"--log", &o->keep},
-                 {"--png", &o->folder},
-                 {"--mp4", &o->film}};
+    } texts[] = {{"--replay", &o->log},  {"--live", &o->live},  {"--log", &o->keep},
+                 {"--hands", &o->hands}, {"--png", &o->folder}, {"--mp4", &o->film}};
     const struct {
         const char *name;
         double *to;
@@ -83,16 +82,48 @@ static bool read_option(const char *name, const char *value, options *o)
         o->frame_steps = (int)strtol(value, NULL, 10);
         return o->frame_steps > 0 && o->frame_steps <= 1000;
     }
+    if (strcmp(name, "--seed") == 0) {
+        char *rest;
+        o->seed = strtoul(value, &rest, 10);
+        return *rest == '\0' && rest != value;
+    }
+    if (strcmp(name, "--renew") == 0) {
+        o->renew = (int)strtol(value, NULL, 10);
+        return o->renew > 0;
+    }
     return strcmp(name, "--size") == 0
                ? read_size(value, o)
                : strcmp(name, "--show") == 0 && read_looks(value, &o->looks);
 }
 
+/* Words of the trainer, with what follows them. */
+static int take_device_words(int count, char **words, options *o)
+{
+    static const char *const names[] = {"--openhaptics",   "--nidaq",       "--openhaptics-library",
+                                        "--nidaq-library", "--calibration", "--fault"};
+    int taken = 0;
+    for (size_t i = 0; i < sizeof names / sizeof *names && taken == 0; i++) {
+        taken = strcmp(words[0], names[i]) == 0;
+    }
+    if (taken > 0 && count > 1 && strncmp(words[1], "--", 2) != 0) {
+        taken++;
+    }
+    for (int i = 0; i < taken && o->device_words < MOST_DEVICE_WORDS; i++) {
+        o->devices[o->device_words++] = words[i];
+    }
+    return taken;
+}
+
 static bool read_options(int count, char **words, options *o)
 {
     for (int i = 1; i < count; i++) {
-        if (strcmp(words[i], "--tell") == 0) {
+        const int taken = take_device_words(count - i, words + i, o);
+        if (taken > 0) {
+            i += taken - 1;
+        } else if (strcmp(words[i], "--tell") == 0) {
             o->tell = 1;
+        } else if (strcmp(words[i], "--lockstep") == 0) {
+            o->lockstep = 1;
         } else if (i + 1 == count || !read_option(words[i], words[i + 1], o)) {
             return false;
         } else {
@@ -100,15 +131,18 @@ static bool read_options(int count, char **words, options *o)
         }
     }
     const bool taken = o->folder != NULL || o->film != NULL;
-    return (o->log != NULL) != (o->live != NULL) && !(taken && o->log == NULL) &&
-           !(o->folder != NULL && o->film != NULL) && !(o->keep != NULL && o->live == NULL);
+    const bool played = o->hands != NULL || o->device_words > 0 || o->keep != NULL || o->seed > 0;
+    return (o->log != NULL) != (o->live != NULL) && !(played && o->live == NULL) &&
+           !(taken && o->log == NULL) && !(o->folder != NULL && o->film != NULL);
 }
 
 int main(int argc, char **argv)
 {
     options o = {.to = 1e9, .width = 960, .height = 720};
     if (!read_options(argc, argv, &o)) {
-        fprintf(stderr, "viewer --live throw|needle|stitch [--log FILE]\n"
+        fprintf(stderr, "viewer --live throw|needle|stitch [--log FILE] [--seed N]\n"
+                        "    [--hands LOG] [--openhaptics [LEFT[,RIGHT]]] [--nidaq [...]] "
+                        "[--calibration FILE] and more, as the trainer has them\n"
                         "viewer --replay LOG [--png FOLDER [--every SECONDS]] [--mp4 FILE]\n"
                         "    [--from SECONDS] [--to SECONDS] [--size WIDTHxHEIGHT] [--show "
                         "contacts,forces,tension,knot,task,times,help,all]\n"

@@ -2,8 +2,7 @@
 
 #include <stdio.h>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
+#include <epoxy/gl.h>
 
 static void tell_error(int code, const char *what)
 {
@@ -26,6 +25,7 @@ static void on_move(GLFWwindow *handle, double x, double y)
 {
     window *w = glfwGetWindowUserPointer(handle);
     in_pixels(w, &x, &y);
+    w->moves++;
     if (w->known && w->desk != NULL && w->desk->moved != NULL) {
         w->desk->moved(w->desk->user, x - w->x, y - w->y, x, y);
     }
@@ -36,8 +36,10 @@ static void on_move(GLFWwindow *handle, double x, double y)
 
 static void on_wheel(GLFWwindow *handle, double right, double up)
 {
-    const window *w = glfwGetWindowUserPointer(handle);
+    window *w = glfwGetWindowUserPointer(handle);
     (void)right;
+    w->wheel += up;
+    w->moves++;
     if (w->desk != NULL && w->desk->wheeled != NULL) {
         w->desk->wheeled(w->desk->user, up);
     }
@@ -45,8 +47,9 @@ static void on_wheel(GLFWwindow *handle, double right, double up)
 
 static void on_button(GLFWwindow *handle, int button, int action, int mods)
 {
-    const window *w = glfwGetWindowUserPointer(handle);
+    window *w = glfwGetWindowUserPointer(handle);
     (void)mods;
+    w->events++;
     if (w->desk != NULL && w->desk->pressed != NULL) {
         w->desk->pressed(w->desk->user, button, action == GLFW_PRESS, w->x, w->y);
     }
@@ -54,8 +57,9 @@ static void on_button(GLFWwindow *handle, int button, int action, int mods)
 
 static void on_key(GLFWwindow *handle, int key, int code, int action, int mods)
 {
-    const window *w = glfwGetWindowUserPointer(handle);
+    window *w = glfwGetWindowUserPointer(handle);
     (void)code;
+    w->events += action != GLFW_REPEAT;
     if (action != GLFW_RELEASE && w->desk != NULL && w->desk->key != NULL) {
         w->desk->key(w->desk->user, key, (mods & GLFW_MOD_SHIFT) != 0);
     }
@@ -81,52 +85,85 @@ static void hear(window *w)
     glfwSetFramebufferSizeCallback(w->handle, on_size);
 }
 
+/* The window belongs to its context: another one of these has another one of those. */
 static bool open_window(window *w, int width, int height)
 {
-    *w = (window){.handle = NULL};
-    glfwSetErrorCallback(tell_error);
-    if (glfwInit() != GLFW_TRUE) {
-        return false;
-    }
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);
     w->handle = glfwCreateWindow(width, height, "vblast_ss", NULL, NULL);
     if (w->handle == NULL) {
-        glfwTerminate();
         return false;
     }
     glfwMakeContextCurrent(w->handle);
     glfwSwapInterval(1);
+    w->tells_loss = epoxy_has_gl_extension("GL_ARB_robustness");
+    w->resized = true; /* a screen of many pixels */
     hear(w);
     return true;
 }
 
-static void shut_window(window *w)
+static bool begin_glfw(void)
 {
-    glfwDestroyWindow(w->handle);
-    glfwTerminate();
+    glfwSetErrorCallback(tell_error);
+    return glfwInit() == GLFW_TRUE;
 }
 
 bool window_begin(window *w, show *s, int width, int height, uint32_t looks)
 {
-    if (!open_window(w, width, height)) {
+    *w = (window){.handle = NULL};
+    if (!begin_glfw()) {
         return false;
     }
-    if (!show_begin(s, width, height)) {
-        shut_window(w);
+    if (!open_window(w, width, height) || !show_begin(s, width, height)) {
+        glfwTerminate();
         return false;
     }
-    w->resized = true; /* a screen of many pixels */
     s->looks = looks != 0 ? looks : SHOW_KNOT | SHOW_TASK | SHOW_HELP;
     return true;
 }
 
 void window_end(window *w, show *s)
 {
+    if (w->handle != NULL) { /* NULL: there is no context any more */
+        show_end(s);
+    }
+    glfwTerminate(); /* with the window */
+}
+
+/* ---- lost */
+
+static bool is_lost(const window *w)
+{
+    return w->give_up || (w->tells_loss && glGetGraphicsResetStatusARB() != GL_NO_ERROR);
+}
+
+/* At the same place, and the pointer is whose it was. */
+static bool renew(window *w, show *s)
+{
+    int x, y, width, height;
+    const bool taken = w->taken;
+    glfwGetWindowPos(w->handle, &x, &y);
+    glfwGetWindowSize(w->handle, &width, &height);
     show_end(s);
-    shut_window(w);
+    glfwDestroyWindow(w->handle);
+    w->give_up = false;
+    w->renewed++;
+    fprintf(stderr, "viewer: the graphics context was lost and is made anew\n");
+    if (!open_window(w, width, height) || !show_renew(s, width, height)) {
+        return false;
+    }
+    glfwSetWindowPos(w->handle, x, y);
+    window_take_pointer(w, taken);
+    w->known = taken; /* where the pointer is */
+    return true;
+}
+
+bool window_ready(window *w, show *s)
+{
+    return !is_lost(w) || renew(w, s);
 }
 
 /* ---- used */
@@ -161,6 +198,17 @@ void window_take_pointer(window *w, bool take)
     glfwSetInputMode(w->handle, GLFW_CURSOR, take ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
     glfwGetCursorPos(w->handle, &w->x, &w->y);
     in_pixels(w, &w->x, &w->y);
+}
+
+bool window_pad(window *w, GLFWgamepadstate *state)
+{
+    const bool had = w->has_pad;
+    w->has_pad = false;
+    for (int i = GLFW_JOYSTICK_1; i <= GLFW_JOYSTICK_LAST && !w->has_pad; i++) {
+        w->has_pad = glfwGetGamepadState(i, state) == GLFW_TRUE;
+    }
+    w->lost_pad = w->has_pad ? false : had || w->lost_pad;
+    return w->has_pad;
 }
 
 bool window_is_down(const window *w, int key)

@@ -5,6 +5,10 @@
     check_window.py throw <viewer> <folder>         a throw is tied
     check_window.py replay <viewer> <folder> <log>  a log of pass_needle is played, stopped, stepped, sought
     check_window.py surgeon <viewer> <folder> <log> a log of surgeon -u tie, with its session, is sought
+    check_window.py near <viewer> <folder>          a tool before the lens hides nothing
+    check_window.py lost <viewer> <folder> <log>    the graphics context is lost, live and in a log
+    check_window.py pad <viewer> <folder> <library> a gamepad (a stand-in before GLFW's functions) moves the tools
+    check_window.py devices <viewer> <folder> <log> the hands of a log as mock devices, one of which is lost
     check_window.py film <viewer> <folder> <log>    a film of a part of it, by ffmpeg
 
 What a mouse has done is played back from its log afterwards. No error of OpenGL may be told anywhere."""
@@ -12,11 +16,12 @@ import json
 import math
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 
 import blocks
-from desk import COUNT, Desk, UP, add, dot, missing
+from desk import AWAY, COUNT, Desk, UP, add, dot, missing
 import tie
 
 SMALL = (320, 240)
@@ -112,7 +117,7 @@ def check_hands(desk):
 
 def check_live(viewer, folder):
     log = folder / "live.vbss"
-    with Desk(viewer, ["--live", "throw", "--show", "contacts", "--log", str(log)], every=0.0) as desk:
+    with Desk(viewer, ["--live", "throw", "--show", "contacts", "--log", str(log)], every=0.0, lockstep=False) as desk:
         desk.wait(3)
         desk.key("1")
         check_size(desk, folder)
@@ -157,6 +162,185 @@ def check_throw(viewer, folder):
     play_back(viewer, log, folder)
 
 
+def check_pad(viewer, folder, library):
+    state = folder / "gamepad"
+    log = folder / "pad.vbss"
+    state.unlink(missing_ok=True)
+
+    def plug(buttons=(), axes=(0, 0, 0, 0, -1, -1)):
+        """As GLFWgamepadstate lies in memory; whole, or not there."""
+        (folder / "next").write_bytes(struct.pack("15Bx6f", *(int(i in buttons) for i in range(15)), *axes))
+        (folder / "next").rename(state)
+
+    extra = {"LD_PRELOAD": library, "VBSS_STAND_IN_GAMEPAD": str(state)}
+    with Desk(viewer, ["--live", "throw", "--log", str(log)], every=0.0, environment=extra) as desk:
+        desk.run(2)
+        start = desk.state.tools["right"].told
+        plug()
+        desk.run(2)
+        plug(axes=(1, 0, 0, 0, -1, -1))
+        desk.run(10)
+        plug()
+        moved = desk.run(3).tools["right"].told
+        assert abs(moved[0] - start[0] - 16e-3) < 1e-4 and distance(moved, start) < 16.2e-3, (start, moved)  # 0.1 m/s
+        plug(axes=(0, 0, 0, -1, 1, -1))  # away, finer
+        desk.run(10)
+        plug()
+        deep = desk.run(3).tools["right"].told
+        assert abs(dot(add(deep, moved, -1.0), AWAY) - 4e-3) < 1e-4, (moved, deep)
+        jaw = desk.state.tools["right"].jaw
+        plug(axes=(0, 0, 0, 0, -1, 1))
+        assert (desk.run(30).tools["right"].jaw > 0.5) != (jaw > 0.5), "the trigger does not move the jaws"
+        desk.picture(folder / "pad.png")
+        plug(buttons=(5,))
+        assert desk.run(2).active == "left"
+        plug(axes=(-1, 0, 0, 0, -1, -1))
+        left = desk.state.tools["left"].told
+        desk.run(10)
+        state.unlink()  # pulled out with its stick at its end
+        at = desk.run(3).tools["left"].told
+        assert at[0] < left[0] - 10e-3
+        assert distance(desk.run(10).tools["left"].told, at) < NEARLY, "a tool goes on without its gamepad"
+        desk.picture(folder / "gone.png")
+        end(desk)
+    play_back(viewer, log, folder)
+
+
+# ---- devices
+
+
+def devices_of(line):
+    """Of each hand that a device leads: status, stopped, joined, force out, solenoid."""
+    words = line.split()
+    found = {}
+    for at, word in enumerate(words):
+        if word == "device":
+            found[int(words[at + 1])] = (int(words[at + 3]), words[at + 5] == "1", words[at + 7] == "1",
+                                         float(words[at + 9]), words[at + 10] != "0")
+    return found
+
+
+LOST = 3  # VBSS_DEVICE_LOST
+GONE, BACK = 4.0, 4.5  # s: the hand has the needle then
+
+
+def check_devices(viewer, folder, log):
+    """The log's hands take the needle, through devices; one that is lost stops, is told, and can be let go."""
+    with Desk(viewer, ["--live", "needle", "--seed", "1", "--hands", log, "--fault", f"unplugged@{GONE}+{BACK - GONE}",
+                       "--show", "task", "--log", str(folder / "devices.vbss")], size="480x360", every=0.32) as desk:
+        s = desk.wait(until=lambda s: s.time > GONE - 0.1)
+        assert s.tools["right"].needle != 0, "the log's hands have not taken the needle"
+        desk.picture(folder / "well.png")
+        felt = max(devices_of(line)[1][3] for line in desk.lines)
+        assert felt > 0.02, f"{felt} N: nothing was felt before"
+        s = desk.wait(until=lambda s: s.time > BACK - 0.1)
+        status, stopped, _, force, solenoid = devices_of(desk.lines[-1])[1]
+        assert status == LOST and stopped and force == 0.0 and not solenoid, desk.lines[-1]
+        assert devices_of(desk.lines[-1])[0][0] != LOST, "the other hand is lost as well"
+        held = s.tools["right"].at
+        desk.picture(folder / "lost.png")
+        after = [line for line in desk.lines if GONE + 0.02 < float(line.split()[3]) < BACK]
+        assert after and all(devices_of(line)[1][3] == 0.0 and not devices_of(line)[1][4] for line in after)
+        s = desk.wait(until=lambda s: s.time > BACK + 0.1)
+        status, stopped, _, force, _ = devices_of(desk.lines[-1])[1]
+        assert status != LOST and stopped and force == 0.0, "it acts before anybody has let it go"
+        desk.press("key Return")
+        desk.wait(4)
+        assert not devices_of(desk.lines[-1])[1][1], "it cannot be let go"
+        s = desk.wait(until=lambda s: s.time > BACK + 0.6)
+        felt = max(devices_of(line)[1][3] for line in desk.lines if float(line.split()[3]) > BACK + 0.2)
+        print(f"held at {held}, then {s.tools['right'].at}; {felt:.3f} N after it was let go")
+        assert felt > 0.0 and devices_of(desk.lines[-1])[1][2], "the hand does not lead again"
+        desk.picture(folder / "again.png")
+        end(desk)
+    play_back(viewer, folder / "devices.vbss", folder)
+    for words, why in ((["--hands", str(folder / "none")], "cannot be read"), (["--fault", "flood@1"], "no such fault")):
+        bad = subprocess.run([viewer, "--live", "needle", *words], capture_output=True, text=True)
+        assert bad.returncode == 2 and why in bad.stderr, (words, bad.returncode, bad.stderr)
+    with Desk(viewer, ["--live", "needle", "--openhaptics", "--openhaptics-library", str(folder / "none")]) as desk:
+        code = desk.wait_end(60.0)
+        desk.stop()
+        assert code == 1 and "devices: " in desk.errors, (code, desk.errors)
+
+
+# ---- a tool before the lens
+
+EYE = add((0.0, 0.0, 0.012), AWAY, -0.12)  # of --live throw
+
+
+def middle_of(path):
+    """Below what the tool covers at first."""
+    rows = blocks.read_png(path)
+    width, height = len(rows[0]) // 3, len(rows)
+    return blocks.blocks([row[3 * (width // 4):3 * (3 * width // 4)] for row in rows[2 * height // 5:4 * height // 5]])
+
+
+def check_near(viewer, folder):
+    """The thread hardly moves meanwhile: what is in the middle of the picture stays, unless the tool covers it."""
+    with Desk(viewer, ["--live", "throw", "--show", "contacts"]) as desk:
+        desk.begin()
+        desk.run(20)
+        desk.picture(folder / "far.png")
+        far = middle_of(folder / "far.png")
+        for name, before in (("seen", 52e-3), ("near", 26e-3)):
+            desk.go("right", add(EYE, AWAY, before), pace=0.1)
+            desk.run(20)
+            desk.picture(folder / f"{name}.png")
+        off = blocks.apart(far, middle_of(folder / "near.png"))
+        seen = blocks.apart(far, middle_of(folder / "seen.png"))
+        print(f"{off:.1f} off at most with the tool at the lens, {seen:.1f} with the tool farther away")
+        assert off < blocks.TOLERANCE and seen > 2.0 * blocks.TOLERANCE
+        end(desk)
+
+
+# ---- a context that is lost
+
+ANEW = "viewer: the graphics context was lost and is made anew\n"
+SAME = 0.5  # of 255, the mean over a block
+
+
+def look_before(desk, folder, name):
+    desk.picture(folder / f"{name}-before.png")
+    return blocks.blocks(blocks.read_png(folder / f"{name}-before.png"))
+
+
+def check_lost(viewer, folder, log):
+    with Desk(viewer, ["--live", "throw", "--show", "knot", "--renew", "30"], every=0.0) as desk:
+        desk.begin()
+        desk.press("key p")
+        desk.run(3)
+        assert desk.state.frame < 29 and desk.state.renewed == 0
+        before = look_before(desk, folder, "live")
+        desk.wait(until=lambda s: s.renewed == 1)
+        desk.run(3)
+        desk.picture(folder / "live-after.png")
+        off = blocks.apart(before, blocks.blocks(blocks.read_png(folder / "live-after.png")))
+        print(f"live: {off:.2f} off at most")
+        assert off < SAME
+        desk.press("key p")
+        desk.press("keyup shift", "keydown shift", count=1)  # what was held is not known to the new window
+        start = desk.run(2).tools["right"].told
+        desk.nudge("right", (5e-3, 0.0, 0.0))  # the mouse is still the tool's
+        assert abs(desk.run(20).tools["right"].told[0] - start[0] - 5e-3) < 2 * COUNT
+        code = desk.close()
+        assert code == 0 and desk.errors == ANEW, (code, desk.errors)
+    with Desk(viewer, ["--replay", log, "--show", "task", "--renew", "60"], parse=Played, every=0.0,
+              lockstep=False) as desk:
+        desk.wait(2)
+        desk.do("key space")
+        desk.wait(until=lambda s: not s.playing)
+        assert desk.wait(3).frame < 50, "too late to look at it before"
+        before = look_before(desk, folder, "log")
+        desk.wait(until=lambda s: s.renewed == 1)
+        desk.wait(3)
+        desk.picture(folder / "log-after.png")
+        off = blocks.apart(before, blocks.blocks(blocks.read_png(folder / "log-after.png")))
+        print(f"log: {off:.2f} off at most")
+        assert off < SAME
+        code = desk.close()
+        assert code == 0 and desk.errors == ANEW, (code, desk.errors)
+
+
 # ---- logs
 
 
@@ -168,7 +352,11 @@ class Played:
         self.frame, self.step, self.steps, self.time = int(words[1]), int(words[3]), int(words[5]), float(words[7])
         self.playing, self.speed = words[9] == "1", float(words[11])
         self.verdict, self.throws, self.notation = int(words[15]), int(words[16]), words[17]
+        self.renewed = int(words[words.index("renewed") + 1])
         self.size = tuple(int(w) for w in words[-2:])
+        at = words.index("task") if "task" in words else len(words)  # what session and metrics say
+        self.task = [float(w) for w in words[at + 1:at + 3] + words[at + 4:at + 6] + words[at + 7:at + 8] +
+                     words[at + 11:at + 13] + words[at + 14:at + 15]]
         self.agrees = abs(self.time - 1e-3 * self.step) < 6e-4  # the scene is where the window says; as it is printed
 
 
@@ -178,7 +366,7 @@ def still_frames(desk, frames=4):
 
 
 def check_replay(viewer, folder, log):
-    with Desk(viewer, ["--replay", log, "--show", "task"], parse=Played, every=0.0) as desk:
+    with Desk(viewer, ["--replay", log, "--show", "task"], parse=Played, every=0.0, lockstep=False) as desk:
         s = desk.wait(until=lambda s: s.step > 30)
         assert s.playing
         desk.do("key space")
@@ -216,8 +404,9 @@ def check_replay(viewer, folder, log):
 
 
 def check_surgeon(viewer, folder, log):
-    """Before the knot and after it, and before it again."""
-    with Desk(viewer, ["--replay", log, "--show", "task,knot,tension,contacts,forces"], parse=Played, every=0.0) as desk:
+    """Before the knot and after it, and before it again; the task's figures with it."""
+    scores = {}
+    with Desk(viewer, ["--replay", log, "--show", "task,knot,tension,contacts,forces"], parse=Played, every=0.0, lockstep=False) as desk:
         desk.wait(2)
         desk.do("key space")
         desk.wait(until=lambda s: not s.playing)
@@ -229,6 +418,12 @@ def check_surgeon(viewer, folder, log):
             print(f"step {s.step}: verdict {s.verdict}, {s.throws} throws, {s.notation}")
             desk.picture(folder / f"at-{100 * share:.0f}.png")
             assert s.throws == throws
+            phase, failure, off_in, off_out, slit, tied, _, scores[share] = s.task
+            print(f"  phase {phase:.0f}, {off_in} and {off_out} mm off, slit {slit} mm, score {scores[share]}")
+            assert failure == 0 and tied == throws and (4 if share == 0.5 else 5 if throws else 3) <= phase <= (
+                7 if throws else 5)
+            assert 0.0 < off_in < 1.0 and 0.0 < off_out < 1.0 and 0.0 < slit < 5.0
+        assert 0.0 < scores[0.99] < scores[0.5] < scores[0.3]  # time goes on
         end(desk)
 
 
@@ -269,7 +464,8 @@ def main():
         print("is not there:", *lacking)
         return 1
     {"live": check_live, "needle": check_needle, "throw": check_throw, "replay": check_replay, "surgeon": check_surgeon,
-     "film": check_film}[what](viewer, folder, *sys.argv[4:])
+     "film": check_film, "lost": check_lost, "pad": check_pad, "devices": check_devices,
+     "near": check_near}[what](viewer, folder, *sys.argv[4:])
     return 0
 
 

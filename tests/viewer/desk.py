@@ -1,6 +1,8 @@
 """A screen without a monitor, the viewer on it, and a mouse and a keyboard that a script moves: real X events, by XTEST.
 
-The script sees what the viewer tells of each frame (--tell), where a person looks at the picture."""
+The script sees what the viewer tells of each frame (--tell), where a person looks at the picture. In lockstep the viewer makes a
+frame only when the script grants it, after what it did has come there, which the viewer counts: no machine is too slow then, and
+the same script makes the same session. Without lockstep frames come as fast as they can."""
 import math
 import os
 import shutil
@@ -12,7 +14,6 @@ NEEDED = ("Xvfb", "xdotool", "ffmpeg")
 COUNT = 1e-4  # m
 NOTCH = 2e-3 / 4  # m, with Shift
 ROLL = 0.1  # rad a notch
-CLICK = 0.02  # s
 MOST = 60  # counts a frame: the pointer is warped back to the middle of a small window after it
 DOWN = math.radians(50.0)  # the camera looks down by so much, along +y
 RIGHT = (1.0, 0.0, 0.0)
@@ -61,6 +62,7 @@ class State:
         self.frame, self.time = int(words[1]), float(words[3])
         self.active, self.taken = words[5], words[7] == "1"
         self.motion = (float(words[9]), float(words[10]))
+        self.wheel, self.events, self.renewed = float(words[12]), int(words[14]), int(words[16])
         left = words.index("left", 10)
         right = words.index("right", left)
         self.tools = {"left": Tool(words[left + 1:right]), "right": Tool(words[right + 1:at("ends")])}
@@ -74,15 +76,17 @@ class State:
 class Desk:
     """Xvfb, the viewer, and xdotool, which reads commands from a pipe."""
 
-    def __init__(self, viewer, words, size="320x240", parse=State, screen="640x480x24", every=0.16):
+    def __init__(self, viewer, words, size="320x240", parse=State, screen="640x480x24", every=0.16, lockstep=True,
+                 environment=None):
         self.screen = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", screen, "-nolisten", "tcp"],
                                        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         number = self.screen.stdout.readline().strip()
         self.environment = dict(os.environ, DISPLAY=f":{number}", LIBGL_ALWAYS_SOFTWARE="1", GALLIUM_DRIVER="llvmpipe")
-        self.parse, self.state, self.lines = parse, None, []
+        self.parse, self.state, self.lines, self.lockstep = parse, None, [], lockstep
         self.changed = threading.Condition()
-        self.viewer = subprocess.Popen([viewer, *words, "--tell", "--frame-steps", "16", "--every", str(every), "--size", size],
-                                       env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.viewer = subprocess.Popen([viewer, *words, "--tell", "--frame-steps", "16", "--every", str(every), "--size", size,
+                                        *(["--lockstep"] if lockstep else [])], env={**self.environment, **(environment or {})},
+                                       stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.errors = ""
         threading.Thread(target=self._listen, daemon=True).start()
         self.errors_reader = threading.Thread(target=self._listen_errors, daemon=True)
@@ -104,27 +108,51 @@ class Desk:
     def _listen_errors(self):
         self.errors = self.viewer.stderr.read()
 
-    def wait(self, frames=1, until=None, most=120.0):
-        """For so many frames more, or until a state is as it is wanted."""
+    def hear(self, until, most=120.0):
+        """Until what is told is as it is wanted; grants nothing."""
         end = time.monotonic() + most
         with self.changed:
-            first = self.state.frame if self.state is not None else -1
             while True:
                 if self.viewer.poll() is not None:
                     raise RuntimeError(f"the viewer has ended: {self.errors}")
                 s = self.state
-                if s is not None and (until(s) if until is not None else s.frame >= first + frames):
+                if s is not None and until(s):
                     return s
                 self.changed.wait(timeout=1.0)
                 if time.monotonic() > end:
                     raise TimeoutError(f"not within {most} s: {self.lines[-1:]}")
 
+    def run(self, frames):
+        """So many frames more."""
+        first = self.state.frame if self.state is not None else 0
+        if self.lockstep:
+            self.viewer.stdin.write("." * frames)
+            self.viewer.stdin.flush()
+        return self.hear(lambda s: s.frame >= first + frames)
+
+    def wait(self, frames=1, until=None, most=120.0):
+        """For so many frames more, or until a state is as it is wanted."""
+        if until is None:
+            return self.run(frames)
+        end = time.monotonic() + most
+        while self.lockstep and (self.state is None or not until(self.state)):
+            self.run(1)
+            if time.monotonic() > end:
+                raise TimeoutError(f"not within {most} s: {self.lines[-1:]}")
+        return self.hear(until, most)
+
     def do(self, *commands):
         self.hand.stdin.write("".join(c + "\n" for c in commands))
         self.hand.stdin.flush()
 
+    def press(self, *commands, count=2):
+        """Keys or buttons, until they have come: that went down or up, so many."""
+        before = self.state.events
+        self.do(*commands)
+        return self.hear(lambda s: s.events >= before + count)
+
     def key(self, name):
-        self.do(f"key {name}")
+        self.press(f"key {name}")
         return self.wait(2)
 
     def find_window(self):
@@ -173,33 +201,34 @@ class Desk:
         self.wait(2)
         width, height = self.state.size
         self.do(f"mousemove {width // 2} {height // 2}", "click 1")
-        self.wait(until=lambda s: s.taken)
-        self.do("keydown shift")  # fine: wheels
+        self.hear(lambda s: s.taken and s.events >= 2)
+        self.press("keydown shift", count=1)  # fine: wheels
         self.wait(2)
 
     def select(self, side):
         if self.state.active != side:
-            self.do("key Tab")
+            self.press("key Tab")
             self.wait(until=lambda s: s.active == side)
 
     def turn_wheel(self, notches):
-        """Until they have come: xdotool takes 12 ms for each, in which a quick machine makes many frames."""
+        """Until they have come."""
+        wheel = self.state.wheel + notches
         self.do(*(["click 4" if notches > 0 else "click 5"] * abs(notches)))
-        time.sleep(0.05 + CLICK * abs(notches))
+        self.hear(lambda s: abs(s.wheel - wheel) < 0.5)
 
     def roll(self, side, notches):
         """About the tool's axis."""
         self.select(side)
-        self.do("keyup shift", "mousedown 3")
+        self.press("keyup shift", "mousedown 3")
         self.wait(2)
         self.turn_wheel(notches)
         self.wait(20)
-        self.do("mouseup 3", "keydown shift")
+        self.press("mouseup 3", "keydown shift")
         self.wait(2)
 
     def jaws(self, side, closed):
         self.select(side)
-        self.do("click 1")
+        self.press("click 1")
         return self.wait(until=lambda s: (s.tools[side].jaw < 0.02) == closed, most=60.0)
 
     def nudge(self, side, way):
@@ -213,9 +242,9 @@ class Desk:
         sent = [0, 0]
         while sent != counts:
             step = [max(-MOST, min(MOST, c - s)) for c, s in zip(counts, sent)]
-            before = self.state.motion
+            want = add(self.state.motion, step)
             self.do(f"mousemove_relative -- {step[0]} {step[1]}")
-            self.wait(until=lambda s: s.motion != before, most=20.0)
+            self.hear(lambda s, want=want: max(abs(p - q) for p, q in zip(s.motion, want)) < 0.5, most=20.0)
             self.wait(1)
             sent = [s + d for s, d in zip(sent, step)]
         return counts, notches

@@ -1,0 +1,122 @@
+/* What stands on the picture of a scene that is played. */
+#include <stdio.h>
+
+#include "playing.h"
+
+static const char *const help[] = {
+    "mouse: the tool goes with it    wheel: away, nearer",
+    "left button: jaws close, open again",
+    "right button held: mouse turns, wheel rolls the tool",
+    "Tab: the other tool    Space or middle button held: it stays",
+    "Shift: finer    A D W S Q E: as mouse and wheel",
+    "arrows, page up, page down, Home: the camera",
+    "1 contacts  2 forces  3 tension  4 knot  5 task  6 step times",
+    "P pause, . a frame on    R from the beginning    H this    Esc",
+    "gamepad: sticks move, roll; left bumper: turn; right trigger: jaws;",
+    "right bumper: the other tool; left trigger: finer",
+};
+
+/* The tool that the mouse has, and how far it is above what lies below it. */
+static void put_tool(playing *p)
+{
+    show *s = &p->show;
+    vbss_grasper_state tool;
+    float at[2], below[2];
+    if (vbss_grasper_get_state(person_hand(p)->tool, &tool, sizeof tool) != VBSS_OK) {
+        return;
+    }
+    const double foot[3] = {tool.position[0], tool.position[1], FLOOR_HEIGHT};
+    if (!show_place(s, tool.position, at) || !show_place(s, foot, below)) {
+        return;
+    }
+    const float left[2] = {at[0] - 7.0F, at[1]}, right[2] = {at[0] + 7.0F, at[1]};
+    pen_line(&s->pen, at, below, 1.2F, 0xffffff50u);
+    pen_line(&s->pen, left, right, 1.5F, PEN_GREEN);
+    pen_box(&s->pen, below[0] - 3.0F, below[1] - 1.5F, 6.0F, 3.0F, 0xffffff90u);
+}
+
+static const char *words_of_hold(const vbss_grasper_state *tool)
+{
+    return tool->needle != 0       ? ", holds the needle"
+           : tool->drain != 0      ? ", holds the drain"
+           : tool->grasp_count > 0 ? ", holds the thread"
+                                   : "";
+}
+
+static const char *words_of_device(const vbss_device_input *in, bool joined)
+{
+    static const char *const names[] = {"waiting", "ready", "OLD POSE", "LOST"};
+    return in->clutched != 0                            ? "clutch"
+           : in->status == VBSS_DEVICE_READY && !joined ? "tool comes to the hand"
+                                                        : names[in->status];
+}
+
+/* What is wrong with a device is said large enough: the tool no longer does what the hand does. */
+static void put_device(playing *p, int side, float y)
+{
+    show *s = &p->show;
+    const grip *g = &p->live.grips[side];
+    const vbss_device_input *in = &g->in;
+    const bool ill = in->stopped != 0 || in->status >= VBSS_DEVICE_STALE;
+    char line[300], why[120] = "";
+    if (ill) {
+        arms_explain(p->arms, side, why, sizeof why);
+    }
+    snprintf(line, sizeof line, "%s hand, %s: %s%s, %.2f N%s%s", side == LEFT ? "left" : "right",
+             arms_name(p->arms, side), words_of_device(in, g->joined),
+             in->stopped != 0 ? ", STOPPED: outputs off, Enter lets go" : "", g->force,
+             why[0] != '\0' ? ", " : "", why);
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, s->wide - SHOW_MARGIN,
+            2.0F * SHOW_TEXT, PEN_SHADE);
+    pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, ill ? PEN_RED : PEN_WHITE, line);
+}
+
+static void put_devices(playing *p)
+{
+    float y = p->show.tall - SHOW_MARGIN - 2.2F * SHOW_LINE;
+    for (int side = 0; side < SIDES; side++) {
+        if (live_by_device(&p->live, side)) {
+            put_device(p, side, y);
+            y += SHOW_LINE;
+        }
+    }
+}
+
+static void put_state(playing *p)
+{
+    show *s = &p->show;
+    const float y = s->tall - SHOW_MARGIN;
+    const bool led = live_by_device(&p->live, p->live.active);
+    const mouse_hand *m = person_hand(p);
+    char line[200], of_tool[120] = "";
+    vbss_grasper_state tool;
+    if (!led && vbss_grasper_get_state(m->tool, &tool, sizeof tool) == VBSS_OK) {
+        snprintf(of_tool, sizeof of_tool, "%s tool, jaws %s%s%s%s   ",
+                 p->live.active == LEFT ? "left" : "right", m->closes ? "closed" : "open",
+                 words_of_hold(&tool), m->clutched ? ", stays" : "",
+                 p->window.taken || p->window.has_pad ? "" : "   click to take it");
+    }
+    snprintf(line, sizeof line, "%s%s%s%s", of_tool, p->paused ? "paused   " : "",
+             p->window.has_pad    ? "gamepad   "
+             : p->window.lost_pad ? "THE GAMEPAD IS GONE   "
+                                  : "",
+             p->window.taken ? "" : "H for help");
+    pen_box(&s->pen, 0.5F * SHOW_MARGIN, y - 1.4F * SHOW_TEXT, 480.0F, 2.0F * SHOW_TEXT, PEN_SHADE);
+    pen_text(&s->pen, SHOW_MARGIN, y, SHOW_TEXT, p->window.lost_pad ? PEN_RED : PEN_WHITE, line);
+    if (!p->paused && p->o->frame_steps == 0 && p->pace < 0.9) {
+        snprintf(line, sizeof line, "slow motion, %.2f of real time", p->pace);
+        pen_text(&s->pen, SHOW_MARGIN + 490.0F, y, SHOW_TEXT, PEN_YELLOW, line);
+    }
+}
+
+void captions_put(playing *p)
+{
+    put_devices(p);
+    if (!live_by_device(&p->live, p->live.active)) {
+        put_tool(p);
+    }
+    put_state(p);
+    if ((p->show.looks & SHOW_HELP) != 0) {
+        overlay_help(&p->show, help, (int)(sizeof help / sizeof *help));
+    }
+}

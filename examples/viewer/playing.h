@@ -1,0 +1,44 @@
+/* A scene in a window under a person's hands: what the parts of it share. */
+#ifndef VBSS_EXAMPLES_VIEWER_PLAYING_H
+#define VBSS_EXAMPLES_VIEWER_PLAYING_H
+
+#include "live.h"
+#include "modes.h"
+#include "orbit.h"
+#include "pad.h"
+
+typedef struct playing {
+    const options *o;
+    window window;
+    show show;
+    live live;
+    arms *arms; /* NULL: there are none */
+    orbit orbit;
+    desk desk;
+    pad pad;
+    bool paused, once; /* one frame's steps */
+    bool again;        /* from the beginning */
+    double clock;      /* of the last frame, s */
+    double pace;       /* simulated over real, smoothed */
+    uint64_t frames;
+    double motion[2]; /* counts that came, since the beginning */
+    double next;      /* picture, s */
+    uint64_t granted; /* frames, in lockstep */
+    uint64_t told;    /* what had come when it was told last */
+} playing;
+
+/* ---- person.c: what the person does */
+desk person_desk(playing *p);
+mouse_hand *person_hand(playing *p);
+/* Keys that are held, and a gamepad, for so long. */
+vbss_result person_pull(playing *p, double seconds);
+
+/* ---- captions.c: on the picture */
+void captions_put(playing *p);
+
+/* ---- telling.c: a line a frame, for who plays by a script */
+void telling_frame(playing *p);
+/* In lockstep a script grants frames: false if this one is not; what has come meanwhile is told. */
+bool telling_grants(playing *p);
+
+#endif
