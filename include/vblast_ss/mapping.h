@@ -57,8 +57,8 @@ VBSS_API vbss_result vbss_mapping_config_init(vbss_mapping_config *config, uint3
  * and adds h to its time. On failure the sample is as it was. */
 
 /**
- * Moves by a mouse: shifts in the plane of the screen and, by the wheel, in depth; turning, turns the far side of
- * the tool the way the mouse goes, and rolls by the wheel.
+ * Moves by a mouse: shifts in the plane of the screen and, by the wheel, in depth; turning, turns the side of the
+ * tool that faces the user the way the mouse goes, and rolls by the wheel.
  *
  * @param config          the mapping; NULL for the defaults
  * @param motion          counts to the right, counts up, notches of the wheel away from the user; each at most 1e6
