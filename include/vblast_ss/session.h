@@ -145,14 +145,17 @@ typedef struct vbss_session_event {
  */
 typedef void (*vbss_session_event_fn)(void *user, const vbss_session_event *event);
 
-/** What the gap of the slit is between. */
-typedef enum vbss_session_gap {
+/** What the gap of the slit is between: a VBSS_SESSION_GAP_ constant. */
+typedef int32_t vbss_session_gap;
+
+/** The constants of #vbss_session_gap. */
+enum {
     /** The lips, which are as high as the wall: #vbss_drain_gap.opening. A wall that rises is shut when it meets the other
      * one's face. Drains of method PAPER: EDGES. */
     VBSS_SESSION_GAP_LIPS = 0,
     /** The edges in the middle of the wall: #vbss_drain_gap.gap, the paper's measure. */
     VBSS_SESSION_GAP_EDGES = 1
-} vbss_session_gap;
+};
 
 /** How to make a session. Fill it with #vbss_session_config_init, then set the numbers of the bodies. */
 typedef struct vbss_session_config {

@@ -67,8 +67,8 @@ typedef struct session_look {
     vec3 thread_ends[SESSION_MARKS]; /* the tail's, the begin */
     double gap, gap_most, open;      /* open: the first, below 0 where the edges have crossed; m */
     vec3 lips[2];                    /* between which that is */
-    double torn, radius; /* share of the anchors; of the tube, m */
-    vec3 away;           /* into the tissue */
+    double torn, radius;             /* share of the anchors; of the tube, m */
+    vec3 away;                       /* into the tissue */
     session_knot_look knot;
 } session_look;
 

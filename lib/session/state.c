@@ -36,10 +36,11 @@ static void visit_choice(vbss_stream *stream, uint16_t tag, int32_t *value, int3
 
 static void visit_config(vbss_stream *stream, const vbss_session_config *c)
 {
-    const uint32_t words[] = {c->thread,        c->needle,        c->drain,
-                              c->tools[0],      c->tools[1],      c->shears,
-                              c->knot_interval, c->knots != NULL, c->metrics != NULL,
-                              c->gap_measure};
+    const uint32_t words[] = {c->thread,          c->needle,
+                              c->drain,           c->tools[0],
+                              c->tools[1],        c->shears,
+                              c->knot_interval,   c->knots != NULL,
+                              c->metrics != NULL, (uint32_t)c->gap_measure};
     const double numbers[] = {c->time_limit,   c->dwell,       c->throw_dwell,   c->tail_low,
                               c->tail_high,    c->tail_margin, c->tail_reach,    c->seat_gap,
                               c->seat_release, c->seat_force,  c->avulsed_share, c->break_force};

@@ -45,8 +45,9 @@ static vbss_result create_and_destroy(vbss_context *context, const void *config)
 static void configs_follow_the_size_protocol(void **state)
 {
     (void)state;
-    static const uint32_t sizes[] = {offsetof(vbss_session_config, gap_measure), /* before the slit's lips */
-                                     sizeof(vbss_session_config), 0};
+    static const uint32_t sizes[] = {
+        offsetof(vbss_session_config, gap_measure), /* before the slit's lips */
+        sizeof(vbss_session_config), 0};
     const harness_config config = {sizes, init_config, create_and_destroy};
     harness_config_protocol(&config);
 }

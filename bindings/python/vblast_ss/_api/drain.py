@@ -301,12 +301,24 @@ class vbss_drain_gap(ctypes.Structure):
     largest: Largest distance of opposite nodes of the edges, m.
 
     signed_gap: Component of the vector between the middles, left to right, along the one at
-    rest as the drain's frame carries it, m: negative when the edges have crossed."""
+    rest as the drain's frame carries it, m: negative when the edges have crossed.
+
+    opening: Between the lips, which are as high as the wall, at the middles of the edges, m:
+    the distance of the lines through the wall there. At rest about the gap; 0 to a fifth of the
+    wall where lips meet, however they are turned: lips that rise meet with their inner corners,
+    or face to face, when `gap` is up to a whole wall. Method PAPER: likewise.
+
+    widest_opening: The largest of opposite nodes of the edges, m.
+
+    lips: The points that `opening` is between, left and right, m."""
     struct_size: int
     largest_pair: int
     gap: float
     largest: float
     signed_gap: float
+    opening: float
+    widest_opening: float
+    lips: Any
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -314,6 +326,9 @@ class vbss_drain_gap(ctypes.Structure):
         ("gap", c_double),
         ("largest", c_double),
         ("signed_gap", c_double),
+        ("opening", c_double),
+        ("widest_opening", c_double),
+        ("lips", (c_double * 3) * 2),
     ]
 
 
@@ -323,6 +338,9 @@ class DrainGap(NamedTuple):
     gap: float
     largest: float
     signed_gap: float
+    opening: float
+    widest_opening: float
+    lips: tuple[tuple[float, ...], ...]
 
 
 class vbss_drain_energies(ctypes.Structure):

@@ -121,6 +121,15 @@ class SessionEventKind(IntEnum):
     """It has failed: `number` is a vbss_session_failure."""
 
 
+class SessionGap(IntEnum):
+    """The constants of vbss_session_gap."""
+    LIPS = 0
+    """The lips, which are as high as the wall: vbss_drain_gap.opening. A wall that rises is shut
+    when it meets the other one's face. Drains of method PAPER: EDGES."""
+    EDGES = 1
+    """The edges in the middle of the wall: vbss_drain_gap.gap, the paper's measure."""
+
+
 class vbss_session(ctypes.Structure):
     """A session."""
 
@@ -278,7 +287,10 @@ class vbss_session_config(ctypes.Structure):
 
     avulsed_share: Share of the anchors torn from which the drain is off, 0 to 1; default 0.5.
 
-    break_force: Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not."""
+    break_force: Tension at which the thread breaks, N, 0 to 1e6; default 0: it does not.
+
+    gap_measure: What seats throws and is told as gap, to status, events and metrics; default
+    LIPS."""
     struct_size: int
     thread: int
     needle: int
@@ -307,7 +319,9 @@ class vbss_session_config(ctypes.Structure):
     seat_force: float
     avulsed_share: float
     break_force: float
-    _kinds_: ClassVar[dict[str, Any]] = {}
+    gap_measure: int
+    reserved: int
+    _kinds_: ClassVar[dict[str, Any]] = {"gap_measure": SessionGap}
     _fields_ = [
         ("struct_size", c_uint32),
         ("thread", c_uint32),
@@ -337,6 +351,8 @@ class vbss_session_config(ctypes.Structure):
         ("seat_force", c_double),
         ("avulsed_share", c_double),
         ("break_force", c_double),
+        ("gap_measure", c_int32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -379,7 +395,7 @@ class vbss_session_status(ctypes.Structure):
 
     tail: Length of the short tail, from the hole, m; 0 without.
 
-    gap: Between the middles of the slit's edges, m.
+    gap: Of the slit's middle, as `gap_measure` says, m.
 
     tension: Largest of the short limb, of the needle's, N.
 
