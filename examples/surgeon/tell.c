@@ -7,6 +7,7 @@
 void watch_tell_events(const watch *w)
 {
     const vbss_session_status *s = &w->status;
+    printf("  %lu events:\n", (unsigned long)s->event_count);
     for (uint64_t i = s->first_event; i < s->event_count; i++) {
         vbss_session_event e;
         char words[TASK_WORDS];
