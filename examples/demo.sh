@@ -30,9 +30,11 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
     if ./build/release/examples/surgeon/surgeon -s 0 -l "$out/surgeon/stitch.vbss" -a "$out/surgeon/stages"; then
         touch "$out/surgeon/complete"
     fi
-    echo "== stills of it, through a laparoscope; a page that plays it in any browser"
+    echo "== stills of it and a film at six times its speed, through a laparoscope; a page that plays it in any browser"
     ./build/release/examples/viewer/viewer --replay "$out/surgeon/stitch.vbss" --png "$out/surgeon" --every 4 --size 640x480 ||
         [ $? -eq 77 ] # no OpenGL here: no stills
+    ./build/release/examples/viewer/viewer --replay "$out/surgeon/stitch.vbss" --mp4 "$out/surgeon/task.mp4" --every 0.2 --size 480x360 ||
+        [ $? -eq 77 ]
     ./build/release/examples/replay_page/vbss-replay-page "$out/surgeon/stitch.vbss" -o "$out/surgeon/stitch.html"
     echo "== what a teacher gets of the task, a knot and a passed needle, from their logs"
     ./build/release/examples/report/vbss-report "$out/surgeon/stitch.vbss" -o "$out/report/task.html" --pictures "$out/surgeon/stages"
@@ -45,7 +47,7 @@ cmake --build --preset release --target embed_c embed_cpp first_throw knot_galle
 
 echo
 echo "The library is in build/release/lib, this report in $out/report.txt,"
-echo "the whole task in $out/surgeon: stages/*.png (its key stages), frame-*.png (through a laparoscope), stitch.html (plays in a"
+echo "the whole task in $out/surgeon: stages/*.png (its key stages), frame-*.png and task.mp4 (through a laparoscope), stitch.html (plays in a"
 echo "browser), stitch.vbss (the log; ./examples/play.sh: with a mouse),"
 echo "the hands at work in $out/throws: <knot>.png (all key stages), <knot>-<throw>-<stage>.png, <knot>.vbss (the log),"
 echo "the drain, touched, in $out/drain, the needle on its way through it in $out/needle,"
