@@ -53,11 +53,13 @@ vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t 
             own.largest = apart;
             own.largest_pair = i;
         }
-        own.widest_opening = greater(own.widest_opening, opening_at(d, i, lips));
-    }
-    own.opening = opening_at(d, m->slit_count / 2, lips);
-    for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
-        vec3_store(own.lips[side], lips[side]);
+        double opening = opening_at(d, i, lips);
+        own.widest_opening = greater(own.widest_opening, opening);
+        if (i == m->slit_count / 2) {
+            own.opening = opening;
+            vec3_store(own.lips[DRAIN_LEFT], lips[DRAIN_LEFT]);
+            vec3_store(own.lips[DRAIN_RIGHT], lips[DRAIN_RIGHT]);
+        }
     }
     return vbss_struct_write(d->context, &gap_layout, &own, gap, struct_size);
 }
