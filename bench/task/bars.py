@@ -72,9 +72,6 @@ def double_throws(cases):
     table(names("double-throw-drawn"), ["drawn tight", "segments"],
           STEP + [("us_per_ms", "us/ms", "{:.1f}"), ("topology_kept", "knot kept", "{:.0f}"), ("stretch_max", "stretch", "{:.1e}"),
                   ("broken", "broken", "{:.0f}")])
-    table(names("double-throw-wound"), ["wound", "segments"],
-          STEP + [("wraps", "wraps tied", "{:.0f}"), ("paused", "paused", "{:.0f}"), ("contacts", "contacts", "{:.0f}"),
-                  ("broken", "broken", "{:.0f}")])
 
 
 def performances(cases):

@@ -8,7 +8,6 @@ static void add_cases(bench *b)
     add_part_cases(b);
     add_tying_cases(b);
     add_drawn_cases(b);
-    add_wound_cases(b);
     add_performances(b);
 }
 

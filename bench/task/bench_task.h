@@ -8,9 +8,8 @@
 void add_part_cases(bench *b);
 /* tying.c: a double throw drawn tight over the slit, with what is added to the scene's step. */
 void add_tying_cases(bench *b);
-/* drawn.c, wound.c: a double throw with 30 to 480 segments: drawn tight; wound round a tool. */
+/* drawn.c: a double throw with 30 to 480 segments, drawn tight. */
 void add_drawn_cases(bench *b);
-void add_wound_cases(bench *b);
 /* performances.c: the whole task by scripted surgeons. */
 void add_performances(bench *b);
 

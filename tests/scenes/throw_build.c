@@ -18,11 +18,11 @@ static const vec3 trocar = {-0.110, -0.050, 0.080};
 #define SHAFT_LENGTH 0.12
 #define JAW_RADIUS 0.7e-3
 #define JAW_LENGTH 13e-3
+#define FROM_TAIL_END 7u /* nodes: where W takes the tail */
 
 vbss_result throw_scene_init(throw_scene_options *o, bool twice)
 {
     *o = (throw_scene_options){.segment = 0.5e-3,
-                               .from_tail_end = 7,
                                .turns = twice ? 2.3 : 1.3,
                                .tip = twice ? vec3_make(36e-3, 2e-3, 22e-3)
                                             : vec3_make(29e-3, 2e-3, 14e-3),
@@ -100,7 +100,7 @@ static void lay_thread(throw_scene *scene, vec3 limb_way, layout *l)
         lay_node(l, vec3_add_scaled(l->x[l->count - 1], o->segment, way));
     }
     scene->held_node = scene->left_mark + (uint32_t)(o->held_at / o->segment + 0.5);
-    scene->tail_node = o->from_tail_end;
+    scene->tail_node = FROM_TAIL_END;
     scene->nodes = l->count;
 }
 

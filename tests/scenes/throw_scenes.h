@@ -23,7 +23,6 @@ typedef struct throw_scene_options {
     vbss_scene_config scene;
     vbss_thread_config thread; /* material; its shape is set by create */
     double segment;            /* m */
-    uint32_t from_tail_end;    /* nodes: where W takes it */
     double turns;              /* of the limb about W, a bit less when it is caught */
     vec3 tip;                  /* of W while it is wound round, m */
     double held_at;            /* where C holds the limb: m from the drain along the thread */
