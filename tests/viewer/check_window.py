@@ -304,6 +304,13 @@ def look_before(desk, folder, name):
     return blocks.blocks(blocks.read_png(folder / f"{name}-before.png"))
 
 
+def look_after(desk, folder, name, before):
+    desk.picture(folder / f"{name}-after.png")
+    off = blocks.apart(before, blocks.blocks(blocks.read_png(folder / f"{name}-after.png")))
+    print(f"{name}: {off:.2f} off at most")
+    assert off < SAME
+
+
 def check_lost(viewer, folder, log):
     with Desk(viewer, ["--live", "throw", "--show", "knot", "--renew", "30"], every=0.0) as desk:
         desk.begin()
@@ -313,10 +320,7 @@ def check_lost(viewer, folder, log):
         before = look_before(desk, folder, "live")
         desk.wait(until=lambda s: s.renewed == 1)
         desk.run(3)
-        desk.picture(folder / "live-after.png")
-        off = blocks.apart(before, blocks.blocks(blocks.read_png(folder / "live-after.png")))
-        print(f"live: {off:.2f} off at most")
-        assert off < SAME
+        look_after(desk, folder, "live", before)
         desk.press("key p")
         desk.press("keyup shift", "keydown shift", count=1)  # what was held is not known to the new window
         start = desk.run(2).tools["right"].told
@@ -333,10 +337,7 @@ def check_lost(viewer, folder, log):
         before = look_before(desk, folder, "log")
         desk.wait(until=lambda s: s.renewed == 1)
         desk.wait(3)
-        desk.picture(folder / "log-after.png")
-        off = blocks.apart(before, blocks.blocks(blocks.read_png(folder / "log-after.png")))
-        print(f"log: {off:.2f} off at most")
-        assert off < SAME
+        look_after(desk, folder, "log", before)
         code = desk.close()
         assert code == 0 and desk.errors == ANEW, (code, desk.errors)
 
