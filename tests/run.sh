@@ -60,7 +60,7 @@ if [ "$suite" != default ]; then
     # Our own code under clang's sanitizers, which is also the build that clang must not warn about.
     # The properties see other cases each time.
     seed=2 only=()
-    for sanitizer in asan ubsan tsan; do
+    for sanitizer in asan tsan; do
         # Nowhere else is more than one thread.
         [ "$sanitizer" != tsan ] || only=(--tests-regex '^(base|device|trainer|examples\.trainer)')
         announce "default suite under $sanitizer (clang), properties with seed $seed"
