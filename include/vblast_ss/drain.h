@@ -168,8 +168,8 @@ typedef struct vbss_drain_gap {
     double signed_gap;
     /** Between the lips, which are as high as the wall, at the middles of the edges, m: the distance of the lines through the
      * wall there. At rest about the gap; 0 to a fifth of the wall where lips meet, however they are turned: lips that rise
-     * meet with their inner corners, or face to face, when `gap` is up to a whole wall. 0, shut,
-     * where one lip lies on the other. Method PAPER: likewise. */
+     * meet with their inner corners, or face to face, when `gap` is up to a whole wall. 0, shut, where one lip
+     * lies on the other. Method PAPER: likewise. */
     double opening;
     double widest_opening; /**< The largest of opposite nodes of the edges, m. */
     double lips[2][3];     /**< The points that `opening` is between, left and right, m. */

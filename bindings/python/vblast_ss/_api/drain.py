@@ -306,7 +306,8 @@ class vbss_drain_gap(ctypes.Structure):
     opening: Between the lips, which are as high as the wall, at the middles of the edges, m:
     the distance of the lines through the wall there. At rest about the gap; 0 to a fifth of the
     wall where lips meet, however they are turned: lips that rise meet with their inner corners,
-    or face to face, when `gap` is up to a whole wall. Method PAPER: likewise.
+    or face to face, when `gap` is up to a whole wall. 0, shut, where one lip lies on the other.
+    Method PAPER: likewise.
 
     widest_opening: The largest of opposite nodes of the edges, m.
 
