@@ -126,10 +126,14 @@ static void pull(const pulled *p)
         for (uint32_t k = 0; k < nodes; k++) {
             arcs[k] = vbss_thread_arc_length(t, k);
         }
-        uint64_t made = t->statistics.refined + t->statistics.coarsened;
+        uint64_t made = t->statistics.refined + t->statistics.coarsened,
+                 parts = s->statistics.parts;
+        before.count = nodes;
+        memcpy(before.x, t->now.x, nodes * sizeof(vec3));
         expect_ok(contact_scene_step(&scene, 1e-3));
-        before.count = nodes; /* the watch has seen where the last part ended */
-        memcpy(before.x, w.last, nodes * sizeof(vec3));
+        if (s->statistics.parts > parts) { /* the watch has seen where the last one ended */
+            memcpy(before.x, w.last, nodes * sizeof(vec3));
+        }
         memcpy(before.arc, arcs, nodes * sizeof *arcs);
         if (p->at_random) {
             (void)change_at_random(s, b, &random);
