@@ -1,12 +1,22 @@
-/* Blades that close on a throw drawn tight, and go through all strands of it while hands go on pulling. */
+/* Blades that close on a throw drawn tight, and go through all strands of it while hands go on pulling.
+ *
+ * With a limit of work each run is one of many, which a limit that is a little other would show: what is asked of them is asked
+ * of the median of five. */
 #include "scene/cut_rig.h"
 #include "scenes/contact_scenes.h"
 
 typedef struct throw_case {
     knot_kind kind;
     bool limited; /* as scenes are by default; else with all the work it takes */
-    double length, least_cuts, clamped, paused;
+    double length, least_cuts, clamped, paused; /* m; at most the last two, steps and s */
 } throw_case;
+
+typedef struct outcome {
+    double clamped, paused, fastest; /* m/s: of any node */
+} outcome;
+
+enum { LIMITS = 5 };
+static const double shares[LIMITS] = {0.92, 1.0, 1.08, 1.2, 1.4}; /* of the default */
 
 /* Hands pull on what they hold, whatever piece that is by now. */
 static void follow(contact_scene *c, const scene_object *s)
@@ -53,8 +63,9 @@ static vec3 middle_of_contacts(const contact_scene *c)
 }
 
 /* A knot drawn tight along x by 2 N: blades come from above, turned to close across it, and go through all of it. */
-static void cut_throw(const throw_case *t)
+static outcome cut_throw(const throw_case *t, double share)
 {
+    outcome found = {.fastest = 0.0};
     harness_memory memory;
     vbss_context *context = harness_context(&memory);
     contact_scene_options o;
@@ -70,7 +81,9 @@ static void cut_throw(const throw_case *t)
     o.pull.force = 2.0;
     o.scene.thread_capacity = 16;
     o.scene.grasp_capacity = 32;
-    if (!t->limited) {
+    if (t->limited) {
+        o.scene.work_limit = (uint32_t)(share * o.scene.work_limit);
+    } else {
         o.scene.work_limit = 0;
         o.scene.attempt_limit = 16;
     }
@@ -96,7 +109,6 @@ static void cut_throw(const throw_case *t)
         expect_ok(contact_scene_step(&c, 1e-3));
     }
     expect_ok(vbss_grasper_set_opening(tool, 0.0));
-    double fastest = 0.0;
     for (int i = 0; i < 150; i++) {
         expect_ok(contact_scene_step(&c, 1e-3));
         cuts += cuts_of_step(&c);
@@ -105,7 +117,7 @@ static void cut_throw(const throw_case *t)
         for (uint32_t k = 0; k < s->place_count; k++) {
             const thread_object *u = s->bodies[k].thread.thread;
             for (uint32_t n = 0; s->bodies[k].kind == BODY_THREAD && n < u->node_count; n++) {
-                fastest = greater(vec3_norm(u->now.v[n]), fastest);
+                found.fastest = greater(vec3_norm(u->now.v[n]), found.fastest);
             }
         }
     }
@@ -115,22 +127,54 @@ static void cut_throw(const throw_case *t)
     expect_ok(vbss_scene_get_statistics(c.scene, &statistics, sizeof statistics));
     expect_near(0.0, shut.jaw_angle, 0.0);
     assert_true(cuts >= t->least_cuts);
-    assert_true((double)statistics.clamped <= t->clamped);
-    assert_true(statistics.time_paused <= t->paused);
-    assert_true(fastest < 30.0); /* what 5 N let go of would reach */
+    found.clamped = (double)statistics.clamped;
+    found.paused = statistics.time_paused;
     harness_context_end(context, &memory);
+    return found;
+}
+
+static double median(const double values[LIMITS])
+{
+    double sorted[LIMITS];
+    memcpy(sorted, values, sizeof sorted);
+    for (int i = 1; i < LIMITS; i++) {
+        for (int k = i; k > 0 && sorted[k] < sorted[k - 1]; k--) {
+            double larger = sorted[k - 1];
+            sorted[k - 1] = sorted[k];
+            sorted[k] = larger;
+        }
+    }
+    return sorted[LIMITS / 2];
+}
+
+static outcome cut_with_limits(const throw_case *t)
+{
+    double clamped[LIMITS], paused[LIMITS], fastest[LIMITS];
+    for (int i = 0; i < LIMITS; i++) {
+        outcome one = cut_throw(t, shares[i]);
+        print_message(
+            "limit of work x %.2f: %.0f steps cut short, %.1f ms waited, fastest %.1f m/s\n",
+            shares[i], one.clamped, 1e3 * one.paused, one.fastest);
+        clamped[i] = one.clamped;
+        paused[i] = one.paused;
+        fastest[i] = one.fastest;
+    }
+    return (outcome){median(clamped), median(paused), median(fastest)};
 }
 
 static void a_tight_throw_is_cut_through(void **state)
 {
     (void)state;
     const throw_case cases[] = {
-        {KNOT_OVERHAND, false, 0.06, 3, 0, 0.0}, {KNOT_DOUBLE_OVERHAND, false, 0.06, 3, 0, 0.0},
+        {KNOT_OVERHAND, false, 0.06, 3, 0, 0.0},  {KNOT_DOUBLE_OVERHAND, false, 0.06, 3, 0, 0.0},
         {KNOT_SQUARE, false, 0.09, 4, 4, 0.0}, /* squeezed before it is cut */
-        {KNOT_OVERHAND, true, 0.06, 3, 0, 0.0},  {KNOT_DOUBLE_OVERHAND, true, 0.06, 3, 0, 0.04},
+        {KNOT_OVERHAND, true, 0.06, 3, 0, 0.002}, {KNOT_DOUBLE_OVERHAND, true, 0.06, 3, 0, 0.04},
         {KNOT_SQUARE, true, 0.09, 4, 20, 0.1}};
     for (int k = 0; k < 6; k++) {
-        cut_throw(&cases[k]);
+        outcome found = cases[k].limited ? cut_with_limits(&cases[k]) : cut_throw(&cases[k], 0.0);
+        assert_true(found.clamped <= cases[k].clamped);
+        assert_true(found.paused <= cases[k].paused);
+        assert_true(found.fastest < 30.0); /* what 5 N let go of would reach */
     }
 }
 
