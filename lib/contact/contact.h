@@ -109,6 +109,7 @@ typedef struct contact_weld contact_weld;
 typedef struct contact_set {
     uint32_t capacity, count, memory_count;
     contact_row *rows;      /* ascending keys */
+    uint32_t *from;         /* scratch of sort: where a row comes from */
     contact_memory *memory; /* the same */
     contact_memory *marked; /* memory as it was at the last mark */
     uint32_t marked_count;

@@ -5,12 +5,13 @@
 
 /* ---- memory of the set */
 
-enum { PARTS = 9 };
+enum { PARTS = 10 };
 
 static void list_parts(contact_set *s, vbss_array parts[PARTS])
 {
     const vbss_array all[PARTS] = {
         {&s->rows, s->capacity, sizeof *s->rows},
+        {&s->from, s->capacity, sizeof *s->from},
         {&s->memory, s->capacity, sizeof *s->memory},
         {&s->marked, s->capacity, sizeof *s->marked},
         {&s->recalled, s->capacity, sizeof *s->recalled},
@@ -92,19 +93,54 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
     return row;
 }
 
-/* Rows come nearly in order. */
+/* Where the next row belongs among those before, behind its like. */
+static uint32_t place_among(const contact_set *set, uint32_t next)
+{
+    const contact_key *key = &set->rows[next].key;
+    uint32_t low = 0, high = next;
+    if (next == 0 || vbss_contact_compare(&set->rows[set->from[next - 1]].key, key) <= 0) {
+        return next; /* they come in a few sequences, each in order */
+    }
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        bool before = vbss_contact_compare(&set->rows[set->from[middle]].key, key) <= 0;
+        low = before ? middle + 1 : low;
+        high = before ? high : middle;
+    }
+    return low;
+}
+
+static bool list_order(const contact_set *set)
+{
+    bool in_order = true;
+    for (uint32_t i = 0; i < set->count; i++) {
+        uint32_t to = place_among(set, i);
+        memmove(&set->from[to + 1], &set->from[to], (i - to) * sizeof *set->from);
+        set->from[to] = i;
+        in_order = in_order && to == i;
+    }
+    return in_order;
+}
+
+/* Rows are large: each goes to its place at once, in rings of which the first waits aside. */
 void vbss_contact_sort(contact_set *set)
 {
-    for (uint32_t i = 1; i < set->count; i++) {
+    if (list_order(set)) {
+        return;
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (set->from[i] == i) {
+            continue;
+        }
+        const contact_row first = set->rows[i];
         uint32_t to = i;
-        while (to > 0 && vbss_contact_compare(&set->rows[to - 1].key, &set->rows[i].key) > 0) {
-            to--;
+        for (uint32_t from = set->from[to]; from != i; from = set->from[to]) {
+            set->rows[to] = set->rows[from];
+            set->from[to] = to;
+            to = from;
         }
-        if (to < i) {
-            contact_row row = set->rows[i];
-            memmove(&set->rows[to + 1], &set->rows[to], (i - to) * sizeof *set->rows);
-            set->rows[to] = row;
-        }
+        set->rows[to] = first;
+        set->from[to] = to;
     }
 }
 
