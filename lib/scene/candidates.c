@@ -9,6 +9,8 @@
 
 /* Normals turn while features pass: share of their way across it that may come along it. */
 #define ACROSS 0.1
+/* What is above the floor by so many times what it may come down has no row: by more than rounding. */
+#define FAR_ABOVE 1.01
 
 /* ---- ways */
 
@@ -127,9 +129,8 @@ static const vec3 *ways_of_capsule(const scene_object *s, const scene_body *b, u
     return s->ways + s->config.node_capacity + 2 * (size_t)(b->rigid.first_capsule + capsule);
 }
 
-/* The floor, a driven body, nodes that are all held: nothing about them can be changed. */
-static bool is_given(const scene_object *s, const scene_body *b, uint32_t kind, bool is_b,
-                     uint32_t feature)
+bool vbss_scene_is_given(const scene_object *s, const scene_body *b, uint32_t kind, bool is_b,
+                         uint32_t feature)
 {
     if (b == NULL || b->kind == BODY_RIGID) {
         return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
@@ -222,7 +223,8 @@ static bool is_needle_at_drain(const contact_row *row, const scene_meeting *m)
 
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m)
 {
-    if (is_given(s, m->a, key->kind, false, key->a) && is_given(s, m->b, key->kind, true, key->b)) {
+    if (vbss_scene_is_given(s, m->a, key->kind, false, key->a) &&
+        vbss_scene_is_given(s, m->b, key->kind, true, key->b)) {
         s->unlisted = s->unlisted || m->b != NULL; /* the floor is not the guard's pair */
         return true;
     }
@@ -356,6 +358,21 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
 
 /* ---- the floor */
 
+bool vbss_scene_add_floor_row(scene_object *s, const contact_key *key, const scene_body *b, vec3 x,
+                              double radius, vec3 way)
+{
+    static const vec3 floor;
+    /* Only what comes down can meet it. */
+    double down = lesser(vec3_dot(way, s->floor_normal), 0.0);
+    double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
+    if (gap - s->config.contact_margin > -FAR_ABOVE * SCENE_AHEAD * down) {
+        return true;
+    }
+    vec3 comes = vec3_scale(s->floor_normal, down);
+    const scene_meeting m = {b, NULL, &comes, &floor, 1, 1};
+    return vbss_scene_add_row(s, key, &m);
+}
+
 static bool add_floor_rows(scene_object *s, const scene_body *b)
 {
     if (b->kind == BODY_DRAIN) {
@@ -367,11 +384,10 @@ static bool add_floor_rows(scene_object *s, const scene_body *b)
         const contact_key key = {thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_CAPSULE_FLOOR,
                                  b->number, i, 0, 0};
         const vec3 *way = thread ? ways_of_node(s, b, i) : ways_of_capsule(s, b, i / 2) + i % 2;
-        /* Only what comes down can meet it. */
-        vec3 down = vec3_scale(s->floor_normal, lesser(vec3_dot(*way, s->floor_normal), 0.0));
-        static const vec3 floor;
-        const scene_meeting w = {b, NULL, &down, &floor, 1, 1};
-        if (!vbss_scene_add_row(s, &key, &w)) {
+        const scene_capsule *c = thread ? NULL : &s->capsules[b->rigid.first_capsule + i / 2];
+        vec3 x = thread ? b->thread.thread->now.x[i] : c->now[i % 2];
+        double radius = thread ? b->thread.thread->config.radius : c->radius;
+        if (!vbss_scene_add_floor_row(s, &key, b, x, radius, *way)) {
             return false;
         }
     }

@@ -50,7 +50,7 @@ static const vec3 *ways_of(const scene_object *s, const scene_body *b, const con
     return first + (side ? 2 * (size_t)feature : feature); /* ends stand two by two */
 }
 
-/* ---- drains that are near drains: most pairs whose boxes meet have a gap that is no row */
+/* ---- most pairs whose boxes meet have a gap that is no row */
 
 static vec3 middle_of(const vec3 *x, uint32_t count)
 {
@@ -96,19 +96,63 @@ static bool are_parted(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t 
     return false;
 }
 
-/* The corners of a feature. Returns whether it goes where it is told. */
-static bool take_corners(const scene_object *s, const scene_body *b, const contact_key *key,
-                         bool is_b, vec3 corners[3], uint32_t *count)
+/* A feature where the part begins, and how far its corners may go. */
+typedef struct feature {
+    vec3 corners[3];
+    uint32_t count;
+    double radius, farthest;
+} feature;
+
+static void take_drain(const scene_object *s, const scene_body *b, const contact_key *key,
+                       bool is_b, feature *f)
 {
     const drain_object *d = b->drain.drain;
     uint32_t nodes[3];
-    bool given = true;
-    *count = vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->b : key->a, nodes);
-    for (uint32_t k = 0; k < *count; k++) {
-        corners[k] = d->x[nodes[k]];
-        given = given && d->anchored[nodes[k]] != 0;
+    f->count = vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->b : key->a, nodes);
+    for (uint32_t k = 0; k < f->count; k++) {
+        f->corners[k] = d->x[nodes[k]];
     }
-    return given;
+    f->radius = 0.5 * d->config.thickness;
+    f->farthest = b->drain.longest;
+}
+
+/* Of a thread or a rigid body: a segment's two corners, or one point. */
+static void take_other(const scene_object *s, const scene_body *b, const contact_key *key,
+                       bool is_b, feature *f)
+{
+    const vec3 *ways = ways_of(s, b, key, is_b, NULL, &f->count), *x;
+    uint32_t number = is_b ? key->b : key->a;
+    if (b->kind == BODY_THREAD) {
+        x = b->thread.thread->now.x + number;
+        f->radius = b->thread.thread->config.radius;
+    } else {
+        bool side = f->count == 2;
+        const scene_capsule *c =
+            &s->capsules[b->rigid.first_capsule + (side ? number : number / 2)];
+        x = side ? c->now : c->now + number % 2;
+        f->radius = c->radius;
+    }
+    double square = 0.0;
+    for (uint32_t k = 0; k < f->count; k++) {
+        f->corners[k] = x[k];
+        square = vbss_larger(vec3_norm_squared(ways[k]), square);
+    }
+    f->farthest = sqrt(square);
+}
+
+static void take(const scene_object *s, const scene_body *b, const contact_key *key, bool is_b,
+                 feature *f)
+{
+    if (b->kind == BODY_DRAIN) {
+        take_drain(s, b, key, is_b, f);
+    } else {
+        take_other(s, b, key, is_b, f);
+    }
+}
+
+static bool is_lip(const scene_body *b, uint32_t side)
+{
+    return b->kind == BODY_DRAIN && b->drain.lip_face[side] != SCENE_NO_FACE;
 }
 
 /* Whether they are too far from each other for a row, whatever they do in the part. Lips have walls of their own, and what
@@ -116,18 +160,17 @@ static bool take_corners(const scene_object *s, const scene_body *b, const conta
 static bool are_far(const scene_object *s, const contact_key *key, const scene_body *a,
                     const scene_body *b)
 {
-    vec3 one[3], other[3];
-    uint32_t count_a, count_b;
-    if (key->kind == VBSS_CONTACT_SIDES && a->drain.lip_face[key->a] != SCENE_NO_FACE &&
-        b->drain.lip_face[key->b] != SCENE_NO_FACE) {
+    if (key->kind == VBSS_CONTACT_SIDES && is_lip(a, key->a) && is_lip(b, key->b)) {
         return false;
     }
-    bool given_a = take_corners(s, a, key, false, one, &count_a);
-    bool given_b = take_corners(s, b, key, true, other, &count_b);
-    double touching = 0.5 * (a->drain.drain->config.thickness + b->drain.drain->config.thickness);
-    double reach = SCENE_AHEAD * (a->drain.longest + b->drain.longest);
-    return !(given_a && given_b) &&
-           are_parted(one, count_a, other, count_b, touching + reach + s->config.contact_margin);
+    feature one, other;
+    take(s, a, key, false, &one);
+    take(s, b, key, true, &other);
+    double reach = SCENE_AHEAD * (one.farthest + other.farthest);
+    double distance = one.radius + other.radius + reach + s->config.contact_margin;
+    return are_parted(one.corners, one.count, other.corners, other.count, distance) &&
+           !(vbss_scene_is_given(s, a, key->kind, false, key->a) &&
+             vbss_scene_is_given(s, b, key->kind, true, key->b));
 }
 
 /* ---- rows */
@@ -135,7 +178,7 @@ static bool are_far(const scene_object *s, const contact_key *key, const scene_b
 static bool add_row(scene_object *s, const contact_key *key, const scene_body *a,
                     const scene_body *b)
 {
-    if (a->kind == BODY_DRAIN && b->kind == BODY_DRAIN && are_far(s, key, a, b)) {
+    if (are_far(s, key, a, b)) {
         return true;
     }
     vec3 room_a[3], room_b[3];
@@ -165,12 +208,8 @@ bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b)
     const drain_object *d = b->drain.drain;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         const contact_key key = {VBSS_CONTACT_DRAIN_FLOOR, b->number, i, 0, 0};
-        /* Only what comes down can meet it. */
-        vec3 down =
-            vec3_scale(s->floor_normal, lesser(vec3_dot(b->drain.ways[i], s->floor_normal), 0.0));
-        static const vec3 floor;
-        const scene_meeting w = {b, NULL, &down, &floor, 1, 1};
-        if (!vbss_scene_add_row(s, &key, &w)) {
+        if (!vbss_scene_add_floor_row(s, &key, b, d->x[i], 0.5 * d->config.thickness,
+                                      b->drain.ways[i])) {
             return false;
         }
     }
