@@ -92,7 +92,7 @@ void rehearsal_move(rehearsal *r, int side, const double at[3])
 void rehearsal_place(rehearsal *r, int side, const double at[3])
 {
     if (r->hd != NULL) {
-        r->hd->place(side, at);
+        r->hd->place(side, at, NULL);
         rehearsal_move(r, side, at);
     }
 }

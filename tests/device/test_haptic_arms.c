@@ -10,8 +10,8 @@ static void poses_come_in_metres_and_unit_quaternions(void **state)
     hardware_rig_begin(&r, false);
     const double there[3] = {0.01, -0.02, 0.03};
     hardware_rig_open(&r, 2);
-    r.hd->place(0, there);
-    r.hd->set_hand(0, &(stand_in_hand){0.1, 0.0, 0.0, {0.0, 0.0, 0.0}});
+    r.hd->place(0, there, NULL);
+    r.hd->set_hand(0, &(stand_in_hand){.mass = 0.1});
     hardware_rig_steps(&r, 20);
     const vbss_device_input *in = &r.inputs[0];
     assert_int_equal(in->status, VBSS_DEVICE_READY);
@@ -23,7 +23,76 @@ static void poses_come_in_metres_and_unit_quaternions(void **state)
     assert_true(fabs(in->orientation[3] - 1.0 / sqrt(10.0)) < 1e-12);
     assert_int_equal(in->buttons, 1);
     assert_int_equal(r.inputs[1].buttons, 2);
+    r.hd->press(0, 3);
+    hardware_rig_steps(&r, 1);
+    assert_int_equal(in->buttons, 3);
+    assert_int_equal(r.inputs[1].buttons, 2);
     assert_true(fabs(in->temperature - 0.2) < 1e-12);
+    hardware_rig_end(&r);
+}
+
+/* What is left of a turn between two orientations, rad. */
+static double angle_between(const double a[4], const double b[4])
+{
+    double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+    double away = 0.0;
+    for (int i = 0; i < 4; i++) {
+        double one = a[i] - (dot < 0.0 ? -b[i] : b[i]);
+        away += one * one;
+    }
+    return 4.0 * asin(0.5 * sqrt(away));
+}
+
+/* About axes that are none of the arm's, both signs of the quaternion, and half a turn, which no trace tells. */
+static void an_arm_is_turned_as_its_hand_is(void **state)
+{
+    (void)state;
+    static const double turns[][4] = {{0.5, 0.5, -0.1, 0.7},
+                                      {-0.5, 0.5, -0.1, 0.7},
+                                      {0.1, -0.9, 0.3, 0.3},
+                                      {0.0, 0.6, 0.0, 0.8},
+                                      {1.0, 0.0, 0.0, 0.0}};
+    const double there[3] = {0.01, 0.0, 0.0};
+    hardware_rig r;
+    hardware_rig_begin(&r, false);
+    hardware_rig_open(&r, 2);
+    r.hd->place(1, there, turns[0]);
+    for (size_t k = 0; k < sizeof turns / sizeof *turns; k++) {
+        stand_in_hand hand = {.mass = 0.1, .stiffness = 50.0, .damping = 1.0};
+        memcpy(hand.turn, turns[k], sizeof hand.turn);
+        r.hd->set_hand(0, &hand);
+        hardware_rig_steps(&r, 2);
+        assert_true(angle_between(r.inputs[0].orientation, turns[k]) < 1e-12);
+        assert_true(angle_between(r.inputs[1].orientation, turns[0]) < 1e-12);
+    }
+    hardware_rig_end(&r);
+}
+
+/* The angle that is left falls as exp(-t / wrist), about one axis, whatever the motors do; a tick measures what was before it. */
+static void a_wrist_follows_as_an_exponential(void **state)
+{
+    (void)state;
+    const double begin[4] = {0.8, 0.0, 0.6, 0.0}, here[3] = {0.0, 0.0, 0.0};
+    const double wrist = 0.03, whole = 4.0 * asin(0.5 * sqrt(0.04 + 0.36));
+    stand_in_hand hand = {.mass = 0.1, .stiffness = 50.0, .damping = 1.0, .wrist = wrist};
+    hardware_rig r;
+    hardware_rig_begin(&r, false);
+    hardware_rig_open(&r, 1);
+    r.hd->place(0, here, begin);
+    r.commands[0].force[2] = 0.4;
+    hand.turn[0] = -1.0; /* the longer way round, if it were not told from the shorter one */
+    r.hd->set_hand(0, &hand);
+    for (int k = 0; k < 100; k++) {
+        const double nothing[4] = {1.0, 0.0, 0.0, 0.0};
+        hardware_rig_steps(&r, 1);
+        const vbss_device_input *in = &r.inputs[0];
+        double left = whole * exp(-1e-3 * k / wrist);
+        assert_true(fabs(angle_between(in->orientation, nothing) - left) < 1e-12);
+        assert_true(in->orientation[1] == 0.0 && in->orientation[3] == 0.0);
+        double spun =
+            k == 0 ? 0.0 : -whole * (exp(-1e-3 * (k - 1) / wrist) - exp(-1e-3 * k / wrist)) * 1e3;
+        assert_true(fabs(in->angular_velocity[1] - spun) < 1e-9);
+    }
     hardware_rig_end(&r);
 }
 
@@ -77,7 +146,8 @@ static void a_coupling_is_computed_at_the_newest_pose(void **state)
     hardware_rig_begin(&r, false);
     hardware_rig_open(&r, 1);
     hardware_rig_steps(&r, 10);
-    r.hd->set_hand(0, &(stand_in_hand){0.1, 50.0, 1.0, {0.004, 0.0, 0.0}});
+    r.hd->set_hand(
+        0, &(stand_in_hand){.mass = 0.1, .stiffness = 50.0, .damping = 1.0, .target = {0.004}});
     r.couplings[0].stiffness = 200.0;
     hardware_rig_steps(&r, 1);
     double worst = 0.0, largest = 0.0;
@@ -184,6 +254,8 @@ int test_haptic_arms(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(poses_come_in_metres_and_unit_quaternions),
+        cmocka_unit_test(an_arm_is_turned_as_its_hand_is),
+        cmocka_unit_test(a_wrist_follows_as_an_exponential),
         cmocka_unit_test(arms_say_what_they_are),
         cmocka_unit_test(a_force_goes_out_in_the_next_tick),
         cmocka_unit_test(a_coupling_is_computed_at_the_newest_pose),

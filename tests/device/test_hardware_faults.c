@@ -12,7 +12,7 @@ static void begin_pressed(hardware_rig *r)
     hardware_rig_open(r, 2);
     r->couplings[0].stiffness = 100.0;
     r->couplings[0].position[0] = 0.01;
-    r->hd->set_hand(0, &(stand_in_hand){0.1, 1e5, 20.0, {0.0, 0.0, 0.0}});
+    r->hd->set_hand(0, &(stand_in_hand){.mass = 0.1, .stiffness = 1e5, .damping = 20.0});
     r->commands[0].solenoid = 1;
     hardware_rig_steps(r, 60);
     assert_true(fabs(hardware_rig_force(r, 0) - 1.0) < 0.01);

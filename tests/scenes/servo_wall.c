@@ -86,7 +86,7 @@ static void step_beside(host *h, int tick)
 
 static void move_hand(const stand_in_hd_table *hd, const servo_wall *w, int tick)
 {
-    stand_in_hand hand = {w->mass, grip, w->arm_damping, {0.0, 0.0, 0.0}};
+    stand_in_hand hand = {.mass = w->mass, .stiffness = grip, .damping = w->arm_damping};
     hand.target[0] = w->away + reach * vbss_cos(6.283185307179586 * tick / ROUND);
     hd->set_hand(0, &hand);
 }
@@ -154,7 +154,7 @@ vbss_result servo_wall_run(vbss_context *context, const char *library, servo_wal
     world()->reset(0);
     host h = {.wall = wall};
     const double there[3] = {wall->away + reach, 0.0, 0.0};
-    world()->place(0, there);
+    world()->place(0, there, NULL);
     vbss_result result = open_and_run(context, library, &h, world());
     wall->illegal = world()->illegal(&first);
     dlclose(handle);

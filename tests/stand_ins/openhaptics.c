@@ -206,14 +206,17 @@ void STAND_IN_CALL hdDisable(uint32_t capability)
     switch_capability("hdDisable", capability, false);
 }
 
-/* Turned by a little about z, so that rows and columns differ. */
+/* By columns: the stylus' axes, then where it is. */
 static void transform_of(const arm *a, double m[16])
 {
-    const double c = 0.8, s = 0.6;
-    const double turn[16] = {c,   s,   0.0, 0.0, -s,  c,   0.0, 0.0,
-                             0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0};
-    memcpy(m, turn, sizeof turn);
+    const double w = a->now.turn[0], *v = a->now.turn + 1;
+    memset(m, 0, 16 * sizeof *m);
+    m[15] = 1.0;
     for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        m[4 * i + i] = 1.0 - 2.0 * (v[j] * v[j] + v[k] * v[k]);
+        m[4 * i + j] = 2.0 * (v[i] * v[j] + w * v[k]);
+        m[4 * i + k] = 2.0 * (v[i] * v[k] - w * v[j]);
         m[12 + i] = 1e3 * a->now.position[i];
     }
     if (a->faults[STAND_IN_NAN_POSE]) {
@@ -230,7 +233,7 @@ static void get_state(arm *a, uint32_t name, double *values)
         if (name == 0x2050 || name == 0x2051) {
             values[i] = 1e3 * (name == 0x2050 ? a->now.position[i] : a->now.velocity[i]);
         } else if (name == 0x2053) {
-            values[i] = 0.0;
+            values[i] = a->now.spin[i];
         } else if (name == 0x2605) {
             values[i] = a->faults[STAND_IN_WARM] ? 0.95 : 0.2;
         }
@@ -281,7 +284,7 @@ void STAND_IN_CALL hdGetIntegerv(uint32_t name, int32_t *values)
         values[0] = 4;
     } else if (name == 0x2000) {
         if (framed("hdGetIntegerv") != NULL) {
-            values[0] = world.current == 0 ? 1 : 2;
+            values[0] = a->buttons;
         }
     } else {
         refuse("hdGetIntegerv", "no such whole number", INVALID_ENUM);

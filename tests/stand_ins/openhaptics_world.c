@@ -6,17 +6,17 @@
 
 enum { SUBSTEPS = 20 };
 
-#define HAND              \
-    {                     \
-        0.1, 50.0, 2.0,   \
-        {                 \
-            0.0, 0.0, 0.0 \
-        }                 \
+/* Turned by a little about z, so that rows and columns of the transform differ: by the angle of cosine 0.8. */
+#define ARM(stuck)                                                                             \
+    {                                                                                          \
+        .hand = {.mass = 0.1, .stiffness = 50.0, .damping = 2.0}, .buttons = (stuck), .now = { \
+            .turn = {0.9486832980505138, 0.0, 0.0, 0.31622776601683794}                        \
+        }                                                                                      \
     }
 
 /* As a program finds it that knows nothing of stand-ins: ticking in real time. */
 hd_world world = {.lock = PTHREAD_MUTEX_INITIALIZER,
-                  .arms = {{.hand = HAND}, {.hand = HAND}},
+                  .arms = {ARM(1), ARM(2)},
                   .threaded = true,
                   .rate = 1000,
                   .current = NOBODY};
@@ -53,9 +53,52 @@ bool in_servo(void)
 
 /* ---- the hand, in steps within a tick */
 
+/* Of quaternions. */
+static void product(const double a[4], const double b[4], double out[4])
+{
+    out[0] = a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3];
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        out[1 + i] = a[0] * b[1 + i] + b[0] * a[1 + i] + a[1 + j] * b[1 + k] - a[1 + k] * b[1 + j];
+    }
+}
+
+/* The whole of a step at once, as nothing but the hand turns it: on by the share of the angle that e^(-h / wrist) leaves. */
+static void turn(arm *a, double h)
+{
+    const double *to = a->hand.turn;
+    double *q = a->now.turn, *spin = a->now.spin, left[4], on[4];
+    memset(spin, 0, sizeof a->now.spin);
+    if (to[0] == 0.0 && to[1] == 0.0 && to[2] == 0.0 && to[3] == 0.0) {
+        return;
+    }
+    /* left = to q^-1, the shorter way round */
+    const double back[4] = {q[0], -q[1], -q[2], -q[3]};
+    product(to, back, left);
+    const double side = left[0] < 0.0 ? -1.0 : 1.0;
+    const double sine = sqrt(left[1] * left[1] + left[2] * left[2] + left[3] * left[3]);
+    const double angle = 2.0 * atan2(sine, side * left[0]);
+    const double share = a->hand.wrist > 0.0 ? 1.0 - exp(-h / a->hand.wrist) : 1.0;
+    if (sine == 0.0) {
+        return;
+    }
+    on[0] = cos(0.5 * share * angle);
+    for (int i = 0; i < 3; i++) {
+        const double axis = side * left[1 + i] / sine;
+        on[1 + i] = sin(0.5 * share * angle) * axis;
+        spin[i] = share * angle / h * axis;
+    }
+    product(on, (const double[4]){q[0], q[1], q[2], q[3]}, q);
+    const double length = sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    for (int i = 0; i < 4; i++) {
+        q[i] /= length; /* of millions of products */
+    }
+}
+
 static void move(arm *a, double h)
 {
     const stand_in_hand *hand = &a->hand;
+    turn(a, h);
     for (int k = 0; k < SUBSTEPS; k++) {
         for (int i = 0; i < 3; i++) {
             stand_in_arm *s = &a->now;
@@ -166,10 +209,8 @@ static void reset(int threaded)
 {
     enter();
     memset(&world.judge, 0, sizeof world.judge);
-    memset(world.arms, 0, sizeof world.arms);
-    for (int i = 0; i < STAND_IN_ARMS; i++) {
-        world.arms[i].hand = (stand_in_hand)HAND;
-    }
+    const arm arms[STAND_IN_ARMS] = {ARM(1), ARM(2)};
+    memcpy(world.arms, arms, sizeof arms);
     world.error_count = 0;
     world.callback = NULL;
     world.running = world.in_callback = world.callback_done = false;
@@ -201,11 +242,22 @@ static void set_hand(int which, const stand_in_hand *hand)
     leave();
 }
 
-static void place(int which, const double position[3])
+static void place(int which, const double position[3], const double *turned)
 {
     enter();
-    memcpy(world.arms[which].now.position, position, sizeof world.arms[which].now.position);
-    memset(world.arms[which].now.velocity, 0, sizeof world.arms[which].now.velocity);
+    stand_in_arm *now = &world.arms[which].now;
+    memcpy(now->position, position, sizeof now->position);
+    memset(now->velocity, 0, sizeof now->velocity);
+    if (turned != NULL) {
+        memcpy(now->turn, turned, sizeof now->turn);
+    }
+    leave();
+}
+
+static void press(int which, int buttons)
+{
+    enter();
+    world.arms[which].buttons = buttons;
     leave();
 }
 
@@ -235,6 +287,7 @@ static int illegal(const char **first)
 
 const stand_in_hd_table *stand_in_hd(void)
 {
-    static const stand_in_hd_table table = {reset, tick, set_fault, set_hand, place, look, illegal};
+    static const stand_in_hd_table table = {reset, tick,  set_fault, set_hand,
+                                            place, press, look,      illegal};
     return &table;
 }

@@ -40,6 +40,7 @@ typedef struct arm {
     uint64_t framed_at; /* tick of the last frame */
     double staged[3];   /* N, until the frame ends */
     stand_in_hand hand;
+    int32_t buttons;
     stand_in_arm now;
 } arm;
 

@@ -31,17 +31,21 @@ typedef enum stand_in_hd_fault {
     STAND_IN_HD_FAULTS
 } stand_in_hd_fault;
 
-/* A hand on an arm: a mass on a spring and a damper to where it wants to be. SI units. */
+/* A hand on an arm: a mass on a spring and a damper to where it wants to be. The gimbal has no motors, so how it is turned
+ * is the hand's alone: the angle to `turn` that is left falls as exp(-t / wrist). SI units. */
 typedef struct stand_in_hand {
     double mass, stiffness, damping;
     double target[3];
+    double turn[4]; /* w, x, y, z, unit: how it wants the stylus to be turned; all 0: as it is */
+    double wrist;   /* s; 0: at once */
 } stand_in_hand;
 
 typedef struct stand_in_arm {
     double position[3], velocity[3];
-    double force[3];  /* that the motors put out now, N */
-    double work;      /* done by the motors on the hand so far, J */
-    double cpu_worst; /* longest callback, s of its thread */
+    double turn[4], spin[3]; /* of the stylus: w, x, y, z, unit; rad/s, in the arm's frame */
+    double force[3];         /* that the motors put out now, N */
+    double work;             /* done by the motors on the hand so far, J */
+    double cpu_worst;        /* longest callback, s of its thread */
     uint64_t ticks;
 } stand_in_arm;
 
@@ -51,8 +55,10 @@ typedef struct stand_in_hd_table {
     void (*tick)(int count);
     void (*set_fault)(int arm, stand_in_hd_fault fault, int on);
     void (*set_hand)(int arm, const stand_in_hand *hand);
-    /* Where the hand is, at rest. */
-    void (*place)(int arm, const double position[3]);
+    /* Where the hand is, at rest, and how it is turned; NULL: as it was. */
+    void (*place)(int arm, const double position[3], const double *turn);
+    /* Bits of the buttons that are held. At first one is stuck: 1 of the first arm, 2 of the second. */
+    void (*press)(int arm, int buttons);
     void (*look)(int arm, stand_in_arm *arm_now);
     /* Illegal calls so far, and the first of them. What is left open counts. */
     int (*illegal)(const char **first);
