@@ -38,7 +38,7 @@ static void obey(coach *c, int side, guide_step step, double since)
             at[i] = (corner & (1 << i)) != 0 ? 0.07 : -0.07;
         }
     }
-    rehearsal_move(c->rehearsal, side, at);
+    rehearsal_move(c->rehearsal, side, at, NULL, false);
     rehearsal_squeeze(c->rehearsal, side, step == GUIDE_CLOSE ? 0.6 : 1.2);
 }
 

@@ -11,13 +11,15 @@
 #define DAMPING 1.0      /* N s/m */
 #define BUTTON_SPEED 4.0 /* of the opening, 1/s */
 
-enum { CLOSES = 1, CLUTCHES = 2 }; /* buttons of an arm */
+/* Buttons of an arm. The first closes the jaws or, where a handle does, exchanges the tool. */
+enum { CLOSES = 1, EXCHANGES = 1, CLUTCHES = 2 };
 
 void grip_begin(grip *g, const double at[3])
 {
     memset(g, 0, sizeof *g);
     memcpy(g->told, at, sizeof g->told);
     g->opening = 1.0;
+    g->has = g->wants = VBSS_GRASPER_NEEDLE_DRIVER;
 }
 
 /* ---- in */
@@ -49,6 +51,20 @@ static double find_opening(grip *g, double h)
     return g->opening;
 }
 
+/* A device that tells its tool has told another, or the button is pressed. */
+static void find_tool(grip *g)
+{
+    uint32_t down = g->in.buttons & g->let_go, pressed = down & ~g->held;
+    bool by_button = (g->in.valid & VBSS_DEVICE_HAS_JAW) != 0 && (pressed & EXCHANGES) != 0;
+    bool told = (g->in.events & VBSS_DEVICE_EVENT_TOOL) != 0;
+    bool shears = told ? g->in.tool == VBSS_DEVICE_TOOL_SHEARS : g->has != VBSS_GRASPER_SHEARS;
+    g->held = down;
+    g->exchanges = told || by_button;
+    if (g->exchanges) {
+        g->wants = shears ? VBSS_GRASPER_SHEARS : VBSS_GRASPER_NEEDLE_DRIVER;
+    }
+}
+
 vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *known)
 {
     TRY(vbss_device_read(device, now, &g->in, sizeof g->in));
@@ -60,6 +76,7 @@ vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *
     TRY(vbss_device_clutch(device, (g->in.buttons & g->let_go & CLUTCHES) != 0));
     lead(g, h);
     g->jaw = find_opening(g, h);
+    find_tool(g);
     return VBSS_OK;
 }
 
@@ -70,6 +87,7 @@ vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_gras
     vbss_output_command command;
     vbss_device_coupling coupling;
     vbss_output_result out;
+    g->has = tool->kind;
     TRY(vbss_output_command_init(&command, sizeof command));
     TRY(vbss_device_coupling_init(&coupling, sizeof coupling));
     if (g->joined) {

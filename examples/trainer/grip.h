@@ -9,14 +9,17 @@
 #include <vblast_ss/grasper.h>
 
 typedef struct grip {
-    vbss_device_input in; /* as read last */
-    double told[3];       /* to the tool, m */
-    double jaw;           /* the same */
-    double opening;       /* of a handle that is the arm's button */
-    uint32_t let_go;      /* buttons that were up once: one that is stuck does not count */
-    bool joined;          /* the tool has come to the hand */
-    double force;         /* that goes out, N */
-    uint32_t wanted, on;  /* solenoid: by the tool; let through by the output stage */
+    vbss_device_input in;         /* as read last */
+    double told[3];               /* to the tool, m */
+    double jaw;                   /* the same */
+    double opening;               /* of a handle that is the arm's button */
+    uint32_t let_go;              /* buttons that were up once: one that is stuck does not count */
+    uint32_t held;                /* buttons that were down in the slot before, of those */
+    vbss_grasper_kind has, wants; /* which tool it is; shall be, */
+    bool exchanges;               /* from now on */
+    bool joined;                  /* the tool has come to the hand */
+    double force;                 /* that goes out, N */
+    uint32_t wanted, on;          /* solenoid: by the tool; let through by the output stage */
 } grip;
 
 /* The tool begins there. */

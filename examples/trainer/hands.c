@@ -6,6 +6,8 @@
 
 #include "throw/replay.h"
 
+#define ROUNDING 1e-6 /* s */
+
 enum { NOBODY = 0 };
 
 /* ---- a log */
@@ -19,7 +21,8 @@ typedef struct reader {
 
 static bool is_of_tool(const vbss_log_input *in)
 {
-    return in->kind == VBSS_INPUT_MOVE_GRASPER || in->kind == VBSS_INPUT_SET_OPENING;
+    return in->kind == VBSS_INPUT_MOVE_GRASPER || in->kind == VBSS_INPUT_SET_OPENING ||
+           in->kind == VBSS_INPUT_EXCHANGE;
 }
 
 /* The two smallest numbers: right, left. */
@@ -48,6 +51,10 @@ static void take(const reader *r, const vbss_log_input *in, told now[HANDS])
             t->opening = in->numbers[0];
             continue;
         }
+        if (in->kind == VBSS_INPUT_EXCHANGE) {
+            t->kind = (vbss_grasper_kind)in->words[1];
+            continue;
+        }
         memcpy(t->position, in->numbers, sizeof t->position);
         if (in->words[1] != 0) {
             memcpy(t->orientation, in->numbers + 3, sizeof t->orientation);
@@ -60,7 +67,8 @@ static void take(const reader *r, const vbss_log_input *in, told now[HANDS])
 static vbss_result walk(reader *r, bool store)
 {
     vbss_log_step step;
-    told now[HANDS] = {{.orientation = {1.0}}, {.orientation = {1.0}}};
+    const told begin = {.orientation = {1.0}, .kind = VBSS_GRASPER_NEEDLE_DRIVER};
+    told now[HANDS] = {begin, begin};
     for (uint64_t n = 1; n <= r->steps; n++) {
         TRY(vbss_replay_read(r->replay, n, &step, sizeof step));
         for (uint32_t i = 0; i < step.input_count; i++) {
@@ -82,11 +90,28 @@ static vbss_result walk(reader *r, bool store)
     return VBSS_OK;
 }
 
+/* "vbss surgeon seed 2" and nothing else. */
+static void read_note(const vbss_replay_info *info, score *s)
+{
+    char text[64], whole[sizeof text];
+    if (info->note_bytes >= sizeof text) {
+        return;
+    }
+    memcpy(text, info->note, info->note_bytes);
+    text[info->note_bytes] = '\0';
+    s->of_surgeon = sscanf(text, "vbss surgeon seed %10lu", &s->seed) == 1;
+    snprintf(whole, sizeof whole, "vbss surgeon seed %lu", s->seed);
+    s->of_surgeon = s->of_surgeon && strcmp(text, whole) == 0;
+}
+
 static vbss_result read_log(vbss_context *context, const replay_log *log, score *s)
 {
     reader r = {.score = s};
     TRY(vbss_replay_create(context, log->data, log->count, &r.replay));
     vbss_log_report report;
+    vbss_replay_info info;
+    TRY(vbss_replay_get_info(r.replay, &info, sizeof info));
+    read_note(&info, s);
     TRY(vbss_log_check(context, log->data, log->count, &report, sizeof report));
     r.steps = report.steps;
     TRY(walk(&r, false));
@@ -135,31 +160,42 @@ void score_free(score *s)
 
 /* ---- a hand */
 
-static void follow_score(follower *f, double time, vbss_device_sample *sample)
+/* The row of the log's step that is due, in time with its steps though times are sums. */
+static told read_score(follower *f, double time)
 {
     const told *row = f->score->told[f->side];
-    while (f->next + 1 < f->score->count && row[f->next + 1].time <= time) {
+    while (f->next + 1 < f->score->count && row[f->next + 1].time <= time + ROUNDING) {
         f->next++;
     }
-    row += f->next;
-    if (!row->known) {
-        return;
+    return row[f->next];
+}
+
+told follower_want(follower *f, double time)
+{
+    if (f->score != NULL) {
+        return read_score(f, time);
     }
-    memcpy(sample->position, row->position, sizeof sample->position);
-    memcpy(sample->orientation, row->orientation, sizeof sample->orientation);
-    sample->jaw = row->opening;
-    sample->valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW;
+    motion m = f->stage->row->script(f->stage, f->side, time);
+    told w = {.time = time,
+              .orientation = {1.0},
+              .opening = m.opening,
+              .kind = VBSS_GRASPER_NEEDLE_DRIVER,
+              .known = true};
+    v_store(w.position, m.at);
+    return w;
 }
 
 void follower_measure(void *user, double time, vbss_device_sample *sample)
 {
-    follower *f = user;
-    if (f->score != NULL) {
-        follow_score(f, time, sample);
+    const told w = follower_want(user, time);
+    if (!w.known) {
         return;
     }
-    motion w = f->stage->row->script(f->stage, f->side, time);
-    v_store(sample->position, w.at);
+    memcpy(sample->position, w.position, sizeof sample->position);
+    memcpy(sample->orientation, w.orientation, sizeof sample->orientation);
     sample->jaw = w.opening;
-    sample->valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW;
+    sample->tool =
+        w.kind == VBSS_GRASPER_SHEARS ? VBSS_DEVICE_TOOL_SHEARS : VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
+    sample->valid = VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_JAW |
+                    VBSS_DEVICE_HAS_TOOL;
 }

@@ -74,7 +74,7 @@ static int run(const options *o, const calibration *c, const score *log, const s
     t.options = o;
     t.calibration = c;
     t.duration = o->seconds < 0.0 && log != NULL ? log->duration : o->seconds;
-    if (stage_create(&t.stage, row) != VBSS_OK) {
+    if (stage_create(&t.stage, row, log != NULL ? log->seed : 0) != VBSS_OK) {
         stage_destroy(&t.stage);
         return refuse(NOT_THERE, row->name, "the scene cannot be made");
     }

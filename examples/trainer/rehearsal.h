@@ -27,9 +27,13 @@ typedef struct fault_row {
 void rehearsal_find(rehearsal *r, const options *o);
 /* Before the hardware is opened. */
 void rehearsal_begin(rehearsal *r, bool simulated);
-/* Where a hand wants to be in its arm's frame, and the voltage of its handle. */
-void rehearsal_move(rehearsal *r, int side, const double at[3]);
-void rehearsal_place(rehearsal *r, int side, const double at[3]);
+/* Where a hand wants to be in its arm's frame, and how turned (w, x, y, z; NULL: as it is). A firm one holds on to that, as
+ * somebody does who sees what the tool does; else it gives way. */
+void rehearsal_move(rehearsal *r, int side, const double at[3], const double *turn, bool firm);
+/* Where it is, at rest. */
+void rehearsal_place(rehearsal *r, int side, const double at[3], const double *turn);
+void rehearsal_press(rehearsal *r, int side, bool button);
+/* The voltage of its handle. */
 void rehearsal_squeeze(rehearsal *r, int side, double volts);
 void rehearsal_tick(rehearsal *r);
 /* Counts the pulses of the lines. */

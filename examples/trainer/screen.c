@@ -147,8 +147,12 @@ static void report_hand(const task *t, const figures *f, int side)
            side_names[side], t->hardware.names[side], h->old, h->refused, h->most_force, h->asked,
            h->given);
     if (t->rehearsal.daq != NULL && t->hardware.handle[side]) {
+        printf(", on the line %" PRIu64, f->pulses[side]);
+    }
+    if (t->rehearsal.daq != NULL && t->hardware.handle[side] &&
+        t->hardware.followers[side].score == NULL) {
         uint64_t script = side == RIGHT ? stage_closings(t->stage.row, f->time) : 0;
-        printf(", on the line %" PRIu64 ", script %" PRIu64, f->pulses[side], script);
+        printf(", script %" PRIu64, script);
     }
     fputc('\n', stdout);
 }
@@ -187,6 +191,7 @@ bool screen_report(const task *t, const char *system)
     if (f->events_lost > 0) {
         printf("and %" PRIu32 " more\n", f->events_lost);
     }
+    stage_tell(&t->stage);
     bool good = report_faults(t, f);
     int illegal = rehearsal_illegal(&t->rehearsal, &first);
     if (t->rehearsal.hd != NULL || t->rehearsal.daq != NULL) {

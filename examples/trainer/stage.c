@@ -1,7 +1,12 @@
 #include "trainer/stage.h"
 
+#include <stdio.h>
+
 #include <math.h>
 #include <string.h>
+
+#include "surgeon/surgeon.h"
+#include "surgeon/task.h"
 
 #define GRAVITY (-9.81)
 #define FINE 0.25e-3 /* radius of jaws that take what lies flat on a floor */
@@ -132,11 +137,42 @@ static motion script_stitch(const stage *s, int side, double time)
     return (motion){at, 0.0};
 }
 
+/* ---- what the scripted surgeon finds */
+
+static void take_tool(stage *s, int side, const hand *h)
+{
+    s->tools[side] = h->grasper;
+    s->bodies[side] = h->body;
+    s->start[side] = h->shown;
+}
+
+static vbss_result create_surgeon(stage *s)
+{
+    const surgeon_options usual = {.seed = s->seed};
+    stitch_plan plan;
+    task of_surgeon;
+    surgeon_plan(&usual, &plan);
+    vbss_result result = stitch_create(&s->stitch, s->seed, &plan);
+    s->site = s->stitch.site;
+    s->context = s->site.stand.context;
+    s->scene = s->site.stand.scene;
+    TRY(result);
+    s->floor = s->site.floor;
+    s->middle = v3(0.0, 0.0, 0.02);
+    take_tool(s, LEFT, &s->stitch.left);
+    take_tool(s, RIGHT, &s->stitch.right);
+    TRY(task_create(&of_surgeon, &s->stitch, NULL, NULL));
+    s->session = of_surgeon.session;
+    return VBSS_OK;
+}
+
 /* ---- the table */
 
 static const stage_row rows[] = {
     {"stitch", "the task: a drain, a needle on the floor, its thread", create_stitch, script_stitch,
      0.0, 0.0},
+    {"surgeon", "the same with the scripted surgeon's tools, for his logs", create_surgeon,
+     script_stitch, 0.0, 0.0},
     {"table", "light: a needle on a table, to try arms, handles and solenoids", create_table,
      script_table, FIRST, EVERY},
 };
@@ -156,9 +192,10 @@ const stage_row *stage_find(const char *name)
     return NULL;
 }
 
-vbss_result stage_create(stage *s, const stage_row *row)
+vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed)
 {
     memset(s, 0, sizeof *s);
+    s->seed = seed;
     s->row = row;
     return row->create(s);
 }
@@ -180,6 +217,28 @@ const char *stage_phase(const stage *s)
         return "";
     }
     return names[status.phase];
+}
+
+void stage_tell(const stage *s)
+{
+    vbss_session_status now;
+    vbss_session_event e;
+    char words[TASK_WORDS];
+    if (s->session == NULL || vbss_session_get_status(s->session, &now, sizeof now) != VBSS_OK) {
+        return;
+    }
+    for (uint64_t i = now.first_event; i < now.event_count; i++) {
+        if (vbss_session_get_event(s->session, i, &e, sizeof e) == VBSS_OK &&
+            e.kind != VBSS_SESSION_EVENT_STAGE) { /* which come and go while hands wind */
+            task_words(&e, words);
+            printf("%.3f s  %s\n", e.time, words);
+        }
+    }
+    printf("task: %s%s%s, throws %u, seated %u, transfers %u, tails cut %u, slit %.2f mm\n",
+           task_phase_name(now.phase), now.failure != VBSS_SESSION_FAILURE_NONE ? ": " : "",
+           now.failure != VBSS_SESSION_FAILURE_NONE ? task_failure_name(now.failure) : "",
+           (unsigned)now.throws, (unsigned)now.seated, (unsigned)now.transfers,
+           (unsigned)((now.cut & 1u) + (now.cut >> 1u)), 1e3 * now.gap);
 }
 
 uint64_t stage_closings(const stage_row *row, double time)

@@ -2,7 +2,7 @@
 #ifndef VBSS_EXAMPLES_TRAINER_STAGE_H
 #define VBSS_EXAMPLES_TRAINER_STAGE_H
 
-#include "needle/site.h"
+#include "needle/stitch.h"
 #include "trainer/options.h"
 
 /* What a hand shall do; the tool's shaft is upright. */
@@ -13,9 +13,11 @@ typedef struct motion {
 
 typedef struct stage {
     const struct stage_row *row;
+    unsigned long seed;
     vbss_context *context;
     vbss_scene *scene;
     vbss_session *session; /* of the task; NULL: the scene has none */
+    stitch stitch;         /* of the surgeon, whose hands are not used; or */
     site site;             /* that of the task */
     vbss_grasper *tools[HANDS];
     uint32_t bodies[HANDS];
@@ -35,10 +37,13 @@ typedef struct stage_row {
 /* NULL: there is none of that name, or number. */
 const stage_row *stage_find(const char *name);
 const stage_row *stage_at(size_t number);
-vbss_result stage_create(stage *s, const stage_row *row);
+/* Of a surgeon's scene the seed says which. */
+vbss_result stage_create(stage *s, const stage_row *row, unsigned long seed);
 vbss_result stage_step(stage *s, double h);
 /* How far the task is; empty without one. */
 const char *stage_phase(const stage *s);
+/* What the session says that happened, and how far it came, on stdout; nothing without one. */
+void stage_tell(const stage *s);
 /* How often the right hand of the script has closed on the needle by then. */
 uint64_t stage_closings(const stage_row *row, double time);
 void stage_destroy(stage *s);

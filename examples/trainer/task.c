@@ -23,6 +23,9 @@ static vbss_result read_hand(task *t, int side)
         return VBSS_OK;
     }
     TRY(vbss_grasper_move(tool, g->told, g->in.orientation));
+    if (g->exchanges) {
+        TRY(vbss_grasper_exchange(tool, g->wants));
+    }
     return vbss_grasper_set_opening(tool, g->jaw);
 }
 

@@ -11,8 +11,10 @@
 
 typedef struct task_hand {
     grip grip;
-    uint32_t wanted, on; /* solenoid, in the last slot */
-    double noted[16];    /* when an event of that bit was told last, s */
+    uint32_t wanted, on;    /* solenoid, in the last slot */
+    vbss_grasper_kind kind; /* which tool a stand-in's hand has asked for, */
+    double pressed;         /* when it pressed its button for that, s */
+    double noted[16];       /* when an event of that bit was told last, s */
 } task_hand;
 
 typedef struct task {

@@ -8,6 +8,7 @@
 #define SAFE_WITHIN 0.0105 /* s */
 #define LOOKED_AT 0.02     /* s, after a fault began */
 #define AGAIN 1.0          /* s, until the same is told again */
+#define PRESSED 0.05       /* s, that a button is held */
 #define NOTHING 1e-9       /* N: what rounding of times leaves */
 
 static const char *const side_names[HANDS] = {"left", "right"};
@@ -66,28 +67,67 @@ void task_judge(task *t)
 
 /* ---- the stand-ins' hands */
 
-/* Where an arm must be so that the device says a place of the world. */
-static void to_device(const vbss_device_calibration *c, vec at, double out[3])
+/* Along the axes of the arm what is told along those of the world. */
+static void to_axes(const vbss_device_calibration *c, const double world[3], double out[3])
 {
-    double world[3];
-    v_store(world, at);
     for (int i = 0; i < 3; i++) {
         int axis = (c->axes[i] < 0 ? -c->axes[i] : c->axes[i]) - 1;
-        double x = (world[i] - c->offset[i]) / c->scale;
-        out[axis] = c->axes[i] < 0 ? -x : x;
+        out[axis] = c->axes[i] < 0 ? -world[i] : world[i];
     }
 }
 
-static void move_hand(task *t, int side)
+/* Whether the axes are those of a mirror, in which turns change sign. */
+static bool mirrors(const vbss_device_calibration *c)
+{
+    const double x[3] = {1.0, 0.0, 0.0}, y[3] = {0.0, 1.0, 0.0}, z[3] = {0.0, 0.0, 1.0};
+    double u[3], v[3], w[3];
+    to_axes(c, x, u);
+    to_axes(c, y, v);
+    to_axes(c, z, w);
+    return v_dot(v_cross(v_load(u), v_load(v)), v_load(w)) < 0.0;
+}
+
+/* Where an arm must be, and how turned, so that the device says what is wanted of its tool. */
+static void to_device(const vbss_device_calibration *c, const told *w, double at[3], double turn[4])
+{
+    const double unmount[4] = {c->mount[0], -c->mount[1], -c->mount[2], -c->mount[3]};
+    double away[3], turned[4];
+    for (int i = 0; i < 3; i++) {
+        away[i] = (w->position[i] - c->offset[i]) / c->scale;
+    }
+    to_axes(c, away, at);
+    pose_turn(w->orientation, unmount, turned);
+    turn[0] = mirrors(c) ? -turned[0] : turned[0];
+    to_axes(c, turned + 1, turn + 1);
+}
+
+static void lead_arm(task *t, int side, const told *w)
+{
+    task_hand *h = &t->hands[side];
+    double at[3], turn[4];
+    to_device(&t->calibration->hands[side], w, at, turn);
+    rehearsal_move(&t->rehearsal, side, at, turn, t->hardware.followers[side].score != NULL);
+    if (h->kind == 0) { /* it is led for the first time */
+        rehearsal_place(&t->rehearsal, side, at, turn);
+        h->kind = w->kind;
+        h->pressed = -1.0;
+    }
+    if (w->kind != h->kind) {
+        h->kind = w->kind;
+        h->pressed = t->now.time;
+    }
+    rehearsal_press(&t->rehearsal, side, h->pressed >= 0.0 && t->now.time < h->pressed + PRESSED);
+}
+
+static void lead_hand(task *t, int side)
 {
     const vbss_device_calibration *c = &t->calibration->hands[side];
-    motion w = t->stage.row->script(&t->stage, side, t->now.time);
-    double at[3];
-    to_device(c, w.at, at);
-    if (t->hardware.arm[side] && t->now.slots == 0) {
-        rehearsal_place(&t->rehearsal, side, at);
-    } else if (t->hardware.arm[side]) {
-        rehearsal_move(&t->rehearsal, side, at);
+    const told w = follower_want(&t->hardware.followers[side], t->now.time);
+    if (!w.known) {
+        return;
+    }
+    if (t->hardware.arm[side]) {
+        lead_arm(t, side, &w);
     }
     if (t->hardware.handle[side]) {
         rehearsal_squeeze(&t->rehearsal, side,
@@ -98,8 +138,8 @@ static void move_hand(task *t, int side)
 vbss_result task_rehearse(task *t)
 {
     if (t->rehearsal.hd != NULL || t->rehearsal.daq != NULL) {
-        move_hand(t, LEFT);
-        move_hand(t, RIGHT);
+        lead_hand(t, LEFT);
+        lead_hand(t, RIGHT);
         cause_faults(t);
         rehearsal_watch(&t->rehearsal, t->options->handle_count);
         memcpy(t->now.pulses, t->rehearsal.pulses, sizeof t->now.pulses);

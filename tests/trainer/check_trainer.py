@@ -1,4 +1,5 @@
-"""The trainer against the stand-ins of the vendors' libraries: check_trainer.py SUBJECT TRAINER OPENHAPTICS NIDAQ FOLDER [LOG]
+"""The trainer against the stand-ins of the vendors' libraries: check_trainer.py SUBJECT TRAINER OPENHAPTICS NIDAQ FOLDER
+[LOG or SURGEON]
 
 Time is simulated, but for `real_time` and `interrupted`, and nothing is asserted of how long anything takes."""
 import pathlib
@@ -25,7 +26,7 @@ class Bench:
         assert done.returncode in wanted if isinstance(wanted, tuple) else done.returncode == wanted, \
             f"{words}: ended with {done.returncode}, not {wanted}\n{text}"
         for line in text.splitlines():
-            if line.startswith(("slots", "wall misses", "fault", "right:")):
+            if line.startswith(("slots", "wall misses", "fault", "left:", "right:", "task:")):
                 print(line)
         return text
 
@@ -157,6 +158,68 @@ def replayed(b, log):
     assert "right: log," in text and "left: Touch" in text, text
 
 
+def spread(b):
+    """The calibration such that a surgeon's hands, which go over 22 cm, stay in the 16 cm of an arm: a metre of the arm is two of
+    the world."""
+    b.calibrate()
+    facts_of_all = {"scale": "2", "offset": "0 0 0.05", "workspace_low": "-0.16 -0.07 -0.07", "workspace_high": "0.16 0.07 0.17"}
+    file = pathlib.Path(b.file)
+    lines = [line.split() for line in file.read_text().splitlines()]
+    for words in lines[1:]:
+        fact = words[0].split(".")[1]
+        words[1:] = [facts_of_all[fact]] if fact in facts_of_all else words[1:]
+    file.write_text("".join(" ".join(words) + "\n" for words in lines))
+
+
+def lead(b, log, wanted=GOOD, *words):
+    """Both stand-ins' hands through what a surgeon's log told the tools, in his scene."""
+    return b.rehearse(wanted, "--scene", "surgeon", "--replay", log, *words)
+
+
+def expect_pulses(text):
+    """What solenoids the tools want, the output stage lets through, and the lines have."""
+    counts = {}
+    for side in ("left", "right"):
+        found = re.search(rf"^{side}: .*wanted (\d+), let through (\d+), on the line (\d+)$", text, re.MULTILINE)
+        assert found and len(set(found.groups())) == 1, text
+        counts[side] = int(found[1])
+    return counts
+
+
+def surgeon(b, program):
+    """The needle through both marks, by hands of arms that are led through it: taken, turned, driven, as the surgeon's did."""
+    spread(b)
+    log = str(b.folder / "pass.vbss")
+    subprocess.run([program, "-s", "0", "-u", "pass", "-l", log], check=True, stdout=subprocess.DEVNULL)
+    text = lead(b, log)
+    assert expect_pulses(text) == {"left": 0, "right": 1}, text
+    for event in ("right tool holds the needle", "hole in,", "hole out,", "phase: drawing through"):
+        assert event in text, text
+    assert "old poses 0, refused 0" in text and "a hole beside" not in text, text
+
+
+def surgeon_ties(b, log):
+    """On to the first throw: in and out of the drain with the thread, the needle from hand to hand and back, a throw tied. Hands
+    that are led do not see, so it need not be the surgeon's."""
+    spread(b)
+    text = lead(b, log)
+    assert expect_pulses(text) == {"left": 1, "right": 2}, text
+    for event in ("left tool holds the needle", "the thread is in hole out", "throw 1 is tied"):
+        assert event in text, text
+
+
+def surgeon_faults(b, log):
+    """Any fault at any moment of the task: safe within 10 ms, told, no illegal call."""
+    spread(b)
+    chance = random.Random(41)
+    for _ in range(12):
+        name, begin = chance.choice(sorted(ARMS)), chance.uniform(0.1, 12.0)
+        text = lead(b, log, FAULTY, "--seconds", f"{begin + 0.3:.3f}", "--fault",
+                    f"{name}@{begin:.4f}+{chance.uniform(0.03, 0.2):.3f}")
+        found = re.search(rf"fault {name}: safe after (\d+) ms", text)
+        assert found and int(found[1]) <= 10 and ARMS[name] in text, text
+
+
 def real_time(b, _):
     """On the real clock, with the stand-ins' own threads. A machine that is busy may let poses grow old, which is a fault."""
     b.calibrate()
@@ -175,7 +238,8 @@ def interrupted(b, _):
 
 def main():
     subject, trainer, arms, lines, folder, *log = sys.argv[1:]
-    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, random_faults, refused, replayed, real_time, interrupted)}
+    subjects = {f.__name__: f for f in (calibrated, pulses, task, faults, random_faults, refused, replayed, real_time, interrupted,
+                                        surgeon, surgeon_ties, surgeon_faults)}
     subjects[subject](Bench(trainer, arms, lines, folder), log[0] if log else None)
 
 
