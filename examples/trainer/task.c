@@ -95,6 +95,9 @@ static void run_slot(task *t)
     result = result == VBSS_OK ? work(t) : result;
     double cpu = pace_work_ends(&t->pace, &wall);
     figures_slot(&t->now, STEP, cpu, late, t->pace.simulated ? 0.0 : wall);
+    if (t->times != NULL && t->now.slots <= t->time_count) {
+        t->times[t->now.slots - 1] = cpu;
+    }
     if (result != VBSS_OK) {
         note_failure(t, result);
     }

@@ -28,6 +28,8 @@ typedef struct task {
     pace pace;
     task_hand hands[HANDS];
     figures now;
+    double *times; /* thread CPU time of each slot, s, for whoever measures; NULL: nobody does */
+    size_t time_count; /* room for so many */
     exchange shown;
     double stopped_since; /* s; below 0: it is not */
     bool failed;          /* the scene */

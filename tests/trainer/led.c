@@ -1,0 +1,108 @@
+#include "trainer/led.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "surgeon/surgeon.h"
+#include "trainer/task.h"
+
+#define STEP 1e-3
+#define LONGEST 120.0 /* s */
+
+/* ---- the surgeon's log */
+
+static vbss_result perform(uint64_t seed, const char *path)
+{
+    static surgeon s;
+    const surgeon_options o = {.seed = seed, .until = SURGEON_DONE, .log = path};
+    TRY(surgeon_create(&s, &o));
+    stand *st = &s.stitch.site.stand;
+    while (s.stage < SURGEON_DONE && st->time < LONGEST) {
+        TRY(surgeon_step(&s, STEP));
+    }
+    TRY(stand_end(st));
+    stand_destroy(st);
+    return VBSS_OK;
+}
+
+bool led_write_log(uint64_t seed, const char *path)
+{
+    return perform(seed, path) == VBSS_OK;
+}
+
+/* ---- the trainer */
+
+/* A metre of the arm is two of the world, so that 22 cm of the task are in the 16 of an arm. */
+static vbss_result calibrate(calibration *c)
+{
+    TRY(calibration_init(c));
+    for (int side = 0; side < HANDS; side++) {
+        vbss_device_calibration *one = &c->hands[side];
+        one->scale = 2.0;
+        one->offset[2] = 0.05;
+        one->jaw_closed = 0.6;
+        one->jaw_open = 1.2;
+    }
+    return VBSS_OK;
+}
+
+static uint32_t count_shears(const stage *s)
+{
+    uint32_t count = 0;
+    for (int side = 0; side < HANDS; side++) {
+        vbss_grasper_state tool;
+        count += vbss_grasper_get_state(s->tools[side], &tool, sizeof tool) == VBSS_OK &&
+                 tool.kind == VBSS_GRASPER_SHEARS;
+    }
+    return count;
+}
+
+static bool train(const options *o, const calibration *c, const score *log, led *found, char *why,
+                  size_t bytes)
+{
+    static task t;
+    const char *first;
+    memset(&t, 0, sizeof t);
+    t.options = o;
+    t.calibration = c;
+    t.duration = log->duration;
+    t.times = found->times;
+    t.time_count = LED_SLOTS;
+    bool good = stage_create(&t.stage, stage_find(o->scene), log->seed) == VBSS_OK;
+    rehearsal_find(&t.rehearsal, o);
+    rehearsal_begin(&t.rehearsal, true);
+    good = good && hardware_open(&t.hardware, o, c, &t.stage, log, why, bytes);
+    if (good) {
+        task_init(&t);
+        (void)task_run(&t);
+        good = vbss_session_get_status(t.stage.session, &found->status, sizeof found->status) ==
+               VBSS_OK;
+        found->shears = count_shears(&t.stage);
+        hardware_close(&t.hardware);
+    }
+    found->now = t.now;
+    found->illegal = rehearsal_illegal(&t.rehearsal, &first);
+    snprintf(found->first, sizeof found->first, "%s", first);
+    stage_destroy(&t.stage);
+    rehearsal_end(&t.rehearsal);
+    return good;
+}
+
+bool led_run(const char *log, led *found, char *why, size_t bytes)
+{
+    char *words[] = {
+        "trainer", "--openhaptics",   "--openhaptics-library", VBSS_STAND_IN_OPENHAPTICS,
+        "--nidaq", "--nidaq-library", VBSS_STAND_IN_NIDAQMX,   "--simulated",
+        "--scene", "surgeon"};
+    options o;
+    calibration c;
+    score s;
+    if (!options_read(sizeof words / sizeof *words, words, &o, why, bytes) ||
+        !score_read(&s, log, why, bytes)) {
+        return false;
+    }
+    snprintf(why, bytes, "the trainer does not run");
+    bool good = calibrate(&c) == VBSS_OK && train(&o, &c, &s, found, why, bytes);
+    score_free(&s);
+    return good;
+}

@@ -1,0 +1,117 @@
+/* A hand's grip on a tool: which tool it shall be. */
+#include <string.h>
+
+#include <vblast_ss/mock.h>
+
+#include "harness/harness.h"
+#include "trainer/grip.h"
+
+typedef struct grip_rig {
+    harness_memory memory;
+    vbss_context *context;
+    vbss_device *device;
+    vbss_device_sample sample;
+    grip grip;
+    double now;
+} grip_rig;
+
+static void measure(void *user, double time, vbss_device_sample *sample)
+{
+    const grip_rig *r = user;
+    *sample = r->sample;
+    sample->time = time;
+}
+
+static void begin(grip_rig *r, uint32_t valid)
+{
+    const double here[3] = {0.0, 0.0, 0.0};
+    vbss_mock_config c;
+    vbss_mock *mock;
+    vbss_device_adapter adapter;
+    memset(r, 0, sizeof *r);
+    r->context = harness_context(&r->memory);
+    expect_ok(vbss_mock_config_init(&c, sizeof c));
+    c.measure = measure;
+    c.user = r;
+    expect_ok(vbss_mock_create(r->context, &c, &mock));
+    expect_ok(vbss_device_adapter_init(&adapter, sizeof adapter));
+    expect_ok(vbss_mock_get_adapter(mock, &adapter));
+    expect_ok(vbss_device_create(r->context, &adapter, NULL, NULL, &r->device));
+    expect_ok(vbss_device_sample_init(&r->sample, sizeof r->sample));
+    r->sample.valid =
+        VBSS_DEVICE_HAS_POSITION | VBSS_DEVICE_HAS_ORIENTATION | VBSS_DEVICE_HAS_BUTTONS | valid;
+    grip_begin(&r->grip, here);
+}
+
+/* A slot with these buttons down, and that tool in the scene. Whether another is asked for. */
+static bool slot(grip_rig *r, uint32_t buttons, vbss_grasper_kind kind)
+{
+    vbss_grasper_state tool = {.kind = kind};
+    bool known;
+    r->now += 1e-3;
+    r->sample.buttons = buttons;
+    expect_ok(grip_read(&r->grip, r->device, r->now, 1e-3, &known));
+    assert_true(known);
+    expect_ok(grip_write(&r->grip, r->device, r->now, &tool));
+    return r->grip.exchanges;
+}
+
+/* One press one exchange, from the tool that is there, also where one was refused; a button that is stuck is none. */
+static void the_button_exchanges_where_a_handle_closes(void **state)
+{
+    (void)state;
+    grip_rig r;
+    const vbss_grasper_kind driver = VBSS_GRASPER_NEEDLE_DRIVER, shears = VBSS_GRASPER_SHEARS;
+    begin(&r, VBSS_DEVICE_HAS_JAW);
+    r.sample.jaw = 0.7;
+    assert_false(slot(&r, 1, driver));
+    assert_false(slot(&r, 1, driver));
+    assert_false(slot(&r, 0, driver));
+    assert_true(slot(&r, 1, driver));
+    assert_int_equal(r.grip.wants, shears);
+    assert_false(slot(&r, 1, driver));
+    assert_false(slot(&r, 0, driver));
+    assert_true(slot(&r, 1, driver)); /* it was refused: once more */
+    assert_int_equal(r.grip.wants, shears);
+    assert_false(slot(&r, 0, shears));
+    assert_true(slot(&r, 1, shears));
+    assert_int_equal(r.grip.wants, driver);
+    assert_true(r.grip.jaw == 0.7);
+    harness_context_end(r.context, &r.memory);
+}
+
+static void without_a_handle_it_closes_the_jaws(void **state)
+{
+    (void)state;
+    grip_rig r;
+    begin(&r, 0);
+    for (int i = 0; i < 300; i++) {
+        assert_false(slot(&r, i > 0 ? 1 : 0, VBSS_GRASPER_NEEDLE_DRIVER));
+    }
+    assert_true(r.grip.jaw == 0.0);
+    harness_context_end(r.context, &r.memory);
+}
+
+static void a_device_may_tell_its_tool(void **state)
+{
+    (void)state;
+    grip_rig r;
+    begin(&r, VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_TOOL);
+    r.sample.tool = VBSS_DEVICE_TOOL_NEEDLE_DRIVER;
+    assert_false(slot(&r, 0, VBSS_GRASPER_NEEDLE_DRIVER));
+    r.sample.tool = VBSS_DEVICE_TOOL_SHEARS;
+    assert_true(slot(&r, 0, VBSS_GRASPER_NEEDLE_DRIVER));
+    assert_int_equal(r.grip.wants, VBSS_GRASPER_SHEARS);
+    assert_false(slot(&r, 0, VBSS_GRASPER_SHEARS));
+    harness_context_end(r.context, &r.memory);
+}
+
+int test_grip(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_button_exchanges_where_a_handle_closes),
+        cmocka_unit_test(without_a_handle_it_closes_the_jaws),
+        cmocka_unit_test(a_device_may_tell_its_tool),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
