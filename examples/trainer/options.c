@@ -13,7 +13,7 @@ void options_help(void)
         "trainer [devices] [what to do]\n"
         "devices, which combine freely; hands without an arm follow the log, or the mock:\n"
         "  --mock                       scripted hands without hardware\n"
-        "  --replay LOG                 hands that do what a session's log says\n"
+        "  --replay LOG                 hands that do what a session's log says; stand-ins', too\n"
         "  --openhaptics [LEFT[,RIGHT]] haptic arms by their names; without names: two\n"
         "  --nidaq [INPUT:LINE[,...]]   handles: analog input and solenoid line of the left, the "
         "right\n"

@@ -46,6 +46,20 @@ static vbss_result calibrate(calibration *c)
     return VBSS_OK;
 }
 
+/* What is tied may come undone again. */
+static uint32_t count_throws(vbss_session *session, const vbss_session_status *status)
+{
+    uint32_t most = 0;
+    for (uint64_t i = status->first_event; i < status->event_count; i++) {
+        vbss_session_event e;
+        if (vbss_session_get_event(session, i, &e, sizeof e) == VBSS_OK &&
+            e.kind == VBSS_SESSION_EVENT_THROW && e.undone == 0 && e.number >= most) {
+            most = e.number + 1;
+        }
+    }
+    return most;
+}
+
 static uint32_t count_shears(const stage *s)
 {
     uint32_t count = 0;
@@ -77,6 +91,7 @@ static bool train(const options *o, const calibration *c, const score *log, led 
         (void)task_run(&t);
         good = vbss_session_get_status(t.stage.session, &found->status, sizeof found->status) ==
                VBSS_OK;
+        found->tied = count_throws(t.stage.session, &found->status);
         found->shears = count_shears(&t.stage);
         hardware_close(&t.hardware);
     }

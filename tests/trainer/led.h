@@ -11,6 +11,7 @@ enum { LED_SLOTS = 120000 };
 typedef struct led {
     figures now;
     vbss_session_status status;
+    uint32_t tied;   /* most throws that were tied at a time */
     uint32_t shears; /* tools that are shears in the end */
     int illegal;
     char first[160];         /* of the illegal calls */

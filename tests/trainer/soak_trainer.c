@@ -49,7 +49,7 @@ static void tell(harness_soak *soak, const led o[RUNS])
     harness_soak_figure(soak, "most_N",
                         fmax(f->hands[LEFT].most_force, f->hands[RIGHT].most_force));
     harness_soak_figure(soak, "phase", o[0].status.phase);
-    harness_soak_figure(soak, "throws", o[0].status.throws);
+    harness_soak_figure(soak, "tied", o[0].tied);
     harness_soak_figure(soak, "transfers", o[0].status.transfers);
     harness_soak_figure(soak, "shears", o[0].shears);
 }
