@@ -1,8 +1,6 @@
 /* The whole task under the trainer, with stand-ins of two arms and two handles: a surgeon makes it, and the hands of the
  * stand-ins are led through what he told his tools. They do not see, so it need not become his knot; it is the same work. Twice,
  * which has to come to the same: a slot that is late in both is late by our own time. Seeds 0 to 6 are ten simulated minutes. */
-#include <string.h>
-
 #include "harness/harness.h"
 #include "trainer/led.h"
 
@@ -54,6 +52,13 @@ static void tell(harness_soak *soak, const led o[RUNS])
     harness_soak_figure(soak, "shears", o[0].shears);
 }
 
+/* To the bit: the slit's width would tell any difference in the scene. */
+static bool is_same(const vbss_session_status *a, const vbss_session_status *b)
+{
+    return a->phase == b->phase && a->event_count == b->event_count && a->time == b->time &&
+           a->gap == b->gap && a->tail == b->tail;
+}
+
 static void run(harness_soak *soak)
 {
     static led found[RUNS];
@@ -71,7 +76,7 @@ static void run(harness_soak *soak)
         }
         judge(soak, &found[i]);
     }
-    if (memcmp(&found[0].status, &found[1].status, sizeof found[0].status) != 0) {
+    if (!is_same(&found[0].status, &found[1].status)) {
         harness_soak_fail(soak, "it came to something else the second time");
     }
     tell(soak, found);
