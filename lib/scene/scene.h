@@ -538,12 +538,12 @@ typedef struct scene_meeting {
     uint32_t count_a, count_b;
 } scene_meeting;
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m);
-/* The floor, a driven body, nodes that are all held: nothing about them can be changed. */
-bool vbss_scene_is_given(const scene_object *s, const scene_body *b, uint32_t kind, bool is_b,
-                         uint32_t feature);
 /* The same of a point with a radius and the floor. */
 bool vbss_scene_add_floor_row(scene_object *s, const contact_key *key, const scene_body *b, vec3 x,
                               double radius, vec3 way);
+/* The floor, a driven body, nodes that are all held: nothing about them can be changed. */
+bool vbss_scene_is_given(const scene_object *s, const scene_body *b, uint32_t kind, bool is_b,
+                         uint32_t feature);
 /* doubles.c: of rows about the same two points, in a list that is sorted, one stays. */
 void vbss_scene_remove_doubles(scene_object *s);
 /* surfaces.c: rows of a pair of which one or both are of drains; of a drain and the floor. */

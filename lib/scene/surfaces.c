@@ -96,7 +96,8 @@ static bool are_parted(const vec3 *a, uint32_t count_a, const vec3 *b, uint32_t 
     return false;
 }
 
-/* A feature where the part begins, and how far its corners may go. */
+/* A feature where the part begins, and how far its corners may go. features.c finds corners for any row; asked of every
+ * pair, that way takes what leaving pairs out saves (docs/contact.md). */
 typedef struct feature {
     vec3 corners[3];
     uint32_t count;
