@@ -17,8 +17,9 @@
 
 /* ---- rows */
 
-/* Two features of three terms each, or a node welded to a body, which has two. */
-enum { CONTACT_TERMS = 8 };
+/* Two features of three terms each; or what is in a hole, which may slide on over the swage: five nodes and a needle that has
+ * two, and three of the wall. */
+enum { CONTACT_TERMS = 10 };
 
 typedef struct contact_term {
     uint32_t block;
@@ -26,6 +27,7 @@ typedef struct contact_term {
     double weight;
     double slope; /* of a sleeve: of the weight, as what is in it slides along the normal, 1/m */
     vec3 arm;     /* turns: from the centre of mass to the contact point */
+    vec3 swing;   /* turns: of the weighted arm what slope is of the weight */
 } contact_term;
 
 /* Which features: what the order of the rows, and memory, go by. */

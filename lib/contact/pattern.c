@@ -57,6 +57,12 @@ static vec3 map_to_block(const contact_term *term, vec3 direction)
     return vec3_scale(v, term->weight);
 }
 
+/* The same of what its weight gains as the row slides on by a metre. */
+static vec3 map_slope_to_block(const contact_term *term, vec3 direction)
+{
+    return term->turns ? vec3_cross(term->swing, direction) : vec3_scale(direction, term->slope);
+}
+
 static inline void add_product(block *to, vec3 left, vec3 right)
 {
     lanes l = lanes_from(left);
@@ -65,21 +71,48 @@ static inline void add_product(block *to, vec3 left, vec3 right)
     to->column[2] = lanes_add(to->column[2], lanes_mul(right.z, l));
 }
 
-/* What slides along a curve takes its force to other terms, and turns it. Without that a bend that runs through would look
- * stiff: its own tension turns too. */
+static bool has_needle(const contact_row *row)
+{
+    for (uint32_t k = 0; k < row->term_count; k++) {
+        if (row->terms[k].turns) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* What slides along a curve takes its force to other terms, and turns it: without that a bend that runs through would look
+ * stiff, as its own tension turns too. And where the curve turns, or has slid on to where it has another direction n, the
+ * force f across it does so as well, since it stays across: by -(f . dn) n, which drives along it, as far as it is not held
+ * there. Of energy stiffness / 2 |point - hole|^2, least over all points of the curve, this is the second derivative, but for
+ * terms that are as small beside it as point - hole is beside a segment. Two things are left out, with which searches found
+ * their states less often (docs/stitch.md): that friction turns with n as nodes move, and all that turns f where a needle is
+ * in it, as the bend at its swage may be sharper than a segment. */
 static void add_sliding(const contact_row *row, const contact_tangent *t, const uint32_t *places,
                         vbss_system *system)
 {
-    uint32_t n = row->term_count;
-    vec3 turned = vec3_scale(row->turn, -vec3_dot(t->force, row->normal));
+    const uint32_t n = row->term_count;
+    const double along = vec3_dot(t->force, row->normal);
+    const vec3 across = vec3_add_scaled(t->force, -along, row->normal);
+    const vec3 turned = vec3_scale(row->turn, -along);
+    const double slides = has_needle(row) ? 0.0 : 1.0 - t->stiffness[0] / row->stiffness;
+    const double bent = slides * vec3_dot(across, row->turn);
     for (uint32_t p = 0; p < n; p++) {
-        vec3 left =
-            vec3_add_scaled(map_to_block(&row->terms[p], turned), -row->terms[p].slope, t->force);
+        const contact_term *of = &row->terms[p];
+        const vec3 here = map_to_block(of, row->normal);
+        const vec3 left = vec3_sub(map_to_block(of, turned), map_slope_to_block(of, t->force));
         for (uint32_t q = 0; q < n; q++) {
-            if (places[p * n + q] != VBSS_NO_PLACE) {
-                add_product(&system->separator_blocks[places[p * n + q]], left,
-                            map_to_block(&row->terms[q], row->normal));
+            uint32_t place = places[p * n + q];
+            if (place == VBSS_NO_PLACE) {
+                continue;
             }
+            block *to = &system->separator_blocks[place];
+            const contact_term *by = &row->terms[q];
+            const vec3 there = map_to_block(by, row->normal);
+            add_product(to, left, there);
+            add_product(
+                to, here,
+                vec3_add_scaled(vec3_scale(there, bent), -slides, map_slope_to_block(by, across)));
         }
     }
 }

@@ -109,24 +109,40 @@ bool vbss_scene_add_hole_rows(scene_object *s)
     return true;
 }
 
-/* Needle and welded nodes move as one: weights and points add up. */
-static void add_needle_terms(contact_row *row, const passage *p, const suture_place *place,
-                             double of_swage)
+/* What a place has of a node. */
+static double number_of(const suture_place *place, const double numbers[SUTURE_NODES],
+                        uint32_t node)
 {
-    const suture_line *line = &p->trial;
-    double weight = place->on_needle + of_swage;
-    vec3 end = vbss_needle_point(line->needle, line->swage);
-    vec3 point = vec3_scale(place->needle, place->on_needle);
-    point = vec3_add_scaled(point, of_swage, end);
-    point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;
-    vbss_scene_add_rigid_terms(row, &p->needle->rigid, pose_apply(line->at, point), weight);
+    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first &&
+               node < place->first + SUTURE_NODES;
+    return own ? numbers[node - place->first] : 0.0;
 }
 
-/* What a place has of a node. */
-static double number_of(const suture_place *place, const double numbers[3], uint32_t node)
+/* Needle and the node that is the swage's move as one: weights and points add up. What nodes behind it lose as the place
+ * slides on, the needle gains. */
+static void add_needle_terms(contact_row *row, const passage *p, const suture_place *place)
 {
-    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first && node < place->first + 3;
-    return own ? numbers[node - place->first] : 0.0;
+    const suture_line *line = &p->trial;
+    const double of_end = number_of(place, place->weights, 0);
+    const double weight = place->on_needle + of_end;
+    const vec3 end = vbss_needle_point(line->needle, line->swage);
+    vec3 point = vec3_scale(place->needle, place->on_needle);
+    point = vec3_add_scaled(point, of_end, end);
+    point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;
+    vbss_scene_add_rigid_terms(row, &p->needle->rigid, pose_apply(line->at, point), weight);
+    contact_term *moves = &row->terms[row->term_count - 2], *turns = moves + 1;
+    if (place->span == SUTURE_ON_NEEDLE) {
+        turns->swing = vec3_neg(place->tangent); /* toward the tip, from which the arc is counted */
+    } else if (place->first == 0) {
+        const vec3 centre = p->needle->rigid.trial.position;
+        const double end_gains = place->slopes[0];
+        for (uint32_t i = 1; i < SUTURE_NODES; i++) {
+            moves->slope -= place->slopes[i];
+        }
+        turns->swing = vec3_scale(vec3_sub(pose_apply(line->at, end), centre), end_gains);
+        turns->swing = vec3_add_scaled(turns->swing, moves->slope - end_gains,
+                                       vec3_sub(pose_apply(line->at, place->needle), centre));
+    }
 }
 
 /* The nodes of a span and of those beside it, with what the place weighs them: it may slide on to those. */
@@ -135,16 +151,19 @@ static void add_thread_terms(const scene_object *s, contact_row *row, const pass
 {
     const thread_object *t = p->thread->thread.thread;
     uint32_t first = span > 2 ? span - 2 : 0, last = t->node_count - 1;
-    last = span + 2 < last ? span + 2 : last;
+    last = span + 3 < last ? span + 3 : last;
     first = p->needle != NULL && first == 0 ? 1 : first; /* the swage is the needle's */
     for (uint32_t i = first; i <= last; i++) {
         uint32_t room = t->welded[i] != 0 ? 2 : 1;
         if (row->term_count + room > CONTACT_TERMS - 3) { /* welds beside each other */
             break;
         }
+        const uint32_t from = row->term_count;
         vbss_scene_add_node_term(s, row, p->thread, i, number_of(place, place->weights, i));
-        if (room == 1) {
-            row->terms[row->term_count - 1].slope = number_of(place, place->slopes, i);
+        for (uint32_t k = from; k < row->term_count; k++) {
+            contact_term *term = &row->terms[k];
+            term->slope = number_of(place, place->slopes, i);
+            term->swing = vec3_scale(term->arm, term->slope);
         }
     }
 }
@@ -181,7 +200,7 @@ void vbss_scene_lay_hole_row(scene_object *s, contact_row *row)
     vbss_hole_lay_row(hole, &d->config, &now, point, s->part_length, row);
     row->term_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
-        add_needle_terms(row, &p, &now, number_of(&now, now.weights, 0));
+        add_needle_terms(row, &p, &now);
     }
     if (span != SUTURE_ON_NEEDLE) {
         add_thread_terms(s, row, &p, &now, span);

@@ -1,62 +1,126 @@
 /* The suture as one curve: a needle's arc, then the thread behind it, by one arc length.
  *
- * A thread is smooth here, or what slides along it would jump at every node: from the middle of a segment over its node to
- * the middle of the next a parabola, a quadratic B-spline (docs/stitch.md). Its span k is that over node k. At the swage one
- * leads from the needle's end into the middle of the first segment; where no span follows, the curve goes on straight. */
+ * A thread is smooth here, or what slides along it would jump at every node: a cubic B-spline with its nodes as control points
+ * (docs/stitch.md), continuous up to its curvature. Its span k is that of segment k; its arc length is the same spline of the
+ * nodes' arc lengths. Where the thread ends the spline ends in its last node, and the curve goes on straight. At the swage it
+ * begins in the needle's end, along the needle. */
 #include "suture/suture.h"
 
-/* How much of the needle belongs to the span over the swage, in radii of its wire. */
-#define SWAGE_LEG 1.0
+#include <string.h>
+
 /* Steps of the search in a span: the last bits take few. */
 enum { STEPS = 24 };
 
 /* ---- spans */
 
+enum { CORNERS = SUTURE_NODES };
+
+/* Four corners with cubic weights of u from 0 to 1: coefficients of its powers. Without a needle the first is node `first`; with
+ * one, over the swage, it is a point of the needle. */
 typedef struct span {
-    vec3 corner[3];    /* control points */
-    double begin;      /* arc length on the line */
-    double leg, other; /* unstretched lengths before and after the node, m */
+    vec3 corner[CORNERS];
+    double arc[CORNERS]; /* arc lengths on the line */
+    double basis[CORNERS][4];
+    uint32_t count, first; /* corners that are; the first node */
+    bool swage;
 } span;
 
-static double leg_of_needle(const suture_line *line)
+static const double spline[CORNERS][4] = {{1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0},
+                                          {4.0 / 6.0, 0.0, -1.0, 0.5},
+                                          {1.0 / 6.0, 0.5, 0.5, -0.5},
+                                          {0.0, 0.0, 0.0, 1.0 / 6.0}};
+
+static void add_weight(double to[4], double share, const double of[4])
 {
-    return SWAGE_LEG * line->needle->config.wire_radius;
+    for (int i = 0; i < 4; i++) {
+        to[i] += share * of[i];
+    }
+}
+
+/* From the needle's end, whence the needle points on, to where the spline is at the first node: Hermite's cubics. */
+static void lay_swage(span *p)
+{
+    static const double h[4][4] = {
+        {1.0, 0.0, -3.0, 2.0}, {0.0, 1.0, -2.0, 1.0}, {0.0, 0.0, 3.0, -2.0}, {0.0, 0.0, -1.0, 1.0}};
+    memset(p->basis, 0, sizeof p->basis);
+    add_weight(p->basis[0], -1.0, h[1]);
+    add_weight(p->basis[1], 1.0, h[0]);
+    add_weight(p->basis[1], 1.0, h[1]);
+    for (int k = 0; k < 3; k++) {
+        add_weight(p->basis[1 + k], k == 1 ? 4.0 / 6.0 : 1.0 / 6.0, h[2]);
+        add_weight(p->basis[1 + k], 0.5 * (k - 1), h[3]);
+    }
+}
+
+/* Beyond the last node one like the one before, on the other side: there the spline ends in the last. */
+static void end_in(span *p, int beyond, int last, int before)
+{
+    add_weight(p->basis[last], 2.0, p->basis[beyond]);
+    add_weight(p->basis[before], -1.0, p->basis[beyond]);
+    memset(p->basis[beyond], 0, sizeof p->basis[beyond]);
 }
 
 static span span_of(const suture_line *line, uint32_t k)
 {
     const double *rest = line->thread->rest;
-    const vec3 *x = line->x;
-    span p = {.leg = k == 0 ? leg_of_needle(line) : 0.5 * rest[k - 1], .other = 0.5 * rest[k]};
-    p.begin = line->swage + vbss_thread_arc_length(line->thread, k) - p.leg;
-    p.corner[0] = k > 0 ? vec3_lerp(x[k - 1], x[k], 0.5)
-                        : pose_apply(line->at, vbss_needle_point(line->needle, p.begin));
-    p.corner[1] = x[k];
-    p.corner[2] = vec3_lerp(x[k], x[k + 1], 0.5);
+    const uint32_t last = line->thread->node_count - 1;
+    span p = {.first = k > 0 ? k - 1 : 0, .swage = k == 0 && line->needle != NULL};
+    memcpy(p.basis, spline, sizeof p.basis);
+    double arc = line->swage + vbss_thread_arc_length(line->thread, p.first);
+    for (uint32_t i = k > 0 ? 0 : 1; i < CORNERS; i++) {
+        uint32_t node = k + i - 1;
+        if (node <= last) {
+            p.corner[i] = line->x[node];
+            p.arc[i] = arc;
+            arc += node < last ? rest[node] : 0.0;
+        }
+    }
+    if (p.swage) {
+        const needle_object *n = line->needle;
+        vec3 back = vec3_add_scaled(vbss_needle_point(n, line->swage), rest[0],
+                                    vbss_needle_direction(n, line->swage));
+        p.corner[0] = pose_apply(line->at, back);
+        p.arc[0] = line->swage - rest[0];
+        lay_swage(&p);
+    } else if (k == 0) {
+        end_in(&p, 0, 1, 2);
+    }
+    if (k + 1 == last) {
+        end_in(&p, 3, 2, 1);
+    }
     return p;
 }
 
-static vec3 point_at(const span *p, double u)
+/* Derivatives of the weights: of order 0, 1, 2. */
+static void weigh(const span *p, double u, int order, double weights[CORNERS])
 {
-    vec3 a = vec3_lerp(p->corner[0], p->corner[1], u), b = vec3_lerp(p->corner[1], p->corner[2], u);
-    return vec3_lerp(a, b, u);
+    for (int i = 0; i < CORNERS; i++) {
+        const double *b = p->basis[i];
+        weights[i] = order == 0   ? ((b[3] * u + b[2]) * u + b[1]) * u + b[0]
+                     : order == 1 ? (3.0 * b[3] * u + 2.0 * b[2]) * u + b[1]
+                                  : 6.0 * b[3] * u + 2.0 * b[2];
+    }
 }
 
-/* Half the derivative with u. */
-static vec3 way_at(const span *p, double u)
+static vec3 sum_of(const span *p, const double weights[CORNERS])
 {
-    return vec3_lerp(vec3_sub(p->corner[1], p->corner[0]), vec3_sub(p->corner[2], p->corner[1]), u);
+    vec3 sum = vec3_zero();
+    for (int i = 0; i < CORNERS; i++) {
+        sum = vec3_add_scaled(sum, weights[i], p->corner[i]);
+    }
+    return sum;
 }
 
-/* Exact where the thread is straight and not stretched. */
-static double arc_at(const span *p, double u)
+static vec3 curve_at(const span *p, double u, int order)
 {
-    return p->begin + 2.0 * p->leg * u + (p->other - p->leg) * u * u;
+    double weights[CORNERS];
+    weigh(p, u, order, weights);
+    return sum_of(p, weights);
 }
 
 static double slope_at(const span *p, vec3 to, double u)
 {
-    return vec3_dot(vec3_sub(point_at(p, u), to), way_at(p, u));
+    return vec3_dot(vec3_sub(curve_at(p, u, 0), to), curve_at(p, u, 1));
 }
 
 /* The slope is below 0 at 0 and above at 1: false position, with an end that stays counted half (Illinois). */
@@ -89,48 +153,51 @@ static double nearest_within(const span *p, vec3 to)
 
 static suture_place place_in(const suture_line *line, uint32_t k, const span *p, double u)
 {
-    double before = (1.0 - u) * (1.0 - u), after = 0.5 * u * u;
-    suture_place place = {.arc = arc_at(p, u), .point = point_at(p, u), .span = k};
-    double speed = 2.0 * (p->leg + (p->other - p->leg) * u), size = vec3_norm(way_at(p, u));
-    vec3 bend =
-        vec3_sub(vec3_sub(p->corner[2], p->corner[1]), vec3_sub(p->corner[1], p->corner[0]));
-    place.tangent = vec3_unit_or(vec3_neg(way_at(p, u)), vec3_make(1.0, 0.0, 0.0));
-    bend = vec3_add_scaled(bend, -vec3_dot(bend, place.tangent), place.tangent);
-    place.turn = size > 0.0 ? vec3_scale(bend, -1.0 / (size * speed)) : vec3_zero();
-    place.first = k > 0 ? k - 1 : 0;
-    if (k > 0) {
-        place.weights[0] = 0.5 * before;
-        place.weights[1] = 1.0 - 0.5 * before - after;
-        place.weights[2] = after;
-        place.slopes[0] = (u - 1.0) / speed;
-        place.slopes[1] = (1.0 - 2.0 * u) / speed;
-        place.slopes[2] = u / speed;
-    } else {
-        place.on_needle = before;
+    double weights[CORNERS], slopes[CORNERS];
+    suture_place place = {.span = k, .first = p->first};
+    weigh(p, u, 0, weights);
+    weigh(p, u, 1, slopes);
+    const vec3 way = sum_of(p, slopes), bend = curve_at(p, u, 2);
+    const double size = vec3_norm(way), speed = size > 0.0 ? size : line->thread->rest[k];
+    place.point = sum_of(p, weights);
+    place.tangent = vec3_unit_or(vec3_neg(way), vec3_make(1.0, 0.0, 0.0));
+    place.turn = vec3_add_scaled(bend, -vec3_dot(bend, place.tangent), place.tangent);
+    place.turn = vec3_scale(place.turn, -1.0 / (speed * speed));
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        place.arc += weights[i] * p->arc[i];
+        if (k > 0 || i > 0) {
+            place.weights[k + i - 1 - p->first] = weights[i];
+            place.slopes[k + i - 1 - p->first] = slopes[i] / speed;
+        }
+    }
+    if (p->swage) {
+        place.on_needle = weights[0];
         place.needle = pose_apply_inverse(line->at, p->corner[0]);
-        place.weights[0] = 1.0 - before - after;
-        place.weights[1] = after;
-        place.slopes[0] = (2.0 - 3.0 * u) / speed;
-        place.slopes[1] = u / speed;
     }
     return place;
 }
 
-/* On along the segment at the begin or the end of span k. */
+/* On along the segment at the begin or the end of the thread, or of what is looked at. */
 static suture_place place_beyond(const suture_line *line, uint32_t k, const span *p, bool at_end,
                                  vec3 to)
 {
     suture_place place = place_in(line, k, p, at_end ? 1.0 : 0.0);
-    uint32_t segment = at_end ? k : k - 1;
-    vec3 along = vec3_sub(line->x[segment + 1], line->x[segment]);
-    double square = vec3_norm_squared(along);
-    double share = square > 0.0 ? vec3_dot(vec3_sub(to, place.point), along) / square : 0.0;
-    place.arc += share * line->thread->rest[segment];
-    place.point = vec3_add_scaled(place.point, share, along);
-    uint32_t i = segment - place.first;
-    place.weights[i] -= share;
-    place.weights[i + 1] += share;
+    double weights[CORNERS], on = -vec3_dot(vec3_sub(to, place.point), place.tangent);
+    weigh(p, at_end ? 1.0 : 0.0, 1, weights);
+    double size = vec3_norm(sum_of(p, weights)), share = size > 0.0 ? on / size : 0.0;
+    place.point = vec3_add_scaled(place.point, -on, place.tangent);
+    for (uint32_t i = k > 0 ? 0 : 1; i < CORNERS; i++) {
+        place.weights[k + i - 1 - p->first] += share * weights[i];
+    }
+    place.on_needle += p->swage ? share * weights[0] : 0.0;
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        place.arc += share * weights[i] * p->arc[i];
+    }
     place.turn = vec3_zero();
+    memset(place.slopes, 0, sizeof place.slopes);
+    for (uint32_t i = k > 0 ? 0 : 1; i < CORNERS && size > 0.0; i++) {
+        place.slopes[k + i - 1 - p->first] = weights[i] / size;
+    }
     return place;
 }
 
@@ -150,19 +217,20 @@ static uint32_t last_span(const suture_line *line)
     return line->thread->node_count - 2;
 }
 
-static uint32_t first_span(const suture_line *line)
+/* Of a span's begin. */
+static double arc_of_joint(const suture_line *line, uint32_t k)
 {
-    return line->needle != NULL ? 0 : 1;
+    const double *rest = line->thread->rest;
+    return line->swage + vbss_thread_arc_length(line->thread, k) + (rest[k] - rest[k - 1]) / 6.0;
 }
 
 uint32_t vbss_suture_span_at(const suture_line *line, double arc)
 {
-    double left = arc - line->swage;
     uint32_t k = 0, last = last_span(line);
-    while (k < last && left > 0.5 * line->thread->rest[k]) {
-        left -= line->thread->rest[k++];
+    while (k < last && arc > arc_of_joint(line, k + 1)) {
+        k++;
     }
-    return k < first_span(line) ? first_span(line) : k;
+    return k;
 }
 
 /* Downhill from a span to the next place that is nearest, among spans low to high. */
@@ -170,14 +238,14 @@ static suture_place search_thread(const suture_line *line, uint32_t from, uint32
                                   uint32_t high, vec3 to)
 {
     uint32_t k = from < low ? low : from > high ? high : from;
-    vec3 seen = pose_apply_inverse(line->at, to);
     for (int way = 0;;) {
         const span p = span_of(line, k);
         bool back = slope_at(&p, to, 0.0) > 0.0, on = slope_at(&p, to, 1.0) < 0.0;
         if (back && way <= 0) {
-            if (k == 0) {
-                return place_on_needle(line,
-                                       lesser(vbss_needle_nearest(line->needle, seen), p.begin));
+            if (p.swage) {
+                vec3 seen = pose_apply_inverse(line->at, to);
+                return place_on_needle(
+                    line, lesser(vbss_needle_nearest(line->needle, seen), line->swage));
             }
             if (k == low) {
                 return place_beyond(line, k, &p, false, to);
@@ -199,10 +267,9 @@ static suture_place search_thread(const suture_line *line, uint32_t from, uint32
 static suture_place search(const suture_line *line, double from, uint32_t low, uint32_t high,
                            vec3 to)
 {
-    double swage = line->needle == NULL ? 0.0 : line->swage - leg_of_needle(line);
-    if (line->needle != NULL && from < swage) {
+    if (line->needle != NULL && from < line->swage) {
         double arc = vbss_needle_nearest(line->needle, pose_apply_inverse(line->at, to));
-        if (arc < swage) {
+        if (arc < line->swage) {
             return place_on_needle(line, arc);
         }
     }
@@ -215,12 +282,12 @@ suture_place vbss_suture_nearest(const suture_line *line, double from, vec3 to)
         return place_on_needle(line,
                                vbss_needle_nearest(line->needle, pose_apply_inverse(line->at, to)));
     }
-    return search(line, from, first_span(line), last_span(line), to);
+    return search(line, from, 0, last_span(line), to);
 }
 
 suture_place vbss_suture_nearest_by(const suture_line *line, uint32_t by, double from, vec3 to)
 {
-    uint32_t low = by > first_span(line) ? by - 1 : by;
+    uint32_t low = by > 0 ? by - 1 : by;
     uint32_t high = by < last_span(line) ? by + 1 : by;
     return search(line, from, low, high, to);
 }
@@ -232,7 +299,7 @@ static void directions_at(const suture_line *line, const suture_place *place, ve
 {
     const thread_object *t = line->thread;
     uint32_t k = place->span, last = t->node_count - 1;
-    uint32_t before = k > 2 ? k - 2 : 0, after = k + 2 <= last ? k + 1 : last - 1;
+    uint32_t before = k > 1 ? k - 2 : 0, after = k + 3 <= last ? k + 2 : last - 1;
     way[0] = vec3_sub(line->x[before], line->x[before + 1]);
     if (k < 2 && line->needle != NULL) {
         way[0] =

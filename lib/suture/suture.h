@@ -42,16 +42,17 @@ typedef struct suture_line {
 } suture_line;
 
 #define SUTURE_ON_NEEDLE UINT32_MAX
-/* A place on it: moved by the needle, by three nodes of the thread, or by both. */
+enum { SUTURE_NODES = 4 };
+/* A place on it: moved by the needle, by nodes of the thread, or by both. */
 typedef struct suture_place {
     double arc;
     vec3 point, tangent; /* tangent: unit, toward the tip */
     double on_needle;    /* weight of the needle's point, which is in its frame: */
     vec3 needle;
     uint32_t span, first; /* of the thread: which, and the first node */
-    double weights[3];
-    double slopes[3]; /* of the weights with the arc length, 1/m */
-    vec3 turn;        /* of the tangent with it, 1/m */
+    double weights[SUTURE_NODES];
+    double slopes[SUTURE_NODES]; /* of the weights along the curve as it is, 1/m */
+    vec3 turn;                   /* of the tangent the same, 1/m */
 } suture_place;
 
 /* Threads of two nodes are no curve. */

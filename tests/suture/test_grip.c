@@ -1,6 +1,7 @@
 /* What friction is worth in a bend: Euler and Eytelwein's rope round a post, T2 = T1 exp(mu theta), in components along and
  * across what runs through. */
 #include "curve_fixture.h"
+#include "fixture.h"
 
 enum { NODES = 41, CORNER = 20 };
 static const double fine = 0.05e-3;
@@ -16,12 +17,10 @@ static void lay_bend(laid *l, double theta)
     }
 }
 
-/* The middle of the parabola over the corner: its tangent halves the bend. */
+/* Where the two spans beside the corner join: the tangent halves the bend. */
 static suture_place middle_of_bend(const laid *l)
 {
-    vec3 middle = vec3_lerp(middle_of(l, CORNER - 1), middle_of(l, CORNER), 0.5);
-    middle = vec3_lerp(middle, l->x[CORNER], 0.5);
-    return vbss_suture_nearest(&l->line, CORNER * fine, middle);
+    return vbss_suture_nearest(&l->line, CORNER * fine, by_hand(l, CORNER, 0.0).point);
 }
 
 /* As much as a straight suture rubs is mixed in for bends that are none. */
@@ -75,19 +74,19 @@ static void straight_on_it_is_the_coefficient(void **state)
 }
 
 /* Nearer to one limb than to the other, it holds back more against what runs toward the nearer: the pull of that limb, which is
- * the greater by then, is along. */
+ * the greater by then, is along. Bent are the two spans beside the corner; those beside them look at the bend too. */
 static void beside_the_middle_the_two_ways_differ(void **state)
 {
     (void)state;
     const double theta = 1.2, mu = 0.4;
     laid l;
     lay_bend(&l, theta);
-    const vec3 low = middle_of(&l, CORNER - 1), high = middle_of(&l, CORNER);
-    for (int i = 0; i <= 20; i++) {
-        double u = i / 20.0, grip[2], e = exp(mu * theta);
-        vec3 a = vec3_lerp(low, l.x[CORNER], u), b = vec3_lerp(l.x[CORNER], high, u);
-        const suture_place place =
-            vbss_suture_nearest(&l.line, (CORNER - 0.4 + 0.8 * u) * fine, vec3_lerp(a, b, u));
+    for (int i = -19; i <= 19; i++) {
+        const double along = 0.1 * i, e = exp(mu * theta);
+        const uint32_t span = (uint32_t)(CORNER + (int)floor(along));
+        const hand_place at = by_hand(&l, span, along - floor(along));
+        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        double grip[2];
         vbss_suture_grip(&l.line, &place, mu, grip);
         /* angles of the tangent with the limb on the tip's side and with the other */
         double first = atan2(-place.tangent.y, -place.tangent.x), other = theta - first;
@@ -95,11 +94,12 @@ static void beside_the_middle_the_two_ways_differ(void **state)
                     1e-8);
         expect_near(mixed(e * cos(other) - cos(first), e * sin(other) + sin(first), mu), grip[1],
                     1e-8);
-        assert_true(i == 10 || (grip[0] > grip[1]) == (i < 10));
+        assert_true((first > 1e-9) == (i > -10) && (other > 1e-9) == (i < 10));
+        assert_true(i == 0 || (grip[0] > grip[1]) == (i < 0));
     }
 }
 
-/* The bend is that of what is beyond the nodes which the place moves: a bend three spans away is none of its. */
+/* The bend is that of what is beyond the nodes which the place moves: from the segment two before its own to that two after. */
 static void only_what_is_near_bends_it(void **state)
 {
     (void)state;
@@ -108,13 +108,44 @@ static void only_what_is_near_bends_it(void **state)
     lay_bend(&l, 1.5);
     lay_bend(&plain, 0.0);
     for (uint32_t k = CORNER - 6; k <= CORNER + 6; k++) {
-        const suture_place place = vbss_suture_nearest(&l.line, k * fine, l.x[k]);
-        const suture_place other = vbss_suture_nearest(&plain.line, k * fine, plain.x[k]);
+        const hand_place at = by_hand(&l, k, 0.5), even = by_hand(&plain, k, 0.5);
+        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        const suture_place other = vbss_suture_nearest(&plain.line, even.arc, even.point);
+        assert_int_equal(place.span, k);
         vbss_suture_grip(&l.line, &place, 0.5, bent);
         vbss_suture_grip(&plain.line, &other, 0.5, straight);
-        bool near = k + 1 >= CORNER && k <= CORNER + 1;
+        bool near = k + 2 >= CORNER && k <= CORNER + 1;
         assert_int_equal(fabs(bent[0] - straight[0]) + fabs(bent[1] - straight[1]) > 0.05, near);
     }
+}
+
+/* A straight thread under an angle with its needle: the first two spans are moved by the swage, and beyond is the needle. */
+static void behind_the_swage_it_comes_from_the_needle(void **state)
+{
+    (void)state;
+    const double mu = 0.5;
+    fixture f;
+    laid l;
+    begin(&f);
+    const double swage = vbss_needle_length(f.n);
+    const vec3 out = vec3_neg(vbss_needle_direction(f.n, swage));
+    const vec3 way = vec3_unit_or(vec3_add(out, vec3_any_normal(out)), out);
+    lay_nodes(&l, 8);
+    l.line.needle = f.n;
+    l.line.swage = swage;
+    l.x[0] = vbss_needle_point(f.n, swage);
+    for (uint32_t i = 1; i < 8; i++) {
+        lay_on(&l, i, 1e-3, way);
+    }
+    for (uint32_t k = 0; k < 6; k++) {
+        const hand_place at = by_hand(&l, k, 0.7);
+        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        double grip[2];
+        assert_int_equal(place.span, k);
+        vbss_suture_grip(&l.line, &place, mu, grip);
+        assert_int_equal(fabs(grip[0] - mu) + fabs(grip[1] - mu) > 0.05, k < 2);
+    }
+    end(&f);
 }
 
 int test_grip(void)
@@ -124,6 +155,7 @@ int test_grip(void)
         cmocka_unit_test(straight_on_it_is_the_coefficient),
         cmocka_unit_test(beside_the_middle_the_two_ways_differ),
         cmocka_unit_test(only_what_is_near_bends_it),
+        cmocka_unit_test(behind_the_swage_it_comes_from_the_needle),
     };
     return cmocka_run_group_tests_name("suture.grip", tests, NULL, NULL);
 }
