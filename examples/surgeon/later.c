@@ -4,6 +4,8 @@
 /* The second and third throw: each mirrors the one before, so that the knot is square. */
 #define WRAP_TIP_X \
     0.018 /* of W, so that what stands up to it is behind the turns, and C's needle clear of it */
+/* Where C is the hand that it was in the first throw: its needle was led past the limb on the wrong side, and hooked it. */
+#define WRAP_TIP_FARTHER 0.026
 #define TURN_ROOM 0.045  /* m of the limb are left to go round W: that high is W */
 #define TURN_PLACE 0.010 /* behind W's tip */
 #define SLACK 0.97
@@ -12,11 +14,13 @@
     0.05 /* N, of both hands while the tail is drawn: else what is tied goes to one side */
 #define SLACK_TAIL \
     0.75 /* share of the tail that W goes to then, until the turns are off its jaws */
-#define LEAST_HEIGHT 5e-3   /* m above the drain's top, of W then */
-#define LOW 0.015           /* m below the drain's top, to where both pull: the floor is not far */
-#define FAR 0.05            /* m farther out than C may be already */
-#define ASKEW (-PI / 4.0)   /* so that the ends do not go straight back over what is tied */
-#define PULL 1.5            /* N, of both hands in the end */
+#define LEAST_HEIGHT 5e-3 /* m above the drain's top, of W then */
+#define LOW 0.015         /* m below the drain's top, to where both pull: the floor is not far */
+#define FAR 0.05          /* m farther out than C may be already */
+#define ASKEW (-PI / 4.0) /* so that the ends do not go straight back over what is tied */
+#define PULL 2.0          /* N, of both hands in the end, at most */
+#define PULL_KEPT 1.5
+#define CATCHES 3
 #define OFF_FLOOR 2e-3      /* m, where W takes the tail */
 #define BLADES_CLEAR 2.5e-3 /* m off the drain, which open blades would push */
 #define NEAR_SIDE v3(-0.08, -0.3, 0.15)
@@ -36,7 +40,9 @@ vbss_result surgeon_begin_later(surgeon *s)
     TRY(senses_find_roots(e));
     throw_plan_on_top(&plan);
     double limb = senses_length(e, e->limb_root, e->c->node);
-    plan.wrap_tip = v3(WRAP_TIP_X, 0.0, clamp(limb - TURN_ROOM, 0.03, 0.07));
+    bool kept = s->mistake == SURGEON_KEPT, third = s->stage == SURGEON_THIRD;
+    plan.wrap_tip =
+        v3(third || kept ? WRAP_TIP_FARTHER : WRAP_TIP_X, 0.0, clamp(limb - TURN_ROOM, 0.03, 0.07));
     plan.s0 = TURN_PLACE;
     plan.slack = SLACK;
     plan.firm = true;
@@ -44,12 +50,17 @@ vbss_result surgeon_begin_later(surgeon *s)
     plan.light = plan.drawn = ALIKE;
     plan.low = LOW;
     plan.far = FAR;
-    plan.askew = ASKEW;
+    /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
+     * for that is the first one's, too. */
+    plan.catches = CATCHES;
+    plan.again = !kept;
+    plan.back = !kept && !third;
+    plan.down = !plan.back;
+    plan.askew = kept ? ASKEW : 0.0;
     plan.off_floor = OFF_FLOOR;
     plan.reach = SLACK_TAIL;
     plan.least_height = LEAST_HEIGHT;
-    plan.down = true;
-    plan.pull = PULL;
+    plan.pull = kept ? PULL_KEPT : PULL;
     surgeon_hold_level(s);
     s->shut = 0.0;
     throw_begin(&s->tie, e, &plan);

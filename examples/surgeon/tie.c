@@ -5,7 +5,9 @@
  * which lies on the drain and beyond. */
 #define LEVEL v3(-0.3, 0.03, 0.07)
 #define STEEP v3(-0.15, -0.02, 0.2)
-#define SWAY 0.2 /* m/s, from one to the other */
+#define NEAR_SIDE \
+    v3(-0.05, -0.2, 0.15) /* so that the shaft is not over the knot when its tip is beyond it */
+#define SWAY 0.2          /* m/s, from one to the other */
 #define OTHER v3(0.3, -0.05, 0.1)
 #define WRAP_TIP v3(0.014, 0.0, 0.07)
 #define WINDING \
@@ -13,6 +15,21 @@
 #define LOW 0.02   /* m below the drain's top, to where both hands pull */
 #define ENOUGH 1.0 /* N, of both hands, if the slit is shut */
 #define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
+/* Of the second throw: open no wider than that between the lips, both hands pull so much; or less, if the drain goes with one of them. */
+#define SHUT_AGAIN 0.3e-3
+#define ENOUGH_AGAIN 1.6
+#define LESS_AGAIN 0.8
+#define LONGER 1.5 /* s: so long then */
+#define MORE 0.3   /* N, of both, each time it is pulled again; */
+#define MORE_LESS 0.2
+/* Eased, it is pulled again if it has sprung open wider than that, and so often. */
+#define SPRUNG_SECOND 0.25e-3
+#define SPRUNG_THIRD 0.4e-3
+#define AGAIN_SECOND 4
+#define AGAIN_THIRD 2
+/* Not tight in time it is eased all the same if both ends bear so much, N: harder pulled, its lips slip past each other. */
+#define LATE 11.0 /* s */
+#define AT_ALL 0.3
 #define INWARD 0.3   /* of ahead: the thread on the orbit */
 #define A_MOMENT 0.3 /* s */
 
@@ -62,7 +79,8 @@ static void sway(surgeon *s, double dt)
 {
     hand *h = s->see.w;
     bool steep = s->tie.state == THROW_TAIL || s->tie.state == THROW_CLOSE;
-    vec way = v_sub(seen(h, steep ? STEEP : LEVEL), h->trocar);
+    bool back = s->tie.plan.back && s->tie.state >= THROW_LOWER;
+    vec way = v_sub(seen(h, back ? NEAR_SIDE : steep ? STEEP : LEVEL), h->trocar);
     hand_through(h, v_add(h->trocar, v_limit(way, SWAY * h->nature.speed * dt)));
 }
 
@@ -104,6 +122,34 @@ vbss_result surgeon_look(surgeon *s)
     return s->steps % 10 == 0 ? senses_wind(&s->see) : VBSS_OK;
 }
 
+static double since_when(bool is, double time, double dt)
+{
+    return is ? time + dt : 0.0;
+}
+
+/* Pulled on when the slit is shut, its lips might slip past each other. The third is pulled as hard as its plan has it. */
+static void watch_slit(surgeon *s, double dt)
+{
+    throw_run *t = &s->tie;
+    bool first = !t->plan.again, second = !first && s->stage == SURGEON_SECOND;
+    double weaker = fmin(s->see.tension_w, s->see.tension_c);
+    double enough = first ? ENOUGH : ENOUGH_AGAIN + MORE * t->pulls;
+    bool met = t->state == THROW_SEAT && (first ? s->edges < SHUT : s->gap < SHUT_AGAIN);
+    bool calm = met && second && weaker > LESS_AGAIN + MORE_LESS * t->pulls;
+    s->shut = since_when(met && (first || second) && weaker > enough, s->shut, dt);
+    s->calm = since_when(calm, s->calm, dt);
+    bool again = t->pulls < (second ? AGAIN_SECOND : AGAIN_THIRD);
+    bool late = !first && t->closed > 0.0 && throw_pulled_for(t) > LATE && weaker > AT_ALL;
+    if (s->shut > A_MOMENT || s->calm > LONGER || late) {
+        throw_seated(t);
+        s->shut = s->calm = 0.0;
+        s->late = late;
+    } else if (again && throw_is_eased(t) &&
+               s->gap > (second && !s->late ? SPRUNG_SECOND : SPRUNG_THIRD)) {
+        throw_pull_again(t);
+    }
+}
+
 vbss_result surgeon_tie(surgeon *s, double dt)
 {
     sway(s, dt);
@@ -119,11 +165,6 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
         raise_needle(s);
     }
-    bool shut = s->tie.state == THROW_SEAT && s->edges < SHUT && s->see.tension_w > ENOUGH &&
-                s->see.tension_c > ENOUGH;
-    s->shut = shut ? s->shut + dt : 0.0;
-    if (s->shut > A_MOMENT) { /* more might shift its lips past each other */
-        s->tie.state = THROW_DONE;
-    }
+    watch_slit(s, dt);
     return VBSS_OK;
 }

@@ -1,6 +1,10 @@
 #include "throw/states.h"
 
 #define UPRIGHT (0.5 * PI)
+enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
+#define STUCK 1.5          /* s: drawn so long as far round as W goes, the turn hangs at its tip */
+#define HARDER (1.0 / 1.5) /* more of both forces per s then */
+#define LONG_DRAWN 6.0     /* s */
 
 /* Open jaws do not get at what lies on the floor: told to, they press on it. */
 static uint32_t place_of_tail(const throw_run *t)
@@ -11,6 +15,21 @@ static uint32_t place_of_tail(const throw_run *t)
         node++;
     }
     return node;
+}
+
+/* Whether the tail is caught once more, nearer to the drain. */
+static bool is_caught_elsewhere(throw_run *t)
+{
+    if (t->refused >= t->plan.catches) {
+        return false;
+    }
+    t->refused++;
+    t->plan.tail_node += NEXT_PLACE;
+    hand_open(t->see->w, t->plan.opening);
+    catch_begin(&t->grip, t->see, t->see->w, t->plan.tail_node, t->plan.opening, 0.06);
+    t->grip.behind = t->plan.behind;
+    throw_enter(t, THROW_TAIL);
+    return true;
 }
 
 void throw_tail(throw_run *t, double dt)
@@ -24,7 +43,7 @@ void throw_tail(throw_run *t, double dt)
     steer_keep(t, dt);
     if (t->grip.state == CATCH_HELD) {
         throw_enter(t, THROW_CLOSE);
-    } else if (t->grip.state == CATCH_MISSED) {
+    } else if (t->grip.state == CATCH_MISSED && !is_caught_elsewhere(t)) {
         throw_fail(t, "tail not caught");
     }
 }
@@ -48,11 +67,19 @@ vbss_result throw_close(throw_run *t, double dt)
         t->clear = 0.0;
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_DRAW);
-    } else {
+    } else if (!is_caught_elsewhere(t)) {
         t->refused++;
         throw_fail(t, "wrong knot at the catch");
     }
     return VBSS_OK;
+}
+
+/* Drawn for long, the limb may lie on W's jaws still, with no turn about them. */
+static bool is_off_jaws(const throw_run *t)
+{
+    bool rests =
+        t->plan.again && t->far_round > 0.0 && t->since > LONG_DRAWN && t->see->turns < 0.6;
+    return t->see->last == 0 || rests;
 }
 
 /* Has the end come through, whatever the tools hold? */
@@ -61,7 +88,7 @@ static vbss_result is_formed(throw_run *t, bool *formed)
     const vbss_knot_state *k = &t->formed.state;
     TRY(senses_judge(t->see, false, &t->formed));
     *formed = k->throw_count > t->throws_before && k->verdict == VBSS_KNOT_VERDICT_CERTIFIED &&
-              t->see->last == 0;
+              is_off_jaws(t);
     return VBSS_OK;
 }
 
@@ -88,13 +115,15 @@ vbss_result throw_draw(throw_run *t, double dt)
     double length = 0.97 * senses_length(s, s->w->node, t->tail_root);
     double speed = t->angle * 180.0 / PI < 50.0 ? 0.03 : 0.02;
     if (s->tension_w < t->plan.drawn + 0.05) {
-        t->angle = fmin(t->angle + speed / length * dt, PI * 160.0 / 180.0);
+        t->angle = fmin(t->angle + speed / length * dt, DRAWN_ROUND);
     }
     if (t->plan.soft && t->angle > UPRIGHT) {
         hand_turn(s->w, OUTWARD); /* lest the last turn hang on its jaws */
     }
-    throw_on_leash(t, t->plan.drawn, dt);
-    throw_follow(t, dt);
+    t->far_round = t->plan.again && t->angle > DRAWN_ROUND - 2e-3 ? t->far_round + dt : 0.0;
+    double harder = 1.0 + HARDER * fmax(t->far_round - STUCK, 0.0);
+    throw_on_leash(t, t->plan.drawn * harder, dt);
+    throw_follow(t, s->last > 0 ? t->plan.light * harder : t->plan.light, dt);
     if (t->plan.mistake >= THROW_TO_HANDLE && t->plan.mistake <= THROW_DROPPED) {
         draw_in_vain(t, dt);
         return VBSS_OK;

@@ -8,15 +8,34 @@
 #define BESIDE_ASKEW (PI * 190.0 / 180.0) /* the drain is in the way */
 #define ABOVE_ASKEW 0.01                  /* m, of C: the same */
 #define UNLIKE 0.15                       /* N, of one end more than of the other */
-#define FAR_W (-0.07)                     /* m, to where both pull in the end */
+#define ROUND 1.5                 /* rad/s, of both hands about the knot when they go back */
+#define SLACK_BACK 0.75           /* share of either end's length that they are from it then */
+#define BACK (PI * 178.0 / 180.0) /* where they go: W's shaft is not over the knot */
+#define BACK_W 1e-3               /* m above the drain's top, of W then */
+#define BACK_C 2e-3
+#define PART_C 10e-3      /* as it leaves */
+#define SLACK_FORCE 0.03  /* N */
+#define EASING 3.0        /* s, at most */
+#define EASED 0.15        /* s, slack */
+#define LEFT_ALONE 0.3    /* s: then it is done, if no hand is on the other's side */
+#define AHEAD 0.3         /* N, of what is asked for over what the weaker end bears */
+#define UNLIKE_LEAST 0.05 /* of slack ends */
+#define UNLIKE_SHARE 0.3  /* in between, of the weaker one's */
+#define LEAN 120.0        /* N/m: so much less, of the end to which the drain has gone */
+#define LEAN_MOST 1.0     /* N */
+#define EASY 0.1          /* N: less is nearly slack */
+#define QUICK 0.4         /* m/s per N that is missing, while it is */
+#define STIFF 0.02        /* then */
+#define PULLING 0.02      /* m/s, at most */
+#define FAR_W (-0.07)     /* m, to where both pull in the end */
 #define FAR_C 0.095
 #define LOW 0.003 /* m above the drain's top, where it has come down */
 
 /* C follows to the right, and gives way toward W. */
-void throw_follow(throw_run *t, double dt)
+void throw_follow(throw_run *t, double least, double dt)
 {
     const senses *s = t->see;
-    double speed = 0.03, least = t->plan.light;
+    double speed = 0.03;
     vec way = v3(1.0, 0.0, -0.3);
     if (t->plan.soft) { /* down by the far side, then along the drain's top */
         double far = s->tool_c.tip.y < FAR_SIDE ? 0.6 : 0.0;
@@ -63,7 +82,7 @@ void throw_lower(throw_run *t, double dt)
     hand_turn(s->w, OUTWARD);
     t->angle = fmin(t->angle + 0.04 / t->leash * dt, PI * 173.0 / 180.0);
     throw_on_leash(t, 0.05, dt);
-    throw_follow(t, dt);
+    throw_follow(t, t->plan.light, dt);
     bool low = (t->angle > PI * 172.0 / 180.0 && s->tool_w.tip.z < 6e-3) || t->since > 3.0;
     if (low && t->plan.mistake == THROW_SLACK) {
         throw_enter(t, THROW_DONE);
@@ -152,11 +171,79 @@ static bool is_taken_up(throw_run *t, double dt)
     return false;
 }
 
+/* About the knot, toward an angle. */
+static vec go_round(double *angle, double to, double rate, double radius, double height, double dt)
+{
+    *angle += clamp(to - *angle, -rate * dt, rate * dt);
+    return v3(radius * cos(*angle), radius * sin(*angle), height);
+}
+
+/* Both hands go back to where the throw below was pulled from, W by the near side, C by the far one, and both ends stay slack.
+ * Pulled from there a turn is a hitch that runs down, and what is below is drawn tight again; pulled the flat way it is rolled open, and locked so. */
+static bool are_back(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    if (!t->plan.back || t->closed > 0.0) {
+        return true;
+    }
+    if (t->round_w == 0.0) {
+        vec w = steer_jaws_of(&s->tool_w);
+        double angle = atan2(w.y, w.x);
+        t->round_w = angle > 0.0 ? angle - 2.0 * PI : angle;
+        t->round_c = atan2(s->held_c.y, s->held_c.x);
+    }
+    double rate = ROUND * s->c->nature.speed;
+    double of_w = SLACK_BACK * senses_length(s, s->w->node, t->tail_root);
+    double of_c = SLACK_BACK * senses_length(s, t->limb_root, s->c->node);
+    vec w = go_round(&t->round_w, BACK - PI, rate, of_w, BACK_W, dt);
+    vec c = go_round(&t->round_c, BACK, rate, of_c, BACK_C, dt);
+    hand_go(s->w, v_along(w, -GRASP_BEHIND, s->tool_w.handle), 0.08);
+    hand_go(s->c, steer_tip_of(t, c), 0.15);
+    bool round = t->round_c == BACK && t->round_w == BACK - PI;
+    if ((round && v_distance(s->held_c, c) < 8e-3) || t->since > 10.0) {
+        t->closed = t->since;
+        t->carrot_w = s->tool_w.tip;
+        t->carrot_c = s->tool_c.tip;
+    }
+    return false;
+}
+
+/* How much farther toward W than toward C the drain has gone: the thread's places in it. */
+static double lean_to_w(const senses *s)
+{
+    const uint32_t *marks = s->stand->marks;
+    return 0.5 * (s->x[marks[0]].x + s->x[marks[1]].x);
+}
+
+static void draw_to(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, double wanted,
+                    double dt)
+{
+    double gain = felt < EASY ? QUICK : STIFF;
+    draw(h, p, carrot, to, clamp(gain * (wanted - felt), -PULLING, PULLING), dt);
+}
+
+/* From there both ends alike, and what the hands feel is not all: the thread rubs on the drain, which must not go with either. */
+static void pull_back(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    const double full = t->plan.pull;
+    double weaker = fmin(s->tension_w, s->tension_c);
+    double unlike = fmin(UNLIKE_LEAST + UNLIKE_SHARE * weaker, UNLIKE);
+    double lean = clamp(LEAN * lean_to_w(s), -LEAN_MOST, LEAN_MOST);
+    t->asked = fmin(fmin(t->asked + RISE * dt, weaker + AHEAD), full);
+    double of_w = fmin(t->asked, s->tension_c + unlike - lean);
+    double of_c = fmin(t->asked, s->tension_w + unlike + lean);
+    vec w = outward(t, FAR_C), c = outward(t, FAR_W);
+    draw_to(s->w, &s->tool_w, &t->carrot_w, w, s->tension_w, of_w, dt);
+    draw_to(s->c, &s->tool_c, &t->carrot_c, c, s->tension_c, of_c, dt);
+    t->clear += weaker > 0.9 * full ? dt : 0.0;
+}
+
 /* Both ends alike and downward: pulled unlike, a throw on another one locks before it is down. */
 static void pull_alike(throw_run *t, double dt)
 {
     senses *s = t->see;
-    const double full = t->plan.pull, more = t->plan.down ? UNLIKE : full;
+    const double full = t->plan.pull, more = t->plan.down && !t->plan.again ? UNLIKE : full;
     double wanted = fmin(full, 0.1 + RISE * (t->since - t->closed));
     double of_w = fmin(wanted, s->tension_c + more), of_c = fmin(wanted, s->tension_w + more);
     pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
@@ -170,26 +257,81 @@ static void pull_tail_alone(throw_run *t, double dt)
     senses *s = t->see;
     const double full = t->plan.pull;
     pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, full, dt);
-    throw_follow(t, dt);
+    throw_follow(t, t->plan.light, dt);
     t->clear += s->tension_w > 0.9 * full ? dt : 0.0;
 }
 
 void throw_seat(throw_run *t, double dt)
 {
     hand_turn(t->see->w, OUTWARD);
-    if (!is_taken_up(t, dt) || !is_closed(t, dt)) {
+    if (!is_taken_up(t, dt) || !are_back(t, dt) || !is_closed(t, dt)) {
         return;
     }
     if (t->plan.mistake == THROW_ONE_SIDED) {
         pull_tail_alone(t, dt);
+    } else if (t->plan.back) {
+        pull_back(t, dt);
     } else if (t->plan.alike) {
         pull_alike(t, dt);
     } else {
         pull_one_first(t, dt);
     }
     if (t->clear > 0.5) {
-        throw_enter(t, THROW_DONE);
-    } else if (t->since - t->closed > 12.0) {
+        throw_seated(t);
+    } else if (throw_pulled_for(t) > 12.0) {
         throw_fail(t, "not pulled tight");
+    }
+}
+
+double throw_pulled_for(const throw_run *t)
+{
+    return t->state == THROW_SEAT ? t->since - t->closed : 0.0;
+}
+
+void throw_seated(throw_run *t)
+{
+    t->clear = 0.0;
+    t->parting = false;
+    throw_enter(t, t->plan.again ? THROW_PART : THROW_DONE);
+}
+
+bool throw_is_eased(const throw_run *t)
+{
+    return t->state == THROW_PART && t->clear >= EASED && !t->parting;
+}
+
+void throw_pull_again(throw_run *t)
+{
+    t->pulls++;
+    t->clear = t->asked = 0.0;
+    t->carrot_w = t->see->tool_w.tip;
+    t->carrot_c = t->see->tool_c.tip;
+    throw_enter(t, THROW_SEAT);
+    t->since = t->closed;
+}
+
+/* Both ease, and C goes back as it came: else the shafts cross when W leaves. */
+void throw_part(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    bool slack = fmax(s->tension_w, s->tension_c) < SLACK_FORCE;
+    t->parting = t->clear >= EASED;
+    t->clear += slack || t->since > EASING || t->parting ? dt : 0.0;
+    if (!t->parting) {
+        hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->tension_w, dt);
+        hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->tension_c, dt);
+        return;
+    }
+    if (!t->plan.back) {
+        if (t->clear > LEFT_ALONE) {
+            throw_enter(t, THROW_DONE);
+        }
+        return;
+    }
+    double of_c = SLACK_BACK * senses_length(s, t->limb_root, s->c->node);
+    vec c = go_round(&t->round_c, 0.0, ROUND * s->c->nature.speed, of_c, PART_C, dt);
+    hand_go(s->c, steer_tip_of(t, c), 0.15);
+    if ((t->round_c == 0.0 && v_distance(s->held_c, c) < 8e-3) || t->since > 10.0) {
+        throw_enter(t, THROW_DONE);
     }
 }

@@ -7,6 +7,9 @@
 /* To where the handle's end of W's jaws points when they hold the drawn tail. */
 #define OUTWARD v3(-1.0, 0.0, 0.3)
 
+/* Of W about the tail's root while it draws, rad. */
+#define DRAWN_ROUND (PI * 160.0 / 180.0)
+
 void throw_enter(throw_run *t, throw_state state);
 /* Once more, from the beginning, if it is not too late. */
 void throw_fail(throw_run *t, const char *why);
@@ -27,8 +30,9 @@ vbss_result throw_draw(throw_run *t, double dt);
 /* ---- seat.c: down on the drain, and tight */
 void throw_lower(throw_run *t, double dt);
 void throw_seat(throw_run *t, double dt);
-/* C follows the tail, and gives way toward W. */
-void throw_follow(throw_run *t, double dt);
+void throw_part(throw_run *t, double dt);
+/* C follows the tail, and gives way toward W to more than that. */
+void throw_follow(throw_run *t, double least, double dt);
 /* W where the tail, or what is left of it, lets it be. */
 void throw_on_leash(throw_run *t, double most, double dt);
 

@@ -4,7 +4,7 @@
 
 static const char *const names[THROW_STATES] = {"pick",   "near", "place", "orbit", "check",
                                                 "unwind", "tail", "close", "draw",  "lower",
-                                                "seat",   "done", "failed"};
+                                                "seat",   "part", "done",  "failed"};
 
 const char *throw_state_name(throw_state state)
 {
@@ -147,6 +147,9 @@ vbss_result throw_step(throw_run *t, double dt)
         break;
     case THROW_SEAT:
         throw_seat(t, dt);
+        break;
+    case THROW_PART:
+        throw_part(t, dt);
         break;
     default:
         break;

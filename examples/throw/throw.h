@@ -18,6 +18,7 @@ typedef enum throw_state {
     THROW_DRAW,   /* the tail through the turns */
     THROW_LOWER,  /* both hands low, nothing tight yet */
     THROW_SEAT,   /* pull tight */
+    THROW_PART,   /* both ease, and C goes to its own side again, if it was not there */
     THROW_DONE,
     THROW_FAILED,
     THROW_STATES
@@ -53,8 +54,13 @@ typedef struct throw_plan {
     double off_floor; /* m: what of the tail is nearer to the floor is left, the next place taken */
     bool soft;        /* what is below is only held by its own friction: nothing may be taut */
     bool alike;       /* both ends are pulled alike in the end */
-    bool still;   /* W waits before that, until C has taken up the slack: the tail stays short */
-    bool down;    /* the turn is closed from below, on either side of the drain, before that */
+    bool still; /* W waits before that, until C has taken up the slack: the tail stays short */
+    bool down;  /* the turn is closed from below, on either side of the drain, before that */
+    bool
+        back; /* both hands go back to where the throw below was pulled from, and pull from there */
+    int catches; /* further ones of the tail, farther from its end, if it is missed or would tie something else */
+    bool
+        again; /* what does not go is tried again: drawn harder; both ease in the end, and may pull again */
     bool firm;    /* C winds as wide as the limb is long, however slack it has become */
     double light; /* N, of C while the tail is drawn through */
     double drawn; /* N, of W meanwhile: what is tied already stays quiet */
@@ -91,7 +97,12 @@ typedef struct throw_run {
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
     bool back;                     /* winding back what was wound */
     bool dropped;                  /* the tail, knowingly */
-    double closed; /* s in this state when the turn had closed on the tail; 0: not yet */
+    double closed;                 /* s in this state when both ends can be pulled; 0: not yet */
+    double round_w, round_c;       /* rad about the knot, of both hands as they go back */
+    double asked;                  /* N, of both ends then */
+    double far_round;              /* s, that W has drawn as far round as it goes */
+    int pulls;                     /* so often it was pulled again */
+    bool parting;                  /* eased, and nobody wanted it pulled again */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
@@ -102,6 +113,13 @@ void throw_plan_on_top(throw_plan *p);
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan);
 /* What the hands do in the coming step, from what is seen now. */
 vbss_result throw_step(throw_run *t, double dt);
+/* How long both ends have been pulled, s; where they can be at once, since it began. */
+double throw_pulled_for(const throw_run *t);
+/* It is tight. */
+void throw_seated(throw_run *t);
+/* It was, and both ends are slack now: it may be pulled again. */
+bool throw_is_eased(const throw_run *t);
+void throw_pull_again(throw_run *t);
 /* That the throw shall have: each has the other hand's. */
 int throw_handedness(const throw_run *t);
 const char *throw_state_name(throw_state state);
