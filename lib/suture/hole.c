@@ -17,21 +17,32 @@ static double least_of_needle(const suture_hole *hole, const vbss_drain_config *
     return c->hole_force + left * greater(c->puncture_force - c->hole_force, 0.0);
 }
 
-/* From the needle's to the thread's behind the swage, over the length of a tip: nothing jumps. */
+/* How far from the needle's to the thread's, over the length of a tip: nothing jumps. */
+static double share_of_thread(const suture_line *line, const vbss_drain_config *config, double far)
+{
+    return line->needle == NULL ? 1.0 : lesser(greater(far, 0.0) / config->tip_length, 1.0);
+}
+
+/* What the needle's end bends, the first two segments, is no rope round a post: if the thread leaves it askew, that would bear
+ * ten times as much along as across, of which neither sticking nor sliding comes. There it rubs as the needle does. */
+enum { BENT_BY_NEEDLE = 2 };
+
 hole_bound vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *config,
                            const suture_line *line, const suture_place *place)
 {
     hole_bound b = {least_of_needle(hole, config), {config->hole_friction, config->hole_friction}};
-    double behind = place->arc - line->swage;
+    double behind = place->arc - line->swage, grip[2];
     if (line->thread == NULL || (line->needle != NULL && behind <= 0.0)) {
         return b;
     }
-    bool at_swage = line->needle != NULL && behind < config->tip_length;
-    double share = at_swage ? behind / config->tip_length : 1.0, grip[2];
+    const uint32_t last = line->thread->node_count - 1;
+    const uint32_t end = last < BENT_BY_NEEDLE ? last : BENT_BY_NEEDLE;
+    const double bent = vbss_thread_arc_length(line->thread, end);
+    const double rope = share_of_thread(line, config, behind - bent);
+    b.least += share_of_thread(line, config, behind) * (config->thread_force - b.least);
     vbss_suture_grip(line, place, config->hole_friction, grip);
-    b.least += share * (config->thread_force - b.least);
     for (int k = 0; k < 2; k++) {
-        b.grip[k] += share * (grip[k] - b.grip[k]);
+        b.grip[k] += rope * (grip[k] - b.grip[k]);
     }
     return b;
 }

@@ -74,7 +74,7 @@ static void begin_tail(tail *t, const needle_object *n)
         .needle = n, .at = pose_identity(), .thread = &t->thread, .x = t->x, .swage = swage};
 }
 
-/* Over the length of a tip from the needle's bound to the thread's; it never jumps, though the thread bends. */
+/* Over the length of a tip from the needle's bound to the thread's. */
 static void behind_the_swage_it_becomes_the_threads(void **state)
 {
     (void)state;
@@ -121,6 +121,51 @@ static suture_place some_place(void)
                           .point = {1.3e-3, 2e-3, 3e-3},
                           .tangent = {0.6, 0.0, 0.8},
                           .turn = {80.0, 10.0, -60.0}};
+}
+
+/* A thread that leaves the needle's end askew, or back along it, is no rope there: over two segments it grips as the needle does,
+ * and then goes over to the rope's without a jump. */
+static void a_bend_at_the_swage_grips_as_the_needle(void **state)
+{
+    (void)state;
+    fixture f;
+    tail t;
+    begin(&f);
+    double most = 0.0;
+    for (int askew = 1; askew <= 5; askew++) {
+        double sine, cosine;
+        begin_tail(&t, f.n);
+        vbss_sincos(0.5 * askew, &sine, &cosine); /* up to 143 degrees */
+        const vec3 on = vec3_neg(vbss_needle_direction(f.n, t.line.swage));
+        for (int i = 1; i < NODES; i++) {
+            vec3 way = vec3_add_scaled(vec3_scale(on, cosine), sine, vec3_make(0.0, 0.0, 1.0));
+            t.x[i] = vec3_add_scaled(t.x[i - 1], t.rest[i - 1], way);
+        }
+        const vbss_drain_config c = f.d->config;
+        const suture_hole hole = some_hole();
+        const double bent = 2.0 * t.rest[0];
+        for (int i = 1; i <= 60; i++) {
+            const double behind = 0.05 * i * c.tip_length;
+            const uint32_t k = (uint32_t)(behind / t.rest[0]);
+            vec3 at = vec3_lerp(t.x[k], t.x[k + 1], behind / t.rest[0] - k);
+            const suture_place place = vbss_suture_nearest(&t.line, t.line.swage + behind, at);
+            if (place.span == SUTURE_ON_NEEDLE) {
+                continue; /* bent back beside it */
+            }
+            const hole_bound b = vbss_hole_bound(&hole, &c, &t.line, &place);
+            const double far = (place.arc - t.line.swage - bent) / c.tip_length;
+            const double share = fmin(fmax(far, 0.0), 1.0);
+            double grip[2];
+            vbss_suture_grip(&t.line, &place, c.hole_friction, grip);
+            for (int side = 0; side < 2; side++) {
+                double wanted = c.hole_friction + share * (grip[side] - c.hole_friction);
+                expect_near(wanted, b.grip[side], 1e-12);
+                most = fmax(most, fabs(grip[side] - b.grip[side]));
+            }
+        }
+    }
+    assert_true(most > 1.0); /* what a rope would grip with there */
+    end(&f);
 }
 
 static void its_row_ties_across_and_slides_along(void **state)
@@ -251,6 +296,7 @@ int test_hole(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_it_bears_falls_over_the_tip_to_friction),
         cmocka_unit_test(behind_the_swage_it_becomes_the_threads),
+        cmocka_unit_test(a_bend_at_the_swage_grips_as_the_needle),
         cmocka_unit_test(its_row_ties_across_and_slides_along),
         cmocka_unit_test(what_was_found_is_kept),
         cmocka_unit_test(it_is_read_as_it_was_written),
