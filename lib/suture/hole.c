@@ -20,7 +20,10 @@ static double least_of_needle(const suture_hole *hole, const vbss_drain_config *
 /* How far from the needle's to the thread's, over the length of a tip: nothing jumps. */
 static double share_of_thread(const suture_line *line, const vbss_drain_config *config, double far)
 {
-    return line->needle == NULL ? 1.0 : lesser(greater(far, 0.0) / config->tip_length, 1.0);
+    if (line->needle != NULL && far <= 0.0) {
+        return 0.0;
+    }
+    return line->needle == NULL || far >= config->tip_length ? 1.0 : far / config->tip_length;
 }
 
 /* What the needle's end bends, the first two segments, is no rope round a post: if the thread leaves it askew, that would bear

@@ -97,6 +97,16 @@ static void behind_the_swage_it_becomes_the_threads(void **state)
         expect_near(c.hole_friction, b.grip[0], 1e-6);
         expect_near(c.hole_friction, b.grip[1], 1e-6);
     }
+    /* A tip of no length: one or the other. */
+    vbss_drain_config blunt = c;
+    blunt.tip_length = 0.0;
+    for (int i = -1; i <= 1; i++) {
+        suture_place place = vbss_suture_nearest(&t.line, t.line.swage, t.x[0]);
+        place.arc = t.line.swage + 1e-9 * i;
+        const hole_bound b = vbss_hole_bound(&hole, &blunt, &t.line, &place);
+        expect_near(i > 0 ? c.thread_force : c.hole_force, b.least, 1e-15);
+        expect_near(c.hole_friction, b.grip[0], 0.0);
+    }
     /* In the bend, and without a needle: that of a rope round a post. */
     const suture_place bend = vbss_suture_nearest(&t.line, t.line.swage + 3e-3, t.x[12]);
     suture_line alone = t.line;
