@@ -13,6 +13,8 @@
 #define BACK (PI * 178.0 / 180.0) /* where they go: W's shaft is not over the knot */
 #define BACK_W 1e-3               /* m above the drain's top, of W then */
 #define BACK_C 2e-3
+#define BACK_NEAR 8e-3    /* m, of C from where it goes: it is there */
+#define BACK_LATEST 10.0  /* s */
 #define PART_C 10e-3      /* as it leaves */
 #define SLACK_FORCE 0.03  /* N */
 #define EASING 3.0        /* s, at most */
@@ -200,7 +202,7 @@ static bool are_back(throw_run *t, double dt)
     hand_go(s->w, v_along(w, -GRASP_BEHIND, s->tool_w.handle), 0.08);
     hand_go(s->c, steer_tip_of(t, c), 0.15);
     bool round = t->round_c == BACK && t->round_w == BACK - PI;
-    if ((round && v_distance(s->held_c, c) < 8e-3) || t->since > 10.0) {
+    if ((round && v_distance(s->held_c, c) < BACK_NEAR) || t->since > BACK_LATEST) {
         t->closed = t->since;
         t->carrot_w = s->tool_w.tip;
         t->carrot_c = s->tool_c.tip;
@@ -331,7 +333,7 @@ void throw_part(throw_run *t, double dt)
     double of_c = SLACK_BACK * senses_length(s, t->limb_root, s->c->node);
     vec c = go_round(&t->round_c, 0.0, ROUND * s->c->nature.speed, of_c, PART_C, dt);
     hand_go(s->c, steer_tip_of(t, c), 0.15);
-    if ((t->round_c == 0.0 && v_distance(s->held_c, c) < 8e-3) || t->since > 10.0) {
+    if ((t->round_c == 0.0 && v_distance(s->held_c, c) < BACK_NEAR) || t->since > BACK_LATEST) {
         throw_enter(t, THROW_DONE);
     }
 }

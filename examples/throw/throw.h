@@ -56,11 +56,12 @@ typedef struct throw_plan {
     bool alike;       /* both ends are pulled alike in the end */
     bool still; /* W waits before that, until C has taken up the slack: the tail stays short */
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
-    bool
-        back; /* both hands go back to where the throw below was pulled from, and pull from there */
-    int catches; /* further ones of the tail, farther from its end, if it is missed or would tie something else */
-    bool
-        again; /* what does not go is tried again: drawn harder; both ease in the end, and may pull again */
+    /* Both hands go back to where the throw below was pulled from, and pull from there. */
+    bool back;
+    /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
+    int catches;
+    /* What does not go is tried again: drawn harder; both ease in the end, and may pull again. */
+    bool again;
     bool firm;    /* C winds as wide as the limb is long, however slack it has become */
     double light; /* N, of C while the tail is drawn through */
     double drawn; /* N, of W meanwhile: what is tied already stays quiet */

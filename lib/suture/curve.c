@@ -21,7 +21,7 @@ typedef struct span {
     vec3 corner[CORNERS];
     double arc[CORNERS]; /* arc lengths on the line */
     double basis[CORNERS][4];
-    uint32_t count, first; /* corners that are; the first node */
+    uint32_t first; /* node */
     bool swage;
 } span;
 

@@ -113,6 +113,23 @@ static inline vec3 turn_by_hand(const hand_place *place)
     return vec3_scale(aside, -1.0 / vec3_norm_squared(place->way));
 }
 
+/* Seen from either side of a joint: no step in place, arc length or direction; with `turns` none in curvature. */
+static inline void expect_no_step(const suture_line *line, const hand_place *joint, vec3 along,
+                                  bool turns)
+{
+    const double aside = 1e-10;
+    for (int side = -1; side <= 1; side++) {
+        const vec3 near = vec3_add_scaled(joint->point, -aside * side, along);
+        const suture_place place = vbss_suture_nearest(line, joint->arc + 1e-5 * side, near);
+        expect_near(0.0, vec3_distance(joint->point, place.point), 1.01 * aside);
+        expect_near(joint->arc, place.arc, 1.1 * aside);
+        expect_near(0.0, vec3_distance(along, place.tangent), 1e-6);
+        if (turns) {
+            expect_near(0.0, vec3_distance(turn_by_hand(joint), place.turn), 1e-3);
+        }
+    }
+}
+
 /* ---- what places say */
 
 /* What a place has of a node. */
