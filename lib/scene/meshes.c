@@ -17,8 +17,6 @@ enum { APART = 10, MOST_CHANGES = 64 };
 #define SHARE_OF_GAP 0.25
 /* A strand is near itself beyond this arc, in distances from axis to axis: nearer it is only bent. */
 #define FAR_ALONG 2.0
-/* What goes by less through a hole in a step rests there, m. */
-#define SLIDES 10e-6
 /* Nodes at the ends of a cut that has not come apart. */
 enum { CUT_END = 4 };
 
@@ -223,28 +221,10 @@ static bool is_cut_end(const scene_object *s, const scene_body *b, uint32_t low,
     return false;
 }
 
-/* Another mesh bends otherwise what is in a hole: only where it slides. */
-static bool rests_in_hole(const scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
-{
-    const thread_object *t = b->thread.thread;
-    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        const suture_hole *hole = &s->holes[i], *before = &s->kept_holes[i];
-        bool here =
-            hole->id != 0 && hole->thread == b->number &&
-            hole->arc >= vbss_thread_arc_length(t, low) &&
-            hole->arc <= vbss_thread_arc_length(t, high < t->node_count ? high : t->node_count - 1);
-        if (here && before->id == hole->id && fabs(hole->arc - before->arc) < SLIDES) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static bool is_held(const scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
 {
     const thread_object *t = b->thread.thread;
-    if (vbss_thread_holds_among(t, low, high) || is_cut_end(s, b, low, high) ||
-        rests_in_hole(s, b, low, high)) {
+    if (vbss_thread_holds_among(t, low, high) || is_cut_end(s, b, low, high)) {
         return true;
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
