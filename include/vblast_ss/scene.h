@@ -96,7 +96,8 @@ typedef struct vbss_scene_config {
     /** REAL_TIME, method OURS: operations in a step after which nothing is searched for any longer. Forces of contacts
      * are taken as they have been found by then: they balance, but miss the law of contact by up to
      * vbss_scene_statistics::last_residual; lengths are found all the same, with a few solves beyond the limit. Where that
-     * fails, or after attempt_limit attempts, the rest of the step is left out: everything waits for the next one, which
+     * fails, where such forces put in more than 20 uJ that nothing has done the work for (1 mJ in a scene without
+     * drains), or after attempt_limit attempts, the rest of the step is left out: everything waits for the next one, which
      * begins with smaller parts (vbss_scene_statistics::paused), and what is driven goes on from where it was stopped.
      * Without limit are the first step of a scene and the smallest part that halving_limit allows, until its states are not
      * found: then it is tried once more with as much for itself. An operation is what costs about as much as a product of

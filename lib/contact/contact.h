@@ -124,6 +124,7 @@ typedef struct contact_set {
     uint32_t place_count, place_capacity;
     double residual; /* of the law after the last solve, N */
     bool stopped;    /* the last search, by its limit of work: what the law says was not found */
+    bool stopped_before; /* with found_before */
     contact_counters counters;
     /* the last two at the last mark */
     double marked_residual;

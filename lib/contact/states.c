@@ -7,12 +7,13 @@
 
 #include <string.h>
 
-/* Of a solve, in products of blocks: rows are assembled and looked at. */
-enum { COST_OF_ROW = 25 };
+/* Of a solve, in products of blocks beside its own, for each separator: taken out, put in; and the rows between them. */
+enum { COST_OF_SEPARATOR = 70 };
 
-static uint64_t cost(const contact_set *set, const vbss_system *system)
+static uint64_t cost(const vbss_system *system)
 {
-    return system->elimination.products + (uint64_t)COST_OF_ROW * set->count;
+    uint32_t separators = system->active_count - system->run_count;
+    return system->elimination.products + (uint64_t)COST_OF_SEPARATOR * separators;
 }
 
 static bool solve(contact_set *set, const contact_search *search)
@@ -24,7 +25,7 @@ static bool solve(contact_set *set, const contact_search *search)
     }
     vbss_contact_assemble(set, system);
     set->counters.solves++;
-    set->counters.work += cost(set, system);
+    set->counters.work += cost(system);
     return vbss_system_solve_separators(system);
 }
 
@@ -233,8 +234,7 @@ static contact_outcome judge(const contact_search *search, const stage *at, cons
 
 static bool is_spent(const contact_set *set, const contact_search *search)
 {
-    return search->most_work > 0 &&
-           set->counters.work + cost(set, search->system) > search->most_work;
+    return search->most_work > 0 && set->counters.work + cost(search->system) > search->most_work;
 }
 
 static contact_outcome search_states(contact_set *set, const contact_search *search, stage *at)
@@ -292,6 +292,7 @@ void vbss_contact_note_found(contact_set *set)
     for (uint32_t i = 0; i < set->count; i++) {
         set->found_before[i] = set->rows[i].is;
     }
+    set->stopped_before = set->stopped;
 }
 
 void vbss_contact_return_to_found(contact_set *set)
@@ -301,4 +302,5 @@ void vbss_contact_return_to_found(contact_set *set)
         *is = set->found_before[i];
         set->here[i].force = vec3_add_scaled(is->rubbing, is->pressure, set->rows[i].normal);
     }
+    set->stopped = set->stopped_before;
 }

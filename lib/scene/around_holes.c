@@ -11,7 +11,7 @@ scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const dou
 {
     const drain_object *d = drain->drain.drain;
     return (scene_spot){vbss_drain_point(d, d->x, triangle, weights),
-                        vbss_drain_point(d, d->mesh.rest, triangle, weights)};
+                        vbss_drain_point(d, d->mesh.rest, triangle, weights), 0.0};
 }
 
 scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share)
@@ -19,7 +19,31 @@ scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[
     const drain_object *d = drain->drain.drain;
     const vec3 *rest = d->mesh.rest;
     return (scene_spot){vec3_lerp(d->x[node[0]], d->x[node[1]], share),
-                        vec3_lerp(rest[node[0]], rest[node[1]], share)};
+                        vec3_lerp(rest[node[0]], rest[node[1]], share), 0.0};
+}
+
+scene_spot vbss_scene_spot_then(const scene_body *drain, uint32_t triangle, const double weights[3],
+                                double time)
+{
+    const drain_object *d = drain->drain.drain;
+    scene_spot spot = vbss_scene_spot(drain, triangle, weights);
+    if (time > 0.0) {
+        spot.now = vec3_lerp(spot.now, vbss_drain_point(d, d->trial, triangle, weights), time);
+        spot.time = time;
+    }
+    return spot;
+}
+
+scene_spot vbss_scene_spot_on_side_then(const scene_body *drain, const uint32_t node[2],
+                                        double share, double time)
+{
+    const vec3 *trial = drain->drain.drain->trial;
+    scene_spot spot = vbss_scene_spot_on_side(drain, node, share);
+    if (time > 0.0) {
+        spot.now = vec3_lerp(spot.now, vec3_lerp(trial[node[0]], trial[node[1]], share), time);
+        spot.time = time;
+    }
+    return spot;
 }
 
 bool vbss_scene_is_suture(const scene_body *b)
@@ -54,11 +78,12 @@ static double reach_of(const suture_hole *hole, const scene_body *suture, double
 
 /* Along the suture, across the swage too; INFINITY: of another. */
 static double arc_from_hole(const scene_object *s, const suture_hole *hole,
-                            const scene_body *suture, double arc)
+                            const scene_body *suture, double arc, double time)
 {
     bool thread = suture->kind == BODY_THREAD;
+    const double there = hole->arc + time * hole->slides;
     if (suture->number == (thread ? hole->thread : hole->needle)) {
-        return fabs(hole->arc - arc);
+        return fabs(there - arc);
     }
     uint32_t number = thread ? hole->needle : hole->thread;
     const scene_body *other =
@@ -68,7 +93,7 @@ static double arc_from_hole(const scene_object *s, const suture_hole *hole,
     }
     const scene_body *needle = thread ? other : suture;
     double length = vbss_needle_length(needle->rigid.needle);
-    return fabs(thread ? length + arc - hole->arc : length + hole->arc - arc);
+    return fabs(thread ? length + arc - there : length + there - arc);
 }
 
 /* Within that reach of its swage a thread is as thick as its needle: what is left of one there touches no more than the other. */
@@ -100,6 +125,12 @@ static double share_beside(const scene_body *suture, double reaches)
     return reaches < 1.0 + whole ? (reaches - 1.0) / whole : 1.0;
 }
 
+static vec3 hole_point_at(const suture_hole *hole, const drain_object *d, double time)
+{
+    const vec3 begin = vbss_hole_point(hole, d, d->x);
+    return time > 0.0 ? vec3_lerp(begin, vbss_hole_point(hole, d, d->trial), time) : begin;
+}
+
 /* Two walls that lie on each other are near, but not along the wall. */
 static double share_in_holes(const scene_object *s, const scene_body *suture, uint32_t segment,
                              double share, const scene_body *drain, const scene_spot *spot,
@@ -112,7 +143,7 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
         if (hole->id == 0 || hole->drain != drain->number) {
             continue;
         }
-        double now = vec3_distance(spot->now, vbss_hole_point(hole, d, d->x));
+        double now = vec3_distance(spot->now, hole_point_at(hole, d, spot->time));
         double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
         double own = reach_at_swage(s, suture, segment, drain, reach);
         double most = greater(own, -SCENE_PIN_ARC * hole->entry);
@@ -121,7 +152,7 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
         }
         double arc = vbss_scene_arc_of(suture, segment, share);
         double far = reach_of(hole, suture, arc, own);
-        double away = greater(greater(now, rest), arc_from_hole(s, hole, suture, arc));
+        double away = greater(greater(now, rest), arc_from_hole(s, hole, suture, arc, spot->time));
         least = lesser(least, share_beside(suture, away / far));
     }
     return least;

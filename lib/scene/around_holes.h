@@ -9,9 +9,14 @@
  * `reach`: within which of a hole nothing touches. */
 typedef struct scene_spot {
     vec3 now, rest;
+    double time; /* of the part: 0, its begin */
 } scene_spot;
 scene_spot vbss_scene_spot(const scene_body *drain, uint32_t triangle, const double weights[3]);
 scene_spot vbss_scene_spot_on_side(const scene_body *drain, const uint32_t node[2], double share);
+scene_spot vbss_scene_spot_then(const scene_body *drain, uint32_t triangle, const double weights[3],
+                                double time);
+scene_spot vbss_scene_spot_on_side_then(const scene_body *drain, const uint32_t node[2],
+                                        double share, double time);
 double vbss_scene_share_touching(const scene_object *s, const scene_body *body, bool point,
                                  uint32_t feature, double share, const scene_body *drain,
                                  const scene_spot *spot, double reach);

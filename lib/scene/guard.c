@@ -13,6 +13,8 @@
 /* Share of the guarded distance below which what is cut short comes no nearer at all: pressed on and on it would
  * end so near that no test could prove that it leaves. */
 #define NEAREST 0.1
+/* What is at a hole is looked at as often in a part; and asked about so often at most. */
+enum { LOOKS = 8, ASKED = 80 };
 /* The floor: how much of its radius a node or the end of a capsule may be above it at least. */
 #define GUARDED_ABOVE_FLOOR 0.5
 /* Share of the margin: a half, less what rounding may do. */
@@ -95,11 +97,11 @@ static double farthest(const motion *m)
 static scene_verdict list_pairs(scene_object *s)
 {
     bool expected = true;
-    for (uint32_t i = 0; expected && i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind != BODY_GONE) {
             const motion m = motion_of(s, &s->bodies[i]);
-            expected = is_expected(s, &m);
-            s->bodies[i].moved = farthest(&m);
+            expected = expected && is_expected(s, &m);
+            s->bodies[i].moved = farthest(&m); /* of all: pairs at holes ask, expected or not */
         }
     }
     s->proved = expected && are_apart(s);
@@ -201,20 +203,28 @@ static double allowed_by_contact(const scene_object *s, const collision_candidat
     return touching_of(s, q) - s->config.penetration_tolerance * thickness_of(s, q);
 }
 
-/* A pair of features, and of which pieces of both: NULL, of all of it. */
+/* A pair of features, of which pieces of both (NULL: of all of it), from which share of the part on. */
+typedef struct asked_pair {
+    const collision_candidate *q;
+    const scene_piece *piece;
+    double from;
+} asked_pair;
+
 typedef struct corners {
     vec3 start[4], end[4];
 } corners;
 
-static void corners_of(const scene_object *s, const collision_candidate *q,
-                       const scene_piece *piece, corners *c)
+static void corners_of(const scene_object *s, const asked_pair *pair, corners *c)
 {
+    const collision_candidate *q = pair->q;
+    const scene_piece *piece = pair->piece;
     const collision_shape *of[4];
     uint32_t vertices[4];
     vertices_of(s, q, of, vertices);
     for (uint32_t k = 0; k < 4; k++) {
-        c->start[k] = of[k]->start[vertices[k]];
-        c->end[k] = of[k]->end[vertices[k]];
+        vec3 start = of[k]->start[vertices[k]], end = of[k]->end[vertices[k]];
+        c->start[k] = pair->from > 0.0 ? vec3_lerp(start, end, pair->from) : start;
+        c->end[k] = end;
     }
     bool first = s->bodies[s->shape_places[q->shape_a]].kind == BODY_RIGID;
     for (uint32_t k = 0; piece != NULL && k < 2; k++) {
@@ -224,26 +234,24 @@ static void corners_of(const scene_object *s, const collision_candidate *q,
     }
 }
 
-static void put_pair(scene_object *s, const collision_candidate *q, const scene_piece *piece,
-                     uint32_t at)
+static void put_pair(scene_object *s, const asked_pair *pair, uint32_t at)
 {
     corners c;
-    corners_of(s, q, piece, &c);
+    corners_of(s, pair, &c);
     for (uint32_t k = 0; k < 4; k++) {
         put_vertex(s->block, k, at, c.start[k], c.end[k]);
     }
     /* What contact has looked at is seldom nearer. */
-    s->block->thickness[at] = allowed_by_contact(s, q);
+    s->block->thickness[at] = allowed_by_contact(s, pair->q);
 }
 
 /* How far apart they begin, and where: shares of two edges; weights of a triangle's corners. */
-static double distance_at_begin(const scene_object *s, const collision_candidate *q,
-                                const scene_piece *piece, double at[3])
+static double distance_at_begin(const scene_object *s, const asked_pair *pair, double at[3])
 {
     corners c;
-    corners_of(s, q, piece, &c);
+    corners_of(s, pair, &c);
     const vec3 *x = c.start;
-    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+    if (pair->q->kind == VBSS_PAIR_POINT_TRIANGLE) {
         const vec3 triangle[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
         return vec3_norm(closest_corners(triangle, at));
     }
@@ -251,10 +259,38 @@ static double distance_at_begin(const scene_object *s, const collision_candidate
                                    &at[0], &at[1]));
 }
 
-/* A suture and the wall round a hole that it is in, where what moves by as much comes into it on the way; jaws and the wall
- * that they hold. */
-static double share_at_wall(const scene_object *s, const collision_candidate *q, double touching)
+/* Where the wall is nearest then, and where on the other one that is: a share of its edge. */
+static scene_spot nearest_spot(const scene_object *s, const asked_pair *pair, bool first,
+                               const scene_body *drain, double *share)
 {
+    const collision_candidate *q = pair->q;
+    const uint32_t feature = first ? q->b : q->a;
+    double at[3];
+    scene_spot spot;
+    (void)distance_at_begin(s, pair, at);
+    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+        *share = 0.0;
+        spot = vbss_scene_spot_then(drain, feature, at, pair->from);
+    } else {
+        double on_other = at[first ? 0 : 1], on_side = at[first ? 1 : 0];
+        if (pair->piece != NULL) {
+            const double(*cut)[2] = pair->piece->at;
+            on_other = cut[0][0] + on_other * (cut[0][1] - cut[0][0]);
+            on_side = cut[1][0] + on_side * (cut[1][1] - cut[1][0]);
+        }
+        *share = on_other;
+        const uint32_t *side = s->collision->shapes[drain->shape]->edges[feature];
+        spot = vbss_scene_spot_on_side_then(drain, side, on_side, pair->from);
+    }
+    return spot;
+}
+
+/* A suture and the wall round a hole that it is in; jaws and the wall that they hold. `more`: as if the hole were so much
+ * larger. */
+static double share_at_wall(const scene_object *s, const asked_pair *pair, double touching,
+                            double more)
+{
+    const collision_candidate *q = pair->q;
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     bool first = a->kind != BODY_DRAIN, point = q->kind == VBSS_PAIR_POINT_TRIANGLE;
@@ -264,20 +300,10 @@ static double share_at_wall(const scene_object *s, const collision_candidate *q,
         !(holds || vbss_scene_is_suture(other))) {
         return 1.0;
     }
-    const collision_shape *shape = s->collision->shapes[drain->shape];
-    uint32_t feature = first ? q->b : q->a;
-    double at[3], share = 0.0;
-    scene_spot spot;
-    (void)distance_at_begin(s, q, NULL, at);
-    if (point) {
-        spot = vbss_scene_spot(drain, feature, at);
-    } else {
-        share = at[first ? 0 : 1];
-        spot = vbss_scene_spot_on_side(drain, shape->edges[feature], at[first ? 1 : 0]);
-    }
-    double reach = SCENE_PIN_ARC * touching + other->moved + drain->moved;
+    double share;
+    const scene_spot spot = nearest_spot(s, pair, first, drain, &share);
     return vbss_scene_share_touching(s, other, point, first ? q->a : q->b, share, drain, &spot,
-                                     reach);
+                                     SCENE_PIN_ARC * touching + more);
 }
 
 /* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it: none. */
@@ -286,7 +312,8 @@ static double share_touching(const scene_object *s, const collision_candidate *q
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
     if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
-        return share_at_wall(s, q, touching);
+        const asked_pair pair = {q, NULL, 0.0};
+        return share_at_wall(s, &pair, touching, a->moved + b->moved);
     }
     if (a->kind == BODY_THREAD && b->kind == BODY_THREAD) {
         return vbss_scene_adjoins(s, a, q->a, b, q->b) ? 0.0 : 1.0;
@@ -355,30 +382,71 @@ static void ask(scene_object *s, uint32_t kind, uint32_t count)
                             &s->collision->counters);
 }
 
-static double time_at(scene_object *s, const collision_candidate *q, const scene_piece *piece,
-                      double thickness)
+/* When they come so near, as a share of the part; 1: they do not. */
+static double time_at(scene_object *s, const asked_pair *pair, double thickness)
 {
-    put_pair(s, q, piece, 0);
+    put_pair(s, pair, 0);
     s->block->thickness[0] = thickness;
-    ask(s, q->kind, 1);
-    return s->block->hit[0] != 0 ? s->block->time[0] : 1.0;
+    ask(s, pair->q->kind, 1);
+    return s->block->hit[0] != 0 ? pair->from + (1.0 - pair->from) * s->block->time[0] : 1.0;
 }
+
+/* Shares of the distance of touching: at which features touch when the part begins; and anywhere on their way, if they may come
+ * into a hole on it. `leaves`: they begin in one, where they may be as near as they like. */
+typedef struct shares {
+    double now, coming;
+    bool leaves;
+} shares;
 
 /* Share of the part after which a pair that hit comes too near; 1: it does not. What begins near is a row, and
  * contact has seen to it; what comes from further away may be none. */
-static double time_of_hit(scene_object *s, const collision_candidate *q, const scene_piece *piece,
-                          double share, double time)
+static double time_of_hit(scene_object *s, const asked_pair *pair, shares share)
 {
-    double at[3], touching = touching_of(s, q), distance = distance_at_begin(s, q, piece, at);
-    double guarded = GUARDED * share * touching;
+    double at[3], touching = touching_of(s, pair->q), distance = distance_at_begin(s, pair, at);
+    double guarded = GUARDED * share.now * touching;
     if (distance >= touching + s->config.contact_margin) {
-        double nearer = (1.0 - share) * touching;
-        double allowed = greater(allowed_by_contact(s, q) - nearer, guarded);
-        return share < 1.0 ? time_at(s, q, piece, allowed) : time;
+        double nearer = (1.0 - share.coming) * touching;
+        return time_at(s, pair, greater(allowed_by_contact(s, pair->q) - nearer, guarded));
     }
     bool near = distance <= guarded * (1.0 + 2.0 * s->collision->rules.tolerance);
-    double hit = time_at(s, q, piece, near ? GUARDED_WHEN_NEARER * distance : guarded);
-    return hit < 1.0 && distance < NEAREST * guarded ? 0.0 : hit;
+    double hit = time_at(s, pair, near ? GUARDED_WHEN_NEARER * distance : guarded);
+    return hit < 1.0 && distance < NEAREST * guarded && !share.leaves ? pair->from : hit;
+}
+
+/* The same of a suture and a wall, of which what is at a hole touches less or nothing: where they hit they are looked at again,
+ * and what leaves the hole is asked about from when it was last seen in it. */
+static double time_of_hit_at_holes(scene_object *s, const collision_candidate *q,
+                                   const scene_piece *piece)
+{
+    const double touching = touching_of(s, q);
+    const double moved =
+        s->bodies[s->shape_places[q->shape_a]].moved + s->bodies[s->shape_places[q->shape_b]].moved;
+    const double look = greater(1.0 / LOOKS, GENTLE * touching / moved);
+    asked_pair pair = {q, piece, 0.0};
+    const double coming = share_at_wall(s, &pair, touching, moved);
+    for (uint32_t i = 0; i < ASKED && pair.from < 1.0; i++) {
+        shares share = {share_at_wall(s, &pair, touching, 0.0), coming, false};
+        if (share.now <= 0.0) {
+            const asked_pair next = {q, piece, lesser(pair.from + look, 1.0)};
+            share.now = share_at_wall(s, &next, touching, 0.0);
+            share.leaves = true;
+            if (share.now <= 0.0) {
+                pair.from = next.from;
+                continue;
+            }
+        }
+        const asked_pair hit = {q, piece, time_of_hit(s, &pair, share)};
+        if (hit.from >= 1.0) {
+            return 1.0;
+        }
+        const double there = share_at_wall(s, &hit, touching, 0.0);
+        if (there >= share.now) {
+            return hit.from;
+        }
+        double least = there > 0.0 ? 0.0 : pair.from + look / LOOKS;
+        pair.from = lesser(greater(hit.from, least), 1.0);
+    }
+    return pair.from;
 }
 
 /* Of a needle and a side that touch nowhere where they are nearest, at a hole: what is left of the needle beside its holes. */
@@ -392,16 +460,43 @@ static double time_beside_holes(scene_object *s, const collision_candidate *q)
         needle->rigid.needle == NULL) {
         return 1.0;
     }
-    double reach = SCENE_PIN_ARC * touching_of(s, q) + needle->moved + drain->moved;
+    const double reach = SCENE_PIN_ARC * touching_of(s, q);
     scene_piece piece = {.begun = false};
     double earliest = 1.0;
     while (vbss_scene_next_piece(s, needle, first ? q->a : q->b, drain, first ? q->b : q->a, reach,
                                  &piece)) {
-        double time = time_at(s, q, &piece, allowed_by_contact(s, q));
-        time = time < 1.0 ? time_of_hit(s, q, &piece, 1.0, time) : 1.0;
-        earliest = lesser(time, earliest);
+        const asked_pair pair = {q, &piece, 0.0};
+        if (time_at(s, &pair, allowed_by_contact(s, q)) < 1.0) {
+            earliest = lesser(time_of_hit_at_holes(s, q, &piece), earliest);
+        }
     }
     return earliest;
+}
+
+static bool is_of_suture_and_wall(const scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    return (a->kind == BODY_DRAIN && vbss_scene_is_suture(b)) ||
+           (b->kind == BODY_DRAIN && vbss_scene_is_suture(a));
+}
+
+/* Of a pair that comes nearer than contact lets it. */
+static double look_again(scene_object *s, const collision_candidate *q, double time)
+{
+    const asked_pair pair = {q, NULL, 0.0};
+    const double share = share_touching(s, q, touching_of(s, q));
+    double at[3];
+    if (share < 1.0 && is_of_suture_and_wall(s, q)) {
+        return lesser(time_of_hit_at_holes(s, q, NULL), time_beside_holes(s, q));
+    }
+    if (share <= 0.0) {
+        return 1.0;
+    }
+    double far = touching_of(s, q) + s->config.contact_margin;
+    return share >= 1.0 && distance_at_begin(s, &pair, at) >= far
+               ? time
+               : time_of_hit(s, &pair, (shares){share, share, false});
 }
 
 /* The next pairs of one kind that have to be asked about, from *next on; returns how many, and which. */
@@ -420,7 +515,7 @@ static uint32_t gather(scene_object *s, uint32_t *next, uint32_t which[IMPACT_BL
         if (count > 0 && q->kind != c->candidates[which[0]].kind) {
             break;
         }
-        put_pair(s, q, NULL, count);
+        put_pair(s, &(asked_pair){q, NULL, 0.0}, count);
         which[count++] = *next;
     }
     return count;
@@ -443,10 +538,7 @@ static double earliest_hit(scene_object *s)
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[which[i]];
             if (hit[i]) {
-                double share = share_touching(s, q, touching_of(s, q));
-                double t =
-                    share > 0.0 ? time_of_hit(s, q, NULL, share, time[i]) : time_beside_holes(s, q);
-                earliest = lesser(t, earliest);
+                earliest = lesser(look_again(s, q, time[i]), earliest);
             }
         }
     }
@@ -497,6 +589,7 @@ scene_verdict vbss_scene_guard(scene_object *s)
     if (verdict != VERDICT_ACCEPTED) {
         return verdict;
     }
+    vbss_scene_find_slides(s);
     s->earliest = lesser(earliest_hit(s), earliest_through_floor(s));
     return s->earliest < 1.0 ? VERDICT_GUARD : VERDICT_ACCEPTED;
 }

@@ -1,4 +1,4 @@
-/* Holes in a scene: tips that enter walls, the suture that slides through. */
+/* Holes in a scene, and the suture that slides through. */
 #include "scene/around_holes.h"
 
 #include <string.h>
@@ -264,6 +264,18 @@ void vbss_scene_move_holes(scene_object *s)
     }
 }
 
+void vbss_scene_find_slides(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        suture_hole *hole = &s->holes[i];
+        if (hole->id != 0) {
+            const passage p = passage_of(s, hole);
+            const vec3 point = vbss_hole_point(hole, p.drain->drain, p.drain->drain->trial);
+            hole->slides = vbss_suture_nearest(&p.trial, p.arc, point).arc - p.arc;
+        }
+    }
+}
+
 /* ---- after a step */
 
 static void tell(scene_object *s, vbss_event_kind kind, const suture_hole *hole)
@@ -296,6 +308,48 @@ static vbss_event_kind way_out(const passage *p, const suture_hole *hole)
                                           : 0;
 }
 
+/* Whether a place of the needle is in another hole. */
+static bool is_in_other(const scene_object *s, const passage *p, const suture_hole *hole,
+                        double arc)
+{
+    const double wire = p->needle->rigid.needle->config.wire_radius;
+    const double touching = wire + 0.5 * p->drain->drain->config.thickness;
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *other = &s->holes[i];
+        if (other != hole && other->id != 0 && other->needle == hole->needle &&
+            other->drain == hole->drain && fabs(other->arc - arc) < SCENE_PIN_ARC * touching) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* A tip that has entered aslant may go through beside its hole and be withdrawn from that only: the hole is then where the
+ * needle is in the wall. */
+static bool is_beside(const scene_object *s, const passage *p, suture_hole *hole)
+{
+    if (s->config.method != VBSS_METHOD_OURS || p->needle == NULL) {
+        return false;
+    }
+    const needle_object *n = p->needle->rigid.needle;
+    for (uint32_t i = 0; i < n->config.segment_count; i++) {
+        const double begin = vbss_needle_corner(n, i), end = vbss_needle_corner(n, i + 1);
+        const vec3 axis[2] = {pose_apply(p->now.at, vbss_needle_point(n, begin)),
+                              pose_apply(p->now.at, vbss_needle_point(n, end))};
+        suture_hole there = *hole;
+        double share;
+        if (vbss_suture_goes_through(p->drain->drain, axis, &there, &share) &&
+            !is_in_other(s, p, hole, begin + share * (end - begin))) {
+            *hole = there;
+            hole->held = 0.0;
+            hole->across = vec3_zero();
+            vbss_hole_move(hole, begin + share * (end - begin));
+            return true;
+        }
+    }
+    return false;
+}
+
 void vbss_scene_leave_holes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
@@ -306,43 +360,12 @@ void vbss_scene_leave_holes(scene_object *s)
         const passage p = passage_of(s, hole);
         vbss_event_kind out = way_out(&p, hole);
         tell_of_swage(s, &s->kept_holes[i], hole);
-        if (out != 0) {
+        bool stays = out == VBSS_EVENT_WITHDRAWN && is_beside(s, &p, hole);
+        if (out != 0 && !stays) {
             tell(s, out, hole);
             *hole = (suture_hole){0};
         }
     }
-}
-
-/* Where on the needle a row is about. */
-static double arc_of_row(const scene_body *needle, const contact_row *row)
-{
-    bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
-    return point ? vbss_scene_arc_of(needle, row->key.a / 2, row->key.a % 2)
-                 : vbss_scene_arc_of(needle, row->key.a, row->at[0]);
-}
-
-/* What a drain does to the tip of a needle. */
-static bool look_at_tip(const scene_object *s, const scene_body *needle, const scene_body *drain,
-                        suture_tip *tip)
-{
-    const scene_rigid *r = &needle->rigid;
-    pose at = vbss_scene_needle_at(r, r->body.now.at);
-    vec3 normal = vec3_zero();
-    *tip = (suture_tip){.position = pose_apply(at, vbss_needle_point(r->needle, 0.0)),
-                        .direction =
-                            quat_rotate(at.orientation, vbss_needle_direction(r->needle, 0.0))};
-    for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
-        if (row->key.body_a == needle->number && row->key.body_b == drain->number &&
-            row->key.kind != VBSS_CONTACT_HOLE && row->is.state != CONTACT_OPEN &&
-            vbss_scene_is_at_tip(needle, arc_of_row(needle, row))) {
-            normal = vec3_add_scaled(normal, row->is.pressure, row->normal);
-            tip->force = vec3_add(tip->force, row->is.rubbing);
-        }
-    }
-    tip->force = vec3_add(tip->force, normal);
-    tip->normal = vec3_unit_or(normal, vec3_zero());
-    return vec3_norm_squared(normal) > 0.0;
 }
 
 static suture_hole *free_hole(scene_object *s)
@@ -365,54 +388,6 @@ void vbss_scene_add_hole(scene_object *s, suture_hole *made)
     made->id = ++s->last_hole;
     *hole = *made;
     tell(s, VBSS_EVENT_PUNCTURE, hole);
-}
-
-/* A tip that is on its way into a wall enters no other place of it: what presses on it there is the wall round the hole. */
-static bool is_entering(const scene_object *s, const scene_body *needle, const scene_body *drain)
-{
-    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        const suture_hole *hole = &s->holes[i];
-        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
-            hole->arc < 0.0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-static void enter(scene_object *s, const scene_body *needle, const scene_body *drain)
-{
-    suture_tip tip;
-    suture_hole made;
-    const drain_object *d = drain->drain.drain;
-    double wire = needle->rigid.needle->config.wire_radius;
-    /* Farther on than a flat wall lies that it may enter, it does not go into that on which it presses. */
-    double reach = (wire + 0.5 * d->config.thickness) / SUTURE_LEAST_INTO;
-    if (is_entering(s, needle, drain) || !look_at_tip(s, needle, drain, &tip) ||
-        !vbss_suture_enters(&d->config, &tip) ||
-        !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {
-        return;
-    }
-    made.needle = needle->number;
-    made.drain = drain->number;
-    vbss_scene_add_hole(s, &made);
-}
-
-void vbss_scene_settle_holes(scene_object *s)
-{
-    vbss_scene_leave_holes(s);
-    /* What presses where a part was thrown away says nothing of what the wall bears, nor what does where a search was stopped. */
-    bool known = s->taken && !s->contacts->stopped;
-    for (uint32_t i = 0; known && i < s->place_count; i++) {
-        const scene_body *needle = &s->bodies[i];
-        for (uint32_t k = 0;
-             needle->kind == BODY_RIGID && needle->rigid.needle != NULL && k < s->place_count;
-             k++) {
-            if (s->bodies[k].kind == BODY_DRAIN) {
-                enter(s, needle, &s->bodies[k]);
-            }
-        }
-    }
 }
 
 void vbss_scene_forget_holes_of(scene_object *s, uint32_t number)

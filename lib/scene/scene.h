@@ -397,8 +397,11 @@ void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
 void vbss_scene_keep_holes(scene_object *s);
 /* The next part has other places in them. */
 void vbss_scene_move_holes(scene_object *s);
-/* After a step: who has left holes, who makes one. */
+/* How far the suture has slid through them in the trial state. */
+void vbss_scene_find_slides(scene_object *s);
+/* punctures.c. After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);
+/* holes.c again. */
 void vbss_scene_leave_holes(scene_object *s);
 /* One that has been made, if there is room for it, and the event. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made);
@@ -586,9 +589,12 @@ void vbss_scene_set_weld_arms(scene_object *s);
 /* step.c: whether a step may be made of parts of that size. */
 bool vbss_scene_is_part(const scene_object *s, double size);
 /* step.c: work that is done, in products of blocks; whether no more may be. */
-void vbss_scene_spend(scene_object *s, uint32_t each, uint32_t count);
+void vbss_scene_spend(scene_object *s, uint32_t work);
 bool vbss_scene_is_spent(const scene_object *s);
-/* solve.c: bodies and contacts, one system. */
+/* believe.c: whether what a search that was stopped has led to may be taken. */
+bool vbss_scene_believes(const scene_object *s, const scene_part *part);
+/* solve.c: bodies and contacts, one system; what a linearisation costs. */
+uint32_t vbss_scene_linearisation_cost(const scene_object *s);
 scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part);
 /* guard.c */
 scene_verdict vbss_scene_guard(scene_object *s);

@@ -14,26 +14,43 @@
 #define LOOSE_SHARE 0.05
 #define LOOSE_OVERLAP 0.02
 /* So many linearisations follow when no more work may be done, with a solve each: lengths come before contacts. */
-enum { LAST = 5 };
+enum { LAST = 4 };
+/* Lengths that are missed by more than this share, and not by half as much as before, will not be found in time. */
+#define ASTRAY 0.1
 /* Of a linearisation, in products of blocks; and of a further look. */
 enum { COST_OF_NODE = 60, COST_OF_ROW = 60, COST_OF_TRIANGLE = 40, COST_OF_LOOK = 12 };
 /* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
  * slid far is too near, it goes on with new ones, so often. */
 enum { TURNS = 3 };
-/* More energy than this, J, is not taken from a search that was stopped: what a quick hand does in a millisecond, with 2 N
- * at 0.5 m/s. */
-#define MOST_GAIN 1e-3
+/* Where a needle in a hole turns farther in a linearisation, rad, another follows, so often, and then the part is halved: its
+ * stiff rows would store what a straight way misses of the arc as energy that nobody has put in, and throw the needle. */
+#define TURNS_FAR 0.05
+enum { TURNINGS = 4 };
 /* Numbers beyond this are no motion. */
 #define TOO_FAR 1e100
 
 /* ---- one linearisation */
 
-/* Again: right-hand sides count, what else is set is not looked at. */
-static void assemble(scene_object *s, const scene_part *part, bool again)
+/* What is new in an assembly: all; all but the matrix of drains; right-hand sides, and what else is set is not looked at. */
+typedef enum news { NEWS_ALL, NEWS_BUT_DRAINS, NEWS_FORCES } news;
+
+static void clear(scene_object *s, bool but_drains)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_DRAIN) {
+            vbss_system_keep_matrix(s->system, s->bodies[i].drain.first_block, but_drains);
+        }
+    }
+    vbss_system_clear(s->system);
+}
+
+static void assemble(scene_object *s, const scene_part *part, news what)
 {
     const vbss_rigid_part p = {part->step, part->begin, part->end};
     vbss_system *system = s->system;
-    vbss_system_clear(system);
+    if (what != NEWS_FORCES) {
+        clear(s, what == NEWS_BUT_DRAINS);
+    }
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
@@ -42,7 +59,7 @@ static void assemble(scene_object *s, const scene_part *part, bool again)
         } else if (b->kind == BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
             vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
                                 &b->rigid.blocks);
-        } else if (b->kind == BODY_DRAIN && again) {
+        } else if (b->kind == BODY_DRAIN && what != NEWS_ALL) {
             vbss_drain_assemble_rhs(b->drain.drain, &b->drain.stage, system, b->drain.first_block);
         } else if (b->kind == BODY_DRAIN) {
             vbss_drain_assemble(b->drain.drain, &b->drain.stage, system, b->drain.first_block);
@@ -66,22 +83,27 @@ static bool leave_compression_out(scene_object *s)
     return some;
 }
 
-/* Half of the work that is left: a further linearisation needs some too. */
-static uint64_t limit_search(const scene_object *s)
+static uint32_t cost(const scene_object *s, uint32_t on_triangle)
 {
-    uint64_t done = s->contacts->counters.work, most = s->most_work;
-    return most == 0 ? 0 : done < most ? done + (most - done) / 2 : 1;
-}
-
-static void spend(scene_object *s, uint32_t on_triangle)
-{
-    vbss_scene_spend(s, COST_OF_NODE, s->node_count);
-    vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
+    uint32_t sum = COST_OF_NODE * s->node_count + COST_OF_ROW * s->contacts->count;
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
-            vbss_scene_spend(s, on_triangle, s->bodies[i].drain.drain->mesh.triangle_count);
+            sum += on_triangle * s->bodies[i].drain.drain->mesh.triangle_count;
         }
     }
+    return sum;
+}
+
+uint32_t vbss_scene_linearisation_cost(const scene_object *s)
+{
+    return cost(s, COST_OF_TRIANGLE);
+}
+
+/* What is left but for a further linearisation and a solve, which is half as much. */
+static uint64_t limit_search(const scene_object *s)
+{
+    uint64_t further = (uint64_t)vbss_scene_linearisation_cost(s) * 3 / 2;
+    return s->most_work == 0 ? 0 : further < s->most_work ? s->most_work - further : 1;
 }
 
 /* States of the contacts and increments of everything, for what is condensed. `goes_on`: there was a linearisation before. */
@@ -110,18 +132,22 @@ static scene_verdict find_states(scene_object *s, uint64_t most_work, bool goes_
     return found == CONTACT_LOST ? VERDICT_STATES : VERDICT_ACCEPTED;
 }
 
-static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on)
+/* `last`: no more work may be done. Then drains keep their matrix from the linearisation before, in which they have moved
+ * by little: of their equations they solve the forces anew. */
+static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on,
+                                     bool last)
 {
+    news what = last ? NEWS_BUT_DRAINS : NEWS_ALL;
     uint64_t most_work = limit_search(s);
-    spend(s, COST_OF_TRIANGLE);
-    assemble(s, part, false);
+    vbss_scene_spend(s, cost(s, last ? COST_OF_LOOK : COST_OF_TRIANGLE));
+    assemble(s, part, what);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
     while (!vbss_system_condense(s->system)) {
         if (!leave_compression_out(s)) {
             return VERDICT_SINGULAR;
         }
-        assemble(s, part, false);
+        assemble(s, part, what);
         vbss_scene_set_weld_arms(s);
     }
     return find_states(s, most_work, goes_on);
@@ -216,6 +242,19 @@ static drain_moves note_moves(scene_object *s)
     return m;
 }
 
+/* A needle in a hole. */
+static bool turns_far(const scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        const scene_body *b = hole->id != 0 ? vbss_scene_body(s, hole->needle) : NULL;
+        if (b != NULL && vec3_norm(s->system->solution[b->rigid.blocks.first + 1]) > TURNS_FAR) {
+            return true;
+        }
+    }
+    return false;
+}
+
 static void count_forced(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -254,9 +293,9 @@ static bool is_believed(scene_object *s)
 static scene_verdict look_again(scene_object *s, const scene_part *part, shape_error *e)
 {
     uint64_t most_work = limit_search(s);
-    spend(s, COST_OF_LOOK);
+    vbss_scene_spend(s, cost(s, COST_OF_LOOK));
     vbss_contact_note_found(s->contacts);
-    assemble(s, part, true);
+    assemble(s, part, NEWS_FORCES);
     vbss_scene_set_weld_arms(s);
     vbss_system_condense_rhs(s->system);
     if (find_states(s, most_work, true) != VERDICT_ACCEPTED || !is_believed(s)) {
@@ -270,38 +309,40 @@ static scene_verdict look_again(scene_object *s, const scene_part *part, shape_e
 
 /* ---- the shape */
 
-/* Forces that the law does not know may stretch and throw a thread. Where the search has been stopped, what threads have
- * gained says whether they did. */
-static bool is_false(const scene_object *s, const scene_part *part)
+/* Only where no more than a last search may follow, and not in the smallest part, which must be found. */
+static bool is_astray(const scene_object *s, const scene_part *part, double stretch, double before)
 {
-    double gained = 0.0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
-            gained += vbss_thread_gain(s->bodies[i].thread.thread, part->h);
-        }
-    }
-    return !(gained <= MOST_GAIN);
+    bool ends = s->most_work > 0 && s->contacts->counters.work >= limit_search(s);
+    return ends && !part->smallest && stretch > ASTRAY && stretch > 0.5 * before;
 }
 
 /* Linearises until threads have their lengths; k counts on. */
 static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_t *k)
 {
-    shape_error e = {true, false, 0.0};
+    shape_error e = {true, false, (double)INFINITY};
     bool looked = false, went_on = false;
+    uint32_t turned = 0;
     for (uint32_t last = 0; *k < s->config.linearisation_limit && !e.converged && last < LAST;
          last += vbss_scene_is_spent(s)) {
-        scene_verdict verdict = find_increments(s, part, *k > 0);
+        scene_verdict verdict = find_increments(s, part, *k > 0, last > 0);
         if (verdict != VERDICT_ACCEPTED) {
             return verdict;
         }
         drain_moves moves = note_moves(s);
+        double before = e.stretch;
+        bool turns = turns_far(s);
         e = advance(s);
         if (!e.finite || !moves.finite) {
             return VERDICT_SINGULAR;
         }
         vbss_scene_refresh_rows(s);
-        if (moves.too_far && !part->smallest) {
+        bool unsettled = moves.too_far || (turns && turned == TURNINGS);
+        if ((unsettled && !part->smallest) || is_astray(s, part, e.stretch, before)) {
             return VERDICT_STRETCH;
+        }
+        if (turns && turned < TURNINGS) {
+            e.converged = false;
+            turned++;
         }
         if (e.converged && moves.look && !looked) {
             verdict = look_again(s, part, &e);
@@ -317,7 +358,7 @@ static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_
         ++*k;
     }
     count_forced(s);
-    if (s->contacts->stopped && is_false(s, part)) {
+    if (s->contacts->stopped && !vbss_scene_believes(s, part)) {
         return VERDICT_STATES;
     }
     bool found = e.converged || e.stretch <= s->config.stretch_tolerance;

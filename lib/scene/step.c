@@ -61,8 +61,13 @@ static void go_back(scene_object *s)
 
 /* ---- work */
 
-/* Of an attempt, in products of blocks; most of a row's is the pattern. */
-enum { COST_OF_CANDIDATE = 60, COST_OF_ROW = 300, COST_OF_NODE = 20 };
+/* Of an attempt, in products of blocks. Rows are found and laid as candidates are looked at. */
+enum { COST_OF_CANDIDATE = 60, COST_OF_NODE = 20 };
+
+static uint32_t cost_of_attempt(const scene_object *s)
+{
+    return COST_OF_CANDIDATE * s->collision->candidate_count + COST_OF_NODE * s->node_count;
+}
 
 static double smallest_part(const scene_object *s)
 {
@@ -82,9 +87,9 @@ bool vbss_scene_is_part(const scene_object *s, double size)
     return part == size;
 }
 
-void vbss_scene_spend(scene_object *s, uint32_t each, uint32_t count)
+void vbss_scene_spend(scene_object *s, uint32_t work)
 {
-    s->contacts->counters.work += (uint64_t)each * count;
+    s->contacts->counters.work += work;
 }
 
 bool vbss_scene_is_spent(const scene_object *s)
@@ -140,9 +145,7 @@ static scene_verdict attempt(scene_object *s, const scene_part *part)
     if (!vbss_scene_find_rows(s, part)) {
         return VERDICT_FULL;
     }
-    vbss_scene_spend(s, COST_OF_CANDIDATE, s->collision->candidate_count);
-    vbss_scene_spend(s, COST_OF_ROW, s->contacts->count);
-    vbss_scene_spend(s, COST_OF_NODE, s->node_count);
+    vbss_scene_spend(s, cost_of_attempt(s));
     vbss_scene_predict(s, part);
     vbss_scene_number_blocks(s);
     vbss_scene_set_rows(s, part);
@@ -192,10 +195,11 @@ typedef struct progress {
     uint32_t attempts;
 } progress;
 
-/* Whether no more may be begun in the step. */
+/* Whether no more may be begun in the step: there is no room for it. */
 static bool is_over(const scene_object *s, const progress *at)
 {
-    bool spent = s->contacts->counters.work >= s->config.work_limit;
+    uint64_t another = cost_of_attempt(s) + vbss_scene_linearisation_cost(s);
+    bool spent = s->contacts->counters.work + another >= s->config.work_limit;
     return is_limited(s) && (at->attempts >= s->config.attempt_limit || spent);
 }
 
@@ -316,7 +320,7 @@ static vbss_result make_parts(scene_object *s, double h)
         }
         go_on(s, &at);
         if (part->begin < 1.0 && is_over(s, &at)) {
-            pause_for_now(s, &at, at.size);
+            pause_for_now(s, &at, lesser(2.0 * at.size, 1.0)); /* this one did */
             break;
         }
     }

@@ -81,11 +81,25 @@ static inline void subtract_rhs(vec3 *rhs, const block *scaled, vec3 y)
     *rhs = lanes_vec3(r);
 }
 
+static inline void condense_rhs_of(vbss_system *s, uint32_t k)
+{
+    vbss_pivot *pivot = &s->pivots[k];
+    pivot->y = reduce_rhs(s->rhs[s->order[k]], pivot);
+    for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
+        const block *z = &s->scaled[s->entries[e].index];
+        subtract_rhs(&s->rhs[s->order[s->entries[e].row]], z, pivot->y);
+    }
+}
+
 bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
 {
     for (uint32_t k = 0; k < s->run_count; k++) {
         uint32_t b = s->order[k];
         vbss_pivot *pivot = &s->pivots[k];
+        if (s->chain_kept[s->chain_of[b]]) {
+            condense_rhs_of(s, k);
+            continue;
+        }
         if (!factor_pivot(&s->diagonal[b], pivot)) {
             s->tiny_pivots++;
             return false;
@@ -116,12 +130,7 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
 void VBSS_WIDE_NAME(vbss_system_condense_rhs)(vbss_system *s)
 {
     for (uint32_t k = 0; k < s->run_count; k++) {
-        vbss_pivot *pivot = &s->pivots[k];
-        pivot->y = reduce_rhs(s->rhs[s->order[k]], pivot);
-        for (uint32_t e = s->column_start[k]; e < s->column_start[k + 1]; e++) {
-            const block *z = &s->scaled[s->entries[e].index];
-            subtract_rhs(&s->rhs[s->order[s->entries[e].row]], z, pivot->y);
-        }
+        condense_rhs_of(s, k);
     }
 }
 

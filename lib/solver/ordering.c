@@ -314,12 +314,19 @@ static vbss_result analyse_bodies(vbss_system *s)
     VBSS_TRY(order_separators(s));
     symbolic y = begin_symbolic(s);
     s->column_start[0] = s->join_start[0] = 0;
-    for (uint32_t k = 0; k < s->run_count; k++) {
-        VBSS_TRY(find_run_column(s, &y, k));
+    uint32_t k = 0, *fill_end = s->fill_ends;
+    for (uint32_t chain = 0; chain < s->chain_count; chain++) {
+        for (; k < s->run_count && s->chain_of[s->order[k]] == chain; k++) {
+            VBSS_TRY(find_run_column(s, &y, k));
+        }
+        *fill_end++ = y.fill - (s->own_count + 1);
     }
-    s->separator_first_entry = s->column_start[s->run_count];
-    for (uint32_t i = 0; i < s->active_count - s->run_count; i++) {
-        VBSS_TRY(find_joins(s, &y, i));
+    s->separator_first_entry = s->column_start[k];
+    for (uint32_t chain = 0; chain < s->chain_count; chain++) {
+        for (; k < s->active_count && s->chain_of[s->order[k]] == chain; k++) {
+            VBSS_TRY(find_joins(s, &y, k - s->run_count));
+        }
+        *fill_end++ = y.fill - (s->own_count + 1);
     }
     copy_products(s, &y);
     s->fill_count = y.fill - (s->own_count + 1);

@@ -139,6 +139,7 @@ typedef struct vbss_system {
     uint32_t *chain_ends;     /* first block after each chain */
     uint32_t *chain_of;       /* block -> chain */
     uint8_t *chain_ordered;   /* its blocks are eliminated as they are numbered */
+    uint8_t *chain_kept;      /* its matrix stays as condense left it */
     uint32_t *known;          /* couplings of two separators by hash, for couple_once; 0 is free */
     uint32_t known_capacity;  /* a power of two */
     uint32_t known_to;        /* of couplings, from 1 on: those that have been looked at */
@@ -148,8 +149,10 @@ typedef struct vbss_system {
     /* analysed; positions count in elimination order, runs first, then separators by block number */
     bool bodies_known; /* all of it but what couplings of couple_once change */
     uint32_t run_count, active_count, entry_count, fill_count;
-    uint32_t *order;        /* position -> block */
-    uint32_t *place;        /* block -> position */
+    uint32_t
+        *fill_ends;  /* of the runs of each chain; then, from chain_count on, of its separators */
+    uint32_t *order; /* position -> block */
+    uint32_t *place; /* block -> position */
     uint32_t *column_start; /* position -> first entry of its column; one more at the end */
     vbss_entry *entries; /* of pairs that only couple_once coupled: VBSS_NO_COUPLING, no numbers */
     uint32_t *product_start; /* run position -> first of its products */
@@ -223,6 +226,9 @@ void vbss_system_begin_again(vbss_system *system);
  * block has the rows of the block that is eliminated later: of the higher one unless it is `flipped`;
  * its transpose is meant with it. clear empties what nobody sets: fill. */
 void vbss_system_clear(vbss_system *system);
+/* Before clear: from now on the chain of a block keeps the matrix that condense left, and its factor, or no longer does; its
+ * body sets right-hand sides only. Not before condense has succeeded, nor across another analyse. */
+void vbss_system_keep_matrix(vbss_system *system, uint32_t block, bool kept);
 
 /* Eliminates the runs. False: a pivot was too small. */
 bool vbss_system_condense(vbss_system *system);

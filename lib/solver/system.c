@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 44 };
+enum { PARTS = 46 };
 #define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
 static void list_parts(vbss_system *s, vbss_array parts[PARTS])
@@ -21,6 +21,8 @@ static void list_parts(vbss_system *s, vbss_array parts[PARTS])
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
         {&s->chain_of, blocks, sizeof *s->chain_of},
         {&s->chain_ordered, blocks, sizeof *s->chain_ordered},
+        {&s->chain_kept, blocks, sizeof *s->chain_kept},
+        {&s->fill_ends, 2 * blocks, sizeof *s->fill_ends},
         {&s->known, s->known_capacity, sizeof *s->known},
         {&s->known_places, s->coupling_capacity, sizeof *s->known_places},
         {&s->order, blocks, sizeof *s->order},
@@ -167,6 +169,7 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
     }
     system->block_count += count;
     system->chain_ordered[system->chain_count] = false;
+    system->chain_kept[system->chain_count] = false;
     system->chain_ends[system->chain_count++] = system->block_count;
     return VBSS_OK;
 }
@@ -283,9 +286,19 @@ void vbss_system_begin_again(vbss_system *system)
 
 /* ---- the numbers */
 
+void vbss_system_keep_matrix(vbss_system *system, uint32_t b, bool kept)
+{
+    system->chain_kept[system->chain_of[b]] = kept;
+}
+
 void vbss_system_clear(vbss_system *system)
 {
     /* Fill stands behind the couplings of bodies. */
     block *fill = system->numbers + system->own_count + 1;
-    memset(fill, 0, system->fill_count * sizeof *fill);
+    for (uint32_t i = 0, begin = 0, end; i < 2 * system->chain_count; i++, begin = end) {
+        end = system->fill_ends[i];
+        if (!system->chain_kept[i % system->chain_count]) {
+            memset(fill + begin, 0, (end - begin) * sizeof *fill);
+        }
+    }
 }

@@ -51,6 +51,29 @@ static void corners_of(const drain_object *d, uint32_t t, vec3 corner[3])
     }
 }
 
+bool vbss_suture_goes_through(const drain_object *d, const vec3 axis[2], suture_hole *where,
+                              double *share)
+{
+    const vec3 way = vec3_sub(axis[1], axis[0]);
+    bool found = false;
+    *share = 1.0;
+    for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
+        vec3 corner[3];
+        double far, weights[3];
+        corners_of(d, t, corner);
+        if (meets(corner, axis[0], way, &far, weights) && far >= 0.0 && far <= *share) {
+            vbss_suture_round_off(weights);
+            where->triangle = t;
+            for (int k = 0; k < 3; k++) {
+                where->weights[k] = weights[k];
+            }
+            *share = far;
+            found = true;
+        }
+    }
+    return found;
+}
+
 static double distance_to_side(const drain_object *d, const drain_side *side, vec3 point)
 {
     vec3 along = vec3_sub(d->x[side->nodes[1]], d->x[side->nodes[0]]);

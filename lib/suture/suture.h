@@ -25,6 +25,8 @@ typedef struct suture_hole {
     double
         entry; /* arc length of the needle that was there when it entered: below 0, before the tip */
     double arc; /* of the needle or the thread, that is there now; from the tip, from its begin */
+    double
+        slides; /* how much of `arc` it would go on in the trial state of a part; of the guard, which finds it */
     double deepest; /* of the needle, that has been */
     double held;    /* friction on the suture, toward the tip, N */
     vec3 across;    /* force on the suture across its line, N, in the world */
@@ -82,6 +84,9 @@ bool vbss_suture_enters(const vbss_drain_config *config, const suture_tip *tip);
 /* The hole that it makes: where its line meets the wall within `reach`; false: nowhere, or where the wall ends. */
 bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double reach,
                            double wire_radius, suture_hole *hole);
+/* Where an axis first goes through the wall: a hole's triangle and weights there, nothing else of it; at which share. */
+bool vbss_suture_goes_through(const drain_object *d, const vec3 axis[2], suture_hole *where,
+                              double *share);
 /* Weights in a triangle, but for rounding: none below 0, all together 1. */
 void vbss_suture_round_off(double weights[3]);
 

@@ -36,7 +36,7 @@ typedef struct fake_scene {
     const char *name;
     uint64_t ns[BENCH_REPETITIONS][STEPS];
     unsigned repetition, setups, restores, teardowns;
-    uint32_t done;
+    uint32_t done, beside;
     int setup_result, restore_result, failing_step; /* failing_step: -1 none */
     unsigned odd_repetition;                        /* its hash differs after step 2 */
 } fake_scene;
@@ -238,6 +238,44 @@ static void the_least_time_of_each_step_counts(void **state)
     assert_int_equal(scene.teardowns, 1);
 }
 
+static int spend_beside(void *user, uint32_t index)
+{
+    fake_scene *scene = user;
+    (void)index;
+    spend(700000); /* neither is the step's */
+    scene->beside++;
+    return 0;
+}
+
+static int refuse_step(void *user, uint32_t index)
+{
+    (void)user;
+    return index == 2 ? -6 : 0;
+}
+
+static void what_is_done_beside_a_step_is_not_timed(void **state)
+{
+    (void)state;
+    fake_scene scene = make_scene();
+    bench_stepped stepped = stepped_case(&scene);
+    stepped.before = stepped.after = spend_beside;
+    bench_result result = measure(&stepped);
+    assert_false(result.failed);
+    assert_int_equal(scene.beside, 2 * STEPS * BENCH_REPETITIONS);
+    expect_near(4.5, bench_counter_value(&result, "max_us"), 1e-12);
+    expect_near(9.0, bench_counter_value(&result, "wall_max_us"), 1e-12);
+    /* It ends the case as the step itself would. */
+    scene = make_scene();
+    stepped.before = refuse_step;
+    assert_non_null(strstr(measure(&stepped).error, "step 2 returned -6"));
+    assert_int_equal(scene.done, 1);
+    scene = make_scene();
+    stepped.before = NULL;
+    stepped.after = refuse_step;
+    assert_non_null(strstr(measure(&stepped).error, "step 2 returned -6"));
+    assert_int_equal(scene.done, 2);
+}
+
 /* A clock that costs 300 ns a reading, inside one that costs 20. */
 static uint64_t read_dear_cpu(void *user)
 {
@@ -426,6 +464,88 @@ static void growth_is_fitted_within_its_range(void **state)
     bench_end(&b);
 }
 
+/* ---- pools */
+
+static fake_scene pooled_scenes[2], lone_scene;
+
+static void finish_pool(void *user, bench_result *result)
+{
+    (void)user;
+    bench_counter(result, "through", 1.0);
+}
+
+static void add_pooled(bench *b)
+{
+    /* Before its cases: it is made last all the same. */
+    bench_add_pool(b, &(bench_pool){.name = "fake/scene/all",
+                                    .dt_us = 500.0,
+                                    .deadline_us = 13.0,
+                                    .finish = finish_pool});
+    for (size_t i = 0; i < 2; i++) {
+        bench_stepped stepped = stepped_case(&pooled_scenes[i]);
+        stepped.pool = "fake/scene/all";
+        bench_add_stepped(b, &stepped);
+    }
+    bench_stepped lone = stepped_case(&lone_scene);
+    bench_add_stepped(b, &lone);
+    bench_add_pool(b, &(bench_pool){.name = "fake/nobody/all"});
+}
+
+static void make_pooled_scenes(void)
+{
+    pooled_scenes[0] = pooled_scenes[1] = lone_scene = make_scene();
+    pooled_scenes[0].name = "fake/scene/first";
+    pooled_scenes[1].name = "fake/scene/second";
+    for (size_t r = 0; r < BENCH_REPETITIONS; r++) {
+        for (size_t i = 0; i < STEPS; i++) {
+            pooled_scenes[1].ns[r][i] += 10000u + (r == i ? 0u : 5000u);
+            lone_scene.ns[r][i] += 1000000u;
+        }
+    }
+}
+
+static void a_pool_has_the_least_times_of_all_its_steps(void **state)
+{
+    (void)state;
+    bench b;
+    make_pooled_scenes();
+    run_suite(&b, add_pooled, "fake/scene");
+    const bench_result *result = &find_case(&b, "fake/scene/all")->result;
+    assert_int_equal(bench_failures(&b), 0);
+    assert_int_equal(result->repetitions, BENCH_REPETITIONS);
+    assert_int_equal(result->iterations, 2 * STEPS);
+    assert_string_equal(result->time_unit, "us");
+    /* 1.5 to 4.5 us, and 11.5 to 14.5 */
+    expect_near(4.5, bench_counter_value(result, "median_us"), 1e-12);
+    expect_near(9.0, bench_counter_value(result, "wall_median_us"), 1e-12);
+    expect_near(14.5, bench_counter_value(result, "p999_us"), 1e-12);
+    expect_near(8.0, bench_counter_value(result, "mean_us"), 1e-12);
+    expect_near(16.0, bench_counter_value(result, "us_per_ms"), 1e-12);
+    expect_near(2.0, bench_counter_value(result, "steps_over_deadline"), 0.0);
+    expect_near(1.0, bench_counter_value(result, "through"), 0.0);
+    bench_end(&b);
+}
+
+static void a_pool_fails_with_its_cases(void **state)
+{
+    (void)state;
+    bench b;
+    make_pooled_scenes();
+    pooled_scenes[1].failing_step = 1;
+    run_suite(&b, add_pooled, NULL);
+    const bench_result *result = &find_case(&b, "fake/scene/all")->result;
+    assert_non_null(strstr(result->error, "fake/scene/second failed"));
+    assert_null(result->time_unit);
+    /* One without cases too, unless a filter left them out. */
+    assert_non_null(strstr(find_case(&b, "fake/nobody/all")->result.error, "no case"));
+    assert_int_equal(bench_failures(&b), 3);
+    bench_end(&b);
+    run_suite(&b, add_pooled, "all");
+    assert_false(find_case(&b, "fake/scene/all")->measured);
+    assert_int_equal(bench_failures(&b), 0);
+    bench_end(&b);
+}
+
 /* ---- choosing and naming */
 
 static void the_filter_selects_by_substring(void **state)
@@ -591,6 +711,7 @@ int test_bench_harness(void)
         cmocka_unit_test(percentiles_are_nearest_rank),
         cmocka_unit_test(a_power_law_is_found_again),
         cmocka_unit_test(the_least_time_of_each_step_counts),
+        cmocka_unit_test(what_is_done_beside_a_step_is_not_timed),
         cmocka_unit_test(the_cost_of_the_clocks_is_taken_off),
         cmocka_unit_test(a_repetition_that_differs_is_an_error),
         cmocka_unit_test(a_failing_callback_ends_the_case),
@@ -598,6 +719,8 @@ int test_bench_harness(void)
         cmocka_unit_test(a_trial_is_run_once_and_times_itself),
         cmocka_unit_test(a_dear_timer_enlarges_the_batch),
         cmocka_unit_test(growth_is_fitted_within_its_range),
+        cmocka_unit_test(a_pool_has_the_least_times_of_all_its_steps),
+        cmocka_unit_test(a_pool_fails_with_its_cases),
         cmocka_unit_test(the_filter_selects_by_substring),
         cmocka_unit_test(names_are_checked),
         cmocka_unit_test(options_are_parsed),

@@ -252,6 +252,43 @@ static void a_search_that_stops_in_time_leaves_a_balance(void **state)
     assert_true((t.found > 100 && t.lost > 100) || t.found + t.lost <= 1);
 }
 
+/* Another search from there is left: rows are as found before it, and what was stopped is so still. */
+static void what_is_left_again_is_as_it_was_found(harness_source *source, void *user)
+{
+    tally *t = user;
+    few_blocks f;
+    contact_found found[16] = {0};
+    draw_few(&f, source, 3.0);
+    f.search.most_work = 1;
+    (void)few_solve(&f);
+    const bool stopped = f.set->stopped;
+    assert_true(f.set->count <= 16);
+    vbss_contact_note_found(f.set);
+    for (uint32_t i = 0; i < f.set->count; i++) {
+        found[i] = f.set->rows[i].is;
+    }
+    f.search.most_work = 0;
+    (void)few_solve(&f);
+    assert_false(f.set->stopped);
+    vbss_contact_return_to_found(f.set);
+    assert_int_equal(stopped, f.set->stopped);
+    for (uint32_t i = 0; i < f.set->count; i++) {
+        assert_int_equal(found[i].state, f.set->rows[i].is.state);
+        expect_same_bits(found[i].pressure, f.set->rows[i].is.pressure);
+    }
+    t->found += stopped;
+    t->lost += !stopped;
+    few_end(&f);
+}
+
+static void a_search_that_is_left_leaves_what_was_found(void **state)
+{
+    (void)state;
+    tally t = {0};
+    harness_property("left", 1000, what_is_left_again_is_as_it_was_found, &t);
+    assert_true((t.found > 100 && t.lost > 100) || t.found + t.lost <= 1);
+}
+
 static void nothing_to_hold_on_to_is_told(void **state)
 {
     (void)state;
@@ -337,6 +374,7 @@ int test_states(void)
         harness_test(what_is_found_is_the_law_and_balance),
         harness_test(cycles_end_loose_or_lost_within_the_limit),
         cmocka_unit_test(a_search_that_stops_in_time_leaves_a_balance),
+        cmocka_unit_test(a_search_that_is_left_leaves_what_was_found),
         cmocka_unit_test(nothing_to_hold_on_to_is_told),
         cmocka_unit_test(what_closes_deep_is_softened_and_ends_right),
         cmocka_unit_test(stiffness_comes_back_whatever_happens),

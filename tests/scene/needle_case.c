@@ -49,11 +49,22 @@ void needle_case_put(needle_case *c, vec3 tip, vec3 way, vec3 aside)
     const double parts[4] = {q.w, q.x, q.y, q.z};
     memcpy(c->config.orientation, parts, sizeof parts);
     vec3_store(c->config.position, c->hand.position);
-    expect_ok(vbss_needle_create(c->d.s.context, &c->config, &c->needle));
+    if (c->needle == NULL) {
+        expect_ok(vbss_needle_create(c->d.s.context, &c->config, &c->needle));
+    } else {
+        expect_ok(vbss_needle_set_state(c->needle, c->config.position, c->config.orientation,
+                                        c->config.velocity, c->config.angular_velocity));
+    }
     expect_ok(vbss_scene_add_needle(c->d.s.scene, c->needle, &c->body));
     scene_rigid *r = rigid_of(c);
     r->kind = VBSS_RIGID_COUPLED;
     r->body.coupling = needle_case_coupling;
+}
+
+void needle_case_take_out(needle_case *c)
+{
+    expect_ok(vbss_scene_remove(c->d.s.scene, c->body));
+    c->body = 0;
 }
 
 void needle_case_let_go(needle_case *c)
@@ -137,7 +148,7 @@ double needle_case_energy(const needle_case *c)
 
 /* ---- the oracle */
 
-static bool crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there)
+bool needle_case_crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there)
 {
     vec3 normal = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
     double from = vec3_dot(normal, vec3_sub(axis[0], corner[0]));
@@ -156,18 +167,23 @@ static bool crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there)
 }
 
 /* Where the wall is stretched, what is near at rest is far. */
-static bool is_at_hole(const needle_case *c, vec3 there, vec3 at_rest)
+static bool is_at_hole(needle_case *c, vec3 there, vec3 at_rest)
 {
     vbss_hole holes[NEEDLE_CASE_HOLES];
-    double most = c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness);
+    double touching = c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness);
+    double nearest = HUGE_VAL;
+    bool at = false;
     uint32_t count = needle_case_holes(c, holes);
     for (uint32_t i = 0; i < count; i++) {
-        if (vec3_distance(there, vec3_load(holes[i].position)) < most ||
-            vec3_distance(at_rest, vec3_load(holes[i].rest_position)) < most) {
-            return true;
-        }
+        double far = fmin(vec3_distance(there, vec3_load(holes[i].position)),
+                          vec3_distance(at_rest, vec3_load(holes[i].rest_position)));
+        vec3 force = vec3_load(holes[i].force), way = vec3_load(holes[i].direction);
+        vec3 across = vec3_add_scaled(force, -vec3_dot(force, way), way);
+        at = at || far < touching + c->give * vec3_norm(across);
+        nearest = fmin(nearest, far);
     }
-    return false;
+    c->farthest = count > 0 ? fmax(c->farthest, nearest) : c->farthest;
+    return at;
 }
 
 /* The same point of a triangle in another state of it. */
@@ -197,7 +213,7 @@ static void look_for_crossings(needle_case *c)
             const vec3 corner[3] = {nodes[node[3 * t]], nodes[node[3 * t + 1]],
                                     nodes[node[3 * t + 2]]};
             vec3 there;
-            if (crosses(points + i, corner, &there)) {
+            if (needle_case_crosses(points + i, corner, &there)) {
                 c->crossings++;
                 const vec3 other[3] = {at_rest[node[3 * t]], at_rest[node[3 * t + 1]],
                                        at_rest[node[3 * t + 2]]};

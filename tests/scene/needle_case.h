@@ -15,8 +15,11 @@ typedef struct needle_case {
     pose hand;                             /* where it has the needle's frame */
     uint32_t counts[NEEDLE_CASE_EVENTS];   /* of events so far, by kind */
     uint32_t happened[NEEDLE_CASE_EVENTS]; /* in the last step */
-    double at_hole;           /* crossings are so near to their hole, in distances of touching */
+    double at_hole; /* crossings are so near to their hole, in distances of touching */
+    double
+        give; /* and farther by so much, m/N, as their hole bears across: 0, or what its stiffness gives */
     uint32_t crossings, away; /* of the last step; at no hole, of all steps */
+    double farthest;          /* of all steps: from a crossing to its hole, m */
     double at_tip;            /* most of its force along the tip's direction, N */
     double push, peak; /* what the hand drives it with along its arc, N: now; most since set to 0 */
 } needle_case;
@@ -28,6 +31,8 @@ void needle_case_end(needle_case *c);
 /* Adds the needle: its tip there, pointing that way; its arc's centre is on the other side of `aside`. Held by a hand; a
  * needle that is let go flies. */
 void needle_case_put(needle_case *c, vec3 tip, vec3 way, vec3 aside);
+/* Out of the scene; it may be put again, then with the velocities of the configuration too. */
+void needle_case_take_out(needle_case *c);
 void needle_case_let_go(needle_case *c);
 /* Where its frame is then; and how stiffly it is held. */
 pose needle_case_pose(double radius, vec3 tip, vec3 way, vec3 aside);
@@ -47,6 +52,8 @@ void needle_case_wait(needle_case *c, uint32_t steps);
  * Whether it came. */
 bool needle_case_drive(needle_case *c, double way, double speed, vbss_event_kind until);
 
+/* Whether an axis crosses a triangle, and where. */
+bool needle_case_crosses(const vec3 axis[2], const vec3 corner[3], vec3 *there);
 vbss_needle_state needle_case_state(const needle_case *c);
 vec3 needle_case_hand_force(const needle_case *c); /* on the needle */
 uint32_t needle_case_holes(const needle_case *c, vbss_hole holes[NEEDLE_CASE_HOLES]);

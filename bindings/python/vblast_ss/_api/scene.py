@@ -201,13 +201,15 @@ class vbss_scene_config(ctypes.Structure):
     work_limit: REAL_TIME, method OURS: operations in a step after which nothing is searched for
     any longer. Forces of contacts are taken as they have been found by then: they balance, but
     miss the law of contact by up to vbss_scene_statistics::last_residual; lengths are found all
-    the same, with a few solves beyond the limit. Where that fails, or after attempt_limit
-    attempts, the rest of the step is left out: everything waits for the next one, which begins
-    with smaller parts (vbss_scene_statistics::paused), and what is driven goes on from where it
-    was stopped. Without limit are the first step of a scene and the smallest part that
-    halving_limit allows, until its states are not found: then it is tried once more with as
-    much for itself. An operation is what costs about as much as a product of two 3x3 blocks;
-    250000 are some 0.5 ms of a core of 2.6 GHz (docs/contact.md). 0: no limit; default 250000.
+    the same, with a few solves beyond the limit. Where that fails, where such forces put in
+    more than 20 uJ that nothing has done the work for (1 mJ in a scene without drains), or
+    after attempt_limit attempts, the rest of the step is left out: everything waits for the
+    next one, which begins with smaller parts (vbss_scene_statistics::paused), and what is
+    driven goes on from where it was stopped. Without limit are the first step of a scene and
+    the smallest part that halving_limit allows, until its states are not found: then it is
+    tried once more with as much for itself. An operation is what costs about as much as a
+    product of two 3x3 blocks; 250000 are some 0.5 ms of a core of 2.6 GHz (docs/contact.md). 0:
+    no limit; default 250000.
 
     drain_capacity: Most drains at a time, 0 to 16; default 1.
 

@@ -1,0 +1,137 @@
+/* Whether what a stopped search has led to may be taken. Its forces are not those of the law, and lengths were put right
+ * before shapes: both may put energy into threads that nothing has done the work for. */
+#include "scene/scene.h"
+
+/* Of each in a part, J. A knot alone rubs away what it was given: it may have what a quick hand does in a millisecond, with
+ * 2 N at 0.5 m/s, or it waits too often. A wall keeps it: slits were drawn shut, and opened, by what nobody had done. */
+#define MOST_OF_THREADS 1e-3
+#define MOST_AT_WALLS 2e-5
+
+static const thread_object *thread_of_block(const scene_object *s, uint32_t number, uint32_t *node)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_thread *b = &s->bodies[i].thread;
+        if (s->bodies[i].kind == BODY_THREAD && number >= b->first_block &&
+            number - b->first_block < b->thread->node_count) {
+            *node = number - b->first_block;
+            return b->thread;
+        }
+    }
+    return NULL;
+}
+
+static vec3 way_of(const thread_object *t, uint32_t node)
+{
+    return vec3_sub(t->trial[node], t->now.x[node]);
+}
+
+/* What a contact does to threads: with the force of which the blocks balance. */
+static double work_of_row(const scene_object *s, const contact_row *row, vec3 force)
+{
+    double sum = 0.0;
+    for (uint32_t k = 0; k < row->term_count; k++) {
+        const contact_term *term = &row->terms[k];
+        uint32_t node = 0;
+        const thread_object *t = term->turns ? NULL : thread_of_block(s, term->block, &node);
+        if (t != NULL) {
+            sum += term->weight * vec3_dot(force, way_of(t, node));
+        }
+    }
+    return sum;
+}
+
+/* ---- forces that the law does not know */
+
+static double stored(const contact_row *row, double gap)
+{
+    return gap < 0.0 ? 0.5 * row->stiffness * gap * gap : 0.0;
+}
+
+/* More than the law would have put in. */
+static double gain(double done, double by_law)
+{
+    return greater(done - greater(by_law, 0.0), 0.0);
+}
+
+/* What a force has put in, up to the trial state, that the law would not have; what others have taken out does not make up for
+ * it. What threads gain is known; what drains do is not, so at a wall counts what the law would have taken out, too. */
+static double work_beyond_law(const scene_object *s, const contact_row *row, vec3 force)
+{
+    const scene_body *b = vbss_scene_body(s, row->key.body_b);
+    bool at_wall = b != NULL && b->kind == BODY_DRAIN;
+    vec3 law = vbss_contact_force(row, vec3_zero()), way = row->slid;
+    if (row->sleeve) {
+        return greater(vec3_dot(vec3_sub(force, law), way), 0.0);
+    }
+    double along = vec3_dot(row->normal, way), done = along * vec3_dot(force, row->normal);
+    double let_go = stored(row, row->gap_before) - stored(row, row->gap);
+    vec3 beside = vec3_add_scaled(way, -along, row->normal);
+    double rubbed = vec3_dot(force, beside), by_law = vec3_dot(law, beside);
+    return at_wall ? greater(done - let_go, 0.0) + greater(rubbed - by_law, 0.0)
+                   : gain(done, let_go) + gain(rubbed, by_law);
+}
+
+/* ---- what threads gain */
+
+/* At most: what is held is drawn by the tension beside it. */
+static double work_at_node(const thread_object *t, uint32_t node)
+{
+    double pull = 0.0;
+    for (uint32_t k = node > 0 ? node - 1 : 0; k <= node && k + 1 < t->node_count; k++) {
+        pull = greater(pull, greater(fabs(t->trial_tension[k]), fabs(t->now.tension[k])));
+    }
+    return pull * vec3_norm(way_of(t, node));
+}
+
+static double work_of_holders(const thread_object *t)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        sum += a->id != 0 ? work_at_node(t, a->node) : 0.0;
+    }
+    return sum;
+}
+
+static double work_of_welds(const scene_object *s)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            sum += work_at_node(vbss_scene_body(s, p->thread)->thread.thread, p->node);
+        }
+    }
+    return sum;
+}
+
+static bool has(const scene_object *s, body_kind kind)
+{
+    bool some = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        some = some || s->bodies[i].kind == kind;
+    }
+    return some;
+}
+
+bool vbss_scene_believes(const scene_object *s, const scene_part *part)
+{
+    const contact_set *set = s->contacts;
+    double gained = -work_of_welds(s), beyond_law = 0.0;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) {
+            const thread_object *t = s->bodies[i].thread.thread;
+            gained += vbss_thread_gain(t, part->h) - work_of_holders(t);
+        }
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_row *row = &set->rows[i];
+        gained -= work_of_row(s, row, set->here[i].force);
+        if (!row->bilateral || row->sleeve) { /* the others' law is linear: they miss nothing */
+            beyond_law += work_beyond_law(s, row, set->here[i].force);
+        }
+    }
+    double most = has(s, BODY_DRAIN) ? MOST_AT_WALLS : MOST_OF_THREADS;
+    /* A wall that is pressed alone comes to rest whatever it was given, and trembles if its parts wait. */
+    return !has(s, BODY_THREAD) || (gained <= most && beyond_law <= most);
+}

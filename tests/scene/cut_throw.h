@@ -1,0 +1,22 @@
+/* A throw drawn tight that blades close on, and go through all strands of while hands go on pulling. */
+#ifndef VBSS_TEST_CUT_THROW_H
+#define VBSS_TEST_CUT_THROW_H
+
+#include "scene/cut_rig.h"
+#include "scenes/contact_scenes.h"
+
+typedef struct cut_case {
+    knot_kind kind;
+    bool limited; /* as scenes are by default; else with all the work it takes */
+    double length, least_cuts, clamped, paused; /* m; at most the last two, steps and s */
+} cut_case;
+
+typedef struct cut_outcome {
+    double clamped, paused, fastest; /* m/s: of any node */
+} cut_outcome;
+
+/* With that share of the default limit of work, if it is limited. */
+cut_outcome cut_throw(const cut_case *t, double share);
+void cut_expect_within(const cut_outcome *found, const cut_case *bars);
+
+#endif

@@ -1,0 +1,224 @@
+#include "scene/needle_watch.h"
+
+#include "collision/closest.h"
+
+typedef struct box {
+    vec3 low, high;
+} box;
+
+/* A drain and holes in it, at the begin and the end of a part. */
+typedef struct wall {
+    const drain_object *drain;
+    uint32_t hole_count;
+    vec3 holes[NEEDLE_CASE_HOLES][2], at_rest[NEEDLE_CASE_HOLES];
+    double reach[NEEDLE_CASE_HOLES];
+} wall;
+
+typedef struct capsules {
+    passing_chain all[NEEDLE_WATCH_CAPSULES], away[NEEDLE_WATCH_CAPSULES];
+    size_t count, away_count;
+    uint32_t away_names[NEEDLE_WATCH_CAPSULES];
+} capsules;
+
+/* ---- boxes */
+
+static box box_of(const vec3 *x, const uint32_t *nodes, uint32_t corners)
+{
+    box b = {x[nodes[0]], x[nodes[0]]};
+    for (uint32_t k = 1; k < corners; k++) {
+        vec3 p = x[nodes[k]];
+        b.low = vec3_make(fmin(b.low.x, p.x), fmin(b.low.y, p.y), fmin(b.low.z, p.z));
+        b.high = vec3_make(fmax(b.high.x, p.x), fmax(b.high.y, p.y), fmax(b.high.z, p.z));
+    }
+    return b;
+}
+
+static box joined(box a, box b)
+{
+    return (box){
+        vec3_make(fmin(a.low.x, b.low.x), fmin(a.low.y, b.low.y), fmin(a.low.z, b.low.z)),
+        vec3_make(fmax(a.high.x, b.high.x), fmax(a.high.y, b.high.y), fmax(a.high.z, b.high.z))};
+}
+
+/* What is not finite is not apart. */
+static bool apart(box a, box b)
+{
+    return a.high.x < b.low.x || b.high.x < a.low.x || a.high.y < b.low.y || b.high.y < a.low.y ||
+           a.high.z < b.low.z || b.high.z < a.low.z;
+}
+
+static double distance(box b, vec3 p)
+{
+    double x = fmax(0.0, fmax(b.low.x - p.x, p.x - b.high.x));
+    double y = fmax(0.0, fmax(b.low.y - p.y, p.y - b.high.y));
+    double z = fmax(0.0, fmax(b.low.z - p.z, p.z - b.high.z));
+    return vec3_norm(vec3_make(x, y, z));
+}
+
+/* ---- holes */
+
+/* What it bears across, at the begin or the end of the part. */
+static double force_across(const scene_object *s, uint32_t hole)
+{
+    double most = vec3_norm(s->holes[hole].across);
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_row *row = &s->contacts->rows[i];
+        bool own = row->key.kind == VBSS_CONTACT_HOLE && row->key.a == hole;
+        most = own ? fmax(most, vec3_norm(row->is.rubbing)) : most;
+    }
+    return most;
+}
+
+static void find_holes(const scene_object *s, const needle_case *c, wall *w)
+{
+    const double touching = c->at_hole * (c->config.wire_radius + 0.5 * c->d.config.thickness);
+    w->hole_count = 0;
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id != 0) {
+            const drain_object *d = w->drain;
+            assert_true(w->hole_count < NEEDLE_CASE_HOLES);
+            w->reach[w->hole_count] = touching + c->give * force_across(s, i);
+            w->holes[w->hole_count][0] = vbss_hole_point(hole, d, d->x);
+            w->holes[w->hole_count][1] = vbss_hole_point(hole, d, d->trial);
+            w->at_rest[w->hole_count++] = vbss_hole_point(hole, d, d->mesh.rest);
+        }
+    }
+}
+
+static double distance_to_axis(const vec3 axis[2], vec3 p)
+{
+    vec3 e = vec3_sub(axis[1], axis[0]), to = vec3_sub(p, axis[0]);
+    return vec3_norm(vec3_add_scaled(to, -closest_on_edge(e, to), e));
+}
+
+static bool is_capsule_at_hole(const wall *w, const scene_capsule *c)
+{
+    for (uint32_t i = 0; i < w->hole_count; i++) {
+        if (distance_to_axis(c->now, w->holes[i][0]) < w->reach[i] ||
+            distance_to_axis(c->trial, w->holes[i][1]) < w->reach[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_feature_at_hole(const wall *w, const uint32_t *nodes, uint32_t corners)
+{
+    for (uint32_t i = 0; i < w->hole_count; i++) {
+        const drain_object *d = w->drain;
+        if (distance(box_of(d->x, nodes, corners), w->holes[i][0]) < w->reach[i] ||
+            distance(box_of(d->trial, nodes, corners), w->holes[i][1]) < w->reach[i] ||
+            distance(box_of(d->mesh.rest, nodes, corners), w->at_rest[i]) < w->reach[i]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- a part */
+
+static box gather_capsules(const scene_object *s, const scene_rigid *r, const wall *w, capsules *to)
+{
+    static const uint32_t both[2] = {0, 1};
+    box all = {vec3_zero(), vec3_zero()};
+    to->count = to->away_count = 0;
+    assert_true(r->capsule_count <= NEEDLE_WATCH_CAPSULES);
+    for (uint32_t i = 0; i < r->capsule_count; i++) {
+        const scene_capsule *c = &s->capsules[r->first_capsule + i];
+        box swept = joined(box_of(c->now, both, 2), box_of(c->trial, both, 2));
+        all = i == 0 ? swept : joined(all, swept);
+        to->all[to->count++] = (passing_chain){c->now, c->trial, 2, false};
+        if (!is_capsule_at_hole(w, c)) {
+            to->away_names[to->away_count] = i;
+            to->away[to->away_count++] = (passing_chain){c->now, c->trial, 2, false};
+        }
+    }
+    return all;
+}
+
+static bool concerns(const wall *w, box needle, bool away, const uint32_t *nodes, uint32_t corners)
+{
+    box swept =
+        joined(box_of(w->drain->x, nodes, corners), box_of(w->drain->trial, nodes, corners));
+    return !apart(needle, swept) && !(away && is_feature_at_hole(w, nodes, corners));
+}
+
+/* Of a drain, what the needle's box meets: all, or that away from holes. */
+static passing_surface gather_features(needle_watch *n, const wall *w, box needle, bool away)
+{
+    static const uint64_t near[NEEDLE_WATCH_TRIANGLES / 64] = {
+        UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
+        UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX}; /* itself it is not asked */
+    const drain_mesh *m = &w->drain->mesh;
+    passing_surface f = {.start = w->drain->x,
+                         .end = w->drain->trial,
+                         .triangles = n->triangles,
+                         .sides = n->sides,
+                         .near = near};
+    assert_true(m->triangle_count <= NEEDLE_WATCH_TRIANGLES && m->side_count <= NEEDLE_WATCH_SIDES);
+    for (uint32_t i = 0; i < m->triangle_count; i++) {
+        if (concerns(w, needle, away, m->triangles[i], 3)) {
+            memcpy(n->triangles + 3 * f.triangle_count, m->triangles[i], sizeof m->triangles[i]);
+            n->triangle_names[f.triangle_count++] = i;
+        }
+    }
+    for (uint32_t i = 0; i < m->side_count; i++) {
+        if (concerns(w, needle, away, m->sides[i].nodes, 2)) {
+            memcpy(n->sides + 2 * f.side_count, m->sides[i].nodes, sizeof m->sides[i].nodes);
+            n->side_names[f.side_count++] = i;
+        }
+    }
+    return f;
+}
+
+static void ask(needle_watch *n, const wall *w, box needle, bool away, const passing_chain *chains,
+                size_t count, const uint32_t *names)
+{
+    passing_surface surface = gather_features(n, w, needle, away);
+    passing_surface_report report;
+    if (surface.triangle_count + surface.side_count == 0 || count == 0) {
+        return;
+    }
+    (void)passing_surfaces(&surface, 1, chains, count, &report);
+    n->asked += report.asked;
+    if (report.passed > 0 && n->passed == 0) {
+        n->report = report;
+        for (int k = 0; k < 2; k++) {
+            passing_feature *f = &n->report.first[k];
+            bool drain = f->of == count;
+            f->number = !drain            ? (names != NULL ? names[f->of] : f->of)
+                        : f->corners == 3 ? n->triangle_names[f->number]
+                                          : n->side_names[f->number];
+            f->of = drain;
+        }
+    }
+    n->passed += report.passed;
+}
+
+static void watch(void *watcher, const scene_object *s)
+{
+    needle_watch *n = watcher;
+    const scene_body *needle = vbss_scene_body(s, n->of->body);
+    wall w = {.drain = vbss_scene_body(s, n->of->d.body)->drain.drain};
+    static capsules of;
+    if (needle == NULL) {
+        return;
+    }
+    find_holes(s, n->of, &w);
+    box swept = gather_capsules(s, &needle->rigid, &w, &of);
+    n->parts++;
+    /* Pairs of which one or the other is away from holes; without holes these are all. */
+    ask(n, &w, swept, true, of.all, of.count, NULL);
+    if (w.hole_count > 0) {
+        ask(n, &w, swept, false, of.away, of.away_count, of.away_names);
+    }
+}
+
+void needle_watch_begin(needle_watch *w, const needle_case *c)
+{
+    scene_object *s = small_object(&c->d.s);
+    *w = (needle_watch){.of = c};
+    s->watch = watch;
+    s->watcher = w;
+}

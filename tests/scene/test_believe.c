@@ -1,0 +1,103 @@
+/* What a search that was stopped has led to is taken only if nobody gains by it what nothing has done. */
+#include "scene/stitch_case.h"
+
+static stitch_case c;
+static const scene_part part = {.step = 1e-3, .end = 1.0, .h = 1e-3};
+
+/* A stitch at rest as its own trial state, with the forces of the law. */
+static scene_object *begin(void)
+{
+    stitch_case_open(&c, 0);
+    stitch_case_wait(&c, 20);
+    scene_object *s = small_object(&c.s);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        thread_object *t = s->bodies[i].thread.thread;
+        if (s->bodies[i].kind == BODY_THREAD) {
+            memcpy(t->trial, t->now.x, t->node_count * sizeof *t->trial);
+            memcpy(t->trial_tension, t->now.tension,
+                   (t->node_count - 1) * sizeof *t->trial_tension);
+        }
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_row *row = &s->contacts->rows[i];
+        row->slid = vec3_zero();
+        s->contacts->here[i].force = vbss_contact_force(row, vec3_zero());
+    }
+    assert_true(vbss_scene_believes(s, &part));
+    return s;
+}
+
+static uint32_t row_in_hole(const scene_object *s)
+{
+    uint32_t i = 0;
+    while (i < s->contacts->count && !s->contacts->rows[i].sleeve) {
+        i++;
+    }
+    assert_true(i < s->contacts->count);
+    return i;
+}
+
+static void what_a_hole_does_beyond_its_law_counts(void **state)
+{
+    (void)state;
+    scene_object *s = begin();
+    uint32_t i = row_in_hole(s);
+    contact_row *row = &s->contacts->rows[i];
+    row->slid = vec3_scale(row->normal, 0.1e-3);
+    const vec3 law = vbss_contact_force(row, vec3_zero());
+    s->contacts->here[i].force = vec3_add_scaled(law, 0.1, row->normal); /* 10 uJ */
+    assert_true(vbss_scene_believes(s, &part));
+    s->contacts->here[i].force = vec3_add_scaled(law, 0.3, row->normal); /* 30 uJ */
+    assert_false(vbss_scene_believes(s, &part));
+    s->contacts->here[i].force = vec3_add_scaled(law, -0.3, row->normal);
+    assert_true(vbss_scene_believes(s, &part));
+    stitch_case_end(&c);
+}
+
+/* What one takes out does not make up for what another puts in. */
+static void what_others_take_out_does_not_count(void **state)
+{
+    (void)state;
+    scene_object *s = begin();
+    uint32_t first = row_in_hole(s), second = first + 1;
+    while (second < s->contacts->count && !s->contacts->rows[second].sleeve) {
+        second++;
+    }
+    assert_true(second < s->contacts->count);
+    for (int k = 0; k < 2; k++) {
+        uint32_t i = k == 0 ? first : second;
+        contact_row *row = &s->contacts->rows[i];
+        row->slid = vec3_scale(row->normal, 0.1e-3);
+        s->contacts->here[i].force =
+            vec3_add_scaled(vbss_contact_force(row, vec3_zero()), k == 0 ? 0.3 : -1.0, row->normal);
+    }
+    assert_false(vbss_scene_believes(s, &part));
+    stitch_case_end(&c);
+}
+
+/* 50 uJ in the last segment: of which the hand that holds its end has done 35, or none. */
+static void what_threads_gain_somebody_has_done(void **state)
+{
+    (void)state;
+    scene_object *s = begin();
+    thread_object *t = vbss_scene_body(s, c.stitch.thread_body)->thread.thread;
+    const uint32_t last = t->node_count - 1;
+    assert_true(c.hands[1].thread != NULL); /* it holds the last node */
+    const double stretched = 0.5 * t->rest[last - 1] / t->config.axial_stiffness;
+    double before = t->now.tension[last - 1], after = sqrt(before * before + 50e-6 / stretched);
+    t->trial_tension[last - 1] = after;
+    assert_false(vbss_scene_believes(s, &part));
+    t->trial[last] = vec3_add(t->trial[last], vec3_make(0.0, 0.0, 35e-6 / after)); /* by the hand */
+    assert_true(vbss_scene_believes(s, &part));
+    stitch_case_end(&c);
+}
+
+int test_believe(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_a_hole_does_beyond_its_law_counts),
+        cmocka_unit_test(what_others_take_out_does_not_count),
+        cmocka_unit_test(what_threads_gain_somebody_has_done),
+    };
+    return cmocka_run_group_tests_name("scene.believe", tests, NULL, NULL);
+}
