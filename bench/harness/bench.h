@@ -29,8 +29,8 @@ typedef struct bench bench;               /* one run of a suite */
 typedef struct bench_result bench_result; /* what one case found out */
 
 /* A scene stepped in time. Only step is timed.
- * Order of calls: setup, count, then per repetition restore and steps 0, 1, ... with hash after
- * each, then finish, teardown. Callbacks that return int return 0 for success; anything else ends
+ * Order of calls: setup, count, then per repetition restore and steps 0, 1, ... with before ahead of
+ * each, after and hash behind it, then finish, teardown. Callbacks that return int return 0 for success; anything else ends
  * the case as an error. Every callback but step may be NULL. */
 typedef struct bench_stepped {
     const char *name;
@@ -41,11 +41,23 @@ typedef struct bench_stepped {
     int (*setup)(void *user);      /* once */
     uint32_t (*count)(void *user); /* number of steps, once it is known after setup */
     int (*restore)(void *user);    /* back to the initial state; needed unless step 0 does it */
+    int (*before)(void *user, uint32_t index); /* what leads to a step, but is no part of it */
     int (*step)(void *user, uint32_t index);
+    int (*after)(void *user, uint32_t index);
     uint64_t (*hash)(void *user); /* of the state: repetitions that differ are an error */
     void (*finish)(void *user, bench_result *result); /* sets counters */
     void (*teardown)(void *user); /* also after a failure, but not when setup failed */
+    const char *pool;             /* name of the pool that its steps belong to; NULL: none */
 } bench_stepped;
+
+/* The steps of all stepped cases of this pool that this run measured, as if one case had made them: their least times, and
+ * percentiles over them all. dt_us and deadline_us as theirs are. */
+typedef struct bench_pool {
+    const char *name;
+    void *user;
+    double dt_us, deadline_us;
+    void (*finish)(void *user, bench_result *result); /* may be NULL */
+} bench_pool;
 
 /* A kernel too short to be timed alone: run works through `items` items and is called often enough
  * for the timer not to matter. Times are per item. Every callback but run may be NULL. */
@@ -82,6 +94,7 @@ void bench_add_stepped(bench *b, const bench_stepped *stepped);
 void bench_add_batch(bench *b, const bench_batch *batch);
 void bench_add_growth(bench *b, const bench_growth *growth);
 void bench_add_trial(bench *b, const bench_trial *trial);
+void bench_add_pool(bench *b, const bench_pool *pool);
 /* A case that cannot run here (a peer is not installed) is told, not left out silently. */
 void bench_add_skipped(bench *b, const char *name, const char *reason);
 /* True for a quick look: a suite may then check fewer arguments. Scenes must stay the same. */

@@ -45,6 +45,7 @@ static void write_context(const bench *b, const bench_environment *environment, 
                       "less that of an empty interval, then nearest-rank percentiles over steps; "
                       "batches: per item, minimum and median over repetitions; "
                       "real_time is wall time, treated alike; "
+                      "pools: percentiles over the steps of several stepped cases; "
                       "trials: made once, percentiles over their steps");
     bench_json_number(json, "cpu_timer_overhead_ns", b->timer.overhead_ns);
     bench_json_number(json, "cpu_timer_resolution_ns", b->timer.resolution_ns);

@@ -7,6 +7,7 @@
 #include <stdint.h>
 
 #include "harness/bench.h"
+#include "harness/step_times.h"
 
 enum { BENCH_MAX_COUNTERS = 64, BENCH_MAX_COUNTER_NAME = 48, BENCH_MAX_ERROR = 256 };
 
@@ -24,7 +25,8 @@ struct bench_result {
     const char *time_unit; /* NULL until there is a time */
     double call_cpu_ns;    /* of a median step or of one call of a batch, for growth fits */
     double call_wall_ns;
-    double mean_step_us; /* 0 when nothing was stepped */
+    double mean_step_us;    /* 0 when nothing was stepped */
+    bench_step_times steps; /* the least of each, when a pool wants them */
     bench_counter_entry counters[BENCH_MAX_COUNTERS];
     size_t counter_count;
     bool failed;

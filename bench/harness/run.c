@@ -118,6 +118,14 @@ void bench_add_trial(bench *b, const bench_trial *trial)
     added->trial = *trial;
 }
 
+void bench_add_pool(bench *b, const bench_pool *pool)
+{
+    bench_case *added = add_case(b, BENCH_POOL, pool->name);
+    if (added != NULL) {
+        added->pool = *pool;
+    }
+}
+
 void bench_add_skipped(bench *b, const char *name, const char *reason)
 {
     bench_case *added = add_case(b, BENCH_SKIPPED, name);
@@ -165,21 +173,29 @@ static void measure(bench *b, bench_case *c)
         bench_measure_trial(&c->trial, &c->result);
         c->measured = true;
         break;
+    case BENCH_POOL:
+        c->measured = bench_measure_pool(b, &c->pool, &c->result);
+        break;
     case BENCH_SKIPPED:
         break;
     }
+}
+
+/* It looks at what other cases found out. */
+static bool looks_back(const bench_case *c)
+{
+    return c->kind == BENCH_GROWTH || c->kind == BENCH_POOL;
 }
 
 void bench_run_cases(bench *b, FILE *progress)
 {
     size_t done = 0, selected = bench_selected(b);
     b->timer = bench_measure_timer(&b->clock);
-    /* Growths last: a family may be registered after its fit. */
-    for (int growths = 0; growths <= 1; growths++) {
+    /* Those last: a family may be registered after its fit. */
+    for (int back = 0; back <= 1; back++) {
         for (size_t i = 0; i < b->count; i++) {
             bench_case *c = &b->cases[i];
-            if (!c->selected || c->kind == BENCH_SKIPPED ||
-                (c->kind == BENCH_GROWTH) != (growths == 1)) {
+            if (!c->selected || c->kind == BENCH_SKIPPED || looks_back(c) != (back == 1)) {
                 continue;
             }
             done++;
@@ -212,6 +228,9 @@ size_t bench_selected(const bench *b)
 
 void bench_end(bench *b)
 {
+    for (size_t i = 0; i < b->count; i++) {
+        bench_free_step_times(&b->cases[i].result.steps);
+    }
     free(b->cases);
     b->cases = NULL;
     b->count = b->capacity = 0;

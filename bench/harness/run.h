@@ -17,6 +17,7 @@ typedef enum bench_kind {
     BENCH_BATCH,
     BENCH_GROWTH,
     BENCH_TRIAL,
+    BENCH_POOL,
     BENCH_SKIPPED
 } bench_kind;
 
@@ -35,6 +36,7 @@ typedef struct bench_case {
     bench_batch batch;
     bench_growth growth;
     bench_trial trial;
+    bench_pool pool;
     const char *reason; /* why it is skipped */
     bool selected;
     bool measured;
@@ -56,7 +58,7 @@ struct bench {
  * well named or memory ran out; b->error tells. */
 bool bench_begin(bench *b, const bench_suite *suite, const bench_options *options,
                  const bench_clock *clock);
-/* Measures what is selected, telling progress (NULL: nobody), then fits the growths. */
+/* Measures what is selected, telling progress (NULL: nobody), then fits the growths and makes the pools. */
 void bench_run_cases(bench *b, FILE *progress);
 /* Cases that failed; a failed growth counts. */
 size_t bench_failures(const bench *b);
@@ -72,5 +74,7 @@ void bench_measure_batch(const bench *b, const bench_batch *batch, bench_result 
 /* True when the growth could be judged: false leaves the case unmeasured, because a filter left out
  * its family. */
 bool bench_fit_growth(const bench *b, const bench_growth *growth, bench_result *result);
+/* Likewise of a pool, with its cases. */
+bool bench_measure_pool(const bench *b, const bench_pool *pool, bench_result *result);
 
 #endif

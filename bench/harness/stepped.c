@@ -5,28 +5,36 @@
 #include "harness/stats.h"
 
 typedef struct step_records {
-    uint32_t steps;
-    uint64_t *cpu_ns, *wall_ns, *hashes;
-    double *sorted_us;
+    bench_step_times times;
+    uint64_t *hashes;
 } step_records;
 
 static bool allocate_records(step_records *records, uint32_t steps)
 {
-    records->steps = steps;
-    records->cpu_ns = calloc(steps, sizeof *records->cpu_ns);
-    records->wall_ns = calloc(steps, sizeof *records->wall_ns);
     records->hashes = calloc(steps, sizeof *records->hashes);
-    records->sorted_us = calloc(steps, sizeof *records->sorted_us);
-    return records->cpu_ns != NULL && records->wall_ns != NULL && records->hashes != NULL &&
-           records->sorted_us != NULL;
+    return bench_allocate_step_times(&records->times, steps) && records->hashes != NULL;
 }
 
 static void free_records(step_records *records)
 {
-    free(records->cpu_ns);
-    free(records->wall_ns);
+    bench_free_step_times(&records->times);
     free(records->hashes);
-    free(records->sorted_us);
+}
+
+/* The step alone is timed. */
+static int time_step(const bench *b, const bench_stepped *stepped, uint32_t index,
+                     bench_interval *taken)
+{
+    int status = stepped->before != NULL ? stepped->before(stepped->user, index) : 0;
+    if (status == 0) {
+        bench_interval begin = bench_interval_begin(&b->clock);
+        status = stepped->step(stepped->user, index);
+        *taken = bench_interval_net(bench_interval_end(&b->clock, begin), b->timer);
+    }
+    if (status == 0 && stepped->after != NULL) {
+        status = stepped->after(stepped->user, index);
+    }
+    return status;
 }
 
 static bool repeat_steps(const bench *b, const bench_stepped *stepped, unsigned repetition,
@@ -37,17 +45,15 @@ static bool repeat_steps(const bench *b, const bench_stepped *stepped, unsigned 
         bench_fail(result, "restore returned %d in repetition %u", status, repetition);
         return false;
     }
-    for (uint32_t i = 0; i < records->steps; i++) {
-        bench_interval begin = bench_interval_begin(&b->clock);
-        status = stepped->step(stepped->user, i);
-        bench_interval taken = bench_interval_end(&b->clock, begin);
-        taken = bench_interval_net(taken, b->timer);
+    for (uint32_t i = 0; i < records->times.count; i++) {
+        bench_interval taken = {0, 0};
+        status = time_step(b, stepped, i, &taken);
         if (status != 0) {
             bench_fail(result, "step %u returned %d in repetition %u", i, status, repetition);
             return false;
         }
-        bench_keep_minimum(records->cpu_ns, i, taken.cpu_ns, repetition == 0);
-        bench_keep_minimum(records->wall_ns, i, taken.wall_ns, repetition == 0);
+        bench_keep_minimum(records->times.cpu_ns, i, taken.cpu_ns, repetition == 0);
+        bench_keep_minimum(records->times.wall_ns, i, taken.wall_ns, repetition == 0);
         if (stepped->hash == NULL) {
             continue;
         }
@@ -61,55 +67,6 @@ static bool repeat_steps(const bench *b, const bench_stepped *stepped, unsigned 
         }
     }
     return true;
-}
-
-static double sort_times(step_records *records, const uint64_t *times_ns)
-{
-    double sum_us = 0.0;
-    for (uint32_t i = 0; i < records->steps; i++) {
-        records->sorted_us[i] = (double)times_ns[i] * 1e-3;
-        sum_us += records->sorted_us[i];
-    }
-    bench_sort(records->sorted_us, records->steps);
-    return sum_us / (double)records->steps;
-}
-
-static void summarise(const bench_stepped *stepped, step_records *records, bench_result *result)
-{
-    const double *sorted = records->sorted_us;
-    uint32_t n = records->steps;
-
-    // NOLINTNEXTLINE(clang-analyzer-unix.Malloc): loses track of what free_records gives back
-    result->mean_step_us = sort_times(records, records->cpu_ns);
-    result->cpu_time = bench_percentile(sorted, n, 500);
-    result->call_cpu_ns = result->cpu_time * 1e3;
-    bench_own_counter(result, "median_us", result->cpu_time);
-    bench_own_counter(result, "p99_us", bench_percentile(sorted, n, 990));
-    bench_own_counter(result, "p999_us", bench_percentile(sorted, n, 999));
-    bench_own_counter(result, "max_us", sorted[n - 1]);
-    bench_own_counter(result, "mean_us", result->mean_step_us);
-    if (stepped->deadline_us > 0.0) {
-        uint32_t late = 0;
-        while (late < n && sorted[n - 1 - late] > stepped->deadline_us) {
-            late++;
-        }
-        bench_own_counter(result, "deadline_us", stepped->deadline_us);
-        bench_own_counter(result, "steps_over_deadline", (double)late);
-    }
-    if (stepped->dt_us > 0.0) {
-        bench_simulated_step(result, stepped->dt_us);
-    }
-
-    sort_times(records, records->wall_ns);
-    result->real_time = bench_percentile(sorted, n, 500);
-    result->call_wall_ns = result->real_time * 1e3;
-    bench_own_counter(result, "wall_median_us", result->real_time);
-    bench_own_counter(result, "wall_p99_us", bench_percentile(sorted, n, 990));
-    bench_own_counter(result, "wall_p999_us", bench_percentile(sorted, n, 999));
-    bench_own_counter(result, "wall_max_us", sorted[n - 1]);
-
-    result->iterations = n;
-    result->time_unit = "us";
 }
 
 static void measure_after_setup(const bench *b, const bench_stepped *stepped, bench_result *result)
@@ -127,9 +84,13 @@ static void measure_after_setup(const bench *b, const bench_stepped *stepped, be
             result->repetitions = r + 1;
         }
         if (good) {
-            summarise(stepped, &records, result);
+            bench_tell_step_times(&records.times, stepped->dt_us, stepped->deadline_us, result);
             if (stepped->finish != NULL) {
                 stepped->finish(stepped->user, result);
+            }
+            if (stepped->pool != NULL) {
+                result->steps = records.times;
+                records.times = (bench_step_times){0};
             }
         }
     }

@@ -5,7 +5,6 @@
 #include <time.h>
 
 #define STEP 1e-3
-#define MOST_OFF 2e-3 /* of a hole from its mark */
 
 static double now(void)
 {
@@ -123,16 +122,12 @@ static int by_size(const void *a, const void *b)
 
 static vbss_result look_back(const stitch *t, pass_outcome *out)
 {
-    bool near = true;
+    out->good = stitch_is_through(t, out->off);
     for (int side = 0; side < 2; side++) {
-        out->off[side] =
-            t->holes[side] != 0 ? site_deviation(&t->site, &t->made[side], side) : -1.0;
         if (t->holes[side] != 0) { /* in the step in which it was made */
             note(&out->wall[side], v_length(v_load(t->made[side].force)));
         }
-        near = near && out->off[side] >= 0.0 && out->off[side] < MOST_OFF;
     }
-    out->good = t->state == STITCH_DONE && near && t->punctures == 2 && t->others == 0;
     out->state = stitch_name(t->state);
     out->why = t->why != NULL ? t->why : "";
     out->punctures = t->punctures;

@@ -78,5 +78,8 @@ vbss_result stitch_lead(stitch *t, double dt);
 /* Looks at what it did. */
 vbss_result stitch_look(stitch *t);
 const char *stitch_name(stitch_state state);
+/* stitch_judge.c. How far either hole is from its mark, m (below 0: there is none); true: the needle went through both walls, once
+ * each and near their marks. */
+bool stitch_is_through(const stitch *t, double off[2]);
 
 #endif
