@@ -2,13 +2,23 @@
 
 #include <string.h>
 
-#define BEFORE 6e-3  /* of the jaws, from the place, before they advance */
-#define ADVANCE 0.03 /* m/s */
-#define ALIGNED 0.2  /* cosine of opening and thread */
-#define CLEAR 3e-3   /* of the bend from drain and floor */
-#define LEARN 4.0    /* 1/s, of the correction */
-#define PATIENCE 3.0 /* s */
-#define A_WHILE 1.0  /* s */
+#define BEFORE 6e-3   /* of the jaws, from the place, before they advance */
+#define ADVANCE 0.03  /* m/s */
+#define ALIGNED 0.2   /* cosine of opening and thread */
+#define LEVEL 0.3     /* sine */
+#define TURNED 0.15   /* rad */
+#define CLEAR 3e-3    /* of the bend from drain and floor */
+#define LEARN 4.0     /* 1/s, of the correction */
+#define PATIENCE 3.0  /* s */
+#define A_WHILE 1.0   /* s */
+#define PUSHES 0.4    /* N: what is felt on the way to the thread is something else */
+#define PUSHED 0.03   /* s, of that */
+#define LOST 12e-3    /* m: after so long an advance the thread goes with the jaws */
+#define OFF 15e-3     /* m, back from there */
+#define OFF_UP 2.0    /* so much more upward than out of the jaws' plane */
+#define BACK_TIME 0.6 /* s, at most */
+#define BACK_SPEED 0.05
+enum { TRIES = 5 };
 
 void catch_begin(catch_run *t, senses *see, hand *h, uint32_t node, double opening, double speed)
 {
@@ -94,11 +104,13 @@ static bool is_aligned(const catch_run *t)
     return fabs(v_dot(pose_of(t)->opening, direction(s, t->node))) < ALIGNED;
 }
 
-/* From where the jaws come: across the thread, in their own plane, from above. */
+/* From where the jaws come: across the thread, in their own plane, from above; where that plane is level, from the side on which they
+ * are, or they would sweep the thread aside. */
 static vec approach(const catch_run *t)
 {
     vec way = v_unit(v_cross(pose_of(t)->opening, direction(t->see, t->node)));
-    return way.z < 0.0 ? v_scale(-1.0, way) : way;
+    double away = fabs(way.z) > LEVEL ? way.z : -v_dot(way, off(t));
+    return away < 0.0 ? v_scale(-1.0, way) : way;
 }
 
 static vec before(const catch_run *t, double distance)
@@ -107,15 +119,36 @@ static vec before(const catch_run *t, double distance)
     return v_along(grasp, distance, approach(t));
 }
 
+/* Out of the jaws' plane and upward, until what was pushed is let alone; then it is aimed at anew. */
+static void draw_back(catch_run *t)
+{
+    if (++t->tries >= TRIES) {
+        enter(t, CATCH_MISSED);
+        return;
+    }
+    vec way = v_unit(v_along(approach(t), OFF_UP, v3(0.0, 0.0, 1.0)));
+    t->off = v_along(pose_of(t)->tip, OFF, way);
+    t->pushed = 0.0;
+    hand_aim(t->hand, t->hand->nature.aim_end);
+    enter(t, CATCH_BACK);
+}
+
+static bool pushes(catch_run *t, double dt)
+{
+    t->pushed = v_length(t->hand->felt) > PUSHES ? t->pushed + dt : 0.0;
+    return t->pushed > PUSHED;
+}
+
 static void come(catch_run *t)
 {
     const hand_pose *p = pose_of(t);
     vec at = before(t, BEFORE);
-    bool there = v_distance(p->tip, at) < 2e-3;
+    bool there = v_distance(p->tip, at) < 2e-3 && hand_is_turned(t->hand, TURNED);
     hand_go(t->hand, at, t->speed);
     hand_open(t->hand, there && is_aligned(t) ? t->opening : t->hand->wanted_opening);
     if (there && t->hand->opening > 0.95 * t->opening) {
         t->correction = v3(0.0, 0.0, 0.0);
+        t->begun = p->tip;
         enter(t, CATCH_ADVANCE);
     } else if (t->since > PATIENCE) {
         enter(t, CATCH_MISSED);
@@ -135,8 +168,8 @@ static void advance(catch_run *t, double dt)
     hand_go(t->hand, v_add(t->correction, before(t, 0.0)), ADVANCE);
     if (between || (t->resolute && t->since > A_WHILE)) {
         enter(t, CATCH_CLOSE);
-    } else if (t->since > PATIENCE) {
-        enter(t, CATCH_MISSED);
+    } else if (v_distance(p->tip, t->begun) > LOST || t->since > PATIENCE) {
+        draw_back(t);
     }
 }
 
@@ -147,15 +180,25 @@ static void close_jaws(catch_run *t)
     if (t->hand->holds) {
         enter(t, CATCH_HELD);
     } else if (t->since > 0.5) {
-        t->tries++;
-        hand_open(t->hand, t->opening);
-        enter(t, t->tries < 3 ? CATCH_COME : CATCH_MISSED);
+        draw_back(t);
+    }
+}
+
+static void go_back(catch_run *t)
+{
+    hand_open(t->hand, t->opening);
+    hand_go(t->hand, t->off, BACK_SPEED);
+    if (t->since > BACK_TIME || v_distance(pose_of(t)->tip, t->off) < 2e-3) {
+        enter(t, CATCH_COME);
     }
 }
 
 void catch_step(catch_run *t, double dt)
 {
     t->since += dt;
+    if (t->state <= CATCH_CLOSE && pushes(t, dt) && !t->hand->holds) {
+        draw_back(t);
+    }
     switch (t->state) {
     case CATCH_COME:
         come(t);
@@ -165,6 +208,9 @@ void catch_step(catch_run *t, double dt)
         break;
     case CATCH_CLOSE:
         close_jaws(t);
+        break;
+    case CATCH_BACK:
+        go_back(t);
         break;
     default:
         break;

@@ -8,6 +8,7 @@ typedef enum catch_state {
     CATCH_COME,    /* to before the place */
     CATCH_ADVANCE, /* the thread between the jaws */
     CATCH_CLOSE,
+    CATCH_BACK, /* off what they push, to come again */
     CATCH_HELD,
     CATCH_MISSED
 } catch_state;
@@ -22,6 +23,9 @@ typedef struct catch_run {
     double speed;   /* m/s, on the way there */
     bool resolute;  /* closes in the end even if the thread is not quite between */
     vec correction; /* of the aim, by what is seen */
+    vec begun;      /* the tip, when it began to advance */
+    vec off;        /* to where it goes back */
+    double pushed;  /* s, that the hand has felt more than it should */
     double since;
     int tries;
 } catch_run;

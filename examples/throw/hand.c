@@ -198,14 +198,27 @@ static void follow(hand *h, double dt)
     h->at = v_along(h->at, dt, h->velocity);
 }
 
+/* About the line from tip to trocar, to where it shall point. */
+static double angle_to_turn(const hand *h, vec *now, vec *side)
+{
+    vec n = v_unit(v_sub(h->trocar, h->at));
+    vec wanted = v_unit(v_across(h->point, n));
+    *now = v_unit(v_across(h->roll, n));
+    *side = v_cross(n, *now);
+    return atan2(v_dot(wanted, *side), v_dot(wanted, *now));
+}
+
+bool hand_is_turned(const hand *h, double within)
+{
+    vec now, side;
+    return fabs(angle_to_turn(h, &now, &side)) < within;
+}
+
 static void turn(hand *h, double dt)
 {
     double most = ROLL_SPEED * h->nature.speed * dt;
-    vec n = v_unit(v_sub(h->trocar, h->at));
-    vec wanted = v_unit(v_across(h->point, n)), now = v_unit(v_across(h->roll, n));
-    vec side = v_cross(n, now);
-    double angle = atan2(v_dot(wanted, side), v_dot(wanted, now));
-    angle = clamp(angle * dt / LAG, -most, most);
+    vec now, side;
+    double angle = clamp(angle_to_turn(h, &now, &side) * dt / LAG, -most, most);
     h->roll = v_along(v_scale(cos(angle), now), sin(angle), side);
 }
 
@@ -261,6 +274,7 @@ vbss_result hand_feel(hand *h)
     vbss_grasp grasp;
     TRY(vbss_grasper_get_state(h->grasper, &state, sizeof state));
     TRY(wire_feel(h, &state));
+    h->felt = seen(h, v_load(state.hand_force));
     h->holds = state.grasp_count > 0;
     if (!h->holds) {
         h->pull = v3(0.0, 0.0, 0.0);

@@ -56,6 +56,7 @@ typedef struct hand {
     uint32_t held_thread, node; /* what is in the jaws */
     double place;               /* of it along the thread, in segments */
     vec pull;                   /* of the thread on the jaws, N */
+    vec felt;                   /* of all on the tool, N */
 } hand;
 
 vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,
@@ -73,6 +74,8 @@ double hand_chance(uint64_t *state);
  * end of the jaws shall point. */
 void hand_go(hand *h, vec tip, double speed);
 void hand_turn(hand *h, vec point);
+/* Whether they do, within so many rad: a tool through a point. */
+bool hand_is_turned(const hand *h, double within);
 /* How a free tool shall be turned, w, x, y, z. */
 void hand_face(hand *h, const double q[4]);
 /* A free tool is held from now on as if its shaft went through a point, and rolled with hand_turn. */

@@ -37,8 +37,8 @@ void throw_tail(throw_run *t, double dt)
     const senses *s = t->see;
     if (t->grip.state == CATCH_COME) {
         t->grip.node = place_of_tail(t);
+        hand_turn(s->w, catch_point(s, s->w, t->grip.node));
     }
-    hand_turn(s->w, catch_point(s, s->w, t->grip.node));
     catch_step(&t->grip, dt);
     steer_keep(t, dt);
     if (t->grip.state == CATCH_HELD) {
