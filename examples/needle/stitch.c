@@ -26,13 +26,14 @@
 #define PRESSED 0.5 /* so many s */
 #define SQUARE \
     0.75 /* cosine between needle and wall, beyond which the needle was square to it once; */
-#define ASLANT 0.25     /* so much of it is lost when the wall tips over */
-#define NEAR 1.5e-3     /* of the tip to the middle of the wall, when it presses on that */
-#define FORK_MOVED 2e-3 /* at most */
-#define TRIMMING 0.1    /* s, in which what misses the mark is taken into the aim */
-#define SLOWLY 0.5      /* through the left wall, whatever the hand */
-#define NEARLY 0.4e-3   /* beside the mark: with more, slower still */
-#define SEEING 0.1      /* s: what is seen is told so late */
+#define ASLANT 0.25      /* so much of it is lost when the wall tips over */
+#define NEAR 1.5e-3      /* of the tip to the middle of the wall, when it presses on that */
+#define FORK_MOVED 2e-3  /* at most */
+#define ELSEWHERE 0.4e-3 /* up, down, farther up: where the wall tips over it */
+#define TRIMMING 0.1     /* s, in which what misses the mark is taken into the aim */
+#define SLOWLY 0.5       /* through the left wall, whatever the hand */
+#define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
+#define SEEING 0.1       /* s: what is seen is told so late */
 
 enum { TRIES = 5, AGAIN = 4 }; /* to take it; to come back to the left wall */
 
@@ -200,8 +201,11 @@ static double felt(const hand *h)
                : 0.0;
 }
 
-/* Whether the left wall tips over the fork instead of being pierced, as is seen, or leaves it, or the hand feels too much. */
-static bool gives_way(stitch *t)
+/* How the left wall gives way, as is seen and felt: it tips over the fork instead of being pierced, or leaves it, or the hand feels
+ * too much. */
+typedef enum yielding { HOLDS, TIPS, LEAVES, WEDGES } yielding;
+
+static yielding gives_way(stitch *t)
 {
     pose needle = site_needle(&t->site);
     vec n = site_normal(&t->site, SITE_LEFT);
@@ -212,22 +216,28 @@ static bool gives_way(stitch *t)
         t->square = square;
         t->pressed = from;
     }
-    bool tips = presses && t->square > SQUARE && square < t->square - ASLANT;
+    if (presses && t->square > SQUARE && square < t->square - ASLANT) {
+        return TIPS;
+    }
     bool leaves = t->since > PRESSED && felt(&t->left) < BEARS;
-    return tips || leaves || felt(&t->right) > FELT;
+    return leaves ? LEAVES : felt(&t->right) > FELT ? WEDGES : HOLDS;
 }
 
 /* The fork is set anew, so that the needle comes between its jaws, and nearer to their tips, but not beyond the mark: near its
- * edge the wall leaves it. */
-static void try_again(stitch *t)
+ * edge the wall leaves it. What has left it is borne farther from its edge. */
+static void try_again(stitch *t, yielding how)
 {
     vec along = v3(0.0, 1.0, 0.0);
     vec up = v_cross(along, site_normal_at_rest(&t->site, SITE_LEFT));
-    if (t->square > 0.0) { /* it has pressed */
+    if (how == LEAVES) {
+        t->fork = v_along(t->fork, -LOWER, up);
+    } else if (t->square > 0.0) { /* it has pressed */
         double higher = v_dot(t->pressed, up) + 0.5 * LOWER;
         double aside = v_dot(v_sub(t->pressed, t->beside), along);
         t->fork = v_scale(clamp(aside, -FORK_MOVED, FORK_MOVED), along);
         t->fork = v_along(t->fork, clamp(higher, -LOWER, LOWER), up);
+        double elsewhere = ELSEWHERE * (t->again > 0 ? t->again + 1 : 0);
+        t->fork = v_along(t->fork, t->again % 2 == 1 ? elsewhere : -elsewhere, up);
     }
     t->trim = v3(0.0, 0.0, 0.0);
     t->square = 0.0;
@@ -262,8 +272,9 @@ static void drive(stitch *t, double dt)
         t->trim = v_limit(v_along(t->trim, dt / TRIMMING, off), FOLLOW);
         step = SLOWLY * DRIVE * dt * clamp(2.0 - v_length(off) / NEARLY, 0.05, 1.0);
     }
-    if (t->state == STITCH_LEAVE && gives_way(t)) {
-        try_again(t);
+    yielding how = t->state == STITCH_LEAVE ? gives_way(t) : HOLDS;
+    if (how != HOLDS) {
+        try_again(t, how);
     }
     if (t->state == STITCH_EASE) {
         t->gone -= step;
