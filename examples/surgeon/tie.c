@@ -139,7 +139,8 @@ static void watch_slit(surgeon *s, double dt)
     s->shut = since_when(met && (first || second) && weaker > enough, s->shut, dt);
     s->calm = since_when(calm, s->calm, dt);
     bool again = t->pulls < (second ? AGAIN_SECOND : AGAIN_THIRD);
-    bool late = !first && t->closed > 0.0 && throw_pulled_for(t) > LATE && weaker > AT_ALL;
+    bool late = !first && t->closed > 0.0 && throw_pulled_for(t) > LATE &&
+                (weaker > AT_ALL || s->gap < SHUT_AGAIN);
     if (s->shut > A_MOMENT || s->calm > LONGER || late) {
         throw_seated(t);
         s->shut = s->calm = 0.0;
