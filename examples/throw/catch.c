@@ -2,21 +2,22 @@
 
 #include <string.h>
 
-#define BEFORE 6e-3   /* of the jaws, from the place, before they advance */
-#define ADVANCE 0.03  /* m/s */
-#define ALIGNED 0.2   /* cosine of opening and thread */
-#define LEVEL 0.3     /* sine */
-#define TURNED 0.15   /* rad */
-#define CLEAR 3e-3    /* of the bend from drain and floor */
-#define LEARN 4.0     /* 1/s, of the correction */
-#define PATIENCE 3.0  /* s */
-#define A_WHILE 1.0   /* s */
-#define PUSHES 0.4    /* N: what is felt on the way to the thread is something else */
-#define PUSHED 0.03   /* s, of that */
-#define LOST 12e-3    /* m: after so long an advance the thread goes with the jaws */
-#define OFF 15e-3     /* m, back from there */
-#define OFF_UP 2.0    /* so much more upward than out of the jaws' plane */
-#define BACK_TIME 0.6 /* s, at most */
+#define BEFORE 6e-3     /* of the jaws, from the place, before they advance */
+#define ADVANCE 0.03    /* m/s */
+#define ALIGNED 0.2     /* cosine of opening and thread */
+#define LEVEL 0.3       /* sine */
+#define TURNED 0.15     /* rad */
+#define LONG_TURNED 1.5 /* s: no farther then */
+#define CLEAR 3e-3      /* of the bend from drain and floor */
+#define LEARN 4.0       /* 1/s, of the correction */
+#define PATIENCE 3.0    /* s */
+#define A_WHILE 1.0     /* s */
+#define PUSHES 0.4      /* N: what is felt on the way to the thread is something else */
+#define PUSHED 0.03     /* s, of that */
+#define LOST 12e-3      /* m: after so long an advance the thread goes with the jaws */
+#define OFF 15e-3       /* m, back from there */
+#define OFF_UP 2.0      /* so much more upward than out of the jaws' plane */
+#define BACK_TIME 0.6   /* s, at most */
 #define BACK_SPEED 0.05
 enum { TRIES = 5 };
 
@@ -133,9 +134,11 @@ static void draw_back(catch_run *t)
     enter(t, CATCH_BACK);
 }
 
+/* Blades press on what they are to cut. */
 static bool pushes(catch_run *t, double dt)
 {
-    t->pushed = v_length(t->hand->felt) > PUSHES ? t->pushed + dt : 0.0;
+    bool pressed = !t->resolute && !t->hand->holds && v_length(t->hand->felt) > PUSHES;
+    t->pushed = pressed ? t->pushed + dt : 0.0;
     return t->pushed > PUSHED;
 }
 
@@ -143,7 +146,8 @@ static void come(catch_run *t)
 {
     const hand_pose *p = pose_of(t);
     vec at = before(t, BEFORE);
-    bool there = v_distance(p->tip, at) < 2e-3 && hand_is_turned(t->hand, TURNED);
+    bool turned = hand_is_turned(t->hand, TURNED) || t->since > LONG_TURNED;
+    bool there = v_distance(p->tip, at) < 2e-3 && turned;
     hand_go(t->hand, at, t->speed);
     hand_open(t->hand, there && is_aligned(t) ? t->opening : t->hand->wanted_opening);
     if (there && t->hand->opening > 0.95 * t->opening) {
@@ -196,7 +200,7 @@ static void go_back(catch_run *t)
 void catch_step(catch_run *t, double dt)
 {
     t->since += dt;
-    if (t->state <= CATCH_CLOSE && pushes(t, dt) && !t->hand->holds) {
+    if (t->state <= CATCH_CLOSE && pushes(t, dt)) {
         draw_back(t);
     }
     switch (t->state) {

@@ -10,7 +10,7 @@ enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
 static uint32_t place_of_tail(const throw_run *t)
 {
     const senses *s = t->see;
-    uint32_t node = t->plan.tail_node;
+    uint32_t node = t->plan.tail_node + NEXT_PLACE * t->elsewhere;
     while (2 * node < t->tail_root && s->x[node].z < FLOOR_HEIGHT + t->plan.off_floor) {
         node++;
     }
@@ -20,13 +20,13 @@ static uint32_t place_of_tail(const throw_run *t)
 /* Whether the tail is caught once more, nearer to the drain. */
 static bool is_caught_elsewhere(throw_run *t)
 {
-    if (t->refused >= t->plan.catches) {
+    if (t->elsewhere >= t->plan.catches) {
         return false;
     }
     t->refused++;
-    t->plan.tail_node += NEXT_PLACE;
+    t->elsewhere++;
     hand_open(t->see->w, t->plan.opening);
-    catch_begin(&t->grip, t->see, t->see->w, t->plan.tail_node, t->plan.opening, 0.06);
+    catch_begin(&t->grip, t->see, t->see->w, place_of_tail(t), t->plan.opening, 0.06);
     t->grip.behind = t->plan.behind;
     throw_enter(t, THROW_TAIL);
     return true;

@@ -107,6 +107,7 @@ void throw_fail(throw_run *t, const char *why)
     t->why = why;
     bool again = t->state < THROW_LOWER && t->retries < t->plan.retries;
     t->retries += again ? 1 : 0;
+    t->elsewhere = 0;
     throw_enter(t, again ? THROW_UNWIND : THROW_FAILED);
 }
 

@@ -59,7 +59,7 @@ typedef struct throw_plan {
     /* Both hands go back to where the throw below was pulled from, and pull from there. */
     bool back;
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
-    int catches;
+    uint32_t catches;
     /* What does not go is tried again: drawn harder; both ease in the end, and may pull again. */
     bool again;
     bool firm;    /* C winds as wide as the limb is long, however slack it has become */
@@ -94,6 +94,7 @@ typedef struct throw_run {
     uint32_t throws_before;
     uint32_t tail_root, limb_root; /* nodes where tail and limb come out of drain or knot */
     int retries, refused;
+    uint32_t elsewhere; /* so often the tail was caught nearer to the drain, since it was wound */
     const char *why;
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
     bool back;                     /* winding back what was wound */
