@@ -21,7 +21,7 @@
 #define PULL 2.0          /* N, of both hands in the end, at most */
 #define PULL_KEPT 1.5
 #define CATCHES 3
-#define RETRIES 2 /* wound anew: that pulls at what is tied, but else it is left */
+#define RETRIES 2           /* wound anew: that pulls at what is tied, but else it is left */
 #define OFF_FLOOR 2e-3      /* m, where W takes the tail */
 #define BLADES_CLEAR 2.5e-3 /* m off the drain, which open blades would push */
 #define NEAR_SIDE v3(-0.08, -0.3, 0.15)

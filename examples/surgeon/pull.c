@@ -13,6 +13,10 @@
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
 #define SHORT 18.5e-3                /* of the tail in the end */
 #define LONGEST 0.135                /* of what is drawn */
+#define EASING 0.01                  /* m/s */
+#define NOTHING 0.05                 /* N */
+#define A_MOMENT 0.2                 /* s */
+#define EASED_AT_LAST 3.0            /* s */
 #define PATIENCE 6.0                 /* s, of every state but the last */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
 #define RIGHT_PARK v3(0.05, -0.06, 0.05)
@@ -21,7 +25,7 @@ const char *pull_name(pull_state state)
 {
     static const char *const names[] = {"reach", "onto",  "close", "part",   "turn",
                                         "lift",  "offer", "ask",   "accept", "take",
-                                        "give",  "draw",  "drawn", "failed"};
+                                        "give",  "draw",  "ease",  "drawn",  "failed"};
     return names[state];
 }
 
@@ -117,6 +121,11 @@ static void offer(pull_run *p)
     }
 }
 
+static vec away_from_drain(void)
+{
+    return v_unit(v3(0.25, -0.2, 1.0));
+}
+
 static void draw(pull_run *p, double dt)
 {
     stitch *t = p->stitch;
@@ -126,11 +135,25 @@ static void draw(pull_run *p, double dt)
         p->drawn = v_distance(p->from.at, mark);
     }
     p->drawn = fmin(p->drawn + slow * DRAWING * t->right.nature.speed * dt, LONGEST);
-    vec way = v_unit(v3(0.25, -0.2, 1.0));
     pose needle = offered();
-    needle.at = v_add(p->from.at, v_limit(v_sub(v_along(mark, p->drawn, way), p->from.at), 1.0));
+    vec to = v_along(mark, p->drawn, away_from_drain());
+    needle.at = v_add(p->from.at, v_limit(v_sub(to, p->from.at), 1.0));
     hold_steer(&t->right, &p->held, &needle, CARRY);
     if (p->tail < SHORT) {
+        enter(p, PULL_EASE);
+    }
+}
+
+static void ease(pull_run *p, double dt)
+{
+    hand *right = &p->stitch->right;
+    bool slack = v_length(right->felt) < NOTHING;
+    p->slack = slack ? p->slack + dt : 0.0;
+    p->eased += slack ? 0.0 : EASING * dt;
+    pose needle = p->from;
+    needle.at = v_along(needle.at, -p->eased, away_from_drain());
+    hold_steer(right, &p->held, &needle, CARRY);
+    if (p->slack > A_MOMENT || p->since > EASED_AT_LAST) {
         enter(p, PULL_DONE);
     }
 }
@@ -193,6 +216,9 @@ void pull_step(pull_run *p, double dt)
         break;
     case PULL_DRAW:
         draw(p, dt);
+        break;
+    case PULL_EASE:
+        ease(p, dt);
         break;
     default:
         break;

@@ -18,6 +18,7 @@ typedef enum pull_state {
     PULL_TAKE,
     PULL_GIVE, /* the left hand lets go and leaves */
     PULL_DRAW, /* until the tail is short */
+    PULL_EASE, /* until the thread is slack, so that the slit stands open again */
     PULL_DONE,
     PULL_FAILED
 } pull_state;
@@ -32,6 +33,8 @@ typedef struct pull_run {
     pose back;     /* of a tool that leaves */
     double turned; /* rad */
     double drawn;  /* m, of the swage from the left hole */
+    double eased;  /* m, back from there */
+    double slack;  /* s, that the right hand has felt nothing */
     double tail;   /* m, as seen */
 } pull_run;
 

@@ -7,6 +7,7 @@
 #define PI 3.14159265358979324
 #define LAG 0.04
 #define ACCELERATION 1.5
+#define STRONG 4.0 /* N; twice as much stops it */
 #define ROLL_SPEED 4.0
 #define FACE_SPEED 4.0 /* rad/s */
 /* Of the coupling, N/m and N s/m: no arm is there that would buzz. */
@@ -188,13 +189,22 @@ void hand_aim(hand *h, double size)
 
 /* ---- how it moves */
 
+/* Nobody presses on against what is felt as hard: what jams is let be. */
+static vec give(const hand *h, vec velocity)
+{
+    double force = v_length(h->felt);
+    vec way = v_unit(h->felt);
+    double against = fmax(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
+    return force > STRONG ? v_along(velocity, against, way) : velocity;
+}
+
 static void follow(hand *h, double dt)
 {
     vec way = v_sub(v_add(h->goal, h->aim), h->at);
     double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
     vec wanted = v_limit(v_scale(1.0 / LAG, way), fmin(h->limit, stop));
     vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
-    h->velocity = v_add(h->velocity, change);
+    h->velocity = give(h, v_add(h->velocity, change));
     h->at = v_along(h->at, dt, h->velocity);
 }
 
@@ -274,7 +284,7 @@ vbss_result hand_feel(hand *h)
     vbss_grasp grasp;
     TRY(vbss_grasper_get_state(h->grasper, &state, sizeof state));
     TRY(wire_feel(h, &state));
-    h->felt = seen(h, v_load(state.hand_force));
+    h->felt = v_load(state.hand_force);
     h->holds = state.grasp_count > 0;
     if (!h->holds) {
         h->pull = v3(0.0, 0.0, 0.0);

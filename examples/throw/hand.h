@@ -56,7 +56,7 @@ typedef struct hand {
     uint32_t held_thread, node; /* what is in the jaws */
     double place;               /* of it along the thread, in segments */
     vec pull;                   /* of the thread on the jaws, N */
-    vec felt;                   /* of all on the tool, N */
+    vec felt;                   /* of all on the tool, N, in the world */
 } hand;
 
 vbss_result hand_create(hand *h, stand *s, const hand_nature *nature, vec trocar, vec tip,

@@ -57,7 +57,7 @@ void throw_orbit(throw_run *t, double dt)
     double way = t->plan.wrong ? -1.0 : 1.0;
     double end = t->begin + way * (2.0 * PI * (t->plan.wraps + 0.5) + t->plan.beyond);
     if (t->back) {
-        end -= way * 2.0 * PI * t->plan.wraps;
+        end -= way * (2.0 * PI * t->plan.wraps + t->plan.beyond);
         way = -way;
     }
     double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
