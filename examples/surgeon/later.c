@@ -54,6 +54,7 @@ vbss_result surgeon_begin_later(surgeon *s)
     /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
      * for that is the first one's, too. */
     plan.catches = CATCHES;
+    plan.minds = SURGEON_MINDS;
     plan.retries = kept ? 0 : RETRIES;
     plan.again = !kept;
     plan.back = !kept && !third;

@@ -9,6 +9,8 @@
 #include "throw/cut.h"
 #include "throw/throw.h"
 
+#define SURGEON_MINDS 0.4 /* N: a hand on its way to the tail that feels more draws back */
+
 typedef enum surgeon_stage {
     SURGEON_PASS,   /* the needle through both marks (needle/stitch.c) */
     SURGEON_PULL,   /* it and its thread through, until the tail is short (pull.c) */

@@ -67,6 +67,7 @@ vbss_result surgeon_begin_tie(surgeon *s)
     plan.alike = true; /* the drain gives way to what is pulled unlike */
     plan.low = LOW;
     plan.still = true;
+    plan.minds = SURGEON_MINDS;
     if (s->mistake == SURGEON_SLACK) {
         throw_plan_spoil(&plan, THROW_SLACK);
     }

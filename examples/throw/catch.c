@@ -12,8 +12,7 @@
 #define LEARN 4.0       /* 1/s, of the correction */
 #define PATIENCE 3.0    /* s */
 #define A_WHILE 1.0     /* s */
-#define PUSHES 0.4      /* N: what is felt on the way to the thread is something else */
-#define PUSHED 0.03     /* s, of that */
+#define PUSHED 0.03     /* s, of what is felt on the way to the thread, which is something else */
 #define LOST 12e-3      /* m: after so long an advance the thread goes with the jaws */
 #define OFF 15e-3       /* m, back from there */
 #define OFF_UP 2.0      /* so much more upward than out of the jaws' plane */
@@ -134,10 +133,9 @@ static void draw_back(catch_run *t)
     enter(t, CATCH_BACK);
 }
 
-/* Blades press on what they are to cut. */
 static bool pushes(catch_run *t, double dt)
 {
-    bool pressed = !t->resolute && !t->hand->holds && v_length(t->hand->felt) > PUSHES;
+    bool pressed = t->minds > 0.0 && !t->hand->holds && v_length(t->hand->felt) > t->minds;
     t->pushed = pressed ? t->pushed + dt : 0.0;
     return t->pushed > PUSHED;
 }

@@ -22,6 +22,7 @@ typedef struct catch_run {
     double opening; /* of the handle, before */
     double speed;   /* m/s, on the way there */
     bool resolute;  /* closes in the end even if the thread is not quite between */
+    double minds;   /* N: feeling more, they draw back; 0: nothing */
     vec correction; /* of the aim, by what is seen */
     vec begun;      /* the tip, when it began to advance */
     vec off;        /* to where it goes back */

@@ -28,6 +28,7 @@ static bool is_caught_elsewhere(throw_run *t)
     hand_open(t->see->w, t->plan.opening);
     catch_begin(&t->grip, t->see, t->see->w, place_of_tail(t), t->plan.opening, 0.06);
     t->grip.behind = t->plan.behind;
+    t->grip.minds = t->plan.minds;
     throw_enter(t, THROW_TAIL);
     return true;
 }

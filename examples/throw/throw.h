@@ -60,6 +60,8 @@ typedef struct throw_plan {
     bool back;
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
     uint32_t catches;
+    double
+        minds; /* N, felt by W on its way to the tail: it draws back, and comes again; 0: nothing */
     /* What does not go is tried again: drawn harder; both ease in the end, and may pull again. */
     bool again;
     bool firm;    /* C winds as wide as the limb is long, however slack it has become */

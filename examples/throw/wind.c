@@ -111,6 +111,7 @@ void throw_check(throw_run *t, double dt)
         throw_enter(t, THROW_TAIL);
         catch_begin(&t->grip, s, s->w, t->plan.tail_node, t->plan.opening, 0.06);
         t->grip.behind = t->plan.behind;
+        t->grip.minds = t->plan.minds;
         hand_aim(s->w, s->w->nature.aim_end);
     } else {
         throw_fail(t, "wrap lost");
