@@ -13,11 +13,17 @@
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
 #define SHORT 18.5e-3                /* of the tail in the end */
 #define LONGEST 0.135                /* of what is drawn */
-#define EASING 0.01                  /* m/s */
-#define NOTHING 0.05                 /* N */
-#define A_MOMENT 0.2                 /* s */
-#define EASED_AT_LAST 3.0            /* s */
-#define PATIENCE 6.0                 /* s, of every state but the last */
+/* A tail whose end lies under the drain sticks, since what draws it presses the drain on it; the drain goes along then, and when
+ * the thread comes free it runs on by as much. N; of the tail, which will do then; of the speed. */
+#define STICKS 0.13
+#define WILL_DO 19.7e-3
+#define CAREFUL 0.2
+#define EASING 0.01       /* m/s */
+#define EASING_OFF 0.06   /* m/s, while it pulls as if it stuck */
+#define NOTHING 0.05      /* N */
+#define A_MOMENT 0.2      /* s */
+#define EASED_AT_LAST 3.0 /* s */
+#define PATIENCE 6.0      /* s, of every state but the last */
 #define LEFT_PARK v3(-0.06, -0.05, 0.06)
 #define RIGHT_PARK v3(0.05, -0.06, 0.05)
 
@@ -131,6 +137,8 @@ static void draw(pull_run *p, double dt)
     stitch *t = p->stitch;
     vec mark = site_mark(&t->site, SITE_LEFT);
     double slow = clamp((p->tail - SHORT) / 10e-3, 0.1, 1.0);
+    bool sticks = v_length(t->right.felt) > STICKS;
+    slow = sticks ? fmin(slow, CAREFUL) : slow;
     if (p->drawn == 0.0) {
         p->drawn = v_distance(p->from.at, mark);
     }
@@ -139,7 +147,7 @@ static void draw(pull_run *p, double dt)
     vec to = v_along(mark, p->drawn, away_from_drain());
     needle.at = v_add(p->from.at, v_limit(v_sub(to, p->from.at), 1.0));
     hold_steer(&t->right, &p->held, &needle, CARRY);
-    if (p->tail < SHORT) {
+    if (p->tail < SHORT || (sticks && p->tail < WILL_DO)) {
         enter(p, PULL_EASE);
     }
 }
@@ -147,9 +155,10 @@ static void draw(pull_run *p, double dt)
 static void ease(pull_run *p, double dt)
 {
     hand *right = &p->stitch->right;
-    bool slack = v_length(right->felt) < NOTHING;
+    double felt = v_length(right->felt);
+    bool slack = felt < NOTHING;
     p->slack = slack ? p->slack + dt : 0.0;
-    p->eased += slack ? 0.0 : EASING * dt;
+    p->eased += slack ? 0.0 : (felt > STICKS ? EASING_OFF : EASING) * dt;
     pose needle = p->from;
     needle.at = v_along(needle.at, -p->eased, away_from_drain());
     hold_steer(right, &p->held, &needle, CARRY);

@@ -62,8 +62,8 @@ static void list_parts(scene_drain *b, uint32_t nodes, vbss_array parts[PARTS])
         {&b->marks, nodes, sizeof *b->marks},
         {&b->ways, nodes, sizeof *b->ways},
         {&b->vertices, 2 * (size_t)nodes, sizeof *b->vertices},
-        {&b->lip_face, SIDES_A_NODE * (size_t)nodes, sizeof *b->lip_face},
-        {&b->at_lip, nodes, sizeof *b->at_lip},
+        {&b->lip_of_side, SIDES_A_NODE * (size_t)nodes, sizeof *b->lip_of_side},
+        {&b->lip_of_node, nodes, sizeof *b->lip_of_node},
         {&b->near, SIDES_A_NODE * (size_t)nodes, sizeof *b->near}};
     memcpy(parts, all, sizeof all);
 }
@@ -117,13 +117,18 @@ static uint32_t number_of_side(const collision_shape *shape, uint32_t p, uint32_
 static void find_lips(scene_drain *b, const collision_shape *shape)
 {
     const drain_mesh *m = &b->drain->mesh;
-    memset(b->lip_face, 0xff, shape->edge_count * sizeof *b->lip_face); /* SCENE_NO_FACE */
+    for (uint32_t i = 0; i < shape->edge_count; i++) {
+        b->lip_of_side[i] = SCENE_NO_FACE;
+    }
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        b->lip_of_node[i] = SCENE_NO_FACE;
+    }
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         for (int k = 0; k < 3; k++) {
             uint32_t p = m->triangles[t][(k + 1) % 3], q = m->triangles[t][(k + 2) % 3];
             if (m->opposite[t][k] == DRAIN_NONE) {
-                b->lip_face[number_of_side(shape, p, q)] = t;
-                b->at_lip[p] = b->at_lip[q] = 1;
+                b->lip_of_side[number_of_side(shape, p, q)] = t;
+                b->lip_of_node[p] = b->lip_of_node[q] = t;
             }
         }
     }

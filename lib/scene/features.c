@@ -28,8 +28,9 @@ typedef struct side {
     const scene_capsule *capsule; /* of a rigid body */
     uint32_t feature, corners;
     uint32_t nodes[3]; /* of a drain */
-    uint32_t lip;      /* of a side of a drain that is its edge: the triangle; else SCENE_NO_FACE */
-    bool smooth;       /* a node: of the curve that is smoothed there */
+    uint32_t
+        lip; /* of a free edge of a drain, or a node there: a triangle beside it; else SCENE_NO_FACE */
+    bool smooth; /* a node: of the curve that is smoothed there */
     double radius;
 } side;
 
@@ -58,7 +59,11 @@ static inline side side_of(const scene_object *s, const contact_row *row, const 
     if (b->kind == BODY_DRAIN) {
         d.corners = vbss_scene_nodes_of(s, b, kind, which == 1, feature, d.nodes);
         d.radius = 0.5 * b->drain.drain->config.thickness;
-        d.lip = kind == VBSS_CONTACT_SIDES ? b->drain.lip_face[feature] : SCENE_NO_FACE;
+        if (kind == VBSS_CONTACT_SIDES) {
+            d.lip = b->drain.lip_of_side[feature];
+        } else if (kind == VBSS_CONTACT_POINT_FACE && which == 0) {
+            d.lip = b->drain.lip_of_node[feature];
+        }
         return d;
     }
     if (b->kind == BODY_THREAD) {
@@ -155,30 +160,36 @@ static inline vec3 closest(const side *d, const side *e, const vec3 a[3], const 
         closest_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
-/* ---- lips: what is cut is flat, as high as the wall. Where two of them are nearest, each is a line through its wall. */
+/* ---- lips: what is cut is flat, as high as the wall. Against another wall, a lip is a line through its own. */
 
-static bool are_lips(const side *d, const side *e)
+static bool is_flat(const side *d, const side *e)
 {
-    return d->lip != SCENE_NO_FACE && e->lip != SCENE_NO_FACE;
+    return d->lip != SCENE_NO_FACE && e->body->kind == BODY_DRAIN;
 }
 
-static double share_of_radius(const side *d, const side *e)
+/* From the middle of a wall, or the line through it. */
+static double radius_against(const side *d, const side *e)
 {
-    return are_lips(d, e) ? 2.0 * SCENE_LIP : 1.0;
+    return is_flat(d, e) ? 2.0 * SCENE_LIP * d->radius : d->radius;
 }
 
-/* Where the point of a side is at a lip, another row sees it: that of the lips. */
-static bool is_at_lip(const side *d, double at)
+static double touching_of(const side *d, const side *e)
+{
+    return radius_against(d, e) + radius_against(e, d);
+}
+
+/* A side that ends at a lip is round, and that lip, which ends there too, sees the same. */
+static bool ends_at_lip(const side *d, double at)
 {
     bool end = at == 0.0 || at == 1.0;
-    return d->lip != SCENE_NO_FACE ||
-           (end && d->body->drain.at_lip[d->nodes[at == 1.0 ? 1 : 0]] != 0);
+    return d->corners == 2 && d->lip == SCENE_NO_FACE && end &&
+           d->body->drain.lip_of_node[d->nodes[at == 1.0 ? 1 : 0]] != SCENE_NO_FACE;
 }
 
 static bool is_seen_by_lips(const side *d, const side *e, const contact_row *row)
 {
-    return d->body->kind == BODY_DRAIN && e->corners == 2 && !are_lips(d, e) &&
-           is_at_lip(d, row->at[0]) && is_at_lip(e, row->at[1]);
+    return d->body->kind == BODY_DRAIN && e->body->kind == BODY_DRAIN &&
+           (ends_at_lip(d, row->at[0]) || ends_at_lip(e, row->at[1]));
 }
 
 static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
@@ -190,13 +201,19 @@ static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
     return vec3_unit_or(vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0])), vec3_zero());
 }
 
+/* From one rounded end to the other; of what is round itself, nothing. */
+static vec3 line_through(const scene_object *s, const side *d, const side *e, moment when)
+{
+    const double height = 2.0 * (1.0 - 2.0 * SCENE_LIP) * d->radius;
+    return is_flat(d, e) ? vec3_scale(normal_of_lip(s, d, when), height) : vec3_zero();
+}
+
 /* From the line through the wall of e to that of d, where the middles are `middles` apart; and what of that is wall. */
-static vec3 between_lips(const scene_object *s, const side *d, const side *e, moment when,
-                         vec3 middles, double *walls)
+static vec3 between_lines(const scene_object *s, const side *d, const side *e, moment when,
+                          vec3 middles, double *walls)
 {
     double at[2];
-    vec3 one = vec3_scale(normal_of_lip(s, d, when), 2.0 * d->radius); /* from face to face */
-    vec3 other = vec3_scale(normal_of_lip(s, e, when), 2.0 * e->radius);
+    vec3 one = line_through(s, d, e, when), other = line_through(s, e, d, when);
     vec3 begins = vec3_sub(vec3_scale(vec3_sub(one, other), 0.5), middles);
     vec3 apart = vec3_neg(closest_edges(one, other, begins, &at[0], &at[1]));
     double distance = vec3_norm(apart);
@@ -227,7 +244,7 @@ static inline vec3 apart_of(const scene_object *s, const contact_row *row, const
         at[k] = row->piece[k][0] + at[k] * (row->piece[k][1] - row->piece[k][0]);
     }
     *walls = 0.0;
-    return are_lips(d, e) ? between_lips(s, d, e, when, apart, walls) : apart;
+    return is_flat(d, e) || is_flat(e, d) ? between_lines(s, d, e, when, apart, walls) : apart;
 }
 
 /* The share of each corner in the point that the row is about. */
@@ -397,9 +414,8 @@ static void place_row(const scene_object *s, contact_row *row, const side *d, co
         row->gap = vec3_dot(n, here) - s->config.floor_height - d->radius;
     } else {
         vec3 there = place_side(s, row, e, 1, vec3_scale(n, e->radius), -1.0);
-        double share = share_of_radius(d, e);
-        row->gap = vec3_dot(n, vec3_sub(here, there)) - share * d->radius - share * e->radius -
-                   row->walls + row->spared;
+        row->gap =
+            vec3_dot(n, vec3_sub(here, there)) - touching_of(d, e) - row->walls + row->spared;
     }
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
 }
@@ -446,8 +462,7 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     }
     const side e = side_of(s, row, b, 1);
     vec3 apart = apart_of(s, row, &d, &e, BEGIN, row->at, &row->walls);
-    double share = share_of_radius(&d, &e);
-    double distance = vec3_norm(apart), touching = share * (d.radius + e.radius);
+    double distance = vec3_norm(apart), touching = touching_of(&d, &e);
     row->thickness = 2.0 * lesser(d.radius, e.radius); /* of lips too: they are soft */
     row->touching = touching;
     row->gap_before = distance - touching;
@@ -483,9 +498,9 @@ static void lay_again(const scene_object *s, contact_row *row, const side *d, co
 
 static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
 {
-    double at[2], walls, share = share_of_radius(d, e);
-    row->gap = vec3_norm(apart_of(s, row, d, e, TRIAL, at, &walls)) - share * d->radius -
-               share * e->radius + row->spared;
+    double at[2], walls;
+    row->gap =
+        vec3_norm(apart_of(s, row, d, e, TRIAL, at, &walls)) - touching_of(d, e) + row->spared;
 }
 
 static void look(const scene_object *s, contact_row *row, const side *d, const side *e,

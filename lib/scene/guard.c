@@ -151,8 +151,8 @@ static void vertices_of(const scene_object *s, const collision_candidate *q,
     }
 }
 
-/* Both reach the free edge of a drain: lips may come nearer to each other than walls. */
-static bool are_lips(const scene_object *s, const collision_candidate *q)
+/* What reaches the free edge of a drain may come nearer to a wall than walls do. */
+static bool is_flat(const scene_object *s, const collision_candidate *q, bool is_b)
 {
     const collision_shape *of[4];
     uint32_t vertices[4], first = q->kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;
@@ -162,15 +162,15 @@ static bool are_lips(const scene_object *s, const collision_candidate *q)
         return false;
     }
     vertices_of(s, q, of, vertices);
-    bool one = false, other = false;
-    for (uint32_t k = 0; k < 4; k++) {
-        one = one || (k < first && a->drain.at_lip[vertices[k]] != 0);
-        other = other || (k >= first && b->drain.at_lip[vertices[k]] != 0);
+    const uint32_t *lips = (is_b ? b : a)->drain.lip_of_node;
+    bool flat = false;
+    for (uint32_t k = is_b ? first : 0; k < (is_b ? 4 : first); k++) {
+        flat = flat || lips[vertices[k]] != SCENE_NO_FACE;
     }
-    return one && other;
+    return flat;
 }
 
-static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b, bool lips)
+static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b)
 {
     uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
     const scene_body *b = &s->bodies[s->shape_places[shape]];
@@ -181,20 +181,18 @@ static double radius_of(const scene_object *s, const collision_candidate *q, boo
     if (b->kind == BODY_THREAD) {
         return b->thread.thread->config.radius;
     }
-    return s->collision->shapes[shape]->radius * (lips ? 2.0 * SCENE_LIP : 1.0);
+    return s->collision->shapes[shape]->radius * (is_flat(s, q, is_b) ? 2.0 * SCENE_LIP : 1.0);
 }
 
 static double touching_of(const scene_object *s, const collision_candidate *q)
 {
-    bool lips = are_lips(s, q);
-    return radius_of(s, q, false, lips) + radius_of(s, q, true, lips);
+    return radius_of(s, q, false) + radius_of(s, q, true);
 }
 
 /* Of the thinner one. */
 static double thickness_of(const scene_object *s, const collision_candidate *q)
 {
-    bool lips = are_lips(s, q);
-    return 2.0 * lesser(radius_of(s, q, false, lips), radius_of(s, q, true, lips));
+    return 2.0 * lesser(radius_of(s, q, false), radius_of(s, q, true));
 }
 
 /* As near as contact may let them come. */

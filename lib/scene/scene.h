@@ -64,8 +64,8 @@ typedef struct scene_drain {
     vec3 *ways;           /* per node: how far it may move */
     double longest;       /* of them, m */
     vec3 *vertices;       /* start and end, for the search */
-    uint32_t *lip_face;   /* per side: of a lip, its triangle; else SCENE_NO_FACE */
-    uint8_t *at_lip;      /* per node */
+    /* Of a lip, which is a free edge, per side, and of a node there: a triangle beside it; else SCENE_NO_FACE. */
+    uint32_t *lip_of_side, *lip_of_node;
     uint32_t *near;       /* meshes.c: sides or triangles that a search has found */
     drain_stage stage;
     double moved;               /* by the last linearisation of the part, its farthest node, m */

@@ -151,19 +151,11 @@ static void take(const scene_object *s, const scene_body *b, const contact_key *
     }
 }
 
-static bool is_lip(const scene_body *b, uint32_t side)
-{
-    return b->kind == BODY_DRAIN && b->drain.lip_face[side] != SCENE_NO_FACE;
-}
-
-/* Whether they are too far from each other for a row, whatever they do in the part. Lips have walls of their own, and what
- * goes where it is told is told elsewhere. */
+/* Whether they are too far from each other for a row, whatever they do in the part. What goes where it is told is told
+ * elsewhere. */
 static bool are_far(const scene_object *s, const contact_key *key, const scene_body *a,
                     const scene_body *b)
 {
-    if (key->kind == VBSS_CONTACT_SIDES && is_lip(a, key->a) && is_lip(b, key->b)) {
-        return false;
-    }
     feature one, other;
     take(s, a, key, false, &one);
     take(s, b, key, true, &other);

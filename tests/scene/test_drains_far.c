@@ -40,8 +40,9 @@ static void draw_lips(scene_drain *b, const collision_shape *shape, harness_sour
             }
             face = common == 2 ? t : face;
         }
-        if (harness_draw_below(source, 2) == 0) {
-            b->lip_face[e] = face;
+        if (harness_draw_below(source, 8) == 0) {
+            b->lip_of_side[e] = face;
+            b->lip_of_node[shape->edges[e][0]] = b->lip_of_node[shape->edges[e][1]] = face;
         }
     }
 }

@@ -8,6 +8,7 @@ typedef struct tied {
     vbss_context *context;
     session_scene scene;
     vbss_session *session;
+    uint32_t faults; /* when a throw was seated */
 } tied;
 
 static vbss_session_status run(tied *t, uint32_t crossings)
@@ -19,10 +20,15 @@ static vbss_session_status run(tied *t, uint32_t crossings)
         1.5e-3;                   /* at 2 N edges have passed each other by a millimetre, */
     t->scene.config.dwell = 0.02; /* soon after they met */
     expect_ok(vbss_session_create(t->scene.scene, &t->scene.config, &t->session));
+    bool seated = false;
     for (uint32_t i = 0; i < STITCH_TIE_STEPS; i++) {
         expect_ok(session_scene_tie(&t->scene, t->session, NULL));
+        expect_ok(vbss_session_get_status(t->session, &status, sizeof status));
+        if (!seated && status.seated > 0) {
+            t->faults = status.faults;
+            seated = true;
+        }
     }
-    expect_ok(vbss_session_get_status(t->session, &status, sizeof status));
     return status;
 }
 
@@ -97,7 +103,8 @@ static void expect_tied(uint32_t crossings, int32_t wraps, uint32_t faults)
     const vbss_session_status status = run(&t, crossings);
     assert_int_equal(status.throws, 1);
     assert_int_equal(status.seated, 1);
-    assert_int_equal(status.faults, faults);
+    /* A single that is pulled on may turn into a half hitch later. */
+    assert_int_equal(t.faults, faults);
     assert_int_equal(status.phase, VBSS_SESSION_PHASE_TRANSFER_1);
     assert_int_equal(status.stage, VBSS_SESSION_STAGE_SEATED);
     assert_int_equal(count(&t, VBSS_SESSION_EVENT_THROW, &e), 1);

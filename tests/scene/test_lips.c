@@ -1,0 +1,101 @@
+/* What is cut is flat, what is not is round: a lip that slides over another wall and off its lip is nowhere suddenly nearer. */
+#include "scene/drains_rig.h"
+
+/* How far it slides, in steps, m; and by how much its gap is another after one: which wall it is above is asked where the
+ * middle of the lip is, not where it touches. */
+#define SLIDE 5e-3
+#define STEP 5e-6
+#define LEAP 80e-6
+/* Beyond this distance nobody looks, m. */
+#define FAR 150e-6
+
+/* Of the right wall's nodes: from where on it rises; along the slit, so that lips do not meet node at node. */
+#define LIP 1.5e-3
+#define ALONG 0.3e-3
+
+static vec3 place(vec3 rest, double slope, double height, double over)
+{
+    if (rest.y < 0.0) {
+        return vec3_make(rest.x, rest.y - 50e-3, rest.z);
+    }
+    if (rest.z < 0.0) {
+        return vec3_make(rest.x, 0.0, rest.z);
+    }
+    return vec3_make(rest.x + ALONG, height + slope * (rest.z - LIP), rest.z - over);
+}
+
+static bool has_node(const scene_object *s, const scene_body *b, const contact_row *row, bool is_b,
+                     uint32_t node)
+{
+    uint32_t nodes[3];
+    uint32_t count =
+        vbss_scene_nodes_of(s, b, row->key.kind, is_b, is_b ? row->key.b : row->key.a, nodes);
+    bool there = false;
+    for (uint32_t k = 0; k < count; k++) {
+        there = there || nodes[k] == node;
+    }
+    return there;
+}
+
+/* Of what has that node. */
+static double least_gap(const scene_object *s, const scene_body *b, uint32_t node)
+{
+    double least = FAR;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_row *row = &s->contacts->rows[i];
+        if (row->key.body_a == b->number && row->key.body_b == b->number &&
+            row->key.kind != VBSS_CONTACT_DRAIN_FLOOR && row->gap_before < least &&
+            (has_node(s, b, row, false, node) || has_node(s, b, row, true, node))) {
+            least = row->gap_before;
+        }
+    }
+    return least;
+}
+
+static void slide(double slope, double height)
+{
+    const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0};
+    small s;
+    drain_hands hands;
+    scene_object *o = NULL;
+    expect_ok(drain_hands_init(&hands));
+    hands.config.contact_capacity = 20000;
+    hands.config.candidate_capacity = 200000;
+    hands.config.contact_margin = FAR;
+    drain_object *d = drains_rig_object(drains_rig_begin(&s, &hands));
+    expect_ok(vbss_scene_open(s.scene, &o));
+    double before = 0.0, deepest = FAR, most = 0.0;
+    for (uint32_t k = 0; k < (uint32_t)(SLIDE / STEP); k++) {
+        for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+            d->x[i] = pose_apply(d->frame, place(d->mesh.rest[i], slope, height, STEP * k));
+            d->v[i] = vec3_zero();
+        }
+        assert_true(vbss_scene_find_rows(o, &part));
+        double gap = least_gap(o, &o->bodies[0], d->mesh.middle[DRAIN_RIGHT]);
+        most = k > 0 ? fmax(fabs(gap - before), most) : 0.0;
+        deepest = fmin(gap, deepest);
+        before = gap;
+    }
+    print_message("slope %.2f, %.2f mm above: %.0f um deep, a leap of %.1f um\n", slope,
+                  1e3 * height, -1e6 * deepest, 1e6 * most);
+    assert_true(deepest < -90e-6);
+    assert_true(most <= LEAP);
+    small_end(&s);
+}
+
+/* Pressed together by a tenth of a wall. */
+static void a_lip_slides_over_a_wall_and_off_its_lip_without_a_leap(void **state)
+{
+    (void)state;
+    for (double slope = 0.0; slope < 1.6; slope += 0.25) {
+        double lean = 1.0 / sqrt(1.0 + slope * slope);
+        slide(slope, 0.5e-3 + 0.4e-3 * lean);
+    }
+}
+
+int test_lips(void)
+{
+    const struct CMUnitTest tests[] = {
+        harness_test(a_lip_slides_over_a_wall_and_off_its_lip_without_a_leap)};
+    return cmocka_run_group_tests_name("scene.lips", tests, NULL, NULL);
+}
