@@ -153,7 +153,7 @@ static void come(catch_run *t)
         t->begun = p->tip;
         enter(t, CATCH_ADVANCE);
     } else if (t->since > PATIENCE) {
-        enter(t, CATCH_MISSED);
+        draw_back(t);
     }
 }
 

@@ -11,6 +11,7 @@
 #define BEHIND 1.2e-3 /* of the blades' tips, where they cut */
 #define OPENING 0.35  /* of the blades: no more is between them than need be */
 #define SPEED 0.1     /* m/s */
+#define DECIDED 2.0   /* s, where to cut */
 #define AWAY v3(-0.06, -0.06, 0.06)
 #define AWAY_C v3(0.08, -0.05, 0.05)
 #define LIMB_UP v3(0.5, 0.2, 0.8) /* as C holds it */
@@ -175,7 +176,8 @@ static bool is_cut(cut_run *t, double dt)
         t->ends++;
         return true;
     }
-    if (t->grip.state == CATCH_COME) { /* the ends still move */
+    /* The ends still move; but near to them the blades do not go from one place to another and back. */
+    if (t->grip.state == CATCH_COME && t->grip.since < DECIDED) {
         t->grip.node = place_of(t, t->state == CUT_LIMB, t->grip.tries);
     }
     hand_turn(s->w, across(s, t->grip.node));

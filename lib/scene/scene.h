@@ -66,7 +66,7 @@ typedef struct scene_drain {
     vec3 *vertices;       /* start and end, for the search */
     /* Of a lip, which is a free edge, per side, and of a node there: a triangle beside it; else SCENE_NO_FACE. */
     uint32_t *lip_of_side, *lip_of_node;
-    uint32_t *near;       /* meshes.c: sides or triangles that a search has found */
+    uint32_t *near; /* meshes.c: sides or triangles that a search has found */
     drain_stage stage;
     double moved;               /* by the last linearisation of the part, its farthest node, m */
     vbss_drain_statistics kept; /* before the step */
