@@ -85,7 +85,7 @@ static void put_scene(page *p, const again *a)
     put_count(p, "rejected, stretch", s->rejected_stretch, "lengths or shape not found");
     put_count(p, "clamped", s->clamped, "parts cut short by the guard");
     put_count(p, "paused", s->paused, "steps of which a part waited");
-    put_count(p, "pairs tested", s->guard_pairs, "by the guard");
+    put_count(p, "pairs looked at", s->guard_pairs, "by the guard");
     put(p,
         "</tbody></table>\n<p>Deepest penetration %.1f &#181;m; largest stretch error "
         "%.3f %%.</p>\n",

@@ -21,7 +21,7 @@ void counts_tell_scene(const vbss_scene_statistics *s)
            u(s->rejected_singular), u(s->rejected_full));
     printf("  loose states %llu, loose stretch %llu, clamped by the guard %llu, recovering %llu; "
            "pairs the guard"
-           " tested %llu\n",
+           " looked at %llu\n",
            u(s->loose_states), u(s->loose_stretch), u(s->clamped), u(s->recovering),
            u(s->guard_pairs));
     printf("  deepest penetration %.1f %% of the thread's diameter; largest stretch error %.1e\n",

@@ -273,7 +273,7 @@ typedef struct vbss_scene_statistics {
     uint64_t clamped;       /**< Parts cut short by the guard. */
     uint64_t
         recovering; /**< Parts accepted that began with too much penetration and have less now. */
-    uint64_t guard_pairs;      /**< Pairs that the guard has tested. */
+    uint64_t guard_pairs; /**< Pairs that the guard has looked at: known to be apart, or tested. */
     double last_penetration;   /**< Largest after the last step, m. */
     double penetration;        /**< Largest so far, m. */
     double last_stretch_error; /**< max |length / rest length - 1 - T / EA| after the last step. */

@@ -242,6 +242,9 @@ vbss_result vbss_collision_find_candidates(vbss_collision *collision)
     VBSS_TRY(vbss_check_arithmetic(c->context));
     vbss_collision_forget(c);
     c->generation++;
+    if (c->keeps_apart) {
+        vbss_collision_begin_known(c);
+    }
     c->search.boxes_tested = 0;
     fit_shapes(c);
     if (!find_pairs(c)) {
@@ -250,6 +253,9 @@ vbss_result vbss_collision_find_candidates(vbss_collision *collision)
                          c->config.pair_capacity);
     }
     write_candidates(c);
+    if (c->keeps_apart) {
+        vbss_collision_hand_on(c);
+    }
     c->boxes_tested += c->search.boxes_tested;
     c->searches++;
     return VBSS_OK;

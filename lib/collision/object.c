@@ -19,12 +19,12 @@ static vbss_result check_room(vbss_context *context, const vbss_collision_config
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 22 };
+enum { PARTS = 25 };
 
 static size_t list_parts(collision_object *c, vbss_array parts[PARTS])
 {
     size_t shapes = c->config.shape_capacity, pairs = c->config.pair_capacity;
-    size_t impacts = c->config.impact_capacity;
+    size_t impacts = c->config.impact_capacity, apart = c->keeps_apart ? pairs : 0;
     const vbss_array all[] = {
         {&c->shapes, shapes, sizeof(collision_shape *)},
         {&c->living, shapes, sizeof *c->living},
@@ -42,6 +42,9 @@ static size_t list_parts(collision_object *c, vbss_array parts[PARTS])
         {&c->buckets, SORT_BUCKETS, sizeof *c->buckets},
         {&c->runs, (size_t)c->run_capacity + 1, sizeof *c->runs},
         {&c->candidates, pairs, sizeof *c->candidates},
+        {&c->apart, apart, sizeof *c->apart},
+        {&c->known, apart, sizeof *c->known},
+        {&c->known_apart, apart, sizeof *c->known_apart},
         {&c->block, 1, sizeof *c->block},
         {&c->rules.limbs, COLLISION_LIMBS, sizeof *c->rules.limbs},
         {&c->impacts, impacts, sizeof *c->impacts},
@@ -80,7 +83,7 @@ static uint32_t most_runs(const vbss_collision_config *config)
 }
 
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
-                                    collision_object **collision)
+                                    bool keeps_apart, collision_object **collision)
 {
     collision_object *c = vbss_allocate(context, 1, sizeof *c, "collision object");
     vbss_array parts[PARTS];
@@ -93,6 +96,7 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
     c->rules.limb_count = COLLISION_LIMBS;
     c->wide = vbss_wide_is_there();
     c->thickness = config->thickness;
+    c->keeps_apart = keeps_apart;
     c->run_capacity = most_runs(config);
     c->search.pair_capacity = config->pair_capacity;
     vbss_result result =
@@ -127,7 +131,7 @@ vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_co
 
     collision_object *c;
     vbss_slot *slot = NULL;
-    VBSS_TRY(vbss_collision_allocate(context, &own, &c));
+    VBSS_TRY(vbss_collision_allocate(context, &own, false, &c));
     vbss_result result = vbss_slot_create(context, &vbss_collision_kind, c, &slot);
     if (result != VBSS_OK) {
         vbss_collision_free(context, c);

@@ -9,7 +9,7 @@
 
 /* ---- memory: one table says what there is; what is not needed stays NULL */
 
-enum { PARTS = 20 + NEAR_PARTS };
+enum { PARTS = 23 + NEAR_PARTS };
 
 typedef struct part_list {
     vbss_array parts[PARTS];
@@ -50,6 +50,9 @@ static void list_parts(collision_shape *s, part_list *list)
              sizeof *s->far_after);
     add_part(list, &s->edge_rows, e, sizeof *s->edge_rows);
     add_part(list, &s->point_rows, n, sizeof *s->point_rows);
+    add_part(list, &s->goes, s->keeps_apart ? n : 0, sizeof *s->goes);
+    add_part(list, &s->gone, s->keeps_apart ? n : 0, sizeof *s->gone);
+    add_part(list, &s->known_start, s->keeps_apart ? n : 0, sizeof *s->known_start);
     add_tree(list, &s->point_tree, n, !chain);
     add_tree(list, &s->edge_tree, e, !chain);
     add_tree(list, &s->triangle_tree, t, true);
@@ -96,6 +99,7 @@ static vbss_result make(collision_object *c, collision_shape_kind kind, const ui
     s->category = 1;
     s->mask = UINT32_MAX;
     s->reach = reach_of(&c->config, radius);
+    s->keeps_apart = c->keeps_apart;
     list_parts(s, &list);
     vbss_result result = vbss_allocate_arrays(c->context, list.parts, list.count, "shape");
     if (result != VBSS_OK) {
@@ -269,6 +273,7 @@ void vbss_collision_change_chain(collision_object *c, uint32_t name, uint32_t no
     collision_shape *s = c->shapes[name];
     bool woken = s->asleep;
     s->asleep = false;
+    s->start_known = false;
     s->node_count = node_count;
     s->edge_count = node_count - 1;
     vbss_collision_tree_set_count(&s->point_tree, s->node_count);

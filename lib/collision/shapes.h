@@ -108,7 +108,12 @@ typedef struct collision_shape {
     bool asleep;      /* a chain that is nowhere yet: never found */
     bool boxes_known; /* of the points, and around all, since the last move */
     bool points_fit, edges_fit, triangles_fit; /* trees know the last move */
-    collision_box root;                        /* around all */
+    /* Of an object that keeps what is apart; else NULL. Of each node: how far it goes from start to end; where it started in
+     * the last search, and how far from there it is. */
+    double *goes, *gone;
+    vec3 *known_start;
+    bool keeps_apart, start_known;
+    collision_box root; /* around all */
     collision_tree point_tree, edge_tree, triangle_tree;
     uint32_t *edge_rows, *point_rows; /* candidates of each as a; then where its next one goes */
     bool edge_rows_used, point_rows_used;
@@ -221,6 +226,20 @@ uint32_t vbss_collision_meet_plain(collision_search *search, const collision_tre
 uint32_t vbss_collision_meet_wide(collision_search *search, const collision_tree *tree,
                                   const collision_box *box, uint32_t *features);
 
+/* ---- what is known to be apart (apart.c), of an object that keeps it */
+
+/* The axes of a candidate were measured: they are so far apart at the start. */
+void vbss_collision_note_apart(collision_object *c, const collision_candidate *candidate,
+                               double distance);
+/* How far the nodes of a shape go from start to end: after every move that is asked about. */
+void vbss_collision_measure_ways(collision_shape *shape);
+/* Whether the axes are known to stay farther apart than that, wherever their nodes are between start and end. */
+bool vbss_collision_stays_apart(const collision_object *c, const collision_candidate *candidate,
+                                double distance);
+/* A search begins, with what the last one found; it has its candidates. */
+void vbss_collision_begin_known(collision_object *c);
+void vbss_collision_hand_on(collision_object *c);
+
 /* ---- the object (object.c) */
 
 /* Candidates tested together. */
@@ -254,6 +273,12 @@ struct collision_object {
     uint32_t run_count, run_capacity;
     collision_candidate *candidates;
     uint32_t candidate_count;
+    /* Of an object that keeps it: how far the axes of each candidate are apart at the start, at least; both lists of the last
+     * search; how many that one found, and how many this one has. */
+    bool keeps_apart;
+    double *apart, *known_apart;
+    collision_candidate *known;
+    uint32_t known_count, listed;
     collision_block *block;
     uint32_t *impacts; /* candidates that hit */
     double *times, *distances;
@@ -264,9 +289,9 @@ struct collision_object {
 };
 
 extern const vbss_kind vbss_collision_kind;
-/* An object of a checked configuration, without a handle; and its end. */
+/* An object of a checked configuration, without a handle, which keeps what is known to be apart, or not; and its end. */
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
-                                    collision_object **collision);
+                                    bool keeps_apart, collision_object **collision);
 void vbss_collision_free(vbss_context *context, void *object);
 vbss_result vbss_collision_open(const vbss_collision *handle, collision_object **collision);
 vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **collision);

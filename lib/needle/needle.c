@@ -59,6 +59,7 @@ static void begin(needle_object *n, const vbss_needle_config *config, quat orien
     const vbss_rigid_mass weighed = vbss_needle_weigh(config);
     n->config = *config;
     n->frame = weighed.frame;
+    n->end = vbss_needle_point(n, vbss_needle_length(n));
     n->body.mass = weighed.mass;
     n->body.inertia = weighed.inertia;
     n->body.gravity = vec3_load(config->gravity);

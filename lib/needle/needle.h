@@ -18,6 +18,7 @@ typedef struct needle_object {
     vbss_needle_config config;
     vbss_rigid body; /* while a scene has it, as it was after the last step */
     pose frame;      /* of centre of mass and principal axes, in the needle's frame */
+    vec3 end;        /* of its middle line, where it is swaged, in the needle's frame */
     uint32_t number; /* in its scene; 0: it is in none */
     uint64_t generation;
     vec3 shown[NEEDLE_SEGMENTS + 1]; /* the view */

@@ -137,6 +137,7 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
                              double reach)
 {
     const drain_object *d = drain->drain.drain;
+    const double own = reach_at_swage(s, suture, segment, drain, reach);
     double least = 1.0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
@@ -145,7 +146,6 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
         }
         double now = vec3_distance(spot->now, hole_point_at(hole, d, spot->time));
         double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
-        double own = reach_at_swage(s, suture, segment, drain, reach);
         double most = greater(own, -SCENE_PIN_ARC * hole->entry);
         if (!(greater(now, rest) < (1.0 + COMES_OUT) * most)) {
             continue;

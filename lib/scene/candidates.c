@@ -3,6 +3,7 @@
  * The search lists pairs whose swept boxes come near; of these, those become rows that are nearer than the
  * distance of touching, the margin, and what they may approach each other. How far things may move is
  * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
+#include "scene/apart.h"
 #include "scene/around_holes.h"
 
 #include <string.h>
@@ -93,7 +94,9 @@ static vbss_result move_shape(scene_object *s, const scene_body *b)
     for (uint32_t i = 0; i < count; i++) {
         end[i] = vec3_add_scaled(start[i], SCENE_AHEAD, ways[i]);
     }
-    return vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count);
+    VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count));
+    vbss_collision_measure_ways(s->collision->shapes[b->shape]);
+    return VBSS_OK;
 }
 
 vbss_result vbss_scene_find_pairs(scene_object *s)
@@ -233,6 +236,9 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
         return false;
     }
     bool near = lay(s, row, m);
+    if (m->pair != NULL) { /* from the line through a lip it is no farther than from its middle */
+        vbss_collision_note_apart(s->collision, m->pair, row->gap_before + row->touching);
+    }
     double share = near && scene_is_of_surface(key->kind) ? vbss_scene_share_of_row(s, row) : 1.0;
     if (share == 0.0 && is_needle_at_drain(row, m)) {
         share = lay_beside_holes(s, row, m) ? 1.0 : 0.0;
@@ -286,7 +292,8 @@ static bool add_node_row(scene_object *s, const thread_meets *m, uint32_t node)
                              ways_of_node(s, m->thread, first),
                              ways_of_capsule(s, m->rigid, m->capsule),
                              end - first + 1,
-                             2};
+                             2,
+                             NULL};
     return vbss_scene_add_row(s, &key, &w);
 }
 
@@ -297,10 +304,14 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
     const thread_object *t = m->thread->thread.thread;
     double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
     double touching = radius + t->config.radius;
+    bool fine = is_fine(t, m->segment, radius); /* what is smoothed may be nearer than the pair */
+    if (!fine && scene_stay_apart(s, q, s->config.contact_margin)) {
+        return true;
+    }
     if (vbss_scene_comes_from(s, m->thread, m->segment, m->rigid, m->capsule, touching)) {
         return true;
     }
-    if (!is_fine(t, m->segment, radius)) {
+    if (!fine) {
         const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
                                  m->rigid->number, m->capsule};
         const scene_meeting w = {m->thread,
@@ -308,7 +319,8 @@ static bool add_thread_rows(scene_object *s, const collision_candidate *q, const
                                  ways_of_node(s, m->thread, m->segment),
                                  ways_of_capsule(s, m->rigid, m->capsule),
                                  2,
-                                 2};
+                                 2,
+                                 q};
         return vbss_scene_add_row(s, &key, &w);
     }
     bool before =
@@ -330,6 +342,11 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
     const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    if (a->kind == b->kind || a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
+        if (scene_stay_apart(s, q, s->config.contact_margin)) {
+            return true;
+        }
+    }
     if (a->kind == BODY_DRAIN || b->kind == BODY_DRAIN) {
         return vbss_scene_add_surface_row(s, q);
     }
@@ -338,7 +355,7 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
             return true;
         }
         const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
-        const scene_meeting w = {a, b, ways_of_node(s, a, q->a), ways_of_node(s, b, q->b), 2, 2};
+        const scene_meeting w = {a, b, ways_of_node(s, a, q->a), ways_of_node(s, b, q->b), 2, 2, q};
         return vbss_scene_add_row(s, &key, &w);
     }
     if (a->kind == BODY_RIGID && b->kind == BODY_RIGID) {
@@ -347,8 +364,8 @@ static bool add_pair(scene_object *s, const collision_candidate *q)
             return true;
         }
         const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
-        const scene_meeting w = {a, b, ways_of_capsule(s, a, q->a), ways_of_capsule(s, b, q->b),
-                                 2, 2};
+        const scene_meeting w = {a, b, ways_of_capsule(s, a, q->a), ways_of_capsule(s, b, q->b), 2,
+                                 2, q};
         return vbss_scene_add_row(s, &key, &w);
     }
     bool first = a->kind == BODY_THREAD;
@@ -369,7 +386,7 @@ bool vbss_scene_add_floor_row(scene_object *s, const contact_key *key, const sce
         return true;
     }
     vec3 comes = vec3_scale(s->floor_normal, down);
-    const scene_meeting m = {b, NULL, &comes, &floor, 1, 1};
+    const scene_meeting m = {b, NULL, &comes, &floor, 1, 1, NULL};
     return vbss_scene_add_row(s, key, &m);
 }
 

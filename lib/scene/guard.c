@@ -3,6 +3,7 @@
  * Axes are kept at half the distance of touching by one-sided continuous tests: a miss is a proof. Contacts
  * rest near the whole distance, so the guard sleeps unless something goes wrong. Pairs that begin nearer than
  * half must not come much nearer still, so that a bad state can be left. */
+#include "scene/apart.h"
 #include "scene/around_holes.h"
 
 #include "collision/closest.h"
@@ -117,6 +118,7 @@ static scene_verdict list_pairs(scene_object *s)
                                        m.count) != VBSS_OK) {
             return VERDICT_SINGULAR; /* coordinates that are no place */
         }
+        vbss_collision_measure_ways(s->collision->shapes[b->shape]);
     }
     if (!expected && vbss_scene_find_pairs(s) != VBSS_OK) {
         return VERDICT_FULL;
@@ -172,16 +174,7 @@ static bool is_flat(const scene_object *s, const collision_candidate *q, bool is
 
 static double radius_of(const scene_object *s, const collision_candidate *q, bool is_b)
 {
-    uint32_t shape = is_b ? q->shape_b : q->shape_a, feature = is_b ? q->b : q->a;
-    const scene_body *b = &s->bodies[s->shape_places[shape]];
-    if (b->kind == BODY_RIGID) {
-        bool point = q->kind == VBSS_PAIR_POINT_TRIANGLE; /* the end of a capsule */
-        return s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)].radius;
-    }
-    if (b->kind == BODY_THREAD) {
-        return b->thread.thread->config.radius;
-    }
-    return s->collision->shapes[shape]->radius * (is_flat(s, q, is_b) ? 2.0 * SCENE_LIP : 1.0);
+    return scene_radius_of(s, q, is_b) * (is_flat(s, q, is_b) ? 2.0 * SCENE_LIP : 1.0);
 }
 
 static double touching_of(const scene_object *s, const collision_candidate *q)
@@ -513,6 +506,10 @@ static uint32_t gather(scene_object *s, uint32_t *next, uint32_t which[IMPACT_BL
         if (count > 0 && q->kind != c->candidates[which[0]].kind) {
             break;
         }
+        s->statistics.guard_pairs++;
+        if (scene_stay_apart(s, q, 0.0)) {
+            continue;
+        }
         put_pair(s, &(asked_pair){q, NULL, 0.0}, count);
         which[count++] = *next;
     }
@@ -528,7 +525,6 @@ static double earliest_hit(scene_object *s)
         double time[IMPACT_BLOCK];
         bool hit[IMPACT_BLOCK];
         ask(s, c->candidates[which[0]].kind, count);
-        s->statistics.guard_pairs += count;
         for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
             hit[i] = s->block->hit[i] != 0;
             time[i] = s->block->time[i];

@@ -23,8 +23,8 @@ static bool is_swage(const scene_object *s, const scene_pin *p)
     if (r->needle == NULL || !suture_is_curve(vbss_scene_body(s, p->thread)->thread.thread)) {
         return false;
     }
-    vec3 end = vbss_needle_point(r->needle, vbss_needle_length(r->needle));
-    return vec3_distance(pose_apply(r->frame, p->point), end) <= r->needle->config.wire_radius;
+    return vec3_distance(pose_apply(r->frame, p->point), r->needle->end) <=
+           r->needle->config.wire_radius;
 }
 
 const scene_body *vbss_scene_thread_of(const scene_object *s, const scene_body *needle)
@@ -125,7 +125,7 @@ static void add_needle_terms(contact_row *row, const passage *p, const suture_pl
     const suture_line *line = &p->trial;
     const double of_end = number_of(place, place->weights, 0);
     const double weight = place->on_needle + of_end;
-    const vec3 end = vbss_needle_point(line->needle, line->swage);
+    const vec3 end = line->needle->end;
     vec3 point = vec3_scale(place->needle, place->on_needle);
     point = vec3_add_scaled(point, of_end, end);
     point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;

@@ -174,7 +174,8 @@ static vbss_result make_collision(scene_object *s)
         c.thickness = s->config.paper_thickness;
         c.margin = 0.0;
     }
-    VBSS_TRY(vbss_collision_allocate(s->context, &c, &s->collision));
+    bool keeps_apart = s->config.method != VBSS_METHOD_PAPER;
+    VBSS_TRY(vbss_collision_allocate(s->context, &c, keeps_apart, &s->collision));
     s->collision_slot = vbss_slot_inside(s->context, &vbss_collision_kind, s->collision);
     return VBSS_OK;
 }

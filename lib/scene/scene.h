@@ -539,6 +539,7 @@ typedef struct scene_meeting {
     const scene_body *a, *b;
     const vec3 *ways_a, *ways_b;
     uint32_t count_a, count_b;
+    const collision_candidate *pair; /* whose axes the row is about; NULL: none */
 } scene_meeting;
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m);
 /* The same of a point with a radius and the floor. */

@@ -483,7 +483,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
     recovering: Parts accepted that began with too much penetration and have less now.
 
-    guard_pairs: Pairs that the guard has tested.
+    guard_pairs: Pairs that the guard has looked at: known to be apart, or tested.
 
     last_penetration: Largest after the last step, m.
 
