@@ -17,6 +17,10 @@
  * the thread comes free it runs on by as much. N; of the tail, which will do then; of the speed. */
 #define STICKS 0.13
 #define WILL_DO 19.7e-3
+/* Jammed under the drain, a tail holds whatever is pulled at, or comes free and runs on beyond all that is left of it: then a longer
+ * one will do, and the slit opens again only when much is eased. */
+#define JAMS 0.3 /* N */
+#define JAMMED_WILL_DO 22e-3
 #define CAREFUL 0.2
 #define EASING 0.01       /* m/s */
 #define EASING_OFF 0.06   /* m/s, while it pulls as if it stuck */
@@ -137,7 +141,9 @@ static void draw(pull_run *p, double dt)
     stitch *t = p->stitch;
     vec mark = site_mark(&t->site, SITE_LEFT);
     double slow = clamp((p->tail - SHORT) / 10e-3, 0.1, 1.0);
-    bool sticks = v_length(t->right.felt) > STICKS;
+    double felt = v_length(t->right.felt);
+    bool sticks = felt > STICKS;
+    p->jammed = felt > JAMS && p->tail >= WILL_DO && p->tail < JAMMED_WILL_DO;
     slow = sticks ? fmin(slow, CAREFUL) : slow;
     if (p->drawn == 0.0) {
         p->drawn = v_distance(p->from.at, mark);
@@ -147,7 +153,7 @@ static void draw(pull_run *p, double dt)
     vec to = v_along(mark, p->drawn, away_from_drain());
     needle.at = v_add(p->from.at, v_limit(v_sub(to, p->from.at), 1.0));
     hold_steer(&t->right, &p->held, &needle, CARRY);
-    if (p->tail < SHORT || (sticks && p->tail < WILL_DO)) {
+    if (p->tail < SHORT || (sticks && p->tail < WILL_DO) || p->jammed) {
         enter(p, PULL_EASE);
     }
 }
@@ -158,11 +164,11 @@ static void ease(pull_run *p, double dt)
     double felt = v_length(right->felt);
     bool slack = felt < NOTHING;
     p->slack = slack ? p->slack + dt : 0.0;
-    p->eased += slack ? 0.0 : (felt > STICKS ? EASING_OFF : EASING) * dt;
+    p->eased += slack && !p->jammed ? 0.0 : (felt > STICKS ? EASING_OFF : EASING) * dt;
     pose needle = p->from;
     needle.at = v_along(needle.at, -p->eased, away_from_drain());
     hold_steer(right, &p->held, &needle, CARRY);
-    if (p->slack > A_MOMENT || p->since > EASED_AT_LAST) {
+    if ((p->slack > A_MOMENT && !p->jammed) || p->since > EASED_AT_LAST) {
         enter(p, PULL_DONE);
     }
 }

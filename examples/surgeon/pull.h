@@ -36,6 +36,7 @@ typedef struct pull_run {
     double eased;  /* m, back from there */
     double slack;  /* s, that the right hand has felt nothing */
     double tail;   /* m, as seen */
+    bool jammed;   /* the tail is longer than it should be, and holds */
 } pull_run;
 
 void pull_begin(pull_run *p, stitch *t);

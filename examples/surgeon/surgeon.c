@@ -5,6 +5,7 @@
 #define MOST_OFF 2e-3 /* of a hole from its mark */
 #define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
+#define TAIL_JAMMED 22e-3 /* what has jammed may be as long */
 #define GAP_OPEN 2e-3
 #define GAP_SHUT 0.5e-3
 #define BESIDE v3(0.0, 3e-3, 0.0) /* the marks, of one who misses them: along the drain */
@@ -141,7 +142,8 @@ static vbss_result pull(surgeon *s, double dt)
         s->stage = SURGEON_TIE;
         s->tail = s->pull.tail;
         s->gap_before = s->gap;
-        if (s->tail < TAIL_SHORT || s->tail > TAIL_LONG || s->gap < GAP_OPEN) {
+        double most = s->pull.jammed ? TAIL_JAMMED : TAIL_LONG;
+        if (s->tail < TAIL_SHORT || s->tail > most || s->gap < GAP_OPEN) {
             fail(s, "tail or slit are not as they shall be");
         }
         return surgeon_begin_tie(s);
