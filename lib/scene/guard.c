@@ -472,10 +472,33 @@ static bool is_of_suture_and_wall(const scene_object *s, const collision_candida
            (b->kind == BODY_DRAIN && vbss_scene_is_suture(a));
 }
 
+static bool is_of_needle_and_wall(const scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
+    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    return (a->kind == BODY_DRAIN && b->kind == BODY_RIGID && b->rigid.needle != NULL) ||
+           (b->kind == BODY_DRAIN && a->kind == BODY_RIGID && a->rigid.needle != NULL);
+}
+
+/* Whether a pair that began near stays beyond the guarded share of the whole distance of touching, and so of any less: most that
+ * hit do. A needle at a wall is looked at in pieces, which may begin farther away. */
+static bool is_clear(scene_object *s, const asked_pair *pair)
+{
+    double at[3], distance = distance_at_begin(s, pair, at), touching = touching_of(s, pair->q);
+    const double guarded = GUARDED * touching * (1.0 + 2.0 * s->collision->rules.tolerance);
+    vbss_collision_note_apart(s->collision, pair->q, distance);
+    return distance < touching + s->config.contact_margin &&
+           vbss_collision_stays_apart(s->collision, pair->q, guarded) &&
+           !is_of_needle_and_wall(s, pair->q);
+}
+
 /* Of a pair that comes nearer than contact lets it. */
 static double look_again(scene_object *s, const collision_candidate *q, double time)
 {
     const asked_pair pair = {q, NULL, 0.0};
+    if (is_clear(s, &pair)) {
+        return 1.0;
+    }
     const double share = share_touching(s, q, touching_of(s, q));
     double at[3];
     if (share < 1.0 && is_of_suture_and_wall(s, q)) {
