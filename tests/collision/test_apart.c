@@ -186,16 +186,22 @@ static void measure_all(fixture *f)
     }
 }
 
+/* Somewhere, with everything known that there is to know. */
+static void begin_measured(fixture *f, harness_source *source)
+{
+    begin(f);
+    add_shapes(f);
+    place(f, source);
+    search(f);
+    assert_int_equal(0, count_known(f));
+    measure_all(f);
+}
+
 static void rest(harness_source *source, void *user)
 {
     (void)user;
     fixture f;
-    begin(&f);
-    add_shapes(&f);
-    place(&f, source);
-    search(&f);
-    assert_int_equal(0, count_known(&f));
-    measure_all(&f);
+    begin_measured(&f, source);
     uint32_t known = count_known(&f);
     assert_true(known > 100);
     search(&f);
@@ -215,11 +221,7 @@ static void change(harness_source *source, void *user)
 {
     (void)user;
     fixture f;
-    begin(&f);
-    add_shapes(&f);
-    place(&f, source);
-    search(&f);
-    measure_all(&f);
+    begin_measured(&f, source);
     vbss_collision_change_chain(f.object, 0, 12, NULL);
     search(&f);
     uint32_t others = 0;
@@ -244,11 +246,7 @@ static void leave(harness_source *source, void *user)
 {
     (void)user;
     fixture f;
-    begin(&f);
-    add_shapes(&f);
-    place(&f, source);
-    search(&f);
-    measure_all(&f);
+    begin_measured(&f, source);
     search(&f);
     uint32_t count = f.object->candidate_count;
     f.object->search.pair_capacity = count - 1;
