@@ -51,6 +51,12 @@ bool sweep_boxes_apart(const sweep *a, const sweep *b)
            b->high.y < a->low.y || a->high.z < b->low.z || b->high.z < a->low.z;
 }
 
+void sweep_boxes_join(sweep *a, const sweep *b)
+{
+    a->low = lesser_of(a->low, b->low);
+    a->high = greater_of(a->high, b->high);
+}
+
 /* ---- a plane between two sweeps, or between parts of them in time
  *
  * Any direction n may be tried: if all ends of a are further along n than all ends of b, at both times,

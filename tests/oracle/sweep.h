@@ -16,6 +16,8 @@ typedef struct sweep {
 /* Corners start[nodes[i]]; end. With a coordinate that is not finite it is in everybody's way. */
 sweep sweep_make(const vec3 *start, const vec3 *end, const uint32_t *nodes, uint32_t corners);
 bool sweep_boxes_apart(const sweep *a, const sweep *b);
+/* The box of a becomes that of both. */
+void sweep_boxes_join(sweep *a, const sweep *b);
 /* Two edges, or a point and a triangle: whether they have a point in common at some time, touching included. Asked:
  * exact arithmetic has decided. */
 bool sweep_meets(const sweep *a, const sweep *b, bool *asked);
