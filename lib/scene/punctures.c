@@ -67,6 +67,7 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
 void vbss_scene_settle_holes(scene_object *s)
 {
     vbss_scene_leave_holes(s);
+    vbss_scene_find_folds(s);
     /* What presses where a part was thrown away says nothing of what the wall bears, nor what does where a search was stopped. */
     bool known = s->taken && !s->contacts->stopped;
     for (uint32_t i = 0; known && i < s->place_count; i++) {

@@ -1,0 +1,121 @@
+/* Needles that come through both sides of a fold at once.
+ *
+ * Who enters aslant still has, beside its tip, the wall that it has pressed on, and is let through there. Where that lies in
+ * a fold, the axis may go through both of its sides before the tip is past the hole. A hole is one of these places; the other
+ * is another hole, or the needle would go on along the wall in what is no hole at all. */
+#include "scene/around_holes.h"
+
+/* Where an axis goes through a wall; no more of them are looked at. */
+enum { CROSSINGS = 8 };
+typedef struct crossing {
+    suture_hole at;   /* triangle and weights */
+    double arc, away; /* of the needle, from its tip; from the hole, m */
+} crossing;
+
+static double away_from(const suture_hole *hole, const scene_body *drain, const suture_hole *at)
+{
+    const drain_object *d = drain->drain.drain;
+    const scene_spot spot = vbss_scene_spot(drain, at->triangle, at->weights);
+    return greater(vec3_distance(spot.now, vbss_hole_point(hole, d, d->x)),
+                   vec3_distance(spot.rest, vbss_hole_point(hole, d, d->mesh.rest)));
+}
+
+/* What is left of a capsule's axis from an arc length on. */
+static void axis_from(const scene_body *needle, uint32_t capsule, double from, vec3 axis[2])
+{
+    const needle_object *n = needle->rigid.needle;
+    const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.at);
+    const double begin = vbss_needle_corner(n, capsule), end = vbss_needle_corner(n, capsule + 1);
+    const vec3 first = pose_apply(at, vbss_needle_point(n, begin));
+    axis[1] = pose_apply(at, vbss_needle_point(n, end));
+    axis[0] = vec3_lerp(first, axis[1], (from - begin) / (end - begin));
+}
+
+/* From the tip to an arc length. Places that are nearer to each other than the wire's radius are one: a side of two triangles
+ * has one in each. */
+static uint32_t list_crossings(const scene_body *needle, const scene_body *drain, double to,
+                               crossing *list)
+{
+    const needle_object *n = needle->rigid.needle;
+    uint32_t count = 0;
+    double from = 0.0, share;
+    for (uint32_t i = 0; i < n->config.segment_count && from < to; i++) {
+        const double end = vbss_needle_corner(n, i + 1);
+        for (bool more = true; more && from < end && count < CROSSINGS;) {
+            vec3 axis[2];
+            axis_from(needle, i, from, axis);
+            more = vbss_suture_goes_through(drain->drain.drain, axis, &list[count].at, &share);
+            if (more) {
+                list[count].arc = from + share * (end - from);
+                from = list[count++].arc + n->config.wire_radius;
+            }
+        }
+        from = greater(from, end);
+    }
+    return count;
+}
+
+static bool is_in_another(const scene_object *s, const suture_hole *hole, double arc, double reach)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *other = &s->holes[i];
+        if (other != hole && other->id != 0 && other->needle == hole->needle &&
+            other->drain == hole->drain && fabs(other->arc - arc) < reach) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void pierce(scene_object *s, const scene_body *needle, const scene_body *drain,
+                   const crossing *c)
+{
+    const drain_object *d = drain->drain.drain;
+    const uint32_t *node = d->mesh.triangles[c->at.triangle];
+    const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.at);
+    const vec3 way =
+        quat_rotate(at.orientation, vbss_needle_direction(needle->rigid.needle, c->arc));
+    const vec3 outside =
+        vec3_cross(vec3_sub(d->x[node[1]], d->x[node[0]]), vec3_sub(d->x[node[2]], d->x[node[0]]));
+    suture_hole made = c->at;
+    made.needle = needle->number;
+    made.drain = drain->number;
+    made.outward = vec3_dot(outside, way) > 0.0;
+    made.arc = c->arc;
+    made.deepest = greater(c->arc, d->config.tip_length); /* it is open */
+    vbss_scene_add_hole(s, &made);
+}
+
+/* The place nearest to the hole is its own. */
+static void look_beside(scene_object *s, const suture_hole *hole)
+{
+    const scene_body *needle = vbss_scene_body(s, hole->needle);
+    const scene_body *drain = vbss_scene_body(s, hole->drain);
+    const double wire = needle->rigid.needle->config.wire_radius;
+    const double reach = SCENE_PIN_ARC * (wire + 0.5 * drain->drain.drain->config.thickness);
+    const double mouth = greater(reach, -SCENE_PIN_ARC * hole->entry);
+    crossing list[CROSSINGS] = {0};
+    const uint32_t count = list_crossings(needle, drain, hole->arc + mouth, list);
+    uint32_t own = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        list[i].away = away_from(hole, drain, &list[i].at);
+        own = list[i].away < list[own].away ? i : own;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (i != own && list[i].away < mouth && !is_in_another(s, hole, list[i].arc, reach)) {
+            pierce(s, needle, drain, &list[i]);
+        }
+    }
+}
+
+void vbss_scene_find_folds(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        bool enters = hole->id != 0 && hole->needle != 0 && hole->arc >= 0.0 &&
+                      hole->arc < -SCENE_PIN_ARC * hole->entry;
+        if (enters) {
+            look_beside(s, hole);
+        }
+    }
+}
