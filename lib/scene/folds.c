@@ -55,18 +55,6 @@ static uint32_t list_crossings(const scene_body *needle, const scene_body *drain
     return count;
 }
 
-static bool is_in_another(const scene_object *s, const suture_hole *hole, double arc, double reach)
-{
-    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        const suture_hole *other = &s->holes[i];
-        if (other != hole && other->id != 0 && other->needle == hole->needle &&
-            other->drain == hole->drain && fabs(other->arc - arc) < reach) {
-            return true;
-        }
-    }
-    return false;
-}
-
 static void pierce(scene_object *s, const scene_body *needle, const scene_body *drain,
                    const crossing *c)
 {
@@ -102,7 +90,8 @@ static void look_beside(scene_object *s, const suture_hole *hole)
         own = list[i].away < list[own].away ? i : own;
     }
     for (uint32_t i = 0; i < count; i++) {
-        if (i != own && list[i].away < mouth && !is_in_another(s, hole, list[i].arc, reach)) {
+        if (i != own && list[i].away < mouth &&
+            !vbss_scene_is_in_other_hole(s, hole, list[i].arc)) {
             pierce(s, needle, drain, &list[i]);
         }
     }

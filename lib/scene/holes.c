@@ -308,12 +308,11 @@ static vbss_event_kind way_out(const passage *p, const suture_hole *hole)
                                           : 0;
 }
 
-/* Whether a place of the needle is in another hole. */
-static bool is_in_other(const scene_object *s, const passage *p, const suture_hole *hole,
-                        double arc)
+bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc)
 {
-    const double wire = p->needle->rigid.needle->config.wire_radius;
-    const double touching = wire + 0.5 * p->drain->drain->config.thickness;
+    const needle_object *n = vbss_scene_body(s, hole->needle)->rigid.needle;
+    const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
+    const double touching = n->config.wire_radius + 0.5 * d->config.thickness;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *other = &s->holes[i];
         if (other != hole && other->id != 0 && other->needle == hole->needle &&
@@ -328,7 +327,7 @@ static bool is_in_other(const scene_object *s, const passage *p, const suture_ho
  * needle is in the wall. */
 static bool is_beside(const scene_object *s, const passage *p, suture_hole *hole)
 {
-    if (s->config.method != VBSS_METHOD_OURS || p->needle == NULL) {
+    if (s->config.method != VBSS_METHOD_OURS || hole->needle == 0) {
         return false;
     }
     const needle_object *n = p->needle->rigid.needle;
@@ -339,7 +338,7 @@ static bool is_beside(const scene_object *s, const passage *p, suture_hole *hole
         suture_hole there = *hole;
         double share;
         if (vbss_suture_goes_through(p->drain->drain, axis, &there, &share) &&
-            !is_in_other(s, p, hole, begin + share * (end - begin))) {
+            !vbss_scene_is_in_other_hole(s, hole, begin + share * (end - begin))) {
             *hole = there;
             hole->held = 0.0;
             hole->across = vec3_zero();

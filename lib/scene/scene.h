@@ -405,6 +405,8 @@ void vbss_scene_settle_holes(scene_object *s);
 void vbss_scene_leave_holes(scene_object *s);
 /* folds.c: makes holes of what goes through beside those that needles are entering. */
 void vbss_scene_find_folds(scene_object *s);
+/* Whether that place of a hole's needle, an arc length from the tip, is in another hole of the same wall. */
+bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc);
 /* One that has been made, if there is room for it, and the event. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made);
 void vbss_scene_forget_holes_of(scene_object *s, uint32_t number);
