@@ -114,9 +114,9 @@ def changed(*changes):
     def canary(g):
         g.dumps = getattr(g, "dumps", {})
         if "old" not in g.dumps:
-            g.dumps["old"] = dump(g, g.copy_source("old"), "old-build")
+            g.dumps["old"] = dump(g, g.copy_base("old"), "old-build")
         # The same folder each time: nothing but the change may differ.
-        copy = g.copy_source("new")
+        copy = g.copy_base("new")
         for file, old, new in changes:
             gate.replace_once(copy / file, old, new)
         return compare(g, g.dumps["old"], dump(g, copy, "new-build"))

@@ -1,10 +1,10 @@
 """No fused multiply-add anywhere, even when the build allows the processor to have it: a fused
 operation rounds once where two instructions round twice, so the bits would depend on the machine.
 
-The library is built by its own CMake rules by gcc and clang, for x86-64-v3 and v4 (AVX-512 has fused
-instructions of its own, which -mno-fma leaves) and for three other architectures whose baseline has
-them, and every instruction is looked at. Two more sources go in, a quaternion product and a loop that gcc's
-vectorisers like best, so that wrong flags show before our own code meets them."""
+determinism.matrix builds the library by its own CMake rules by gcc and clang, for x86-64-v3 and v4 (AVX-512
+has fused instructions of its own, which -mno-fma leaves) and for three other architectures whose baseline has
+them, and every instruction is looked at. So is what compilers like best to fuse (fusible.c), so that wrong
+flags show before our own code meets them."""
 import re
 
 import gate
@@ -17,29 +17,7 @@ FUSED = {
 }
 # Seen in any numeric object: without them the gate looks at nothing, or cannot read it.
 PLAIN = {"x86_64": r"v?mul[sp]d", "aarch64": r"fmul", "riscv64": r"fmul\.d", "s390x": r"mdbr?|[vw]fmdb"}
-CROSS = {"aarch64": "-march=armv8.3-a", "riscv64": "", "s390x": "-march=z14"}  # z14: vectors of double
-
-# As the product, in a loop: another vectoriser, which armv8.3-a gives complex instructions to fuse.
-LOOP = """void vbss_loop(double *restrict c, const double *restrict a, const double *restrict b);
-void vbss_loop(double *restrict c, const double *restrict a, const double *restrict b)
-{
-    for (int i = 0; i < 1024; i += 2) {
-        c[i] = a[i] * b[i] - a[i + 1] * b[i + 1];
-        c[i + 1] = a[i] * b[i + 1] + a[i + 1] * b[i];
-    }
-}
-"""
-PRODUCT = """typedef struct { double w, x, y, z; } q;
-void vbss_product(const q *a, const q *b, q *c);
-void vbss_product(const q *a, const q *b, q *c)
-{
-    q r = {a->w * b->w - a->x * b->x - a->y * b->y - a->z * b->z,
-           a->w * b->x + a->x * b->w + a->y * b->z - a->z * b->y,
-           a->w * b->y - a->x * b->z + a->y * b->w + a->z * b->x,
-           a->w * b->z + a->x * b->y - a->y * b->x + a->z * b->w};
-    *c = r;
-}
-"""
+OTHERS = {"aarch64": "-march=armv8.3-a", "riscv64": "", "s390x": "-march=z14"}  # z14: vectors of double
 
 
 def check(g, what, machine, objdump, *files):
@@ -63,56 +41,38 @@ def check(g, what, machine, objdump, *files):
     return []
 
 
-def archive(build):
-    return build / "lib/libvblast_ss.a"
-
-
-def builds(g):
-    """Name, machine, flags and CMake options of everything that is looked at."""
-    for compiler in ("gcc", "clang"):
-        for level in ("v3", "v4"):
-            yield f"{compiler} x86-64-{level}", "x86_64", f"-march=x86-64-{level}", [compiler]
-        for machine, flags in CROSS.items():
-            name = machine + "-linux-gnu-gcc" if compiler == "gcc" else compiler
-            target = [f"-DCMAKE_C_COMPILER_TARGET={machine}-linux-gnu"] if compiler == "clang" else []
-            yield f"{compiler} {machine}", machine, flags, [
-                name, "-DCMAKE_SYSTEM_NAME=Linux", f"-DCMAKE_SYSTEM_PROCESSOR={machine}", *target]
-
-
-def with_product(g, folder):
-    copy = g.copy_source(folder)
-    with open(copy / "lib/base/rotation.c", "a") as source:
-        source.write(PRODUCT + LOOP)
-    return copy
-
-
 def look(g):
-    complaints, copy = [], with_product(g, "source")
-    for name, machine, flags, (compiler, *options) in builds(g):
-        build = g.build(name.replace(" ", "-"), f"-DCMAKE_C_COMPILER={g.tool(compiler)}", *options,
-                        "-DCMAKE_BUILD_TYPE=Release", f"-DCMAKE_C_FLAGS={flags}", source=copy,
-                        targets=["vblast_ss_static"])
-        objdump = "objdump" if machine == "x86_64" else machine + "-linux-gnu-objdump"
-        complaints += check(g, f"{name} {flags if machine in name else ''}".strip(), machine, objdump,
-                            archive(build))
+    complaints = []
+    for compiler in ("gcc", "clang"):
+        for flags in ("fast-math", "O3-v4"): # the first is x86-64-v3, and more
+            complaints += check_row(g, f"{compiler}-{flags}", "x86_64", "objdump")
+        for machine in OTHERS:
+            row = machine + ("-clang" if compiler == "clang" else "")
+            complaints += check_row(g, row, machine, machine + "-linux-gnu-objdump")
     return complaints
+
+
+def check_row(g, row, machine, objdump):
+    build = g.row(row)
+    return check(g, row, machine, objdump, build / "vblast_ss/lib/libvblast_ss.a", *build.rglob("fusible.c.o"))
 
 
 # ---- canaries: the product, compiled without our flags
 
-def without(machine, compiler, objdump, *flags, text=PRODUCT):
+def without(machine, compiler, objdump, *flags):
     return lambda g: check(g, machine, machine, objdump, g.compile(
-        machine, text, "-std=c11", "-O3", *flags, compiler=compiler))
+        machine, (g.source / "tests/determinism/standalone/fusible.c").read_text(), "-std=c11", "-O3", *flags,
+        compiler=compiler))
 
 
 def library_without(g):
-    """The library's own sources, with contraction on after its flags."""
-    copy = g.copy_source("contracted")
+    """Sources of the library's own, with contraction on after its flags."""
+    copy = g.copy_base("contracted")
     with open(copy / "lib/CMakeLists.txt", "a") as rules:
         rules.write("target_compile_options(vbss_numeric INTERFACE -ffp-contract=fast -mfma)\n")
     build = g.build("contracted-build", f"-DCMAKE_C_COMPILER={g.tool('gcc')}", "-DCMAKE_BUILD_TYPE=Release",
                     "-DCMAKE_C_FLAGS=-march=x86-64-v3", source=copy, targets=["vblast_ss_static"])
-    return check(g, "contracted library", "x86_64", "objdump", archive(build))
+    return check(g, "contracted library", "x86_64", "objdump", build / "lib/libvblast_ss.a")
 
 
 SEEN = r"\d+ fused instructions, such as "
@@ -126,12 +86,12 @@ CANARIES = [
      SEEN + r"vfm(addsub|subadd)"),
     ("gcc's loop vectoriser on armv8.3-a, although -fno-tree-slp-vectorize",
      without("aarch64", "aarch64-linux-gnu-gcc", "aarch64-linux-gnu-objdump", "-march=armv8.3-a",
-             "-ffp-contract=off", "-fno-tree-slp-vectorize", text=LOOP), SEEN + "fcmla"),
+             "-ffp-contract=off", "-fno-tree-slp-vectorize"), SEEN + "fcmla"),
     ("clang with contraction",
      without("x86_64", "clang", "objdump", "-march=x86-64-v3", "-ffp-contract=fast"), SEEN + r"vf"),
 ] + [(f"{machine} with contraction",
       without(machine, f"{machine}-linux-gnu-gcc", f"{machine}-linux-gnu-objdump", "-ffp-contract=fast",
-              *flags.split()), SEEN) for machine, flags in CROSS.items()]
+              *flags.split()), SEEN) for machine, flags in OTHERS.items()]
 
 if __name__ == "__main__":
     gate.main("fma", look, CANARIES)

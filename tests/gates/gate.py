@@ -43,6 +43,14 @@ class Gate:
     def library(self, kind):
         return pathlib.Path(self.settings[kind])
 
+    def row(self, name):
+        """The build of a row of determinism.compilers or determinism.matrix, which those leave behind."""
+        folders = [pathlib.Path(self.settings[test]) / name for test in ("compilers", "matrix")]
+        found = [folder for folder in folders if folder.is_dir()]
+        if not found:
+            raise Problem(f"determinism.compilers and determinism.matrix have left no {name}")
+        return found[0]
+
     def run(self, *command, code=0, **options):
         """The output of a command that must end with the given code (None: any, then a pair)."""
         command = [str(word) for word in command]
@@ -82,6 +90,18 @@ class Gate:
         for part in ("include", "lib", "pkgconfig"):
             shutil.copytree(self.source / part, copy / part)
         shutil.copy(self.source / "CMakeLists.txt", copy)
+        return copy
+
+    def copy_base(self, folder):
+        """A copy of the lowest layer alone, which is a library too: canaries that change it are built in no time."""
+        copy = self.copy_source(folder)
+        for layer in (copy / "lib").iterdir():
+            if layer.is_dir() and layer.name != "base":
+                shutil.rmtree(layer)
+        rules = copy / "lib/CMakeLists.txt"
+        listed = re.search(r"set\(sources\n(.*?)\)", rules.read_text(), re.S).group(1)
+        replace_once(rules, listed, "\n".join(line for line in listed.splitlines() if line.startswith("  base/")))
+        replace_once(rules, "check_c_compiler_flag(-mavx2 VBSS_HAS_mavx2)", "")  # wide sources stand higher
         return copy
 
 

@@ -1,8 +1,9 @@
 """The worst stack of every public function, out of the compiler's own call graph: at most 16 KiB, so
 that a host may step on a small thread. Recursion and frames of unknown size are refused.
 
-Built as shipped (-O3) and as developed (-O2); the larger number counts. Calls out of the library
-count as stack-allowances.txt says; calls through pointers go where indirect-calls.txt says."""
+As developed (-O2: the build that tests run in) and at -O3 (determinism.compilers builds it); the larger
+number counts. Calls out of the library count as stack-allowances.txt says; calls through pointers go
+where indirect-calls.txt says."""
 import re
 
 import gate
@@ -108,15 +109,12 @@ def short(title):
     return title.rsplit(":", 1)[-1]
 
 
-def check(g, source, name, public=None, levels=("-O2", "-O3")):
-    """Builds a tree at these levels; complaints, and the table of the public functions."""
-    public = public or sorted(symbols.map_nodes(source / "lib/vblast_ss.map"))
+def check(g, source, builds, public):
+    """Complaints about what was compiled from these sources, and the table of the public functions. builds: level ->
+    folder of objects with gcc's call graphs beside them."""
     table, complaints = {}, []
     exceptions = rows(g.here / "stack-exceptions.txt")
-    for level in levels:
-        build = g.build(f"{name}{level}", f"-DCMAKE_C_COMPILER={g.tool('gcc')}", "-DCMAKE_BUILD_TYPE=None",
-                        f"-DCMAKE_C_FLAGS={level} -fcallgraph-info=su -fstack-usage",
-                        source=source, targets=["vblast_ss_static"])
+    for level, build in builds.items():
         graph = Graph(g, source / "lib")
         for path in sorted(build.rglob("*.ci")):
             graph.read(path)
@@ -136,7 +134,9 @@ def check(g, source, name, public=None, levels=("-O2", "-O3")):
 
 
 def look(g):
-    complaints, table = check(g, g.source, "library")
+    # Objects, not libraries: others than this gate have built them.
+    builds = {"-O2": g.library("archive").parent, "-O3": g.row("gcc-O3") / "vblast_ss/lib"}
+    complaints, table = check(g, g.source, builds, sorted(symbols.map_nodes(g.source / "lib/vblast_ss.map")))
     for function, (size, path, level) in sorted(table.items(), key=lambda row: -row[1][0]):
         print(f"  {size:6} {level} {' -> '.join(short(t) for t in path)}")
     worst = max(table.items(), key=lambda row: row[1][0]) if table else ("nothing", (0,))
@@ -148,10 +148,12 @@ def look(g):
 
 def version_doing(before, body, public="vbss_version"):
     def canary(g):
-        copy = g.copy_source("changed")
+        copy = g.copy_base("changed")
         gate.replace_once(copy / "lib/base/result.c", "uint32_t vbss_version(void)\n{\n",
                           before + "uint32_t vbss_version(void)\n{\n" + body)
-        return check(g, copy, "changed", [public], ["-O2"])[0]
+        build = g.build("changed-build", f"-DCMAKE_C_COMPILER={g.tool('gcc')}", "-DCMAKE_BUILD_TYPE=None",
+                        "-DCMAKE_C_FLAGS=-O2 -fcallgraph-info=su", source=copy, targets=["vblast_ss_static"])
+        return check(g, copy, {"-O2": build}, [public])[0]
     return canary
 
 
