@@ -59,16 +59,13 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
                    const crossing *c)
 {
     const drain_object *d = drain->drain.drain;
-    const uint32_t *node = d->mesh.triangles[c->at.triangle];
     const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.at);
     const vec3 way =
         quat_rotate(at.orientation, vbss_needle_direction(needle->rigid.needle, c->arc));
-    const vec3 outside =
-        vec3_cross(vec3_sub(d->x[node[1]], d->x[node[0]]), vec3_sub(d->x[node[2]], d->x[node[0]]));
     suture_hole made = c->at;
     made.needle = needle->number;
     made.drain = drain->number;
-    made.outward = vec3_dot(outside, way) > 0.0;
+    made.outward = vbss_suture_goes_outward(d, c->at.triangle, way);
     made.arc = c->arc;
     made.deepest = greater(c->arc, d->config.tip_length); /* it is open */
     vbss_scene_add_hole(s, &made);

@@ -474,10 +474,7 @@ static vbss_result lay_hole(const scene_object *s, suture_hole *hole, const scen
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the hole is %g m from what shall be in it: at most %g", off, most);
     }
-    const uint32_t *node = d->mesh.triangles[hole->triangle];
-    vec3 outside =
-        vec3_cross(vec3_sub(d->x[node[1]], d->x[node[0]]), vec3_sub(d->x[node[2]], d->x[node[0]]));
-    hole->outward = vec3_dot(outside, place.tangent) > 0.0;
+    hole->outward = vbss_suture_goes_outward(d, hole->triangle, place.tangent);
     move_to(hole, &p, place.arc);
     return VBSS_OK;
 }

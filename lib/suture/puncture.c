@@ -107,6 +107,14 @@ static bool is_anchored(const drain_object *d, uint32_t t)
     return d->anchored[node[0]] && d->anchored[node[1]] && d->anchored[node[2]];
 }
 
+bool vbss_suture_goes_outward(const drain_object *d, uint32_t triangle, vec3 way)
+{
+    vec3 corner[3];
+    corners_of(d, triangle, corner);
+    vec3 outside = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
+    return vec3_dot(outside, way) > 0.0;
+}
+
 bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double reach,
                            double wire_radius, suture_hole *hole)
 {
@@ -122,7 +130,6 @@ bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double 
         if (!meets(corner, from, tip->direction, &far, weights) || far < 0.0 || !(far < nearest)) {
             continue;
         }
-        vec3 outside = vec3_cross(vec3_sub(corner[1], corner[0]), vec3_sub(corner[2], corner[0]));
         vbss_suture_round_off(weights);
         nearest = far;
         found = !is_at_edge(d, t, vec3_add_scaled(from, far, tip->direction),
@@ -130,7 +137,7 @@ bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double 
                 !is_anchored(d, t);
         *hole = (suture_hole){.triangle = t,
                               .weights = {weights[0], weights[1], weights[2]},
-                              .outward = vec3_dot(outside, tip->direction) > 0.0,
+                              .outward = vbss_suture_goes_outward(d, t, tip->direction),
                               .entry = -far,
                               .arc = -far,
                               .deepest = -far,

@@ -89,6 +89,8 @@ bool vbss_suture_goes_through(const drain_object *d, const vec3 axis[2], suture_
                               double *share);
 /* Weights in a triangle, but for rounding: none below 0, all together 1. */
 void vbss_suture_round_off(double weights[3]);
+/* Whether what goes that way through a triangle of the wall comes from inside. */
+bool vbss_suture_goes_outward(const drain_object *d, uint32_t triangle, vec3 way);
 
 /* ---- hole.c */
 
