@@ -36,8 +36,10 @@ def look(g):
         raise gate.Problem("no compile_commands.json: configure with a preset")
     text = database.read_text()
     units = {unit["file"] for unit in json.loads(text)}
-    # clang ignores most flags of gcc's optimiser, and stops at this one.
-    (g.work / "compile_commands.json").write_text(text.replace(" -fno-tree-loop-distribute-patterns", ""))
+    # clang ignores most flags of gcc's optimiser, and stops at these.
+    for flag in (" -fno-tree-loop-distribute-patterns", " -fcallgraph-info=su"):
+        text = text.replace(flag, "")
+    (g.work / "compile_commands.json").write_text(text)
     files = sorted(f for f in units if f.endswith(".c") and f.startswith(str(g.source / "")))
     # What CMake made (the mains of the test executables) stands in the build folder.
     made = str(g.source / "build") + "/"
