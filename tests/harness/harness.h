@@ -54,8 +54,7 @@ void harness_context_end(vbss_context *context, const harness_memory *memory);
 /* Runs `attempt` in a fresh context with the first allocation failing, then the second, ... until
  * it succeeds; once with only that one failing, once with all after it. The attempt makes and
  * destroys what it tests and returns the first failure. Asserts that each failure is told as
- * VBSS_ERROR_OUT_OF_MEMORY, loses no block, and that there was something to fail. Under AddressSanitizer
- * many of the later calls are left out. */
+ * VBSS_ERROR_OUT_OF_MEMORY, loses no block, and that there was something to fail. */
 typedef vbss_result (*harness_attempt)(vbss_context *context, void *user);
 void harness_fail_every_allocation(harness_attempt attempt, void *user);
 

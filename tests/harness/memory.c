@@ -110,35 +110,12 @@ static bool attempt_with(harness_attempt attempt, void *user, uint64_t fail_call
     return memory.failures == 0;
 }
 
-/* Under AddressSanitizer fresh memory is dear: there, after the first calls, each eighth is looked at. All of them are in other
- * builds, which count blocks too. */
-#if defined(__SANITIZE_ADDRESS__)
-#define MEMORY_IS_DEAR 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define MEMORY_IS_DEAR 1
-#endif
-#endif
-#ifdef MEMORY_IS_DEAR
-enum { FIRST_CALLS = 64, EACH = 8 };
-
-static uint64_t next_call(uint64_t call)
-{
-    return call + (call < FIRST_CALLS ? 1 : EACH);
-}
-#else
-static uint64_t next_call(uint64_t call)
-{
-    return call + 1;
-}
-#endif
-
 void harness_fail_every_allocation(harness_attempt attempt, void *user)
 {
     for (int ever_after = 0; ever_after < 2; ever_after++) {
         uint64_t fail_call = 1;
         while (!attempt_with(attempt, user, fail_call, ever_after == 1)) {
-            fail_call = next_call(fail_call);
+            fail_call++;
         }
         /* The context's own block is the first; an attempt that adds none tests nothing. */
         assert_true(fail_call > 2);
