@@ -56,11 +56,17 @@ static vbss_result add_thread(vbss_context *context, session_scene *m)
 
 vbss_result session_scene_still(vbss_context *context, session_scene *made)
 {
+    vbss_scene_config scene;
     vbss_drain_config drain;
     memset(made, 0, sizeof *made);
+    /* Little touches: room for that, as some make thousands of these. */
+    VBSS_TRY(vbss_scene_config_init(&scene, sizeof scene));
+    scene.node_capacity = 128;
+    scene.contact_capacity = 64;
+    scene.candidate_capacity = 4096;
     VBSS_TRY(vbss_session_config_init(&made->config, sizeof made->config));
     VBSS_TRY(vbss_drain_config_init(&drain, sizeof drain));
-    VBSS_TRY(vbss_scene_create(context, NULL, &made->scene));
+    VBSS_TRY(vbss_scene_create(context, &scene, &made->scene));
     VBSS_TRY(vbss_drain_create(context, &drain, &made->drain));
     VBSS_TRY(vbss_scene_add_drain(made->scene, made->drain, &made->config.drain));
     VBSS_TRY(add_thread(context, made));
