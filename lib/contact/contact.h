@@ -56,7 +56,9 @@ typedef struct contact_row {
         bilateral; /* also pulls: a grasp, a hole; with friction it holds in the plane, without slip */
     double stiffness; /* normal and tangential, N/m */
     double friction;  /* coefficient */
-    double along;     /* bilateral: share of the stiffness that it has in the plane; 0: all */
+    double along;     /* share of the stiffness that it has in the plane; 0: all */
+    /* Where little presses it has so much less there that friction is spent after this way, m; 0: all. Not of what ties. */
+    double spent;
     /* Bilateral: what is in it is held across the normal and slides along it. Below `least`, N, and `grip` of what is held
      * across it sticks: against the normal, along it; either may be below 0, their sum is not. Beyond, it yields with a
      * damping, as a stiffness of the part, N/m. What it held along is remembered. */

@@ -84,7 +84,7 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
     row->term_count = 0;
     row->bilateral = false;
     row->sleeve = false;
-    row->along = row->walls = 0.0;
+    row->along = row->spent = row->walls = 0.0;
     row->piece[0][0] = row->piece[1][0] = 0.0;
     row->piece[0][1] = row->piece[1][1] = 1.0;
     row->is = (contact_found){.state = CONTACT_OPEN};
@@ -193,6 +193,12 @@ static void remind_sleeve(contact_row *row, const contact_memory *m)
     row->is.pressure = m->pressure;
 }
 
+static double share_along(const contact_row *row, double pressure)
+{
+    double most = row->friction * pressure, whole = row->stiffness * row->spent;
+    return most < whole ? most / whole : 0.0; /* 0: all of it */
+}
+
 static void remind(contact_row *row, const contact_memory *m)
 {
     if (row->sleeve) {
@@ -201,6 +207,7 @@ static void remind(contact_row *row, const contact_memory *m)
     }
     row->is.state = (contact_state)m->state;
     row->is.pressure = m->pressure;
+    row->along = row->bilateral ? row->along : share_along(row, m->pressure);
     row->held = row->is.rubbing = vbss_contact_turn_into_plane(m->rubbing, row->normal);
     if (row->is.state == CONTACT_SLIP) {
         double size = vec3_norm(row->is.rubbing);

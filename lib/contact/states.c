@@ -98,9 +98,10 @@ static void take_found(contact_set *set)
  * good enough with such a share of that, or after so many looks. */
 #define DRIVEN_BACK 0.5
 #define AT_REST 0.1
-enum { LOOKS = 8 };
-/* Less than this share is no way to get on. */
+enum { LOOKS = 8, HALVES = 8 };
+/* Less than this share is no way to get on; nor less than that while softening is still to come, unless it comes to rest. */
 #define SHORTEST 0.005
+#define SHORT 0.1
 /* Where the law does not drive at all, and what comes is worse. */
 #define DOUBTED 0.5
 
@@ -121,8 +122,10 @@ static double work(const contact_set *set, double share)
     return sum;
 }
 
-/* False position; an end that stays twice counts half (Illinois). */
-static double share_to_follow(const contact_set *set)
+/* False position; an end that stays twice counts half (Illinois). Where a row closes on the way work rises so sharply that
+ * this stays before it, all states would be as they were, and the next solve would lead to the same place: then halves, and
+ * what is beyond. */
+static double share_to_follow(const contact_set *set, bool softened)
 {
     double low = 0.0, high = 1.0, at_low = work(set, low), at_high = work(set, high);
     const double begin = -at_low;
@@ -148,13 +151,25 @@ static double share_to_follow(const contact_set *set)
             side = -1;
         }
     }
-    return greater(share, SHORTEST);
+    if (share >= (softened ? SHORTEST : SHORT) || fabs(found) <= AT_REST * begin) {
+        return greater(share, SHORTEST);
+    }
+    for (int k = 0; k < HALVES && fabs(found) > AT_REST * begin; k++) {
+        share = 0.5 * (low + high);
+        found = work(set, share);
+        if (found > 0.0) {
+            high = share;
+        } else {
+            low = share;
+        }
+    }
+    return greater(fabs(found) > AT_REST * begin ? high : share, SHORTEST);
 }
 
 /* Where the next solve goes on from; before the first there may be nothing. */
-static void follow(contact_set *set, const contact_search *search, bool first)
+static void follow(contact_set *set, const contact_search *search, bool first, bool softened)
 {
-    double share = first ? 1.0 : share_to_follow(set);
+    double share = first ? 1.0 : share_to_follow(set, softened);
     for (uint32_t i = 0; i < set->count; i++) {
         if (share < 1.0) {
             set->here[i] = between(&set->here[i], &set->there[i], share);
@@ -182,9 +197,22 @@ enum { DEEP_SOLVES = 2, LOST_SOLVES = 9, SOFT_SOLVES = 5 };
 
 typedef struct stage {
     double softness;
-    uint32_t solves; /* with this softness */
-    bool softened;   /* it has been, and will not be again */
+    uint32_t solves;  /* with this softness */
+    bool softened;    /* it has been, and will not be again */
+    double missed;    /* of the law, the larger share, when it was last half of what it had been; */
+    uint32_t stalled; /* solves since */
 } stage;
+
+/* What comes nearer to the law with each solve is not left before it is there. */
+static void note_missed(stage *at, const contact_search *search, const look *l, bool first)
+{
+    double missed = greater(l->force / (l->pressure + search->least_force), l->overlap);
+    at->stalled++;
+    if (first || missed <= 0.5 * at->missed) {
+        at->missed = missed;
+        at->stalled = 0;
+    }
+}
 
 static void scale_stiffness(contact_set *set, stage *at, double factor)
 {
@@ -227,7 +255,7 @@ static contact_outcome judge(const contact_search *search, const stage *at, cons
     }
     /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
      * is small then, and the next part finds it. */
-    bool patient = at->softened || at->solves + 1 >= search->patience;
+    bool patient = at->softened || at->stalled + 1 >= search->patience;
     bool loose = patient && l->overlap <= search->loose_overlap && l->force <= little;
     return loose ? CONTACT_LOOSE : CONTACT_LOST;
 }
@@ -244,10 +272,11 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
             return CONTACT_SINGULAR;
         }
         const look l = look_at_rows(set, search);
+        note_missed(at, search, &l, k == 0);
         contact_outcome outcome = judge(search, at, &l);
         set->residual = l.force;
         if (outcome == CONTACT_LOST) {
-            follow(set, search, k == 0 && !search->goes_on);
+            follow(set, search, k == 0 && !search->goes_on, at->softened);
             if (is_spent(set, search)) {
                 vbss_system_stop_there(search->system);
                 set->stopped = true;

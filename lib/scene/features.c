@@ -12,6 +12,9 @@
 #define SMOOTH_NEIGHBOUR (1.0 / 24.0)
 /* r of the law, N/m: of rows that nodes take part in. Larger by a thousand, states cycle. */
 #define NODE_AUGMENTATION 3.0
+/* A node of a thread that lies on the floor presses it by its weight alone, some uN: it would be held within 2 pm, and bear
+ * alone what pulls along the thread; they would let go one after the other, a solve each. m */
+#define SPENT_ON_FLOOR 1e-7
 /* The same of rigid bodies alone, as a share of mass / h^2: well below the inertia that a point of them has, or
  * slip one way and the other way follow each other. */
 #define RIGID_AUGMENTATION 0.01
@@ -534,6 +537,7 @@ static void look_at_all(scene_object *s, look_at_row how, double h)
             row->friction = friction_of(s, a, b);
             row->stiffness = s->config.contact_stiffness;
             row->augmentation = augmentation_of(a, b, h);
+            row->spent = row->key.kind == VBSS_CONTACT_NODE_FLOOR ? SPENT_ON_FLOOR : 0.0;
         }
         const side d = side_of(s, row, a, 0);
         if (b == NULL) {

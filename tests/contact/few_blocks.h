@@ -132,6 +132,12 @@ static inline vec3 across(vec3 v, vec3 normal)
     return vec3_add_scaled(v, -vec3_dot(v, normal), normal);
 }
 
+/* In the plane it may be softer. */
+static inline double few_stiffness_along(const contact_row *row)
+{
+    return row->stiffness * (row->along > 0.0 ? row->along : 1.0);
+}
+
 /* The law itself, in closed form: elastic, then cut back to the cone. */
 static inline vec3 few_law(const contact_row *row, vec3 u)
 {
@@ -144,7 +150,7 @@ static inline vec3 few_law(const contact_row *row, vec3 u)
         return vec3_scale(n, pressure);
     }
     vec3 moved = across(vec3_add(row->slid, u), n);
-    vec3 rubbing = vec3_add_scaled(row->held, -row->stiffness, moved);
+    vec3 rubbing = vec3_add_scaled(row->held, -few_stiffness_along(row), moved);
     double size = vec3_norm(rubbing), most = row->friction * pressure;
     if (!row->bilateral && size > most) {
         rubbing = vec3_scale(rubbing, most / size);

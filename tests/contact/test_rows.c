@@ -165,6 +165,28 @@ static void depth_is_of_what_cannot_pull(void **state)
 
 /* ---- memory */
 
+/* Where little presses, the stiffness along is what spends friction within a given way; where much does, all. */
+static void what_presses_little_is_softer_along(void **state)
+{
+    (void)state;
+    const double pressures[3] = {1e-6, 1e-3, 1.0};
+    for (int i = 0; i < 3; i++) {
+        list l;
+        list_begin(&l, 1);
+        close_with(add(&l, 1, 1), pressures[i]);
+        vbss_contact_keep(l.set);
+        vbss_contact_begin(l.set);
+        contact_row *row = add(&l, 1, 1);
+        row->stiffness = 2e5;
+        row->friction = 0.3;
+        row->spent = 1e-7;
+        vbss_contact_recall(l.set);
+        double along = row->along > 0.0 ? row->along * row->stiffness : row->stiffness;
+        expect_near(lesser(0.3 * pressures[i] / 1e-7, 2e5), along, 1e-9 * along);
+        list_end(&l);
+    }
+}
+
 static void what_was_closed_is_remembered(void **state)
 {
     (void)state;
@@ -198,6 +220,7 @@ static void what_was_closed_is_remembered(void **state)
     expect_near(1.0, three->is.way.x, 1e-15);
     expect_near(0.3, vec3_norm(three->held), 1e-15);
     expect_near(0.0, vec3_dot(three->held, three->normal), 1e-16);
+    expect_near(0.0, one->along, 0.0);
     assert_int_equal(nine->is.state, CONTACT_STICK);
     l.set->memory_count = 0;
     vbss_contact_recall(l.set);
@@ -381,6 +404,7 @@ int test_rows(void)
         cmocka_unit_test(rows_begin_without_what_others_were),
         cmocka_unit_test(depth_is_of_what_cannot_pull),
         cmocka_unit_test(what_was_closed_is_remembered),
+        cmocka_unit_test(what_presses_little_is_softer_along),
         cmocka_unit_test(a_neighbour_takes_over),
         cmocka_unit_test(what_is_remembered_is_taken_once),
         cmocka_unit_test(an_attempt_that_failed_is_forgotten),

@@ -308,6 +308,58 @@ static void nothing_to_hold_on_to_is_told(void **state)
     few_end(&f);
 }
 
+/* ---- solves that lead too far, and searches that take long */
+
+/* What lets go flies against a stiff row that it reaches early on the way: there the search goes on, not before, where all is
+ * as it was. */
+static void a_row_that_closes_early_on_the_way_is_found_at_once(void **state)
+{
+    (void)state;
+    for (int k = 1; k <= 12; k++) {
+        few_blocks f;
+        few_begin(&f, 1);
+        f.stiffness[0] = mat3_diagonal(10.0, 10.0, 10.0);
+        f.force[0] = vec3_make(0.0, 1e-5, 0.0); /* 1 um, if nothing were there */
+        contact_row *left = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
+        left->is.state = CONTACT_STICK;
+        contact_row *met = few_plane(&f, 1, 0, vec3_make(0.0, -1.0, 0.0));
+        met->gap = 7e-9 * k;
+        assert_int_equal(few_solve(&f), CONTACT_FOUND);
+        assert_int_equal(f.set->rows[0].is.state, CONTACT_OPEN);
+        assert_int_not_equal(f.set->rows[1].is.state, CONTACT_OPEN);
+        assert_true(f.set->counters.solves <= 4);
+        expect_solved(&f, 1e-5);
+        few_end(&f);
+    }
+}
+
+/* Patience is with what does not come nearer: a slip that turns into its way does, a little with each solve. */
+static void what_comes_nearer_with_each_solve_is_waited_for(void **state)
+{
+    (void)state;
+    uint64_t most = 0;
+    for (double stiffer = 2.0; stiffer <= 64.0; stiffer *= 2.0) {
+        few_blocks f;
+        few_begin(&f, 1);
+        f.search.patience = 3;
+        f.search.loose_share = f.search.loose_overlap = 1.0; /* anything would do */
+        f.stiffness[0] = mat3_diagonal(10.0, 10.0, 10.0 * stiffer);
+        f.force[0] = vec3_make(1.0, -1.0, 1.0);
+        contact_row *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
+        row->friction = 0.3;
+        row->gap = -5e-6;
+        row->is = (contact_found){.state = CONTACT_SLIP,
+                                  .pressure = 1.0,
+                                  .rubbing = vec3_make(-0.3, 0.0, 0.0),
+                                  .way = vec3_make(-1.0, 0.0, 0.0),
+                                  .share = 0.5};
+        assert_int_equal(few_solve(&f), CONTACT_FOUND);
+        most = f.set->counters.solves > most ? f.set->counters.solves : most;
+        few_end(&f);
+    }
+    assert_true(most > 3);
+}
+
 /* ---- rows that close deep, all at once */
 
 static void what_closes_deep_is_softened_and_ends_right(void **state)
@@ -376,6 +428,8 @@ int test_states(void)
         cmocka_unit_test(a_search_that_stops_in_time_leaves_a_balance),
         cmocka_unit_test(a_search_that_is_left_leaves_what_was_found),
         cmocka_unit_test(nothing_to_hold_on_to_is_told),
+        cmocka_unit_test(a_row_that_closes_early_on_the_way_is_found_at_once),
+        cmocka_unit_test(what_comes_nearer_with_each_solve_is_waited_for),
         cmocka_unit_test(what_closes_deep_is_softened_and_ends_right),
         cmocka_unit_test(stiffness_comes_back_whatever_happens),
     };

@@ -1,5 +1,7 @@
 #include "scene/cut_throw.h"
 
+enum { SHUTTING = 150, MOST_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
+
 /* Hands pull on what they hold, whatever piece that is by now. */
 static void follow(contact_scene *c, const scene_object *s)
 {
@@ -91,8 +93,10 @@ cut_outcome cut_throw(const cut_case *t, double share)
         expect_ok(contact_scene_step(&c, 1e-3));
     }
     expect_ok(vbss_grasper_set_opening(tool, 0.0));
-    for (int i = 0; i < 150; i++) {
+    vbss_grasper_state shut = {.jaw_angle = 1.0};
+    for (int i = 0; i < SHUTTING || (shut.jaw_angle > 0.0 && i < MOST_SHUTTING); i++) {
         expect_ok(contact_scene_step(&c, 1e-3));
+        expect_ok(vbss_grasper_get_state(tool, &shut, sizeof shut));
         cuts += cuts_of_step(&c);
         follow(&c, s);
         cut_expect_sound(s);
@@ -103,12 +107,10 @@ cut_outcome cut_throw(const cut_case *t, double share)
             }
         }
     }
-    vbss_grasper_state shut;
     vbss_scene_statistics statistics;
-    expect_ok(vbss_grasper_get_state(tool, &shut, sizeof shut));
     expect_ok(vbss_scene_get_statistics(c.scene, &statistics, sizeof statistics));
     expect_near(0.0, shut.jaw_angle, 0.0);
-    assert_true(cuts >= t->least_cuts);
+    found.cuts = (double)cuts;
     found.clamped = (double)statistics.clamped;
     found.paused = statistics.time_paused;
     harness_context_end(context, &memory);
@@ -117,6 +119,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
 
 void cut_expect_within(const cut_outcome *found, const cut_case *bars)
 {
+    assert_true(found->cuts >= bars->least_cuts);
     assert_true(found->clamped <= bars->clamped);
     assert_true(found->paused <= bars->paused);
     assert_true(found->fastest < 30.0); /* what 5 N let go of would reach */

@@ -12,7 +12,7 @@ typedef struct cut_case {
 } cut_case;
 
 typedef struct cut_outcome {
-    double clamped, paused, fastest; /* m/s: of any node */
+    double cuts, clamped, paused, fastest; /* m/s: of any node */
 } cut_outcome;
 
 /* With that share of the default limit of work, if it is limited. */

@@ -107,6 +107,7 @@ static void a_thread_is_cut_under_five_newtons(void **state)
     expect_near(-force, shears_state(&r, 1).hand_force[1], 1e-3);
     double stored = 0.5 * force * force * 20e-3 / r.s.thread.axial_stiffness;
     assert_true(shears_cut(&r, 2));
+    const double waited = small_statistics(&r.s).time_paused;
     /* As it was before it stretched. */
     expect_near(16.3e-3, 1e-6 * r.first[3], 0.1e-3);
     for (int i = 1; i <= 150; i++) {
@@ -115,10 +116,13 @@ static void a_thread_is_cut_under_five_newtons(void **state)
          * a second. */
         double speed = greater(fabs(shears_state(&r, 0).velocity[1]), 0.5);
         double moved = 0.5 * r.s.thread.linear_density * 0.03 * speed * speed;
+        /* The step in which its ends leap apart by 5 mm may be too much for a ms: then hands feel all so much later. */
+        double late = small_statistics(&r.s).time_paused - waited;
+        assert_true(late <= 2e-3);
         assert_true(shears_kinetic(&r.s) < stored + 4.0 * moved);
         for (int k = 0; k < 2; k++) {
             double felt = (k == 0 ? 1.0 : -1.0) * shears_state(&r, (uint32_t)k).hand_force[1];
-            expect_near(released(&r.config, force, 1e-3 * i), felt, 0.06 * force);
+            expect_near(released(&r.config, force, 1e-3 * i - late), felt, 0.06 * force);
             assert_true(i < 50 || fabs(felt) < 5e-3 * force);
             assert_true(i < 140 || fabs(felt) < 1e-5 * force);
         }
