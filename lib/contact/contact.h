@@ -217,7 +217,7 @@ typedef struct contact_search {
     /* What is none: a force, as a share of the largest pressure and N added; overlap of an open row, as a share
      * of the thickness. */
     double force_share, least_force, slack;
-    /* What may be left after so many solves. */
+    /* What may be left when so many solves have not halved what is missed. */
     uint32_t patience;
     double loose_share, loose_overlap;
     /* Beyond this work no solve begins but the first, and the search stops where it stands: all balances there, and
