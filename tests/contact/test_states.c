@@ -338,7 +338,7 @@ static void what_comes_nearer_with_each_solve_is_waited_for(void **state)
 {
     (void)state;
     uint64_t most = 0;
-    for (double stiffer = 2.0; stiffer <= 64.0; stiffer *= 2.0) {
+    for (int stiffer = 2; stiffer <= 64; stiffer *= 2) {
         few_blocks f;
         few_begin(&f, 1);
         f.search.patience = 3;
