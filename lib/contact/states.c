@@ -99,9 +99,10 @@ static void take_found(contact_set *set)
 #define DRIVEN_BACK 0.5
 #define AT_REST 0.1
 enum { LOOKS = 8, HALVES = 8 };
-/* Less than this share is no way to get on; nor less than that while softening is still to come, unless it comes to rest. */
+/* Less than this share is no way to get on. False position that ends below a share and not at rest is gone on with by halves:
+ * below SHORT_WAY, once rows have been softened below SHORTEST. */
 #define SHORTEST 0.005
-#define SHORT 0.1
+#define SHORT_WAY 0.1
 /* Where the law does not drive at all, and what comes is worse. */
 #define DOUBTED 0.5
 
@@ -151,7 +152,7 @@ static double share_to_follow(const contact_set *set, bool softened)
             side = -1;
         }
     }
-    if (share >= (softened ? SHORTEST : SHORT) || fabs(found) <= AT_REST * begin) {
+    if (share >= (softened ? SHORTEST : SHORT_WAY) || fabs(found) <= AT_REST * begin) {
         return greater(share, SHORTEST);
     }
     for (int k = 0; k < HALVES && fabs(found) > AT_REST * begin; k++) {

@@ -1,4 +1,4 @@
-/* Blades that close on a square drawn tight, with the default limit of work. Known to fail: docs/contact.md. */
+/* Blades that close on a square drawn tight, with the default limit of work. */
 #include "scene/cut_throw.h"
 
 static void a_square_is_cut_through_with_little_waiting(void **state)
