@@ -196,7 +196,7 @@ static void remind_sleeve(contact_row *row, const contact_memory *m)
 static double share_along(const contact_row *row, double pressure)
 {
     double most = row->friction * pressure, whole = row->stiffness * row->spent;
-    return most < whole ? most / whole : 0.0; /* 0: all of it */
+    return 0.0 < most && most < whole ? most / whole : 0.0; /* 0: all of it */
 }
 
 static void remind(contact_row *row, const contact_memory *m)
