@@ -88,11 +88,32 @@ typedef struct contact_row {
     uint32_t first_place; /* into the set's places; UINT32_MAX: no term has an equation */
 } contact_row;
 
+/* In the plane, N/m. */
+static inline double contact_stiffness_along(const contact_row *row)
+{
+    return row->along > 0.0 ? row->along * row->stiffness : row->stiffness;
+}
+
 /* Where the search for states stands with a row: its sides have moved by u against each other, and all
  * blocks balance when `force` acts on a, which is what the law says only when the search is over. */
 typedef struct contact_stand {
     vec3 u, force;
 } contact_stand;
+
+static inline contact_stand contact_between(const contact_stand *a, const contact_stand *b,
+                                            double share)
+{
+    return (contact_stand){vec3_lerp(a->u, b->u, share), vec3_lerp(a->force, b->force, share)};
+}
+
+/* What the law says of four rows on the way from one stand to another. */
+typedef struct contact_four {
+    double normal[3][LANES], slid[3][LANES], held[3][LANES];
+    double from_u[3][LANES], to_u[3][LANES], from_force[3][LANES], to_force[3][LANES];
+    double gap[LANES], stiffness[LANES], along[LANES], friction[LANES]; /* as the rows have them */
+    double ties[LANES];                                                 /* 1: bilateral */
+    bool sleeve[LANES];
+} contact_four;
 
 /* What is kept of a row with a force until the next part. */
 typedef struct contact_memory {
@@ -121,8 +142,9 @@ typedef struct contact_set {
     contact_found *next;         /* of the rows: what the last solve says */
     contact_found *found_before; /* what was found before a search whose outcome may be left */
     contact_stand *here,
-        *there;       /* of the rows: where the last solve was left, where this one leads */
-    uint32_t *places; /* of each row: of its blocks row by row, then of its right-hand sides */
+        *there;          /* of the rows: where the last solve was left, where this one leads */
+    contact_four *fours; /* scratch of the way between: the rows, the last with nothing beside it */
+    uint32_t *places;    /* of each row: of its blocks row by row, then of its right-hand sides */
     uint32_t place_count, place_capacity;
     double residual; /* of the law after the last solve, N */
     bool stopped;    /* the last search, by its limit of work: what the law says was not found */
@@ -233,6 +255,16 @@ typedef enum contact_outcome {
 } contact_outcome;
 /* States of all rows and increments of all separators: primal-dual active set. */
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search);
+
+/* work.c: of the forces between those `here` and `there`, what they miss the law by does work on the way from the one to the
+ * other, N m; this after a share of it. begin_work takes down the rows and both ends. */
+void vbss_contact_begin_work(contact_set *set, bool wide);
+double vbss_contact_work(const contact_set *set, bool wide, double share);
+/* Both copies. */
+void vbss_contact_begin_work_plain(contact_set *set);
+void vbss_contact_begin_work_wide(contact_set *set);
+double vbss_contact_work_plain(const contact_set *set, double share);
+double vbss_contact_work_wide(const contact_set *set, double share);
 
 /* Notes what is found, and goes back to it. */
 void vbss_contact_note_found(contact_set *set);

@@ -31,16 +31,10 @@ vec3 vbss_contact_turn_into_plane(vec3 force, vec3 normal)
     return vec3_scale(in_plane, sqrt(before / after));
 }
 
-/* In the plane. */
-static double stiffness_along(const contact_row *row)
-{
-    return row->along > 0.0 ? row->along * row->stiffness : row->stiffness;
-}
-
 /* SLIP: stiffness across the way. */
 static double stiffness_across(const contact_row *row)
 {
-    double r = row->augmentation, k = stiffness_along(row);
+    double r = row->augmentation, k = contact_stiffness_along(row);
     /* 1 / ((1 - share) / (share r) + 1 / k) */
     return row->is.share * r * k / ((1.0 - row->is.share) * k + row->is.share * r);
 }
@@ -165,8 +159,9 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
         t->count = 3;
         t->left[1] = t->right[1] = vec3_any_normal(n);
         t->left[2] = t->right[2] = vec3_cross(n, t->left[1]);
-        t->stiffness[1] = t->stiffness[2] = stiffness_along(row);
-        t->force = vec3_add(t->force, vec3_add_scaled(row->held, -stiffness_along(row), slid));
+        t->stiffness[1] = t->stiffness[2] = contact_stiffness_along(row);
+        t->force =
+            vec3_add(t->force, vec3_add_scaled(row->held, -contact_stiffness_along(row), slid));
         return;
     }
     vec3 across = vec3_cross(n, row->is.way);
@@ -176,14 +171,15 @@ void vbss_contact_linear_law(const contact_row *row, contact_tangent *t)
     t->left[1] = t->right[1] = across;
     t->stiffness[1] = kappa;
     t->force = vec3_add_scaled(t->force, row->friction * pressure, row->is.way);
-    double back = vec3_dot(across, slid) - vec3_dot(across, row->held) / stiffness_along(row);
+    double back =
+        vec3_dot(across, slid) - vec3_dot(across, row->held) / contact_stiffness_along(row);
     t->force = vec3_add_scaled(t->force, -kappa * back, across);
 }
 
 /* The tangential force by the linear law after u, and the slip that belongs to it. */
 static vec3 rubbing_after(const contact_row *row, vec3 moved, double pressure, vec3 *slip)
 {
-    const double k = stiffness_along(row);
+    const double k = contact_stiffness_along(row);
     if (row->is.state == CONTACT_STICK) {
         *slip = vec3_zero();
         return vec3_add_scaled(row->held, -k, moved);
@@ -295,7 +291,7 @@ vec3 vbss_contact_force(const contact_row *row, vec3 u)
         return vec3_scale(n, pressure);
     }
     vec3 moved = along_plane(vec3_add(row->slid, u), n);
-    vec3 rubbing = vec3_add_scaled(row->held, -stiffness_along(row), moved);
+    vec3 rubbing = vec3_add_scaled(row->held, -contact_stiffness_along(row), moved);
     double size = vec3_norm(rubbing), most = row->friction * pressure;
     if (!row->bilateral && size > most) {
         rubbing = vec3_scale(rubbing, most / size);
@@ -331,7 +327,7 @@ void vbss_contact_state_at(const contact_row *row, const contact_stand *at, cont
     }
     next->rubbing = along_plane(at->force, n);
     const vec3 strained =
-        vec3_scale(vec3_sub(next->rubbing, row->held), 1.0 / stiffness_along(row));
+        vec3_scale(vec3_sub(next->rubbing, row->held), 1.0 / contact_stiffness_along(row));
     vec3 slip = vec3_add(moved, strained);
     vec3 augmented = vec3_add_scaled(next->rubbing, -row->augmentation, slip);
     double size = vec3_norm(augmented);

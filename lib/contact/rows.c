@@ -5,7 +5,7 @@
 
 /* ---- memory of the set */
 
-enum { PARTS = 10 };
+enum { PARTS = 11 };
 
 static void list_parts(contact_set *s, vbss_array parts[PARTS])
 {
@@ -19,6 +19,7 @@ static void list_parts(contact_set *s, vbss_array parts[PARTS])
         {&s->found_before, s->capacity, sizeof *s->found_before},
         {&s->here, s->capacity, sizeof *s->here},
         {&s->there, s->capacity, sizeof *s->there},
+        {&s->fours, (s->capacity + LANES - 1) / LANES, sizeof *s->fours},
         {&s->places, s->place_capacity, sizeof *s->places},
     };
     memcpy(parts, all, sizeof all);

@@ -106,29 +106,14 @@ enum { LOOKS = 8, HALVES = 8 };
 /* Where the law does not drive at all, and what comes is worse. */
 #define DOUBTED 0.5
 
-static contact_stand between(const contact_stand *a, const contact_stand *b, double share)
-{
-    return (contact_stand){vec3_lerp(a->u, b->u, share), vec3_lerp(a->force, b->force, share)};
-}
-
-static double work(const contact_set *set, double share)
-{
-    double sum = 0.0;
-    for (uint32_t i = 0; i < set->count; i++) {
-        const contact_stand *here = &set->here[i], *there = &set->there[i];
-        const contact_stand at = between(here, there, share);
-        vec3 missed = vec3_sub(at.force, vbss_contact_force(&set->rows[i], at.u));
-        sum += vec3_dot(missed, vec3_sub(there->u, here->u));
-    }
-    return sum;
-}
-
 /* False position; an end that stays twice counts half (Illinois). Where a row closes on the way work rises so sharply that
  * this stays before it, all states would be as they were, and the next solve would lead to the same place: then halves, and
  * what is beyond. */
-static double share_to_follow(const contact_set *set, bool softened)
+static double share_to_follow(contact_set *set, bool wide, bool softened)
 {
-    double low = 0.0, high = 1.0, at_low = work(set, low), at_high = work(set, high);
+    vbss_contact_begin_work(set, wide);
+    double low = 0.0, high = 1.0, at_low = vbss_contact_work(set, wide, low),
+           at_high = vbss_contact_work(set, wide, high);
     const double begin = -at_low;
     if (!(begin > 0.0)) { /* friction alone may drive there, and knows no least energy */
         return at_high > -begin ? DOUBTED : 1.0;
@@ -139,7 +124,7 @@ static double share_to_follow(const contact_set *set, bool softened)
     double share = high, found = at_high;
     for (int k = 0, side = 0; k < LOOKS && fabs(found) > AT_REST * begin; k++) {
         share = low - at_low * (high - low) / (at_high - at_low);
-        found = work(set, share);
+        found = vbss_contact_work(set, wide, share);
         if (found > 0.0) {
             high = share;
             at_high = found;
@@ -157,7 +142,7 @@ static double share_to_follow(const contact_set *set, bool softened)
     }
     for (int k = 0; k < HALVES && fabs(found) > AT_REST * begin; k++) {
         share = 0.5 * (low + high);
-        found = work(set, share);
+        found = vbss_contact_work(set, wide, share);
         if (found > 0.0) {
             high = share;
         } else {
@@ -170,10 +155,10 @@ static double share_to_follow(const contact_set *set, bool softened)
 /* Where the next solve goes on from; before the first there may be nothing. */
 static void follow(contact_set *set, const contact_search *search, bool first, bool softened)
 {
-    double share = first ? 1.0 : share_to_follow(set, softened);
+    double share = first ? 1.0 : share_to_follow(set, search->system->wide, softened);
     for (uint32_t i = 0; i < set->count; i++) {
         if (share < 1.0) {
-            set->here[i] = between(&set->here[i], &set->there[i], share);
+            set->here[i] = contact_between(&set->here[i], &set->there[i], share);
             vbss_contact_state_at(&set->rows[i], &set->here[i], &set->next[i]);
         } else {
             set->here[i] = set->there[i];
