@@ -1,5 +1,7 @@
 #include "scene/needle_stitch.h"
 
+enum { SEGMENTS = 100 };
+
 void needle_stitch_begin(needle_stitch *n)
 {
     uint32_t pin;
@@ -11,8 +13,8 @@ void needle_stitch_begin(needle_stitch *n)
     needle_case_begin_at_mark(c, VBSS_DRAIN_MESH_137, 1e-3);
     vbss_needle_state s = needle_case_state(c);
     vec3 swage = vec3_load(s.swage), way = vec3_load(s.swage_direction);
-    n->thread_body =
-        small_thread(&c->d.s, swage, vec3_add_scaled(swage, 50e-3, way), 100, &c->d.threads[0]);
+    n->thread_body = small_thread(&c->d.s, swage, vec3_add_scaled(swage, 50e-3, way), SEGMENTS,
+                                  &c->d.threads[0]);
     expect_ok(vbss_scene_pin_thread(c->d.s.scene, n->thread_body, 0, c->body, NULL, &pin));
 }
 
@@ -37,6 +39,14 @@ void needle_stitch_turn(needle_stitch *n, double way, double speed, vbss_event_k
         needle_case_turn(&n->c, way / most);
         needle_stitch_wait(n, 1);
     }
+}
+
+void needle_stitch_draw(needle_stitch *n, double force)
+{
+    const drain_case *d = &n->c.d;
+    vec3 mark = drain_case_node(d, d->places.marks[DRAIN_RIGHT]);
+    vec3 outward = vec3_unit_or(vec3_make(0.0, mark.y, mark.z), vec3_zero());
+    small_draw(d->threads[0], SEGMENTS, vec3_scale(outward, force));
 }
 
 void needle_stitch_expect_in(const needle_stitch *n, uint32_t holes, uint32_t threads)

@@ -22,6 +22,8 @@ void needle_stitch_turn(needle_stitch *n, double way, double speed, vbss_event_k
                         uint32_t count);
 /* Into both walls, and on until the thread is in the first hole. */
 void needle_stitch_into_second(needle_stitch *n, double speed);
+/* Draws the thread's tail away from the first mark, with that force, N. */
+void needle_stitch_draw(needle_stitch *n, double force);
 /* So many holes, so many of them with the thread in it. */
 void needle_stitch_expect_in(const needle_stitch *n, uint32_t holes, uint32_t threads);
 /* Tells; nothing has crossed the wall but in holes; ends. */

@@ -161,6 +161,21 @@ vec3 small_vector(const small *s, vbss_scene_field field, uint64_t i)
     return vector_of(small_view(s, field), i);
 }
 
+void small_draw(vbss_thread *thread, uint32_t node, vec3 force)
+{
+    uint32_t id;
+    vbss_thread_attachment a;
+    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
+    a.kind = VBSS_ATTACHMENT_FORCE;
+    a.node = node;
+    vec3_store(a.force, force);
+    expect_ok(vbss_thread_attach(thread, &a, &id));
+    a.kind = VBSS_ATTACHMENT_MASS;
+    a.mass = 1e-3;
+    memset(a.force, 0, sizeof a.force);
+    expect_ok(vbss_thread_attach(thread, &a, &id));
+}
+
 vec3 small_node(vbss_thread *thread, uint32_t node)
 {
     vbss_view view;

@@ -52,6 +52,8 @@ typedef struct small_state {
     uint64_t count;
 } small_state;
 small_state small_save(const small *s);
+/* Draws a node with that force from now on, N; a gram hangs on it, or it would fly off once it is slack. */
+void small_draw(vbss_thread *thread, uint32_t node, vec3 force);
 /* Where a node is; the tension of a segment. */
 vec3 small_node(vbss_thread *thread, uint32_t node);
 double small_tension(vbss_thread *thread, uint32_t segment);

@@ -1,4 +1,5 @@
 #include "scene/stitch_rig.h"
+#include "scene/small.h"
 
 void stitch_rig_begin(stitch_rig *r)
 {
@@ -56,18 +57,8 @@ void stitch_rig_pull(stitch_rig *r, int steps, double speed, double most)
 
 void stitch_rig_load_tail(stitch_rig *r, double force)
 {
-    uint32_t id;
-    vbss_thread_attachment a;
     expect_ok(stitch_scene_let_go(&r->s, 0));
-    expect_ok(vbss_thread_attachment_init(&a, sizeof a));
-    a.kind = VBSS_ATTACHMENT_FORCE;
-    a.node = r->s.ends[0];
-    vec3_store(a.force, vec3_scale(stitch_rig_outward(r, 0), force));
-    expect_ok(vbss_thread_attach(r->s.thread, &a, &id));
-    a.kind = VBSS_ATTACHMENT_MASS;
-    a.mass = 1e-3;
-    memset(a.force, 0, sizeof a.force);
-    expect_ok(vbss_thread_attach(r->s.thread, &a, &id));
+    small_draw(r->s.thread, r->s.ends[0], vec3_scale(stitch_rig_outward(r, 0), force));
 }
 
 void stitch_rig_hold_marks(stitch_rig *r)
