@@ -10,7 +10,7 @@ enum { LIVES = 5, STEPS = 1000 };
 #define FAR 45e-3
 /* And out of the tube and from near it, from its axis, m: a hand is no point. */
 #define NEAR 14e-3
-/* What a step has more than hands could have put in, J: the shells of a drain and a slack thread have some. */
+/* What a step has more than hands could have put in, J. */
 #define JUMP 100e-6
 
 typedef struct hand_doing {
@@ -26,7 +26,7 @@ typedef struct soak {
     uint32_t bodies; /* most number of a thread */
     uint64_t steps, parts, clamped, paused, cuts, drops, lost_grips, takes, unthreaded,
         loose_stretch;
-    double deepest, fastest, jump, farthest, loosest, stretch;
+    double deepest, fastest, jump, shown, farthest, loosest, stretch;
 } soak;
 
 static stitch_case c;
@@ -150,6 +150,7 @@ static void add_up(soak *s)
     s->deepest = fmax(s->deepest, t.penetration);
     s->stretch = fmax(s->stretch, t.stretch_error);
     s->jump = fmax(s->jump, c.jump);
+    s->shown = fmax(s->shown, c.shown);
     s->farthest = fmax(s->farthest, c.watch.farthest);
     s->loosest = fmax(s->loosest, c.watch.loosest);
 }
@@ -191,6 +192,7 @@ static void run(harness_soak *out)
     harness_soak_figure(out, "deepest", s.deepest);
     harness_soak_figure(out, "fastest", s.fastest);
     harness_soak_figure(out, "jump", s.jump);
+    harness_soak_figure(out, "shown", s.shown);
     harness_soak_figure(out, "farthest", s.farthest);
     harness_soak_figure(out, "loosest", s.loosest);
 }

@@ -235,24 +235,35 @@ static double work_of_hands(stitch_case *c, double *most)
     return work;
 }
 
+/* Where something was left out, contacts in the views are those of what was thrown away. */
+static bool was_whole(stitch_case *c)
+{
+    vbss_scene_statistics s = small_statistics(&c->s);
+    bool whole = s.paused + s.clamped == c->broken;
+    c->broken = s.paused + s.clamped;
+    return whole;
+}
+
 static void book(stitch_case *c)
 {
-    double most = 0.0, energy = stitch_case_energy(c);
+    double most = 0.0, energy = stitch_case_energy(c), *beyond = c->beyond;
     c->work += work_of_hands(c, &most);
     c->most_work = fmax(c->most_work, fabs(c->work));
     assert_true(isfinite(energy));
-    /* Where a part was thrown away, contacts in the views are those of it. */
-    vbss_scene_statistics s = small_statistics(&c->s);
-    bool whole = s.paused + s.clamped == c->broken;
-    if (whole) {
+    for (int k = 3; k > 0; k--) {
+        beyond[k] = beyond[k - 1] + most;
+    }
+    beyond[0] = energy;
+    c->booked = was_whole(c) ? c->booked + 1 : 0;
+    if (c->booked > 0) {
         c->excess = fmax(c->excess, energy - c->first - c->work);
     }
-    if (whole && c->whole) {
-        c->jump = fmax(c->jump, energy - c->energy - most);
+    if (c->booked > 1) {
+        c->shown = fmax(c->shown, beyond[0] - beyond[1]);
     }
-    c->energy = energy;
-    c->whole = whole;
-    c->broken = s.paused + s.clamped;
+    if (c->booked > 3) {
+        c->jump = fmax(c->jump, fmin(beyond[0], beyond[1]) - fmax(beyond[2], beyond[3]));
+    }
 }
 
 /* ---- steps */

@@ -28,10 +28,13 @@ typedef struct stitch_case {
     /* the ledger, J */
     double first, work, most_work, excess;
     /* Most energy that a step has beyond what hands could have put into it, whatever way they pulled, with the larger force of
-     * its begin and its end: those of thin threads are noisy. Of whole steps. */
-    double jump;
-    double energy;   /* after the last step */
-    bool whole;      /* it was: nothing of it was left out */
+     * its begin and its end: those of thin threads are noisy. Of whole steps. `shown`: of one step, in which a part that was
+     * taken with a residual may show pressures and tensions that it does not have. `jump`: as far as it is still there in the
+     * next, beyond the larger of the two steps before. */
+    double jump, shown;
+    double beyond
+        [4]; /* energies after the last steps, newest first, and what hands could have put in since */
+    uint32_t booked; /* whole steps one after the other */
     uint64_t broken; /* steps of which something was */
 } stitch_case;
 
