@@ -7,8 +7,8 @@
  *   begin -> add rows -> recall -> register, pattern -> find_places -> (solve) until good -> keep
  *
  * rows.c lists rows and remembers them from step to step; law.c is the law of contact and friction;
- * states.c finds their states together with the increments of all blocks; weld.c eliminates a node that
- * is a point of a rigid body; state.c saves what is remembered. docs/contact.md derives all of it. */
+ * states.c finds their states together with the increments of all blocks, and work.c says how far to follow; weld.c
+ * eliminates a node that is a point of a rigid body; state.c saves what is remembered. docs/contact.md derives all of it. */
 #ifndef VBSS_CONTACT_CONTACT_H
 #define VBSS_CONTACT_CONTACT_H
 
