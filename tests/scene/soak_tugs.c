@@ -10,8 +10,9 @@ enum { LIVES = 5, STEPS = 1000 };
 #define FAR 45e-3
 /* And out of the tube and from near it, from its axis, m: a hand is no point. */
 #define NEAR 14e-3
-/* What a step has more than hands could have put in, J. */
-#define JUMP 100e-6
+/* What a step may have more than hands could have put in, J: as much as a hand does in one at its most, MOST_PULL at 0.5 m/s.
+ * Figure `jump` says what it was, which is far less but for a drain that is crumpled. */
+#define JUMP 4e-3
 
 typedef struct hand_doing {
     vec3 way;
