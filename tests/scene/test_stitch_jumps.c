@@ -99,13 +99,13 @@ static void look_at_hole(looked_at *l, int side, bool changed, jumps *found)
     vbss_hole now;
     assert_true(stitch_case_hole(&c, side, &now));
     const double way = fabs(now.arc_length - l->hole.arc_length);
-    if (c.whole && l->changed) {
+    if (c.booked > 0 && l->changed) {
         vec3 before = vec3_load(l->hole.force);
         found->still++;
         found->moved = fmax(found->moved, way);
         found->jump = fmax(found->jump, vec3_distance(vec3_load(now.force), before));
     }
-    l->still = c.whole && way < STILL;
+    l->still = c.booked > 0 && way < STILL;
     l->changed = changed && l->still;
     l->hole = now;
 }
@@ -141,7 +141,7 @@ static void changes_of_the_mesh_leave_holes_where_they_are(void **state)
         stitch_case_step(&c);
         bool changed = nodes != stitch_case_nodes(&c, c.stitch.thread_body);
         found.changes += changed;
-        found.waited += !c.whole;
+        found.waited += c.booked == 0;
         for (int k = 0; k < 2; k++) {
             look_at_hole(&holes[k], k, changed && i >= PULLED, &found);
         }
