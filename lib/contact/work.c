@@ -12,15 +12,9 @@ static void set_lane(double to[3][LANES], uint32_t lane, vec3 v)
     to[2][lane] = v.z;
 }
 
-static void gather_row(const contact_set *set, uint32_t i)
+static void set_row(contact_four *f, uint32_t lane, const contact_row *row,
+                    const contact_stand *from, const contact_stand *to)
 {
-    static const contact_row none; /* beside the last */
-    static const contact_stand rest;
-    contact_four *f = &set->fours[i / LANES];
-    uint32_t lane = i % LANES;
-    bool there = i < set->count;
-    const contact_row *row = there ? &set->rows[i] : &none;
-    const contact_stand *from = there ? &set->here[i] : &rest, *to = there ? &set->there[i] : &rest;
     set_lane(f->normal, lane, row->normal);
     set_lane(f->slid, lane, row->slid);
     set_lane(f->held, lane, row->held);
@@ -38,8 +32,15 @@ static void gather_row(const contact_set *set, uint32_t i)
 
 void VBSS_WIDE_NAME(vbss_contact_begin_work)(contact_set *set)
 {
-    for (uint32_t i = 0; i < set->count || i % LANES != 0; i++) {
-        gather_row(set, i);
+    static const contact_row none; /* beside the last */
+    static const contact_stand rest;
+    for (uint32_t first = 0; first < set->count; first += LANES) {
+        for (uint32_t lane = 0; lane < LANES; lane++) {
+            uint32_t i = first + lane;
+            bool there = i < set->count;
+            set_row(&set->fours[first / LANES], lane, there ? &set->rows[i] : &none,
+                    there ? &set->here[i] : &rest, there ? &set->there[i] : &rest);
+        }
     }
 }
 
