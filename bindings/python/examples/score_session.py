@@ -18,7 +18,7 @@ NAMES = {1: "thread", W: "tool W", C: "tool C"}
 TASK_NAMES = {3: "thread", 4: "right tool", 5: "left tool"}
 
 
-def record(seed=1):
+def record(seed=3):
     with ThrowEnvironment(record=True) as environment:
         outcome = run(environment, ScriptedThrow(), seed=seed)
         print(f"recorded: {outcome.steps} steps, {'tied' if outcome.tied else 'nothing tied'}")
