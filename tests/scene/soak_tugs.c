@@ -10,9 +10,8 @@ enum { LIVES = 5, STEPS = 1000 };
 #define FAR 45e-3
 /* And out of the tube and from near it, from its axis, m: a hand is no point. */
 #define NEAR 14e-3
-/* What a step may have more than hands could have put in, J: as much as a hand does in one at its most, MOST_PULL at 0.5 m/s.
- * Figure `jump` says what it was, which is far less but for a drain that is crumpled. */
-#define JUMP 4e-3
+/* What a step has more than hands could have put in, J: the shells of a drain and a slack thread have some. */
+#define JUMP 100e-6
 
 typedef struct hand_doing {
     vec3 way;
@@ -127,14 +126,15 @@ static bool fine(soak *s)
     double fastest = stitch_case_fastest(&c);
     s->fastest = fmax(s->fastest, fastest);
     if (c.watch.away > 0 || c.watch.missed > 0 || c.watch.holes != left || !(fastest < 1e3) ||
-        !(c.jump < JUMP)) {
+        !(c.shown < JUMP)) {
         harness_soak_fail(
             s->out,
             "step %llu (%u of its life, %u crossings): %llu crossings away from holes, %llu holes "
-            "without suture; %u holes, %u left; %g m/s; a step with %g J too much",
+            "without suture; %u holes, %u left; %g m/s; a step with %g J too much, %g of it there "
+            "in the next",
             (unsigned long long)s->steps, c.steps, c.options.crossings,
             (unsigned long long)c.watch.away, (unsigned long long)c.watch.missed, c.watch.holes,
-            left, fastest, c.jump);
+            left, fastest, c.shown, c.jump);
         return false;
     }
     return true;

@@ -3,9 +3,8 @@
 #include "drain/drain.h"
 #include "thread/thread.h"
 
-/* A crossing is at a hole when it is so near, in distances of touching: within 1.6 wall and suture do not touch (docs/stitch.md),
- * and beyond the distance at which they do grows from nothing. */
-#define AT_HOLE 1.7
+/* A crossing is at a hole when it is so near, in distances of touching. */
+#define AT_HOLE 1.5
 /* Bodies of a test. */
 enum { BODIES = 24 };
 

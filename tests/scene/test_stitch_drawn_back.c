@@ -1,0 +1,41 @@
+/* A needle with its thread in the drain, the needle in the second hole, the thread in the first, is turned back while a hand at
+ * the tail draws the thread after it: its end goes back into the first hole. */
+#include "scene/needle_stitch.h"
+
+static needle_stitch n;
+
+static void undo(double speed, double force)
+{
+    needle_stitch_begin(&n);
+    needle_stitch_into_second(&n, speed);
+    needle_stitch_draw(&n, force);
+    needle_stitch_turn(&n, -80e-3, speed, VBSS_EVENT_WITHDRAWN, 2);
+    assert_int_equal(n.c.counts[VBSS_EVENT_RETURNED], 1);
+    assert_int_equal(n.c.counts[VBSS_EVENT_WITHDRAWN], 2);
+    assert_int_equal(n.c.counts[VBSS_EVENT_UNTHREADED], 0);
+    assert_true(n.first[VBSS_EVENT_PASSED] < n.first[VBSS_EVENT_RETURNED]);
+    assert_true(n.first[VBSS_EVENT_RETURNED] < n.last[VBSS_EVENT_WITHDRAWN]);
+    needle_stitch_turn(&n, -2e-3, speed, 0, 0);
+    needle_stitch_expect_in(&n, 0, 0);
+    assert_int_equal(n.watch.crossings, 0);
+    needle_stitch_finish(&n, "undone");
+}
+
+static void turned_back_with_its_thread_drawn_the_needle_undoes_the_stitch(void **state)
+{
+    (void)state;
+    static const double speeds[] = {0.05, 0.2}, forces[] = {0.1, 0.3};
+    for (int i = 0; i < 2; i++) {
+        for (int k = 0; k < 2; k++) {
+            undo(speeds[i], forces[k]);
+        }
+    }
+}
+
+int test_stitch_drawn_back(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(turned_back_with_its_thread_drawn_the_needle_undoes_the_stitch),
+    };
+    return cmocka_run_group_tests_name("scene.stitch_drawn_back", tests, NULL, NULL);
+}
