@@ -84,6 +84,43 @@ static uint64_t below_floor(const watch *w, const scene_object *s, uint32_t coun
     return found;
 }
 
+/* The rays go out from the thread's middle through its ends, and begin a little beyond these: in between nothing has room. */
+static void find_rays(const thread_object *t, const vec3 *x, vec3 rays[2][2])
+{
+    const uint32_t n = t->node_count;
+    vec3 middle = vec3_zero();
+    double extent = 0.0;
+    for (uint32_t i = 0; i < n; i++) {
+        middle = vec3_add_scaled(middle, 1.0 / n, x[i]);
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        extent = fmax(extent, vec3_distance(x[i], middle));
+    }
+    for (int k = 0; k < 2; k++) {
+        vec3 end = x[k == 0 ? 0 : n - 1];
+        vec3 out = vec3_unit_or(vec3_sub(end, middle), vec3_make(1.0, 0.0, 0.0));
+        rays[k][0] = vec3_add_scaled(end, 0.5 * t->config.radius, out);
+        rays[k][1] = vec3_add_scaled(end, 10.0 * extent, out);
+    }
+}
+
+static bool is_closed_anew(const scene_object *s)
+{
+    const scene_body *b = s->bodies;
+    while (b->kind != BODY_THREAD) {
+        b++;
+    }
+    const thread_object *t = b->thread.thread;
+    vec3 start[2][2], end[2][2];
+    find_rays(t, t->now.x, start);
+    find_rays(t, t->trial, end);
+    /* as a tool the thread is asked against the rays alone */
+    const passing_chain chains[] = {{t->now.x, t->trial, t->node_count, true},
+                                    {start[0], end[0], 2, false},
+                                    {start[1], end[1], 2, false}};
+    return passing_count(chains, 3, NULL) > 0;
+}
+
 static double now(void)
 {
     struct timespec t;
@@ -106,6 +143,7 @@ static void see(void *watcher, const scene_object *s)
     w->passed += report.passed;
     w->below += below_floor(w, s, l.nodes);
     w->jumps += jumps(w, &l);
+    w->closed_anew += w->closes && is_closed_anew(s);
     if (w->first == 0 && watch_faults(w) > 0) {
         w->first = w->parts;
         w->report = report;
@@ -140,6 +178,7 @@ void watch_add(watch *w, const watch *other)
     w->passed += other->passed;
     w->below += other->below;
     w->jumps += other->jumps;
+    w->closed_anew += other->closed_anew;
 }
 
 uint64_t watch_faults(const watch *w)
