@@ -183,7 +183,9 @@ enum {
     VBSS_SCENE_VIEW_CONTACTS = 0,
     VBSS_SCENE_VIEW_CONTACT_POINTS = 1,  /**< x 3: between the two surfaces, m. */
     VBSS_SCENE_VIEW_CONTACT_NORMALS = 2, /**< x 3: unit, from b to a. */
-    VBSS_SCENE_VIEW_CONTACT_FORCES = 3,  /**< x 3: of b on a, N. */
+    /** x 3: of b on a, N. Where a search for contact states ran out of work, those with which all bodies balance: they miss the law by
+     * the residual, and may pull. */
+    VBSS_SCENE_VIEW_CONTACT_FORCES = 3,
     VBSS_SCENE_VIEW_CONTACT_GAPS =
         4,                     /**< Distance of the surfaces, negative when they overlap, m. */
     VBSS_SCENE_VIEW_EVENTS = 5 /**< x 4 uint32_t: #vbss_event_kind, two bodies, a number. */

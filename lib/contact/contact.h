@@ -79,6 +79,7 @@ typedef struct contact_row {
     double touching; /* m: distance of the features\' middles at which they touch: the same */
     double walls;    /* m: of two lips, what of their distance along the normal is wall: the same */
     double spared;   /* m: how much nearer they may be, beside a hole: the same */
+    double eased;    /* m: of that, by how much more they overlap than the gap says, in a fold */
     double thickness, gap_before,
         depth_allowed; /* m: distance of the axes, begin, end of the part: the same */
 

@@ -85,7 +85,7 @@ contact_row *vbss_contact_add(contact_set *set, const contact_key *key)
     row->term_count = 0;
     row->bilateral = false;
     row->sleeve = false;
-    row->along = row->spent = row->walls = 0.0;
+    row->along = row->spent = row->walls = row->eased = 0.0;
     row->piece[0][0] = row->piece[1][0] = 0.0;
     row->piece[0][1] = row->piece[1][1] = 1.0;
     row->is = (contact_found){.state = CONTACT_OPEN};
@@ -165,7 +165,7 @@ double vbss_contact_depth(const contact_set *set)
     double depth = 0.0;
     for (uint32_t i = 0; i < set->count; i++) {
         if (!set->rows[i].bilateral) {
-            depth = greater(-set->rows[i].gap, depth);
+            depth = greater(set->rows[i].eased - set->rows[i].gap, depth);
         }
     }
     return depth;

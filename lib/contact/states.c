@@ -268,7 +268,7 @@ static contact_outcome search_states(contact_set *set, const contact_search *sea
                 set->stopped = true;
                 outcome = CONTACT_LOOSE;
             }
-        } else if (search->most_work > 0) { /* from there a further linearisation goes on */
+        } else { /* from there a further linearisation goes on */
             memcpy(set->here, set->there, set->count * sizeof *set->here);
         }
         take_found(set);

@@ -158,6 +158,11 @@ vbss_result vbss_drain_paper_step(drain_object *d, double h);
 vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part);
 void vbss_drain_paper_arrive(drain_object *d, double part);
 double vbss_drain_paper_energy(const drain_object *d);
+
+/* ---- energy.c: what it has more in the trial state, h after the state, of shape, motion and height, less the most that its
+ * attachments have done; method OURS */
+double vbss_drain_gain(const drain_object *d, double h);
+
 /* Speeds that are as good as none are none. */
 static inline vec3 vbss_drain_stilled(vec3 v)
 {

@@ -106,6 +106,8 @@ typedef struct vbss_shell_state {
  * collapsed: its area is a hundredth of what it was at rest or less. */
 bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const vec3 *x);
 void vbss_shell_measure(const vbss_shell *shell, const vec3 *x, vbss_shell_state *states);
+/* Of all triangles, J. */
+double vbss_shell_energy(const vbss_shell *shell, const vec3 *x);
 
 /* Both copies of the hot loops. */
 void vbss_shell_add_forces_plain(const vbss_shell *shell, const vec3 *x, vec3 *forces);

@@ -56,6 +56,24 @@ bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const ve
     return inverted;
 }
 
+double vbss_shell_energy(const vbss_shell *shell, const vec3 *x)
+{
+    double energy = 0.0;
+    for (uint32_t k = 0; k < shell->group_count; k++) {
+        const vbss_shell_group *g = &shell->groups[k];
+        shell_shape shape;
+        lanes stress[3];
+        shell_set_shape(g, x, &shape);
+        shell_set_stress(g, &shape, stress);
+        for (int lane = 0; lane < shell_lanes_used(shell, k); lane++) {
+            vbss_shell_state state;
+            set_state(g, &shape, stress, lane, &state);
+            energy += state.membrane_energy + state.bending_energy;
+        }
+    }
+    return energy;
+}
+
 void vbss_shell_measure(const vbss_shell *shell, const vec3 *x, vbss_shell_state *states)
 {
     for (uint32_t k = 0; k < shell->group_count; k++) {

@@ -1,5 +1,5 @@
-/* Whether what a stopped search has led to may be taken. Its forces are not those of the law, and lengths were put right
- * before shapes: both may put energy into threads that nothing has done the work for. */
+/* Whether what a search has led to may be taken. Where it was stopped, its forces are not those of the law, and lengths were put
+ * right before shapes: both may put energy into threads and drains that nothing has done the work for. */
 #include "scene/scene.h"
 
 /* Of each in a part, J. A knot alone rubs away what it was given: it may have what a quick hand does in a millisecond, with
@@ -7,37 +7,53 @@
 #define MOST_OF_THREADS 1e-3
 #define MOST_AT_WALLS 2e-5
 
-static const thread_object *thread_of_block(const scene_object *s, uint32_t number, uint32_t *node)
-{
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        const scene_thread *b = &s->bodies[i].thread;
-        if (s->bodies[i].kind == BODY_THREAD && number >= b->first_block &&
-            number - b->first_block < b->thread->node_count) {
-            *node = number - b->first_block;
-            return b->thread;
-        }
-    }
-    return NULL;
-}
-
 static vec3 way_of(const thread_object *t, uint32_t node)
 {
     return vec3_sub(t->trial[node], t->now.x[node]);
 }
 
-/* What a contact does to threads: with the force of which the blocks balance. */
-static double work_of_row(const scene_object *s, const contact_row *row, vec3 force)
+/* By which a block has moved, and what it is a node of. */
+static body_kind find_way(const scene_object *s, uint32_t number, vec3 *way)
 {
-    double sum = 0.0;
-    for (uint32_t k = 0; k < row->term_count; k++) {
-        const contact_term *term = &row->terms[k];
-        uint32_t node = 0;
-        const thread_object *t = term->turns ? NULL : thread_of_block(s, term->block, &node);
-        if (t != NULL) {
-            sum += term->weight * vec3_dot(force, way_of(t, node));
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const drain_object *d = b->drain.drain;
+        if (b->kind == BODY_THREAD && number >= b->thread.first_block &&
+            number - b->thread.first_block < b->thread.thread->node_count) {
+            *way = way_of(b->thread.thread, number - b->thread.first_block);
+            return BODY_THREAD;
+        }
+        if (b->kind == BODY_DRAIN && number >= b->drain.first_block &&
+            number - b->drain.first_block < d->mesh.node_count) {
+            uint32_t node = d->order.node[number - b->drain.first_block];
+            *way = vec3_sub(d->trial[node], d->x[node]);
+            return BODY_DRAIN;
         }
     }
-    return sum;
+    return BODY_GONE;
+}
+
+/* Of each in a part, J: what nobody has done the work for, if it is above 0. */
+typedef struct gains {
+    double threads, drains, beyond_law;
+} gains;
+
+/* What a contact does to threads and drains: with the force of which the blocks balance. */
+static void take_work_of_row(const scene_object *s, const contact_row *row, vec3 force, gains *g)
+{
+    double on_threads = 0.0, on_drains = 0.0;
+    for (uint32_t k = 0; k < row->term_count; k++) {
+        const contact_term *term = &row->terms[k];
+        vec3 way;
+        body_kind kind = term->turns ? BODY_GONE : find_way(s, term->block, &way);
+        if (kind == BODY_THREAD) {
+            on_threads += term->weight * vec3_dot(force, way);
+        } else if (kind == BODY_DRAIN) {
+            on_drains += term->weight * vec3_dot(force, way);
+        }
+    }
+    g->threads -= on_threads;
+    g->drains -= on_drains;
 }
 
 /* ---- forces that the law does not know */
@@ -114,24 +130,37 @@ static bool has(const scene_object *s, body_kind kind)
     return some;
 }
 
+/* Of a thread only: a wall that is pressed alone comes to rest whatever it was given, and trembles if its parts wait. And
+ * what was found is asked about only where walls are and smaller parts cost no deadline: they fold, and what presses in a fold
+ * changes its direction at once. */
+static bool is_asked(const scene_object *s, const scene_part *part)
+{
+    bool has_time = s->most_work == 0 && !part->smallest;
+    return has(s, BODY_THREAD) && (s->contacts->stopped || (has_time && has(s, BODY_DRAIN)));
+}
+
 bool vbss_scene_believes(const scene_object *s, const scene_part *part)
 {
     const contact_set *set = s->contacts;
-    double gained = -work_of_welds(s), beyond_law = 0.0;
+    if (!is_asked(s, part)) {
+        return true;
+    }
+    gains g = {.threads = -work_of_welds(s)};
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
-            gained += vbss_thread_gain(t, part->h) - work_of_holders(t);
+            g.threads += vbss_thread_gain(t, part->h) - work_of_holders(t);
+        } else if (s->bodies[i].kind == BODY_DRAIN) {
+            g.drains += vbss_drain_gain(s->bodies[i].drain.drain, part->h);
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {
         const contact_row *row = &set->rows[i];
-        gained -= work_of_row(s, row, set->here[i].force);
+        take_work_of_row(s, row, set->here[i].force, &g);
         if (!row->bilateral || row->sleeve) { /* the others' law is linear: they miss nothing */
-            beyond_law += work_beyond_law(s, row, set->here[i].force);
+            g.beyond_law += work_beyond_law(s, row, set->here[i].force);
         }
     }
     double most = has(s, BODY_DRAIN) ? MOST_AT_WALLS : MOST_OF_THREADS;
-    /* A wall that is pressed alone comes to rest whatever it was given, and trembles if its parts wait. */
-    return !has(s, BODY_THREAD) || (gained <= most && beyond_law <= most);
+    return g.threads <= most && g.drains <= most && g.beyond_law <= most;
 }

@@ -137,6 +137,7 @@ static double shorten_safely(scene_object *s, double share)
 static void settle_rows(scene_object *s)
 {
     vbss_scene_lay_rows_again(s);
+    s->contacts->stopped = false; /* nothing of the search is left in them */
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
         if (row->bilateral) {

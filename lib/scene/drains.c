@@ -249,8 +249,9 @@ static void note_pushes(scene_object *s, scene_drain *b)
     memset(d->pushes, 0, n * sizeof *d->pushes);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
-        vec3 force = vbss_scene_force_of(row);
-        for (uint32_t k = 0; row->is.state != CONTACT_OPEN && k < row->term_count; k++) {
+        vec3 force;
+        bool bears = vbss_scene_find_force(s->contacts, i, &force);
+        for (uint32_t k = 0; bears && k < row->term_count; k++) {
             const contact_term *t = &row->terms[k];
             if (t->block >= b->first_block && t->block - b->first_block < n) {
                 uint32_t node = d->order.node[t->block - b->first_block];

@@ -44,24 +44,31 @@ static scene_body *bearer_of(scene_object *s, uint32_t b)
     return NULL;
 }
 
-vec3 vbss_scene_force_of(const contact_row *row)
+bool vbss_scene_find_force(const contact_set *set, uint32_t i, vec3 *force)
 {
+    const contact_row *row = &set->rows[i];
     contact_found is = row->is;
+    if (set->stopped && !row->bilateral) { /* what the law says of where that is nothing has felt */
+        *force = set->here[i].force;
+        return vec3_norm_squared(*force) > 0.0;
+    }
     if (row->bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
         (void)vbss_contact_next_state(row, vec3_zero(), &is);
     }
-    return vec3_add_scaled(is.rubbing, is.pressure, row->normal);
+    *force = vec3_add_scaled(is.rubbing, is.pressure, row->normal);
+    return row->is.state != CONTACT_OPEN;
 }
 
 static void add_contacts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_row *row = &s->contacts->rows[i];
-        if (row->is.state == CONTACT_OPEN) {
+        vec3 force;
+        if (!vbss_scene_find_force(s->contacts, i, &force)) {
             continue;
         }
-        vec3 force = vbss_scene_force_of(row);
-        const scene_hit hit = {row->key, row->normal, force, row->point, row->gap};
+        const double gap = row->gap - row->eased;
+        const scene_hit hit = {row->key, row->normal, force, row->point, gap};
         show_contact(s, &hit);
         for (uint32_t k = 0; k < row->term_count; k++) {
             const contact_term *term = &row->terms[k];

@@ -561,7 +561,7 @@ bool vbss_scene_add_drain_floor_rows(scene_object *s, const scene_body *b);
 uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,
                              bool is_b, uint32_t feature, uint32_t nodes[3]);
 /* recall.c: what the rows remember of the last part. */
-void vbss_scene_recall_rows(scene_object *s);
+void vbss_scene_recall_rows(scene_object *s, const scene_part *part);
 /* drains.c: in a step, each stage of it. */
 void vbss_scene_release_drain(scene_object *s, scene_body *b);
 void vbss_scene_keep_drain(scene_drain *b);
@@ -636,8 +636,9 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
                           uint32_t number);
 void vbss_scene_note_touches(scene_object *s);
 void vbss_scene_show_lost(scene_object *s);
-/* forces.c: the force of a row on its first side, N; what contacts and pins do to the rigid bodies; views of contacts. */
-vec3 vbss_scene_force_of(const contact_row *row);
+/* forces.c: the force of a row on its first side, N, with which all balances, and whether it bears any; what contacts and pins do to
+ * the rigid bodies; views of contacts. */
+bool vbss_scene_find_force(const contact_set *set, uint32_t i, vec3 *force);
 void vbss_scene_note_forces(scene_object *s);
 
 #endif

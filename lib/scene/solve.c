@@ -358,7 +358,7 @@ static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_
         ++*k;
     }
     count_forced(s);
-    if (s->contacts->stopped && !vbss_scene_believes(s, part)) {
+    if (!vbss_scene_believes(s, part)) {
         return VERDICT_STATES;
     }
     bool found = e.converged || e.stretch <= s->config.stretch_tolerance;

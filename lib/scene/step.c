@@ -134,7 +134,7 @@ static void allow_depth(scene_object *s)
         contact_row *row = &s->contacts->rows[i];
         double share = s->config.penetration_tolerance * row->thickness;
         row->depth_allowed = greater(share, DEEPER * share - row->gap_before);
-        s->recovering = s->recovering || -row->gap_before > share;
+        s->recovering = s->recovering || row->eased - row->gap_before > share;
     }
 }
 
@@ -149,7 +149,7 @@ static scene_verdict attempt(scene_object *s, const scene_part *part)
     vbss_scene_predict(s, part);
     vbss_scene_number_blocks(s);
     vbss_scene_set_rows(s, part);
-    vbss_scene_recall_rows(s);
+    vbss_scene_recall_rows(s, part);
     allow_depth(s);
     if (vbss_scene_build_pattern(s) != VBSS_OK) {
         return VERDICT_FULL;

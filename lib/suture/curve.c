@@ -154,7 +154,7 @@ static double nearest_within(const span *p, vec3 to)
 static suture_place place_in(const suture_line *line, uint32_t k, const span *p, double u)
 {
     double weights[CORNERS], slopes[CORNERS];
-    suture_place place = {.span = k, .first = p->first};
+    suture_place place = {.span = k, .share = u, .first = p->first};
     weigh(p, u, 0, weights);
     weigh(p, u, 1, slopes);
     const vec3 way = sum_of(p, slopes), bend = curve_at(p, u, 2);
@@ -294,20 +294,29 @@ suture_place vbss_suture_nearest_by(const suture_line *line, uint32_t by, double
 
 /* ---- what friction is worth there */
 
-/* Where the suture comes from on the side of the tip, and where it goes: beyond the nodes that a place moves. */
+/* From a segment's end to its begin, which is on the side of the tip; before the first the needle goes on, or it does. */
+static vec3 way_of_segment(const suture_line *line, int64_t i)
+{
+    const int64_t last = (int64_t)line->thread->node_count - 2;
+    if (i < 0 && line->needle != NULL) {
+        vec3 along = vbss_needle_direction(line->needle, line->swage);
+        return vec3_scale(quat_rotate(line->at.orientation, along), line->thread->rest[0]);
+    }
+    const int64_t at = i < 0 ? 0 : i < last ? i : last;
+    return vec3_sub(line->x[at], line->x[at + 1]);
+}
+
+/* Where the suture comes from on the side of the tip, and where it goes: beyond the nodes that a place moves. From segment to
+ * segment that turns as the place goes on: if it jumped, the suture would be pushed to and fro between two spans. */
 static void directions_at(const suture_line *line, const suture_place *place, vec3 way[2])
 {
-    const thread_object *t = line->thread;
-    uint32_t k = place->span, last = t->node_count - 1;
-    uint32_t before = k > 1 ? k - 2 : 0, after = k + 3 <= last ? k + 2 : last - 1;
-    way[0] = vec3_sub(line->x[before], line->x[before + 1]);
-    if (k < 2 && line->needle != NULL) {
-        way[0] =
-            quat_rotate(line->at.orientation, vbss_needle_direction(line->needle, line->swage));
-    }
-    way[1] = vec3_sub(line->x[after + 1], line->x[after]);
+    const bool later = place->share > 0.5;
+    const int64_t k = (int64_t)place->span + later;
+    const double u = place->share + (later ? -0.5 : 0.5);
+    way[0] = vec3_lerp(way_of_segment(line, k - 3), way_of_segment(line, k - 2), u);
+    way[1] = vec3_lerp(way_of_segment(line, k + 1), way_of_segment(line, k + 2), u);
     way[0] = vec3_unit_or(way[0], place->tangent);
-    way[1] = vec3_unit_or(way[1], vec3_neg(place->tangent));
+    way[1] = vec3_unit_or(vec3_neg(way[1]), vec3_neg(place->tangent));
 }
 
 /* As much bend as this is none: a straight suture rubs as what is pressed across. */

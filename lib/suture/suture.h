@@ -52,6 +52,7 @@ typedef struct suture_place {
     double on_needle;    /* weight of the needle's point, which is in its frame: */
     vec3 needle;
     uint32_t span, first; /* of the thread: which, and the first node */
+    double share;         /* of the span, from its begin */
     double weights[SUTURE_NODES];
     double slopes[SUTURE_NODES]; /* of the weights along the curve as it is, 1/m */
     vec3 turn;                   /* of the tangent the same, 1/m */

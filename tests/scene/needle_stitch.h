@@ -24,6 +24,9 @@ void needle_stitch_turn(needle_stitch *n, double way, double speed, vbss_event_k
 void needle_stitch_into_second(needle_stitch *n, double speed);
 /* Draws the thread's tail away from the first mark, with that force, N. */
 void needle_stitch_draw(needle_stitch *n, double force);
+/* Turned back while its thread is drawn with that force, N, the needle goes back through both holes, each event once: none is
+ * left. */
+void needle_stitch_expect_undone(needle_stitch *n, double force, double speed);
 /* So many holes, so many of them with the thread in it. */
 void needle_stitch_expect_in(const needle_stitch *n, uint32_t holes, uint32_t threads);
 /* Tells; nothing has crossed the wall but in holes; ends. */

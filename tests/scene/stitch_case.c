@@ -1,12 +1,62 @@
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"
+#include "scene/scene.h"
 #include "thread/thread.h"
 
 /* Below this no gain is looked at, J. */
 #define LEAST_GAIN 1e-6
 /* Bodies of a test. */
 enum { BODIES = 24 };
+
+/* ---- what holes give */
+
+/* A node of a thread or of a drain; the needle's holes are not looked at. */
+static vec3 way_of_block(const scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        uint32_t in_thread = number - b->thread.first_block;
+        uint32_t in_drain = number - b->drain.first_block;
+        if (b->kind == BODY_THREAD && in_thread < b->thread.thread->node_count) {
+            const thread_object *t = b->thread.thread;
+            return vec3_sub(t->trial[in_thread], t->now.x[in_thread]);
+        }
+        if (b->kind == BODY_DRAIN && in_drain < b->drain.drain->mesh.node_count) {
+            const drain_object *d = b->drain.drain;
+            uint32_t node = d->order.node[in_drain];
+            return vec3_sub(d->trial[node], d->x[node]);
+        }
+    }
+    return vec3_zero();
+}
+
+/* What it does to both, and what it stores more. */
+static double given_by(const scene_object *s, const contact_row *row, vec3 force)
+{
+    const suture_hole *hole = &s->holes[row->key.a];
+    double before = hole->held * hole->held + vec3_norm_squared(hole->across);
+    double given = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
+    for (uint32_t k = 0; k < row->term_count; k++) {
+        const contact_term *term = &row->terms[k];
+        given += term->weight * vec3_dot(force, way_of_block(s, term->block));
+    }
+    return given;
+}
+
+/* Of a part, before it is the state. */
+static void see_holes(void *watcher, const scene_object *s)
+{
+    stitch_case *c = watcher;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_row *row = &s->contacts->rows[i];
+        if (row->sleeve) {
+            vec3 found = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+            bool followed = s->config.mode == VBSS_MODE_REAL_TIME;
+            c->giving += given_by(s, row, followed ? s->contacts->here[i].force : found);
+        }
+    }
+}
 
 /* ---- life */
 
@@ -32,6 +82,8 @@ void stitch_case_make(stitch_case *c)
         hand->at = hand->to = c->stitch.at[k];
     }
     stitch_case_reckon(c);
+    small_object(&c->s)->watch = see_holes;
+    small_object(&c->s)->watcher = c;
 }
 
 void stitch_case_open(stitch_case *c, uint32_t crossings)
@@ -250,11 +302,15 @@ static void book(stitch_case *c)
     c->work += work_of_hands(c, &most);
     c->most_work = fmax(c->most_work, fabs(c->work));
     assert_true(isfinite(energy));
+    most += fmax(c->giving, 0.0);
     for (int k = 3; k > 0; k--) {
         beyond[k] = beyond[k - 1] + most;
     }
     beyond[0] = energy;
     c->booked = was_whole(c) ? c->booked + 1 : 0;
+    c->given += c->booked > 0 ? c->giving : 0.0;
+    c->most_given = fmax(c->most_given, c->given);
+    c->giving = 0.0;
     if (c->booked > 0) {
         c->excess = fmax(c->excess, energy - c->first - c->work);
     }

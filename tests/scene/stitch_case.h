@@ -28,10 +28,12 @@ typedef struct stitch_case {
     /* the ledger, J */
     double first, work, most_work, excess;
     /* Most energy that a step has beyond what hands could have put into it, whatever way they pulled, with the larger force of
-     * its begin and its end: those of thin threads are noisy. Of whole steps. `shown`: of one step, in which a part that was
-     * taken with a residual may show pressures and tensions that it does not have. `jump`: as far as it is still there in the
-     * next, beyond the larger of the two steps before. */
+     * its begin and its end: those of thin threads are noisy. Of whole steps. `shown`: of one step. `jump`: as far as it is still
+     * there in the next, beyond the larger of the two steps before. */
     double jump, shown;
+    /* The law of a hole takes out what a polygon's corners do to tensions (docs/stitch.md, "Capstan"), and pushes where they hold
+     * back: what it has given is no hand's. In all, less what it took; the most of that; and in the step that is made. */
+    double given, most_given, giving;
     double beyond
         [4]; /* energies after the last steps, newest first, and what hands could have put in since */
     uint32_t booked; /* whole steps one after the other */

@@ -5,9 +5,9 @@ static stitch_case c;
 static const scene_part part = {.step = 1e-3, .end = 1.0, .h = 1e-3};
 
 /* A stitch at rest as its own trial state, with the forces of the law. */
-static scene_object *begin(void)
+static scene_object *begin(uint32_t crossings)
 {
-    stitch_case_open(&c, 0);
+    stitch_case_open(&c, crossings);
     stitch_case_wait(&c, 20);
     scene_object *s = small_object(&c.s);
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -23,6 +23,7 @@ static scene_object *begin(void)
         row->slid = vec3_zero();
         s->contacts->here[i].force = vbss_contact_force(row, vec3_zero());
     }
+    s->contacts->stopped = true;
     assert_true(vbss_scene_believes(s, &part));
     return s;
 }
@@ -40,7 +41,7 @@ static uint32_t row_in_hole(const scene_object *s)
 static void what_a_hole_does_beyond_its_law_counts(void **state)
 {
     (void)state;
-    scene_object *s = begin();
+    scene_object *s = begin(0);
     uint32_t i = row_in_hole(s);
     contact_row *row = &s->contacts->rows[i];
     row->slid = vec3_scale(row->normal, 0.1e-3);
@@ -58,7 +59,7 @@ static void what_a_hole_does_beyond_its_law_counts(void **state)
 static void what_others_take_out_does_not_count(void **state)
 {
     (void)state;
-    scene_object *s = begin();
+    scene_object *s = begin(0);
     uint32_t first = row_in_hole(s), second = first + 1;
     while (second < s->contacts->count && !s->contacts->rows[second].sleeve) {
         second++;
@@ -79,7 +80,7 @@ static void what_others_take_out_does_not_count(void **state)
 static void what_threads_gain_somebody_has_done(void **state)
 {
     (void)state;
-    scene_object *s = begin();
+    scene_object *s = begin(0);
     thread_object *t = vbss_scene_body(s, c.stitch.thread_body)->thread.thread;
     const uint32_t last = t->node_count - 1;
     assert_true(c.hands[1].thread != NULL); /* it holds the last node */
@@ -92,12 +93,101 @@ static void what_threads_gain_somebody_has_done(void **state)
     stitch_case_end(&c);
 }
 
+/* A node pressed in until its drain has gained that much, J; how far that is, m. */
+static double press_in(drain_object *d, uint32_t node, double gain)
+{
+    double way = 0.0;
+    const vec3 in = vec3_unit_or(vec3_make(0.0, -d->x[node].y, -d->x[node].z), vec3_zero());
+    memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
+    while (vbss_drain_gain(d, part.h) < gain) {
+        way += 1e-6;
+        d->trial[node] = vec3_add_scaled(d->x[node], way, in);
+    }
+    return way;
+}
+
+static uint32_t free_node(const scene_object *s, const drain_object *d)
+{
+    uint32_t node = 0;
+    while (d->anchored[node] || vec3_norm(d->pushes[node]) > 0.0) {
+        node++;
+    }
+    assert_true(node < d->mesh.node_count && s->contacts->count > 0);
+    return node;
+}
+
+static void what_a_drain_gains_somebody_has_done(void **state)
+{
+    (void)state;
+    scene_object *s = begin(0);
+    drain_object *d;
+    vbss_drain_attachment a;
+    uint32_t id;
+    expect_ok(vbss_drain_open(c.stitch.drain, &d));
+    const uint32_t node = free_node(s, d);
+    (void)press_in(d, node, 15e-6);
+    assert_true(vbss_scene_believes(s, &part));
+    double way = press_in(d, node, 40e-6);
+    assert_false(vbss_scene_believes(s, &part));
+    expect_ok(vbss_drain_attachment_init(&a, sizeof a));
+    a.kind = VBSS_DRAIN_ATTACHMENT_FORCE;
+    a.node = node;
+    a.force[1] = 30e-6 / way;
+    expect_ok(vbss_drain_attach(c.stitch.drain, &a, &id));
+    assert_true(vbss_scene_believes(s, &part));
+    stitch_case_end(&c);
+}
+
+/* ---- what is shown of it */
+
+/* Of a contact in the view, N; -1: it is not there. */
+static double force_shown(const contact_key *key)
+{
+    vbss_view names = small_view(&c.s, VBSS_SCENE_VIEW_CONTACTS);
+    vbss_view forces = small_view(&c.s, VBSS_SCENE_VIEW_CONTACT_FORCES);
+    for (uint64_t i = 0; i < names.count; i++) {
+        const uint32_t *n = (const uint32_t *)names.data + 5 * i;
+        const contact_key shown = {n[0], n[1], n[2], n[3], n[4]};
+        if (vbss_contact_compare(&shown, key) == 0) {
+            return vec3_norm(((const vec3 *)forces.data)[i]);
+        }
+    }
+    return -1.0;
+}
+
+/* The law may say 10 N of where such a search stands, when what touches has felt 0.2 or nothing. */
+static void forces_shown_of_it_are_those_that_were_felt(void **state)
+{
+    (void)state;
+    scene_object *s = begin(1);
+    uint32_t i = 0;
+    while (i < s->contacts->count && s->contacts->rows[i].bilateral) {
+        i++;
+    }
+    assert_true(i < s->contacts->count);
+    contact_row *row = &s->contacts->rows[i];
+    row->is = (contact_found){.state = CONTACT_STICK, .pressure = 10.0};
+    s->contacts->stopped = false;
+    vbss_scene_note_forces(s);
+    expect_near(10.0, force_shown(&row->key), 1e-12);
+    s->contacts->stopped = true;
+    s->contacts->here[i].force = vec3_scale(row->normal, 0.2);
+    vbss_scene_note_forces(s);
+    expect_near(0.2, force_shown(&row->key), 1e-12);
+    s->contacts->here[i].force = vec3_zero();
+    vbss_scene_note_forces(s);
+    expect_near(-1.0, force_shown(&row->key), 0.0);
+    stitch_case_end(&c);
+}
+
 int test_believe(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_hole_does_beyond_its_law_counts),
         cmocka_unit_test(what_others_take_out_does_not_count),
         cmocka_unit_test(what_threads_gain_somebody_has_done),
+        cmocka_unit_test(what_a_drain_gains_somebody_has_done),
+        cmocka_unit_test(forces_shown_of_it_are_those_that_were_felt),
     };
     return cmocka_run_group_tests_name("scene.believe", tests, NULL, NULL);
 }

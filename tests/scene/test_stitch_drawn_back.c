@@ -8,16 +8,7 @@ static void undo(double speed, double force)
 {
     needle_stitch_begin(&n);
     needle_stitch_into_second(&n, speed);
-    needle_stitch_draw(&n, force);
-    needle_stitch_turn(&n, -80e-3, speed, VBSS_EVENT_WITHDRAWN, 2);
-    assert_int_equal(n.c.counts[VBSS_EVENT_RETURNED], 1);
-    assert_int_equal(n.c.counts[VBSS_EVENT_WITHDRAWN], 2);
-    assert_int_equal(n.c.counts[VBSS_EVENT_UNTHREADED], 0);
-    assert_true(n.first[VBSS_EVENT_PASSED] < n.first[VBSS_EVENT_RETURNED]);
-    assert_true(n.first[VBSS_EVENT_RETURNED] < n.last[VBSS_EVENT_WITHDRAWN]);
-    needle_stitch_turn(&n, -2e-3, speed, 0, 0);
-    needle_stitch_expect_in(&n, 0, 0);
-    assert_int_equal(n.watch.crossings, 0);
+    needle_stitch_expect_undone(&n, force, speed);
     needle_stitch_finish(&n, "undone");
 }
 

@@ -79,7 +79,7 @@ static void it_tears_the_drain_off_its_block_and_stays_in_it(void **state)
 #define STILL 1e-6
 /* Steps in which hands pull limbs apart, in which they rest, and all; and their speed as they slacken them, m/s. */
 enum { PULLED = 200, RESTED = 500, ALL = 1200 };
-#define SLACKENS 5e-3
+#define SLACKENS 8e-3
 
 /* A change of the mesh is made at the end of a step and shows in the next. */
 typedef struct looked_at {

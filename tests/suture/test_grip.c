@@ -74,14 +74,14 @@ static void straight_on_it_is_the_coefficient(void **state)
 }
 
 /* Nearer to one limb than to the other, it holds back more against what runs toward the nearer: the pull of that limb, which is
- * the greater by then, is along. Bent are the two spans beside the corner; those beside them look at the bend too. */
+ * the greater by then, is along. Bent are the two spans beside the corner; farther off, the ways begin to turn. */
 static void beside_the_middle_the_two_ways_differ(void **state)
 {
     (void)state;
     const double theta = 1.2, mu = 0.4;
     laid l;
     lay_bend(&l, theta);
-    for (int i = -19; i <= 19; i++) {
+    for (int i = -10; i <= 10; i++) {
         const double along = 0.1 * i, e = exp(mu * theta);
         const uint32_t span = (uint32_t)(CORNER + (int)floor(along));
         const hand_place at = by_hand(&l, span, along - floor(along));
@@ -97,6 +97,29 @@ static void beside_the_middle_the_two_ways_differ(void **state)
         assert_true((first > 1e-9) == (i > -10) && (other > 1e-9) == (i < 10));
         assert_true(i == 0 || (grip[0] > grip[1]) == (i < 0));
     }
+}
+
+/* What jumped from span to span pushed a thread that hardly rubbed to and fro between two of them. */
+static void it_goes_on_from_span_to_span_without_a_jump(void **state)
+{
+    (void)state;
+    double last[2] = {0.0, 0.0}, most = 0.0;
+    laid l;
+    lay_bend(&l, 1.5);
+    for (int i = -400; i <= 400; i++) {
+        const double along = 0.01 * i;
+        const hand_place at =
+            by_hand(&l, (uint32_t)(CORNER + (int)floor(along)), along - floor(along));
+        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        double grip[2];
+        vbss_suture_grip(&l.line, &place, 0.07, grip);
+        for (int k = 0; k < 2; k++) {
+            most = i > -400 ? fmax(most, fabs(grip[k] - last[k])) : most;
+            last[k] = grip[k];
+        }
+    }
+    print_message("over a hundredth of a segment it goes on by %g at most\n", most);
+    assert_true(most > 0.005 && most < 0.02);
 }
 
 /* The bend is that of what is beyond the nodes which the place moves: from the segment two before its own to that two after. */
@@ -154,6 +177,7 @@ int test_grip(void)
         cmocka_unit_test(in_a_symmetric_bend_it_is_the_ropes),
         cmocka_unit_test(straight_on_it_is_the_coefficient),
         cmocka_unit_test(beside_the_middle_the_two_ways_differ),
+        cmocka_unit_test(it_goes_on_from_span_to_span_without_a_jump),
         cmocka_unit_test(only_what_is_near_bends_it),
         cmocka_unit_test(behind_the_swage_it_comes_from_the_needle),
     };

@@ -1,0 +1,81 @@
+/* A pair of a drain's sides that begins deeper than what it bore is let off slowly: in a fold other pairs become the nearest ones,
+ * and what was never pressed in would push with tens of newtons. */
+#include "scene/stitch_case.h"
+
+/* What a part lets off at most: 20 mm/s. */
+#define OPENED 20e-6
+
+static stitch_case c;
+static const scene_part part = {.step = 1e-3, .end = 1.0, .h = 1e-3};
+
+static uint32_t body_of_kind(const scene_object *s, body_kind kind)
+{
+    uint32_t i = 0;
+    while (i < s->place_count && s->bodies[i].kind != kind) {
+        i++;
+    }
+    assert_true(i < s->place_count);
+    return s->bodies[i].number;
+}
+
+/* One row of that depth, m, of which is remembered that it bore so much, N; recalled. */
+static const contact_row *recall(scene_object *s, uint32_t of, double depth, double bore)
+{
+    contact_set *set = s->contacts;
+    const uint32_t drain = body_of_kind(s, BODY_DRAIN);
+    const contact_key key = {VBSS_CONTACT_SIDES, of, 0, drain, 40};
+    set->count = set->memory_count = 0;
+    contact_row *row = vbss_contact_add(set, &key);
+    assert_non_null(row);
+    row->stiffness = 2e5;
+    row->gap_before = row->gap = -depth;
+    row->spared = 0.0;
+    if (bore > 0.0) {
+        set->memory[set->memory_count++] =
+            (contact_memory){.key = key, .state = CONTACT_STICK, .pressure = bore};
+    }
+    vbss_scene_recall_rows(s, &part);
+    expect_near(depth, vbss_contact_depth(set), 1e-18); /* what it is nobody hides */
+    expect_near(row->eased, row->spared, 0.0);
+    expect_near(row->gap, row->gap_before, 0.0);
+    return row;
+}
+
+static void what_it_did_not_bear_is_let_off_slowly(void **state)
+{
+    (void)state;
+    stitch_case_begin(&c);
+    c.options.scene.mode = VBSS_MODE_OFFLINE;
+    stitch_case_make(&c);
+    scene_object *s = small_object(&c.s);
+    const uint32_t drain = body_of_kind(s, BODY_DRAIN), thread = body_of_kind(s, BODY_THREAD);
+    expect_near(-OPENED, recall(s, drain, 100e-6, 0.0)->gap, 1e-12);
+    expect_near(-OPENED, recall(s, drain, 100e-6, 3.0)->gap, 1e-12); /* 15 um: no more for that */
+    expect_near(-50e-6, recall(s, drain, 100e-6, 10.0)->gap, 1e-12);
+    expect_near(-100e-6, recall(s, drain, 100e-6, 20.0)->gap, 0.0);
+    expect_near(-100e-6, recall(s, drain, 100e-6, 30.0)->gap, 0.0);
+    expect_near(-15e-6, recall(s, drain, 15e-6, 0.0)->gap, 0.0);
+    expect_near(-100e-6, recall(s, thread, 100e-6, 0.0)->gap, 0.0); /* it knows its side */
+    s->contacts->count = s->contacts->memory_count = 0;
+    stitch_case_end(&c);
+}
+
+/* In real time parts leave overlaps that no force knows of: those are pushed out. */
+static void in_real_time_it_is_pushed_out(void **state)
+{
+    (void)state;
+    stitch_case_open(&c, 0);
+    scene_object *s = small_object(&c.s);
+    expect_near(-100e-6, recall(s, body_of_kind(s, BODY_DRAIN), 100e-6, 0.0)->gap, 0.0);
+    s->contacts->count = s->contacts->memory_count = 0;
+    stitch_case_end(&c);
+}
+
+int test_folds_eased(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_it_did_not_bear_is_let_off_slowly),
+        cmocka_unit_test(in_real_time_it_is_pushed_out),
+    };
+    return cmocka_run_group_tests_name("scene.folds_eased", tests, NULL, NULL);
+}
