@@ -18,8 +18,9 @@ typedef struct watch {
     uint64_t first; /* part in which the first of all these was seen, from 1 on; 0: none was */
     passing_report report; /* of that part */
     double cost;           /* us of looking: not the scene's own */
-    bool closes;           /* looks at the rays along which knot_type.h closes the first thread, too */
-    uint64_t closed_anew;  /* parts in which one of them met the thread: another knot may be closed since */
+    bool closes; /* looks at the rays along which knot_type.h closes the first thread, too */
+    uint64_t
+        closed_anew; /* parts in which one of them met the thread: another knot may be closed since */
 
     scene_object *scene;
     uint32_t count; /* of all nodes and ends of axes in the last part; 0: none yet */

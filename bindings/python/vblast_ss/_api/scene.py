@@ -47,7 +47,8 @@ class SceneField(IntEnum):
     CONTACT_NORMALS = 2
     """x 3: unit, from b to a."""
     CONTACT_FORCES = 3
-    """x 3: of b on a, N."""
+    """x 3: of b on a, N. Where a search for contact states ran out of work, those with which all
+    bodies balance: they miss the law by the residual, and may pull."""
     CONTACT_GAPS = 4
     """Distance of the surfaces, negative when they overlap, m."""
     EVENTS = 5
