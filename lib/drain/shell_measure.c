@@ -56,19 +56,27 @@ bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const ve
     return inverted;
 }
 
+static void measure_group(const vbss_shell *shell, uint32_t k, const vec3 *x,
+                          vbss_shell_state states[LANES])
+{
+    const vbss_shell_group *g = &shell->groups[k];
+    shell_shape shape;
+    lanes stress[3];
+    shell_set_shape(g, x, &shape);
+    shell_set_stress(g, &shape, stress);
+    for (int lane = 0; lane < shell_lanes_used(shell, k); lane++) {
+        set_state(g, &shape, stress, lane, &states[lane]);
+    }
+}
+
 double vbss_shell_energy(const vbss_shell *shell, const vec3 *x)
 {
     double energy = 0.0;
     for (uint32_t k = 0; k < shell->group_count; k++) {
-        const vbss_shell_group *g = &shell->groups[k];
-        shell_shape shape;
-        lanes stress[3];
-        shell_set_shape(g, x, &shape);
-        shell_set_stress(g, &shape, stress);
+        vbss_shell_state states[LANES];
+        measure_group(shell, k, x, states);
         for (int lane = 0; lane < shell_lanes_used(shell, k); lane++) {
-            vbss_shell_state state;
-            set_state(g, &shape, stress, lane, &state);
-            energy += state.membrane_energy + state.bending_energy;
+            energy += states[lane].membrane_energy + states[lane].bending_energy;
         }
     }
     return energy;
@@ -77,15 +85,9 @@ double vbss_shell_energy(const vbss_shell *shell, const vec3 *x)
 void vbss_shell_measure(const vbss_shell *shell, const vec3 *x, vbss_shell_state *states)
 {
     for (uint32_t k = 0; k < shell->group_count; k++) {
-        const vbss_shell_group *g = &shell->groups[k];
-        shell_shape shape;
-        lanes stress[3];
-        shell_set_shape(g, x, &shape);
-        shell_set_stress(g, &shape, stress);
-        for (int lane = 0; lane < shell_lanes_used(shell, k); lane++) {
-            uint32_t i = LANES * k + (uint32_t)lane;
-            set_state(g, &shape, stress, lane, &states[i]);
-            states[i].inverted = vbss_shell_is_inverted(shell, i, x);
-        }
+        measure_group(shell, k, x, &states[LANES * k]);
+    }
+    for (uint32_t i = 0; i < shell->triangle_count; i++) {
+        states[i].inverted = vbss_shell_is_inverted(shell, i, x);
     }
 }

@@ -12,8 +12,7 @@ static vec3 way_of(const thread_object *t, uint32_t node)
     return vec3_sub(t->trial[node], t->now.x[node]);
 }
 
-/* By which a block has moved, and what it is a node of. */
-static body_kind find_way(const scene_object *s, uint32_t number, vec3 *way)
+body_kind vbss_scene_find_way(const scene_object *s, uint32_t number, vec3 *way)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
@@ -45,7 +44,7 @@ static void take_work_of_row(const scene_object *s, const contact_row *row, vec3
     for (uint32_t k = 0; k < row->term_count; k++) {
         const contact_term *term = &row->terms[k];
         vec3 way;
-        body_kind kind = term->turns ? BODY_GONE : find_way(s, term->block, &way);
+        body_kind kind = term->turns ? BODY_GONE : vbss_scene_find_way(s, term->block, &way);
         if (kind == BODY_THREAD) {
             on_threads += term->weight * vec3_dot(force, way);
         } else if (kind == BODY_DRAIN) {

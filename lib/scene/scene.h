@@ -598,6 +598,8 @@ void vbss_scene_spend(scene_object *s, uint32_t work);
 bool vbss_scene_is_spent(const scene_object *s);
 /* believe.c: whether what a search that was stopped has led to may be taken. */
 bool vbss_scene_believes(const scene_object *s, const scene_part *part);
+/* By which a block has moved in the trial state, and what it is a node of: a thread, a drain, or neither (BODY_GONE). */
+body_kind vbss_scene_find_way(const scene_object *s, uint32_t number, vec3 *way);
 /* solve.c: bodies and contacts, one system; what a linearisation costs. */
 uint32_t vbss_scene_linearisation_cost(const scene_object *s);
 scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part);

@@ -11,26 +11,6 @@ enum { BODIES = 24 };
 
 /* ---- what holes give */
 
-/* A node of a thread or of a drain; the needle's holes are not looked at. */
-static vec3 way_of_block(const scene_object *s, uint32_t number)
-{
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        const scene_body *b = &s->bodies[i];
-        uint32_t in_thread = number - b->thread.first_block;
-        uint32_t in_drain = number - b->drain.first_block;
-        if (b->kind == BODY_THREAD && in_thread < b->thread.thread->node_count) {
-            const thread_object *t = b->thread.thread;
-            return vec3_sub(t->trial[in_thread], t->now.x[in_thread]);
-        }
-        if (b->kind == BODY_DRAIN && in_drain < b->drain.drain->mesh.node_count) {
-            const drain_object *d = b->drain.drain;
-            uint32_t node = d->order.node[in_drain];
-            return vec3_sub(d->trial[node], d->x[node]);
-        }
-    }
-    return vec3_zero();
-}
-
 /* What it does to both, and what it stores more. */
 static double given_by(const scene_object *s, const contact_row *row, vec3 force)
 {
@@ -39,7 +19,10 @@ static double given_by(const scene_object *s, const contact_row *row, vec3 force
     double given = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
     for (uint32_t k = 0; k < row->term_count; k++) {
         const contact_term *term = &row->terms[k];
-        given += term->weight * vec3_dot(force, way_of_block(s, term->block));
+        vec3 way; /* the needle's holes are not looked at */
+        if (vbss_scene_find_way(s, term->block, &way) != BODY_GONE) {
+            given += term->weight * vec3_dot(force, way);
+        }
     }
     return given;
 }
@@ -302,7 +285,6 @@ static void book(stitch_case *c)
     c->work += work_of_hands(c, &most);
     c->most_work = fmax(c->most_work, fabs(c->work));
     assert_true(isfinite(energy));
-    most += fmax(c->giving, 0.0);
     for (int k = 3; k > 0; k--) {
         beyond[k] = beyond[k - 1] + most;
     }

@@ -32,7 +32,7 @@ typedef struct stitch_case {
      * there in the next, beyond the larger of the two steps before. */
     double jump, shown;
     /* The law of a hole takes out what a polygon's corners do to tensions (docs/stitch.md, "Capstan"), and pushes where they hold
-     * back: what it has given is no hand's. In all, less what it took; the most of that; and in the step that is made. */
+     * back. What it has given in all, less what it took; the most of that; and in the step that is made. */
     double given, most_given, giving;
     double beyond
         [4]; /* energies after the last steps, newest first, and what hands could have put in since */

@@ -1,11 +1,10 @@
 #include "scene/stitch_watch.h"
 
 #include "drain/drain.h"
-#include "scene/scene.h"
 #include "thread/thread.h"
 
-/* A crossing is at a hole when it is so near, in distances of touching: there walls leave a suture alone. */
-#define AT_HOLE SCENE_PIN_ARC
+/* A crossing is at a hole when it is so near, in distances of touching. */
+#define AT_HOLE 1.5
 /* Bodies of a test. */
 enum { BODIES = 24 };
 
@@ -65,22 +64,15 @@ static vec3 weighed(const vec3 *x, const uint32_t node[3], const double weights[
     return vec3_add_scaled(point, weights[2], x[node[2]]);
 }
 
-/* At the swage a hole may still be the needle's. And where the thread was cut in it, it is that of the piece which begins there:
- * the other's end is in it, too. */
-static bool may_be_in(const seen *s, const vbss_hole *hole, bool at_end)
-{
-    return hole->thread == s->body || hole->needle != 0 ||
-           (at_end && hole->arc_length < s->touching);
-}
-
-static void judge(seen *s, const uint32_t node[3], const double weights[3], bool at_end)
+/* At the swage a hole may still be the needle's. */
+static void judge(seen *s, const uint32_t node[3], const double weights[3])
 {
     vec3 now = weighed(s->drain->x, node, weights);
     vec3 rest = weighed(s->drain->mesh.rest, node, weights);
     double nearest = HUGE_VAL;
     for (uint32_t i = 0; i < s->watch->holes; i++) {
         const vbss_hole *hole = &s->holes[i];
-        if (may_be_in(s, hole, at_end)) {
+        if (hole->thread == s->body || hole->needle != 0) {
             double far = fmin(vec3_distance(now, vec3_load(hole->position)),
                               vec3_distance(rest, vec3_load(hole->rest_position)));
             nearest = fmin(nearest, far / s->touching);
@@ -114,7 +106,7 @@ static void look_at(seen *s, const thread_object *t)
                                     s->drain->x[node[2]]};
             double weights[3];
             if (meets(x[i], x[i + 1], corner, weights)) {
-                judge(s, node, weights, i + 2 == t->node_count);
+                judge(s, node, weights);
             }
         }
     }

@@ -74,27 +74,32 @@ static void straight_on_it_is_the_coefficient(void **state)
 }
 
 /* Nearer to one limb than to the other, it holds back more against what runs toward the nearer: the pull of that limb, which is
- * the greater by then, is along. Bent are the two spans beside the corner; farther off, the ways begin to turn. */
+ * the greater by then, is along. Bent are the two spans beside the corner; from one and a half on one of the ways, two segments off, begins to
+ * turn round it. */
 static void beside_the_middle_the_two_ways_differ(void **state)
 {
     (void)state;
     const double theta = 1.2, mu = 0.4;
     laid l;
     lay_bend(&l, theta);
-    for (int i = -10; i <= 10; i++) {
-        const double along = 0.1 * i, e = exp(mu * theta);
+    for (int i = -19; i <= 19; i++) {
+        const double along = 0.1 * i;
         const uint32_t span = (uint32_t)(CORNER + (int)floor(along));
         const hand_place at = by_hand(&l, span, along - floor(along));
         const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
         double grip[2];
         vbss_suture_grip(&l.line, &place, mu, grip);
         /* angles of the tangent with the limb on the tip's side and with the other */
-        double first = atan2(-place.tangent.y, -place.tangent.x), other = theta - first;
+        double turned = atan2(-place.tangent.y, -place.tangent.x);
+        double on = fmax(along - 1.5, 0.0), back = fmax(-1.5 - along, 0.0);
+        double from = atan2(on * sin(theta), 1.0 - on + on * cos(theta));
+        double to = atan2((1.0 - back) * sin(theta), back + (1.0 - back) * cos(theta));
+        double first = turned - from, other = to - turned, e = exp(mu * (to - from));
         expect_near(mixed(e * cos(first) - cos(other), e * sin(first) + sin(other), mu), grip[0],
                     1e-8);
         expect_near(mixed(e * cos(other) - cos(first), e * sin(other) + sin(first), mu), grip[1],
                     1e-8);
-        assert_true((first > 1e-9) == (i > -10) && (other > 1e-9) == (i < 10));
+        assert_true((turned > 1e-9) == (i > -10) && (theta - turned > 1e-9) == (i < 10));
         assert_true(i == 0 || (grip[0] > grip[1]) == (i < 0));
     }
 }
