@@ -85,7 +85,7 @@ double vbss_shell_energy(const vbss_shell *shell, const vec3 *x)
 void vbss_shell_measure(const vbss_shell *shell, const vec3 *x, vbss_shell_state *states)
 {
     for (uint32_t k = 0; k < shell->group_count; k++) {
-        measure_group(shell, k, x, &states[LANES * k]);
+        measure_group(shell, k, x, &states[(size_t)LANES * k]);
     }
     for (uint32_t i = 0; i < shell->triangle_count; i++) {
         states[i].inverted = vbss_shell_is_inverted(shell, i, x);
