@@ -27,13 +27,14 @@ static void ask(const piece *a, const piece *b, passing_report *report)
 enum { TOGETHER = 8 };
 
 typedef struct group {
-    sweep box;
+    const piece *pieces;
     size_t count, tools;
+    sweep box;
 } group;
 
 static group group_of(const piece *pieces, size_t count)
 {
-    group g = {pieces[0].swept, 0, 0};
+    group g = {pieces, 0, 0, pieces[0].swept};
     while (g.count < TOGETHER && g.count < count) {
         sweep_boxes_join(&g.box, &pieces[g.count].swept);
         g.tools += pieces[g.count++].tool;
@@ -57,27 +58,41 @@ static void ask_pair(const piece *a, const piece *b, passing_report *report)
     }
 }
 
-/* With j .. j + g->count - 1, later than a. */
-static void ask_group(const piece *a, const piece *j, const group *g, passing_report *report)
+/* Two groups, a before b. */
+static bool are_apart(const group *a, const group *b)
 {
-    if (!are_neighbours(a, j) && sweep_boxes_apart(&a->swept, &g->box)) {
+    return !are_neighbours(&a->pieces[a->count - 1], b->pieces) &&
+           sweep_boxes_apart(&a->box, &b->box);
+}
+
+/* With all of g, which is later than a. */
+static void ask_group(const piece *a, const group *g, passing_report *report)
+{
+    if (!are_neighbours(a, g->pieces) && sweep_boxes_apart(&a->swept, &g->box)) {
         report->pairs += g->count - (a->tool ? g->tools : 0);
         return;
     }
     for (size_t i = 0; i < g->count; i++) {
-        ask_pair(a, j + i, report);
+        ask_pair(a, &g->pieces[i], report);
     }
 }
 
-static void ask_all(const piece *pieces, size_t count, const group *groups, passing_report *report)
+static void ask_groups(const group *a, const group *b, passing_report *report)
 {
-    for (size_t i = 0; i < count; i++) {
-        size_t own = i / TOGETHER, end = own * TOGETHER + groups[own].count;
-        for (size_t j = i + 1; j < end; j++) {
-            ask_pair(&pieces[i], &pieces[j], report);
-        }
-        for (size_t j = end; j < count; j += TOGETHER) {
-            ask_group(&pieces[i], &pieces[j], &groups[j / TOGETHER], report);
+    if (are_apart(a, b)) {
+        report->pairs += a->count * b->count - a->tools * b->tools;
+        return;
+    }
+    for (size_t i = 0; i < a->count; i++) {
+        ask_group(&a->pieces[i], b, report);
+    }
+}
+
+static void ask_within(const group *g, passing_report *report)
+{
+    for (size_t i = 0; i < g->count; i++) {
+        for (size_t k = i + 1; k < g->count; k++) {
+            ask_pair(&g->pieces[i], &g->pieces[k], report);
         }
     }
 }
@@ -85,14 +100,20 @@ static void ask_all(const piece *pieces, size_t count, const group *groups, pass
 /* False: no memory. */
 static bool group_and_ask(const piece *pieces, size_t count, passing_report *report)
 {
-    group *groups = malloc((count + TOGETHER - 1) / TOGETHER * sizeof *groups);
+    size_t group_count = (count + TOGETHER - 1) / TOGETHER;
+    group *groups = malloc(group_count * sizeof *groups);
     if (groups == NULL) {
         return false;
     }
-    for (size_t i = 0; i < count; i += TOGETHER) {
-        groups[i / TOGETHER] = group_of(pieces + i, count - i);
+    for (size_t i = 0; i < group_count; i++) {
+        groups[i] = group_of(pieces + i * TOGETHER, count - i * TOGETHER);
     }
-    ask_all(pieces, count, groups, report);
+    for (size_t i = 0; i < group_count; i++) {
+        ask_within(&groups[i], report);
+        for (size_t k = i + 1; k < group_count; k++) {
+            ask_groups(&groups[i], &groups[k], report);
+        }
+    }
     free(groups);
     return true;
 }

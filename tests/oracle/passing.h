@@ -18,7 +18,7 @@ typedef struct passing_report {
     uint64_t pairs;                /* of segments that share no node */
     uint64_t asked;                /* of them, those that exact arithmetic decided */
     uint64_t passed;               /* of these, those that met */
-    size_t chains[2], segments[2]; /* the first pair that met */
+    size_t chains[2], segments[2]; /* of one that met */
 } passing_report;
 
 /* How many pairs of segments had a point in common, of no thickness, at some time from start to end, touching
