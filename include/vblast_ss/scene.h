@@ -580,7 +580,8 @@ VBSS_API vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin);
  * Cuts a thread of the scene in two where it is, with its pins, attachments and contacts: the part beyond the cut
  * becomes a body of its own, with node 0 at the cut. Nothing is allocated: room for as many pieces as cut_capacity
  * allows was taken when the thread was added. Pieces can be cut again. A cut within 1 % of a segment, or 1e-7 m, of
- * a node goes through the node, which the thread keeps with all that holds it. The ends at a cut do not touch each
+ * a node goes through the node, which the thread keeps with all that holds it. A cut within 0.2 mm of a hole that
+ * the thread is in is made 0.2 mm beside it, where an end has left the hole. The ends at a cut do not touch each
  * other until they have come apart. Contacts in the views keep the numbers of before the cut until the next step.
  *
  * @param scene       the scene

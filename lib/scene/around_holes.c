@@ -3,6 +3,8 @@
 
 /* A tip touches within so many radii of the wire from its end. */
 #define TIP 1.0
+/* Of a needle's reach. */
+#define THREAD_REACHES (1.5 / SCENE_PIN_ARC)
 /* What comes out of a hole at a small angle is in the wall still where it is no longer left out: over so many times that way
  * more it touches at a distance that grows from nothing to the whole, and is not felt all at once. */
 #define COMES_OUT 1.0
@@ -76,6 +78,12 @@ static double reach_of(const suture_hole *hole, const scene_body *suture, double
     return at_mouth ? greater(reach, -SCENE_PIN_ARC * hole->entry) : reach;
 }
 
+/* Within which of a hole a suture touches nothing: a thread, which turns at once, less far than a needle. */
+static double own_reach(const scene_body *suture, double reach)
+{
+    return suture->kind == BODY_THREAD ? THREAD_REACHES * reach : reach;
+}
+
 /* Along the suture, across the swage too; INFINITY: of another. */
 static double arc_from_hole(const scene_object *s, const suture_hole *hole,
                             const scene_body *suture, double arc, double time)
@@ -137,7 +145,7 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
                              double reach)
 {
     const drain_object *d = drain->drain.drain;
-    const double own = reach_at_swage(s, suture, segment, drain, reach);
+    const double own = reach_at_swage(s, suture, segment, drain, own_reach(suture, reach));
     double least = 1.0;
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];

@@ -37,14 +37,26 @@ typedef struct gains {
     double threads, drains, beyond_law;
 } gains;
 
+/* What a hole gives to both, and stores, above what it had stored. Its law is no measure: where a search was stopped that may
+ * itself say 2.7 N along the way that both have gone. */
+static double given_by_hole(const scene_object *s, const contact_row *row, vec3 force, double done)
+{
+    const suture_hole *hole = &s->holes[row->key.a];
+    double before = hole->held * hole->held + vec3_norm_squared(hole->across);
+    double more = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
+    return greater(done + more, 0.0);
+}
+
 /* What a contact does to threads and drains: with the force of which the blocks balance. */
 static void take_work_of_row(const scene_object *s, const contact_row *row, vec3 force, gains *g)
 {
     double on_threads = 0.0, on_drains = 0.0;
+    bool known = true; /* what a needle was done is not */
     for (uint32_t k = 0; k < row->term_count; k++) {
         const contact_term *term = &row->terms[k];
         vec3 way;
         body_kind kind = term->turns ? BODY_GONE : vbss_scene_find_way(s, term->block, &way);
+        known = known && kind != BODY_GONE;
         if (kind == BODY_THREAD) {
             on_threads += term->weight * vec3_dot(force, way);
         } else if (kind == BODY_DRAIN) {
@@ -53,6 +65,9 @@ static void take_work_of_row(const scene_object *s, const contact_row *row, vec3
     }
     g->threads -= on_threads;
     g->drains -= on_drains;
+    if (row->sleeve && known) {
+        g->beyond_law += given_by_hole(s, row, force, on_threads + on_drains);
+    }
 }
 
 /* ---- forces that the law does not know */

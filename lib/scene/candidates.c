@@ -185,13 +185,30 @@ static double approach_of(const scene_meeting *m, vec3 normal)
     return SCENE_AHEAD * most;
 }
 
+/* Of a wall, which swings the line through it farther than its middle goes. */
+static bool is_lip(const scene_body *b, const contact_key *key, bool is_b)
+{
+    const uint32_t feature = is_b ? key->b : key->a;
+    return key->kind == VBSS_CONTACT_SIDES
+               ? b->drain.lip_of_side[feature] != SCENE_NO_FACE
+               : !is_b && b->drain.lip_of_node[feature] != SCENE_NO_FACE;
+}
+
+static bool swings(const scene_meeting *m, const contact_key *key)
+{
+    return m->a->kind == BODY_DRAIN && m->b->kind == BODY_DRAIN &&
+           (is_lip(m->a, key, false) || is_lip(m->b, key, true));
+}
+
 /* Laid, and whether it is near enough to touch. */
 static bool lay(const scene_object *s, contact_row *row, const scene_meeting *m)
 {
     uint32_t kind = row->key.kind;
     double margin = s->config.contact_margin, reach = reach_of(m);
     bool near = vbss_scene_lay_row(s, row, m->a, m->b, reach + margin);
-    if (near && (kind == VBSS_CONTACT_SEGMENTS || scene_is_of_surface(kind))) {
+    bool directed =
+        kind == VBSS_CONTACT_SEGMENTS || (scene_is_of_surface(kind) && !swings(m, &row->key));
+    if (near && directed) {
         near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
     }
     return near;

@@ -288,6 +288,7 @@ vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_l
 {
     renaming r = {.old = thread};
     *piece = NULL;
+    arc_length = vbss_scene_outside_holes(s, thread->number, arc_length);
     if (!(arc_length >= 0.0) || !vbss_thread_find_cut(thread->thread.thread, arc_length, &r.cut)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }

@@ -367,6 +367,29 @@ void vbss_scene_leave_holes(scene_object *s)
     }
 }
 
+/* Moves a cut to where an end has left; true: it was in the hole. */
+static bool move_out(const suture_hole *hole, double *arc_length)
+{
+    double beyond = *arc_length - hole->arc;
+    bool in = fabs(beyond) < LEFT;
+    *arc_length = in ? hole->arc + (beyond < 0.0 ? -LEFT : LEFT) : *arc_length;
+    return in;
+}
+
+double vbss_scene_outside_holes(const scene_object *s, uint32_t thread, double arc_length)
+{
+    bool moved = true;
+    for (uint32_t times = 0; moved && times < s->config.hole_capacity; times++) {
+        moved = false; /* beside one hole may be another that was looked at before */
+        for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+            const suture_hole *hole = &s->holes[i];
+            bool own = hole->id != 0 && hole->thread == thread;
+            moved = (own && move_out(hole, &arc_length)) || moved;
+        }
+    }
+    return arc_length;
+}
+
 static suture_hole *free_hole(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {

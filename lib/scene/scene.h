@@ -410,6 +410,8 @@ bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole,
 /* One that has been made, if there is room for it, and the event. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made);
 void vbss_scene_forget_holes_of(scene_object *s, uint32_t number);
+/* Where a thread is cut that is to be cut there: not in a hole, in which only one of the two ends could be. */
+double vbss_scene_outside_holes(const scene_object *s, uint32_t thread, double arc_length);
 /* Of a thread that was cut there. */
 void vbss_scene_divide_holes(scene_object *s, uint32_t thread, uint32_t piece, double arc_length);
 /* What is left of a thread is no curve any more: after cuts, and changes of meshes. */

@@ -55,6 +55,35 @@ static void what_a_hole_does_beyond_its_law_counts(void **state)
     stitch_case_end(&c);
 }
 
+/* The wall about it is moved by that way of the force on it; the law has nothing against that. */
+static bool believes_a_hole(scene_object *s, double force, double way)
+{
+    drain_object *d;
+    const uint32_t i = row_in_hole(s);
+    contact_row *row = &s->contacts->rows[i];
+    const uint32_t *node = NULL;
+    expect_ok(vbss_drain_open(c.stitch.drain, &d));
+    node = d->mesh.triangles[s->holes[row->key.a].triangle];
+    memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
+    for (int k = 0; k < 3; k++) {
+        d->trial[node[k]] = vec3_add_scaled(d->x[node[k]], -way, row->normal);
+    }
+    s->contacts->here[i].force = vec3_scale(row->normal, force);
+    return vbss_scene_believes(s, &part);
+}
+
+/* 0.8 N store 16 uJ. */
+static void what_a_hole_gives_and_stores_somebody_has_done(void **state)
+{
+    (void)state;
+    scene_object *s = begin(0);
+    assert_true(believes_a_hole(s, 0.8, 0.0));
+    assert_false(believes_a_hole(s, 0.8, 10e-6 / 0.8));
+    assert_true(believes_a_hole(s, 0.8, 2e-6 / 0.8));
+    assert_false(believes_a_hole(s, 1.2, 0.0));
+    stitch_case_end(&c);
+}
+
 /* What one takes out does not make up for what another puts in. */
 static void what_others_take_out_does_not_count(void **state)
 {
@@ -184,6 +213,7 @@ int test_believe(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_a_hole_does_beyond_its_law_counts),
+        cmocka_unit_test(what_a_hole_gives_and_stores_somebody_has_done),
         cmocka_unit_test(what_others_take_out_does_not_count),
         cmocka_unit_test(what_threads_gain_somebody_has_done),
         cmocka_unit_test(what_a_drain_gains_somebody_has_done),

@@ -52,18 +52,26 @@ static double least_gap(const scene_object *s, const scene_body *b, uint32_t nod
     return least;
 }
 
-static void slide(double slope, double height)
+static const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0};
+static small s;
+
+static scene_object *begin(double margin, drain_object **d)
 {
-    const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0};
-    small s;
     drain_hands hands;
     scene_object *o = NULL;
     expect_ok(drain_hands_init(&hands));
     hands.config.contact_capacity = 20000;
     hands.config.candidate_capacity = 200000;
-    hands.config.contact_margin = FAR;
-    drain_object *d = drains_rig_object(drains_rig_begin(&s, &hands));
+    hands.config.contact_margin = margin;
+    *d = drains_rig_object(drains_rig_begin(&s, &hands));
     expect_ok(vbss_scene_open(s.scene, &o));
+    return o;
+}
+
+static void slide(double slope, double height)
+{
+    drain_object *d;
+    scene_object *o = begin(FAR, &d);
     double before = 0.0, deepest = FAR, most = 0.0;
     for (uint32_t k = 0; k < (uint32_t)(SLIDE / STEP); k++) {
         for (uint32_t i = 0; i < d->mesh.node_count; i++) {
@@ -94,9 +102,43 @@ static void a_lip_slides_over_a_wall_and_off_its_lip_without_a_leap(void **state
     }
 }
 
+/* The right wall, at one height with the left one, by so much nearer than at rest. */
+static void bring_near(drain_object *d, double over, vec3 velocity)
+{
+    const vec3 *rest = d->mesh.rest;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        bool right = rest[i].y >= 0.0 && rest[i].z >= 0.0;
+        d->x[i] = pose_apply(d->frame, place(rest[i], 0.0, 0.0, over));
+        d->v[i] = right ? quat_rotate(d->frame.orientation, velocity) : vec3_zero();
+    }
+}
+
+/* End to end, 0.1 mm from touching: a row if one of them moves, which swings its line, whichever way it does. */
+static void a_lip_that_moves_along_another_is_near_it(void **state)
+{
+    (void)state;
+    drain_object *d;
+    scene_object *o = begin(FAR, &d);
+    const uint32_t lip = d->mesh.middle[DRAIN_RIGHT];
+    double over = 0.0;
+    do {
+        over += STEP;
+        bring_near(d, over, vec3_zero());
+        assert_true(vbss_scene_find_rows(o, &part));
+    } while (least_gap(o, &o->bodies[0], lip) > 0.1e-3);
+    o->config.contact_margin = 30e-6;
+    assert_true(vbss_scene_find_rows(o, &part));
+    assert_true(least_gap(o, &o->bodies[0], lip) == FAR);
+    bring_near(d, over, vec3_make(0.0, 0.3, 0.0));
+    assert_true(vbss_scene_find_rows(o, &part));
+    expect_near(0.1e-3, least_gap(o, &o->bodies[0], lip), STEP);
+    small_end(&s);
+}
+
 int test_lips(void)
 {
     const struct CMUnitTest tests[] = {
-        harness_test(a_lip_slides_over_a_wall_and_off_its_lip_without_a_leap)};
+        harness_test(a_lip_slides_over_a_wall_and_off_its_lip_without_a_leap),
+        harness_test(a_lip_that_moves_along_another_is_near_it)};
     return cmocka_run_group_tests_name("scene.lips", tests, NULL, NULL);
 }

@@ -6,6 +6,8 @@ static stitch_case c;
 
 /* More energy than was put in, as a share of that. */
 #define SHARE 0.05
+/* An end that is so far from its hole has left it, m. */
+#define LEFT 0.2e-3
 
 static const vec3 right = {0.0, 0.0, 1.0}, up = {0.0, 1.0, 0.0};
 
@@ -87,14 +89,15 @@ static void cut_between_its_holes_it_comes_out_on_both_sides(void **state)
     draw_both_out("cut between");
 }
 
+/* Its wall is no deeper in the end that the hole does not know than where threads leave one. */
 static void cut_at_a_hole_it_is_in_one_piece_or_the_other(void **state)
 {
     (void)state;
-    static const double beside[] = {0.0, 0.1e-3, -0.1e-3};
-    for (int i = 0; i < 3; i++) {
+    static const double beside[] = {0.0, 7e-6, -7e-6, 0.1e-3, -0.1e-3};
+    for (int i = 0; i < 5; i++) {
         char name[32];
         vbss_hole hole;
-        snprintf(name, sizeof name, "cut at a hole, %+.1f mm", 1e3 * beside[i]);
+        snprintf(name, sizeof name, "cut at a hole, %+.3f mm", 1e3 * beside[i]);
         stitch_case_open(&c, 0);
         stitch_case_wait(&c, 10);
         assert_true(stitch_case_hole(&c, 1, &hole));
@@ -102,6 +105,11 @@ static void cut_at_a_hole_it_is_in_one_piece_or_the_other(void **state)
         assert_int_not_equal(piece, 0);
         assert_true(stitch_case_hole(&c, 1, &hole));
         assert_int_equal(hole.thread, beside[i] < 0.0 ? piece : c.stitch.thread_body);
+        double end = beside[i] < 0.0 ? 0.0 : stitch_case_length(&c, c.stitch.thread_body);
+        assert_true(fabs(fabs(end - hole.arc_length) - LEFT) < 1e-2 * c.options.segment);
+        uint64_t waited = small_statistics(&c.s).paused;
+        stitch_case_wait(&c, 50);
+        assert_true(small_statistics(&c.s).paused < waited + 5);
         draw_both_out(name);
     }
 }
