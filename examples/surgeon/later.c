@@ -55,7 +55,7 @@ vbss_result surgeon_begin_later(surgeon *s)
      * for that is the first one's, too. */
     plan.catches = CATCHES;
     plan.minds = SURGEON_MINDS;
-    plan.retries = kept ? 0 : RETRIES;
+    plan.retries = RETRIES;
     plan.again = !kept;
     plan.back = !kept && !third;
     plan.down = !plan.back;
