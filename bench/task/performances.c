@@ -1,4 +1,5 @@
-/* Cases task/fls/<skill>: the whole task by the scripted surgeon of examples/surgeon, once a seed (--seeds), from seed 0 on.
+/* Cases task/fls/<skill>: the whole task by the scripted surgeon of examples/surgeon, once a seed (--seeds), from seed 0 on;
+ * task/stitch/expert: a quick look at that, until the thread is drawn through both marks.
  *   completed         share of the seeds for which the session calls the task done
  *   hands_done        in which the hands have made all their stages, the cuts too
  *   certified         in which the knot was certified as 2=1=1 in the end
@@ -31,6 +32,7 @@ enum { SKILLS = sizeof skills / sizeof skills[0] };
 typedef struct performances {
     char name[64];
     const char *skill;
+    surgeon_stage until; /* ends before this one */
     unsigned seeds;
     double *cpu_us, *wall_us;
     uint32_t steps, room;
@@ -58,9 +60,9 @@ static vbss_result begin(performance *p, const surgeon_options *o)
     return VBSS_OK;
 }
 
-static bool goes_on(const performance *p)
+static bool goes_on(const performances *c, const performance *p)
 {
-    return p->surgeon.stage < SURGEON_DONE && p->surgeon.steps < MOST_STEPS;
+    return p->surgeon.stage < c->until && p->surgeon.steps < MOST_STEPS;
 }
 
 static void end(performance *p)
@@ -119,7 +121,7 @@ static vbss_result perform(performances *c, performance *p, const surgeon_option
 {
     const bench_clock clock = bench_system_clock();
     TRY(begin(p, o));
-    while (goes_on(p)) {
+    while (goes_on(c, p)) {
         bench_interval started = bench_interval_begin(&clock);
         TRY(surgeon_step(&p->surgeon, STEP_S));
         if (!keep_time(c, bench_interval_end(&clock, started))) {
@@ -140,7 +142,7 @@ static vbss_result look_again(performances *c, performance *p, const surgeon_opt
     passed *watch =
         passed_create(p->surgeon.stitch.site.stand.scene, p->surgeon.stitch.site.drain_body);
     vbss_result result = watch != NULL ? VBSS_OK : VBSS_ERROR_OUT_OF_MEMORY;
-    while (result == VBSS_OK && goes_on(p)) {
+    while (result == VBSS_OK && goes_on(c, p)) {
         result = surgeon_step(&p->surgeon, STEP_S);
         if (result == VBSS_OK && !passed_look(watch)) {
             result = VBSS_ERROR_CAPACITY;
@@ -168,7 +170,7 @@ static vbss_result look_again(performances *c, performance *p, const surgeon_opt
 static vbss_result run_seed(performances *c, uint64_t seed)
 {
     static performance p;
-    const surgeon_options o = {.seed = seed, .until = SURGEON_DONE, .skill = skill_named(c->skill)};
+    const surgeon_options o = {.seed = seed, .until = c->until, .skill = skill_named(c->skill)};
     vbss_result result = perform(c, &p, &o);
     end(&p);
 #ifdef VBSS_HAVE_ORACLE
@@ -224,11 +226,13 @@ static void run(void *user, bench_result *result)
 
 void add_performances(bench *b)
 {
-    for (int i = 0; i < (bench_is_quick(b) ? 1 : (int)SKILLS); i++) {
+    bool quick = bench_is_quick(b);
+    for (int i = 0; i < (quick ? 1 : (int)SKILLS); i++) {
         performances *c = &all[i];
         c->skill = skills[i];
+        c->until = quick ? SURGEON_TIE : SURGEON_DONE;
         c->seeds = bench_seeds(b);
-        snprintf(c->name, sizeof c->name, "task/fls/%s", c->skill);
+        snprintf(c->name, sizeof c->name, "task/%s/%s", quick ? "stitch" : "fls", c->skill);
         bench_add_trial(b, &(bench_trial){.name = c->name, .user = c, .run = run});
     }
 }
