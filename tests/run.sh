@@ -20,10 +20,6 @@ coverage) .ci/install-packages coverage ;;
     ;;
 esac
 
-# Tests that let every allocation fail in turn make and end whole scenes a thousand times. Memory stays with the process in
-# between: given back and taken anew, its pages cost more than all else (session.life: 141 s, with this 8).
-export GLIBC_TUNABLES=glibc.malloc.mmap_threshold=4294967296:glibc.malloc.trim_threshold=8589934592
-
 announce() {
     printf '\n== %s\n' "$1"
 }

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "harness/blocks.h"
 #include "harness/harness.h"
 
 /* The block handed out stands behind a front of one alignment; the list of what is alive is apart,
@@ -12,6 +13,11 @@ struct harness_block {
     unsigned char *start;
     uint64_t size, alignment;
 };
+
+static size_t rounded_up(uint64_t size)
+{
+    return (size_t)(size + FRONT - 1) / FRONT * FRONT;
+}
 
 static void *watched_allocate(void *user, uint64_t size, uint64_t alignment)
 {
@@ -24,10 +30,10 @@ static void *watched_allocate(void *user, uint64_t size, uint64_t alignment)
         memory->failures++;
         return NULL;
     }
-    size_t rounded = (size_t)(size + FRONT - 1) / FRONT * FRONT;
+    size_t rounded = rounded_up(size);
     struct harness_block *noted = malloc(sizeof *noted);
-    unsigned char *start = aligned_alloc(FRONT, FRONT + rounded);
-    if (noted == NULL || start == NULL) {
+    unsigned char *start = harness_block_take(FRONT + rounded);
+    if (noted == NULL) {
         abort(); /* the machine is out of memory, not the test */
     }
     *noted = (struct harness_block){memory->alive, start, size, alignment};
@@ -52,7 +58,7 @@ static void watched_release(void *user, void *block, uint64_t size, uint64_t ali
     *link = found->next;
     memory->blocks--;
     memset(found->start, 0x5a, FRONT + (size_t)size); /* a later read is seen by its value */
-    free(found->start);
+    harness_block_give_back(found->start, FRONT + rounded_up(size));
     free(found);
 }
 

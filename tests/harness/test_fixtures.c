@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "harness/blocks.h"
 #include "harness/harness.h"
 #include "scenes/rod_body.h"
 
@@ -136,6 +137,46 @@ static void count_cases(harness_source *source, void *user)
     sum[1] ^= harness_draw_u64(source);
 }
 
+/* Sizes that no other test asks for. */
+enum { BLOCK = 64 * 1237, OTHER_BLOCK = 64 * 1239 };
+
+static void blocks_come_again_the_longest_kept_first(void **state)
+{
+    (void)state;
+    unsigned char *a = harness_block_take(BLOCK), *b = harness_block_take(BLOCK);
+    memset(a, 1, BLOCK);
+    memset(b, 2, BLOCK);
+    harness_block_give_back(a, BLOCK);
+    harness_block_give_back(b, BLOCK);
+    unsigned char *other = harness_block_take(BLOCK + 64);
+    assert_true(other != a && other != b);
+    assert_ptr_equal(harness_block_take(BLOCK), a);
+    assert_ptr_equal(harness_block_take(BLOCK), b);
+    unsigned char *third = harness_block_take(BLOCK);
+    assert_true(third != a && third != b);
+    unsigned char *const all[] = {other, third, b, a};
+    for (size_t i = 0; i < 4; i++) {
+        harness_block_give_back(all[i], BLOCK + (i == 0 ? 64u : 0u));
+    }
+    assert_ptr_equal(harness_block_take(BLOCK), third);
+    harness_block_give_back(third, BLOCK);
+}
+
+static void what_was_released_must_not_be_touched(void **state)
+{
+    (void)state;
+    bool watched = harness_block_is_watched();
+    unsigned char *a = harness_block_take(OTHER_BLOCK);
+    assert_false(harness_block_is_forbidden(a));
+    harness_block_give_back(a, OTHER_BLOCK);
+    assert_int_equal(harness_block_is_forbidden(a), watched);
+    assert_int_equal(harness_block_is_forbidden(a + OTHER_BLOCK - 1), watched);
+    assert_ptr_equal(harness_block_take(OTHER_BLOCK), a);
+    assert_false(harness_block_is_forbidden(a));
+    assert_int_equal(harness_block_is_forbidden(a + OTHER_BLOCK), watched);
+    harness_block_give_back(a, OTHER_BLOCK);
+}
+
 static void a_property_sees_the_same_cases_every_time(void **state)
 {
     (void)state;
@@ -202,6 +243,8 @@ int test_fixtures(void)
         harness_test(bad_numbers_are_refused_and_change_nothing),
         harness_test(wrong_releases_and_losses_are_seen),
         harness_test(the_chosen_allocation_fails),
+        harness_test(blocks_come_again_the_longest_kept_first),
+        harness_test(what_was_released_must_not_be_touched),
         harness_test(a_property_sees_the_same_cases_every_time),
         harness_test(one_case_can_be_replayed),
         harness_test(a_soak_fails_and_tells_its_figures),

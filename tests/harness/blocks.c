@@ -1,0 +1,130 @@
+/* A test that lets each allocation of a scene fail makes and ends it a thousand times. Its large blocks would come from the kernel
+ * each time, with a fault for each page: with AddressSanitizer most of such a test's time. */
+#include "harness/blocks.h"
+
+#include <stdatomic.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define IS_WATCHED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+#define IS_WATCHED
+#endif
+#ifdef IS_WATCHED
+#include <sanitizer/asan_interface.h>
+#else
+#define ASAN_POISON_MEMORY_REGION(from, size) ((void)(from), (void)(size))
+#define ASAN_UNPOISON_MEMORY_REGION(from, size) ((void)(from), (void)(size))
+#endif
+
+enum { LINE = 64, SHELVES = 1024, MOST_KEPT = 1 << 29 };
+
+/* One that is kept, noted apart: it is not to be touched itself. */
+typedef struct kept {
+    struct kept *next;
+    unsigned char *block;
+    size_t size;
+} kept;
+
+/* The longest kept is taken first, so that what still points at it is seen as late as can be. */
+static struct {
+    atomic_flag busy;
+    kept *first[SHELVES], **end[SHELVES];
+    size_t size;
+} blocks = {.busy = ATOMIC_FLAG_INIT};
+
+static void lock(void)
+{
+    while (atomic_flag_test_and_set_explicit(&blocks.busy, memory_order_acquire)) {
+    }
+}
+
+static void unlock(void)
+{
+    atomic_flag_clear_explicit(&blocks.busy, memory_order_release);
+}
+
+static size_t shelf_of(size_t size)
+{
+    return (size_t)((size / LINE * UINT64_C(0x9e3779b97f4a7c15)) >> 54);
+}
+
+static void *take_kept(size_t size)
+{
+    size_t shelf = shelf_of(size);
+    kept **link = &blocks.first[shelf];
+    while (*link != NULL && (*link)->size != size) {
+        link = &(*link)->next;
+    }
+    kept *found = *link;
+    if (found == NULL) {
+        return NULL;
+    }
+    *link = found->next;
+    if (found->next == NULL) {
+        blocks.end[shelf] = link;
+    }
+    blocks.size -= size;
+    void *block = found->block;
+    free(found);
+    return block;
+}
+
+void *harness_block_take(size_t size)
+{
+    lock();
+    void *block = take_kept(size);
+    unlock();
+    if (block == NULL) {
+        block = aligned_alloc(LINE, size);
+    }
+    if (block == NULL) {
+        abort(); /* the machine is out of memory, not the test */
+    }
+    ASAN_UNPOISON_MEMORY_REGION(block, size);
+    return block;
+}
+
+void harness_block_give_back(void *block, size_t size)
+{
+    kept *note = malloc(sizeof *note);
+    size_t shelf = shelf_of(size);
+    lock();
+    bool keeps = note != NULL && blocks.size + size <= MOST_KEPT;
+    if (keeps) {
+        *note = (kept){.block = block, .size = size};
+        kept **end = blocks.end[shelf] != NULL ? blocks.end[shelf] : &blocks.first[shelf];
+        *end = note;
+        blocks.end[shelf] = &note->next;
+        blocks.size += size;
+        ASAN_POISON_MEMORY_REGION(block, size);
+    }
+    unlock();
+    if (!keeps) {
+        free(note);
+        free(block);
+    }
+}
+
+bool harness_block_is_watched(void)
+{
+#ifdef IS_WATCHED
+    return true;
+#else
+    return false;
+#endif
+}
+
+bool harness_block_is_forbidden(const void *block)
+{
+#ifdef IS_WATCHED
+    return __asan_address_is_poisoned(block) != 0;
+#else
+    (void)block;
+    return false;
+#endif
+}
