@@ -18,6 +18,7 @@ static const double paper_segments[] = {5e-3, 2.5e-3, 1.25e-3, 0.625e-3};
 static const double paper_steps[] = {1.0 / 150.0, 1e-3, 1e-4};
 enum {
     PAPER_SEGMENTS = sizeof paper_segments / sizeof paper_segments[0],
+    QUICK_PAPER_SEGMENTS = 3, /* the finest takes as long as all others */
     PAPER_STEPS = sizeof paper_steps / sizeof paper_steps[0]
 };
 /* A size at which the polyline of 5 mm is the knot. */
@@ -59,8 +60,9 @@ static void add_error(bench_result *result)
 
 static void add_paper_cases(bench *b)
 {
+    size_t count = bench_is_quick(b) ? QUICK_PAPER_SEGMENTS : PAPER_SEGMENTS;
     for (size_t h = 0; h < PAPER_STEPS; h++) {
-        for (size_t i = 0; i < PAPER_SEGMENTS; i++) {
+        for (size_t i = 0; i < count; i++) {
             pulled_knot *k = &paper_knots[h][i];
             pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_PAPER);
             k->options.knot.finest = k->options.knot.coarsest = paper_segments[i];

@@ -25,6 +25,7 @@ static throw_case cases[] = {
     {.name = "contact/throw-double/ours/298", .twice = true},
     {.name = "contact/throw-single/ours-offline/298", .offline = true},
     {.name = "contact/throw-double/ours-offline/298", .twice = true, .offline = true},
+    /* not in a quick look: */
     {.name = "contact/mesh/throw-double/fine-0.3",
      .twice = true,
      .offline = true,
@@ -40,7 +41,7 @@ static throw_case cases[] = {
      .offline = true,
      .finest = 0.3e-3},
 };
-enum { CASES = sizeof cases / sizeof cases[0] };
+enum { CASES = sizeof cases / sizeof cases[0], QUICK_CASES = 4 };
 
 static bool make(throw_case *c)
 {
@@ -153,7 +154,8 @@ static void tear_down(void *user)
 
 void add_throw_cases(bench *b)
 {
-    for (size_t i = 0; i < CASES; i++) {
+    size_t count = bench_is_quick(b) ? QUICK_CASES : CASES;
+    for (size_t i = 0; i < count; i++) {
         throw_case *c = &cases[i];
         bench_add_stepped(b, &(bench_stepped){.name = c->name,
                                               .user = c,
