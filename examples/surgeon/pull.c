@@ -6,8 +6,9 @@
 #define RIGHT_HOLD 0.64  /* of its length from there: where the right hand does */
 #define CARRY 0.08       /* m/s */
 #define TURNING 0.02     /* m/s, of the needle along its arc */
-#define MOST_TURN 4.5    /* rad */
-#define HALF_ROUND 2.5   /* rad: a drain that went along is left from then on by lifting too */
+#define HALF_ROUND 2.5   /* rad: a drain that went along is left from then on by lifting too, */
+#define MOST_TURN 4.5 /* and from here on by lifting alone: the needle's end is in the wall still */
+#define MOST_LIFT 9.0 /* as if it turned on */
 #define LEAVING v3(-5e-3, 0.0, 9e-3) /* so, m for each rad */
 #define RISE 0.03                    /* m */
 #define DRAWING 0.05                 /* m/s, of the needle away from the drain */
@@ -93,12 +94,12 @@ static void turn(pull_run *p, double dt)
 {
     stitch *t = p->stitch;
     p->turned += TURNING * t->left.nature.speed / t->site.radius * dt;
-    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), p->turned);
+    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), fmin(p->turned, MOST_TURN));
     needle.at = v_along(needle.at, fmax(p->turned - HALF_ROUND, 0.0), LEAVING);
     hold_steer(&t->left, &p->held, &needle, CARRY);
     if (is_through(p)) {
         enter(p, PULL_LIFT);
-    } else if (p->turned > MOST_TURN) {
+    } else if (p->turned > MOST_LIFT) {
         fail(p, "the needle is not through");
     }
 }
