@@ -13,6 +13,7 @@ typedef struct throw_case {
     throw_scene scene, begin;
     uint32_t steps, most_contacts, most_nodes;
     bool twice, adapts, offline;
+    bool long_run; /* not in a quick look */
     uint64_t node_sum;
     uint8_t *saved;
     uint64_t saved_bytes;
@@ -25,23 +26,25 @@ static throw_case cases[] = {
     {.name = "contact/throw-double/ours/298", .twice = true},
     {.name = "contact/throw-single/ours-offline/298", .offline = true},
     {.name = "contact/throw-double/ours-offline/298", .twice = true, .offline = true},
-    /* not in a quick look: */
     {.name = "contact/mesh/throw-double/fine-0.3",
+     .long_run = true,
      .twice = true,
      .offline = true,
      .segment = 0.3e-3},
     {.name = "contact/mesh/throw-double/adaptive-0.5",
+     .long_run = true,
      .twice = true,
      .adapts = true,
      .offline = true,
      .finest = 0.5e-3},
     {.name = "contact/mesh/throw-double/adaptive-0.25",
+     .long_run = true,
      .twice = true,
      .adapts = true,
      .offline = true,
      .finest = 0.3e-3},
 };
-enum { CASES = sizeof cases / sizeof cases[0], QUICK_CASES = 4 };
+enum { CASES = sizeof cases / sizeof cases[0] };
 
 static bool make(throw_case *c)
 {
@@ -154,9 +157,11 @@ static void tear_down(void *user)
 
 void add_throw_cases(bench *b)
 {
-    size_t count = bench_is_quick(b) ? QUICK_CASES : CASES;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < CASES; i++) {
         throw_case *c = &cases[i];
+        if (c->long_run && bench_is_quick(b)) {
+            continue;
+        }
         bench_add_stepped(b, &(bench_stepped){.name = c->name,
                                               .user = c,
                                               .dt_us = 1e6 * THROW_SCENE_STEP,

@@ -30,11 +30,6 @@ vbss_result surgeon_create(surgeon *s, const surgeon_options *o)
     return stand_begin(&s->stitch.site.stand, o->log, note);
 }
 
-bool surgeon_made_mistake(const surgeon *s)
-{
-    return s->mistake != SURGEON_KEPT || s->tied >= 2;
-}
-
 bool surgeon_slit_is_shut(const surgeon *s)
 {
     return s->gap <= GAP_SHUT;
@@ -171,7 +166,6 @@ static vbss_result tie(surgeon *s, double dt)
     TRY(move(s, dt));
     if (s->tie.state == THROW_DONE) {
         const char *wanted = notation_after(s->stage);
-        s->tied++;
         s->stage = (surgeon_stage)(s->stage + 1);
         if (strcmp(s->tie.formed.notation, wanted) != 0) {
             fail(s, "not the throw that it shall be");

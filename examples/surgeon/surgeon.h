@@ -41,7 +41,6 @@ typedef struct surgeon {
     double tail;            /* when it was set, m */
     double gap_before, gap; /* between the lips: before the throw, now, m */
     double edges;           /* between the middles of the slit's edges, m */
-    int tied;               /* throws that the hands have drawn tight, whatever they are */
     double shut, calm;      /* so long, while both hands pull hard; or less, s */
     bool late;              /* it was not shut in time */
 } surgeon;
@@ -62,8 +61,6 @@ double surgeon_time_limit(const surgeon_options *o);
 vbss_result surgeon_create(surgeon *s, const surgeon_options *o);
 /* Hands, devices, scene, and what is seen of it. */
 vbss_result surgeon_step(surgeon *s, double dt);
-/* Whether the hands got as far as their mistake. */
-bool surgeon_made_mistake(const surgeon *s);
 /* As the program knows it. */
 bool surgeon_slit_is_shut(const surgeon *s); /* between its lips */
 const char *surgeon_stage_name(surgeon_stage stage);

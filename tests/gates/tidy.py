@@ -7,18 +7,14 @@ import re
 import gate
 
 CHUNK = 8  # files a process: small enough that all workers end at about the same time
-# The analyser walks all paths of the library and its tests. Through examples and benches it takes the short walk, which is a fifth
-# of the whole gate's time less; in tests it would complain of what asserts rule out.
-SHALLOW = [word for setting in ("-analyzer-config", "mode=shallow")
-           for word in ("--extra-arg=-Xclang", f"--extra-arg={setting}")]
 
 
-def findings_in(g, database, files, *more):
+def findings_in(g, database, files):
     # The flags in the database may be gcc's, some of which clang does not know or finds contradictory.
     code, said = g.run(g.tool("clang-tidy"), "-p", database, "--quiet",
                        "--extra-arg=-Wno-overriding-t-option",
                        "--extra-arg=-Wno-ignored-optimization-argument",
-                       f"--config-file={g.source / '.clang-tidy'}", *more, *files, code=None)
+                       f"--config-file={g.source / '.clang-tidy'}", *files, code=None)
     findings = [line for line in said.splitlines() if re.search(r"\b(error|warning): ", line)]
     if code != 0 and not findings:
         findings = [said.strip()]
@@ -26,13 +22,9 @@ def findings_in(g, database, files, *more):
 
 
 def check(g, database, files):
-    shallow = tuple(str(g.source / part) + "/" for part in ("examples", "bench"))
-    chunks = [(part[i:i + CHUNK], more)
-              for part, more in (([f for f in files if not str(f).startswith(shallow)], []),
-                                 ([f for f in files if str(f).startswith(shallow)], SHALLOW))
-              for i in range(0, len(part), CHUNK)]
+    chunks = [files[i:i + CHUNK] for i in range(0, len(files), CHUNK)]
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        told = pool.map(lambda chunk: findings_in(g, database, chunk[0], *chunk[1]), chunks)  # in their order
+        told = pool.map(lambda chunk: findings_in(g, database, chunk), chunks)  # in their order
         findings = dict.fromkeys(finding for of_chunk in told for finding in of_chunk)
     g.notes.append(f"{len(files)} files")
     return list(findings)  # what stands in a header once, though several processes have told it

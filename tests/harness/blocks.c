@@ -16,25 +16,29 @@
 #endif
 #ifdef IS_WATCHED
 #include <sanitizer/asan_interface.h>
+#define DELAY ((size_t)1 << 28)
 #else
+#define DELAY ((size_t)0)
 #define ASAN_POISON_MEMORY_REGION(from, size) ((void)(from), (void)(size))
 #define ASAN_UNPOISON_MEMORY_REGION(from, size) ((void)(from), (void)(size))
 #endif
 
-enum { LINE = 64, SHELVES = 1024, MOST_KEPT = 1 << 29 };
+enum { LINE = 64, SHELVES = 1024, MOST_KEPT = 1 << 29 }; /* more than the delay */
 
 /* One that is kept, noted apart: it is not to be touched itself. */
 typedef struct kept {
     struct kept *next;
     unsigned char *block;
     size_t size;
+    uint64_t given; /* bytes, when it was given back */
 } kept;
 
-/* The longest kept is taken first, so that what still points at it is seen as late as can be. */
+/* The longest kept is taken first, and not at once: a look at what was released is to be seen late, too. */
 static struct {
     atomic_flag busy;
     kept *first[SHELVES], **end[SHELVES];
     size_t size;
+    uint64_t given; /* bytes, ever */
 } blocks = {.busy = ATOMIC_FLAG_INIT};
 
 static void lock(void)
@@ -61,7 +65,7 @@ static void *take_kept(size_t size)
         link = &(*link)->next;
     }
     kept *found = *link;
-    if (found == NULL) {
+    if (found == NULL || blocks.given - found->given < DELAY) {
         return NULL;
     }
     *link = found->next;
@@ -94,9 +98,10 @@ void harness_block_give_back(void *block, size_t size)
     kept *note = malloc(sizeof *note);
     size_t shelf = shelf_of(size);
     lock();
+    blocks.given += size;
     bool keeps = note != NULL && blocks.size + size <= MOST_KEPT;
     if (keeps) {
-        *note = (kept){.block = block, .size = size};
+        *note = (kept){.block = block, .size = size, .given = blocks.given};
         kept **end = blocks.end[shelf] != NULL ? blocks.end[shelf] : &blocks.first[shelf];
         *end = note;
         blocks.end[shelf] = &note->next;
@@ -110,13 +115,9 @@ void harness_block_give_back(void *block, size_t size)
     }
 }
 
-bool harness_block_is_watched(void)
+size_t harness_block_delay(void)
 {
-#ifdef IS_WATCHED
-    return true;
-#else
-    return false;
-#endif
+    return DELAY;
 }
 
 bool harness_block_is_forbidden(const void *block)

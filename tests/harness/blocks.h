@@ -9,7 +9,8 @@
 void *harness_block_take(size_t size);
 /* What touches it from now on is an error to AddressSanitizer, until it is taken again. */
 void harness_block_give_back(void *block, size_t size);
-bool harness_block_is_watched(void); /* there is an AddressSanitizer */
+/* It is not taken again before so many bytes more have been given back: none, or with AddressSanitizer those of its own quarantine. */
+size_t harness_block_delay(void);
 /* Whether AddressSanitizer would complain of a look at it; false without it. */
 bool harness_block_is_forbidden(const void *block);
 
