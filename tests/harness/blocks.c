@@ -65,7 +65,7 @@ static void *take_kept(size_t size)
         link = &(*link)->next;
     }
     kept *found = *link;
-    if (found == NULL || blocks.given - found->given < DELAY) {
+    if (found == NULL || blocks.given < found->given + DELAY) {
         return NULL;
     }
     *link = found->next;
