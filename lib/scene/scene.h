@@ -600,6 +600,9 @@ void vbss_scene_spend(scene_object *s, uint32_t work);
 bool vbss_scene_is_spent(const scene_object *s);
 /* believe.c: whether what a search that was stopped has led to may be taken. */
 bool vbss_scene_believes(const scene_object *s, const scene_part *part);
+bool vbss_scene_has(const scene_object *s, body_kind kind);
+/* Whether it might be, after further linearisations. */
+bool vbss_scene_may_yet_believe(const scene_object *s, const scene_part *part);
 /* By which a block has moved in the trial state, and what it is a node of: a thread, a drain, or neither (BODY_GONE). */
 body_kind vbss_scene_find_way(const scene_object *s, uint32_t number, vec3 *way);
 /* solve.c: bodies and contacts, one system; what a linearisation costs. */

@@ -340,6 +340,9 @@ static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_
         if ((unsettled && !part->smallest) || is_astray(s, part, e.stretch, before)) {
             return VERDICT_STRETCH;
         }
+        if (!vbss_scene_may_yet_believe(s, part)) {
+            return VERDICT_STATES;
+        }
         if (turns && turned < TURNINGS) {
             e.converged = false;
             turned++;

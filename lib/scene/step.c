@@ -78,9 +78,14 @@ static double smallest_part(const scene_object *s)
     return part;
 }
 
+/* What takes too much work as the smallest part is halved further, so many times: what snaps over takes a hundred solves in a 32nd of a
+ * millisecond, and few in a 256th. Not without walls, where each part may give 1 mJ (believe.c): a knot that is cut flew apart with 38
+ * m/s, where 5 N let go of give 30. */
+#define LEAST_OF_SMALLEST 0.125
+
 bool vbss_scene_is_part(const scene_object *s, double size)
 {
-    double part = 1.0, least = smallest_part(s);
+    double part = 1.0, least = LEAST_OF_SMALLEST * smallest_part(s);
     while (part > least && part != size) {
         part *= 0.5;
     }
@@ -104,12 +109,12 @@ static bool is_limited(const scene_object *s)
            s->statistics.steps > 0;
 }
 
-/* The smallest part is finished whatever it takes, or nothing might ever move again; where states cycle, what a search has led
+/* The least part is finished whatever it takes, or nothing might ever move again; where states cycle, what a search has led
  * to by a limit of its own must do. */
-static void limit_work(scene_object *s, const scene_part *part)
+static void limit_work(scene_object *s, const scene_part *part, bool least)
 {
     uint64_t before = part->stops ? s->contacts->counters.work : 0;
-    bool limited = is_limited(s) && (part->stops || !part->smallest);
+    bool limited = is_limited(s) && (part->stops || !least);
     s->most_work = limited ? before + s->config.work_limit : 0;
 }
 
@@ -191,7 +196,8 @@ static void note_errors(scene_object *s)
 
 typedef struct progress {
     scene_part part;
-    double size, smallest; /* shares of the step; dyadic, so that parts sum to 1 exactly */
+    double begun, size, smallest,
+        least; /* shares of the step; dyadic, so that parts sum to 1 exactly */
     uint32_t attempts;
 } progress;
 
@@ -262,6 +268,16 @@ static void pause_for_now(scene_object *s, const progress *at, double size)
     pull_from_here(s, &at->part);
 }
 
+/* Whether a part that failed may be tried in the next step; and of which size. The smallest is halved further only for the work it took, and
+ * if it was there for all of it. */
+static bool waits(const scene_object *s, const progress *at, double *size)
+{
+    bool small = at->size <= at->smallest;
+    bool worked = s->contacts->stopped || vbss_scene_is_spent(s);
+    *size = small && at->size < at->begun ? at->size : 0.5 * at->size;
+    return is_over(s, at) && (!small || (worked && at->size > at->least));
+}
+
 static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
 {
     double lost = 1.0 - vbss_scene_clamp(s, verdict, &at->part);
@@ -284,14 +300,20 @@ static void go_on(scene_object *s, progress *at)
 
 static vbss_result make_parts(scene_object *s, double h)
 {
-    progress at = {.part = {.step = h}, .size = s->pace, .smallest = smallest_part(s)};
+    const double smallest = smallest_part(s);
+    const double least = vbss_scene_has(s, BODY_DRAIN) ? LEAST_OF_SMALLEST * smallest : smallest;
+    progress at = {.part = {.step = h},
+                   .begun = s->pace,
+                   .size = s->pace,
+                   .smallest = smallest,
+                   .least = least};
     scene_part *part = &at.part;
     s->pace = 1.0;
     while (part->begin < 1.0) {
         part->end = part->begin + at.size;
         part->h = h * at.size;
         part->smallest = at.size <= at.smallest;
-        limit_work(s, part);
+        limit_work(s, part, at.size <= least);
         scene_verdict verdict = attempt(s, part);
         at.attempts++;
         if (verdict == VERDICT_ACCEPTED) {
@@ -300,11 +322,12 @@ static vbss_result make_parts(scene_object *s, double h)
             s->lagging = false;
             s->taken = true;
         } else {
+            double next;
             count(s, verdict);
-            if (at.size > at.smallest && is_over(s, &at) && may_wait(verdict)) {
+            if (waits(s, &at, &next) && may_wait(verdict)) {
                 vbss_scene_unsettle(s);
                 vbss_scene_stay(s);
-                pause_for_now(s, &at, 0.5 * at.size);
+                pause_for_now(s, &at, next);
                 break;
             }
             if (try_again(s, &at, verdict)) {

@@ -167,6 +167,28 @@ static void what_a_drain_gains_somebody_has_done(void **state)
     stitch_case_end(&c);
 }
 
+/* What gives a little more than it may is gone on with, and what gives three times as much is not; where nothing was stopped, or the part is the
+ * smallest, there is nothing else. */
+static void what_is_beyond_hope_is_left_at_once(void **state)
+{
+    (void)state;
+    scene_object *s = begin(0);
+    const scene_part least = {.step = 1e-3, .end = 1.0, .h = 1e-3, .smallest = true};
+    uint32_t i = row_in_hole(s);
+    contact_row *row = &s->contacts->rows[i];
+    row->slid = vec3_scale(row->normal, 0.1e-3);
+    const vec3 law = vbss_contact_force(row, vec3_zero());
+    s->contacts->here[i].force = vec3_add_scaled(law, 0.5, row->normal); /* 50 uJ */
+    assert_false(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_may_yet_believe(s, &part));
+    s->contacts->here[i].force = vec3_add_scaled(law, 0.7, row->normal); /* 70 uJ */
+    assert_false(vbss_scene_may_yet_believe(s, &part));
+    assert_true(vbss_scene_may_yet_believe(s, &least));
+    s->contacts->stopped = false;
+    assert_true(vbss_scene_may_yet_believe(s, &part));
+    stitch_case_end(&c);
+}
+
 /* ---- what is shown of it */
 
 /* Of a contact in the view, N; -1: it is not there. */
@@ -217,6 +239,7 @@ int test_believe(void)
         cmocka_unit_test(what_others_take_out_does_not_count),
         cmocka_unit_test(what_threads_gain_somebody_has_done),
         cmocka_unit_test(what_a_drain_gains_somebody_has_done),
+        cmocka_unit_test(what_is_beyond_hope_is_left_at_once),
         cmocka_unit_test(forces_shown_of_it_are_those_that_were_felt),
     };
     return cmocka_run_group_tests_name("scene.believe", tests, NULL, NULL);
