@@ -54,10 +54,10 @@ vbss_result surgeon_begin_later(surgeon *s)
     /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
      * for that is the first one's, too. */
     plan.catches = CATCHES;
-    plan.minds = SURGEON_MINDS;
+    plan.minds = plan.backs_off = SURGEON_MINDS;
     plan.retries = RETRIES;
     plan.again = !kept;
-    plan.back = !kept && !third;
+    plan.back = plan.squares = !kept && !third;
     plan.down = !plan.back;
     plan.askew = kept ? ASKEW : 0.0;
     plan.off_floor = OFF_FLOOR;

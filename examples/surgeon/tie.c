@@ -27,6 +27,8 @@
 #define SPRUNG_THIRD 0.4e-3
 #define AGAIN_SECOND 4
 #define AGAIN_THIRD 2
+/* Wider before the third is pulled, it is pulled as the second was: the flat way it locks, and what is open stays so. */
+#define OPEN_THIRD 0.3e-3
 /* Not tight in time it is eased all the same if both ends bear so much, N: harder pulled, its lips slip past each other. */
 #define LATE 11.0 /* s */
 #define AT_ALL 0.3
@@ -128,11 +130,21 @@ static double since_when(bool is, double time, double dt)
     return is ? time + dt : 0.0;
 }
 
+static void choose_way(surgeon *s)
+{
+    throw_plan *p = &s->tie.plan;
+    if (s->stage == SURGEON_THIRD && s->tie.state == THROW_LOWER && p->again &&
+        s->gap > OPEN_THIRD) {
+        p->back = p->squares = true;
+        p->down = false;
+    }
+}
+
 /* Pulled on when the slit is shut, its lips might slip past each other. The third is pulled as hard as its plan has it. */
 static void watch_slit(surgeon *s, double dt)
 {
     throw_run *t = &s->tie;
-    bool first = !t->plan.again, second = !first && s->stage == SURGEON_SECOND;
+    bool first = !t->plan.again, second = !first && t->plan.back;
     double weaker = fmin(s->see.tension_w, s->see.tension_c);
     double enough = first ? ENOUGH : ENOUGH_AGAIN + MORE * t->pulls;
     bool met = t->state == THROW_SEAT && (first ? s->edges < SHUT : s->gap < SHUT_AGAIN);
@@ -167,6 +179,7 @@ vbss_result surgeon_tie(surgeon *s, double dt)
     } else if (s->stage != SURGEON_TIE && s->tie.state >= THROW_DRAW) {
         raise_needle(s);
     }
+    choose_way(s);
     watch_slit(s, dt);
     return VBSS_OK;
 }

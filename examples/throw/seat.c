@@ -15,6 +15,7 @@
 #define BACK_C 2e-3
 #define BACK_NEAR 8e-3    /* m, of C from where it goes: it is there */
 #define BACK_LATEST 10.0  /* s */
+#define SQUARING 0.8      /* N, of both ends while the hands come from there again */
 #define PART_C 10e-3      /* as it leaves */
 #define SLACK_FORCE 0.03  /* N */
 #define EASING 3.0        /* s, at most */
@@ -290,8 +291,39 @@ double throw_pulled_for(const throw_run *t)
     return t->state == THROW_SEAT ? t->since - t->closed : 0.0;
 }
 
+/* What has run down from there the flat way locks: both hands come round again, with nothing slack meanwhile. Eased before that, or pulled
+ * flat from the start, it opens. */
+void throw_square(throw_run *t, double dt)
+{
+    senses *s = t->see;
+    double rate = ROUND * s->c->nature.speed;
+    hand_turn(s->w, OUTWARD);
+    t->far_w += clamp(STIFF * (SQUARING - s->tension_w), -PULLING, PULLING) * dt;
+    t->far_c += clamp(STIFF * (SQUARING - s->tension_c), -PULLING, PULLING) * dt;
+    vec w = go_round(&t->round_w, -PI, rate, t->far_w, BACK_W, dt);
+    vec c = go_round(&t->round_c, 0.0, rate, t->far_c, BACK_C, dt);
+    hand_go(s->w, v_along(w, -GRASP_BEHIND, s->tool_w.handle), 0.08);
+    hand_go(s->c, steer_tip_of(t, c), 0.15);
+    if ((t->round_w == -PI && t->round_c == 0.0) || t->since > BACK_LATEST) {
+        t->plan.back = false;
+        t->carrot_w = s->tool_w.tip;
+        t->carrot_c = s->tool_c.tip;
+        t->clear = 0.0;
+        throw_enter(t, THROW_SEAT);
+        t->closed = dt;
+        t->since = SQUARING / RISE; /* as if it had been pulled so far already */
+    }
+}
+
 void throw_seated(throw_run *t)
 {
+    if (t->plan.back && t->plan.squares) {
+        vec w = steer_jaws_of(&t->see->tool_w), c = t->see->held_c;
+        t->far_w = hypot(w.x, w.y);
+        t->far_c = hypot(c.x, c.y);
+        throw_enter(t, THROW_SQUARE);
+        return;
+    }
     t->clear = 0.0;
     t->parting = false;
     throw_enter(t, t->plan.again ? THROW_PART : THROW_DONE);

@@ -4,6 +4,7 @@
 
 #define TOUCH 0.4e-3
 #define KNOT_SIZE 4e-3 /* that of a tight one is within */
+enum { FARTHER = 15 }; /* nodes */
 #define SMOOTH 0.1     /* share of a new tension in each step */
 
 vbss_result senses_create(senses *s, stand *st, hand *w, hand *c)
@@ -263,6 +264,13 @@ static vbss_result find_roots_by_touch(senses *s)
     return VBSS_OK;
 }
 
+/* What hangs about may cross itself far out, and the detector counts that in: what touches is nearer to the knot. */
+static bool reaches_out(const senses *s, const vbss_knot_throw *last)
+{
+    return (uint32_t)last->tail_places[0] + FARTHER < s->tail_root ||
+           (uint32_t)last->long_places[1] > s->limb_root + FARTHER;
+}
+
 vbss_result senses_find_roots(senses *s)
 {
     senses_knot k;
@@ -271,11 +279,11 @@ vbss_result senses_find_roots(senses *s)
     if (s->throws > 0) {
         vbss_knot_throw last;
         TRY(vbss_knot_detector_get_throw(s->arbiter, s->throws - 1, &last, sizeof last));
-        if ((last.flags & VBSS_KNOT_THROW_LOCATED) == 0) {
-            return find_roots_by_touch(s);
+        TRY(find_roots_by_touch(s));
+        if ((last.flags & VBSS_KNOT_THROW_LOCATED) != 0 && !reaches_out(s, &last)) {
+            s->tail_root = (uint32_t)last.tail_places[0];
+            s->limb_root = (uint32_t)last.long_places[1] + 1;
         }
-        s->tail_root = (uint32_t)last.tail_places[0];
-        s->limb_root = (uint32_t)last.long_places[1] + 1;
     }
     return VBSS_OK;
 }

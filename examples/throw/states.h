@@ -30,6 +30,7 @@ vbss_result throw_draw(throw_run *t, double dt);
 /* ---- seat.c: down on the drain, and tight */
 void throw_lower(throw_run *t, double dt);
 void throw_seat(throw_run *t, double dt);
+void throw_square(throw_run *t, double dt);
 void throw_part(throw_run *t, double dt);
 /* C follows the tail, and gives way toward W to more than that. */
 void throw_follow(throw_run *t, double least, double dt);

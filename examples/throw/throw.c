@@ -2,9 +2,9 @@
 
 #include <string.h>
 
-static const char *const names[THROW_STATES] = {"pick",   "near", "place", "orbit", "check",
-                                                "unwind", "tail", "close", "draw",  "lower",
-                                                "seat",   "part", "done",  "failed"};
+static const char *const names[THROW_STATES] = {"pick",   "near",   "place", "orbit", "check",
+                                                "unwind", "tail",   "close", "draw",  "lower",
+                                                "seat",   "square", "part",  "done",  "failed"};
 
 const char *throw_state_name(throw_state state)
 {
@@ -148,6 +148,9 @@ vbss_result throw_step(throw_run *t, double dt)
         break;
     case THROW_SEAT:
         throw_seat(t, dt);
+        break;
+    case THROW_SQUARE:
+        throw_square(t, dt);
         break;
     case THROW_PART:
         throw_part(t, dt);

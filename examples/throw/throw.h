@@ -18,6 +18,7 @@ typedef enum throw_state {
     THROW_DRAW,   /* the tail through the turns */
     THROW_LOWER,  /* both hands low, nothing tight yet */
     THROW_SEAT,   /* pull tight */
+    THROW_SQUARE, /* both come round again from where they went back to */
     THROW_PART,   /* both ease, and C goes to its own side again, if it was not there */
     THROW_DONE,
     THROW_FAILED,
@@ -58,10 +59,13 @@ typedef struct throw_plan {
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
     /* Both hands go back to where the throw below was pulled from, and pull from there. */
     bool back;
+    bool squares; /* and then, with nothing slack meanwhile, the flat way */
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
     uint32_t catches;
     double
         minds; /* N, felt by W on its way to the tail: it draws back, and comes again; 0: nothing */
+    double
+        backs_off; /* N, felt by C on its orbit: it has hooked something, and the limb is wound anew; 0: nothing */
     /* What does not go is tried again: drawn harder; both ease in the end, and may pull again. */
     bool again;
     bool firm;    /* C winds as wide as the limb is long, however slack it has become */
@@ -99,10 +103,12 @@ typedef struct throw_run {
     uint32_t elsewhere; /* so often the tail was caught nearer to the drain, since it was wound */
     const char *why;
     senses_knot predicted, formed; /* at the catch, and when the end had come through */
+    double hooked;                 /* rad that C still has to back off */
     bool back;                     /* winding back what was wound */
     bool dropped;                  /* the tail, knowingly */
     double closed;                 /* s in this state when both ends can be pulled; 0: not yet */
     double round_w, round_c;       /* rad about the knot, of both hands as they go back */
+    double far_w, far_c;           /* m from it, as they come round again */
     double asked;                  /* N, of both ends then */
     double far_round;              /* s, that W has drawn as far round as it goes */
     int pulls;                     /* so often it was pulled again */

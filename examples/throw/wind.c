@@ -1,6 +1,7 @@
 #include "throw/states.h"
 
-#define NEARLY 0.35 /* rad before the end of the orbit, where it may end as well */
+#define BACK_OFF 0.8 /* rad, of C on its orbit when it has hooked something */
+#define NEARLY 0.35  /* rad before the end of the orbit, where it may end as well */
 
 vbss_result throw_pick(throw_run *t, double dt)
 {
@@ -51,6 +52,26 @@ void throw_place(throw_run *t)
     }
 }
 
+/* C's needle may catch what it goes past. What holds C is not pulled at: back as it came, and wound anew. */
+static bool is_hooked(throw_run *t, double way, double rate, double dt)
+{
+    bool feels = t->plan.backs_off > 0.0 && t->see->tension_c > t->plan.backs_off;
+    if (t->hooked == 0.0 && feels && t->retries < t->plan.retries) {
+        t->hooked = BACK_OFF;
+    }
+    if (t->hooked == 0.0) {
+        return false;
+    }
+    t->hooked -= rate * dt;
+    t->phi -= way * rate * dt;
+    steer_keep_taut(t, 0.3, dt);
+    if (t->hooked <= 0.0) {
+        t->hooked = 0.0;
+        throw_fail(t, "limb hooked");
+    }
+    return true;
+}
+
 void throw_orbit(throw_run *t, double dt)
 {
     const senses *s = t->see;
@@ -61,6 +82,9 @@ void throw_orbit(throw_run *t, double dt)
         way = -way;
     }
     double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
+    if (is_hooked(t, way, rate, dt)) {
+        return;
+    }
     bool stuck = s->tension_c > 3.0 * t->plan.tension;
     t->clear = stuck ? t->clear + dt : 0.0;
     if (stuck) {
