@@ -52,6 +52,29 @@ static void steps_without_time_to_do_all_pause(void **state)
     }
 }
 
+/* The smallest part has the limit, too, and is halved further, a step each. When it was finished whatever it took, these steps took up to 1.7
+ * million. */
+static void no_part_takes_as_much_as_it_likes(void **state)
+{
+    (void)state;
+    const uint32_t limits[] = {50000, 100000, 150000, 250000};
+    const uint64_t least_part = 200000; /* for which there is no limit */
+    for (int k = 0; k < 4; k++) {
+        limited l;
+        uint64_t most = 0;
+        (void)begin(&l, VBSS_MODE_REAL_TIME, limits[k]);
+        step(&l); /* the first is finished */
+        for (int i = 1; i < 5 * STEPS; i++) {
+            vbss_scene_statistics now = step(&l);
+            uint64_t work = now.operations - l.before.operations;
+            most = work > most ? work : most;
+        }
+        assert_true(small_statistics(&l.s).paused > 100);
+        assert_in_range(most, 1, 250000 + least_part);
+        small_end(&l.s);
+    }
+}
+
 /* With as much as there is by default hands that work at leisure never wait. */
 static void with_the_default_nothing_waits(void **state)
 {
@@ -149,6 +172,7 @@ int test_drains_work(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(steps_without_time_to_do_all_pause),
+        cmocka_unit_test(no_part_takes_as_much_as_it_likes),
         cmocka_unit_test(with_the_default_nothing_waits),
         cmocka_unit_test(a_drain_that_waits_rests_where_it_is),
         cmocka_unit_test(what_is_held_follows_evenly_after_a_pause),
