@@ -52,12 +52,12 @@ vbss_result surgeon_begin_later(surgeon *s)
     plan.low = LOW;
     plan.far = FAR;
     /* The second shuts the slit again when it is pulled from where the first was; the third then when it is pulled its own way,
-     * for that is the first one's, too. */
+     * for that is the first one's, too, if it is not open (tie.c). */
     plan.catches = CATCHES;
     plan.minds = plan.backs_off = SURGEON_MINDS;
     plan.retries = RETRIES;
     plan.again = !kept;
-    plan.back = plan.squares = !kept && !third;
+    plan.back = !kept && !third;
     plan.down = !plan.back;
     plan.askew = kept ? ASKEW : 0.0;
     plan.off_floor = OFF_FLOOR;

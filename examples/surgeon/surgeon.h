@@ -42,7 +42,6 @@ typedef struct surgeon {
     double gap_before, gap; /* between the lips: before the throw, now, m */
     double edges;           /* between the middles of the slit's edges, m */
     double shut, calm;      /* so long, while both hands pull hard; or less, s */
-    bool late;              /* it was not shut in time */
 } surgeon;
 
 typedef struct surgeon_options {

@@ -15,18 +15,15 @@
 #define LOW 0.02   /* m below the drain's top, to where both hands pull */
 #define ENOUGH 1.0 /* N, of both hands, if the slit is shut */
 #define SHUT 0.45e-3 /* m, between the edges' middles: closer than lips that meet */
-/* Of the second throw: open no wider than that between the lips, both hands pull so much; or less, if the drain goes with one of them. */
+/* Pulled from where the first was: open no wider than that between the lips, both hands pull so much; or less, if the drain goes with one of
+ * them. */
 #define SHUT_AGAIN 0.3e-3
 #define ENOUGH_AGAIN 1.6
 #define LESS_AGAIN 0.8
 #define LONGER 1.5 /* s: so long then */
-#define MORE 0.3   /* N, of both, each time it is pulled again; */
-#define MORE_LESS 0.2
 /* Eased, it is pulled again if it has sprung open wider than that, and so often. */
-#define SPRUNG_SECOND 0.25e-3
-#define SPRUNG_THIRD 0.4e-3
-#define AGAIN_SECOND 4
-#define AGAIN_THIRD 2
+#define SPRUNG 0.4e-3
+#define AGAIN 2
 /* Wider before the third is pulled, it is pulled as the second was: the flat way it locks, and what is open stays so. */
 #define OPEN_THIRD 0.3e-3
 /* Not tight in time it is eased all the same if both ends bear so much, N: harder pulled, its lips slip past each other. */
@@ -133,33 +130,29 @@ static double since_when(bool is, double time, double dt)
 static void choose_way(surgeon *s)
 {
     throw_plan *p = &s->tie.plan;
-    if (s->stage == SURGEON_THIRD && s->tie.state == THROW_LOWER && p->again &&
-        s->gap > OPEN_THIRD) {
-        p->back = p->squares = true;
+    bool third = s->stage == SURGEON_THIRD && s->tie.state == THROW_LOWER;
+    if (third && p->again && s->gap > OPEN_THIRD) {
+        p->back = true;
         p->down = false;
     }
 }
 
-/* Pulled on when the slit is shut, its lips might slip past each other. The third is pulled as hard as its plan has it. */
+/* Pulled on when the slit is shut, its lips might slip past each other. The flat way a throw is pulled as hard as its plan has it. */
 static void watch_slit(surgeon *s, double dt)
 {
     throw_run *t = &s->tie;
-    bool first = !t->plan.again, second = !first && t->plan.back;
+    bool first = !t->plan.again, back = !first && t->plan.back;
     double weaker = fmin(s->see.tension_w, s->see.tension_c);
-    double enough = first ? ENOUGH : ENOUGH_AGAIN + MORE * t->pulls;
     bool met = t->state == THROW_SEAT && (first ? s->edges < SHUT : s->gap < SHUT_AGAIN);
-    bool calm = met && second && weaker > LESS_AGAIN + MORE_LESS * t->pulls;
-    s->shut = since_when(met && (first || second) && weaker > enough, s->shut, dt);
-    s->calm = since_when(calm, s->calm, dt);
-    bool again = t->pulls < (second ? AGAIN_SECOND : AGAIN_THIRD);
+    bool hard = weaker > (first ? ENOUGH : ENOUGH_AGAIN);
+    s->shut = since_when(met && (first || back) && hard, s->shut, dt);
+    s->calm = since_when(met && back && weaker > LESS_AGAIN, s->calm, dt);
     bool late = !first && t->closed > 0.0 && throw_pulled_for(t) > LATE &&
-                (weaker > AT_ALL || s->gap < SHUT_AGAIN);
+                (weaker > AT_ALL || s->gap < SPRUNG);
     if (s->shut > A_MOMENT || s->calm > LONGER || late) {
         throw_seated(t);
         s->shut = s->calm = 0.0;
-        s->late = late;
-    } else if (again && throw_is_eased(t) &&
-               s->gap > (second && !s->late ? SPRUNG_SECOND : SPRUNG_THIRD)) {
+    } else if (t->pulls < AGAIN && throw_is_eased(t) && s->gap > SPRUNG) {
         throw_pull_again(t);
     }
 }

@@ -16,11 +16,10 @@
 #define BACK_NEAR 8e-3    /* m, of C from where it goes: it is there */
 #define BACK_LATEST 10.0  /* s */
 #define SQUARING 0.8      /* N, of both ends while the hands come from there again */
-#define PART_C 10e-3      /* as it leaves */
 #define SLACK_FORCE 0.03  /* N */
 #define EASING 3.0        /* s, at most */
 #define EASED 0.15        /* s, slack */
-#define LEFT_ALONE 0.3    /* s: then it is done, if no hand is on the other's side */
+#define LEFT_ALONE 0.3    /* s: then it is done */
 #define AHEAD 0.3         /* N, of what is asked for over what the weaker end bears */
 #define UNLIKE_LEAST 0.05 /* of slack ends */
 #define UNLIKE_SHARE 0.3  /* in between, of the weaker one's */
@@ -317,7 +316,7 @@ void throw_square(throw_run *t, double dt)
 
 void throw_seated(throw_run *t)
 {
-    if (t->plan.back && t->plan.squares) {
+    if (t->plan.back) {
         vec w = steer_jaws_of(&t->see->tool_w), c = t->see->held_c;
         t->far_w = hypot(w.x, w.y);
         t->far_c = hypot(c.x, c.y);
@@ -344,7 +343,6 @@ void throw_pull_again(throw_run *t)
     t->since = t->closed;
 }
 
-/* Both ease, and C goes back as it came: else the shafts cross when W leaves. */
 void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;
@@ -354,18 +352,7 @@ void throw_part(throw_run *t, double dt)
     if (!t->parting) {
         hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->tension_w, dt);
         hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->tension_c, dt);
-        return;
-    }
-    if (!t->plan.back) {
-        if (t->clear > LEFT_ALONE) {
-            throw_enter(t, THROW_DONE);
-        }
-        return;
-    }
-    double of_c = SLACK_BACK * senses_length(s, t->limb_root, s->c->node);
-    vec c = go_round(&t->round_c, 0.0, ROUND * s->c->nature.speed, of_c, PART_C, dt);
-    hand_go(s->c, steer_tip_of(t, c), 0.15);
-    if ((t->round_c == 0.0 && v_distance(s->held_c, c) < BACK_NEAR) || t->since > BACK_LATEST) {
+    } else if (t->clear > LEFT_ALONE) {
         throw_enter(t, THROW_DONE);
     }
 }

@@ -19,7 +19,7 @@ typedef enum throw_state {
     THROW_LOWER,  /* both hands low, nothing tight yet */
     THROW_SEAT,   /* pull tight */
     THROW_SQUARE, /* both come round again from where they went back to */
-    THROW_PART,   /* both ease, and C goes to its own side again, if it was not there */
+    THROW_PART,   /* both ease */
     THROW_DONE,
     THROW_FAILED,
     THROW_STATES
@@ -57,9 +57,8 @@ typedef struct throw_plan {
     bool alike;       /* both ends are pulled alike in the end */
     bool still; /* W waits before that, until C has taken up the slack: the tail stays short */
     bool down;  /* the turn is closed from below, on either side of the drain, before that */
-    /* Both hands go back to where the throw below was pulled from, and pull from there. */
+    /* Both hands go back to where the throw below was pulled from, pull from there, and then, with nothing slack meanwhile, the flat way. */
     bool back;
-    bool squares; /* and then, with nothing slack meanwhile, the flat way */
     /* Further ones of the tail, farther from its end, if it is missed or would tie something else. */
     uint32_t catches;
     double
