@@ -343,6 +343,7 @@ void throw_pull_again(throw_run *t)
     t->since = t->closed;
 }
 
+/* Both ease; whoever watches may want it pulled again. */
 void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;

@@ -137,15 +137,6 @@ static double work_of_welds(const scene_object *s)
     return sum;
 }
 
-bool vbss_scene_has(const scene_object *s, body_kind kind)
-{
-    bool some = false;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        some = some || s->bodies[i].kind == kind;
-    }
-    return some;
-}
-
 /* Of a thread only: a wall that is pressed alone comes to rest whatever it was given, and trembles if its parts wait. And
  * what was found is asked about only where walls are and smaller parts cost no deadline: they fold, and what presses in a fold
  * changes its direction at once. */

@@ -40,6 +40,15 @@ scene_body *vbss_scene_body(const scene_object *s, uint32_t number)
     return NULL;
 }
 
+bool vbss_scene_has(const scene_object *s, body_kind kind)
+{
+    bool some = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        some = some || s->bodies[i].kind == kind;
+    }
+    return some;
+}
+
 scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_kind kind)
 {
     scene_body *b = vbss_scene_body(s, number);

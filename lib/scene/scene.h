@@ -314,6 +314,8 @@ static inline vbss_collision *scene_collision(scene_object *s)
 scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_kind kind);
 /* The same, untold. */
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
+/* Whether there is one of that kind. */
+bool vbss_scene_has(const scene_object *s, body_kind kind);
 /* Where the axis of a capsule is when its body is there; and at the end of the part. */
 void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2]);
 void vbss_scene_place_trial(scene_capsule *capsule, pose at);
@@ -600,7 +602,6 @@ void vbss_scene_spend(scene_object *s, uint32_t work);
 bool vbss_scene_is_spent(const scene_object *s);
 /* believe.c: whether what a search that was stopped has led to may be taken. */
 bool vbss_scene_believes(const scene_object *s, const scene_part *part);
-bool vbss_scene_has(const scene_object *s, body_kind kind);
 /* Whether it might be, after further linearisations. */
 bool vbss_scene_may_yet_believe(const scene_object *s, const scene_part *part);
 /* By which a block has moved in the trial state, and what it is a node of: a thread, a drain, or neither (BODY_GONE). */

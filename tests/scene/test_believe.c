@@ -38,19 +38,25 @@ static uint32_t row_in_hole(const scene_object *s)
     return i;
 }
 
+/* What is in the hole has slid by 0.1 mm, with so much more force along its way than the law says. */
+static void slide_in_hole(scene_object *s, double more)
+{
+    const uint32_t i = row_in_hole(s);
+    contact_row *row = &s->contacts->rows[i];
+    row->slid = vec3_scale(row->normal, 0.1e-3);
+    const vec3 law = vbss_contact_force(row, vec3_zero());
+    s->contacts->here[i].force = vec3_add_scaled(law, more, row->normal);
+}
+
 static void what_a_hole_does_beyond_its_law_counts(void **state)
 {
     (void)state;
     scene_object *s = begin(0);
-    uint32_t i = row_in_hole(s);
-    contact_row *row = &s->contacts->rows[i];
-    row->slid = vec3_scale(row->normal, 0.1e-3);
-    const vec3 law = vbss_contact_force(row, vec3_zero());
-    s->contacts->here[i].force = vec3_add_scaled(law, 0.1, row->normal); /* 10 uJ */
+    slide_in_hole(s, 0.1); /* 10 uJ */
     assert_true(vbss_scene_believes(s, &part));
-    s->contacts->here[i].force = vec3_add_scaled(law, 0.3, row->normal); /* 30 uJ */
+    slide_in_hole(s, 0.3); /* 30 uJ */
     assert_false(vbss_scene_believes(s, &part));
-    s->contacts->here[i].force = vec3_add_scaled(law, -0.3, row->normal);
+    slide_in_hole(s, -0.3);
     assert_true(vbss_scene_believes(s, &part));
     stitch_case_end(&c);
 }
@@ -174,14 +180,10 @@ static void what_is_beyond_hope_is_left_at_once(void **state)
     (void)state;
     scene_object *s = begin(0);
     const scene_part least = {.step = 1e-3, .end = 1.0, .h = 1e-3, .smallest = true};
-    uint32_t i = row_in_hole(s);
-    contact_row *row = &s->contacts->rows[i];
-    row->slid = vec3_scale(row->normal, 0.1e-3);
-    const vec3 law = vbss_contact_force(row, vec3_zero());
-    s->contacts->here[i].force = vec3_add_scaled(law, 0.5, row->normal); /* 50 uJ */
+    slide_in_hole(s, 0.5); /* 50 uJ */
     assert_false(vbss_scene_believes(s, &part));
     assert_true(vbss_scene_may_yet_believe(s, &part));
-    s->contacts->here[i].force = vec3_add_scaled(law, 0.7, row->normal); /* 70 uJ */
+    slide_in_hole(s, 0.7); /* 70 uJ */
     assert_false(vbss_scene_may_yet_believe(s, &part));
     assert_true(vbss_scene_may_yet_believe(s, &least));
     s->contacts->stopped = false;
