@@ -70,8 +70,8 @@ vbss_result vbss_knot_detector_get_notation(vbss_knot_detector *detector, char *
     vbss_knot_notation_of(&d->verdict, own);
     size_t bytes = strlen(own) + 1;
     if (bytes > capacity) {
-        return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "%zu bytes of text, and room for %llu",
-                         bytes, (unsigned long long)capacity);
+        return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "%llu bytes of text, and room for %llu",
+                         (unsigned long long)bytes, (unsigned long long)capacity);
     }
     memcpy(text, own, bytes);
     return VBSS_OK;
