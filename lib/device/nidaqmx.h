@@ -109,6 +109,7 @@ struct nidaqmx_object {
     bool written, failing,
         lost; /* written: `out` is what the lines have; failing: the last read did */
     uint8_t out[HANDLES];
+    double begun_at, spacing; /* s; spacing: from the round before, a period at least */
     daq_report seen;
 };
 

@@ -54,11 +54,11 @@ int32_t vbss_nidaqmx_put_off(nidaqmx_object *o)
     return set_solenoids(o, 0);
 }
 
-/* An order may be a period old when it is found, and the next look comes a period later; where periods are long, there is no
- * being that exact. */
+/* An order may be a round old when it is found, and the next look comes a round later; rounds take as long as the hardware
+ * does, so that is the last one's. Where it is long, what the last one had already is old. */
 static bool is_old(const nidaqmx_object *o, const handle_order *order, double age)
 {
-    return age > greater(order->expires - 2.0 * o->config.period, 0.5 * order->expires);
+    return age > greater(order->expires - 2.0 * o->spacing, 0.0);
 }
 
 /* What is wanted of the solenoids, unless the host was silent for too long. */
@@ -114,6 +114,9 @@ static void report(nidaqmx_object *o)
 
 void vbss_nidaqmx_round(nidaqmx_object *o, double now)
 {
+    o->spacing =
+        o->seen.status.cycles > 0 ? greater(now - o->begun_at, o->config.period) : o->config.period;
+    o->begun_at = now;
     o->seen.status.cycles++;
     uint32_t wanted = wanted_now(o, now);
     set_solenoids(o, o->failing || o->lost ? 0 : wanted);
@@ -130,7 +133,8 @@ void vbss_nidaqmx_run(void *user)
 {
     nidaqmx_object *o = user;
     while (!atomic_load_explicit(&o->ending, memory_order_acquire)) {
-        vbss_nidaqmx_round(o, vbss_device_time());
-        vbss_device_sleep(o->config.period);
+        const double begin = vbss_device_time();
+        vbss_nidaqmx_round(o, begin);
+        vbss_device_sleep(greater(begin + o->config.period - vbss_device_time(), 0.0));
     }
 }

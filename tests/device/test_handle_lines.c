@@ -80,6 +80,33 @@ static void a_silent_host_leaves_no_solenoid_on(void **state)
     }
 }
 
+/* The last word comes just after a round, and each waits for the hardware longer than its period. */
+static void slow_rounds_leave_no_solenoid_on_for_10_ms_either(void **state)
+{
+    (void)state;
+    for (int spacing = 2; spacing <= 5; spacing++) {
+        hardware_rig r;
+        hardware_rig_begin(&r, false);
+        hardware_rig_open(&r, 1);
+        r.commands[0].solenoid = 1;
+        const int last = 8 * spacing;
+        for (int i = 1; i <= last + 10; i++) {
+            r.now = 1e-3 * i;
+            if (i % spacing == 0) {
+                expect_ok(vbss_nidaqmx_pump(r.nidaqmx, r.now));
+            }
+            r.hd->tick(1);
+            if (i <= last) {
+                assert_true(i < last || hardware_rig_solenoid(&r, 0));
+                expect_ok(vbss_device_read(r.devices[0], r.now, &r.inputs[0], sizeof r.inputs[0]));
+                expect_ok(vbss_device_write(r.devices[0], r.now, &r.commands[0], NULL, 0));
+            }
+        }
+        assert_false(hardware_rig_solenoid(&r, 0));
+        hardware_rig_end(&r);
+    }
+}
+
 static void a_step_of_the_host_never_touches_the_lines(void **state)
 {
     (void)state;
@@ -117,6 +144,7 @@ int test_handle_lines(void)
         cmocka_unit_test(potentiometers_are_read_in_volts),
         cmocka_unit_test(solenoid_pulses_equal_the_script),
         cmocka_unit_test(a_silent_host_leaves_no_solenoid_on),
+        cmocka_unit_test(slow_rounds_leave_no_solenoid_on_for_10_ms_either),
         cmocka_unit_test(a_step_of_the_host_never_touches_the_lines),
         cmocka_unit_test(devices_are_listed),
     };
