@@ -1,28 +1,17 @@
 #include "device/hardware_rig.h"
 
-#include <dlfcn.h>
 #include <string.h>
 
-static void find(const char *library, const char *name, void *function)
-{
-    void *handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
-    void *found = handle != NULL ? dlsym(handle, name) : NULL;
-    if (found == NULL) {
-        fail_msg("no stand-in: %s", dlerror());
-    }
-    memcpy(function, &found, sizeof found);
-}
+#include "scenes/stand_in_worlds.h"
 
 void hardware_rig_begin(hardware_rig *r, bool threaded)
 {
-    const stand_in_hd_table *(*hd)(void) = NULL;
-    const stand_in_daq_table *(*daq)(void) = NULL;
     memset(r, 0, sizeof *r);
     r->context = harness_context(&r->memory);
-    find(VBSS_STAND_IN_OPENHAPTICS, "stand_in_hd", &hd);
-    find(VBSS_STAND_IN_NIDAQMX, "stand_in_daq", &daq);
-    r->hd = hd();
-    r->daq = daq();
+    r->hd = stand_in_arms_of(VBSS_STAND_IN_OPENHAPTICS);
+    r->daq = stand_in_lines_of(VBSS_STAND_IN_NIDAQMX);
+    assert_non_null(r->hd);
+    assert_non_null(r->daq);
     r->hd->reset(threaded);
     r->daq->reset();
     expect_ok(vbss_openhaptics_config_init(&r->arms, sizeof r->arms));

@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "base/context.h"
+
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define IS_WATCHED
@@ -52,6 +54,14 @@ static void unlock(void)
     atomic_flag_clear_explicit(&blocks.busy, memory_order_release);
 }
 
+/* Aligned blocks, as the library itself takes them where it runs. */
+static vbss_context_config libc(void)
+{
+    vbss_context_config config;
+    vbss_memory_from_libc(&config);
+    return config;
+}
+
 static size_t shelf_of(size_t size)
 {
     return (size_t)((size / LINE * UINT64_C(0x9e3779b97f4a7c15)) >> 54);
@@ -84,7 +94,7 @@ void *harness_block_take(size_t size)
     void *block = take_kept(size);
     unlock();
     if (block == NULL) {
-        block = aligned_alloc(LINE, size);
+        block = libc().allocate(NULL, size, LINE);
     }
     if (block == NULL) {
         abort(); /* the machine is out of memory, not the test */
@@ -111,7 +121,7 @@ void harness_block_give_back(void *block, size_t size)
     unlock();
     if (!keeps) {
         free(note);
-        free(block);
+        libc().release(NULL, block, size, LINE);
     }
 }
 

@@ -1,13 +1,10 @@
 #include "scenes/servo_wall.h"
 
-#include <dlfcn.h>
-#include <string.h>
-
 #include <vblast_ss/device.h>
 #include <vblast_ss/haptics.h>
 
 #include "base/base.h"
-#include "stand_ins/stand_ins.h"
+#include "scenes/stand_in_worlds.h"
 
 enum { ROUND = 500, ROUNDS = 10, MEASURED = 5 }; /* ticks of 1 ms */
 static const double reach = 5e-3,
@@ -143,20 +140,16 @@ static vbss_result open_and_run(vbss_context *context, const char *library, host
 
 vbss_result servo_wall_run(vbss_context *context, const char *library, servo_wall *wall)
 {
-    const stand_in_hd_table *(*world)(void) = NULL;
+    const stand_in_hd_table *world = stand_in_arms_of(library);
     const char *first;
-    void *handle = dlopen(library, RTLD_NOW | RTLD_LOCAL);
-    void *found = handle != NULL ? dlsym(handle, "stand_in_hd") : NULL;
-    if (found == NULL) {
+    if (world == NULL) {
         return VBSS_ERROR_DEVICE;
     }
-    memcpy(&world, &found, sizeof found);
-    world()->reset(0);
+    world->reset(0);
     host h = {.wall = wall};
     const double there[3] = {wall->away + reach, 0.0, 0.0};
-    world()->place(0, there, NULL);
-    vbss_result result = open_and_run(context, library, &h, world());
-    wall->illegal = world()->illegal(&first);
-    dlclose(handle);
+    world->place(0, there, NULL);
+    vbss_result result = open_and_run(context, library, &h, world);
+    wall->illegal = world->illegal(&first);
     return result;
 }

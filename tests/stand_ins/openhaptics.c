@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "device/platform.h"
 #include "stand_ins/openhaptics_world.h"
 
 static const char *const names[STAND_IN_ARMS] = {"Left", "Device2"};
@@ -423,7 +424,7 @@ STAND_IN_API double STAND_IN_CALL hdGetSchedulerTimeStamp(void);
 double STAND_IN_CALL hdGetSchedulerTimeStamp(void)
 {
     enter();
-    double since = world.threaded ? clock_of(CLOCK_MONOTONIC) - seconds(&world.began) : 1e-5;
+    double since = world.threaded ? vbss_device_time() - world.began : 1e-5;
     leave();
     return since;
 }

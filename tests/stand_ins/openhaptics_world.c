@@ -1,7 +1,9 @@
 /* Arms, hands and scheduler of the stand-in for OpenHaptics, and how tests get at them. SI units. */
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
+#include "device/platform.h"
 #include "stand_ins/openhaptics_world.h"
 
 enum { SUBSTEPS = 20 };
@@ -115,16 +117,12 @@ static void move(arm *a, double h)
 
 /* ---- the scheduler */
 
-double seconds(const struct timespec *t)
-{
-    return (double)t->tv_sec + 1e-9 * (double)t->tv_nsec;
-}
-
-double clock_of(clockid_t clock)
+/* Of the calling thread, s. */
+static double cpu_time(void)
 {
     struct timespec t;
-    clock_gettime(clock, &t);
-    return seconds(&t);
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 static void after_callback(uint32_t code, double cpu)
@@ -167,13 +165,13 @@ void tick_once(void)
     world.tick++;
     world.in_callback = true;
     world.caller = pthread_self();
-    clock_gettime(CLOCK_MONOTONIC, &world.began);
+    world.began = vbss_device_time();
     hd_callback callback = world.callback;
     void *user = world.user;
     leave();
-    double before = clock_of(CLOCK_THREAD_CPUTIME_ID);
+    double before = cpu_time();
     uint32_t code = callback(user);
-    double cpu = clock_of(CLOCK_THREAD_CPUTIME_ID) - before;
+    double cpu = cpu_time() - before;
     enter();
     world.in_callback = false;
     after_callback(code, cpu);
@@ -182,24 +180,19 @@ void tick_once(void)
 
 void *serve(void *nothing)
 {
-    struct timespec next;
-    clock_gettime(CLOCK_MONOTONIC, &next);
+    double next = vbss_device_time();
     (void)nothing;
     for (;;) {
         enter();
         bool running = world.running;
-        long period = 1000000000L / (long)world.rate;
+        double period = 1.0 / (double)world.rate;
         leave();
         if (!running) {
             return NULL;
         }
         tick_once();
-        next.tv_nsec += period;
-        if (next.tv_nsec >= 1000000000L) {
-            next.tv_nsec -= 1000000000L;
-            next.tv_sec++;
-        }
-        clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, NULL);
+        next += period;
+        vbss_device_sleep(fmax(next - vbss_device_time(), 0.0));
     }
 }
 

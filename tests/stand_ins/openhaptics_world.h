@@ -4,7 +4,6 @@
 
 #include <pthread.h>
 #include <stdbool.h>
-#include <time.h>
 
 #include "stand_ins/referee.h"
 #include "stand_ins/stand_ins.h"
@@ -57,7 +56,7 @@ typedef struct hd_world {
     unsigned long rate;
     uint64_t tick;
     pthread_t servo, caller; /* caller: of the callback that runs */
-    struct timespec began;
+    double began;            /* s */
 } hd_world;
 
 extern hd_world world;
@@ -74,7 +73,5 @@ bool in_servo(void);
 void tick_once(void);
 /* What the scheduler's thread does. */
 void *serve(void *nothing);
-double clock_of(clockid_t clock);
-double seconds(const struct timespec *t);
 
 #endif
