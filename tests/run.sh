@@ -6,6 +6,7 @@
 #   tests/run.sh slow                  the slow suite only
 #   tests/run.sh coverage              which lines and branches of lib/ the tests reach
 #   tests/run.sh soak [name] [seeds]   long runs, split into seeds; goes on where it was stopped
+#   tests/run.sh soak windows [seeds]  devices, built by MinGW and run by wine, where those are installed
 set -euo pipefail
 script=$(readlink -f "$0")
 cd "$(dirname "$script")/.."
@@ -15,7 +16,7 @@ case "$suite" in
 all | default | slow | soak) .ci/install-packages tests ;;
 coverage) .ci/install-packages coverage ;;
 *)
-    sed -n '2,8s/^# \{0,1\}//p' "$script" >&2
+    sed -n '2,9s/^# \{0,1\}//p' "$script" >&2
     exit 2
     ;;
 esac
@@ -38,6 +39,11 @@ if [ "$suite" = coverage ]; then
     gcovr --root . --filter lib/ --branches build/coverage
     gcovr --root . --filter lib/ --print-summary build/coverage | tail -3
     exit 0
+fi
+
+if [ "$suite ${2:-}" = "soak windows" ]; then
+    announce "soak windows"
+    exec python3 -B tests/device/windows.py . soak ${3:+"$3"}
 fi
 
 announce "build (gcc, optimised, warnings are errors)"

@@ -26,9 +26,16 @@ def read_list(build):
     return {name: int(seeds) for name, seeds in rows}
 
 
+def find_executable(build, name):
+    plain = build / "tests" / f"soak_{name}"
+    for_windows = plain.with_suffix(".exe")
+    return for_windows if for_windows.exists() else plain
+
+
 def run_seed(executable, digest, seed):
     start = time.monotonic()
-    done = subprocess.run([executable, "--seed", str(seed)], capture_output=True, text=True)
+    emulator = ["wine"] if executable.suffix == ".exe" else []
+    done = subprocess.run([*emulator, executable, "--seed", str(seed)], capture_output=True, text=True)
     try:
         row = json.loads(done.stdout)
     except json.JSONDecodeError:
@@ -80,7 +87,7 @@ def extremes(rows):
 
 
 def soak(build, name, seeds, kept_file):
-    executable = build / "tests" / f"soak_{name}"
+    executable = find_executable(build, name)
     digest = hashlib.sha256(executable.read_bytes()).hexdigest()[:12]
     rows = []
     if kept_file is not None:
