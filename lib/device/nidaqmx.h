@@ -10,7 +10,7 @@
 
 #include "device/platform.h"
 
-#ifdef _WIN32
+#ifdef _WIN32 /* of its own in 32 bits only */
 #define DAQ_CALL __stdcall
 #else
 #define DAQ_CALL

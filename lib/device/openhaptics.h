@@ -9,7 +9,7 @@
 
 #include "device/platform.h"
 
-#ifdef _WIN32
+#ifdef _WIN32 /* of its own in 32 bits only */
 #define HD_CALL __stdcall
 #else
 #define HD_CALL
