@@ -2,8 +2,6 @@
 
 #include "surgeon/handing.h"
 
-#define TAUT 0.03    /* N: less is slack */
-#define A_MOMENT 0.3 /* s */
 /* Of the needle's length from its tip: where it is taken. Always nearer to the tip: by the jaws that have it lies thread, which may have
  * come round them as they went round W. */
 #define LEFT_HOLD 0.4
@@ -28,8 +26,7 @@ vbss_result hand_over_begin(hand_over *o, stitch *t, senses *see)
     memset(o, 0, sizeof *o);
     o->stitch = t;
     o->see = see;
-    o->carrot_w = see->tool_w.tip;
-    o->carrot_c = see->tool_c.tip;
+    ease_begin(&o->easing, see);
     return senses_find_roots(see);
 }
 
@@ -43,18 +40,9 @@ static void enter(hand_over *o, hand_over_state state)
 
 static void ease(hand_over *o, double dt)
 {
-    senses *s = o->see;
-    o->slack_w = s->tension_w < TAUT ? o->slack_w + dt : 0.0;
-    o->slack_c = s->tension_c < TAUT ? o->slack_c + dt : 0.0;
-    if (o->slack_w < A_MOMENT) {
-        hand_give_way(s->w, &s->tool_w, &o->carrot_w, s->x[s->tail_root], s->tension_w, dt);
-    }
-    if (o->slack_c < A_MOMENT) {
-        hand_give_way(s->c, &s->tool_c, &o->carrot_c, s->x[s->limb_root], s->tension_c, dt);
-    }
-    if (fmin(o->slack_w, o->slack_c) >= A_MOMENT || o->since > 3.0) {
-        o->from = s->tool_w.tip;
-        o->from_handle = s->tool_w.handle;
+    if (ease_step(&o->easing, o->see, dt)) {
+        o->from = o->see->tool_w.tip;
+        o->from_handle = o->see->tool_w.handle;
         enter(o, HAND_OVER_RELEASE);
     }
 }

@@ -4,7 +4,7 @@
 #define VBSS_EXAMPLES_SURGEON_HAND_OVER_H
 
 #include "needle/stitch.h"
-#include "throw/senses.h"
+#include "throw/ease.h"
 
 typedef enum hand_over_state {
     HAND_OVER_EASE,    /* nothing is taut any longer */
@@ -24,11 +24,10 @@ typedef struct hand_over {
     hand_over_state state;
     double since;
     const char *why;
-    bool kept;               /* the needle stays where it is; the tail is let go all the same */
-    vec carrot_w, carrot_c;  /* where both ease to */
-    double slack_w, slack_c; /* s, for so long */
-    vec from, from_handle;   /* where W lets go, and how it withdraws */
-    pose held;               /* the needle in the frame of what its bearer was told */
+    bool kept; /* the needle stays where it is; the tail is let go all the same */
+    ease_run easing;
+    vec from, from_handle; /* where W lets go, and how it withdraws */
+    pose held;             /* the needle in the frame of what its bearer was told */
     pose offered;
     pose back; /* of the tool that leaves */
 } hand_over;

@@ -25,7 +25,7 @@
 #define SPRUNG 0.4e-3
 #define AGAIN 2
 /* Wider before the third is pulled, it is pulled as the second was: the flat way it locks, and what is open stays so. */
-#define OPEN_THIRD 0.3e-3
+#define OPEN_THIRD 0.4e-3
 /* Not tight in time it is done all the same if both ends bear so much, N, or the slit is nearly shut: harder pulled, its lips slip past each
  * other. */
 #define LATE 11.0 /* s */

@@ -5,7 +5,6 @@
 #define ROOM 1.5e-3   /* of other thread from the place, along it */
 #define REACH 8e-3    /* of the blades, beside it */
 #define BEYOND 2.5e-3 /* of their tips, with what they may miss it by */
-#define TAUT 0.03     /* N: less is slack */
 #define LEFT 4e-3     /* m of either end that is left on the knot */
 #define FARTHER 2e-3  /* at each further try */
 #define BEHIND 1.2e-3 /* of the blades' tips, where they cut */
@@ -15,6 +14,8 @@
 #define AWAY v3(-0.06, -0.06, 0.06)
 #define AWAY_C v3(0.08, -0.05, 0.05)
 #define LIMB_UP v3(0.5, 0.2, 0.8) /* as C holds it */
+#define TAUT 0.05                 /* N: the limb then */
+#define YIELD 5e-3                /* m, that C gives way by */
 
 const char *cut_state_name(cut_state state)
 {
@@ -28,8 +29,7 @@ vbss_result cut_begin(cut_run *t, senses *see)
 {
     memset(t, 0, sizeof *t);
     t->see = see;
-    t->carrot_w = see->tool_w.tip;
-    t->carrot_c = see->tool_c.tip;
+    ease_begin(&t->easing, see);
     return senses_find_roots(see);
 }
 
@@ -41,18 +41,9 @@ static void enter(cut_run *t, cut_state state)
 
 static void do_ease(cut_run *t, double dt)
 {
-    senses *s = t->see;
-    t->slack_w = s->tension_w < TAUT ? t->slack_w + dt : 0.0;
-    t->slack_c = s->tension_c < TAUT ? t->slack_c + dt : 0.0;
-    if (t->slack_w < 0.3) {
-        hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[s->tail_root], s->tension_w, dt);
-    }
-    if (t->slack_c < 0.3) {
-        hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[s->limb_root], s->tension_c, dt);
-    }
-    if ((t->slack_w >= 0.3 && t->slack_c >= 0.3) || t->since > 3.0) {
-        t->from = s->tool_w.tip;
-        t->back = s->tool_w.handle;
+    if (ease_step(&t->easing, t->see, dt)) {
+        t->from = t->see->tool_w.tip;
+        t->back = t->see->tool_w.handle;
         enter(t, CUT_RELEASE);
     }
 }
@@ -70,10 +61,15 @@ static void do_release(cut_run *t)
     }
 }
 
-/* C holds the limb up, so that nothing is beside it where it comes out of the knot. */
+/* C holds the limb up, so that nothing is beside it where it comes out of the knot: not as far as it seems to, if it is taut. */
 static void hold_up(const senses *s)
 {
-    hand_go(s->c, senses_tip_holding_up(s, LIMB_UP, 0.98), 0.06);
+    vec back = v_sub(s->x[s->limb_root], s->tool_c.tip);
+    bool taut = s->draws_c > TAUT;
+    hand_go(s->c,
+            taut ? v_along(s->tool_c.tip, YIELD, v_unit(back))
+                 : senses_tip_holding_up(s, LIMB_UP, 0.98),
+            0.06);
 }
 
 static void do_leave(cut_run *t)

@@ -4,6 +4,7 @@
 #define VBSS_EXAMPLES_THROW_CUT_H
 
 #include "throw/catch.h"
+#include "throw/ease.h"
 
 typedef enum cut_state {
     CUT_EASE,     /* hardly taut any longer */
@@ -29,8 +30,7 @@ typedef struct cut_run {
     double left_tail, left_limb; /* m from the knot, as cut */
     vec from, back;              /* where W lets go, and how it withdraws */
     double clear; /* m off the drain, where blades may cut; 0 from cut_begin: anywhere */
-    vec carrot_w, carrot_c;
-    double slack_w, slack_c; /* s, for so long */
+    ease_run easing;
 } cut_run;
 
 vbss_result cut_begin(cut_run *t, senses *see);

@@ -5,6 +5,8 @@ enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
 #define STUCK 1.5          /* s: drawn so long as far round as W goes, the turn hangs at its tip */
 #define HARDER (1.0 / 1.5) /* more of both forces per s then */
 #define LONG_DRAWN 6.0     /* s */
+#define LOOK 0.02          /* s, between looks whether the end has come through */
+#define SURELY 0.2         /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
 
 /* Open jaws do not get at what lies on the floor: told to, they press on it. */
 static uint32_t place_of_tail(const throw_run *t)
@@ -129,10 +131,13 @@ vbss_result throw_draw(throw_run *t, double dt)
         draw_in_vain(t, dt);
         return VBSS_OK;
     }
-    if (fmod(t->since, 0.02) < dt && s->turns < t->plan.wraps) {
-        TRY(is_formed(t, &formed));
+    if (fmod(t->since, LOOK) < dt) {
+        if (s->turns < t->plan.wraps) {
+            TRY(is_formed(t, &formed));
+        }
+        t->clear = formed ? t->clear + LOOK : 0.0;
     }
-    if (formed) {
+    if (formed && t->clear > (t->plan.again ? SURELY : 0.0)) {
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_LOWER);
     } else if (t->since > (t->plan.reach < REACH ? 14.0 : 8.0)) {

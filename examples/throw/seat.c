@@ -13,7 +13,9 @@
 #define BACK (PI * 178.0 / 180.0) /* where they go: W's shaft is not over the knot */
 #define BACK_W 1e-3               /* m above the drain's top, of W then */
 #define BACK_C 2e-3
-#define BACK_NEAR 8e-3    /* m, of C from where it goes: it is there */
+#define BACK_NEAR 8e-3 /* m, of C from where it goes: it is there */
+/* Pulled again so often, it is left as it was pulled: squared it has sprung open as often. */
+enum { SQUARED_NO_MORE = 2 };
 #define BACK_LATEST 10.0  /* s */
 #define SQUARING 0.8      /* N, of both ends while the hands come from there again */
 #define SLACK_FORCE 0.03  /* N */
@@ -314,13 +316,21 @@ void throw_square(throw_run *t, double dt)
     }
 }
 
+/* As far out as they were told to be, not as they are: the difference is what pulls, and without it slits spring open. */
+static void begin_square(throw_run *t)
+{
+    const senses *s = t->see;
+    vec w = v_along(t->carrot_w, GRASP_BEHIND, s->tool_w.handle);
+    vec c = v_add(s->held_c, v_sub(t->carrot_c, s->tool_c.tip));
+    t->far_w = hypot(w.x, w.y);
+    t->far_c = hypot(c.x, c.y);
+    throw_enter(t, THROW_SQUARE);
+}
+
 void throw_seated(throw_run *t)
 {
-    if (t->plan.back) {
-        vec w = steer_jaws_of(&t->see->tool_w), c = t->see->held_c;
-        t->far_w = hypot(w.x, w.y);
-        t->far_c = hypot(c.x, c.y);
-        throw_enter(t, THROW_SQUARE);
+    if (t->plan.back && t->pulls < SQUARED_NO_MORE) {
+        begin_square(t);
         return;
     }
     t->clear = 0.0;
@@ -333,26 +343,26 @@ bool throw_is_eased(const throw_run *t)
     return t->state == THROW_PART && t->clear >= EASED && !t->parting;
 }
 
+/* From where the throw below was pulled from: the flat way what has sprung open stays so. */
 void throw_pull_again(throw_run *t)
 {
     t->pulls++;
-    t->clear = t->asked = 0.0;
-    t->carrot_w = t->see->tool_w.tip;
-    t->carrot_c = t->see->tool_c.tip;
+    t->plan.back = true;
+    t->plan.down = false;
+    t->clear = t->asked = t->closed = t->round_w = 0.0;
     throw_enter(t, THROW_SEAT);
-    t->since = t->closed;
 }
 
 /* Both ease; whoever watches may want it pulled again. */
 void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;
-    bool slack = fmax(s->tension_w, s->tension_c) < SLACK_FORCE;
+    bool slack = fmax(s->draws_w, s->draws_c) < SLACK_FORCE;
     t->parting = t->clear >= EASED;
     t->clear += slack || t->since > EASING || t->parting ? dt : 0.0;
     if (!t->parting) {
-        hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->tension_w, dt);
-        hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->tension_c, dt);
+        hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->draws_w, dt);
+        hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->draws_c, dt);
     } else if (t->clear > LEFT_ALONE) {
         throw_enter(t, THROW_DONE);
     }

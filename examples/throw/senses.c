@@ -86,6 +86,20 @@ static vbss_result follow_cuts(senses *s)
     return vbss_knot_detector_reset(s->arbiter);
 }
 
+static double drawn(vec pull, vec jaws, vec root)
+{
+    return v_dot(pull, v_unit(v_sub(root, jaws)));
+}
+
+static void feel(senses *s)
+{
+    vec w = s->w->pull, c = s->c->pull;
+    s->tension_w += SMOOTH * (v_length(w) - s->tension_w);
+    s->tension_c += SMOOTH * (v_length(c) - s->tension_c);
+    s->draws_w += SMOOTH * (drawn(w, s->tool_w.tip, s->x[s->tail_root]) - s->draws_w);
+    s->draws_c += SMOOTH * (drawn(c, s->held_c, s->x[s->limb_root]) - s->draws_c);
+}
+
 vbss_result senses_look(senses *s)
 {
     vbss_view view;
@@ -103,8 +117,7 @@ vbss_result senses_look(senses *s)
         s->c->node = s->nodes - 1;
         s->held_c = s->x[s->c->node];
     }
-    s->tension_w += SMOOTH * (v_length(s->w->pull) - s->tension_w);
-    s->tension_c += SMOOTH * (v_length(s->c->pull) - s->tension_c);
+    feel(s);
     find_contacts(s);
     return VBSS_OK;
 }

@@ -17,9 +17,11 @@ typedef struct senses {
     vec held_c;          /* where C holds the limb: between its jaws, or by the needle at its end */
     const double *parts; /* of W, as the view of capsules has them */
     double tension_w, tension_c; /* N, smoothed */
-    uint32_t first, last;        /* nodes of the long limb that touch W; 0: none */
-    double first_s, last_s;      /* where along W from its tip, m */
-    double turns;                /* signed, of the long limb about W, positive the way C goes */
+    /* Of that, what draws the jaws toward where the thread comes out: one that is bent pushes. */
+    double draws_w, draws_c;
+    uint32_t first, last;   /* nodes of the long limb that touch W; 0: none */
+    double first_s, last_s; /* where along W from its tip, m */
+    double turns;           /* signed, of the long limb about W, positive the way C goes */
     /* Of the contacts of the thread with itself: their mean, in the world; above the drain that, the lowest, the
      * highest, m. */
     vec knot;
