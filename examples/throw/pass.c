@@ -6,7 +6,7 @@ enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
 #define HARDER (1.0 / 1.5) /* more of both forces per s then */
 #define LONG_DRAWN 6.0     /* s */
 #define LOOK 0.02          /* s, between looks whether the end has come through */
-#define SURELY 0.2         /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
+#define SURELY 0.2 /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
 
 /* Open jaws do not get at what lies on the floor: told to, they press on it. */
 static uint32_t place_of_tail(const throw_run *t)
