@@ -91,7 +91,7 @@ static double drawn(vec pull, vec jaws, vec root)
     return v_dot(pull, v_unit(v_sub(root, jaws)));
 }
 
-static void feel(senses *s)
+void senses_feel(senses *s)
 {
     vec w = s->w->pull, c = s->c->pull;
     s->tension_w += SMOOTH * (v_length(w) - s->tension_w);
@@ -117,7 +117,7 @@ vbss_result senses_look(senses *s)
         s->c->node = s->nodes - 1;
         s->held_c = s->x[s->c->node];
     }
-    feel(s);
+    senses_feel(s);
     find_contacts(s);
     return VBSS_OK;
 }

@@ -31,6 +31,8 @@ typedef struct senses {
 vbss_result senses_create(senses *s, stand *st, hand *w, hand *c);
 /* Every step. */
 vbss_result senses_look(senses *s);
+/* Of that: tensions, from what the hands have felt. */
+void senses_feel(senses *s);
 /* Less often. */
 vbss_result senses_wind(senses *s);
 vbss_result senses_find_knot(senses *s);
