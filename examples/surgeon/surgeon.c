@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #define MOST_OFF 2e-3 /* of a hole from its mark */
-#define TAIL_SHORT 13e-3
+#define TAIL_SHORT 15e-3
 #define TAIL_LONG 20e-3
 #define TAIL_JAMMED 22e-3 /* what has jammed may be as long */
 #define GAP_OPEN 2e-3
