@@ -1,6 +1,4 @@
 /* Real threads: a servo at 1 kHz and a thread for the lines beside the host's. What is shared is the newest of each. */
-#include <stdlib.h>
-
 #include "device/hardware_rig.h"
 #include "device/platform.h"
 
@@ -38,61 +36,6 @@ static void servo_lines_and_host_share_only_the_newest(void **state)
     assert_true(lines.cycles > 20 && lines.failed_reads == 0 && lines.failed_writes == 0);
     assert_true(fabs(r.inputs[0].jaw_raw - 0.5) < 0.01);
     r.daq->forbid_this_thread(0); /* the end may wait */
-    hardware_rig_end(&r);
-}
-
-/* ---- real time. The machine may have others to serve: of what happens often, the shortest are looked at. */
-
-static int longer(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static void sort_and_print(double *times, size_t count, const char *what)
-{
-    qsort(times, count, sizeof times[0], longer);
-    print_message("%s: least %.3f, median %.3f, most %.3f ms\n", what, 1e3 * times[0],
-                  1e3 * times[count / 2], 1e3 * times[count - 1]);
-}
-
-/* Not in the steps of 10 ms and more that a system's clock may have. */
-static void a_sleep_is_as_long_as_it_is_asked_for(void **state)
-{
-    (void)state;
-    enum { SLEEPS = 51 };
-    double slept[SLEEPS];
-    for (int i = 0; i < SLEEPS; i++) {
-        double begin = vbss_device_time();
-        vbss_device_sleep(2e-3);
-        slept[i] = vbss_device_time() - begin;
-    }
-    sort_and_print(slept, SLEEPS, "sleep of 2 ms");
-    assert_true(slept[0] >= 1.99e-3 && slept[SLEEPS / 4] < 5e-3);
-}
-
-static void a_thread_puts_solenoids_off_within_10_ms_of_the_last_word(void **state)
-{
-    (void)state;
-    enum { TIMES = 21 };
-    double took[TIMES];
-    hardware_rig r;
-    hardware_rig_begin(&r, true);
-    hardware_rig_open(&r, 1);
-    r.commands[0].solenoid = 1;
-    for (int i = 0; i < TIMES; i++) {
-        double said = 0.0;
-        while (!hardware_rig_solenoid(&r, 0)) {
-            r.now = said = vbss_device_time();
-            host_step(&r, 0);
-            vbss_device_sleep(1e-3);
-        }
-        while (hardware_rig_solenoid(&r, 0)) { /* to sleep is coarser than this is to be */
-        }
-        took[i] = vbss_device_time() - said;
-    }
-    sort_and_print(took, TIMES, "last word to solenoid off");
-    assert_true(took[0] < 10e-3);
     hardware_rig_end(&r);
 }
 
@@ -144,8 +87,6 @@ int test_hardware_threads(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(servo_lines_and_host_share_only_the_newest),
-        cmocka_unit_test(a_sleep_is_as_long_as_it_is_asked_for),
-        cmocka_unit_test(a_thread_puts_solenoids_off_within_10_ms_of_the_last_word),
         cmocka_unit_test(the_newest_value_is_whole_and_never_older),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
