@@ -107,7 +107,14 @@ typedef struct vbss_scene_config {
     uint32_t drain_capacity; /**< Most drains at a time, 0 to 16; default 1. */
     uint32_t
         hole_capacity; /**< Most holes of needles and threads in drains at a time, 0 to 256; default 16. */
-    uint32_t reserved; /**< Zero. */
+    /** REAL_TIME with a work_limit, method OURS: operations in a call of #vbss_scene_step. A step that takes more waits
+     * where it is, and the next call goes on with it, to the bits that it would have come to; with what that has left
+     * it begins the next step. So bodies are up to two steps behind after a call (vbss_scene_statistics::behind), some of
+     * them by a part of a step; what is farther behind is left out and counted in `paused`. Where graspers, driven bodies
+     * and attachments are told to go meanwhile is for the next step. A host that changes anything else while a step waits
+     * ends it, which is counted there, too, and the next 1000 do not wait. Beyond the limit a call does what follows at
+     * the end of a step, and what the guard has refused. 0: a call makes its step, all of it; default 210000. */
+    uint32_t slot_limit;
 } vbss_scene_config;
 
 /** How a rigid body moves: a VBSS_RIGID_ constant. */
@@ -287,6 +294,9 @@ typedef struct vbss_scene_statistics {
     uint64_t most_operations;  /**< Of a step. */
     uint64_t paused;           /**< REAL_TIME: steps of which a part was left for the next. */
     double time_paused;        /**< Of those parts together, s: simulated time that was lost. */
+    uint64_t deferred; /**< Calls after which a step waited, or had not begun; see slot_limit. */
+    uint32_t behind;   /**< Such steps after the last call, 0 to 2. */
+    uint32_t reserved; /**< Zero. */
 } vbss_scene_statistics;
 
 /** A hole of a needle or a thread in a drain. */

@@ -124,6 +124,26 @@ typedef struct contact_memory {
     vec3 rubbing;
 } contact_memory;
 
+/* How far a search is. */
+typedef struct contact_stage {
+    uint32_t begun; /* solves */
+    double softness;
+    uint32_t solves;  /* with this softness */
+    bool softened;    /* it has been, and will not be again */
+    double missed;    /* of the law, the larger share, when it was last half of what it had been; */
+    uint32_t stalled; /* solves since */
+} contact_stage;
+
+/* Where work stops for now, between two solves or before a linearisation, to go on with nothing changed. It is asked before
+ * each; how often it has let go on tells one place of an attempt from all others. */
+typedef struct contact_slot {
+    uint64_t end;     /* nothing begins that would take work beyond; 0: there is none */
+    bool begun;       /* something has been done in this slot: until then it lets go on */
+    uint32_t passed;  /* so often, in the attempt */
+    bool again;       /* an attempt is made once more: it stops where it has before, */
+    uint32_t stopped; /* after so many */
+} contact_slot;
+
 typedef struct contact_counters {
     uint64_t solves; /* of the separators' system */
     uint64_t loose;  /* states taken with a residual */
@@ -150,6 +170,8 @@ typedef struct contact_set {
     double residual; /* of the law after the last solve, N */
     bool stopped;    /* the last search, by its limit of work: what the law says was not found */
     bool stopped_before; /* with found_before */
+    contact_stage stage; /* of the search under way */
+    contact_slot slot;
     contact_counters counters;
     /* the last two at the last mark */
     double marked_residual;
@@ -247,15 +269,19 @@ typedef struct contact_search {
      * what the law is missed by has become less on the way. 0: no limit. */
     uint64_t most_work;
     bool goes_on; /* from the rows' forces after an earlier linearisation; with a limit only */
+    bool resumes; /* where it has waited for a slot to end: nothing of set and system has changed */
 } contact_search;
 typedef enum contact_outcome {
     CONTACT_FOUND,
     CONTACT_LOOSE,
     CONTACT_LOST,
-    CONTACT_SINGULAR
+    CONTACT_SINGULAR,
+    CONTACT_WAITS
 } contact_outcome;
 /* States of all rows and increments of all separators: primal-dual active set. */
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search);
+/* Whether what would take so much work is for the next slot. */
+bool vbss_contact_must_wait(contact_set *set, uint64_t work);
 
 /* work.c: of the forces between those `here` and `there`, what they miss the law by does work on the way from the one to the
  * other, N m; this after a share of it. begin_work takes down the rows and both ends. */

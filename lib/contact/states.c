@@ -181,16 +181,8 @@ enum { DEEP_SOLVES = 2, LOST_SOLVES = 9, SOFT_SOLVES = 5 };
 /* What is settled while soft. */
 #define SOFT_OVERLAP 0.05
 
-typedef struct stage {
-    double softness;
-    uint32_t solves;  /* with this softness */
-    bool softened;    /* it has been, and will not be again */
-    double missed;    /* of the law, the larger share, when it was last half of what it had been; */
-    uint32_t stalled; /* solves since */
-} stage;
-
 /* What comes nearer to the law with each solve is not left before it is there. */
-static void note_missed(stage *at, const contact_search *search, const look *l, bool first)
+static void note_missed(contact_stage *at, const contact_search *search, const look *l, bool first)
 {
     double missed = greater(l->force / (l->pressure + search->least_force), l->overlap);
     at->stalled++;
@@ -200,7 +192,7 @@ static void note_missed(stage *at, const contact_search *search, const look *l, 
     }
 }
 
-static void scale_stiffness(contact_set *set, stage *at, double factor)
+static void scale_stiffness(contact_set *set, contact_stage *at, double factor)
 {
     for (uint32_t i = 0; i < set->count; i++) {
         if (!set->rows[i].bilateral) {        /* nothing about those is to be found */
@@ -211,7 +203,7 @@ static void scale_stiffness(contact_set *set, stage *at, double factor)
     at->solves = 0;
 }
 
-static void soften_or_stiffen(contact_set *set, stage *at, const look *l, double little)
+static void soften_or_stiffen(contact_set *set, contact_stage *at, const look *l, double little)
 {
     at->solves++;
     if (at->softness < 1.0) {
@@ -229,7 +221,7 @@ static void soften_or_stiffen(contact_set *set, stage *at, const look *l, double
 }
 
 /* What the last solve is worth: a result, or none yet. */
-static contact_outcome judge(const contact_search *search, const stage *at, const look *l)
+static contact_outcome judge(const contact_search *search, const contact_stage *at, const look *l)
 {
     double none = search->force_share * l->pressure + search->least_force;
     double little = search->loose_share * l->pressure + search->least_force;
@@ -251,18 +243,35 @@ static bool is_spent(const contact_set *set, const contact_search *search)
     return search->most_work > 0 && set->counters.work + cost(search->system) > search->most_work;
 }
 
-static contact_outcome search_states(contact_set *set, const contact_search *search, stage *at)
+bool vbss_contact_must_wait(contact_set *set, uint64_t work)
 {
-    for (uint32_t k = 0; k < search->limit; k++) {
+    contact_slot *slot = &set->slot;
+    bool over = slot->end > 0 && slot->begun && set->counters.work + work > slot->end;
+    if (slot->again ? slot->passed == slot->stopped : over) {
+        return true;
+    }
+    slot->passed++;
+    slot->begun = true;
+    return false;
+}
+
+static contact_outcome search_states(contact_set *set, const contact_search *search,
+                                     contact_stage *at)
+{
+    while (at->begun < search->limit) {
+        if (vbss_contact_must_wait(set, cost(search->system))) {
+            return CONTACT_WAITS;
+        }
+        const bool first = at->begun++ == 0;
         if (!solve(set, search)) {
             return CONTACT_SINGULAR;
         }
         const look l = look_at_rows(set, search);
-        note_missed(at, search, &l, k == 0);
+        note_missed(at, search, &l, first);
         contact_outcome outcome = judge(search, at, &l);
         set->residual = l.force;
         if (outcome == CONTACT_LOST) {
-            follow(set, search, k == 0 && !search->goes_on, at->softened);
+            follow(set, search, first && !search->goes_on, at->softened);
             if (is_spent(set, search)) {
                 vbss_system_stop_there(search->system);
                 set->stopped = true;
@@ -292,13 +301,18 @@ static void begin_way(contact_set *set, const contact_search *search)
 
 contact_outcome vbss_contact_find_states(contact_set *set, const contact_search *search)
 {
-    stage at = {.softness = 1.0};
-    set->stopped = false;
-    if (search->most_work > 0) {
-        begin_way(set, search);
+    contact_stage *at = &set->stage;
+    if (!search->resumes) {
+        *at = (contact_stage){.softness = 1.0};
+        set->stopped = false;
+        if (search->most_work > 0) {
+            begin_way(set, search);
+        }
     }
-    contact_outcome found = search_states(set, search, &at);
-    scale_stiffness(set, &at, 1.0 / at.softness);
+    contact_outcome found = search_states(set, search, at);
+    if (found != CONTACT_WAITS) {
+        scale_stiffness(set, at, 1.0 / at->softness);
+    }
     return found;
 }
 

@@ -83,8 +83,10 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
                             .stiffness = own.stiffness};
     /* A node is taken to its place within the next step; a spring's end is there at once. */
     a->position = own.kind == VBSS_DRAIN_ATTACHMENT_PIN ? d->x[own.node] : a->target;
+    a->other_target = a->target;
+    a->other_force = a->force;
     *id = a->id;
-    d->generation++;
+    vbss_drain_changed(d);
     return VBSS_OK;
 }
 
@@ -113,7 +115,7 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     *a = (drain_attachment){0};
-    d->generation++;
+    vbss_drain_changed(d);
     return VBSS_OK;
 }
 
@@ -122,6 +124,27 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
 vec3 vbss_drain_attachment_position(const drain_attachment *a, double part)
 {
     return vec3_lerp(a->position, a->target, part);
+}
+
+void vbss_drain_note_goals(drain_object *d)
+{
+    for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
+        drain_attachment *a = &d->attachments[i];
+        a->other_target = a->target;
+        a->other_force = a->force;
+    }
+}
+
+void vbss_drain_exchange_goals(drain_object *d)
+{
+    for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
+        drain_attachment *a = &d->attachments[i];
+        const vec3 target = a->target, force = a->force;
+        a->target = a->other_target;
+        a->force = a->other_force;
+        a->other_target = target;
+        a->other_force = force;
+    }
 }
 
 void vbss_drain_attachments_arrive(drain_object *d)

@@ -5,7 +5,7 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 22 };
+enum { PARTS = 23 };
 
 static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
 {
@@ -31,6 +31,7 @@ static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
         {&d->free_mass, particles, sizeof *d->free_mass},
         {&d->mobility, particles, sizeof *d->mobility},
         {&d->anchor_forces, anchors, sizeof *d->anchor_forces},
+        {&d->seen_forces, n, sizeof *d->seen_forces},
         {&d->strains, m, sizeof *d->strains},
         {&d->curvatures, m, sizeof *d->curvatures},
         {&d->states, m, sizeof *d->states},
@@ -242,6 +243,12 @@ static vbss_result check_state(const drain_object *d, const double *positions,
     return VBSS_OK;
 }
 
+void vbss_drain_changed(drain_object *d)
+{
+    d->generation++;
+    d->changes++;
+}
+
 vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
                                  const double *velocities, uint32_t node_count)
 {
@@ -254,6 +261,6 @@ vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
         d->x[i] = positions != NULL ? vec3_load(positions + 3 * (size_t)i) : d->x[i];
         d->v[i] = velocities != NULL ? vec3_load(velocities + 3 * (size_t)i) : d->v[i];
     }
-    d->generation++;
+    vbss_drain_changed(d);
     return VBSS_OK;
 }

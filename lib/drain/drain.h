@@ -21,6 +21,8 @@ typedef struct drain_attachment {
     vec3 force;            /* FORCE */
     double stiffness;      /* SPRING */
     vec3 reaction;         /* of the last step, on the drain */
+    /* Of a step of its scene that waits, while it waits; else of the host: see vbss_drain_exchange_goals. */
+    vec3 other_target, other_force;
 } drain_attachment;
 
 /* Two nodes of a patch: a block of the system's matrix. By their places in the order, high > low. */
@@ -49,6 +51,7 @@ typedef struct drain_object {
     pose frame;
     vec3 gravity;
     uint64_t generation;
+    uint64_t changes; /* by hosts, of anything but where attachments go */
     drain_mesh mesh;
     vbss_shell shell;
     vbss_shell_group *groups;
@@ -79,6 +82,7 @@ typedef struct drain_object {
 
     /* views that are worked out when asked for */
     vec3 *anchor_forces;
+    vec3 *seen_forces; /* per node: of the shell, not those of a step that may be under way */
     double (*strains)[3], (*curvatures)[3];
     vbss_shell_state *states;
 } drain_object;
@@ -110,6 +114,10 @@ void vbss_drain_tear(drain_object *d, const vec3 *forces);
 vec3 vbss_drain_attachment_position(const drain_attachment *a, double part);
 const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node);
 void vbss_drain_attachments_arrive(drain_object *d);
+/* A step of its scene may wait while hosts say where attachments go in the next. At its begin both are the same; then they change
+ * places whenever the step goes on, and whenever it waits or ends. */
+void vbss_drain_note_goals(drain_object *d);
+void vbss_drain_exchange_goals(drain_object *d);
 
 /* ---- pattern.c: the drain's chain in a system, a block a node in the order of elimination, those marked (NULL: none) as
  * separators; and, when that has been analysed, where the shell's blocks go: whoever registers aims after the analyse that
@@ -144,6 +152,8 @@ void vbss_drain_begin_part(drain_object *d);
 double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s, uint32_t first);
 void vbss_drain_follow(drain_object *d, const vbss_system *s, uint32_t first);
 void vbss_drain_commit(drain_object *d, double h);
+/* drain.c: a host has changed more than where attachments go. */
+void vbss_drain_changed(drain_object *d);
 /* At the end of a step, whose last part had this length: attachments arrive, reactions are noted, an anchor may tear. */
 void vbss_drain_arrive(drain_object *d, double h);
 /* A whole step of this length is done, by either method: it is counted, and views are of another state. */

@@ -17,9 +17,10 @@ static const vbss_layout statistics_layout = {"vbss_drain_statistics", NULL, sta
 
 static void fill_anchor_forces(drain_object *d)
 {
-    vbss_drain_find_forces(d, d->x);
+    memset(d->seen_forces, 0, d->mesh.node_count * sizeof *d->seen_forces);
+    vbss_shell_add_forces(&d->shell, d->x, d->seen_forces);
     for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
-        d->anchor_forces[i] = vbss_drain_anchor_force(d, i, d->forces);
+        d->anchor_forces[i] = vbss_drain_anchor_force(d, i, d->seen_forces);
         if (!d->torn[i]) {
             d->anchor_forces[i] = vec3_sub(d->anchor_forces[i], d->pushes[d->mesh.fixed[i]]);
         }

@@ -11,7 +11,7 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
     replay_object *p;
     scene_object *s;
     VBSS_TRY(vbss_replay_edit(replay, &p));
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_tell(scene, &s));
     if (s->context != p->context) {
         return vbss_fail(p->context, VBSS_ERROR_INVALID_HANDLE,
                          "the scene belongs to another context");

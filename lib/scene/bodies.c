@@ -397,18 +397,43 @@ static scene_body *find_rigid(const scene_object *s, uint32_t number)
     return vbss_scene_find_body(s, number, BODY_RIGID);
 }
 
+void vbss_scene_take_told(scene_object *s)
+{
+    bool some = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == BODY_RIGID && r->is_told) {
+            r->body.end = r->told;
+            r->is_told = false;
+            some = true;
+        }
+    }
+    if (some) {
+        vbss_scene_aim_pins(s);
+    }
+}
+
+void vbss_scene_tell_rigid(scene_object *s, scene_rigid *r, pose told)
+{
+    r->told = told;
+    r->is_told = true;
+    if (!s->way.waits) {
+        vbss_scene_take_told(s); /* a step that fails shall find nothing to undo */
+    }
+}
+
 vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double position[3],
                                   const double *orientation)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_tell(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, position, "position"));
     scene_body *b = find_rigid(s, body);
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     scene_rigid *r = &b->rigid;
-    pose told = pose_mul(r->body.end, pose_inverse(r->frame));
+    pose last = r->is_told ? r->told : r->body.end, told = pose_mul(last, pose_inverse(r->frame));
     if (r->grasper != NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "body %u is a grasper: it goes where vbss_grasper_move says", body);
@@ -421,12 +446,11 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
         VBSS_TRY(vbss_read_orientation(s->context, orientation, &told.orientation));
     }
     told.position = vec3_load(position);
-    const quat before = r->body.end.orientation;
-    r->body.end = pose_mul(told, r->frame);
+    told = pose_mul(told, r->frame);
     if (orientation == NULL) { /* to the bit: rounding would turn it */
-        r->body.end.orientation = before;
+        told.orientation = last.orientation;
     }
-    vbss_scene_aim_pins(s); /* a step that fails shall find nothing to undo */
+    vbss_scene_tell_rigid(s, r, told);
     s->generation++;
     return VBSS_OK;
 }
@@ -447,7 +471,8 @@ vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_st
     vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->pull.force);
     vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->pull.torque);
     pose_store(at, own.position, own.orientation);
-    pose_store(pose_mul(r->body.end, back), own.target_position, own.target_orientation);
+    pose_store(pose_mul(r->is_told ? r->told : r->body.end, back), own.target_position,
+               own.target_orientation);
     vec3_store(own.velocity, vec3_sub(r->body.now.v, vec3_cross(r->body.now.w, to_centre)));
     vec3_store(own.angular_velocity, r->body.now.w);
     vec3_store(own.hand_force, hand);

@@ -199,7 +199,6 @@ void vbss_scene_keep_drain(scene_drain *b)
     memcpy(d->kept_v, d->v, bytes);
     memcpy(d->v_before, d->v, bytes); /* if it waits all of the step */
     b->kept = d->statistics;
-    d->statistics.last_move = 0.0;
 }
 
 void vbss_scene_return_drain(scene_drain *b)

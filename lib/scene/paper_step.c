@@ -17,6 +17,7 @@ static vbss_result keep(scene_object *s)
             b->thread.kept = t->statistics;
         } else if (b->kind == BODY_DRAIN) {
             vbss_scene_keep_drain(&b->drain);
+            b->drain.drain->statistics.last_move = 0.0;
         }
     }
     vbss_scene_keep_tools(s);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 _Static_assert(sizeof(vbss_scene_config) == 176, "published size");
-_Static_assert(sizeof(vbss_scene_statistics) == 232, "published size");
+_Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
 
 static const vbss_scene_config defaults = {
     .struct_size = sizeof(vbss_scene_config),
@@ -32,12 +32,13 @@ static const vbss_scene_config defaults = {
     .attempt_limit = 3,
     .paper_pass_limit = 4,
     .work_limit = 250000,
+    .slot_limit = 210000,
     .drain_capacity = 1,
     .hole_capacity = 16,
 };
 static const uint32_t config_sizes[] = {160, 168, 176, 0};
 static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
-static const uint32_t statistics_sizes[] = {200, 232, 0};
+static const uint32_t statistics_sizes[] = {200, 232, 248, 0};
 static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
 
 vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
@@ -78,7 +79,6 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
         {"drain_capacity", c->drain_capacity, 0.0, 16.0},
         {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
         {"hole_capacity", c->hole_capacity, 0.0, 256.0},
-        {"reserved", c->reserved, 0.0, 0.0},
         {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
         {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
     };
@@ -158,7 +158,7 @@ static void free_object(vbss_context *context, void *object)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 5, free_object,
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 6, free_object,
                                    vbss_scene_serialise};
 
 static vbss_result make_collision(scene_object *s)
@@ -238,7 +238,7 @@ vbss_result vbss_scene_destroy(vbss_scene *scene)
     if (scene == NULL) {
         return VBSS_OK;
     }
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_tell(scene, &s));
     /* Threads leave without pins, as when they are removed. */
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
@@ -256,12 +256,18 @@ vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene)
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_edit(vbss_scene *handle, scene_object **scene)
+vbss_result vbss_scene_tell(vbss_scene *handle, scene_object **scene)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(handle, &vbss_scene_kind, &slot));
     *scene = slot->object;
     return VBSS_OK;
+}
+
+vbss_result vbss_scene_edit(vbss_scene *handle, scene_object **scene)
+{
+    VBSS_TRY(vbss_scene_tell(handle, scene));
+    return vbss_scene_end_waiting(*scene);
 }
 
 vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
@@ -277,7 +283,7 @@ vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *
 vbss_result vbss_scene_step(vbss_scene *scene, double h)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_tell(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(s->context));
     VBSS_TRY(s->config.method == VBSS_METHOD_PAPER ? vbss_scene_paper_step(s, h)

@@ -108,6 +108,8 @@ typedef struct scene_pinch {
 typedef struct scene_rigid {
     vbss_rigid_kind kind;
     vbss_rigid body; /* its begin and end: the target, crossed evenly in a step */
+    pose told;       /* and the one of the next, if it */
+    bool is_told;    /* was told while a step waited */
     pose frame;      /* of centre of mass and principal axes, in the frame the host sees */
     double friction;
     uint32_t first_capsule, capsule_count;
@@ -217,7 +219,8 @@ typedef enum scene_verdict {
     VERDICT_DEPTH,    /* too much penetration */
     VERDICT_GUARD,    /* something would pass */
     VERDICT_SINGULAR, /* not even numbers */
-    VERDICT_FULL      /* no room: the step fails */
+    VERDICT_FULL,     /* no room: the step fails */
+    VERDICT_WAITS     /* none yet: it goes on in the next call */
 } scene_verdict;
 
 typedef struct scene_part {
@@ -229,6 +232,37 @@ typedef struct scene_part {
     bool smallest;     /* it is not halved any more */
     bool stops;        /* and its searches stop: states were not found */
 } scene_part;
+
+/* How far the trial state of a part is from a shape. */
+typedef struct scene_shape {
+    enum { SHAPE_LINEARISES, SHAPE_SEARCHES, SHAPE_LOOKS } phase;
+    bool waits;              /* for the search under way to go on */
+    uint32_t linearisations; /* so far */
+    uint32_t normals;        /* that are new, so often */
+    uint32_t turnings, last; /* linearisations for a needle that turns; after all work was spent */
+    bool looked, went_on, goes_on;
+    uint64_t most_work; /* of the search */
+    bool finite, converged;
+    double stretch;
+} scene_shape;
+
+/* Where a step is. What of it is too much for a call of vbss_scene_step goes on in the next (step.c). */
+typedef struct scene_way {
+    scene_part part;
+    double begun, size, smallest,
+        least; /* shares of the step; dyadic, so that parts sum to 1 exactly */
+    uint32_t attempts;
+    bool waits;         /* the step is not at its end */
+    bool attempted;     /* and an attempt is under way, */
+    bool at_hand;       /* as it was left: it is not made once more */
+    uint32_t passed;    /* and has been let go on so often (contact_slot) */
+    uint64_t before;    /* work of the step, in operations: when the attempt began; */
+    uint64_t work;      /* so far */
+    uint64_t left;      /* of the call, in operations */
+    uint32_t behind;    /* steps that have been asked for and not begun */
+    uint32_t undivided; /* so many follow that do not wait: hosts have changed what waited */
+    uint64_t changes;   /* of the bodies when it was left: what hosts change is seen by that */
+} scene_way;
 
 typedef struct scene_object scene_object;
 struct scene_object {
@@ -273,10 +307,13 @@ struct scene_object {
     double part_length;         /* of the part under way, s */
     double pace, kept_pace;     /* share of a step with which the next one begins; dyadic */
     uint64_t most_work; /* of the step, in operations: nothing is begun beyond it; 0: no limit */
-    bool turned;        /* the last attempt failed with new normals */
-    bool taken;         /* rows are those of a part that was taken, not of one thrown away */
-    bool lagging;       /* the last part was cut short: what is driven is behind */
-    bool proved;        /* what moves little passes nothing */
+    scene_way way, kept_way;
+    bool carries_events; /* those there were made between two calls */
+    scene_shape shape;   /* of the attempt under way */
+    bool turned;         /* the last attempt failed with new normals */
+    bool taken;          /* rows are those of a part that was taken, not of one thrown away */
+    bool lagging;        /* the last part was cut short: what is driven is behind */
+    bool proved;         /* what moves little passes nothing */
     bool unlisted; /* some pairs that are near are no rows, as both sides go where they are told */
     double earliest; /* share of the part after which something would pass; 1: nothing does */
 
@@ -291,7 +328,7 @@ struct scene_object {
     scene_touch *touches, *touches_before; /* ascending */
     uint32_t touch_count;
     uint32_t (*events)[4];
-    uint32_t event_count, lost_events;
+    uint32_t event_count, lost_events, kept_event_count, kept_lost_events;
     uint64_t generation;
     vbss_scene_statistics statistics, kept; /* kept: before the step */
 
@@ -303,7 +340,10 @@ struct scene_object {
 
 extern const vbss_kind vbss_scene_kind;
 vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene);
+/* To change what is in it: a step that waits is given up before. */
 vbss_result vbss_scene_edit(vbss_scene *handle, scene_object **scene);
+/* To change nothing of that. */
+vbss_result vbss_scene_tell(vbss_scene *handle, scene_object **scene);
 static inline vbss_collision *scene_collision(scene_object *s)
 {
     return (vbss_collision *)&s->collision_slot;
@@ -331,12 +371,18 @@ scene_body *vbss_scene_new_place(scene_object *s, body_kind kind);
 void vbss_scene_publish(scene_object *s, scene_body *b, body_kind kind, uint32_t shape,
                         uint32_t *number);
 
+/* bodies.c: where a rigid body, its principal frame, shall be after the next step; while a step waits that is kept until the next begins. */
+void vbss_scene_tell_rigid(scene_object *s, scene_rigid *r, pose told);
+void vbss_scene_take_told(scene_object *s);
+
 /* tools.c: what graspers were told, before a step; what became of it, after; and as it was. */
 void vbss_scene_keep_tools(scene_object *s);
 void vbss_scene_return_tools(scene_object *s);
 void vbss_scene_take_tools(scene_object *s, double h);
 void vbss_scene_aim_capsules(scene_object *s, const scene_part *part);
 void vbss_scene_settle_tools(scene_object *s, double h);
+/* To hosts: where tools and needles are, what they hold. */
+void vbss_scene_show_tools(scene_object *s);
 void vbss_scene_release_grasper(scene_body *b);
 
 /* grasps.c: the angle of a tool's jaws after the step, stopped by what they then hold; what it lets go as it
@@ -595,7 +641,18 @@ void vbss_scene_measure_gaps(scene_object *s);
 void vbss_scene_number_blocks(scene_object *s);
 vbss_result vbss_scene_build_pattern(scene_object *s);
 void vbss_scene_set_weld_arms(scene_object *s);
-/* step.c: whether a step may be made of parts of that size. */
+/* step.c: begins a step; goes through its parts, to the end or until the rest waits (scene_way::waits); what follows at the end. */
+void vbss_scene_begin_step(scene_object *s, double h);
+vbss_result vbss_scene_go_through(scene_object *s);
+void vbss_scene_finish_step(scene_object *s);
+/* The rest of a step that waits is left out: its end may follow. */
+void vbss_scene_give_up(scene_object *s);
+/* How small parts of its steps may be. */
+void vbss_scene_take_parts(scene_object *s);
+/* What an attempt costs before it is solved, as the last one did; whether steps have a limit of work. */
+uint32_t vbss_scene_attempt_cost(const scene_object *s);
+bool vbss_scene_is_limited(const scene_object *s);
+/* Whether a step may be made of parts of that size. */
 bool vbss_scene_is_part(const scene_object *s, double size);
 /* step.c: work that is done, in products of blocks; whether no more may be. */
 void vbss_scene_spend(scene_object *s, uint32_t work);
@@ -609,6 +666,8 @@ body_kind vbss_scene_find_way(const scene_object *s, uint32_t number, vec3 *way)
 /* solve.c: bodies and contacts, one system; what a linearisation costs. */
 uint32_t vbss_scene_linearisation_cost(const scene_object *s);
 scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part);
+/* Goes on where that has waited; hosts may have looked at bodies meanwhile, no more. */
+scene_verdict vbss_scene_solve_on(scene_object *s, const scene_part *part);
 /* guard.c */
 scene_verdict vbss_scene_guard(scene_object *s);
 /* commit.c: shows the part to whoever watches; the trial state becomes the state; and what says that motion is not smooth. */
@@ -626,7 +685,16 @@ void vbss_scene_stay(scene_object *s);
 /* state.c */
 void vbss_scene_serialise(vbss_stream *stream, void *object);
 
-vbss_result vbss_scene_ours_step(scene_object *s, double h);  /* step.c */
+/* kept.c: takes down how everything is, goes back there; counters alone. */
+vbss_result vbss_scene_keep(scene_object *s);
+void vbss_scene_go_back(scene_object *s);
+void vbss_scene_return_statistics(scene_object *s);
+
+/* call.c. Ends the step that waits, if one does, without what is left of it. */
+vbss_result vbss_scene_end_waiting(scene_object *s);
+/* Tells one state of the threads and drains from what hosts make of it. */
+uint64_t vbss_scene_count_changes(const scene_object *s);
+vbss_result vbss_scene_ours_step(scene_object *s, double h);
 vbss_result vbss_scene_paper_step(scene_object *s, double h); /* paper_step.c */
 /* paper_contacts.c: what is near; all of it once, tested and moved apart. At the end, before anything arrives:
  * where the surfaces of what was moved are, and its forces; the deepest overlap of what is near. */

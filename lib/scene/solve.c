@@ -106,9 +106,10 @@ static uint64_t limit_search(const scene_object *s)
     return s->most_work == 0 ? 0 : further < s->most_work ? s->most_work - further : 1;
 }
 
-/* States of the contacts and increments of everything, for what is condensed. `goes_on`: there was a linearisation before. */
-static scene_verdict find_states(scene_object *s, uint64_t most_work, bool goes_on)
+/* States of the contacts and increments of everything, for what is condensed. */
+static scene_verdict find_states(scene_object *s)
 {
+    scene_shape *at = &s->shape;
     const contact_search search = {.system = s->system,
                                    .welds = s->welds,
                                    .weld_count = s->weld_count,
@@ -119,9 +120,14 @@ static scene_verdict find_states(scene_object *s, uint64_t most_work, bool goes_
                                    .patience = PATIENCE,
                                    .loose_share = LOOSE_SHARE,
                                    .loose_overlap = LOOSE_OVERLAP,
-                                   .most_work = most_work,
-                                   .goes_on = goes_on && s->most_work > 0};
+                                   .most_work = at->most_work,
+                                   .goes_on = at->goes_on && s->most_work > 0,
+                                   .resumes = at->waits};
     contact_outcome found = vbss_contact_find_states(s->contacts, &search);
+    at->waits = found == CONTACT_WAITS;
+    if (found == CONTACT_WAITS) {
+        return VERDICT_WAITS;
+    }
     if (found == CONTACT_SINGULAR) {
         return VERDICT_SINGULAR;
     }
@@ -132,14 +138,15 @@ static scene_verdict find_states(scene_object *s, uint64_t most_work, bool goes_
     return found == CONTACT_LOST ? VERDICT_STATES : VERDICT_ACCEPTED;
 }
 
-/* `last`: no more work may be done. Then drains keep their matrix from the linearisation before, in which they have moved
- * by little: of their equations they solve the forces anew. */
-static scene_verdict find_increments(scene_object *s, const scene_part *part, bool goes_on,
-                                     bool last)
+/* Where no more work may be done drains keep their matrix from the linearisation before, in which they have moved by little: of
+ * their equations the search solves the forces anew. */
+static scene_verdict linearise(scene_object *s, const scene_part *part)
 {
-    news what = last ? NEWS_BUT_DRAINS : NEWS_ALL;
-    uint64_t most_work = limit_search(s);
-    vbss_scene_spend(s, cost(s, last ? COST_OF_LOOK : COST_OF_TRIANGLE));
+    scene_shape *at = &s->shape;
+    news what = at->last > 0 ? NEWS_BUT_DRAINS : NEWS_ALL;
+    at->most_work = limit_search(s);
+    at->goes_on = at->linearisations > 0;
+    vbss_scene_spend(s, cost(s, at->last > 0 ? COST_OF_LOOK : COST_OF_TRIANGLE));
     assemble(s, part, what);
     vbss_scene_set_weld_arms(s);
     s->statistics.linearisations++;
@@ -150,7 +157,7 @@ static scene_verdict find_increments(scene_object *s, const scene_part *part, bo
         assemble(s, part, what);
         vbss_scene_set_weld_arms(s);
     }
-    return find_states(s, most_work, goes_on);
+    return VERDICT_ACCEPTED;
 }
 
 /* ---- the trial state moves on */
@@ -178,14 +185,11 @@ static void place_welded_nodes(scene_object *s)
     }
 }
 
-typedef struct shape_error {
-    bool finite, converged;
-    double stretch;
-} shape_error;
-
-static shape_error advance(scene_object *s)
+static void advance(scene_object *s)
 {
-    shape_error e = {true, true, 0.0};
+    scene_shape *e = &s->shape;
+    e->finite = e->converged = true;
+    e->stretch = 0.0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
@@ -210,23 +214,21 @@ static shape_error advance(scene_object *s)
         /* What contact holds is not free to go where the estimate says, nor is it worth so much. */
         bool shape = near || far <= t->config.position_tolerance;
         double tolerance = near ? s->config.stretch_tolerance : t->config.stretch_tolerance;
-        e.finite = e.finite && stretch < TOO_FAR;
-        e.converged = e.converged && shape && stretch <= tolerance;
-        e.stretch = vbss_larger(stretch, e.stretch);
+        e->finite = e->finite && stretch < TOO_FAR;
+        e->converged = e->converged && shape && stretch <= tolerance;
+        e->stretch = vbss_larger(stretch, e->stretch);
     }
-    return e;
 }
 
 /* ---- how far drains go */
 
 typedef struct drain_moves {
-    bool finite, look, again,
-        too_far; /* worth a further look; another linearisation; halves of the part */
+    bool finite, look, too_far; /* worth a further look; halves of the part */
 } drain_moves;
 
 static drain_moves note_moves(scene_object *s)
 {
-    drain_moves m = {true, false, false, false};
+    drain_moves m = {true, false, false};
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
         if (s->bodies[i].kind == BODY_DRAIN) {
@@ -235,7 +237,6 @@ static drain_moves note_moves(scene_object *s)
             b->drain->statistics.linearisations++;
             m.finite = m.finite && b->moved < TOO_FAR;
             m.look = m.look || b->moved > c->position_tolerance;
-            m.again = m.again || b->moved > c->move_limit;
             m.too_far = m.too_far || b->moved > DRAIN_TOO_FAR * c->move_limit;
         }
     }
@@ -289,99 +290,157 @@ static bool is_believed(scene_object *s)
     return all;
 }
 
-/* Forces of where a linearisation has led to, solved for with its factor. What is not believed is left. */
-static scene_verdict look_again(scene_object *s, const scene_part *part, shape_error *e)
+/* Whether one of them has gone so far that one more linearisation follows. */
+static bool goes_far(const scene_object *s)
 {
-    uint64_t most_work = limit_search(s);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        const scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == BODY_DRAIN && b->moved > b->drain->config.move_limit) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Forces of where a linearisation has led to, to be solved for with its factor. */
+static void begin_look(scene_object *s, const scene_part *part)
+{
+    s->shape.most_work = limit_search(s);
+    s->shape.goes_on = s->shape.looked = true;
     vbss_scene_spend(s, cost(s, COST_OF_LOOK));
     vbss_contact_note_found(s->contacts);
     assemble(s, part, NEWS_FORCES);
     vbss_scene_set_weld_arms(s);
     vbss_system_condense_rhs(s->system);
-    if (find_states(s, most_work, true) != VERDICT_ACCEPTED || !is_believed(s)) {
+}
+
+/* What is not believed is left. */
+static scene_verdict end_look(scene_object *s, scene_verdict found)
+{
+    if (found != VERDICT_ACCEPTED || !is_believed(s)) {
         vbss_contact_return_to_found(s->contacts);
         return VERDICT_ACCEPTED;
     }
-    *e = advance(s);
+    advance(s);
     vbss_scene_refresh_rows(s);
-    return e->finite ? VERDICT_ACCEPTED : VERDICT_SINGULAR;
+    return s->shape.finite ? VERDICT_ACCEPTED : VERDICT_SINGULAR;
 }
 
 /* ---- the shape */
 
 /* Only where no more than a last search may follow, and not in the smallest part, which must be found. */
-static bool is_astray(const scene_object *s, const scene_part *part, double stretch, double before)
+static bool is_astray(const scene_object *s, const scene_part *part, double before)
 {
+    double stretch = s->shape.stretch;
     bool ends = s->most_work > 0 && s->contacts->counters.work >= limit_search(s);
     return ends && !part->smallest && stretch > ASTRAY && stretch > 0.5 * before;
 }
 
-/* Linearises until threads have their lengths; k counts on. */
-static scene_verdict find_shape(scene_object *s, const scene_part *part, uint32_t *k)
+/* The trial state goes where a search has led to; and whether a further look shall follow. */
+static scene_verdict move_on(scene_object *s, const scene_part *part, bool *looks)
 {
-    shape_error e = {true, false, (double)INFINITY};
-    bool looked = false, went_on = false;
-    uint32_t turned = 0;
-    for (uint32_t last = 0; *k < s->config.linearisation_limit && !e.converged && last < LAST;
-         last += vbss_scene_is_spent(s)) {
-        scene_verdict verdict = find_increments(s, part, *k > 0, last > 0);
+    scene_shape *at = &s->shape;
+    drain_moves moves = note_moves(s);
+    double before = at->stretch;
+    bool turns = turns_far(s);
+    advance(s);
+    if (!at->finite || !moves.finite) {
+        return VERDICT_SINGULAR;
+    }
+    vbss_scene_refresh_rows(s);
+    bool unsettled = moves.too_far || (turns && at->turnings == TURNINGS);
+    if ((unsettled && !part->smallest) || is_astray(s, part, before)) {
+        return VERDICT_STRETCH;
+    }
+    if (!vbss_scene_may_yet_believe(s, part)) {
+        return VERDICT_STATES;
+    }
+    if (turns && at->turnings < TURNINGS) {
+        at->converged = false;
+        at->turnings++;
+    }
+    *looks = at->converged && moves.look && !at->looked;
+    return VERDICT_ACCEPTED;
+}
+
+/* One linearisation with its searches; or what is left of it. */
+static scene_verdict make_linearisation(scene_object *s, const scene_part *part)
+{
+    scene_shape *at = &s->shape;
+    scene_verdict verdict;
+    if (at->phase == SHAPE_LINEARISES) {
+        if (vbss_contact_must_wait(s->contacts, vbss_scene_linearisation_cost(s))) {
+            return VERDICT_WAITS;
+        }
+        verdict = linearise(s, part);
         if (verdict != VERDICT_ACCEPTED) {
             return verdict;
         }
-        drain_moves moves = note_moves(s);
-        double before = e.stretch;
-        bool turns = turns_far(s);
-        e = advance(s);
-        if (!e.finite || !moves.finite) {
-            return VERDICT_SINGULAR;
-        }
-        vbss_scene_refresh_rows(s);
-        bool unsettled = moves.too_far || (turns && turned == TURNINGS);
-        if ((unsettled && !part->smallest) || is_astray(s, part, e.stretch, before)) {
-            return VERDICT_STRETCH;
-        }
-        if (!vbss_scene_may_yet_believe(s, part)) {
-            return VERDICT_STATES;
-        }
-        if (turns && turned < TURNINGS) {
-            e.converged = false;
-            turned++;
-        }
-        if (e.converged && moves.look && !looked) {
-            verdict = look_again(s, part, &e);
-            looked = true;
-        }
+        at->phase = SHAPE_SEARCHES;
+    }
+    if (at->phase == SHAPE_SEARCHES) {
+        bool looks = false;
+        verdict = find_states(s);
+        verdict = verdict == VERDICT_ACCEPTED ? move_on(s, part, &looks) : verdict;
         if (verdict != VERDICT_ACCEPTED) {
             return verdict;
         }
-        if (e.converged && moves.again && !went_on) { /* one more, with a further look */
-            e.converged = looked = false;
-            went_on = true;
+        if (looks) {
+            begin_look(s, part);
+            at->phase = SHAPE_LOOKS;
         }
-        ++*k;
+    }
+    if (at->phase == SHAPE_LOOKS) {
+        verdict = find_states(s);
+        verdict = verdict == VERDICT_WAITS ? verdict : end_look(s, verdict);
+        if (verdict != VERDICT_ACCEPTED) {
+            return verdict;
+        }
+    }
+    if (at->converged && goes_far(s) && !at->went_on) { /* one more, with a further look */
+        at->converged = at->looked = false;
+        at->went_on = true;
+    }
+    at->phase = SHAPE_LINEARISES;
+    at->linearisations++;
+    at->last += vbss_scene_is_spent(s);
+    return VERDICT_ACCEPTED;
+}
+
+static void begin_shape(scene_shape *at)
+{
+    at->phase = SHAPE_LINEARISES;
+    at->turnings = at->last = 0;
+    at->waits = at->looked = at->went_on = at->converged = false;
+    at->stretch = (double)INFINITY;
+}
+
+/* Linearises until threads have their lengths. */
+static scene_verdict find_shape(scene_object *s, const scene_part *part)
+{
+    scene_shape *at = &s->shape;
+    while (at->linearisations < s->config.linearisation_limit && !at->converged &&
+           at->last < LAST) {
+        scene_verdict verdict = make_linearisation(s, part);
+        if (verdict != VERDICT_ACCEPTED) {
+            return verdict;
+        }
     }
     count_forced(s);
     if (!vbss_scene_believes(s, part)) {
         return VERDICT_STATES;
     }
-    bool found = e.converged || e.stretch <= s->config.stretch_tolerance;
+    bool found = at->converged || at->stretch <= s->config.stretch_tolerance;
     return found ? VERDICT_ACCEPTED : VERDICT_STRETCH;
 }
 
-scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
+static scene_verdict find_shapes(scene_object *s, const scene_part *part)
 {
-    uint32_t k = 0;
-    s->turned = false;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD &&
-            s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
-            vbss_thread_update_rest_pull(s->bodies[i].thread.thread);
-        }
-    }
-    for (uint32_t turns = 0;; turns++) {
-        scene_verdict verdict = find_shape(s, part, &k);
+    scene_shape *at = &s->shape;
+    for (;;) {
+        scene_verdict verdict = find_shape(s, part);
         if (verdict != VERDICT_ACCEPTED) {
-            s->turned = turns > 0;
+            s->turned = verdict != VERDICT_WAITS && at->normals > 0;
             return verdict;
         }
         bool shallow = vbss_contact_depth_is_allowed(s->contacts);
@@ -389,12 +448,39 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
         if (vbss_contact_depth_is_allowed(s->contacts)) {
             return VERDICT_ACCEPTED;
         }
-        if (turns == (part->straight ? 0u : (uint32_t)TURNS) || vbss_scene_is_spent(s) ||
-            k >= s->config.linearisation_limit) {
+        if (at->normals == (part->straight ? 0u : (uint32_t)TURNS) || vbss_scene_is_spent(s) ||
+            at->linearisations >= s->config.linearisation_limit) {
             /* The next part pushes apart what has slid so far; and counts as recovering. */
             s->turned = !part->straight;
             return shallow && part->straight ? VERDICT_ACCEPTED : VERDICT_DEPTH;
         }
         vbss_scene_lay_rows_again(s);
+        at->normals++;
+        begin_shape(at);
     }
+}
+
+scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
+{
+    s->shape.linearisations = s->shape.normals = 0;
+    s->turned = false;
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD &&
+            s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
+            vbss_thread_update_rest_pull(s->bodies[i].thread.thread);
+        }
+    }
+    begin_shape(&s->shape);
+    return find_shapes(s, part);
+}
+
+scene_verdict vbss_scene_solve_on(scene_object *s, const scene_part *part)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        if (s->bodies[i].kind == BODY_THREAD) { /* views measure there, too */
+            thread_object *t = s->bodies[i].thread.thread;
+            vbss_thread_measure(t, t->trial, t->strains);
+        }
+    }
+    return find_shapes(s, part);
 }

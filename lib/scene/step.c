@@ -1,70 +1,16 @@
 /* A step of method OURS:
  *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
  * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
- * made again, in halves; after the last the step is cut short where it would harm. */
+ * made again, in halves; after the last the step is cut short where it would harm. In real time a call does no more
+ * than so much of it, and the next goes on (slot.c). */
 #include "scene/scene.h"
-
-/* ---- as it was, if the step fails */
-
-static vbss_result keep(scene_object *s)
-{
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
-            thread_object *t = b->thread.thread;
-            VBSS_TRY(vbss_thread_layout(t));
-            vbss_thread_copy_motion(t, &t->kept, &t->now);
-            b->thread.kept = t->statistics;
-            b->thread.kept_fresh = t->fresh;
-            b->thread.kept_settling = t->settling;
-            b->thread.kept_part = t->last_part;
-            t->statistics.last_iterations = 0;
-        } else if (b->kind == BODY_RIGID) {
-            b->rigid.kept = b->rigid.body.now;
-            b->rigid.kept_pull = b->rigid.pull;
-        } else if (b->kind == BODY_DRAIN) {
-            vbss_scene_keep_drain(&b->drain);
-        }
-    }
-    vbss_scene_keep_tools(s);
-    s->kept = s->statistics;
-    s->kept_pace = s->pace;
-    vbss_contact_mark(s->contacts);
-    return VBSS_OK;
-}
-
-static void go_back(scene_object *s)
-{
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
-            thread_object *t = b->thread.thread;
-            vbss_thread_copy_motion(t, &t->now, &t->kept);
-            t->statistics = b->thread.kept;
-            t->fresh = b->thread.kept_fresh;
-            t->settling = b->thread.kept_settling;
-            t->last_part = b->thread.kept_part;
-        } else if (b->kind == BODY_RIGID) {
-            b->rigid.body.now = b->rigid.kept;
-            b->rigid.pull = b->rigid.kept_pull;
-        } else if (b->kind == BODY_DRAIN) {
-            vbss_scene_return_drain(&b->drain);
-        }
-    }
-    vbss_scene_return_tools(s);
-    s->statistics = s->kept;
-    s->pace = s->kept_pace;
-    vbss_contact_return(s->contacts);
-    vbss_scene_begin_events(s);
-    s->generation++;
-}
 
 /* ---- work */
 
 /* Of an attempt, in products of blocks. Rows are found and laid as candidates are looked at. */
 enum { COST_OF_CANDIDATE = 60, COST_OF_NODE = 20 };
 
-static uint32_t cost_of_attempt(const scene_object *s)
+uint32_t vbss_scene_attempt_cost(const scene_object *s)
 {
     return COST_OF_CANDIDATE * s->collision->candidate_count + COST_OF_NODE * s->node_count;
 }
@@ -103,7 +49,7 @@ bool vbss_scene_is_spent(const scene_object *s)
 }
 
 /* The first step of a scene is not: what a host has laid out may overlap. */
-static bool is_limited(const scene_object *s)
+bool vbss_scene_is_limited(const scene_object *s)
 {
     return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&
            s->statistics.steps > 0;
@@ -114,7 +60,7 @@ static bool is_limited(const scene_object *s)
 static void limit_work(scene_object *s, const scene_part *part, bool least)
 {
     uint64_t before = part->stops ? s->contacts->counters.work : 0;
-    bool limited = is_limited(s) && (part->stops || !least);
+    bool limited = vbss_scene_is_limited(s) && (part->stops || !least);
     s->most_work = limited ? before + s->config.work_limit : 0;
 }
 
@@ -143,14 +89,14 @@ static void allow_depth(scene_object *s)
     }
 }
 
-static scene_verdict attempt(scene_object *s, const scene_part *part)
+static scene_verdict begin_attempt(scene_object *s, const scene_part *part)
 {
     s->statistics.attempts++;
     s->taken = false;
     if (!vbss_scene_find_rows(s, part)) {
         return VERDICT_FULL;
     }
-    vbss_scene_spend(s, cost_of_attempt(s));
+    vbss_scene_spend(s, vbss_scene_attempt_cost(s));
     vbss_scene_predict(s, part);
     vbss_scene_number_blocks(s);
     vbss_scene_set_rows(s, part);
@@ -159,7 +105,17 @@ static scene_verdict attempt(scene_object *s, const scene_part *part)
     if (vbss_scene_build_pattern(s) != VBSS_OK) {
         return VERDICT_FULL;
     }
-    scene_verdict verdict = vbss_scene_solve(s, part);
+    s->contacts->slot.begun = true;
+    return vbss_scene_solve(s, part);
+}
+
+static scene_verdict attempt(scene_object *s)
+{
+    scene_way *at = &s->way;
+    scene_verdict verdict =
+        at->at_hand ? vbss_scene_solve_on(s, &at->part) : begin_attempt(s, &at->part);
+    at->attempted = at->at_hand = verdict == VERDICT_WAITS;
+    at->passed = s->contacts->slot.passed;
     return verdict == VERDICT_ACCEPTED ? vbss_scene_guard(s) : verdict;
 }
 
@@ -194,23 +150,16 @@ static void note_errors(scene_object *s)
     s->statistics.last_residual = s->contacts->residual;
 }
 
-typedef struct progress {
-    scene_part part;
-    double begun, size, smallest,
-        least; /* shares of the step; dyadic, so that parts sum to 1 exactly */
-    uint32_t attempts;
-} progress;
-
 /* Whether no more may be begun in the step: there is no room for it. */
-static bool is_over(const scene_object *s, const progress *at)
+static bool is_over(const scene_object *s, const scene_way *at)
 {
-    uint64_t another = cost_of_attempt(s) + vbss_scene_linearisation_cost(s);
+    uint64_t another = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
     bool spent = s->contacts->counters.work + another >= s->config.work_limit;
-    return is_limited(s) && (at->attempts >= s->config.attempt_limit || spent);
+    return vbss_scene_is_limited(s) && (at->attempts >= s->config.attempt_limit || spent);
 }
 
 /* Whether the part is to be tried again: with the ways that are known now, or in halves. */
-static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
+static bool try_again(scene_object *s, scene_way *at, scene_verdict verdict)
 {
     bool bounded = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
     bool over = bounded && verdict != VERDICT_FULL && at->attempts >= s->config.attempt_limit;
@@ -219,7 +168,7 @@ static bool try_again(scene_object *s, progress *at, scene_verdict verdict)
         at->part.again = true;
         return true;
     }
-    if (verdict == VERDICT_STATES && least && is_limited(s) && !at->part.stops) {
+    if (verdict == VERDICT_STATES && least && vbss_scene_is_limited(s) && !at->part.stops) {
         at->part.stops = true;
         return true;
     }
@@ -257,7 +206,7 @@ static void pull_from_here(scene_object *s, const scene_part *part)
 
 /* The rest of the step is left out: everything rests where it is, and goes on in the next step, in parts of the
  * size at first. */
-static void pause_for_now(scene_object *s, const progress *at, double size)
+static void pause_for_now(scene_object *s, const scene_way *at, double size)
 {
     double left = 1.0 - at->part.begin;
     vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * left));
@@ -270,7 +219,7 @@ static void pause_for_now(scene_object *s, const progress *at, double size)
 
 /* Whether a part that failed may be tried in the next step; and of which size. The smallest is halved further only for the work it took, and
  * if it was there for all of it. */
-static bool waits(const scene_object *s, const progress *at, double *size)
+static bool waits(const scene_object *s, const scene_way *at, double *size)
 {
     bool small = at->size <= at->smallest;
     bool worked = s->contacts->stopped || vbss_scene_is_spent(s);
@@ -278,7 +227,7 @@ static bool waits(const scene_object *s, const progress *at, double *size)
     return is_over(s, at) && (!small || (worked && at->size > at->least));
 }
 
-static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
+static void cut_short(scene_object *s, scene_way *at, scene_verdict verdict)
 {
     double lost = 1.0 - vbss_scene_clamp(s, verdict, &at->part);
     double share = lost * (at->part.end - at->part.begin);
@@ -287,7 +236,7 @@ static void cut_short(scene_object *s, progress *at, scene_verdict verdict)
     s->lagging = true;
 }
 
-static void go_on(scene_object *s, progress *at)
+static void go_on(scene_object *s, scene_way *at)
 {
     note_errors(s);
     at->part.again = at->part.straight = at->part.stops = false;
@@ -298,39 +247,94 @@ static void go_on(scene_object *s, progress *at)
     }
 }
 
-static vbss_result make_parts(scene_object *s, double h)
+static void aim(scene_object *s)
 {
-    const double smallest = smallest_part(s);
-    const double least = vbss_scene_has(s, BODY_DRAIN) ? LEAST_OF_SMALLEST * smallest : smallest;
-    progress at = {.part = {.step = h},
-                   .begun = s->pace,
-                   .size = s->pace,
-                   .smallest = smallest,
-                   .least = least};
-    scene_part *part = &at.part;
-    s->pace = 1.0;
+    scene_way *at = &s->way;
+    at->part.end = at->part.begin + at->size;
+    at->part.h = at->part.step * at->size;
+    at->part.smallest = at->size <= at->smallest;
+    limit_work(s, &at->part, at->size <= at->least);
+}
+
+/* An attempt begins, or goes on. */
+static scene_verdict take_up(scene_object *s)
+{
+    scene_way *at = &s->way;
+    contact_slot *slot = &s->contacts->slot;
+    if (!at->attempted) {
+        aim(s);
+        at->before = s->contacts->counters.work;
+        slot->passed = 0;
+    }
+    /* With the ways of the attempt before it nobody else could make it once more. */
+    const uint64_t end = slot->end;
+    slot->end = at->part.again ? 0 : end;
+    scene_verdict verdict = attempt(s);
+    slot->end = end;
+    return verdict;
+}
+
+/* Makes an attempt once more that waits and is not at hand: nothing of it is in a saved state but how far it was. */
+static void make_again(scene_object *s)
+{
+    scene_way *at = &s->way;
+    contact_slot *slot = &s->contacts->slot;
+    const contact_counters counters = s->contacts->counters;
+    s->contacts->counters.work = at->before;
+    aim(s);
+    *slot = (contact_slot){.end = slot->end, .again = true, .stopped = at->passed};
+    (void)attempt(s);
+    slot->again = slot->begun = false;
+    s->contacts->counters = counters;
+    vbss_scene_return_statistics(s);
+}
+
+static void accept(scene_object *s)
+{
+    vbss_scene_commit(s, &s->way.part);
+    s->statistics.recovering += s->recovering;
+    s->lagging = false;
+    s->taken = true;
+}
+
+/* What is left of the step waits where the slot has no room for another attempt. */
+static bool is_for_later(const scene_object *s)
+{
+    const contact_slot *slot = &s->contacts->slot;
+    uint64_t work = s->contacts->counters.work + vbss_scene_attempt_cost(s);
+    return !s->way.attempted && !s->way.part.again && slot->end > 0 && slot->begun &&
+           work > slot->end;
+}
+
+vbss_result vbss_scene_go_through(scene_object *s)
+{
+    scene_way *at = &s->way;
+    scene_part *part = &at->part;
+    if (at->attempted && !at->at_hand) {
+        make_again(s);
+    }
+    at->waits = true;
     while (part->begin < 1.0) {
-        part->end = part->begin + at.size;
-        part->h = h * at.size;
-        part->smallest = at.size <= at.smallest;
-        limit_work(s, part, at.size <= least);
-        scene_verdict verdict = attempt(s, part);
-        at.attempts++;
+        if (is_for_later(s)) {
+            return VBSS_OK;
+        }
+        scene_verdict verdict = take_up(s);
+        if (verdict == VERDICT_WAITS) {
+            return VBSS_OK;
+        }
+        at->attempts++;
         if (verdict == VERDICT_ACCEPTED) {
-            vbss_scene_commit(s, part);
-            s->statistics.recovering += s->recovering;
-            s->lagging = false;
-            s->taken = true;
+            accept(s);
         } else {
             double next;
             count(s, verdict);
-            if (waits(s, &at, &next) && may_wait(verdict)) {
+            if (waits(s, at, &next) && may_wait(verdict)) {
                 vbss_scene_unsettle(s);
                 vbss_scene_stay(s);
-                pause_for_now(s, &at, next);
+                pause_for_now(s, at, next);
                 break;
             }
-            if (try_again(s, &at, verdict)) {
+            if (try_again(s, at, verdict)) {
                 continue;
             }
             if (verdict == VERDICT_FULL) { /* nothing is known of what would be met */
@@ -339,18 +343,59 @@ static vbss_result make_parts(scene_object *s, double h)
                     "scene step: more is near than candidate_capacity %u or contact_capacity %u",
                     s->config.candidate_capacity, s->config.contact_capacity);
             }
-            cut_short(s, &at, verdict);
+            cut_short(s, at, verdict);
         }
-        go_on(s, &at);
-        if (part->begin < 1.0 && is_over(s, &at)) {
-            pause_for_now(s, &at, lesser(2.0 * at.size, 1.0)); /* this one did */
+        go_on(s, at);
+        if (part->begin < 1.0 && is_over(s, at)) {
+            pause_for_now(s, at, lesser(2.0 * at->size, 1.0)); /* this one did */
             break;
         }
     }
+    at->waits = false;
     return VBSS_OK;
 }
 
+void vbss_scene_give_up(scene_object *s)
+{
+    if (s->way.attempted && !s->way.at_hand) {
+        make_again(s);
+    }
+    vbss_scene_unsettle(s);
+    vbss_scene_stay(s);
+    pause_for_now(s, &s->way, s->way.size);
+    s->way.waits = s->way.attempted = s->way.at_hand = false;
+}
+
 /* ---- the step */
+
+void vbss_scene_take_parts(scene_object *s)
+{
+    s->way.smallest = smallest_part(s);
+    s->way.least =
+        vbss_scene_has(s, BODY_DRAIN) ? LEAST_OF_SMALLEST * s->way.smallest : s->way.smallest;
+}
+
+void vbss_scene_begin_step(scene_object *s, double h)
+{
+    scene_way *at = &s->way;
+    at->part = (scene_part){.step = h};
+    at->begun = at->size = s->pace;
+    vbss_scene_take_parts(s);
+    at->attempts = 0;
+    s->pace = 1.0;
+    vbss_scene_take_told(s);
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            b->thread.thread->statistics.last_iterations = 0;
+        } else if (b->kind == BODY_DRAIN) {
+            b->drain.drain->statistics.last_move = 0.0;
+        }
+    }
+    vbss_scene_take_tools(s, h);
+    s->lagging = false;
+    s->contacts->counters.work = 0;
+}
 
 static void arrive(scene_object *s, double h)
 {
@@ -375,18 +420,9 @@ static void arrive(scene_object *s, double h)
     }
 }
 
-vbss_result vbss_scene_ours_step(scene_object *s, double h)
+void vbss_scene_finish_step(scene_object *s)
 {
-    VBSS_TRY(keep(s));
-    vbss_scene_begin_events(s);
-    vbss_scene_take_tools(s, h);
-    s->lagging = false;
-    s->contacts->counters.work = 0;
-    vbss_result result = make_parts(s, h);
-    if (result != VBSS_OK) {
-        go_back(s);
-        return result;
-    }
+    const double h = s->way.part.step;
     arrive(s, h);
     vbss_scene_arrive_drains(s, h);
     vbss_scene_part_pieces(s);
@@ -401,5 +437,4 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     s->statistics.state_solves = s->contacts->counters.solves;
     s->statistics.loose_states = s->contacts->counters.loose;
     s->statistics.separators = s->system->active_count - s->system->run_count;
-    return VBSS_OK;
 }

@@ -311,6 +311,11 @@ void vbss_scene_settle_tools(scene_object *s, double h)
         vbss_scene_settle_pinches(s, h);
     }
     vbss_scene_make_cuts(s);
+    vbss_scene_show_tools(s);
+}
+
+void vbss_scene_show_tools(scene_object *s)
+{
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_RIGID && b->rigid.grasper != NULL) {

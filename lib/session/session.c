@@ -162,7 +162,7 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
         return vbss_check_pointer(opened->context, session, "session");
     }
     *session = NULL;
-    VBSS_TRY(vbss_scene_edit(scene, &opened));
+    VBSS_TRY(vbss_scene_tell(scene, &opened));
     VBSS_TRY(vbss_session_read_config(opened->context, config, &own));
     VBSS_TRY(check_bodies(opened, &own));
     VBSS_TRY(make(opened->context, &own, &s));

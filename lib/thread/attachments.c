@@ -83,6 +83,13 @@ static vec3 thread_direction(const thread_object *t, uint32_t node, vec3 fallbac
     return vec3_unit_or(vec3_sub(t->now.x[high], t->now.x[low]), fallback);
 }
 
+static void note_goal(thread_attachment *a)
+{
+    a->other_target = a->target;
+    a->other_direction = a->target_direction;
+    a->other_force = a->force;
+}
+
 vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment *attachment,
                                uint32_t *id)
 {
@@ -114,6 +121,7 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     a->stiffness = own.stiffness;
     a->damping = own.damping;
     a->mass = own.mass;
+    note_goal(a);
     vbss_thread_changed(t);
     return VBSS_OK;
 }
@@ -167,6 +175,30 @@ vec3 vbss_thread_attachment_direction(const thread_attachment *a, double part)
     /* Opposite directions: it stays in the first half and is turned over in the second. */
     return vec3_unit_or(vec3_lerp(a->direction, a->target_direction, part),
                         part < 0.5 ? a->direction : a->target_direction);
+}
+
+static void exchange(vec3 *one, vec3 *other)
+{
+    vec3 kept = *one;
+    *one = *other;
+    *other = kept;
+}
+
+void vbss_thread_note_goals(thread_object *t)
+{
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        note_goal(&t->attachments[i]);
+    }
+}
+
+void vbss_thread_exchange_goals(thread_object *t)
+{
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        thread_attachment *a = &t->attachments[i];
+        exchange(&a->target, &a->other_target);
+        exchange(&a->target_direction, &a->other_direction);
+        exchange(&a->force, &a->other_force);
+    }
 }
 
 void vbss_thread_attachments_arrive(thread_object *t, double h)

@@ -394,6 +394,7 @@ vbss_result vbss_thread_edit_alone(vbss_thread *handle, thread_object **thread)
 void vbss_thread_changed(thread_object *t)
 {
     t->generation++;
+    t->changes++;
     t->layout_known = false;
     t->fresh = true;
 }

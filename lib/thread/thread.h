@@ -25,6 +25,8 @@ typedef struct thread_attachment {
     double stiffness, damping;        /* SPRING */
     double mass;                      /* MASS */
     vec3 reaction, reaction_torque;   /* of the last step, on the thread */
+    /* Of a step of its scene that waits, while it waits; else of the host: see vbss_thread_exchange_goals. */
+    vec3 other_target, other_direction, other_force;
 } thread_attachment;
 
 /* What moves in a step. n of each, n - 1 tensions. */
@@ -103,6 +105,7 @@ typedef struct thread_object {
     vbss_thread_config config; /* with its pointers NULL; the same for all pieces */
     uint32_t node_capacity, node_count;
     uint64_t generation;
+    uint64_t changes; /* by hosts, of anything but where attachments go */
     vec3 gravity;
     thread_reserve *reserve;
 
@@ -196,6 +199,10 @@ thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
 /* Where an attachment is after a part of the step, from 0 to 1. */
 vec3 vbss_thread_attachment_position(const thread_attachment *a, double part);
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double part);
+/* A step of its scene may wait while hosts say where attachments go in the next. At its begin both are the same; then they change
+ * places whenever the step goes on, and whenever it waits or ends. */
+void vbss_thread_note_goals(thread_object *t);
+void vbss_thread_exchange_goals(thread_object *t);
 /* At the end of a step: what was to move has arrived. */
 void vbss_thread_attachments_arrive(thread_object *t, double h);
 

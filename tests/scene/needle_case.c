@@ -240,7 +240,7 @@ void needle_case_step(needle_case *c)
 {
     scene_rigid *r = rigid_of(c);
     if (r->kind == VBSS_RIGID_COUPLED) {
-        r->body.end = pose_mul(c->hand, r->frame);
+        vbss_scene_tell_rigid(small_object(&c->d.s), r, pose_mul(c->hand, r->frame));
     }
     drain_case_step(&c->d);
     vbss_view events = small_view(&c->d.s, VBSS_SCENE_VIEW_EVENTS);

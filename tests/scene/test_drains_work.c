@@ -13,6 +13,7 @@ static drain_object *begin(limited *l, vbss_scene_mode mode, uint32_t work_limit
     small_begin(&l->s);
     l->s.config.mode = mode;
     l->s.config.work_limit = work_limit;
+    l->s.config.slot_limit = 0; /* a call makes its step: what of it waits is seen by the step */
     leap_begin(&l->s);
     return drains_rig_object(drains_rig_of(l->s.scene));
 }

@@ -66,7 +66,6 @@ static const choice scene_choices[] = {
     {offsetof(vbss_scene_config, grasp_capacity), 256, 257},
     {offsetof(vbss_scene_config, drain_capacity), 16, 17},
     {offsetof(vbss_scene_config, hole_capacity), 256, 257},
-    {offsetof(vbss_scene_config, reserved), 0, 1},
 };
 
 static void expect_scene(small *s, vbss_result wanted)

@@ -116,9 +116,12 @@ static void a_thread_is_cut_under_five_newtons(void **state)
          * a second. */
         double speed = greater(fabs(shears_state(&r, 0).velocity[1]), 0.5);
         double moved = 0.5 * r.s.thread.linear_density * 0.03 * speed * speed;
-        /* The step in which its ends leap apart by 5 mm may be too much for a ms: then hands feel all so much later. */
-        double late = small_statistics(&r.s).time_paused - waited;
+        /* The step in which its ends leap apart by 5 mm may be too much for a ms: then hands feel all so much later,
+         * and up to two steps more while it is made in several calls. */
+        vbss_scene_statistics c = small_statistics(&r.s);
+        double late = c.time_paused - waited;
         assert_true(late <= 2e-3);
+        late += 1e-3 * c.behind;
         assert_true(shears_kinetic(&r.s) < stored + 4.0 * moved);
         for (int k = 0; k < 2; k++) {
             double felt = (k == 0 ? 1.0 : -1.0) * shears_state(&r, (uint32_t)k).hand_force[1];

@@ -93,7 +93,7 @@ vbss_result puncture_scene_aim(vbss_scene *scene, double speed, double h)
     double way = puncture_scene_way(speed, told.steps + 1, h);
     quat turn = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, way / radius));
     at.orientation = quat_mul(at.orientation, turn);
-    r->body.end = pose_mul(at, r->frame);
+    vbss_scene_tell_rigid(s, r, pose_mul(at, r->frame));
     return VBSS_OK;
 }
 

@@ -52,7 +52,7 @@ static bool slot(grip_rig *r, uint32_t buttons, vbss_grasper_kind kind)
     r->sample.buttons = buttons;
     expect_ok(grip_read(&r->grip, r->device, r->now, 1e-3, &known));
     assert_true(known);
-    expect_ok(grip_write(&r->grip, r->device, r->now, &tool));
+    expect_ok(grip_write(&r->grip, r->device, r->now, &tool, 0.0));
     return r->grip.exchanges;
 }
 
@@ -106,12 +106,41 @@ static void a_device_may_tell_its_tool(void **state)
     harness_context_end(r.context, &r.memory);
 }
 
+/* A tool that is where it was 2 ms ago has gone on: a spring to where it was would draw the hand back. */
+static void a_tool_that_is_late_is_felt_where_it_is_by_now(void **state)
+{
+    (void)state;
+    double felt[2];
+    for (int k = 0; k < 2; k++) {
+        grip_rig r;
+        begin(&r, VBSS_DEVICE_HAS_JAW);
+        while (!r.grip.joined) {
+            (void)slot(&r, 0, VBSS_GRASPER_NEEDLE_DRIVER);
+        }
+        vbss_grasper_state tool = {.kind = VBSS_GRASPER_NEEDLE_DRIVER};
+        memcpy(tool.position, r.grip.in.position, sizeof tool.position);
+        tool.position[1] += k == 0 ? 1e-3 : 0.8e-3;
+        tool.velocity[1] = 0.1;
+        for (int i = 0; i < 200; i++) { /* the force rises by so much in a slot */
+            bool known;
+            r.now += 1e-3;
+            expect_ok(grip_read(&r.grip, r.device, r.now, 1e-3, &known));
+            expect_ok(grip_write(&r.grip, r.device, r.now, &tool, k == 0 ? 0.0 : 2e-3));
+        }
+        felt[k] = r.grip.force;
+        harness_context_end(r.context, &r.memory);
+    }
+    assert_true(felt[0] > 0.3);
+    expect_near(felt[0], felt[1], 1e-9);
+}
+
 int test_grip(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_button_exchanges_where_a_handle_closes),
         cmocka_unit_test(without_a_handle_it_closes_the_jaws),
         cmocka_unit_test(a_device_may_tell_its_tool),
+        cmocka_unit_test(a_tool_that_is_late_is_felt_where_it_is_by_now),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -215,7 +215,17 @@ class vbss_scene_config(ctypes.Structure):
 
     drain_capacity: Most drains at a time, 0 to 16; default 1.
 
-    hole_capacity: Most holes of needles and threads in drains at a time, 0 to 256; default 16."""
+    hole_capacity: Most holes of needles and threads in drains at a time, 0 to 256; default 16.
+
+    slot_limit: REAL_TIME with a work_limit, method OURS: operations in a call of
+    vbss_scene_step. A step that takes more waits where it is, and the next call goes on with
+    it, to the bits that it would have come to; with what that has left it begins the next step.
+    So bodies are up to two steps behind after a call (vbss_scene_statistics::behind), some of
+    them by a part of a step; what is farther behind is left out and counted in `paused`. Where
+    graspers, driven bodies and attachments are told to go meanwhile is for the next step. A
+    host that changes anything else while a step waits ends it, which is counted there, too, and
+    the next 1000 do not wait. Beyond the limit a call does what follows at the end of a step,
+    and what the guard has refused. 0: a call makes its step, all of it; default 210000."""
     struct_size: int
     method: int
     mode: int
@@ -246,7 +256,7 @@ class vbss_scene_config(ctypes.Structure):
     work_limit: int
     drain_capacity: int
     hole_capacity: int
-    reserved: int
+    slot_limit: int
     _kinds_: ClassVar[dict[str, Any]] = {"method": Method, "mode": SceneMode}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -279,7 +289,7 @@ class vbss_scene_config(ctypes.Structure):
         ("work_limit", c_uint32),
         ("drain_capacity", c_uint32),
         ("hole_capacity", c_uint32),
-        ("reserved", c_uint32),
+        ("slot_limit", c_uint32),
     ]
 
 
@@ -505,7 +515,11 @@ class vbss_scene_statistics(ctypes.Structure):
 
     paused: REAL_TIME: steps of which a part was left for the next.
 
-    time_paused: Of those parts together, s: simulated time that was lost."""
+    time_paused: Of those parts together, s: simulated time that was lost.
+
+    deferred: Calls after which a step waited, or had not begun; see slot_limit.
+
+    behind: Such steps after the last call, 0 to 2."""
     struct_size: int
     contacts: int
     rows: int
@@ -537,6 +551,9 @@ class vbss_scene_statistics(ctypes.Structure):
     most_operations: int
     paused: int
     time_paused: float
+    deferred: int
+    behind: int
+    reserved: int
     _kinds_: ClassVar[dict[str, Any]] = {}
     _fields_ = [
         ("struct_size", c_uint32),
@@ -570,6 +587,9 @@ class vbss_scene_statistics(ctypes.Structure):
         ("most_operations", c_uint64),
         ("paused", c_uint64),
         ("time_paused", c_double),
+        ("deferred", c_uint64),
+        ("behind", c_uint32),
+        ("reserved", c_uint32),
     ]
 
 
@@ -608,6 +628,8 @@ class SceneStatistics(NamedTuple):
     most_operations: int
     paused: int
     time_paused: float
+    deferred: int
+    behind: int
 
 
 class vbss_hole(ctypes.Structure):

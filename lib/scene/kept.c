@@ -1,0 +1,73 @@
+/* As everything was before a step, if it fails. */
+#include "scene/scene.h"
+
+vbss_result vbss_scene_keep(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            VBSS_TRY(vbss_thread_layout(t));
+            vbss_thread_copy_motion(t, &t->kept, &t->now);
+            b->thread.kept = t->statistics;
+            b->thread.kept_fresh = t->fresh;
+            b->thread.kept_settling = t->settling;
+            b->thread.kept_part = t->last_part;
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.kept = b->rigid.body.now;
+            b->rigid.kept_pull = b->rigid.pull;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_keep_drain(&b->drain);
+        }
+    }
+    vbss_scene_keep_tools(s);
+    s->kept = s->statistics;
+    s->kept_pace = s->pace;
+    s->kept_event_count = s->event_count;
+    s->kept_lost_events = s->lost_events;
+    s->kept_way = s->way;
+    vbss_contact_mark(s->contacts);
+    return VBSS_OK;
+}
+
+void vbss_scene_go_back(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            vbss_thread_copy_motion(t, &t->now, &t->kept);
+            t->statistics = b->thread.kept;
+            t->fresh = b->thread.kept_fresh;
+            t->settling = b->thread.kept_settling;
+            t->last_part = b->thread.kept_part;
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.body.now = b->rigid.kept;
+            b->rigid.pull = b->rigid.kept_pull;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_return_drain(&b->drain);
+        }
+    }
+    vbss_scene_return_tools(s);
+    s->statistics = s->kept;
+    s->pace = s->kept_pace;
+    s->way = s->kept_way;
+    s->way.at_hand = false;
+    vbss_contact_return(s->contacts);
+    s->event_count = s->kept_event_count;
+    s->lost_events = s->kept_lost_events;
+    s->generation++;
+}
+
+void vbss_scene_return_statistics(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            b->thread.thread->statistics = b->thread.kept;
+        } else if (b->kind == BODY_DRAIN) {
+            b->drain.drain->statistics = b->drain.kept;
+        }
+    }
+    s->statistics = s->kept;
+}
