@@ -3,8 +3,10 @@
  *   completed         share of the seeds for which the session calls the task done
  *   hands_done        in which the hands have made all their stages, the cuts too
  *   certified         in which the knot was certified as 2=1=1 in the end
- *   p50_us ... max_us a step of 1 ms with hands, devices, session and record, over all seeds; the thread's CPU, one run
- *   real_time_factor  simulated time by CPU time
+ *   p50_us ... max_us a call of 1 ms with devices, session and record, over all seeds; the thread's CPU, one run. What hands think
+ *                     is not in it
+ *   real_time_factor  simulated time, without what was left out, by CPU time
+ *   left_out          share of the time that was left out as there was no work left for it
  *   pass_throughs     what met in the same performance, made once more (passed.h); its kinds beside it
  *   repeats           share of the seeds of which that second one ended in the same state
  *   gap_mm            largest, of the slit in the end of a performance in which the hands were done
@@ -38,7 +40,7 @@ typedef struct performances {
     uint32_t steps, room;
     double cpu_s;
     unsigned completed, hands_done, certified, repeats;
-    double gap, force;
+    double gap, force, left_out_s;
     uint64_t clamped, paused, rejected_guard, passed[KINDS];
 } performances;
 
@@ -113,6 +115,7 @@ static vbss_result count(performances *c, const performance *p)
     c->gap = p->surgeon.stage == SURGEON_DONE ? fmax(c->gap, p->surgeon.gap) : c->gap;
     c->clamped += s.clamped;
     c->paused += s.paused;
+    c->left_out_s += s.time_paused;
     c->rejected_guard += s.rejected_guard;
     return VBSS_OK;
 }
@@ -124,7 +127,12 @@ static vbss_result perform(performances *c, performance *p, const surgeon_option
     while (goes_on(c, p)) {
         bench_interval started = bench_interval_begin(&clock);
         TRY(surgeon_step(&p->surgeon, STEP_S));
-        if (!keep_time(c, bench_interval_end(&clock, started))) {
+        bench_interval taken = bench_interval_end(&clock, started);
+        const uint64_t took = (uint64_t)(1e9 * p->surgeon.stitch.site.stand.took);
+        const uint64_t thought = taken.cpu_ns > took ? taken.cpu_ns - took : 0;
+        taken.cpu_ns = took;
+        taken.wall_ns -= thought < taken.wall_ns ? thought : taken.wall_ns;
+        if (!keep_time(c, taken)) {
             return VBSS_ERROR_OUT_OF_MEMORY;
         }
         c->force = fmax(c->force, hand_feels(&p->surgeon.stitch.left));
@@ -193,7 +201,9 @@ static void tell(performances *c, bench_result *result)
     bench_counter(result, "completed", (double)c->completed / c->seeds);
     bench_counter(result, "hands_done", (double)c->hands_done / c->seeds);
     bench_counter(result, "certified", (double)c->certified / c->seeds);
-    bench_counter(result, "real_time_factor", STEP_S * c->steps / c->cpu_s);
+    const double asked_s = STEP_S * c->steps;
+    bench_counter(result, "real_time_factor", (asked_s - c->left_out_s) / c->cpu_s);
+    bench_counter(result, "left_out", c->left_out_s / asked_s);
 #ifdef VBSS_HAVE_ORACLE
     static const char *const kinds[KINDS] = {
         "pass_throughs",       "passed_threads",    "passed_thread_needle", "passed_thread_drain",

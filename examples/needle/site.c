@@ -17,6 +17,7 @@ static vbss_result make_scene(site *s, const site_plan *plan)
     c.candidate_capacity = 65536;
     c.thread_capacity = 1 + CUTS;
     c.work_limit = plan->work < 0 ? 0 : plan->work > 0 ? (uint32_t)plan->work : c.work_limit;
+    c.slot_limit = plan->slot < 0 ? 0 : plan->slot > 0 ? (uint32_t)plan->slot : c.slot_limit;
     c.floor = 1;
     c.floor_normal[1] = 0.0;
     c.floor_normal[2] = 1.0;

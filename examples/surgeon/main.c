@@ -1,7 +1,7 @@
 /* A scripted surgeon makes a stitch, through devices alone:
  *
  *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
- *             [-w limit of work of a step, -1: none] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
+ *             [-w limit of work of a step, -1: none] [-c the same of a call] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
  *             [-a folder for pictures of the key stages]
  *
@@ -16,7 +16,8 @@
 static int usage(void)
 {
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut] "
-                    "[-t most seconds] [-w work] [-l log] [-p folder for pictures] [-e seconds "
+                    "[-t most seconds] [-w work] [-c work of a call] [-l log] [-p folder for "
+                    "pictures] [-e seconds "
                     "between them] [-k expert|resident|novice] [-m mistake] [-a folder for the "
                     "key stages] [-v]\n");
     return 2;
@@ -60,6 +61,9 @@ static bool read_options(int count, char **words, watch *w, int *seeds, bool *wh
             break;
         case 'w':
             w->options.work = atoi(words[i]);
+            break;
+        case 'c':
+            w->options.slot = atoi(words[i]);
             break;
         case 'k':
             w->options.skill = skill_named(words[i]);

@@ -33,8 +33,9 @@ static void tell_stages(const watch *w)
 }
 
 /* The stages' times lie one after the other: after this they are all together. */
-static void tell_steps(watch *w)
+static void tell_steps(watch *w, const surgeon *s)
 {
+    vbss_scene_statistics c = {0};
     double sum = 0.0, *all = w->times[0];
     uint32_t count = 0, late = 0;
     for (int i = 0; i < SURGEON_DONE; i++) {
@@ -48,14 +49,18 @@ static void tell_steps(watch *w)
         return;
     }
     watch_sort(all, count);
-    printf(
-        "  a step of 1 ms with hands, session and log, us of this thread's CPU, one run: p50 %.0f, "
-        "p99 %.0f, p99.9 %.0f, longest %.0f; %.2f %% above 1 ms\n",
-        watch_quantile(all, count, 0.5), watch_quantile(all, count, 0.99),
-        watch_quantile(all, count, 0.999), watch_quantile(all, count, 1.0), 100.0 * late / count);
-    printf("  %.2f s simulated in %.2f s of CPU: real-time factor %.2f; %.2f s by the clock, "
+    printf("  a call of 1 ms with devices, session and log, us of this thread's CPU, one run: p50 "
+           "%.0f, "
+           "p99 %.0f, p99.9 %.0f, longest %.0f; %.2f %% above 1 ms\n",
+           watch_quantile(all, count, 0.5), watch_quantile(all, count, 0.99),
+           watch_quantile(all, count, 0.999), watch_quantile(all, count, 1.0),
+           100.0 * late / count);
+    (void)vbss_scene_get_statistics(s->stitch.site.stand.scene, &c, sizeof c);
+    const double made = count / MILLI - c.time_paused;
+    printf("  %.2f s simulated of %.2f s, in %.2f s of CPU: real-time factor %.2f; %.2f s by the "
+           "clock, "
            "pictures and all\n",
-           count / MILLI, sum, count / MILLI / sum, w->wall);
+           made, count / MILLI, sum, made / sum, w->wall);
 }
 
 /* ---- the task */
@@ -212,7 +217,7 @@ void watch_report(watch *w, const surgeon *s, vbss_result result)
         tell_knot(w);
         tell_score(w, &r);
     }
-    tell_steps(w);
+    tell_steps(w, s);
     tell_counts(w, s);
     if (w->unpainted) {
         printf("  A PICTURE COULD NOT BE MADE\n");

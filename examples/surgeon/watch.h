@@ -40,7 +40,6 @@ double watch_feels(const hand *h);
 
 /* ---- times.c */
 double watch_wall_clock(void);
-double watch_cpu_clock(void);
 /* Of sorted times, in us: the nearest rank. */
 double watch_quantile(const double *times, uint32_t count, double share);
 void watch_sort(double *times, uint32_t count);

@@ -1,6 +1,7 @@
 #include "throw/stand.h"
 
 #include <string.h>
+#include <time.h>
 
 #define DRAIN_HALF 16e-3
 
@@ -239,13 +240,23 @@ vbss_result stand_follow(stand *s)
     return VBSS_OK;
 }
 
+static double cpu_clock(void)
+{
+    struct timespec t;
+    (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 vbss_result stand_step(stand *s, double dt)
 {
+    const double begin = cpu_clock();
     TRY(s->session != NULL ? vbss_session_step(s->session, s->time, dt)
                            : vbss_record_step(s->record, dt));
     TRY(stand_follow(s));
     s->time += dt;
-    return write_log(s);
+    vbss_result result = write_log(s);
+    s->took = cpu_clock() - begin;
+    return result;
 }
 
 vbss_result stand_end(stand *s)

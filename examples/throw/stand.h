@@ -41,6 +41,8 @@ typedef struct stand {
     uint32_t support;  /* pin that holds the limb up until a hand has it */
     double tail, limb; /* m */
     double time;
+    double
+        took; /* of the last step, CPU time of this thread: devices, scene, session, log; no hand's thoughts */
     bool
         reversed; /* the scene's thread begins at the limb's end; here all counts from the tail's */
     vec turned[STAND_NODES]; /* its nodes then */

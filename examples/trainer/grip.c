@@ -82,7 +82,15 @@ vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *
 
 /* ---- out */
 
-vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool)
+double grip_late(vbss_scene *scene, double h)
+{
+    vbss_scene_statistics c;
+    bool known = vbss_scene_get_statistics(scene, &c, sizeof c) == VBSS_OK;
+    return known ? h * c.behind : 0.0;
+}
+
+vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool,
+                       double late)
 {
     vbss_output_command command;
     vbss_device_coupling coupling;
@@ -92,7 +100,9 @@ vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_gras
     TRY(vbss_device_coupling_init(&coupling, sizeof coupling));
     if (g->joined) {
         command.solenoid = tool->solenoid;
-        memcpy(coupling.position, tool->position, sizeof coupling.position);
+        for (int k = 0; k < 3; k++) {
+            coupling.position[k] = tool->position[k] + late * tool->velocity[k];
+        }
         memcpy(coupling.velocity, tool->velocity, sizeof coupling.velocity);
         coupling.stiffness = STIFFNESS;
         coupling.damping = DAMPING;

@@ -7,6 +7,7 @@
 
 #include <vblast_ss/device.h>
 #include <vblast_ss/grasper.h>
+#include <vblast_ss/scene.h>
 
 typedef struct grip {
     vbss_device_input in;         /* as read last */
@@ -26,6 +27,10 @@ typedef struct grip {
 void grip_begin(grip *g, const double at[3]);
 /* False in `known`: there was no pose yet; the tool is to stay where it is. */
 vbss_result grip_read(grip *g, vbss_device *device, double now, double h, bool *known);
-vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool);
+/* So much bodies are behind after a step of h (vbss_scene_config::slot_limit), s. */
+double grip_late(vbss_scene *scene, double h);
+/* `late`: the tool is where it was so long ago, s; it is put out where it has got to by now with its velocity. */
+vbss_result grip_write(grip *g, vbss_device *device, double now, const vbss_grasper_state *tool,
+                       double late);
 
 #endif

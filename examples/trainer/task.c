@@ -46,7 +46,8 @@ static vbss_result write_hand(task *t, int side)
     task_hand *h = &t->hands[side];
     vbss_grasper_state tool;
     TRY(vbss_grasper_get_state(t->stage.tools[side], &tool, sizeof tool));
-    TRY(grip_write(&h->grip, t->hardware.devices[side], t->clock, &tool));
+    double late = grip_late(t->stage.scene, STEP);
+    TRY(grip_write(&h->grip, t->hardware.devices[side], t->clock, &tool, late));
     count_pulses(h, f);
     f->force = h->grip.force;
     f->most_force = fmax(f->most_force, f->force);

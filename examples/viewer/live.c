@@ -123,7 +123,8 @@ static vbss_result feel(live *l, int side)
         return VBSS_OK;
     }
     TRY(vbss_grasper_get_state(l->stage.graspers[side], &tool, sizeof tool));
-    return grip_write(&l->grips[side], arms_device(l->arms, side), device_clock(l), &tool);
+    double late = grip_late(l->stage.stand->scene, STEP);
+    return grip_write(&l->grips[side], arms_device(l->arms, side), device_clock(l), &tool, late);
 }
 
 static vbss_result let_go(live *l)
