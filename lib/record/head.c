@@ -62,13 +62,16 @@ static const field fields[] = {
     WORD(work_limit),     /* since version 3 */
     ROOM(drain_capacity), /* since version 4 */
     WORD(hole_capacity),
+    WORD(slot_limit), /* since version 5 */
 };
-/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, and 3, which did not tell of drains and holes. */
+/* Of version 1, whose scenes had no graspers, 2, whose work had no limit, 3, which did not tell of drains and holes, and 4, whose
+ * calls had no limit. */
 enum {
     FIELDS = sizeof fields / sizeof fields[0],
     FIELDS_1 = 25,
     FIELDS_2 = 26,
     FIELDS_3 = 27,
+    FIELDS_4 = 29,
     GRASPS_1 = 8,
     DRAINS_3 = 1,
     HOLES_3 = 16
@@ -76,17 +79,19 @@ enum {
 
 static uint32_t fields_of_version(uint32_t version)
 {
-    return version >= 4 ? FIELDS : version == 3 ? FIELDS_3 : version == 2 ? FIELDS_2 : FIELDS_1;
+    static const uint32_t before[] = {FIELDS_1, FIELDS_1, FIELDS_2, FIELDS_3, FIELDS_4};
+    return version < 5 ? before[version] : FIELDS;
 }
 
 static void visit_config(vbss_stream *stream, vbss_scene_config *config)
 {
-    vbss_section outer = vbss_stream_open(stream, CONFIG, 4);
+    vbss_section outer = vbss_stream_open(stream, CONFIG, 5);
     uint32_t count = fields_of_version(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
     config->work_limit = stream->version >= 3 ? config->work_limit : 0;
     config->drain_capacity = stream->version >= 4 ? config->drain_capacity : DRAINS_3;
     config->hole_capacity = stream->version >= 4 ? config->hole_capacity : HOLES_3;
+    config->slot_limit = stream->version >= 5 ? config->slot_limit : 0;
     for (uint32_t i = 0; i < count; i++) {
         uint16_t tag = (uint16_t)i;
         void *value = (char *)config + fields[i].offset;
