@@ -40,8 +40,9 @@ typedef int32_t vbss_scene_mode;
 
 /** The constants of #vbss_scene_mode. */
 enum {
-    /** A step has a limit of work and of attempts, so that it ends in time: see `work_limit`. What is not done
-     * by then waits, which is counted in `paused`. Tight knots of many throws slip a little early for it. */
+    /** A step has a limit of work and of attempts, so that it ends in time, and a call has one: see `work_limit` and
+     * `slot_limit`. What is not done by then waits, and what would wait too long is counted in `paused`. Tight knots of
+     * many throws slip a little early for it. */
     VBSS_MODE_REAL_TIME = 0,
     /** All the work it takes; halves as often as halving_limit allows, and is cut short only after that, which is
      * counted in `clamped`. For experiments. */
@@ -232,7 +233,7 @@ enum {
     VBSS_EVENT_TOUCH = 1, /**< Two bodies that did not touch do; a body with itself too. */
     VBSS_EVENT_PART = 2,  /**< Two bodies that touched do no longer. */
     VBSS_EVENT_CLAMPED =
-        3, /**< The step was cut short, or paused; the number is the share of it in 1/65536 that was lost. */
+        3, /**< A step was cut short, or paused; the number is the share of it in 1/65536 that was lost. */
     VBSS_EVENT_LOST = 4, /**< Events beyond the capacity; the number says how many. */
     /** Jaws hold a thread, a needle or a wall: that, grasper, arc length in um; of a wall a triangle that they hold. */
     VBSS_EVENT_GRASP = 5,
@@ -292,7 +293,7 @@ typedef struct vbss_scene_statistics {
     double time;               /**< Simulated so far, s. */
     uint64_t operations;       /**< Of all steps, as work_limit counts them; method OURS. */
     uint64_t most_operations;  /**< Of a step. */
-    uint64_t paused;           /**< REAL_TIME: steps of which a part was left for the next. */
+    uint64_t paused;           /**< REAL_TIME: steps of which a part, or all, was left out. */
     double time_paused;        /**< Of those parts together, s: simulated time that was lost. */
     uint64_t deferred; /**< Calls after which a step waited, or had not begun; see slot_limit. */
     uint32_t behind;   /**< Such steps after the last call, 0 to 2. */

@@ -3,7 +3,8 @@
  * scene.c makes and ends scenes, bodies.c and pins.c what is in them. A step (step.c) reads
  *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
  * each of which is a file; the middle ones are an attempt at a part of the step, undone and halved when
- * what it finds is not accepted, and cut short in the end (clamp.c). Method PAPER: paper_step.c. */
+ * what it finds is not accepted, and cut short in the end (clamp.c); how much of it a call does, call.c says. Method PAPER:
+ * paper_step.c. */
 #ifndef VBSS_SCENE_SCENE_H
 #define VBSS_SCENE_SCENE_H
 

@@ -2,7 +2,7 @@
  *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
  * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
  * made again, in halves; after the last the step is cut short where it would harm. In real time a call does no more
- * than so much of it, and the next goes on (slot.c). */
+ * than so much of it, and the next goes on (call.c). */
 #include "scene/scene.h"
 
 /* ---- work */

@@ -16,9 +16,9 @@ from .thread import vbss_thread
 class SceneMode(IntEnum):
     """The constants of vbss_scene_mode."""
     REAL_TIME = 0
-    """A step has a limit of work and of attempts, so that it ends in time: see `work_limit`. What
-    is not done by then waits, which is counted in `paused`. Tight knots of many throws slip a
-    little early for it."""
+    """A step has a limit of work and of attempts, so that it ends in time, and a call has one: see
+    `work_limit` and `slot_limit`. What is not done by then waits, and what would wait too long
+    is counted in `paused`. Tight knots of many throws slip a little early for it."""
     OFFLINE = 1
     """All the work it takes; halves as often as halving_limit allows, and is cut short only after
     that, which is counted in `clamped`. For experiments."""
@@ -92,7 +92,7 @@ class EventKind(IntEnum):
     PART = 2
     """Two bodies that touched do no longer."""
     CLAMPED = 3
-    """The step was cut short, or paused; the number is the share of it in 1/65536 that was lost."""
+    """A step was cut short, or paused; the number is the share of it in 1/65536 that was lost."""
     LOST = 4
     """Events beyond the capacity; the number says how many."""
     GRASP = 5
@@ -513,7 +513,7 @@ class vbss_scene_statistics(ctypes.Structure):
 
     most_operations: Of a step.
 
-    paused: REAL_TIME: steps of which a part was left for the next.
+    paused: REAL_TIME: steps of which a part, or all, was left out.
 
     time_paused: Of those parts together, s: simulated time that was lost.
 
