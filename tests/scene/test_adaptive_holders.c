@@ -18,6 +18,7 @@ static void tight(vbss_context *context, contact_scene *scene)
     o.thread.mesh = VBSS_MESH_ADAPTIVE;
     o.thread.mesh_operations = 0;
     o.thread.node_capacity = 700;
+    o.scene.slot_limit = 0; /* tight after 250 calls */
     expect_ok(contact_scene_create(context, &o, scene));
     for (int i = 0; i < 250; i++) {
         expect_ok(contact_scene_step(scene, 1e-3));

@@ -113,6 +113,7 @@ static void pull(const pulled *p)
     o.thread.mesh = VBSS_MESH_ADAPTIVE;
     o.thread.mesh_operations = p->at_random ? 0 : 8;
     o.thread.node_capacity = 900;
+    o.scene.slot_limit = 0; /* no mesh changes between two steps of a call */
     expect_ok(contact_scene_create(context, &o, &scene));
     vbss_random_seed(&random, 3, (uint64_t)p->kind);
     scene_object *s = mesh_scene(scene.scene);

@@ -33,6 +33,7 @@ static limited *begin(int which, vbss_scene_mode mode, uint32_t limit)
     o.pull.speed = 0.05;
     o.scene.mode = mode;
     o.scene.work_limit = limit;
+    o.scene.slot_limit = 0; /* a call is a step */
     o.scene.attempt_limit = ATTEMPTS;
     expect_ok(vbss_context_create(NULL, &l->context));
     expect_ok(contact_scene_create(l->context, &o, &l->scene));
