@@ -482,6 +482,52 @@ static void what_is_told_meanwhile_is_for_the_next_step(void **state)
     small_end(&s);
 }
 
+/* What is damaged under a right checksum is refused, or is a step that goes on, or is told not to. */
+static void damaged_steps_that_wait_are_refused_or_go_on(void **state)
+{
+    (void)state;
+    enum { LAST = 700 }; /* bytes: the step that waits is at the end */
+    small s;
+    small_begin(&s);
+    s.config.slot_limit = 1;
+    s.config.drain_capacity = 0;
+    small_create(&s);
+    uint32_t line =
+        small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
+    (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(4e-3, 2e-3, 0.0), vec3_make(0.0, 0.0, 2e-3),
+                      5e-4);
+    small_pin(&s, line, 0, 0);
+    small_steps(&s, 3, STEP);
+    assert_true(small_object(&s)->way.attempted);
+    small_state good = small_save(&s);
+    uint8_t *bad = malloc(good.count);
+    assert_non_null(bad);
+    uint32_t taken = 0, refused = 0;
+    for (size_t at = good.count - 8 - LAST; at < good.count - 8; at++) {
+        for (int bit = 0; bit < 8; bit++) {
+            memcpy(bad, good.bytes, good.count);
+            bad[at] ^= (uint8_t)(1u << bit);
+            harness_seal_snapshot(bad, good.count);
+            if (vbss_scene_restore(s.scene, bad, good.count) != VBSS_OK) {
+                refused++;
+                continue;
+            }
+            taken++;
+            for (int i = 0; i < 6; i++) {
+                vbss_result result = vbss_scene_step(s.scene, STEP);
+                assert_true(result == VBSS_OK || result == VBSS_ERROR_CAPACITY ||
+                            result == VBSS_ERROR_NOT_FINITE || result == VBSS_ERROR_OUT_OF_RANGE);
+            }
+        }
+    }
+    assert_true(taken > 500 && refused > 500);
+    expect_ok(vbss_scene_restore(s.scene, good.bytes, good.count));
+    small_steps(&s, 3, STEP);
+    free(bad);
+    free(good.bytes);
+    small_end(&s);
+}
+
 static void without_limits_calls_make_their_steps(void **state)
 {
     (void)state;
@@ -515,6 +561,7 @@ int test_slots(void)
         cmocka_unit_test(who_looks_at_a_drain_changes_nothing),
         cmocka_unit_test(changes_end_the_step_that_waits),
         cmocka_unit_test(what_is_told_meanwhile_is_for_the_next_step),
+        cmocka_unit_test(damaged_steps_that_wait_are_refused_or_go_on),
         cmocka_unit_test(without_limits_calls_make_their_steps),
     };
     return cmocka_run_group_tests_name("slots", tests, NULL, NULL);
