@@ -357,13 +357,18 @@ vbss_result vbss_scene_go_through(scene_object *s)
 
 void vbss_scene_give_up(scene_object *s)
 {
-    if (s->way.attempted && !s->way.at_hand) {
+    scene_way *at = &s->way;
+    if (!at->attempted) { /* between two parts: rows are those of the next, as no saved state has any */
+        at->before = at->work;
+        at->passed = 0;
+    }
+    if (!at->at_hand) {
         make_again(s);
     }
     vbss_scene_unsettle(s);
     vbss_scene_stay(s);
-    pause_for_now(s, &s->way, s->way.size);
-    s->way.waits = s->way.attempted = s->way.at_hand = false;
+    pause_for_now(s, at, at->size);
+    at->waits = at->attempted = at->at_hand = false;
 }
 
 /* ---- the step */

@@ -443,6 +443,43 @@ static void changes_end_the_step_that_waits(void **state)
     }
 }
 
+/* Also between two parts, and by a scene that was restored there. */
+static void a_step_is_given_up_to_the_same_bits_when_restored(void **state)
+{
+    (void)state;
+    for (int attempted = 0; attempted < 2; attempted++) {
+        pulled p, other;
+        begin(&p, 100000);
+        begin(&other, 100000);
+        for (int i = 0; i < 37; i++) {
+            expect_ok(contact_scene_step(&other.scene, STEP));
+        }
+        scene_object *s = object_of(p.scene.scene);
+        for (int i = 0; i < 150 || !s->way.waits || s->way.attempted != (attempted != 0); i++) {
+            assert_true(i < 3000);
+            expect_ok(contact_scene_step(&p.scene, STEP));
+        }
+        const small saved = {.scene = p.scene.scene};
+        small_state kept = small_save(&saved);
+        expect_ok(vbss_scene_restore(other.scene.scene, kept.bytes, kept.count));
+        for (int k = 0; k < 2;
+             k++) { /* what would change something, but is refused, has it end, too */
+            vbss_scene *scene = k == 0 ? p.scene.scene : other.scene.scene;
+            expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(scene, 77));
+        }
+        assert_false(s->way.waits);
+        assert_true(hash_of(p.scene.scene) == hash_of(other.scene.scene));
+        for (int i = 0; i < 20; i++) {
+            expect_ok(vbss_scene_step(p.scene.scene, STEP));
+            expect_ok(vbss_scene_step(other.scene.scene, STEP));
+            assert_true(hash_of(p.scene.scene) == hash_of(other.scene.scene));
+        }
+        free(kept.bytes);
+        end(&p);
+        end(&other);
+    }
+}
+
 /* Where driven bodies shall go is told for the next step while one waits. */
 static void what_is_told_meanwhile_is_for_the_next_step(void **state)
 {
@@ -560,6 +597,7 @@ int test_slots(void)
         cmocka_unit_test(who_looks_meanwhile_changes_nothing),
         cmocka_unit_test(who_looks_at_a_drain_changes_nothing),
         cmocka_unit_test(changes_end_the_step_that_waits),
+        cmocka_unit_test(a_step_is_given_up_to_the_same_bits_when_restored),
         cmocka_unit_test(what_is_told_meanwhile_is_for_the_next_step),
         cmocka_unit_test(damaged_steps_that_wait_are_refused_or_go_on),
         cmocka_unit_test(without_limits_calls_make_their_steps),
