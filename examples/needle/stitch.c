@@ -33,6 +33,7 @@
 #define TRIMMING 0.1     /* s, in which what misses the mark is taken into the aim */
 #define SLOWLY 0.5       /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
+#define SPRINGS 0.05     /* s */
 #define SEEING 0.1       /* s: what is seen is told so late */
 
 enum { TRIES = 5, AGAIN = 4 }; /* to take it; to come back to the left wall */
@@ -440,6 +441,18 @@ static void punctured(stitch *t, uint32_t id)
     }
 }
 
+/* The wall springs back from a tip that has entered it, and now and then off it again: that goes on pressing. */
+static bool sprang_off(stitch *t, uint32_t id)
+{
+    bool just = t->state == STITCH_CROSS && t->since < SPRINGS && id == t->holes[SITE_RIGHT];
+    if (just) {
+        t->holes[SITE_RIGHT] = 0;
+        t->punctures--;
+        enter_state(t, STITCH_ENTER);
+    }
+    return just;
+}
+
 vbss_result stitch_look(stitch *t)
 {
     vbss_view view;
@@ -451,6 +464,8 @@ vbss_result stitch_look(stitch *t)
         const uint32_t *event = (const uint32_t *)((const char *)view.data + i * view.stride_bytes);
         if (event[0] == VBSS_EVENT_PUNCTURE) {
             punctured(t, event[3]);
+        } else if (event[0] == VBSS_EVENT_WITHDRAWN && sprang_off(t, event[3])) {
+            continue;
         } else if (event[0] == VBSS_EVENT_TORN || event[0] == VBSS_EVENT_WITHDRAWN) {
             t->others++;
             fail(t, event[0] == VBSS_EVENT_TORN ? "torn out of the jaws" : "withdrawn");

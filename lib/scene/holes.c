@@ -284,7 +284,14 @@ static void tell(scene_object *s, vbss_event_kind kind, const suture_hole *hole)
     vbss_scene_add_event(s, kind, body, hole->drain, hole->id);
 }
 
-static void tell_of_swage(scene_object *s, const suture_hole *before, const suture_hole *hole)
+void vbss_scene_note_holes(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        s->holes_before[i] = (scene_hole_before){s->holes[i].id, s->holes[i].needle};
+    }
+}
+
+static void tell_of_swage(scene_object *s, const scene_hole_before *before, const suture_hole *hole)
 {
     if (before->id == hole->id && (before->needle == 0) != (hole->needle == 0)) {
         vbss_event_kind kind = hole->needle == 0 ? VBSS_EVENT_PASSED : VBSS_EVENT_RETURNED;
@@ -358,7 +365,7 @@ void vbss_scene_leave_holes(scene_object *s)
         }
         const passage p = passage_of(s, hole);
         vbss_event_kind out = way_out(&p, hole);
-        tell_of_swage(s, &s->kept_holes[i], hole);
+        tell_of_swage(s, &s->holes_before[i], hole);
         bool stays = out == VBSS_EVENT_WITHDRAWN && is_beside(s, &p, hole);
         if (out != 0 && !stays) {
             tell(s, out, hole);

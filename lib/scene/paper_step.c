@@ -199,6 +199,7 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     const scene_part whole = {.step = h, .begin = 0.0, .end = 1.0, .h = h};
     VBSS_TRY(keep(s));
     vbss_scene_begin_events(s);
+    vbss_scene_note_holes(s);
     vbss_scene_take_tools(s, h);
     vbss_scene_paper_aim_needles(s, h);
     vbss_scene_aim_capsules(s, &whole);

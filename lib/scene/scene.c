@@ -93,7 +93,7 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
 
 /* ---- memory */
 
-enum { PARTS = 24 };
+enum { PARTS = 25 };
 
 static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
 {
@@ -109,6 +109,7 @@ static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
         {&s->kept_grasps, s->config.grasp_capacity, sizeof *s->kept_grasps},
         {&s->holes, s->config.hole_capacity, sizeof *s->holes},
         {&s->kept_holes, s->config.hole_capacity, sizeof *s->kept_holes},
+        {&s->holes_before, s->config.hole_capacity, sizeof *s->holes_before},
         {&s->marks, nodes, sizeof *s->marks},
         {&s->ways, nodes + 2 * capsules, sizeof *s->ways},
         {&s->vertices, 2 * vertices, sizeof *s->vertices},

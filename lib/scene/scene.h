@@ -191,6 +191,11 @@ typedef struct scene_strand {
     double share; /* of it */
 } scene_strand;
 
+/* A hole before a step: its id, and the needle that was in it. */
+typedef struct scene_hole_before {
+    uint32_t id, needle;
+} scene_hole_before;
+
 /* What shears close on in this step. */
 typedef struct scene_cut {
     uint32_t thread;
@@ -277,6 +282,7 @@ struct scene_object {
     scene_pin *pins;
     scene_grasp *grasps, *kept_grasps;
     suture_hole *holes, *kept_holes;
+    scene_hole_before *holes_before;      /* in the same places, when the step began */
     uint32_t place_count, place_capacity; /* places used so far; of bodies that may be gone */
     uint32_t node_count, node_capacity;   /* of all threads */
     uint32_t capsule_count;
@@ -450,7 +456,8 @@ void vbss_scene_move_holes(scene_object *s);
 void vbss_scene_find_slides(scene_object *s);
 /* punctures.c. After a step: who has left holes, who makes one. */
 void vbss_scene_settle_holes(scene_object *s);
-/* holes.c again. */
+/* holes.c again: how holes are as a step begins; at its end, who has left them. */
+void vbss_scene_note_holes(scene_object *s);
 void vbss_scene_leave_holes(scene_object *s);
 /* folds.c: makes holes of what goes through beside those that needles are entering. */
 void vbss_scene_find_folds(scene_object *s);

@@ -580,6 +580,10 @@ static void visit_step(vbss_stream *stream, scene_object *s)
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such cut");
         }
     }
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        vbss_stream_u32(stream, 158, &s->holes_before[i].id, 1);
+        vbss_stream_u32(stream, 158, &s->holes_before[i].needle, 1);
+    }
     visit_goals(stream, s);
     if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_way(s, at)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");

@@ -388,6 +388,7 @@ void vbss_scene_begin_step(scene_object *s, double h)
     vbss_scene_take_parts(s);
     at->attempts = 0;
     s->pace = 1.0;
+    vbss_scene_note_holes(s);
     vbss_scene_take_told(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];

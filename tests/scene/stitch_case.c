@@ -50,6 +50,7 @@ void stitch_case_begin(stitch_case *c)
     expect_ok(stitch_scene_init(&c->options));
     c->options.scene.contact_capacity = 4096;
     c->options.scene.candidate_capacity = 65536;
+    c->options.scene.slot_limit = 0; /* work of hands and energy are reckoned step by step */
     c->options.thread.cut_capacity = 2;
     c->h = 1e-3;
 }
