@@ -33,7 +33,7 @@
 #define TRIMMING 0.1     /* s, in which what misses the mark is taken into the aim */
 #define SLOWLY 0.5       /* through the left wall, whatever the hand */
 #define NEARLY 0.4e-3    /* beside the mark: with more, slower still */
-#define SPRINGS 0.05     /* s */
+#define SPRINGS 0.05     /* s: so soon after it has entered the wall may spring off it */
 #define SEEING 0.1       /* s: what is seen is told so late */
 
 enum { TRIES = 5, AGAIN = 4 }; /* to take it; to come back to the left wall */

@@ -1,7 +1,8 @@
 /* A scripted surgeon makes a stitch, through devices alone:
  *
  *     surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut: the last stage] [-t most seconds]
- *             [-w limit of work of a step, -1: none] [-c the same of a call] [-l log] [-p folder for pictures] [-e seconds between them] [-v]
+ *             [-w limit of work of a step, -1: none] [-c the same of a call] [-l log] [-p folder for pictures]
+ *             [-e seconds between them] [-v]
  *             [-k expert|resident|novice: whose hands] [-m withdrawn|missed|torn|idle|slack|kept: a mistake]
  *             [-a folder for pictures of the key stages]
  *
@@ -17,8 +18,8 @@ static int usage(void)
 {
     fprintf(stderr, "surgeon [-s seed] [-n seeds] [-u pass|pull|tie|over|second|back|third|cut] "
                     "[-t most seconds] [-w work] [-c work of a call] [-l log] [-p folder for "
-                    "pictures] [-e seconds "
-                    "between them] [-k expert|resident|novice] [-m mistake] [-a folder for the "
+                    "pictures] [-e seconds between them] [-k expert|resident|novice] [-m mistake] "
+                    "[-a folder for the "
                     "key stages] [-v]\n");
     return 2;
 }

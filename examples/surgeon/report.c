@@ -50,16 +50,14 @@ static void tell_steps(watch *w, const surgeon *s)
     }
     watch_sort(all, count);
     printf("  a call of 1 ms with devices, session and log, us of this thread's CPU, one run: p50 "
-           "%.0f, "
-           "p99 %.0f, p99.9 %.0f, longest %.0f; %.2f %% above 1 ms\n",
+           "%.0f, p99 %.0f, p99.9 %.0f, longest %.0f; %.2f %% above 1 ms\n",
            watch_quantile(all, count, 0.5), watch_quantile(all, count, 0.99),
            watch_quantile(all, count, 0.999), watch_quantile(all, count, 1.0),
            100.0 * late / count);
     (void)vbss_scene_get_statistics(s->stitch.site.stand.scene, &c, sizeof c);
     const double made = count / MILLI - c.time_paused;
     printf("  %.2f s simulated of %.2f s, in %.2f s of CPU: real-time factor %.2f; %.2f s by the "
-           "clock, "
-           "pictures and all\n",
+           "clock, pictures and all\n",
            made, count / MILLI, sum, made / sum, w->wall);
 }
 

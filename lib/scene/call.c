@@ -25,28 +25,22 @@ uint64_t vbss_scene_count_changes(const scene_object *s)
 }
 
 /* Where attachments go: in the step that waits, and as hosts have it. */
-static void exchange_goals(scene_object *s)
+static void change_goals(scene_object *s, void (*of_thread)(thread_object *t),
+                         void (*of_drain)(drain_object *d))
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
-            vbss_thread_exchange_goals(b->thread.thread);
+            of_thread(b->thread.thread);
         } else if (b->kind == BODY_DRAIN) {
-            vbss_drain_exchange_goals(b->drain.drain);
+            of_drain(b->drain.drain);
         }
     }
 }
 
-static void note_goals(scene_object *s)
+static void exchange_goals(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
-            vbss_thread_note_goals(b->thread.thread);
-        } else if (b->kind == BODY_DRAIN) {
-            vbss_drain_note_goals(b->drain.drain);
-        }
-    }
+    change_goals(s, vbss_thread_exchange_goals, vbss_drain_exchange_goals);
 }
 
 vbss_result vbss_scene_end_waiting(scene_object *s)
@@ -108,7 +102,7 @@ static vbss_result go_on(scene_object *s, double h, bool divided)
     if (waited) {
         exchange_goals(s);
     } else if (result == VBSS_OK && at->waits) {
-        note_goals(s);
+        change_goals(s, vbss_thread_note_goals, vbss_drain_note_goals);
     }
     return result;
 }

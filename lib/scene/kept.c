@@ -30,35 +30,6 @@ vbss_result vbss_scene_keep(scene_object *s)
     return VBSS_OK;
 }
 
-void vbss_scene_go_back(scene_object *s)
-{
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
-            thread_object *t = b->thread.thread;
-            vbss_thread_copy_motion(t, &t->now, &t->kept);
-            t->statistics = b->thread.kept;
-            t->fresh = b->thread.kept_fresh;
-            t->settling = b->thread.kept_settling;
-            t->last_part = b->thread.kept_part;
-        } else if (b->kind == BODY_RIGID) {
-            b->rigid.body.now = b->rigid.kept;
-            b->rigid.pull = b->rigid.kept_pull;
-        } else if (b->kind == BODY_DRAIN) {
-            vbss_scene_return_drain(&b->drain);
-        }
-    }
-    vbss_scene_return_tools(s);
-    s->statistics = s->kept;
-    s->pace = s->kept_pace;
-    s->way = s->kept_way;
-    s->way.at_hand = false;
-    vbss_contact_return(s->contacts);
-    s->event_count = s->kept_event_count;
-    s->lost_events = s->kept_lost_events;
-    s->generation++;
-}
-
 void vbss_scene_return_statistics(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
@@ -70,4 +41,32 @@ void vbss_scene_return_statistics(scene_object *s)
         }
     }
     s->statistics = s->kept;
+}
+
+void vbss_scene_go_back(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->place_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            vbss_thread_copy_motion(t, &t->now, &t->kept);
+            t->fresh = b->thread.kept_fresh;
+            t->settling = b->thread.kept_settling;
+            t->last_part = b->thread.kept_part;
+        } else if (b->kind == BODY_RIGID) {
+            b->rigid.body.now = b->rigid.kept;
+            b->rigid.pull = b->rigid.kept_pull;
+        } else if (b->kind == BODY_DRAIN) {
+            vbss_scene_return_drain(&b->drain);
+        }
+    }
+    vbss_scene_return_tools(s);
+    vbss_scene_return_statistics(s);
+    s->pace = s->kept_pace;
+    s->way = s->kept_way;
+    s->way.at_hand = false;
+    vbss_contact_return(s->contacts);
+    s->event_count = s->kept_event_count;
+    s->lost_events = s->kept_lost_events;
+    s->generation++;
 }

@@ -692,6 +692,8 @@ void vbss_scene_stay(scene_object *s);
 
 /* state.c */
 void vbss_scene_serialise(vbss_stream *stream, void *object);
+/* way_state.c */
+void vbss_scene_visit_way(vbss_stream *stream, scene_object *s);
 
 /* kept.c: takes down how everything is, goes back there; counters alone. */
 vbss_result vbss_scene_keep(scene_object *s);

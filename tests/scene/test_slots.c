@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "scene/drains_rig.h"
+#include "scene/pulled_surgeons.h"
 #include "scene/small.h"
-#include "scenes/contact_scenes.h"
 #include "scenes/needle_scenes.h"
 #include "scenes/puncture_scenes.h"
 #include "scenes/scene_body.h"
@@ -42,13 +42,7 @@ static void begin(pulled *p, uint32_t slot)
 {
     contact_scene_options o;
     *p = (pulled){0};
-    expect_ok(contact_scene_init(&o, CONTACT_SCENE_PULLED));
-    o.knot.kind = KNOT_SURGEON;
-    o.knot.cylinder = true;
-    o.knot.length = 0.12;
-    o.knot.finest = 0.4e-3;
-    o.pull.force = 2.0;
-    o.pull.speed = 0.05;
+    pulled_surgeons_init(&o);
     o.scene.slot_limit = slot;
     expect_ok(vbss_context_create(NULL, &p->context));
     expect_ok(contact_scene_create(p->context, &o, &p->scene));
@@ -565,6 +559,30 @@ static void damaged_steps_that_wait_are_refused_or_go_on(void **state)
     small_end(&s);
 }
 
+/* Method PAPER has no attempts that could wait: a state that says so is refused. */
+static void steps_of_method_paper_never_wait(void **state)
+{
+    (void)state;
+    small s;
+    small_begin(&s);
+    s.config.method = s.thread.method = VBSS_METHOD_PAPER;
+    s.thread.paper_substeps = 20;
+    small_create(&s);
+    (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
+    small_steps(&s, 2, STEP);
+    scene_way *way = &small_object(&s)->way;
+    for (int how = 0; how < 2; how++) {
+        *way = (scene_way){.part = {.step = STEP}, .begun = 1.0, .size = 1.0};
+        way->waits = how == 0;
+        way->behind = how == 0 ? 0 : 1;
+        small_state bad = small_save(&s);
+        *way = (scene_way){0};
+        expect_result(VBSS_ERROR_CORRUPT, vbss_scene_restore(s.scene, bad.bytes, bad.count));
+        free(bad.bytes);
+    }
+    small_end(&s);
+}
+
 static void without_limits_calls_make_their_steps(void **state)
 {
     (void)state;
@@ -600,6 +618,7 @@ int test_slots(void)
         cmocka_unit_test(a_step_is_given_up_to_the_same_bits_when_restored),
         cmocka_unit_test(what_is_told_meanwhile_is_for_the_next_step),
         cmocka_unit_test(damaged_steps_that_wait_are_refused_or_go_on),
+        cmocka_unit_test(steps_of_method_paper_never_wait),
         cmocka_unit_test(without_limits_calls_make_their_steps),
     };
     return cmocka_run_group_tests_name("slots", tests, NULL, NULL);

@@ -4,8 +4,8 @@
 
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
+#include "scene/pulled_surgeons.h"
 #include "scene/watch.h"
-#include "scenes/contact_scenes.h"
 
 enum { STEPS = 500, LIMIT = 100000, ATTEMPTS = 3 };
 #define STEP 1e-3
@@ -24,13 +24,7 @@ static limited *begin(int which, vbss_scene_mode mode, uint32_t limit)
     limited *l = &lives[which];
     contact_scene_options o;
     *l = (limited){0};
-    expect_ok(contact_scene_init(&o, CONTACT_SCENE_PULLED));
-    o.knot.kind = KNOT_SURGEON;
-    o.knot.cylinder = true;
-    o.knot.length = 0.12;
-    o.knot.finest = 0.4e-3;
-    o.pull.force = 2.0;
-    o.pull.speed = 0.05;
+    pulled_surgeons_init(&o);
     o.scene.mode = mode;
     o.scene.work_limit = limit;
     o.scene.slot_limit = 0; /* a call is a step */
