@@ -66,6 +66,7 @@ vbss_result surgeon_begin_later(surgeon *s)
     plan.pull = kept ? PULL_KEPT : PULL;
     surgeon_hold_level(s);
     s->shut = 0.0;
+    s->seated = false;
     throw_begin(&s->tie, e, &plan);
     return VBSS_OK;
 }

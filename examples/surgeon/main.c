@@ -134,7 +134,7 @@ static bool run(watch w, bool whole)
 
 int main(int count, char **words)
 {
-    watch w = {.options = {.until = SURGEON_DONE}, .most = 150.0, .every = 1e9};
+    watch w = {.options = {.until = SURGEON_DONE}, .most = 250.0, .every = 1e9};
     int seeds = 1, good = 0;
     bool whole = true; /* until a last stage is named */
     if (!read_options(count, words, &w, &seeds, &whole)) {

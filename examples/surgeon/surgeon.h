@@ -42,6 +42,8 @@ typedef struct surgeon {
     double gap_before, gap; /* between the lips: before the throw, now, m */
     double edges;           /* between the middles of the slit's edges, m */
     double shut, calm;      /* so long, while both hands pull hard; or less, s */
+    double met;             /* so long, while both pull at all, s */
+    bool seated;            /* it was for a moment, and has not gaped since */
 } surgeon;
 
 typedef struct surgeon_options {

@@ -23,9 +23,14 @@
 #define LONGER 1.5 /* s: so long then */
 /* Eased, it is pulled again if it has sprung open wider than that, and so often. */
 #define SPRUNG 0.4e-3
-#define AGAIN 2
+#define SPRUNG_THIRD \
+    0.46e-3 /* which is not to be better: pulled again it comes to rest no tighter */
+#define AGAIN 4
 /* Wider before the third is pulled, it is pulled as the second was: the flat way it locks, and what is open stays so. */
 #define OPEN_THIRD 0.4e-3
+/* The last throw, if it was never shut under so much pull, N, or gapes that wide, m, since, is not seated, whatever it does eased. */
+#define SEATED 0.5
+#define GAPES 1e-3
 /* Not tight in time it is done all the same if both ends bear so much, N, or the slit is nearly shut: harder pulled, its lips slip past each
  * other. */
 #define LATE 11.0 /* s */
@@ -138,7 +143,14 @@ static void choose_way(surgeon *s)
     }
 }
 
-/* Pulled on when the slit is shut, its lips might slip past each other. The flat way a throw is pulled as hard as its plan has it. */
+static void watch_seat(surgeon *s, double weaker, double dt)
+{
+    bool met = s->tie.state == THROW_SEAT && s->gap < SPRUNG && weaker > SEATED;
+    s->met = since_when(met, s->met, dt);
+    s->seated = s->stage < SURGEON_THIRD || (s->gap < GAPES && (s->seated || s->met > A_MOMENT));
+}
+
+/* Pulled on when the slit is shut, its lips might slip past each other. */
 static void watch_slit(surgeon *s, double dt)
 {
     throw_run *t = &s->tie;
@@ -146,14 +158,17 @@ static void watch_slit(surgeon *s, double dt)
     double weaker = fmin(s->see.tension_w, s->see.tension_c);
     bool met = t->state == THROW_SEAT && (first ? s->edges < SHUT : s->gap < SHUT_AGAIN);
     bool hard = weaker > (first ? ENOUGH : ENOUGH_AGAIN);
+    double sprung = s->stage == SURGEON_THIRD ? SPRUNG_THIRD : SPRUNG;
+    watch_seat(s, weaker, dt);
     s->shut = since_when(met && (first || back) && hard, s->shut, dt);
-    s->calm = since_when(met && back && weaker > LESS_AGAIN, s->calm, dt);
+    bool calm = back ? weaker > LESS_AGAIN : !first && weaker > ENOUGH_AGAIN;
+    s->calm = since_when(met && calm, s->calm, dt);
     bool late = !first && t->closed > 0.0 && throw_pulled_for(t) > LATE &&
                 (weaker > AT_ALL || s->gap < SPRUNG);
     if (s->shut > A_MOMENT || s->calm > LONGER || late) {
         throw_seated(t);
         s->shut = s->calm = 0.0;
-    } else if (t->pulls < AGAIN && throw_is_eased(t) && s->gap > SPRUNG) {
+    } else if (t->pulls < AGAIN && throw_is_eased(t) && (s->gap > sprung || !s->seated)) {
         throw_pull_again(t);
     }
 }

@@ -1,11 +1,16 @@
 #include "throw/states.h"
 
+#include <string.h>
+
 #define UPRIGHT (0.5 * PI)
 enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
 #define STUCK 1.5          /* s: drawn so long as far round as W goes, the turn hangs at its tip */
 #define HARDER (1.0 / 1.5) /* more of both forces per s then */
 #define LONG_DRAWN 6.0     /* s */
-#define LOOK 0.02          /* s, between looks whether the end has come through */
+#define LOST 0.3           /* s, that turns are off W's jaws before it has the tail */
+#define DRAGGED \
+    12e-3 /* m, that the drain has gone: by the limb about W's jaws; it would go wherever W does */
+#define LOOK 0.02  /* s, between looks whether the end has come through */
 #define SURELY 0.2 /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
 
 /* Open jaws do not get at what lies on the floor: told to, they press on it. */
@@ -44,7 +49,12 @@ void throw_tail(throw_run *t, double dt)
     }
     catch_step(&t->grip, dt);
     steer_keep(t, dt);
-    if (t->grip.state == CATCH_HELD) {
+    t->lost = t->plan.again && s->last == 0 ? t->lost + dt : 0.0;
+    if (t->lost > LOST) {
+        throw_fail(t, "turns lost");
+    } else if (t->plan.again && v_length(senses_drain(s)) > DRAGGED) {
+        throw_fail(t, "drain dragged");
+    } else if (t->grip.state == CATCH_HELD) {
         throw_enter(t, THROW_CLOSE);
     } else if (t->grip.state == CATCH_MISSED && !is_caught_elsewhere(t)) {
         throw_fail(t, "tail not caught");
@@ -85,13 +95,31 @@ static bool is_off_jaws(const throw_run *t)
     return t->see->last == 0 || rests;
 }
 
+static bool is_certain_but_for_order(const vbss_knot_state *k)
+{
+    return k->verdict == VBSS_KNOT_VERDICT_FORMED &&
+           (k->faults & ~(uint32_t)VBSS_KNOT_FAULT_FEW) == VBSS_KNOT_FAULT_ORDER;
+}
+
+bool throw_is_formed_as(const throw_run *t, const char *notation)
+{
+    return strcmp(t->formed.notation, notation) == 0 || is_certain_but_for_order(&t->formed.state);
+}
+
+/* Loose throws are told, but which is below which may not be before they are pulled tight: drawn in vain for that, finished ones
+ * were pulled open and wound about once more. */
+static bool is_certain(const throw_run *t)
+{
+    bool long_drawn = t->plan.again && t->far_round > 0.0 && t->since > LONG_DRAWN;
+    return t->formed.state.verdict == VBSS_KNOT_VERDICT_CERTIFIED ||
+           (long_drawn && is_certain_but_for_order(&t->formed.state));
+}
+
 /* Has the end come through, whatever the tools hold? */
 static vbss_result is_formed(throw_run *t, bool *formed)
 {
-    const vbss_knot_state *k = &t->formed.state;
     TRY(senses_judge(t->see, false, &t->formed));
-    *formed = k->throw_count > t->throws_before && k->verdict == VBSS_KNOT_VERDICT_CERTIFIED &&
-              is_off_jaws(t);
+    *formed = t->formed.state.throw_count > t->throws_before && is_certain(t) && is_off_jaws(t);
     return VBSS_OK;
 }
 

@@ -21,17 +21,22 @@ enum { SQUARED_NO_MORE = 2 };
 #define SLACK_FORCE 0.03  /* N */
 #define EASING 3.0        /* s, at most */
 #define EASED 0.15        /* s, slack */
-#define LEFT_ALONE 0.3    /* s: then it is done */
+#define LOOSENED 0.45     /* s: until then both ends are given slack, */
+#define LOOSENING 0.01    /* m/s */
+#define LEFT_ALONE 1.3    /* s: then it is done; it slips late */
 #define AHEAD 0.3         /* N, of what is asked for over what the weaker end bears */
 #define UNLIKE_LEAST 0.05 /* of slack ends */
 #define UNLIKE_SHARE 0.3  /* in between, of the weaker one's */
 #define LEAN 120.0        /* N/m: so much less, of the end to which the drain has gone */
 #define LEAN_MOST 1.0     /* N */
-#define EASY 0.1          /* N: less is nearly slack */
-#define QUICK 0.4         /* m/s per N that is missing, while it is */
-#define STIFF 0.02        /* then */
-#define PULLING 0.02      /* m/s, at most */
-#define FAR_W (-0.07)     /* m, to where both pull in the end */
+/* A drain that does not come back for it is left where it is: no more of it from then on, and none in the end, s. */
+#define LEAN_FADES 4.0
+#define LEAN_FADED 6.0
+#define EASY 0.1      /* N: less is nearly slack */
+#define QUICK 0.4     /* m/s per N that is missing, while it is */
+#define STIFF 0.02    /* then */
+#define PULLING 0.02  /* m/s, at most */
+#define FAR_W (-0.07) /* m, to where both pull in the end */
 #define FAR_C 0.095
 #define LOW 0.003 /* m above the drain's top, where it has come down */
 
@@ -212,11 +217,12 @@ static bool are_back(throw_run *t, double dt)
     return false;
 }
 
-/* How much farther toward W than toward C the drain has gone: the thread's places in it. */
-static double lean_to_w(const senses *s)
+/* So much less W pulls than C because the drain has gone its way, N. */
+static double lean_to_w(const throw_run *t)
 {
-    const uint32_t *marks = s->stand->marks;
-    return 0.5 * (s->x[marks[0]].x + s->x[marks[1]].x);
+    const senses *s = t->see;
+    vec jaws = steer_jaws_of(&s->tool_w), way = v_unit(v3(jaws.x, jaws.y, 0.0));
+    return clamp(LEAN * v_dot(senses_drain(s), way), -LEAN_MOST, LEAN_MOST);
 }
 
 static void draw_to(hand *h, const hand_pose *p, vec *carrot, vec to, double felt, double wanted,
@@ -233,7 +239,8 @@ static void pull_back(throw_run *t, double dt)
     const double full = t->plan.pull;
     double weaker = fmin(s->tension_w, s->tension_c);
     double unlike = fmin(UNLIKE_LEAST + UNLIKE_SHARE * weaker, UNLIKE);
-    double lean = clamp(LEAN * lean_to_w(s), -LEAN_MOST, LEAN_MOST);
+    double stays = (LEAN_FADED - throw_pulled_for(t)) / (LEAN_FADED - LEAN_FADES);
+    double lean = lean_to_w(t) * clamp(stays, 0.0, 1.0);
     t->asked = fmin(fmin(t->asked + RISE * dt, weaker + AHEAD), full);
     double of_w = fmin(t->asked, s->tension_c + unlike - lean);
     double of_c = fmin(t->asked, s->tension_w + unlike + lean);
@@ -243,13 +250,16 @@ static void pull_back(throw_run *t, double dt)
     t->clear += weaker > 0.9 * full ? dt : 0.0;
 }
 
-/* Both ends alike and downward: pulled unlike, a throw on another one locks before it is down. */
+/* Both ends alike and downward: pulled unlike, a throw on another one locks before it is down, and the drain goes along: the slit of
+ * one that has gone 9 mm with the tail gaped by a millimetre. */
 static void pull_alike(throw_run *t, double dt)
 {
     senses *s = t->see;
-    const double full = t->plan.pull, more = t->plan.down && !t->plan.again ? UNLIKE : full;
+    const double full = t->plan.pull, more = t->plan.again || t->plan.down ? UNLIKE : full;
+    double lean = t->plan.again ? lean_to_w(t) : 0.0;
     double wanted = fmin(full, 0.1 + RISE * (t->since - t->closed));
-    double of_w = fmin(wanted, s->tension_c + more), of_c = fmin(wanted, s->tension_w + more);
+    double of_w = fmin(wanted, s->tension_c + more - lean);
+    double of_c = fmin(wanted, s->tension_w + more + lean);
     pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
     pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, of_c, dt);
     t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
@@ -334,13 +344,12 @@ void throw_seated(throw_run *t)
         return;
     }
     t->clear = 0.0;
-    t->parting = false;
     throw_enter(t, t->plan.again ? THROW_PART : THROW_DONE);
 }
 
 bool throw_is_eased(const throw_run *t)
 {
-    return t->state == THROW_PART && t->clear >= EASED && !t->parting;
+    return t->state == THROW_PART && t->clear >= EASED;
 }
 
 /* From where the throw below was pulled from: the flat way what has sprung open stays so. */
@@ -353,17 +362,31 @@ void throw_pull_again(throw_run *t)
     throw_enter(t, THROW_SEAT);
 }
 
-/* Both ease; whoever watches may want it pulled again. */
+/* Toward where its thread comes out of the knot. */
+static void loosen(hand *h, const hand_pose *p, vec *carrot, vec root, double dt)
+{
+    *carrot = v_along(*carrot, LOOSENING * dt, v_unit(v_sub(root, p->tip)));
+    hand_go(h, *carrot, 0.05);
+}
+
+/* Both ease, and then give the ends some slack before any is let go: what stands at 0.02 N may spring open at none. Whoever watches may
+ * want it pulled again. */
 void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;
     bool slack = fmax(s->draws_w, s->draws_c) < SLACK_FORCE;
-    t->parting = t->clear >= EASED;
-    t->clear += slack || t->since > EASING || t->parting ? dt : 0.0;
-    if (!t->parting) {
+    bool eased = t->clear >= EASED;
+    t->clear += slack || t->since > EASING || eased ? dt : 0.0;
+    if (!eased) {
         hand_give_way(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], s->draws_w, dt);
         hand_give_way(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], s->draws_c, dt);
-    } else if (t->clear > LEFT_ALONE) {
+        return;
+    }
+    if (t->clear < LOOSENED) {
+        loosen(s->w, &s->tool_w, &t->carrot_w, s->x[t->tail_root], dt);
+        loosen(s->c, &s->tool_c, &t->carrot_c, s->x[t->limb_root], dt);
+    }
+    if (t->clear > LEFT_ALONE) {
         throw_enter(t, THROW_DONE);
     }
 }

@@ -122,6 +122,13 @@ vbss_result senses_look(senses *s)
     return VBSS_OK;
 }
 
+vec senses_drain(const senses *s)
+{
+    const uint32_t *marks = s->stand->marks;
+    vec middle = v_scale(0.5, v_add(s->x[marks[0]], s->x[marks[1]]));
+    return v3(middle.x, middle.y, 0.0);
+}
+
 vec senses_tip_holding_up(const senses *s, vec way, double share)
 {
     double length = senses_length(s, s->limb_root, s->c->node);
@@ -144,7 +151,8 @@ static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *p
     t.radius[1] = h->shape.neck_radius;
     bool held = senses_holds(s, h);
     t.held = held ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
-    t.held_place = held ? h->place : 0.0;
+    t.held_place =
+        held ? fmax(h->place, 0.0) : 0.0; /* at the end it is 0 but for what rounding leaves */
     if (h->holds && !held && h->node == s->nodes - 1) {
         t.held = VBSS_KNOT_HELD_NEEDLE;
     }

@@ -109,9 +109,9 @@ typedef struct throw_run {
     double round_w, round_c;       /* rad about the knot, of both hands as they go back */
     double far_w, far_c;           /* m from it, as they come round again */
     double asked;                  /* N, of both ends then */
+    double lost;                   /* s, that W has had no turns on its jaws */
     double far_round;              /* s, that W has drawn as far round as it goes */
     int pulls;                     /* so often it was pulled again */
-    bool parting;                  /* eased, and nobody wanted it pulled again */
 } throw_run;
 
 void throw_plan_usual(throw_plan *p, int wraps);
@@ -122,6 +122,8 @@ void throw_plan_on_top(throw_plan *p);
 void throw_begin(throw_run *t, senses *see, const throw_plan *plan);
 /* What the hands do in the coming step, from what is seen now. */
 vbss_result throw_step(throw_run *t, double dt);
+/* What it became, as far as could be told when its end was through. */
+bool throw_is_formed_as(const throw_run *t, const char *notation);
 /* How long both ends have been pulled, s; where they can be at once, since it began. */
 double throw_pulled_for(const throw_run *t);
 /* It is tight. */
