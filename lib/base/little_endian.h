@@ -4,21 +4,36 @@
 
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
-/* The lowest `count` bytes of value, at most 8. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define VBSS_LITTLE_ENDIAN 1
+#else
+#define VBSS_LITTLE_ENDIAN 0
+#endif
+
+/* The lowest `count` bytes of value, at most 8. Where the machine's order is that one, compilers see one move. */
 static inline void store_little_endian(uint8_t *bytes, uint64_t value, size_t count)
 {
+#if VBSS_LITTLE_ENDIAN
+    memcpy(bytes, &value, count);
+#else
     for (size_t i = 0; i < count; i++) {
         bytes[i] = (uint8_t)(value >> (8 * i));
     }
+#endif
 }
 
 static inline uint64_t load_little_endian(const uint8_t *bytes, size_t count)
 {
     uint64_t value = 0;
+#if VBSS_LITTLE_ENDIAN
+    memcpy(&value, bytes, count);
+#else
     for (size_t i = 0; i < count; i++) {
         value |= (uint64_t)bytes[i] << (8 * i);
     }
+#endif
     return value;
 }
 
