@@ -23,9 +23,8 @@
 #define LONGER 1.5 /* s: so long then */
 /* Eased, it is pulled again if it has sprung open wider than that, and so often. */
 #define SPRUNG 0.4e-3
-#define SPRUNG_THIRD \
-    0.46e-3 /* which is not to be better: pulled again it comes to rest no tighter */
 #define AGAIN 4
+#define SPRUNG_THIRD 0.46e-3 /* that one comes to rest no tighter for it */
 /* Wider before the third is pulled, it is pulled as the second was: the flat way it locks, and what is open stays so. */
 #define OPEN_THIRD 0.4e-3
 /* The last throw, if it was never shut under so much pull, N, or gapes that wide, m, since, is not seated, whatever it does eased. */

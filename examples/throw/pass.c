@@ -8,8 +8,8 @@ enum { NEXT_PLACE = 2 };   /* nodes farther from the end, at each */
 #define HARDER (1.0 / 1.5) /* more of both forces per s then */
 #define LONG_DRAWN 6.0     /* s */
 #define LOST 0.3           /* s, that turns are off W's jaws before it has the tail */
-#define DRAGGED \
-    12e-3 /* m, that the drain has gone: by the limb about W's jaws; it would go wherever W does */
+/* m, that the drain has gone by, with the limb about W's jaws: it would go on as far as W does. */
+#define DRAGGED 12e-3
 #define LOOK 0.02  /* s, between looks whether the end has come through */
 #define SURELY 0.2 /* s, that it has, and turns are off W's jaws: they may catch at the tip again */
 
