@@ -20,6 +20,8 @@
 #define EVERY 1.25   /* from one to the next: a quarter of the time is what a solenoid bears */
 #define FIRST 1.75   /* closing */
 #define SEGMENTS 300 /* of the thread */
+/* Operations in a call, less than the default: what arms and handles take is of the same slot. */
+enum { WORK = 180000 };
 
 /* ---- tools */
 
@@ -109,7 +111,7 @@ static vbss_result add_session(stage *s)
 
 static vbss_result create_stitch(stage *s)
 {
-    const site_plan plan = {.segments = SEGMENTS};
+    const site_plan plan = {.segments = SEGMENTS, .slot = WORK};
     vbss_result result = site_create(&s->site, v3(0.035, -0.005, 0.0), 3.141592653589793, &plan);
     s->context = s->site.stand.context;
     s->scene = s->site.stand.scene;
@@ -152,6 +154,7 @@ static vbss_result create_surgeon(stage *s)
     stitch_plan plan;
     task of_surgeon;
     surgeon_plan(&usual, &plan);
+    plan.site.slot = WORK;
     vbss_result result = stitch_create(&s->stitch, s->seed, &plan);
     s->site = s->stitch.site;
     s->context = s->site.stand.context;
