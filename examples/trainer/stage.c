@@ -20,7 +20,7 @@
 #define EVERY 1.25   /* from one to the next: a quarter of the time is what a solenoid bears */
 #define FIRST 1.75   /* closing */
 #define SEGMENTS 300 /* of the thread */
-/* Operations in a call, less than the default: what arms and handles take is of the same slot. */
+/* Operations in a call, less than the default: so that a slot is kept by a core of 2.6 GHz (docs/trainer.md). */
 enum { WORK = 180000 };
 
 /* ---- tools */
