@@ -146,8 +146,7 @@ passed *passed_create(vbss_scene *scene, uint32_t drain_body)
     const drain_mesh *m = &p->drain->mesh;
     p->sides = calloc(m->side_count, sizeof *p->sides);
     p->triangles = calloc(m->triangle_count, sizeof *p->triangles);
-    p->failed = p->sides == NULL || p->triangles == NULL || m->node_count > MOST_NODES;
-    memset(p->near, 0xff, sizeof p->near);
+    p->failed = p->sides == NULL || p->triangles == NULL;
     read_holes(p);
     object->watch = keep_part;
     object->watcher = p;

@@ -273,9 +273,7 @@ static uint64_t ask_wall(passed *p, const part *t, const asked_chains *chains, b
                             .end = t->end + t->drain_first,
                             .nodes = m->node_count,
                             .triangles = p->triangles[0],
-                            .sides = p->sides[0],
-                            .near = p->near[0],
-                            .words = ROW_WORDS};
+                            .sides = p->sides[0]};
     for (uint32_t i = 0; i < m->triangle_count; i++) {
         if (whole || !round_hole(p, m->triangles[i], 3)) {
             memcpy(p->triangles[wall.triangle_count++], m->triangles[i], sizeof p->triangles[0]);

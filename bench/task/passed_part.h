@@ -5,13 +5,7 @@
 #include "scene/scene.h"
 #include "task/passed.h"
 
-enum {
-    MOST_CHAINS = 64,
-    MOST_HOLES = 32,
-    MOST_GRASPS = 16,
-    ROW_WORDS = 4,
-    MOST_NODES = 64 * ROW_WORDS
-};
+enum { MOST_CHAINS = 64, MOST_HOLES = 32, MOST_GRASPS = 16 };
 
 typedef enum chain_kind { CHAIN_THREAD, CHAIN_TOOL, CHAIN_NEEDLE } chain_kind;
 
@@ -48,7 +42,6 @@ struct passed {
     uint32_t held_before_count, held_now_count;
     const drain_object *drain;
     uint32_t (*sides)[2], (*triangles)[3]; /* of the wall, or of what is not round a hole */
-    uint64_t near[MOST_NODES][ROW_WORDS];  /* all are: the drain is not asked with itself */
     uint64_t step;
     passed_counts counts;
 };

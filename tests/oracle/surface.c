@@ -15,12 +15,14 @@ typedef struct piece {
 typedef struct place {
     double low;
     size_t piece;
+    const passing_surface *surface; /* here too: most pairs need no more to be left */
 } place;
 
 typedef struct all_pieces {
     piece *pieces;
     place *order;
     size_t count;
+    sweep chains; /* the box round all of them */
 } all_pieces;
 
 /* ---- gathering */
@@ -33,8 +35,16 @@ static void add(all_pieces *all, const passing_surface *surface, const vec3 *sta
     for (uint32_t k = 0; k < is.corners; k++) {
         p->nodes[k] = nodes[k];
     }
-    all->order[all->count] = (place){p->swept.low.x, all->count};
+    all->order[all->count] = (place){p->swept.low.x, all->count, surface};
     all->count++;
+}
+
+/* Of a surface that only chains are asked with. */
+static void add_beside_chains(all_pieces *all, const passing_surface *s, const uint32_t *nodes,
+                              passing_feature is)
+{
+    add(all, s, s->start, s->end, nodes, is);
+    all->count -= sweep_boxes_apart(&all->pieces[all->count - 1].swept, &all->chains);
 }
 
 static void add_chain(all_pieces *all, const passing_chain *c, size_t of)
@@ -42,6 +52,7 @@ static void add_chain(all_pieces *all, const passing_chain *c, size_t of)
     for (uint32_t i = 0; i < c->nodes; i++) {
         const uint32_t nodes[2] = {i, i + 1};
         add(all, NULL, c->start, c->end, nodes, (passing_feature){of, i, 1});
+        sweep_boxes_join(&all->chains, &all->pieces[all->count - 1].swept);
         if (i + 1 < c->nodes) {
             add(all, NULL, c->start, c->end, nodes, (passing_feature){of, i, 2});
         }
@@ -58,6 +69,17 @@ static void add_surface(all_pieces *all, const passing_surface *s, size_t of)
     }
     for (size_t i = 0; i < s->triangle_count; i++) {
         add(all, s, s->start, s->end, s->triangles + 3 * i, (passing_feature){of, i, 3});
+    }
+}
+
+/* Points of the surface meet nothing of a chain: it has no triangles. */
+static void add_only_surface(all_pieces *all, const passing_surface *s, size_t of)
+{
+    for (size_t i = 0; i < s->side_count; i++) {
+        add_beside_chains(all, s, s->sides + 2 * i, (passing_feature){of, i, 2});
+    }
+    for (size_t i = 0; i < s->triangle_count; i++) {
+        add_beside_chains(all, s, s->triangles + 3 * i, (passing_feature){of, i, 3});
     }
 }
 
@@ -89,8 +111,8 @@ static void ask(const piece *a, const piece *b, passing_surface_report *report)
 {
     bool edges = a->is.corners == 2 && b->is.corners == 2, asked;
     bool face = a->is.corners + b->is.corners == 4 && !edges;
-    if ((!edges && !face) || (a->surface == NULL && b->surface == NULL) ||
-        sweep_boxes_apart(&a->swept, &b->swept) || (a->surface == b->surface && are_near(a, b))) {
+    if ((!edges && !face) || sweep_boxes_apart(&a->swept, &b->swept) ||
+        (a->surface == b->surface && are_near(a, b))) {
         return;
     }
     bool swapped = a->is.corners == 3;
@@ -103,13 +125,23 @@ static void ask(const piece *a, const piece *b, passing_surface_report *report)
     }
 }
 
+/* Chains are not asked with each other here, and not every surface with itself. */
+static bool are_asked(const passing_surface *a, const passing_surface *b)
+{
+    return a != b || (a != NULL && a->near != NULL);
+}
+
 static void ask_all(all_pieces *all, passing_surface_report *report)
 {
     qsort(all->order, all->count, sizeof *all->order, compare);
     for (size_t i = 0; i < all->count; i++) {
-        const piece *a = &all->pieces[all->order[i].piece];
+        const place *at = &all->order[i];
+        const piece *a = &all->pieces[at->piece];
         for (size_t k = i + 1; k < all->count && all->order[k].low <= a->swept.high.x; k++) {
-            ask(a, &all->pieces[all->order[k].piece], report);
+            const place *other = &all->order[k];
+            if (are_asked(at->surface, other->surface)) {
+                ask(a, &all->pieces[other->piece], report);
+            }
         }
     }
 }
@@ -118,6 +150,9 @@ uint64_t passing_surfaces(const passing_surface *surfaces, size_t surface_count,
                           const passing_chain *chains, size_t chain_count,
                           passing_surface_report *report)
 {
+    const sweep nowhere = {.low = vec3_make(HUGE_VAL, HUGE_VAL, HUGE_VAL),
+                           .high = vec3_make(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL)};
+    const bool only_with_chains = surface_count == 1 && surfaces[0].near == NULL;
     size_t most = 0;
     for (size_t c = 0; c < chain_count; c++) {
         most += 2 * chains[c].nodes;
@@ -127,7 +162,7 @@ uint64_t passing_surfaces(const passing_surface *surfaces, size_t surface_count,
     }
     *report = (passing_surface_report){0};
     all_pieces all = {malloc((most + 1) * sizeof *all.pieces),
-                      malloc((most + 1) * sizeof *all.order), 0};
+                      malloc((most + 1) * sizeof *all.order), 0, nowhere};
     if (all.pieces == NULL || all.order == NULL) {
         report->passed = UINT64_MAX; /* nothing is proven */
     } else {
@@ -135,7 +170,8 @@ uint64_t passing_surfaces(const passing_surface *surfaces, size_t surface_count,
             add_chain(&all, &chains[c], c);
         }
         for (size_t k = 0; k < surface_count; k++) {
-            add_surface(&all, &surfaces[k], chain_count + k);
+            (only_with_chains ? add_only_surface : add_surface)(&all, &surfaces[k],
+                                                                chain_count + k);
         }
         ask_all(&all, report);
     }

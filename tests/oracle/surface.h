@@ -11,7 +11,7 @@ typedef struct passing_surface {
     const uint32_t *triangles, *sides; /* three nodes each; two */
     size_t triangle_count, side_count;
     /* A row of bits for each node: those that are near it along the surface, itself too. Features of which any nodes
-     * are near are not asked. */
+     * are near are not asked. NULL: the surface is not asked with itself. */
     const uint64_t *near;
     size_t words; /* of a row */
 } passing_surface;

@@ -147,15 +147,9 @@ static bool concerns(const wall *w, box needle, bool away, const uint32_t *nodes
 /* Of a drain, what the needle's box meets: all, or that away from holes. */
 static passing_surface gather_features(needle_watch *n, const wall *w, box needle, bool away)
 {
-    static const uint64_t near[NEEDLE_WATCH_TRIANGLES / 64] = {
-        UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
-        UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX}; /* itself it is not asked */
     const drain_mesh *m = &w->drain->mesh;
-    passing_surface f = {.start = w->drain->x,
-                         .end = w->drain->trial,
-                         .triangles = n->triangles,
-                         .sides = n->sides,
-                         .near = near};
+    passing_surface f = {
+        .start = w->drain->x, .end = w->drain->trial, .triangles = n->triangles, .sides = n->sides};
     assert_true(m->triangle_count <= NEEDLE_WATCH_TRIANGLES && m->side_count <= NEEDLE_WATCH_SIDES);
     for (uint32_t i = 0; i < m->triangle_count; i++) {
         if (concerns(w, needle, away, m->triangles[i], 3)) {
