@@ -67,7 +67,8 @@ static void draw_motion(harness_source *source, motion *m)
     make_wall(m);
     memset(m->all_near, 0xff, sizeof m->all_near);
     for (uint32_t i = 0; i < WALL_NODES; i++) {
-        vec3 flat = vec3_make((double)(i / ROW), (double)(i % ROW), 0.0);
+        const uint32_t column = i / ROW, row = i % ROW;
+        vec3 flat = vec3_make(column, row, 0.0);
         m->start[i] = shaken(source, flat, 0.3);
         m->end[i] = shaken(source, m->start[i], 0.2);
     }

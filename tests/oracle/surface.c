@@ -22,7 +22,6 @@ typedef struct all_pieces {
     piece *pieces;
     place *order;
     size_t count;
-    sweep chains; /* the box round all of them */
 } all_pieces;
 
 /* ---- gathering */
@@ -39,20 +38,11 @@ static void add(all_pieces *all, const passing_surface *surface, const vec3 *sta
     all->count++;
 }
 
-/* Of a surface that only chains are asked with. */
-static void add_beside_chains(all_pieces *all, const passing_surface *s, const uint32_t *nodes,
-                              passing_feature is)
-{
-    add(all, s, s->start, s->end, nodes, is);
-    all->count -= sweep_boxes_apart(&all->pieces[all->count - 1].swept, &all->chains);
-}
-
 static void add_chain(all_pieces *all, const passing_chain *c, size_t of)
 {
     for (uint32_t i = 0; i < c->nodes; i++) {
         const uint32_t nodes[2] = {i, i + 1};
         add(all, NULL, c->start, c->end, nodes, (passing_feature){of, i, 1});
-        sweep_boxes_join(&all->chains, &all->pieces[all->count - 1].swept);
         if (i + 1 < c->nodes) {
             add(all, NULL, c->start, c->end, nodes, (passing_feature){of, i, 2});
         }
@@ -72,14 +62,34 @@ static void add_surface(all_pieces *all, const passing_surface *s, size_t of)
     }
 }
 
-/* Points of the surface meet nothing of a chain: it has no triangles. */
-static void add_only_surface(all_pieces *all, const passing_surface *s, size_t of)
+static sweep box_of_chains(const passing_chain *chains, size_t count)
+{
+    sweep box = {.low = vec3_make(HUGE_VAL, HUGE_VAL, HUGE_VAL),
+                 .high = vec3_make(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL)};
+    for (size_t c = 0; c < count; c++) {
+        for (uint32_t i = 0; i < chains[c].nodes; i++) {
+            const sweep node = sweep_make(chains[c].start, chains[c].end, &i, 1);
+            sweep_boxes_join(&box, &node);
+        }
+    }
+    return box;
+}
+
+static void add_if_beside(all_pieces *all, const sweep *chains, const passing_surface *s,
+                          const uint32_t *nodes, passing_feature is)
+{
+    add(all, s, s->start, s->end, nodes, is);
+    all->count -= sweep_boxes_apart(&all->pieces[all->count - 1].swept, chains);
+}
+
+/* Of a surface that only chains are asked with what may meet them: no points, as chains have no triangles. */
+static void add_beside(all_pieces *all, const sweep *chains, const passing_surface *s, size_t of)
 {
     for (size_t i = 0; i < s->side_count; i++) {
-        add_beside_chains(all, s, s->sides + 2 * i, (passing_feature){of, i, 2});
+        add_if_beside(all, chains, s, s->sides + 2 * i, (passing_feature){of, i, 2});
     }
     for (size_t i = 0; i < s->triangle_count; i++) {
-        add_beside_chains(all, s, s->triangles + 3 * i, (passing_feature){of, i, 3});
+        add_if_beside(all, chains, s, s->triangles + 3 * i, (passing_feature){of, i, 3});
     }
 }
 
@@ -150,9 +160,6 @@ uint64_t passing_surfaces(const passing_surface *surfaces, size_t surface_count,
                           const passing_chain *chains, size_t chain_count,
                           passing_surface_report *report)
 {
-    const sweep nowhere = {.low = vec3_make(HUGE_VAL, HUGE_VAL, HUGE_VAL),
-                           .high = vec3_make(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL)};
-    const bool only_with_chains = surface_count == 1 && surfaces[0].near == NULL;
     size_t most = 0;
     for (size_t c = 0; c < chain_count; c++) {
         most += 2 * chains[c].nodes;
@@ -162,16 +169,20 @@ uint64_t passing_surfaces(const passing_surface *surfaces, size_t surface_count,
     }
     *report = (passing_surface_report){0};
     all_pieces all = {malloc((most + 1) * sizeof *all.pieces),
-                      malloc((most + 1) * sizeof *all.order), 0, nowhere};
+                      malloc((most + 1) * sizeof *all.order), 0};
     if (all.pieces == NULL || all.order == NULL) {
         report->passed = UINT64_MAX; /* nothing is proven */
     } else {
         for (size_t c = 0; c < chain_count; c++) {
             add_chain(&all, &chains[c], c);
         }
-        for (size_t k = 0; k < surface_count; k++) {
-            (only_with_chains ? add_only_surface : add_surface)(&all, &surfaces[k],
-                                                                chain_count + k);
+        if (surface_count == 1 && surfaces[0].near == NULL) {
+            const sweep box = box_of_chains(chains, chain_count);
+            add_beside(&all, &box, &surfaces[0], chain_count);
+        } else {
+            for (size_t k = 0; k < surface_count; k++) {
+                add_surface(&all, &surfaces[k], chain_count + k);
+            }
         }
         ask_all(&all, report);
     }
