@@ -4,6 +4,7 @@
 
 #include "bench_device.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 #include "tool_rig.h"
 
 enum { STEPS = 600, SETTLED = 300 };

@@ -1,5 +1,7 @@
 /* What does not touch: suture and wall round a hole, wall and the jaws that hold it. */
 #include "scene/around_holes.h"
+#include "scene/holes.h"
+#include "scene/tools.h"
 
 /* A tip touches within so many radii of the wire from its end. */
 #define TIP 1.0

@@ -1,5 +1,6 @@
 /* Whether what a search has led to may be taken. Where it was stopped, its forces are not those of the law, and lengths were put
  * right before shapes: both may put energy into threads and drains that nothing has done the work for. */
+#include "scene/attempt.h"
 #include "scene/scene.h"
 
 /* Of each in a part, J. A knot alone rubs away what it was given: it may have what a quick hand does in a millisecond, with

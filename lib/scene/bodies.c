@@ -1,5 +1,11 @@
 /* Threads and rigid bodies come into a scene, move there, and leave. */
+#include "scene/attempt.h"
+#include "scene/cuts.h"
+#include "scene/holes.h"
+#include "scene/paper.h"
+#include "scene/pins.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 #include <string.h>
 

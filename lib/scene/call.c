@@ -5,7 +5,11 @@
  *   the step that waits -> (its end -> the next step) while there is room -> what is too far behind is left out
  *
  * A saved state knows how far an attempt was, which is made again up to there. Hosts that change bodies meanwhile end the step. */
+#include "scene/attempt.h"
+#include "scene/events.h"
 #include "scene/scene.h"
+#include "scene/step.h"
+#include "scene/tools.h"
 
 /* More steps than these are not made up for: hands would be felt that much late. */
 enum { MOST_BEHIND = 2 };

@@ -5,6 +5,12 @@
  * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
 #include "scene/apart.h"
 #include "scene/around_holes.h"
+#include "scene/attempt.h"
+#include "scene/cuts.h"
+#include "scene/holes.h"
+#include "scene/pins.h"
+#include "scene/rows.h"
+#include "scene/tools.h"
 
 #include <string.h>
 

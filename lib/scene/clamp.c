@@ -2,6 +2,9 @@
  *
  * Everything moves the same share of its way, tools as well: so nothing is torn, and the path is a prefix of
  * one that the guard has looked at. What was fast is slow afterwards. Counted, with the share lost. */
+#include "scene/attempt.h"
+#include "scene/holes.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
 
 /* Of the way to the first hit; and of the velocity that is left. */

@@ -1,4 +1,6 @@
 /* The trial state of a part becomes the state. */
+#include "scene/attempt.h"
+#include "scene/holes.h"
 #include "scene/scene.h"
 
 /* A motion that needs halving is not smooth: so many steps more are damped. */

@@ -1,5 +1,6 @@
 /* Contacts that are there twice: where segments of a thread or sides of a drain meet, each of them has a row about the
  * same point. */
+#include "scene/rows.h"
 #include "scene/scene.h"
 
 /* ---- segments of threads: the end of one is the begin of the next, whose row stays */

@@ -1,4 +1,5 @@
 /* What happened in a step: who touches whom, and what went wrong. */
+#include "scene/events.h"
 #include "scene/scene.h"
 
 #include <string.h>

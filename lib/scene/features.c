@@ -3,6 +3,9 @@
  * A side of a row is a point that moves with its body: a mean of nodes, or a point of a rigid body's
  * surface. Where it was when the part began is known too, which is what friction is about. */
 #include "scene/around_holes.h"
+#include "scene/pins.h"
+#include "scene/rows.h"
+#include "scene/tools.h"
 
 #include "collision/closest.h"
 

@@ -4,6 +4,8 @@
  * a fold, the axis may go through both of its sides before the tip is past the hole. A hole is one of these places; the other
  * is another hole, or the needle would go on along the wall in what is no hole at all. */
 #include "scene/around_holes.h"
+#include "scene/holes.h"
+#include "scene/tools.h"
 
 /* Where an axis goes through a wall; no more of them are looked at. */
 enum { CROSSINGS = 8 };

@@ -1,4 +1,6 @@
 /* What contacts and pins do to the rigid bodies, and what is shown of contacts. */
+#include "scene/events.h"
+#include "scene/pins.h"
 #include "scene/scene.h"
 
 static void add_force(scene_body *b, vec3 point, vec3 force)

@@ -2,7 +2,10 @@
  *
  * A row is bilateral: its gap and what it has slid are where the thread's point is, seen from where it is
  * held, so that nothing of it is remembered but what the grasp itself knows. */
+#include "scene/holes.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 /* Where along the thread a point is held: on a segment, and which share of it. */
 typedef struct place {

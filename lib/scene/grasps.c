@@ -1,6 +1,8 @@
 /* What graspers hold: taken by jaws that touch it from both sides, held by rows (grasp_rows.c), let go as
  * it was. Between two steps what was pulled too hard slides. */
+#include "scene/events.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 #include "collision/closest.h"
 

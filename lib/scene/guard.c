@@ -5,6 +5,12 @@
  * half must not come much nearer still, so that a bad state can be left. */
 #include "scene/apart.h"
 #include "scene/around_holes.h"
+#include "scene/attempt.h"
+#include "scene/cuts.h"
+#include "scene/holes.h"
+#include "scene/pins.h"
+#include "scene/rows.h"
+#include "scene/tools.h"
 
 #include "collision/closest.h"
 

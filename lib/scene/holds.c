@@ -1,6 +1,9 @@
 /* Needles in the jaws of graspers: taken by jaws that touch them from both sides, held by three rows, let go as they were.
  * Between two steps what was pulled or turned too hard slides. */
+#include "scene/events.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 #include "collision/closest.h"
 

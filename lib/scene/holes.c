@@ -1,5 +1,9 @@
 /* Holes in a scene, and the suture that slides through. */
 #include "scene/around_holes.h"
+#include "scene/events.h"
+#include "scene/holes.h"
+#include "scene/rows.h"
+#include "scene/tools.h"
 
 #include <string.h>
 

@@ -1,5 +1,8 @@
 /* As everything was before a step, if it fails. */
+#include "scene/attempt.h"
 #include "scene/scene.h"
+#include "scene/step.h"
+#include "scene/tools.h"
 
 vbss_result vbss_scene_keep(scene_object *s)
 {

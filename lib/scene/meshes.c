@@ -1,7 +1,9 @@
 /* After a step: where adaptive threads are bent or near something they get nodes, where they are straight and alone
  * they lose them. All changes of a step are found before the first is made, far enough from each other that none
  * has to know of the rest; trees that the guard has left find what is near. */
+#include "scene/cuts.h"
 #include "scene/meshes.h"
+#include "scene/tools.h"
 
 #include "collision/closest.h"
 

@@ -13,6 +13,14 @@ typedef struct mesh_change {
     double room; /* for its neighbours and itself, m */
 } mesh_change;
 
+/* meshes.c: threads refine and coarsen themselves, at the very end of a step. */
+void vbss_scene_adapt_meshes(scene_object *s);
+/* Whether the number of a thread's nodes may change while it is in the scene. */
+static inline bool scene_thread_resizes(const thread_object *t)
+{
+    return t->config.cut_capacity > 0 || t->config.mesh == VBSS_MESH_ADAPTIVE;
+}
+
 /* renumber.c: makes the change, with pins, grasps and views of contacts. False: it takes more room. What contact
  * remembers is in order again only after the last of them. */
 bool vbss_scene_change_mesh(scene_object *s, const scene_body *thread, const mesh_change *change);

@@ -1,5 +1,6 @@
 /* Needles in a scene: free rigid bodies whose capsules lie along an arc. Method PAPER: paper_needles.c. */
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
                                 const uint32_t *number)

@@ -2,7 +2,14 @@
  *   tool poses -> needles -> threads and drains, each by its own explicit steps -> passes of detection and response,
  *   until nothing hits -> events -> tool forces
  * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
+#include "scene/attempt.h"
+#include "scene/cuts.h"
+#include "scene/events.h"
+#include "scene/holes.h"
+#include "scene/paper.h"
 #include "scene/scene.h"
+#include "scene/step.h"
+#include "scene/tools.h"
 
 /* ---- as it was, if the step fails */
 

@@ -1,6 +1,10 @@
 /* Which blocks are separators, and the pattern of the system: made anew only when it is another, and of that as little
  * as is another. */
+#include "scene/attempt.h"
+#include "scene/holes.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 #include <string.h>
 

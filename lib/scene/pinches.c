@@ -1,6 +1,9 @@
 /* Walls of drains in the jaws of graspers: taken by jaws that would touch them from both sides, held at up to three points
  * along the jaws, let go as they were. Between two steps what was pulled too hard slides. */
+#include "scene/events.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 #include "collision/closest.h"
 

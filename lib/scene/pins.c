@@ -2,7 +2,9 @@
  *
  * On the world and on driven bodies a pin is an attachment of the thread that is moved along; on others it
  * is a weld: lib/contact eliminates the node's motion in favour of the body's. */
+#include "scene/pins.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 static vbss_result check_node(const scene_object *s, const scene_body *thread, uint32_t node)
 {

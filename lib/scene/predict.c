@@ -1,4 +1,5 @@
 /* Where everything would go, and how: what the part of a step starts from. */
+#include "scene/attempt.h"
 #include "scene/scene.h"
 
 /* Steps after the last neighbour has gone that are still made by backward Euler, which damps what contact

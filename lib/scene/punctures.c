@@ -1,5 +1,7 @@
 /* Tips that enter walls. */
 #include "scene/around_holes.h"
+#include "scene/holes.h"
+#include "scene/tools.h"
 
 /* Where on the needle a row is about. */
 static double arc_of_row(const scene_body *needle, const contact_row *row)

@@ -1,5 +1,6 @@
 /* What contacts remember from part to part, also when they have slid on to other features: along a thread to the next
  * number, on a drain to a side or triangle that has a node in common. */
+#include "scene/rows.h"
 #include "scene/scene.h"
 
 static bool share_a_node(const scene_object *s, const scene_body *b, const contact_key *x,

@@ -1,6 +1,7 @@
 /* A node of a thread comes or goes, and all that names nodes and segments by their numbers goes on to mean the same
  * places: what contact remembers, pins, grasps, contacts in the views. Attachments are the thread's own. */
 #include "scene/meshes.h"
+#include "scene/rows.h"
 
 #include "collision/closest.h"
 

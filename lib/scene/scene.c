@@ -1,5 +1,10 @@
 /* How scenes begin and end. */
+#include "scene/attempt.h"
+#include "scene/cuts.h"
+#include "scene/pins.h"
 #include "scene/scene.h"
+#include "scene/step.h"
+#include "scene/tools.h"
 
 #include <string.h>
 

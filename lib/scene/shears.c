@@ -1,6 +1,8 @@
 /* What shears close on is cut when the step is made: threads keep their nodes while it lasts. What they cannot cut
  * does not hold them: they close as if they had let it go. */
+#include "scene/cuts.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 static double arc_of(const scene_strand *at)
 {

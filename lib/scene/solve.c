@@ -3,7 +3,10 @@
  *   assemble bodies -> condense -> states of the contacts -> all increments -> trial state -> rows
  *
  * Where drains have moved, it looks once more at the forces, with the factor that it has. */
+#include "scene/attempt.h"
+#include "scene/rows.h"
 #include "scene/scene.h"
+#include "scene/step.h"
 
 /* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
  * contact_search tells the units. */

@@ -1,5 +1,9 @@
 /* The state of a scene and all its bodies: saved, hashed and restored. */
+#include "scene/cuts.h"
+#include "scene/meshes.h"
+#include "scene/pins.h"
 #include "scene/scene.h"
+#include "scene/step.h"
 
 #include <string.h>
 

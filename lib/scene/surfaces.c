@@ -1,6 +1,7 @@
 /* Rows of what is near a drain: a point of whatever it is and a triangle, two sides, a node and the floor.
  *
  * A point touches a triangle where its closest point is within; where that is on a side, the side's own rows see it. */
+#include "scene/rows.h"
 #include "scene/scene.h"
 
 uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uint32_t kind,

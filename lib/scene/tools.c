@@ -2,7 +2,11 @@
  *
  * Before a step they are told where to go and how far to close; then the jaws move evenly, as their body
  * does, and after it the grasper is shown what became of it. */
+#include "scene/events.h"
+#include "scene/paper.h"
+#include "scene/pins.h"
 #include "scene/scene.h"
+#include "scene/tools.h"
 
 #include <string.h>
 

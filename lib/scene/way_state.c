@@ -1,5 +1,6 @@
 /* The state of a scene's step that waits (call.c): where it is, not what has been found. */
 #include "scene/scene.h"
+#include "scene/step.h"
 
 static bool is_way(const scene_object *s, const scene_way *at)
 {

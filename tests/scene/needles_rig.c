@@ -1,4 +1,5 @@
 #include "scene/needles_rig.h"
+#include "scene/tools.h"
 
 void needles_begin(needles_rig *r)
 {

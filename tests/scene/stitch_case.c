@@ -1,6 +1,7 @@
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"
+#include "scene/attempt.h"
 #include "scene/scene.h"
 #include "thread/thread.h"
 

@@ -4,6 +4,7 @@
 
 #include "scene/cut_contacts.h"
 #include "scene/mesh_rig.h"
+#include "scene/meshes.h"
 #include "scene/tools_rig.h"
 
 /* ---- contacts */

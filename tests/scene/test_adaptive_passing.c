@@ -6,6 +6,7 @@
 #include "oracle/passing.h"
 #include "oracle/knot_type.h"
 #include "scene/mesh_rig.h"
+#include "scene/meshes.h"
 #include "scene/watch.h"
 #include "scenes/contact_scenes.h"
 

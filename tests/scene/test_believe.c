@@ -1,4 +1,6 @@
 /* What a search that was stopped has led to is taken only if nobody gains by it what nothing has done. */
+#include "scene/attempt.h"
+#include "scene/events.h"
 #include "scene/stitch_case.h"
 
 static stitch_case c;

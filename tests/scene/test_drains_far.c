@@ -4,6 +4,7 @@
 
 #include "scene/apart.h"
 #include "scene/drains_rig.h"
+#include "scene/rows.h"
 
 enum { CASES = 30, MOVES = 3 };
 

@@ -1,5 +1,7 @@
 /* The guard beside holes: what slides through its hole goes on, what begins near it and goes through the wall elsewhere does
  * not, however fast both are. */
+#include "scene/attempt.h"
+#include "scene/rows.h"
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"

@@ -1,5 +1,7 @@
 /* The guard asks the pairs that the search for rows has listed, if nothing left the boxes in which that looked; else it
  * searches itself. Either way it finds the same. */
+#include "scene/attempt.h"
+#include "scene/rows.h"
 #include "scene/small.h"
 
 enum { CASES = 400, NODES = 25 };

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "scene/needles_rig.h"
+#include "scene/tools.h"
 #include "scenes/needle_scenes.h"
 
 /* ---- as a body of the harness */

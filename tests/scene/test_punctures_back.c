@@ -1,5 +1,6 @@
 /* A needle that leaves a hole, the way it came or through it, and comes again; tremor at the wall. */
 #include "scene/around_holes.h"
+#include "scene/holes.h"
 #include "scene/needle_case.h"
 
 static needle_case c;

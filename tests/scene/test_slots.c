@@ -6,6 +6,7 @@
 #include "scene/drains_rig.h"
 #include "scene/pulled_surgeons.h"
 #include "scene/small.h"
+#include "scene/step.h"
 #include "scenes/needle_scenes.h"
 #include "scenes/puncture_scenes.h"
 #include "scenes/scene_body.h"
