@@ -422,7 +422,9 @@ VBSS_API vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const do
 VBSS_API vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id);
 
 /**
- * What an attachment did in the last step, whatever was changed since; zero before its first.
+ * What an attachment did in the last step, whatever was changed since; zero before its first. While a scene waits with a
+ * step (vbss_scene_config::slot_limit) that is some calls ago: a host whose hand goes by the force of a spring takes that
+ * from where its end and the node are now, stiffness times distance, or it winds the thread up.
  *
  * @param thread         the thread
  * @param id             the attachment

@@ -52,15 +52,20 @@ vbss_result contact_hand_release(contact_hand *hand)
     return id == 0 ? VBSS_OK : vbss_thread_detach(hand->thread, id);
 }
 
+/* At a spring it feels what that pulls now: while a scene waits, a reaction is of some calls ago, and hands that go by it
+ * wind the thread up. */
 static vbss_result feel(contact_hand *hand)
 {
     vbss_thread_reaction r;
     VBSS_TRY(vbss_thread_get_reaction(hand->thread, hand->id, &r, sizeof r));
     hand->node = r.node; /* an adaptive mesh renumbers it */
-    hand->felt = vec3_dot(vec3_load(r.force), hand->way);
-    if (hand->pull.stiffness == 0.0) { /* the guard may have held it back */
-        hand->at = node_at(hand->thread, hand->node);
+    vec3 here = node_at(hand->thread, hand->node), force = vec3_load(r.force);
+    if (hand->pull.stiffness > 0.0) {
+        force = vec3_scale(vec3_sub(hand->at, here), hand->pull.stiffness);
+    } else { /* the guard may have held it back */
+        hand->at = here;
     }
+    hand->felt = vec3_dot(force, hand->way);
     return VBSS_OK;
 }
 
