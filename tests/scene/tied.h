@@ -156,8 +156,8 @@ static inline void tied_pull_at_once(tied *t)
         expect_ok(vbss_thread_detach(k->thread, k->ends[i]));
         k->ends[i] = 0;
         expect_ok(contact_hand_take(&k->hands[i], k->thread, k->nodes[k->stage][i], way,
-                                    &t->options.pull,
-                                    t->options.thread.axial_stiffness / k->length));
+                                    &t->options.pull, t->options.thread.axial_stiffness / k->length,
+                                    contact_hand_scene_waits(&t->options.scene)));
     }
 }
 

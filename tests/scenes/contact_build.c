@@ -39,12 +39,13 @@ static vbss_result take_ends(contact_scene *scene, const layout *from, vec3 firs
 {
     uint32_t k = scene->thread_count - 1;
     double give = scene->options.thread.axial_stiffness / length_of(from);
+    bool waits = contact_hand_scene_waits(&scene->options.scene);
     vbss_result result = contact_hand_take(&scene->hands[scene->hand_count++], scene->threads[k], 0,
-                                           first, &scene->options.pull, give);
+                                           first, &scene->options.pull, give, waits);
     return result != VBSS_OK
                ? result
                : contact_hand_take(&scene->hands[scene->hand_count++], scene->threads[k],
-                                   from->count - 1, last, &scene->options.pull, give);
+                                   from->count - 1, last, &scene->options.pull, give, waits);
 }
 
 static vbss_capsule rod(vec3 begin, vec3 end, double radius)

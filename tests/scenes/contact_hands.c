@@ -23,8 +23,13 @@ static vec3 node_at(vbss_thread *thread, uint32_t node)
     return ((const vec3 *)view.data)[node];
 }
 
+bool contact_hand_scene_waits(const vbss_scene_config *scene)
+{
+    return scene->mode == VBSS_MODE_REAL_TIME && scene->work_limit > 0 && scene->slot_limit > 0;
+}
+
 vbss_result contact_hand_take(contact_hand *hand, vbss_thread *thread, uint32_t node, vec3 way,
-                              const contact_pull *pull, double give)
+                              const contact_pull *pull, double give, bool scene_waits)
 {
     vbss_thread_attachment a;
     vec3 here = node_at(thread, node);
@@ -34,6 +39,7 @@ vbss_result contact_hand_take(contact_hand *hand, vbss_thread *thread, uint32_t 
                            .at = here,
                            .home = here,
                            .pull = *pull,
+                           .scene_waits = scene_waits,
                            .give = give};
     VBSS_TRY(vbss_thread_attachment_init(&a, sizeof a));
     a.kind = pull->stiffness > 0.0 ? VBSS_ATTACHMENT_SPRING : VBSS_ATTACHMENT_PIN;
@@ -52,18 +58,16 @@ vbss_result contact_hand_release(contact_hand *hand)
     return id == 0 ? VBSS_OK : vbss_thread_detach(hand->thread, id);
 }
 
-/* At a spring it feels what that pulls now: while a scene waits, a reaction is of some calls ago, and hands that go by it
- * wind the thread up. */
 static vbss_result feel(contact_hand *hand)
 {
     vbss_thread_reaction r;
     VBSS_TRY(vbss_thread_get_reaction(hand->thread, hand->id, &r, sizeof r));
     hand->node = r.node; /* an adaptive mesh renumbers it */
     vec3 here = node_at(hand->thread, hand->node), force = vec3_load(r.force);
-    if (hand->pull.stiffness > 0.0) {
-        force = vec3_scale(vec3_sub(hand->at, here), hand->pull.stiffness);
-    } else { /* the guard may have held it back */
+    if (hand->pull.stiffness == 0.0) { /* the guard may have held it back */
         hand->at = here;
+    } else if (hand->scene_waits) {
+        force = vec3_scale(vec3_sub(hand->at, here), hand->pull.stiffness);
     }
     hand->felt = vec3_dot(force, hand->way);
     return VBSS_OK;
@@ -159,8 +163,8 @@ vbss_result contact_hand_tug(contact_hand *hand, const contact_whim *whim, doubl
         return contact_hand_release(hand);
     }
     if (hand->id == 0) { /* where it is now */
-        VBSS_TRY(
-            contact_hand_take(hand, hand->thread, hand->node, hand->way, &hand->pull, hand->give));
+        VBSS_TRY(contact_hand_take(hand, hand->thread, hand->node, hand->way, &hand->pull,
+                                   hand->give, hand->scene_waits));
     }
     contact_pull usual = hand->pull;
     double most = STEP_FORCE / give_of(hand);

@@ -3,6 +3,7 @@
 #ifndef VBSS_TESTS_SCENES_CONTACT_HANDS_H
 #define VBSS_TESTS_SCENES_CONTACT_HANDS_H
 
+#include <vblast_ss/scene.h>
 #include <vblast_ss/thread.h>
 
 #include "base/base.h"
@@ -21,14 +22,18 @@ typedef struct contact_hand {
     vec3 at;           /* of a spring's end */
     vec3 home;         /* where it took the node */
     contact_pull pull;
-    double give;     /* N/m: of the thread, for a node that is the hand's */
-    double furthest; /* from home along the way, m */
-    double felt;     /* N: by which the thread pulled it back along its way in the last step */
+    bool scene_waits; /* it feels what a spring pulls now, not what that did in the last step */
+    double give;      /* N/m: of the thread, for a node that is the hand's */
+    double furthest;  /* from home along the way, m */
+    double felt;      /* N: by which the thread pulls it back along its way */
 } contact_hand;
 
+/* Whether a step may wait in such a scene. Its last step is of some calls ago then, and a hand at a spring that goes by
+ * it winds the thread up. */
+bool contact_hand_scene_waits(const vbss_scene_config *scene);
 /* Takes a node of a thread where it is. `give`: stiffness of the thread as a whole. */
 vbss_result contact_hand_take(contact_hand *hand, vbss_thread *thread, uint32_t node, vec3 way,
-                              const contact_pull *pull, double give);
+                              const contact_pull *pull, double give, bool scene_waits);
 vbss_result contact_hand_release(contact_hand *hand);
 /* Goes on for a step of h seconds, `aside` metres across. */
 vbss_result contact_hand_move(contact_hand *hand, double h, vec3 aside);

@@ -115,10 +115,11 @@ static uint32_t turn_now(const tied_knot *knot, int k)
 static vbss_result take(tied_knot *knot, const contact_pull *pull)
 {
     double give = knot->options.thread.axial_stiffness / knot->length;
+    bool waits = contact_hand_scene_waits(&knot->options.scene);
     for (int k = 0; k < 2; k++) {
         uint32_t node = knot->nodes[knot->stage][k];
         vec3 way = outward(node_at(knot, node).x > 0.0);
-        VBSS_TRY(contact_hand_take(&knot->hands[k], knot->thread, node, way, pull, give));
+        VBSS_TRY(contact_hand_take(&knot->hands[k], knot->thread, node, way, pull, give, waits));
     }
     return VBSS_OK;
 }
