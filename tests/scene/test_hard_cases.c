@@ -241,7 +241,7 @@ static void hands_at_springs_tug_at_a_scene_that_waits(void **state)
         hard_tell(&c);
         hard_expect_kept(&c);
         assert_true(hard_statistics(&c).deferred > 500);
-        assert_true(fastest < 60.0); /* 33 m/s; 84 with those hands */
+        assert_true(fastest < 60.0); /* 33 m/s; 84 by the last reaction */
         hard_end(&c);
     }
 }
