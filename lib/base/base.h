@@ -112,21 +112,6 @@ vbss_result vbss_allocate_arrays(vbss_context *context, const vbss_array *arrays
                                  const char *what);
 void vbss_release_arrays(vbss_context *context, const vbss_array *arrays, size_t count);
 
-/* ---- arena (arena.c): memory for one step, taken from one block allocated beforehand. */
-typedef struct vbss_arena {
-    unsigned char *block;
-    size_t capacity, used, peak; /* peak: the most that was taken or asked for */
-} vbss_arena;
-/* The part of the capacity that an array takes: sum these to size an arena. SIZE_MAX / 4 for what
- * no memory holds. */
-size_t vbss_arena_need(size_t count, size_t size);
-vbss_result vbss_arena_create(vbss_context *context, vbss_arena *arena, size_t capacity);
-void vbss_arena_destroy(vbss_context *context, vbss_arena *arena);
-/* Not cleared; aligned to VBSS_ALIGNMENT; NULL always means that the arena is full. */
-void *vbss_arena_take(vbss_arena *arena, size_t count, size_t size);
-/* Forgets everything taken since `mark`, a value of arena->used; 0 at the start of a step. */
-void vbss_arena_rewind(vbss_arena *arena, size_t mark);
-
 /* ---- handles (slot.c). A public handle is a slot in disguise. Slots belong to the context and are
  * never used twice, so a destroyed handle is told and never read as something else. */
 typedef struct vbss_stream vbss_stream;
