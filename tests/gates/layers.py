@@ -96,7 +96,7 @@ CANARIES = [
      r"which is neither"),
     ("a folder nobody placed", with_file("lib/misc/canary.c", ""), r"lib/misc is no layer"),
     ("what is allowed",
-     with_file("lib/contact/canary.c", '#include <math.h>\n#include "base/base.h"\n'), None),
+     with_file("lib/contact/canary.c", '#include <math.h>\n#include "base/error.h"\n'), None),
 ]
 
 if __name__ == "__main__":

@@ -1,5 +1,14 @@
 #include "scenes/rod.h"
 
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/linear.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "base/rotation.h"
+#include "base/stream.h"
+
 #include <string.h>
 
 _Static_assert(sizeof(rod_config) == 32, "no hidden padding");
