@@ -15,7 +15,9 @@ import shutil
 import subprocess
 import sys
 
-LIBRARY_ONLY = ["-DVBSS_BUILD_TESTS=OFF", "-DVBSS_BUILD_EXAMPLES=OFF", "-DVBSS_BUILD_BENCH=OFF"]
+# No compiler cache: it leaves out call graphs, and would hand one folder's object to another folder's build.
+LIBRARY_ONLY = ["-DVBSS_BUILD_TESTS=OFF", "-DVBSS_BUILD_EXAMPLES=OFF", "-DVBSS_BUILD_BENCH=OFF",
+                "-DCMAKE_C_COMPILER_LAUNCHER="]
 
 
 class Problem(Exception):
