@@ -238,6 +238,7 @@ vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, steps, "steps"));
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     log_reader log = vbss_log_reader_at(&p->begin, p->scan);
     log_step step = p->step;
     bool end = false;
@@ -257,6 +258,7 @@ vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step
     VBSS_TRY(vbss_replay_edit(replay, &p));
     vbss_log_step own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_struct_write(p->context, &step_layout, &own, step, struct_size));
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     if (number <= p->looked) {
         p->look = vbss_log_reader_at(&p->begin, p->look.coder);
         p->looked = 0;

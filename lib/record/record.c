@@ -160,7 +160,7 @@ static vbss_result begin(record_object *r, const vbss_record_config *c, log_head
     size_t snapshot = 0;
     VBSS_TRY(fill_head(scene->object, c, head));
     VBSS_TRY(vbss_snapshot_size(scene, &snapshot));
-    if (snapshot > UINT32_MAX - 1024) {
+    if (snapshot > LOG_SNAPSHOT_MOST) {
         return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
     }
     VBSS_TRY(vbss_record_make_room(r, measure_head(head) + vbss_log_snapshot_bytes(snapshot),
@@ -274,7 +274,8 @@ static vbss_result check_room(const record_object *r, log_step *next)
 static void note_snapshot(record_object *r)
 {
     size_t need = 0;
-    if (vbss_snapshot_size((const vbss_slot *)r->scene, &need) == VBSS_OK && need < UINT32_MAX &&
+    if (vbss_snapshot_size((const vbss_slot *)r->scene, &need) == VBSS_OK &&
+        need <= LOG_SNAPSHOT_MOST &&
         vbss_log_snapshot_bytes(need) + r->end_bytes <= vbss_log_room(&r->log)) {
         r->snapshot_due = write_snapshot(r, need) != VBSS_OK;
     }

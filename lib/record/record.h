@@ -16,6 +16,8 @@
 /* ---- format.c: a front, then records, each with its length, one section and a checksum, which covers
  * the checksum before it: no record can be changed, lost or moved unseen. */
 
+/* No section is larger, so that its length is not taken for a coded step. */
+#define LOG_SNAPSHOT_MOST 0xbffff000u
 /* Since this format steps are coded and snapshots packed. */
 enum { FORMAT_PACKED = 3 };
 enum {

@@ -64,6 +64,7 @@ static vbss_result make_step(replay_object *p)
 static vbss_result go_on(replay_object *p)
 {
     bool end = false;
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(vbss_log_read_step(&p->log, p->report.step, &p->step, &end));
     p->report.position = p->log.at;
     if (!end) {
@@ -172,6 +173,7 @@ static vbss_result go_from(replay_object *p, const place *from, uint64_t step)
 vbss_result vbss_replay_go_to(replay_object *p, uint64_t step)
 {
     place from;
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_place(p, step, &from));
     VBSS_TRY(vbss_log_restore_scene(p->context, p->scene, &from.snapshot));
     return told(p, go_from(p, &from, step));

@@ -77,6 +77,7 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     }
     VBSS_TRY(vbss_scene_tell(p->scene, &s));
     VBSS_TRY(check_fit(p, s));
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_end(p, &steps, &end));
     VBSS_TRY(bring_to_end(p, steps));
     vbss_result result =

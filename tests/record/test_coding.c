@@ -1,4 +1,5 @@
 /* Numbers, steps and snapshots come back from their coded form to the bit, and damaged forms are refused. */
+#include <fenv.h>
 #include <float.h>
 #include <math.h>
 
@@ -283,6 +284,52 @@ static void long_runs_take_little(void **state)
     assert_memory_equal(raw, back, sizeof back);
 }
 
+/* ---- the mode of the processor */
+
+/* Predictions round: in another mode other numbers would be read, behind right checksums. */
+static void a_log_is_not_read_with_other_rounding(void **state)
+{
+    (void)state;
+    const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
+    stage s;
+    stage_begin(&s, NULL);
+    log_bytes log = log_of(&s, NULL, 5);
+    stage_end(&s);
+    stage_begin(&s, NULL);
+    vbss_replay *replay = replay_of(&s, &log);
+    expect_ok(vbss_replay_begin(replay, s.scene));
+    for (int i = 0; i < 3; i++) {
+        vbss_log_step step;
+        vbss_log_report report;
+        vbss_replay_report found;
+        vbss_record *record;
+        uint64_t steps, position;
+        assert_int_equal(fesetround(modes[i]), 0);
+        const vbss_result results[] = {
+            vbss_replay_read(replay, 1, &step, sizeof step),
+            vbss_replay_check(replay, &steps),
+            vbss_log_check(s.context, log.bytes, log.count, &report, sizeof report),
+            vbss_replay_seek(replay, 3, &found, sizeof found),
+            vbss_record_resume(replay, NULL, &record, &position),
+        };
+        fesetround(FE_TONEAREST);
+        for (size_t n = 0; n < sizeof results / sizeof results[0]; n++) {
+            expect_result(VBSS_ERROR_ARITHMETIC_MODE, results[n]);
+        }
+        expect_ok(vbss_replay_read(replay, 3, &step, sizeof step));
+        expect_ok(vbss_replay_seek(replay, 4, &found, sizeof found));
+        assert_int_equal(found.agreed_step, 4);
+    }
+    vbss_replay_report found;
+    assert_int_equal(fesetround(FE_UPWARD), 0);
+    vbss_result result = vbss_replay_step(replay, &found, sizeof found);
+    fesetround(FE_TONEAREST);
+    expect_result(VBSS_ERROR_ARITHMETIC_MODE, result);
+    assert_int_equal(found.outcome, VBSS_REPLAY_STOPPED);
+    stage_end(&s);
+    log_free(&log);
+}
+
 int test_coding(void)
 {
     const struct CMUnitTest tests[] = {
@@ -293,6 +340,7 @@ int test_coding(void)
         harness_test(any_bits_are_a_step_or_refused),
         harness_test(packed_bytes_come_back),
         cmocka_unit_test(long_runs_take_little),
+        cmocka_unit_test(a_log_is_not_read_with_other_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
