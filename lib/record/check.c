@@ -91,6 +91,7 @@ vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t
     VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
     vbss_log_report own = {.struct_size = sizeof own, .log_bytes = count};
     VBSS_TRY(vbss_struct_write(context, &report_layout, &own, report, struct_size));
+    VBSS_TRY(vbss_check_arithmetic(context));
     if (count > SIZE_MAX) {
         return vbss_fail(context, VBSS_ERROR_CORRUPT, "the log is larger than any memory");
     }
