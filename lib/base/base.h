@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include <vblast_ss/base.h>
+#include <vblast_ss/elementary.h>
 
 #include "base/linear.h"
 
@@ -268,13 +269,9 @@ double vbss_random_normal(vbss_random *random);                  /* mean 0, devi
 vec3 vbss_random_direction(vbss_random *random);                 /* uniform on the unit sphere */
 void vbss_random_serialise(vbss_stream *stream, uint16_t tag, vbss_random *random);
 
-/* ---- elementary functions from + - * / sqrt: the same bits everywhere. Errors and methods stand
- * in docs/elementary-functions.md. Special values as in C11 Annex F. */
-double vbss_sin(double x);
-double vbss_cos(double x);
+/* ---- elementary functions that hosts do not need, as those of vblast_ss/elementary.h: the same bits
+ * everywhere. Errors and methods stand in docs/elementary-functions.md. */
 void vbss_sincos(double x, double *sine, double *cosine);
-double vbss_atan2(double y, double x);
-double vbss_acos(double x);
 double vbss_exp(double x);
 double vbss_log(double x); /* natural logarithm */
 
