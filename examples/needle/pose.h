@@ -77,7 +77,7 @@ static inline double pose_angle(const pose *a, const pose *b)
     for (int i = 0; i < 4; i++) {
         dot += a->q[i] * b->q[i];
     }
-    return 2.0 * vbss_acos(lesser(fabs(dot), 1.0));
+    return 2.0 * vbss_acos(smaller(fabs(dot), 1.0));
 }
 
 /* Turned about an axis of its own frame, through its origin. */

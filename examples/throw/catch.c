@@ -66,7 +66,7 @@ static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
 
 static double clearance(const hand *h, vec bend)
 {
-    return lesser(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
+    return smaller(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
 }
 
 vec catch_point(const senses *s, const hand *h, uint32_t node)
@@ -81,7 +81,7 @@ vec catch_point(const senses *s, const hand *h, uint32_t node)
         vec roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
         stance t = stand_at(h, place, n, v_length(to), roll);
         double across = v_dot(t.opening, way) / ALIGNED;
-        double near = greater(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
+        double near = larger(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
         double cost = across * across + near * near + angle * angle;
         if (cost < least) {
             least = cost;

@@ -194,7 +194,7 @@ static vec give(const hand *h, vec velocity)
 {
     double force = v_length(h->felt);
     vec way = v_unit(h->felt);
-    double against = greater(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
+    double against = larger(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
     return force > STRONG ? v_along(velocity, against, way) : velocity;
 }
 
@@ -202,7 +202,7 @@ static void follow(hand *h, double dt)
 {
     vec way = v_sub(v_add(h->goal, h->aim), h->at);
     double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
-    vec wanted = v_limit(v_scale(1.0 / LAG, way), lesser(h->limit, stop));
+    vec wanted = v_limit(v_scale(1.0 / LAG, way), smaller(h->limit, stop));
     vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
     h->velocity = give(h, v_add(h->velocity, change));
     h->at = v_along(h->at, dt, h->velocity);
@@ -239,7 +239,7 @@ static void face(hand *h, double dt)
     for (int i = 0; i < 4; i++) {
         dot += h->face[i] * h->wanted_face[i];
     }
-    double angle = 2.0 * vbss_acos(lesser(fabs(dot), 1.0));
+    double angle = 2.0 * vbss_acos(smaller(fabs(dot), 1.0));
     double share = angle * dt > LAG * most ? most / angle : dt / LAG;
     for (int i = 0; i < 4; i++) {
         double wanted = dot < 0.0 ? -h->wanted_face[i] : h->wanted_face[i];

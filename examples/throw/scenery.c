@@ -21,10 +21,10 @@ scenery_box scenery_nothing(void)
 
 void scenery_include(scenery_box *b, vec x, double radius)
 {
-    b->low = v3(lesser(b->low.x, x.x - radius), lesser(b->low.y, x.y - radius),
-                lesser(b->low.z, x.z - radius));
-    b->high = v3(greater(b->high.x, x.x + radius), greater(b->high.y, x.y + radius),
-                 greater(b->high.z, x.z + radius));
+    b->low = v3(smaller(b->low.x, x.x - radius), smaller(b->low.y, x.y - radius),
+                smaller(b->low.z, x.z - radius));
+    b->high = v3(larger(b->high.x, x.x + radius), larger(b->high.y, x.y + radius),
+                 larger(b->high.z, x.z + radius));
 }
 
 static bool is_in(const scenery_box *b, vec x)
@@ -192,7 +192,7 @@ bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int h
     vec size = v_sub(b->high, b->low), middle = v_mix(b->low, b->high, 0.5);
     double across = v_dot(size, right);
     double tall = fabs(size.y * up.y) + fabs(size.z * up.z);
-    double wide = greater(BORDER * greater(across, tall * width / (height - top)), least_width);
+    double wide = larger(BORDER * larger(across, tall * width / (height - top)), least_width);
     middle = v_along(middle, 0.5 * top * wide / width, up);
     painter_camera c = {.width = wide};
     v_store(c.target, middle);

@@ -100,12 +100,12 @@ static inline double v_hypotenuse(double x, double y)
 }
 
 /* Of two zeros, which fmin() and fmax() may tell apart, the second. */
-static inline double lesser(double a, double b)
+static inline double smaller(double a, double b)
 {
     return a < b ? a : b;
 }
 
-static inline double greater(double a, double b)
+static inline double larger(double a, double b)
 {
     return a > b ? a : b;
 }

@@ -81,7 +81,7 @@ void throw_orbit(throw_run *t, double dt)
         end -= way * (2.0 * PI * t->plan.wraps + t->plan.beyond);
         way = -way;
     }
-    double rate = lesser(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
+    double rate = smaller(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
     if (is_hooked(t, way, rate, dt)) {
         return;
     }
@@ -92,7 +92,7 @@ void throw_orbit(throw_run *t, double dt)
     } else if (s->tension_c > t->plan.tension) {
         rate *= 0.3;
     }
-    t->phi += way * lesser(rate * dt, way * (end - t->phi));
+    t->phi += way * smaller(rate * dt, way * (end - t->phi));
     steer_keep_taut(t, 0.3, dt);
     if (way * (end - t->phi) < 1e-9 ||
         (t->clear > 0.7 && way * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */

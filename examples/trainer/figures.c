@@ -23,8 +23,8 @@ void figures_slot(figures *f, double period, double work, double late, double wa
     count(f->work, work);
     count(f->late, late);
     f->total_work += work;
-    f->worst_work = greater(f->worst_work, work);
-    f->worst_late = greater(f->worst_late, late);
+    f->worst_work = larger(f->worst_work, work);
+    f->worst_late = larger(f->worst_late, late);
     f->our_misses += work > period;
     f->wall_misses += wall > period;
 }

@@ -52,8 +52,8 @@ void guide_see(guide *g, const vbss_device_input *in)
         return;
     }
     for (int i = 0; i < 3; i++) {
-        g->low[i] = g->seen ? lesser(g->low[i], in->position[i]) : in->position[i];
-        g->high[i] = g->seen ? greater(g->high[i], in->position[i]) : in->position[i];
+        g->low[i] = g->seen ? smaller(g->low[i], in->position[i]) : in->position[i];
+        g->high[i] = g->seen ? larger(g->high[i], in->position[i]) : in->position[i];
     }
     memcpy(g->position, in->position, sizeof g->position);
     memcpy(g->orientation, in->orientation, sizeof g->orientation);
@@ -74,7 +74,7 @@ static const char *find_axis(const guide *g, int32_t *axis)
             most = fabs(way[i]);
             *axis = way[i] > 0.0 ? i + 1 : -(i + 1);
         } else {
-            next = greater(next, fabs(way[i]));
+            next = larger(next, fabs(way[i]));
         }
     }
     return most < LEAST_WAY         ? "that was too short"
@@ -150,8 +150,8 @@ static const char *take_reach(guide *g)
     g->found.scale = 1.0;
     for (int i = 0; i < 3; i++) {
         g->found.offset[i] = 0.0;
-        g->found.workspace_low[i] = lesser(a[i], b[i]);
-        g->found.workspace_high[i] = greater(a[i], b[i]);
+        g->found.workspace_low[i] = smaller(a[i], b[i]);
+        g->found.workspace_high[i] = larger(a[i], b[i]);
     }
     return NULL;
 }

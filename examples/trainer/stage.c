@@ -74,7 +74,7 @@ static vbss_result create_table(stage *s)
 
 static double smooth(double from, double to, double time)
 {
-    double x = lesser(greater((time - from) / (to - from), 0.0), 1.0);
+    double x = smaller(larger((time - from) / (to - from), 0.0), 1.0);
     return x * x * (3.0 - 2.0 * x);
 }
 
@@ -126,7 +126,7 @@ static vbss_result create_stitch(stage *s)
 /* The left hand leans on the drain's top beside the slit, the right one goes round above the needle. */
 static motion script_stitch(const stage *s, int side, double time)
 {
-    double turn = 2.0 * greater(time - GO, 0.0), outer = s->site.tube + 0.5 * s->site.wall;
+    double turn = 2.0 * larger(time - GO, 0.0), outer = s->site.tube + 0.5 * s->site.wall;
     if (side == RIGHT) {
         vec at = v3(0.035 + 5e-3 * (vbss_cos(turn) - 1.0), -0.005 + 5e-3 * vbss_sin(turn), 0.01);
         return (motion){v_mix(s->start[side], at, smooth(0.0, GO, time)),

@@ -52,7 +52,8 @@ def check_shared(g, library):
 def functions_of_libm(g):
     """What libm defines, as the compiler at hand finds it."""
     path = g.run(g.tool("cc"), f"-print-file-name={LIBM}").strip()
-    names = {line.split()[-1].partition("@")[0] for line in g.run(g.tool("nm"), "-D", "--defined-only", path).splitlines()}
+    lines = g.run(g.tool("nm"), "-D", "--defined-only", path).splitlines()
+    names = {line.split()[-1].partition("@")[0] for line in lines}
     if "sin" not in names:
         raise gate.Problem(f"{path} defines no sin, so this gate cannot look")
     return names
@@ -83,7 +84,8 @@ def linked_to_another(g):
 
 
 def hand_calling(name, call):
-    text = f"#include <math.h>\ndouble vbss_f(double x, double y);\ndouble vbss_f(double x, double y) {{ return {call}; }}\n"
+    text = "#include <math.h>\ndouble vbss_f(double x, double y);\n" \
+           f"double vbss_f(double x, double y) {{ return {call}; }}\n"
     return lambda g: check_hands(g, *g.settings["hands"], g.compile(name, text, "-fno-builtin"))
 
 
@@ -91,8 +93,8 @@ CANARIES = [
     ("an object that calls sin",
      calling("sine", "#include <math.h>\ndouble vbss_f(double x) { return sin(x); }\n"),
      r"^calls sin, which is not"),
-    ("a hand that calls atan2", hand_calling("hand_atan2", "atan2(y, x)"), r"^the hands call atan2, which has other bits"),
-    ("a hand that calls hypot", hand_calling("hand_hypot", "hypot(y, x)"), r"^the hands call hypot, which has other bits"),
+    ("a hand that calls atan2", hand_calling("hand_atan2", "atan2(y, x)"), r"^the hands call atan2, which has"),
+    ("a hand that calls hypot", hand_calling("hand_hypot", "hypot(y, x)"), r"^the hands call hypot, which has"),
     ("a hand that calls what is exact", hand_calling("hand_exact", "fmod(y, floor(sqrt(x)))"), None),
     ("an object that prints",
      calling("print", '#include <stdio.h>\nvoid vbss_f(void) { printf("%d\\n", 1); }\n'),
