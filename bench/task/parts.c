@@ -5,6 +5,7 @@
  *   log_bytes  a step, of the record */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "needle/site.h"
 #include "task/bench_task.h"
 
@@ -55,8 +56,8 @@ static bool has(const parts_case *c, part p)
 static void tool_place(int tool, double time, double at[3])
 {
     const double turn = 2.0 * 3.141592653589793 * time;
-    at[0] = (tool == 0 ? -0.03 : 0.03) + 0.01 * cos(turn);
-    at[1] = 0.01 * sin(turn);
+    at[0] = (tool == 0 ? -0.03 : 0.03) + 0.01 * vbss_cos(turn);
+    at[1] = 0.01 * vbss_sin(turn);
     at[2] = 0.03;
 }
 

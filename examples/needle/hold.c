@@ -18,7 +18,7 @@ void hold_go(hand *h, const pose *p, double speed)
 pose hold_grip(const site *s, double arc_length, double behind, double lean, double up)
 {
     vec out = site_outward(s, arc_length);
-    vec z = v3(sin(lean) * cos(up), sin(lean) * sin(up), -cos(lean));
+    vec z = v3(vbss_sin(lean) * vbss_cos(up), vbss_sin(lean) * vbss_sin(up), -vbss_cos(lean));
     vec x = v_unit(v_across(out, z));
     return pose_of(v_along(v_scale(s->radius, out), -behind, z), x, v_cross(z, x), z);
 }

@@ -97,10 +97,10 @@ static void count(tally *t, const pass_outcome *o)
     t->within += o->good && o->off[0] < 1e-3 && o->off[1] < 1e-3;
     for (int side = 0; o->good && side < 2; side++) {
         t->off[side] += o->off[side];
-        t->most_off[side] = fmax(t->most_off[side], o->off[side]);
-        t->wall[side] = fmax(t->wall[side], o->wall[side]);
+        t->most_off[side] = larger(t->most_off[side], o->off[side]);
+        t->wall[side] = larger(t->wall[side], o->wall[side]);
         t->least_wall[side] =
-            t->good == 1 ? o->wall[side] : fmin(t->least_wall[side], o->wall[side]);
+            t->good == 1 ? o->wall[side] : smaller(t->least_wall[side], o->wall[side]);
     }
 }
 

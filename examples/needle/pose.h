@@ -77,15 +77,15 @@ static inline double pose_angle(const pose *a, const pose *b)
     for (int i = 0; i < 4; i++) {
         dot += a->q[i] * b->q[i];
     }
-    return 2.0 * acos(fmin(fabs(dot), 1.0));
+    return 2.0 * vbss_acos(smaller(fabs(dot), 1.0));
 }
 
 /* Turned about an axis of its own frame, through its origin. */
 static inline pose pose_turned(const pose *p, vec axis, double angle)
 {
     pose r = *p;
-    double by[4] = {cos(0.5 * angle)};
-    v_store(by + 1, v_scale(sin(0.5 * angle), axis));
+    double by[4] = {vbss_cos(0.5 * angle)};
+    v_store(by + 1, v_scale(vbss_sin(0.5 * angle), axis));
     pose_turn(p->q, by, r.q);
     return r;
 }

@@ -57,8 +57,8 @@ static vbss_result add_needle(site *s, vec place, double turn, const site_plan *
     place.z = s->floor + c.wire_radius;
     v_store(c.position, place);
     c.orientation[0] = 0.0;
-    c.orientation[1] = cos(0.5 * turn);
-    c.orientation[2] = sin(0.5 * turn);
+    c.orientation[1] = vbss_cos(0.5 * turn);
+    c.orientation[2] = vbss_sin(0.5 * turn);
     TRY(vbss_needle_create(s->stand.context, &c, &s->needle));
     return (plan->without & SITE_NO_NEEDLE) != 0
                ? VBSS_OK
@@ -124,13 +124,13 @@ pose site_needle(const site *s)
 vec site_outward(const site *s, double arc_length)
 {
     double angle = -arc_length / s->radius;
-    return v3(cos(angle), sin(angle), 0.0);
+    return v3(vbss_cos(angle), vbss_sin(angle), 0.0);
 }
 
 vec site_forward(const site *s, double arc_length)
 {
     double angle = -arc_length / s->radius;
-    return v3(-sin(angle), cos(angle), 0.0);
+    return v3(-vbss_sin(angle), vbss_cos(angle), 0.0);
 }
 
 static const vec *look(const site *s, vbss_drain_field field)
@@ -199,6 +199,6 @@ vec site_normal(const site *s, int side)
 double site_deviation(const site *s, const vbss_hole *hole, int side)
 {
     vec mark = rest(s, side), at = v_load(hole->rest_position);
-    double turned = atan2(at.z, at.y) - atan2(mark.z, mark.y);
-    return hypot(s->tube * turned, at.x - mark.x);
+    double turned = vbss_atan2(at.z, at.y) - vbss_atan2(mark.z, mark.y);
+    return v_hypotenuse(s->tube * turned, at.x - mark.x);
 }

@@ -85,7 +85,7 @@ static vec exit_aim(const stitch *t)
 {
     vec rest = site_mark_at_rest(&t->site, SITE_LEFT), n = site_normal_at_rest(&t->site, SITE_LEFT);
     vec moved = v_sub(t->marks[SITE_LEFT], rest);
-    moved = v_along(moved, -fmax(v_dot(moved, n), 0.0), n);
+    moved = v_along(moved, -larger(v_dot(moved, n), 0.0), n);
     vec up = v_cross(v3(0.0, 1.0, 0.0), n);
     vec aim = v_along(v_add(v_add(rest, t->errors[SITE_LEFT]), t->beside), LEAD, up);
     return v_add(v_add(aim, t->trim), v_limit(moved, FOLLOW));
@@ -285,7 +285,7 @@ static void drive(stitch *t, double dt)
     } else if (!waits && t->gone < LONGEST) {
         t->gone += step;
     }
-    t->along = fmin(1.0, t->along + dt / 0.5);
+    t->along = smaller(1.0, t->along + dt / 0.5);
     pose other = crossing(t);
     needle = pose_mix(&needle, &other, t->along);
     steer(t, &needle, CARRY);

@@ -45,7 +45,7 @@ static vec any_error(uint64_t *random, double size, vec normal)
 {
     double angle = between(random, 0.0, 6.283185307179586);
     vec away = v3(0.0, 1.0, 0.0), side = v_cross(normal, away);
-    return v_add(v_scale(size * cos(angle), away), v_scale(size * sin(angle), side));
+    return v_add(v_scale(size * vbss_cos(angle), away), v_scale(size * vbss_sin(angle), side));
 }
 
 void stitch_plan_usual(stitch_plan *plan)

@@ -12,7 +12,7 @@ static pose before(const site *s, double arc_length, double distance)
 {
     pose needle = site_needle(s);
     vec out = site_outward(s, arc_length);
-    pose local = hold_grip(s, arc_length, BEHIND, LEAN, atan2(out.y, out.x));
+    pose local = hold_grip(s, arc_length, BEHIND, LEAN, vbss_atan2(out.y, out.x));
     pose tool = pose_after(&needle, &local);
     tool.at = v_along(tool.at, distance, hand_rotate(tool.q, v3(0.0, 0.0, 1.0)));
     return tool;

@@ -94,8 +94,8 @@ static void turn(pull_run *p, double dt)
 {
     stitch *t = p->stitch;
     p->turned += TURNING * t->left.nature.speed / t->site.radius * dt;
-    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), fmin(p->turned, MOST_TURN));
-    needle.at = v_along(needle.at, fmax(p->turned - HALF_ROUND, 0.0), LEAVING);
+    pose needle = pose_turned(&p->from, v3(0.0, 0.0, 1.0), smaller(p->turned, MOST_TURN));
+    needle.at = v_along(needle.at, larger(p->turned - HALF_ROUND, 0.0), LEAVING);
     hold_steer(&t->left, &p->held, &needle, CARRY);
     if (is_through(p)) {
         enter(p, PULL_LIFT);
@@ -145,11 +145,11 @@ static void draw(pull_run *p, double dt)
     double felt = v_length(t->right.felt);
     bool sticks = felt > STICKS;
     p->jammed = felt > JAMS && p->tail >= WILL_DO && p->tail < JAMMED_WILL_DO;
-    slow = sticks ? fmin(slow, CAREFUL) : slow;
+    slow = sticks ? smaller(slow, CAREFUL) : slow;
     if (p->drawn == 0.0) {
         p->drawn = v_distance(p->from.at, mark);
     }
-    p->drawn = fmin(p->drawn + slow * DRAWING * t->right.nature.speed * dt, LONGEST);
+    p->drawn = smaller(p->drawn + slow * DRAWING * t->right.nature.speed * dt, LONGEST);
     pose needle = offered();
     vec to = v_along(mark, p->drawn, away_from_drain());
     needle.at = v_add(p->from.at, v_limit(v_sub(to, p->from.at), 1.0));

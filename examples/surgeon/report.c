@@ -193,7 +193,7 @@ static void tell_counts(const watch *w, const surgeon *s)
         vbss_output_statistics out;
         double most = 0.0;
         for (int k = 0; k < SURGEON_DONE; k++) {
-            most = fmax(most, i == 0 ? w->left[k] : w->right[k]);
+            most = larger(most, i == 0 ? w->left[k] : w->right[k]);
         }
         if (vbss_device_get_statistics(hands[i]->device, &in, sizeof in) == VBSS_OK &&
             vbss_device_get_output_statistics(hands[i]->device, &out, sizeof out) == VBSS_OK) {

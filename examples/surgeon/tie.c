@@ -154,7 +154,7 @@ static void watch_slit(surgeon *s, double dt)
 {
     throw_run *t = &s->tie;
     bool first = !t->plan.again, back = !first && t->plan.back;
-    double weaker = fmin(s->see.tension_w, s->see.tension_c);
+    double weaker = smaller(s->see.tension_w, s->see.tension_c);
     bool met = t->state == THROW_SEAT && (first ? s->edges < SHUT : s->gap < SHUT_AGAIN);
     bool hard = weaker > (first ? ENOUGH : ENOUGH_AGAIN);
     double sprung = s->stage == SURGEON_THIRD ? SPRUNG_THIRD : SPRUNG;

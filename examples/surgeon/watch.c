@@ -59,8 +59,8 @@ static void look(watch *w, const surgeon *s, const char *doing, bool changed)
         w->most_contacts = c.contacts;
     }
     if (s->stage < SURGEON_DONE) {
-        w->left[s->stage] = fmax(w->left[s->stage], watch_feels(&t->left));
-        w->right[s->stage] = fmax(w->right[s->stage], watch_feels(&t->right));
+        w->left[s->stage] = larger(w->left[s->stage], watch_feels(&t->left));
+        w->right[s->stage] = larger(w->right[s->stage], watch_feels(&t->right));
     }
     if (w->verbose && (changed || fmod(t->site.stand.time, OFTEN) < STEP)) {
         tell_state(s, doing);

@@ -55,17 +55,18 @@ typedef struct stance {
 
 static stance stand_at(const hand *h, vec place, vec n, double far, vec roll)
 {
-    double bend = h->shape.driver_bend, sine = hand_reach(h) * sin(bend) / far;
+    double bend = h->shape.driver_bend, sine = hand_reach(h) * vbss_sin(bend) / far;
     double cosine = sqrt(1.0 - sine * sine);
     vec y = v_along(v_scale(cosine, roll), sine, n), z = v_along(v_scale(cosine, n), -sine, roll);
-    stance s = {.handle = v_along(v_scale(sin(bend), y), cos(bend), z), .opening = v_cross(y, z)};
+    stance s = {.handle = v_along(v_scale(vbss_sin(bend), y), vbss_cos(bend), z),
+                .opening = v_cross(y, z)};
     s.bend = v_along(place, hand_reach(h) - GRASP_BEHIND, s.handle);
     return s;
 }
 
 static double clearance(const hand *h, vec bend)
 {
-    return fmin(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
+    return smaller(stand_height(bend), bend.z - FLOOR_HEIGHT) - h->shape.shaft_radius;
 }
 
 vec catch_point(const senses *s, const hand *h, uint32_t node)
@@ -77,10 +78,10 @@ vec catch_point(const senses *s, const hand *h, uint32_t node)
     double least = 1e9;
     for (int i = -18; i < 18; i++) {
         double angle = 3.14159265358979 / 18.0 * i;
-        vec roll = v_along(v_scale(cos(angle), now), sin(angle), side);
+        vec roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
         stance t = stand_at(h, place, n, v_length(to), roll);
         double across = v_dot(t.opening, way) / ALIGNED;
-        double near = fmax(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
+        double near = larger(0.0, CLEAR - clearance(h, t.bend)) / 1e-3;
         double cost = across * across + near * near + angle * angle;
         if (cost < least) {
             least = cost;

@@ -22,5 +22,5 @@ bool ease_step(ease_run *e, senses *s, double dt)
     if (e->slack_c < A_MOMENT) {
         hand_give_way(s->c, &s->tool_c, &e->carrot_c, s->x[s->limb_root], s->draws_c, dt);
     }
-    return fmin(e->slack_w, e->slack_c) >= A_MOMENT || e->since > LONGEST;
+    return smaller(e->slack_w, e->slack_c) >= A_MOMENT || e->since > LONGEST;
 }

@@ -30,7 +30,7 @@ static vec any_direction(uint64_t *state)
     double z = 2.0 * hand_chance(state) - 1.0;
     double angle = 2.0 * PI * hand_chance(state);
     double r = sqrt(1.0 - z * z);
-    return v3(r * cos(angle), r * sin(angle), z);
+    return v3(r * vbss_cos(angle), r * vbss_sin(angle), z);
 }
 
 /* ---- the pose that a trocar leaves: where the tip is, and how the tool is rolled */
@@ -69,7 +69,7 @@ void hand_orientation(vec x, vec y, vec z, double q[4])
 static void stand_through(hand *h, vec tip, double q[4])
 {
     vec to = v_sub(h->trocar, tip), n = v_unit(to);
-    double sine = hand_reach(h) * sin(h->shape.driver_bend) / v_length(to);
+    double sine = hand_reach(h) * vbss_sin(h->shape.driver_bend) / v_length(to);
     double cosine = sqrt(1.0 - sine * sine);
     h->roll = v_unit(v_across(h->roll, n));
     vec y = v_along(v_scale(cosine, h->roll), sine, n);
@@ -194,7 +194,7 @@ static vec give(const hand *h, vec velocity)
 {
     double force = v_length(h->felt);
     vec way = v_unit(h->felt);
-    double against = fmax(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
+    double against = larger(-v_dot(velocity, way), 0.0) * clamp(force / STRONG - 1.0, 0.0, 1.0);
     return force > STRONG ? v_along(velocity, against, way) : velocity;
 }
 
@@ -202,7 +202,7 @@ static void follow(hand *h, double dt)
 {
     vec way = v_sub(v_add(h->goal, h->aim), h->at);
     double stop = sqrt(2.0 * 0.7 * ACCELERATION * v_length(way)); /* from where it can still stop */
-    vec wanted = v_limit(v_scale(1.0 / LAG, way), fmin(h->limit, stop));
+    vec wanted = v_limit(v_scale(1.0 / LAG, way), smaller(h->limit, stop));
     vec change = v_limit(v_sub(wanted, h->velocity), ACCELERATION * dt);
     h->velocity = give(h, v_add(h->velocity, change));
     h->at = v_along(h->at, dt, h->velocity);
@@ -215,7 +215,7 @@ static double angle_to_turn(const hand *h, vec *now, vec *side)
     vec wanted = v_unit(v_across(h->point, n));
     *now = v_unit(v_across(h->roll, n));
     *side = v_cross(n, *now);
-    return atan2(v_dot(wanted, *side), v_dot(wanted, *now));
+    return vbss_atan2(v_dot(wanted, *side), v_dot(wanted, *now));
 }
 
 bool hand_is_turned(const hand *h, double within)
@@ -229,7 +229,7 @@ static void turn(hand *h, double dt)
     double most = ROLL_SPEED * h->nature.speed * dt;
     vec now, side;
     double angle = clamp(angle_to_turn(h, &now, &side) * dt / LAG, -most, most);
-    h->roll = v_along(v_scale(cos(angle), now), sin(angle), side);
+    h->roll = v_along(v_scale(vbss_cos(angle), now), vbss_sin(angle), side);
 }
 
 /* Part of the way of the chord between the two, the shorter way round. */
@@ -239,7 +239,7 @@ static void face(hand *h, double dt)
     for (int i = 0; i < 4; i++) {
         dot += h->face[i] * h->wanted_face[i];
     }
-    double angle = 2.0 * acos(fmin(fabs(dot), 1.0));
+    double angle = 2.0 * vbss_acos(smaller(fabs(dot), 1.0));
     double share = angle * dt > LAG * most ? most / angle : dt / LAG;
     for (int i = 0; i < 4; i++) {
         double wanted = dot < 0.0 ? -h->wanted_face[i] : h->wanted_face[i];
@@ -253,8 +253,8 @@ static void face(hand *h, double dt)
 
 static vec tremor(const hand *h)
 {
-    double low = sin(2.0 * PI * TREMOR_LOW * h->time + h->phase[0]);
-    double high = sin(2.0 * PI * TREMOR_HIGH * h->time + h->phase[1]);
+    double low = vbss_sin(2.0 * PI * TREMOR_LOW * h->time + h->phase[0]);
+    double high = vbss_sin(2.0 * PI * TREMOR_HIGH * h->time + h->phase[1]);
     double size = h->nature.tremor / sqrt(2.0);
     return v_along(v_scale(size * low, h->shake[0]), size * high, h->shake[1]);
 }
@@ -312,7 +312,8 @@ vbss_result hand_look(const hand *h, hand_pose *pose)
     vbss_grasper_state s;
     double bend = h->shape.driver_bend;
     TRY(vbss_grasper_get_state(h->grasper, &s, sizeof s));
-    vec tip = v_load(s.position), jaws = hand_rotate(s.orientation, v3(0.0, sin(bend), cos(bend)));
+    vec tip = v_load(s.position),
+        jaws = hand_rotate(s.orientation, v3(0.0, vbss_sin(bend), vbss_cos(bend)));
     vec way = hand_rotate(s.orientation, v3(0.0, 0.0, 1.0));
     vec corner = v_along(tip, hand_reach(h), jaws);
     pose->tip = seen(h, tip);

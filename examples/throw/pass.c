@@ -75,8 +75,8 @@ vbss_result throw_close(throw_run *t, double dt)
                  k->next_handedness == throw_handedness(t);
     if (right || t->plan.unchecked) {
         vec from = v_sub(steer_jaws_of(&s->tool_w), steer_tail_root(t));
-        t->angle = t->begun = atan2(from.z, from.x);
-        t->leash = hypot(from.z, from.x);
+        t->angle = t->begun = vbss_atan2(from.z, from.x);
+        t->leash = v_hypotenuse(from.z, from.x);
         t->clear = 0.0;
         t->carrot_c = s->tool_c.tip;
         throw_enter(t, THROW_DRAW);
@@ -146,13 +146,13 @@ vbss_result throw_draw(throw_run *t, double dt)
     double length = 0.97 * senses_length(s, s->w->node, t->tail_root);
     double speed = t->angle * 180.0 / PI < 50.0 ? 0.03 : 0.02;
     if (s->tension_w < t->plan.drawn + 0.05) {
-        t->angle = fmin(t->angle + speed / length * dt, DRAWN_ROUND);
+        t->angle = smaller(t->angle + speed / length * dt, DRAWN_ROUND);
     }
     if (t->plan.soft && t->angle > UPRIGHT) {
         hand_turn(s->w, OUTWARD); /* lest the last turn hang on its jaws */
     }
     t->far_round = t->plan.again && t->angle > DRAWN_ROUND - 2e-3 ? t->far_round + dt : 0.0;
-    double harder = 1.0 + HARDER * fmax(t->far_round - STUCK, 0.0);
+    double harder = 1.0 + HARDER * larger(t->far_round - STUCK, 0.0);
     throw_on_leash(t, t->plan.drawn * harder, dt);
     throw_follow(t, s->last > 0 ? t->plan.light * harder : t->plan.light, dt);
     if (t->plan.mistake >= THROW_TO_HANDLE && t->plan.mistake <= THROW_DROPPED) {

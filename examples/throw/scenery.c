@@ -21,10 +21,10 @@ scenery_box scenery_nothing(void)
 
 void scenery_include(scenery_box *b, vec x, double radius)
 {
-    b->low = v3(fmin(b->low.x, x.x - radius), fmin(b->low.y, x.y - radius),
-                fmin(b->low.z, x.z - radius));
-    b->high = v3(fmax(b->high.x, x.x + radius), fmax(b->high.y, x.y + radius),
-                 fmax(b->high.z, x.z + radius));
+    b->low = v3(smaller(b->low.x, x.x - radius), smaller(b->low.y, x.y - radius),
+                smaller(b->low.z, x.z - radius));
+    b->high = v3(larger(b->high.x, x.x + radius), larger(b->high.y, x.y + radius),
+                 larger(b->high.z, x.z + radius));
 }
 
 static bool is_in(const scenery_box *b, vec x)
@@ -51,7 +51,7 @@ bool scenery_add_half_drain(painter *p, double y)
     uint32_t indices[9 * SIDES], count = 0;
     for (uint32_t i = 0; i < SIDES; i++) {
         double angle = 2.0 * PI * i / SIDES;
-        double x = DRAIN_RADIUS * cos(angle), z = DRAIN_RADIUS * (sin(angle) - 1.0);
+        double x = DRAIN_RADIUS * vbss_cos(angle), z = DRAIN_RADIUS * (vbss_sin(angle) - 1.0);
         uint32_t next = (i + 1) % SIDES;
         uint32_t three[9] = {i,         next, SIDES + i, next,       SIDES + next,
                              SIDES + i, i,    next,      CORNERS - 1};
@@ -187,12 +187,12 @@ bool scenery_look(painter *p, const scenery_box *b, bool above, int width, int h
                   double least_width)
 {
     double angle = above ? 0.5 * PI : ELEVATION;
-    vec right = v3(1.0, 0.0, 0.0), up = v3(0.0, sin(angle), cos(angle));
-    vec back = v3(0.0, -cos(angle), sin(angle));
+    vec right = v3(1.0, 0.0, 0.0), up = v3(0.0, vbss_sin(angle), vbss_cos(angle));
+    vec back = v3(0.0, -vbss_cos(angle), vbss_sin(angle));
     vec size = v_sub(b->high, b->low), middle = v_mix(b->low, b->high, 0.5);
     double across = v_dot(size, right);
     double tall = fabs(size.y * up.y) + fabs(size.z * up.z);
-    double wide = fmax(BORDER * fmax(across, tall * width / (height - top)), least_width);
+    double wide = larger(BORDER * larger(across, tall * width / (height - top)), least_width);
     middle = v_along(middle, 0.5 * top * wide / width, up);
     painter_camera c = {.width = wide};
     v_store(c.target, middle);

@@ -52,7 +52,7 @@ void throw_follow(throw_run *t, double least, double dt)
     }
     if (s->tension_c > least) {
         way = v_unit(v_sub(s->tool_w.tip, s->tool_c.tip));
-        speed = fmin(0.1, 0.03 * (s->tension_c / least - 1.0) + 0.005);
+        speed = smaller(0.1, 0.03 * (s->tension_c / least - 1.0) + 0.005);
     }
     t->carrot_c = v_along(t->carrot_c, speed * dt, way);
     t->carrot_c = v_add(s->tool_c.tip, v_limit(v_sub(t->carrot_c, s->tool_c.tip), 8e-3));
@@ -61,7 +61,7 @@ void throw_follow(throw_run *t, double least, double dt)
 
 static vec turned(vec way, double about)
 {
-    double c = cos(about), s = sin(about);
+    double c = vbss_cos(about), s = vbss_sin(about);
     return v3(c * way.x - s * way.y, s * way.x + c * way.y, way.z);
 }
 
@@ -74,12 +74,12 @@ void throw_on_leash(throw_run *t, double most, double dt)
     double full = share * senses_length(s, s->w->node, t->tail_root);
     t->leash += s->tension_w > most ? -0.03 * dt : 0.01 * dt;
     t->leash = clamp(t->leash, 0.3 * full, full);
-    double up = sin(t->angle), tilt = up > 0.0 ? t->plan.tilt : 0.0;
-    vec way = v3(cos(t->angle), -up * sin(tilt), up * cos(tilt));
+    double up = vbss_sin(t->angle), tilt = up > 0.0 ? t->plan.tilt : 0.0;
+    vec way = v3(vbss_cos(t->angle), -up * vbss_sin(tilt), up * vbss_cos(tilt));
     way = t->state == THROW_SEAT ? turned(way, t->plan.askew) : way;
     vec jaws = v_along(steer_tail_root(t), t->leash, way);
     if (t->state == THROW_DRAW) {
-        jaws.z = fmax(jaws.z, t->plan.least_height);
+        jaws.z = larger(jaws.z, t->plan.least_height);
     }
     hand_go(s->w, v_along(jaws, -GRASP_BEHIND, s->tool_w.handle), 0.08);
 }
@@ -89,7 +89,7 @@ void throw_lower(throw_run *t, double dt)
 {
     senses *s = t->see;
     hand_turn(s->w, OUTWARD);
-    t->angle = fmin(t->angle + 0.04 / t->leash * dt, PI * 173.0 / 180.0);
+    t->angle = smaller(t->angle + 0.04 / t->leash * dt, PI * 173.0 / 180.0);
     throw_on_leash(t, 0.05, dt);
     throw_follow(t, t->plan.light, dt);
     bool low = (t->angle > PI * 172.0 / 180.0 && s->tool_w.tip.z < 6e-3) || t->since > 3.0;
@@ -150,7 +150,7 @@ static bool is_closed(throw_run *t, double dt)
         return true;
     }
     bool askew = t->plan.askew != 0.0;
-    t->angle = fmin(t->angle + 0.04 / t->leash * dt, askew ? BESIDE_ASKEW : BESIDE);
+    t->angle = smaller(t->angle + 0.04 / t->leash * dt, askew ? BESIDE_ASKEW : BESIDE);
     throw_on_leash(t, CLOSING, dt);
     double speed = clamp(0.4 * (CLOSING - s->tension_c), -0.02, 0.02);
     vec to = turned(outward(t, FAR_C), t->plan.askew);
@@ -184,7 +184,7 @@ static bool is_taken_up(throw_run *t, double dt)
 static vec go_round(double *angle, double to, double rate, double radius, double height, double dt)
 {
     *angle += clamp(to - *angle, -rate * dt, rate * dt);
-    return v3(radius * cos(*angle), radius * sin(*angle), height);
+    return v3(radius * vbss_cos(*angle), radius * vbss_sin(*angle), height);
 }
 
 /* Both hands go back to where the throw below was pulled from, W by the near side, C by the far one, and both ends stay slack.
@@ -197,9 +197,9 @@ static bool are_back(throw_run *t, double dt)
     }
     if (t->round_w == 0.0) {
         vec w = steer_jaws_of(&s->tool_w);
-        double angle = atan2(w.y, w.x);
+        double angle = vbss_atan2(w.y, w.x);
         t->round_w = angle > 0.0 ? angle - 2.0 * PI : angle;
-        t->round_c = atan2(s->held_c.y, s->held_c.x);
+        t->round_c = vbss_atan2(s->held_c.y, s->held_c.x);
     }
     double rate = ROUND * s->c->nature.speed;
     double of_w = SLACK_BACK * senses_length(s, s->w->node, t->tail_root);
@@ -237,13 +237,13 @@ static void pull_back(throw_run *t, double dt)
 {
     senses *s = t->see;
     const double full = t->plan.pull;
-    double weaker = fmin(s->tension_w, s->tension_c);
-    double unlike = fmin(UNLIKE_LEAST + UNLIKE_SHARE * weaker, UNLIKE);
+    double weaker = smaller(s->tension_w, s->tension_c);
+    double unlike = smaller(UNLIKE_LEAST + UNLIKE_SHARE * weaker, UNLIKE);
     double stays = (LEAN_FADED - throw_pulled_for(t)) / (LEAN_FADED - LEAN_FADES);
     double lean = lean_to_w(t) * clamp(stays, 0.0, 1.0);
-    t->asked = fmin(fmin(t->asked + RISE * dt, weaker + AHEAD), full);
-    double of_w = fmin(t->asked, s->tension_c + unlike - lean);
-    double of_c = fmin(t->asked, s->tension_w + unlike + lean);
+    t->asked = smaller(smaller(t->asked + RISE * dt, weaker + AHEAD), full);
+    double of_w = smaller(t->asked, s->tension_c + unlike - lean);
+    double of_c = smaller(t->asked, s->tension_w + unlike + lean);
     vec w = outward(t, FAR_C), c = outward(t, FAR_W);
     draw_to(s->w, &s->tool_w, &t->carrot_w, w, s->tension_w, of_w, dt);
     draw_to(s->c, &s->tool_c, &t->carrot_c, c, s->tension_c, of_c, dt);
@@ -257,9 +257,9 @@ static void pull_alike(throw_run *t, double dt)
     senses *s = t->see;
     const double full = t->plan.pull, more = t->plan.again || t->plan.down ? UNLIKE : full;
     double lean = t->plan.again ? lean_to_w(t) : 0.0;
-    double wanted = fmin(full, 0.1 + RISE * (t->since - t->closed));
-    double of_w = fmin(wanted, s->tension_c + more - lean);
-    double of_c = fmin(wanted, s->tension_w + more + lean);
+    double wanted = smaller(full, 0.1 + RISE * (t->since - t->closed));
+    double of_w = smaller(wanted, s->tension_c + more - lean);
+    double of_c = smaller(wanted, s->tension_w + more + lean);
     pull(s->w, &s->tool_w, &t->carrot_w, outward(t, FAR_W), s->tension_w, of_w, dt);
     pull(s->c, &s->tool_c, &t->carrot_c, outward(t, FAR_C), s->tension_c, of_c, dt);
     t->clear += s->tension_w > 0.9 * full && s->tension_c > 0.9 * full ? dt : 0.0;
@@ -332,8 +332,8 @@ static void begin_square(throw_run *t)
     const senses *s = t->see;
     vec w = v_along(t->carrot_w, GRASP_BEHIND, s->tool_w.handle);
     vec c = v_add(s->held_c, v_sub(t->carrot_c, s->tool_c.tip));
-    t->far_w = hypot(w.x, w.y);
-    t->far_c = hypot(c.x, c.y);
+    t->far_w = v_hypotenuse(w.x, w.y);
+    t->far_c = v_hypotenuse(c.x, c.y);
     throw_enter(t, THROW_SQUARE);
 }
 
@@ -374,7 +374,7 @@ static void loosen(hand *h, const hand_pose *p, vec *carrot, vec root, double dt
 void throw_part(throw_run *t, double dt)
 {
     senses *s = t->see;
-    bool slack = fmax(s->draws_w, s->draws_c) < SLACK_FORCE;
+    bool slack = larger(s->draws_w, s->draws_c) < SLACK_FORCE;
     bool eased = t->clear >= EASED;
     t->clear += slack || t->since > EASING || eased ? dt : 0.0;
     if (!eased) {

@@ -152,7 +152,7 @@ static vbss_knot_tool as_tool(const senses *s, const hand *h, const hand_pose *p
     bool held = senses_holds(s, h);
     t.held = held ? VBSS_KNOT_HELD_THREAD : VBSS_KNOT_HELD_NOTHING;
     t.held_place =
-        held ? fmax(h->place, 0.0) : 0.0; /* at the end it is 0 but for what rounding leaves */
+        held ? larger(h->place, 0.0) : 0.0; /* at the end it is 0 but for what rounding leaves */
     if (h->holds && !held && h->node == s->nodes - 1) {
         t.held = VBSS_KNOT_HELD_NEEDLE;
     }
@@ -242,8 +242,8 @@ vbss_result senses_find_knot(senses *s)
         if (is_of_knot(s, contact_at(&kinds, i), end)) {
             vec at = point_at(&points, i);
             sum = v_add(sum, at);
-            least = fmin(least, stand_height(at));
-            most = fmax(most, stand_height(at));
+            least = smaller(least, stand_height(at));
+            most = larger(most, stand_height(at));
             count++;
         }
     }

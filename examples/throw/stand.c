@@ -12,7 +12,7 @@ enum { CUTS = 4, HASH_INTERVAL = 100 };
 /* Radially out of the drain on both sides; between the marks along the circle that does so smoothly. */
 static vec place(double s, const stand *st, double inside, double bend, double angle)
 {
-    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), way = v3(sin(angle), 0.0, cos(angle));
+    vec centre = v3(0.0, 0.0, -DRAIN_RADIUS), way = v3(vbss_sin(angle), 0.0, vbss_cos(angle));
     vec mark = v_along(centre, DRAIN_RADIUS, way);
     if (s <= st->tail) {
         return v_along(mark, st->tail - s, way);
@@ -24,14 +24,15 @@ static vec place(double s, const stand *st, double inside, double bend, double a
     }
     double turn = (s - st->tail) / bend; /* from the right mark, below the middle, to the left */
     double from = angle;
-    vec middle = v3(0.0, 0.0, -DRAIN_RADIUS + DRAIN_RADIUS / cos(angle));
-    return v_add(middle, v3(bend * cos(from + turn), 0.0, -bend * sin(from + turn)));
+    vec middle = v3(0.0, 0.0, -DRAIN_RADIUS + DRAIN_RADIUS / vbss_cos(angle));
+    return v_add(middle, v3(bend * vbss_cos(from + turn), 0.0, -bend * vbss_sin(from + turn)));
 }
 
 static vbss_result make_thread(stand *s)
 {
     static vec x[STAND_NODES];
-    double angle = MARK_ARC / DRAIN_RADIUS, bend = DRAIN_RADIUS * tan(angle);
+    double angle = MARK_ARC / DRAIN_RADIUS,
+           bend = DRAIN_RADIUS * (vbss_sin(angle) / vbss_cos(angle));
     double inside = bend * (3.14159265358979 - 2.0 * angle);
     uint32_t tail = (uint32_t)(s->tail / SEGMENT + 0.5), in = (uint32_t)(inside / SEGMENT + 0.5),
              limb = (uint32_t)(s->limb / SEGMENT + 0.5);

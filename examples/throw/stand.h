@@ -51,7 +51,7 @@ typedef struct stand {
 /* Above the drain's round, m. */
 static inline double stand_height(vec x)
 {
-    return hypot(x.x, x.z + DRAIN_RADIUS) - DRAIN_RADIUS;
+    return v_hypotenuse(x.x, x.z + DRAIN_RADIUS) - DRAIN_RADIUS;
 }
 
 vbss_result stand_create(stand *s, double tail, double limb);

@@ -19,7 +19,7 @@ steer_frame steer_about_w(const throw_run *t, double s)
 
 vec steer_on_orbit(const steer_frame *f, double phi, double rho)
 {
-    return v_along(v_along(f->origin, rho * cos(phi), f->over), rho * sin(phi), f->away);
+    return v_along(v_along(f->origin, rho * vbss_cos(phi), f->over), rho * vbss_sin(phi), f->away);
 }
 
 vec steer_limb_root(const throw_run *t)
@@ -47,7 +47,7 @@ vec steer_jaws_of(const hand_pose *p)
 static double taut_length(const throw_run *t)
 {
     steer_frame f = steer_about_w(t, t->plan.s0);
-    double wound = fmax(fabs(t->phi - t->begin) - PI, 0.0) * NECK;
+    double wound = larger(fabs(t->phi - t->begin) - PI, 0.0) * NECK;
     return t->hold - v_distance(steer_limb_root(t), f.origin) - wound;
 }
 
@@ -60,7 +60,7 @@ static double steer_free_length(const throw_run *t)
         return t->hold - v_distance(steer_limb_root(t), f.origin);
     }
     double length = senses_length(s, s->last, s->c->node);
-    return t->plan.firm ? fmax(length, taut_length(t)) : length;
+    return t->plan.firm ? larger(length, taut_length(t)) : length;
 }
 
 /* ---- C keeps the limb taut at its angle */
@@ -77,14 +77,14 @@ void steer_keep_taut(throw_run *t, double speed, double dt)
     double wanted = t->plan.slack * t->give * steer_free_length(t);
     steer_frame f = steer_about_w(t, turn_height(t));
     if (s->tension_c > t->plan.tension) {
-        t->give = fmax(0.3, t->give - 1.0 * dt);
+        t->give = larger(0.3, t->give - 1.0 * dt);
     } else {
-        t->give = fmin(1.0, t->give + 0.2 * dt);
+        t->give = smaller(1.0, t->give + 0.2 * dt);
     }
     t->rho += clamp(wanted - t->rho, -0.1 * dt, 0.1 * dt);
     t->rho = clamp(t->rho, 0.006, 0.05);
     vec jaws = steer_on_orbit(&f, t->phi, t->rho);
-    jaws.z = fmax(jaws.z, t->plan.clearance);
+    jaws.z = larger(jaws.z, t->plan.clearance);
     hand_go(s->c, steer_tip_of(t, jaws), speed);
 }
 
@@ -99,7 +99,7 @@ static void accompany(throw_run *t, double dt)
     vec to = v_sub(s->last > 0 ? s->x[s->last] : turns, s->held_c);
     double excess = s->tension_c / TAUT - 1.0;
     if (excess > 0.0 && v_length(to) > NEAREST) {
-        t->beside = v_along(t->beside, fmin(0.1, 0.02 * excess) * dt, v_unit(to));
+        t->beside = v_along(t->beside, smaller(0.1, 0.02 * excess) * dt, v_unit(to));
     }
     hand_go(s->c, v_add(turns, t->beside), 0.2);
 }

@@ -1,8 +1,12 @@
-/* Vectors of the scripted hands, which use the public headers only. */
+/* Vectors of the scripted hands, which use the public headers only. Hands compute with + - * /, what IEEE 754
+ * rounds exactly (sqrt, fabs, floor, fmod), and the library's own sin, cos, atan2 and acos: a seed is
+ * then the same performance on every machine. */
 #ifndef VBSS_EXAMPLES_THROW_VEC_H
 #define VBSS_EXAMPLES_THROW_VEC_H
 
 #include <math.h>
+
+#include <vblast_ss/elementary.h>
 
 typedef struct vec {
     double x, y, z;
@@ -87,6 +91,23 @@ static inline vec v_limit(vec a, double most)
 static inline vec v_mix(vec a, vec b, double share)
 {
     return v_along(a, share, v_sub(b, a));
+}
+
+/* Of a right triangle, as hypot() but for lengths whose squares neither overflow nor vanish. */
+static inline double v_hypotenuse(double x, double y)
+{
+    return sqrt(x * x + y * y);
+}
+
+/* Of two zeros, which fmin() and fmax() may tell apart, the second. */
+static inline double smaller(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double larger(double a, double b)
+{
+    return a > b ? a : b;
 }
 
 static inline double clamp(double x, double low, double high)

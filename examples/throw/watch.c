@@ -131,11 +131,6 @@ static void entered(demo *d, const trial_moment *m)
 
 /* ---- every step */
 
-static double larger(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 static void feel(demo *d, const trial_moment *m)
 {
     const hand *hands[2] = {m->see->w, m->see->c};

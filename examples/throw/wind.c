@@ -39,12 +39,12 @@ void throw_place(throw_run *t)
     if (v_distance(s->tool_w.tip, t->plan.wrap_tip) < 2e-3 && t->since > 0.2) {
         steer_frame f = steer_about_w(t, t->plan.s0);
         vec to = v_sub(steer_limb_root(t), f.origin), c = v_sub(s->held_c, f.origin);
-        t->begin = atan2(v_dot(to, f.away), v_dot(to, f.over));
+        t->begin = vbss_atan2(v_dot(to, f.away), v_dot(to, f.over));
         if (t->begin > 0.0) {
             t->begin -= 2.0 * PI;
         }
-        t->phi = atan2(v_dot(c, f.away), v_dot(c, f.over));
-        t->rho = hypot(v_dot(c, f.away), v_dot(c, f.over));
+        t->phi = vbss_atan2(v_dot(c, f.away), v_dot(c, f.over));
+        t->rho = v_hypotenuse(v_dot(c, f.away), v_dot(c, f.over));
         hand_aim(s->c, s->c->nature.aim);
         t->clear = 0.0;
         t->back = false;
@@ -81,7 +81,7 @@ void throw_orbit(throw_run *t, double dt)
         end -= way * (2.0 * PI * t->plan.wraps + t->plan.beyond);
         way = -way;
     }
-    double rate = fmin(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
+    double rate = smaller(t->plan.speed * s->c->nature.speed / t->rho, 10.0);
     if (is_hooked(t, way, rate, dt)) {
         return;
     }
@@ -92,7 +92,7 @@ void throw_orbit(throw_run *t, double dt)
     } else if (s->tension_c > t->plan.tension) {
         rate *= 0.3;
     }
-    t->phi += way * fmin(rate * dt, way * (end - t->phi));
+    t->phi += way * smaller(rate * dt, way * (end - t->phi));
     steer_keep_taut(t, 0.3, dt);
     if (way * (end - t->phi) < 1e-9 ||
         (t->clear > 0.7 && way * (end - t->phi) < NEARLY)) { /* or as far as the limb lets it */

@@ -1,9 +1,10 @@
 #include "trainer/figures.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
+
+#include "throw/vec.h"
 
 const int figures_bins[BINS] = {10, 20, 50, 100, 200, 500, 1000, 2000, 0};
 
@@ -22,8 +23,8 @@ void figures_slot(figures *f, double period, double work, double late, double wa
     count(f->work, work);
     count(f->late, late);
     f->total_work += work;
-    f->worst_work = fmax(f->worst_work, work);
-    f->worst_late = fmax(f->worst_late, late);
+    f->worst_work = larger(f->worst_work, work);
+    f->worst_late = larger(f->worst_late, late);
     f->our_misses += work > period;
     f->wall_misses += wall > period;
 }

@@ -47,7 +47,7 @@ static double find_opening(grip *g, double h)
         return g->in.jaw;
     }
     double wanted = (g->in.buttons & g->let_go & CLOSES) != 0 ? 0.0 : 1.0, most = BUTTON_SPEED * h;
-    g->opening += fmin(fmax(wanted - g->opening, -most), most);
+    g->opening += smaller(larger(wanted - g->opening, -most), most);
     return g->opening;
 }
 

@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "throw/vec.h"
+
 #define LEAST_WAY 0.02   /* m, of a motion that tells an axis */
 #define STRAIGHT 2.0     /* so much more than along the others */
 #define LEAST_REACH 0.04 /* m, along each axis */
@@ -50,8 +52,8 @@ void guide_see(guide *g, const vbss_device_input *in)
         return;
     }
     for (int i = 0; i < 3; i++) {
-        g->low[i] = g->seen ? fmin(g->low[i], in->position[i]) : in->position[i];
-        g->high[i] = g->seen ? fmax(g->high[i], in->position[i]) : in->position[i];
+        g->low[i] = g->seen ? smaller(g->low[i], in->position[i]) : in->position[i];
+        g->high[i] = g->seen ? larger(g->high[i], in->position[i]) : in->position[i];
     }
     memcpy(g->position, in->position, sizeof g->position);
     memcpy(g->orientation, in->orientation, sizeof g->orientation);
@@ -72,7 +74,7 @@ static const char *find_axis(const guide *g, int32_t *axis)
             most = fabs(way[i]);
             *axis = way[i] > 0.0 ? i + 1 : -(i + 1);
         } else {
-            next = fmax(next, fabs(way[i]));
+            next = larger(next, fabs(way[i]));
         }
     }
     return most < LEAST_WAY         ? "that was too short"
@@ -148,8 +150,8 @@ static const char *take_reach(guide *g)
     g->found.scale = 1.0;
     for (int i = 0; i < 3; i++) {
         g->found.offset[i] = 0.0;
-        g->found.workspace_low[i] = fmin(a[i], b[i]);
-        g->found.workspace_high[i] = fmax(a[i], b[i]);
+        g->found.workspace_low[i] = smaller(a[i], b[i]);
+        g->found.workspace_high[i] = larger(a[i], b[i]);
     }
     return NULL;
 }

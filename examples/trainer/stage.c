@@ -66,7 +66,7 @@ static vbss_result create_table(stage *s)
     TRY(vbss_needle_get_state(needle, &state, sizeof state));
     double angle = -0.5 * n.arc;
     pose at = pose_load(state.position, state.orientation);
-    s->needle = pose_point(&at, v3(n.radius * cos(angle), n.radius * sin(angle), 0.0));
+    s->needle = pose_point(&at, v3(n.radius * vbss_cos(angle), n.radius * vbss_sin(angle), 0.0));
     s->middle = v3(0.0, 0.0, 0.03);
     TRY(add_tool(s, RIGHT, v3(0.03, 0.0, ABOVE)));
     return add_tool(s, LEFT, v3(-0.03, 0.0, ABOVE));
@@ -74,7 +74,7 @@ static vbss_result create_table(stage *s)
 
 static double smooth(double from, double to, double time)
 {
-    double x = fmin(fmax((time - from) / (to - from), 0.0), 1.0);
+    double x = smaller(larger((time - from) / (to - from), 0.0), 1.0);
     return x * x * (3.0 - 2.0 * x);
 }
 
@@ -126,16 +126,16 @@ static vbss_result create_stitch(stage *s)
 /* The left hand leans on the drain's top beside the slit, the right one goes round above the needle. */
 static motion script_stitch(const stage *s, int side, double time)
 {
-    double turn = 2.0 * fmax(time - GO, 0.0), outer = s->site.tube + 0.5 * s->site.wall;
+    double turn = 2.0 * larger(time - GO, 0.0), outer = s->site.tube + 0.5 * s->site.wall;
     if (side == RIGHT) {
-        vec at = v3(0.035 + 5e-3 * (cos(turn) - 1.0), -0.005 + 5e-3 * sin(turn), 0.01);
+        vec at = v3(0.035 + 5e-3 * (vbss_cos(turn) - 1.0), -0.005 + 5e-3 * vbss_sin(turn), 0.01);
         return (motion){v_mix(s->start[side], at, smooth(0.0, GO, time)),
                         is_closed(time) ? 0.0 : WIDE};
     }
     double aside = -4e-3, top = sqrt(outer * outer - aside * aside) - outer;
     vec at = v3(aside, 8e-3, ABOVE);
     at = v_mix(s->start[side], at, smooth(0.0, GO, time));
-    at.z += (top - 1e-3 * (1.0 - cos(turn)) - at.z) * smooth(GO, DOWN, time);
+    at.z += (top - 1e-3 * (1.0 - vbss_cos(turn)) - at.z) * smooth(GO, DOWN, time);
     return (motion){at, 0.0};
 }
 

@@ -50,7 +50,7 @@ static vbss_result write_hand(task *t, int side)
     TRY(grip_write(&h->grip, t->hardware.devices[side], t->clock, &tool, late));
     count_pulses(h, f);
     f->force = h->grip.force;
-    f->most_force = fmax(f->most_force, f->force);
+    f->most_force = larger(f->most_force, f->force);
     return VBSS_OK;
 }
 

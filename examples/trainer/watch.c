@@ -57,7 +57,7 @@ void task_judge(task *t)
         const fault_plan *plan = &t->options->faults[i];
         fault_finding *f = &t->now.findings[i];
         double since = t->now.time - plan->from;
-        if (f->begun && since < fmin(LOOKED_AT, plan->until - plan->from) &&
+        if (f->begun && since < smaller(LOOKED_AT, plan->until - plan->from) &&
             acts(t, rehearsal_fault(plan->name), side)) {
             f->safe_after = since + PACE_PERIOD;
             f->unsafe = f->unsafe || since > SAFE_WITHIN;

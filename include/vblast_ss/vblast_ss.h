@@ -12,6 +12,7 @@
 #include <vblast_ss/collision.h>
 #include <vblast_ss/device.h>
 #include <vblast_ss/drain.h>
+#include <vblast_ss/elementary.h>
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/haptics.h>
 #include <vblast_ss/knot.h>

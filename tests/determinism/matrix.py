@@ -53,7 +53,11 @@ def run(command, **options):
     return done.stdout
 
 
-def build(work, name, compiler, flags, machine="", canary_flags=""):
+TARGETS = ("vbss_golden", "vbss_replay_log", "vbss_fusible")
+
+
+def build(work, name, compiler, flags, machine="", canary_flags="", targets=TARGETS):
+    """The folder with what was built."""
     path = shutil.which(compiler) or shutil.which(compiler + "-14")
     if not path:
         raise Broken(f"the compiler {compiler} is not installed")
@@ -69,9 +73,12 @@ def build(work, name, compiler, flags, machine="", canary_flags=""):
     folder = work / name
     shutil.rmtree(folder, ignore_errors=True)
     run(["cmake", "-S", HERE / "standalone", "-B", folder, "-G", "Ninja", *options])
-    run(["cmake", "--build", folder, "-j", "2", "--target", "vbss_golden", "vbss_replay_log",
-         "vbss_fusible"])
-    return folder / "vbss_golden"
+    run(["cmake", "--build", folder, "-j", "2", "--target", *targets])
+    return folder
+
+
+def golden_program(*arguments):
+    return build(*arguments) / "vbss_golden"
 
 
 def hashes_of(program, machine=""):
@@ -154,7 +161,7 @@ def canaries(work, program, golden, logs):
         return ["there are no golden files to differ from"]
     bad = []
     for name, (compiler, flags, extra) in CANARIES.items():
-        wrong = row(name, lambda: build(work, name, compiler, flags, "", extra), golden, "", compiler,
+        wrong = row(name, lambda: golden_program(work, name, compiler, flags, "", extra), golden, "", compiler,
                     "-O1 v3, contraction", logs)
         replayed = [problem for problem in wrong if problem.startswith(f"{name}: log ")]
         if logs and not replayed:
@@ -165,12 +172,12 @@ def canaries(work, program, golden, logs):
     spoiled = {scene: list(values) for scene, values in golden.items()}
     scene, values = next(iter(spoiled.items()))
     values[7] = f"{int(values[7], 16) ^ 1:016x}"
-    wrong = row("one bit", lambda: program or build(work, "plain", "gcc", "-O3"), spoiled)
+    wrong = row("one bit", lambda: program or golden_program(work, "plain", "gcc", "-O3"), spoiled)
     if wrong != [f"one bit: {scene} at index 7"]:
         bad.append(f"one bit of {scene} at index 7 was changed, and: {wrong or 'nothing told'}")
     if len(unrecorded(spoiled)) != len(unrecorded(golden)) + 1:
         bad.append("hashes that the CHANGELOG does not know must be told")
-    wrong = row("no compiler", lambda: build(work, "none", "no-such-cc", "-O3"), golden, "", "no-such-cc")
+    wrong = row("no compiler", lambda: golden_program(work, "none", "no-such-cc", "-O3"), golden, "", "no-such-cc")
     if wrong != ["no compiler: cannot be made: the compiler no-such-cc is not installed"]:
         bad.append(f"a build that cannot be made must fail, and: {wrong or 'passes'}")
     return bad
@@ -204,7 +211,7 @@ def main():
             bad += row("this build", lambda: arguments.program, golden)
         for name in names:
             compiler, flags, machine = BUILDS[name]
-            bad += row(name, lambda: build(arguments.work, name, compiler, flags, machine), golden,
+            bad += row(name, lambda: golden_program(arguments.work, name, compiler, flags, machine), golden,
                        machine, compiler, flags, logs)
     for problem in bad:
         print("  " + problem)

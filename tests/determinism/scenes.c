@@ -10,6 +10,7 @@
 #include "base/rotation.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
+#include "determinism/performance.h"
 #include "scenes/collision_sets.h"
 #include "scenes/device_run.h"
 #include "scenes/drain_hands.h"
@@ -690,6 +691,15 @@ static void run_visual(uint64_t *hashes, size_t count)
     must(vbss_context_destroy(context));
 }
 
+/* ---- the scripted surgeon, whose hands compute beside the library, hashed after every 100 steps */
+
+static void run_surgeon(uint64_t *hashes, size_t count)
+{
+    size_t made;
+    must(performance_run(0, 100, hashes, count, &made));
+    must(made == count ? VBSS_OK : VBSS_ERROR_TRUNCATED);
+}
+
 const golden_scene golden_scenes[] = {
     {"base-elementary", 100, 4, run_elementary},
     {"base-rotations", 50, 2, run_rotations},
@@ -717,5 +727,6 @@ const golden_scene golden_scenes[] = {
     {"visual", TOOL_RUN_STEPS / 5, 4, run_visual},
     {"stitch", STITCH_TIE_STEPS / 10, 12, run_stitch}, /* shut at 60; hands draw from 10 on */
     {"session", 64, 2, run_session},                   /* tied at 14, seated at 56 */
+    {"surgeon", 40, 14, run_surgeon}, /* the needle is taken at 13, in the first wall at 38 */
 };
 const size_t golden_scene_count = sizeof golden_scenes / sizeof golden_scenes[0];

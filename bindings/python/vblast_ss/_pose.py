@@ -1,4 +1,7 @@
-"""Vectors, quaternions (w, x, y, z) and poses, as arrays of numpy."""
+"""Vectors, quaternions (w, x, y, z) and poses, as arrays of numpy.
+
+Hands are the same on every machine: what is computed here is + - * /, math.sqrt and vblast_ss.elementary, entry by entry
+or in a written order."""
 from __future__ import annotations
 
 import math
@@ -6,15 +9,41 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from .elementary import acos, atan2, cos, sin
+
 Vector = Any
 """Three numbers, an array of numpy."""
 Turn = Any
 """A unit quaternion, likewise."""
 
 
+def dot(a: Any, b: Any) -> float:
+    """The sum of products, from the first on."""
+    total = 0.0
+    for x, y in zip(a.tolist(), b.tolist()):
+        total += x * y
+    return total
+
+
+def length(vector: Any) -> float:
+    return math.sqrt(dot(vector, vector))
+
+
 def unit(vector: Vector) -> Vector:
-    length = math.sqrt(float(vector @ vector))
-    return vector / length if length > 1e-150 else np.array((0.0, 0.0, 1.0))
+    size = length(vector)
+    return vector / size if size > 1e-150 else np.array((0.0, 0.0, 1.0))
+
+
+def unit_rows(rows: Any) -> Any:
+    """Each row of four made a unit quaternion."""
+    w, x, y, z = rows.T
+    return rows / np.sqrt(w * w + x * x + y * y + z * z)[:, None]
+
+
+def tremor(times: Any, phases: Vector) -> Any:
+    """What a hand adds to where it wants to be, as shares of the tremor's size: at 9, 12 and 10.3 Hz on the three axes."""
+    rates = [2.0 * math.pi * hertz for hertz in (9.0, 12.0, 10.3)]
+    return np.array([[sin(time * rate + phase) for rate, phase in zip(rates, phases.tolist())] for time in times.tolist()])
 
 
 def across(a: Vector, b: Vector) -> Vector:
@@ -25,7 +54,7 @@ def turned(by: Turn, then: Turn) -> Turn:
     """Product of quaternions."""
     a, b = by, then
     vector = a[0] * b[1:] + b[0] * a[1:] + across(a[1:], b[1:])
-    return np.array((a[0] * b[0] - float(a[1:] @ b[1:]), *vector))
+    return np.array((a[0] * b[0] - dot(a[1:], b[1:]), *vector))
 
 
 def rotate(q: Turn, vector: Vector) -> Vector:
@@ -39,15 +68,15 @@ def back(q: Turn) -> Turn:
 
 def turn_by(rotation: Vector) -> Turn:
     """Of a rotation vector, rad."""
-    angle = math.sqrt(float(rotation @ rotation))
-    return np.array((math.cos(0.5 * angle), *(math.sin(0.5 * angle) * unit(rotation))))
+    angle = length(rotation)
+    return np.array((cos(0.5 * angle), *(sin(0.5 * angle) * unit(rotation))))
 
 
 def rotation_of(q: Turn) -> Vector:
     """The rotation vector, rad, the shorter way round."""
     q = q if q[0] >= 0.0 else -q
-    sine = math.sqrt(float(q[1:] @ q[1:]))
-    return 2.0 * math.atan2(sine, float(q[0])) * unit(q[1:]) if sine > 0.0 else np.zeros(3)
+    sine = length(q[1:])
+    return 2.0 * atan2(sine, float(q[0])) * unit(q[1:]) if sine > 0.0 else np.zeros(3)
 
 
 def turn_of(x: Vector, y: Vector, z: Vector) -> Turn:
@@ -61,7 +90,7 @@ def turn_of(x: Vector, y: Vector, z: Vector) -> Turn:
         q = np.array((z[0] - x[2], y[0] + x[1], 1.0 + y[1] - x[0] - z[2], z[1] + y[2]))
     else:
         q = np.array((x[1] - y[0], z[0] + x[2], z[1] + y[2], 1.0 + z[2] - x[0] - y[1]))
-    return q / math.sqrt(float(q @ q))
+    return q / length(q)
 
 
 class Pose(NamedTuple):
@@ -82,9 +111,9 @@ class Pose(NamedTuple):
 
     def mixed(self, other: Pose, share: float) -> Pose:
         """A share of the way there, the shorter way round."""
-        near = other.q if float(self.q @ other.q) >= 0.0 else -other.q
+        near = other.q if dot(self.q, other.q) >= 0.0 else -other.q
         q = (1.0 - share) * self.q + share * near
-        return Pose((1.0 - share) * self.at + share * other.at, q / math.sqrt(float(q @ q)))
+        return Pose((1.0 - share) * self.at + share * other.at, q / length(q))
 
     def rolled(self, axis: Vector, angle: float) -> Pose:
         """About an axis of its own frame."""
@@ -92,4 +121,4 @@ class Pose(NamedTuple):
 
     def angle(self, other: Pose) -> float:
         """Between the two, rad."""
-        return 2.0 * math.acos(min(1.0, abs(float(self.q @ other.q))))
+        return 2.0 * acos(min(1.0, abs(dot(self.q, other.q))))

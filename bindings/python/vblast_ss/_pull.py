@@ -9,8 +9,8 @@ from typing import Any, Mapping
 import numpy as np
 
 from . import _suture_space as space
-from ._pose import Pose, rotate, turn_of, unit
-from ._stitch import AXIS, HOLD, SEEING, TRIES, go, grip, length, off, seen_of
+from ._pose import Pose, length, rotate, turn_of, unit
+from ._stitch import AXIS, HOLD, SEEING, TRIES, go, grip, off, seen_of
 from ._suture import NEEDLE_RADIUS
 
 TIP_HOLD = 4.5e-3  # from the tip: where the left hand takes the needle

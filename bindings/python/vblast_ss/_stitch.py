@@ -9,8 +9,9 @@ from typing import Any, Mapping, Optional
 import numpy as np
 
 from . import _suture_space as space
-from ._pose import Pose, Vector, across, back, rotate, rotation_of, turn_of, turned, unit
+from ._pose import Pose, Vector, across, back, dot, length, rotate, rotation_of, turn_of, turned, unit
 from ._suture import CENTRE, FLOOR, JAW, LEFT_JAW, NEEDLE_ARC, NEEDLE_RADIUS, WALL
+from .elementary import cos, sin
 
 HOLD = 0.64 * NEEDLE_ARC * NEEDLE_RADIUS  # where the needle is taken, from its tip, m
 LEAN, UP = 0.14, 1.92  # of the tool from the needle's axis, rad; to where, in its plane
@@ -31,17 +32,13 @@ AWAY, AXIS = np.array((0.0, 1.0, 0.0)), np.array((0.0, 0.0, 1.0))
 TRIES = 5
 
 
-def length(vector: Vector) -> float:
-    return math.sqrt(float(vector @ vector))
-
-
 def limited(vector: Vector, most: float) -> Vector:
     size = length(vector)
     return vector * (most / size) if size > most else vector
 
 
 def flat(vector: Vector, normal: Vector) -> Vector:
-    return vector - float(vector @ normal) * normal
+    return vector - dot(vector, normal) * normal
 
 
 def _outward(at: Vector) -> Vector:
@@ -60,9 +57,9 @@ def grip(arc_length: float, behind: float, lean: float, up: Optional[float] = No
     """The tool in the needle's frame: so far from the needle's tip and behind its own, it comes against the needle's axis,
     and leans to an angle in the needle's plane, or outward."""
     angle = -arc_length / NEEDLE_RADIUS
-    out = np.array((math.cos(angle), math.sin(angle), 0.0))
+    out = np.array((cos(angle), sin(angle), 0.0))
     up = angle if up is None else up
-    z = np.array((math.sin(lean) * math.cos(up), math.sin(lean) * math.sin(up), -math.cos(lean)))
+    z = np.array((sin(lean) * cos(up), sin(lean) * sin(up), -cos(lean)))
     x = unit(flat(out, z))
     return Pose(NEEDLE_RADIUS * out - behind * z, turn_of(x, across(z, x), z))
 
@@ -229,7 +226,7 @@ class ScriptedStitch:
         assert self._rest is not None
         rest, normal = self._rest[0], _outward(self._rest[0])
         moved = self._marks[0] - rest
-        moved = moved - max(float(moved @ normal), 0.0) * normal
+        moved = moved - max(dot(moved, normal), 0.0) * normal
         return rest + LEAD * across(AWAY, normal) + self._trim + limited(moved, FOLLOW)
 
     def _crossing(self) -> Pose:
@@ -238,7 +235,7 @@ class ScriptedStitch:
         e1 = unit(start - end)
         e3 = unit(flat(AXIS, e1))
         half = 0.5 * length(start - end)
-        centre = 0.5 * (start + end) + math.sqrt(NEEDLE_RADIUS**2 - half**2) * e3
+        centre = 0.5 * (start + end) + math.sqrt(NEEDLE_RADIUS * NEEDLE_RADIUS - half * half) * e3
         x, z = unit(start - centre), across(e3, e1)
         return Pose(centre, turn_of(x, across(z, x), z)).rolled(AXIS, self._gone / NEEDLE_RADIUS)
 
@@ -262,7 +259,7 @@ class ScriptedStitch:
         to = self._marks[0] - needle.at
         z = rotate(needle.q, AXIS)
         in_plane = flat(to, z)
-        miss = (length(in_plane) - NEEDLE_RADIUS) * unit(in_plane) + float(to @ z) * z
+        miss = (length(in_plane) - NEEDLE_RADIUS) * unit(in_plane) + dot(to, z) * z
         self._trim = limited(self._trim + h / 0.1 * miss, FOLLOW)  # the wall drives the tip aside
         self._on(see, action, 0.5 * DRIVE * h * min(max(2.0 - length(miss) / 0.4e-3, 0.05), 1.0), h)
 

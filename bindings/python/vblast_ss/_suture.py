@@ -10,10 +10,11 @@ from typing import Any, NamedTuple, Optional
 
 import numpy as np
 
-from ._pose import Pose, Vector, turn_by, turned
+from ._pose import Pose, Vector, dot, length, tremor, turn_by, turned, unit_rows
 from .context import Context
 from .devices import Device, DeviceTool, Mock
 from .drain import Drain
+from .elementary import cos, sin
 from .grasper import Grasper, GrasperState
 from .knots import KnotDetector
 from .metrics import Metrics
@@ -69,16 +70,13 @@ class Tool:
         shown = self._shown  # the mock keeps that, and not this tool
         self.device = Device(Mock(context, measure=lambda now: shown, row_capacity=0), context=context, clock="shared")
 
-    def way(self, to: Pose, opening: float, steps: int, first: int, tremor: float) -> list[tuple[Any, Any, float]]:
-        """Evenly, in some steps, with what a hand trembles by: 9, 12 and 10.3 Hz on the three axes."""
+    def way(self, to: Pose, opening: float, steps: int, first: int, size: float) -> list[tuple[Any, Any, float]]:
+        """Evenly, in some steps, with a tremor of some size, m."""
         shares = (np.arange(steps) + 1.0)[:, None] / steps
-        near = (to.q if float(self.told.q @ to.q) >= 0.0 else -to.q) / math.sqrt(float(to.q @ to.q))
-        turns = self.told.q + shares * (near - self.told.q)
-        turns /= np.sqrt((turns**2).sum(1))[:, None]
+        near = (to.q if dot(self.told.q, to.q) >= 0.0 else -to.q) / length(to.q)
+        turns = unit_rows(self.told.q + shares * (near - self.told.q))
         times = STEP * (first + np.arange(steps))
-        rates = 2.0 * math.pi * np.array((9.0, 12.0, 10.3))
-        places = self.told.at + shares * (to.at - self.told.at) + \
-            tremor * np.sin(times[:, None] * rates + self._phases)
+        places = self.told.at + shares * (to.at - self.told.at) + size * tremor(times, self._phases)
         openings = self.opening + shares[:, 0] * (opening - self.opening)
         self.told, self.opening = Pose(to.at, near), opening
         return list(zip(places.tolist(), turns.tolist(), openings.tolist()))
@@ -100,9 +98,9 @@ class SutureScene:
         self.steps = 0
         self.context = Context() if context is None else context
         random = np.random.Generator(np.random.PCG64(task.seed))
-        phases = random.uniform(0.0, 2.0 * math.pi, (2, 3))
-        x, y = np.array(task.place) + task.scatter * random.uniform(-1.0, 1.0, 2)
-        turn = math.pi + task.turn_scatter * random.uniform(-1.0, 1.0)
+        phases = 2.0 * math.pi * random.random((2, 3))
+        x, y = np.array(task.place) + task.scatter * (2.0 * random.random(2) - 1.0)
+        turn = math.pi + task.turn_scatter * (2.0 * random.random() - 1.0)
         self._build(np.array((x, y, FLOOR + WIRE)), turn, phases)
         self.record = Record(self.scene, note=note, hash_interval=100) if record else None
         if replay is not None:  # takes the place of hands
@@ -125,7 +123,7 @@ class SutureScene:
         self.drain_body = self.scene.add(self.drain)
         # It lies so that turning it clockwise, as seen from above, drives its tip.
         self.needle = Needle(context, radius=NEEDLE_RADIUS, arc=NEEDLE_ARC, wire_radius=WIRE, gravity=(0.0, 0.0, -9.81),
-                             position=place, orientation=(0.0, math.cos(0.5 * turn), math.sin(0.5 * turn), 0.0))
+                             position=place, orientation=(0.0, cos(0.5 * turn), sin(0.5 * turn), 0.0))
         self.needle_body = self.scene.add(self.needle)
         lies = self.needle.state
         along = np.arange(self.task.segments + 1)[:, None] * THREAD / self.task.segments

@@ -11,8 +11,9 @@ from typing import Any, NamedTuple, Optional
 
 import numpy as np
 
-from ._pose import Vector, across, turned, unit
+from ._pose import Vector, across, dot, length, tremor, turned, unit, unit_rows
 from .context import Context
+from .elementary import cos, sin
 from .knots import Knot, KnotDetector
 from .records import Record
 from .scene import Capsule, RigidState, Scene
@@ -23,7 +24,7 @@ GRASP = 0.5e-3  # m: hands hold the grasp, so far behind the tip
 TROCAR = np.array((-0.110, -0.050, 0.080))  # W's axis goes through it
 DRAIN_RADIUS = 6.5e-3
 MARK_ANGLE = 4.5e-3 / DRAIN_RADIUS  # rad from the top: where the thread comes out, on either side
-MARK = DRAIN_RADIUS * np.array((math.sin(MARK_ANGLE), 0.0, math.cos(MARK_ANGLE))) - (0.0, 0.0, DRAIN_RADIUS)
+MARK = DRAIN_RADIUS * np.array((sin(MARK_ANGLE), 0.0, cos(MARK_ANGLE))) - (0.0, 0.0, DRAIN_RADIUS)
 FLOOR = -13e-3
 TAIL = 30e-3  # of the thread beside the drain
 LIMB = 117e-3
@@ -60,7 +61,7 @@ def away_from_w(grasp: Vector, angle: float) -> Vector:
     """From W's axis, at an angle about it."""
     axis = axis_of_w(grasp)
     first = unit(np.array((1.0, 0.0, 0.0)) - axis[0] * axis)
-    return math.cos(angle) * first + math.sin(angle) * across(axis, first)
+    return cos(angle) * first + sin(angle) * across(axis, first)
 
 
 def turn_from_z(to: Vector) -> Vector:
@@ -68,7 +69,7 @@ def turn_from_z(to: Vector) -> Vector:
     if to[2] < -1.0 + 1e-12:
         return np.array((0.0, 1.0, 0.0, 0.0))
     whole = np.array((1.0 + to[2], -to[1], to[0], 0.0))
-    return whole / math.sqrt(float(whole @ whole))
+    return whole / length(whole)
 
 
 def z_of(q: Vector) -> Vector:
@@ -89,7 +90,7 @@ def stand_of_c(w: Vector, angle: float) -> Vector:
     """Its handle is away from W and goes round with it."""
     since = angle + 0.5 * math.pi
     half = 0.5 * (since - 2.0 * math.pi * math.floor(since / (2.0 * math.pi)))
-    round_w = np.array((math.cos(half), *(math.sin(half) * axis_of_w(w))))
+    round_w = np.array((cos(half), *(sin(half) * axis_of_w(w))))
     return turned(round_w, turn_from_z(away_from_w(w, -0.5 * math.pi)))
 
 
@@ -100,8 +101,8 @@ class ThrowScene:
                  context: Optional[Context] = None) -> None:
         self.task = task
         random = np.random.Generator(np.random.PCG64(task.seed))
-        self._phases = random.uniform(0.0, 2.0 * math.pi, (2, 3))
-        tip = np.array(task.tip) + task.scatter * random.uniform(-1.0, 1.0, 3)
+        self._phases = 2.0 * math.pi * random.random((2, 3))
+        tip = np.array(task.tip) + task.scatter * (2.0 * random.random(3) - 1.0)
         self.context = Context() if context is None else context
         self.angle = -0.5 * math.pi  # of C about W
         self.steps = 0
@@ -124,7 +125,7 @@ class ThrowScene:
         task = self.task
         surface = DRAIN_RADIUS + 0.125e-3 + 0.03e-3
         centre = np.array((0.0, 0.0, -DRAIN_RADIUS))
-        out = {side: np.array((math.sin(side * MARK_ANGLE), 0.0, math.cos(side * MARK_ANGLE))) for side in (1, -1)}
+        out = {side: np.array((sin(side * MARK_ANGLE), 0.0, cos(side * MARK_ANGLE))) for side in (1, -1)}
         tail, limb = (round(length / task.segment) for length in (TAIL, LIMB))
         points = [centre + (surface + (tail - i) * task.segment) * out[1] for i in range(tail + 1)]
         points += [centre + (surface - 1e-3) * out[1], centre + (surface - 1e-3) * out[-1], centre + surface * out[-1]]
@@ -139,7 +140,7 @@ class ThrowScene:
         self.scene = Scene(self.context, node_capacity=512, contact_capacity=2048, candidate_capacity=32768,
                            capsule_capacity=8, floor=1, floor_normal=(0.0, 0.0, 1.0), floor_height=FLOOR)
         self.thread = Thread(self.context, positions=points, axial_stiffness=task.axial_stiffness,
-                             rest_lengths=np.sqrt((np.diff(points, axis=0)**2).sum(1)),
+                             rest_lengths=[length(way) for way in np.diff(points, axis=0)],
                              bending_stiffness=task.bending_stiffness, radius=0.125e-3, gravity=(0.0, 0.0, -9.81))
         self.thread_body = self.scene.add(self.thread)
         for node in range(self.right_mark, self.left_mark + 1):
@@ -165,7 +166,7 @@ class ThrowScene:
         """W closes its jaws: holds the tail if it is within reach."""
         tail = self.positions[TAIL_NODE]
         off = tail - self.w.at
-        if self.holds or float(off @ off) >= REACH**2:
+        if self.holds or length(off) >= REACH:
             return bool(self.holds)
         self.holds = [self.mover.pin_thread(self.thread_body, node, self.w.body)
                       for node in range(TAIL_NODE - 1, TAIL_NODE + 2)]
@@ -176,25 +177,18 @@ class ThrowScene:
             self.mover.unpin_thread(pin)
         self.holds = []
 
-    def _tremble(self, hand: int, steps: int) -> Vector:
-        """What a hand adds to where it wants to be, at 9, 12 and 10.3 Hz on the three axes."""
-        times = STEP * np.arange(self.steps, self.steps + steps)
-        rates = 2.0 * math.pi * np.array((9.0, 12.0, 10.3))
-        shown: Vector = self.task.tremor * np.sin(times[:, None] * rates + self._phases[hand])
-        return shown
-
     def move(self, w: Vector, c: Vector, angle: float, steps: int) -> None:
         """Both hands go evenly to where they shall be after some steps, C by then at an angle about W."""
         shares = (np.arange(steps) + 1.0)[:, None] / steps
+        times = STEP * np.arange(self.steps, self.steps + steps)
         self.angle = angle
         ways = []
         for number, (hand, to, stand) in enumerate(((self.w, w, turn_from_z(axis_of_w(w))),
                                                     (self.c, c, stand_of_c(w, angle)))):
-            if float(hand.stand @ stand) < 0.0:
+            if dot(hand.stand, stand) < 0.0:
                 stand = -stand
-            stands = hand.stand + shares * (stand - hand.stand)  # any length will do
-            stands /= np.sqrt((stands**2).sum(1))[:, None]
-            places = hand.at + shares * (to - hand.at) + self._tremble(number, steps)
+            stands = unit_rows(hand.stand + shares * (stand - hand.stand))
+            places = hand.at + shares * (to - hand.at) + self.task.tremor * tremor(times, self._phases[number])
             ways.append((hand.body, places - GRASP * np.array([z_of(q) for q in stands]), stands))
             hand.at, hand.stand = np.array(to), stand
         mover = self.mover

@@ -19,9 +19,10 @@ import numpy as np
 
 from . import _throw
 from ._episode import Box, Episodes
-from ._pose import across, unit
+from ._pose import across, dot, length, unit
 from ._throw import STEP, ThrowScene, ThrowTask, axis_of_w, away_from_w
 from .context import Context
+from .elementary import atan2, cos, sin
 from .errors import Error
 from .knots import KnotVerdict
 from .metrics import Metrics
@@ -195,7 +196,7 @@ def scene_of_note(note: bytes, context: Context) -> ThrowScene:
 def _toward(target: Any, at: Any, speed: float) -> Any:
     """An action that goes there, slower when near, at most at a speed."""
     way = (target - at) / 0.04
-    fast = math.sqrt(float(way @ way))
+    fast = length(way)
     return way * (min(1.0, speed / fast) if fast > 0.0 else 0.0) / SPEED
 
 
@@ -207,7 +208,11 @@ class RandomHands:
         self._action = np.zeros(size)
 
     def __call__(self, observation: Any) -> Any:
-        self._action = np.clip(0.9 * self._action + self._random.normal(0.0, 0.3, self._action.shape), -1.0, 1.0)
+        # Nearly normal, and the same everywhere: numpy's normal() asks libm.
+        chance = -6.0 * np.ones(self._action.shape)
+        for _ in range(12):
+            chance += self._random.random(self._action.shape)
+        self._action = np.clip(0.9 * self._action + 0.3 * chance, -1.0, 1.0)
         return self._action
 
 
@@ -262,7 +267,7 @@ class ScriptedThrow:
         target = self._orbit_point(see)
         action[C] = _toward(target, see["c"], 0.10 * self.haste)
         off = target - see["c"]
-        if float(off @ off) < 2e-3**2 or self._since > 1.5:
+        if length(off) < 2e-3 or self._since > 1.5:
             self._enter("wind")
 
     def _wind(self, see: Mapping[str, Any], action: Any, h: float) -> None:
@@ -287,17 +292,17 @@ class ScriptedThrow:
         """Beside the tail's end, then against it, until it is within reach."""
         axis, off = axis_of_w(see["w"]), see["w"] - see["tail"]
         side = unit(across(axis, see["strand"]))
-        if float(side @ off) < 0.0:
+        if dot(side, off) < 0.0:
             side = -side
-        near = float(off @ off) - float(off @ side)**2 < 1e-3**2
+        near = dot(off, off) - dot(off, side) * dot(off, side) < 1e-6
         aim = see["tail"] + (0.0 if near else 3e-3) * side
         action[W] = _toward(aim, see["w"], (0.03 if near else 0.06) * self.haste)
         action[C] = 0.83 * action[W]
-        if float(off @ off) < _throw.REACH**2:
+        if length(off) < _throw.REACH:
             action[W] = action[C] = 0.0
             action[GRIP] = 1.0
             way = see["w"] - _throw.MARK
-            self._over, self._leash = math.atan2(way[2], way[0]), math.sqrt(float(way @ way))
+            self._over, self._leash = atan2(way[2], way[0]), length(way)
             self._enter("draw")
 
     def _draw(self, see: Mapping[str, Any], action: Any, h: float) -> None:
@@ -311,7 +316,7 @@ class ScriptedThrow:
         whole = _throw.TAIL - 0.5e-3 * _throw.TAIL_NODE
         self._leash += -0.02 * h if pull_w > 0.06 else (0.97 * whole - self._leash) * min(h / 0.2, 1.0)
         self._over = min(self._over + slow * 0.03 * self.haste * h / whole, math.radians(150.0))
-        on_arc = np.array((math.cos(self._over), 0.0, math.sin(self._over)))
+        on_arc = np.array((cos(self._over), 0.0, sin(self._over)))
         action[W] = _toward(_throw.MARK + self._leash * on_arc, see["w"], SPEED)
         # C goes to the right while the limb is slack, and gives way to W when it is not.
         eager = (self.give - pull_c) / self.give
