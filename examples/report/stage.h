@@ -23,6 +23,8 @@ typedef struct stage {
 /* False: the note names no scene that is known. */
 bool stage_knows(const void *note, size_t count);
 vbss_result stage_create(stage *s, const void *note, size_t count);
+/* Of a surgeon at work: what it is of stays the surgeon's, who ends it. */
+void stage_watch(stage *s, stitch *t, const task *k);
 /* After a step: which thread it is now, if it was cut. */
 vbss_result stage_follow(stage *s);
 vbss_result stage_judge(stage *s, reading *r);
