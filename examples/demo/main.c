@@ -5,7 +5,7 @@
  * Into the folder, which must have a folder "stages", go the log (task.vbss), a film (task.mp4), stills (frame-*.png), a report
  * (report.html), a page that plays the session (replay.html), pictures of the key stages (stages) and details (details.txt).
  * Without OpenGL, ffmpeg, or esbuild and three.js it says what is missing and makes the rest. Exits 0 if the task was
- * completed, or the last stage that was named is done, 1 if it was not, 2 if it was called wrongly. */
+ * completed, or the last stage that was named is done, and nothing else failed; 1 otherwise; 2 if it was called wrongly. */
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -42,7 +42,15 @@ size_t observe_pictures(observer *into, size_t room, const char *film, const cha
     static const char *const names[KINDS] = {"film", "stills"};
     size_t count = 0;
     drawing = headless_begin(&gl);
+    if (!drawing) {
+        fprintf(stderr, "No film and no stills: OpenGL 3.3 is missing here.\n");
+    } else if (!movie_possible()) {
+        fprintf(stderr, "No film: ffmpeg is missing here (.ci/install-packages demo).\n");
+    }
     for (int i = 0; drawing && i < KINDS && count < room; i++) {
+        if (i == FILM && !movie_possible()) {
+            continue;
+        }
         if (shots_open(&taken[i], &plans[i])) {
             into[count++] = (observer){.what = names[i],
                                        .path = i == FILM ? film : folder,

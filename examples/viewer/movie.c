@@ -3,6 +3,7 @@
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -45,6 +46,20 @@ static void become_ffmpeg(const char *path, const char *size, const char *rate)
     memcpy(copies, words, sizeof words);
     (void)execvp("ffmpeg", copies);
     _exit(NOT_FOUND);
+}
+
+bool movie_possible(void)
+{
+    const char *path = getenv("PATH");
+    bool found = false;
+    while (path != NULL && *path != '\0' && !found) {
+        char place[1024];
+        const int length = (int)strcspn(path, ":");
+        const int used = snprintf(place, sizeof place, "%.*s/ffmpeg", length, path);
+        found = used < (int)sizeof place && access(place, X_OK) == 0;
+        path += length + (path[length] == ':' ? 1 : 0);
+    }
+    return found;
 }
 
 bool movie_begin(movie *f, const char *path, int width, int height, int rate)

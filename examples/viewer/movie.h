@@ -12,6 +12,8 @@ typedef struct movie {
     int width, height;
 } movie;
 
+/* Whether there is a program of the name ffmpeg. */
+bool movie_possible(void);
 /* False, told on standard error: it cannot be begun. Without a program of that name that is told in the end. */
 bool movie_begin(movie *f, const char *path, int width, int height, int rate);
 /* Rows from the top, red, green and blue; false: ffmpeg takes no more. */
