@@ -13,27 +13,6 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* ---- with its session */
-
-/* Where the session is not the recorded one the scene goes on without. */
-static vbss_result step(again *a, stage *s, vbss_replay *replay)
-{
-    vbss_session_status status;
-    if (s->task.session == NULL) {
-        return vbss_replay_step(replay, &a->report, sizeof a->report);
-    }
-    vbss_result result = vbss_session_step(s->task.session, 0.0, 0.0);
-    TRY(vbss_session_get_status(s->task.session, &status, sizeof status));
-    if (status.steps > a->report.step) { /* the scene's step was made, and agrees */
-        a->report.step++;
-        a->session.agrees = result == VBSS_OK;
-        return a->session.agrees ? VBSS_OK : task_destroy(&s->task);
-    }
-    return vbss_replay_step(replay, &a->report, sizeof a->report); /* where it is, once more */
-}
-
-/* ---- all of it */
-
 static vbss_result play(facts *f, stage *s)
 {
     again *a = &f->again;
@@ -44,14 +23,17 @@ static vbss_result play(facts *f, stage *s)
     TRY(stage_follow_task(s, replay));
     TRY(facts_look_begin(f, s));
     for (;;) {
+        bool agrees = true;
         double begin = now();
-        TRY(step(a, s, replay));
+        TRY(stage_step(s, replay, &a->report, &agrees));
         double spent = now() - begin;
+        a->session.agrees = a->session.agrees && agrees;
         if (a->report.outcome != VBSS_REPLAY_STEPPED || a->report.step > f->steps) {
-            return a->count > 0 && a->count == f->steps ? facts_look_end(f, s) : VBSS_OK;
+            return VBSS_OK;
         }
         TRY(stage_follow(s));
         TRY(facts_look(f, s, f->moments[a->report.step - 1].time, spent));
+        TRY(a->count == f->steps ? facts_look_end(f, s) : VBSS_OK);
     }
 }
 

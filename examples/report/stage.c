@@ -144,6 +144,21 @@ vbss_result stage_follow_task(stage *s, vbss_replay *replay)
     return s->tasked != NULL ? task_create(&s->task, s->tasked, NULL, replay) : VBSS_OK;
 }
 
+vbss_result stage_step(stage *s, vbss_replay *replay, vbss_replay_report *report, bool *agrees)
+{
+    if (s->task.session != NULL) {
+        vbss_session_status status;
+        vbss_result result = vbss_session_step(s->task.session, 0.0, 0.0);
+        TRY(vbss_session_get_status(s->task.session, &status, sizeof status));
+        if (status.steps > report->step) { /* the scene's step was made, and agrees */
+            report->step++;
+            *agrees = result == VBSS_OK;
+            return *agrees ? VBSS_OK : task_destroy(&s->task);
+        }
+    }
+    return vbss_replay_step(replay, report, sizeof *report); /* or where it is, once more */
+}
+
 /* ---- the knot */
 
 /* Laid out through two marks. */

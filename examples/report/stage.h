@@ -30,6 +30,9 @@ vbss_result stage_follow(stage *s);
 vbss_result stage_judge(stage *s, reading *r);
 /* Its session, if it has one, follows the replay. */
 vbss_result stage_follow_task(stage *s, vbss_replay *replay);
+/* Makes the step after `report->step`, its session's too; a session that is not the recorded one is left out from there on, and
+ * `agrees` is false then. */
+vbss_result stage_step(stage *s, vbss_replay *replay, vbss_replay_report *report, bool *agrees);
 void stage_destroy(stage *s);
 
 #endif
