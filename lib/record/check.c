@@ -2,6 +2,8 @@
  * as lengths and checksums tell. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_log_report) == 232, "published size");

@@ -5,6 +5,7 @@
  * record whose code begins with a small letter may be passed over by who does not know it. */
 #include <string.h>
 
+#include "base/error.h"
 #include "base/little_endian.h"
 #include "record/record.h"
 

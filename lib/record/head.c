@@ -1,6 +1,7 @@
 /* How a log begins: who wrote it, the scene's configuration, and the snapshot. */
 #include <string.h>
 
+#include "base/error.h"
 #include "record/record.h"
 
 #define CONFIG VBSS_CODE('C', 'O', 'N', 'F')

@@ -1,4 +1,6 @@
 /* Reading: a log is opened, tells about itself, and is read from step to step without a scene. */
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_replay_info) == 48, "published size");

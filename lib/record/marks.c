@@ -1,5 +1,7 @@
 /* What a session notes of itself behind a step: marks, and its state behind a snapshot of its scene. Who knows no sessions
  * passes over them. */
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "record/record.h"
 
 /* A state is put in the log when that has grown by so many times its size: states are a fifth of it at most. */

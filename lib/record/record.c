@@ -3,6 +3,10 @@
 
 #include "record/record.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
+
 _Static_assert(sizeof(vbss_record_config) == 40, "published size");
 
 static const vbss_record_config defaults = {

@@ -9,6 +9,7 @@
 
 #include <vblast_ss/record.h>
 
+#include "base/stream.h"
 #include "scene/scene.h"
 
 /* ---- format.c: a front, then records, each with its length, one section and a checksum, which covers

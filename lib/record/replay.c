@@ -1,4 +1,5 @@
 /* Replaying: the scene is told what it was told, stepped, and compared. */
+#include "base/error.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_replay_report) == 48, "published size");

@@ -1,4 +1,6 @@
 /* Going on with a log: the scene is brought to its end, and what it is told from there on is appended. */
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 /* The last complete step, and the reader where the next one would begin. */

@@ -1,6 +1,8 @@
 /* What a host tells the scene through its record: the same as without, and noted. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 static vbss_result check_room(const record_object *r)

@@ -1,5 +1,8 @@
 /* A session that follows a log goes to a step of it: scene and session are restored from their newest states there, and the
  * steps from there on are made. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "session/session.h"
 
 static vbss_result check_scene(const session_object *s, const replay_object *p)

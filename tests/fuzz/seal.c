@@ -1,7 +1,8 @@
 #include <string.h>
 
-#include "base/base.h"
+#include "base/hash.h"
 #include "base/little_endian.h"
+#include "base/stream.h"
 #include "fuzz/fuzz.h"
 
 #define SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')

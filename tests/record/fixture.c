@@ -1,5 +1,7 @@
 #include "fixture.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
 #include "base/little_endian.h"
 
 enum { NODES = 31 };
