@@ -1,4 +1,4 @@
-/* All that a report is made from: what the log says (read.c), what playing it back shows (again.c), what follows from both
+/* All that a report is made from: what the log says (read.c), what is seen of its steps (again.c, look.c), what follows from both
  * (phases.c, measure.c). What is not known says so. */
 #ifndef VBSS_EXAMPLES_REPORT_FACTS_H
 #define VBSS_EXAMPLES_REPORT_FACTS_H
@@ -81,10 +81,11 @@ typedef struct followed {
 
 struct stage;
 /* What one who looks at the scene is called with: right after a step, and before the first one (step 0). */
-typedef vbss_result again_watch(void *user, struct stage *s, uint64_t step);
+typedef vbss_result again_watch(void *user, struct stage *s, uint64_t step, double time);
 
 typedef struct again {
     bool asked;
+    bool performed;     /* seen while the hands did it, and not played back */
     again_watch *watch; /* looks only; may be NULL */
     void *user;         /* handed to it */
     const char *name;   /* of the scene that was made once more; NULL: none */
@@ -92,7 +93,9 @@ typedef struct again {
     char problem[256];
     vbss_replay_report report;
     again_step *steps;
+    size_t step_room;
     uint64_t count;
+    double time; /* s, after the last of them */
     reading *readings;
     size_t reading_count, reading_room;
     puncture *punctures;
@@ -155,7 +158,14 @@ bool facts_room(void **array, size_t *room, size_t used, size_t size);
 vbss_result facts_read(facts *f);
 /* again.c: plays it back, if its scene can be made once more. What fails is told in `again`. */
 vbss_result facts_again(facts *f);
-/* The last reading that was certified; NULL: none was. (again.c) */
+/* look.c: looks at a scene before its first step, after each step, after its last one; facts_again does. Who makes the
+ * steps himself names the tools in `tools`, and reads the log after that. */
+vbss_result facts_look_begin(facts *f, struct stage *s);
+vbss_result facts_look(facts *f, struct stage *s, double time, double spent);
+vbss_result facts_look_end(facts *f, struct stage *s);
+/* What the session told and measured; the tools must be those of the page. */
+vbss_result facts_look_at_session(facts *f, struct stage *s);
+/* The last reading that was certified; NULL: none was. (look.c) */
 const reading *facts_certified(const facts *f);
 /* phases.c */
 vbss_result facts_phases(facts *f);

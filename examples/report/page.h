@@ -26,6 +26,9 @@ void pictures_free(pictures *p);
 /* Pieces, to be put as they stand; NULL ends them. */
 extern const char *const page_style[];
 
+/* Writes the whole page; false: the file cannot be written, or memory was short. (whole.c) */
+bool page_report(const facts *f, const pictures *shown, const char *to);
+
 void page_head(page *p, const facts *f); /* page.c */
 void page_foot(page *p, const facts *f, const pictures *shown);
 void page_summary(page *p, const facts *f);     /* summary.c */

@@ -28,12 +28,13 @@ static void put_times(page *p, const again *a)
         "scope=\"col\" class=\"n\">above 1 ms</th></tr></thead><tbody><tr><td "
         "class=\"n\">%.0f</td><td class=\"n\">%.0f</td><td class=\"n\">%.0f</td><td "
         "class=\"n\">%.0f</td><td class=\"n\">%.2f %%</td></tr></tbody></table>\n"
-        "<p class=\"note\">Logs hold no times of steps: these are of playing it back here, once, "
-        "on "
-        "a machine that may do other things.</p>\n",
+        "<p class=\"note\">Logs hold no times of steps: these are of %s, once, on a machine that "
+        "may do other things.</p>\n",
         spent[a->count / 2], spent[(size_t)(0.99 * (double)a->count)],
         spent[(size_t)(0.999 * (double)a->count)], spent[a->count - 1],
-        100.0 * (double)late / (double)a->count);
+        100.0 * (double)late / (double)a->count,
+        a->performed ? "making it here, devices, session and log included"
+                     : "playing it back here");
     free(spent);
 }
 
@@ -95,6 +96,12 @@ static void put_scene(page *p, const again *a)
 static void put_replay(page *p, const facts *f)
 {
     const again *a = &f->again;
+    if (a->performed) {
+        put(p,
+            "<p>Watched while the hands made it, session and all: its log was not played back for "
+            "this page.</p>\n");
+        return;
+    }
     if (a->name == NULL) {
         put(p, "<p class=\"absent\">Not played back: %s.</p>\n",
             !a->asked ? "it was asked not to"

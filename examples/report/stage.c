@@ -71,6 +71,17 @@ static vbss_result make_throw(stage *s, const words *w)
     return result;
 }
 
+static void show_stitch(stage *s, const stitch *t)
+{
+    s->graspers[LEFT] = t->left.grasper;
+    s->graspers[RIGHT] = t->right.grasper;
+    s->drain = t->site.drain;
+    s->tube = t->site.tube;
+    s->needle = t->site.needle_body;
+}
+
+static const char surgeon_name[] = "a scripted surgeon (examples/surgeon)";
+
 static vbss_result make_stitch(stage *s, const words *w)
 {
     static stitch t;
@@ -79,7 +90,7 @@ static vbss_result make_stitch(stage *s, const words *w)
     memset(&t, 0, sizeof t);
     s->stand = &t.site.stand;
     if (is_surgeon(w)) {
-        s->name = "a scripted surgeon (examples/surgeon)";
+        s->name = surgeon_name;
         s->tasked = &t;
         surgeon_plan(&usual, &plan);
     } else {
@@ -87,12 +98,20 @@ static vbss_result make_stitch(stage *s, const words *w)
         stitch_plan_usual(&plan);
     }
     vbss_result result = stitch_create(&t, w->seed, &plan);
-    s->graspers[LEFT] = t.left.grasper;
-    s->graspers[RIGHT] = t.right.grasper;
-    s->drain = t.site.drain;
-    s->tube = t.site.tube;
-    s->needle = t.site.needle_body;
+    show_stitch(s, &t);
     return result;
+}
+
+void stage_watch(stage *s, stitch *t, const task *k)
+{
+    memset(s, 0, sizeof *s);
+    s->name = surgeon_name;
+    s->stand = &t->site.stand;
+    s->context = s->stand->context;
+    s->scene = s->stand->scene;
+    s->tasked = t;
+    s->task = *k;
+    show_stitch(s, t);
 }
 
 vbss_result stage_create(stage *s, const void *note, size_t count)
@@ -123,6 +142,21 @@ vbss_result stage_follow(stage *s)
 vbss_result stage_follow_task(stage *s, vbss_replay *replay)
 {
     return s->tasked != NULL ? task_create(&s->task, s->tasked, NULL, replay) : VBSS_OK;
+}
+
+vbss_result stage_step(stage *s, vbss_replay *replay, vbss_replay_report *report, bool *agrees)
+{
+    if (s->task.session != NULL) {
+        vbss_session_status status;
+        vbss_result result = vbss_session_step(s->task.session, 0.0, 0.0);
+        TRY(vbss_session_get_status(s->task.session, &status, sizeof status));
+        if (status.steps > report->step) { /* the scene's step was made, and agrees */
+            report->step++;
+            *agrees = result == VBSS_OK;
+            return *agrees ? VBSS_OK : task_destroy(&s->task);
+        }
+    }
+    return vbss_replay_step(replay, report, sizeof *report); /* or where it is, once more */
 }
 
 /* ---- the knot */

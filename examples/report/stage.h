@@ -23,11 +23,16 @@ typedef struct stage {
 /* False: the note names no scene that is known. */
 bool stage_knows(const void *note, size_t count);
 vbss_result stage_create(stage *s, const void *note, size_t count);
+/* Of a surgeon at work: what it is of stays the surgeon's, who ends it. */
+void stage_watch(stage *s, stitch *t, const task *k);
 /* After a step: which thread it is now, if it was cut. */
 vbss_result stage_follow(stage *s);
 vbss_result stage_judge(stage *s, reading *r);
 /* Its session, if it has one, follows the replay. */
 vbss_result stage_follow_task(stage *s, vbss_replay *replay);
+/* Makes the step after `report->step`, its session's too; a session that is not the recorded one is left out from there on, and
+ * `agrees` is false then. */
+vbss_result stage_step(stage *s, vbss_replay *replay, vbss_replay_report *report, bool *agrees);
 void stage_destroy(stage *s);
 
 #endif

@@ -56,27 +56,6 @@ static vbss_result find_out(facts *f)
     return facts_measure(f);
 }
 
-static bool write_page(const facts *f, const pictures *shown, const char *to)
-{
-    page *p = page_create();
-    if (p == NULL) {
-        return false;
-    }
-    page_head(p, f);
-    page_summary(p, f);
-    page_timeline(p, f);
-    page_bands(p, f);
-    page_motion(p, f);
-    page_accuracy(p, f);
-    page_knot(p, f);
-    page_simulation(p, f);
-    page_pictures(p, shown);
-    page_foot(p, f, shown);
-    bool written = page_write(p, to);
-    page_destroy(p);
-    return written;
-}
-
 /* 0, 1, 2 as above; says why. */
 static int report(facts *f, const pictures *shown, const char *to)
 {
@@ -90,7 +69,7 @@ static int report(facts *f, const pictures *shown, const char *to)
                 text[0] != '\0' ? ": " : "", text);
         return 2;
     }
-    if (!write_page(f, shown, to)) {
+    if (!page_report(f, shown, to)) {
         fprintf(stderr, "%s cannot be written\n", to);
         return 2;
     }

@@ -32,7 +32,7 @@ void watch_progress(watch *w, const surgeon *s, bool enters)
     const double time = s->stitch.site.stand.time;
     const bool again = isatty(STDOUT_FILENO) != 0;
     char knot[WORDS];
-    if (w->verbose || (!enters && time < w->told + (again ? OFTEN : SELDOM))) {
+    if (w->verbose || w->guest != NULL || (!enters && time < w->told + (again ? OFTEN : SELDOM))) {
         return;
     }
     if (w->told == 0.0) {

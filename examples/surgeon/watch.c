@@ -93,9 +93,15 @@ static void enter(watch *w, const surgeon *s, surgeon_stage before)
     watch_progress(w, s, true);
 }
 
+static vbss_result show_guest(const watch *w, surgeon *s)
+{
+    return w->guest != NULL ? w->guest(w->user, w, s) : VBSS_OK;
+}
+
 static vbss_result perform(watch *w, surgeon *s)
 {
     const char *before = "";
+    TRY(show_guest(w, s));
     while (s->stage < w->options.until && s->stage < SURGEON_DONE &&
            s->stitch.site.stand.time < w->most) {
         surgeon_stage stage = s->stage;
@@ -109,6 +115,7 @@ static vbss_result perform(watch *w, surgeon *s)
             watch_progress(w, s, false);
         }
         before = doing;
+        TRY(show_guest(w, s));
     }
     return VBSS_OK;
 }

@@ -7,6 +7,10 @@
 
 enum { WATCH_STEPS = 200000 }; /* of 1 ms, at most */
 
+struct watch;
+/* One more who looks on: is called before the first step and after each one; ends the performance unless it gives VBSS_OK. */
+typedef vbss_result watch_guest(void *user, const struct watch *w, surgeon *s);
+
 typedef struct watch {
     surgeon_options options;
     task task;          /* beside the scene */
@@ -14,6 +18,8 @@ typedef struct watch {
     const char *folder; /* for pictures of all that the hands do; may be NULL */
     const char *album;  /* for those of the key stages; may be NULL */
     bool verbose;
+    watch_guest *guest; /* looks on, and then tells how far they are; may be NULL */
+    void *user;         /* handed to it */
     int pictures;
     bool unpainted; /* a picture could not be made */
     double next;    /* picture, s */

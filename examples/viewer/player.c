@@ -54,29 +54,6 @@ void player_close(player *p)
 
 /* ---- played */
 
-/* Where the session is not the recorded one the scene goes on without. */
-static vbss_result follow(player *p, bool *stepped)
-{
-    vbss_session_status status;
-    vbss_result result = vbss_session_step(p->stage.task.session, 0.0, 0.0);
-    TRY(vbss_session_get_status(p->stage.task.session, &status, sizeof status));
-    *stepped = status.steps > p->step;
-    return *stepped && result != VBSS_OK ? task_destroy(&p->stage.task) : VBSS_OK;
-}
-
-static vbss_result make_step(player *p, vbss_replay_report *report, bool *stepped)
-{
-    if (p->stage.task.session != NULL) {
-        TRY(follow(p, stepped));
-        if (*stepped) {
-            return VBSS_OK;
-        }
-    }
-    TRY(vbss_replay_step(p->replay, report, sizeof *report));
-    *stepped = report->outcome == VBSS_REPLAY_STEPPED;
-    return VBSS_OK;
-}
-
 static bool differ(player *p, vbss_result result)
 {
     p->differs = true;
@@ -96,13 +73,13 @@ static vbss_result look(player *p)
 
 bool player_step(player *p)
 {
-    vbss_replay_report report = {.outcome = VBSS_REPLAY_STEPPED};
-    bool stepped = false;
+    vbss_replay_report report = {.outcome = VBSS_REPLAY_STEPPED, .step = p->step};
+    bool agrees;
     if (p->step >= p->steps || p->differs) {
         return false;
     }
-    vbss_result result = make_step(p, &report, &stepped);
-    if (result != VBSS_OK || !stepped) {
+    vbss_result result = stage_step(&p->stage, p->replay, &report, &agrees);
+    if (result != VBSS_OK || report.outcome != VBSS_REPLAY_STEPPED) {
         return differ(p, result);
     }
     p->step++;

@@ -1,103 +1,60 @@
 /* Stills, or a film, without a window. */
 #include <stdio.h>
-#include <stdlib.h>
 
-#include "film.h"
 #include "headless.h"
 #include "modes.h"
 #include "player.h"
-#include "show.h"
-#include "still.h"
+#include "shots.h"
 
 #define STILLS_EVERY 1.0 /* s, usually */
 
-enum { PATH_SIZE = 1024, FILM_RATE = 30 };
-
-typedef struct taking {
-    const options *o;
-    show show;
-    player player;
-    film film;
-    uint8_t *pixels;
-    uint32_t frames;
-} taking;
-
-static bool write_still(const taking *t)
-{
-    char path[PATH_SIZE];
-    int length =
-        snprintf(path, sizeof path, "%s/frame-%04u.png", t->o->folder, (unsigned)t->frames);
-    bool good = length > 0 && (size_t)length < sizeof path &&
-                still_write(path, t->pixels, t->o->width, t->o->height);
-    if (!good) {
-        fprintf(stderr, "viewer: cannot write into %s\n", t->o->folder);
-    }
-    return good;
-}
-
-static bool take_picture(taking *t)
-{
-    if (!show_draw(&t->show, t->player.time) || !show_finish(&t->show)) {
-        return false;
-    }
-    lens_read(&t->show.renderer.lens, t->pixels);
-    if (!(t->o->film != NULL ? film_add(&t->film, t->pixels) : write_still(t))) {
-        return false;
-    }
-    t->frames++;
-    return true;
-}
-
 /* False: a picture or a step failed, or the session was not as it was recorded. */
-static bool play(taking *t)
+static bool play(shots *t, player *p, double to)
 {
-    const double usual = t->o->film != NULL ? 1.0 / FILM_RATE : STILLS_EVERY;
-    const double every = t->o->every > 0.0 ? t->o->every : usual;
     do {
-        if (t->player.time > t->o->to + 1e-9) { /* times are sums of steps */
+        if (p->time > to + 1e-9) { /* times are sums of steps */
             return true;
         }
-        if (t->player.time >= t->o->from + every * t->frames - 1e-9 && !take_picture(t)) {
+        if (!shots_step(t, p->time)) {
             return false;
         }
-    } while (player_step(&t->player));
-    if (!t->player.differs && !t->player.whole) {
+    } while (player_step(p));
+    if (!p->differs && !p->whole) {
         fprintf(stderr, "viewer: the log is cut off after step %llu\n",
-                (unsigned long long)t->player.step);
+                (unsigned long long)p->step);
     }
-    return !t->player.differs && t->player.whole;
+    return !p->differs && p->whole;
 }
 
-static bool take(taking *t)
+static bool take(shots *t, player *p, const options *o)
 {
-    if (!player_open(&t->player, t->o->log) || !show_stage(&t->show, &t->player.stage)) {
+    if (!player_open(p, o->log) || !shots_begin(t, &p->stage)) {
         return false;
     }
-    t->show.looks = t->o->looks;
-    if (t->o->film == NULL) {
-        return play(t);
-    }
-    if (!film_begin(&t->film, t->o->film, t->o->width, t->o->height, FILM_RATE)) {
-        return false;
-    }
-    bool good = play(t);
-    return film_end(&t->film) && good;
+    bool good = play(t, p, o->to);
+    return shots_finish(t) && good;
 }
 
 int mode_take(const options *o)
 {
-    static taking t;
+    static shots t;
+    static player p;
     headless gl;
-    t.o = o;
-    if (!headless_begin(&gl) || !show_begin(&t.show, o->width, o->height)) {
+    const double usual = o->film != NULL ? 1.0 / SHOTS_RATE : STILLS_EVERY;
+    const shots_plan plan = {.folder = o->folder,
+                             .film = o->film,
+                             .every = o->every > 0.0 ? o->every : usual,
+                             .from = o->from,
+                             .width = o->width,
+                             .height = o->height,
+                             .looks = o->looks};
+    if (!headless_begin(&gl) || !shots_open(&t, &plan)) {
         return MODE_NO_OPENGL;
     }
-    t.pixels = calloc(3 * (size_t)o->width, (size_t)o->height);
-    bool good = t.pixels != NULL && take(&t);
-    printf("%u pictures in %s\n", (unsigned)t.frames, o->film != NULL ? o->film : o->folder);
-    player_close(&t.player);
-    free(t.pixels);
-    show_end(&t.show);
+    bool good = take(&t, &p, o);
+    printf("%u pictures in %s\n", (unsigned)t.count, o->film != NULL ? o->film : o->folder);
+    player_close(&p);
+    shots_close(&t);
     headless_end(&gl);
     return good ? 0 : 1;
 }

@@ -1,22 +1,24 @@
 /* Pictures, one after the other, to ffmpeg. */
-#ifndef VBSS_EXAMPLES_VIEWER_FILM_H
-#define VBSS_EXAMPLES_VIEWER_FILM_H
+#ifndef VBSS_EXAMPLES_VIEWER_MOVIE_H
+#define VBSS_EXAMPLES_VIEWER_MOVIE_H
 
 #include <stdbool.h>
 #include <stdint.h>
 #include <sys/types.h>
 
-typedef struct film {
+typedef struct movie {
     int pipe;
     pid_t child;
     int width, height;
-} film;
+} movie;
 
+/* Whether there is a program of the name ffmpeg. */
+bool movie_possible(void);
 /* False, told on standard error: it cannot be begun. Without a program of that name that is told in the end. */
-bool film_begin(film *f, const char *path, int width, int height, int rate);
+bool movie_begin(movie *f, const char *path, int width, int height, int rate);
 /* Rows from the top, red, green and blue; false: ffmpeg takes no more. */
-bool film_add(const film *f, const uint8_t *pixels);
+bool movie_add(const movie *f, const uint8_t *pixels);
 /* False, told: it did not become a film. */
-bool film_end(film *f);
+bool movie_end(movie *f);
 
 #endif

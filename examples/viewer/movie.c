@@ -1,8 +1,9 @@
-#include "film.h"
+#include "movie.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -47,7 +48,21 @@ static void become_ffmpeg(const char *path, const char *size, const char *rate)
     _exit(NOT_FOUND);
 }
 
-bool film_begin(film *f, const char *path, int width, int height, int rate)
+bool movie_possible(void)
+{
+    const char *path = getenv("PATH");
+    bool found = false;
+    while (path != NULL && *path != '\0' && !found) {
+        char place[1024];
+        const int length = (int)strcspn(path, ":");
+        const int used = snprintf(place, sizeof place, "%.*s/ffmpeg", length, path);
+        found = used < (int)sizeof place && access(place, X_OK) == 0;
+        path += length + (path[length] == ':' ? 1 : 0);
+    }
+    return found;
+}
+
+bool movie_begin(movie *f, const char *path, int width, int height, int rate)
 {
     int ends[ENDS];
     char size[32], number[16], place[1024];
@@ -55,7 +70,7 @@ bool film_begin(film *f, const char *path, int width, int height, int rate)
     snprintf(number, sizeof number, "%d", rate);
     /* no name is an option or a protocol of ffmpeg's */
     const int length = snprintf(place, sizeof place, "file:%s", path);
-    *f = (film){.pipe = -1, .width = width, .height = height};
+    *f = (movie){.pipe = -1, .width = width, .height = height};
     if (length >= (int)sizeof place || pipe(ends) != 0) {
         fprintf(stderr, "viewer: no film can be begun\n");
         return false;
@@ -73,7 +88,7 @@ bool film_begin(film *f, const char *path, int width, int height, int rate)
     return f->child > 0;
 }
 
-bool film_add(const film *f, const uint8_t *pixels)
+bool movie_add(const movie *f, const uint8_t *pixels)
 {
     size_t left = 3 * (size_t)f->width * (size_t)f->height;
     while (left > 0) {
@@ -90,7 +105,7 @@ bool film_add(const film *f, const uint8_t *pixels)
     return true;
 }
 
-bool film_end(film *f)
+bool movie_end(movie *f)
 {
     int status = -1;
     (void)close(f->pipe);
