@@ -42,11 +42,9 @@ enum { MOMENTS = sizeof moments / sizeof moments[0] };
 static void a_restored_scene_goes_on_to_the_same_bits(void **state)
 {
     (void)state;
-    for (int i = 0; i < MOMENTS; i++) {
-        harness_body body = as_body(0);
-        harness_save_restore_continue(&body, moments[i], 20);
-    }
-    harness_body body = as_body(1);
+    harness_body body = as_body(0);
+    harness_save_restore_continue_at(&body, moments, MOMENTS, 20);
+    body = as_body(1);
     harness_save_restore_continue(&body, TOOL_SCENE_TAKEN, 10);
 }
 
