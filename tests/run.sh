@@ -1,22 +1,26 @@
 #!/usr/bin/env bash
 # The tests, from a fresh machine to the verdict.
 #
-#   tests/run.sh                       default and slow suites: what continuous integration runs
-#   tests/run.sh default               the default suite only, under 5 minutes
+#   tests/run.sh                       the default suite, in minutes
+#   tests/run.sh thorough [part ...]   the bounded second part of continuous integration: tests/thorough.py
+#   tests/run.sh all                   everything: default suite, sanitizers, masked processor, slow suite, full matrix
 #   tests/run.sh slow                  the slow suite only
 #   tests/run.sh coverage              which lines and branches of lib/ the tests reach
+#   tests/run.sh costs [option ...]    CPU seconds of every test: tests/costs.py
 #   tests/run.sh soak [name] [seeds]   long runs, split into seeds; goes on where it was stopped
 #   tests/run.sh soak windows [seeds]  devices, built by MinGW and run by wine, where those are installed
 set -euo pipefail
 script=$(readlink -f "$0")
 cd "$(dirname "$script")/.."
 
-suite=${1:-all}
+suite=${1:-default}
+[ $# -eq 0 ] || shift
 case "$suite" in
-all | default | slow | soak) .ci/install-packages tests ;;
+default | soak | costs) .ci/install-packages tests ;;
+thorough | all | slow) .ci/install-packages thorough ;;
 coverage) .ci/install-packages coverage ;;
 *)
-    sed -n '2,9s/^# \{0,1\}//p' "$script" >&2
+    sed -n '2,11s/^# \{0,1\}//p' "$script" >&2
     exit 2
     ;;
 esac
@@ -32,52 +36,52 @@ build() {
     cmake --build --preset "$1" ${2:+--target "${@:2}"} >>"build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
 }
 
-if [ "$suite" = coverage ]; then
+slow_suite() {
+    announce "slow suite"
+    build default all slow_programs
+    # The tables and what each canary was told, each line after the number of its test.
+    ctest --preset default --label-regex slow --parallel "$(nproc)" --verbose
+}
+
+case "$suite" in
+coverage)
     announce "default and slow suites, counted by gcov"
-    build coverage
+    build coverage all slow_programs
     ctest --preset coverage --parallel "$(nproc)"
     gcovr --root . --filter lib/ --branches build/coverage
     gcovr --root . --filter lib/ --print-summary build/coverage | tail -3
     exit 0
-fi
-
-if [ "$suite ${2:-}" = "soak windows" ]; then
-    announce "soak windows"
-    exec python3 -B tests/device/windows.py . soak ${3:+"$3"}
-fi
+    ;;
+soak)
+    announce "soak"
+    if [ "${1:-}" = windows ]; then
+        exec python3 -B tests/device/windows.py . soak ${2:+"$2"}
+    fi
+    build default slow_programs
+    exec python3 tests/soak.py --build build/default ${1:+"$1"} ${2:+--seeds "$2"}
+    ;;
+costs)
+    announce "costs"
+    build default all slow_programs
+    exec python3 -B tests/costs.py build/default "$@"
+    ;;
+thorough)
+    announce "build (gcc, optimised, warnings are errors)"
+    build default
+    exec python3 -B tests/thorough.py "$@"
+    ;;
+slow)
+    slow_suite
+    exit 0
+    ;;
+esac
 
 announce "build (gcc, optimised, warnings are errors)"
 build default
-
-if [ "$suite" = soak ]; then
-    announce "soak"
-    shift
-    names=() seeds=()
-    [ $# -lt 1 ] || names=("$1")
-    [ $# -lt 2 ] || seeds=(--seeds "$2")
-    exec python3 tests/soak.py --build build/default "${names[@]}" "${seeds[@]}"
-fi
-
-if [ "$suite" != slow ]; then
-    announce "default suite"
-    ctest --preset default --label-exclude slow --parallel "$(nproc)"
-fi
-if [ "$suite" != default ]; then
-    # Our own code under clang's sanitizers, which is also the build that clang must not warn about.
-    # The properties see other cases each time.
-    seed=2 only=() targets=()
-    for sanitizer in asan tsan; do
-        if [ "$sanitizer" = tsan ]; then # nowhere else is more than one thread
-            only=(--tests-regex '^(base|device|trainer|examples\.trainer)')
-            targets=(test_base test_device test_trainer trainer pass_needle surgeon)
-        fi
-        announce "default suite under $sanitizer (clang), properties with seed $seed"
-        build "$sanitizer" "${targets[@]}"
-        VBSS_PROPERTY_SEED=$seed ctest --preset "$sanitizer" --label-exclude slow \
-            "${only[@]}" --parallel "$(nproc)" --progress
-        seed=$((seed + 1))
-    done
-    announce "slow suite"
-    # The tables and what each canary was told, each line after the number of its test.
-    ctest --preset default --label-regex slow --parallel "$(nproc)" --verbose
+announce "default suite"
+ctest --preset default --label-exclude slow --parallel "$(nproc)"
+if [ "$suite" = all ]; then
+    # Our own code under clang's sanitizers, then hands with newer instructions hidden; then all that is slow.
+    python3 -B tests/thorough.py asan tsan masked
+    slow_suite
 fi

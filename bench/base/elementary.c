@@ -5,7 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/random.h"
 #include "bench_base.h"
 
 /* More than a branch predictor remembers, less than the second cache level. */

@@ -4,7 +4,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/base.h"
+#include "base/hash.h"
+#include "base/linear.h"
+#include "base/random.h"
+#include "base/rotation.h"
+#include "base/stream.h"
 #include "bench_base.h"
 
 /* Methods of one scene: a name and what is run, all else shared. */

@@ -4,7 +4,11 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "base/base.h"
+#include "base/hash.h"
+#include "base/linear.h"
+#include "base/random.h"
+#include "base/rotation.h"
+#include "base/stream.h"
 #include "bench_base.h"
 
 enum { FAMILY = 4, MOST_BODIES = 4096, STEPS = 1000 };

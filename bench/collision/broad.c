@@ -14,7 +14,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "base/base.h"
+#include "base/error.h"
+#include "base/hash.h"
 #include "collision/bench_collision.h"
 #include "collision/moving.h"
 #include "vblast_ss/collision.h"

@@ -1,5 +1,8 @@
 #include "collision/moving.h"
 
+#include "base/elementary.h"
+#include "base/linear.h"
+
 #include <stdlib.h>
 
 #define TURN 6.28318530717958648

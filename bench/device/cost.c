@@ -1,5 +1,6 @@
 /* Cost of a read, a write, both, and an output stage alone. The mock's own time is in it: it measures nothing but
  * a straight line. */
+#include "base/error.h"
 #include "device/device.h"
 
 #include "bench_device.h"

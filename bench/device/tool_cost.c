@@ -2,6 +2,8 @@
  * costs alone to look for strands while jaws close. */
 #include <stdio.h>
 
+#include "base/elementary.h"
+#include "base/error.h"
 #include "bench_device.h"
 #include "scene/scene.h"
 #include "scene/tools.h"

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "bench_device.h"
 #include "scenes/hand_path.h"
 #include "tool_rig.h"

@@ -2,6 +2,7 @@
  * the tip, a thread that slips through. Timed is a step. */
 #include <stdio.h>
 
+#include "base/error.h"
 #include "bench_device.h"
 #include "tool_rig.h"
 

@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "tool_rig.h"
 
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include <vblast_ss/grasper.h>
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 enum { TOOL_RIG_TOOLS = 2, TOOL_RIG_ROUND = 1000 };
 

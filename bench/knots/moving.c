@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "knot/judge.h"
 #include "knots/bench_knots.h"
 #include "knots/told.h"

@@ -5,7 +5,6 @@
 
 #include "knots/bench_knots.h"
 
-#include "base/base.h"
 #include "scenes/paper_knot_cases.h"
 #include "scenes/paper_tying.h"
 

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/error.h"
 #include "knot/judge.h"
 
 static uint64_t hash_of(const void *bytes, size_t count)

@@ -2,7 +2,9 @@
 
 #include <stdlib.h>
 
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/linear.h"
+#include "base/random.h"
 
 #define TURN 6.28318530717958648
 #define TURNS 2.5

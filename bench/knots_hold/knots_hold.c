@@ -10,6 +10,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/error.h"
 #include "oracle/knot_type.h"
 #include "scenes/held_knot.h"
 

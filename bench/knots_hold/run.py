@@ -60,7 +60,7 @@ def main():
     options = parser.parse_args()
     executable = options.build / "bench" / "knots_hold"
     if not executable.exists():
-        sys.exit(f"no {executable}: cmake --preset release && cmake --build --preset release")
+        sys.exit(f"no {executable}: cmake --preset release && cmake --build --preset release --target knots_hold")
 
     options.out.parent.mkdir(parents=True, exist_ok=True)
     start, jobs, rows = time.monotonic(), list(list_jobs(options.seeds)), []

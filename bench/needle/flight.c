@@ -6,6 +6,11 @@
  * with the same translation. */
 #include <math.h>
 
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/random.h"
+#include "base/rotation.h"
+#include "base/stream.h"
 #include "needle/bench_needle.h"
 #include "needle/needle.h"
 

@@ -2,6 +2,7 @@
  * one part more in each case beside the same scene: the scene goes through the same states in all of them, which is checked.
  *   throws    that the session has seen tied
  *   gap_mm    of the slit at the end */
+#include "base/error.h"
 #include "scenes/session_scenes.h"
 #include "task/bench_task.h"
 

@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "base/base.h"
+#include "base/hash.h"
 #include "thread/bench_thread.h"
 #include "thread/cantilever.h"
 

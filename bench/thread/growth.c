@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "thread/bench_thread.h"
 #include "thread/thread.h"
 

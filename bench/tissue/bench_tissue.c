@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "drain/drain.h"
 #include "harness/bench.h"
 #include "scenes/drain_scenes.h"

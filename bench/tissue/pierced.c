@@ -3,6 +3,7 @@
  *   back_N        most that it is held back with on the way out
  *   events        entries and exits: 4
  *   parts, paused, clamped  how it went */
+#include "base/linear.h"
 #include "scenes/puncture_scenes.h"
 #include "tissue/scenes.h"
 

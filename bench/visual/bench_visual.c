@@ -6,6 +6,9 @@
  * at the default tolerances, and at a third of them. Beside the time: vertices, triangles and bytes that a renderer gets. */
 #include <math.h>
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/hash.h"
 #include "harness/bench.h"
 #include "visual/visual.h"
 

@@ -3,6 +3,7 @@
  * which must be there. The slit's edges are red, the marks blue. */
 #include <stdio.h>
 
+#include "base/error.h"
 #include "painter/painter.h"
 #include "portrait.h"
 #include "scenes/tissue_scenes.h"

@@ -1,6 +1,6 @@
 #include "portrait.h"
 
-#include "base/base.h"
+#include "base/linear.h"
 
 static painter_result paint_edge(painter *p, const vbss_drain *drain, const vbss_view *x,
                                  vbss_drain_field edge)

@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "knots/gallery.h"
 
 enum { TIMES = 5 };

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "base/error.h"
 #include "knots/gallery.h"
 #include "oracle/knot_type.h"
 

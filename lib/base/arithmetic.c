@@ -1,5 +1,7 @@
 /* Is the processor in the mode the results depend on? */
-#include "base/base.h"
+#include <stdbool.h>
+
+#include <vblast_ss/base.h>
 
 vbss_result vbss_arithmetic_check(void)
 {

@@ -1,7 +1,10 @@
 /* Arguments and structs from outside: checked before anything is changed. */
 #include <string.h>
 
-#include "base/base.h"
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/linear.h"
 
 vbss_result vbss_check_pointer(vbss_context *context, const void *pointer, const char *name)
 {

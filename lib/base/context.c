@@ -1,7 +1,10 @@
 /* Contexts: what a host creates first and destroys last. */
 #include <string.h>
 
+#include "base/config.h"
 #include "base/context.h"
+#include "base/error.h"
+#include "base/memory.h"
 
 _Static_assert(offsetof(vbss_context_config, struct_size) == 0, "struct_size comes first");
 _Static_assert(sizeof(vbss_context_config) == 8 + 5 * sizeof(void *), "no hidden padding");

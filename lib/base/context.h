@@ -2,7 +2,9 @@
 #ifndef VBSS_BASE_CONTEXT_H
 #define VBSS_BASE_CONTEXT_H
 
-#include "base/base.h"
+#include <stdbool.h>
+
+#include "base/slot.h"
 
 /* First words of a context and of a slot: a handle of the wrong sort is told by them. */
 #define VBSS_TAG_CONTEXT 0x43534256u /* "VBSC" */

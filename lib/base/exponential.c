@@ -8,10 +8,12 @@
  * 1 the table has c = 1 and log c = 0, so nothing cancels there and no other path is needed.
  * Documented maximal errors: exp 0.52 ulp, log 0.52 ulp. Derivation:
  * docs/elementary-functions.md. */
+#include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
-#include "base/base.h"
 #include "base/double_double.h"
+#include "base/elementary.h"
 
 #define STEPS_PER_UNIT 0x1.71547652b82fep6 /* 64/ln 2 */
 #define STEP_HEAD 0x1.62e42fefap-7         /* ln 2/64 in 36 bits, the rest */

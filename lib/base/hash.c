@@ -1,7 +1,7 @@
 /* XXH64, seed 0, written from its published description; 64-bit words are read little-endian. */
 #include <string.h>
 
-#include "base/base.h"
+#include "base/hash.h"
 #include "base/little_endian.h"
 
 #define PRIME_1 0x9E3779B185EBCA87u

@@ -9,10 +9,12 @@
  * |x| up to 1/2, of sqrt((1 - |x|)/2) with the error of the root above.
  * Documented maximal errors: atan2 0.52 ulp, acos 0.51 ulp. Derivation:
  * docs/elementary-functions.md. */
+#include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
-#include "base/base.h"
 #include "base/double_double.h"
+#include "base/elementary.h"
 
 #define PI_HEAD 0x1.921fb54442d18p1
 #define PI_TAIL 0x1.1a62633145c07p-53

@@ -10,6 +10,8 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "base/compiler.h"
+
 typedef struct vec3 {
     double x, y, z;
 } vec3;

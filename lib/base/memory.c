@@ -6,6 +6,8 @@
 #endif
 
 #include "base/context.h"
+#include "base/error.h"
+#include "base/memory.h"
 
 /* ---- the C library as allocator */
 

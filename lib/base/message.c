@@ -1,9 +1,11 @@
 /* What the host hears: the last error, the log, and that nothing is changed while it listens. */
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/context.h"
+#include "base/error.h"
 
 bool vbss_callback_begin(vbss_context *context)
 {

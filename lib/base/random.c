@@ -1,5 +1,8 @@
 /* Random numbers: PCG32 (O'Neill 2014), 64-bit state, permuted output XSH-RR. */
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/linear.h"
+#include "base/random.h"
+#include "base/stream.h"
 
 #define MULTIPLIER 6364136223846793005u
 

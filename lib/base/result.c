@@ -1,5 +1,5 @@
 /* What a status is called, and what this library is. */
-#include "base/base.h"
+#include <vblast_ss/base.h>
 
 const char *vbss_result_name(vbss_result result)
 {

@@ -1,5 +1,7 @@
 /* Rotations that need elementary functions. */
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/linear.h"
+#include "base/rotation.h"
 
 quat vbss_quat_from_rotation_vector(vec3 rotation)
 {

@@ -1,5 +1,7 @@
 /* Handles: slots that are handed out once and told apart for as long as the context lives. */
 #include "base/context.h"
+#include "base/error.h"
+#include "base/memory.h"
 
 /* Values far from 0 and 1, so that a stray write is seen as neither. */
 enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead, SLOT_WAITING = 0x3a17 };

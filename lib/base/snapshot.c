@@ -2,8 +2,14 @@
  * before it. */
 #include <string.h>
 
-#include "base/base.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "base/hash.h"
 #include "base/little_endian.h"
+#include "base/memory.h"
+#include "base/slot.h"
+#include "base/snapshot.h"
+#include "base/stream.h"
 
 #define MAGIC VBSS_CODE('V', 'B', 'S', 'S')
 #define FORMAT 1u

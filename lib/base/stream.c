@@ -1,8 +1,10 @@
 /* The one visitor behind snapshot, hash and log: what a visit does depends on the mode only. */
+#include <math.h>
 #include <string.h>
 
-#include "base/base.h"
+#include "base/hash.h"
 #include "base/little_endian.h"
+#include "base/stream.h"
 
 enum { TYPE_F64 = 1, TYPE_U64 = 2, TYPE_U32 = 3, TYPE_I32 = 4, TYPE_U8 = 5 };
 #define TAG_OPEN 0xfffeu

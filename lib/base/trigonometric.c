@@ -7,10 +7,12 @@
  * summed with its error. The bracket is below 2^-10 of the result; its few roundings and the
  * polynomials (2^-63) leave little besides the final rounding.
  * Documented maximal error: 0.51 ulp. Derivation: docs/elementary-functions.md. */
+#include <float.h>
 #include <math.h>
+#include <stdbool.h>
 
-#include "base/base.h"
 #include "base/double_double.h"
+#include "base/elementary.h"
 
 /* sin(k pi/64): 26 bits and the rest. Odd and even symmetry hold to the bit. */
 /* clang-format off */

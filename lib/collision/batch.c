@@ -1,4 +1,6 @@
 /* Tests through an object: one, and many in rows. */
+#include "base/check.h"
+#include "base/error.h"
 #include "collision/shapes.h"
 
 _Static_assert(sizeof(vbss_collision_batch) == 80, "published size");

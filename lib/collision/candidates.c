@@ -4,6 +4,8 @@
  * are sorted by feature b, if they do not come so. Thus the pairs of any feature a are found sorted by
  * shape and feature b, and one counting sort by shape and feature a puts the list in order, however
  * the trees look. */
+#include "base/check.h"
+#include "base/error.h"
 #include "collision/shapes.h"
 
 #include <string.h>

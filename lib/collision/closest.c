@@ -1,7 +1,9 @@
 /* Closest points as a host asks for them. */
 #include "collision/closest.h"
 
+#include "base/check.h"
 #include "base/double_double.h"
+#include "base/error.h"
 #include "collision/collision.h"
 
 _Static_assert(sizeof(vbss_closest) == 136, "published size");

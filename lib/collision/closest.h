@@ -5,7 +5,8 @@
 #ifndef VBSS_COLLISION_CLOSEST_H
 #define VBSS_COLLISION_CLOSEST_H
 
-#include "base/base.h"
+#include "base/compiler.h"
+#include "base/linear.h"
 
 /* Edges whose squared sine is below this are taken for parallel: products of dot products lose digits. */
 #define CLOSEST_PARALLEL 1e-4

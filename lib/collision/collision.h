@@ -11,9 +11,12 @@
 #ifndef VBSS_COLLISION_COLLISION_H
 #define VBSS_COLLISION_COLLISION_H
 
+#include <stddef.h>
+
 #include <vblast_ss/collision.h>
 
-#include "base/base.h"
+#include "base/config.h"
+#include "base/linear.h"
 
 /* ---- checking (continuous.c) */
 #define COLLISION_FARTHEST 1e30  /* coordinates and D, m: products of six stay finite */

@@ -1,4 +1,7 @@
 /* The continuous tests as a host calls them: configurations, one question, counters. */
+#include "base/check.h"
+#include "base/compiler.h"
+#include "base/error.h"
 #include "collision/collision.h"
 
 #include <string.h>

@@ -1,4 +1,6 @@
 /* Tests of the candidates, a block of rows at a time. */
+#include "base/check.h"
+#include "base/error.h"
 #include "collision/shapes.h"
 
 #include <string.h>

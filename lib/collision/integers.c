@@ -1,6 +1,8 @@
 /* Sums and products of integers of any size. */
 #include "collision/integers.h"
 
+#include <stddef.h>
+
 enum { LIMB_BITS = 32 };
 
 /* Not the library's: each of its functions would count with 4 KiB of stack (docs/abi.md). */

@@ -5,7 +5,8 @@
 #ifndef VBSS_COLLISION_INTEGERS_H
 #define VBSS_COLLISION_INTEGERS_H
 
-#include "base/base.h"
+#include <stdbool.h>
+#include <stdint.h>
 
 typedef struct workspace {
     uint32_t *limbs;

@@ -4,6 +4,8 @@
  * only around its tips. Sums are rounded from where a way begins; the least of them does not depend on
  * the order in which ways are tried, as adding keeps the order of numbers. */
 #include "base/bits.h"
+#include "base/check.h"
+#include "base/error.h"
 #include "collision/shapes.h"
 
 #include <string.h>

@@ -1,4 +1,7 @@
 /* How collision objects begin and end, and their counters. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/stream.h"
 #include "collision/shapes.h"
 
 #include <string.h>

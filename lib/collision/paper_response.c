@@ -1,5 +1,7 @@
 /* The response of VBLaST-SS (Qi et al. 2017, algorithm 2) with one set of signs, and with rules for
  * what the paper leaves open: docs/paper-collision.md. q and w lead from b to a. */
+#include "base/check.h"
+#include "base/error.h"
 #include "collision/collision.h"
 
 #include "collision/closest.h"

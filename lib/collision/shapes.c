@@ -3,7 +3,11 @@
 
 #include <string.h>
 
+#include "base/check.h"
 #include "base/double_double.h"
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/stream.h"
 
 #define LARGEST_RADIUS 1e29
 

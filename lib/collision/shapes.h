@@ -6,6 +6,8 @@
 #ifndef VBSS_COLLISION_SHAPES_H
 #define VBSS_COLLISION_SHAPES_H
 
+#include "base/memory.h"
+#include "base/slot.h"
 #include "base/wide.h"
 #include "collision/collision.h"
 

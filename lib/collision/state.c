@@ -1,5 +1,9 @@
 /* The state of a collision object: what is saved, hashed and restored. Trees are not: they decide how
  * fast a search is, not what it finds. Nor is the count of boxes tested, which depends on them. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "collision/shapes.h"
 
 /* The configuration that must be the same; what only sizes memory may differ. */

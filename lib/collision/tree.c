@@ -4,6 +4,7 @@
  * the features are spread most, so that each group of a level is a compact cluster; and made again
  * when the groups of moved features have become half as large again as they were. Chains need none:
  * their edges are clusters as they come. */
+#include "base/random.h"
 #include "collision/shapes.h"
 
 size_t vbss_collision_tree_groups(uint32_t count)

@@ -1,4 +1,5 @@
 /* Looking at candidates and impacts. */
+#include "base/error.h"
 #include "collision/shapes.h"
 
 _Static_assert(sizeof(collision_candidate) == 20, "five numbers side by side");

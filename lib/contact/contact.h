@@ -12,8 +12,12 @@
 #ifndef VBSS_CONTACT_CONTACT_H
 #define VBSS_CONTACT_CONTACT_H
 
-#include "base/base.h"
+#include <vblast_ss/base.h>
+
+#include "base/linear.h"
 #include "solver/solver.h"
+
+typedef struct vbss_stream vbss_stream;
 
 /* ---- rows */
 

@@ -1,4 +1,5 @@
 /* Where rows stand in the system, and what they add there. */
+#include "base/error.h"
 #include "contact/contact.h"
 
 static bool is_separator(const vbss_system *system, uint32_t b)

@@ -1,4 +1,5 @@
 /* Rows of a part of a step, and what is remembered of them until the next. */
+#include "base/memory.h"
 #include "contact/contact.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
 /* What contacts remember: saved, hashed and restored. */
+#include "base/stream.h"
 #include "contact/contact.h"
 
 void vbss_contact_serialise(vbss_stream *stream, uint16_t first_tag, contact_set *set)

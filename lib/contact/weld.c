@@ -2,6 +2,7 @@
  *
  * With P the matrix that makes the increments of all from those that are left, the joined system is
  * P^T S P. No penalty: the ratio of masses does not matter. */
+#include "base/error.h"
 #include "contact/contact.h"
 
 /* ---- blocks as matrices: there are few welds */

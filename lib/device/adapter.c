@@ -1,6 +1,8 @@
 /* Calling the host's functions, and the structs that pass through them. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_device_sample) == 160, "published size");

@@ -1,4 +1,5 @@
 /* Asking one adapter: its sample judged, and taken part by part; then what it says about itself. */
+#include "base/error.h"
 #include "device/device.h"
 
 /* ---- what a device says about itself */

@@ -1,4 +1,6 @@
 /* From the device's frame to the world's, and forces the other way. */
+#include "base/check.h"
+#include "base/error.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_device_calibration) == 264, "published size");

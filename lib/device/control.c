@@ -1,4 +1,6 @@
 /* What a host does with a device between its steps: stop, clutch, re-centre, calibrate. */
+#include "base/check.h"
+#include "base/error.h"
 #include "device/device.h"
 
 vbss_result vbss_device_stop(vbss_device *device)

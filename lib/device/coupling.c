@@ -1,4 +1,6 @@
 /* A virtual coupling: a spring and a damper between the hand and the tool. */
+#include "base/check.h"
+#include "base/error.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_device_coupling) == 96, "published size");

@@ -3,6 +3,11 @@
 
 #include "device/device.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(vbss_device_config) == 64 + 2 * sizeof(void *), "no hidden padding");
 
 static const vbss_device_config config_defaults = {

@@ -8,11 +8,16 @@
 #ifndef VBSS_DEVICE_DEVICE_H
 #define VBSS_DEVICE_DEVICE_H
 
+#include <stddef.h>
+
 #include <vblast_ss/device.h>
 #include <vblast_ss/mapping.h>
 #include <vblast_ss/mock.h>
 
-#include "base/base.h"
+#include "base/config.h"
+#include "base/elementary.h"
+#include "base/linear.h"
+#include "base/slot.h"
 
 /* ---- layouts of the structs that cross the border */
 extern const vbss_layout vbss_device_sample_layout, vbss_device_capabilities_layout;

@@ -1,4 +1,6 @@
 /* A read: all adapters asked -> how old what they said is -> the world's frame. */
+#include "base/check.h"
+#include "base/error.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_device_input) == 208, "published size");

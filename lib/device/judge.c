@@ -1,5 +1,6 @@
 /* What is wrong with a sample. One that is wrong anywhere is refused whole: what else it says is not to be
  * believed. */
+#include "base/check.h"
 #include "device/device.h"
 
 /* So long every sample is older than the last: the adapter's clock has begun anew, s. */

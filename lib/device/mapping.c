@@ -1,6 +1,9 @@
 /* Mouse, keyboard and gamepad as devices: what was moved, added to a sample. Pure functions. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/rotation.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_mapping_config) == 192, "published size");

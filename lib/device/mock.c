@@ -3,6 +3,11 @@
 
 #include "device/mock.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(vbss_mock_config) == 16 + 3 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_mock_statistics) == 40, "published size");
 

@@ -1,4 +1,6 @@
 /* What goes wrong with a mock. All faults are functions of time and nothing else, so they repeat to the bit. */
+#include "base/check.h"
+#include "base/error.h"
 #include "device/mock.h"
 
 static bool acts(const mock_fault *f, double now)

@@ -3,6 +3,7 @@
  * The difference of two poses over that of their times, filtered with a time constant: v += (1 - exp(-h/T)) (d -
  * v). The first difference is taken as it is, so a constant velocity is told right, to rounding, from the second
  * sample on. */
+#include "base/rotation.h"
 #include "device/device.h"
 
 void vbss_device_forget_motion(device_motion *m)

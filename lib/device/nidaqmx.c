@@ -4,6 +4,11 @@
 
 #include "device/nidaqmx.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(vbss_nidaqmx_config) == 56 + 5 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_nidaqmx_status) == 56, "published size");
 

@@ -1,4 +1,5 @@
 /* The vendor's library: its functions, and what its errors mean. */
+#include "base/error.h"
 #include "device/nidaqmx.h"
 
 #ifdef _WIN32

@@ -1,6 +1,8 @@
 /* Which devices the vendor's driver knows. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
 #include "device/nidaqmx.h"
 
 /* Appends as much as there is room for. */

@@ -4,6 +4,11 @@
 
 #include "device/openhaptics.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(vbss_openhaptics_config) == 16 + 6 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_openhaptics_status) == 104, "published size");
 

@@ -1,6 +1,10 @@
 /* The output stage behind a handle of its own, and its limits. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_output_config) == 120, "published size");

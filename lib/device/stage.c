@@ -6,6 +6,7 @@
  * own. */
 #include <string.h>
 
+#include "base/check.h"
 #include "device/device.h"
 
 /* The load at which forces begin to be lowered, as a part of what may go on for ever. */

@@ -1,4 +1,7 @@
 /* The state of the device layer: saved, hashed and restored. What adapters keep is theirs. */
+#include "base/check.h"
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "device/device.h"
 
 void vbss_device_visit_bool(vbss_stream *stream, uint16_t tag, bool *value)

@@ -1,4 +1,5 @@
 /* Looking at what a device can do, has gone through, and has failed in. */
+#include "base/error.h"
 #include "device/device.h"
 
 _Static_assert(sizeof(vbss_device_statistics) == 256, "published size");

@@ -1,4 +1,6 @@
 /* A write: command -> device's frame -> output stage -> adapters. */
+#include "base/check.h"
+#include "base/error.h"
 #include "device/device.h"
 
 /* ---- to the adapters */

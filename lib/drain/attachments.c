@@ -1,4 +1,7 @@
 /* What a host attaches to single nodes. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "drain/drain.h"
 
 _Static_assert(sizeof(vbss_drain_attachment) == 72, "published size");

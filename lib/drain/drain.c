@@ -1,6 +1,10 @@
 /* How drains begin and end. */
 #include "drain/drain.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/stream.h"
+
 #include <string.h>
 
 /* ---- memory: one table says what there is */

@@ -8,7 +8,8 @@
 
 #include <vblast_ss/drain.h>
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/slot.h"
 #include "drain/mesh.h"
 #include "drain/shell.h"
 #include "solver/solver.h"

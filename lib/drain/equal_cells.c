@@ -1,4 +1,6 @@
 /* Rows and columns of meshes of equal cells: those for validation, and the paper's. */
+#include "base/check.h"
+#include "base/error.h"
 #include "drain/mesh.h"
 
 /* Qi et al. 2017: 7 particles along the drain, 12 round it, which leaves no line for tips and marks. */

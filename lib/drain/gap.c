@@ -1,5 +1,7 @@
 /* How far the slit stands open: its edges in the middle of the wall, as the paper measures, and the lips, which are as high
  * as the wall. */
+#include "base/config.h"
+#include "base/error.h"
 #include "collision/closest.h"
 #include "drain/drain.h"
 

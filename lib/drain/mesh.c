@@ -1,6 +1,9 @@
 /* From options to a mesh. */
 #include "drain/mesh.h"
 
+#include "base/check.h"
+#include "base/error.h"
+
 #include <string.h>
 
 /* The drain of VBLaST-SS (Qi et al. 2017); opening and marks are ours. */

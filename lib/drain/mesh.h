@@ -15,7 +15,8 @@
 #ifndef VBSS_DRAIN_MESH_H
 #define VBSS_DRAIN_MESH_H
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/memory.h"
 
 #define DRAIN_NONE UINT32_MAX
 #define DRAIN_PI 3.14159265358979323846

@@ -1,4 +1,5 @@
 /* Nodes of the mesh: their numbers and places. */
+#include "base/elementary.h"
 #include "drain/mesh.h"
 
 void vbss_drain_count_nodes(drain_mesh *m)

@@ -1,6 +1,7 @@
 /* In which order a system eliminates the nodes of a drain: next comes the one with the fewest neighbours left, of equals
  * the first. A tube has no ends to begin at, so it knows no better (docs/drain.md). Anchored nodes have no equation and
  * come last: when they tear off they are there, at the cost of some fill. */
+#include "base/error.h"
 #include "drain/drain.h"
 
 #include <string.h>

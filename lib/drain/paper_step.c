@@ -3,6 +3,7 @@
  *   forces -> velocities (symplectic Euler) -> damping -> positions.
  * Nothing but the damping and the collision with others knows neighbours. docs/paper-drain.md tells what the paper
  * leaves open. */
+#include "base/error.h"
 #include "drain/drain.h"
 
 #include <string.h>

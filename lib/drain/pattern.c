@@ -1,4 +1,5 @@
 /* The drain in a system: a chain whose blocks are the nodes in the order of elimination. */
+#include "base/error.h"
 #include "drain/drain.h"
 
 vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *separators,

@@ -7,8 +7,10 @@
 #ifndef VBSS_DRAIN_SHELL_H
 #define VBSS_DRAIN_SHELL_H
 
-#include "base/base.h"
+#include <vblast_ss/base.h>
+
 #include "base/lanes.h"
+#include "base/linear.h"
 #include "base/wide.h"
 #include "solver/block.h"
 

@@ -1,4 +1,6 @@
 /* What a shell bears: strains, stresses, energies, and which triangles are turned over. */
+#include <stddef.h>
+
 #include "drain/shell_strain.h"
 
 /* Stiffness times strain, of 11 22 33 12 13 23. */

@@ -1,4 +1,7 @@
 /* The constants of a patch, worked out once from the positions at rest. */
+#include "base/check.h"
+#include "base/elementary.h"
+#include "base/error.h"
 #include "drain/shell.h"
 
 #include <string.h>

@@ -1,4 +1,7 @@
 /* The state of a drain: what is saved, hashed and restored. */
+#include "base/check.h"
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "drain/drain.h"
 
 #include <string.h>

@@ -4,6 +4,7 @@
  * The tangent is made anew in every step: one that is kept fails as soon as the surface has turned by 0.1 to 0.2 rad. The
  * second look at the forces, with the same factor, leaves a tenth of the error; its correction is dropped when it is
  * not small, as after a snap it may point anywhere (docs/drain.md). */
+#include "base/error.h"
 #include "drain/drain.h"
 
 static double finish_solution(drain_object *d)

@@ -1,4 +1,6 @@
 /* Looking at a drain: arrays, places, energies, counters. */
+#include "base/config.h"
+#include "base/error.h"
 #include "drain/drain.h"
 
 #include <string.h>

@@ -1,4 +1,7 @@
 /* What a grasper can be: defaults, and every number checked. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "grasper/grasper.h"
 
 _Static_assert(sizeof(vbss_grasper_config) == 320, "published size");

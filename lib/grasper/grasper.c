@@ -1,6 +1,12 @@
 /* How graspers begin and end, what they are told, and what they show. */
 #include "grasper/grasper.h"
 
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(vbss_grasper_state) == 264, "published size");
 
 static const uint32_t state_sizes[] = {248, 264, 0};

@@ -10,7 +10,8 @@
 
 #include <vblast_ss/grasper.h>
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/slot.h"
 
 /* Shaft, jaw at +x, jaw at -x, neck. */
 enum { GRASPER_CAPSULES = 4, GRASPER_SHAFT = 0, GRASPER_JAW = 1, GRASPER_NECK = 3 };

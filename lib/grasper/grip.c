@@ -3,6 +3,7 @@
  * The springs are alike, so three anchors that all give way by d take stiffness times d from the force
  * of the clamp. Each limit is met so: by just as much as the force exceeds it, at once. Anchors give way
  * only to the force that they exert, so no yielding stores energy in the springs. */
+#include "base/elementary.h"
 #include "grasper/grasper.h"
 
 /* In which a thread that was just taken comes to lie straight in the middle of the jaws, s. */

@@ -5,6 +5,7 @@
  * normal of the faces, and half of that about axes in them: a follows from the stiffness of both. What exceeds a limit
  * gives way by just as much as it exceeds it, at once; the place where it is held gives way only to the force that it
  * exerts, so no yielding stores energy in the springs. */
+#include "base/rotation.h"
 #include "grasper/grasper.h"
 
 /* In which a needle that was just taken comes to lie in the middle of the jaws, s. */

@@ -1,4 +1,5 @@
 /* Where the jaws are, how they follow the handle, how hard they close. */
+#include "base/elementary.h"
 #include "grasper/grasper.h"
 
 /* ---- where they are */

@@ -1,4 +1,6 @@
 /* The state of a grasper: what is saved, hashed and restored. */
+#include "base/check.h"
+#include "base/stream.h"
 #include "grasper/grasper.h"
 
 static void visit_config(vbss_stream *stream, const grasper_object *g)

@@ -6,7 +6,10 @@
 #ifndef VBSS_KNOT_BOXES_H
 #define VBSS_KNOT_BOXES_H
 
-#include "base/base.h"
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/linear.h"
 
 enum { BOX_LANES = 8, BOX_GROUP = 6 * BOX_LANES, BOX_LAST = 32767 };
 

@@ -1,4 +1,6 @@
 /* How detectors are to be: defaults and what is allowed. */
+#include "base/check.h"
+#include "base/error.h"
 #include "knot/knot.h"
 
 static const uint32_t config_sizes[] = {96, 0};

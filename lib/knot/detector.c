@@ -1,4 +1,6 @@
 /* How detectors begin and end, and their step: shown -> winding -> topology, some of it -> verdict. */
+#include "base/check.h"
+#include "base/error.h"
 #include "knot/knot.h"
 
 #include <string.h>

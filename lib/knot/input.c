@@ -1,4 +1,6 @@
 /* What a host shows: checked as a whole, then copied in the order from the tail's end on. */
+#include "base/check.h"
+#include "base/error.h"
 #include "knot/knot.h"
 
 #include <string.h>

@@ -12,7 +12,11 @@
 
 #include <vblast_ss/knot.h>
 
-#include "base/base.h"
+#include "base/config.h"
+#include "base/linear.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "base/slot.h"
 
 enum { KNOT_THROWS = 8, KNOT_AXIS_POINTS = 4 };
 

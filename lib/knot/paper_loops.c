@@ -5,6 +5,7 @@
  * behind that segment: as the paper has it. It is left open at which end segment 0 is. */
 #include "knot/paper.h"
 
+#include "base/elementary.h"
 #include "base/lanes.h"
 
 /* A loop takes three segments at least, so that all of sixteen tools have room. */

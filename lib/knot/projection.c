@@ -3,6 +3,8 @@
  * Vertices are turned into a frame whose z points to the eye. That, and all that is computed from it, is wrong by
  * no more than bounds which every decision must exceed: then the diagram is the same for all polygons within
  * rounding of this one, and so is the knot. */
+#include "base/compiler.h"
+#include "base/elementary.h"
 #include "knot/sheet.h"
 
 /* What is too near to be told, in shares of an edge: a vertex, or another crossing; of the polygon's size: the

@@ -1,4 +1,5 @@
 /* Whether both limbs of a throw bend alike, or one is wound round the other that is straight. */
+#include "base/elementary.h"
 #include "knot/knot.h"
 
 /* The sum of the angles between successive segments whose common point lies between two places, rad. */

@@ -1,5 +1,8 @@
 /* The state of a detector: saved, hashed and restored. Of a reading under way only its input and the work spent
  * are kept: it is done again up to there. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "knot/knot.h"
 
 static void visit_bool(vbss_stream *stream, uint16_t tag, bool *value)

@@ -2,7 +2,7 @@
 #ifndef VBSS_KNOT_TRIANGLE_H
 #define VBSS_KNOT_TRIANGLE_H
 
-#include "base/base.h"
+#include "base/linear.h"
 
 /* On which side of a plane: the sign of a determinant, where it is certain.
  *

@@ -1,4 +1,6 @@
 /* Looking at what a detector knows. */
+#include "base/check.h"
+#include "base/error.h"
 #include "knot/knot.h"
 
 #include <string.h>

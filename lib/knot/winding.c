@@ -14,6 +14,8 @@
  * lead to and away from what is wound. */
 #include "knot/knot.h"
 
+#include "base/compiler.h"
+#include "base/elementary.h"
 #include "base/lanes.h"
 
 #define FULL_TURN 6.283185307179586

@@ -1,4 +1,7 @@
 /* How to measure: defaults, and every number checked. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "metrics/metrics.h"
 
 _Static_assert(sizeof(vbss_metrics_config) == 176, "published size");

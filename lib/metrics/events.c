@@ -1,4 +1,7 @@
 /* Events: checked as a whole, then kept as what stands, or taken back. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "metrics/metrics.h"
 
 _Static_assert(sizeof(vbss_metrics_event) == 144, "published size");

@@ -1,4 +1,8 @@
 /* How measurements begin and end. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
 #include "metrics/metrics.h"
 
 /* ---- memory: one table says what there is */

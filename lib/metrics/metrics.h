@@ -6,9 +6,12 @@
 #ifndef VBSS_METRICS_METRICS_H
 #define VBSS_METRICS_METRICS_H
 
+#include <stddef.h>
+
 #include <vblast_ss/metrics.h>
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/slot.h"
 
 enum { METRICS_HANDS = 2 };
 

@@ -1,4 +1,8 @@
 /* Figures of motion in a window of ticks. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/elementary.h"
+#include "base/error.h"
 #include "metrics/metrics.h"
 
 _Static_assert(sizeof(vbss_metrics_motion) == 120, "published size");

@@ -1,4 +1,7 @@
 /* The pull test: whether a knot holds, by ours and as the paper decides it. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "metrics/metrics.h"
 
 _Static_assert(sizeof(vbss_metrics_pull) == 72, "published size");

@@ -1,4 +1,8 @@
 /* What is known of a trial: the report, records of throws, visits of phases, penalties, arrays. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/elementary.h"
+#include "base/error.h"
 #include "metrics/metrics.h"
 
 _Static_assert(sizeof(vbss_metrics_report) == 192, "published size");

@@ -1,4 +1,7 @@
 /* Samples: checked, then shown to each tool's curve; and the clock on which everything is told. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "metrics/metrics.h"
 
 _Static_assert(sizeof(vbss_metrics_sample) == 120, "published size");

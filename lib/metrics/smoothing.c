@@ -1,5 +1,6 @@
 /* One smooth curve through samples at any times: a cubic between two samples, and a low-pass filter whose derivatives
  * are taken as those of its taps. docs/metrics.md, "Motion". */
+#include "base/elementary.h"
 #include "metrics/metrics.h"
 
 #define PI 3.14159265358979323846

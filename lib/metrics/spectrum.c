@@ -1,5 +1,6 @@
 /* Spectral arc length (SPARC) of a speed profile: minus the length of its normalised spectrum's curve. Balasubramanian
  * et al., J NeuroEng Rehabil 12:112 (2015); docs/metrics.md says what is not verified. */
+#include "base/elementary.h"
 #include "metrics/metrics.h"
 
 #define TURN 6.283185307179586476925286766559

@@ -1,4 +1,7 @@
 /* The state of a measurement: what is saved, hashed and restored. */
+#include "base/check.h"
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "metrics/metrics.h"
 
 /* Sums and squares of what is no larger stay finite. */

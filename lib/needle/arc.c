@@ -1,4 +1,6 @@
 /* The shape of a needle and what it weighs. */
+#include "base/elementary.h"
+#include "base/rotation.h"
 #include "needle/needle.h"
 
 #define PI 3.14159265358979323846

@@ -1,4 +1,7 @@
 /* What a needle can be: defaults, known needles, and every number checked. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "needle/needle.h"
 
 _Static_assert(sizeof(vbss_needle_config) == 192, "published size");

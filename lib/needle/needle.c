@@ -1,6 +1,12 @@
 /* How needles begin, end and fly, and what they show. */
 #include "needle/needle.h"
 
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(vbss_needle_state) == 208, "published size");
 _Static_assert(sizeof(vbss_needle_mass) == 144, "published size");
 _Static_assert(sizeof(vbss_needle_energies) == 32, "published size");

@@ -8,7 +8,8 @@
 
 #include <vblast_ss/needle.h>
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/slot.h"
 #include "solver/rigid.h"
 
 enum { NEEDLE_SEGMENTS = 64 };

@@ -1,4 +1,6 @@
 /* The state of a needle: what is saved, hashed and restored. */
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "needle/needle.h"
 
 /* Where it began is gone: the state says where it is. Its number belongs to its scene. */

@@ -2,6 +2,8 @@
  * as lengths and checksums tell. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_log_report) == 232, "published size");
@@ -89,6 +91,7 @@ vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t
     VBSS_TRY(vbss_check_pointer(context, bytes, "bytes"));
     vbss_log_report own = {.struct_size = sizeof own, .log_bytes = count};
     VBSS_TRY(vbss_struct_write(context, &report_layout, &own, report, struct_size));
+    VBSS_TRY(vbss_check_arithmetic(context));
     if (count > SIZE_MAX) {
         return vbss_fail(context, VBSS_ERROR_CORRUPT, "the log is larger than any memory");
     }

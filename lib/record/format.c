@@ -1,15 +1,20 @@
 /* How a log is laid out, little-endian:
  *   front   "VBSL", u32 format
  *   record  u32 length, u32 its complement, a section of the stream (code, version, fields), u64 checksum
- * The checksum is XXH64 of the checksum before it (at first: the front) and all of the record before it. A
+ *   or      u16 length, u16 its complement, a coded step (coded.c), u64 checksum; since format 3
+ * The two highest bits of the first four bytes are set in the second kind only. The checksum is XXH64 of the checksum before it (at first: the front) and all of the record before it. A
  * record whose code begins with a small letter may be passed over by who does not know it. */
 #include <string.h>
 
+#include "base/error.h"
 #include "base/little_endian.h"
 #include "record/record.h"
 
 #define MAGIC VBSS_CODE('V', 'B', 'S', 'L')
-#define FORMAT 2u
+/* The newest, which is written, and the oldest that is read. */
+#define FORMAT (uint32_t) FORMAT_PACKED
+#define FORMAT_OLDEST 2u
+#define CODED 0xc0000000u
 #define SMALL_LETTER 0x20u
 /* The least a section needs. */
 #define SECTION_BYTES 16u
@@ -29,6 +34,7 @@ static uint64_t link_of(uint64_t chain, const uint8_t *record, size_t count)
 
 void vbss_log_begin(log_writer *log)
 {
+    log->format = FORMAT;
     store_little_endian(log->bytes, (uint64_t)FORMAT << 32 | MAGIC, LOG_FRONT);
     log->chain = load_little_endian(log->bytes, LOG_FRONT);
     log->used = LOG_FRONT;
@@ -47,20 +53,40 @@ void vbss_log_open(log_writer *log, vbss_stream *stream)
                             log->capacity - log->used - LOG_BEFORE - LOG_AFTER);
 }
 
+static void append_checksum(log_writer *log, size_t covered)
+{
+    uint8_t *record = log->bytes + log->used;
+    log->chain = link_of(log->chain, record, covered);
+    store_little_endian(record + covered, log->chain, LOG_AFTER);
+    log->used += covered + LOG_AFTER;
+    log->grown += covered + LOG_AFTER;
+}
+
 vbss_result vbss_log_seal(log_writer *log, const vbss_stream *stream)
 {
     uint8_t *record = log->bytes + log->used;
-    size_t covered = LOG_BEFORE + stream->position;
     if (stream->result != VBSS_OK) {
         return stream->result;
     }
     store_little_endian(record, stream->position, 4);
     store_little_endian(record + 4, ~(uint64_t)stream->position, 4);
-    log->chain = link_of(log->chain, record, covered);
-    store_little_endian(record + covered, log->chain, LOG_AFTER);
-    log->used += covered + LOG_AFTER;
-    log->grown += covered + LOG_AFTER;
+    append_checksum(log, LOG_BEFORE + stream->position);
     return VBSS_OK;
+}
+
+uint8_t *vbss_log_open_coded(log_writer *log)
+{
+    log->used = log->taken ? 0 : log->used;
+    log->taken = false;
+    return log->bytes + log->used + LOG_BEFORE_CODED;
+}
+
+void vbss_log_seal_coded(log_writer *log, size_t count)
+{
+    uint8_t *record = log->bytes + log->used;
+    store_little_endian(record, count, 2);
+    store_little_endian(record + 2, ~(uint64_t)count, 2);
+    append_checksum(log, LOG_BEFORE_CODED + count);
 }
 
 /* ---- reading */
@@ -91,9 +117,10 @@ vbss_result vbss_log_read_front(log_reader *log)
     if ((uint32_t)log->chain != MAGIC) {
         return vbss_log_corrupt(log, 0, "this is no log");
     }
-    if (log->chain >> 32 != FORMAT) {
+    log->format = (uint32_t)(log->chain >> 32);
+    if (log->format < FORMAT_OLDEST || log->format > FORMAT) {
         return fail_at(log, VBSS_ERROR_DATA_VERSION, 4,
-                       log->chain >> 32 < FORMAT
+                       log->format < FORMAT_OLDEST
                            ? "a log of an older library, which this one does not read"
                            : "a log of a newer library, which this one does not read");
     }
@@ -101,32 +128,52 @@ vbss_result vbss_log_read_front(log_reader *log)
     return VBSS_OK;
 }
 
-/* The record at `at`, whatever it is. */
-static vbss_result find(const log_reader *log, log_found *found)
+/* The length of the record at `at`; false: none begins there. */
+static bool find_length(const log_reader *log, log_found *found)
 {
     const uint8_t *record = log->bytes + log->at;
+    uint64_t front = load_little_endian(record, 4);
+    found->coded = log->format >= FORMAT_PACKED && front >= CODED;
+    if (found->coded) {
+        found->payload = record + LOG_BEFORE_CODED;
+        found->length = (size_t)(front & UINT16_MAX);
+        return (front >> 16 ^ found->length) == UINT16_MAX && found->length > 0;
+    }
+    found->payload = record + LOG_BEFORE;
+    found->length = (size_t)front;
+    return (front ^ load_little_endian(record + 4, 4)) == UINT32_MAX && front >= SECTION_BYTES;
+}
+
+/* The record at `at`, whatever it is. No record is shorter than LOG_BEFORE, so there are as many bytes or
+ * it is cut off. */
+static vbss_result find(const log_reader *log, log_found *found)
+{
     size_t left = log->count - log->at;
     if (left < LOG_BEFORE) {
         return fail_at(log, VBSS_ERROR_TRUNCATED, log->count, "it is cut off: there is no end");
     }
-    uint64_t length = load_little_endian(record, 4);
-    if ((length ^ load_little_endian(record + 4, 4)) != UINT32_MAX || length < SECTION_BYTES) {
+    if (!find_length(log, found)) {
         return vbss_log_corrupt(log, log->at, "no record begins here");
     }
-    if (left < LOG_BEFORE + LOG_AFTER || length > left - LOG_BEFORE - LOG_AFTER) {
+    size_t before = found->coded ? LOG_BEFORE_CODED : LOG_BEFORE;
+    if (left < before + LOG_AFTER || found->length > left - before - LOG_AFTER) {
         return fail_at(log, VBSS_ERROR_TRUNCATED, log->at, "it is cut off in the record here");
     }
-    found->payload = record + LOG_BEFORE;
-    found->length = (size_t)length;
     found->at = log->at;
-    found->code = (uint32_t)load_little_endian(found->payload + 4, 4);
+    found->code = found->coded ? LOG_STEP : (uint32_t)load_little_endian(found->payload + 4, 4);
     return VBSS_OK;
+}
+
+/* Of the record, all that its checksum covers but the checksum before. */
+static size_t covered_by(const log_found *found)
+{
+    return (found->coded ? LOG_BEFORE_CODED : LOG_BEFORE) + found->length;
 }
 
 vbss_result vbss_log_next_of_any_kind(log_reader *log, log_found *found)
 {
     VBSS_TRY(find(log, found));
-    size_t covered = LOG_BEFORE + found->length;
+    size_t covered = covered_by(found);
     const uint8_t *record = log->bytes + log->at;
     uint64_t chain = link_of(log->chain, record, covered);
     if (chain != load_little_endian(record + covered, LOG_AFTER)) {
@@ -163,7 +210,7 @@ bool vbss_log_skip(log_reader *log)
     if (find(&quiet, &found) != VBSS_OK) {
         return false;
     }
-    size_t end = found.at + LOG_BEFORE + found.length;
+    size_t end = found.at + covered_by(&found);
     log->chain = load_little_endian(log->bytes + end, LOG_AFTER);
     log->at = end + LOG_AFTER;
     return true;

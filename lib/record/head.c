@@ -1,6 +1,7 @@
 /* How a log begins: who wrote it, the scene's configuration, and the snapshot. */
 #include <string.h>
 
+#include "base/error.h"
 #include "record/record.h"
 
 #define CONFIG VBSS_CODE('C', 'O', 'N', 'F')
@@ -173,30 +174,6 @@ void vbss_log_visit_head(vbss_stream *stream, log_head *head)
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no scene keeps so many events");
     }
     vbss_stream_close(stream, outer);
-}
-
-static void visit_snapshot(vbss_stream *stream, uint32_t code, uint16_t version,
-                           log_snapshot *snapshot)
-{
-    vbss_section outer = vbss_stream_open(stream, code, version);
-    vbss_stream_u64(stream, 1, &snapshot->number, 1);
-    vbss_stream_u32(stream, 2, &snapshot->count, 1);
-    if (stream->mode == VBSS_STREAM_READ) {
-        snapshot->bytes = vbss_stream_find_u8(stream, 3, snapshot->count);
-    } else {
-        snapshot->place = vbss_stream_place_u8(stream, 3, snapshot->count);
-    }
-    vbss_stream_close(stream, outer);
-}
-
-void vbss_log_visit_snapshot(vbss_stream *stream, log_snapshot *snapshot)
-{
-    visit_snapshot(stream, LOG_SNAPSHOT, 2, snapshot);
-}
-
-void vbss_log_visit_state(vbss_stream *stream, log_snapshot *state)
-{
-    visit_snapshot(stream, LOG_STATE, 1, state);
 }
 
 void vbss_log_free_head(log_head *head)

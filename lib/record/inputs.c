@@ -1,4 +1,5 @@
 /* What a host tells a scene, told by the host itself or once more from a log. */
+#include "base/error.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");

@@ -1,5 +1,7 @@
 /* Reading: a log is opened, tells about itself, and is read from step to step without a scene. */
-#include "record/record.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "record/coded.h"
 
 _Static_assert(sizeof(vbss_replay_info) == 48, "published size");
 
@@ -43,6 +45,9 @@ void vbss_log_free_begin(replay_object *p)
     vbss_log_free_head(&p->head);
     vbss_log_free_inputs(p->context, &p->step);
     vbss_log_free_events(p->context, &p->step);
+    vbss_log_free_coder(p->context, p->log.coder);
+    vbss_log_free_coder(p->context, p->look.coder);
+    vbss_log_free_coder(p->context, p->scan);
 }
 
 vbss_result vbss_log_read_begin(replay_object *p)
@@ -60,6 +65,9 @@ vbss_result vbss_log_read_begin(replay_object *p)
         return vbss_log_corrupt(&p->log, found.at, "the scene at the begin was expected");
     }
     p->begin = p->look = p->log;
+    VBSS_TRY(vbss_log_make_coder(p->context, p->head.input_capacity, &p->log.coder));
+    VBSS_TRY(vbss_log_make_coder(p->context, p->head.input_capacity, &p->look.coder));
+    VBSS_TRY(vbss_log_make_coder(p->context, p->head.input_capacity, &p->scan));
     p->report.position = p->log.at;
     p->step.input_capacity = p->head.input_capacity;
     VBSS_TRY(vbss_log_make_inputs(p->context, &p->step));
@@ -163,6 +171,27 @@ vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config 
 
 /* ---- from step to step */
 
+log_reader vbss_log_reader_at(const log_reader *place, log_coder *coder)
+{
+    log_reader reader = *place;
+    reader.coder = coder;
+    vbss_log_restart_coder(coder);
+    return reader;
+}
+
+static vbss_result read_step(const log_reader *log, const log_found *found, uint64_t steps_before,
+                             vbss_stream *stream, log_step *step)
+{
+    if (!found->coded) {
+        vbss_log_visit_step(stream, step);
+        vbss_log_restart_coder(log->coder);
+        return vbss_log_read_all(log, found, stream);
+    }
+    const char *problem =
+        vbss_log_decode(log->coder, steps_before, found->payload, found->length, step);
+    return problem == NULL ? VBSS_OK : vbss_log_corrupt(log, found->at, problem);
+}
+
 vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step,
                           log_snapshot *snapshot, log_found *found)
 {
@@ -173,14 +202,14 @@ vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step
     if (found->code == LOG_SNAPSHOT) {
         vbss_log_visit_snapshot(&stream, snapshot);
         VBSS_TRY(vbss_log_read_all(log, found, &stream));
+        vbss_log_restart_coder(log->coder);
         number = snapshot->number;
     } else if (found->code == LOG_END) {
         vbss_log_visit_end(&stream, step);
         VBSS_TRY(vbss_log_read_all(log, found, &stream));
         number = step->number;
     } else {
-        vbss_log_visit_step(&stream, step);
-        VBSS_TRY(vbss_log_read_all(log, found, &stream));
+        VBSS_TRY(read_step(log, found, steps_before, &stream, step));
         number = step->number - 1;
     }
     if (number != steps_before) {
@@ -211,7 +240,8 @@ vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, steps, "steps"));
-    log_reader log = p->begin;
+    VBSS_TRY(vbss_check_arithmetic(p->context));
+    log_reader log = vbss_log_reader_at(&p->begin, p->scan);
     log_step step = p->step;
     bool end = false;
     *steps = 0;
@@ -230,8 +260,9 @@ vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step
     VBSS_TRY(vbss_replay_edit(replay, &p));
     vbss_log_step own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_struct_write(p->context, &step_layout, &own, step, struct_size));
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     if (number <= p->looked) {
-        p->look = p->begin;
+        p->look = vbss_log_reader_at(&p->begin, p->look.coder);
         p->looked = 0;
         p->looked_time = 0.0;
     }

@@ -1,5 +1,7 @@
 /* What a session notes of itself behind a step: marks, and its state behind a snapshot of its scene. Who knows no sessions
  * passes over them. */
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "record/record.h"
 
 /* A state is put in the log when that has grown by so many times its size: states are a fifth of it at most. */
@@ -69,14 +71,10 @@ vbss_result vbss_log_put_state(record_object *r, const vbss_slot *session)
     vbss_log_visit_state(&stream, &state);
     size_t need = log_record_bytes(&stream) + r->event_bytes + r->end_bytes;
     bool early = state.number > 0 && r->log.grown < STATES_APART * (uint64_t)count;
-    if (early || count >= UINT32_MAX || need > vbss_log_room(&r->log)) {
+    if (early || count > LOG_SNAPSHOT_MOST || need > vbss_log_room(&r->log)) {
         return VBSS_OK;
     }
-    vbss_log_open(&r->log, &stream);
-    vbss_log_visit_state(&stream, &state);
-    VBSS_TRY(stream.result);
-    VBSS_TRY(vbss_snapshot_save(session, state.place, count, &count));
-    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    VBSS_TRY(vbss_log_put_snapshot(r, LOG_STATE, session, count));
     r->log.grown = 0;
     r->snapshot_is_last = false;
     return VBSS_OK;

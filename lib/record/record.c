@@ -1,7 +1,11 @@
 /* Writing: how records begin, what a step appends, and how they end. */
 #include <string.h>
 
-#include "record/record.h"
+#include "record/coded.h"
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
 
 _Static_assert(sizeof(vbss_record_config) == 40, "published size");
 
@@ -54,16 +58,6 @@ static vbss_result fill_head(const scene_object *s, const vbss_record_config *c,
     return vbss_log_make_blob(s->context, &head->note, c->note, c->note_bytes);
 }
 
-/* Bytes of the record with a snapshot of that size. */
-static size_t measure_snapshot(size_t count)
-{
-    log_snapshot snapshot = {.count = (uint32_t)count};
-    vbss_stream stream;
-    vbss_stream_begin_measure(&stream);
-    vbss_log_visit_snapshot(&stream, &snapshot);
-    return log_record_bytes(&stream);
-}
-
 static size_t measure_head(log_head *head)
 {
     vbss_stream stream;
@@ -81,16 +75,10 @@ static vbss_result write_head(log_writer *log, log_head *head)
     return vbss_log_seal(log, &stream);
 }
 
-/* The scene as it is now saves itself where it shall stand. */
 static vbss_result write_snapshot(record_object *r, size_t count)
 {
-    log_snapshot snapshot = {.number = r->step.number, .count = (uint32_t)count};
-    vbss_stream stream;
-    vbss_log_open(&r->log, &stream);
-    vbss_log_visit_snapshot(&stream, &snapshot);
-    VBSS_TRY(stream.result);
-    VBSS_TRY(vbss_snapshot_save((const vbss_slot *)r->scene, snapshot.place, count, &count));
-    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    VBSS_TRY(vbss_log_put_snapshot(r, LOG_SNAPSHOT, (const vbss_slot *)r->scene, count));
+    vbss_log_restart_coder(r->coder);
     r->snapshot_is_last = true;
     return VBSS_OK;
 }
@@ -109,6 +97,7 @@ static void free_object(vbss_context *context, void *object)
 {
     record_object *r = object;
     vbss_log_free_inputs(context, &r->step);
+    vbss_log_free_coder(context, r->coder);
     vbss_release(context, r->log.bytes, r->log.capacity, 1);
     vbss_release(context, r, 1, sizeof *r);
 }
@@ -138,8 +127,9 @@ vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t
     r->hash_interval = hash_interval;
     r->step.input_capacity = input_capacity;
     r->step.event_capacity = s->config.event_capacity;
-    r->event_bytes = s->config.event_capacity * sizeof *s->events;
+    r->event_bytes = (size_t)s->config.event_capacity * LOG_EVENT_MOST;
     r->seen = vbss_log_edits_of(s);
+    VBSS_TRY(vbss_log_make_coder(r->context, input_capacity, &r->coder));
     return vbss_log_make_inputs(r->context, &r->step);
 }
 
@@ -150,7 +140,7 @@ vbss_result vbss_record_make_room(record_object *r, size_t begin_bytes, size_t s
     r->snapshot_interval = c->snapshot_interval;
     /* states grow: twice the first is room that spares others nearly always */
     r->log.capacity = begin_bytes + (size_t)c->buffer_bytes + r->end_bytes + r->event_bytes +
-                      (c->snapshot_interval > 0 ? 2 * measure_snapshot(snapshot_bytes) : 0);
+                      (c->snapshot_interval > 0 ? 2 * vbss_log_snapshot_bytes(snapshot_bytes) : 0);
     r->log.bytes = vbss_allocate(r->context, r->log.capacity, 1, "log");
     return r->log.bytes == NULL ? VBSS_ERROR_OUT_OF_MEMORY : VBSS_OK;
 }
@@ -174,11 +164,11 @@ static vbss_result begin(record_object *r, const vbss_record_config *c, log_head
     size_t snapshot = 0;
     VBSS_TRY(fill_head(scene->object, c, head));
     VBSS_TRY(vbss_snapshot_size(scene, &snapshot));
-    if (snapshot > UINT32_MAX - 1024) {
+    if (snapshot > LOG_SNAPSHOT_MOST) {
         return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
     }
-    VBSS_TRY(
-        vbss_record_make_room(r, measure_head(head) + measure_snapshot(snapshot), snapshot, c));
+    VBSS_TRY(vbss_record_make_room(r, measure_head(head) + vbss_log_snapshot_bytes(snapshot),
+                                   snapshot, c));
     VBSS_TRY(write_head(&r->log, head));
     return write_snapshot(r, snapshot);
 }
@@ -239,12 +229,43 @@ vbss_result vbss_record_ready(const record_object *r, scene_object **scene)
                                             (unsigned long long)r->step.number);
 }
 
-static vbss_result check_room(const record_object *r, log_step *next)
+/* A large step is written as fields, and so are the steps of logs that older libraries began. */
+static bool is_coded(const record_object *r, const log_step *step, size_t *most)
 {
+    *most = vbss_log_coded_most(step, step->event_count);
+    return r->log.format >= FORMAT_PACKED && *most <= LOG_CODED_MOST;
+}
+
+/* In either form, as its events decide between them; these come on top. */
+static size_t most_step_bytes(log_step *step)
+{
+    enum { EVENTS_HEADER = 8 };
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
-    vbss_log_visit_step(&stream, next);
-    size_t need = log_record_bytes(&stream) + r->event_bytes + r->end_bytes;
+    vbss_log_visit_step(&stream, step);
+    size_t plain = log_record_bytes(&stream) + EVENTS_HEADER;
+    size_t coded = LOG_BEFORE_CODED + vbss_log_coded_most(step, 0) + LOG_AFTER;
+    return plain > coded ? plain : coded;
+}
+
+static vbss_result write_step(record_object *r, log_step *step)
+{
+    size_t most;
+    vbss_stream stream;
+    if (is_coded(r, step, &most)) {
+        uint8_t *bytes = vbss_log_open_coded(&r->log);
+        vbss_log_seal_coded(&r->log, vbss_log_encode(r->coder, step, bytes, most));
+        return VBSS_OK;
+    }
+    vbss_log_open(&r->log, &stream);
+    vbss_log_visit_step(&stream, step);
+    vbss_log_restart_coder(r->coder);
+    return vbss_log_seal(&r->log, &stream);
+}
+
+static vbss_result check_room(const record_object *r, log_step *next)
+{
+    size_t need = most_step_bytes(next) + r->event_bytes + r->end_bytes;
     return need <= vbss_log_room(&r->log)
                ? VBSS_OK
                : vbss_fail(
@@ -257,8 +278,9 @@ static vbss_result check_room(const record_object *r, log_step *next)
 static void note_snapshot(record_object *r)
 {
     size_t need = 0;
-    if (vbss_snapshot_size((const vbss_slot *)r->scene, &need) == VBSS_OK && need < UINT32_MAX &&
-        measure_snapshot(need) + r->end_bytes <= vbss_log_room(&r->log)) {
+    if (vbss_snapshot_size((const vbss_slot *)r->scene, &need) == VBSS_OK &&
+        need <= LOG_SNAPSHOT_MOST &&
+        vbss_log_snapshot_bytes(need) + r->end_bytes <= vbss_log_room(&r->log)) {
         r->snapshot_due = write_snapshot(r, need) != VBSS_OK;
     }
 }
@@ -284,10 +306,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
         VBSS_TRY(vbss_scene_get_hash(r->scene, &next.hash));
     }
     vbss_log_note_events(&next, s);
-    vbss_stream stream;
-    vbss_log_open(&r->log, &stream);
-    vbss_log_visit_step(&stream, &next);
-    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    VBSS_TRY(write_step(r, &next));
     next.input_count = next.event_count = 0;
     next.events = NULL; /* the scene may end before the record */
     r->step = next;

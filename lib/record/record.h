@@ -1,6 +1,7 @@
 /* The inside of records and replays, shared by the files of lib/record.
  *
  * format.c lays records in a row and finds them again; head.c and steps.c visit what is in them;
+ * difference.c and coded.c write a step as bits, from what the steps before it predict;
  * inputs.c tells a scene what it is told, live or replayed, and sees what the record was not told. On
  * these stand writing (record.c, its calls in told.c; resume.c goes on with a log) and reading (log.c opens
  * one, check.c looks for what is wrong, replay.c steps and seeks); marks.c does both for sessions. */
@@ -9,12 +10,24 @@
 
 #include <vblast_ss/record.h>
 
+#include "base/stream.h"
+#include "record/pack.h"
 #include "scene/scene.h"
 
 /* ---- format.c: a front, then records, each with its length, one section and a checksum, which covers
  * the checksum before it: no record can be changed, lost or moved unseen. */
 
-enum { LOG_FRONT = 8, LOG_BEFORE = 8, LOG_AFTER = 8 };
+/* No section is larger, so that its length is not taken for a coded step. */
+#define LOG_SNAPSHOT_MOST 0xbffff000u
+/* Since this format steps are coded and snapshots packed. */
+enum { FORMAT_PACKED = 3 };
+enum {
+    LOG_FRONT = 8,
+    LOG_BEFORE = 8,
+    LOG_BEFORE_CODED = 4,
+    LOG_AFTER = 8,
+    LOG_CODED_MOST = 0x3fff
+};
 #define LOG_HEAD VBSS_CODE('H', 'E', 'A', 'D')
 #define LOG_SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')
 #define LOG_STEP VBSS_CODE('S', 'T', 'E', 'P')
@@ -25,6 +38,7 @@ enum { LOG_FRONT = 8, LOG_BEFORE = 8, LOG_AFTER = 8 };
 typedef struct log_writer {
     uint8_t *bytes;
     size_t capacity, used;
+    uint32_t format;
     bool taken;     /* what is used is the host's until the next record */
     uint64_t chain; /* checksum of the last record */
     uint64_t grown; /* by so many bytes since a session's state was put in it */
@@ -34,6 +48,9 @@ size_t vbss_log_room(const log_writer *log);
 /* What is visited between these two is a record. For it there must be room. */
 void vbss_log_open(log_writer *log, vbss_stream *stream);
 vbss_result vbss_log_seal(log_writer *log, const vbss_stream *stream);
+/* A coded step of that many bytes, at most LOG_CODED_MOST, which are written where the first one says. */
+uint8_t *vbss_log_open_coded(log_writer *log);
+void vbss_log_seal_coded(log_writer *log, size_t count);
 static inline size_t log_record_bytes(const vbss_stream *measured)
 {
     return LOG_BEFORE + measured->position + LOG_AFTER;
@@ -50,6 +67,9 @@ typedef struct log_reader {
     const uint8_t *bytes;
     size_t count, at; /* at: where the next record begins */
     uint64_t chain;
+    uint32_t format;
+    struct log_coder
+        *coder;       /* of the steps before; readers at different places have different ones */
     log_fault *fault; /* where to put what is wrong; NULL: the context is told */
 } log_reader;
 /* The record that the reader has passed last. */
@@ -57,6 +77,7 @@ typedef struct log_found {
     const uint8_t *payload;
     size_t length, at; /* at: where the record begins */
     uint32_t code;
+    bool coded; /* a step as bits, no section */
 } log_found;
 vbss_result vbss_log_read_front(log_reader *log);
 /* The next record that matters; unchanged on failure, which is told with its byte. */
@@ -84,16 +105,38 @@ typedef struct log_head {
 } log_head;
 /* When reading, blobs are allocated here. */
 void vbss_log_visit_head(vbss_stream *stream, log_head *head);
+
+/* ---- saves.c */
+
 /* The scene after that many steps; its bytes stay where they are. */
 typedef struct log_snapshot {
     uint64_t number;
     uint32_t count;
-    const uint8_t *bytes; /* in the log that is read */
-    uint8_t *place;       /* where to save it in the log that is written */
+    uint32_t packed_count; /* of the bytes that stand in the log; 0: these are not packed */
+    const uint8_t *bytes;  /* in the log that is read */
+    uint8_t *place;        /* where to save it in the log that is written */
 } log_snapshot;
 void vbss_log_visit_snapshot(vbss_stream *stream, log_snapshot *snapshot);
 /* That of a session beside it. */
 void vbss_log_visit_state(vbss_stream *stream, log_snapshot *state);
+/* Of the record of a snapshot of so many bytes, at most. */
+size_t vbss_log_snapshot_bytes(size_t count);
+struct record_object;
+/* Saves what is in the slot, `count` bytes, for whose record there must be room. */
+vbss_result vbss_log_put_snapshot(struct record_object *r, uint32_t code, const vbss_slot *slot,
+                                  size_t count);
+/* The bytes of a snapshot that was read, valid until they are released. */
+typedef struct log_unpacked {
+    const uint8_t *bytes;
+    uint8_t *own; /* NULL: they stand in the log */
+    uint32_t count;
+} log_unpacked;
+vbss_result vbss_log_unpack_snapshot(vbss_context *context, const log_snapshot *snapshot,
+                                     log_unpacked *unpacked);
+void vbss_log_release_snapshot(vbss_context *context, log_unpacked *unpacked);
+vbss_result vbss_log_restore_scene(vbss_context *context, vbss_scene *scene,
+                                   const log_snapshot *snapshot);
+
 vbss_result vbss_log_make_blob(vbss_context *context, log_blob *blob, const void *bytes,
                                size_t count);
 void vbss_log_free_head(log_head *head);
@@ -142,14 +185,16 @@ void vbss_log_free_events(vbss_context *context, log_step *step);
 /* ---- record.c and told.c: writing */
 
 typedef struct record_object {
+    uint32_t table[LOG_PACK_PLACES]; /* for packing */
     vbss_context *context;
     vbss_scene *scene; /* a handle: it may end before the record */
     uint32_t hash_interval;
     log_writer log;
+    struct log_coder *coder;
     size_t end_bytes;   /* kept free for the end */
     log_step step;      /* the next, as far as it is known */
     log_edits seen;     /* the scene as the record left it */
-    size_t event_bytes; /* and for the events of a step */
+    size_t event_bytes; /* and for the events of a step, in either form */
     uint32_t snapshot_interval;
     bool snapshot_due, ended;
     bool snapshot_is_last; /* what was noted last of the scene is a snapshot */
@@ -173,9 +218,10 @@ vbss_result vbss_record_ready(const record_object *r, scene_object **scene);
 typedef struct replay_object {
     vbss_context *context;
     log_head head;
-    log_snapshot first;    /* with which it begins */
-    log_reader log, begin; /* begin: before the first step */
-    log_step step;         /* what was read last */
+    log_snapshot first;     /* with which it begins */
+    log_reader log, begin;  /* begin: before the first step */
+    struct log_coder *scan; /* for readers that do not outlive a call */
+    log_step step;          /* what was read last */
     log_reader look; /* where reading without a scene is: after that many steps, and seconds */
     uint64_t looked;
     double looked_time;
@@ -190,10 +236,14 @@ void vbss_log_free_begin(replay_object *p);
 /* The step, snapshot or end that follows on so many steps; what it is stands in `found`. */
 vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step,
                           log_snapshot *snapshot, log_found *found);
+/* A reader at a place where a step stands alone: the begin, or behind a snapshot. */
+log_reader vbss_log_reader_at(const log_reader *place, struct log_coder *coder);
 /* The same, over snapshots. */
 vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step *step, bool *end);
 /* Brings the scene to after that step, which is in the log. */
 vbss_result vbss_replay_go_to(replay_object *p, uint64_t step);
+/* Brings the replay, not the scene, back to where it was. */
+void vbss_replay_go_back(replay_object *p, const replay_object *before);
 
 /* ---- marks.c */
 

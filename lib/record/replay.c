@@ -1,4 +1,6 @@
 /* Replaying: the scene is told what it was told, stepped, and compared. */
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 _Static_assert(sizeof(vbss_replay_report) == 48, "published size");
@@ -17,14 +19,14 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
                          "the scene belongs to another context");
     }
     VBSS_TRY(vbss_log_compare_config(&p->head, s));
-    VBSS_TRY(vbss_scene_restore(scene, p->first.bytes, p->first.count));
+    VBSS_TRY(vbss_log_restore_scene(p->context, scene, &p->first));
     if (p->head.library_version != vbss_version()) {
         vbss_message(p->context, VBSS_LOG_WARNING,
                      "the log is of library version %u, this is %u: other bits are no surprise",
                      p->head.library_version, vbss_version());
     }
     p->scene = scene;
-    p->log = p->begin;
+    p->log = vbss_log_reader_at(&p->begin, p->log.coder);
     p->stopped = VBSS_OK;
     const vbss_replay_report fresh = {.outcome = VBSS_REPLAY_STEPPED, .position = p->begin.at};
     p->report = fresh;
@@ -64,6 +66,7 @@ static vbss_result make_step(replay_object *p)
 static vbss_result go_on(replay_object *p)
 {
     bool end = false;
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(vbss_log_read_step(&p->log, p->report.step, &p->step, &end));
     p->report.position = p->log.at;
     if (!end) {
@@ -118,7 +121,7 @@ typedef struct place {
 /* The newest snapshot at or before that step, once the step itself has been found. */
 static vbss_result find_place(replay_object *p, uint64_t step, place *found)
 {
-    log_reader log = p->begin;
+    log_reader log = vbss_log_reader_at(&p->begin, p->scan);
     uint64_t number = 0;
     const place begin = {.after = log, .snapshot = p->first};
     *found = begin;
@@ -158,7 +161,7 @@ static vbss_result go_from(replay_object *p, const place *from, uint64_t step)
                                       .step = number,
                                       .agreed_step = number,
                                       .position = from->after.at};
-    p->log = from->after;
+    p->log = vbss_log_reader_at(&from->after, p->log.coder);
     p->report = fresh;
     p->step.hashed = number > 0 ? from->hashed : 0;
     p->step.hash = from->hash;
@@ -172,9 +175,26 @@ static vbss_result go_from(replay_object *p, const place *from, uint64_t step)
 vbss_result vbss_replay_go_to(replay_object *p, uint64_t step)
 {
     place from;
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_place(p, step, &from));
-    VBSS_TRY(vbss_scene_restore(p->scene, from.snapshot.bytes, from.snapshot.count));
+    VBSS_TRY(vbss_log_restore_scene(p->context, p->scene, &from.snapshot));
     return told(p, go_from(p, &from, step));
+}
+
+void vbss_replay_go_back(replay_object *p, const replay_object *before)
+{
+    log_reader log = vbss_log_reader_at(&p->begin, p->log.coder);
+    log_snapshot passed;
+    log_found found;
+    uint64_t number = 0;
+    /* the coder learns once more what stands before that place, which has all been read before */
+    while (log.at < before->log.at &&
+           vbss_log_read(&log, number, &p->step, &passed, &found) == VBSS_OK) {
+        number += found.code == LOG_STEP;
+    }
+    p->log = before->log;
+    p->report = before->report;
+    p->stopped = before->stopped;
 }
 
 vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step, vbss_replay_report *report,

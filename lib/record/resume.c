@@ -1,4 +1,6 @@
 /* Going on with a log: the scene is brought to its end, and what it is told from there on is appended. */
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 /* The last complete step, and the reader where the next one would begin. */
@@ -6,11 +8,12 @@ static vbss_result find_end(replay_object *p, uint64_t *steps, log_reader *end)
 {
     log_found found = {.code = LOG_STEP};
     log_snapshot snapshot;
-    log_reader log = p->begin;
+    log_reader log = vbss_log_reader_at(&p->begin, p->scan);
     log_fault fault;
     vbss_result result = VBSS_OK;
     log.fault = &fault;
     *steps = 0;
+    *end = log;
     while (result == VBSS_OK && found.code != LOG_END) {
         *end = log;
         result = vbss_log_read(&log, *steps, &p->step, &snapshot, &found);
@@ -53,6 +56,7 @@ static vbss_result make_room(record_object *r, const replay_object *p, uint64_t 
     r->step.number = steps;
     VBSS_TRY(vbss_record_make_room(r, 0, p->first.count, c));
     r->log.chain = end->chain;
+    r->log.format = end->format;
     return VBSS_OK;
 }
 
@@ -75,6 +79,7 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     }
     VBSS_TRY(vbss_scene_tell(p->scene, &s));
     VBSS_TRY(check_fit(p, s));
+    VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_end(p, &steps, &end));
     VBSS_TRY(bring_to_end(p, steps));
     vbss_result result =

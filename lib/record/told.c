@@ -1,6 +1,8 @@
 /* What a host tells the scene through its record: the same as without, and noted. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/error.h"
 #include "record/record.h"
 
 static vbss_result check_room(const record_object *r)
@@ -16,6 +18,7 @@ static void note(record_object *r, const scene_object *s, uint8_t kind, const vb
     uint32_t place = r->step.input_count++;
     r->step.kinds[place] = kind;
     r->step.inputs[place] = *input;
+    r->step.inputs[place].kind = kind;
     r->seen = vbss_log_edits_of(s);
 }
 

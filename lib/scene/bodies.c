@@ -1,4 +1,6 @@
 /* Threads and rigid bodies come into a scene, move there, and leave. */
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/cuts.h"
 #include "scene/holes.h"

@@ -5,6 +5,7 @@
  *   the step that waits -> (its end -> the next step) while there is room -> what is too far behind is left out
  *
  * A saved state knows how far an attempt was, which is made again up to there. Hosts that change bodies meanwhile end the step. */
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/events.h"
 #include "scene/scene.h"

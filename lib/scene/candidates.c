@@ -3,6 +3,7 @@
  * The search lists pairs whose swept boxes come near; of these, those become rows that are nearer than the
  * distance of touching, the margin, and what they may approach each other. How far things may move is
  * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
+#include "base/error.h"
 #include "scene/apart.h"
 #include "scene/around_holes.h"
 #include "scene/attempt.h"

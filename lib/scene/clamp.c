@@ -2,6 +2,7 @@
  *
  * Everything moves the same share of its way, tools as well: so nothing is torn, and the path is a prefix of
  * one that the guard has looked at. What was fast is slow afterwards. Counted, with the share lost. */
+#include "base/rotation.h"
 #include "scene/attempt.h"
 #include "scene/holes.h"
 #include "scene/rows.h"

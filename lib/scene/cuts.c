@@ -1,6 +1,8 @@
 /* Cutting a thread in a scene: its part beyond the cut becomes a body of its own, with all that held it, and
  * what contact remembers goes with the features that it is about. */
 #include "scene/cuts.h"
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/events.h"
 #include "scene/holes.h"
 #include "scene/rows.h"

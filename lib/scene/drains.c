@@ -1,4 +1,6 @@
 /* Drains in a scene: how they come and go, and their part of each stage of a step. */
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/events.h"
 #include "scene/scene.h"

@@ -1,5 +1,6 @@
 /* What graspers hold: taken by jaws that touch it from both sides, held by rows (grasp_rows.c), let go as
  * it was. Between two steps what was pulled too hard slides. */
+#include "base/error.h"
 #include "scene/events.h"
 #include "scene/scene.h"
 #include "scene/tools.h"

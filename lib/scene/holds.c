@@ -1,5 +1,6 @@
 /* Needles in the jaws of graspers: taken by jaws that touch them from both sides, held by three rows, let go as they were.
  * Between two steps what was pulled or turned too hard slides. */
+#include "base/elementary.h"
 #include "scene/events.h"
 #include "scene/rows.h"
 #include "scene/scene.h"

@@ -1,4 +1,6 @@
 /* Holes in a scene, and the suture that slides through. */
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/around_holes.h"
 #include "scene/events.h"
 #include "scene/holes.h"

@@ -1,4 +1,5 @@
 /* As everything was before a step, if it fails. */
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/scene.h"
 #include "scene/step.h"

@@ -1,4 +1,6 @@
 /* Needles in a scene: free rigid bodies whose capsules lie along an arc. Method PAPER: paper_needles.c. */
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/scene.h"
 #include "scene/tools.h"
 

@@ -1,6 +1,7 @@
 /* Method PAPER: a pass over all pairs that are near. Each is tested between begin and end of the step, as
  * far as responses have moved the end by now (algorithm 1), and what hits is moved at once (algorithm 2).
  * What the paper leaves open and how it was chosen: docs/paper-scene.md. */
+#include "base/error.h"
 #include "scene/cuts.h"
 #include "scene/paper.h"
 #include "scene/pins.h"

@@ -2,6 +2,7 @@
  *   tool poses -> needles -> threads and drains, each by its own explicit steps -> passes of detection and response,
  *   until nothing hits -> events -> tool forces
  * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/cuts.h"
 #include "scene/events.h"

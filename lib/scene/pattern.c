@@ -1,5 +1,6 @@
 /* Which blocks are separators, and the pattern of the system: made anew only when it is another, and of that as little
  * as is another. */
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/holes.h"
 #include "scene/rows.h"

@@ -1,6 +1,8 @@
 /* Pieces that may yet be cut from a thread: what a cut needs is taken when the thread is added, a place among the
  * bodies, a shape and a spare thread each, so that a cut neither allocates nor finds no room. A place keeps what
  * it has: a state from before a cut is restored by undoing the cut, one from after it by making the piece. */
+#include "base/error.h"
+#include "base/stream.h"
 #include "scene/cuts.h"
 #include "scene/meshes.h"
 #include "scene/scene.h"

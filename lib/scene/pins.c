@@ -3,6 +3,8 @@
  * On the world and on driven bodies a pin is an attachment of the thread that is moved along; on others it
  * is a weld: lib/contact eliminates the node's motion in favour of the body's. */
 #include "scene/pins.h"
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/scene.h"
 #include "scene/tools.h"
 

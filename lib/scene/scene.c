@@ -1,4 +1,7 @@
 /* How scenes begin and end. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/stream.h"
 #include "scene/attempt.h"
 #include "scene/cuts.h"
 #include "scene/pins.h"

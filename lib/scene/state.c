@@ -1,4 +1,6 @@
 /* The state of a scene and all its bodies: saved, hashed and restored. */
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "scene/cuts.h"
 #include "scene/meshes.h"
 #include "scene/pins.h"

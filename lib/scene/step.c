@@ -3,6 +3,7 @@
  * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
  * made again, in halves; after the last the step is cut short where it would harm. In real time a call does no more
  * than so much of it, and the next goes on (call.c). */
+#include "base/error.h"
 #include "scene/attempt.h"
 #include "scene/cuts.h"
 #include "scene/events.h"

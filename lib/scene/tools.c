@@ -2,6 +2,8 @@
  *
  * Before a step they are told where to go and how far to close; then the jaws move evenly, as their body
  * does, and after it the grasper is shown what became of it. */
+#include "base/check.h"
+#include "base/error.h"
 #include "scene/events.h"
 #include "scene/paper.h"
 #include "scene/pins.h"

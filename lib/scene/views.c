@@ -1,4 +1,5 @@
 /* Looks at a scene's arrays. */
+#include "base/error.h"
 #include "scene/scene.h"
 
 vbss_result vbss_scene_get_view(vbss_scene *scene, vbss_scene_field field, vbss_view *view,

@@ -1,4 +1,5 @@
 /* The state of a scene's step that waits (call.c): where it is, not what has been found. */
+#include "base/stream.h"
 #include "scene/scene.h"
 #include "scene/step.h"
 

@@ -1,4 +1,5 @@
 /* What the task tells: the newest events in a ring, with a number each. */
+#include "base/error.h"
 #include "session/session.h"
 
 _Static_assert(sizeof(vbss_session_event) == 120, "published size");

@@ -1,4 +1,5 @@
 /* Devices: what hands do goes to the tools before the step, what tools feel goes back after it. */
+#include "base/error.h"
 #include "session/session.h"
 
 _Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_DRIVER &&

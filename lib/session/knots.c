@@ -1,4 +1,5 @@
 /* The thread and the tools as the knot detector wants them, and what it says. */
+#include "base/error.h"
 #include "knot/knot.h"
 #include "session/session.h"
 

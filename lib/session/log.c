@@ -1,4 +1,5 @@
 /* The log of a session is that of its scene, with marks: hashes of the task, which a replay must come to as well. */
+#include "base/error.h"
 #include "session/session.h"
 
 vbss_result vbss_session_check_record(const session_object *s, vbss_record *record)

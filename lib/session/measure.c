@@ -1,4 +1,5 @@
 /* What the metrics are told: where the tools are, and of each event what they know of it. */
+#include "base/error.h"
 #include "session/session.h"
 
 /* The metrics' kind of event; 0: none of theirs. */

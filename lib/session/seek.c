@@ -1,5 +1,8 @@
 /* A session that follows a log goes to a step of it: scene and session are restored from their newest states there, and the
  * steps from there on are made. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "session/session.h"
 
 static vbss_result check_scene(const session_object *s, const replay_object *p)
@@ -20,7 +23,12 @@ static vbss_result restore(const vbss_slot *slot, const session_object *s, repla
                          "the scene after step %llu is not the recorded one",
                          (unsigned long long)state->number);
     }
-    return vbss_object_restore(slot, &vbss_session_kind, state->bytes, state->count);
+    log_unpacked unpacked;
+    VBSS_TRY(vbss_log_unpack_snapshot(s->context, state, &unpacked));
+    vbss_result result =
+        vbss_object_restore(slot, &vbss_session_kind, unpacked.bytes, unpacked.count);
+    vbss_log_release_snapshot(s->context, &unpacked);
+    return result;
 }
 
 /* A state with the right checksum may be refused all the same, when the scene has been restored: there is a way back. */
@@ -38,9 +46,7 @@ static vbss_result restore_or_stay(const vbss_slot *slot, const session_object *
     if (result == VBSS_OK) {
         result = restore(slot, s, p, state);
         if (result != VBSS_OK) {
-            p->log = before.log;
-            p->report = before.report;
-            p->stopped = before.stopped;
+            vbss_replay_go_back(p, &before);
             (void)vbss_scene_restore(s->scene, bytes, count); /* its own state of a moment ago */
         }
     }

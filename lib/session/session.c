@@ -1,4 +1,7 @@
 /* How sessions begin and end, and what they say of themselves. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "device/device.h"
 #include "knot/knot.h"
 #include "metrics/metrics.h"

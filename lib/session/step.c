@@ -1,6 +1,8 @@
 /* One step of the task:
  *   devices -> scene step -> knots -> metrics -> forces out -> record
  * After the scene's step nothing is taken back. */
+#include "base/check.h"
+#include "base/error.h"
 #include "session/session.h"
 
 static vbss_result check_begin(const session_object *s)

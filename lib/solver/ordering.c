@@ -4,6 +4,7 @@
  * them. A run without any is eliminated from both ends to the middle in turn: two chains of
  * arithmetic that do not wait for each other. Chains that are no lines bring their order. */
 #include "base/bits.h"
+#include "base/error.h"
 #include "solver/solver.h"
 
 #include <string.h>

@@ -1,6 +1,10 @@
 /* The motion of a rigid body: free flight, its equations in the system, what follows for velocities. */
 #include "solver/rigid.h"
 
+#include "base/error.h"
+#include "base/rotation.h"
+#include "base/stream.h"
+
 /* The most that a body turns in one part, half of what could be told from turning the other way: a
  * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. */
 #define MOST_TURN 1.5707963267948966

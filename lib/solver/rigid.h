@@ -12,8 +12,12 @@
 #ifndef VBSS_SOLVER_RIGID_H
 #define VBSS_SOLVER_RIGID_H
 
-#include "base/base.h"
+#include <vblast_ss/base.h>
+
+#include "base/linear.h"
 #include "solver/solver.h"
+
+typedef struct vbss_stream vbss_stream;
 
 /* ---- the body */
 

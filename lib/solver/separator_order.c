@@ -6,6 +6,7 @@
  * joined again; a quarter of their l (l - 1) pairs is taken off. Of equals the one with the lowest block.
  * The graph is kept as rows of bits, so that eliminating is a few words or'ed together. */
 #include "base/bits.h"
+#include "base/error.h"
 #include "solver/solver.h"
 
 #include <string.h>

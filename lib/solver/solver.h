@@ -16,7 +16,11 @@
 #ifndef VBSS_SOLVER_SOLVER_H
 #define VBSS_SOLVER_SOLVER_H
 
-#include "base/base.h"
+#include <stddef.h>
+
+#include <vblast_ss/base.h>
+
+#include "base/linear.h"
 #include "base/wide.h"
 #include "solver/block.h"
 

@@ -1,4 +1,6 @@
 /* The system's life, and what bodies register in it. */
+#include "base/error.h"
+#include "base/memory.h"
 #include "solver/solver.h"
 
 #include <string.h>

@@ -4,6 +4,7 @@
  * (docs/stitch.md), continuous up to its curvature. Its span k is that of segment k; its arc length is the same spline of the
  * nodes' arc lengths. Where the thread ends the spline ends in its last node, and the curve goes on straight. At the swage it
  * begins in the needle's end, along the needle. */
+#include "base/elementary.h"
 #include "suture/suture.h"
 
 #include <string.h>

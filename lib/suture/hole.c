@@ -1,4 +1,5 @@
 /* What a hole does to the suture in it: bears it across, rubs along. */
+#include "base/stream.h"
 #include "suture/suture.h"
 
 /* From this version of the stream on threads are in holes. */

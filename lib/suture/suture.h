@@ -7,12 +7,14 @@
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H
 
-#include "base/base.h"
+#include "base/linear.h"
 #include "contact/contact.h"
 #include "drain/drain.h"
 #include "needle/needle.h"
 
 #include "thread/thread.h"
+
+typedef struct vbss_stream vbss_stream;
 
 typedef struct suture_hole {
     uint32_t id;     /* 0: free */

@@ -1,4 +1,7 @@
 /* What acts on single nodes. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
 #include "thread/thread.h"
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "published size");

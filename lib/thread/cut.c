@@ -1,4 +1,6 @@
 /* Cutting a thread in two. */
+#include "base/check.h"
+#include "base/error.h"
 #include "thread/thread.h"
 
 #include <string.h>

@@ -1,4 +1,6 @@
 /* Rest lengths that are fine at one place and grow away from it. */
+#include "base/check.h"
+#include "base/error.h"
 #include "thread/thread.h"
 
 enum { MOST_SEGMENTS = 65536 };

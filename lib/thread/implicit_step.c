@@ -4,6 +4,7 @@
  * motion is smooth. Where a motion starts (a new thread, a changed attachment), a very short step of
  * backward Euler finds the accelerations first. A try that does not converge is undone and made again
  * in halves, by backward Euler. */
+#include "base/error.h"
 #include "thread/thread.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
 /* What follows from rest lengths and attachments, worked out when one of them has changed. */
+#include "base/error.h"
 #include "thread/thread.h"
 
 #include <string.h>

@@ -2,6 +2,7 @@
  *   forces -> velocities (symplectic Euler) -> damping -> positions -> projection, velocities.
  * A section whose projection does not converge keeps the positions before it: its held nodes are in
  * their places, it may be stretched, and its springs work against that. */
+#include "base/error.h"
 #include "thread/paper.h"
 
 /* Spring constants that are chosen, as a share of what is stable. */

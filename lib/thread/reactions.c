@@ -1,4 +1,6 @@
 /* What attachments do to the thread: worked out at the end of each step, kept until the next. */
+#include "base/config.h"
+#include "base/error.h"
 #include "thread/thread.h"
 
 _Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");

@@ -1,4 +1,6 @@
 /* The state of a thread: what is saved, hashed and restored. */
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "thread/mesh.h"
 
 #include <string.h>

@@ -1,4 +1,9 @@
 /* How threads begin and end. */
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/stream.h"
 #include "thread/mesh.h"
 
 #include <string.h>

@@ -8,7 +8,8 @@
 
 #include <vblast_ss/thread.h>
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/slot.h"
 #include "solver/solver.h"
 
 /* Neighbours to either side that a bending energy reaches; one more from the node of a clamp. */

@@ -1,4 +1,6 @@
 /* Looking at a thread: arrays, energies, momentum, counters. */
+#include "base/config.h"
+#include "base/error.h"
 #include "thread/mesh.h"
 
 _Static_assert(sizeof(vbss_view) == 32 + sizeof(void *), "published size");

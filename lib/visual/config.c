@@ -1,4 +1,6 @@
 /* What a visual may be: defaults, and every number checked. */
+#include "base/check.h"
+#include "base/error.h"
 #include "visual/visual.h"
 
 _Static_assert(sizeof(vbss_visual_config) == 104, "published size");

@@ -1,4 +1,5 @@
 /* Lofts: a section carried along a line, ring by ring, with domes at its ends. */
+#include "base/elementary.h"
 #include "visual/visual.h"
 
 /* ---- sections */

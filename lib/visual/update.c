@@ -1,5 +1,7 @@
 /* A frame: a part for each body of what is shown. It is written beside the one that is seen, and takes its place when all of it
  * fits. */
+#include "base/check.h"
+#include "base/error.h"
 #include "visual/visual.h"
 
 /* ---- parts and spots */

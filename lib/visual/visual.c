@@ -1,6 +1,10 @@
 /* How visuals begin and end, what they are told to show, and what they hand out. */
 #include "visual/visual.h"
 
+#include "base/check.h"
+#include "base/error.h"
+#include "base/stream.h"
+
 _Static_assert(sizeof(visual_vertex) == 48, "floats side by side");
 _Static_assert(sizeof(visual_spot) == 24, "floats side by side");
 _Static_assert(sizeof(visual_part) == 32, "numbers side by side");

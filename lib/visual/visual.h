@@ -10,7 +10,8 @@
 
 #include <vblast_ss/visual.h>
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/slot.h"
 #include "scene/scene.h"
 
 /* Sides of a section; points of one, where a seam or creases double some. */

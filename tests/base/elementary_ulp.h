@@ -7,8 +7,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "base/base.h"
 #include "base/double_double.h"
+#include "base/elementary.h"
+#include "base/random.h"
 
 /* How far the reference itself may be off, in ulp of double: two of its own last bits, or a whole
  * libm where long double is no longer than double. */

@@ -1,5 +1,7 @@
 #include <string.h>
 
+#include "base/check.h"
+#include "base/config.h"
 #include "harness/harness.h"
 
 static vbss_result init_context_config(void *config, uint32_t struct_size)

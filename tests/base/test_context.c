@@ -1,5 +1,7 @@
 #include <string.h>
 
+#include "base/error.h"
+#include "base/memory.h"
 #include "harness/harness.h"
 #include "scenes/rod.h"
 

@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "base/rotation.h"
 #include "harness/harness.h"
 
 static const double pi = 0x1.921fb54442d18p1;

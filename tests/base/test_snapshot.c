@@ -1,6 +1,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/snapshot.h"
 #include "harness/harness.h"
 #include "scenes/rod_body.h"
 

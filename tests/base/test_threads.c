@@ -1,5 +1,6 @@
 #include <pthread.h>
 
+#include "base/snapshot.h"
 #include "harness/harness.h"
 #include "scenes/rod_body.h"
 

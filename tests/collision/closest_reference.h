@@ -5,6 +5,7 @@
 
 #include <string.h>
 
+#include "base/check.h"
 #include "harness/harness.h"
 
 /* Capsules are asked with the radius 0.125. */

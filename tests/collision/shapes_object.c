@@ -1,5 +1,7 @@
 #include "collision/shapes_object.h"
 
+#include "base/error.h"
+
 static const uint32_t triangles[] = {0, 1, 2, 2, 1, 3};
 static const double rest_lengths[] = {1.0, 1.0, 1.0, 1.0, 1.0};
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/check.h"
 #include "collision/shapes_model.h"
 
 /* ---- swept boxes, not enlarged */

@@ -2,6 +2,7 @@
 #include <fenv.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "query.h"
 #include "shapes_model.h"
 

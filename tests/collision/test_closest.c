@@ -1,4 +1,5 @@
 /* Closest points of features at rest: the smallest distance there is, in answers that are whole. */
+#include "base/elementary.h"
 #include "closest_reference.h"
 
 /* ---- features at random */

@@ -1,5 +1,6 @@
 /* CONSERVATIVE with thickness: no hit is missed, none is invented beyond the tolerance, and no contact
  * comes before the time that is told. */
+#include "base/check.h"
 #include "query.h"
 
 /* Queries of a family; the thread has its own number. */

@@ -1,5 +1,6 @@
 /* One continuous question: what an answer holds, what it stands on, what is counted. Whether it is true:
  * test_conservative.c, test_degenerate.c. */
+#include "base/check.h"
 #include "query.h"
 #include "shapes_model.h"
 

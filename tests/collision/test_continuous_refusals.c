@@ -2,6 +2,7 @@
  * callback. */
 #include <fenv.h>
 
+#include "base/error.h"
 #include "query.h"
 #include "shapes_model.h"
 

@@ -1,4 +1,5 @@
 /* The exact decision without thickness, and the certain crossings that spare it: against the oracle. */
+#include "base/check.h"
 #include "collision/conservative.h"
 #include "collision/crossing.h"
 #include "collision/exact.h"

@@ -1,4 +1,5 @@
 /* The oracle of knot types against knots whose invariants are known by other means, and against itself. */
+#include "base/elementary.h"
 #include "oracle/knot_type.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
 /* The knots of the scenes are the knots they are called, and calm ones. */
+#include "base/elementary.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scenes/knots.h"

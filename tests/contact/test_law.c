@@ -1,4 +1,5 @@
 /* The law of a row: what it presses and rubs with, how that changes, and which state comes next. */
+#include "base/elementary.h"
 #include "few_blocks.h"
 
 static const double k = 2e5;

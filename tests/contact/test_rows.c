@@ -1,4 +1,5 @@
 /* The list of rows, and what is remembered of them from part to part. */
+#include "base/error.h"
 #include "few_blocks.h"
 
 typedef struct list {

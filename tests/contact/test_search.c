@@ -1,4 +1,5 @@
 /* The search for states where solves lead too far: what cycled without end is found, and is the law. */
+#include "base/elementary.h"
 #include "few_blocks.h"
 
 /* A node of a fine thread: mass / h^2 is a hundredth of the r of the law. */

@@ -1,4 +1,5 @@
 /* Rows of what slides in a sleeve: elastic across, and along up to what friction bears; beyond that a damper in series. */
+#include "base/elementary.h"
 #include "few_blocks.h"
 
 static const double k = FEW_SLEEVE_STIFFNESS, least = FEW_SLEEVE_LEAST;

@@ -1,4 +1,5 @@
 /* A block on a slope, part after part by backward Euler, against what is known of it. */
+#include "base/elementary.h"
 #include "few_blocks.h"
 
 static const double g = 9.81, mass = 0.01, h = 1e-3;

@@ -1,4 +1,5 @@
 /* States and increments found together: what comes out is the law and balance, whatever went in. */
+#include "base/elementary.h"
 #include "few_blocks.h"
 
 /* ---- the answer is right: every row as the law says, every block in balance */

@@ -1,4 +1,5 @@
 /* A node that is a point of a body: the reduced system against the whole one with its constraint. */
+#include "base/elementary.h"
 #include "few_blocks.h"
 #include "solver/plain_solve.h"
 

@@ -2,10 +2,11 @@
 hash compared with tests/golden/<scene>.txt; and logs that one build has written, replayed by each of
 them, every step's hash compared with that in the log. One table, one verdict.
 
-    matrix.py --work FOLDER [--only NAME ...] [--without NAME ...] [--program FILE] [--writer FILE] [--canary]
+    matrix.py --work FOLDER [--only NAME ...] [--program FILE] [--writer FILE] [--canary]
+    matrix.py --list
 
+--list     prints the names of all rows of BUILDS, and nothing else happens
 --only     these rows of BUILDS instead of all
---without  all rows of BUILDS but these
 --program  a golden program that is already built, as one more row
 --writer   a vbss_replay_log that is already built: it writes the logs that are replayed; without it none are
 --canary   builds that must differ, and passes only if they do and are named
@@ -177,19 +178,24 @@ def canaries(work, program, golden, logs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--work", required=True, type=pathlib.Path)
+    parser.add_argument("--list", action="store_true")
+    parser.add_argument("--work", type=pathlib.Path)
     parser.add_argument("--only", nargs="+", choices=BUILDS, default=[])
-    parser.add_argument("--without", nargs="+", choices=BUILDS, default=[])
     parser.add_argument("--program", type=pathlib.Path)
     parser.add_argument("--writer", type=pathlib.Path)
     parser.add_argument("--canary", action="store_true")
     arguments = parser.parse_args()
+    if arguments.list:
+        print("\n".join(BUILDS))
+        return
+    if arguments.work is None:
+        parser.error("--work is missing")
     golden, begin = read_golden(), time.monotonic()
-    names = arguments.only or ([] if arguments.program else [n for n in BUILDS if n not in arguments.without])
+    names = arguments.only or ([] if arguments.program else list(BUILDS))
     print_row("build", "compiler", "flags", "scenes", "hashes", "replayed", "first difference", "make s", "run s")
     bad, logs = [], {}
     if arguments.writer:
-        logs = write_logs(arguments.writer, arguments.work / "logs")
+        logs = write_logs(arguments.writer, arguments.work / ("logs-" + "-".join(arguments.only or ["all"])))
     if arguments.canary:
         bad = canaries(arguments.work, arguments.program, golden, logs)
     else:

@@ -10,7 +10,7 @@
 
 #include <vblast_ss/vblast_ss.h>
 
-#include "base/base.h"
+#include "base/error.h"
 #include "fuzz/fuzz.h"
 #include "scenes/stitch_scenes.h"
 

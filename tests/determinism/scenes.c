@@ -5,6 +5,11 @@
 #include <vblast_ss/needle.h>
 #include <vblast_ss/visual.h>
 
+#include "base/hash.h"
+#include "base/random.h"
+#include "base/rotation.h"
+#include "base/snapshot.h"
+#include "base/stream.h"
 #include "scenes/collision_sets.h"
 #include "scenes/device_run.h"
 #include "scenes/drain_hands.h"

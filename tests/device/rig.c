@@ -1,5 +1,7 @@
 #include "device/rig.h"
 
+#include "base/rotation.h"
+
 #include <string.h>
 
 void device_rig_hand(void *user, double time, vbss_device_sample *sample)

@@ -1,6 +1,7 @@
 /* Adapters of the host: opened, described, refused, closed; what they say, and newer ones than this library. */
 #include <string.h>
 
+#include "base/error.h"
 #include "device/rig.h"
 
 /* ---- an adapter of the host that keeps a diary */

@@ -1,6 +1,8 @@
 /* Between frames: where positions, orientations, velocities and forces go, and that they come back. */
 #include <string.h>
 
+#include "base/check.h"
+#include "base/rotation.h"
 #include "device/device.h"
 #include "harness/harness.h"
 

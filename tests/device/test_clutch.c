@@ -1,6 +1,7 @@
 /* Clutch, re-centring, calibrating anew, workspace, and what of a force reaches a hand. */
 #include <string.h>
 
+#include "base/rotation.h"
 #include "device/rig.h"
 
 static void begin(device_rig *r)

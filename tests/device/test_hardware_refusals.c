@@ -1,6 +1,7 @@
 /* Real hardware that is not there, names that are wrong, settings that are refused, handles, memory. */
 #include <string.h>
 
+#include "base/error.h"
 #include "device/hardware_rig.h"
 
 static void expect_no_arms(hardware_rig *r, vbss_result wanted, const char *text)

@@ -1,4 +1,5 @@
 /* Handles of devices, calls from inside callbacks, and where memory goes. */
+#include "base/error.h"
 #include "device/rig.h"
 #include "scenes/device_run.h"
 

@@ -1,6 +1,8 @@
 /* Mouse, keyboard and gamepad: what their movements make of a pose. */
 #include <string.h>
 
+#include "base/error.h"
+#include "base/rotation.h"
 #include "device/device.h"
 #include "harness/harness.h"
 

@@ -1,4 +1,5 @@
 /* Velocities out of poses: right for constant ones, filtered as documented for others. */
+#include "base/rotation.h"
 #include "device/device.h"
 #include "harness/harness.h"
 

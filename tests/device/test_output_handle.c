@@ -1,6 +1,7 @@
 /* The output stage behind its handle: limits, commands, steps without one. */
 #include <string.h>
 
+#include "base/snapshot.h"
 #include "device/device.h"
 #include "harness/harness.h"
 

@@ -1,4 +1,6 @@
 /* Output stages behind handles: sizes of their structs, going back to what was saved, memory. */
+#include "base/error.h"
+#include "base/snapshot.h"
 #include "device/device.h"
 #include "harness/harness.h"
 #include "scenes/device_run.h"

@@ -1,6 +1,7 @@
 /* The size protocol of all structs that cross the border, in all directions. */
 #include <string.h>
 
+#include "base/error.h"
 #include "device/rig.h"
 
 /* ---- structs that come in */

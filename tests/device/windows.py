@@ -51,7 +51,7 @@ def soak(source, *seeds):
         # A Windows of our own, which stays up until the end: to start it takes longer than a test does.
         options = {"cwd": source, "env": {**os.environ, "WINEPREFIX": prefix, "WINEDEBUG": "-all"}}
         good = (quietly("cmake", "--preset", "windows", **options)
-                and quietly("cmake", "--build", "--preset", "windows", **options)
+                and quietly("cmake", "--build", "--preset", "windows", "--target", "all", "slow_programs", **options)
                 and quietly("wineserver", "--persistent", **options) and quietly("wineboot", "--init", **options))
         try:
             return (good and subprocess.run(["ctest", "--preset", "windows"], **options).returncode == 0

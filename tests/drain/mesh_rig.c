@@ -1,5 +1,7 @@
 #include "drain/mesh_rig.h"
 
+#include "base/elementary.h"
+
 /* ---- options */
 
 drain_mesh_options mesh_rig_options(drain_mesh_kind kind)

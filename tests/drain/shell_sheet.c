@@ -1,5 +1,7 @@
 #include "drain/shell_sheet.h"
 
+#include "base/elementary.h"
+
 typedef struct random_sheet {
     harness_source *source;
     double columns, rows, turn;

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "drain/drain_rig.h"
 
 /* ---- the size protocols */

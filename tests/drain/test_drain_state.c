@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "drain/drain.h"
 #include "drain/drain_rig.h"
 

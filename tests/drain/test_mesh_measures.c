@@ -1,4 +1,5 @@
 /* Areas, widths, and that the left half mirrors the right to the bit. */
+#include "base/elementary.h"
 #include "drain/mesh_rig.h"
 
 #include <string.h>

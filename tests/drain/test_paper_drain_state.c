@@ -1,4 +1,5 @@
 /* Method PAPER: its configuration, what is saved, and what a step must not do. */
+#include "base/error.h"
 #include "drain/paper_drain_rig.h"
 
 #include "drain/mesh_rig.h"

@@ -1,4 +1,5 @@
 /* Bent strips: plate theory, beams with free edges, and the elastica. */
+#include "base/elementary.h"
 #include "drain/shell_rig.h"
 
 #include "harness/harness.h"

@@ -1,5 +1,6 @@
 /* The pinched cylinder with end diaphragms (reference: Lindberg, Olson, Cowper 1969): R = 300, L = 600, t = 3,
  * E = 3e6, nu = 0.3, unit forces; they move by 1.8248e-5. */
+#include "base/elementary.h"
 #include "drain/shell_rig.h"
 
 #include "harness/harness.h"

@@ -1,4 +1,5 @@
 /* What a shell refuses, what it tells of triangles that are turned over, and what it weighs. */
+#include "base/elementary.h"
 #include "drain/shell_rig.h"
 
 #include "harness/harness.h"

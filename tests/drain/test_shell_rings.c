@@ -1,4 +1,5 @@
 /* Rings and tubes against closed solutions. All linear: one step from rest under tiny loads. */
+#include "base/elementary.h"
 #include "drain/shell_rig.h"
 
 #include "harness/harness.h"

@@ -1,7 +1,8 @@
 #include <string.h>
 
-#include "base/base.h"
+#include "base/hash.h"
 #include "base/little_endian.h"
+#include "base/stream.h"
 #include "fuzz/fuzz.h"
 
 #define SNAPSHOT VBSS_CODE('S', 'N', 'A', 'P')
@@ -37,18 +38,22 @@ void seal_log(uint8_t *bytes, size_t count)
     }
     memcpy(before, bytes, 8);
     for (size_t at = 8; count - at >= 16;) {
-        size_t length = (size_t)load_little_endian(bytes + at, 4);
-        if (length > count - at - 16) {
+        const bool coded = (bytes[at + 3] & 0xc0u) == 0xc0u; /* a step as bits */
+        size_t front = coded ? 4 : 8;
+        size_t length = (size_t)load_little_endian(bytes + at, front / 2);
+        if (length > count - at - front - 8 || (coded && length > 0x3fff)) {
             return;
         }
-        store_little_endian(bytes + at + 4, ~(uint64_t)length, 4);
-        seal_inside(bytes + at + 8, length);
+        store_little_endian(bytes + at + front / 2, ~(uint64_t)length, front / 2);
+        if (!coded) {
+            seal_inside(bytes + at + front, length);
+        }
         vbss_hash hash;
         vbss_hash_begin(&hash);
         vbss_hash_add(&hash, before, 8);
-        vbss_hash_add(&hash, bytes + at, 8 + length);
+        vbss_hash_add(&hash, bytes + at, front + length);
         store_little_endian(before, vbss_hash_end(&hash), 8);
-        memcpy(bytes + at + 8 + length, before, 8);
-        at += 16 + length;
+        memcpy(bytes + at + front + length, before, 8);
+        at += front + length + 8;
     }
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/base.h"
+#include "base/random.h"
 #include "fuzz/fuzz.h"
 
 enum { CUTS = 40, CHANGES = 60 };

@@ -1,9 +1,9 @@
 """No fused multiply-add anywhere, even when the build allows the processor to have it: a fused
 operation rounds once where two instructions round twice, so the bits would depend on the machine.
 
-determinism.matrix builds the library by its own CMake rules by gcc and clang, for x86-64-v3 and v4 (AVX-512
-has fused instructions of its own, which -mno-fma leaves) and for three other architectures whose baseline has
-them, and every instruction is looked at. So is what compilers like best to fuse (fusible.c), so that wrong
+The tests determinism.matrix.<row> build the library by its own CMake rules by gcc and clang, for x86-64-v3 and v4
+(AVX-512 has fused instructions of its own, which -mno-fma leaves) and for three other architectures whose baseline
+has them. This gate looks at every instruction of the row that is its part. So it does at what compilers like best to fuse (fusible.c), so that wrong
 flags show before our own code meets them."""
 import re
 
@@ -42,14 +42,10 @@ def check(g, what, machine, objdump, *files):
 
 
 def look(g):
-    complaints = []
-    for compiler in ("gcc", "clang"):
-        for level in ("v3", "v4"):
-            complaints += check_row(g, f"{compiler}-O3-{level}", "x86_64", "objdump")
-        for machine in OTHERS:
-            row = machine + ("-clang" if compiler == "clang" else "")
-            complaints += check_row(g, row, machine, machine + "-linux-gnu-objdump")
-    return complaints
+    machine = g.part.removesuffix("-clang")
+    if machine in OTHERS:
+        return check_row(g, g.part, machine, machine + "-linux-gnu-objdump")
+    return check_row(g, g.part, "x86_64", "objdump")
 
 
 def check_row(g, row, machine, objdump):

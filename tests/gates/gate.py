@@ -15,7 +15,9 @@ import shutil
 import subprocess
 import sys
 
-LIBRARY_ONLY = ["-DVBSS_BUILD_TESTS=OFF", "-DVBSS_BUILD_EXAMPLES=OFF", "-DVBSS_BUILD_BENCH=OFF"]
+# No compiler cache: it leaves out call graphs, and would hand one folder's object to another folder's build.
+LIBRARY_ONLY = ["-DVBSS_BUILD_TESTS=OFF", "-DVBSS_BUILD_EXAMPLES=OFF", "-DVBSS_BUILD_BENCH=OFF",
+                "-DCMAKE_C_COMPILER_LAUNCHER="]
 
 
 class Problem(Exception):
@@ -44,12 +46,11 @@ class Gate:
         return pathlib.Path(self.settings[kind])
 
     def row(self, name):
-        """The build of a row of determinism.compilers or determinism.matrix, which those leave behind."""
-        folders = [pathlib.Path(self.settings[test]) / name for test in ("compilers", "matrix")]
-        found = [folder for folder in folders if folder.is_dir()]
-        if not found:
-            raise Problem(f"determinism.compilers and determinism.matrix have left no {name}")
-        return found[0]
+        """The build that the test determinism.matrix.<name> leaves behind."""
+        folder = pathlib.Path(self.settings["matrix"]) / name
+        if not folder.is_dir():
+            raise Problem(f"determinism.matrix.{name} has not been run, so there is no build to look at")
+        return folder
 
     def run(self, *command, code=0, **options):
         """The output of a command that must end with the given code (None: any, then a pair)."""
@@ -142,9 +143,12 @@ def run_canaries(gate, canaries):
 
 
 def main(name, look, canaries):
+    """look(gate) gives complaints. The command line may name a part of the subject, which look finds in gate.part."""
     canary = "--canary" in sys.argv[2:]
-    full_name = name + (".canary" if canary else "")
-    gate = Gate(name, sys.argv[1], canary)
+    part = next((word for word in sys.argv[2:] if not word.startswith("--")), None)
+    full_name = name + (f".{part}" if part else "") + (".canary" if canary else "")
+    gate = Gate(name + (f".{part}" if part else ""), sys.argv[1], canary)
+    gate.part = part
     complaints = run_canaries(gate, canaries) if canary else complaints_of(look, gate)
     for complaint in complaints:
         print("  " + complaint)

@@ -14,8 +14,7 @@ ONLY = {"contact": {"base", "collision", "solver"}, "metrics": {"base"}}
 STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
             "stdint.h", "stdio.h", "stdlib.h", "string.h"}
 SYSTEM = {"cpuid.h",                     # which copy of the hot loops, on x86
-          "malloc.h",                    # _aligned_malloc on Windows
-          "sanitizer/asan_interface.h"}  # poison for the arena, under ASan only
+          "malloc.h"}                    # _aligned_malloc on Windows
 # Libraries loaded at run time, and a thread for lines that make one wait: in these files alone.
 PLATFORM = {"dlfcn.h", "pthread.h", "time.h", "windows.h"}
 PLATFORM_FILES = {"lib/device/dynamic_library.c", "lib/device/io_thread.c", "lib/device/platform.h"}
@@ -97,7 +96,7 @@ CANARIES = [
      r"which is neither"),
     ("a folder nobody placed", with_file("lib/misc/canary.c", ""), r"lib/misc is no layer"),
     ("what is allowed",
-     with_file("lib/contact/canary.c", '#include <math.h>\n#include "base/base.h"\n'), None),
+     with_file("lib/contact/canary.c", '#include <math.h>\n#include "base/error.h"\n'), None),
 ]
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/snapshot.h"
 #include "grasper/grasper.h"
 #include "harness/harness.h"
 

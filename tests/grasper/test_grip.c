@@ -1,4 +1,6 @@
 /* What is held stays up to the limits of friction and pressure; beyond them it gives way to just them. */
+#include "base/elementary.h"
+#include "base/rotation.h"
 #include "held.h"
 
 static void the_limit_is_friction_of_both_faces(void **state)

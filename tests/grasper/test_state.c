@@ -1,4 +1,6 @@
 /* A grasper is saved with all that it was told and shows, and restored to the same bits. */
+#include "base/error.h"
+#include "base/rotation.h"
 #include "fixture.h"
 
 /* ---- a life: told new things every step, shown what a scene would find */

@@ -1,4 +1,5 @@
 /* The shaft goes through its trocar, turned the shortest way from what was told. */
+#include "base/rotation.h"
 #include "fixture.h"
 
 /* Of the trocar from the axis of the shaft, and how far it is up the shaft from the bend. */

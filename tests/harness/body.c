@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "base/little_endian.h"
+#include "base/snapshot.h"
 #include "harness/harness.h"
 
 typedef struct living {

@@ -16,7 +16,10 @@
 
 #include <vblast_ss/vblast_ss.h>
 
-#include "base/base.h"
+#include "base/compiler.h"
+#include "base/linear.h"
+#include "base/random.h"
+#include "base/slot.h"
 
 #define harness_test(function) cmocka_unit_test_teardown(function, harness_after)
 int harness_after(void **state);

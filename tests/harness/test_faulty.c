@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/memory.h"
 #include "determinism/scenes.h"
 #include "harness/harness.h"
 #include "scenes/rod_body.h"

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/snapshot.h"
 #include "harness/blocks.h"
 #include "harness/harness.h"
 #include "scenes/rod_body.h"

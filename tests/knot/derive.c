@@ -1,5 +1,7 @@
 #include "knot/derive.h"
 
+#include "base/elementary.h"
+
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 #ifndef VBSS_TESTS_KNOT_DERIVE_H
 #define VBSS_TESTS_KNOT_DERIVE_H
 
+#include "base/random.h"
 #include "knot/judge.h"
 #include "scenes/swept.h"
 

@@ -1,5 +1,7 @@
 #include "knot/detector_rig.h"
 
+#include "base/elementary.h"
+
 #define TURN 6.28318530717958648
 
 static const detector_rig *last_begun;

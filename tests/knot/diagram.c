@@ -1,5 +1,7 @@
 #include "knot/diagram.h"
 
+#include "base/elementary.h"
+
 #include <stdlib.h>
 #include <string.h>
 

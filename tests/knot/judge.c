@@ -1,6 +1,8 @@
 /* Asking a detector, and counting what it says. */
 #include "knot/judge.h"
 
+#include "base/error.h"
+
 #include <stdio.h>
 #include <string.h>
 

@@ -1,6 +1,7 @@
 /* Invariants of sums of throws are those of the table in the reference, and tell every sum of at most eight of them. */
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "knot/knot.h"
 
 #include "harness/harness.h"

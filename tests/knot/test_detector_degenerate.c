@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "knot/odd_thread.h"
 
 /* ---- flat */

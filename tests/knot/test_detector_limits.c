@@ -1,6 +1,7 @@
 /* Knots that are symmetric, as long, as large or as small as allowed, or have too many crossings. */
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "knot/odd_thread.h"
 
 static void expect_uncertain(vbss_knot_reason reason)

@@ -1,5 +1,6 @@
 /* Method PROJECTION counts what it counts in the eight cases in which it was first seen to fail, and what
  * there is to count is worked out here. */
+#include "base/elementary.h"
 #include "knot/paper_rig.h"
 #include "scenes/paper_knot_cases.h"
 

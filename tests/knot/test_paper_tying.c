@@ -1,4 +1,5 @@
 /* Method PROJECTION on throws being tied: what docs/paper-knots.md says of it, to the last count. */
+#include "base/elementary.h"
 #include "knot/paper_rig.h"
 #include "oracle/knot_type.h"
 #include "scenes/paper_tying.h"

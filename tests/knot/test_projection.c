@@ -1,4 +1,5 @@
 /* Diagrams of closed polygons: known knots, the same knot from everywhere, and what is refused. */
+#include "base/elementary.h"
 #include "knot/diagram.h"
 
 #include <string.h>

@@ -1,4 +1,5 @@
 /* A reduction removes what has nothing in its way, and only that. */
+#include "base/elementary.h"
 #include "knot/reduction_rig.h"
 
 enum { RING = 24 };

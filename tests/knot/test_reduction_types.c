@@ -1,6 +1,7 @@
 /* A reduced chain has the knot type that it had, and few vertices. */
 #include <string.h>
 
+#include "base/elementary.h"
 #include "knot/reduction_rig.h"
 #include "oracle/knot_type.h"
 #include "scenes/knots.h"

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/elementary.h"
 #include "knot/algebra_room.h"
 
 #define PI 3.141592653589793

@@ -1,4 +1,5 @@
 /* A flat half knot measures near 0, a half hitch on a straight post near 1 or -1, by which limb is straight. */
+#include "base/elementary.h"
 #include "knot/knot.h"
 
 #include "harness/harness.h"

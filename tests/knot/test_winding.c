@@ -1,4 +1,5 @@
 /* Signed turns about a straight tool: helices, what changes their sign and what changes nothing. */
+#include "base/elementary.h"
 #include "harness/harness.h"
 #include "knot/knot.h"
 

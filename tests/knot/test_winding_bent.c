@@ -1,4 +1,6 @@
 /* Signed turns about bent tools, and of any polyline against the sum of its angles. */
+#include "base/elementary.h"
+#include "base/rotation.h"
 #include "knot/winding_rig.h"
 
 static knot_tool bent_tool(harness_source *source, uint32_t points, double bend)

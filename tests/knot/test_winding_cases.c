@@ -1,4 +1,5 @@
 /* Signed turns about a finite tool: what a projection takes for a loop, and strands in the jaws. */
+#include "base/elementary.h"
 #include "knot/winding_rig.h"
 
 /* A shaft of 300 mm from above to the origin. */

@@ -1,4 +1,5 @@
 /* The stories' truth: what the oracle sees when nothing is held, the turns of the thread about the tool, stages. */
+#include "base/elementary.h"
 #include "scenes/wrap_scripts.h"
 
 #include <string.h>

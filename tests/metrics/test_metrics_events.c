@@ -1,4 +1,5 @@
 /* A whole trial told in events, against figures worked out by hand. */
+#include "base/rotation.h"
 #include "fixture.h"
 
 static void deviation_is_the_geodesic_on_the_cylinder(void **state)

@@ -1,4 +1,6 @@
 /* What a needle can be made of: the size protocol, defaults, known needles, every bad number, memory that fails. */
+#include "base/check.h"
+#include "base/error.h"
 #include "fixture.h"
 
 static vbss_result init(void *config, uint32_t struct_size)

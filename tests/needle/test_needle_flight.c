@@ -1,4 +1,5 @@
 /* Free flight: what is kept over many steps, how near the true motion is, falling and drag in closed form. */
+#include "base/rotation.h"
 #include "fixture.h"
 #include "solver/rigid_rig.h"
 

@@ -1,4 +1,5 @@
 /* What a needle may be asked for and when: handles, callbacks, scenes; and where it is put. */
+#include "base/check.h"
 #include "fixture.h"
 
 /* ---- structs that go out */

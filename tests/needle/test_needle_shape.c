@@ -1,4 +1,5 @@
 /* What a needle weighs and where its middle line goes, against sums over its volume and circles drawn anew. */
+#include "base/rotation.h"
 #include "fixture.h"
 
 /* ---- the volume of a bent wire, summed up point by point */

@@ -3,6 +3,8 @@
  * count. */
 #include "oracle/knot_type.h"
 
+#include "base/random.h"
+
 #include <stdlib.h>
 #include <string.h>
 

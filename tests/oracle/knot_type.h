@@ -4,6 +4,8 @@
 #ifndef VBSS_TESTS_ORACLE_KNOT_TYPE_H
 #define VBSS_TESTS_ORACLE_KNOT_TYPE_H
 
+#include <stddef.h>
+
 #include "scenes/knots.h"
 
 /* The invariants; equal for equal knots. They tell apart all sums of at most four throws of at most three

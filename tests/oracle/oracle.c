@@ -10,6 +10,9 @@
  * the determinant is zero for all times, its own roots are enough. */
 #include "oracle/oracle.h"
 
+#include <math.h>
+#include <stddef.h>
+
 #include "oracle/polynomial.h"
 
 enum { TRIPLES = 4 };

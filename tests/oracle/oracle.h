@@ -3,6 +3,8 @@
 #ifndef VBSS_TESTS_ORACLE_H
 #define VBSS_TESTS_ORACLE_H
 
+#include <stdbool.h>
+
 #include "scenes/collision_sets.h"
 
 /* D = 0: whether the features meet at some time in [0, 1]. The query's own `hit` is not read. */

@@ -4,7 +4,10 @@
 #ifndef VBSS_TESTS_ORACLE_PASSING_H
 #define VBSS_TESTS_ORACLE_PASSING_H
 
-#include "base/base.h"
+#include <stddef.h>
+#include <stdint.h>
+
+#include "base/linear.h"
 
 /* Segments between consecutive nodes, which move in straight lines, all at the same time. A capsule's axis
  * is a chain of two nodes. */

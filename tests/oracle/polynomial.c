@@ -1,5 +1,7 @@
 #include "oracle/polynomial.h"
 
+#include <stddef.h>
+
 void polynomial_init(polynomial *p)
 {
     p->degree = -1;

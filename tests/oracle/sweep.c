@@ -1,5 +1,7 @@
 #include "oracle/sweep.h"
 
+#include <stddef.h>
+
 #include "oracle/oracle.h"
 
 /* Time is halved this often before exact arithmetic is asked. */

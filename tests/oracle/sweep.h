@@ -3,7 +3,9 @@
 #ifndef VBSS_TESTS_ORACLE_SWEEP_H
 #define VBSS_TESTS_ORACLE_SWEEP_H
 
-#include "base/base.h"
+#include <stdint.h>
+
+#include "base/linear.h"
 
 /* Corners move in straight lines, all at the same time: at any time it lies among its corners of both states, and so
  * in their box, which is exact. */

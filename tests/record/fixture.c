@@ -1,6 +1,9 @@
 #include "fixture.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
 #include "base/little_endian.h"
+#include "record/coded.h"
 
 enum { NODES = 31 };
 
@@ -251,15 +254,19 @@ bool log_next_place(const log_bytes *log, log_place *place)
     if (place->at == log->count) {
         return false;
     }
-    place->next = place->at + 16 + (size_t)load_little_endian(log->bytes + place->at, 4);
+    const uint8_t *record = log->bytes + place->at;
+    place->coded = (record[3] & 0xc0u) == 0xc0u;
+    place->next = place->at + (place->coded ? 12 + (size_t)load_little_endian(record, 2)
+                                            : 16 + (size_t)load_little_endian(record, 4));
     assert_true(place->next <= log->count);
-    place->code = (uint32_t)load_little_endian(log->bytes + place->at + 12, 4);
+    place->code =
+        place->coded ? VBSS_CODE('S', 'T', 'E', 'P') : (uint32_t)load_little_endian(record + 12, 4);
     return true;
 }
 
 log_place log_find(const log_bytes *log, uint32_t code, uint32_t n)
 {
-    log_place place = {0, 0, 0};
+    log_place place = {.next = 0};
     while (n > 0) {
         assert_true(log_next_place(log, &place));
         n -= place.code == code;
@@ -269,7 +276,7 @@ log_place log_find(const log_bytes *log, uint32_t code, uint32_t n)
 
 void log_seal(log_bytes *log)
 {
-    log_place place = {0, 0, 0};
+    log_place place = {.next = 0};
     uint8_t before[8];
     memcpy(before, log->bytes, 8);
     while (log_next_place(log, &place)) {
@@ -280,6 +287,80 @@ void log_seal(log_bytes *log)
         store_little_endian(before, vbss_hash_end(&hash), 8);
         memcpy(log->bytes + place.next - 8, before, 8);
     }
+}
+
+static void append_section(log_bytes *log, const uint8_t *section, size_t count)
+{
+    log->bytes = realloc(log->bytes, log->count + count + 16);
+    assert_non_null(log->bytes);
+    store_little_endian(log->bytes + log->count, count, 4);
+    store_little_endian(log->bytes + log->count + 4, ~(uint64_t)count, 4);
+    memcpy(log->bytes + log->count + 8, section, count);
+    log->count += count + 16;
+}
+
+static void append_plain_snapshot(vbss_context *context, log_bytes *log, const uint8_t *section,
+                                  size_t count)
+{
+    log_snapshot snapshot = {.number = 0};
+    log_unpacked raw;
+    vbss_stream stream;
+    vbss_stream_begin_read(&stream, section, count);
+    vbss_log_visit_snapshot(&stream, &snapshot);
+    expect_ok(stream.result);
+    expect_ok(vbss_log_unpack_snapshot(context, &snapshot, &raw));
+    const size_t room = (size_t)snapshot.count + 1024;
+    uint8_t *plain = malloc(room);
+    assert_non_null(plain);
+    snapshot.packed_count = 0;
+    vbss_stream_begin_write(&stream, plain, room);
+    vbss_log_visit_snapshot(&stream, &snapshot);
+    expect_ok(stream.result);
+    memcpy(snapshot.place, raw.bytes, raw.count);
+    append_section(log, plain, stream.position);
+    free(plain);
+    vbss_log_release_snapshot(context, &raw);
+}
+
+void log_to_format_2(log_bytes *log)
+{
+    enum { INPUTS = 1024, SECTION_BYTES = 1 << 16 };
+    static uint8_t section[SECTION_BYTES];
+    harness_memory memory;
+    vbss_context *context = harness_context(&memory);
+    log_coder *coder;
+    log_step step = {.input_capacity = INPUTS};
+    log_bytes old = {malloc(8), 8};
+    log_place place = {.next = 0};
+    uint64_t steps = 0;
+    assert_non_null(old.bytes);
+    store_little_endian(old.bytes, (uint64_t)2 << 32 | VBSS_CODE('V', 'B', 'S', 'L'), 8);
+    expect_ok(vbss_log_make_inputs(context, &step));
+    expect_ok(vbss_log_make_events(context, &step, INPUTS));
+    expect_ok(vbss_log_make_coder(context, INPUTS, &coder));
+    while (log_next_place(log, &place)) {
+        const uint8_t *payload = log->bytes + place.at + (place.coded ? 4 : 8);
+        size_t count = place.next - 8 - (size_t)(payload - log->bytes);
+        if (place.coded) {
+            vbss_stream stream;
+            assert_null(vbss_log_decode(coder, steps++, payload, count, &step));
+            vbss_stream_begin_write(&stream, section, sizeof section);
+            vbss_log_visit_step(&stream, &step);
+            expect_ok(stream.result);
+            append_section(&old, section, stream.position);
+        } else if (place.code == VBSS_CODE('S', 'N', 'A', 'P')) {
+            append_plain_snapshot(context, &old, payload, count);
+        } else {
+            append_section(&old, payload, count);
+        }
+    }
+    vbss_log_free_coder(context, coder);
+    vbss_log_free_events(context, &step);
+    vbss_log_free_inputs(context, &step);
+    harness_context_end(context, &memory);
+    log_free(log);
+    *log = old;
+    log_seal(log);
 }
 
 /* ---- replays */

@@ -56,12 +56,15 @@ void log_free(log_bytes *log);
 typedef struct log_place {
     size_t at, next;
     uint32_t code;
+    bool coded; /* a step as bits */
 } log_place;
 bool log_next_place(const log_bytes *log, log_place *place); /* from place->next on; 0: the first */
 /* Of the n-th record of that code, from 1 on. */
 log_place log_find(const log_bytes *log, uint32_t code, uint32_t n);
-/* Writes the checksums of a changed log anew. */
+/* Writes the checksums of a changed log once more. */
 void log_seal(log_bytes *log);
+/* The same log as a library of format 2 wrote it: its steps are fields at fixed places. */
+void log_to_format_2(log_bytes *log);
 
 /* ---- replays */
 

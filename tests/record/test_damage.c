@@ -10,7 +10,7 @@ static void a_log_cut_anywhere_is_told_and_read_up_to_there(void **state)
     damage_begin(&d, 5);
     for (size_t cut = 0; cut < d.good.count; cut++) {
         log_bytes log = {d.good.bytes, cut};
-        log_place place = {0, 0, 0};
+        log_place place = {.next = 0};
         uint64_t complete = 0;
         while (log_next_place(&d.good, &place) && place.next <= cut) {
             complete += place.code == STEP;
@@ -46,7 +46,7 @@ static void a_changed_byte_is_told_where_it_is(void **state)
     char where[64];
     uint64_t steps;
     damage_begin(&d, 5);
-    log_place place = {0, 0, 0};
+    log_place place = {.next = 0};
     for (size_t at = 0; at < d.good.count; at++) {
         if (at >= 8 && at >= place.next) {
             assert_true(log_next_place(&d.good, &place));
@@ -81,7 +81,7 @@ static void records_out_of_order_are_told(void **state)
     (void)state;
     damage d;
     damage_begin(&d, 3);
-    const log_place no = {0, 0, 0}, head = log_find(&d.good, HEAD, 1),
+    const log_place no = {.next = 0}, head = log_find(&d.good, HEAD, 1),
                     snap = log_find(&d.good, SNAP, 1), one = log_find(&d.good, STEP, 1),
                     two = log_find(&d.good, STEP, 2), three = log_find(&d.good, STEP, 3),
                     last = log_find(&d.good, ENDS, 1);

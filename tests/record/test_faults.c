@@ -62,7 +62,7 @@ static void a_cut_is_told_at_the_last_complete_record(void **state)
     damage_begin(&d, 5);
     for (size_t cut = 0; cut < d.good.count; cut++) {
         log_bytes log = {d.good.bytes, cut};
-        log_place place = {0, 0, 0};
+        log_place place = {.next = 0};
         uint64_t complete = 0;
         size_t good = 0;
         while (log_next_place(&d.good, &place) && place.next <= cut) {
@@ -83,7 +83,7 @@ static void a_changed_byte_is_told_in_its_record_and_the_rest_is_found(void **st
 {
     (void)state;
     damage d;
-    log_place place = {0, 0, 0};
+    log_place place = {.next = 0};
     damage_begin(&d, 5);
     for (size_t at = 0; at < d.good.count; at++) {
         if (at >= 8 && at >= place.next) {
@@ -108,7 +108,7 @@ static void all_faults_are_told(void **state)
     damage d;
     damage_begin(&d, 40);
     for (uint32_t step = 3; step <= 39; step += 3) {
-        d.good.bytes[log_find(&d.good, STEP, step).at + 40] ^= 1;
+        d.good.bytes[log_find(&d.good, STEP, step).at + 10] ^= 1;
     }
     const log_bytes cut = {d.good.bytes, log_find(&d.good, STEP, 40).next - 2};
     const vbss_log_report report = check(&d, &cut);
@@ -127,6 +127,7 @@ static void nonsense_under_right_checksums_is_told(void **state)
     (void)state;
     damage d;
     damage_begin(&d, 5);
+    log_to_format_2(&d.good);
     const size_t step = log_find(&d.good, STEP, 3).at;
     const size_t intervals = log_find(&d.good, HEAD, 1).at;
     log_bytes log = log_copy(&d.good);

@@ -1,4 +1,5 @@
 /* How records and replays begin and end: structs they take and give, and their memory. */
+#include "base/error.h"
 #include "fixture.h"
 
 /* ---- the size protocols */

@@ -1,4 +1,5 @@
 /* What a log says of each step without a scene: what was told, what happened, when, and how it ends. */
+#include "base/elementary.h"
 #include "base/little_endian.h"
 #include "damage.h"
 

@@ -120,7 +120,7 @@ static void a_log_that_was_cut_off_anywhere_goes_on(void **state)
     cuts[count++] = log.count - 1;
     for (uint32_t i = 0; i < count; i++) {
         log_bytes cut = log_copy(&log);
-        log_place place = {0, 0, 0};
+        log_place place = {.next = 0};
         uint32_t complete = 0;
         while (log_next_place(&log, &place) && place.next <= cuts[i]) {
             complete += place.code == STEP;
@@ -175,6 +175,7 @@ static void a_log_that_is_made_otherwise_here_is_refused(void **state)
 {
     (void)state;
     log_bytes log = first_part(FIRST);
+    log_to_format_2(&log);
     log_bytes other = log_copy(&log);
     other.bytes[log_find(&log, STEP, 25).at + 8 + 8 + 32 + 8] ^= 0xff; /* its length */
     log_seal(&other);

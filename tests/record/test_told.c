@@ -144,7 +144,7 @@ static void a_full_log_is_told_before_the_step(void **state)
     vbss_record_config config = config_of(64, 4096);
     uint32_t full = 0;
     recorder_begin(&r, &config);
-    for (uint32_t i = 0; i < 60; i++) {
+    for (uint32_t i = 0; i < 800; i++) {
         stage_tell(&r.s, r.record);
         uint64_t hash = stage_hash(&r.s);
         vbss_result result = vbss_record_step(r.record, 1e-3);
@@ -159,7 +159,7 @@ static void a_full_log_is_told_before_the_step(void **state)
     }
     assert_true(full >= 2 && full <= 8);
     expect_ok(vbss_record_end(r.record)); /* for which there is always room */
-    recorder_end(&r, 60);
+    recorder_end(&r, 800);
 }
 
 /* However full it is. */

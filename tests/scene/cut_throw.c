@@ -1,5 +1,7 @@
 #include "scene/cut_throw.h"
 
+#include "base/elementary.h"
+
 enum { SHUTTING = 150, MOST_SHUTTING = 400 }; /* steps that blades take; what waits shuts later */
 
 /* Hands pull on what they hold, whatever piece that is by now. */

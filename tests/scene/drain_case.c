@@ -1,5 +1,6 @@
 #include "scene/drain_case.h"
 
+#include "base/rotation.h"
 #include "scene/folded.h"
 
 /* Below this no gain is looked at, J: of the drain's energy when the slit is closed a thousandth. */

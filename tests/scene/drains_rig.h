@@ -3,6 +3,7 @@
 #ifndef VBSS_TESTS_SCENE_DRAINS_RIG_H
 #define VBSS_TESTS_SCENE_DRAINS_RIG_H
 
+#include "base/error.h"
 #include "drain/drain.h"
 #include "scene/small.h"
 #include "scenes/drain_hands.h"

@@ -1,5 +1,7 @@
 #include "scene/needle_case.h"
 
+#include "base/rotation.h"
+
 /* The exact arc and the chain of capsules are that far apart, and walls bend: in distances of touching. */
 #define AT_HOLE 1.5
 

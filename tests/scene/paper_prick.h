@@ -3,6 +3,7 @@
 #ifndef VBSS_TESTS_SCENE_PAPER_PRICK_H
 #define VBSS_TESTS_SCENE_PAPER_PRICK_H
 
+#include "base/rotation.h"
 #include "scene/needles_rig.h"
 
 #define RADIUS 0.3 /* of its arc: 30 mm of it are 0.4 mm from straight */

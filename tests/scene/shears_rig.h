@@ -3,6 +3,7 @@
 #ifndef VBSS_TESTS_SCENE_SHEARS_RIG_H
 #define VBSS_TESTS_SCENE_SHEARS_RIG_H
 
+#include "base/elementary.h"
 #include "scene/cut_rig.h"
 
 enum { SHEARS_TOOLS = 4 };

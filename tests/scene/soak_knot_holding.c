@@ -3,6 +3,7 @@
  * a load in turn. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scenes/held_knot.h"

@@ -1,6 +1,7 @@
 /* A needle in a hand that does anything, at up to 0.5 m/s: pushes it on along its arc and back, moves it, turns it about its
  * tip, lets it go; against a drain that is held here and there. Every seed lives some lives of its own. After every step
  * the needle crosses the wall in holes only, as many holes are there as events tell, and all is finite. */
+#include "base/rotation.h"
 #include "scene/needle_case.h"
 
 /* Who enters aslant, at a cosine down to 0.3, crosses the wall beside the hole: in distances of touching. */

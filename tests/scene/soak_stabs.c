@@ -4,6 +4,7 @@
  * tell, all is finite and where it can be. */
 #include <stdlib.h>
 
+#include "base/rotation.h"
 #include "scene/needle_watch.h"
 #include "scene/stab_places.h"
 

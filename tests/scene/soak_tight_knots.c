@@ -3,6 +3,7 @@
  * decided exactly; a thread that never met the rays along which it is closed is the knot that it was; nothing fails. */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scene/watch.h"

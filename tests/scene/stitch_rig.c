@@ -1,4 +1,5 @@
 #include "scene/stitch_rig.h"
+#include "base/elementary.h"
 #include "scene/small.h"
 
 void stitch_rig_begin(stitch_rig *r)

@@ -1,6 +1,7 @@
 /* Scenes with adapted threads: saved, hashed, restored to the bit whatever mesh is there; nothing allocated. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "scene/mesh_rig.h"
 
 /* Two strands come together and part again, one of them is cut. */

@@ -1,6 +1,8 @@
 /* The last resort: what a step that is cut short leaves behind. */
 #include <stdlib.h>
 
+#include "base/elementary.h"
+#include "base/rotation.h"
 #include "scene/small_watch.h"
 
 static const vec3 half = {0.0, 0.0, 5e-3};

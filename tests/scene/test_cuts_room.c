@@ -1,4 +1,5 @@
 /* What cuts need is taken when a thread is added, and comes back: room, handles, memory, whoever ends first. */
+#include "base/error.h"
 #include "scene/cut_rig.h"
 
 static vbss_thread *thread_of(small *s, uint32_t segments, uint32_t cuts)

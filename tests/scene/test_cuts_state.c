@@ -1,6 +1,7 @@
 /* Scenes that were cut: saved, hashed, restored where it was cut and where it was not; handles of pieces. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "scene/cut_rig.h"
 
 enum { CUTS_AT = 12, LATER_CUT = 25 };

@@ -1,4 +1,5 @@
 /* Tools in the lumen, fast tools, tools that do not stop, tools that squeeze: nothing passes through the wall. */
+#include "base/elementary.h"
 #include "scene/drain_case.h"
 
 static drain_case c;

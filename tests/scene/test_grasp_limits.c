@@ -1,5 +1,6 @@
 /* What jaws bear: Coulomb friction of both faces, along them, about their normal, and no more than they press
  * across. Beyond that a thread slides, turns, is torn out. */
+#include "base/elementary.h"
 #include "scene/tools_rig.h"
 
 static const vec3 home = {0.0, 0.0, -2e-3};

@@ -1,6 +1,7 @@
 /* Saving, restoring and hashing of scenes with graspers; steps that fail, and allocate nothing. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "scene/tools.h"
 #include "scene/tools_rig.h"
 #include "scenes/tool_scenes.h"

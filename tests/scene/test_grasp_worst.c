@@ -1,5 +1,6 @@
 /* What hands do wrong with jaws: close on nothing, on an end, on two strands, both on one segment; let go under
  * load; shake. Nothing passes through jaws, nothing is pulled by what is not there, no step is cut short. */
+#include "base/elementary.h"
 #include "scene/tools_rig.h"
 
 static const vec3 home = {0.0, 0.0, -2e-3};

@@ -1,4 +1,5 @@
 /* Something is made to pass, and does not. */
+#include "base/elementary.h"
 #include "scene/small_watch.h"
 
 static const vec3 half = {0.0, 0.0, 5e-3};

@@ -1,5 +1,6 @@
 /* The guard asks the pairs that the search for rows has listed, if nothing left the boxes in which that looked; else it
  * searches itself. Either way it finds the same. */
+#include "base/elementary.h"
 #include "scene/attempt.h"
 #include "scene/rows.h"
 #include "scene/small.h"

@@ -3,6 +3,7 @@
  * a tool through another, nothing below the floor. */
 #include <math.h>
 
+#include "base/rotation.h"
 #include "scene/hard_case.h"
 
 static hard_case c;

@@ -2,6 +2,7 @@
  * bears what the rods feel, and what is known to hold does. */
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
 #include "scenes/held_knot.h"

@@ -1,5 +1,6 @@
 /* What a hole's row says of the needle and of the nodes behind it, as its place slides on and as they move: against difference
  * quotients, of places on the curve and of rows that are laid anew. On the needle, over the swage and behind it. */
+#include "base/rotation.h"
 #include "scene/attempt.h"
 #include "scene/holes.h"
 #include "scene/small.h"

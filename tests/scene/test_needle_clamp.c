@@ -1,4 +1,5 @@
 /* The clamp of the jaws as a spring: what a needle on it swings like; and what hangs on the needle. */
+#include "base/rotation.h"
 #include "scene/needles_rig.h"
 
 /* ---- swings */

@@ -1,4 +1,5 @@
 /* A needle that falls on the floor: it does not bounce, gains no energy, and comes to rest with its weight on the floor. */
+#include "base/rotation.h"
 #include "scene/needles_rig.h"
 
 #define GRAVITY 9.81

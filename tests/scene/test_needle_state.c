@@ -1,6 +1,7 @@
 /* Saving, restoring and hashing of scenes with needles in jaws; steps that fail, and allocate nothing. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "scene/needles_rig.h"
 #include "scene/tools.h"
 #include "scenes/needle_scenes.h"

@@ -1,5 +1,6 @@
 /* Method PAPER of scenes: knots, which it holds by pins and not by contact. What becomes of a
  * knot is pinned down here as docs/paper-scene.md tells it, where it is bad as well. */
+#include "base/check.h"
 #include "collision/closest.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"

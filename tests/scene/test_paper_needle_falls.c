@@ -1,4 +1,5 @@
 /* Free needles of method PAPER: they fly as they do alone, come down on the floor without a bounce, and stay there. */
+#include "base/rotation.h"
 #include "scene/needles_rig.h"
 
 #define GRAVITY 9.81

@@ -1,6 +1,7 @@
 /* Saving, restoring and hashing of scenes with needles of method PAPER; what is refused; steps that allocate nothing. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "scene/needles_rig.h"
 #include "scenes/paper_needle_scenes.h"
 

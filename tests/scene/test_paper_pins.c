@@ -1,4 +1,5 @@
 /* Method PAPER of scenes: pins on tools, and what cannot be pinned. */
+#include "base/elementary.h"
 #include "scene/paper_stage.h"
 
 /* A ball of 2 mm, and a thread of 50 mm that hangs from its middle. Returns the ball. */

@@ -1,4 +1,5 @@
 /* Method PAPER of scenes: what is stopped and carried. Knots: test_paper_knots.c. */
+#include "base/elementary.h"
 #include "scene/paper_stage.h"
 
 /* ---- two threads */

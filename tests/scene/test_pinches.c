@@ -1,6 +1,7 @@
 /* Jaws that close on the wall of a drain hold it, draw it along, let it slide where they pull too hard, and let it go. */
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "scene/tools_rig.h"
 
 /* From the wall's direction, rad; and how far the handle is open on the way there. */

@@ -1,5 +1,6 @@
 /* Needles that are stabbed, aimed at what is no smooth wall, twisted in their holes, dropped: nothing crosses the wall but in
  * holes, nothing is thrown about, and every hole has wall all round it. */
+#include "base/rotation.h"
 #include "scene/needle_case.h"
 
 static needle_case c;

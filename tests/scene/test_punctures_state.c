@@ -1,4 +1,5 @@
 /* Scenes with a needle in a drain: saved, restored and gone on with; damaged; without memory; without room for holes. */
+#include "base/error.h"
 #include "harness/harness.h"
 #include "scene/scene.h"
 #include "scenes/puncture_scenes.h"

@@ -1,4 +1,5 @@
 /* What happened in a step: who touches whom, who parts, what was cut short, what was lost. */
+#include "base/elementary.h"
 #include "scene/small.h"
 
 static const vec3 half = {0.0, 0.0, 3e-3};

@@ -1,4 +1,5 @@
 /* How scenes begin and end, and what handles and structs they refuse. */
+#include "base/error.h"
 #include "scene/small.h"
 
 /* ---- the size protocols */

@@ -1,4 +1,5 @@
 /* Nodes that are points of bodies: of the world, of driven, coupled and free ones; and that are let go. */
+#include "base/elementary.h"
 #include "scene/small.h"
 
 static const vec3 half = {0.0, 0.0, 3e-3};

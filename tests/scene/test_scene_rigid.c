@@ -1,4 +1,5 @@
 /* Rigid bodies in a scene: driven, coupled, free; what hands feel; floors and other tools. */
+#include "base/elementary.h"
 #include "scene/small.h"
 
 static const vec3 half = {0.0, 0.0, 3e-3};

@@ -1,4 +1,5 @@
 /* Tools that touch: each other, what they hold, the floor. */
+#include "base/elementary.h"
 #include "scene/small.h"
 
 static const vec3 half = {0.0, 0.0, 5e-3};

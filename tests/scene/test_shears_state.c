@@ -1,6 +1,7 @@
 /* Scenes whose shears cut: stepped without allocations, saved and restored around the cut, recorded and replayed. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "scene/cut_rig.h"
 
 enum {

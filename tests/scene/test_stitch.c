@@ -1,4 +1,5 @@
 /* A thread through both marks: what it takes to pull it through, that it stays where friction holds it, what it passes on. */
+#include "base/elementary.h"
 #include "scene/stitch_rig.h"
 
 static stitch_rig c;

@@ -1,4 +1,5 @@
 /* Graspers as tools: how jaws move, what they are pushed by, trocars, exchange. What they hold: test_grasps. */
+#include "base/elementary.h"
 #include "scene/tools_rig.h"
 
 typedef struct capsules {

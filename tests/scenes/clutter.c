@@ -1,5 +1,7 @@
 #include "scenes/clutter.h"
 
+#include "base/elementary.h"
+#include "base/random.h"
 #include "scenes/knot_path.h"
 
 #define PI 3.141592653589793

@@ -2,6 +2,8 @@
 #ifndef VBSS_TESTS_SCENES_CLUTTER_H
 #define VBSS_TESTS_SCENES_CLUTTER_H
 
+#include <stdint.h>
+
 #include "scenes/throw_stack.h"
 
 /* A limb goes on from its end: it climbs all the time along `up`, above everything else, and so cannot be knotted,

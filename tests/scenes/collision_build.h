@@ -2,6 +2,9 @@
 #ifndef VBSS_TESTS_SCENES_COLLISION_BUILD_H
 #define VBSS_TESTS_SCENES_COLLISION_BUILD_H
 
+#include "base/elementary.h"
+#include "base/linear.h"
+#include "base/random.h"
 #include "scenes/collision_sets.h"
 
 /* The vertices of a query as the generators think of them. */

@@ -6,9 +6,9 @@
 #ifndef VBSS_TESTS_SCENES_COLLISION_SETS_H
 #define VBSS_TESTS_SCENES_COLLISION_SETS_H
 
-#include <vblast_ss/collision.h>
+#include <stdbool.h>
 
-#include "base/base.h"
+#include <vblast_ss/collision.h>
 
 typedef struct collision_query {
     vbss_pair_kind kind;

@@ -2,6 +2,7 @@
  * slides along itself while it is pulled tight: its three crossings come nearer, touch, and are pressed
  * into each other, as there is no response. A tremor of hands lies over it. One step is 1 ms; a node
  * moves at 30 mm/s at most. */
+#include "base/rotation.h"
 #include "scenes/collision_build.h"
 
 #define THICKNESS COLLISION_THICKNESS

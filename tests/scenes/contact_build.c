@@ -1,5 +1,8 @@
 #include "scenes/contact_build.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+
 enum { MOST_NODES = 2048 };
 #define PI 3.14159265358979324
 

@@ -1,5 +1,9 @@
 #include "scenes/contact_hands.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/random.h"
+
 /* Of the way to the wanted force, in a step: two hands may do it at once. */
 #define EAGERNESS 0.3
 /* Below this share of the wanted force it does not slow down: a knot gives way more than the thread. */

@@ -6,7 +6,7 @@
 #include <vblast_ss/scene.h>
 #include <vblast_ss/thread.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 /* How a hand pulls. */
 typedef struct contact_pull {

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/error.h"
 #include "scenes/contact_build.h"
 
 const char *const contact_scene_names[CONTACT_SCENE_KINDS] = {

@@ -1,5 +1,8 @@
 #include "scenes/device_run.h"
 
+#include "base/error.h"
+#include "base/rotation.h"
+
 /* ---- the hand */
 
 static void measure_arm(void *user, double time, vbss_device_sample *sample)

@@ -1,6 +1,8 @@
 #include "scenes/drain_hands.h"
 
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/linear.h"
 
 /* A round of the tool, in steps: down, stirring, and up again. */
 enum { ROUND = 300, DOWN = 180 };

@@ -1,5 +1,10 @@
 #include "scenes/drain_scenes.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/linear.h"
+#include "base/random.h"
+
 const char *const drain_scene_names[DRAIN_SCENE_KINDS] = {"closed", "poked", "tugged"};
 const uint32_t drain_scene_steps[DRAIN_SCENE_KINDS] = {200, 1200, 1000};
 

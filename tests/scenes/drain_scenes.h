@@ -5,8 +5,6 @@
 
 #include <vblast_ss/drain.h>
 
-#include "base/base.h"
-
 typedef enum drain_scene_kind {
     DRAIN_SCENE_CLOSED, /* both marks are drawn together until the slit is shut, and held there */
     DRAIN_SCENE_POKED, /* a hand pushes the wall in beside the slit, stirs, and lets go, again and again */

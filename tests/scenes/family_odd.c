@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "base/elementary.h"
+#include "base/random.h"
 #include "scenes/clutter.h"
 #include "scenes/isotopy.h"
 #include "scenes/wrap_scripts.h"

@@ -2,6 +2,8 @@
 #ifndef VBSS_TESTS_SCENES_FAMILY_ODD_H
 #define VBSS_TESTS_SCENES_FAMILY_ODD_H
 
+#include <stdint.h>
+
 #include "scenes/knot_families.h"
 
 bool family_crossed_ends(uint64_t seed, uint32_t segments, family_case *made);

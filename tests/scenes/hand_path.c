@@ -1,5 +1,7 @@
 #include "scenes/hand_path.h"
 
+#include "base/elementary.h"
+
 static const double pi = 3.14159265358979323846;
 
 hand_path hand_path_draw(vbss_random *random, double size)

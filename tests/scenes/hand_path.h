@@ -3,7 +3,8 @@
 #ifndef VBSS_TESTS_SCENES_HAND_PATH_H
 #define VBSS_TESTS_SCENES_HAND_PATH_H
 
-#include "base/base.h"
+#include "base/linear.h"
+#include "base/random.h"
 
 enum { HAND_PATH_HARMONICS = 3 };
 

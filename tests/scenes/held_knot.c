@@ -1,5 +1,8 @@
 #include "scenes/held_knot.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/random.h"
 #include "scenes/held_look.h"
 
 const char *const held_knot_ends[] = {"grew", "slipped", "held", "open", "not seated", "stuck"};

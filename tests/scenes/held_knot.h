@@ -9,7 +9,7 @@
 
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 #include "scenes/tied_knot.h"
 
 typedef struct held_knot_options {

@@ -1,5 +1,7 @@
 #include "scenes/held_look.h"
 
+#include "base/error.h"
+
 #include <stdlib.h>
 
 /* A tail that touches something further out than this from where it left the knot lies beside it, m. */

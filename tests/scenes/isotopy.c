@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "base/elementary.h"
+#include "base/random.h"
 #include "scenes/swept.h"
 
 enum { MOST_FLOWS = 48, MOST_PIECES = 128, DRAWS = 8 };

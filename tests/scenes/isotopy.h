@@ -9,6 +9,8 @@
 #ifndef VBSS_TESTS_SCENES_ISOTOPY_H
 #define VBSS_TESTS_SCENES_ISOTOPY_H
 
+#include <stdint.h>
+
 #include "scenes/throw_stack.h"
 
 typedef struct isotopy {

@@ -2,6 +2,7 @@
 #ifndef VBSS_TESTS_SCENES_KNOT_BODY_H
 #define VBSS_TESTS_SCENES_KNOT_BODY_H
 
+#include "base/error.h"
 #include "harness/harness.h"
 #include "knot/knot.h"
 #include "scenes/moving_knot.h"

@@ -1,5 +1,7 @@
 #include "scenes/knot_curve.h"
 
+#include "base/elementary.h"
+
 void knot_curve_begin(knot_curve *curve, double spacing)
 {
     curve->spacing = spacing;

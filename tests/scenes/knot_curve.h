@@ -2,7 +2,9 @@
 #ifndef VBSS_TESTS_SCENES_KNOT_CURVE_H
 #define VBSS_TESTS_SCENES_KNOT_CURVE_H
 
-#include "base/base.h"
+#include <stdint.h>
+
+#include "base/linear.h"
 
 enum { KNOT_CURVE_POINTS = 2048 };
 

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/random.h"
 #include "scenes/clutter.h"
 #include "scenes/family_odd.h"
 #include "scenes/isotopy.h"

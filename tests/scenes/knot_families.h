@@ -2,6 +2,8 @@
 #ifndef VBSS_TESTS_SCENES_KNOT_FAMILIES_H
 #define VBSS_TESTS_SCENES_KNOT_FAMILIES_H
 
+#include <stdint.h>
+
 #include "scenes/throw_stack.h"
 
 typedef enum family_truth {

@@ -1,5 +1,6 @@
 /* Two half hitches: the tail turns twice about the straight standing part and is held by its own middle,
  * which crosses over both its ends. From node 0: tail, turns, the loop round the cylinder, standing part. */
+#include "base/elementary.h"
 #include "scenes/knot_path.h"
 
 #define PI 3.141592653589793

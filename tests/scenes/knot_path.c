@@ -1,5 +1,7 @@
 #include "scenes/knot_path.h"
 
+#include "base/elementary.h"
+
 #define PI 3.141592653589793
 
 /* Lengths in sizes. */

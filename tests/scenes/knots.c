@@ -2,6 +2,7 @@
 
 #include <vblast_ss/thread.h>
 
+#include "base/error.h"
 #include "scenes/knot_path.h"
 
 const char *const knot_names[KNOT_KINDS] = {"loop",   "overhand",     "double overhand",

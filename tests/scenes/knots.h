@@ -12,7 +12,7 @@
 
 #include <vblast_ss/base.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 typedef enum knot_kind {
     KNOT_LOOP,            /* a turn whose ends cross: no knot */

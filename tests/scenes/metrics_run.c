@@ -1,5 +1,8 @@
 #include "scenes/metrics_run.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+
 vbss_result metrics_run_create(vbss_context *context, vbss_metrics **metrics)
 {
     vbss_metrics_config config;

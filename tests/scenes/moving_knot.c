@@ -1,5 +1,11 @@
 #include "scenes/moving_knot.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/linear.h"
+#include "base/stream.h"
+
 #include <string.h>
 
 #define TURN 6.28318530717958648

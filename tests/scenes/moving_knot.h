@@ -10,8 +10,6 @@
 
 #include <vblast_ss/knot.h>
 
-#include "base/base.h"
-
 enum {
     MOVING_KNOT_POINTS = 73,
     MOVING_KNOT_TOOLS = 2,

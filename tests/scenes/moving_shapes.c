@@ -1,5 +1,11 @@
 #include "scenes/moving_shapes.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/linear.h"
+#include "base/stream.h"
+
 #include <stdlib.h>
 
 #define D (2.0 * MOVING_SHAPES_RADIUS)

@@ -5,9 +5,9 @@
 #ifndef VBSS_TESTS_SCENES_MOVING_SHAPES_H
 #define VBSS_TESTS_SCENES_MOVING_SHAPES_H
 
-#include <vblast_ss/collision.h>
+#include <stdbool.h>
 
-#include "base/base.h"
+#include <vblast_ss/collision.h>
 
 #define MOVING_SHAPES_RADIUS 0.125e-3 /* of all, m */
 

@@ -1,5 +1,7 @@
 #include "scenes/needle_scenes.h"
 
+#include "base/error.h"
+#include "base/rotation.h"
 #include "scene/scene.h"
 
 enum { SEGMENTS = 40, TOOLS = 2 };

@@ -1,5 +1,7 @@
 #include "scenes/paper_knot_cases.h"
 
+#include "base/elementary.h"
+
 const paper_knot_case paper_knot_cases[PAPER_KNOT_KINDS] = {
     {"A: one turn", 1, 0, 1.07, true},           {"B: two turns outward", 1, 0, 1.94, true},
     {"C: helix, 32 segments", 1, 1, 1.59, true}, {"C: helix, 31 segments", 1, 1, 1.59, true},

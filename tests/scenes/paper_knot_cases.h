@@ -8,7 +8,7 @@
 
 #include <vblast_ss/knot.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 typedef enum paper_knot_kind {
     PAPER_KNOT_A,  /* one turn */

@@ -1,5 +1,8 @@
 #include "scenes/paper_needle_scenes.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/rotation.h"
 #include "scene/scene.h"
 
 enum { SEGMENTS = 12, TOOLS = 2 };

@@ -1,5 +1,8 @@
 #include "scenes/paper_tying.h"
 
+#include "base/elementary.h"
+#include "base/random.h"
+
 #define TWO_PI 6.283185307179586
 
 typedef struct builder {

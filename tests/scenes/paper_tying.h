@@ -8,7 +8,7 @@
 
 #include <vblast_ss/knot.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 typedef enum paper_tying_stage {
     PAPER_TYING_WRAPPED, /* the tail lies free, its end near the tip */

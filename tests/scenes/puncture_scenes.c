@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/rotation.h"
 #include "scene/scene.h"
 
 /* How stiffly the hand holds it, and where it begins, before the middle of the wall. */

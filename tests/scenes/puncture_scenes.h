@@ -6,8 +6,6 @@
 
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
-
 typedef struct puncture_scene {
     vbss_scene *scene;
     vbss_drain *drain;

@@ -1,5 +1,14 @@
 #include "scenes/rod.h"
 
+#include "base/check.h"
+#include "base/config.h"
+#include "base/error.h"
+#include "base/linear.h"
+#include "base/memory.h"
+#include "base/random.h"
+#include "base/rotation.h"
+#include "base/stream.h"
+
 #include <string.h>
 
 _Static_assert(sizeof(rod_config) == 32, "no hidden padding");
@@ -13,7 +22,7 @@ struct rod_object {
     vec3 spin;
     uint64_t steps;
     vbss_random random;
-    vbss_arena arena;
+    vec3 *before; /* positions when a substep began; of one step */
 };
 typedef struct rod_object rod_object;
 
@@ -24,7 +33,7 @@ static void free_object(vbss_context *context, void *object)
     rod_object *r = object;
     vbss_release(context, r->positions, r->node_count, sizeof(vec3));
     vbss_release(context, r->velocities, r->node_count, sizeof(vec3));
-    vbss_arena_destroy(context, &r->arena);
+    vbss_release(context, r->before, r->node_count, sizeof(vec3));
     vbss_release(context, r, 1, sizeof *r);
 }
 
@@ -67,10 +76,11 @@ static vbss_result allocate_parts(rod_object *r)
 {
     r->positions = vbss_allocate(r->context, r->node_count, sizeof(vec3), "rod positions");
     r->velocities = vbss_allocate(r->context, r->node_count, sizeof(vec3), "rod velocities");
-    if (r->positions == NULL || r->velocities == NULL) {
+    r->before = vbss_allocate(r->context, r->node_count, sizeof(vec3), "rod previous positions");
+    if (r->positions == NULL || r->velocities == NULL || r->before == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    return vbss_arena_create(r->context, &r->arena, vbss_arena_need(r->node_count, sizeof(vec3)));
+    return VBSS_OK;
 }
 
 vbss_result rod_create(vbss_context *context, const rod_config *config, rod **handle)
@@ -136,11 +146,7 @@ vbss_result rod_step(rod *handle, double h)
     VBSS_TRY(vbss_check_range(r->context, h, 1e-9, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(r->context));
 
-    vbss_arena_rewind(&r->arena, 0);
-    vec3 *before = vbss_arena_take(&r->arena, r->node_count, sizeof *before);
-    if (before == NULL) {
-        return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "rod: the step's memory is too small");
-    }
+    vec3 *before = r->before;
     uint32_t gusty = vbss_random_below(&r->random, r->node_count - 1) + 1;
     r->velocities[gusty] =
         vec3_add_scaled(r->velocities[gusty], r->gust, vbss_random_direction(&r->random));

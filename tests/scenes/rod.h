@@ -5,7 +5,7 @@
 #ifndef VBSS_TESTS_SCENES_ROD_H
 #define VBSS_TESTS_SCENES_ROD_H
 
-#include "base/base.h"
+#include "base/slot.h"
 
 typedef struct rod rod; /* the handle */
 

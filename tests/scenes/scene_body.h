@@ -2,6 +2,7 @@
 #ifndef VBSS_TESTS_SCENES_SCENE_BODY_H
 #define VBSS_TESTS_SCENES_SCENE_BODY_H
 
+#include "base/error.h"
 #include "harness/harness.h"
 #include "scene/scene.h"
 #include "scenes/scene_scenes.h"

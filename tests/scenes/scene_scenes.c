@@ -1,6 +1,7 @@
 #include "scenes/scene_scenes.h"
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "scenes/knots.h"
 

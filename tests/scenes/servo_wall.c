@@ -3,7 +3,9 @@
 #include <vblast_ss/device.h>
 #include <vblast_ss/haptics.h>
 
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/linear.h"
 #include "scenes/stand_in_worlds.h"
 
 enum { ROUND = 500, ROUNDS = 10, MEASURED = 5 }; /* ticks of 1 ms */

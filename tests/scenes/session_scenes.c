@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "base/error.h"
 #include "scene/scene.h"
 #include "scenes/needle_scenes.h"
 #include "scenes/puncture_scenes.h"

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "collision/shapes.h"
 #include "harness/harness.h"
 #include "scenes/moving_shapes.h"

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "base/elementary.h"
+#include "base/error.h"
 #include "drain/drain.h"
 #include "scenes/knot_curve.h"
 

@@ -5,7 +5,7 @@
 
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 enum { STITCH_NODES = 512 };
 

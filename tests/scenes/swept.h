@@ -7,7 +7,9 @@
 #ifndef VBSS_TESTS_SCENES_SWEPT_H
 #define VBSS_TESTS_SCENES_SWEPT_H
 
-#include "base/base.h"
+#include <stdint.h>
+
+#include "base/linear.h"
 
 enum { SWEPT_POINTS = 16384, SWEPT_BLOCK = 16, SWEPT_BLOCKS = SWEPT_POINTS / SWEPT_BLOCK };
 #define SWEPT_RAY 1.0 /* m: so far rays go */

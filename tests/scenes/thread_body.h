@@ -3,6 +3,7 @@
 #ifndef VBSS_TESTS_SCENES_THREAD_BODY_H
 #define VBSS_TESTS_SCENES_THREAD_BODY_H
 
+#include "base/error.h"
 #include "harness/harness.h"
 #include "scenes/thread_scenes.h"
 #include "thread/thread.h"

@@ -1,5 +1,12 @@
 #include "scenes/thread_scenes.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/hash.h"
+#include "base/linear.h"
+#include "base/random.h"
+#include "base/stream.h"
+
 /* Ids in the order of creation. */
 enum { LEFT_HAND = 1, RIGHT_HAND, LEFT_SPRING, RIGHT_SPRING, WEIGHT, PULL, FIRST_PIN };
 /* In every period a pin holds the middle for half the time. */

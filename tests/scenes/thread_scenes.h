@@ -5,8 +5,6 @@
 
 #include <vblast_ss/thread.h>
 
-#include "base/base.h"
-
 typedef enum thread_scene_kind {
     THREAD_SCENE_RELEASE, /* a cantilever let go */
     THREAD_SCENE_TUGGED,  /* two hands, springs, a mass, a force, a pin that comes and goes */

@@ -1,5 +1,9 @@
 #include "scenes/throw_build.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/rotation.h"
+
 #define PI 3.14159265358979324
 enum { MOST_NODES = 512 };
 

@@ -1,5 +1,7 @@
 #include "scenes/throw_scenes.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
 #include "scenes/throw_build.h"
 
 #define PI 3.14159265358979324

@@ -8,7 +8,7 @@
 
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 typedef enum throw_phase {
     THROW_NEAR,   /* C brings the limb to W's near side */

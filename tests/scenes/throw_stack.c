@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "base/random.h"
 #include "scenes/knot_path.h"
 #include "scenes/swept.h"
 

@@ -6,7 +6,9 @@
 #ifndef VBSS_TESTS_SCENES_THROW_STACK_H
 #define VBSS_TESTS_SCENES_THROW_STACK_H
 
-#include "base/base.h"
+#include <stdint.h>
+
+#include "base/linear.h"
 
 enum { STACK_THROWS = 8, STACK_POINTS = 2001 };
 

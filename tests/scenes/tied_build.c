@@ -1,5 +1,7 @@
 #include "scenes/tied_build.h"
 
+#include "base/error.h"
+
 /* knot_make's loop passes the cylinder at so many sums of both radii; here it passes it by so much, m. */
 #define LOOP_SHARE 1.4
 #define LOOP_CLEARANCE 0.1e-3

@@ -1,5 +1,6 @@
 #include "scenes/tied_knot.h"
 
+#include "base/error.h"
 #include "scenes/tied_build.h"
 
 /* Of the load, what counts as all of it; of a grip's force, what counts as none. */

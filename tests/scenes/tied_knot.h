@@ -12,7 +12,7 @@
 
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 #include "scenes/contact_hands.h"
 #include "scenes/knots.h"
 

@@ -1,5 +1,8 @@
 #include "scenes/tissue_scenes.h"
 
+#include "base/elementary.h"
+#include "base/error.h"
+
 const char *const tissue_scene_names[TISSUE_SCENE_KINDS] = {"poked",    "pinched", "shut", "opened",
                                                             "inverted", "lifted",  "laden"};
 const uint32_t tissue_scene_steps[TISSUE_SCENE_KINDS] = {2400, 900, 300, 600, 900, 700, 600};

@@ -5,7 +5,7 @@
 
 #include <vblast_ss/scene.h>
 
-#include "base/base.h"
+#include "base/linear.h"
 
 typedef enum tissue_scene_kind {
     TISSUE_SCENE_POKED, /* a probe pushes the wall in beside the slit, stirs, and leaves, again and again */

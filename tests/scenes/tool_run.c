@@ -1,6 +1,7 @@
 #include "scenes/tool_run.h"
 
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/error.h"
 
 enum { SEGMENTS = 60, NODES = SEGMENTS + 1, MIDDLE = SEGMENTS / 2 };
 #define SEGMENT 0.5e-3

@@ -1,5 +1,6 @@
 #include "scenes/tool_scenes.h"
 
+#include "base/error.h"
 #include "scene/scene.h"
 
 enum { SEGMENTS = 48, TOOLS = 2, FIRST_TOOL = 2 };

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "scenes/swept.h"
 
 #define PI 3.141592653589793

@@ -1,6 +1,7 @@
 /* Sessions are made of what is there, refuse what is not, and keep the promises of the house. */
 #include <string.h>
 
+#include "base/error.h"
 #include "rig.h"
 
 /* ---- configurations */

@@ -1,4 +1,5 @@
 /* What is saved with its scene goes on to the same bits; what is no such state is refused. */
+#include "base/error.h"
 #include "rig.h"
 
 typedef struct tied_body {

@@ -1,5 +1,7 @@
 #include "solver/rigid_rig.h"
 
+#include "base/rotation.h"
+
 void rigid_rig_begin(rigid_rig *rig, vbss_role role)
 {
     *rig = (rigid_rig){.h = 1e-3, .rounds = 1, .parts = 1};

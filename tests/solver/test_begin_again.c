@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "solver/twin.h"
 
 enum { MOST = 40, ONCE = 120 };

@@ -1,6 +1,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/rotation.h"
 #include "solver/rigid_rig.h"
 
 /* ---- the equations */

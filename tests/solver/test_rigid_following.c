@@ -1,5 +1,6 @@
 #include <math.h>
 
+#include "base/rotation.h"
 #include "solver/rigid_rig.h"
 
 static rigid_rig rig;

@@ -1,5 +1,7 @@
 #include "solver/twin.h"
 
+#include "base/error.h"
+
 #include <math.h>
 #include <string.h>
 

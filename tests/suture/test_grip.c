@@ -1,5 +1,6 @@
 /* What friction is worth in a bend: Euler and Eytelwein's rope round a post, T2 = T1 exp(mu theta), in components along and
  * across what runs through. */
+#include "base/elementary.h"
 #include "curve_fixture.h"
 #include "fixture.h"
 

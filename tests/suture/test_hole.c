@@ -1,4 +1,5 @@
 /* What a hole bears, what row it lays, what it keeps; that it is saved. */
+#include "base/elementary.h"
 #include "fixture.h"
 
 static suture_hole some_hole(void)

@@ -2,7 +2,8 @@
 #ifndef VBSS_TESTS_THREAD_REFERENCE_H
 #define VBSS_TESTS_THREAD_REFERENCE_H
 
-#include "base/base.h"
+#include "base/elementary.h"
+#include "base/linear.h"
 
 /* J0 or J1, by its series; good to rounding below 10. */
 static inline double reference_bessel(int order, double x)

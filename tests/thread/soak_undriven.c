@@ -3,6 +3,7 @@
  * once with the default spectral radius, which must hold, and once with 0.5, which is reported. */
 #include <math.h>
 
+#include "base/elementary.h"
 #include "harness/harness.h"
 
 enum { SCENES = 20, STEPS = 1000, START = 5, MOST_NODES = 111 };

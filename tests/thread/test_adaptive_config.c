@@ -1,6 +1,7 @@
 /* Threads with an adaptive mesh: bad configurations, states, cuts, memory. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "fixture.h"
 #include "thread/mesh.h"
 

@@ -2,6 +2,7 @@
  * lengths and attachments at random, so that every kind of stretch between clamps is met. */
 #include <math.h>
 
+#include "base/rotation.h"
 #include "thread/rig.h"
 
 enum { MOST_NODES = 16, MOST_ATTACHMENTS = 5 * MOST_NODES };

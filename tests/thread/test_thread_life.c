@@ -1,4 +1,5 @@
 /* How threads begin and end, and what they refuse. */
+#include "base/error.h"
 #include "fixture.h"
 
 /* ---- the size protocols */

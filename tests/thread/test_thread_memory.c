@@ -1,6 +1,7 @@
 /* Where the memory of threads and their pieces goes, and the rest of what calls refuse. */
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "subject.h"
 
 /* ---- memory */

@@ -1,4 +1,5 @@
 /* What a thread shows of itself. */
+#include "base/elementary.h"
 #include "fixture.h"
 
 /* OURS with either bending, and PAPER. */

@@ -1,6 +1,7 @@
 /* Looking at meshes, and judging them. */
 #include <stdlib.h>
 
+#include "base/elementary.h"
 #include "fixture.h"
 
 static vbss_view view_of(const fixture *f, vbss_visual_field field)

@@ -1,4 +1,6 @@
 /* The tube of a thread: where it goes, how round it is, how it is turned. */
+#include "base/elementary.h"
+#include "base/rotation.h"
 #include "fixture.h"
 
 static thread_object *inside(const vbss_thread *thread)

@@ -1,4 +1,5 @@
 /* Needles, graspers and other rigid bodies: their shapes, and that they move. */
+#include "base/elementary.h"
 #include "fixture.h"
 
 static const double place[3] = {0.01, -0.02, 0.03};

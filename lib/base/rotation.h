@@ -1,0 +1,12 @@
+/* Rotations that need elementary functions; rotation vectors in rad */
+#ifndef VBSS_BASE_ROTATION_H
+#define VBSS_BASE_ROTATION_H
+
+#include "base/linear.h"
+
+quat vbss_quat_from_rotation_vector(vec3 rotation);
+vec3 vbss_quat_to_rotation_vector(quat q); /* |rotation| <= pi */
+/* Orientation after turning with angular velocity omega (world frame, rad/s) for h seconds. */
+quat vbss_quat_integrate(quat q, vec3 omega, double h);
+
+#endif

@@ -1,0 +1,335 @@
+#include "record/coded.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+/* The first byte: flags, and the lowest bits of the step's number. */
+enum { ALONE = 1, SAME_INPUTS = 2, SAME_LENGTH = 4, HASHED = 8, EVENTS = 16, NUMBER_SHIFT = 5 };
+enum { KIND_BITS = 4, CHANNELS = 32, MOST_NUMBERS = 12, EVENT_WORDS = 4 };
+
+/* The past of the numbers of one kind of input to one body, or to one attachment. */
+typedef struct channel {
+    uint32_t kind, key[2];
+    log_past numbers[MOST_NUMBERS];
+} channel;
+
+struct log_coder {
+    bool alone; /* the next step must stand alone */
+    double h;
+    uint32_t input_count, input_capacity;
+    uint8_t *kinds; /* of the last step's inputs, with their words and channels */
+    uint32_t (*words)[4];
+    uint8_t *places;
+    uint32_t channel_count, oldest; /* oldest: the one to give way when there is no room */
+    channel channels[CHANNELS];
+};
+
+static const log_past no_past[MOST_NUMBERS];
+
+/* ---- life */
+
+static void list(log_coder *c, vbss_array arrays[3])
+{
+    arrays[0] = (vbss_array){&c->kinds, c->input_capacity, sizeof *c->kinds};
+    arrays[1] = (vbss_array){&c->words, c->input_capacity, sizeof *c->words};
+    arrays[2] = (vbss_array){&c->places, c->input_capacity, sizeof *c->places};
+}
+
+vbss_result vbss_log_make_coder(vbss_context *context, uint32_t input_capacity, log_coder **coder)
+{
+    vbss_array arrays[3];
+    log_coder *c = vbss_allocate(context, 1, sizeof *c, "coder of a log");
+    *coder = c;
+    if (c == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    c->input_capacity = input_capacity;
+    vbss_log_restart_coder(c);
+    list(c, arrays);
+    return vbss_allocate_arrays(context, arrays, 3, "coder of a log");
+}
+
+void vbss_log_free_coder(vbss_context *context, log_coder *coder)
+{
+    vbss_array arrays[3];
+    if (coder == NULL) {
+        return;
+    }
+    list(coder, arrays);
+    vbss_release_arrays(context, arrays, 3);
+    vbss_release(context, coder, 1, sizeof *coder);
+}
+
+static void forget(log_coder *c)
+{
+    c->h = 0.0;
+    c->input_count = c->channel_count = c->oldest = 0;
+}
+
+void vbss_log_restart_coder(log_coder *coder)
+{
+    forget(coder);
+    coder->alone = true;
+}
+
+/* ---- channels */
+
+/* An attachment has a past of its own; the other second words say how, not what. */
+static void key_of(const vbss_log_input *input, uint32_t key[2])
+{
+    key[0] = input->words[0];
+    key[1] = input->kind == VBSS_INPUT_MOVE ? input->words[1] : 0;
+}
+
+/* CHANNELS: there is none. */
+static uint32_t find_channel(const log_coder *c, const vbss_log_input *input)
+{
+    uint32_t key[2], i = 0;
+    key_of(input, key);
+    while (i < c->channel_count &&
+           (c->channels[i].kind != (uint32_t)input->kind || c->channels[i].key[0] != key[0] ||
+            c->channels[i].key[1] != key[1])) {
+        i++;
+    }
+    return i < c->channel_count ? i : CHANNELS;
+}
+
+static const log_past *past_of(const log_coder *c, bool same, uint32_t i,
+                               const vbss_log_input *input)
+{
+    uint32_t place = same ? c->places[i] : find_channel(c, input);
+    return place < CHANNELS ? c->channels[place].numbers : no_past;
+}
+
+static uint32_t make_channel(log_coder *c, const vbss_log_input *input)
+{
+    uint32_t place = c->channel_count < CHANNELS ? c->channel_count++ : c->oldest++ % CHANNELS;
+    memset(&c->channels[place], 0, sizeof c->channels[place]);
+    c->channels[place].kind = (uint32_t)input->kind;
+    key_of(input, c->channels[place].key);
+    return place;
+}
+
+static void remember(log_coder *c, const log_step *step, bool same)
+{
+    for (uint32_t i = 0; i < step->input_count; i++) {
+        const vbss_log_input *input = &step->inputs[i];
+        uint32_t place = same ? c->places[i] : find_channel(c, input);
+        place = place < CHANNELS ? place : make_channel(c, input);
+        for (uint32_t n = 0; n < vbss_log_input_shapes[input->kind].numbers; n++) {
+            vbss_log_push_number(&c->channels[place].numbers[n], input->numbers[n]);
+        }
+        c->kinds[i] = (uint8_t)input->kind;
+        memcpy(c->words[i], input->words, sizeof c->words[i]);
+        c->places[i] = (uint8_t)place;
+    }
+    c->input_count = step->input_count;
+    c->h = step->h;
+    c->alone = false;
+}
+
+/* ---- writing */
+
+static bool same_inputs(const log_coder *c, const log_step *step)
+{
+    bool same = step->input_count == c->input_count;
+    for (uint32_t i = 0; same && i < step->input_count; i++) {
+        uint8_t kind = step->kinds[i];
+        same = kind == c->kinds[i] &&
+               memcmp(step->inputs[i].words, c->words[i],
+                      vbss_log_input_shapes[kind].words * sizeof c->words[i][0]) == 0;
+    }
+    return same;
+}
+
+static uint64_t bits_of(double x)
+{
+    uint64_t bits;
+    memcpy(&bits, &x, sizeof bits);
+    return bits;
+}
+
+static void put_list(log_bits *bits, const log_step *step)
+{
+    vbss_log_put_word(bits, step->input_count);
+    for (uint32_t i = 0; i < step->input_count; i++) {
+        vbss_log_put_bits(bits, step->kinds[i], KIND_BITS);
+        for (uint32_t n = 0; n < vbss_log_input_shapes[step->kinds[i]].words; n++) {
+            vbss_log_put_word(bits, step->inputs[i].words[n]);
+        }
+    }
+}
+
+static void put_events(log_bits *bits, const log_step *step)
+{
+    vbss_log_put_word(bits, step->event_count);
+    for (uint32_t i = 0; i < step->event_count; i++) {
+        for (uint32_t n = 0; n < EVENT_WORDS; n++) {
+            vbss_log_put_word(bits, step->events[i][n]);
+        }
+    }
+}
+
+size_t vbss_log_coded_most(const log_step *step, uint32_t event_count)
+{
+    const size_t fixed = 1 + 8 + 8, count = LOG_WORD_BITS / 8;
+    size_t bits = 7;
+    for (uint32_t i = 0; i < step->input_count; i++) {
+        const log_input_shape shape = vbss_log_input_shapes[step->kinds[i]];
+        bits += KIND_BITS + (size_t)shape.words * LOG_WORD_BITS +
+                (size_t)shape.numbers * LOG_NUMBER_BITS;
+    }
+    bits += (size_t)event_count * EVENT_WORDS * LOG_WORD_BITS;
+    return fixed + 2 * count + bits / 8;
+}
+
+size_t vbss_log_encode(log_coder *coder, const log_step *step, uint8_t *bytes, size_t room)
+{
+    log_bits bits = {.out = bytes, .count = room};
+    const bool same = same_inputs(coder, step), length = bits_of(step->h) == bits_of(coder->h);
+    uint32_t flags = (coder->alone ? ALONE : 0u) | (same ? SAME_INPUTS : 0u) |
+                     (length ? SAME_LENGTH : 0u) | (step->hashed != 0 ? HASHED : 0u) |
+                     (step->event_count > 0 ? EVENTS : 0u);
+    vbss_log_put_bits(&bits, flags, NUMBER_SHIFT);
+    vbss_log_put_bits(&bits, step->number, 8 - NUMBER_SHIFT);
+    if (!length) {
+        vbss_log_put_bits(&bits, bits_of(step->h), 64);
+    }
+    if (step->hashed != 0) {
+        vbss_log_put_bits(&bits, step->hash, 64);
+    }
+    if (!same) {
+        put_list(&bits, step);
+    }
+    for (uint32_t i = 0; i < step->input_count; i++) {
+        const log_past *past = past_of(coder, same, i, &step->inputs[i]);
+        for (uint32_t n = 0; n < vbss_log_input_shapes[step->kinds[i]].numbers; n++) {
+            vbss_log_put_number(&bits, &past[n], step->inputs[i].numbers[n]);
+        }
+    }
+    if (step->event_count > 0) {
+        put_events(&bits, step);
+    }
+    remember(coder, step, same);
+    return log_bits_bytes(&bits);
+}
+
+/* ---- reading */
+
+static void shape_input(log_step *step, uint32_t i, uint32_t kind)
+{
+    vbss_log_input *input = &step->inputs[i];
+    step->kinds[i] = (uint8_t)kind;
+    input->kind = (vbss_input_kind)kind;
+    input->word_count = vbss_log_input_shapes[kind].words;
+    input->number_count = vbss_log_input_shapes[kind].numbers;
+}
+
+static const char *get_list(log_bits *bits, log_step *step)
+{
+    uint32_t count = vbss_log_get_word(bits);
+    if (count > step->input_capacity) {
+        return "more inputs than the log says there can be";
+    }
+    step->input_count = count;
+    for (uint32_t i = 0; i < count && !bits->beyond; i++) {
+        uint32_t kind = (uint32_t)vbss_log_get_bits(bits, KIND_BITS);
+        if (kind == 0 || kind >= INPUT_KINDS) {
+            return "no such input";
+        }
+        shape_input(step, i, kind);
+        for (uint32_t n = 0; n < step->inputs[i].word_count; n++) {
+            step->inputs[i].words[n] = vbss_log_get_word(bits);
+        }
+    }
+    return NULL;
+}
+
+static void repeat_list(const log_coder *c, log_step *step)
+{
+    step->input_count = c->input_count;
+    for (uint32_t i = 0; i < c->input_count; i++) {
+        shape_input(step, i, c->kinds[i]);
+        memcpy(step->inputs[i].words, c->words[i], sizeof c->words[i]);
+    }
+}
+
+static const char *get_numbers(log_bits *bits, const log_coder *c, bool same, log_step *step)
+{
+    for (uint32_t i = 0; i < step->input_count && !bits->beyond; i++) {
+        const log_past *past = past_of(c, same, i, &step->inputs[i]);
+        for (uint32_t n = 0; n < step->inputs[i].number_count; n++) {
+            double x = vbss_log_get_number(bits, &past[n]);
+            if (!(fabs(x) <= DBL_MAX)) {
+                return "a number is not finite";
+            }
+            step->inputs[i].numbers[n] = x;
+        }
+    }
+    return NULL;
+}
+
+static const char *get_events(log_bits *bits, log_step *step)
+{
+    uint32_t count = vbss_log_get_word(bits);
+    if (count == 0 || count > step->event_capacity) {
+        return "no event, or more than the log says there can be";
+    }
+    step->event_count = count;
+    for (uint32_t i = 0; i < count && !bits->beyond; i++) {
+        for (uint32_t n = 0; n < EVENT_WORDS; n++) {
+            step->events[i][n] = vbss_log_get_word(bits);
+        }
+    }
+    return NULL;
+}
+
+static const char *get_front(log_bits *bits, log_coder *c, uint64_t steps_before, log_step *step,
+                             uint32_t *flags)
+{
+    *flags = (uint32_t)vbss_log_get_bits(bits, NUMBER_SHIFT);
+    uint64_t number = vbss_log_get_bits(bits, 8 - NUMBER_SHIFT);
+    step->number = steps_before + 1;
+    if (number != step->number % (1u << (8 - NUMBER_SHIFT))) {
+        return "another step was expected";
+    }
+    if ((*flags & ALONE) != 0) {
+        forget(c);
+    } else if (c->alone) {
+        return "a step that stands alone was expected";
+    }
+    uint64_t h = (*flags & SAME_LENGTH) != 0 ? bits_of(c->h) : vbss_log_get_bits(bits, 64);
+    memcpy(&step->h, &h, sizeof h);
+    step->hashed = (*flags & HASHED) != 0;
+    step->hash = step->hashed != 0 ? vbss_log_get_bits(bits, 64) : 0;
+    return fabs(step->h) <= DBL_MAX ? NULL : "a number is not finite";
+}
+
+const char *vbss_log_decode(log_coder *coder, uint64_t steps_before, const uint8_t *bytes,
+                            size_t count, log_step *step)
+{
+    log_bits bits = {.in = bytes, .count = count};
+    uint32_t flags;
+    const char *problem = get_front(&bits, coder, steps_before, step, &flags);
+    const bool same = (flags & SAME_INPUTS) != 0;
+    step->event_count = 0;
+    if (problem == NULL && same) {
+        repeat_list(coder, step);
+    } else if (problem == NULL) {
+        problem = get_list(&bits, step);
+    }
+    if (problem == NULL) {
+        problem = get_numbers(&bits, coder, same, step);
+    }
+    if (problem == NULL && (flags & EVENTS) != 0) {
+        problem = get_events(&bits, step);
+    }
+    if (problem == NULL && !vbss_log_bits_end(&bits)) {
+        problem = "the step does not end where its record does";
+    }
+    if (problem == NULL) {
+        remember(coder, step, same);
+    }
+    return problem;
+}
