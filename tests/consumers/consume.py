@@ -1,10 +1,11 @@
 """Builds and runs a consumer of the library the way a stranger would.
 
-    consume.py KIND --build DIR --source DIR --work DIR
+    consume.py KIND --build DIR --source DIR --work DIR [--plan]
 
 The library is installed into a fresh prefix that is then moved elsewhere, so that nothing can depend
 on where it was built or installed. KIND is a folder beside this script. Every consumer makes
-host_shared and host_static, and both must run.
+host_shared and host_static, and both must run; with --plan they are only configured, and the build is
+planned to its end: each of its sources is there, each command is known.
 """
 import argparse
 import os
@@ -30,11 +31,10 @@ def install_and_move(build, work):
     return moved
 
 
-def with_cmake(kind, work, prefix, source, build_type):
+def configure(kind, work, prefix, source, build_type):
     run("cmake", "-G", "Ninja", "-S", HERE / kind, "-B", work / "build", f"-DCMAKE_PREFIX_PATH={prefix}",
         f"-DVBSS_SOURCE={source}", f"-DCMAKE_BUILD_TYPE={build_type}",
         f"-DHOST_BUILD_TYPE={build_type}")
-    run("cmake", "--build", work / "build")
     return work / "build"
 
 
@@ -55,6 +55,7 @@ def main():
     parser.add_argument("--build", type=pathlib.Path, required=True)
     parser.add_argument("--source", type=pathlib.Path, required=True)
     parser.add_argument("--work", type=pathlib.Path, required=True)
+    parser.add_argument("--plan", action="store_true")
     options = parser.parse_args()
 
     shutil.rmtree(options.work, ignore_errors=True)
@@ -67,7 +68,15 @@ def main():
     else:
         # A host without a build type must keep none.
         build_type = "" if options.kind == "add_subdirectory" else "Release"
-        made = with_cmake(options.kind, options.work, prefix, options.source, build_type)
+        made = configure(options.kind, options.work, prefix, options.source, build_type)
+        if options.plan:
+            planned = run("ninja", "-C", made, "-n", "-v", "host_shared", "host_static")
+            for product in ("libvblast_ss.so", "libvblast_ss.a", "-o host_shared", "-o host_static"):
+                if product not in planned:
+                    sys.exit(f"{product} is not planned:\n{planned}")
+            print(f"consumer {options.kind}: configured, and its build planned to the end")
+            return
+        run("cmake", "--build", made)
     for host in ("host_shared", "host_static"):
         run(made / host)
         linked = run("readelf", "-d", made / host)

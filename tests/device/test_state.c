@@ -13,9 +13,7 @@ static void a_restored_device_goes_on_to_the_bit(void **state)
 {
     (void)state;
     const harness_body body = device_body();
-    for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
-        harness_save_restore_continue(&body, moments[i], 40);
-    }
+    harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 40);
 }
 
 /* Hashes see only what is saved. What hosts and hardware see must go on alike, too: nothing that matters is left

@@ -109,9 +109,7 @@ static void a_restored_drain_goes_on_to_the_same_bits(void **state)
         life l = lives[i];
         harness_body body = body_of(&l);
         const size_t moments[] = {1, 30, 55, 70};
-        for (int k = 0; k < 4; k++) {
-            harness_save_restore_continue(&body, moments[k], 10);
-        }
+        harness_save_restore_continue_at(&body, moments, 4, 10);
     }
 }
 

@@ -70,61 +70,119 @@ enum { IN_A_NEW_BODY, IN_ANOTHER_LIFE, BACK_IN_ITS_OWN, WAYS };
 static const char *const way_names[WAYS] = {"in a new body", "in a body that lived otherwise",
                                             "in its own body"};
 
-static void divergences(const harness_body *body, size_t before, size_t after, size_t found[WAYS])
+/* One run, saved at several steps. */
+typedef struct saved_run {
+    const size_t *before; /* when it is saved, ascending */
+    size_t count, after;  /* of them; states that are compared after each */
+    uint8_t **states;
+    size_t *sizes;
+    uint64_t *hashes; /* of the state after step i, if it is compared */
+} saved_run;
+
+static bool is_compared(const saved_run *run, size_t step)
+{
+    for (size_t i = 0; i < run->count; i++) {
+        if (step > run->before[i] && step <= run->before[i] + run->after) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void begin_saved_run(saved_run *run, const living *first, const harness_body *body)
+{
+    size_t last = run->before[run->count - 1] + run->after, next = 0;
+    run->states = calloc(run->count, sizeof *run->states);
+    run->sizes = calloc(run->count, sizeof *run->sizes);
+    run->hashes = calloc(last + 1, sizeof *run->hashes);
+    assert_true(run->states != NULL && run->sizes != NULL && run->hashes != NULL);
+    for (size_t i = 0; i <= last; i++) {
+        if (i > 0) {
+            step(first, body, 1);
+            run->hashes[i] = is_compared(run, i) ? hash_of(first) : 0;
+        }
+        while (next < run->count && run->before[next] == i) {
+            run->states[next] = save(first, &run->sizes[next]);
+            next++;
+        }
+    }
+    assert_int_equal(next, run->count); /* else they do not ascend */
+}
+
+static void end_saved_run(saved_run *run)
+{
+    for (size_t i = 0; i < run->count; i++) {
+        free(run->states[i]);
+    }
+    free(run->states);
+    free(run->sizes);
+    free(run->hashes);
+}
+
+static size_t divergence_from(const saved_run *run, size_t i, const living *life,
+                              const harness_body *body)
+{
+    expect_ok(vbss_snapshot_restore(life->slot, run->states[i], run->sizes[i]));
+    return divergence(life, body, run->hashes + run->before[i] + 1, run->after);
+}
+
+/* For each of `count` steps and each way, the first state that differs. */
+static void divergences(const harness_body *body, const size_t *before, size_t count, size_t after,
+                        size_t found[][WAYS])
 {
     living first, fresh, other;
-    uint64_t *hashes = calloc(after, sizeof *hashes);
-    assert_non_null(hashes);
+    saved_run run = {.before = before, .count = count, .after = after};
     begin_life(&first, body);
     if (body->edit != NULL) {
         expect_ok(body->edit(first.handle));
     }
-    step(&first, body, before);
-    size_t count;
-    uint8_t *saved = save(&first, &count);
-    for (size_t i = 0; i < after; i++) {
-        step(&first, body, 1);
-        hashes[i] = hash_of(&first);
-    }
-    assert_true(after < 2 || hashes[0] != hashes[1]); /* a body that stands still tests nothing */
-
-    begin_life(&fresh, body);
-    expect_ok(vbss_snapshot_restore(fresh.slot, saved, count));
-    found[IN_A_NEW_BODY] = divergence(&fresh, body, hashes, after);
+    begin_saved_run(&run, &first, body);
     begin_life(&other, body);
-    step(&other, body, before / 2 + 3); /* leaves other caches behind */
-    expect_ok(vbss_snapshot_restore(other.slot, saved, count));
-    found[IN_ANOTHER_LIFE] = divergence(&other, body, hashes, after);
-    expect_ok(vbss_snapshot_restore(first.slot, saved, count));
-    found[BACK_IN_ITS_OWN] = divergence(&first, body, hashes, after);
-
+    step(&other, body, before[count - 1] / 2 + 3); /* leaves other caches behind */
+    for (size_t i = 0; i < count; i++) {
+        const uint64_t *hashes = run.hashes + before[i] + 1;
+        assert_true(after < 2 || hashes[0] != hashes[1]); /* else it stands still: no test */
+        begin_life(&fresh, body);
+        found[i][IN_A_NEW_BODY] = divergence_from(&run, i, &fresh, body);
+        end_life(&fresh, body);
+        found[i][IN_ANOTHER_LIFE] = divergence_from(&run, i, &other, body);
+        found[i][BACK_IN_ITS_OWN] = divergence_from(&run, i, &first, body);
+    }
     end_life(&other, body);
-    end_life(&fresh, body);
     end_life(&first, body);
-    free(saved);
-    free(hashes);
+    end_saved_run(&run);
 }
 
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after)
 {
-    size_t found[WAYS], least = after;
-    divergences(body, before, after, found);
+    size_t found[1][WAYS], least = after;
+    divergences(body, &before, 1, after, found);
     for (int way = 0; way < WAYS; way++) {
-        least = found[way] < least ? found[way] : least;
+        least = found[0][way] < least ? found[0][way] : least;
     }
     return least;
 }
 
-void harness_save_restore_continue(const harness_body *body, size_t before, size_t after)
+void harness_save_restore_continue_at(const harness_body *body, const size_t *before, size_t count,
+                                      size_t after)
 {
-    size_t found[WAYS];
-    divergences(body, before, after, found);
-    for (int way = 0; way < WAYS; way++) {
-        if (found[way] < after) {
-            fail_msg("%s saved at step %zu and restored %s differs from step %zu on", body->name,
-                     before, way_names[way], before + found[way] + 1);
+    enum { MOST = 32 };
+    size_t found[MOST][WAYS];
+    assert_in_range(count, 1, MOST);
+    divergences(body, before, count, after, found);
+    for (size_t i = 0; i < count; i++) {
+        for (int way = 0; way < WAYS; way++) {
+            if (found[i][way] < after) {
+                fail_msg("%s saved at step %zu and restored %s differs from step %zu on",
+                         body->name, before[i], way_names[way], before[i] + found[i][way] + 1);
+            }
         }
     }
+}
+
+void harness_save_restore_continue(const harness_body *body, size_t before, size_t after)
+{
+    harness_save_restore_continue_at(body, &before, 1, after);
 }
 
 uint64_t harness_step_allocations(const harness_body *body, size_t steps)

@@ -30,6 +30,20 @@ void harness_near(double wanted, double got, double tolerance, const char *what,
     }
 }
 
+void harness_known_limit(double wanted, double today, double got, const char *what,
+                         const char *file, int line)
+{
+    if (!(got <= today)) {
+        print_error("%s\n    is %g: worse than the known limit, %g\n", what, got, today);
+        _fail(file, line);
+    }
+    if (got <= wanted) {
+        print_error("%s\n    is %g: the known limit is gone, make %g the rule of this test\n", what,
+                    got, wanted);
+        _fail(file, line);
+    }
+}
+
 void harness_same_bits(double wanted, double got, const char *what, const char *file, int line)
 {
     if (harness_bits(wanted) != harness_bits(got)) {

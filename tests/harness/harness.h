@@ -37,6 +37,12 @@ void harness_near(double wanted, double got, double tolerance, const char *what,
 #define expect_same_bits(wanted, got) harness_same_bits((wanted), (got), #got, __FILE__, __LINE__)
 void harness_same_bits(double wanted, double got, const char *what, const char *file, int line);
 uint64_t harness_bits(double value);
+/* A figure that is known to be worse (larger) than wanted: docs/known-limits.md. Fails when it is worse than it is today,
+ * and when it is as good as wanted: then what is wanted becomes the rule of the test. */
+#define expect_known_limit(wanted, today, got) \
+    harness_known_limit((wanted), (today), (got), #got, __FILE__, __LINE__)
+void harness_known_limit(double wanted, double today, double got, const char *what,
+                         const char *file, int line);
 
 /* ---- memory that is watched, and fails when told to (memory.c) */
 typedef struct harness_memory {
@@ -105,6 +111,9 @@ typedef struct harness_body {
 size_t harness_restored_divergence(const harness_body *body, size_t before, size_t after);
 /* Asserts that none does. */
 void harness_save_restore_continue(const harness_body *body, size_t before, size_t after);
+/* The same at several steps, in ascending order, of one run. */
+void harness_save_restore_continue_at(const harness_body *body, const size_t *before, size_t count,
+                                      size_t after);
 /* Calls of the allocator in that many steps: a body of the house makes none. */
 uint64_t harness_step_allocations(const harness_body *body, size_t steps);
 /* Cut, damaged and foreign snapshots: each is told and leaves the body as it was. Damage that only

@@ -131,6 +131,25 @@ static void continue_a_body_that_stands_still(void **state)
     harness_save_restore_continue(&body, 1, 5);
 }
 
+static void continue_at_steps_that_do_not_ascend(void **state)
+{
+    (void)state;
+    const size_t before[] = {10, 5};
+    faulty f = {1, 1, 0, NO_FAULT};
+    harness_body body = faulty_body(&f);
+    harness_save_restore_continue_at(&body, before, 2, 5);
+}
+
+/* Its growth changes at step 5: of a state that is saved before, no body makes another one within two steps. */
+static void continue_with_a_field_that_only_the_last_step_needs(void **state)
+{
+    (void)state;
+    const size_t before[] = {1, 20};
+    faulty f = {1, 1, 0, SETTLES_UNSAVED};
+    harness_body body = faulty_body(&f);
+    harness_save_restore_continue_at(&body, before, 2, 2);
+}
+
 static void an_allocation_in_a_step_is_counted(void **state)
 {
     (void)state;
@@ -307,6 +326,24 @@ static void zeros_of_other_signs(void **state)
     expect_same_bits(0.0, -0.0);
 }
 
+static void worse_than_a_known_limit(void **state)
+{
+    (void)state;
+    expect_known_limit(0.0, 2.0, 2.1);
+}
+
+static void as_good_as_wanted(void **state)
+{
+    (void)state;
+    expect_known_limit(1.0, 2.0, 1.0);
+}
+
+static void not_a_number_within_a_known_limit(void **state)
+{
+    (void)state;
+    expect_known_limit(1.0, 2.0, harness_bad_numbers[0]);
+}
+
 static void another_result(void **state)
 {
     (void)state;
@@ -361,10 +398,16 @@ static void fixtures_fail_on_what_is_faulty(void **state)
     expect_failure(near_but_not_enough);
     expect_failure(near_a_nan);
     expect_failure(zeros_of_other_signs);
+    expect_failure(worse_than_a_known_limit);
+    expect_failure(as_good_as_wanted);
+    expect_failure(not_a_number_within_a_known_limit);
+    expect_known_limit(1.0, 2.0, 2.0); /* as it is today */
     expect_failure(another_result);
     expect_failure(lose_a_block);
     expect_failure(continue_with_a_forgotten_field);
     expect_failure(continue_a_body_that_stands_still);
+    expect_failure(continue_at_steps_that_do_not_ascend);
+    expect_failure(continue_with_a_field_that_only_the_last_step_needs);
     expect_failure(restore_into_a_body_changed_by_reading);
     expect_failure(restore_into_a_body_that_clamps);
     expect_failure(sweep_attempt_nothing);

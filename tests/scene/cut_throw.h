@@ -17,6 +17,8 @@ typedef struct cut_outcome {
 
 /* With that share of the default limit of work, if it is limited. */
 cut_outcome cut_throw(const cut_case *t, double share);
+/* With the default limit of work: all that `bars` ask, but for the waiting, which is known to be `paused`, s. */
+void cut_expect_within_known(const cut_case *bars, double paused);
 void cut_expect_within(const cut_outcome *found, const cut_case *bars);
 
 #endif

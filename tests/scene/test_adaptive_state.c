@@ -104,9 +104,7 @@ static void a_restored_scene_adapts_to_the_same_bits(void **state)
     for (int bending = 0; bending < 2; bending++) {
         harness_body body = body_of(bending);
         static const size_t moments[] = {0, 3, 20, 45, 69, 70, 71, 110};
-        for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
-            harness_save_restore_continue(&body, moments[i], 30);
-        }
+        harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 30);
     }
 }
 

@@ -82,9 +82,7 @@ static void a_scene_goes_on_to_the_same_bits_across_cuts(void **state)
     const size_t moments[] = {5, 12, 13, 14, 20, 25, 26, 27, 40};
     for (int method = 0; method < 2; method++) {
         harness_body body = body_of(method);
-        for (int i = 0; i < 9; i++) {
-            harness_save_restore_continue(&body, moments[i], 30);
-        }
+        harness_save_restore_continue_at(&body, moments, 9, 30);
     }
 }
 

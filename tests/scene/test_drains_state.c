@@ -10,10 +10,8 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     const size_t moments[] = {1, 12, 60, 150, 205, 320};
     drain_hands hands;
     expect_ok(drain_hands_init(&hands));
-    for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
-        harness_body body = drains_as_body(&hands);
-        harness_save_restore_continue(&body, moments[i], 30);
-    }
+    harness_body body = drains_as_body(&hands);
+    harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 30);
 }
 
 /* With drains of other meshes, walls and glue; anchors tear while the tool is at work. */
@@ -39,10 +37,12 @@ static void a_scene_that_waits_goes_on_to_the_same_bits(void **state)
     vbss_scene_config config;
     expect_ok(vbss_scene_config_init(&config, sizeof config));
     config.work_limit = 50000; /* for one look or two */
-    for (size_t moment = LEAP_AT - 1; moment < LEAP_AT + 10; moment++) {
-        harness_body body = leap_as_body(&config);
-        harness_save_restore_continue(&body, moment, 12);
+    size_t moments[11];
+    for (size_t i = 0; i < 11; i++) {
+        moments[i] = LEAP_AT - 1 + i;
     }
+    harness_body body = leap_as_body(&config);
+    harness_save_restore_continue_at(&body, moments, 11, 12);
 }
 
 /* ---- what hosts see */

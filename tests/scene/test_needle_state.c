@@ -36,9 +36,7 @@ enum { MOMENTS = sizeof moments / sizeof moments[0] };
 static void a_restored_scene_goes_on_to_the_same_bits(void **state)
 {
     (void)state;
-    for (int i = 0; i < MOMENTS; i++) {
-        harness_save_restore_continue(&body, moments[i], 60);
-    }
+    harness_save_restore_continue_at(&body, moments, MOMENTS, 60);
     harness_save_restore_continue(&body, 300, 10);  /* it is taken, */
     harness_save_restore_continue(&body, 320, 60);  /* settles in the jaws, */
     harness_save_restore_continue(&body, 1099, 20); /* is let go */

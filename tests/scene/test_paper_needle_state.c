@@ -35,9 +35,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     const size_t moments[] = {PAPER_NEEDLE_SCENE_TAKEN,   165, /* on its way through the wall */
                               PAPER_NEEDLE_SCENE_THROUGH, PAPER_NEEDLE_SCENE_BOTH,
                               PAPER_NEEDLE_SCENE_HANDED,  PAPER_NEEDLE_SCENE_PASSED};
-    for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
-        harness_save_restore_continue(&body, moments[i], 60);
-    }
+    harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 60);
 }
 
 static void steps_allocate_nothing(void **state)

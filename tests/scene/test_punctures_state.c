@@ -85,9 +85,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     const size_t moments[] = {20, 55, 66, 70, 90, 120, 160, 176, 190, 220, 300};
     pricked p = {16};
     harness_body body = as_body(&p);
-    for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
-        harness_save_restore_continue(&body, moments[i], 25);
-    }
+    harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 25);
 }
 
 static void bad_snapshots_are_told(void **state)

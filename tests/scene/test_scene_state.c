@@ -13,9 +13,7 @@ static void a_restored_scene_goes_on_to_the_same_bits(void **state)
     const size_t moments[] = {1, 5, 12, 40};
     for (int k = 0; k < 2; k++) {
         harness_body body = scene_as_body(&kinds[k]);
-        for (int i = 0; i < 4; i++) {
-            harness_save_restore_continue(&body, moments[i], 30);
-        }
+        harness_save_restore_continue_at(&body, moments, 4, 30);
     }
 }
 

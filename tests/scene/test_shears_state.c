@@ -190,9 +190,7 @@ static void a_scene_goes_on_to_the_same_bits_across_a_cut(void **state)
                               CUT_AT + 1,   CUT_AT + 2, OPENED_AT + 10, CLOSED_AGAIN_AT + 42};
     for (int method = 0; method < 2; method++) {
         harness_body body = body_of(method);
-        for (size_t i = 0; i < sizeof moments / sizeof moments[0]; i++) {
-            harness_save_restore_continue(&body, moments[i], 30);
-        }
+        harness_save_restore_continue_at(&body, moments, sizeof moments / sizeof moments[0], 30);
     }
 }
 

@@ -265,9 +265,7 @@ static void expect_going_on(const harness_body *plain, uint32_t slot, const size
 {
     const harness_body body = divide(plain, slot);
     assert_true(waited_in(&body, moments[count - 1] + 30) > 20);
-    for (int i = 0; i < count; i++) {
-        harness_save_restore_continue(&body, moments[i], 30);
-    }
+    harness_save_restore_continue_at(&body, moments, (size_t)count, 30);
 }
 
 static void a_step_that_waits_goes_on_to_the_same_bits_when_restored(void **state)

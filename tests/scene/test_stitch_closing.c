@@ -89,7 +89,7 @@ static void without_the_thread_it_stands_open_again(void **state)
 
 /* ---- limbs straight up, drawn by soft springs: both alike, whatever way the thread slides */
 
-enum { LOADS = 6, MORE = 400, REST = 600 };
+enum { LOADS = 6, MORE = 250, REST = 350 };
 #define SOFT 2.0 /* N/m */
 
 typedef struct loading {

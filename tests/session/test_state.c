@@ -71,9 +71,7 @@ static void a_restored_session_goes_on_to_the_same_bits(void **state)
     static const size_t at[] = {0, 1, 60, 128};
     uint32_t crossings = 5;
     const harness_body b = body(&crossings);
-    for (size_t i = 0; i < sizeof at / sizeof at[0]; i++) {
-        harness_save_restore_continue(&b, at[i], 30);
-    }
+    harness_save_restore_continue_at(&b, at, sizeof at / sizeof at[0], 30);
 }
 
 static void a_step_allocates_nothing(void **state)

@@ -22,9 +22,7 @@ static void a_restored_thread_goes_on_to_the_same_bits(void **state)
         thread_body_options options = lives[i];
         harness_body body = thread_body(&options);
         const size_t moments[] = {1, 7, 9, THREAD_SCENE_CUT_STEP, 70};
-        for (int k = 0; k < 5; k++) {
-            harness_save_restore_continue(&body, moments[k], 40);
-        }
+        harness_save_restore_continue_at(&body, moments, 5, 40);
     }
 }
 
