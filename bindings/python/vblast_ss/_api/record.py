@@ -66,8 +66,8 @@ class vbss_record_config(ctypes.Structure):
     note_bytes: Size of the note, at most 2^24; default 0.
 
     buffer_bytes: Room for what the host has not taken yet, beyond the begin of the log, in
-    bytes, 4096 to 2^30; default 2^20. A step in which two rigid bodies move takes 274, one in
-    which two graspers move and open 332; an event 16 more.
+    bytes, 4096 to 2^30; default 2^20. A step needs room for its largest form: 274 where two rigid
+    bodies move, 332 where two graspers move and open. Smooth movements take about a tenth of that
 
     note: Anything the host wants to find in the log again, such as what its scene is made from;
     NULL (default) when note_bytes is 0. Copied.
