@@ -442,7 +442,8 @@ VBSS_API vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scen
  * @param replay      the replay, which stays where it is
  * @param[out] steps  complete steps in it, also when the call fails with what comes after them
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED (it has no
- *         end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION or VBSS_ERROR_BUSY; texts name the byte
+ *         end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY;
+ *         texts name the byte
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -508,7 +509,7 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
  * @param struct_size  `sizeof *step` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (it is cut off before it),
  *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT,
- *         VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -525,7 +526,8 @@ VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss
  * @param[out] report  receives what was found
  * @param struct_size  `sizeof *report` as the caller was compiled
  * @return VBSS_OK, whatever is wrong; VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_CORRUPT (larger than any memory), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_CORRUPT (larger than any memory), VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
