@@ -8,7 +8,8 @@
  *
  * A *replay* reads a log, complete or cut off, with a scene or without. It brings a scene that was made alike to where the record
  * began, tells it what the host told it then, steps it, and compares hashes: it ends, or names the
- * first step that differs. Page docs/session-log.md has the format.
+ * first step that differs. Page docs/session-log.md has the format. Steps are coded as differences from what
+ * the steps before predict, to the bit; logs of format 2, which were not, are read, replayed and continued.
  *
  * SPDX-License-Identifier: Apache-2.0
  */
@@ -33,7 +34,8 @@ typedef struct vbss_record_config {
     uint32_t input_capacity; /**< Most inputs before a step, 0 to 65536; default 64. */
     uint32_t note_bytes;     /**< Size of the note, at most 2^24; default 0. */
     /** Room for what the host has not taken yet, beyond the begin of the log, in bytes, 4096 to 2^30;
-     * default 2^20. A step in which two rigid bodies move takes 274, one in which two graspers move and open 332; an event 16 more. */
+     * default 2^20. A step needs room for its largest form: 274 where two rigid bodies move, 332 where
+     * two graspers move and open. Smooth movements take about a tenth of that in the log. */
     uint64_t buffer_bytes;
     /** Anything the host wants to find in the log again, such as what its scene is made from; NULL
      * (default) when note_bytes is 0. Copied. */
@@ -112,7 +114,7 @@ typedef struct vbss_replay_info {
     uint32_t library_version; /**< Of the library that wrote it, as #VBSS_VERSION_NUM. */
     uint32_t hash_interval;   /**< As it was recorded. */
     uint32_t note_bytes;      /**< Size of the note. */
-    uint64_t snapshot_bytes;  /**< Size of the snapshot it begins with. */
+    uint64_t snapshot_bytes;  /**< Size of the snapshot it begins with, unpacked. */
     uint64_t log_bytes;       /**< Size of the log, what may be cut off or damaged included. */
     const char *build_info;   /**< Of the library that wrote it; lives as long as the replay. */
     const void *note;         /**< The host's note; never NULL; lives as long as the replay. */
@@ -167,7 +169,7 @@ VBSS_API vbss_result vbss_record_config_init(vbss_record_config *config, uint32_
  * @param config       how; NULL for the defaults
  * @param[out] record  the new record; NULL when the call fails
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (a snapshot of 4 GiB),
+ *         VBSS_ERROR_UNKNOWN_FIELD, VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_CAPACITY (a snapshot of 3 GiB),
  *         VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
@@ -440,7 +442,8 @@ VBSS_API vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scen
  * @param replay      the replay, which stays where it is
  * @param[out] steps  complete steps in it, also when the call fails with what comes after them
  * @return VBSS_OK, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_TRUNCATED (it has no
- *         end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION or VBSS_ERROR_BUSY; texts name the byte
+ *         end), VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY;
+ *         texts name the byte
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -506,7 +509,7 @@ VBSS_API vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step,
  * @param struct_size  `sizeof *step` as the caller was compiled
  * @return VBSS_OK, VBSS_ERROR_OUT_OF_RANGE (the log ends before it), VBSS_ERROR_TRUNCATED (it is cut off before it),
  *         VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT,
- *         VBSS_ERROR_STRUCT_SIZE or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_STRUCT_SIZE, VBSS_ERROR_ARITHMETIC_MODE or VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */
@@ -523,7 +526,8 @@ VBSS_API vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss
  * @param[out] report  receives what was found
  * @param struct_size  `sizeof *report` as the caller was compiled
  * @return VBSS_OK, whatever is wrong; VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_STRUCT_SIZE,
- *         VBSS_ERROR_CORRUPT (larger than any memory), VBSS_ERROR_OUT_OF_MEMORY or VBSS_ERROR_BUSY
+ *         VBSS_ERROR_CORRUPT (larger than any memory), VBSS_ERROR_OUT_OF_MEMORY, VBSS_ERROR_ARITHMETIC_MODE or
+ *         VBSS_ERROR_BUSY
  * @threads one thread at a time per context
  * @since 0.1
  */

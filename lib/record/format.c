@@ -2,8 +2,9 @@
  *   front   "VBSL", u32 format
  *   record  u32 length, u32 its complement, a section of the stream (code, version, fields), u64 checksum
  *   or      u16 length, u16 its complement, a coded step (coded.c), u64 checksum; since format 3
- * The two highest bits of the first four bytes are set in the second kind only. The checksum is XXH64 of the checksum before it (at first: the front) and all of the record before it. A
- * record whose code begins with a small letter may be passed over by who does not know it. */
+ * The two highest bits of the first four bytes are set in the second kind only. The checksum is XXH64 of
+ * the checksum before it (at first: the front) and all of the record before it. A record whose code begins
+ * with a small letter may be passed over by who does not know it. */
 #include <string.h>
 
 #include "base/error.h"

@@ -4,8 +4,8 @@
 #include "base/snapshot.h"
 #include "record/record.h"
 
-/* A state is put in the log when that has grown by so many times its size: states are a fifth of it at most. */
-enum { STATES_APART = 4 };
+/* A state is put in the log when that has grown by so many times its size: states are a third of it at most. */
+enum { STATES_APART = 2 };
 
 /* ---- marks */
 

@@ -20,12 +20,13 @@ void seal_snapshot(uint8_t *bytes, size_t count)
     store_little_endian(bytes + count - 8, vbss_hash_end(&hash), 8);
 }
 
-/* section 8, number 8 + 8, count 8 + 4, header 8, the snapshot, end 8 */
+/* section 8, number 8 + 8, count 8 + 4, header 8, the snapshot, end 8; a packed one has a newer version */
 static void seal_inside(uint8_t *section, size_t count)
 {
     enum { BEFORE = 44, AFTER = 8 };
     uint32_t code = count > BEFORE + AFTER ? (uint32_t)load_little_endian(section + 4, 4) : 0;
-    if (code == SNAPSHOT || code == STATE) {
+    uint64_t version = code == 0 ? 0 : load_little_endian(section + 2, 2);
+    if ((code == SNAPSHOT && version <= 2) || (code == STATE && version == 1)) {
         seal_snapshot(section + BEFORE, count - BEFORE - AFTER);
     }
 }

@@ -43,12 +43,15 @@ void trial_begin_record(session_trial *t)
     expect_ok(vbss_record_create(t->scene.scene, &c, &t->scene.config.record));
 }
 
-void trial_record(trial_log *was)
+static void record_trial(trial_log *was, bool plain)
 {
     static session_trial t;
+    record_object *r;
     memset(was, 0, sizeof *was);
     trial_begin(&t);
     trial_begin_record(&t);
+    expect_ok(vbss_record_edit(t.scene.config.record, &r));
+    r->log.format = plain ? 2 : r->log.format;
     trial_start(&t);
     log_take(&was->log, t.scene.config.record);
     was->ends[0] = was->log.count;
@@ -64,6 +67,16 @@ void trial_record(trial_log *was)
     trial_end(&t);
 }
 
+void trial_record(trial_log *was)
+{
+    record_trial(was, false);
+}
+
+void trial_record_plain(trial_log *was)
+{
+    record_trial(was, true);
+}
+
 void trial_follow(session_trial *t, const log_bytes *log)
 {
     trial_begin(t);
@@ -76,6 +89,11 @@ uint32_t trial_find_states(const log_bytes *log, state_place *last)
 {
     uint32_t count = 0, steps = 0;
     for (size_t at = 8; at < log->count;) {
+        if ((log->bytes[at + 3] & 0xc0u) == 0xc0u) { /* a coded step */
+            at += 12 + (size_t)load_little_endian(log->bytes + at, 2);
+            steps++;
+            continue;
+        }
         size_t length = (size_t)load_little_endian(log->bytes + at, 4);
         uint32_t found = (uint32_t)load_little_endian(log->bytes + at + 12, 4);
         steps += found == VBSS_CODE('S', 'T', 'E', 'P');

@@ -28,6 +28,8 @@ void trial_end(session_trial *t);
 void trial_begin_record(session_trial *t);
 /* All of it, the log to be freed. */
 void trial_record(trial_log *was);
+/* With steps as fields and states that are not packed, as a log of format 2 that goes on has them. */
+void trial_record_plain(trial_log *was);
 /* Begins and starts a session that follows the log. */
 void trial_follow(session_trial *t, const log_bytes *log);
 /* Scene and session are as they were after that step. */

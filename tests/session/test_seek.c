@@ -1,7 +1,7 @@
 /* A session goes to a step of its log from the states that are in it, to the same bits, and goes on live from there. */
 #include "followed.h"
 
-static void a_log_holds_states_of_its_session_and_is_a_fifth_of_them_at_most(void **state)
+static void a_log_holds_states_of_its_session_and_is_a_third_of_them_at_most(void **state)
 {
     (void)state;
     static trial_log was;
@@ -11,7 +11,7 @@ static void a_log_holds_states_of_its_session_and_is_a_fifth_of_them_at_most(voi
     print_message("%u states in %zu bytes, the last of %zu after step %u\n", states, was.log.count,
                   last.length, last.step);
     assert_true(states >= 2 && last.step > 0 && last.step % TRIAL_SNAPSHOTS == 0);
-    assert_true((states - 1) * last.length * 4 < was.log.count);
+    assert_true((states - 1) * last.length * 2 < was.log.count);
     free(was.log.bytes);
 }
 
@@ -201,7 +201,7 @@ static void a_log_without_states_is_told(void **state)
 int test_seek(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_log_holds_states_of_its_session_and_is_a_fifth_of_them_at_most),
+        cmocka_unit_test(a_log_holds_states_of_its_session_and_is_a_third_of_them_at_most),
         cmocka_unit_test(a_session_goes_to_any_step_to_the_same_bits),
         cmocka_unit_test(steps_before_the_state_are_not_made),
         cmocka_unit_test(nobody_hears_of_events_on_the_way_but_all_can_be_read),

@@ -33,7 +33,7 @@ static void a_state_that_is_none_is_refused_and_changes_nothing(void **state)
     static session_trial t;
     state_place last;
     uint32_t refused = 0;
-    trial_record(&was);
+    trial_record_plain(&was);
     (void)trial_find_states(&was.log, &last);
     trial_follow(&t, &was.log);
     for (size_t i = 0; i < last.length; i += i < 400 ? 7 : 1117) {

@@ -66,8 +66,9 @@ class vbss_record_config(ctypes.Structure):
     note_bytes: Size of the note, at most 2^24; default 0.
 
     buffer_bytes: Room for what the host has not taken yet, beyond the begin of the log, in
-    bytes, 4096 to 2^30; default 2^20. A step in which two rigid bodies move takes 274, one in
-    which two graspers move and open 332; an event 16 more.
+    bytes, 4096 to 2^30; default 2^20. A step needs room for its largest form: 274 where two
+    rigid bodies move, 332 where two graspers move and open. Smooth movements take about a tenth
+    of that in the log.
 
     note: Anything the host wants to find in the log again, such as what its scene is made from;
     NULL (default) when note_bytes is 0. Copied.
@@ -277,7 +278,7 @@ class vbss_replay_info(ctypes.Structure):
 
     note_bytes: Size of the note.
 
-    snapshot_bytes: Size of the snapshot it begins with.
+    snapshot_bytes: Size of the snapshot it begins with, unpacked.
 
     log_bytes: Size of the log, what may be cut off or damaged included.
 
