@@ -35,9 +35,13 @@ static inline void shears_begin(shears_rig *r, vbss_method method)
     r->s.thread.cut_capacity = 3;
 }
 
+/* Method PAPER with a soft thread: it takes a third of the explicit steps that the default takes. */
 static inline void shears_begin_scene(shears_rig *r, vbss_method method)
 {
     shears_begin(r, method);
+    if (method == VBSS_METHOD_PAPER) {
+        r->s.thread.bending_stiffness *= 0.1;
+    }
     small_create(&r->s);
 }
 

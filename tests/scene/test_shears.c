@@ -36,7 +36,8 @@ static void a_thread_is_cut_where_it_lies(void **state)
             bool short_end = method == VBSS_METHOD_PAPER && fabs(places[k]) > 0.01;
             for (int turned = 0; turned < (short_end ? 1 : 3); turned++) {
                 shears_rig r;
-                shears_begin_scene(&r, method);
+                shears_begin(&r, method); /* turned blades shake a soft thread too much */
+                small_create(&r.s);
                 shears_line(&r, true);
                 shears_tool(&r, VBSS_GRASPER_SHEARS, places[k], 0.5 * turned);
                 assert_true(shears_cut(&r, 0));
