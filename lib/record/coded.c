@@ -186,11 +186,12 @@ size_t vbss_log_coded_most(const log_step *step, uint32_t event_count)
 
 size_t vbss_log_encode(log_coder *coder, const log_step *step, uint8_t *bytes, size_t room)
 {
-    log_bits bits = {.out = bytes, .count = room};
+    log_bits bits = {.count = room};
     const bool same = same_inputs(coder, step), length = bits_of(step->h) == bits_of(coder->h);
     uint32_t flags = (coder->alone ? ALONE : 0u) | (same ? SAME_INPUTS : 0u) |
                      (length ? SAME_LENGTH : 0u) | (step->hashed != 0 ? HASHED : 0u) |
                      (step->event_count > 0 ? EVENTS : 0u);
+    bits.out = bytes;
     vbss_log_put_bits(&bits, flags, NUMBER_SHIFT);
     vbss_log_put_bits(&bits, step->number, 8 - NUMBER_SHIFT);
     if (!length) {

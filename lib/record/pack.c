@@ -78,9 +78,10 @@ static size_t run_of(const uint8_t *raw, size_t words, size_t before, size_t i)
 size_t vbss_log_pack(uint32_t table[LOG_PACK_PLACES], const uint8_t *raw, size_t count,
                      uint8_t *packed, size_t room)
 {
-    packer p = {.packed = packed, .room = room};
+    packer p = {.room = room};
     const size_t words = count / WORD < UINT32_MAX ? count / WORD : 0;
     size_t i = 0, literals = 0; /* those before i that no sequence has yet */
+    p.packed = packed;
     memset(table, 0, LOG_PACK_PLACES * sizeof table[0]);
     while (i + 1 < words && !p.full) {
         uint32_t *place = &table[place_of(raw + WORD * i)];
