@@ -95,7 +95,9 @@ static void begin_saved_run(saved_run *run, const living *first, const harness_b
     run->states = calloc(run->count, sizeof *run->states);
     run->sizes = calloc(run->count, sizeof *run->sizes);
     run->hashes = calloc(last + 1, sizeof *run->hashes);
-    assert_true(run->states != NULL && run->sizes != NULL && run->hashes != NULL);
+    assert_non_null(run->states);
+    assert_non_null(run->sizes);
+    assert_non_null(run->hashes);
     for (size_t i = 0; i <= last; i++) {
         if (i > 0) {
             step(first, body, 1);

@@ -52,7 +52,7 @@ static void smooth_numbers_take_less_than_three_bytes(void **state)
     for (int i = 0; i < COUNT; i++) {
         numbers[i] = 0.05 + 0.01 * vbss_sin(8e-3 * i) + 1e-4 * vbss_cos(0.05 * i);
     }
-    expect_numbers_back(numbers, COUNT, 3 * COUNT);
+    expect_numbers_back(numbers, COUNT, (size_t)3 * COUNT);
     for (int i = 0; i < COUNT; i++) {
         numbers[i] = 0.56;
     }
