@@ -70,7 +70,7 @@ static bool read_options(int count, char **words, pass_options *o, int *seeds, i
             return false;
         }
     }
-    return *seeds >= 1 && *least != 0; /* what is no number counts as 0 */
+    return *seeds >= 1 && *least != 0; /* atoi reads a word as 0 */
 }
 
 static double quantile(const pass_outcome *out, double share)

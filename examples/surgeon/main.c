@@ -103,7 +103,7 @@ static bool read_options(int count, char **words, watch *w, tally *t, bool *whol
             return false;
         }
     }
-    return t->seeds >= 1 && t->least != 0; /* what is no number counts as 0 */
+    return t->seeds >= 1 && t->least != 0; /* atoi reads a word as 0 */
 }
 
 static bool judge_mistake(const watch *w)

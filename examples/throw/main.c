@@ -81,7 +81,7 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds, 
         }
         i++;
     }
-    return *seeds >= 1 && *least != 0; /* what is no number counts as 0 */
+    return *seeds >= 1 && *least != 0; /* atoi reads a word as 0 */
 }
 
 static void tell_mistake(const trial_options *o, const trial_outcome *out)

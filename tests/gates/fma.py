@@ -3,8 +3,8 @@ operation rounds once where two instructions round twice, so the bits would depe
 
 The tests determinism.matrix.<row> build the library by its own CMake rules by gcc and clang, for x86-64-v3 and v4
 (AVX-512 has fused instructions of its own, which -mno-fma leaves) and for three other architectures whose baseline
-has them. This gate looks at every instruction of the row that is its part. So it does at what compilers like best to fuse (fusible.c), so that wrong
-flags show before our own code meets them."""
+has them. This gate looks at every instruction of the row that is its part, and at fusible.c, the code that compilers
+fuse first, so that wrong flags show before our own code meets them."""
 import re
 
 import gate

@@ -1,6 +1,6 @@
 """Vectors, quaternions (w, x, y, z) and poses, as arrays of numpy.
 
-Hands are the same on every machine: what is computed here is + - * /, math.sqrt and vblast_ss.elementary, entry by entry
+Hands are the same on every machine: this module computes with + - * /, math.sqrt and vblast_ss.elementary, entry by entry
 or in a written order."""
 from __future__ import annotations
 
