@@ -9,6 +9,9 @@ import gate
 LAYERS = [["base"], ["collision"], ["solver"], ["thread", "drain", "needle", "grasper"], ["contact"],
           ["suture"], ["scene"], ["knot", "metrics", "device", "record", "visual"], ["session"]]
 LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
+# Folders inside a folder of lib/, in their order: each includes, and calls (gate.structure), only those before it. Empty as
+# long as the folder is flat. Files beside the sub-folders may include all of them, and be included by all.
+SUBFOLDERS = {"scene": []}
 # Contact works on features of any body and so must know none; metrics are fed by any simulator.
 ONLY = {"contact": {"base", "collision", "solver"}, "metrics": {"base"}}
 STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",
@@ -23,6 +26,20 @@ OF_FOLDER = {"adapter": "device", "elementary": "base", "haptics": "device", "ma
              "output": "device"}
 
 
+def subfolder(parts):
+    """The sub-folder of a file of lib/, None outside all."""
+    return parts[1] if len(parts) > 2 and parts[1] in SUBFOLDERS.get(parts[0], []) else None
+
+
+def is_later(parts, than):
+    """Whether a file stands in a later sub-folder than another file of the same folder."""
+    a, b = subfolder(parts), subfolder(than)
+    if not a or not b or parts[0] != than[0]:
+        return False
+    order = SUBFOLDERS[parts[0]]
+    return order.index(a) > order.index(b)
+
+
 def check_file(path, folder, root):
     complaints = []
     where = path.relative_to(root)
@@ -30,9 +47,10 @@ def check_file(path, folder, root):
         if name in STANDARD | SYSTEM or (name in PLATFORM and str(where) in PLATFORM_FILES):
             continue
         parts = name.split("/")
+        inner = subfolder(parts)
         target = parts[1].removesuffix(".h") if parts[0] == "vblast_ss" else parts[0]
         target = OF_FOLDER.get(target, target) if parts[0] == "vblast_ss" else target
-        if len(parts) != 2 or target not in LEVEL:
+        if len(parts) != (3 if inner else 2) or target not in LEVEL:
             complaints.append(f"{where} includes {name}, which is neither ours nor an allowed "
                               "standard header")
         elif target != folder and LEVEL[target] >= LEVEL[folder]:
@@ -40,6 +58,8 @@ def check_file(path, folder, root):
         elif target != folder and folder in ONLY and target not in ONLY[folder]:
             complaints.append(f"{where} includes {name}: {folder} may know only "
                               f"{', '.join(sorted(ONLY[folder]))}")
+        elif is_later(parts, where.parts[1:]):
+            complaints.append(f"{where} includes {name}: {subfolder(where.parts[1:])} may not know {inner}")
         elif parts[0] != "vblast_ss" and not (root / "lib" / name).is_file():
             complaints.append(f"{where} includes {name}, which is not in lib/")
     return complaints
@@ -52,6 +72,9 @@ def check(g, root):
         if folder not in LEVEL:
             complaints.append(f"lib/{folder} is no layer: add it to LAYERS in layers.py and to the design")
             continue
+        parts = path.relative_to(root / "lib").parts
+        if folder in SUBFOLDERS and len(parts) > 2 and not subfolder(parts):
+            complaints.append(f"lib/{folder}/{parts[1]} has no place: add it to SUBFOLDERS in layers.py")
         complaints += check_file(path, folder, root)
         count += 1
     for path in sorted((root / "include/vblast_ss").glob("*.h")):
@@ -65,9 +88,9 @@ def check(g, root):
     return complaints
 
 
-# ---- canaries: a tree with one more file
+# ---- canaries: a tree with one more file, and empty ones
 
-def with_file(name, text):
+def with_file(name, text, *empty):
     def look(g):
         root = g.work / "tree"
         shutil.rmtree(root, ignore_errors=True)
@@ -76,9 +99,22 @@ def with_file(name, text):
         for folder in ("thread", "drain", "contact"):
             (root / "lib" / folder).mkdir(exist_ok=True)
             (root / "lib" / folder / f"{folder}.h").touch()
-        (root / name).parent.mkdir(exist_ok=True)
-        (root / name).write_text(text)
+        for path in (root / name, *(root / other for other in empty)):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text if path == root / name else "")
         return check(g, root)
+    return look
+
+
+def in_order(order, canary):
+    """A canary in a tree where lib/scene has these sub-folders, in this order, after its own."""
+    def look(g):
+        global SUBFOLDERS
+        kept, SUBFOLDERS = SUBFOLDERS, {"scene": SUBFOLDERS["scene"] + list(order)}
+        try:
+            return canary(g)
+        finally:
+            SUBFOLDERS = kept
     return look
 
 
@@ -96,6 +132,13 @@ CANARIES = [
     ("a way out of the folders", with_file("lib/base/canary.c", '#include "../tests/scenes/rod.h"\n'),
      r"which is neither"),
     ("a folder nobody placed", with_file("lib/misc/canary.c", ""), r"lib/misc is no layer"),
+    ("a sub-folder that includes a later one",
+     in_order(["first", "second"], with_file("lib/scene/first/canary.c", '#include "scene/second/canary.h"\n')),
+     r"lib/scene/first/canary.c includes scene/second/canary.h: first may not know second"),
+    ("a sub-folder that includes an earlier one",
+     in_order(["first", "second"], with_file("lib/scene/second/canary.c", '#include "scene/first/canary.h"\n',
+                                             "lib/scene/first/canary.h")), None),
+    ("a sub-folder without a place in the order", with_file("lib/scene/misc/canary.c", ""), r"lib/scene/misc has no place"),
     ("what is allowed",
      with_file("lib/contact/canary.c", '#include <math.h>\n#include "base/error.h"\n'), None),
 ]
