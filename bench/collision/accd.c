@@ -28,12 +28,12 @@ static double distance_now(const advancement *a)
     if (a->kind == VBSS_PAIR_EDGE_EDGE) {
         double s, u;
         vec3 edge_a = vec3_sub(a->x[1], a->x[0]), edge_b = vec3_sub(a->x[3], a->x[2]);
-        return vec3_norm(closest_edges(edge_a, edge_b, vec3_sub(a->x[2], a->x[0]), &s, &u));
+        return vec3_norm(closest_between_edges(edge_a, edge_b, vec3_sub(a->x[2], a->x[0]), &s, &u));
     }
     double weights[3];
     const vec3 corners[3] = {vec3_sub(a->x[1], a->x[0]), vec3_sub(a->x[2], a->x[0]),
                              vec3_sub(a->x[3], a->x[0])};
-    return vec3_norm(closest_corners(corners, weights));
+    return vec3_norm(closest_on_triangle(corners, weights));
 }
 
 static double gap_now(const advancement *a)

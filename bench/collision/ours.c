@@ -1,21 +1,21 @@
-/* The library's methods. One question at a time by vbss_collision_ask, which is what searches and public
+/* The library's methods. One question at a time by vbss_collision_run_ccd, which is what searches and public
  * calls come down to, for all three alike; conservative-call is the public call itself, with its checks
  * of arguments and its points of contact. Batches hand out all that a contact needs: time, distance,
  * normal and weights. */
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/wide.h"
+#include "base/simd_dispatch.h"
 #include "collision/collision.h"
 #include "collision/query_method.h"
 
-static collision_rules rules;
+static collision_ccd_options rules;
 static collision_counters counters;
 static uint32_t limbs[COLLISION_LIMBS]; /* for exact decisions, as an object has them */
 
 /* ---- one at a time */
 
-static collision_question *questions;
+static collision_ccd_query *questions;
 
 static void end_questions(void)
 {
@@ -33,7 +33,7 @@ static bool begin_questions(const query_rows *rows, vbss_collision_method method
     }
     config.method = method;
     config.paper_unit = unit;
-    rules = vbss_collision_rules_of(&config);
+    rules = vbss_collision_ccd_options_of(&config);
     rules.limbs = limbs;
     rules.limb_count = COLLISION_LIMBS;
     for (uint32_t i = 0; i < rows->count; i++) {
@@ -49,8 +49,8 @@ static void run_questions(const query_rows *rows, query_answers *answers)
 {
     memset(&counters, 0, sizeof counters);
     for (uint32_t i = 0; i < rows->count; i++) {
-        collision_answer answer;
-        vbss_collision_ask(&rules, &questions[i], &answer, &counters);
+        collision_ccd_result answer;
+        vbss_collision_run_ccd(&rules, &questions[i], &answer, &counters);
         answers->hit[i] = answer.hit;
         bench_keep_memory(&answer);
     }
@@ -175,27 +175,27 @@ static bool begin_rows(const query_rows *rows)
 static void run_rows(const query_rows *rows, query_answers *answers, bool wide)
 {
     const size_t n = rows->count;
-    const collision_rows asked = {.kind = rows->kind,
-                                  .count = rows->count,
-                                  .stride = n,
-                                  .start = rows->start,
-                                  .end = rows->end,
-                                  .same_thickness = rows->thickness,
-                                  .hit = answers->hit,
-                                  .decision = decisions,
-                                  .time = numbers,
-                                  .distance = numbers + n,
-                                  .normal = numbers + 2 * n,
-                                  .weights = numbers + 5 * n};
+    const collision_ccd_batch asked = {.kind = rows->kind,
+                                       .count = rows->count,
+                                       .stride = n,
+                                       .start = rows->start,
+                                       .end = rows->end,
+                                       .same_thickness = rows->thickness,
+                                       .hit = answers->hit,
+                                       .decision = decisions,
+                                       .time = numbers,
+                                       .distance = numbers + n,
+                                       .normal = numbers + 2 * n,
+                                       .weights = numbers + 5 * n};
     memset(&counters, 0, sizeof counters);
-    vbss_collision_ask_rows(&rules, wide, &asked, &counters);
+    vbss_collision_run_ccd_batch(&rules, wide, &asked, &counters);
     bench_keep_memory(numbers);
     answers->undecided = (uint32_t)counters.undecided;
 }
 
 static void run_wide_rows(const query_rows *rows, query_answers *answers)
 {
-    run_rows(rows, answers, vbss_wide_is_there());
+    run_rows(rows, answers, vbss_wide_is_available());
 }
 
 static void run_plain_rows(const query_rows *rows, query_answers *answers)
@@ -261,8 +261,8 @@ static void compare_rows(const query_rows *rows, const query_answers *answers, b
     const double *normals = numbers + 2 * (size_t)rows->count;
     uint32_t others = 0;
     for (uint32_t i = 0; i < rows->count; i++) {
-        collision_answer one;
-        vbss_collision_ask(&rules, &questions[i], &one, &counters);
+        collision_ccd_result one;
+        vbss_collision_run_ccd(&rules, &questions[i], &one, &counters);
         others += one.hit != answers->hit[i] || !same_bits(one.time, numbers[i]) ||
                   !same_bits(one.normal.x, normals[i]);
     }

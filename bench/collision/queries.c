@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/wide.h"
+#include "base/simd_dispatch.h"
 #include "collision/bench_collision.h"
 #include "collision/query_method.h"
 #include "collision/query_sets.h"
@@ -153,7 +153,8 @@ static void add_case(bench *b, query_case *c)
              method != NULL ? method->name : methods[c->method].name);
     if (missing == NULL && method == NULL) {
         missing = "not installed";
-    } else if (missing == NULL && method == &query_conservative_batch && !vbss_wide_is_there()) {
+    } else if (missing == NULL && method == &query_conservative_batch &&
+               !vbss_wide_is_available()) {
         missing = "no AVX2: there is the plain one only";
     }
     if (missing != NULL) {

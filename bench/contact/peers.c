@@ -124,13 +124,13 @@ static void finish_peer(void *user, bench_result *result)
     (void)k->peer->read(k->body, &k->now[0].x);
     for (uint32_t i = 0; i + 1 < n; i++) {
         double rest = vec3_distance(k->start[i], k->start[i + 1]);
-        stretch = greater(vec3_distance(k->now[i], k->now[i + 1]) / rest - 1.0, stretch);
+        stretch = vbss_max(vec3_distance(k->now[i], k->now[i + 1]) / rest - 1.0, stretch);
         length += rest;
     }
     bool kept = knot_type_of(k->now, n, &found) && knot_type_same(found, right);
     double least = pulled_knot_least_distance(k->now, n, NULL, length / (n - 1), 1.6 * DIAMETER);
     bench_simulated_step(result, 1e6 * STEP_S);
-    bench_counter(result, "penetration_um", 1e6 * greater(DIAMETER - least, 0.0));
+    bench_counter(result, "penetration_um", 1e6 * vbss_max(DIAMETER - least, 0.0));
     bench_counter(result, "stretch_max", stretch);
     bench_counter(result, "topology_kept", kept ? 1.0 : 0.0);
     bench_counter(result, "force_N", k->tension);

@@ -51,9 +51,9 @@ double pulled_knot_least_distance(const vec3 *x, uint32_t nodes, const double *r
                 continue;
             }
             double s, u;
-            vec3 way = closest_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
-                                     vec3_sub(x[b], x[a]), &s, &u);
-            least = lesser(vec3_norm(way), least);
+            vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
+                                             vec3_sub(x[b], x[a]), &s, &u);
+            least = vbss_min(vec3_norm(way), least);
         }
     }
     return least;
@@ -204,7 +204,7 @@ static uint64_t hash(void *user)
     (void)contact_scene_hash(&k->scene, &value);
     count_nodes(k);
     if (k->looks < count_steps(k) && k->looks++ % LOOK_EVERY == 0) {
-        k->least_distance = lesser(least_distance(inside(k)), k->least_distance);
+        k->least_distance = vbss_min(least_distance(inside(k)), k->least_distance);
     }
     return value;
 }
@@ -227,7 +227,7 @@ static void finish(void *user, bench_result *result)
     }
     bench_simulated_step(result, 1e6 * k->h);
     bench_counter(result, "penetration_um",
-                  1e6 * greater(2.0 * t->config.radius - k->least_distance, 0.0));
+                  1e6 * vbss_max(2.0 * t->config.radius - k->least_distance, 0.0));
     bench_counter(result, "stretch_max", t->statistics.stretch_error);
     bench_counter(result, "topology_kept", topology_kept(k) ? 1.0 : 0.0);
     bench_counter(result, "contacts", s.contacts);

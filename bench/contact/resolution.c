@@ -33,7 +33,7 @@ static void set(pulled_knot *k, double segment, double h)
     pulled_knot_init(k, KNOT_OVERHAND, VBSS_METHOD_OURS);
     k->options.scene.mode = VBSS_MODE_OFFLINE;
     k->options.knot.finest = segment;
-    k->options.knot.coarsest = greater(segment, 2e-3);
+    k->options.knot.coarsest = vbss_max(segment, 2e-3);
     k->h = h;
 }
 

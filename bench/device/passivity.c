@@ -66,7 +66,7 @@ static void run(void *user)
         double size = 1e-3 + 4e-3 * i / PATHS;
         hand_path p = hand_path_draw(&random, size);
         double work = gained(s, &p);
-        s->most_gained = greater(s->most_gained, work);
+        s->most_gained = vbss_max(s->most_gained, work);
         s->mean_gained += work / PATHS;
     }
 }

@@ -50,7 +50,7 @@ static void count(tool_passivity *s, const double work[DELAYS], double paid, dou
     s->drawn++;
     s->torn += torn ? 1 : 0;
     for (int d = 0; torn && d < DELAYS; d++) {
-        s->most_torn = greater(s->most_torn, work[d]);
+        s->most_torn = vbss_max(s->most_torn, work[d]);
     }
     if (!counts(s, slid_before)) {
         return;
@@ -58,7 +58,7 @@ static void count(tool_passivity *s, const double work[DELAYS], double paid, dou
     s->counted++;
     for (int d = 0; d < DELAYS; d++) {
         for (int a = 0; a < ARMS; a++) {
-            s->most_gained[d][a] = greater(s->most_gained[d][a], work[d] - arms[a] * paid);
+            s->most_gained[d][a] = vbss_max(s->most_gained[d][a], work[d] - arms[a] * paid);
         }
     }
 }
@@ -74,7 +74,7 @@ static vbss_result go_round(tool_passivity *s, const hand_path *p)
         VBSS_TRY(tool_rig_step_to(&s->rig, 0, vec3_add(s->home, x)));
         memmove(late + 1, late, sizeof late - sizeof late[0]);
         VBSS_TRY(tool_rig_force(&s->rig, 0, &late[0]));
-        s->largest = greater(s->largest, vec3_norm(late[0]));
+        s->largest = vbss_max(s->largest, vec3_norm(late[0]));
         for (int d = 0; i >= ROUND && d < DELAYS; d++) {
             work[d] += vec3_dot(late[d], way);
         }

@@ -72,13 +72,13 @@ static vbss_result look(tool_rest *s)
     for (int i = 0; i < LOOKED; i++) {
         vec3 f = force[i];
         sum += vec3_norm_squared(vec3_sub(f, mean));
-        low = vec3_make(lesser(low.x, f.x), lesser(low.y, f.y), lesser(low.z, f.z));
-        high = vec3_make(greater(high.x, f.x), greater(high.y, f.y), greater(high.z, f.z));
+        low = vec3_make(vbss_min(low.x, f.x), vbss_min(low.y, f.y), vbss_min(low.z, f.z));
+        high = vec3_make(vbss_max(high.x, f.x), vbss_max(high.y, f.y), vbss_max(high.z, f.z));
     }
     vec3 range = vec3_sub(high, low);
     s->mean = vec3_add(first, mean);
     s->rms = sqrt(sum / LOOKED);
-    s->peak_to_peak = greater(range.x, greater(range.y, range.z));
+    s->peak_to_peak = vbss_max(range.x, vbss_max(range.y, range.z));
     return VBSS_OK;
 }
 

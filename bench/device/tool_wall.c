@@ -44,8 +44,8 @@ static vbss_result swing(tool_wall *s, vec3 in, double *swung)
             v += fine * (pressed + late[s->delay] - s->arm_damping * v) / s->mass;
             x += fine * v;
         }
-        low = i >= STEPS - 500 ? lesser(low, x) : low;
-        high = i >= STEPS - 500 ? greater(high, x) : high;
+        low = i >= STEPS - 500 ? vbss_min(low, x) : low;
+        high = i >= STEPS - 500 ? vbss_max(high, x) : high;
     }
     *swung = fabs(x) < 0.1 ? high - low : 1.0;
     return VBSS_OK;
@@ -109,7 +109,7 @@ static void finish(void *user, bench_result *result)
     const tool_wall *s = user;
     bench_counter(result, "below_N_per_m", s->stiffest[0]);
     bench_counter(result, "beside_N_per_m", s->stiffest[1]);
-    bench_counter(result, "stiffest_N_per_m", lesser(s->stiffest[0], s->stiffest[1]));
+    bench_counter(result, "stiffest_N_per_m", vbss_min(s->stiffest[0], s->stiffest[1]));
 }
 
 static void teardown(void *user)

@@ -66,23 +66,25 @@ static int close_once(void *user, uint32_t index)
 {
     row *r = user;
     knot_detector *d = r->inside;
-    knot_scene *scene = &d->job.scene;
+    knot_input *scene = &d->job.input;
     knot_curve *curve = &d->job.reader;
-    knot_closing *closing = &d->job.closing;
-    knot_work work = INT64_MAX;
-    if (vbss_knot_show(d, &r->set->inputs[index], scene) != VBSS_OK) {
+    knot_closure *closing = &d->job.closure;
+    knot_ops work = INT64_MAX;
+    if (vbss_knot_read_input(d, &r->set->inputs[index], scene) != VBSS_OK) {
         return 1;
     }
     const uint32_t last = scene->point_count - 1;
-    vbss_knot_closing_of(closing, &d->config, scene);
-    knot_way tail = vbss_knot_way_out(scene->points[0], closing->tail_out[0]);
-    knot_way end = vbss_knot_way_out(scene->points[last], closing->long_out[0]);
+    vbss_knot_closure_init(closing, &d->config, scene);
+    knot_extension tail =
+        vbss_knot_straight_extension(scene->points[0], closing->tail_directions[0]);
+    knot_extension end =
+        vbss_knot_straight_extension(scene->points[last], closing->long_directions[0]);
     vbss_knot_close_begin(closing, &curve->polygon, &tail);
     vbss_knot_polygon_add_thread(&curve->polygon, scene, 0.0, last);
     vbss_knot_close_end(closing, &curve->polygon, &tail, &end);
     curve->direction_limit = d->config.direction_limit;
     vbss_knot_curve_begin(curve, true);
-    return vbss_knot_curve_go_on(curve, &work) ? 0 : 1;
+    return vbss_knot_curve_resume(curve, &work) ? 0 : 1;
 }
 
 static uint64_t hash(void *user)

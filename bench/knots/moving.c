@@ -191,7 +191,7 @@ static void count(row *r)
     r->reading_step = s.reading_step;
     r->readings++;
     r->steps_sum += late;
-    r->steps_most = greater(late, r->steps_most);
+    r->steps_most = vbss_max(late, r->steps_most);
     if (set_truth(r, (uint32_t)s.reading_step - 1)) {
         told t = told_by_judge(r->detector, r->shown);
         told_add(&r->told, &t);

@@ -38,20 +38,22 @@ struct stage_row {
 
 static void copy_input(stage_row *r)
 {
-    (void)vbss_knot_show(r->inside, &r->inputs[r->at], &r->inside->job.scene);
-    r->result = r->inside->job.scene.point_count;
+    (void)vbss_knot_read_input(r->inside, &r->inputs[r->at], &r->inside->job.input);
+    r->result = r->inside->job.input.point_count;
 }
 
 static void close_thread(stage_row *r)
 {
     knot_detector *d = r->inside;
-    const knot_scene *scene = &d->job.scene;
-    knot_closing *closing = &d->job.closing;
+    const knot_input *scene = &d->job.input;
+    knot_closure *closing = &d->job.closure;
     knot_polygon *polygon = &d->job.reader.polygon;
     const uint32_t last = scene->point_count - 1;
-    vbss_knot_closing_of(closing, &d->config, scene);
-    knot_way tail = vbss_knot_way_out(scene->points[0], closing->tail_out[0]);
-    knot_way end = vbss_knot_way_out(scene->points[last], closing->long_out[0]);
+    vbss_knot_closure_init(closing, &d->config, scene);
+    knot_extension tail =
+        vbss_knot_straight_extension(scene->points[0], closing->tail_directions[0]);
+    knot_extension end =
+        vbss_knot_straight_extension(scene->points[last], closing->long_directions[0]);
     vbss_knot_close_begin(closing, polygon, &tail);
     vbss_knot_polygon_add_thread(polygon, scene, 0.0, last);
     vbss_knot_close_end(closing, polygon, &tail, &end);
@@ -61,9 +63,9 @@ static void close_thread(stage_row *r)
 static void reduce(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     vbss_knot_reduction_begin(&curve->reduction, &curve->polygon, NULL, 0);
-    (void)vbss_knot_reduction_go_on(&curve->reduction, &work);
+    (void)vbss_knot_reduction_resume(&curve->reduction, &work);
     r->result = curve->polygon.count;
 }
 
@@ -71,10 +73,10 @@ static void reduce(stage_row *r)
 static void project(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     for (uint32_t k = 0; k < r->inside->config.direction_limit; k++) {
         if (vbss_knot_project(&curve->projector, &curve->polygon, vbss_knot_direction(k),
-                              &curve->codes[0], &work) == KNOT_DIAGRAM_PLAIN) {
+                              &curve->codes[0], &work) == KNOT_DIAGRAM_REGULAR) {
             break;
         }
     }
@@ -83,15 +85,15 @@ static void project(stage_row *r)
 
 static void simplify(stage_row *r)
 {
-    knot_work work = INT64_MAX;
-    vbss_knot_code_simplify(&r->inside->job.reader.codes[0], &work);
+    knot_ops work = INT64_MAX;
+    vbss_knot_gauss_code_simplify(&r->inside->job.reader.codes[0], &work);
     r->result = r->inside->job.reader.codes[0].n;
 }
 
 static void take_apart(stage_row *r)
 {
     knot_reading *reading = &r->inside->job.reader.reading;
-    reading->certified = vbss_knot_twists(&r->inside->job.reader.codes[0], &reading->factors);
+    reading->certified = vbss_knot_decompose(&r->inside->job.reader.codes[0], &reading->factors);
     r->result = reading->certified;
 }
 
@@ -99,10 +101,10 @@ static void take_apart(stage_row *r)
 static void untangle(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     if (!curve->reading.certified && curve->codes[0].n <= curve->algebra.capacity) {
         uint32_t tries = KNOT_TRIES;
-        while (vbss_knot_code_untangle(&curve->codes[0], &curve->codes[2], &tries, &work)) {
+        while (vbss_knot_gauss_code_untangle(&curve->codes[0], &curve->codes[2], &tries, &work)) {
         }
     }
     r->result = curve->codes[0].n;
@@ -111,7 +113,7 @@ static void untangle(stage_row *r)
 static void determinant(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     curve->reading.invariants.determinant =
         vbss_knot_determinant(&curve->algebra, &curve->codes[curve->best], &work);
     r->result = (uint64_t)curve->reading.invariants.determinant;
@@ -120,7 +122,7 @@ static void determinant(stage_row *r)
 static void signature(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_ORDINARY_1000,
                               &curve->reading.invariants.signature, &work);
     r->result = (uint64_t)curve->reading.invariants.signature;
@@ -129,7 +131,7 @@ static void signature(stage_row *r)
 static void tristram(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     (void)vbss_knot_signature(&curve->algebra, &curve->codes[curve->best], KNOT_X_TRISTRAM_1000,
                               &curve->reading.invariants.signature_tristram, &work);
     r->result = (uint64_t)curve->reading.invariants.signature_tristram;
@@ -139,7 +141,7 @@ static void vassiliev(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
     knot_invariants *v = &curve->reading.invariants;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     vbss_knot_vassiliev(&curve->codes[curve->best], &v->v2, &v->v3, &work);
     r->result = (uint64_t)v->v3;
 }
@@ -147,12 +149,12 @@ static void vassiliev(stage_row *r)
 static void close_and_read(stage_row *r)
 {
     knot_curve *curve = &r->inside->job.reader;
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     copy_input(r);
     close_thread(r);
     curve->direction_limit = r->inside->config.direction_limit;
     vbss_knot_curve_begin(curve, true);
-    (void)vbss_knot_curve_go_on(curve, &work);
+    (void)vbss_knot_curve_resume(curve, &work);
     r->result = curve->reading.crossings;
 }
 
@@ -174,7 +176,7 @@ static uint32_t progress(const knot_job *job)
     case KNOT_JOB_CURVES:
         return job->curve <= KNOT_CURVE_OUTWARD ? 1 : job->curve <= KNOT_CURVE_LONG ? 2 : 3;
     case KNOT_JOB_LOCATE:
-        return job->locating.stage < KNOT_LOCATE_CHECK ? 4 : 5;
+        return job->locator.stage < KNOT_LOCATE_CHECK ? 4 : 5;
     default:
         return 6;
     }
@@ -184,10 +186,10 @@ static void read_beyond(stage_row *r, uint32_t done)
 {
     knot_job *job = &r->inside->job;
     while (progress(job) <= done && vbss_knot_job_is_active(job)) {
-        knot_work work = 1;
-        (void)vbss_knot_job_go_on(job, &r->inside->config, &work);
+        knot_ops work = 1;
+        (void)vbss_knot_job_resume(job, &r->inside->config, &work);
     }
-    r->result = (uint64_t)job->spent;
+    r->result = (uint64_t)job->ops_used;
 }
 
 static void read_core(stage_row *r)
@@ -222,19 +224,19 @@ static void confirm_order(stage_row *r)
 
 static void read_whole(stage_row *r)
 {
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     begin_reading(r);
-    (void)vbss_knot_job_go_on(&r->inside->job, &r->inside->config, &work);
-    r->result = (uint64_t)r->inside->job.spent;
+    (void)vbss_knot_job_resume(&r->inside->job, &r->inside->config, &work);
+    r->result = (uint64_t)r->inside->job.ops_used;
 }
 
 /* ---- what is done in every step */
 
 static void wind_both(stage_row *r)
 {
-    for (uint32_t i = 0; i < r->inside->job.scene.tool_count; i++) {
+    for (uint32_t i = 0; i < r->inside->job.input.tool_count; i++) {
         knot_winding winding;
-        vbss_knot_wind(&r->inside->job.scene, i, &winding);
+        vbss_knot_measure_winding(&r->inside->job.input, i, &winding);
         r->result = winding.runs;
         bench_keep_memory(&winding);
     }
@@ -244,7 +246,7 @@ static void wind_both(stage_row *r)
 static void step_alone(stage_row *r)
 {
     (void)vbss_knot_detector_step(r->detector, &r->inputs[r->at]);
-    r->result = r->inside->figures.readings;
+    r->result = r->inside->statistics.readings;
 }
 
 /* ---- the stages */

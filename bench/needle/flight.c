@@ -194,8 +194,8 @@ static void check_flight(void *user, bench_result *result)
         }
         quat apart = quat_mul(turnings[i].q, quat_conjugate(exact.q));
         vec3 turn = vbss_quat_to_rotation_vector(apart);
-        angle = greater(vec3_norm(turn), angle);
-        change = greater(fabs(after / before - 1.0), change);
+        angle = vbss_max(vec3_norm(turn), angle);
+        change = vbss_max(fabs(after / before - 1.0), change);
     }
     bench_counter(result, "angle_error_rad", angle);
     bench_counter(result, "energy_error", change);

@@ -74,8 +74,9 @@ typedef struct box {
 
 static void include(box *b, vec3 x)
 {
-    b->low = vec3_make(lesser(b->low.x, x.x), lesser(b->low.y, x.y), lesser(b->low.z, x.z));
-    b->high = vec3_make(greater(b->high.x, x.x), greater(b->high.y, x.y), greater(b->high.z, x.z));
+    b->low = vec3_make(vbss_min(b->low.x, x.x), vbss_min(b->low.y, x.y), vbss_min(b->low.z, x.z));
+    b->high =
+        vec3_make(vbss_max(b->high.x, x.x), vbss_max(b->high.y, x.y), vbss_max(b->high.z, x.z));
 }
 
 static box box_of(const part *t, size_t first, size_t count)

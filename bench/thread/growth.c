@@ -111,7 +111,7 @@ void add_growth_cases(bench *b)
             s->plain = copy == 1;
             snprintf(s->name, sizeof s->name, "thread/growth/%s/%u", methods[copy],
                      (unsigned)sizes[i]);
-            if (s->plain && !vbss_wide_is_there()) {
+            if (s->plain && !vbss_wide_is_available()) {
                 bench_add_skipped(b, s->name, "no AVX2: ours is the plain one");
                 continue;
             }

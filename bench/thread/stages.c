@@ -107,7 +107,7 @@ static void finish_linearisation(void *user, bench_result *result)
 void add_stage_cases(bench *b)
 {
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        if (cases[i].plain && !vbss_wide_is_there()) {
+        if (cases[i].plain && !vbss_wide_is_available()) {
             bench_add_skipped(b, cases[i].name, "no AVX2: there is the plain one only");
             continue;
         }

@@ -92,7 +92,7 @@ static double farthest(vbss_drain *a, vbss_drain *b)
         return (double)NAN;
     }
     for (uint64_t i = 0; i < x.count; i++) {
-        most = greater(vec3_distance(((const vec3 *)x.data)[i], ((const vec3 *)y.data)[i]), most);
+        most = vbss_max(vec3_distance(((const vec3 *)x.data)[i], ((const vec3 *)y.data)[i]), most);
     }
     return most;
 }
@@ -112,7 +112,7 @@ static double largest_error_um(const drain_case *c)
     for (uint32_t i = 0; fine && i < drain_scene_steps[c->kind]; i++) {
         fine = drain_scene_step(&ours, STEP_S) == VBSS_OK &&
                drain_scene_step(&right, STEP_S) == VBSS_OK;
-        error = greater(farthest(ours.drain, right.drain), error);
+        error = vbss_max(farthest(ours.drain, right.drain), error);
     }
     (void)vbss_context_destroy(context);
     return fine ? 1e6 * error : (double)NAN;

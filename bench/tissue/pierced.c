@@ -63,9 +63,9 @@ static uint64_t hash_pierced(void *user)
     uint64_t hash = 0;
     double push = 0.0;
     if (puncture_scene_push(&c->scene, &push) == VBSS_OK && c->entries < 2) {
-        c->peak[c->entries] = greater(push, c->peak[c->entries]);
+        c->peak[c->entries] = vbss_max(push, c->peak[c->entries]);
     }
-    c->back = greater(-push, c->back);
+    c->back = vbss_max(-push, c->back);
     uint32_t entered = puncture_scene_count(&c->scene, VBSS_EVENT_PUNCTURE);
     if (entered > 0 && c->entries < 2) { /* pushed with in the step in which it entered */
         c->entries += entered;

@@ -67,7 +67,7 @@ static uint64_t hash_scene(void *user)
     uint64_t hash = 0;
     if (c->scene.tools[0] != 0 &&
         vbss_scene_get_rigid(c->scene.scene, c->scene.tools[0], &tool, sizeof tool) == VBSS_OK) {
-        c->force = greater(vec3_norm(vec3_load(tool.contact_force)), c->force);
+        c->force = vbss_max(vec3_norm(vec3_load(tool.contact_force)), c->force);
     }
     (void)vbss_scene_get_hash(c->scene.scene, &hash);
     return hash;

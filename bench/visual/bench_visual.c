@@ -138,7 +138,7 @@ static vbss_result move_all(void)
         VBSS_TRY(vbss_drain_open(drain, &d));
         for (uint32_t i = 0; i < d->mesh.node_count; i++) {
             vec3 at = d->mesh.rest[i];
-            double pull = 1e-5 * (double)(frame % 32) * greater(at.y, 0.0) / 6.5e-3;
+            double pull = 1e-5 * (double)(frame % 32) * vbss_max(at.y, 0.0) / 6.5e-3;
             d->x[i] = vec3_add(at, vec3_make(0.0, 0.0, pull));
         }
     }

@@ -11,7 +11,7 @@
 
 #define STEP_S 1e-3
 
-typedef struct moment {
+typedef struct closest_points {
     const char *file, *title;
     double at; /* of all steps, as a share */
 } moment;

@@ -9,7 +9,7 @@
 
 #define STEP_S 1e-3
 
-typedef struct moment {
+typedef struct closest_points {
     const char *file, *title;
     uint32_t at; /* step */
 } moment;

@@ -54,7 +54,7 @@ static void add_segment(curve *c, const vec3 *x, uint32_t n, uint32_t i, draw_co
     double length = vec3_distance(x[i], x[i + 1]);
     vec3 begin = slope(x, n, i, length), end = slope(x, n, i + 1, length);
     double turn = vec3_distance(begin, end) / length;
-    int parts = (int)lesser(1.0 + turn / PART_TURN, MOST_PARTS);
+    int parts = (int)vbss_min(1.0 + turn / PART_TURN, MOST_PARTS);
     for (int part = 0; part < parts; part++) {
         double t = (double)part / parts, u = 1.0 - t;
         vec3 at = vec3_scale(x[i], u * u * (1.0 + 2.0 * t));

@@ -44,7 +44,7 @@ static vbss_result time_reading(vbss_knot_detector *detector, const gallery_knot
     for (int i = 0; i < TIMES; i++) {
         double begin = gallery_processor_us();
         VBSS_TRY(read(detector, g, f, r));
-        r->us = lesser(r->us, gallery_processor_us() - begin);
+        r->us = vbss_min(r->us, gallery_processor_us() - begin);
     }
     return VBSS_OK;
 }

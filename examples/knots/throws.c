@@ -68,8 +68,9 @@ typedef struct extent {
 
 static void widen(extent *e, vec3 x)
 {
-    e->low = vec3_make(lesser(e->low.x, x.x), lesser(e->low.y, x.y), lesser(e->low.z, x.z));
-    e->high = vec3_make(greater(e->high.x, x.x), greater(e->high.y, x.y), greater(e->high.z, x.z));
+    e->low = vec3_make(vbss_min(e->low.x, x.x), vbss_min(e->low.y, x.y), vbss_min(e->low.z, x.z));
+    e->high =
+        vec3_make(vbss_max(e->high.x, x.x), vbss_max(e->high.y, x.y), vbss_max(e->high.z, x.z));
 }
 
 static void widen_along(extent *e, const vec3 *x, uint32_t count, double from, double to)
@@ -94,8 +95,8 @@ static extent extent_of(const gallery_knot *g, const gallery_frame *f, const gal
         }
         widen_along(&e, f->x, g->knot.node_count, t->tail_places[0], t->tail_places[1]);
         widen_along(&e, f->x, g->knot.node_count, t->long_places[0], t->long_places[1]);
-        first = lesser(first, t->tail_places[0]);
-        last = greater(last, t->long_places[1]);
+        first = vbss_min(first, t->tail_places[0]);
+        last = vbss_max(last, t->long_places[1]);
     }
     if (first > last) { /* nobody knows where they are */
         widen_along(&e, f->x, g->knot.node_count, 0.0, g->knot.node_count);
@@ -174,7 +175,7 @@ static double look_at(painter *p, const panel *a, extent e)
     const double legend = legend_height(a->reading);
     vec3 size = vec3_sub(e.high, e.low);
     double tall = cos(a->elevation) * size.z + sin(a->elevation) * size.y;
-    double width = BORDER * greater(size.x, tall * WIDTH / (HEIGHT - legend));
+    double width = BORDER * vbss_max(size.x, tall * WIDTH / (HEIGHT - legend));
     vec3 up = vec3_make(0.0, sin(a->elevation), cos(a->elevation));
     vec3 middle = vec3_add_scaled(vec3_lerp(e.low, e.high, 0.5), 0.5 * legend * width / WIDTH, up);
     return draw_seen_from(p, middle, 0.0, a->elevation, width) ? width : 0.0;

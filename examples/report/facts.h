@@ -21,7 +21,7 @@ enum { LEFT = 0, RIGHT = 1, SIDES = 2, MOST_THROWS = 8, MOST_NAME = 64 };
 
 /* ---- of the log alone */
 
-typedef struct moment {
+typedef struct closest_points {
     double time, h;      /* s, after the step; its length */
     double at[SIDES][3]; /* where the tools were told to be, m */
     double opening[SIDES];

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-enum { BITS = 64 }; /* of a word */
+enum { BITS_PER_WORD = 64 }; /* of a word */
 
 static inline uint32_t count_bits(uint64_t x)
 {
@@ -29,7 +29,7 @@ static inline uint32_t lowest_bit(uint64_t x)
 
 static inline uint64_t bit_of(uint32_t i)
 {
-    return UINT64_C(1) << i % BITS;
+    return UINT64_C(1) << i % BITS_PER_WORD;
 }
 
 #endif

@@ -15,7 +15,7 @@ vbss_result vbss_check_finite(vbss_context *context, const double *values, size_
 vbss_result vbss_check_range(vbss_context *context, double value, double low, double high,
                              const char *name);
 /* The largest absolute value; NaN counts as nothing. */
-double vbss_largest(const double *values, size_t count);
+double vbss_max_abs(const double *values, size_t count);
 /* Three finite numbers, none of them larger than the bound. */
 vbss_result vbss_check_vector(vbss_context *context, const double v[3], double bound,
                               const char *name);

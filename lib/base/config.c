@@ -37,7 +37,7 @@ vbss_result vbss_check_range(vbss_context *context, double value, double low, do
     return VBSS_OK;
 }
 
-double vbss_largest(const double *values, size_t count)
+double vbss_max_abs(const double *values, size_t count)
 {
     double largest = 0.0;
     for (size_t i = 0; i < count; i++) {
@@ -50,13 +50,13 @@ vbss_result vbss_check_vector(vbss_context *context, const double v[3], double b
                               const char *name)
 {
     VBSS_TRY(vbss_check_finite(context, v, 3, name));
-    return vbss_check_range(context, vbss_largest(v, 3), 0.0, bound, name);
+    return vbss_check_range(context, vbss_max_abs(v, 3), 0.0, bound, name);
 }
 
 vbss_result vbss_read_orientation(vbss_context *context, const double q[4], quat *orientation)
 {
     VBSS_TRY(vbss_check_finite(context, q, 4, "orientation"));
-    double largest = vbss_largest(q, 4);
+    double largest = vbss_max_abs(q, 4);
     VBSS_TRY(vbss_check_range(context, largest, 1e-100, 1e100, "length of orientation"));
     double scale = 1.0 / largest;
     *orientation = quat_unit(quat_make(q[0] * scale, q[1] * scale, q[2] * scale, q[3] * scale));
@@ -74,7 +74,7 @@ vbss_result vbss_check_arithmetic(vbss_context *context)
 /* ---- structs that cross the border */
 
 /* No version of a struct will be longer: a larger struct_size was never initialised. */
-#define LARGEST_STRUCT 4096u
+#define MAX_STRUCT_BYTES 4096u
 
 static uint32_t own_size(const vbss_layout *layout)
 {
@@ -89,7 +89,7 @@ static uint32_t own_size(const vbss_layout *layout)
 static vbss_result check_size(vbss_context *context, const vbss_layout *layout,
                               uint32_t struct_size)
 {
-    bool known = struct_size > own_size(layout) && struct_size <= LARGEST_STRUCT;
+    bool known = struct_size > own_size(layout) && struct_size <= MAX_STRUCT_BYTES;
     for (const uint32_t *size = layout->sizes; *size != 0; size++) {
         known = known || struct_size == *size;
     }
@@ -100,7 +100,7 @@ static vbss_result check_size(vbss_context *context, const vbss_layout *layout,
                            layout->name, struct_size);
 }
 
-static uint32_t smaller(uint32_t a, uint32_t b)
+static uint32_t min_u32(uint32_t a, uint32_t b)
 {
     return a < b ? a : b;
 }
@@ -110,7 +110,7 @@ vbss_result vbss_config_init(const vbss_layout *layout, void *config, uint32_t s
     VBSS_TRY(vbss_check_pointer(NULL, config, layout->name));
     VBSS_TRY(check_size(NULL, layout, struct_size));
     memset(config, 0, struct_size);
-    memcpy(config, layout->defaults, smaller(own_size(layout), struct_size));
+    memcpy(config, layout->defaults, min_u32(own_size(layout), struct_size));
     memcpy(config, &struct_size, sizeof struct_size);
     return VBSS_OK;
 }
@@ -131,7 +131,7 @@ vbss_result vbss_config_read(vbss_context *context, const vbss_layout *layout, c
                              struct_size, own_bytes);
         }
     }
-    memcpy(own, config, smaller(own_bytes, struct_size));
+    memcpy(own, config, min_u32(own_bytes, struct_size));
     memcpy(own, &own_bytes, sizeof own_bytes);
     return VBSS_OK;
 }
@@ -144,7 +144,7 @@ vbss_result vbss_struct_write(vbss_context *context, const vbss_layout *layout, 
 {
     VBSS_TRY(vbss_check_pointer(context, out, layout->name));
     VBSS_TRY(check_size(context, layout, struct_size));
-    uint32_t filled = smaller(own_size(layout), struct_size);
+    uint32_t filled = min_u32(own_size(layout), struct_size);
     memset(out, 0, struct_size);
     memcpy(out, own, filled);
     memcpy(out, &filled, sizeof filled);

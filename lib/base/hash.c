@@ -15,15 +15,15 @@ static uint64_t rotate(uint64_t x, unsigned bits)
     return (x << bits) | (x >> (64u - bits));
 }
 
-static uint64_t round_of(uint64_t lane, uint64_t word)
+static uint64_t mix_lane(uint64_t lane, uint64_t word)
 {
     return rotate(lane + word * PRIME_2, 31) * PRIME_1;
 }
 
-static void eat_stripe(uint64_t lanes[4], const uint8_t *p)
+static void mix_stripe(uint64_t lanes[4], const uint8_t *p)
 {
     for (size_t i = 0; i < 4; i++) {
-        lanes[i] = round_of(lanes[i], load_little_endian(p + 8 * i, 8));
+        lanes[i] = mix_lane(lanes[i], load_little_endian(p + 8 * i, 8));
     }
 }
 
@@ -42,23 +42,23 @@ void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count)
         return; /* bytes may be NULL */
     }
     const uint8_t *p = bytes;
-    size_t held = (size_t)(hash->length % 32u);
+    size_t buffered = (size_t)(hash->length % 32u);
     hash->length += count;
-    if (held > 0) {
-        size_t missing = 32u - held;
-        size_t taken = count < missing ? count : missing;
-        memcpy(hash->pending + held, p, taken);
-        p += taken;
-        count -= taken;
-        if (taken < missing) {
+    if (buffered > 0) {
+        size_t missing = 32u - buffered;
+        size_t copied = count < missing ? count : missing;
+        memcpy(hash->buffer + buffered, p, copied);
+        p += copied;
+        count -= copied;
+        if (copied < missing) {
             return;
         }
-        eat_stripe(hash->lanes, hash->pending);
+        mix_stripe(hash->lanes, hash->buffer);
     }
     for (; count >= 32; count -= 32, p += 32) {
-        eat_stripe(hash->lanes, p);
+        mix_stripe(hash->lanes, p);
     }
-    memcpy(hash->pending, p, count);
+    memcpy(hash->buffer, p, count);
 }
 
 uint64_t vbss_hash_end(const vbss_hash *hash)
@@ -68,14 +68,14 @@ uint64_t vbss_hash_end(const vbss_hash *hash)
         h = rotate(hash->lanes[0], 1) + rotate(hash->lanes[1], 7) + rotate(hash->lanes[2], 12) +
             rotate(hash->lanes[3], 18);
         for (int i = 0; i < 4; i++) {
-            h = (h ^ round_of(0, hash->lanes[i])) * PRIME_1 + PRIME_4;
+            h = (h ^ mix_lane(0, hash->lanes[i])) * PRIME_1 + PRIME_4;
         }
     }
     h += hash->length;
-    const uint8_t *p = hash->pending;
+    const uint8_t *p = hash->buffer;
     size_t left = (size_t)(hash->length % 32u);
     for (; left >= 8; left -= 8, p += 8) {
-        h = rotate(h ^ round_of(0, load_little_endian(p, 8)), 27) * PRIME_1 + PRIME_4;
+        h = rotate(h ^ mix_lane(0, load_little_endian(p, 8)), 27) * PRIME_1 + PRIME_4;
     }
     if (left >= 4) {
         h = rotate(h ^ load_little_endian(p, 4) * PRIME_1, 23) * PRIME_2 + PRIME_3;

@@ -8,7 +8,7 @@
 typedef struct vbss_hash {
     uint64_t lanes[4];
     uint64_t length;
-    uint8_t pending[32];
+    uint8_t buffer[32];
 } vbss_hash;
 void vbss_hash_begin(vbss_hash *hash);
 void vbss_hash_add(vbss_hash *hash, const void *bytes, size_t count);

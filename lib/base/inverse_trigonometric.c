@@ -205,7 +205,7 @@ static inline double tail_of(const expansion *f, double h, double tail)
 }
 
 /* base + sign (sum + rest) */
-static inline double place(const octant *base, double sum, double rest)
+static inline double apply_octant(const octant *base, double sum, double rest)
 {
     double error, total = two_sum_ordered(base->head, base->sign * sum, &error);
     return total + (error + (base->tail + base->sign * rest));
@@ -222,7 +222,7 @@ static inline double angle_of(double b, double a, unsigned octant_index)
     double h = q - (shifted - 0x1.8p48), rest;
     const expansion *f = &arc_tangent[bits_of(shifted) & 31u];
     double sum = expand(f, h, &rest);
-    return place(&octants[octant_index], sum, rest + tail_of(f, h, left * inverse));
+    return apply_octant(&octants[octant_index], sum, rest + tail_of(f, h, left * inverse));
 }
 
 /* The rest: NaN, zeros, infinities, extreme exponents and ratios. Magnitudes. */
@@ -275,7 +275,7 @@ double vbss_acos(double x)
     if (size <= 0.5) {
         double shifted = size + 0x1.8p47; /* rounds to 1/32 */
         sum = expand(&arc_sine[bits_of(shifted) & 31u], size - (shifted - 0x1.8p47), &rest);
-        return place(&octants[x < 0.0 ? 3 : 1], sum, rest);
+        return apply_octant(&octants[x < 0.0 ? 3 : 1], sum, rest);
     }
     if (!(size < 1.0)) {
         return x == 1.0 ? 0.0 : x == -1.0 ? PI_HEAD : canonical_nan();
@@ -292,5 +292,5 @@ double vbss_acos(double x)
     if (x > 0.0) {
         return 2.0 * (sum + rest);
     }
-    return place(&octants[2], 2.0 * sum, 2.0 * rest);
+    return apply_octant(&octants[2], 2.0 * sum, 2.0 * rest);
 }

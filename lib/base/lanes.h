@@ -142,7 +142,7 @@ static inline lanes lanes_make(double x, double y, double z)
     return lanes_load(all);
 }
 
-static inline lanes lanes_all(double x)
+static inline lanes lanes_splat(double x)
 {
     double all[LANES] = {x, x, x, x};
     return lanes_load(all);
@@ -175,14 +175,14 @@ static inline lanes lanes_times(lanes a, lanes b)
     LANES_OF(lanes, LANES_TIMES, a, b, a);
 }
 
-static inline lanes lanes_over(lanes a, lanes b)
+static inline lanes lanes_div(lanes a, lanes b)
 {
     LANES_OF(lanes, LANES_OVER, a, b, a);
 }
 
-static inline lanes lanes_mul(double s, lanes v)
+static inline lanes lanes_scale(double s, lanes v)
 {
-    return lanes_times(lanes_all(s), v);
+    return lanes_times(lanes_splat(s), v);
 }
 
 static inline lanes lanes_abs(lanes a)
@@ -190,12 +190,12 @@ static inline lanes lanes_abs(lanes a)
     LANES_OF(lanes, LANES_ABS, a, a, a);
 }
 
-static inline lanes lanes_larger(lanes a, lanes b)
+static inline lanes lanes_max(lanes a, lanes b)
 {
     LANES_OF(lanes, LANES_LARGER, a, b, a);
 }
 
-static inline lanes lanes_smaller(lanes a, lanes b)
+static inline lanes lanes_min(lanes a, lanes b)
 {
     LANES_OF(lanes, LANES_SMALLER, a, b, a);
 }
@@ -214,12 +214,12 @@ static inline lanes_mask lanes_less(lanes a, lanes b)
     LANES_OF(lanes_mask, LANES_LESS, a, b, a);
 }
 
-static inline lanes_mask lanes_both(lanes_mask a, lanes_mask b)
+static inline lanes_mask lanes_and(lanes_mask a, lanes_mask b)
 {
     LANES_OF(lanes_mask, LANES_BOTH, a, b, a);
 }
 
-static inline lanes_mask lanes_either(lanes_mask a, lanes_mask b)
+static inline lanes_mask lanes_or(lanes_mask a, lanes_mask b)
 {
     LANES_OF(lanes_mask, LANES_EITHER, a, b, a);
 }
@@ -230,13 +230,13 @@ static inline lanes_mask lanes_not(lanes_mask a)
 }
 
 /* a where the mask is set, else b */
-static inline lanes lanes_choose(lanes_mask mask, lanes a, lanes b)
+static inline lanes lanes_select(lanes_mask mask, lanes a, lanes b)
 {
     LANES_OF(lanes, LANES_CHOOSE, mask, a, b);
 }
 
 /* Bit i is set where lane i is. */
-static inline unsigned lanes_bits(lanes_mask mask)
+static inline unsigned lanes_movemask(lanes_mask mask)
 {
 #if defined(__GNUC__) && defined(__AVX__)
     return (unsigned)__builtin_ia32_movmskpd256((lanes)mask);
@@ -250,10 +250,10 @@ static inline unsigned lanes_bits(lanes_mask mask)
 }
 
 /* to[i] = a_i, b_i, c_i, 0 */
-static inline void lanes_turn(lanes a, lanes b, lanes c, lanes to[LANES])
+static inline void lanes_transpose(lanes a, lanes b, lanes c, lanes to[LANES])
 {
 #if defined(LANES_SHUFFLE) && defined(__AVX__)
-    const lanes zero = lanes_all(0.0);
+    const lanes zero = lanes_splat(0.0);
     lanes ab_even = LANES_SHUFFLE(a, b, 0, 4, 2, 6), ab_odd = LANES_SHUFFLE(a, b, 1, 5, 3, 7);
     lanes c_even = LANES_SHUFFLE(c, zero, 0, 4, 2, 6), c_odd = LANES_SHUFFLE(c, zero, 1, 5, 3, 7);
     to[0] = LANES_SHUFFLE(ab_even, c_even, 0, 1, 4, 5);

@@ -32,18 +32,18 @@ typedef struct pose {
 } pose;
 
 /* The larger of two, NaN once one of them was: for maxima that must not hide what is broken. */
-static inline double vbss_larger(double a, double b)
+static inline double vbss_max_or_nan(double a, double b)
 {
     return a > b || a != a ? a : b;
 }
 
 /* The second when one is NaN. */
-static inline double lesser(double a, double b)
+static inline double vbss_min(double a, double b)
 {
     return a < b ? a : b;
 }
 
-static inline double greater(double a, double b)
+static inline double vbss_max(double a, double b)
 {
     return a > b ? a : b;
 }

@@ -57,7 +57,7 @@ static void release(vbss_context *context, void *block, uint64_t bytes)
 }
 
 /* A block as the rest of the library expects it, or NULL. */
-static void *ask_allocator(vbss_context *context, uint64_t bytes)
+static void *call_allocator(vbss_context *context, uint64_t bytes)
 {
     bool outer = vbss_callback_begin(context);
     void *block = context->allocate(context->allocator_user, bytes, VBSS_ALIGNMENT);
@@ -78,7 +78,7 @@ void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char
         return NULL;
     }
     uint64_t bytes = block_bytes(count, size);
-    void *block = ask_allocator(context, bytes);
+    void *block = call_allocator(context, bytes);
     if (block == NULL) {
         vbss_fail(context, VBSS_ERROR_OUT_OF_MEMORY, "%s: no memory for %llu bytes", what,
                   (unsigned long long)bytes);

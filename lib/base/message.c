@@ -19,7 +19,7 @@ void vbss_callback_end(vbss_context *context, bool outer)
     context->in_callback = outer;
 }
 
-static void send(vbss_context *context, vbss_log_level level, const char *message)
+static void send_to_log(vbss_context *context, vbss_log_level level, const char *message)
 {
     if (context->log == NULL || level > context->log_level || context->in_callback) {
         return; /* a message about a call made inside a callback could recurse for ever */
@@ -36,10 +36,10 @@ void vbss_message(vbss_context *context, vbss_log_level level, const char *forma
     va_start(arguments, format);
     vsnprintf(message, sizeof message, format, arguments);
     va_end(arguments);
-    send(context, level, message);
+    send_to_log(context, level, message);
 }
 
-static void keep_error(vbss_context *context, vbss_result result, const char *text)
+static void store_error(vbss_context *context, vbss_result result, const char *text)
 {
     context->last_result = result;
     memcpy(context->last_error, text, VBSS_TEXT_BYTES);
@@ -55,9 +55,9 @@ vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *for
         va_end(arguments);
         /* What a callback of the host is refused must not hide why it was called. */
         if (!context->in_callback) {
-            keep_error(context, result, text);
+            store_error(context, result, text);
         }
-        send(context, VBSS_LOG_ERROR, text);
+        send_to_log(context, VBSS_LOG_ERROR, text);
     }
     return result;
 }

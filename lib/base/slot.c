@@ -4,31 +4,31 @@
 #include "base/memory.h"
 
 /* Values far from 0 and 1, so that a stray write is seen as neither. */
-enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead, SLOT_WAITING = 0x3a17 };
+enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead, SLOT_RESERVED = 0x3a17 };
 
 vbss_result vbss_slot_reserve(vbss_context *context, const vbss_kind *kind, vbss_slot **slot)
 {
     slot_block *block = context->newest_block;
     if (block == NULL || block->used == VBSS_SLOTS_PER_BLOCK) {
-        slot_block *fresh = vbss_allocate(context, 1, sizeof *fresh, "handles");
-        if (fresh == NULL) {
+        slot_block *new_block = vbss_allocate(context, 1, sizeof *new_block, "handles");
+        if (new_block == NULL) {
             return VBSS_ERROR_OUT_OF_MEMORY;
         }
-        fresh->older = block;
-        context->newest_block = block = fresh;
+        new_block->older = block;
+        context->newest_block = block = new_block;
     }
-    vbss_slot *taken = &block->slots[block->used++];
-    taken->tag = VBSS_TAG_SLOT;
-    taken->state = SLOT_WAITING;
-    taken->kind = kind;
-    taken->context = context;
-    *slot = taken;
+    vbss_slot *reserved = &block->slots[block->used++];
+    reserved->tag = VBSS_TAG_SLOT;
+    reserved->status = SLOT_RESERVED;
+    reserved->kind = kind;
+    reserved->context = context;
+    *slot = reserved;
     return VBSS_OK;
 }
 
 void vbss_slot_fill(vbss_slot *slot, void *object)
 {
-    slot->state = SLOT_ALIVE;
+    slot->status = SLOT_ALIVE;
     slot->object = object;
     slot->ordinal = slot->ordinal != 0 ? slot->ordinal : ++slot->context->last_ordinal;
     slot->context->objects_alive++;
@@ -36,7 +36,7 @@ void vbss_slot_fill(vbss_slot *slot, void *object)
 
 void vbss_slot_empty(vbss_slot *slot)
 {
-    slot->state = SLOT_WAITING;
+    slot->status = SLOT_RESERVED;
     slot->object = NULL;
     slot->owner = NULL;
     slot->context->objects_alive--;
@@ -51,7 +51,7 @@ vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void 
 }
 
 /* The living slot behind a handle, or NULL with the failure told. */
-static vbss_slot *find(const void *handle, const vbss_kind *kind)
+static vbss_slot *find_slot(const void *handle, const vbss_kind *kind)
 {
     /* The memory behind a handle is writable: const only says that looking changes nothing. */
     vbss_slot *slot = (vbss_slot *)handle;
@@ -64,7 +64,7 @@ static vbss_slot *find(const void *handle, const vbss_kind *kind)
                   slot->kind->name, kind->name);
         return NULL;
     }
-    if (slot->state != SLOT_ALIVE) {
+    if (slot->status != SLOT_ALIVE) {
         vbss_fail(slot->context, VBSS_ERROR_INVALID_HANDLE, "%s %llu was destroyed before",
                   kind->name, (unsigned long long)slot->ordinal);
         return NULL;
@@ -74,14 +74,14 @@ static vbss_slot *find(const void *handle, const vbss_kind *kind)
 
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot)
 {
-    *slot = find(handle, kind);
+    *slot = find_slot(handle, kind);
     return *slot != NULL ? VBSS_OK : VBSS_ERROR_INVALID_HANDLE;
 }
 
 vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot)
 {
     *slot = NULL;
-    vbss_slot *found = find(handle, kind);
+    vbss_slot *found = find_slot(handle, kind);
     if (found == NULL) {
         return VBSS_ERROR_INVALID_HANDLE;
     }
@@ -102,7 +102,7 @@ static vbss_result check_unowned(const vbss_slot *slot)
 vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slot **slot)
 {
     *slot = NULL;
-    vbss_slot *found = find(handle, kind);
+    vbss_slot *found = find_slot(handle, kind);
     if (found == NULL) {
         return VBSS_ERROR_INVALID_HANDLE;
     }
@@ -114,7 +114,7 @@ vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slo
 vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object)
 {
     vbss_slot slot = {.tag = VBSS_TAG_SLOT,
-                      .state = SLOT_ALIVE,
+                      .status = SLOT_ALIVE,
                       .kind = kind,
                       .context = context,
                       .object = object};
@@ -124,7 +124,7 @@ vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *o
 static void retire(vbss_slot *slot)
 {
     void *object = slot->object;
-    slot->state = SLOT_DEAD;
+    slot->status = SLOT_DEAD;
     slot->object = NULL;
     slot->context->objects_alive--;
     slot->kind->destroy(slot->context, object);
@@ -135,7 +135,7 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
     if (handle == NULL) {
         return VBSS_OK;
     }
-    vbss_slot *slot = find(handle, kind);
+    vbss_slot *slot = find_slot(handle, kind);
     if (slot == NULL) {
         return VBSS_ERROR_INVALID_HANDLE;
     }
@@ -149,7 +149,7 @@ void vbss_slots_release(vbss_context *context)
     /* All objects before the first handle goes: the end of one may look at another's handle. */
     for (slot_block *block = context->newest_block; block != NULL; block = block->older) {
         for (uint32_t i = block->used; i > 0; i--) {
-            if (block->slots[i - 1].state == SLOT_ALIVE) {
+            if (block->slots[i - 1].status == SLOT_ALIVE) {
                 retire(&block->slots[i - 1]);
             }
         }

@@ -17,7 +17,7 @@ typedef struct vbss_kind {
 } vbss_kind;
 typedef struct vbss_slot {
     uint32_t tag;
-    uint32_t state;
+    uint32_t status;
     const vbss_kind *kind;
     vbss_context *context;
     void *object;

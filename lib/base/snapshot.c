@@ -13,8 +13,8 @@
 
 #define MAGIC VBSS_CODE('V', 'B', 'S', 'S')
 #define FORMAT 1u
-#define FRONT_BYTES 16u /* magic u32, format u32, payload length u64 */
-#define BACK_BYTES 8u
+#define ENVELOPE_HEADER_BYTES 16u /* magic u32, format u32, payload length u64 */
+#define ENVELOPE_TRAILER_BYTES 8u
 
 static void visit(vbss_stream *stream, const vbss_slot *slot)
 {
@@ -23,7 +23,7 @@ static void visit(vbss_stream *stream, const vbss_slot *slot)
     vbss_stream_close(stream, outer);
 }
 
-static vbss_result told(const vbss_slot *slot, const vbss_stream *stream, const char *what)
+static vbss_result report_result(const vbss_slot *slot, const vbss_stream *stream, const char *what)
 {
     if (stream->result == VBSS_OK) {
         return VBSS_OK;
@@ -41,8 +41,8 @@ vbss_result vbss_snapshot_size(const vbss_slot *slot, size_t *bytes)
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
     visit(&stream, slot);
-    *bytes = FRONT_BYTES + stream.position + BACK_BYTES;
-    return told(slot, &stream, "size");
+    *bytes = ENVELOPE_HEADER_BYTES + stream.position + ENVELOPE_TRAILER_BYTES;
+    return report_result(slot, &stream, "size");
 }
 
 vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash)
@@ -51,7 +51,7 @@ vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash)
     vbss_stream_begin_hash(&stream);
     visit(&stream, slot);
     *hash = vbss_hash_end(&stream.hash);
-    return told(slot, &stream, "hash");
+    return report_result(slot, &stream, "hash");
 }
 
 static uint64_t checksum(const uint8_t *bytes, size_t count)
@@ -65,19 +65,20 @@ static uint64_t checksum(const uint8_t *bytes, size_t count)
 vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t capacity,
                                size_t *written)
 {
-    if (capacity < FRONT_BYTES + BACK_BYTES) {
+    if (capacity < ENVELOPE_HEADER_BYTES + ENVELOPE_TRAILER_BYTES) {
         return vbss_fail(slot->context, VBSS_ERROR_CAPACITY, "%s save: the buffer is too small",
                          slot->kind->name);
     }
     vbss_stream stream;
-    vbss_stream_begin_write(&stream, bytes + FRONT_BYTES, capacity - FRONT_BYTES - BACK_BYTES);
+    vbss_stream_begin_write(&stream, bytes + ENVELOPE_HEADER_BYTES,
+                            capacity - ENVELOPE_HEADER_BYTES - ENVELOPE_TRAILER_BYTES);
     visit(&stream, slot);
-    VBSS_TRY(told(slot, &stream, "save"));
+    VBSS_TRY(report_result(slot, &stream, "save"));
     store_little_endian(bytes, (uint64_t)FORMAT << 32 | MAGIC, 8);
     store_little_endian(bytes + 8, stream.position, 8);
-    size_t covered = FRONT_BYTES + stream.position;
+    size_t covered = ENVELOPE_HEADER_BYTES + stream.position;
     store_little_endian(bytes + covered, checksum(bytes, covered), 8);
-    *written = covered + BACK_BYTES;
+    *written = covered + ENVELOPE_TRAILER_BYTES;
     return VBSS_OK;
 }
 
@@ -86,28 +87,29 @@ static vbss_result open_envelope(const vbss_slot *slot, const uint8_t *bytes, si
                                  size_t *payload)
 {
     const char *name = slot->kind->name;
-    if (count < FRONT_BYTES + BACK_BYTES) {
+    if (count < ENVELOPE_HEADER_BYTES + ENVELOPE_TRAILER_BYTES) {
         return vbss_fail(slot->context, VBSS_ERROR_TRUNCATED,
                          "%s restore: %llu bytes are no snapshot", name, (unsigned long long)count);
     }
-    uint64_t front = load_little_endian(bytes, 8);
-    if ((uint32_t)front != MAGIC) {
+    uint64_t header = load_little_endian(bytes, 8);
+    if ((uint32_t)header != MAGIC) {
         return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: this is no snapshot",
                          name);
     }
-    if (front >> 32 != FORMAT) {
+    if (header >> 32 != FORMAT) {
         return vbss_fail(slot->context, VBSS_ERROR_DATA_VERSION,
                          "%s restore: snapshot format %u, this library reads %u", name,
-                         (unsigned)(front >> 32), FORMAT);
+                         (unsigned)(header >> 32), FORMAT);
     }
     uint64_t length = load_little_endian(bytes + 8, 8);
-    if (length != count - FRONT_BYTES - BACK_BYTES) {
-        return vbss_fail(slot->context, VBSS_ERROR_TRUNCATED,
-                         "%s restore: %llu bytes where the snapshot says %llu", name,
-                         (unsigned long long)(count - FRONT_BYTES - BACK_BYTES),
-                         (unsigned long long)length);
+    if (length != count - ENVELOPE_HEADER_BYTES - ENVELOPE_TRAILER_BYTES) {
+        return vbss_fail(
+            slot->context, VBSS_ERROR_TRUNCATED,
+            "%s restore: %llu bytes where the snapshot says %llu", name,
+            (unsigned long long)(count - ENVELOPE_HEADER_BYTES - ENVELOPE_TRAILER_BYTES),
+            (unsigned long long)length);
     }
-    size_t covered = FRONT_BYTES + (size_t)length;
+    size_t covered = ENVELOPE_HEADER_BYTES + (size_t)length;
     if (checksum(bytes, covered) != load_little_endian(bytes + covered, 8)) {
         return vbss_fail(slot->context, VBSS_ERROR_CORRUPT, "%s restore: the checksum differs",
                          name);
@@ -139,10 +141,10 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
     vbss_stream_begin_write(&stream, backup, backup_bytes);
     stream.trusted = true;
     visit(&stream, slot);
-    vbss_result result = told(slot, &stream, "restore");
+    vbss_result result = report_result(slot, &stream, "restore");
 
     if (result == VBSS_OK) {
-        vbss_stream_begin_read(&stream, bytes + FRONT_BYTES, payload);
+        vbss_stream_begin_read(&stream, bytes + ENVELOPE_HEADER_BYTES, payload);
         visit(&stream, slot);
         if (stream.position != payload) {
             vbss_stream_refuse(&stream, VBSS_ERROR_CORRUPT, "data follow the state");
@@ -154,7 +156,7 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
             stream.trusted = true;
             visit(&stream, slot);
         }
-        result = told(slot, &found, "restore");
+        result = report_result(slot, &found, "restore");
     }
     vbss_release(context, backup, backup_bytes, 1);
     return result;

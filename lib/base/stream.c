@@ -260,23 +260,23 @@ DEFINE_INTEGER_FIELD(vbss_stream_u32, uint32_t, TYPE_U32)
 DEFINE_INTEGER_FIELD(vbss_stream_i32, int32_t, TYPE_I32)
 DEFINE_INTEGER_FIELD(vbss_stream_u8, uint8_t, TYPE_U8)
 
-const uint8_t *vbss_stream_find_u8(vbss_stream *stream, uint16_t tag, size_t count)
+const uint8_t *vbss_stream_view_u8(vbss_stream *stream, uint16_t tag, size_t count)
 {
     return begin_field(stream, tag, TYPE_U8, count) ? get(stream, count) : NULL;
 }
 
-uint8_t *vbss_stream_place_u8(vbss_stream *stream, uint16_t tag, size_t count)
+uint8_t *vbss_stream_reserve_u8(vbss_stream *stream, uint16_t tag, size_t count)
 {
     if (!begin_field(stream, tag, TYPE_U8, count)) {
         return NULL;
     }
-    uint8_t *place = stream->mode == VBSS_STREAM_WRITE ? stream->out + stream->position : NULL;
-    if (place != NULL && count > stream->capacity - stream->position) {
+    uint8_t *target = stream->mode == VBSS_STREAM_WRITE ? stream->out + stream->position : NULL;
+    if (target != NULL && count > stream->capacity - stream->position) {
         stop(stream, VBSS_ERROR_CAPACITY, "the buffer is too small");
         return NULL;
     }
     stream->position += count;
-    return place;
+    return target;
 }
 
 /* ---- fields with a meaning */
@@ -293,7 +293,7 @@ void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint3
     }
 }
 
-void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value)
+void vbss_stream_expect(vbss_stream *stream, uint16_t tag, uint64_t value)
 {
     uint64_t stored = value;
     vbss_stream_u64(stream, tag, &stored, 1);
@@ -303,9 +303,9 @@ void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value)
     }
 }
 
-void vbss_stream_same_f64(vbss_stream *stream, uint16_t tag, double value)
+void vbss_stream_expect_f64(vbss_stream *stream, uint16_t tag, double value)
 {
     uint64_t bits;
     memcpy(&bits, &value, sizeof bits);
-    vbss_stream_same(stream, tag, bits);
+    vbss_stream_expect(stream, tag, bits);
 }

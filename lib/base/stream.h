@@ -56,14 +56,14 @@ void vbss_stream_i32(vbss_stream *stream, uint16_t tag, int32_t *values, size_t 
 void vbss_stream_u8(vbss_stream *stream, uint16_t tag, uint8_t *values, size_t count);
 /* Bytes without a copy: where they lie in what is read, or where to put them in what is written, before the
  * next visit; NULL otherwise. */
-const uint8_t *vbss_stream_find_u8(vbss_stream *stream, uint16_t tag, size_t count);
-uint8_t *vbss_stream_place_u8(vbss_stream *stream, uint16_t tag, size_t count);
+const uint8_t *vbss_stream_view_u8(vbss_stream *stream, uint16_t tag, size_t count);
+uint8_t *vbss_stream_reserve_u8(vbss_stream *stream, uint16_t tag, size_t count);
 /* A number of array entries that must not exceed what the body has room for, in any mode. */
 void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint32_t capacity);
 /* A value that must be what it was when the state was saved, such as a node count fixed by the
  * configuration: anything else means the state belongs to another object. */
-void vbss_stream_same(vbss_stream *stream, uint16_t tag, uint64_t value);
-void vbss_stream_same_f64(vbss_stream *stream, uint16_t tag, double value); /* to the bit */
+void vbss_stream_expect(vbss_stream *stream, uint16_t tag, uint64_t value);
+void vbss_stream_expect_f64(vbss_stream *stream, uint16_t tag, double value); /* to the bit */
 /* For visitors that find nonsense themselves: keeps the first problem. */
 void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *problem);
 /* Four characters as the code of a section. */

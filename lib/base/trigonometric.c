@@ -107,10 +107,10 @@ static const uint32_t two_over_pi[39] = {
 #define QUARTER 32u               /* of a circle, in the table */
 
 /* x = index pi/64 + angle + tail, modulo 2 pi. */
-typedef struct turn {
+typedef struct reduced_angle {
     double angle, tail;
     uint32_t index;
-} turn;
+} reduced_angle;
 
 /* The slow and always right way, for finite |x| >= 2^-6: integers.
  *
@@ -119,7 +119,7 @@ typedef struct turn {
  * fraction.
  * What is cut off is below 2^53 2^-185 = 2^-132 steps of pi/64, and no double comes closer than
  * about 2^-62 steps to a multiple of it, so the remainder is right to 2^-70 of itself. */
-static turn reduce_by_integers(double x)
+static reduced_angle reduce_by_integers(double x)
 {
     uint64_t bits = bits_of(x);
     uint64_t significand = (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(0x10000000000000);
@@ -162,7 +162,7 @@ static turn reduce_by_integers(double x)
     error += head * PI_64_TAIL + tail * PI_64;
     bool minus = bits >> 63 != 0;
     scale = minus != (negative != 0) ? -scale : scale;
-    turn result = {0.0, 0.0, (product[0] >> 25) + negative};
+    reduced_angle result = {0.0, 0.0, (product[0] >> 25) + negative};
     result.angle = two_sum_ordered(angle, error, &result.tail) * scale;
     result.tail *= scale;
     result.index = minus ? 0u - result.index : result.index;
@@ -170,9 +170,9 @@ static turn reduce_by_integers(double x)
 }
 
 /* For finite x. */
-static inline turn reduce(double x)
+static inline reduced_angle reduce(double x)
 {
-    turn result = {x, 0.0, 0};
+    reduced_angle result = {x, 0.0, 0};
     if (fabs(x) < 0x1.88p-6) { /* below pi/128 k is 0: the same, sooner */
         return result;
     }
@@ -194,14 +194,14 @@ static inline turn reduce(double x)
 }
 
 /* The remainder as the kernel wants it. */
-typedef struct remainder_parts {
+typedef struct angle_split {
     double angle, head, rest; /* head has 26 bits, head + rest is exact to 2^-80, angle rounded */
     double sine, cosine;      /* sin r - r, cos r - 1 */
-} remainder_parts;
+} angle_split;
 
-static inline remainder_parts parts_of(turn t)
+static inline angle_split split_angle(reduced_angle t)
 {
-    remainder_parts p;
+    angle_split p;
     double r = t.angle, u = r * r;
     p.angle = r;
     p.head = head_of(r);
@@ -214,7 +214,7 @@ static inline remainder_parts parts_of(turn t)
 }
 
 /* sin(index pi/64 + r) */
-static inline double turned_sine(uint32_t index, remainder_parts r)
+static inline double turned_sine(uint32_t index, angle_split r)
 {
     const double *sine = circle[index % 128u], *cosine = circle[(index + QUARTER) % 128u];
     double error, sum = two_sum_ordered(sine[0], cosine[0] * r.head, &error);
@@ -232,8 +232,8 @@ double vbss_sin(double x)
     if (!(magnitude <= DBL_MAX)) {
         return canonical_nan();
     }
-    turn t = reduce(x);
-    return turned_sine(t.index, parts_of(t));
+    reduced_angle t = reduce(x);
+    return turned_sine(t.index, split_angle(t));
 }
 
 double vbss_cos(double x)
@@ -241,8 +241,8 @@ double vbss_cos(double x)
     if (!(fabs(x) <= DBL_MAX)) {
         return canonical_nan();
     }
-    turn t = reduce(x);
-    return turned_sine(t.index + QUARTER, parts_of(t));
+    reduced_angle t = reduce(x);
+    return turned_sine(t.index + QUARTER, split_angle(t));
 }
 
 void vbss_sincos(double x, double *sine, double *cosine)
@@ -252,8 +252,8 @@ void vbss_sincos(double x, double *sine, double *cosine)
         *sine = *cosine = canonical_nan();
         return;
     }
-    turn t = reduce(x);
-    remainder_parts r = parts_of(t);
+    reduced_angle t = reduce(x);
+    angle_split r = split_angle(t);
     double tiny_sine = x;
     *cosine = turned_sine(t.index + QUARTER, r);
     *sine = magnitude < 0x1p-27 ? tiny_sine : turned_sine(t.index, r);

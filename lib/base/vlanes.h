@@ -45,10 +45,10 @@ static inline vlanes v_cross(vlanes a, vlanes b)
     return r;
 }
 
-static inline vlanes v_choose(lanes_mask mask, vlanes a, vlanes b)
+static inline vlanes v_select(lanes_mask mask, vlanes a, vlanes b)
 {
-    vlanes r = {lanes_choose(mask, a.x, b.x), lanes_choose(mask, a.y, b.y),
-                lanes_choose(mask, a.z, b.z)};
+    vlanes r = {lanes_select(mask, a.x, b.x), lanes_select(mask, a.y, b.y),
+                lanes_select(mask, a.z, b.z)};
     return r;
 }
 

@@ -8,7 +8,7 @@ static const vbss_collision_batch batch_defaults = {.struct_size = sizeof(vbss_c
 static const uint32_t batch_sizes[] = {80, 0};
 static const vbss_layout batch_layout = {"vbss_collision_batch", &batch_defaults, batch_sizes};
 
-static const double most_questions = 1e8;
+static const double max_queries = 1e8;
 
 vbss_result vbss_collision_batch_init(vbss_collision_batch *batch, uint32_t struct_size)
 {
@@ -31,20 +31,20 @@ vbss_result vbss_collision_test(vbss_collision *collision, vbss_pair_kind kind,
     VBSS_TRY(vbss_collision_check_coordinates(c->context, end, 12, "end"));
     VBSS_TRY(vbss_check_pointer(c->context, impact, "impact"));
     VBSS_TRY(vbss_check_arithmetic(c->context));
-    collision_question question = {.kind = kind, .thickness = c->thickness};
-    vbss_collision_set_vertices(&question, start, end);
-    collision_answer answer;
+    collision_ccd_query query = {.kind = kind, .thickness = c->thickness};
+    vbss_collision_set_vertices(&query, start, end);
+    collision_ccd_result result;
     collision_counters counters = c->counters;
-    vbss_collision_ask(&c->rules, &question, &answer, &counters);
-    VBSS_TRY(vbss_collision_write_impact(c->context, &question, &answer, impact, struct_size));
+    vbss_collision_run_ccd(&c->ccd_options, &query, &result, &counters);
+    VBSS_TRY(vbss_collision_write_impact(c->context, &query, &result, impact, struct_size));
     c->counters = counters;
     return VBSS_OK;
 }
 
-static vbss_result check_rows(vbss_context *context, const vbss_collision_batch *b)
+static vbss_result check_batch(vbss_context *context, const vbss_collision_batch *b)
 {
     VBSS_TRY(check_kind(context, b->kind));
-    VBSS_TRY(vbss_check_range(context, b->count, 0.0, most_questions, "count"));
+    VBSS_TRY(vbss_check_range(context, b->count, 0.0, max_queries, "count"));
     VBSS_TRY(vbss_check_range(context, b->stride, b->count, UINT32_MAX, "stride"));
     if (b->count == 0) {
         return VBSS_OK;
@@ -69,9 +69,9 @@ vbss_result vbss_collision_test_batch(vbss_collision *collision, const vbss_coll
     VBSS_TRY(vbss_collision_edit(collision, &c));
     vbss_collision_batch own;
     VBSS_TRY(vbss_config_read(c->context, &batch_layout, batch, &own));
-    VBSS_TRY(check_rows(c->context, &own));
+    VBSS_TRY(check_batch(c->context, &own));
     VBSS_TRY(vbss_check_arithmetic(c->context));
-    collision_rows rows = {
+    collision_ccd_batch ccd_batch = {
         .kind = own.kind,
         .count = own.count,
         .stride = own.stride,
@@ -85,6 +85,6 @@ vbss_result vbss_collision_test_batch(vbss_collision *collision, const vbss_coll
         .normal = own.normal,
         .weights = own.weights,
     };
-    vbss_collision_ask_rows(&c->rules, c->wide, &rows, &c->counters);
+    vbss_collision_run_ccd_batch(&c->ccd_options, c->wide, &ccd_batch, &c->counters);
     return VBSS_OK;
 }

@@ -14,8 +14,8 @@
 /* NaN becomes 0. */
 static inline double clamp_unit(double x)
 {
-    double least = x > 0.0 ? x : 0.0;
-    return least < 1.0 ? least : 1.0;
+    double positive = x > 0.0 ? x : 0.0;
+    return positive < 1.0 ? positive : 1.0;
 }
 
 /* Share of the way along e, from its begin, at which it is closest to a point `to` away from there;
@@ -27,7 +27,7 @@ static inline double closest_on_edge(vec3 e, vec3 to)
 }
 
 /* From point s of edge a to point u of edge b; r leads from the begin of a to that of b. */
-static inline vec3 edges_apart(vec3 a, vec3 b, vec3 r, double s, double u)
+static inline vec3 edge_separation(vec3 a, vec3 b, vec3 r, double s, double u)
 {
     return vec3_sub(vec3_add_scaled(r, u, b), vec3_scale(a, s));
 }
@@ -67,8 +67,8 @@ static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, dou
     if (nn > 0.0) { /* so neither is a point */
         closest_from(products_of_edges(a, b, r), vec3_dot(vec3_cross(r, b), n) / nn, s, u);
     }
-    vec3 best = edges_apart(a, b, r, *s, *u);
-    double least = vec3_norm_squared(best);
+    vec3 best = edge_separation(a, b, r, *s, *u);
+    double min_squared = vec3_norm_squared(best);
     for (int end = 0; end < 4; end++) {
         double at = (double)(end & 1), s_end = at, u_end = at;
         if (end < 2) {
@@ -76,11 +76,11 @@ static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, dou
         } else {
             s_end = closest_on_edge(a, vec3_add_scaled(r, at, b));
         }
-        vec3 apart = edges_apart(a, b, r, s_end, u_end);
-        double square = vec3_norm_squared(apart);
-        if (square < least) {
-            least = square;
-            best = apart;
+        vec3 separation = edge_separation(a, b, r, s_end, u_end);
+        double square = vec3_norm_squared(separation);
+        if (square < min_squared) {
+            min_squared = square;
+            best = separation;
             *s = s_end;
             *u = u_end;
         }
@@ -90,28 +90,28 @@ static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, dou
 
 /* Closest points of edge a, which begins at the origin, and edge b, which begins at r: shares s and u of
  * the way along them. Returns the vector from a to b. */
-VBSS_ALWAYS_INLINE vec3 closest_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
+VBSS_ALWAYS_INLINE vec3 closest_between_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
 {
     edge_products p = products_of_edges(a, b, r);
     double determinant = p.aa * p.bb - p.ab * p.ab;
     if (!(determinant > CLOSEST_PARALLEL * p.aa * p.bb)) { /* also when one has no length */
         double s_best, u_best; /* of their own: s and u stay in registers */
-        vec3 apart = closest_parallel_edges(a, b, r, &s_best, &u_best);
+        vec3 separation = closest_parallel_edges(a, b, r, &s_best, &u_best);
         *s = s_best;
         *u = u_best;
-        return apart;
+        return separation;
     }
     closest_from(p, (p.ar * p.bb - p.ab * p.br) / determinant, s, u);
-    return edges_apart(a, b, r, *s, *u);
+    return edge_separation(a, b, r, *s, *u);
 }
 
 /* Closest point of a triangle, whose corners f are relative to a point, to that point: the corners'
  * weights. Returns the vector to it. Candidates are the foot on the plane, if it lies inside, and the
  * closest point of each edge; a triangle without area has no foot. */
-static inline vec3 closest_corners(const vec3 f[3], double weights[3])
+static inline vec3 closest_on_triangle(const vec3 f[3], double weights[3])
 {
     vec3 best = f[0];
-    double least = vec3_norm_squared(f[0]);
+    double min_squared = vec3_norm_squared(f[0]);
     weights[0] = 1.0;
     weights[1] = weights[2] = 0.0;
     for (int k = 0; k < 3; k++) {
@@ -119,8 +119,8 @@ static inline vec3 closest_corners(const vec3 f[3], double weights[3])
         double s = closest_on_edge(e, vec3_neg(from));
         vec3 to = vec3_add_scaled(from, s, e);
         double square = vec3_norm_squared(to);
-        if (square < least) {
-            least = square;
+        if (square < min_squared) {
+            min_squared = square;
             best = to;
             weights[k] = 1.0 - s;
             weights[(k + 1) % 3] = s;
@@ -133,7 +133,7 @@ static inline vec3 closest_corners(const vec3 f[3], double weights[3])
     if (nn > 0.0 && w1 > 0.0 && w2 > 0.0 && w1 + w2 < nn) {
         double v = w1 / nn, w = w2 / nn;
         vec3 to = vec3_add_scaled(vec3_add_scaled(f[0], v, e1), w, e2);
-        if (vec3_norm_squared(to) < least) {
+        if (vec3_norm_squared(to) < min_squared) {
             best = to;
             weights[0] = 1.0 - v - w;
             weights[1] = v;

@@ -13,7 +13,7 @@ static void clear_limbs(uint32_t *limbs, uint32_t count)
     }
 }
 
-static uint32_t *take(workspace *w, uint32_t count)
+static uint32_t *allocate_limbs(workspace *w, uint32_t count)
 {
     if (w->full || count > w->capacity - w->used) {
         w->full = true;
@@ -25,7 +25,7 @@ static uint32_t *take(workspace *w, uint32_t count)
 }
 
 /* The integer in `limbs`, the last thing taken; gives back the zero limbs on top. */
-static integer finish(workspace *w, const uint32_t *limbs, uint32_t count, int32_t sign)
+static integer normalise(workspace *w, const uint32_t *limbs, uint32_t count, int32_t sign)
 {
     while (count > 0 && limbs[count - 1] == 0) {
         count--;
@@ -44,7 +44,7 @@ static const uint32_t *limbs_of(const workspace *w, integer a)
 integer vbss_integer_make(workspace *w, uint64_t magnitude, uint32_t shift, int32_t sign)
 {
     uint32_t whole = shift / LIMB_BITS, rest = shift % LIMB_BITS, count = whole + 3;
-    uint32_t *limbs = magnitude == 0 ? NULL : take(w, count);
+    uint32_t *limbs = magnitude == 0 ? NULL : allocate_limbs(w, count);
     if (limbs == NULL) {
         return integer_zero();
     }
@@ -55,7 +55,7 @@ integer vbss_integer_make(workspace *w, uint64_t magnitude, uint32_t shift, int3
     limbs[whole] = (uint32_t)low;
     limbs[whole + 1] = (uint32_t)high;
     limbs[whole + 2] = (uint32_t)(high >> LIMB_BITS);
-    return finish(w, limbs, count, sign);
+    return normalise(w, limbs, count, sign);
 }
 
 static int compare(const workspace *w, integer a, integer b)
@@ -86,7 +86,7 @@ integer vbss_integer_add(workspace *w, integer a, integer b)
     if (a.sign != b.sign && order == 0) {
         return integer_zero();
     }
-    uint32_t *limbs = take(w, a.count + 1u);
+    uint32_t *limbs = allocate_limbs(w, a.count + 1u);
     if (limbs == NULL) {
         return integer_zero();
     }
@@ -100,7 +100,7 @@ integer vbss_integer_add(workspace *w, integer a, integer b)
         carry = (sum >> LIMB_BITS) & 1u;
     }
     limbs[a.count] = a.sign == b.sign ? (uint32_t)carry : 0;
-    return finish(w, limbs, a.count + 1u, a.sign);
+    return normalise(w, limbs, a.count + 1u, a.sign);
 }
 
 integer vbss_integer_subtract(workspace *w, integer a, integer b)
@@ -114,7 +114,7 @@ integer vbss_integer_multiply(workspace *w, integer a, integer b)
         return integer_zero();
     }
     uint32_t count = (uint32_t)a.count + b.count;
-    uint32_t *limbs = take(w, count);
+    uint32_t *limbs = allocate_limbs(w, count);
     if (limbs == NULL) {
         return integer_zero();
     }
@@ -129,7 +129,7 @@ integer vbss_integer_multiply(workspace *w, integer a, integer b)
         }
         limbs[i + b.count] = (uint32_t)carry;
     }
-    return finish(w, limbs, count, a.sign * b.sign);
+    return normalise(w, limbs, count, a.sign * b.sign);
 }
 
 integer vbss_integer_shift(workspace *w, integer a, uint32_t bits)
@@ -139,7 +139,7 @@ integer vbss_integer_shift(workspace *w, integer a, uint32_t bits)
     }
     uint32_t whole = bits / LIMB_BITS, rest = bits % LIMB_BITS;
     uint32_t count = a.count + whole + 1;
-    uint32_t *limbs = take(w, count);
+    uint32_t *limbs = allocate_limbs(w, count);
     if (limbs == NULL) {
         return integer_zero();
     }
@@ -151,10 +151,10 @@ integer vbss_integer_shift(workspace *w, integer a, uint32_t bits)
         carry >>= LIMB_BITS;
     }
     limbs[whole + a.count] = (uint32_t)carry;
-    return finish(w, limbs, count, a.sign);
+    return normalise(w, limbs, count, a.sign);
 }
 
-void vbss_integers_keep(workspace *w, uint32_t mark, integer *const *kept, int count)
+void vbss_integers_compact(workspace *w, uint32_t mark, integer *const *live, int count)
 {
     uint32_t from = mark; /* what lies below stays where it is */
     w->used = mark;
@@ -162,7 +162,7 @@ void vbss_integers_keep(workspace *w, uint32_t mark, integer *const *kept, int c
         /* The lowest that has not moved: so nothing is written over before it was read. */
         const integer *lowest = NULL;
         for (int i = 0; i < count; i++) {
-            const integer *a = kept[i];
+            const integer *a = live[i];
             if (a->sign != 0 && a->first >= from && (lowest == NULL || a->first < lowest->first)) {
                 lowest = a;
             }
@@ -175,8 +175,8 @@ void vbss_integers_keep(workspace *w, uint32_t mark, integer *const *kept, int c
             w->limbs[w->used + i] = w->limbs[source + i];
         }
         for (int i = 0; i < count; i++) {
-            if (kept[i]->sign != 0 && kept[i]->first == source) {
-                kept[i]->first = (uint16_t)w->used;
+            if (live[i]->sign != 0 && live[i]->first == source) {
+                live[i]->first = (uint16_t)w->used;
             }
         }
         w->used += size;

@@ -1,6 +1,6 @@
 /* Integers of any size and polynomials of them, in memory that the caller gives.
  *
- * For the exact decision (exact.c). When the memory is used up, `full` is set and results are zero from
+ * For the exact decision (ccd_exact.c). When the memory is used up, `full` is set and results are zero from
  * then on: look at it before believing anything. */
 #ifndef VBSS_COLLISION_INTEGERS_H
 #define VBSS_COLLISION_INTEGERS_H
@@ -21,7 +21,7 @@ typedef struct integer {
     uint16_t first, count;
     int32_t sign;
 } integer;
-enum { WORKSPACE_LIMBS = 65535 }; /* the most that `first` tells apart */
+enum { COLLISION_WORKSPACE_LIMBS = 65535 }; /* the most that `first` tells apart */
 
 static inline integer integer_zero(void)
 {
@@ -41,19 +41,19 @@ integer vbss_integer_multiply(workspace *w, integer a, integer b);
 integer vbss_integer_shift(workspace *w, integer a, uint32_t bits); /* to the left */
 /* Gives back what was taken since `mark`, a value of w->used, but for these integers, which move down to
  * it. They may share limbs. */
-void vbss_integers_keep(workspace *w, uint32_t mark, integer *const *kept, int count);
-static inline integer vbss_integer_keep(workspace *w, uint32_t mark, integer a)
+void vbss_integers_compact(workspace *w, uint32_t mark, integer *const *live, int count);
+static inline integer vbss_integer_compact(workspace *w, uint32_t mark, integer a)
 {
     integer *one = &a;
-    vbss_integers_keep(w, mark, &one, 1);
+    vbss_integers_compact(w, mark, &one, 1);
     return a;
 }
 
 /* sum of c[k] t^k; degree -1 is zero, else c[degree] is not zero. */
-enum { POLYNOMIAL_DEGREE = 3 };
+enum { COLLISION_POLYNOMIAL_DEGREE = 3 };
 typedef struct polynomial {
     int32_t degree;
-    integer c[POLYNOMIAL_DEGREE + 1];
+    integer c[COLLISION_POLYNOMIAL_DEGREE + 1];
 } polynomial;
 
 /* A place on the axis of t: numerator / 2^bits, numerator >= 0. */
@@ -65,8 +65,8 @@ typedef struct dyadic {
 polynomial vbss_polynomial_multiply(workspace *w, const polynomial *a, const polynomial *b);
 polynomial vbss_polynomial_subtract(workspace *w, const polynomial *a, const polynomial *b);
 polynomial vbss_polynomial_add(workspace *w, const polynomial *a, const polynomial *b);
-/* As vbss_integers_keep. */
-polynomial vbss_polynomial_keep(workspace *w, uint32_t mark, polynomial p);
+/* As vbss_integers_compact. */
+polynomial vbss_polynomial_compact(workspace *w, uint32_t mark, polynomial p);
 int32_t vbss_polynomial_sign_at(workspace *w, const polynomial *p, dyadic t);
 /* Sets the degree after coefficients up to `degree` were written. */
 void vbss_polynomial_trim(polynomial *p, int32_t degree);

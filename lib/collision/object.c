@@ -11,7 +11,7 @@ _Static_assert(sizeof(vbss_collision_statistics) == 80, "published size");
 static const uint32_t statistics_sizes[] = {80, 0};
 static const vbss_layout statistics_layout = {"vbss_collision_statistics", NULL, statistics_sizes};
 
-static vbss_result check_room(vbss_context *context, const vbss_collision_config *c)
+static vbss_result check_capacities(vbss_context *context, const vbss_collision_config *c)
 {
     VBSS_TRY(vbss_check_range(context, c->shape_capacity, 0.0, 65536.0, "shape_capacity"));
     VBSS_TRY(vbss_check_range(context, c->pair_capacity, 0.0, 1e8, "pair_capacity"));
@@ -22,34 +22,34 @@ static vbss_result check_room(vbss_context *context, const vbss_collision_config
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 25 };
+enum { ARRAY_COUNT = 25 };
 
-static size_t list_parts(collision_object *c, vbss_array parts[PARTS])
+static size_t list_arrays(collision_object *c, vbss_array arrays[ARRAY_COUNT])
 {
     size_t shapes = c->config.shape_capacity, pairs = c->config.pair_capacity;
-    size_t impacts = c->config.impact_capacity, apart = c->keeps_apart ? pairs : 0;
+    size_t impacts = c->config.impact_capacity, separations = c->caches_separation ? pairs : 0;
     const vbss_array all[] = {
         {&c->shapes, shapes, sizeof(collision_shape *)},
-        {&c->living, shapes, sizeof *c->living},
-        {&c->partners, shapes, sizeof *c->partners},
-        {&c->top.boxes, shapes, sizeof *c->top.boxes},
-        {&c->top.order, shapes, sizeof *c->top.order},
-        {&c->top.group_boxes, vbss_collision_tree_groups(c->config.shape_capacity),
-         sizeof *c->top.group_boxes},
-        {&c->top.groups, vbss_collision_tree_groups(c->config.shape_capacity),
-         sizeof *c->top.groups},
-        {&c->search.parents_a, SEARCH_PARENTS, sizeof *c->search.parents_a},
-        {&c->search.parents_b, SEARCH_PARENTS, sizeof *c->search.parents_b},
-        {&c->search.pairs, pairs + TREE_LANES, sizeof *c->search.pairs},
-        {&c->spare, pairs, sizeof *c->spare},
-        {&c->buckets, SORT_BUCKETS, sizeof *c->buckets},
+        {&c->active_shapes, shapes, sizeof *c->active_shapes},
+        {&c->overlapping, shapes, sizeof *c->overlapping},
+        {&c->shape_bvh.boxes, shapes, sizeof *c->shape_bvh.boxes},
+        {&c->shape_bvh.order, shapes, sizeof *c->shape_bvh.order},
+        {&c->shape_bvh.group_boxes, vbss_collision_bvh_group_count(c->config.shape_capacity),
+         sizeof *c->shape_bvh.group_boxes},
+        {&c->shape_bvh.groups, vbss_collision_bvh_group_count(c->config.shape_capacity),
+         sizeof *c->shape_bvh.groups},
+        {&c->search.parents_a, COLLISION_SEARCH_PARENTS, sizeof *c->search.parents_a},
+        {&c->search.parents_b, COLLISION_SEARCH_PARENTS, sizeof *c->search.parents_b},
+        {&c->search.pairs, pairs + COLLISION_BVH_WIDTH, sizeof *c->search.pairs},
+        {&c->sort_buffer, pairs, sizeof *c->sort_buffer},
+        {&c->buckets, COLLISION_SORT_BUCKETS, sizeof *c->buckets},
         {&c->runs, (size_t)c->run_capacity + 1, sizeof *c->runs},
         {&c->candidates, pairs, sizeof *c->candidates},
-        {&c->apart, apart, sizeof *c->apart},
-        {&c->known, apart, sizeof *c->known},
-        {&c->known_apart, apart, sizeof *c->known_apart},
+        {&c->separations, separations, sizeof *c->separations},
+        {&c->previous_candidates, separations, sizeof *c->previous_candidates},
+        {&c->previous_separations, separations, sizeof *c->previous_separations},
         {&c->block, 1, sizeof *c->block},
-        {&c->rules.limbs, COLLISION_LIMBS, sizeof *c->rules.limbs},
+        {&c->ccd_options.limbs, COLLISION_LIMBS, sizeof *c->ccd_options.limbs},
         {&c->impacts, impacts, sizeof *c->impacts},
         {&c->times, impacts, sizeof *c->times},
         {&c->distances, impacts, sizeof *c->distances},
@@ -57,21 +57,21 @@ static size_t list_parts(collision_object *c, vbss_array parts[PARTS])
         {&c->weights, impacts, sizeof *c->weights},
         {&c->decisions, impacts, sizeof *c->decisions},
     };
-    _Static_assert(sizeof all == PARTS * sizeof(vbss_array), "the table has its length");
-    memcpy(parts, all, sizeof all);
-    return PARTS;
+    _Static_assert(sizeof all == ARRAY_COUNT * sizeof(vbss_array), "the table has its length");
+    memcpy(arrays, all, sizeof all);
+    return ARRAY_COUNT;
 }
 
 void vbss_collision_free(vbss_context *context, void *object)
 {
     collision_object *c = object;
-    vbss_array parts[PARTS];
+    vbss_array arrays[ARRAY_COUNT];
     for (uint32_t i = 0; i < c->shape_count; i++) {
         if (c->shapes[i] != NULL) {
             vbss_collision_shape_free(context, c->shapes[i]);
         }
     }
-    vbss_release_arrays(context, parts, list_parts(c, parts));
+    vbss_release_arrays(context, arrays, list_arrays(c, arrays));
     vbss_release(context, c, 1, sizeof *c);
 }
 
@@ -79,31 +79,31 @@ const vbss_kind vbss_collision_kind = {"collision object", VBSS_CODE('C', 'O', '
                                        vbss_collision_free, vbss_collision_serialise};
 
 /* Two kinds of pairs of any two shapes, but no more runs than candidates. */
-static uint32_t most_runs(const vbss_collision_config *config)
+static uint32_t max_runs(const vbss_collision_config *config)
 {
     uint64_t shapes = config->shape_capacity, runs = 2 * shapes * shapes;
     return runs < config->pair_capacity ? (uint32_t)runs : config->pair_capacity;
 }
 
 vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_config *config,
-                                    bool keeps_apart, collision_object **collision)
+                                    bool caches_separation, collision_object **collision)
 {
     collision_object *c = vbss_allocate(context, 1, sizeof *c, "collision object");
-    vbss_array parts[PARTS];
+    vbss_array arrays[ARRAY_COUNT];
     if (c == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     c->context = context;
     c->config = *config;
-    c->rules = vbss_collision_rules_of(config);
-    c->rules.limb_count = COLLISION_LIMBS;
-    c->wide = vbss_wide_is_there();
+    c->ccd_options = vbss_collision_ccd_options_of(config);
+    c->ccd_options.limb_count = COLLISION_LIMBS;
+    c->wide = vbss_wide_is_available();
     c->thickness = config->thickness;
-    c->keeps_apart = keeps_apart;
-    c->run_capacity = most_runs(config);
+    c->caches_separation = caches_separation;
+    c->run_capacity = max_runs(config);
     c->search.pair_capacity = config->pair_capacity;
     vbss_result result =
-        vbss_allocate_arrays(context, parts, list_parts(c, parts), "collision object");
+        vbss_allocate_arrays(context, arrays, list_arrays(c, arrays), "collision object");
     if (result != VBSS_OK) {
         vbss_collision_free(context, c);
         return result;
@@ -129,8 +129,8 @@ vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_co
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &vbss_collision_config_layout, config, &own));
     }
-    VBSS_TRY(vbss_collision_check_rules(context, &own));
-    VBSS_TRY(check_room(context, &own));
+    VBSS_TRY(vbss_collision_check_ccd_options(context, &own));
+    VBSS_TRY(check_capacities(context, &own));
 
     collision_object *c;
     vbss_slot *slot = NULL;
@@ -165,7 +165,7 @@ vbss_result vbss_collision_edit(vbss_collision *handle, collision_object **colli
     return VBSS_OK;
 }
 
-void vbss_collision_forget(collision_object *c)
+void vbss_collision_clear_results(collision_object *c)
 {
     c->candidate_count = c->impact_count = 0;
 }

@@ -48,7 +48,7 @@ static double larger_component(double size, vec3 v)
 {
     double components[3];
     vec3_store(components, v);
-    double largest = vbss_largest(components, 3);
+    double largest = vbss_max_abs(components, 3);
     return largest > size ? largest : size;
 }
 
@@ -62,7 +62,7 @@ static vec3 back_along(vec3 n, vec3 r)
 static void separate_edges(vec3 a, vec3 b, vec3 r, separation *s)
 {
     double *w = s->weights;
-    s->nearest = vec3_neg(closest_edges(a, b, r, &w[1], &w[3]));
+    s->nearest = vec3_neg(closest_between_edges(a, b, r, &w[1], &w[3]));
     w[0] = 1.0 - w[1];
     w[2] = 1.0 - w[3];
     double ab = vec3_dot(a, b), squares = vec3_norm_squared(a) * vec3_norm_squared(b);
@@ -76,7 +76,7 @@ static void separate_edges(vec3 a, vec3 b, vec3 r, separation *s)
 
 static void separate_point(const vec3 corners[3], separation *s)
 {
-    s->nearest = vec3_neg(closest_corners(corners, &s->weights[1]));
+    s->nearest = vec3_neg(closest_on_triangle(corners, &s->weights[1]));
     s->weights[0] = 1.0;
     vec3 e = vec3_sub(corners[1], corners[0]), f = vec3_sub(corners[2], corners[0]);
     vec3 n = vec3_cross(e, f);
@@ -247,7 +247,7 @@ static vbss_result check_masses(const double inverse_masses[4])
     for (int k = 0; k < 4; k++) {
         VBSS_TRY(vbss_check_range(NULL, inverse_masses[k], 0.0, 1e30, "inverse_masses"));
     }
-    return vbss_largest(inverse_masses, 4) > 0.0
+    return vbss_max_abs(inverse_masses, 4) > 0.0
                ? VBSS_OK
                : vbss_fail(NULL, VBSS_ERROR_OUT_OF_RANGE, "all inverse_masses are 0");
 }
@@ -286,7 +286,7 @@ vbss_result vbss_paper_response(vbss_pair_kind kind, vbss_response_variant varia
                               VBSS_RESPONSE_TIME_OF_IMPACT, "variant"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
-    VBSS_TRY(vbss_check_range(NULL, thickness, 0.0, COLLISION_FARTHEST, "thickness"));
+    VBSS_TRY(vbss_check_range(NULL, thickness, 0.0, COLLISION_MAX_COORDINATE, "thickness"));
     VBSS_TRY(check_masses(inverse_masses));
     hit_pair pair = {.kind = kind, .thickness = thickness};
     pair.first_of_b = kind == VBSS_PAIR_EDGE_EDGE ? 2 : 1;

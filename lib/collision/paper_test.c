@@ -30,7 +30,7 @@ static inline vec3 from_a_to_b(const shortest *w)
 
 /* ---- steps (i) and (ii), the same for both kinds */
 
-static inline bool near_at_end(vec3 apart, double thickness, collision_answer *answer)
+static inline bool near_at_end(vec3 apart, double thickness, collision_ccd_result *answer)
 {
     double square = vec3_norm_squared(apart);
     if (!(square < thickness * thickness)) {
@@ -44,7 +44,8 @@ static inline bool near_at_end(vec3 apart, double thickness, collision_answer *a
 
 /* Time at which w, taken for linear, is zero; false: its sign says that nothing crosses. */
 static inline bool linear_time(const shortest *first, const shortest *last,
-                               collision_answer *answer, collision_counters *counters, double *time)
+                               collision_ccd_result *answer, collision_counters *counters,
+                               double *time)
 {
     if (!(first->height * last->height * vec3_dot(first->n, last->n) < 0.0)) {
         counters->sign_tests_ended++;
@@ -60,7 +61,7 @@ static inline bool linear_time(const shortest *first, const shortest *last,
 
 /* At the collision time a and b are taken to touch, so the side is that of w at the start. n is normal
  * to both features, or zero where that is no one direction. */
-static void tell_crossing(collision_answer *answer, double time, double distance, vec3 n,
+static void tell_crossing(collision_ccd_result *answer, double time, double distance, vec3 n,
                           const shortest *first)
 {
     vec3 back = first->height > 0.0 ? vec3_neg(first->n) : first->n; /* from a to b */
@@ -129,7 +130,7 @@ static inline bool feet_inside(const edge_lines *l, double *s, double *u)
     return true;
 }
 
-static void set_edge_weights(collision_answer *answer, double s, double u)
+static void set_edge_weights(collision_ccd_result *answer, double s, double u)
 {
     answer->weights[0] = 1.0 - s;
     answer->weights[1] = s;
@@ -137,8 +138,8 @@ static void set_edge_weights(collision_answer *answer, double s, double u)
     answer->weights[3] = u;
 }
 
-static void test_edges(double eps, const collision_question *question, collision_answer *answer,
-                       collision_counters *counters)
+static void test_edges(double eps, const collision_ccd_query *question,
+                       collision_ccd_result *answer, collision_counters *counters)
 {
     const vec3 *x = question->start, *y = question->end;
     edge_lines last = edge_lines_of(y[0], y[1], y[2], y[3], eps);
@@ -146,7 +147,8 @@ static void test_edges(double eps, const collision_question *question, collision
     double s, u, time, thickness = question->thickness;
     if (thickness > 0.0) { /* (i) */
         bool inside = feet_inside(&last, &s, &u) && w1.nn > 0.0;
-        vec3 apart = inside ? from_a_to_b(&w1) : closest_edges(last.a, last.b, last.r, &s, &u);
+        vec3 apart =
+            inside ? from_a_to_b(&w1) : closest_between_edges(last.a, last.b, last.r, &s, &u);
         if (near_at_end(apart, thickness, answer)) {
             set_edge_weights(answer, s, u);
             return;
@@ -160,7 +162,7 @@ static void test_edges(double eps, const collision_question *question, collision
     edge_lines then = edge_lines_of(vec3_lerp(x[0], y[0], time), vec3_lerp(x[1], y[1], time),
                                     vec3_lerp(x[2], y[2], time), vec3_lerp(x[3], y[3], time), eps);
     if (feet_inside(&then, &s, &u)) { /* (ii b) */
-        double distance = vec3_norm(edges_apart(then.a, then.b, then.r, s, u));
+        double distance = vec3_norm(edge_separation(then.a, then.b, then.r, s, u));
         vec3 n = then.parallel ? vec3_zero() : vec3_cross(then.a, then.b);
         tell_crossing(answer, time, distance, n, &w0);
         set_edge_weights(answer, s, u);
@@ -202,7 +204,7 @@ static inline bool foot_inside(const point_plane *q, double weights[3])
     return true;
 }
 
-static void set_corner_weights(collision_answer *answer, const double weights[3])
+static void set_corner_weights(collision_ccd_result *answer, const double weights[3])
 {
     answer->weights[0] = 1.0;
     for (int k = 0; k < 3; k++) {
@@ -210,7 +212,7 @@ static void set_corner_weights(collision_answer *answer, const double weights[3]
     }
 }
 
-static void test_point_triangle(const collision_question *question, collision_answer *answer,
+static void test_point_triangle(const collision_ccd_query *question, collision_ccd_result *answer,
                                 collision_counters *counters)
 {
     const vec3 *x = question->start, *y = question->end;
@@ -219,7 +221,7 @@ static void test_point_triangle(const collision_question *question, collision_an
     double weights[3], time, thickness = question->thickness;
     if (thickness > 0.0) { /* (i) */
         vec3 apart =
-            foot_inside(&last, weights) ? from_a_to_b(&w1) : closest_corners(last.f, weights);
+            foot_inside(&last, weights) ? from_a_to_b(&w1) : closest_on_triangle(last.f, weights);
         if (near_at_end(apart, thickness, answer)) {
             set_corner_weights(answer, weights);
             return;
@@ -239,8 +241,8 @@ static void test_point_triangle(const collision_question *question, collision_an
     }
 }
 
-void vbss_collision_paper(const collision_rules *rules, const collision_question *question,
-                          collision_answer *answer, collision_counters *counters)
+void vbss_collision_paper(const collision_ccd_options *rules, const collision_ccd_query *question,
+                          collision_ccd_result *answer, collision_counters *counters)
 {
     if (question->kind == VBSS_PAIR_POINT_TRIANGLE) {
         test_point_triangle(question, answer, counters);

@@ -9,13 +9,13 @@ void vbss_polynomial_trim(polynomial *p, int32_t degree)
     p->degree = degree;
 }
 
-polynomial vbss_polynomial_keep(workspace *w, uint32_t mark, polynomial p)
+polynomial vbss_polynomial_compact(workspace *w, uint32_t mark, polynomial p)
 {
-    integer *all[POLYNOMIAL_DEGREE + 1];
+    integer *all[COLLISION_POLYNOMIAL_DEGREE + 1];
     for (int32_t k = 0; k <= p.degree; k++) {
         all[k] = &p.c[k];
     }
-    vbss_integers_keep(w, mark, all, p.degree + 1);
+    vbss_integers_compact(w, mark, all, p.degree + 1);
     return p;
 }
 
@@ -33,7 +33,7 @@ polynomial vbss_polynomial_multiply(workspace *w, const polynomial *a, const pol
             integer product = vbss_integer_multiply(w, a->c[i], b->c[k - i]);
             sum = vbss_integer_add(w, sum, product);
         }
-        p.c[k] = vbss_integer_keep(w, mark, sum);
+        p.c[k] = vbss_integer_compact(w, mark, sum);
     }
     vbss_polynomial_trim(&p, a->degree + b->degree);
     return p;
@@ -78,7 +78,7 @@ int32_t vbss_polynomial_sign_at(workspace *w, const polynomial *p, dyadic t)
         shift += t.bits;
         integer product = vbss_integer_multiply(w, sum, t.numerator);
         sum = vbss_integer_add(w, product, vbss_integer_shift(w, p->c[k], shift));
-        sum = vbss_integer_keep(w, mark, sum);
+        sum = vbss_integer_compact(w, mark, sum);
     }
     w->used = mark;
     return sum.sign;
@@ -89,12 +89,12 @@ static polynomial remainder_of(workspace *w, const polynomial *a, const polynomi
 {
     polynomial r = *a;
     integer factor_of_r = b->c[b->degree];
-    int32_t way = factor_of_r.sign;
+    int32_t lead_sign = factor_of_r.sign;
     factor_of_r.sign = 1;
     while (r.degree >= b->degree) {
         int32_t shift = r.degree - b->degree;
         integer factor_of_b = r.c[r.degree];
-        factor_of_b.sign *= way;
+        factor_of_b.sign *= lead_sign;
         /* |lead of b| r - (+-) (lead of r) t^shift b: the leading terms cancel */
         for (int32_t k = 0; k < r.degree; k++) {
             uint32_t mark = w->used;
@@ -103,7 +103,7 @@ static polynomial remainder_of(workspace *w, const polynomial *a, const polynomi
                 integer product = vbss_integer_multiply(w, factor_of_b, b->c[k - shift]);
                 c = vbss_integer_subtract(w, c, product);
             }
-            r.c[k] = vbss_integer_keep(w, mark, c);
+            r.c[k] = vbss_integer_compact(w, mark, c);
         }
         vbss_polynomial_trim(&r, r.degree - 1);
     }
@@ -146,18 +146,18 @@ int32_t vbss_sturm_changes(workspace *w, const sturm *s, dyadic t)
 /* ---- roots */
 
 /* (8 - eighths) / 8 low + eighths / 8 high. */
-static dyadic between(workspace *w, dyadic low, dyadic high, uint32_t eighths)
+static dyadic interpolate(workspace *w, dyadic low, dyadic high, uint32_t eighths)
 {
     uint32_t mark = w->used, bits = low.bits > high.bits ? low.bits : high.bits;
     uint32_t finer = eighths == 4 ? 1 : 3;
-    uint32_t part_of_high = eighths == 4 ? 1 : eighths, whole = 1u << finer;
+    uint32_t weight_high = eighths == 4 ? 1 : eighths, whole = 1u << finer;
     integer a = vbss_integer_shift(w, low.numerator, bits - low.bits);
     integer b = vbss_integer_shift(w, high.numerator, bits - high.bits);
-    integer from_a = vbss_integer_make(w, whole - part_of_high, 0, 1);
-    integer from_b = vbss_integer_make(w, part_of_high, 0, 1);
+    integer from_a = vbss_integer_make(w, whole - weight_high, 0, 1);
+    integer from_b = vbss_integer_make(w, weight_high, 0, 1);
     from_a = vbss_integer_multiply(w, a, from_a);
     from_b = vbss_integer_multiply(w, b, from_b);
-    dyadic t = {vbss_integer_keep(w, mark, vbss_integer_add(w, from_a, from_b)), bits + finer};
+    dyadic t = {vbss_integer_compact(w, mark, vbss_integer_add(w, from_a, from_b)), bits + finer};
     return t;
 }
 
@@ -168,7 +168,7 @@ static dyadic split(workspace *w, const polynomial *p, dyadic low, dyadic high)
     dyadic t = low;
     for (int k = 0; k < 4; k++) {
         uint32_t mark = w->used;
-        t = between(w, low, high, eighths[k]);
+        t = interpolate(w, low, high, eighths[k]);
         if (vbss_polynomial_sign_at(w, p, t) != 0 || w->full) {
             break;
         }
@@ -206,7 +206,7 @@ static void divide_by_t_minus_one(workspace *w, polynomial *p)
 }
 
 /* All coefficients of one sign, those of Bernstein's form: no root between 0 and 1. */
-static bool one_sign(workspace *w, const polynomial *p)
+static bool has_one_sign(workspace *w, const polynomial *p)
 {
     static const uint64_t binomial[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
     int32_t d = p->degree, sign = p->c[0].sign;
@@ -226,17 +226,17 @@ static bool one_sign(workspace *w, const polynomial *p)
 }
 
 /* Gives back the limbs of all places but these. */
-static void keep_places(workspace *w, uint32_t mark, root *a, int32_t count_a, root *b,
-                        int32_t count_b)
+static void compact_bounds(workspace *w, uint32_t mark, root *a, int32_t count_a, root *b,
+                           int32_t count_b)
 {
-    integer *places[2 * (3 + 4)];
+    integer *bounds[2 * (3 + 4)];
     int count = 0;
     for (int32_t k = 0; k < count_a + count_b; k++) {
         root *r = k < count_a ? &a[k] : &b[k - count_a];
-        places[count++] = &r->low.numerator;
-        places[count++] = &r->high.numerator;
+        bounds[count++] = &r->low.numerator;
+        bounds[count++] = &r->high.numerator;
     }
-    vbss_integers_keep(w, mark, places, count);
+    vbss_integers_compact(w, mark, bounds, count);
 }
 
 int32_t vbss_roots_between(workspace *w, const polynomial *p, sturm *s, root roots[3])
@@ -244,34 +244,34 @@ int32_t vbss_roots_between(workspace *w, const polynomial *p, sturm *s, root roo
     polynomial inner = *p;
     divide_by_t(&inner);
     divide_by_t_minus_one(w, &inner);
-    if (inner.degree < 1 || one_sign(w, &inner)) {
+    if (inner.degree < 1 || has_one_sign(w, &inner)) {
         return 0;
     }
     *s = vbss_sturm_make(w, &inner);
     uint32_t mark = w->used;
-    root open[4]; /* intervals still to look at, the leftmost on top */
-    int32_t count = 0, waiting = 1;
-    open[0].low = (dyadic){integer_zero(), 0};
-    open[0].high = (dyadic){vbss_integer_make(w, 1, 0, 1), 0};
-    open[0].changes_low = vbss_sturm_changes(w, s, open[0].low);
-    open[0].changes_high = vbss_sturm_changes(w, s, open[0].high);
-    while (waiting > 0 && !w->full) {
-        root whole = open[--waiting];
-        int32_t held = whole.changes_low - whole.changes_high;
-        if (held == 1) {
+    root intervals[4]; /* intervals still to look at, the leftmost on top */
+    int32_t count = 0, pending = 1;
+    intervals[0].low = (dyadic){integer_zero(), 0};
+    intervals[0].high = (dyadic){vbss_integer_make(w, 1, 0, 1), 0};
+    intervals[0].changes_low = vbss_sturm_changes(w, s, intervals[0].low);
+    intervals[0].changes_high = vbss_sturm_changes(w, s, intervals[0].high);
+    while (pending > 0 && !w->full) {
+        root whole = intervals[--pending];
+        int32_t root_count = whole.changes_low - whole.changes_high;
+        if (root_count == 1) {
             roots[count++] = whole;
-        } else if (held > 1) {
+        } else if (root_count > 1) {
             root left = whole, right = whole;
             left.high = right.low = split(w, &inner, whole.low, whole.high);
             left.changes_high = right.changes_low = vbss_sturm_changes(w, s, left.high);
             /* Each interval that waits holds a root, so there are never more than three. */
             if (right.changes_low - right.changes_high > 0) {
-                open[waiting++] = right;
+                intervals[pending++] = right;
             }
             if (left.changes_low - left.changes_high > 0) {
-                open[waiting++] = left;
+                intervals[pending++] = left;
             }
-            keep_places(w, mark, open, waiting, roots, count);
+            compact_bounds(w, mark, intervals, pending, roots, count);
         }
     }
     return count;
@@ -326,21 +326,21 @@ int32_t vbss_sign_at_root(workspace *w, const polynomial *q, const sturm *s, roo
     uint32_t after = w->used;
     integer *ends[] = {&r->low.numerator, &r->high.numerator};
     int32_t sign = 0;
-    bool found = false, asked = false;
+    bool found = false, is_checked = false;
     while (!found && !w->full) {
         int32_t low = vbss_polynomial_sign_at(w, q, r->low);
         int32_t high = vbss_polynomial_sign_at(w, q, r->high);
         if (low != 0 && low == high && roots_in(w, &of_q, r->low, r->high) == 0) {
             sign = low;
             found = true;
-        } else if (!asked) {
-            asked = true;
+        } else if (!is_checked) {
+            is_checked = true;
             found = vanishes(w, q, &s->p[0], r);
         } else { /* the root of q beside it is another one: narrow until they are told apart */
             narrow(w, s, r);
-            vbss_integers_keep(w, after, ends, 2);
+            vbss_integers_compact(w, after, ends, 2);
         }
     }
-    vbss_integers_keep(w, mark, ends, 2);
+    vbss_integers_compact(w, mark, ends, 2);
     return sign;
 }

@@ -9,68 +9,69 @@
 #include "base/hash.h"
 #include "base/stream.h"
 
-#define LARGEST_RADIUS 1e29
+#define MAX_RADIUS 1e29
 
 /* ---- memory: one table says what there is; what is not needed stays NULL */
 
-enum { PARTS = 23 + NEAR_PARTS };
+enum { ARRAY_COUNT = 23 + COLLISION_EXCLUSION_ARRAYS };
 
-typedef struct part_list {
-    vbss_array parts[PARTS];
+typedef struct array_list {
+    vbss_array arrays[ARRAY_COUNT];
     size_t count;
-} part_list;
+} array_list;
 
 /* `pointer` is the address of the shape's pointer to the array. */
-static void add_part(part_list *list, void *pointer, size_t count, size_t size)
+static void add_array(array_list *list, void *pointer, size_t count, size_t size)
 {
-    const vbss_array part = {pointer, count, size};
+    const vbss_array array = {pointer, count, size};
     if (count > 0) {
-        list->parts[list->count++] = part;
+        list->arrays[list->count++] = array;
     }
 }
 
-static void add_tree(part_list *list, collision_tree *tree, uint32_t features, bool ordered)
+static void add_bvh(array_list *list, collision_bvh *bvh, uint32_t features, bool ordered)
 {
-    size_t groups = vbss_collision_tree_groups(features);
-    add_part(list, &tree->boxes, features, sizeof *tree->boxes);
-    add_part(list, &tree->group_boxes, groups, sizeof *tree->group_boxes);
-    add_part(list, &tree->groups, groups, sizeof *tree->groups);
+    size_t groups = vbss_collision_bvh_group_count(features);
+    add_array(list, &bvh->boxes, features, sizeof *bvh->boxes);
+    add_array(list, &bvh->group_boxes, groups, sizeof *bvh->group_boxes);
+    add_array(list, &bvh->groups, groups, sizeof *bvh->groups);
     /* A single group has no use for an order. */
-    add_part(list, &tree->order, ordered && features > TREE_LANES ? features : 0,
-             sizeof *tree->order);
+    add_array(list, &bvh->order, ordered && features > COLLISION_BVH_WIDTH ? features : 0,
+              sizeof *bvh->order);
 }
 
-static void list_parts(collision_shape *s, part_list *list)
+static void list_arrays(collision_shape *s, array_list *list)
 {
-    bool chain = s->kind == SHAPE_CHAIN;
+    bool chain = s->kind == COLLISION_SHAPE_CHAIN;
     uint32_t n = s->node_capacity, e = chain ? n - 1 : s->edge_count, t = s->triangle_count;
     list->count = 0;
-    add_part(list, &s->start, n, sizeof *s->start);
-    add_part(list, &s->end, n, sizeof *s->end);
-    add_part(list, &s->edges, e, sizeof *s->edges);
-    add_part(list, &s->triangles, t, sizeof *s->triangles);
-    add_part(list, &s->far_before, chain ? e : 0, sizeof *s->far_before);
-    add_part(list, &s->far_after, chain ? (e + TREE_LANES - 1) / TREE_LANES : 0,
-             sizeof *s->far_after);
-    add_part(list, &s->edge_rows, e, sizeof *s->edge_rows);
-    add_part(list, &s->point_rows, n, sizeof *s->point_rows);
-    add_part(list, &s->goes, s->keeps_apart ? n : 0, sizeof *s->goes);
-    add_part(list, &s->gone, s->keeps_apart ? n : 0, sizeof *s->gone);
-    add_part(list, &s->known_start, s->keeps_apart ? n : 0, sizeof *s->known_start);
-    add_tree(list, &s->point_tree, n, !chain);
-    add_tree(list, &s->edge_tree, e, !chain);
-    add_tree(list, &s->triangle_tree, t, true);
-    if (s->near.words > 0) {
-        vbss_collision_near_parts(s, &s->near, list->parts + list->count);
-        list->count += NEAR_PARTS;
+    add_array(list, &s->start, n, sizeof *s->start);
+    add_array(list, &s->end, n, sizeof *s->end);
+    add_array(list, &s->edges, e, sizeof *s->edges);
+    add_array(list, &s->triangles, t, sizeof *s->triangles);
+    add_array(list, &s->far_before, chain ? e : 0, sizeof *s->far_before);
+    add_array(list, &s->far_after, chain ? (e + COLLISION_BVH_WIDTH - 1) / COLLISION_BVH_WIDTH : 0,
+              sizeof *s->far_after);
+    add_array(list, &s->edge_offsets, e, sizeof *s->edge_offsets);
+    add_array(list, &s->point_offsets, n, sizeof *s->point_offsets);
+    add_array(list, &s->displacement, s->caches_separation ? n : 0, sizeof *s->displacement);
+    add_array(list, &s->search_displacement, s->caches_separation ? n : 0,
+              sizeof *s->search_displacement);
+    add_array(list, &s->search_start, s->caches_separation ? n : 0, sizeof *s->search_start);
+    add_bvh(list, &s->point_bvh, n, !chain);
+    add_bvh(list, &s->edge_bvh, e, !chain);
+    add_bvh(list, &s->triangle_bvh, t, true);
+    if (s->exclusion.words > 0) {
+        vbss_collision_exclusion_arrays(s, &s->exclusion, list->arrays + list->count);
+        list->count += COLLISION_EXCLUSION_ARRAYS;
     }
 }
 
 void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
 {
-    part_list list;
-    list_parts(s, &list);
-    vbss_release_arrays(context, list.parts, list.count);
+    array_list list;
+    list_arrays(s, &list);
+    vbss_release_arrays(context, list.arrays, list.count);
     vbss_release(context, s, 1, sizeof *s);
 }
 
@@ -79,18 +80,18 @@ void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
  * radius and half of thickness and margin. The factor is more than the few roundings here and in D
  * can lose, and DBL_MIN what they lose of numbers too small to be normal. Rounding in `low - reach`
  * and `high + reach` loses nothing, as it keeps the order of any two numbers: docs/collision.md. */
-static double reach_of(const vbss_collision_config *config, double radius)
+static double inflation_of(const vbss_collision_config *config, double radius)
 {
-    double share = (radius + 0.5 * config->thickness) * (1.0 + config->tolerance);
-    return (share + 0.5 * config->margin) * (1.0 + 8.0 * DBL_EPSILON) + DBL_MIN;
+    double half_distance = (radius + 0.5 * config->thickness) * (1.0 + config->tolerance);
+    return (half_distance + 0.5 * config->margin) * (1.0 + 8.0 * DBL_EPSILON) + DBL_MIN;
 }
 
 /* A shape without topology. Its counts are in range. */
-static vbss_result make(collision_object *c, collision_shape_kind kind, const uint32_t counts[3],
-                        double radius, collision_shape **shape)
+static vbss_result create_shape(collision_object *c, collision_shape_kind kind,
+                                const uint32_t counts[3], double radius, collision_shape **shape)
 {
     collision_shape *s = vbss_allocate(c->context, 1, sizeof *s, "shape");
-    part_list list;
+    array_list list;
     *shape = NULL;
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -102,58 +103,58 @@ static vbss_result make(collision_object *c, collision_shape_kind kind, const ui
     s->radius = radius;
     s->category = 1;
     s->mask = UINT32_MAX;
-    s->reach = reach_of(&c->config, radius);
-    s->keeps_apart = c->keeps_apart;
-    list_parts(s, &list);
-    vbss_result result = vbss_allocate_arrays(c->context, list.parts, list.count, "shape");
+    s->inflation = inflation_of(&c->config, radius);
+    s->caches_separation = c->caches_separation;
+    list_arrays(s, &list);
+    vbss_result result = vbss_allocate_arrays(c->context, list.arrays, list.count, "shape");
     if (result != VBSS_OK) {
         vbss_collision_shape_free(c->context, s);
         return result;
     }
-    vbss_collision_tree_set_count(&s->point_tree, s->node_count);
-    vbss_collision_tree_set_count(&s->edge_tree, s->edge_count);
-    vbss_collision_tree_set_count(&s->triangle_tree, s->triangle_count);
+    vbss_collision_bvh_set_count(&s->point_bvh, s->node_count);
+    vbss_collision_bvh_set_count(&s->edge_bvh, s->edge_count);
+    vbss_collision_bvh_set_count(&s->triangle_bvh, s->triangle_count);
     *shape = s;
     return VBSS_OK;
 }
 
-static uint64_t topology_of(collision_shape *s)
+static uint64_t hash_topology(collision_shape *s)
 {
     vbss_stream stream;
     uint32_t counts[4] = {(uint32_t)s->kind, s->node_count, s->edge_count, s->triangle_count};
     vbss_stream_begin_hash(&stream);
     vbss_stream_u32(&stream, 1, counts, 4);
     vbss_stream_f64(&stream, 2, &s->radius, 1);
-    if (s->kind == SHAPE_CHAIN) {
+    if (s->kind == COLLISION_SHAPE_CHAIN) {
         vbss_stream_u32(&stream, 3, s->far_before, s->edge_count);
     }
-    if (s->kind == SHAPE_MESH) {
+    if (s->kind == COLLISION_SHAPE_MESH) {
         vbss_stream_u32(&stream, 4, s->triangles[0], 3u * (size_t)s->triangle_count);
     }
-    if (s->near.words > 0) { /* a triangle's are those of its edges */
-        vbss_stream_u64(&stream, 5, s->near.edges, (size_t)s->edge_count * s->near.words);
+    if (s->exclusion.words > 0) { /* a triangle's are those of its edges */
+        vbss_stream_u64(&stream, 5, s->exclusion.edges, (size_t)s->edge_count * s->exclusion.words);
     }
     return vbss_hash_end(&stream.hash);
 }
 
 /* Names a finished shape. */
-static void publish(collision_object *c, collision_shape *s, uint32_t *name)
+static void register_shape(collision_object *c, collision_shape *s, uint32_t *id)
 {
-    s->topology = topology_of(s);
-    *name = c->shape_count;
+    s->topology_hash = hash_topology(s);
+    *id = c->shape_count;
     c->shapes[c->shape_count++] = s;
-    c->living_known = false;
-    vbss_collision_forget(c);
+    c->active_valid = false;
+    vbss_collision_clear_results(c);
     c->generation++;
 }
 
 /* What all shapes have to be asked first. */
-static vbss_result check_new(const collision_object *c, double radius, const uint32_t *name)
+static vbss_result check_new(const collision_object *c, double radius, const uint32_t *id)
 {
-    VBSS_TRY(vbss_check_pointer(c->context, name, "shape"));
+    VBSS_TRY(vbss_check_pointer(c->context, id, "shape"));
     if (radius != 0.0) {
         VBSS_TRY(
-            vbss_check_range(c->context, radius, COLLISION_THINNEST, LARGEST_RADIUS, "radius"));
+            vbss_check_range(c->context, radius, COLLISION_MIN_THICKNESS, MAX_RADIUS, "radius"));
     }
     if (c->shape_count >= c->config.shape_capacity) {
         return vbss_fail(c->context, VBSS_ERROR_CAPACITY, "shape_capacity is %u",
@@ -186,7 +187,8 @@ static bool reaches(const double arc[2], const double limit[2])
 static void measure_arcs(collision_shape *s, const double *rest_lengths, const double limit[2])
 {
     double arc[2] = {0.0, 0.0};
-    uint32_t before = 0, group = 0, groups = (s->edge_count + TREE_LANES - 1) / TREE_LANES;
+    uint32_t before = 0, group = 0,
+             groups = (s->edge_count + COLLISION_BVH_WIDTH - 1) / COLLISION_BVH_WIDTH;
     for (uint32_t b = 2; b < s->edge_count; b++) {
         add_exactly(arc, rest_lengths != NULL ? rest_lengths[b - 1] : 0.0);
         while (before + 2 <= b && (rest_lengths == NULL || reaches(arc, limit))) {
@@ -194,7 +196,7 @@ static void measure_arcs(collision_shape *s, const double *rest_lengths, const d
             add_exactly(arc, rest_lengths != NULL ? -rest_lengths[before] : 0.0);
         }
         s->far_before[b] = before;
-        while (group < groups && group * TREE_LANES < before) {
+        while (group < groups && group * COLLISION_BVH_WIDTH < before) {
             s->far_after[group++] = b;
         }
     }
@@ -206,7 +208,8 @@ static void measure_arcs(collision_shape *s, const double *rest_lengths, const d
 static void measure_chain(const collision_object *c, collision_shape *s, const double *rest_lengths)
 {
     double limit[2];
-    limit[0] = two_product(c->config.exclusion, vbss_collision_distance(c, s, s), &limit[1]);
+    limit[0] =
+        two_product(c->config.exclusion, vbss_collision_contact_distance(c, s, s), &limit[1]);
     measure_arcs(s, rest_lengths, limit);
 }
 
@@ -223,11 +226,11 @@ static vbss_result check_chain(const collision_object *c, uint32_t node_count,
 {
     VBSS_TRY(vbss_check_range(c->context, node_count, 2.0, 65537.0, "node_count"));
     for (uint32_t i = 0; rest_lengths != NULL && i + 1 < node_count; i++) {
-        if (!(rest_lengths[i] >= 0.0 && rest_lengths[i] <= COLLISION_FARTHEST)) {
+        if (!(rest_lengths[i] >= 0.0 && rest_lengths[i] <= COLLISION_MAX_COORDINATE)) {
             vbss_result result =
                 isfinite(rest_lengths[i]) ? VBSS_ERROR_OUT_OF_RANGE : VBSS_ERROR_NOT_FINITE;
             return vbss_fail(c->context, result, "rest_lengths[%u] is %g, outside [0, %g]", i,
-                             rest_lengths[i], COLLISION_FARTHEST);
+                             rest_lengths[i], COLLISION_MAX_COORDINATE);
         }
     }
     return VBSS_OK;
@@ -242,56 +245,56 @@ vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_co
     VBSS_TRY(check_chain(c, node_count, rest_lengths));
     VBSS_TRY(check_new(c, radius, shape));
     const uint32_t counts[3] = {node_count, node_count - 1, 0};
-    VBSS_TRY(make(c, SHAPE_CHAIN, counts, radius, &s));
+    VBSS_TRY(create_shape(c, COLLISION_SHAPE_CHAIN, counts, radius, &s));
     number_edges(s);
     measure_chain(c, s, rest_lengths);
-    publish(c, s, shape);
+    register_shape(c, s, shape);
     return VBSS_OK;
 }
 
 /* ---- chains that change */
 
-vbss_result vbss_collision_add_sleeping_chain(collision_object *c, uint32_t node_capacity,
-                                              double radius, uint32_t *name)
+vbss_result vbss_collision_add_disabled_chain(collision_object *c, uint32_t node_capacity,
+                                              double radius, uint32_t *id)
 {
     collision_shape *s = NULL;
     const uint32_t counts[3] = {node_capacity, node_capacity - 1, 0};
-    VBSS_TRY(check_new(c, radius, name));
-    VBSS_TRY(make(c, SHAPE_CHAIN, counts, radius, &s));
+    VBSS_TRY(check_new(c, radius, id));
+    VBSS_TRY(create_shape(c, COLLISION_SHAPE_CHAIN, counts, radius, &s));
     number_edges(s);
-    s->asleep = true;
-    publish(c, s, name);
+    s->is_disabled = true;
+    register_shape(c, s, id);
     return VBSS_OK;
 }
 
-static void changed(collision_object *c, bool living)
+static void invalidate_results(collision_object *c, bool living)
 {
-    c->living_known = c->living_known && !living;
-    vbss_collision_forget(c);
+    c->active_valid = c->active_valid && !living;
+    vbss_collision_clear_results(c);
     c->generation++;
 }
 
-void vbss_collision_change_chain(collision_object *c, uint32_t name, uint32_t node_count,
+void vbss_collision_resize_chain(collision_object *c, uint32_t id, uint32_t node_count,
                                  const double *rest_lengths)
 {
-    collision_shape *s = c->shapes[name];
-    bool woken = s->asleep;
-    s->asleep = false;
-    s->start_known = false;
+    collision_shape *s = c->shapes[id];
+    bool was_disabled = s->is_disabled;
+    s->is_disabled = false;
+    s->has_search_start = false;
     s->node_count = node_count;
     s->edge_count = node_count - 1;
-    vbss_collision_tree_set_count(&s->point_tree, s->node_count);
-    vbss_collision_tree_set_count(&s->edge_tree, s->edge_count);
+    vbss_collision_bvh_set_count(&s->point_bvh, s->node_count);
+    vbss_collision_bvh_set_count(&s->edge_bvh, s->edge_count);
     measure_chain(c, s, rest_lengths);
-    s->topology = topology_of(s);
-    vbss_collision_shape_moved(s);
-    changed(c, woken);
+    s->topology_hash = hash_topology(s);
+    vbss_collision_shape_invalidate(s);
+    invalidate_results(c, was_disabled);
 }
 
-void vbss_collision_send_to_sleep(collision_object *c, uint32_t name)
+void vbss_collision_disable_chain(collision_object *c, uint32_t id)
 {
-    c->shapes[name]->asleep = true;
-    changed(c, true);
+    c->shapes[id]->is_disabled = true;
+    invalidate_results(c, true);
 }
 
 /* ---- capsules */
@@ -305,12 +308,12 @@ vbss_result vbss_collision_add_capsules(vbss_collision *collision, uint32_t caps
     VBSS_TRY(vbss_check_range(c->context, capsule_count, 1.0, 32768.0, "capsule_count"));
     VBSS_TRY(check_new(c, radius, shape));
     const uint32_t counts[3] = {2 * capsule_count, capsule_count, 0};
-    VBSS_TRY(make(c, SHAPE_CAPSULES, counts, radius, &s));
+    VBSS_TRY(create_shape(c, COLLISION_SHAPE_CAPSULES, counts, radius, &s));
     for (uint32_t i = 0; i < s->edge_count; i++) {
         s->edges[i][0] = 2 * i;
         s->edges[i][1] = 2 * i + 1;
     }
-    publish(c, s, shape);
+    register_shape(c, s, shape);
     return VBSS_OK;
 }
 
@@ -339,25 +342,25 @@ typedef uint32_t node_pair[2];
 
 /* Keeps the order of pairs whose node `which` is the same. `places` has node_count + 1 entries. */
 static void sort_by_node(node_pair *from, node_pair *to, uint32_t count, int which,
-                         uint32_t *places, uint32_t node_count)
+                         uint32_t *offsets, uint32_t node_count)
 {
-    memset(places, 0, (node_count + 1) * sizeof *places);
+    memset(offsets, 0, (node_count + 1) * sizeof *offsets);
     for (uint32_t i = 0; i < count; i++) {
-        places[from[i][which] + 1]++;
+        offsets[from[i][which] + 1]++;
     }
     for (uint32_t i = 0; i < node_count; i++) {
-        places[i + 1] += places[i];
+        offsets[i + 1] += offsets[i];
     }
     for (uint32_t i = 0; i < count; i++) {
-        memcpy(to[places[from[i][which]]++], from[i], sizeof *from);
+        memcpy(to[offsets[from[i][which]]++], from[i], sizeof *from);
     }
 }
 
 /* The three sides of each triangle, lower node first, sorted, each once; returns how many. */
 static uint32_t list_edges(const uint32_t *triangles, uint32_t triangle_count, uint32_t node_count,
-                           node_pair *edges, node_pair *spare, uint32_t *places)
+                           node_pair *edges, node_pair *spare, uint32_t *offsets)
 {
-    uint32_t count = 0, kept = 0;
+    uint32_t count = 0, unique_count = 0;
     for (uint32_t i = 0; i < triangle_count; i++) {
         const uint32_t *n = triangles + 3 * (size_t)i;
         for (int k = 0; k < 3; k++, count++) {
@@ -366,14 +369,14 @@ static uint32_t list_edges(const uint32_t *triangles, uint32_t triangle_count, u
             edges[count][1] = p < q ? q : p;
         }
     }
-    sort_by_node(edges, spare, count, 1, places, node_count);
-    sort_by_node(spare, edges, count, 0, places, node_count);
+    sort_by_node(edges, spare, count, 1, offsets, node_count);
+    sort_by_node(spare, edges, count, 0, offsets, node_count);
     for (uint32_t i = 0; i < count; i++) {
-        if (kept == 0 || memcmp(edges[kept - 1], edges[i], sizeof *edges) != 0) {
-            memmove(edges[kept++], edges[i], sizeof *edges);
+        if (unique_count == 0 || memcmp(edges[unique_count - 1], edges[i], sizeof *edges) != 0) {
+            memmove(edges[unique_count++], edges[i], sizeof *edges);
         }
     }
-    return kept;
+    return unique_count;
 }
 
 vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_count,
@@ -391,21 +394,21 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
 
     size_t sides = 3u * (size_t)triangle_count;
     node_pair *edges = NULL, *spare = NULL;
-    uint32_t *places = NULL;
+    uint32_t *offsets = NULL;
     const vbss_array working[] = {{&edges, sides, sizeof *edges},
                                   {&spare, sides, sizeof *spare},
-                                  {&places, (size_t)node_count + 1, sizeof *places}};
+                                  {&offsets, (size_t)node_count + 1, sizeof *offsets}};
     vbss_result result = vbss_allocate_arrays(c->context, working, 3, "edges of a mesh");
     if (result == VBSS_OK) {
         uint32_t edge_count =
-            list_edges(triangles, triangle_count, node_count, edges, spare, places);
+            list_edges(triangles, triangle_count, node_count, edges, spare, offsets);
         const uint32_t counts[3] = {node_count, edge_count, triangle_count};
-        result = make(c, SHAPE_MESH, counts, radius, &s);
+        result = create_shape(c, COLLISION_SHAPE_MESH, counts, radius, &s);
     }
     if (result == VBSS_OK) {
         memcpy(s->edges, edges, s->edge_count * sizeof *edges);
         memcpy(s->triangles, triangles, sides * sizeof *triangles);
-        publish(c, s, shape);
+        register_shape(c, s, shape);
     }
     vbss_release_arrays(c->context, working, 3);
     return result;
@@ -413,19 +416,19 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
 
 /* ---- living with shapes */
 
-void vbss_collision_rules_changed(collision_object *c, collision_shape *s)
+void vbss_collision_update_pair_rules(collision_object *c, collision_shape *s)
 {
-    s->topology = topology_of(s);
-    vbss_collision_forget(c);
+    s->topology_hash = hash_topology(s);
+    vbss_collision_clear_results(c);
     c->generation++;
 }
 
-vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t name,
+vbss_result vbss_collision_find_shape(const collision_object *c, uint32_t id,
                                       collision_shape **shape)
 {
-    *shape = name < c->shape_count ? c->shapes[name] : NULL;
+    *shape = id < c->shape_count ? c->shapes[id] : NULL;
     if (*shape == NULL) {
-        vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "there is no shape %u", name);
+        vbss_fail(c->context, VBSS_ERROR_OUT_OF_RANGE, "there is no shape %u", id);
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     return VBSS_OK;
@@ -438,8 +441,8 @@ vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
     VBSS_TRY(vbss_collision_edit(collision, &c));
     VBSS_TRY(vbss_collision_find_shape(c, shape, &s));
     c->shapes[shape] = NULL; /* first: the host's release may look at the object */
-    c->living_known = false;
-    vbss_collision_forget(c);
+    c->active_valid = false;
+    vbss_collision_clear_results(c);
     c->generation++;
     vbss_collision_shape_free(c->context, s);
     return VBSS_OK;
@@ -454,7 +457,7 @@ vbss_result vbss_collision_set_filter(vbss_collision *collision, uint32_t shape,
     VBSS_TRY(vbss_collision_find_shape(c, shape, &s));
     s->category = category;
     s->mask = mask;
-    vbss_collision_forget(c);
+    vbss_collision_clear_results(c);
     c->generation++;
     return VBSS_OK;
 }
@@ -475,8 +478,8 @@ vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const
     VBSS_TRY(vbss_collision_check_coordinates(c->context, end, numbers, "end"));
     memcpy(s->start, start != NULL ? start : &s->end[0].x, bytes);
     memcpy(s->end, end, bytes);
-    vbss_collision_shape_moved(s);
-    vbss_collision_forget(c); /* candidates of other places would miss */
+    vbss_collision_shape_invalidate(s);
+    vbss_collision_clear_results(c); /* candidates of other places would miss */
     c->generation++;
     return VBSS_OK;
 }
@@ -494,7 +497,7 @@ vbss_result vbss_collision_get_edge(vbss_collision *collision, uint32_t shape, u
     return VBSS_OK;
 }
 
-void vbss_collision_end_elsewhere(collision_shape *s, const vec3 *end)
+void vbss_collision_set_end_positions(collision_shape *s, const vec3 *end)
 {
     memcpy(s->end, end, s->node_count * sizeof *end);
 }

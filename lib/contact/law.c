@@ -209,7 +209,7 @@ static void close_row(const contact_row *row, vec3 moved, contact_found *next)
         vec3 back = vec3_scale(moved, -1.0 / way);
         double most = row->friction * next->pressure;
         slip_along(row, back, most + row->augmentation * way, next);
-        next->share = lesser(next->share, LARGEST_FIRST_SHARE);
+        next->share = vbss_min(next->share, LARGEST_FIRST_SHARE);
         next->rubbing = vec3_scale(back, most);
     }
 }

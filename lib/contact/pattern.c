@@ -67,9 +67,9 @@ static vec3 map_slope_to_block(const contact_term *term, vec3 direction)
 static inline void add_product(block *to, vec3 left, vec3 right)
 {
     lanes l = lanes_from(left);
-    to->column[0] = lanes_add(to->column[0], lanes_mul(right.x, l));
-    to->column[1] = lanes_add(to->column[1], lanes_mul(right.y, l));
-    to->column[2] = lanes_add(to->column[2], lanes_mul(right.z, l));
+    to->column[0] = lanes_add(to->column[0], lanes_scale(right.x, l));
+    to->column[1] = lanes_add(to->column[1], lanes_scale(right.y, l));
+    to->column[2] = lanes_add(to->column[2], lanes_scale(right.z, l));
 }
 
 static bool has_needle(const contact_row *row)

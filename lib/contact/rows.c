@@ -166,7 +166,7 @@ double vbss_contact_depth(const contact_set *set)
     double depth = 0.0;
     for (uint32_t i = 0; i < set->count; i++) {
         if (!set->rows[i].bilateral) {
-            depth = greater(set->rows[i].eased - set->rows[i].gap, depth);
+            depth = vbss_max(set->rows[i].eased - set->rows[i].gap, depth);
         }
     }
     return depth;

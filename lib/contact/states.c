@@ -70,11 +70,11 @@ static look look_at_rows(contact_set *set, const contact_search *search)
                 *next = row->is;
                 overlap = 0.0;
             }
-            l.overlap = vbss_larger(overlap, l.overlap);
+            l.overlap = vbss_max_or_nan(overlap, l.overlap);
         } else {
-            l.force = vbss_larger(missed, l.force);
+            l.force = vbss_max_or_nan(missed, l.force);
             /* What a grasp pulls with says nothing of how much a contact matters. */
-            l.pressure = greater(row->bilateral ? 0.0 : next->pressure, l.pressure);
+            l.pressure = vbss_max(row->bilateral ? 0.0 : next->pressure, l.pressure);
         }
     }
     return l;
@@ -138,7 +138,7 @@ static double share_to_follow(contact_set *set, bool wide, bool softened)
         }
     }
     if (share >= (softened ? SHORTEST : SHORT_WAY) || fabs(found) <= AT_REST * begin) {
-        return greater(share, SHORTEST);
+        return vbss_max(share, SHORTEST);
     }
     for (int k = 0; k < HALVES && fabs(found) > AT_REST * begin; k++) {
         share = 0.5 * (low + high);
@@ -149,7 +149,7 @@ static double share_to_follow(contact_set *set, bool wide, bool softened)
             low = share;
         }
     }
-    return greater(fabs(found) > AT_REST * begin ? high : share, SHORTEST);
+    return vbss_max(fabs(found) > AT_REST * begin ? high : share, SHORTEST);
 }
 
 /* Where the next solve goes on from; before the first there may be nothing. */
@@ -184,7 +184,7 @@ enum { DEEP_SOLVES = 2, LOST_SOLVES = 9, SOFT_SOLVES = 5 };
 /* What comes nearer to the law with each solve is not left before it is there. */
 static void note_missed(contact_stage *at, const contact_search *search, const look *l, bool first)
 {
-    double missed = greater(l->force / (l->pressure + search->least_force), l->overlap);
+    double missed = vbss_max(l->force / (l->pressure + search->least_force), l->overlap);
     at->stalled++;
     if (first || missed <= 0.5 * at->missed) {
         at->missed = missed;

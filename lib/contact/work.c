@@ -54,18 +54,18 @@ static inline vlanes load(const double from[3][LANES])
 
 static inline lanes minus(lanes a)
 {
-    return lanes_mul(-1.0, a);
+    return lanes_scale(-1.0, a);
 }
 
 static inline vlanes between(vlanes a, vlanes b, double share)
 {
-    return v_add(v_scale(a, lanes_all(1.0 - share)), v_scale(b, lanes_all(share)));
+    return v_add(v_scale(a, lanes_splat(1.0 - share)), v_scale(b, lanes_splat(share)));
 }
 
 /* Twin of vbss_contact_force, but for sleeves. */
 static inline vlanes force_of_four(const contact_four *f, vlanes u)
 {
-    const lanes zero = lanes_all(0.0), friction = lanes_load(f->friction);
+    const lanes zero = lanes_splat(0.0), friction = lanes_load(f->friction);
     const vlanes n = load(f->normal), none = {zero, zero, zero};
     const lanes_mask ties = lanes_less(zero, lanes_load(f->ties));
     lanes pressure =
@@ -74,11 +74,11 @@ static inline vlanes force_of_four(const contact_four *f, vlanes u)
     moved = v_add_scaled(moved, minus(v_dot(moved, n)), n);
     vlanes rubbing = v_add_scaled(load(f->held), minus(lanes_load(f->along)), moved);
     lanes size = lanes_sqrt(v_dot(rubbing, rubbing)), most = lanes_times(friction, pressure);
-    lanes_mask cut = lanes_both(lanes_not(ties), lanes_less(most, size));
-    rubbing = v_choose(cut, v_scale(rubbing, lanes_over(most, size)), rubbing);
-    lanes_mask rubs = lanes_either(lanes_less(friction, zero), lanes_less(zero, friction));
-    vlanes force = v_choose(rubs, v_add_scaled(rubbing, pressure, n), v_scale(n, pressure));
-    return v_choose(lanes_either(ties, lanes_less(zero, pressure)), force, none);
+    lanes_mask cut = lanes_and(lanes_not(ties), lanes_less(most, size));
+    rubbing = v_select(cut, v_scale(rubbing, lanes_div(most, size)), rubbing);
+    lanes_mask rubs = lanes_or(lanes_less(friction, zero), lanes_less(zero, friction));
+    vlanes force = v_select(rubs, v_add_scaled(rubbing, pressure, n), v_scale(n, pressure));
+    return v_select(lanes_or(ties, lanes_less(zero, pressure)), force, none);
 }
 
 static inline void work_of_four(const contact_four *f, double share, double work[LANES])

@@ -53,10 +53,10 @@ static mat3 rotation_of(const vbss_device_calibration *c)
 static vbss_result check_rotation(vbss_context *context, const vbss_device_calibration *c)
 {
     VBSS_TRY(vbss_check_finite(context, c->rotation, 9, "rotation"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->rotation, 9), 0.0, 1.000001, "rotation"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->rotation, 9), 0.0, 1.000001, "rotation"));
     mat3 r = rotation_of(c);
     mat3 off = mat3_sub(mat3_mul(r, mat3_transpose(r)), mat3_identity());
-    return vbss_largest(&off.m[0][0], 9) <= 1e-6 && mat3_determinant(r) > 0.0
+    return vbss_max_abs(&off.m[0][0], 9) <= 1e-6 && mat3_determinant(r) > 0.0
                ? VBSS_OK
                : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "rotation is none");
 }
@@ -89,9 +89,9 @@ vbss_result vbss_device_check_calibration(vbss_context *context, const vbss_devi
     VBSS_TRY(check_rotation(context, c));
     VBSS_TRY(vbss_check_range(context, c->scale, 1e-3, 1e3, "scale"));
     VBSS_TRY(vbss_check_finite(context, c->offset, 3, "offset"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->offset, 3), 0.0, 1e3, "offset"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->offset, 3), 0.0, 1e3, "offset"));
     VBSS_TRY(vbss_check_finite(context, c->mount, 4, "mount"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->mount, 4), 1e-100, 1e100, "mount"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->mount, 4), 1e-100, 1e100, "mount"));
     VBSS_TRY(check_box(context, c->workspace_low, c->workspace_high));
     VBSS_TRY(vbss_check_range(context, c->force_scale, 1e-3, 1e3, "force_scale"));
     return check_jaw(context, c);
@@ -163,7 +163,7 @@ uint32_t vbss_device_keep_inside(const vbss_device_calibration *c, vec3 *p)
     uint32_t outside = 0;
     vec3_store(x, *p);
     for (int i = 0; i < 3; i++) {
-        double inside = lesser(greater(x[i], c->workspace_low[i]), c->workspace_high[i]);
+        double inside = vbss_min(vbss_max(x[i], c->workspace_low[i]), c->workspace_high[i]);
         outside |= inside == x[i] ? 0u : 1u << i;
         x[i] = inside;
     }

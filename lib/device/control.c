@@ -61,11 +61,11 @@ vbss_result vbss_device_recentre(vbss_device *device, const double *position,
     }
     if (position != NULL) {
         VBSS_TRY(vbss_check_finite(d->context, position, 3, "position"));
-        VBSS_TRY(vbss_check_range(d->context, vbss_largest(position, 3), 0.0, 1e3, "position"));
+        VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(position, 3), 0.0, 1e3, "position"));
     }
     if (orientation != NULL) {
         VBSS_TRY(vbss_check_finite(d->context, orientation, 4, "orientation"));
-        VBSS_TRY(vbss_check_range(d->context, vbss_largest(orientation, 4), 1e-100, 1e100,
+        VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(orientation, 4), 1e-100, 1e100,
                                   "orientation"));
     }
     d->clutched = false;

@@ -75,13 +75,13 @@ uint32_t vbss_device_driven(const device_object *d, uint32_t source)
 
 static double lower(double limit, double device)
 {
-    return device > 0.0 ? lesser(limit, device) : limit;
+    return device > 0.0 ? vbss_min(limit, device) : limit;
 }
 
 /* A slow device is not stale between two of its samples. */
 static double waited_for(double timeout, const vbss_device_capabilities *c)
 {
-    return c->update_rate > 0.0 ? greater(timeout, 2.5 / c->update_rate) : timeout;
+    return c->update_rate > 0.0 ? vbss_max(timeout, 2.5 / c->update_rate) : timeout;
 }
 
 static const vbss_device_capabilities *capabilities_for(const device_object *d, uint32_t output)

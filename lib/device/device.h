@@ -40,7 +40,7 @@ extern const vbss_layout vbss_output_result_layout, vbss_output_statistics_layou
 /* Part of the way to a new value that a filter with a time constant goes in h seconds. */
 static inline double device_share(double h, double time)
 {
-    return time > 0.0 ? 1.0 - vbss_exp(-greater(h, 0.0) / time) : 1.0;
+    return time > 0.0 ? 1.0 - vbss_exp(-vbss_max(h, 0.0) / time) : 1.0;
 }
 
 /* ---- calibration.c */

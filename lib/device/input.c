@@ -18,7 +18,7 @@ static bool grow_old(device_object *d, device_part *part, double now, double tim
     }
     double from = d->config.clock == VBSS_DEVICE_CLOCK_SHARED ? part->time : part->heard;
     bool was = part->stale, first = part->age < 0.0;
-    part->age = greater(now - from, 0.0);
+    part->age = vbss_max(now - from, 0.0);
     part->stale = part->age > timeout;
     if (part->stale && (!was || first)) {
         d->events |= stale_event;
@@ -40,7 +40,7 @@ static void look_at_ages(device_object *d, double now)
     }
     grow_old(d, &d->opening, now, d->jaw_timeout, VBSS_DEVICE_EVENT_JAW_STALE,
              VBSS_DEVICE_EVENT_JAW_FRESH, &f->jaw_stale);
-    f->oldest_pose = greater(f->oldest_pose, d->pose.age);
+    f->oldest_pose = vbss_max(f->oldest_pose, d->pose.age);
 }
 
 /* ---- the world */

@@ -15,13 +15,13 @@ bool vbss_device_believes_raw(const vbss_device_calibration *c, double raw)
 
 double vbss_device_opening_of(const vbss_device_calibration *c, double raw)
 {
-    return lesser(greater(part_of_range(c, raw), 0.0), 1.0);
+    return vbss_min(vbss_max(part_of_range(c, raw), 0.0), 1.0);
 }
 
 /* The opening goes through both ends although the play swallows half of itself at each. */
 static double stretched(double play, double half)
 {
-    return lesser(greater((play - half) / (1.0 - 2.0 * half), 0.0), 1.0);
+    return vbss_min(vbss_max((play - half) / (1.0 - 2.0 * half), 0.0), 1.0);
 }
 
 void vbss_device_move_jaw(device_jaw *jaw, const vbss_device_calibration *c, double opening,
@@ -35,7 +35,7 @@ void vbss_device_move_jaw(device_jaw *jaw, const vbss_device_calibration *c, dou
     } else {
         jaw->filtered += device_share(h, c->jaw_time) * (opening - jaw->filtered);
     }
-    jaw->play = lesser(greater(jaw->play, jaw->filtered - half), jaw->filtered + half);
+    jaw->play = vbss_min(vbss_max(jaw->play, jaw->filtered - half), jaw->filtered + half);
     jaw->opening = stretched(jaw->play, half);
     if (jaw->opening <= c->jaw_close_at) {
         jaw->closed = true;

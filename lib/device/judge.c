@@ -32,10 +32,10 @@ static bool is_finite(const vbss_device_sample *s, uint32_t valid)
 
 static bool is_in_range(const vbss_device_sample *s, uint32_t valid)
 {
-    return ((valid & VBSS_DEVICE_HAS_POSITION) == 0 || vbss_largest(s->position, 3) <= 1e3) &&
-           ((valid & VBSS_DEVICE_HAS_VELOCITY) == 0 || vbss_largest(s->velocity, 3) <= 1e3) &&
+    return ((valid & VBSS_DEVICE_HAS_POSITION) == 0 || vbss_max_abs(s->position, 3) <= 1e3) &&
+           ((valid & VBSS_DEVICE_HAS_VELOCITY) == 0 || vbss_max_abs(s->velocity, 3) <= 1e3) &&
            ((valid & VBSS_DEVICE_HAS_ANGULAR_VELOCITY) == 0 ||
-            vbss_largest(s->angular_velocity, 3) <= 1e4) &&
+            vbss_max_abs(s->angular_velocity, 3) <= 1e4) &&
            ((valid & VBSS_DEVICE_HAS_JAW_RAW) == 0 || fabs(s->jaw_raw) <= 1e6) &&
            ((valid & VBSS_DEVICE_HAS_JAW) == 0 || (s->jaw >= 0.0 && s->jaw <= 1.0)) &&
            ((valid & VBSS_DEVICE_HAS_TEMPERATURE) == 0 || fabs(s->temperature) <= 1e3) &&

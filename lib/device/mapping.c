@@ -43,7 +43,7 @@ static vbss_result check_axes(const vbss_mapping_config *c)
     VBSS_TRY(vbss_check_finite(NULL, c->up, 3, "up"));
     vec3 right = vec3_load(c->right), up = vec3_load(c->up);
     double off[] = {vec3_dot(right, right) - 1.0, vec3_dot(up, up) - 1.0, vec3_dot(right, up)};
-    return vbss_largest(off, 3) <= 2e-6 ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE;
+    return vbss_max_abs(off, 3) <= 2e-6 ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE;
 }
 
 static vbss_result check_config(const vbss_mapping_config *c)
@@ -72,7 +72,7 @@ static vbss_result check_sample(const vbss_device_sample *s)
     VBSS_TRY(vbss_check_finite(NULL, q, 4, "orientation"));
     VBSS_TRY(vbss_check_range(NULL, square, 0.25, 4.0, "orientation"));
     VBSS_TRY(vbss_check_finite(NULL, s->position, 3, "position"));
-    VBSS_TRY(vbss_check_range(NULL, vbss_largest(s->position, 3), 0.0, 1e3, "position"));
+    VBSS_TRY(vbss_check_range(NULL, vbss_max_abs(s->position, 3), 0.0, 1e3, "position"));
     VBSS_TRY(vbss_check_range(NULL, s->jaw, 0.0, 1.0, "jaw"));
     return vbss_check_range(NULL, s->time, -1e9, 1e9, "time");
 }
@@ -89,7 +89,7 @@ static vbss_result begin(const vbss_mapping_config *config, const double *motion
     VBSS_TRY(check_config(c));
     VBSS_TRY(vbss_check_pointer(NULL, motion, "motion"));
     VBSS_TRY(vbss_check_finite(NULL, motion, (size_t)count, "motion"));
-    VBSS_TRY(vbss_check_range(NULL, vbss_largest(motion, (size_t)count), 0.0, most, "motion"));
+    VBSS_TRY(vbss_check_range(NULL, vbss_max_abs(motion, (size_t)count), 0.0, most, "motion"));
     VBSS_TRY(vbss_check_range(NULL, h, 0.0, 10.0, "h"));
     VBSS_TRY(vbss_config_read(NULL, &vbss_device_sample_layout, sample, s));
     return check_sample(s);
@@ -110,7 +110,7 @@ static void shift(const vbss_mapping_config *c, vec3 by, vbss_device_sample *s)
     double x[3];
     vec3_store(x, vec3_add(vec3_load(s->position), by));
     for (int i = 0; i < 3; i++) {
-        s->position[i] = lesser(greater(x[i], c->low[i]), c->high[i]);
+        s->position[i] = vbss_min(vbss_max(x[i], c->low[i]), c->high[i]);
     }
 }
 
@@ -125,7 +125,7 @@ static void turn(vec3 by, vbss_device_sample *s)
 
 static void open_jaw(double by, vbss_device_sample *s)
 {
-    s->jaw = lesser(greater(s->jaw + by, 0.0), 1.0);
+    s->jaw = vbss_min(vbss_max(s->jaw + by, 0.0), 1.0);
 }
 
 /* Hands it back as far as the caller knows it. */
@@ -178,7 +178,7 @@ vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config, const doubl
 /* Nothing within the dead zone, all at full deflection, in between a power of what is left. */
 static double deflected(const vbss_mapping_config *c, double axis)
 {
-    double part = (lesser(fabs(axis), 1.0) - c->pad_dead) / (1.0 - c->pad_dead);
+    double part = (vbss_min(fabs(axis), 1.0) - c->pad_dead) / (1.0 - c->pad_dead);
     double rate = part > 0.0 ? part : 0.0;
     for (uint32_t i = 1; i < c->pad_curve && rate > 0.0; i++) {
         rate *= part;

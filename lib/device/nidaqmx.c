@@ -77,7 +77,7 @@ static void free_object(vbss_context *context, void *object)
 static void visit_object(vbss_stream *stream, void *object)
 {
     const nidaqmx_object *o = object;
-    vbss_stream_same(stream, 1, o->handle_count);
+    vbss_stream_expect(stream, 1, o->handle_count);
 }
 
 static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_object,
@@ -93,7 +93,7 @@ static void leave_handle(vbss_context *context, void *object)
 static void visit_handle(vbss_stream *stream, void *object)
 {
     const handle *h = object;
-    vbss_stream_same(stream, 1, h->which);
+    vbss_stream_expect(stream, 1, h->which);
 }
 
 static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1, leave_handle,

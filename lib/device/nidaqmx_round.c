@@ -58,7 +58,7 @@ int32_t vbss_nidaqmx_put_off(nidaqmx_object *o)
  * does, so that is the last one's. Where it is long, what the last one had already is old. */
 static bool is_old(const nidaqmx_object *o, const handle_order *order, double age)
 {
-    return age > greater(order->expires - 2.0 * o->spacing, 0.0);
+    return age > vbss_max(order->expires - 2.0 * o->spacing, 0.0);
 }
 
 /* What is wanted of the solenoids, unless the host was silent for too long. */
@@ -114,8 +114,8 @@ static void report(nidaqmx_object *o)
 
 void vbss_nidaqmx_round(nidaqmx_object *o, double now)
 {
-    o->spacing =
-        o->seen.status.cycles > 0 ? greater(now - o->begun_at, o->config.period) : o->config.period;
+    o->spacing = o->seen.status.cycles > 0 ? vbss_max(now - o->begun_at, o->config.period)
+                                           : o->config.period;
     o->begun_at = now;
     o->seen.status.cycles++;
     uint32_t wanted = wanted_now(o, now);
@@ -135,6 +135,6 @@ void vbss_nidaqmx_run(void *user)
     while (!atomic_load_explicit(&o->ending, memory_order_acquire)) {
         const double begin = vbss_device_time();
         vbss_nidaqmx_round(o, begin);
-        vbss_device_sleep(greater(begin + o->config.period - vbss_device_time(), 0.0));
+        vbss_device_sleep(vbss_max(begin + o->config.period - vbss_device_time(), 0.0));
     }
 }

@@ -86,7 +86,7 @@ static void free_object(vbss_context *context, void *object)
 static void visit_object(vbss_stream *stream, void *object)
 {
     openhaptics_object *o = object;
-    vbss_stream_same(stream, 1, o->arm_count);
+    vbss_stream_expect(stream, 1, o->arm_count);
 }
 
 static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_object,
@@ -102,7 +102,7 @@ static void leave_arm(vbss_context *context, void *object)
 static void visit_arm(vbss_stream *stream, void *object)
 {
     const arm *a = object;
-    vbss_stream_same(stream, 1, a->device);
+    vbss_stream_expect(stream, 1, a->device);
 }
 
 static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, leave_arm,
@@ -117,7 +117,7 @@ static void copy_text(char *to, const char *from)
 
 static double positive(double value, double most)
 {
-    return isfinite(value) && value > 0.0 ? lesser(value, most) : 0.0;
+    return isfinite(value) && value > 0.0 ? vbss_min(value, most) : 0.0;
 }
 
 /* What the arm says of itself; what makes no sense is not known. */
@@ -158,9 +158,9 @@ static void describe(openhaptics_object *o, arm *a)
     }
     const vbss_device_capabilities *c = &a->capabilities;
     vbss_output_config *l = &a->limits;
-    l->max_force = c->max_force > 0.0 ? lesser(l->max_force, c->max_force) : l->max_force;
+    l->max_force = c->max_force > 0.0 ? vbss_min(l->max_force, c->max_force) : l->max_force;
     l->continuous_force = c->max_continuous_force > 0.0
-                              ? lesser(l->continuous_force, c->max_continuous_force)
+                              ? vbss_min(l->continuous_force, c->max_continuous_force)
                               : l->continuous_force;
 }
 

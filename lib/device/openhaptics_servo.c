@@ -85,7 +85,7 @@ static void keep_orientation(const double m[16], double orientation[4])
     double rows[9], worst = 0.0;
     memcpy(rows, &turn, sizeof rows);
     for (int i = 0; i < 9; i++) {
-        worst = greater(worst, fabs(rows[i] - columns[i]));
+        worst = vbss_max(worst, fabs(rows[i] - columns[i]));
     }
     const double length = 1.0 + worst; /* a matrix that is not finite has no unit either */
     orientation[0] = length * unit.w;
@@ -108,7 +108,7 @@ static void look_at_slow_things(openhaptics_object *o, arm *a)
     o->hd.get_doubles(HD_MOTOR_TEMPERATURE, motors);
     double hottest = 0.0;
     for (int i = 0; i < 8; i++) {
-        hottest = vbss_larger(hottest, motors[i]); /* one that is no number is told */
+        hottest = vbss_max_or_nan(hottest, motors[i]); /* one that is no number is told */
     }
     a->sample.temperature = hottest;
     uint32_t calibration = o->hd.check_calibration();
@@ -229,7 +229,7 @@ static void time_tick(openhaptics_object *o)
     for (uint32_t i = 0; i < o->arm_count; i++) {
         vbss_openhaptics_status *s = &o->arms[i].status;
         s->late_ticks += taken * o->config.rate > 1.0;
-        s->longest_tick = greater(s->longest_tick, taken);
+        s->longest_tick = vbss_max(s->longest_tick, taken);
     }
 }
 

@@ -99,7 +99,7 @@ void vbss_output_visit_config(vbss_stream *stream, const vbss_output_config *c)
                               c->solenoid_time,
                               c->solenoid_duty};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
 }
 

@@ -14,7 +14,7 @@ static void account(const vbss_output_config *c, output_solenoid *s, double h,
     } else {
         s->left += h * (c->solenoid_duty / (1.0 - c->solenoid_duty));
     }
-    s->left = lesser(greater(s->left, 0.0), c->solenoid_time);
+    s->left = vbss_min(vbss_max(s->left, 0.0), c->solenoid_time);
 }
 
 uint32_t vbss_output_switch(const vbss_output_config *c, output_solenoid *s, double h, bool wanted,
@@ -31,7 +31,7 @@ uint32_t vbss_output_switch(const vbss_output_config *c, output_solenoid *s, dou
         return VBSS_OUTPUT_SOLENOID_OFF;
     }
     /* The next step will be about as long as this one. */
-    if (s->spent || !(s->left > 0.0 && s->left >= lesser(h, OUTPUT_LONGEST))) {
+    if (s->spent || !(s->left > 0.0 && s->left >= vbss_min(h, OUTPUT_LONGEST))) {
         s->spent = true;
         return VBSS_OUTPUT_SOLENOID_SPENT;
     }

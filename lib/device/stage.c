@@ -26,7 +26,7 @@ static vec3 shortened(vec3 v, double limit, uint32_t flag, uint32_t *flags)
 {
     double x[3];
     vec3_store(x, v);
-    double largest = vbss_largest(x, 3);
+    double largest = vbss_max_abs(x, 3);
     if (largest > 1e100) { /* its square would overflow */
         v = vec3_scale(vec3_make(v.x / largest, v.y / largest, v.z / largest), 1e100);
     }
@@ -55,7 +55,7 @@ static double lasting_limit(const limits *l, double load)
 static double warm_limit(const vbss_output_config *c, const limits *l, double temperature)
 {
     double part = (c->hot - temperature) / (c->hot - c->warm);
-    return part < 1.0 ? l->most * greater(part, 0.0) : NO_LIMIT;
+    return part < 1.0 ? l->most * vbss_max(part, 0.0) : NO_LIMIT;
 }
 
 /* Falling along the last force is free; from there, towards what is wanted, only so far. What comes out is never
@@ -64,7 +64,7 @@ static vec3 risen(vec3 last, vec3 wanted, double reach, uint32_t *flags)
 {
     double square = vec3_norm_squared(last);
     double part = square > 0.0 ? vec3_dot(wanted, last) / square : 0.0;
-    vec3 from = vec3_scale(last, lesser(greater(part, 0.0), 1.0));
+    vec3 from = vec3_scale(last, vbss_min(vbss_max(part, 0.0), 1.0));
     vec3 way = vec3_sub(wanted, from);
     double n = vec3_norm(way);
     if (!(n > reach)) {
@@ -80,7 +80,7 @@ static vec3 limited(const vbss_output_config *c, const limits *l, vec3 last, vec
     vec3 v = shortened(wanted, l->most, VBSS_OUTPUT_CLAMPED, flags);
     v = shortened(v, lasting_limit(l, load), VBSS_OUTPUT_CONTINUOUS, flags);
     v = shortened(v, warm_limit(c, l, temperature), VBSS_OUTPUT_WARM, flags);
-    return risen(last, v, l->rise * lesser(h, OUTPUT_LONGEST), flags);
+    return risen(last, v, l->rise * vbss_min(h, OUTPUT_LONGEST), flags);
 }
 
 /* Mean square after h seconds of a constant v: (1 - exp(-h/T)) v^2 + exp(-h/T) of what it was. */
@@ -94,7 +94,7 @@ static double loaded(double load, vec3 v, double share)
 /* NaN and infinity are old, too. */
 static double age_of(double age)
 {
-    return age <= OUTPUT_NEVER ? greater(age, 0.0) : OUTPUT_NEVER;
+    return age <= OUTPUT_NEVER ? vbss_max(age, 0.0) : OUTPUT_NEVER;
 }
 
 static bool is_finite(const output_demand *d)
@@ -123,8 +123,8 @@ static double left_of_ramp(const vbss_output_config *c, const output_demand *d, 
     double input = d->input_age - c->input_timeout, command = d->age - c->command_timeout;
     *flags |= input > 0.0 ? VBSS_OUTPUT_INPUT_STALE : 0u;
     *flags |= command > 0.0 ? VBSS_OUTPUT_COMMAND_STALE : 0u;
-    double elapsed = greater(input, command);
-    return c->ramp_time > 0.0 ? greater(1.0 - elapsed / c->ramp_time, 0.0) : 0.0;
+    double elapsed = vbss_max(input, command);
+    return c->ramp_time > 0.0 ? vbss_max(1.0 - elapsed / c->ramp_time, 0.0) : 0.0;
 }
 
 static void watch(const vbss_output_config *c, output_state *s, const output_demand *d,
@@ -203,8 +203,8 @@ uint32_t vbss_output_advance(const vbss_output_config *c, output_state *s, doubl
     bool blocked = (flags & reasons) != 0 || demand->held_off;
     flags |= vbss_output_switch(c, &s->solenoid, h, demand->solenoid, blocked, &s->statistics);
     count(&s->statistics, flags);
-    s->statistics.largest_force = greater(s->statistics.largest_force, vec3_norm(s->force));
-    s->statistics.largest_torque = greater(s->statistics.largest_torque, vec3_norm(s->torque));
+    s->statistics.largest_force = vbss_max(s->statistics.largest_force, vec3_norm(s->force));
+    s->statistics.largest_torque = vbss_max(s->statistics.largest_torque, vec3_norm(s->torque));
     return flags;
 }
 
@@ -253,7 +253,7 @@ output_demand vbss_output_demand_of(const vbss_output_command *command)
 static double part_of(double load, double lasting)
 {
     double full = lasting * lasting;
-    return full < 1e-100 ? (double)(load > 0.0) : lesser(load / full, 1e100);
+    return full < 1e-100 ? (double)(load > 0.0) : vbss_min(load / full, 1e100);
 }
 
 void vbss_output_tell(const vbss_output_config *c, const output_state *s, uint32_t flags,

@@ -28,7 +28,7 @@ static void visit_vec3(vbss_stream *stream, uint16_t tag, vec3 *v, double most)
     double x[3];
     vbss_stream_f64(stream, tag, &v->x, 3);
     vec3_store(x, *v);
-    if (!(vbss_largest(x, 3) <= most)) {
+    if (!(vbss_max_abs(x, 3) <= most)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a vector is too long");
     }
 }
@@ -42,13 +42,13 @@ static void visit_config(vbss_stream *stream, const device_object *d)
                               c->stop_when_lost, c->clutch_orientation, d->source_count};
     const double numbers[] = {d->jaw_timeout, c->velocity_time, c->norm_tolerance};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        vbss_stream_same(stream, 1, words[i]);
+        vbss_stream_expect(stream, 1, words[i]);
     }
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 2, numbers[i]);
+        vbss_stream_expect_f64(stream, 2, numbers[i]);
     }
     for (uint32_t i = 0; i < d->source_count; i++) {
-        vbss_stream_same(stream, 3, d->sources[i].capabilities.outputs);
+        vbss_stream_expect(stream, 3, d->sources[i].capabilities.outputs);
     }
     vbss_output_visit_config(stream, &d->limits);
 }
@@ -180,7 +180,7 @@ void vbss_device_visit(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 7, &d->read_at, 1);
     vbss_stream_f64(stream, 8, &d->written_at, 1);
     const double times[] = {d->now, d->read_at, d->written_at};
-    if (vbss_largest(times, 3) > 1e9 || d->read_at > d->now || d->written_at > d->now) {
+    if (vbss_max_abs(times, 3) > 1e9 || d->read_at > d->now || d->written_at > d->now) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no host's clock says so");
     }
     for (uint32_t i = 0; i < d->source_count; i++) {

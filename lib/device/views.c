@@ -20,9 +20,10 @@ static vbss_device_capabilities merged(const device_object *d)
     all.max_continuous_force = l->continuous_force;
     all.max_torque = l->max_torque;
     all.max_continuous_torque = l->continuous_torque;
-    all.max_stiffness = all.max_stiffness > 0.0 ? lesser(all.max_stiffness, d->config.max_stiffness)
-                                                : d->config.max_stiffness;
-    all.max_damping = all.max_damping > 0.0 ? lesser(all.max_damping, d->config.max_damping)
+    all.max_stiffness = all.max_stiffness > 0.0
+                            ? vbss_min(all.max_stiffness, d->config.max_stiffness)
+                            : d->config.max_stiffness;
+    all.max_damping = all.max_damping > 0.0 ? vbss_min(all.max_damping, d->config.max_damping)
                                             : d->config.max_damping;
     return all;
 }

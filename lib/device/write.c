@@ -49,7 +49,7 @@ static output_demand completed(const device_object *d, output_demand demand)
     double age = d->pose.known ? d->pose.age + (d->now - d->read_at) : OUTPUT_NEVER;
     demand.input_age =
         demand.input_age > age || demand.input_age != demand.input_age ? demand.input_age : age;
-    demand.temperature = vbss_larger(demand.temperature, d->temperature);
+    demand.temperature = vbss_max_or_nan(demand.temperature, d->temperature);
     demand.fault = demand.fault || d->sources[0].fault || d->sources[1].fault;
     demand.held_off = is_doubtful(d);
     if (d->clutched || !has_output(d, VBSS_DEVICE_OUT_FORCE)) {

@@ -101,9 +101,9 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
                                   ranges[i].name));
     }
     VBSS_TRY(vbss_check_finite(context, c->gravity, 3, "gravity"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->gravity, 3), 0.0, 1e6, "gravity"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->gravity, 3), 0.0, 1e6, "gravity"));
     VBSS_TRY(vbss_check_finite(context, c->position, 3, "position"));
-    return vbss_check_range(context, vbss_largest(c->position, 3), 0.0, 1e3, "position");
+    return vbss_check_range(context, vbss_max_abs(c->position, 3), 0.0, 1e3, "position");
 }
 
 /* The mesh checks lengths of its own. */

@@ -237,9 +237,9 @@ static vbss_result check_state(const drain_object *d, const double *positions,
         const double *v = velocities != NULL ? velocities + 3 * (size_t)i : &d->v[i].x;
         VBSS_TRY(vbss_check_finite(d->context, x, 3, "a position"));
         VBSS_TRY(vbss_check_finite(d->context, v, 3, "a velocity"));
-        VBSS_TRY(vbss_check_range(d->context, vbss_largest(x, 3), 0.0, 1e3, "a position"));
-        VBSS_TRY(vbss_check_range(d->context, vbss_largest(v, 3), 0.0, 1e5, "a velocity"));
-        bool moves = vec3_distance(vec3_load(x), d->x[i]) > 0.0 || vbss_largest(v, 3) > 0.0;
+        VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(x, 3), 0.0, 1e3, "a position"));
+        VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(v, 3), 0.0, 1e5, "a velocity"));
+        bool moves = vec3_distance(vec3_load(x), d->x[i]) > 0.0 || vbss_max_abs(v, 3) > 0.0;
         if (d->anchored[i] && moves) {
             return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", i);
         }

@@ -33,7 +33,8 @@ static double opening_at(const drain_object *d, uint32_t i, vec3 lips[2])
         begins[side] = vec3_add_scaled(d->x[m->slit[side][i]], -0.5, through[side]);
     }
     vec3 between = vec3_sub(begins[DRAIN_RIGHT], begins[DRAIN_LEFT]);
-    vec3 apart = closest_edges(through[DRAIN_LEFT], through[DRAIN_RIGHT], between, &at[0], &at[1]);
+    vec3 apart =
+        closest_between_edges(through[DRAIN_LEFT], through[DRAIN_RIGHT], between, &at[0], &at[1]);
     for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
         lips[side] = vec3_add_scaled(begins[side], at[side], through[side]);
     }
@@ -56,7 +57,7 @@ vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t 
             own.largest_pair = i;
         }
         double opening = opening_at(d, i, lips);
-        own.widest_opening = greater(own.widest_opening, opening);
+        own.widest_opening = vbss_max(own.widest_opening, opening);
         if (i == m->slit_count / 2) {
             own.opening = opening;
             vec3_store(own.lips[DRAIN_LEFT], lips[DRAIN_LEFT]);

@@ -15,8 +15,8 @@ static double width_of(const drain_mesh *m, const uint32_t triangle[3])
     double low = DRAIN_PI, high = 0.0;
     for (int k = 0; k < 3; k++) {
         double angle = fabs(m->angle[triangle[k]]);
-        low = lesser(low, angle);
-        high = greater(high, angle);
+        low = vbss_min(low, angle);
+        high = vbss_max(high, angle);
     }
     return high - low;
 }

@@ -12,7 +12,7 @@ double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s,
 {
     double largest = 0.0;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        largest = vbss_larger(vec3_norm(s->solution[first + i]), largest);
+        largest = vbss_max_or_nan(vec3_norm(s->solution[first + i]), largest);
     }
     return largest;
 }
@@ -30,11 +30,11 @@ void vbss_drain_commit(drain_object *d, double h)
     memcpy(d->v_before, d->v, d->mesh.node_count * sizeof *d->v);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         vec3 way = vec3_sub(d->trial[i], d->x[i]);
-        farthest = vbss_larger(vec3_norm(way), farthest);
+        farthest = vbss_max_or_nan(vec3_norm(way), farthest);
         d->v[i] = vbss_drain_stilled(vec3_scale(way, 1.0 / h));
         d->x[i] = d->trial[i];
     }
-    d->statistics.last_move = vbss_larger(farthest, d->statistics.last_move);
+    d->statistics.last_move = vbss_max_or_nan(farthest, d->statistics.last_move);
     d->statistics.parts++;
 }
 

@@ -28,7 +28,7 @@ static uint32_t count_parts(const drain_object *d, double h)
     }
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         if (d->free_mass[i] > 0.0) {
-            rate = vbss_larger(0.25 * d->config.paper_stiffness / d->free_mass[i], rate);
+            rate = vbss_max_or_nan(0.25 * d->config.paper_stiffness / d->free_mass[i], rate);
         }
     }
     return vbss_explicit_parts(h, rate);
@@ -93,7 +93,7 @@ static void set_velocities(drain_object *d, double dt, const vec3 *sums)
 static void move_to(drain_object *d, uint32_t node, vec3 to)
 {
     double way = vec3_distance(to, d->x[node]);
-    d->statistics.last_move = vbss_larger(way, d->statistics.last_move);
+    d->statistics.last_move = vbss_max_or_nan(way, d->statistics.last_move);
     d->x[node] = to;
 }
 

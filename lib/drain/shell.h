@@ -11,7 +11,7 @@
 
 #include "base/lanes.h"
 #include "base/linear.h"
-#include "base/wide.h"
+#include "base/simd_dispatch.h"
 #include "solver/block.h"
 
 enum {

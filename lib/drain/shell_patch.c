@@ -306,7 +306,7 @@ vbss_result vbss_shell_init(vbss_context *context, const vbss_shell_input *input
     shell->triangle_count = input->triangle_count;
     shell->group_count = vbss_shell_group_count(input->triangle_count);
     shell->groups = groups;
-    shell->wide = vbss_wide_is_there();
+    shell->wide = vbss_wide_is_available();
     memset(groups, 0, shell->group_count * sizeof *groups);
     for (uint32_t i = 0; i < input->triangle_count; i++) {
         VBSS_TRY(add_patch(context, input, i, &groups[i / LANES], (int)(i % LANES)));

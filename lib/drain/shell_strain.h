@@ -39,7 +39,7 @@ static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, she
         p->arm[n] = v_sub(shell_gather(x, g->node[n]), origin);
     }
     for (int k = 0; k < 3; k++) {
-        p->metric[k] = lanes_all(0.0);
+        p->metric[k] = lanes_splat(0.0);
     }
     for (int s = 0; s < 3; s++) {
         for (int a = 0; a < 2; a++) {
@@ -55,8 +55,8 @@ static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, she
     vlanes area = v_cross(p->arm[1], p->arm[2]);
     p->twice_area = lanes_sqrt(v_dot(area, area));
     /* a triangle without area has no normal: it does not bend until it has one */
-    lanes bound = lanes_larger(p->twice_area, lanes_all(1e-100));
-    p->normal = v_scale(area, lanes_over(lanes_all(1.0), bound));
+    lanes bound = lanes_max(p->twice_area, lanes_splat(1e-100));
+    p->normal = v_scale(area, lanes_div(lanes_splat(1.0), bound));
     for (int m = 0; m < 3; m++) {
         p->height[m] = v_dot(p->arm[3 + m], p->normal);
     }
@@ -66,7 +66,7 @@ static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, she
 static inline void shell_set_stress(const vbss_shell_group *g, const shell_shape *p,
                                     lanes stress[3])
 {
-    lanes half = lanes_all(0.5);
+    lanes half = lanes_splat(0.5);
     lanes e11 = lanes_times(half, lanes_sub(p->metric[0], g->metric[0]));
     lanes e22 = lanes_times(half, lanes_sub(p->metric[1], g->metric[1]));
     lanes shear = lanes_times(g->root_shear, g->root_shear);
@@ -97,14 +97,14 @@ static inline void shell_set_push(const vbss_shell_group *g, const shell_shape *
  * the normal, so does it. */
 static inline void shell_set_feet(const shell_shape *p, lanes foot[3][3])
 {
-    lanes bound = lanes_larger(p->twice_area, lanes_all(1e-100));
-    lanes inverse = lanes_over(lanes_all(1.0), bound);
+    lanes bound = lanes_max(p->twice_area, lanes_splat(1e-100));
+    lanes inverse = lanes_div(lanes_splat(1.0), bound);
     vlanes to_1 = v_scale(v_cross(p->arm[2], p->normal), inverse);
     vlanes to_2 = v_scale(v_cross(p->normal, p->arm[1]), inverse);
     for (int m = 0; m < 3; m++) {
         foot[m][1] = v_dot(p->arm[3 + m], to_1);
         foot[m][2] = v_dot(p->arm[3 + m], to_2);
-        foot[m][0] = lanes_sub(lanes_sub(lanes_all(1.0), foot[m][1]), foot[m][2]);
+        foot[m][0] = lanes_sub(lanes_sub(lanes_splat(1.0), foot[m][1]), foot[m][2]);
     }
 }
 

@@ -9,16 +9,16 @@
 /* The tensile part of a symmetric stress 11, 22, 12: s = q I + (p - q) times a projection, p >= q. */
 static inline void keep_tension(lanes stress[3])
 {
-    lanes zero = lanes_all(0.0), half = lanes_all(0.5);
+    lanes zero = lanes_splat(0.0), half = lanes_splat(0.5);
     lanes mean = lanes_times(half, lanes_add(stress[0], stress[1]));
     lanes apart = lanes_times(half, lanes_sub(stress[0], stress[1]));
     lanes radius =
         lanes_sqrt(lanes_add(lanes_times(apart, apart), lanes_times(stress[2], stress[2])));
     lanes low = lanes_sub(mean, radius);
-    lanes high = lanes_larger(lanes_add(mean, radius), zero), kept = lanes_larger(low, zero);
+    lanes high = lanes_max(lanes_add(mean, radius), zero), kept = lanes_max(low, zero);
     /* 1 where both are kept */
-    lanes twice = lanes_larger(lanes_add(radius, radius), lanes_all(1e-150));
-    lanes share = lanes_over(lanes_sub(high, kept), twice);
+    lanes twice = lanes_max(lanes_add(radius, radius), lanes_splat(1e-150));
+    lanes share = lanes_div(lanes_sub(high, kept), twice);
     stress[0] = lanes_add(kept, lanes_times(share, lanes_sub(stress[0], low)));
     stress[1] = lanes_add(kept, lanes_times(share, lanes_sub(stress[1], low)));
     stress[2] = lanes_times(share, stress[2]);
@@ -74,7 +74,7 @@ static inline void set_isotropic(const vbss_shell_group *g, const lanes stress[3
             }
         }
     }
-    f->isotropic[3][4] = f->isotropic[3][5] = f->isotropic[4][5] = lanes_all(0.0);
+    f->isotropic[3][4] = f->isotropic[3][5] = f->isotropic[4][5] = lanes_splat(0.0);
 }
 
 /* Heights rise by 1 with their own node and by -foot with a corner. */
@@ -88,7 +88,7 @@ static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patc
             push[m][i] = lanes_add(
                 lanes_add(lanes_times(bend[0], foot[0][i]), lanes_times(bend[1], foot[1][i])),
                 lanes_times(bend[2], foot[2][i]));
-            f->bending[i][3 + m] = lanes_sub(lanes_all(0.0), push[m][i]);
+            f->bending[i][3 + m] = lanes_sub(lanes_splat(0.0), push[m][i]);
         }
         for (int k = m; k < 3; k++) {
             f->bending[3 + m][3 + k] = bend[k];
@@ -106,9 +106,9 @@ static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patc
 /* Nothing changes when all six nodes move alike. */
 static inline void close_sums(lanes of[SHELL_NODES][SHELL_NODES])
 {
-    lanes own = lanes_all(0.0);
+    lanes own = lanes_splat(0.0);
     for (int j = 1; j < SHELL_NODES; j++) {
-        lanes sum = lanes_all(0.0);
+        lanes sum = lanes_splat(0.0);
         for (int i = 1; i < SHELL_NODES; i++) {
             sum = lanes_sub(sum, i <= j ? of[i][j] : of[j][i]);
         }
@@ -125,7 +125,7 @@ static inline void close_factors(patch_factors *f)
         for (int n = 2; n < SHELL_NODES; n++) {
             sum = v_add(sum, f->strain[n][row]);
         }
-        f->strain[0][row] = v_scale(sum, lanes_all(-1.0));
+        f->strain[0][row] = v_scale(sum, lanes_splat(-1.0));
     }
     close_sums(f->isotropic);
     close_sums(f->bending);
@@ -177,7 +177,7 @@ static inline void add_blocks(const patch_block *four, block *const to[LANES])
 {
     for (int c = 0; c < 3; c++) {
         lanes own[LANES];
-        lanes_turn(four->at[c], four->at[3 + c], four->at[6 + c], own);
+        lanes_transpose(four->at[c], four->at[3 + c], four->at[6 + c], own);
         for (int lane = 0; lane < LANES; lane++) {
             to[lane]->column[c] = lanes_add(to[lane]->column[c], own[lane]);
         }
@@ -189,8 +189,8 @@ static inline void flip(patch_block *four, lanes_mask transposed)
     static const int entry[3][2] = {{1, 3}, {2, 6}, {5, 7}};
     for (int k = 0; k < 3; k++) {
         lanes upper = four->at[entry[k][0]], lower = four->at[entry[k][1]];
-        four->at[entry[k][0]] = lanes_choose(transposed, lower, upper);
-        four->at[entry[k][1]] = lanes_choose(transposed, upper, lower);
+        four->at[entry[k][0]] = lanes_select(transposed, lower, upper);
+        four->at[entry[k][1]] = lanes_select(transposed, upper, lower);
     }
 }
 
@@ -212,7 +212,7 @@ static void add_tangent(const vbss_shell_group *g, const patch_factors *f, const
                 to[lane] = &blocks[g->place[pair][lane]];
             }
             set_block(f, normal, i, j, &four);
-            flip(&four, lanes_less(lanes_all(0.5), g->flip[pair]));
+            flip(&four, lanes_less(lanes_splat(0.5), g->flip[pair]));
             add_blocks(&four, to);
         }
     }

@@ -39,10 +39,10 @@ static void visit_config(vbss_stream *stream, const drain_object *d)
                                 c->attachment_capacity, c->linearisation_limit, c->halving_limit,
                                 c->paper_substeps};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
-        vbss_stream_same(stream, 2, choices[i]);
+        vbss_stream_expect(stream, 2, choices[i]);
     }
 }
 
@@ -54,7 +54,7 @@ static bool is_foreign(const vbss_stream *stream)
 /* As hosts can have made it. */
 static bool is_in_range(const drain_attachment *a)
 {
-    return vbss_largest(&a->target.x, 3) <= 1e3 && vbss_largest(&a->force.x, 3) <= 1e6 &&
+    return vbss_max_abs(&a->target.x, 3) <= 1e3 && vbss_max_abs(&a->force.x, 3) <= 1e6 &&
            a->stiffness >= 0.0 && a->stiffness <= 1e9;
 }
 

@@ -122,7 +122,7 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_pointer(g->context, position, "position"));
     VBSS_TRY(vbss_check_finite(g->context, position, 3, "position"));
-    VBSS_TRY(vbss_check_range(g->context, vbss_largest(position, 3), 0.0, 1e3, "position"));
+    VBSS_TRY(vbss_check_range(g->context, vbss_max_abs(position, 3), 0.0, 1e3, "position"));
     pose told = pose_make(vec3_load(position), g->told.orientation), target;
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(g->context, orientation, &told.orientation));

@@ -129,7 +129,7 @@ static void yield_torque(clamp *c, double limit)
     if (!(fabs(torque) > limit) || greatest <= NOTHING) {
         return;
     }
-    double sine = lesser(limit / greatest, 1.0);
+    double sine = vbss_min(limit / greatest, 1.0);
     double at_limit = vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
     turn_outer(c->held, vbss_atan2(-torque, -spread) + copysign(at_limit, torque));
 }
@@ -143,7 +143,7 @@ static void settle(grip *held, const grip_load *load)
         vec3 way = vec3_unit_or(along_faces(load->along), vec3_make(0.0, 1.0, 0.0));
         way = vec3_unit_or(along_faces(vec3_sub(held->at[LAST], held->at[FIRST])), way);
         vec3 middle = load->stacked ? held->at[MIDDLE] : along_faces(held->at[MIDDLE]);
-        double share = lesser(load->h / left, 1.0);
+        double share = vbss_min(load->h / left, 1.0);
         for (int i = 0; i < GRIP_POINTS; i++) {
             vec3 goal = vec3_add_scaled(middle, load->ahead[i], way);
             held->at[i] = vec3_lerp(held->at[i], goal, share);
@@ -168,7 +168,7 @@ static void shorten(grip *held, const double ahead[GRIP_POINTS], double spacing)
 static bool stays(const grasper_object *g, grip *held)
 {
     const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
-    move_anchors(held, vec3_make(0.0, 0.0, -greater(held->at[MIDDLE].z, 0.0)));
+    move_anchors(held, vec3_make(0.0, 0.0, -vbss_max(held->at[MIDDLE].z, 0.0)));
     vec3 middle = held->at[MIDDLE];
     return -middle.z <= j->length + j->radius && fabs(middle.x) <= 2.0 * j->radius &&
            fabs(middle.y) <= j->radius + g->config.grip_length;

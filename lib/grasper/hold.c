@@ -62,7 +62,7 @@ static void settle(pose *at, double *age, double h)
 {
     double left = SETTLING - *age;
     if (left > 0.0) {
-        at->position.x *= 1.0 - lesser(h / left, 1.0);
+        at->position.x *= 1.0 - vbss_min(h / left, 1.0);
     }
     *age += h;
 }
@@ -71,7 +71,7 @@ static void settle(pose *at, double *age, double h)
 static bool stays(const grasper_object *g, pose *at)
 {
     const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
-    at->position.z = lesser(at->position.z, 0.0);
+    at->position.z = vbss_min(at->position.z, 0.0);
     vec3 middle = at->position;
     return -middle.z <= j->length + j->radius && fabs(middle.x) <= 2.0 * j->radius;
 }

@@ -44,13 +44,14 @@ void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
     vec3 bend = vbss_grasper_bend_point(g);
     double length = g->config.shaft_length, radius = g->config.shaft_radius;
     capsules[GRASPER_SHAFT] = (grasper_capsule){
-        {vec3_add(bend, vec3_make(0.0, 0.0, lesser(radius, length))), /* its cap ends at the bend */
+        {vec3_add(bend,
+                  vec3_make(0.0, 0.0, vbss_min(radius, length))), /* its cap ends at the bend */
          vec3_add(bend, vec3_make(0.0, 0.0, length))},
         radius};
     capsules[GRASPER_JAW] = jaw_at(j, frame, angle, 1.0);
     capsules[GRASPER_JAW + 1] = jaw_at(j, frame, angle, -1.0);
     /* It ends where the jaws begin, but for its cap, which would fill their mouth. */
-    vec3 front = pose_apply(frame, vec3_make(0.0, 0.0, lesser(g->config.neck_radius, j->neck)));
+    vec3 front = pose_apply(frame, vec3_make(0.0, 0.0, vbss_min(g->config.neck_radius, j->neck)));
     capsules[GRASPER_NECK] = (grasper_capsule){{front, bend}, g->config.neck_radius};
 }
 
@@ -78,15 +79,15 @@ double vbss_grasper_told_angle(const grasper_object *g)
 double vbss_grasper_next_angle(const grasper_object *g, double h, double least)
 {
     double most = g->config.jaw_speed * h;
-    double nearer = lesser(g->angle + most, vbss_grasper_told_angle(g));
-    nearer = greater(g->angle - most, nearer);
-    return greater(nearer, greater(least, 0.0));
+    double nearer = vbss_min(g->angle + most, vbss_grasper_told_angle(g));
+    nearer = vbss_max(g->angle - most, nearer);
+    return vbss_max(nearer, vbss_max(least, 0.0));
 }
 
 double vbss_grasper_pressure_at(const grasper_object *g, double angle)
 {
     double share = (angle - vbss_grasper_told_angle(g)) / g->config.closing_angle;
-    return g->config.closing_force * greater(0.0, lesser(share, 1.0));
+    return g->config.closing_force * vbss_max(0.0, vbss_min(share, 1.0));
 }
 
 /* ---- what is between them */

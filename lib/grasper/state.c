@@ -26,18 +26,18 @@ static void visit_config(vbss_stream *stream, const grasper_object *g)
         c->paper_stiffness,    c->paper_distance,
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
     if (stream->version >= 2) {
-        vbss_stream_same_f64(stream, 4, c->needle_stiffness);
-        vbss_stream_same_f64(stream, 4, c->needle_turning_stiffness);
-        vbss_stream_same_f64(stream, 4, c->needle_torque);
-        vbss_stream_same_f64(stream, 4, c->solenoid_opening);
+        vbss_stream_expect_f64(stream, 4, c->needle_stiffness);
+        vbss_stream_expect_f64(stream, 4, c->needle_turning_stiffness);
+        vbss_stream_expect_f64(stream, 4, c->needle_torque);
+        vbss_stream_expect_f64(stream, 4, c->solenoid_opening);
     }
-    vbss_stream_same(stream, 2, (uint64_t)c->method);
-    vbss_stream_same(stream, 2, (uint64_t)c->kind);
-    vbss_stream_same(stream, 2, (uint64_t)c->has_trocar);
-    vbss_stream_same(stream, 3, g->body); /* a scene knows it by this number */
+    vbss_stream_expect(stream, 2, (uint64_t)c->method);
+    vbss_stream_expect(stream, 2, (uint64_t)c->kind);
+    vbss_stream_expect(stream, 2, (uint64_t)c->has_trocar);
+    vbss_stream_expect(stream, 3, g->body); /* a scene knows it by this number */
 }
 
 static bool is_kind(vbss_grasper_kind kind)
@@ -53,7 +53,7 @@ static bool is_unit(quat q)
 static bool is_sound(const grasper_object *g)
 {
     return is_kind(g->kind) && is_kind(g->kind_told) && is_unit(g->told.orientation) &&
-           vbss_largest(&g->told.position.x, 3) <= 1e3 && is_unit(g->now.orientation) &&
+           vbss_max_abs(&g->told.position.x, 3) <= 1e3 && is_unit(g->now.orientation) &&
            g->opening >= 0.0 && g->opening <= 1.0 && g->angle >= 0.0 && g->angle <= 1.6 &&
            g->pressure >= 0.0 && g->pressure <= g->config.closing_force &&
            (g->body != 0 || g->grasp_count == 0) && g->solenoid <= (g->needle != 0);

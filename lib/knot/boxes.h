@@ -11,7 +11,7 @@
 
 #include "base/linear.h"
 
-enum { BOX_LANES = 8, BOX_GROUP = 6 * BOX_LANES, BOX_LAST = 32767 };
+enum { KNOT_BOX_LANES = 8, KNOT_BOX_GROUP = 6 * KNOT_BOX_LANES, KNOT_BOX_MAX = 32767 };
 
 /* ---- the grid */
 
@@ -19,17 +19,17 @@ typedef struct box_grid {
     double origin[3], scale[3];
 } box_grid;
 
-static inline int16_t box_number(double x, double origin, double scale)
+static inline int16_t box_coordinate(double x, double origin, double scale)
 {
     double n = (x - origin) * scale;
-    return (int16_t)(n > -BOX_LAST ? (n < BOX_LAST ? n : BOX_LAST) : -BOX_LAST);
+    return (int16_t)(n > -KNOT_BOX_MAX ? (n < KNOT_BOX_MAX ? n : KNOT_BOX_MAX) : -KNOT_BOX_MAX);
 }
 
 static inline void box_round(const box_grid *grid, vec3 x, int16_t corner[4])
 {
-    corner[0] = box_number(x.x, grid->origin[0], grid->scale[0]);
-    corner[1] = box_number(x.y, grid->origin[1], grid->scale[1]);
-    corner[2] = box_number(x.z, grid->origin[2], grid->scale[2]);
+    corner[0] = box_coordinate(x.x, grid->origin[0], grid->scale[0]);
+    corner[1] = box_coordinate(x.y, grid->origin[1], grid->scale[1]);
+    corner[2] = box_coordinate(x.z, grid->origin[2], grid->scale[2]);
     corner[3] = 0;
 }
 
@@ -37,7 +37,7 @@ static inline void box_grid_axis(box_grid *grid, int axis, double low, double hi
 {
     double half = 0.5 * high - 0.5 * low;
     grid->origin[axis] = 0.5 * low + 0.5 * high;
-    grid->scale[axis] = half > 1e-290 ? BOX_LAST / half : 0.0;
+    grid->scale[axis] = half > 1e-290 ? KNOT_BOX_MAX / half : 0.0;
 }
 
 /* ---- one box */
@@ -46,7 +46,7 @@ typedef struct box {
     int16_t low[3], high[3];
 } box;
 
-static inline int16_t box_lesser(int16_t a, int16_t b)
+static inline int16_t box_min(int16_t a, int16_t b)
 {
     if (a < b) {
         return a;
@@ -54,7 +54,7 @@ static inline int16_t box_lesser(int16_t a, int16_t b)
     return b;
 }
 
-static inline int16_t box_greater(int16_t a, int16_t b)
+static inline int16_t box_max(int16_t a, int16_t b)
 {
     if (a > b) {
         return a;
@@ -64,15 +64,16 @@ static inline int16_t box_greater(int16_t a, int16_t b)
 
 static inline box box_empty(void)
 {
-    box b = {{BOX_LAST, BOX_LAST, BOX_LAST}, {-BOX_LAST - 1, -BOX_LAST - 1, -BOX_LAST - 1}};
+    box b = {{KNOT_BOX_MAX, KNOT_BOX_MAX, KNOT_BOX_MAX},
+             {-KNOT_BOX_MAX - 1, -KNOT_BOX_MAX - 1, -KNOT_BOX_MAX - 1}};
     return b;
 }
 
 static inline box box_hull(box a, box b)
 {
     for (int i = 0; i < 3; i++) {
-        a.low[i] = box_lesser(a.low[i], b.low[i]);
-        a.high[i] = box_greater(a.high[i], b.high[i]);
+        a.low[i] = box_min(a.low[i], b.low[i]);
+        a.high[i] = box_max(a.high[i], b.high[i]);
     }
     return a;
 }
@@ -81,8 +82,8 @@ static inline box box_of_corners(const int16_t p[4], const int16_t q[4])
 {
     box b;
     for (int i = 0; i < 3; i++) {
-        b.low[i] = box_lesser(p[i], q[i]);
-        b.high[i] = box_greater(p[i], q[i]);
+        b.low[i] = box_min(p[i], q[i]);
+        b.high[i] = box_max(p[i], q[i]);
     }
     return b;
 }
@@ -91,20 +92,20 @@ static inline box box_of_corners(const int16_t p[4], const int16_t q[4])
 
 static inline void boxes_set(int16_t *groups, uint32_t i, box b)
 {
-    int16_t *at = groups + (size_t)(i / BOX_LANES) * BOX_GROUP + i % BOX_LANES;
+    int16_t *at = groups + (size_t)(i / KNOT_BOX_LANES) * KNOT_BOX_GROUP + i % KNOT_BOX_LANES;
     for (size_t k = 0; k < 3; k++) {
-        at[k * BOX_LANES] = b.low[k];
-        at[(3 + k) * BOX_LANES] = b.high[k];
+        at[k * KNOT_BOX_LANES] = b.low[k];
+        at[(3 + k) * KNOT_BOX_LANES] = b.high[k];
     }
 }
 
 static inline box boxes_get(const int16_t *groups, uint32_t i)
 {
-    const int16_t *at = groups + (size_t)(i / BOX_LANES) * BOX_GROUP + i % BOX_LANES;
+    const int16_t *at = groups + (size_t)(i / KNOT_BOX_LANES) * KNOT_BOX_GROUP + i % KNOT_BOX_LANES;
     box b;
     for (size_t k = 0; k < 3; k++) {
-        b.low[k] = at[k * BOX_LANES];
-        b.high[k] = at[(3 + k) * BOX_LANES];
+        b.low[k] = at[k * KNOT_BOX_LANES];
+        b.high[k] = at[(3 + k) * KNOT_BOX_LANES];
     }
     return b;
 }
@@ -113,7 +114,7 @@ static inline box boxes_get(const int16_t *groups, uint32_t i)
 static inline box boxes_hull(const int16_t *group)
 {
     box b = boxes_get(group, 0);
-    for (uint32_t i = 1; i < BOX_LANES; i++) {
+    for (uint32_t i = 1; i < KNOT_BOX_LANES; i++) {
         b = box_hull(b, boxes_get(group, i));
     }
     return b;
@@ -139,13 +140,13 @@ static inline box_query box_ask(box b)
     return q;
 }
 
-static inline unsigned boxes_meeting(const int16_t *group, const box_query *q)
+static inline unsigned boxes_overlapping(const int16_t *group, const box_query *q)
 {
     box_lane v[6];
     __builtin_memcpy(v, group, sizeof v);
-    box_lane apart = (v[0] > q->high[0]) | (v[1] > q->high[1]) | (v[2] > q->high[2]) |
-                     (v[3] < q->low[0]) | (v[4] < q->low[1]) | (v[5] < q->low[2]);
-    box_bytes bytes = __builtin_ia32_packsswb128(apart, apart);
+    box_lane separated = (v[0] > q->high[0]) | (v[1] > q->high[1]) | (v[2] > q->high[2]) |
+                         (v[3] < q->low[0]) | (v[4] < q->low[1]) | (v[5] < q->low[2]);
+    box_bytes bytes = __builtin_ia32_packsswb128(separated, separated);
     return ~(unsigned)__builtin_ia32_pmovmskb128(bytes) & 0xffu;
 }
 
@@ -161,14 +162,14 @@ static inline box_query box_ask(box b)
     return q;
 }
 
-static inline unsigned boxes_meeting(const int16_t *group, const box_query *q)
+static inline unsigned boxes_overlapping(const int16_t *group, const box_query *q)
 {
     unsigned bits = 0;
-    for (uint32_t i = 0; i < BOX_LANES; i++) {
+    for (uint32_t i = 0; i < KNOT_BOX_LANES; i++) {
         unsigned meets = 1;
         for (uint32_t k = 0; k < 3; k++) {
-            meets &= (unsigned)(group[k * BOX_LANES + i] <= q->b.high[k]) &
-                     (unsigned)(group[(3 + k) * BOX_LANES + i] >= q->b.low[k]);
+            meets &= (unsigned)(group[k * KNOT_BOX_LANES + i] <= q->b.high[k]) &
+                     (unsigned)(group[(3 + k) * KNOT_BOX_LANES + i] >= q->b.low[k]);
         }
         bits |= meets << i;
     }
@@ -178,7 +179,7 @@ static inline unsigned boxes_meeting(const int16_t *group, const box_query *q)
 #endif
 
 /* The lowest bit of bits, which is taken away. */
-static inline uint32_t box_bit(uint64_t *bits)
+static inline uint32_t box_pop_bit(uint64_t *bits)
 {
     uint64_t b = *bits;
     *bits = b & (b - 1);

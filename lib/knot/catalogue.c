@@ -12,7 +12,7 @@
  * 1e-7. */
 #define TRISTRAM_1E9 270623200
 
-enum { MOST_WRAPS = 3 };
+enum { MAX_WRAPS = 3 };
 
 /* Roots exp(i theta) of the Alexander polynomial of T(2, 2 k + 1) lie at odd multiples of pi / (2 k + 1) below pi; at
  * each the signature at theta, 0 near 0, goes 2 away. */
@@ -44,7 +44,7 @@ knot_invariants vbss_knot_invariants_of(const knot_factors *factors)
 }
 
 /* As determinant.c can tell it. */
-static int64_t told(int64_t determinant)
+static int64_t reduce_determinant(int64_t determinant)
 {
     int64_t rest = determinant % PRIME;
     return rest > PRIME / 2 ? PRIME - rest : rest;
@@ -53,7 +53,8 @@ static int64_t told(int64_t determinant)
 /* What is not known is not the same. */
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
 {
-    return a.known && b.known && told(a.determinant) == told(b.determinant) && a.v2 == b.v2 &&
+    return a.known && b.known &&
+           reduce_determinant(a.determinant) == reduce_determinant(b.determinant) && a.v2 == b.v2 &&
            a.v3 == b.v3 && a.signature == b.signature &&
            a.signature_tristram == b.signature_tristram;
 }
@@ -61,10 +62,10 @@ bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
 /* ---- the way back */
 
 /* How many knots of each number of wraps make up the determinant; false when none do. */
-static bool count_wraps(int64_t determinant, uint32_t counts[MOST_WRAPS])
+static bool count_wraps(int64_t determinant, uint32_t counts[MAX_WRAPS])
 {
     uint32_t count = 0;
-    for (uint32_t k = 1; k <= MOST_WRAPS; k++) {
+    for (uint32_t k = 1; k <= MAX_WRAPS; k++) {
         int64_t factor = 2 * k + 1;
         counts[k - 1] = 0;
         while (determinant > 1 && determinant % factor == 0 && count <= KNOT_THROWS) {
@@ -76,7 +77,7 @@ static bool count_wraps(int64_t determinant, uint32_t counts[MOST_WRAPS])
     return determinant == 1 && count <= KNOT_THROWS;
 }
 
-static void add(knot_factors *factors, uint32_t count, int32_t wraps, int32_t handedness)
+static void add_factors(knot_factors *factors, uint32_t count, int32_t wraps, int32_t handedness)
 {
     for (uint32_t i = 0; i < count; i++) {
         factors->factors[factors->count++] =
@@ -86,7 +87,7 @@ static void add(knot_factors *factors, uint32_t count, int32_t wraps, int32_t ha
 
 bool vbss_knot_match(knot_invariants invariants, knot_factors *factors)
 {
-    uint32_t counts[MOST_WRAPS];
+    uint32_t counts[MAX_WRAPS];
     *factors = (knot_factors){.count = 0};
     if (!count_wraps(invariants.determinant, counts)) {
         return false;
@@ -94,11 +95,11 @@ bool vbss_knot_match(knot_invariants invariants, knot_factors *factors)
     uint32_t choices = (counts[0] + 1) * (counts[1] + 1) * (counts[2] + 1);
     for (uint32_t choice = 0; choice < choices; choice++) {
         *factors = (knot_factors){.count = 0};
-        for (uint32_t k = MOST_WRAPS, rest = choice; k > 0; k--) {
+        for (uint32_t k = MAX_WRAPS, rest = choice; k > 0; k--) {
             uint32_t count = counts[k - 1], left = rest % (count + 1);
             rest /= count + 1;
-            add(factors, count - left, (int32_t)k, 1);
-            add(factors, left, (int32_t)k, -1);
+            add_factors(factors, count - left, (int32_t)k, 1);
+            add_factors(factors, left, (int32_t)k, -1);
         }
         if (vbss_knot_invariants_same(vbss_knot_invariants_of(factors), invariants)) {
             return true;

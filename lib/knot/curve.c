@@ -21,9 +21,10 @@ static void end_reading(knot_curve *curve, vbss_knot_reason reason)
 }
 
 /* The first diagram that is certified ends it; otherwise the one with fewest crossings is kept. */
-static void keep(knot_curve *curve, bool certified, const knot_factors *factors)
+static void store_diagram(knot_curve *curve, bool certified, const knot_factors *factors)
 {
-    const knot_code *code = &curve->codes[1 - curve->best], *best = &curve->codes[curve->best];
+    const knot_gauss_code *code = &curve->codes[1 - curve->best],
+                          *best = &curve->codes[curve->best];
     if (certified || !curve->has_best || code->n < best->n) {
         curve->best = 1 - curve->best;
         curve->has_best = true;
@@ -34,59 +35,59 @@ static void keep(knot_curve *curve, bool certified, const knot_factors *factors)
     curve->stage = KNOT_CURVE_PROJECT;
 }
 
-static void project(knot_curve *curve, knot_work *work)
+static void project(knot_curve *curve, knot_ops *budget)
 {
-    knot_code *code = &curve->codes[1 - curve->best];
+    knot_gauss_code *code = &curve->codes[1 - curve->best];
     vec3 direction = vbss_knot_direction(curve->direction++);
     curve->counts.projections++;
-    knot_diagram diagram =
-        vbss_knot_project(&curve->projector, &curve->polygon, direction, code, work);
-    if (diagram != KNOT_DIAGRAM_PLAIN) {
+    knot_diagram_status diagram =
+        vbss_knot_project(&curve->projector, &curve->polygon, direction, code, budget);
+    if (diagram != KNOT_DIAGRAM_REGULAR) {
         curve->counts.degenerate += diagram == KNOT_DIAGRAM_DEGENERATE;
         curve->counts.overflows += diagram == KNOT_DIAGRAM_FULL;
         curve->overflowed |= diagram == KNOT_DIAGRAM_FULL;
         return;
     }
-    vbss_knot_code_simplify(code, work);
+    vbss_knot_gauss_code_simplify(code, budget);
     knot_factors factors;
-    if (vbss_knot_twists(code, &factors)) {
-        keep(curve, true, &factors);
+    if (vbss_knot_decompose(code, &factors)) {
+        store_diagram(curve, true, &factors);
     } else {
         curve->tries = KNOT_TRIES;
         curve->stage = KNOT_CURVE_UNTANGLE;
     }
 }
 
-static void untangle(knot_curve *curve, knot_work *work)
+static void untangle(knot_curve *curve, knot_ops *budget)
 {
-    knot_code *code = &curve->codes[1 - curve->best];
-    if (!vbss_knot_code_untangle(code, &curve->codes[2], &curve->tries, work)) {
+    knot_gauss_code *code = &curve->codes[1 - curve->best];
+    if (!vbss_knot_gauss_code_untangle(code, &curve->codes[2], &curve->tries, budget)) {
         knot_factors factors;
-        bool certified = vbss_knot_twists(code, &factors);
-        keep(curve, certified, &factors);
+        bool certified = vbss_knot_decompose(code, &factors);
+        store_diagram(curve, certified, &factors);
     }
 }
 
 /* One invariant at a time. */
-static void compute(knot_curve *curve, knot_work *work)
+static void compute(knot_curve *curve, knot_ops *budget)
 {
-    const knot_code *code = &curve->codes[curve->best];
+    const knot_gauss_code *code = &curve->codes[curve->best];
     knot_reading *r = &curve->reading;
     knot_invariants *v = &r->invariants;
     switch (curve->computed++) {
     case 0:
-        v->determinant = vbss_knot_determinant(&curve->algebra, code, work);
+        v->determinant = vbss_knot_determinant(&curve->algebra, code, budget);
         return;
     case 1:
-        vbss_knot_vassiliev(code, &v->v2, &v->v3, work);
+        vbss_knot_vassiliev(code, &v->v2, &v->v3, budget);
         return;
     case 2:
         v->known =
-            vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, work);
+            vbss_knot_signature(&curve->algebra, code, KNOT_X_ORDINARY_1000, &v->signature, budget);
         return;
     case 3:
         v->known = v->known && vbss_knot_signature(&curve->algebra, code, KNOT_X_TRISTRAM_1000,
-                                                   &v->signature_tristram, work);
+                                                   &v->signature_tristram, budget);
         return;
     default:
         break;
@@ -124,12 +125,12 @@ static void finish_projecting(knot_curve *curve)
     }
 }
 
-bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work)
+bool vbss_knot_curve_resume(knot_curve *curve, knot_ops *budget)
 {
-    while (*work > 0 && curve->stage != KNOT_CURVE_READ) {
+    while (*budget > 0 && curve->stage != KNOT_CURVE_READ) {
         switch (curve->stage) {
         case KNOT_CURVE_REDUCE:
-            if (vbss_knot_reduction_go_on(&curve->reduction, work)) {
+            if (vbss_knot_reduction_resume(&curve->reduction, budget)) {
                 curve->counts.removed += curve->reduction.removed;
                 curve->stage = KNOT_CURVE_PROJECT;
             }
@@ -138,14 +139,14 @@ bool vbss_knot_curve_go_on(knot_curve *curve, knot_work *work)
             if (curve->reading.certified || curve->direction >= curve->direction_limit) {
                 finish_projecting(curve);
             } else {
-                project(curve, work);
+                project(curve, budget);
             }
             break;
         case KNOT_CURVE_UNTANGLE:
-            untangle(curve, work);
+            untangle(curve, budget);
             break;
         case KNOT_CURVE_COMPUTE:
-            compute(curve, work);
+            compute(curve, budget);
             break;
         case KNOT_CURVE_READ:
             break;

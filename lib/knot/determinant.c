@@ -53,7 +53,7 @@ static uint64_t inverse(uint64_t x, uint32_t below)
 
 typedef struct graph {
     const knot_algebra *algebra;
-    const knot_code *code;
+    const knot_gauss_code *code;
     uint32_t first, count, size; /* faces of the colour; rows are one less */
     uint32_t *row;               /* of each of these faces */
 } graph;
@@ -109,7 +109,7 @@ static void fill(const graph *g, uint64_t prime)
 
 /* Rows are multiplied by the pivot where others divide, and the product of these factors is taken out in
  * the end. Overwrites the matrix. */
-static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_work *work)
+static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_ops *budget)
 {
     const uint64_t prime = prime_of(below);
     uint64_t product = 1, factors = 1, steps = 0;
@@ -144,25 +144,25 @@ static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_work 
             }
         }
     }
-    *work -= (knot_work)(3 * steps);
+    *budget -= (knot_ops)(3 * steps);
     return reduced(product * inverse(factors, below), below);
 }
 
 /* The number of least size with these remainders. */
-static int64_t least_size(uint64_t first, uint64_t second)
+static int64_t chinese_remainder(uint64_t first, uint64_t second)
 {
     const uint64_t p = prime_of(BELOW_FIRST), q = prime_of(BELOW_SECOND);
-    uint64_t apart = second + q - first % q;
+    uint64_t difference = second + q - first % q;
     uint64_t times =
-        reduced(reduced(apart, BELOW_SECOND) * inverse(p % q, BELOW_SECOND), BELOW_SECOND);
+        reduced(reduced(difference, BELOW_SECOND) * inverse(p % q, BELOW_SECOND), BELOW_SECOND);
     uint64_t x = first + p * times, whole = p * q;
     return (int64_t)(x > whole / 2 ? whole - x : x);
 }
 
-int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_code *code, knot_work *work)
+int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_gauss_code *code, knot_ops *budget)
 {
     knot_faces faces;
-    *work -= 50 + 45 * (knot_work)code->n;
+    *budget -= 50 + 45 * (knot_ops)code->n;
     if (code->n == 0) {
         return 1;
     }
@@ -180,10 +180,10 @@ int64_t vbss_knot_determinant(knot_algebra *algebra, const knot_code *code, knot
     order_rows(&g);
     const uint64_t p = prime_of(BELOW_FIRST);
     fill(&g, p);
-    uint64_t first = eliminate(algebra->modular, g.size, BELOW_FIRST, work);
+    uint64_t first = eliminate(algebra->modular, g.size, BELOW_FIRST, budget);
     if (code->n <= ONE_PRIME_CROSSINGS) {
         return (int64_t)(first > p / 2 ? p - first : first);
     }
     fill(&g, prime_of(BELOW_SECOND));
-    return least_size(first, eliminate(algebra->modular, g.size, BELOW_SECOND, work));
+    return chinese_remainder(first, eliminate(algebra->modular, g.size, BELOW_SECOND, budget));
 }

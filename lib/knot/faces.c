@@ -5,7 +5,7 @@
 #include <string.h>
 
 typedef struct sides {
-    const knot_code *code;
+    const knot_gauss_code *code;
     uint32_t entries;
     uint32_t *face; /* of each side */
     uint32_t *mate; /* of each entry: the other one at its crossing */
@@ -15,7 +15,7 @@ typedef struct sides {
 
 static void find_mates(sides *s, uint32_t *first)
 {
-    const knot_code *code = s->code;
+    const knot_gauss_code *code = s->code;
     memset(first, 0xff, code->n * sizeof *first);
     for (uint32_t e = 0; e < s->entries; e++) {
         uint32_t c = code->crossing[e];
@@ -53,34 +53,35 @@ static uint32_t next_side(const sides *s, uint32_t side)
 }
 
 /* All faces of a colour: left of every other arc, right of those between. */
-static uint32_t walk_round(sides *s, uint32_t colour, uint32_t count)
+static uint32_t trace_faces(sides *s, uint32_t colour, uint32_t count)
 {
     for (uint32_t arc = 0; arc < s->entries; arc++) {
-        uint32_t begin = 2 * arc + (arc + colour) % 2;
-        count += s->face[begin] == NO_FACE ? 1 : 0;
-        for (uint32_t side = begin; s->face[side] == NO_FACE; side = next_side(s, side)) {
+        uint32_t first_side = 2 * arc + (arc + colour) % 2;
+        count += s->face[first_side] == NO_FACE ? 1 : 0;
+        for (uint32_t side = first_side; s->face[side] == NO_FACE; side = next_side(s, side)) {
             s->face[side] = count - 1;
         }
     }
     return count;
 }
 
-bool vbss_knot_find_faces(const knot_algebra *algebra, const knot_code *code, knot_faces *faces)
+bool vbss_knot_find_faces(const knot_algebra *algebra, const knot_gauss_code *code,
+                          knot_faces *faces)
 {
     uint32_t n = code->n, *corners = algebra->index;
     sides s = {code, 2 * n, corners + (size_t)KNOT_CORNERS * n,
                corners + 2 * (size_t)KNOT_CORNERS * n};
     memset(s.face, 0xff, 4 * (size_t)n * sizeof *s.face);
     find_mates(&s, corners);
-    faces->even = walk_round(&s, 0, 0);
-    faces->count = walk_round(&s, 1, faces->even);
+    faces->even = trace_faces(&s, 0, 0);
+    faces->count = trace_faces(&s, 1, faces->even);
     for (uint32_t e = 0; e < s.entries; e++) {
         if (crossed_leftward(&s, e)) { /* from the right of the two strands */
             uint32_t *corner = corners + (size_t)KNOT_CORNERS * code->crossing[e],
-                     arriving = before(&s, e);
+                     incoming = before(&s, e);
             corner[KNOT_FRONT] = s.face[2 * (size_t)e];
-            corner[KNOT_LEFT] = s.face[2 * (size_t)arriving];
-            corner[KNOT_BACK] = s.face[2 * (size_t)arriving + 1];
+            corner[KNOT_LEFT] = s.face[2 * (size_t)incoming];
+            corner[KNOT_BACK] = s.face[2 * (size_t)incoming + 1];
             corner[KNOT_RIGHT] = s.face[2 * (size_t)e + 1];
         }
     }

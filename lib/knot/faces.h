@@ -14,6 +14,7 @@ enum { KNOT_FRONT, KNOT_LEFT, KNOT_BACK, KNOT_RIGHT, KNOT_CORNERS };
 typedef struct knot_faces {
     uint32_t count, even;
 } knot_faces;
-bool vbss_knot_find_faces(const knot_algebra *algebra, const knot_code *code, knot_faces *faces);
+bool vbss_knot_find_faces(const knot_algebra *algebra, const knot_gauss_code *code,
+                          knot_faces *faces);
 
 #endif

@@ -19,7 +19,7 @@ vbss_result vbss_knot_input_init(vbss_knot_input *input, uint32_t struct_size)
 
 /* ---- checks */
 
-static vec3 shown_point(const vbss_knot_input *in, uint32_t i)
+static vec3 host_point(const vbss_knot_input *in, uint32_t i)
 {
     double x[3];
     memcpy(x, (const unsigned char *)in->points + (size_t)i * in->stride_bytes, sizeof x);
@@ -31,7 +31,7 @@ static bool are_points_sound(const vbss_knot_input *in)
 {
     bool sound = true;
     for (uint32_t i = 0; i < in->point_count; i++) {
-        vec3 x = shown_point(in, i);
+        vec3 x = host_point(in, i);
         sound &= fabs(x.x) <= 1e3 && fabs(x.y) <= 1e3 && fabs(x.z) <= 1e3;
     }
     return sound;
@@ -44,9 +44,9 @@ static vbss_result check_points(vbss_context *context, const vbss_knot_input *in
     const bool sound = are_points_sound(in);
     for (uint32_t i = 0; i < in->point_count && !sound; i++) {
         double x[3];
-        vec3_store(x, shown_point(in, i));
+        vec3_store(x, host_point(in, i));
         VBSS_TRY(vbss_check_finite(context, x, 3, "points"));
-        VBSS_TRY(vbss_check_range(context, vbss_largest(x, 3), 0.0, 1e3, "|points|"));
+        VBSS_TRY(vbss_check_range(context, vbss_max_abs(x, 3), 0.0, 1e3, "|points|"));
     }
     return VBSS_OK;
 }
@@ -61,7 +61,7 @@ static vbss_result check_tool(vbss_context *context, const vbss_knot_input *in,
     for (uint32_t i = 0; i < tool->point_count; i++) {
         VBSS_TRY(vbss_check_finite(context, tool->axis[i], 3, "tools[].axis"));
         VBSS_TRY(
-            vbss_check_range(context, vbss_largest(tool->axis[i], 3), 0.0, 1e3, "|tools[].axis|"));
+            vbss_check_range(context, vbss_max_abs(tool->axis[i], 3), 0.0, 1e3, "|tools[].axis|"));
         if (i == 0) {
             continue;
         }
@@ -84,7 +84,7 @@ static vbss_result check_holes(vbss_context *context, const vbss_knot_input *in)
         VBSS_TRY(vbss_check_range(context, in->hole_places[i], -1e300, in->point_count - 1.0,
                                   "hole_places"));
         VBSS_TRY(vbss_check_finite(context, in->holes[i], 3, "holes"));
-        VBSS_TRY(vbss_check_range(context, vbss_largest(in->holes[i], 3), 0.0, 1e3, "|holes|"));
+        VBSS_TRY(vbss_check_range(context, vbss_max_abs(in->holes[i], 3), 0.0, 1e3, "|holes|"));
     }
     return vbss_check_finite(context, in->away, 3, "away");
 }
@@ -109,61 +109,61 @@ static vbss_result check_counts(const knot_detector *d, const vbss_knot_input *i
 
 /* ---- places */
 
-vec3 vbss_knot_point_at(const knot_scene *scene, double place)
+vec3 vbss_knot_point_at(const knot_input *input, double place)
 {
-    double last = scene->point_count - 1.0;
-    place = greater(0.0, lesser(place, last));
+    double last = input->point_count - 1.0;
+    place = vbss_max(0.0, vbss_min(place, last));
     uint32_t i = (uint32_t)place;
-    if (i + 1 >= scene->point_count) {
-        return scene->points[scene->point_count - 1];
+    if (i + 1 >= input->point_count) {
+        return input->points[input->point_count - 1];
     }
-    return vec3_lerp(scene->points[i], scene->points[i + 1], place - i);
+    return vec3_lerp(input->points[i], input->points[i + 1], place - i);
 }
 
-double vbss_knot_length(const knot_scene *scene, double from, double to)
+double vbss_knot_length(const knot_input *input, double from, double to)
 {
     double length = 0.0;
-    vec3 last = vbss_knot_point_at(scene, from);
-    for (uint32_t i = (uint32_t)greater(0.0, from) + 1; i < scene->point_count && i < to; i++) {
-        length += vec3_distance(last, scene->points[i]);
-        last = scene->points[i];
+    vec3 last = vbss_knot_point_at(input, from);
+    for (uint32_t i = (uint32_t)vbss_max(0.0, from) + 1; i < input->point_count && i < to; i++) {
+        length += vec3_distance(last, input->points[i]);
+        last = input->points[i];
     }
-    return from < to ? length + vec3_distance(last, vbss_knot_point_at(scene, to)) : 0.0;
+    return from < to ? length + vec3_distance(last, vbss_knot_point_at(input, to)) : 0.0;
 }
 
 /* Where a segment of the scene begins in the host's numbers: points that were left out stand before its own, and only
  * the last step to its end has any length. */
-static double segment_begin(const knot_scene *scene, uint32_t i)
+static double segment_start(const knot_input *input, uint32_t i)
 {
-    double end = scene->places[i + 1];
-    return end > scene->places[i] ? end - 1.0 : end + 1.0;
+    double end = input->places[i + 1];
+    return end > input->places[i] ? end - 1.0 : end + 1.0;
 }
 
-static double shown_place(const knot_scene *scene, double place)
+static double host_place(const knot_input *input, double place)
 {
     uint32_t i = (uint32_t)place;
-    if (i + 1 >= scene->point_count || place <= i) {
-        return scene->places[i + 1 >= scene->point_count ? scene->point_count - 1 : i];
+    if (i + 1 >= input->point_count || place <= i) {
+        return input->places[i + 1 >= input->point_count ? input->point_count - 1 : i];
     }
-    double begin = segment_begin(scene, i);
-    return begin + (place - i) * (scene->places[i + 1] - begin);
+    double start = segment_start(input, i);
+    return start + (place - i) * (input->places[i + 1] - start);
 }
 
-void vbss_knot_show_places(const knot_scene *scene, const double own[2], double shown[2])
+void vbss_knot_places_to_host(const knot_input *input, const double own[2], double host[2])
 {
-    double a = shown_place(scene, own[0]), b = shown_place(scene, own[1]);
-    shown[0] = lesser(a, b);
-    shown[1] = greater(a, b);
+    double a = host_place(input, own[0]), b = host_place(input, own[1]);
+    host[0] = vbss_min(a, b);
+    host[1] = vbss_max(a, b);
 }
 
 /* From the host's numbers, which run the same way after `reversed`, to the scene's own. */
-static double own_place(const knot_scene *scene, bool reversed, uint32_t shown, double place)
+static double local_place(const knot_input *input, bool reversed, uint32_t host_count, double place)
 {
-    double wanted = reversed ? shown - 1.0 - place : place;
-    uint32_t low = 0, high = scene->point_count - 1;
+    double wanted = reversed ? host_count - 1.0 - place : place;
+    uint32_t low = 0, high = input->point_count - 1;
     while (low + 1 < high) { /* places ascend from the tail's end, counted from there */
         uint32_t middle = (low + high) / 2;
-        double at = reversed ? shown - 1.0 - scene->places[middle] : scene->places[middle];
+        double at = reversed ? host_count - 1.0 - input->places[middle] : input->places[middle];
         if (at <= wanted) {
             low = middle;
         } else {
@@ -173,23 +173,23 @@ static double own_place(const knot_scene *scene, bool reversed, uint32_t shown, 
     if (low == high) {
         return low;
     }
-    double part = fabs(place - segment_begin(scene, low));
-    bool within = reversed ? place < segment_begin(scene, low) : place > segment_begin(scene, low);
-    return within ? low + lesser(part, 1.0) : low;
+    double fraction = fabs(place - segment_start(input, low));
+    bool within = reversed ? place < segment_start(input, low) : place > segment_start(input, low);
+    return within ? low + vbss_min(fraction, 1.0) : low;
 }
 
-static double nearest_place(const knot_scene *scene, vec3 x)
+static double nearest_place(const knot_input *input, vec3 x)
 {
-    double best = 0.0, least = vec3_norm_squared(vec3_sub(scene->points[0], x));
-    for (uint32_t i = 0; i + 1 < scene->point_count; i++) {
-        vec3 along = vec3_sub(scene->points[i + 1], scene->points[i]);
+    double best = 0.0, min_squared = vec3_norm_squared(vec3_sub(input->points[0], x));
+    for (uint32_t i = 0; i + 1 < input->point_count; i++) {
+        vec3 along = vec3_sub(input->points[i + 1], input->points[i]);
         double squared = vec3_norm_squared(along);
-        double t = vec3_dot(vec3_sub(x, scene->points[i]), along);
-        t = squared > 0.0 ? greater(0.0, lesser(1.0, t / squared)) : 0.0;
-        vec3 at = vec3_add_scaled(scene->points[i], t, along);
+        double t = vec3_dot(vec3_sub(x, input->points[i]), along);
+        t = squared > 0.0 ? vbss_max(0.0, vbss_min(1.0, t / squared)) : 0.0;
+        vec3 at = vec3_add_scaled(input->points[i], t, along);
         double distance = vec3_norm_squared(vec3_sub(at, x));
-        if (distance < least) {
-            least = distance;
+        if (distance < min_squared) {
+            min_squared = distance;
             best = i + t;
         }
     }
@@ -198,26 +198,26 @@ static double nearest_place(const knot_scene *scene, vec3 x)
 
 /* ---- the copy */
 
-static void copy_points(knot_scene *scene, const vbss_knot_input *in)
+static void copy_points(knot_input *copy, const vbss_knot_input *in)
 {
-    scene->point_count = 0;
+    copy->point_count = 0;
     for (uint32_t i = 0; i < in->point_count; i++) {
         uint32_t from = in->reversed ? in->point_count - 1 - i : i;
-        vec3 x = shown_point(in, from);
-        const vec3 *last = &scene->points[scene->point_count - (scene->point_count > 0)];
-        if (scene->point_count > 0 && x.x == last->x && x.y == last->y && x.z == last->z) {
+        vec3 x = host_point(in, from);
+        const vec3 *last = &copy->points[copy->point_count - (copy->point_count > 0)];
+        if (copy->point_count > 0 && x.x == last->x && x.y == last->y && x.z == last->z) {
             continue;
         }
-        scene->points[scene->point_count] = x;
-        scene->places[scene->point_count] = from;
-        scene->point_count++;
+        copy->points[copy->point_count] = x;
+        copy->places[copy->point_count] = from;
+        copy->point_count++;
     }
 }
 
-static void copy_tool(knot_scene *scene, const vbss_knot_input *in, uint32_t number)
+static void copy_tool(knot_input *copy, const vbss_knot_input *in, uint32_t number)
 {
     const vbss_knot_tool *from = &in->tools[number];
-    knot_tool *to = &scene->tools[number];
+    knot_tool *to = &copy->tools[number];
     *to = (knot_tool){.point_count = from->point_count, .held = from->held};
     for (uint32_t i = 0; i < from->point_count; i++) {
         to->axis[i] = vec3_load(from->axis[i]);
@@ -226,35 +226,36 @@ static void copy_tool(knot_scene *scene, const vbss_knot_input *in, uint32_t num
         }
     }
     if (from->held == VBSS_KNOT_HELD_THREAD) {
-        to->held_place = own_place(scene, in->reversed, in->point_count, from->held_place);
+        to->held_place = local_place(copy, in->reversed, in->point_count, from->held_place);
     } else if (from->held == VBSS_KNOT_HELD_NEEDLE) {
-        to->held_place = scene->point_count - 1.0;
+        to->held_place = copy->point_count - 1.0;
     }
 }
 
-static void copy_tissue(knot_scene *scene, const vbss_knot_input *in)
+static void copy_tissue(knot_input *copy, const vbss_knot_input *in)
 {
-    scene->has_holes = in->hole_count > 0;
-    scene->tissue_place = -1.0;
-    scene->away = vec3_zero();
+    copy->has_holes = in->hole_count > 0;
+    copy->tissue_place = -1.0;
+    copy->away = vec3_zero();
     double sum = 0.0;
     for (uint32_t i = 0; i < in->hole_count; i++) {
         sum += in->hole_places[i] >= 0.0
-                   ? own_place(scene, in->reversed, in->point_count, in->hole_places[i])
-                   : nearest_place(scene, vec3_load(in->holes[i]));
+                   ? local_place(copy, in->reversed, in->point_count, in->hole_places[i])
+                   : nearest_place(copy, vec3_load(in->holes[i]));
     }
-    if (scene->has_holes) {
-        scene->tissue_place = sum / in->hole_count;
-        double largest = vbss_largest(in->away, 3);
+    if (copy->has_holes) {
+        copy->tissue_place = sum / in->hole_count;
+        double largest = vbss_max_abs(in->away, 3);
         if (largest > 0.0) { /* scaled first: its square may be no number */
             vec3 scaled =
                 vec3_make(in->away[0] / largest, in->away[1] / largest, in->away[2] / largest);
-            scene->away = vec3_unit_or(scaled, vec3_zero());
+            copy->away = vec3_unit_or(scaled, vec3_zero());
         }
     }
 }
 
-vbss_result vbss_knot_show(const knot_detector *d, const vbss_knot_input *input, knot_scene *scene)
+vbss_result vbss_knot_read_input(const knot_detector *d, const vbss_knot_input *input,
+                                 knot_input *copy)
 {
     vbss_knot_input in;
     VBSS_TRY(vbss_check_pointer(d->context, input, "input"));
@@ -266,19 +267,19 @@ vbss_result vbss_knot_show(const knot_detector *d, const vbss_knot_input *input,
     }
     VBSS_TRY(check_holes(d->context, &in));
 
-    copy_points(scene, &in);
-    scene->tool_count = in.tool_count;
-    scene->may_have_passed = in.may_have_passed != 0;
+    copy_points(copy, &in);
+    copy->tool_count = in.tool_count;
+    copy->may_have_passed = in.may_have_passed != 0;
     for (uint32_t i = 0; i < in.tool_count; i++) {
-        copy_tool(scene, &in, i);
+        copy_tool(copy, &in, i);
     }
-    copy_tissue(scene, &in);
+    copy_tissue(copy, &in);
     return VBSS_OK;
 }
 
-void vbss_knot_scene_copy(knot_scene *to, const knot_scene *from)
+void vbss_knot_input_copy(knot_input *to, const knot_input *from)
 {
-    knot_scene own = *from;
+    knot_input own = *from;
     own.points = to->points;
     own.places = to->places;
     own.tools = to->tools;

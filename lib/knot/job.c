@@ -8,7 +8,7 @@ bool vbss_knot_job_is_active(const knot_job *job)
 }
 
 /* A thread without extent has no knot; its determinants would be smaller than numbers can be. */
-#define LEAST_FAR 1e-9
+#define MIN_FAR_DISTANCE 1e-9
 
 static knot_reading no_knot(void)
 {
@@ -20,22 +20,22 @@ static knot_reading no_knot(void)
 void vbss_knot_job_begin(knot_job *job, const vbss_knot_config *config, uint64_t step)
 {
     job->step = step;
-    job->spent = 0;
+    job->ops_used = 0;
     job->curve = 0;
     job->curve_began = false;
     job->agreeing = 0;
     job->outward = job->tail = job->long_limb = job->tools = (knot_reading){.throws = false};
     job->reader.counts = (knot_counts){0};
     job->reader.direction_limit = config->direction_limit;
-    job->locating.stage = KNOT_LOCATE_DONE;
-    job->locating.count = 0;
-    vbss_knot_closing_of(&job->closing, config, &job->scene);
-    job->has_tools = job->closing.tail_hold >= 0.0 || job->closing.long_hold >= 0.0;
-    vbss_knot_core_begin(&job->core, &job->closing, &job->scene);
+    job->locator.stage = KNOT_LOCATE_DONE;
+    job->locator.count = 0;
+    vbss_knot_closure_init(&job->closure, config, &job->input);
+    job->has_tools = job->closure.tail_hold >= 0.0 || job->closure.long_hold >= 0.0;
+    vbss_knot_core_begin(&job->core, &job->closure, &job->input);
     job->stage = KNOT_JOB_CORE;
-    if (job->closing.far < LEAST_FAR) {
+    if (job->closure.far_distance < MIN_FAR_DISTANCE) {
         job->outward = job->tail = job->long_limb = no_knot();
-        job->closing.others = 0;
+        job->closure.alternative_count = 0;
         job->has_tools = false;
         job->stage = KNOT_JOB_LOCATE;
     }
@@ -50,7 +50,7 @@ static bool is_wanted(const knot_job *job, uint32_t curve)
         return true;
     case KNOT_CURVE_TAIL:
     case KNOT_CURVE_LONG:
-        return job->closing.has_tissue;
+        return job->closure.has_tissue;
     case KNOT_CURVE_TOOLS:
         return job->has_tools;
     default:
@@ -70,29 +70,30 @@ static void add_core(knot_polygon *to, const knot_polygon *core, double from, do
 
 static void begin_curve(knot_job *job)
 {
-    const knot_closing *c = &job->closing;
+    const knot_closure *c = &job->closure;
     const knot_polygon *core = &job->core.polygon;
     const double last = core->place[core->count - 1];
     const uint32_t other = job->curve >= KNOT_CURVE_OTHERS ? job->curve - KNOT_CURVE_OTHERS + 1 : 0;
     double from = 0.0, until = last;
-    knot_way tail = vbss_knot_way_out(core->x[0], c->tail_out[other]);
-    knot_way end = vbss_knot_way_out(core->x[core->count - 1], c->long_out[other]);
-    knot_way away =
-        vbss_knot_way_out(vbss_knot_point_at(&job->scene, job->scene.tissue_place), c->away);
+    knot_extension tail = vbss_knot_straight_extension(core->x[0], c->tail_directions[other]);
+    knot_extension end =
+        vbss_knot_straight_extension(core->x[core->count - 1], c->long_directions[other]);
+    knot_extension away = vbss_knot_straight_extension(
+        vbss_knot_point_at(&job->input, job->input.tissue_place), c->away);
     if (job->curve == KNOT_CURVE_TAIL) {
-        until = job->scene.tissue_place;
+        until = job->input.tissue_place;
         end = away;
     } else if (job->curve == KNOT_CURVE_LONG) {
-        from = job->scene.tissue_place;
+        from = job->input.tissue_place;
         tail = away;
     } else if (job->curve == KNOT_CURVE_TOOLS) {
         if (c->tail_hold >= 0.0) {
             from = c->tail_hold;
-            tail = c->tail_way;
+            tail = c->tail_extension;
         }
         if (c->long_hold >= 0.0) {
             until = c->long_hold;
-            end = c->long_way;
+            end = c->long_extension;
         }
     }
     knot_polygon *polygon = &job->reader.polygon;
@@ -102,7 +103,7 @@ static void begin_curve(knot_job *job)
     vbss_knot_curve_begin(&job->reader, job->curve == KNOT_CURVE_OUTWARD);
 }
 
-static void take_reading(knot_job *job)
+static void store_reading(knot_job *job)
 {
     const knot_reading *r = &job->reader.reading;
     switch (job->curve) {
@@ -124,18 +125,18 @@ static void take_reading(knot_job *job)
     }
 }
 
-static void read_curves(knot_job *job, const vbss_knot_config *config, knot_work *work)
+static void read_curves(knot_job *job, const vbss_knot_config *config, knot_ops *budget)
 {
     if (job->curve_began) {
-        if (vbss_knot_curve_go_on(&job->reader, work)) {
-            take_reading(job);
+        if (vbss_knot_curve_resume(&job->reader, budget)) {
+            store_reading(job);
             job->curve_began = false;
             job->curve++;
         }
-    } else if (job->curve >= KNOT_CURVE_OTHERS + job->closing.others) {
-        vbss_knot_locating_begin(&job->locating, &job->reader, &job->scene, &job->closing,
-                                 &job->outward, &job->tail, &job->long_limb,
-                                 config->direction_limit);
+    } else if (job->curve >= KNOT_CURVE_OTHERS + job->closure.alternative_count) {
+        vbss_knot_locator_begin(&job->locator, &job->reader, &job->input, &job->closure,
+                                &job->outward, &job->tail, &job->long_limb,
+                                config->direction_limit);
         job->stage = KNOT_JOB_LOCATE;
     } else if (!is_wanted(job, job->curve)) {
         job->curve++;
@@ -147,21 +148,21 @@ static void read_curves(knot_job *job, const vbss_knot_config *config, knot_work
 
 /* ---- the whole */
 
-bool vbss_knot_job_go_on(knot_job *job, const vbss_knot_config *config, knot_work *work)
+bool vbss_knot_job_resume(knot_job *job, const vbss_knot_config *config, knot_ops *budget)
 {
-    const knot_work had = *work;
-    while (*work > 0 && vbss_knot_job_is_active(job)) {
+    const knot_ops had = *budget;
+    while (*budget > 0 && vbss_knot_job_is_active(job)) {
         switch (job->stage) {
         case KNOT_JOB_CORE:
-            if (vbss_knot_core_go_on(&job->core, work)) {
+            if (vbss_knot_core_resume(&job->core, budget)) {
                 job->stage = KNOT_JOB_CURVES;
             }
             break;
         case KNOT_JOB_CURVES:
-            read_curves(job, config, work);
+            read_curves(job, config, budget);
             break;
         case KNOT_JOB_LOCATE:
-            if (vbss_knot_locating_go_on(&job->locating, &job->reader, work)) {
+            if (vbss_knot_locator_resume(&job->locator, &job->reader, budget)) {
                 job->stage = KNOT_JOB_DONE;
             }
             break;
@@ -169,18 +170,18 @@ bool vbss_knot_job_go_on(knot_job *job, const vbss_knot_config *config, knot_wor
             break;
         }
     }
-    job->spent += had - *work;
+    job->ops_used += had - *budget;
     return job->stage == KNOT_JOB_DONE;
 }
 
-void vbss_knot_count_job(const knot_job *job, vbss_knot_statistics *figures)
+void vbss_knot_count_job(const knot_job *job, vbss_knot_statistics *statistics)
 {
     const knot_counts *c = &job->reader.counts;
-    figures->closures += c->closures;
-    figures->certified += c->certified;
-    figures->projections += c->projections;
-    figures->degenerate += c->degenerate;
-    figures->overflows += c->overflows;
-    figures->removed += c->removed + job->core.reduction.removed;
-    figures->work += (uint64_t)job->spent;
+    statistics->closures += c->closures;
+    statistics->certified += c->certified;
+    statistics->projections += c->projections;
+    statistics->degenerate += c->degenerate;
+    statistics->overflows += c->overflows;
+    statistics->removed += c->removed + job->core.reduction.removed;
+    statistics->work += (uint64_t)job->ops_used;
 }

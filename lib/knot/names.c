@@ -6,14 +6,14 @@
 
 #include <string.h>
 
-typedef struct stack {
+typedef struct throw_stack {
     uint32_t count;
     bool in_order; /* or all orders read the same */
     const vbss_knot_throw *throws[KNOT_THROWS];
-} stack;
+} throw_stack;
 
 /* All orders of two throws of as many wraps read the same, up to a mirror; so do those of equal throws. */
-static bool reads_the_same(const stack *s)
+static bool is_order_irrelevant(const throw_stack *s)
 {
     bool wraps = true, handedness = true;
     for (uint32_t i = 1; i < s->count; i++) {
@@ -23,21 +23,21 @@ static bool reads_the_same(const stack *s)
     return wraps && (handedness || s->count == 2);
 }
 
-static stack stack_of(const knot_verdict *verdict)
+static throw_stack throw_stack_of(const knot_classification *classification)
 {
-    stack s = {.in_order = true};
-    for (uint32_t i = 0; i < verdict->throw_count; i++) {
-        const vbss_knot_throw *one = &verdict->throws[i];
+    throw_stack s = {.in_order = true};
+    for (uint32_t i = 0; i < classification->throw_count; i++) {
+        const vbss_knot_throw *one = &classification->throws[i];
         if ((one->flags & VBSS_KNOT_THROW_STRAY) == 0) {
             s.throws[s.count++] = one;
             s.in_order = s.in_order && (one->flags & VBSS_KNOT_THROW_ORDERED) != 0;
         }
     }
-    s.in_order = s.in_order || reads_the_same(&s);
+    s.in_order = s.in_order || is_order_irrelevant(&s);
     return s;
 }
 
-static bool same_hand(const stack *s, uint32_t i)
+static bool same_hand(const throw_stack *s, uint32_t i)
 {
     return s->throws[i]->handedness == s->throws[i - 1]->handedness;
 }
@@ -58,7 +58,7 @@ static vbss_knot_name name_of_one(int32_t wraps)
     }
 }
 
-static vbss_knot_name name_of_two(const stack *s)
+static vbss_knot_name name_of_two(const throw_stack *s)
 {
     if (s->throws[1]->wraps != 1) {
         return VBSS_KNOT_NAME_STACK;
@@ -73,16 +73,16 @@ static vbss_knot_name name_of_two(const stack *s)
     }
 }
 
-static bool is_fls(const stack *s)
+static bool is_fls(const throw_stack *s)
 {
     return s->count == 3 && s->throws[0]->wraps == 2 && s->throws[1]->wraps == 1 &&
            s->throws[2]->wraps == 1 && !same_hand(s, 1) && !same_hand(s, 2);
 }
 
-vbss_knot_name vbss_knot_name_of(const knot_verdict *verdict)
+vbss_knot_name vbss_knot_name_of(const knot_classification *classification)
 {
-    const stack s = stack_of(verdict);
-    if (verdict->other) {
+    const throw_stack s = throw_stack_of(classification);
+    if (classification->other) {
         return VBSS_KNOT_NAME_OTHER;
     }
     if (s.count == 0) {
@@ -102,7 +102,7 @@ vbss_knot_name vbss_knot_name_of(const knot_verdict *verdict)
 
 /* ---- faults */
 
-static uint32_t faults_in_order(const stack *s)
+static uint32_t faults_in_order(const throw_stack *s)
 {
     uint32_t faults = s->count > 0 && s->throws[0]->wraps != 2 ? VBSS_KNOT_FAULT_FIRST : 0;
     for (uint32_t i = 1; i < s->count; i++) {
@@ -113,30 +113,31 @@ static uint32_t faults_in_order(const stack *s)
 }
 
 /* None has two wraps; two have not one; the hands cannot alternate. */
-static uint32_t faults_in_every_order(const stack *s)
+static uint32_t faults_in_every_order(const throw_stack *s)
 {
-    uint32_t doubles = 0, not_single = 0;
+    uint32_t double_throws = 0, not_single = 0;
     int32_t hands = 0;
     for (uint32_t i = 0; i < s->count; i++) {
-        doubles += s->throws[i]->wraps == 2;
+        double_throws += s->throws[i]->wraps == 2;
         not_single += s->throws[i]->wraps != 1;
         hands += s->throws[i]->handedness;
     }
     uint32_t faults = VBSS_KNOT_FAULT_ORDER;
-    faults |= doubles == 0 ? VBSS_KNOT_FAULT_FIRST : 0;
+    faults |= double_throws == 0 ? VBSS_KNOT_FAULT_FIRST : 0;
     faults |= not_single > 1 ? VBSS_KNOT_FAULT_LATER : 0;
     return faults | (hands > 1 || hands < -1 ? VBSS_KNOT_FAULT_GRANNY : 0);
 }
 
-uint32_t vbss_knot_faults_of(const knot_verdict *verdict)
+uint32_t vbss_knot_faults_of(const knot_classification *classification)
 {
-    const stack s = stack_of(verdict);
-    uint32_t faults = verdict->reason != VBSS_KNOT_REASON_NONE ? VBSS_KNOT_FAULT_UNCERTAIN : 0;
-    faults |= s.count < verdict->throw_count ? VBSS_KNOT_FAULT_STRAY : 0;
+    const throw_stack s = throw_stack_of(classification);
+    uint32_t faults =
+        classification->reason != VBSS_KNOT_REASON_NONE ? VBSS_KNOT_FAULT_UNCERTAIN : 0;
+    faults |= s.count < classification->throw_count ? VBSS_KNOT_FAULT_STRAY : 0;
     for (uint32_t i = 0; i < s.count; i++) {
         faults |= s.throws[i]->flags & VBSS_KNOT_THROW_HITCH ? VBSS_KNOT_FAULT_HITCH : 0;
     }
-    if (verdict->other) { /* there is no stack whose throws could be counted */
+    if (classification->other) { /* there is no stack whose throws could be counted */
         return faults | VBSS_KNOT_FAULT_TYPE;
     }
     faults |= s.count < 3 ? VBSS_KNOT_FAULT_FEW : 0;
@@ -174,39 +175,39 @@ static void append(writer *w, char sign, int32_t number)
     w->safe = w->length + 2 < KNOT_NOTATION ? w->length : w->safe;
 }
 
-static void append_strays(writer *w, const knot_verdict *verdict)
+static void append_strays(writer *w, const knot_classification *classification)
 {
     char sign = '(';
-    for (uint32_t i = 0; i < verdict->throw_count; i++) {
-        if (verdict->throws[i].flags & VBSS_KNOT_THROW_STRAY) {
-            append(w, sign, verdict->throws[i].wraps);
+    for (uint32_t i = 0; i < classification->throw_count; i++) {
+        if (classification->throws[i].flags & VBSS_KNOT_THROW_STRAY) {
+            append(w, sign, classification->throws[i].wraps);
             sign = '+';
         }
     }
     append(w, ')', 0);
 }
 
-void vbss_knot_notation_of(const knot_verdict *verdict, char text[KNOT_NOTATION])
+void vbss_knot_notation_of(const knot_classification *classification, char text[KNOT_NOTATION])
 {
     static const char joints[] = {'\0', '=', 'x', '+'};
-    const stack s = stack_of(verdict);
+    const throw_stack s = throw_stack_of(classification);
     writer w = {.text = text};
     memset(text, 0, KNOT_NOTATION);
-    if (verdict->other) {
+    if (classification->other) {
         append(&w, '?', 0);
     }
-    for (uint32_t i = 0; i < s.count && !verdict->other; i++) {
+    for (uint32_t i = 0; i < s.count && !classification->other; i++) {
         uint32_t joint = 0;
         if (i > 0) {
             joint = !s.in_order ? 3 : same_hand(&s, i) ? 2 : 1;
         }
         append(&w, joints[joint], s.throws[i]->wraps);
     }
-    if (s.count < verdict->throw_count) {
+    if (s.count < classification->throw_count) {
         if (w.length > 0) {
             append(&w, ' ', 0);
         }
-        append_strays(&w, verdict);
+        append_strays(&w, classification);
     }
     if (w.full) {
         memset(text + w.safe, 0, KNOT_NOTATION - w.safe);

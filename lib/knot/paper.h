@@ -17,7 +17,7 @@ paper_plane vbss_knot_paper_plane(const vbss_knot_config *config, const knot_too
 paper_point vbss_knot_paper_flat(const paper_plane *plane, vec3 point);
 double vbss_knot_paper_height(const paper_plane *plane, vec3 point);
 /* All of the thread: x, y and height of each point, in p->flat. */
-void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot_scene *scene);
+void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot_input *scene);
 
 static inline const double *paper_x(const knot_paper *p)
 {

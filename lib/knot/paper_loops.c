@@ -45,7 +45,7 @@ double vbss_knot_paper_height(const paper_plane *plane, vec3 point)
     return vec3_dot(vec3_sub(point, plane->at), plane->up);
 }
 
-void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot_scene *scene)
+void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot_input *scene)
 {
     double *x = p->flat, *y = x + p->capacity, *heights = y + p->capacity;
     for (uint32_t k = 0; k < scene->point_count; k++) {
@@ -123,11 +123,11 @@ static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32
 {
     const double *x = paper_x(p) + j, *y = paper_y(p) + j;
     lanes x0 = lanes_load(x), x1 = lanes_load(x + 1), y0 = lanes_load(y), y1 = lanes_load(y + 1);
-    lanes_mask across = lanes_either(lanes_less(lanes_larger(x0, x1), box[0]),
-                                     lanes_less(box[1], lanes_smaller(x0, x1)));
-    lanes_mask along = lanes_either(lanes_less(lanes_larger(y0, y1), box[2]),
-                                    lanes_less(box[3], lanes_smaller(y0, y1)));
-    return 15u & ~lanes_bits(lanes_either(across, along));
+    lanes_mask across =
+        lanes_or(lanes_less(lanes_max(x0, x1), box[0]), lanes_less(box[1], lanes_min(x0, x1)));
+    lanes_mask along =
+        lanes_or(lanes_less(lanes_max(y0, y1), box[2]), lanes_less(box[3], lanes_min(y0, y1)));
+    return 15u & ~lanes_movemask(lanes_or(across, along));
 }
 
 /* The first segment before i and not next to it that crosses it, going towards the tail's end; `i` when there is
@@ -135,8 +135,8 @@ static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32
 static uint32_t next_crossing(const knot_paper *p, uint32_t i, double *s, double *u)
 {
     const double *x = paper_x(p), *y = paper_y(p);
-    lanes box[4] = {lanes_all(lesser(x[i], x[i + 1])), lanes_all(greater(x[i], x[i + 1])),
-                    lanes_all(lesser(y[i], y[i + 1])), lanes_all(greater(y[i], y[i + 1]))};
+    lanes box[4] = {lanes_splat(vbss_min(x[i], x[i + 1])), lanes_splat(vbss_max(x[i], x[i + 1])),
+                    lanes_splat(vbss_min(y[i], y[i + 1])), lanes_splat(vbss_max(y[i], y[i + 1]))};
     for (uint32_t end = i - 1; end > 0;) {
         uint32_t begin = end > LANES ? end - LANES : 0;
         unsigned near = near_four(p, box, begin);
@@ -150,7 +150,7 @@ static uint32_t next_crossing(const knot_paper *p, uint32_t i, double *s, double
     return i;
 }
 
-static void record(knot_paper *p, const paper_plane *plane, const knot_scene *scene, uint32_t tool,
+static void record(knot_paper *p, const paper_plane *plane, const knot_input *scene, uint32_t tool,
                    uint32_t i, uint32_t j, double s, double u)
 {
     const vec3 *x = scene->points;
@@ -165,7 +165,7 @@ static void record(knot_paper *p, const paper_plane *plane, const knot_scene *sc
 }
 
 /* The paper's segment 0 is the last one here, at the long limb's end. */
-void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_scene *scene,
+void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_input *scene,
                            uint32_t tool)
 {
     paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);

@@ -13,7 +13,7 @@ typedef struct crossing {
 
 /* Which strand of the pair the crossing segment belongs to: 0 it comes before the loop, nearer along the thread
  * to the pair's first segment; 1 after it; -1 it is part of the loop, on the polygon itself. */
-static int strand_of(const knot_loop *loop, const knot_scene *scene, const crossing *c)
+static int strand_of(const knot_loop *loop, const knot_input *scene, const crossing *c)
 {
     if (c->segment < loop->first || c->segment > loop->last) {
         return c->segment < loop->first ? 0 : 1;
@@ -32,7 +32,7 @@ typedef struct verdict {
     bool inside, ties, inside_out;
 } verdict;
 
-static verdict judge(knot_paper *p, const paper_plane *plane, const knot_scene *scene,
+static verdict judge(knot_paper *p, const paper_plane *plane, const knot_input *scene,
                      const knot_loop *loop, const crossing *c)
 {
     verdict v = {false, false, false};
@@ -50,7 +50,7 @@ static verdict judge(knot_paper *p, const paper_plane *plane, const knot_scene *
 }
 
 /* How many loops of the tool the segment crosses so that they tie. */
-static void count(knot_paper *p, const paper_plane *plane, const knot_scene *scene, uint32_t tool,
+static void count(knot_paper *p, const paper_plane *plane, const knot_input *scene, uint32_t tool,
                   const crossing *c, knot_paper_throw *found)
 {
     knot_paper_throw here = {.segment = c->segment};
@@ -74,7 +74,7 @@ static void count(knot_paper *p, const paper_plane *plane, const knot_scene *sce
 }
 
 knot_paper_throw vbss_knot_paper_throws(knot_paper *p, const vbss_knot_config *config,
-                                        const knot_scene *scene, uint32_t tool)
+                                        const knot_input *scene, uint32_t tool)
 {
     knot_paper_throw found = {0};
     paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);

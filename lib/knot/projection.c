@@ -5,7 +5,7 @@
  * rounding of this one, and so is the knot. */
 #include "base/compiler.h"
 #include "base/elementary.h"
-#include "knot/sheet.h"
+#include "knot/projected_edges.h"
 
 /* What is too near to be told, in shares of an edge: a vertex, or another crossing; of the polygon's size: the
  * strand above. */
@@ -15,18 +15,18 @@
 /* ---- two edges */
 
 /* Puts a passage among those of its edge, in their order. */
-static void add_passage(knot_sheet *s, uint32_t edge, uint32_t entry, double at)
+static void add_passage(knot_projected_edges *s, uint32_t edge, uint32_t entry, double at)
 {
-    knot_code *code = s->code;
+    knot_gauss_code *code = s->code;
     uint16_t *next = code->scratch;
-    uint32_t before = SHEET_NO_ENTRY, after = s->heads[edge];
-    while (after != SHEET_NO_ENTRY && code->at[after] < at) {
+    uint32_t before = KNOT_NO_ENTRY, after = s->heads[edge];
+    while (after != KNOT_NO_ENTRY && code->position[after] < at) {
         before = after;
         after = next[after];
     }
-    code->at[entry] = at;
+    code->position[entry] = at;
     next[entry] = (uint16_t)after;
-    if (before == SHEET_NO_ENTRY) {
+    if (before == KNOT_NO_ENTRY) {
         s->heads[edge] = entry;
     } else {
         next[before] = (uint16_t)entry;
@@ -34,10 +34,10 @@ static void add_passage(knot_sheet *s, uint32_t edge, uint32_t entry, double at)
 }
 
 /* Of the passage over the crossing it is entry 2 n, of that under it 2 n + 1. */
-static knot_diagram add_crossing(knot_sheet *s, uint32_t over, double at_over, uint32_t under,
-                                 double at_under, int sign)
+static knot_diagram_status add_crossing(knot_projected_edges *s, uint32_t over, double at_over,
+                                        uint32_t under, double at_under, int sign)
 {
-    knot_code *code = s->code;
+    knot_gauss_code *code = s->code;
     if (code->n == code->capacity) {
         return KNOT_DIAGRAM_FULL;
     }
@@ -45,12 +45,12 @@ static knot_diagram add_crossing(knot_sheet *s, uint32_t over, double at_over, u
     add_passage(s, over, 2 * code->n, at_over);
     add_passage(s, under, 2 * code->n + 1, at_under);
     code->n++;
-    return KNOT_DIAGRAM_PLAIN;
+    return KNOT_DIAGRAM_REGULAR;
 }
 
 /* Of the volume (from j to i) . (i x j), which is the height of i above j where they cross times their turn d: the
  * sign of the crossing. 0: not certain. */
-static int sign_of(const knot_sheet *s, uint32_t i, uint32_t j, double d)
+static int sign_of(const knot_projected_edges *s, uint32_t i, uint32_t j, double d)
 {
     double bx = s->x[i] - s->x[j], by = s->y[i] - s->y[j], bz = s->z[i] - s->z[j];
     double nx = s->dy[i] * s->dz[j] - s->dz[i] * s->dy[j];
@@ -61,7 +61,7 @@ static int sign_of(const knot_sheet *s, uint32_t i, uint32_t j, double d)
     double b_long = fabs(bx) + fabs(by) + fabs(bz);
     double products = i_long * j_long + b_long * (i_long + j_long);
     double error = s->error * (8.0 * products + 64.0 * s->error * (i_long + j_long + b_long));
-    double bound = greater(error, NEAR_HEIGHT * s->size * fabs(d));
+    double bound = vbss_max(error, NEAR_HEIGHT * s->size * fabs(d));
     return (volume > bound) - (volume < -bound);
 }
 
@@ -69,23 +69,23 @@ static int sign_of(const knot_sheet *s, uint32_t i, uint32_t j, double d)
 static double outside(double from, double d)
 {
     double to = from - d;
-    return greater(lesser(from, to), -greater(from, to));
+    return vbss_max(vbss_min(from, to), -vbss_max(from, to));
 }
 
 /* Of edges whose boxes meet. They cross at the shares from_i / d and from_j / d of them, and are apart when one has
  * both ends on the same side of the other. */
-static knot_diagram meet(knot_sheet *s, uint32_t i, uint32_t j)
+static knot_diagram_status intersect_edges(knot_projected_edges *s, uint32_t i, uint32_t j)
 {
     double bx = s->x[j] - s->x[i], by = s->y[j] - s->y[i];
     double d = s->dx[i] * s->dy[j] - s->dy[i] * s->dx[j];
     double from_i = bx * s->dy[j] - by * s->dx[j], from_j = bx * s->dy[i] - by * s->dx[i];
     double bound = s->bound[i] + s->bound[j], near = NEAR_PLACE * fabs(d);
     double outside_i = outside(from_i, d), outside_j = outside(from_j, d);
-    if (greater(outside_i, outside_j) > bound) {
-        return KNOT_DIAGRAM_PLAIN;
+    if (vbss_max(outside_i, outside_j) > bound) {
+        return KNOT_DIAGRAM_REGULAR;
     }
     /* With such a bound shares are wrong by half of NEAR_PLACE at most. */
-    if (!(4.0 * bound < near && greater(outside_i, outside_j) < -near)) {
+    if (!(4.0 * bound < near && vbss_max(outside_i, outside_j) < -near)) {
         return KNOT_DIAGRAM_DEGENERATE;
     }
     int sign = sign_of(s, i, j, d);
@@ -99,16 +99,16 @@ static knot_diagram meet(knot_sheet *s, uint32_t i, uint32_t j)
 
 /* ---- one edge and those side by side: a bit for each that it may cross */
 
-VBSS_ALWAYS_INLINE unsigned box_bits(const knot_sheet *s, uint32_t box, uint32_t at)
+VBSS_ALWAYS_INLINE unsigned box_bits(const knot_projected_edges *s, uint32_t box, uint32_t at)
 {
-    lanes_mask x = lanes_either(lanes_less(lanes_all(s->high_x[box]), lanes_load(s->low_x + at)),
-                                lanes_less(lanes_load(s->high_x + at), lanes_all(s->low_x[box])));
-    lanes_mask y = lanes_either(lanes_less(lanes_all(s->high_y[box]), lanes_load(s->low_y + at)),
-                                lanes_less(lanes_load(s->high_y + at), lanes_all(s->low_y[box])));
-    return lanes_bits(lanes_either(x, y)) ^ 15u;
+    lanes_mask x = lanes_or(lanes_less(lanes_splat(s->high_x[box]), lanes_load(s->low_x + at)),
+                            lanes_less(lanes_load(s->high_x + at), lanes_splat(s->low_x[box])));
+    lanes_mask y = lanes_or(lanes_less(lanes_splat(s->high_y[box]), lanes_load(s->low_y + at)),
+                            lanes_less(lanes_load(s->high_y + at), lanes_splat(s->low_y[box])));
+    return lanes_movemask(lanes_or(x, y)) ^ 15u;
 }
 
-static bool boxes_meet(const knot_sheet *s, uint32_t a, uint32_t b)
+static bool boxes_meet(const knot_projected_edges *s, uint32_t a, uint32_t b)
 {
     return s->low_x[a] <= s->high_x[b] && s->low_x[b] <= s->high_x[a] &&
            s->low_y[a] <= s->high_y[b] && s->low_y[b] <= s->high_y[a];
@@ -116,32 +116,32 @@ static bool boxes_meet(const knot_sheet *s, uint32_t a, uint32_t b)
 
 static lanes outside_lanes(lanes from, lanes d)
 {
-    lanes to = lanes_sub(from, d), none = lanes_all(0.0);
-    return lanes_larger(lanes_smaller(from, to), lanes_sub(none, lanes_larger(from, to)));
+    lanes to = lanes_sub(from, d), none = lanes_splat(0.0);
+    return lanes_max(lanes_min(from, to), lanes_sub(none, lanes_max(from, to)));
 }
 
 /* What `meet` calls apart. */
-static unsigned edge_bits(const knot_sheet *s, uint32_t i, uint32_t at)
+static unsigned edge_bits(const knot_projected_edges *s, uint32_t i, uint32_t at)
 {
-    lanes ix = lanes_all(s->dx[i]), iy = lanes_all(s->dy[i]);
+    lanes ix = lanes_splat(s->dx[i]), iy = lanes_splat(s->dy[i]);
     lanes jx = lanes_load(s->dx + at), jy = lanes_load(s->dy + at);
-    lanes bx = lanes_sub(lanes_load(s->x + at), lanes_all(s->x[i]));
-    lanes by = lanes_sub(lanes_load(s->y + at), lanes_all(s->y[i]));
+    lanes bx = lanes_sub(lanes_load(s->x + at), lanes_splat(s->x[i]));
+    lanes by = lanes_sub(lanes_load(s->y + at), lanes_splat(s->y[i]));
     lanes d = lanes_sub(lanes_times(ix, jy), lanes_times(iy, jx));
     lanes from_i = lanes_sub(lanes_times(bx, jy), lanes_times(by, jx));
     lanes from_j = lanes_sub(lanes_times(bx, iy), lanes_times(by, ix));
-    lanes bound = lanes_add(lanes_load(s->bound + at), lanes_all(s->bound[i]));
-    lanes most = lanes_larger(outside_lanes(from_i, d), outside_lanes(from_j, d));
-    return lanes_bits(lanes_less(bound, most)) ^ 15u;
+    lanes bound = lanes_add(lanes_load(s->bound + at), lanes_splat(s->bound[i]));
+    lanes max_outside = lanes_max(outside_lanes(from_i, d), outside_lanes(from_j, d));
+    return lanes_movemask(lanes_less(bound, max_outside)) ^ 15u;
 }
 
-static uint32_t after(const knot_sheet *s, uint32_t i)
+static uint32_t after(const knot_projected_edges *s, uint32_t i)
 {
     return i + 1 == s->count ? 0 : i + 1;
 }
 
 /* Of edges from `at` on, bits of those that neither are i nor meet it at a vertex. */
-static unsigned stranger_bits(const knot_sheet *s, uint32_t i, uint32_t at)
+static unsigned non_neighbour_bits(const knot_projected_edges *s, uint32_t i, uint32_t at)
 {
     const uint32_t same[3] = {i == 0 ? s->count - 1 : i - 1, i, after(s, i)};
     unsigned bits = 15u;
@@ -153,22 +153,22 @@ static unsigned stranger_bits(const knot_sheet *s, uint32_t i, uint32_t at)
 }
 
 /* Edge i, whose box is given, with those of a group that `wanted` names. False: it is not plain. */
-VBSS_ALWAYS_INLINE bool meet_group(knot_sheet *s, uint32_t i, uint32_t box, uint32_t group,
-                                   unsigned wanted)
+VBSS_ALWAYS_INLINE bool intersect_with_group(knot_projected_edges *s, uint32_t i, uint32_t box,
+                                             uint32_t group, unsigned wanted)
 {
     uint32_t at = LANES * group;
     unsigned bits = box_bits(s, box, at) & wanted;
-    s->looked_at++;
+    s->groups_tested++;
     if (bits != 0) {
-        bits &= stranger_bits(s, i, at);
+        bits &= non_neighbour_bits(s, i, at);
     }
     if (bits != 0) {
         bits &= edge_bits(s, i, at);
     }
     for (uint32_t lane = 0; bits != 0; lane++, bits >>= 1) {
         if ((bits & 1u) != 0) {
-            s->diagram = meet(s, i, at + lane);
-            if (s->diagram != KNOT_DIAGRAM_PLAIN) {
+            s->diagram = intersect_edges(s, i, at + lane);
+            if (s->diagram != KNOT_DIAGRAM_REGULAR) {
                 return false;
             }
         }
@@ -176,25 +176,25 @@ VBSS_ALWAYS_INLINE bool meet_group(knot_sheet *s, uint32_t i, uint32_t box, uint
     return true;
 }
 
-static bool meet_groups(knot_sheet *s, uint32_t a, uint32_t b)
+static bool intersect_groups(knot_projected_edges *s, uint32_t a, uint32_t b)
 {
     for (uint32_t lane = 0; lane < LANES; lane++) {
         uint32_t i = LANES * a + lane;
-        if (!meet_group(s, i, i, b, a == b ? 15u & (14u << lane) : 15u)) {
+        if (!intersect_with_group(s, i, i, b, a == b ? 15u & (14u << lane) : 15u)) {
             return false;
         }
     }
     return true;
 }
 
-static bool meet_all_groups(knot_sheet *s)
+static bool intersect_all_groups(knot_projected_edges *s)
 {
     for (uint32_t a = 0; a < s->groups; a++) {
         for (uint32_t four = a / LANES * LANES; four < s->groups; four += LANES) {
             unsigned bits = box_bits(s, s->grouped + a, s->grouped + four);
-            s->looked_at++;
+            s->groups_tested++;
             for (uint32_t b = four; bits != 0; b++, bits >>= 1) {
-                if ((bits & 1u) != 0 && b >= a && !meet_groups(s, a, b)) {
+                if ((bits & 1u) != 0 && b >= a && !intersect_groups(s, a, b)) {
                     return false;
                 }
             }
@@ -204,51 +204,51 @@ static bool meet_all_groups(knot_sheet *s)
 }
 
 /* Long edges, with all that have boxes and then with each other. */
-static bool meet_long(knot_sheet *s, uint32_t k)
+static bool intersect_long_edge(knot_projected_edges *s, uint32_t k)
 {
     uint32_t i = s->longs[k], box = s->spare;
-    vbss_knot_sheet_box(s, i, box);
+    vbss_knot_projected_edges_set_box(s, i, box);
     for (uint32_t group = 0; group < s->groups; group++) {
-        if (!meet_group(s, i, box, group, 15u)) {
+        if (!intersect_with_group(s, i, box, group, 15u)) {
             return false;
         }
     }
-    for (uint32_t l = 0; l < k && s->diagram == KNOT_DIAGRAM_PLAIN; l++) {
+    for (uint32_t l = 0; l < k && s->diagram == KNOT_DIAGRAM_REGULAR; l++) {
         uint32_t j = s->longs[l];
-        vbss_knot_sheet_box(s, j, box + 1);
+        vbss_knot_projected_edges_set_box(s, j, box + 1);
         if (j != after(s, i) && i != after(s, j) && boxes_meet(s, box, box + 1)) {
-            s->diagram = meet(s, i, j);
+            s->diagram = intersect_edges(s, i, j);
         }
     }
-    return s->diagram == KNOT_DIAGRAM_PLAIN;
+    return s->diagram == KNOT_DIAGRAM_REGULAR;
 }
 
 /* Neighbours need no look: where one folds back onto the other, an end of either lies on the other, and with it the
  * neighbour beyond. */
-static void meet_all(knot_sheet *s)
+static void intersect_all(knot_projected_edges *s)
 {
-    s->diagram = KNOT_DIAGRAM_PLAIN;
-    bool plain = meet_all_groups(s);
-    for (uint32_t k = 0; k < s->long_count && plain; k++) {
-        plain = meet_long(s, k);
+    s->diagram = KNOT_DIAGRAM_REGULAR;
+    bool is_regular = intersect_all_groups(s);
+    for (uint32_t k = 0; k < s->long_count && is_regular; k++) {
+        is_regular = intersect_long_edge(s, k);
     }
 }
 
 /* ---- the code */
 
 /* Passages in the order of the curve. False: two of them lie too near each other. */
-static bool list_passages(const knot_sheet *s, uint16_t *order)
+static bool list_passages(const knot_projected_edges *s, uint16_t *order)
 {
-    const knot_code *code = s->code;
+    const knot_gauss_code *code = s->code;
     uint32_t k = 0;
     for (uint32_t edge = 0; edge < s->count; edge++) {
         double last = -1.0;
-        for (uint32_t entry = s->heads[edge]; entry != SHEET_NO_ENTRY;
+        for (uint32_t entry = s->heads[edge]; entry != KNOT_NO_ENTRY;
              entry = code->scratch[entry]) {
-            if (!(code->at[entry] - last > NEAR_PLACE)) {
+            if (!(code->position[entry] - last > NEAR_PLACE)) {
                 return false;
             }
-            last = code->at[entry];
+            last = code->position[entry];
             order[k++] = (uint16_t)entry;
         }
     }
@@ -259,7 +259,7 @@ static bool list_passages(const knot_sheet *s, uint16_t *order)
 static void permute(double *at, uint16_t *order, uint32_t count)
 {
     for (uint32_t first = 0; first < count; first++) {
-        double kept = at[first];
+        double saved = at[first];
         uint32_t to = first;
         while (order[to] != first) {
             uint32_t from = order[to];
@@ -267,48 +267,48 @@ static void permute(double *at, uint16_t *order, uint32_t count)
             order[to] = (uint16_t)to;
             to = from;
         }
-        at[to] = kept;
+        at[to] = saved;
         order[to] = (uint16_t)to;
     }
 }
 
 /* Entries as found, 2 of a crossing, that over it first, are put in the order of the curve. */
-static void order_code(knot_code *code, uint16_t *order)
+static void order_code(knot_gauss_code *code, uint16_t *order)
 {
     uint16_t *number = code->scratch, *sign = code->scratch + code->n;
     for (uint32_t c = 0; c < code->n; c++) {
-        number[c] = SHEET_NO_ENTRY;
+        number[c] = KNOT_NO_ENTRY;
         sign[c] = code->sign[c] > 0;
     }
     uint32_t visited = 0;
     for (uint32_t k = 0; k < 2 * code->n; k++) {
         uint32_t found = order[k] / 2u;
-        if (number[found] == SHEET_NO_ENTRY) {
+        if (number[found] == KNOT_NO_ENTRY) {
             code->sign[visited] = sign[found] != 0 ? 1 : -1;
             number[found] = (uint16_t)visited++;
         }
         code->crossing[k] = number[found];
         code->over[k] = order[k] % 2u == 0;
     }
-    permute(code->at, order, 2 * code->n);
+    permute(code->position, order, 2 * code->n);
 }
 
-knot_diagram vbss_knot_project(knot_projector *p, const knot_polygon *polygon, vec3 direction,
-                               knot_code *code, knot_work *work)
+knot_diagram_status vbss_knot_project(knot_projector *p, const knot_polygon *polygon,
+                                      vec3 direction, knot_gauss_code *code, knot_ops *budget)
 {
-    knot_sheet s;
+    knot_projected_edges s;
     uint16_t *order = code->scratch + 2 * (size_t)code->capacity;
     code->n = 0;
-    *work -= 12 * (knot_work)polygon->count;
-    if (!vbss_knot_sheet_lay(&s, p, polygon, direction, code)) {
+    *budget -= 12 * (knot_ops)polygon->count;
+    if (!vbss_knot_projected_edges_init(&s, p, polygon, direction, code)) {
         return KNOT_DIAGRAM_DEGENERATE;
     }
-    meet_all(&s);
-    *work -= 3 * s.looked_at + 33 * (knot_work)code->n;
-    if (s.diagram == KNOT_DIAGRAM_PLAIN && list_passages(&s, order)) {
+    intersect_all(&s);
+    *budget -= 3 * s.groups_tested + 33 * (knot_ops)code->n;
+    if (s.diagram == KNOT_DIAGRAM_REGULAR && list_passages(&s, order)) {
         order_code(code, order);
-        if (vbss_knot_code_is_planar(code)) {
-            return KNOT_DIAGRAM_PLAIN;
+        if (vbss_knot_gauss_code_is_planar(code)) {
+            return KNOT_DIAGRAM_REGULAR;
         }
     }
     code->n = 0;

@@ -10,24 +10,24 @@
 
 #define NONE UINT32_MAX
 /* Work in about nanoseconds, as measured. */
-enum { WORK_SKIP = 2, WORK_VISIT = 55, WORK_EDGE = 12, WORK_REMOVE = 15, WORK_CLOSE_UP = 5 };
+enum { OPS_SKIP = 2, OPS_VISIT = 55, OPS_EDGE = 12, OPS_REMOVE = 15, OPS_COMPACT = 5 };
 
 /* ---- what it has: a slot an obstacle, then a slot a vertex, which is that of the edge after it as well */
 
-static uint32_t groups_of(uint32_t slots)
+static uint32_t groups_of(uint32_t entries)
 {
-    return (slots + BOX_LANES - 1) / BOX_LANES;
+    return (entries + KNOT_BOX_LANES - 1) / KNOT_BOX_LANES;
 }
 
 void vbss_knot_reduction_arrays(knot_reduction *r, uint32_t capacity,
                                 vbss_array arrays[KNOT_REDUCTION_ARRAYS])
 {
-    uint32_t groups = groups_of(capacity), slots = groups * BOX_LANES;
+    uint32_t groups = groups_of(capacity), entries = groups * KNOT_BOX_LANES;
     vbss_array wanted[KNOT_REDUCTION_ARRAYS] = {
-        {&r->boxes, ((size_t)groups + groups_of(groups)) * BOX_GROUP + 4 * (size_t)slots,
+        {&r->boxes, ((size_t)groups + groups_of(groups)) * KNOT_BOX_GROUP + 4 * (size_t)entries,
          sizeof(int16_t)},
-        {&r->blockers, 2 * (size_t)slots, sizeof(uint32_t)},
-        {&r->links, 3 * (size_t)slots, sizeof(uint32_t)}};
+        {&r->blockers, 2 * (size_t)entries, sizeof(uint32_t)},
+        {&r->links, 3 * (size_t)entries, sizeof(uint32_t)}};
     r->capacity = capacity;
     for (int i = 0; i < KNOT_REDUCTION_ARRAYS; i++) {
         arrays[i] = wanted[i];
@@ -38,51 +38,51 @@ void vbss_knot_reduction_arrays(knot_reduction *r, uint32_t capacity,
 typedef struct parts {
     uint32_t first, end; /* slots of vertices */
     uint32_t groups, supers;
-    int16_t *edges, *hulls;    /* boxes of edges, and of eight of them */
-    int16_t *corners;          /* the vertices on the grid */
-    uint32_t *blocker, *asked; /* the edge in the way of a vertex, and when that was found */
-    uint32_t *next, *before;   /* next is the vertex itself where it is gone */
-    uint32_t *born;            /* when an edge became what it is */
+    int16_t *edges, *hulls;        /* boxes of edges, and of eight of them */
+    int16_t *corners;              /* the vertices on the grid */
+    uint32_t *blocker, *tested_at; /* the edge in the way of a vertex, and when that was found */
+    uint32_t *next, *before;       /* next is the vertex itself where it is gone */
+    uint32_t *changed_at;          /* when an edge became what it is */
 } parts;
 
 static parts parts_of(const knot_reduction *r)
 {
-    uint32_t groups = groups_of(r->capacity), all = groups * BOX_LANES;
+    uint32_t groups = groups_of(r->capacity), all = groups * KNOT_BOX_LANES;
     parts p;
     p.first = r->first_edge;
     p.end = p.first + r->polygon->count;
     p.groups = groups_of(p.end);
     p.supers = groups_of(p.groups);
     p.edges = r->boxes;
-    p.hulls = p.edges + (size_t)groups * BOX_GROUP;
-    p.corners = p.hulls + (size_t)groups_of(groups) * BOX_GROUP;
+    p.hulls = p.edges + (size_t)groups * KNOT_BOX_GROUP;
+    p.corners = p.hulls + (size_t)groups_of(groups) * KNOT_BOX_GROUP;
     p.blocker = r->blockers;
-    p.asked = p.blocker + all;
+    p.tested_at = p.blocker + all;
     p.next = r->links;
     p.before = p.next + all;
-    p.born = p.before + all;
+    p.changed_at = p.before + all;
     return p;
 }
 
-static vec3 vertex(const knot_reduction *r, uint32_t slot)
+static vec3 vertex(const knot_reduction *r, uint32_t entry)
 {
-    return r->polygon->x[slot - r->first_edge];
+    return r->polygon->x[entry - r->first_edge];
 }
 
-static knot_edge edge_of(const knot_reduction *r, const parts *p, uint32_t slot)
+static knot_edge edge_of(const knot_reduction *r, const parts *p, uint32_t entry)
 {
-    if (slot < p->first) {
-        return r->obstacles[slot];
+    if (entry < p->first) {
+        return r->obstacles[entry];
     }
-    knot_edge e = {vertex(r, slot), vertex(r, p->next[slot])};
+    knot_edge e = {vertex(r, entry), vertex(r, p->next[entry])};
     return e;
 }
 
 /* ---- boxes */
 
-static box box_of(const parts *p, uint32_t begin, uint32_t end)
+static box box_of(const parts *p, uint32_t start, uint32_t end)
 {
-    return box_of_corners(p->corners + 4 * (size_t)begin, p->corners + 4 * (size_t)end);
+    return box_of_corners(p->corners + 4 * (size_t)start, p->corners + 4 * (size_t)end);
 }
 
 /* Links and boxes of all edges of the polygon, whose vertices stand side by side. */
@@ -95,14 +95,14 @@ static void link_all(knot_reduction *r)
         p.before[s] = s > p.first ? s - 1 : closed ? p.end - 1 : NONE;
         boxes_set(p.edges, s, p.next[s] == NONE ? box_empty() : box_of(&p, s, p.next[s]));
     }
-    for (uint32_t s = p.end; s < p.groups * BOX_LANES; s++) {
+    for (uint32_t s = p.end; s < p.groups * KNOT_BOX_LANES; s++) {
         boxes_set(p.edges, s, box_empty());
     }
-    for (uint32_t g = 0; g < p.supers * BOX_LANES; g++) {
+    for (uint32_t g = 0; g < p.supers * KNOT_BOX_LANES; g++) {
         boxes_set(p.hulls, g,
-                  g < p.groups ? boxes_hull(p.edges + (size_t)g * BOX_GROUP) : box_empty());
+                  g < p.groups ? boxes_hull(p.edges + (size_t)g * KNOT_BOX_GROUP) : box_empty());
     }
-    r->at = p.first;
+    r->cursor = p.first;
     r->removed_in_sweep = 0;
 }
 
@@ -112,7 +112,7 @@ static box_grid grid_of(const knot_polygon *polygon)
     vec3 low = vec3_make(DBL_MAX, DBL_MAX, DBL_MAX), high = vec3_scale(low, -1.0);
     for (uint32_t i = 0; i < polygon->count; i++) {
         vec3 x = polygon->x[i];
-        if (polygon->stays[i] == 0) {
+        if (polygon->is_fixed[i] == 0) {
             low = vec3_make(x.x < low.x ? x.x : low.x, x.y < low.y ? x.y : low.y,
                             x.z < low.z ? x.z : low.z);
             high = vec3_make(x.x > high.x ? x.x : high.x, x.y > high.y ? x.y : high.y,
@@ -133,25 +133,25 @@ void vbss_knot_reduction_begin(knot_reduction *r, knot_polygon *polygon, const k
     r->obstacles = obstacles;
     r->obstacle_count = obstacle_count;
     r->first_edge = obstacle_count;
-    r->left = polygon->count;
+    r->remaining = polygon->count;
     r->removed = 0;
-    r->now = 1;
-    r->owed = (knot_work)WORK_CLOSE_UP * ((knot_work)polygon->count + obstacle_count);
+    r->timestamp = 1;
+    r->deferred_ops = (knot_ops)OPS_COMPACT * ((knot_ops)polygon->count + obstacle_count);
 
     parts p = parts_of(r);
     box_grid grid = grid_of(polygon);
     for (uint32_t s = p.first; s < p.end; s++) {
         box_round(&grid, vertex(r, s), p.corners + 4 * (size_t)s);
         p.blocker[s] = NONE;
-        p.asked[s] = 0;
-        p.born[s] = 1;
+        p.tested_at[s] = 0;
+        p.changed_at[s] = 1;
     }
     for (uint32_t s = 0; s < p.first; s++) {
-        int16_t begin[4], end[4];
-        box_round(&grid, obstacles[s].begin, begin);
+        int16_t start[4], end[4];
+        box_round(&grid, obstacles[s].start, start);
         box_round(&grid, obstacles[s].end, end);
-        boxes_set(p.edges, s, box_of_corners(begin, end));
-        p.born[s] = 1;
+        boxes_set(p.edges, s, box_of_corners(start, end));
+        p.changed_at[s] = 1;
     }
     link_all(r);
 }
@@ -164,24 +164,24 @@ static bool same(vec3 p, vec3 q)
 }
 
 /* Nothing may end at b: there the polygon moves away. */
-static bool is_in_the_way(const knot_triangle *t, knot_edge e)
+static bool blocks(const knot_triangle *t, knot_edge e)
 {
-    return same(e.begin, t->b) || same(e.end, t->b) ||
-           !vbss_knot_triangle_misses(t, e.begin, e.end);
+    return same(e.start, t->b) || same(e.end, t->b) ||
+           !vbss_knot_triangle_misses(t, e.start, e.end);
 }
 
 /* The edges next to the two that go; `next` may be NONE. Nearly all leave its plane. */
-static bool neighbours_leave(const knot_reduction *r, const parts *p, const knot_triangle *t,
+static bool neighbours_clear(const knot_reduction *r, const parts *p, const knot_triangle *t,
                              uint32_t v, uint32_t *blocker)
 {
     uint32_t a = p->before[v], c = p->next[v], before = p->before[a], next = p->next[c];
     if (before != NONE && knot_triangle_side(t, vertex(r, before)) == 0 &&
-        is_in_the_way(t, edge_of(r, p, before))) {
+        blocks(t, edge_of(r, p, before))) {
         *blocker = before;
         return false;
     }
     if (next != NONE && knot_triangle_side(t, vertex(r, next)) == 0 &&
-        is_in_the_way(t, edge_of(r, p, c))) {
+        blocks(t, edge_of(r, p, c))) {
         *blocker = c;
         return false;
     }
@@ -189,14 +189,15 @@ static bool neighbours_leave(const knot_reduction *r, const parts *p, const knot
 }
 
 /* Of the edges from 64 super on those whose boxes meet a box: a bit each. */
-static uint64_t edges_meeting(const parts *p, uint32_t super, const box_query *query)
+static uint64_t edges_overlapping(const parts *p, uint32_t super, const box_query *query)
 {
-    uint64_t groups = boxes_meeting(p->hulls + (size_t)super * BOX_GROUP, query), edges = 0;
+    uint64_t groups = boxes_overlapping(p->hulls + (size_t)super * KNOT_BOX_GROUP, query),
+             edges = 0;
     while (groups != 0) {
-        uint32_t g = box_bit(&groups);
-        uint64_t meeting =
-            boxes_meeting(p->edges + ((size_t)super * BOX_LANES + g) * BOX_GROUP, query);
-        edges |= meeting << g * BOX_LANES;
+        uint32_t g = box_pop_bit(&groups);
+        uint64_t meeting = boxes_overlapping(
+            p->edges + ((size_t)super * KNOT_BOX_LANES + g) * KNOT_BOX_GROUP, query);
+        edges |= meeting << g * KNOT_BOX_LANES;
     }
     return edges;
 }
@@ -208,20 +209,20 @@ static uint64_t bit_of(uint32_t super, uint32_t s)
 
 /* Some edge that is in the way of v, whose triangle is t; NONE: there is none. */
 static uint32_t find_blocker(const knot_reduction *r, const parts *p, uint32_t v,
-                             const knot_triangle *t, knot_work *work)
+                             const knot_triangle *t, knot_ops *budget)
 {
     uint32_t a = p->before[v], c = p->next[v], before = p->before[a];
     box_query query = box_ask(box_hull(box_of(p, a, v), box_of(p, v, c)));
     for (uint32_t super = 0; super < p->supers; super++) {
         uint64_t edges =
-            edges_meeting(p, super, &query) &
+            edges_overlapping(p, super, &query) &
             ~(bit_of(super, v) | bit_of(super, a) | bit_of(super, c) | bit_of(super, before));
         while (edges != 0) {
-            uint32_t s = super * 64 + box_bit(&edges);
+            uint32_t s = super * 64 + box_pop_bit(&edges);
             knot_edge e = edge_of(r, p, s);
-            *work -= WORK_EDGE;
-            if (knot_triangle_side(t, e.begin) * knot_triangle_side(t, e.end) <= 0 &&
-                is_in_the_way(t, e)) {
+            *budget -= OPS_EDGE;
+            if (knot_triangle_side(t, e.start) * knot_triangle_side(t, e.end) <= 0 &&
+                blocks(t, e)) {
                 return s;
             }
         }
@@ -230,7 +231,7 @@ static uint32_t find_blocker(const knot_reduction *r, const parts *p, uint32_t v
 }
 
 /* The edge that took over from an edge that may be gone: that of the last vertex before it. */
-static uint32_t heir(const parts *p, uint32_t s)
+static uint32_t current_edge(const parts *p, uint32_t s)
 {
     while (s >= p->first && p->next[s] == s) {
         s = (s > p->first ? s : p->end) - 1;
@@ -238,7 +239,7 @@ static uint32_t heir(const parts *p, uint32_t s)
     return s;
 }
 
-static bool is_free(const knot_reduction *r, const parts *p, uint32_t v, knot_work *work)
+static bool is_free(const knot_reduction *r, const parts *p, uint32_t v, knot_ops *budget)
 {
     uint32_t before = p->before[v];
     vec3 a = vertex(r, before), b = vertex(r, v), c = vertex(r, p->next[v]);
@@ -248,21 +249,21 @@ static bool is_free(const knot_reduction *r, const parts *p, uint32_t v, knot_wo
     knot_triangle t = knot_triangle_make(a, b, c);
     uint32_t blocker = p->blocker[v];
     if (blocker != NONE) {
-        blocker = heir(p, blocker);
+        blocker = current_edge(p, blocker);
     }
     if (blocker == NONE || blocker == v || blocker == before ||
-        !is_in_the_way(&t, edge_of(r, p, blocker))) {
-        if (neighbours_leave(r, p, &t, v, &blocker)) {
-            blocker = find_blocker(r, p, v, &t, work);
+        !blocks(&t, edge_of(r, p, blocker))) {
+        if (neighbours_clear(r, p, &t, v, &blocker)) {
+            blocker = find_blocker(r, p, v, &t, budget);
         }
     }
     p->blocker[v] = blocker;
     return blocker == NONE;
 }
 
-static void take_out(knot_reduction *r, const parts *p, uint32_t v)
+static void remove_vertex(knot_reduction *r, const parts *p, uint32_t v)
 {
-    uint32_t before = p->before[v], next = p->next[v], group = before / BOX_LANES;
+    uint32_t before = p->before[v], next = p->next[v], group = before / KNOT_BOX_LANES;
     box b = box_of(p, before, next);
     boxes_set(p->edges, before, b);
     boxes_set(p->hulls, group, box_hull(boxes_get(p->hulls, group), b));
@@ -270,47 +271,48 @@ static void take_out(knot_reduction *r, const parts *p, uint32_t v)
     p->next[before] = next;
     p->before[next] = before;
     p->next[v] = v;
-    p->born[before] = p->born[v] = r->now;
-    r->left--;
+    p->changed_at[before] = p->changed_at[v] = r->timestamp;
+    r->remaining--;
     r->removed_in_sweep++;
     r->removed++;
 }
 
 /* True when v was taken out. */
-static bool look_at(knot_reduction *r, const parts *p, uint32_t v, knot_work *work)
+static bool try_remove(knot_reduction *r, const parts *p, uint32_t v, knot_ops *budget)
 {
     uint32_t before = p->before[v], next = p->next[v], blocker = p->blocker[v];
-    *work -= WORK_SKIP;
-    if (r->polygon->stays[v - p->first] != 0 || before == NONE || next == NONE ||
-        (r->polygon->closed && r->left <= 3)) {
+    *budget -= OPS_SKIP;
+    if (r->polygon->is_fixed[v - p->first] != 0 || before == NONE || next == NONE ||
+        (r->polygon->closed && r->remaining <= 3)) {
         return false;
     }
-    uint32_t asked = p->asked[v];
-    if (blocker != NONE && p->born[blocker] < asked && p->born[before] < asked &&
-        p->born[v] < asked) {
+    uint32_t tested_at = p->tested_at[v];
+    if (blocker != NONE && p->changed_at[blocker] < tested_at &&
+        p->changed_at[before] < tested_at && p->changed_at[v] < tested_at) {
         return false;
     }
-    *work -= WORK_VISIT;
-    p->asked[v] = ++r->now;
-    if (!is_free(r, p, v, work)) {
+    *budget -= OPS_VISIT;
+    p->tested_at[v] = ++r->timestamp;
+    if (!is_free(r, p, v, budget)) {
         return false;
     }
-    *work -= WORK_REMOVE;
-    r->now++;
-    take_out(r, p, v);
+    *budget -= OPS_REMOVE;
+    r->timestamp++;
+    remove_vertex(r, p, v);
     return true;
 }
 
 /* ---- sweeps */
 
-static void close_up(knot_reduction *r)
+static void compact(knot_reduction *r)
 {
     parts p = parts_of(r);
     knot_polygon *polygon = r->polygon;
-    uint32_t to = p.first + r->left; /* after the last: what was before the first is its heir's */
-    for (uint32_t s = p.first, kept = 0; s < p.end; s++) {
-        kept += p.next[s] != s;
-        p.before[s] = kept > 0 ? p.first + kept - 1 : to - 1;
+    uint32_t to =
+        p.first + r->remaining; /* after the last: what was before the first is its heir's */
+    for (uint32_t s = p.first, remaining = 0; s < p.end; s++) {
+        remaining += p.next[s] != s;
+        p.before[s] = remaining > 0 ? p.first + remaining - 1 : to - 1;
     }
     for (uint32_t s = p.first; s < p.end; s++) {
         if (p.next[s] == s) {
@@ -319,35 +321,35 @@ static void close_up(knot_reduction *r)
         uint32_t d = p.before[s], i = s - p.first, j = d - p.first, blocker = p.blocker[s];
         polygon->x[j] = polygon->x[i];
         polygon->place[j] = polygon->place[i];
-        polygon->stays[j] = polygon->stays[i];
+        polygon->is_fixed[j] = polygon->is_fixed[i];
         for (size_t k = 0; k < 4; k++) {
             p.corners[4 * (size_t)d + k] = p.corners[4 * (size_t)s + k];
         }
         p.blocker[d] = blocker != NONE && blocker >= p.first ? p.before[blocker] : blocker;
-        p.asked[d] = p.asked[s];
-        p.born[d] = p.born[s];
+        p.tested_at[d] = p.tested_at[s];
+        p.changed_at[d] = p.changed_at[s];
     }
-    polygon->count = r->left;
+    polygon->count = r->remaining;
     link_all(r);
 }
 
-bool vbss_knot_reduction_go_on(knot_reduction *r, knot_work *work)
+bool vbss_knot_reduction_resume(knot_reduction *r, knot_ops *budget)
 {
     parts p = parts_of(r);
-    *work -= r->owed;
-    r->owed = 0;
-    while (*work > 0) {
-        if (r->at >= p.end) {
+    *budget -= r->deferred_ops;
+    r->deferred_ops = 0;
+    while (*budget > 0) {
+        if (r->cursor >= p.end) {
             if (r->removed_in_sweep == 0) {
-                *work -= 1;
+                *budget -= 1;
                 return true;
             }
-            *work -= (knot_work)WORK_CLOSE_UP * r->polygon->count + 1;
-            close_up(r);
+            *budget -= (knot_ops)OPS_COMPACT * r->polygon->count + 1;
+            compact(r);
             p = parts_of(r);
         } else {
             /* The one after it waits for the next sweep: triangles stay small, and meet little. */
-            r->at += look_at(r, &p, r->at, work) ? 2 : 1;
+            r->cursor += try_remove(r, &p, r->cursor, budget) ? 2 : 1;
         }
     }
     return false;

@@ -19,20 +19,20 @@
 
 /* J. R. Bunch and L. Kaufman, "Some stable methods for calculating inertia and solving symmetric linear
  * systems", Mathematics of Computation 31 (1977): (1 + sqrt 17) / 8. */
-#define PIVOT_SHARE 0.6403882032022076
+#define BUNCH_KAUFMAN_ALPHA 0.6403882032022076
 /* Rows times the rounding of as many updates, a hundred roundings each, of numbers up to LARGEST_ENTRY. */
 #define SHIFT_BY_SQUARE_OF_ROWS 1e-11
 #define LARGEST_ENTRY 1e3
 
 typedef struct form {
     uint32_t size;
-    double *a;                          /* size x size, both halves */
-    double *first, *second;             /* columns of pivots, at the rows listed */
-    double *first_share, *second_share; /* how much of them is taken off, at the rows listed */
-    uint32_t *row;                      /* of each face; `size` when it is left out */
-    uint32_t *degree;                   /* other entries of each row that are not zero */
-    uint32_t *active, active_count;     /* rows that are left */
-    uint32_t *list, list_count;         /* of these where a pivot's column is not zero */
+    double *a;                            /* size x size, both halves */
+    double *first, *second;               /* columns of pivots, at the rows listed */
+    double *first_factor, *second_factor; /* how much of them is taken off, at the rows listed */
+    uint32_t *row;                        /* of each face; `size` when it is left out */
+    uint32_t *degree;                     /* other entries of each row that are not zero */
+    uint32_t *active, active_count;       /* rows that are left */
+    uint32_t *list, list_count;           /* of these where a pivot's column is not zero */
     double largest;
     uint64_t steps;
 } form;
@@ -45,8 +45,8 @@ static form form_in(const knot_algebra *algebra, uint32_t n)
                   .a = algebra->real,
                   .first = behind,
                   .second = behind + n,
-                  .first_share = behind + 2 * (size_t)n,
-                  .second_share = behind + 3 * (size_t)n,
+                  .first_factor = behind + 2 * (size_t)n,
+                  .second_factor = behind + 3 * (size_t)n,
                   .row = index,
                   .degree = index + (n + 2),
                   .active = index + 2 * ((size_t)n + 2),
@@ -58,28 +58,29 @@ static form form_in(const knot_algebra *algebra, uint32_t n)
 /* The face with most corners, and of those beside it the one with most, are left out. */
 static void number_rows(form *f, const uint32_t *corners)
 {
-    uint32_t faces = f->size + 2, corner_count = KNOT_CORNERS * f->size, most = 0, beside = faces;
+    uint32_t faces = f->size + 2, corner_count = KNOT_CORNERS * f->size, largest_face = 0,
+             beside = faces;
     uint32_t *degree = f->degree;
     memset(degree, 0, faces * sizeof *degree);
     for (uint32_t i = 0; i < corner_count; i++) {
         degree[corners[i]]++;
     }
     for (uint32_t i = 1; i < faces; i++) {
-        most = degree[i] > degree[most] ? i : most;
+        largest_face = degree[i] > degree[largest_face] ? i : largest_face;
     }
     for (uint32_t i = 0; i < corner_count; i++) {
         uint32_t next =
             corners[i % KNOT_CORNERS == KNOT_CORNERS - 1 ? i + 1 - KNOT_CORNERS : i + 1];
-        uint32_t other = corners[i] == most ? next : corners[i];
-        if ((corners[i] == most || next == most) &&
+        uint32_t other = corners[i] == largest_face ? next : corners[i];
+        if ((corners[i] == largest_face || next == largest_face) &&
             (beside == faces || degree[other] > degree[beside])) {
             beside = other;
         }
     }
     for (uint32_t i = 0, row = 0; i < faces; i++) {
-        bool stays = i != most && i != beside;
-        f->row[i] = stays ? row : f->size;
-        row += stays ? 1 : 0;
+        bool is_included = i != largest_face && i != beside;
+        f->row[i] = is_included ? row : f->size;
+        row += is_included ? 1 : 0;
     }
 }
 
@@ -92,7 +93,8 @@ static void add_to(form *f, uint32_t i, uint32_t j, double value)
     }
 }
 
-static void fill(form *f, const knot_code *code, const uint32_t *corners, double x, double shift)
+static void fill(form *f, const knot_gauss_code *code, const uint32_t *corners, double x,
+                 double shift)
 {
     const double own = 2.0 * x * x - 1.0;
     const double block[KNOT_CORNERS][KNOT_CORNERS] = {
@@ -119,7 +121,7 @@ static void fill(form *f, const knot_code *code, const uint32_t *corners, double
 
 /* ---- pivots: L D L^T in an order that fills in little */
 
-static void retire(form *f, uint32_t row)
+static void deactivate(form *f, uint32_t row)
 {
     uint32_t i = 0;
     while (f->active[i] != row) {
@@ -159,22 +161,22 @@ static double at(const form *f, uint32_t i, uint32_t j)
 }
 
 /* Takes the pivots' part off all that is listed. */
-static void take_off(form *f, bool both)
+static void subtract_pivots(form *f, bool both)
 {
     size_t size = f->size;
     double largest = f->largest;
     for (uint32_t p = 0; p < f->list_count; p++) {
         uint32_t i = f->list[p], filled = 0;
-        double *row = f->a + i * size, share = f->first_share[p];
-        double second_share = both ? f->second_share[p] : 0.0;
+        double *row = f->a + i * size, factor = f->first_factor[p];
+        double second_factor = both ? f->second_factor[p] : 0.0;
         for (uint32_t q = 0; q <= p; q++) {
             uint32_t j = f->list[q];
-            double old = row[j], part = share * f->first[q];
-            part += both ? second_share * f->second[q] : 0.0;
-            double value = old - part;
+            double old = row[j], update = factor * f->first[q];
+            update += both ? second_factor * f->second[q] : 0.0;
+            double value = old - update;
             row[j] = value;
             f->a[j * size + i] = value;
-            largest = greater(largest, fabs(value));
+            largest = vbss_max(largest, fabs(value));
             if (old == 0.0 && q < p) {
                 f->degree[j]++;
                 filled++;
@@ -192,18 +194,18 @@ static int eliminate_one(form *f, uint32_t k)
 {
     const double *row = f->a + (size_t)k * f->size;
     double pivot = row[k];
-    retire(f, k);
+    deactivate(f, k);
     f->list_count = 0;
     for (uint32_t i = 0; i < f->active_count; i++) {
         uint32_t j = f->active[i];
         if (row[j] != 0.0) {
             f->degree[j]--;
             f->first[f->list_count] = row[j];
-            f->first_share[f->list_count] = row[j] / pivot;
+            f->first_factor[f->list_count] = row[j] / pivot;
             f->list[f->list_count++] = j;
         }
     }
-    take_off(f, false);
+    subtract_pivots(f, false);
     return (pivot > 0.0) - (pivot < 0.0);
 }
 
@@ -213,8 +215,8 @@ static void eliminate_two(form *f, uint32_t k, uint32_t r)
     const double *row_k = f->a + (size_t)k * f->size, *row_r = f->a + (size_t)r * f->size;
     double beside = row_k[r], d_k = row_k[k] / beside, d_r = row_r[r] / beside;
     double scale = 1.0 / (beside * (d_k * d_r - 1.0));
-    retire(f, k);
-    retire(f, r);
+    deactivate(f, k);
+    deactivate(f, r);
     f->list_count = 0;
     for (uint32_t i = 0; i < f->active_count; i++) {
         uint32_t j = f->active[i];
@@ -223,12 +225,12 @@ static void eliminate_two(form *f, uint32_t k, uint32_t r)
             f->degree[j] -= (a != 0.0 ? 1u : 0u) + (b != 0.0 ? 1u : 0u);
             f->first[f->list_count] = a;
             f->second[f->list_count] = b;
-            f->first_share[f->list_count] = (d_r * a - b) * scale;
-            f->second_share[f->list_count] = (d_k * b - a) * scale;
+            f->first_factor[f->list_count] = (d_r * a - b) * scale;
+            f->second_factor[f->list_count] = (d_k * b - a) * scale;
             f->list[f->list_count++] = j;
         }
     }
-    take_off(f, true);
+    subtract_pivots(f, true);
 }
 
 /* Counts positive and negative eigenvalues; overwrites the matrix. False when it is singular, or entries have
@@ -240,11 +242,11 @@ static bool count_signs(form *f, uint32_t *positive, uint32_t *negative)
     while (f->active_count > 0) {
         uint32_t k = sparsest(f), r = k;
         double beside = largest_beside(f, k, &r), own = fabs(at(f, k, k));
-        if (own < PIVOT_SHARE * beside) {
+        if (own < BUNCH_KAUFMAN_ALPHA * beside) {
             uint32_t s = r;
             double beside_r = largest_beside(f, r, &s), own_r = fabs(at(f, r, r));
-            if (own * beside_r < PIVOT_SHARE * beside * beside) {
-                if (own_r < PIVOT_SHARE * beside_r) {
+            if (own * beside_r < BUNCH_KAUFMAN_ALPHA * beside * beside) {
+                if (own_r < BUNCH_KAUFMAN_ALPHA * beside_r) {
                     eliminate_two(f, k, r);
                     ++*positive;
                     ++*negative;
@@ -262,13 +264,13 @@ static bool count_signs(form *f, uint32_t *positive, uint32_t *negative)
     return f->largest <= LARGEST_ENTRY;
 }
 
-bool vbss_knot_signature(knot_algebra *algebra, const knot_code *code, uint32_t x_1000,
-                         int32_t *signature, knot_work *work)
+bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uint32_t x_1000,
+                         int32_t *signature, knot_ops *budget)
 {
     uint32_t n = code->n, positive = 0, negative = 0, rest = 0;
     knot_faces faces;
     *signature = 0;
-    *work -= 200;
+    *budget -= 200;
     if (n == 0) {
         return true;
     }
@@ -279,14 +281,14 @@ bool vbss_knot_signature(knot_algebra *algebra, const knot_code *code, uint32_t 
     form f = form_in(algebra, n);
     number_rows(&f, algebra->index);
     fill(&f, code, algebra->index, x, -shift);
-    bool sure = count_signs(&f, &positive, &rest);
+    bool is_certain = count_signs(&f, &positive, &rest);
     fill(&f, code, algebra->index, x, shift);
-    sure = count_signs(&f, &rest, &negative) && sure && positive + negative == n;
-    *work -= (knot_work)(f.steps + 40 * (uint64_t)n + (uint64_t)n * n / 2);
+    is_certain = count_signs(&f, &rest, &negative) && is_certain && positive + negative == n;
+    *budget -= (knot_ops)(f.steps + 40 * (uint64_t)n + (uint64_t)n * n / 2);
     int32_t twice = (int32_t)positive - (int32_t)negative;
     for (uint32_t c = 0; c < n; c++) {
         twice -= code->sign[c];
     }
     *signature = twice / 2;
-    return sure && twice % 4 == 0; /* that of a knot is even */
+    return is_certain && twice % 4 == 0; /* that of a knot is even */
 }

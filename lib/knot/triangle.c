@@ -14,38 +14,38 @@ static bool same(vec3 p, vec3 q)
 
 /* ---- values with a bound of their error */
 
-typedef struct near_value {
+typedef struct error_interval {
     double low, high;
-} near_value;
+} error_interval;
 
-static near_value near_make(double value, double size)
+static error_interval error_interval_make(double value, double size)
 {
     double error = KNOT_CLEARANCE * size + KNOT_UNDERFLOW;
-    near_value r = {value - error, value + error};
+    error_interval r = {value - error, value + error};
     return r;
 }
 
 /* (t - s) x (x - s) */
-static near_value turn(const double s[2], const double t[2], const double x[2])
+static error_interval orient2d(const double s[2], const double t[2], const double x[2])
 {
     double u = t[0] - s[0], v = t[1] - s[1], p = x[0] - s[0], q = x[1] - s[1];
-    return near_make(u * q - v * p, (fabs(u) + fabs(v)) * (fabs(p) + fabs(q)));
+    return error_interval_make(u * q - v * p, (fabs(u) + fabs(v)) * (fabs(p) + fabs(q)));
 }
 
 /* (t - s) . (x - s) */
-static near_value along(vec3 s, vec3 t, vec3 x)
+static error_interval dot(vec3 s, vec3 t, vec3 x)
 {
     double i = (t.x - s.x) * (x.x - s.x), j = (t.y - s.y) * (x.y - s.y),
            k = (t.z - s.z) * (x.z - s.z);
-    return near_make(i + j + k, fabs(i) + fabs(j) + fabs(k));
+    return error_interval_make(i + j + k, fabs(i) + fabs(j) + fabs(k));
 }
 
-static bool certainly_apart(near_value v, near_value w)
+static bool certainly_apart(error_interval v, error_interval w)
 {
     return (v.low > 0.0 && w.high < 0.0) || (v.high < 0.0 && w.low > 0.0);
 }
 
-static bool certainly_alike(near_value v, near_value w)
+static bool certainly_alike(error_interval v, error_interval w)
 {
     return (v.low > 0.0 && w.low > 0.0) || (v.high < 0.0 && w.high < 0.0);
 }
@@ -68,13 +68,13 @@ static bool leaves_along(double s, double t, double u, double q)
 static bool leaves_in_view(const double s[2], const double t[2], const double u[2],
                            const double q[2])
 {
-    near_value tu = turn(s, t, u), tq = turn(s, t, q);
+    error_interval tu = orient2d(s, t, u), tq = orient2d(s, t, q);
     if (certainly_apart(tu, tq)) {
         return true;
     }
-    near_value uq = turn(s, u, q);
+    error_interval uq = orient2d(s, u, q);
     /* t is where u is not, as seen from s; and q sees both on one side if they see it on different ones. */
-    near_value ut = {-tu.high, -tu.low};
+    error_interval ut = {-tu.high, -tu.low};
     return certainly_apart(ut, uq) || certainly_alike(tq, uq);
 }
 
@@ -90,11 +90,11 @@ static bool leaves(vec3 s, vec3 t, vec3 u, vec3 q)
             return true;
         }
     }
-    near_value qt = along(s, q, t), qu = along(s, q, u);
+    error_interval qt = dot(s, q, t), qu = dot(s, q, u);
     if (qt.high < 0.0 && qu.high < 0.0) {
         return true;
     }
-    near_value tu = along(s, t, u);
+    error_interval tu = dot(s, t, u);
     return tu.low > 0.0 && (qt.high < 0.0 || qu.high < 0.0);
 }
 
@@ -111,10 +111,10 @@ static bool misses_from_corner(const knot_triangle *triangle, vec3 s, vec3 t, ve
 /* ---- a segment that shares no corner */
 
 /* Whether the line through a and b has all of the segment on one side of the triangle. */
-static bool line_parts(const double a[2], const double b[2], const double c[2], const double p[2],
-                       const double q[2])
+static bool line_separates(const double a[2], const double b[2], const double c[2],
+                           const double p[2], const double q[2])
 {
-    near_value vc = turn(a, b, c), vp = turn(a, b, p), vq = turn(a, b, q);
+    error_interval vc = orient2d(a, b, c), vp = orient2d(a, b, p), vq = orient2d(a, b, q);
     return (vp.low > 0.0 && vq.low > 0.0 && vp.low > vc.high && vq.low > vc.high) ||
            (vp.high < 0.0 && vq.high < 0.0 && vp.high < vc.low && vq.high < vc.low);
 }
@@ -122,9 +122,10 @@ static bool line_parts(const double a[2], const double b[2], const double c[2], 
 static bool apart_in_view(const double a[2], const double b[2], const double c[2],
                           const double p[2], const double q[2])
 {
-    near_value va = turn(p, q, a), vb = turn(p, q, b);
-    return (certainly_alike(va, vb) && certainly_alike(va, turn(p, q, c))) ||
-           line_parts(a, b, c, p, q) || line_parts(b, c, a, p, q) || line_parts(c, a, b, p, q);
+    error_interval va = orient2d(p, q, a), vb = orient2d(p, q, b);
+    return (certainly_alike(va, vb) && certainly_alike(va, orient2d(p, q, c))) ||
+           line_separates(a, b, c, p, q) || line_separates(b, c, a, p, q) ||
+           line_separates(c, a, b, p, q);
 }
 
 static bool apart_in_some_view(const knot_triangle *t, vec3 p, vec3 q)
@@ -145,9 +146,9 @@ static bool apart_in_some_view(const knot_triangle *t, vec3 p, vec3 q)
 
 static bool apart_along(double a, double b, double c, double p, double q)
 {
-    double low = lesser(a, lesser(b, c)), high = greater(a, greater(b, c));
-    double first = lesser(p, q), last = greater(p, q);
-    double clear = KNOT_CLEARANCE * (greater(high, last) - lesser(low, first));
+    double low = vbss_min(a, vbss_min(b, c)), high = vbss_max(a, vbss_max(b, c));
+    double first = vbss_min(p, q), last = vbss_max(p, q);
+    double clear = KNOT_CLEARANCE * (vbss_max(high, last) - vbss_min(low, first));
     return last < low - clear || first > high + clear;
 }
 
@@ -199,7 +200,7 @@ bool vbss_knot_triangle_misses(const knot_triangle *t, vec3 p, vec3 q)
             apart_along(t->a.z, t->b.z, t->c.z, p.z, q.z) || apart_in_some_view(t, p, q));
 }
 
-bool vbss_knot_misses(vec3 a, vec3 b, vec3 c, vec3 p, vec3 q)
+bool vbss_knot_segment_misses_triangle(vec3 a, vec3 b, vec3 c, vec3 p, vec3 q)
 {
     knot_triangle t = knot_triangle_make(a, b, c);
     return vbss_knot_triangle_misses(&t, p, q);

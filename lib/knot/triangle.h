@@ -55,7 +55,7 @@ static inline int knot_triangle_side(const knot_triangle *t, vec3 p)
     return clear_side(&t->plane, vec3_sub(p, t->a));
 }
 
-/* vbss_knot_misses of that triangle. */
+/* vbss_knot_segment_misses_triangle of that triangle. */
 bool vbss_knot_triangle_misses(const knot_triangle *t, vec3 p, vec3 q);
 
 #endif

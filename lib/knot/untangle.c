@@ -8,39 +8,39 @@
 enum { NONE = 0xffff, GONE = 0xfffe };
 
 /* Side 2 e is the left of the arc from entry e to the next, side 2 e + 1 its right. */
-typedef struct knot_pick_up {
-    const knot_code *from; /* a copy of the code, which is written anew if that helps */
+typedef struct knot_pass_move {
+    const knot_gauss_code *from; /* a copy of the code, which is written anew if that helps */
     uint32_t entries, faces;
     uint16_t *mate, *face; /* of each entry; of each side */
     uint16_t *root;        /* of each face: the first of those that are one without the strand */
     uint16_t *distance;    /* of each face: strands between it and where the strand begins */
-    uint16_t *way;         /* of each face: the side from which it was reached */
+    uint16_t *parent_side; /* of each face: the side from which it was reached */
     uint32_t first, count; /* the strand's entries */
-} knot_pick_up;
+} knot_pass_move;
 
-static uint32_t after(const knot_pick_up *p, uint32_t entry)
+static uint32_t after(const knot_pass_move *p, uint32_t entry)
 {
     return entry + 1 == p->entries ? 0 : entry + 1;
 }
 
-static uint32_t before(const knot_pick_up *p, uint32_t entry)
+static uint32_t before(const knot_pass_move *p, uint32_t entry)
 {
     return (entry == 0 ? p->entries : entry) - 1;
 }
 
-static uint32_t left_of(const knot_pick_up *p, uint32_t arc)
+static uint32_t left_of(const knot_pass_move *p, uint32_t arc)
 {
     return p->face[2 * (size_t)arc];
 }
 
-static uint32_t right_of(const knot_pick_up *p, uint32_t arc)
+static uint32_t right_of(const knot_pass_move *p, uint32_t arc)
 {
     return p->face[2 * (size_t)arc + 1];
 }
 
 /* ---- faces */
 
-static void find_mates(knot_pick_up *p)
+static void find_mates(knot_pass_move *p)
 {
     uint16_t *first = p->root;
     for (uint32_t c = 0; c < p->from->n; c++) {
@@ -58,7 +58,7 @@ static void find_mates(knot_pick_up *p)
 }
 
 /* Where a walk with the face on the left turns at the end of a side. */
-static uint32_t next_side(const knot_pick_up *p, uint32_t side)
+static uint32_t next_side(const knot_pass_move *p, uint32_t side)
 {
     bool along = side % 2 == 0;
     uint32_t here = along ? after(p, side / 2) : side / 2, mate = p->mate[here];
@@ -66,16 +66,16 @@ static uint32_t next_side(const knot_pick_up *p, uint32_t side)
     return leftward == along ? 2 * mate : 2 * before(p, mate) + 1;
 }
 
-static void find_faces(knot_pick_up *p)
+static void find_faces(knot_pass_move *p)
 {
     find_mates(p);
     for (uint32_t side = 0; side < 2 * p->entries; side++) {
         p->face[side] = NONE;
     }
     p->faces = 0;
-    for (uint32_t begin = 0; begin < 2 * p->entries; begin++) {
-        if (p->face[begin] == NONE) {
-            for (uint32_t side = begin; p->face[side] == NONE; side = next_side(p, side)) {
+    for (uint32_t first_side = 0; first_side < 2 * p->entries; first_side++) {
+        if (p->face[first_side] == NONE) {
+            for (uint32_t side = first_side; p->face[side] == NONE; side = next_side(p, side)) {
                 p->face[side] = (uint16_t)p->faces;
             }
             p->faces++;
@@ -85,7 +85,7 @@ static void find_faces(knot_pick_up *p)
 
 /* ---- the shortest way */
 
-static uint32_t root_of(const knot_pick_up *p, uint32_t face)
+static uint32_t root_of(const knot_pass_move *p, uint32_t face)
 {
     while (p->root[face] != face) {
         face = p->root[face];
@@ -94,7 +94,7 @@ static uint32_t root_of(const knot_pick_up *p, uint32_t face)
 }
 
 /* Without the strand the faces on both sides of its arcs are one. */
-static void take_out_strand(knot_pick_up *p)
+static void merge_faces_along_strand(knot_pass_move *p)
 {
     for (uint32_t f = 0; f < p->faces; f++) {
         p->root[f] = (uint16_t)f;
@@ -110,31 +110,31 @@ static void take_out_strand(knot_pick_up *p)
     }
 }
 
-static bool reach(knot_pick_up *p, uint32_t side, uint32_t distance)
+static bool visit_neighbour(knot_pass_move *p, uint32_t side, uint32_t distance)
 {
     uint32_t here = p->root[p->face[side]], there = p->root[p->face[side ^ 1u]];
     if (p->distance[here] != distance || p->distance[there] != NONE) {
         return false;
     }
     p->distance[there] = (uint16_t)(distance + 1);
-    p->way[there] = (uint16_t)side;
+    p->parent_side[there] = (uint16_t)side;
     return true;
 }
 
 /* How many strands the way crosses; `count` when none is shorter. */
-static uint32_t find_way(knot_pick_up *p, knot_work *work)
+static uint32_t find_shortest_path(knot_pass_move *p, knot_ops *budget)
 {
-    uint32_t begin = before(p, p->first), behind = (p->first + p->count) % p->entries;
+    uint32_t first_arc = before(p, p->first), behind = (p->first + p->count) % p->entries;
     uint32_t end = p->root[left_of(p, before(p, behind))];
-    p->distance[p->root[left_of(p, begin)]] = 0;
+    p->distance[p->root[left_of(p, first_arc)]] = 0;
     bool reached = true;
     for (uint32_t d = 0; p->distance[end] == NONE && reached && d + 1 < p->count; d++) {
         reached = false;
         /* All arcs but those of the strand. */
-        for (uint32_t arc = behind; arc != begin; arc = after(p, arc)) {
-            reached |= reach(p, 2 * arc, d) || reach(p, 2 * arc + 1, d);
+        for (uint32_t arc = behind; arc != first_arc; arc = after(p, arc)) {
+            reached |= visit_neighbour(p, 2 * arc, d) || visit_neighbour(p, 2 * arc + 1, d);
         }
-        *work -= 3 * (knot_work)p->entries;
+        *budget -= 3 * (knot_ops)p->entries;
     }
     return p->distance[end] < p->count ? p->distance[end] : p->count;
 }
@@ -142,8 +142,8 @@ static uint32_t find_way(knot_pick_up *p, knot_work *work)
 /* ---- the code with the strand there */
 
 typedef struct knot_writer {
-    const knot_pick_up *p;
-    knot_code *to;
+    const knot_pass_move *p;
+    knot_gauss_code *to;
     uint16_t *number;  /* of each old crossing, then of each new one: its number in the new code */
     uint16_t *crossed; /* of each arc: 1 + the new crossing on it, or 0 */
     uint16_t *sides;   /* of each new crossing: the side from which the strand comes to the other */
@@ -152,66 +152,67 @@ typedef struct knot_writer {
 
 static void write_entry(knot_writer *w, uint32_t crossing, int8_t sign, bool over, double at)
 {
-    knot_code *to = w->to;
+    knot_gauss_code *to = w->to;
     if (w->number[crossing] == NONE) {
         to->sign[w->visited] = sign;
         w->number[crossing] = (uint16_t)w->visited++;
     }
     to->crossing[w->length] = w->number[crossing];
     to->over[w->length] = over;
-    to->at[w->length++] = at;
+    to->position[w->length++] = at;
 }
 
 /* Passage i of the strand, or of what it crosses there. */
 static void write_new(knot_writer *w, uint32_t i, bool of_strand, double at)
 {
-    const knot_code *from = w->p->from;
+    const knot_gauss_code *from = w->p->from;
     bool is_over = from->over[w->p->first] != 0, from_left = w->sides[i] % 2 == 0;
     write_entry(w, from->n + i, is_over == from_left ? 1 : -1, is_over == of_strand, at);
 }
 
 /* Spread over where it lay; what lay in both the curve's end and its beginning goes to where more of it was. */
-static void write_strand(knot_writer *w, uint32_t begin, uint32_t count, uint32_t crossings)
+static void write_strand(knot_writer *w, uint32_t first, uint32_t count, uint32_t crossings)
 {
-    const double *at = w->p->from->at;
-    double step = count > 1 ? (at[begin + count - 1] - at[begin]) / (crossings + 1) : 0.0;
+    const double *at = w->p->from->position;
+    double step = count > 1 ? (at[first + count - 1] - at[first]) / (crossings + 1) : 0.0;
     for (uint32_t i = 0; i < crossings; i++) {
-        write_new(w, i, true, at[begin] + (i + 1) * step);
+        write_new(w, i, true, at[first] + (i + 1) * step);
     }
 }
 
 static void write_code(knot_writer *w, uint32_t crossings)
 {
-    const knot_pick_up *p = w->p;
-    const knot_code *from = p->from;
+    const knot_pass_move *p = w->p;
+    const knot_gauss_code *from = p->from;
     uint32_t last = p->entries - 1, until_end = p->entries - p->first;
     uint32_t ahead = p->count < until_end ? p->count : until_end, rest = p->count - ahead;
-    uint32_t begin = ahead >= rest ? p->first : 0, count = ahead >= rest ? ahead : rest;
+    uint32_t first = ahead >= rest ? p->first : 0, count = ahead >= rest ? ahead : rest;
     for (uint32_t e = 0; e <= last; e++) {
         if (e == 0 && w->crossed[last] != 0) {
-            write_new(w, w->crossed[last] - 1u, false, 0.5 * from->at[0]);
+            write_new(w, w->crossed[last] - 1u, false, 0.5 * from->position[0]);
         }
-        if (e == begin) {
-            write_strand(w, begin, count, crossings);
+        if (e == first) {
+            write_strand(w, first, count, crossings);
         }
         if (w->number[from->crossing[e]] != GONE) {
             write_entry(w, from->crossing[e], from->sign[from->crossing[e]], from->over[e] != 0,
-                        from->at[e]);
+                        from->position[e]);
         }
         if (e < last && w->crossed[e] != 0) {
-            write_new(w, w->crossed[e] - 1u, false, 0.5 * (from->at[e] + from->at[e + 1]));
+            write_new(w, w->crossed[e] - 1u, false,
+                      0.5 * (from->position[e] + from->position[e + 1]));
         }
     }
 }
 
-static void lay(const knot_pick_up *p, knot_code *to, uint32_t crossings)
+static void reroute_strand(const knot_pass_move *p, knot_gauss_code *to, uint32_t crossings)
 {
-    const knot_code *from = p->from;
+    const knot_gauss_code *from = p->from;
     uint32_t behind = (p->first + p->count) % p->entries;
-    uint16_t *sides = p->way + p->faces; /* fewer than the strand had, which is at most n */
+    uint16_t *sides = p->parent_side + p->faces; /* fewer than the strand had, which is at most n */
     uint32_t face = p->root[left_of(p, before(p, behind))];
     for (uint32_t i = crossings; i-- > 0;) {
-        sides[i] = p->way[face];
+        sides[i] = p->parent_side[face];
         face = p->root[p->face[sides[i]]];
     }
     /* Faces are not needed any more. */
@@ -234,7 +235,7 @@ static void lay(const knot_pick_up *p, knot_code *to, uint32_t crossings)
 /* ---- one strand after the other */
 
 /* The strand that begins with that entry, if one does. */
-static bool find_strand(knot_pick_up *p, uint32_t first)
+static bool find_strand(knot_pass_move *p, uint32_t first)
 {
     const uint8_t *over = p->from->over;
     if (over[before(p, first)] == over[first]) {
@@ -248,17 +249,18 @@ static bool find_strand(knot_pick_up *p, uint32_t first)
     return true;
 }
 
-static bool lower(knot_code *code, knot_code *spare, uint32_t *tries, knot_work *work)
+static bool reduce_crossings(knot_gauss_code *code, knot_gauss_code *spare, uint32_t *tries,
+                             knot_ops *budget)
 {
-    vbss_knot_code_copy(spare, code);
-    knot_pick_up p = {.from = spare, .entries = 2 * code->n};
+    vbss_knot_gauss_code_copy(spare, code);
+    knot_pass_move p = {.from = spare, .entries = 2 * code->n};
     p.mate = code->crossing; /* until it is written anew, or as it was */
     p.face = code->scratch;
     p.root = spare->scratch;
     find_faces(&p);
     p.distance = p.root + p.faces;
-    p.way = p.distance + p.faces;
-    *work -= 10 * (knot_work)p.entries;
+    p.parent_side = p.distance + p.faces;
+    *budget -= 10 * (knot_ops)p.entries;
     for (uint32_t first = 0; first < p.entries; first++) {
         if (!find_strand(&p, first)) {
             continue;
@@ -267,26 +269,27 @@ static bool lower(knot_code *code, knot_code *spare, uint32_t *tries, knot_work 
             break;
         }
         --*tries;
-        *work -= 4 * (knot_work)p.faces;
-        take_out_strand(&p);
-        uint32_t crossings = find_way(&p, work);
+        *budget -= 4 * (knot_ops)p.faces;
+        merge_faces_along_strand(&p);
+        uint32_t crossings = find_shortest_path(&p, budget);
         if (crossings < p.count) {
-            lay(&p, code, crossings);
+            reroute_strand(&p, code, crossings);
             return true;
         }
     }
-    vbss_knot_code_copy(code, spare);
+    vbss_knot_gauss_code_copy(code, spare);
     return false;
 }
 
-bool vbss_knot_code_untangle(knot_code *code, knot_code *spare, uint32_t *tries, knot_work *work)
+bool vbss_knot_gauss_code_untangle(knot_gauss_code *code, knot_gauss_code *spare, uint32_t *tries,
+                                   knot_ops *budget)
 {
     if (code->n <= 2 || code->n + 2 > spare->capacity) { /* three numbers a face, and the way */
         return false;
     }
-    bool lowered = lower(code, spare, tries, work);
+    bool lowered = reduce_crossings(code, spare, tries, budget);
     if (lowered) {
-        vbss_knot_code_simplify(code, work);
+        vbss_knot_gauss_code_simplify(code, budget);
     }
     return lowered;
 }

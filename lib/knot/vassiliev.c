@@ -9,20 +9,20 @@
  * from all three of its arrows. So six times v3 is the sum of 3 for the former and 2 for the latter. */
 #include "knot/knot.h"
 
-typedef struct circle {
-    const knot_code *code;
+typedef struct gauss_diagram {
+    const knot_gauss_code *code;
     uint32_t entries;
     uint16_t *mate;  /* of each entry: the other one at its crossing */
     uint16_t *under; /* of the arrows p met so far: how far from the entry under of x theirs is */
     int16_t *sign;   /* and their signs */
-} circle;
+} gauss_diagram;
 
 typedef struct sums {
     int64_t twos, sixths; /* v2, and six times v3 */
     uint64_t steps;
 } sums;
 
-static void find_mates(circle *c)
+static void find_mates(gauss_diagram *c)
 {
     uint16_t *first = c->under;
     for (uint32_t i = 0; i < c->code->n; i++) {
@@ -40,13 +40,13 @@ static void find_mates(circle *c)
 }
 
 /* From one place of the circle on to another. */
-static uint32_t distance(const circle *c, uint32_t from, uint32_t to)
+static uint32_t distance(const gauss_diagram *c, uint32_t from, uint32_t to)
 {
     return to >= from ? to - from : to + c->entries - from;
 }
 
 /* Of the p met so far, with q over at some distance. */
-static int32_t parts_with(const circle *c, uint32_t count, uint32_t q_over)
+static int32_t subdiagram_sum(const gauss_diagram *c, uint32_t count, uint32_t q_over)
 {
     int32_t sum = 0;
     for (uint32_t i = 0; i < count; i++) {
@@ -56,14 +56,14 @@ static int32_t parts_with(const circle *c, uint32_t count, uint32_t q_over)
 }
 
 /* All parts with the arrow x whose entry under this is. */
-static void add_parts(const circle *c, uint32_t begin, sums *all)
+static void add_subdiagrams(const gauss_diagram *c, uint32_t start, sums *all)
 {
-    const knot_code *code = c->code;
-    uint32_t length = distance(c, begin, c->mate[begin]), to_end = c->entries - begin, count = 0;
+    const knot_gauss_code *code = c->code;
+    uint32_t length = distance(c, start, c->mate[start]), to_end = c->entries - start, count = 0;
     int64_t twos = 0, sixths = 0;
-    for (uint32_t i = 1, e = begin + 1; i < length; i++, e++) {
+    for (uint32_t i = 1, e = start + 1; i < length; i++, e++) {
         e = e == c->entries ? 0 : e;
-        uint32_t far = distance(c, begin, c->mate[e]);
+        uint32_t far = distance(c, start, c->mate[e]);
         int8_t sign = code->sign[code->crossing[e]];
         if (far < length) {
             continue;
@@ -74,29 +74,29 @@ static void add_parts(const circle *c, uint32_t begin, sums *all)
             count++;
             twos += far < to_end ? sign : 0;
         } else {
-            sixths += (int64_t)sign * parts_with(c, count, far);
+            sixths += (int64_t)sign * subdiagram_sum(c, count, far);
             all->steps += count / 4;
         }
     }
-    int8_t sign = code->sign[code->crossing[begin]];
+    int8_t sign = code->sign[code->crossing[start]];
     all->twos += twos * sign;
     all->sixths += sixths * sign;
     all->steps += 3 * (uint64_t)length;
 }
 
-void vbss_knot_vassiliev(const knot_code *code, int64_t *v2, int64_t *v3, knot_work *work)
+void vbss_knot_vassiliev(const knot_gauss_code *code, int64_t *v2, int64_t *v3, knot_ops *budget)
 {
     uint32_t n = code->n;
-    circle c = {code, 2 * n, code->scratch, code->scratch + 2 * (size_t)n,
-                (int16_t *)code->scratch + 3 * (size_t)n};
+    gauss_diagram c = {code, 2 * n, code->scratch, code->scratch + 2 * (size_t)n,
+                       (int16_t *)code->scratch + 3 * (size_t)n};
     sums all = {0, 0, 0};
     find_mates(&c);
     for (uint32_t e = 0; e < c.entries; e++) {
         if (code->over[e] == 0) {
-            add_parts(&c, e, &all);
+            add_subdiagrams(&c, e, &all);
         }
     }
     *v2 = all.twos;
     *v3 = all.sixths / 6;
-    *work -= 50 + 10 * (knot_work)n + (knot_work)all.steps;
+    *budget -= 50 + 10 * (knot_ops)n + (knot_ops)all.steps;
 }

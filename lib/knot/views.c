@@ -33,12 +33,12 @@ vbss_result vbss_knot_detector_get_throw(vbss_knot_detector *detector, uint32_t 
 {
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    if (number >= d->verdict.throw_count) {
+    if (number >= d->classification.throw_count) {
         return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "throw %u of %u", number,
-                         d->verdict.throw_count);
+                         d->classification.throw_count);
     }
-    return vbss_struct_write(d->context, &throw_layout, &d->verdict.throws[number], knot_throw,
-                             struct_size);
+    return vbss_struct_write(d->context, &throw_layout, &d->classification.throws[number],
+                             knot_throw, struct_size);
 }
 
 vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector, uint32_t tool,
@@ -46,9 +46,9 @@ vbss_result vbss_knot_detector_get_winding(vbss_knot_detector *detector, uint32_
 {
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    if (tool >= d->shown.tool_count) {
+    if (tool >= d->input.tool_count) {
         return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "tool %u of %u", tool,
-                         d->shown.tool_count);
+                         d->input.tool_count);
     }
     const knot_winding *w = &d->tools[tool].winding;
     const vbss_knot_winding own = {.struct_size = sizeof own,
@@ -69,7 +69,7 @@ vbss_result vbss_knot_detector_get_notation(vbss_knot_detector *detector, char *
     char own[KNOT_NOTATION];
     VBSS_TRY(vbss_knot_open(detector, &d));
     VBSS_TRY(vbss_check_pointer(d->context, text, "text"));
-    vbss_knot_notation_of(&d->verdict, own);
+    vbss_knot_notation_of(&d->classification, own);
     size_t bytes = strlen(own) + 1;
     if (bytes > capacity) {
         return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "%llu bytes of text, and room for %llu",
@@ -104,7 +104,7 @@ vbss_result vbss_knot_detector_get_statistics(vbss_knot_detector *detector,
 {
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    vbss_knot_statistics own = d->figures;
+    vbss_knot_statistics own = d->statistics;
     if (vbss_knot_job_is_active(&d->job)) {
         vbss_knot_count_job(&d->job, &own);
     }

@@ -29,8 +29,8 @@ typedef struct chart {
     double offset1, offset2;
 } chart;
 
-typedef struct winder {
-    const knot_scene *scene;
+typedef struct winding_tracer {
+    const knot_input *input;
     vec3 tip;
     uint32_t pieces;
     lanes nx, ny, nz, offset; /* plane k is over piece k and under piece k - 1 */
@@ -44,18 +44,18 @@ typedef struct winder {
     int32_t crossings;
     double x, y, place, first_angle, first_place;
     /* The run that winds most. */
-    double most_angle;
-    uint32_t most_pieces[2];
+    double max_run_angle;
+    uint32_t max_run_pieces[2];
     /* What is looked for: where `crossings` steps away from zero to this, first or last. 0: nothing. */
     int32_t wanted;
     bool wants_last, found, ended;
     double found_place;
     uint32_t found_piece;
-} winder;
+} winding_tracer;
 
 /* ---- the tool */
 
-static void put_plane(double rows[4][LANES], uint32_t k, vec3 normal, vec3 at)
+static void set_plane(double rows[4][LANES], uint32_t k, vec3 normal, vec3 at)
 {
     rows[0][k] = normal.x;
     rows[1][k] = normal.y;
@@ -63,7 +63,7 @@ static void put_plane(double rows[4][LANES], uint32_t k, vec3 normal, vec3 at)
     rows[3][k] = -vec3_dot(normal, at);
 }
 
-static void put_chart(chart *c, vec3 e1, vec3 up, vec3 at)
+static void set_chart(chart *c, vec3 e1, vec3 up, vec3 at)
 {
     c->e1 = vec3_unit_or(vec3_add_scaled(e1, -vec3_dot(e1, up), up), vec3_any_normal(up));
     c->e2 = vec3_cross(up, c->e1);
@@ -71,11 +71,11 @@ static void put_chart(chart *c, vec3 e1, vec3 up, vec3 at)
     c->offset2 = -vec3_dot(c->e2, at);
 }
 
-static void set_up(winder *w, const knot_scene *scene, const knot_tool *tool)
+static void set_up(winding_tracer *w, const knot_input *input, const knot_tool *tool)
 {
     double rows[4][LANES] = {{0.0}, {0.0}, {0.0}, {0.0}};
     uint32_t n = tool->point_count - 1;
-    w->scene = scene;
+    w->input = input;
     w->pieces = n;
     w->tip = tool->axis[n];
     vec3 up = vec3_make(0.0, 0.0, 1.0), e1 = vec3_any_normal(up);
@@ -90,13 +90,13 @@ static void set_up(winder *w, const knot_scene *scene, const knot_tool *tool)
         w->bases[c] = base;
         base += w->lengths[c];
         e1 = c + 1 == n ? vec3_any_normal(up) : quat_rotate(quat_between(below, up), e1);
-        put_chart(&w->charts[c], e1, up, under);
+        set_chart(&w->charts[c], e1, up, under);
         /* Heights are lengths along the axis. A tool that is folded has nothing half way between. */
         double straight = 1.0 + vec3_dot(below, up);
         bool end = c + 1 == n || straight < 1e-6;
-        put_plane(rows, c + 1, end ? up : vec3_scale(vec3_add(below, up), 1.0 / straight), under);
+        set_plane(rows, c + 1, end ? up : vec3_scale(vec3_add(below, up), 1.0 / straight), under);
     }
-    put_plane(rows, 0, up, vec3_sub(tool->axis[0], w->tip));
+    set_plane(rows, 0, up, vec3_sub(tool->axis[0], w->tip));
     w->nx = lanes_load(rows[0]);
     w->ny = lanes_load(rows[1]);
     w->nz = lanes_load(rows[2]);
@@ -104,7 +104,7 @@ static void set_up(winder *w, const knot_scene *scene, const knot_tool *tool)
 }
 
 /* Turns all charts so that the half-line where turns are counted comes to lie at this angle of now. */
-static void spin(winder *w, double angle)
+static void spin(winding_tracer *w, double angle)
 {
     double s, c;
     vbss_sincos(angle, &s, &c);
@@ -115,46 +115,46 @@ static void spin(winder *w, double angle)
         to->offset1 = -(c * from.offset1 + s * from.offset2);
         to->offset2 = s * from.offset1 - c * from.offset2;
     }
-    w->most_angle -= angle - 0.5 * FULL_TURN;
+    w->max_run_angle -= angle - 0.5 * FULL_TURN;
 }
 
 /* ---- points */
 
 /* Over each plane, of a point seen from the tip. */
-VBSS_ALWAYS_INLINE lanes heights_over(const winder *w, vec3 x)
+VBSS_ALWAYS_INLINE lanes heights_over(const winding_tracer *w, vec3 x)
 {
-    lanes h = lanes_add(lanes_mul(x.x, w->nx), lanes_mul(x.y, w->ny));
-    return lanes_add(lanes_add(h, lanes_mul(x.z, w->nz)), w->offset);
+    lanes h = lanes_add(lanes_scale(x.x, w->nx), lanes_scale(x.y, w->ny));
+    return lanes_add(lanes_add(h, lanes_scale(x.z, w->nz)), w->offset);
 }
 
 /* Bit k: on or over plane k. */
 VBSS_ALWAYS_INLINE uint32_t sides(lanes heights)
 {
-    return ~lanes_bits(lanes_less(heights, lanes_all(0.0)));
+    return ~lanes_movemask(lanes_less(heights, lanes_splat(0.0)));
 }
 
 /* The point at a place, from the tip. */
-static vec3 point_at(const winder *w, double place)
+static vec3 point_at(const winding_tracer *w, double place)
 {
-    uint32_t i = (uint32_t)place, last = w->scene->point_count - 2;
+    uint32_t i = (uint32_t)place, last = w->input->point_count - 2;
     i = i < last ? i : last;
-    vec3 x = vec3_lerp(w->scene->points[i], w->scene->points[i + 1], place - (double)i);
+    vec3 x = vec3_lerp(w->input->points[i], w->input->points[i + 1], place - (double)i);
     return vec3_sub(x, w->tip);
 }
 
 /* How far from the tip along the axis a place in the cell of a piece is, by its distances from both planes. */
-static double height_at(const winder *w, double place, uint32_t piece)
+static double height_at(const winding_tracer *w, double place, uint32_t piece)
 {
     lanes heights = heights_over(w, point_at(w, place));
-    double over = greater(lanes_at(heights, (int)piece + 1), 0.0);
-    double under = greater(-lanes_at(heights, (int)piece), 0.0);
-    double part = over + under > 0.0 ? over / (over + under) : 0.0;
-    return w->bases[piece] + w->lengths[piece] * part;
+    double over = vbss_max(lanes_at(heights, (int)piece + 1), 0.0);
+    double under = vbss_max(-lanes_at(heights, (int)piece), 0.0);
+    double fraction = over + under > 0.0 ? over / (over + under) : 0.0;
+    return w->bases[piece] + w->lengths[piece] * fraction;
 }
 
 /* ---- runs */
 
-static void begin_run(winder *w, uint32_t piece, vec3 x, double place)
+static void begin_run(winding_tracer *w, uint32_t piece, vec3 x, double place)
 {
     const chart *c = &w->charts[piece];
     w->open = true;
@@ -166,7 +166,7 @@ static void begin_run(winder *w, uint32_t piece, vec3 x, double place)
     w->first_angle = vbss_atan2(w->y + 0.0, w->x + 0.0); /* of the axis itself: 0 */
 }
 
-static void end_run(winder *w)
+static void end_run(winding_tracer *w)
 {
     if (!w->open) {
         return;
@@ -183,14 +183,15 @@ static void end_run(winder *w)
         winding->run_turns = turns;
         winding->run_places[0] = w->first_place;
         winding->run_places[1] = w->place;
-        w->most_angle = w->first_angle;
-        w->most_pieces[0] = w->first_piece;
-        w->most_pieces[1] = w->piece;
+        w->max_run_angle = w->first_angle;
+        w->max_run_pieces[0] = w->first_piece;
+        w->max_run_pieces[1] = w->piece;
     }
     winding->runs++;
 }
 
-VBSS_NEVER_INLINE void look(winder *w, double y, double place, int32_t step)
+VBSS_NEVER_INLINE void record_target_crossing(winding_tracer *w, double y, double place,
+                                              int32_t step)
 {
     bool outward = (w->wanted > 0) == (step > 0);
     if (outward && w->crossings == w->wanted) {
@@ -202,7 +203,7 @@ VBSS_NEVER_INLINE void look(winder *w, double y, double place, int32_t step)
 }
 
 /* The next point of a run, in the cell where the last one was or on its border. */
-VBSS_ALWAYS_INLINE void go_to(winder *w, vec3 point, double place)
+VBSS_ALWAYS_INLINE void append_point(winding_tracer *w, vec3 point, double place)
 {
     const chart *c = &w->charts[w->piece];
     double x = vec3_dot(c->e1, point) + c->offset1, y = vec3_dot(c->e2, point) + c->offset2;
@@ -211,7 +212,7 @@ VBSS_ALWAYS_INLINE void go_to(winder *w, vec3 point, double place)
         int32_t step = y < 0.0 ? across > 0.0 : -(across < 0.0);
         w->crossings += step;
         if (w->wanted != 0 && step != 0) {
-            look(w, y, place, step);
+            record_target_crossing(w, y, place, step);
         }
     }
     w->x = x;
@@ -221,71 +222,71 @@ VBSS_ALWAYS_INLINE void go_to(winder *w, vec3 point, double place)
 
 /* The part of a segment in the cell of a piece, if it is not all beyond one plane; there is none when it
  * would end before it begins. Cells that meet are left and entered at the same fraction, to the bit. */
-static void clip(lanes a, lanes b, uint32_t piece, double part[2])
+static void clip(lanes a, lanes b, uint32_t piece, double range[2])
 {
-    part[0] = 0.0;
-    part[1] = 1.0;
+    range[0] = 0.0;
+    range[1] = 1.0;
     for (uint32_t k = piece; k <= piece + 1; k++) {
         double ha = lanes_at(a, (int)k), hb = lanes_at(b, (int)k);
         if ((ha < 0.0) != (hb < 0.0)) {
             double t = ha / (ha - hb);
             bool enters = (hb < 0.0) == (k == piece);
-            part[0] = enters ? greater(part[0], t) : part[0];
-            part[1] = enters ? part[1] : lesser(part[1], t);
+            range[0] = enters ? vbss_max(range[0], t) : range[0];
+            range[1] = enters ? range[1] : vbss_min(range[1], t);
         }
     }
 }
 
 /* A segment, between these places, that may touch the cells of these pieces: bits. */
-VBSS_NEVER_INLINE void cross_planes(winder *w, vec3 a, vec3 b, double from, double to,
+VBSS_NEVER_INLINE void cross_planes(winding_tracer *w, vec3 a, vec3 b, double from, double to,
                                     uint32_t touched)
 {
     lanes heights_a = heights_over(w, a), heights_b = heights_over(w, b);
     double reached = 0.0;
     while (touched != 0) {
-        double part[2] = {2.0, 2.0}, other[2];
+        double range[2] = {2.0, 2.0}, other[2];
         uint32_t piece = 0;
         for (uint32_t c = 0; c < w->pieces; c++) {
             clip(heights_a, heights_b, c, other);
-            if ((touched >> c & 1u) != 0 && other[0] < part[0]) {
-                part[0] = other[0];
-                part[1] = other[1];
+            if ((touched >> c & 1u) != 0 && other[0] < range[0]) {
+                range[0] = other[0];
+                range[1] = other[1];
                 piece = c;
             }
         }
         touched &= ~(1u << piece);
         /* What cells have in common, far from a bent tool, belongs to the one entered first. */
-        double begin = greater(part[0], reached), end = part[1];
-        if (begin >= end) {
+        double start = vbss_max(range[0], reached), end = range[1];
+        if (start >= end) {
             continue;
         }
-        double begin_place = from + begin * (to - from);
+        double start_place = from + start * (to - from);
         bool next = piece == w->piece || piece + 1 == w->piece || piece == w->piece + 1;
-        if (w->open && w->place == begin_place && next) {
+        if (w->open && w->place == start_place && next) {
             w->piece = piece;
         } else {
             end_run(w);
-            begin_run(w, piece, vec3_lerp(a, b, begin), begin_place);
+            begin_run(w, piece, vec3_lerp(a, b, start), start_place);
         }
-        go_to(w, vec3_lerp(a, b, end), end < 1.0 ? from + end * (to - from) : to);
+        append_point(w, vec3_lerp(a, b, end), end < 1.0 ? from + end * (to - from) : to);
         reached = end;
     }
 }
 
 /* All runs from a place to a later one. */
-static void walk(winder *w, double from, double to)
+static void trace(winding_tracer *w, double from, double to)
 {
     uint32_t pieces = (1u << w->pieces) - 1u, i = (uint32_t)from;
     vec3 a = point_at(w, from);
     uint32_t over_a = sides(heights_over(w, a));
     while (from < to && !w->ended) {
         i++;
-        double next = lesser((double)i, to);
-        vec3 b = (double)i <= to ? vec3_sub(w->scene->points[i], w->tip) : point_at(w, to);
+        double next = vbss_min((double)i, to);
+        vec3 b = (double)i <= to ? vec3_sub(w->input->points[i], w->tip) : point_at(w, to);
         uint32_t over_b = sides(heights_over(w, b)), both = over_a & over_b, any = over_a | over_b;
         uint32_t inside = ~any & both >> 1 & pieces, touched = ~both & any >> 1 & pieces;
         if (w->open && w->place == from && (inside >> w->piece & 1u) != 0) {
-            go_to(w, b, next);
+            append_point(w, b, next);
         } else if (touched != 0) {
             cross_planes(w, a, b, from, next, touched);
         }
@@ -299,40 +300,43 @@ static void walk(winder *w, double from, double to)
 /* ---- the strand in the jaws */
 
 /* Where a t^2 + 2 b t + c <= 0, if anywhere; [0, 1] when everywhere. */
-static bool solve(double a, double b, double c, double part[2])
+static bool solve_quadratic(double a, double b, double c, double range[2])
 {
     bool moves = a > 1e-100;
-    double d = b * b - a * c, root = sqrt(greater(d, 0.0));
-    part[0] = moves ? (-b - root) / a : 0.0;
-    part[1] = moves ? (-b + root) / a : 1.0;
+    double d = b * b - a * c, root = sqrt(vbss_max(d, 0.0));
+    range[0] = moves ? (-b - root) / a : 0.0;
+    range[1] = moves ? (-b + root) / a : 1.0;
     return moves ? d >= 0.0 : c <= 0.0;
 }
 
-static bool cross_ball(vec3 centre, double radius, vec3 x, vec3 way, double part[2])
+static bool intersect_sphere(vec3 centre, double radius, vec3 x, vec3 direction, double range[2])
 {
     vec3 m = vec3_sub(x, centre);
-    return solve(vec3_dot(way, way), vec3_dot(m, way), vec3_dot(m, m) - radius * radius, part);
+    return solve_quadratic(vec3_dot(direction, direction), vec3_dot(m, direction),
+                           vec3_dot(m, m) - radius * radius, range);
 }
 
-static bool cross_tube(const winder *w, uint32_t c, vec3 lower, double radius, vec3 x, vec3 way,
-                       double part[2])
+static bool intersect_cylinder(const winding_tracer *w, uint32_t c, vec3 lower, double radius,
+                               vec3 x, vec3 direction, double range[2])
 {
     vec3 m = vec3_sub(x, lower), up = w->ups[c];
-    double height = vec3_dot(m, up), rise = vec3_dot(way, up), slab[2];
+    double height = vec3_dot(m, up), rise = vec3_dot(direction, up), slab[2];
     double half = 0.5 * w->lengths[c], off = height - half;
-    bool beside = solve(rise * rise, rise * off, off * off - half * half, slab);
-    vec3 flat_m = vec3_add_scaled(m, -height, up), flat_way = vec3_add_scaled(way, -rise, up);
-    bool near = solve(vec3_dot(flat_way, flat_way), vec3_dot(flat_m, flat_way),
-                      vec3_dot(flat_m, flat_m) - radius * radius, part);
-    part[0] = greater(part[0], slab[0]);
-    part[1] = lesser(part[1], slab[1]);
+    bool beside = solve_quadratic(rise * rise, rise * off, off * off - half * half, slab);
+    vec3 flat_m = vec3_add_scaled(m, -height, up),
+         flat_direction = vec3_add_scaled(direction, -rise, up);
+    bool near =
+        solve_quadratic(vec3_dot(flat_direction, flat_direction), vec3_dot(flat_m, flat_direction),
+                        vec3_dot(flat_m, flat_m) - radius * radius, range);
+    range[0] = vbss_max(range[0], slab[0]);
+    range[1] = vbss_min(range[1], slab[1]);
     return beside && near;
 }
 
 /* The fraction of the way from x up to which it stays within capsules; 0 when x is in none. */
-static double stays_within(const winder *w, const knot_tool *tool, vec3 x, vec3 way)
+static double stays_within(const winding_tracer *w, const knot_tool *tool, vec3 x, vec3 direction)
 {
-    double reached = 0.0, before, part[2];
+    double reached = 0.0, before, range[2];
     do { /* from the capsule that is left to one that is entered by then */
         before = reached;
         for (uint32_t c = 0; c < w->pieces; c++) {
@@ -340,10 +344,11 @@ static double stays_within(const winder *w, const knot_tool *tool, vec3 x, vec3 
                  lower = vec3_sub(tool->axis[c + 1], w->tip);
             for (int k = 0; k < 3; k++) {
                 double r = tool->radius[c];
-                bool hit = k == 2 ? cross_tube(w, c, lower, r, x, way, part)
-                                  : cross_ball(k == 0 ? upper : lower, r, x, way, part);
-                if (hit && part[0] <= reached && part[1] > reached) {
-                    reached = part[1];
+                bool hit = k == 2
+                               ? intersect_cylinder(w, c, lower, r, x, direction, range)
+                               : intersect_sphere(k == 0 ? upper : lower, r, x, direction, range);
+                if (hit && range[0] <= reached && range[1] > reached) {
+                    reached = range[1];
                 }
             }
         }
@@ -352,15 +357,15 @@ static double stays_within(const winder *w, const knot_tool *tool, vec3 x, vec3 
 }
 
 /* Where the thread about a held place leaves the capsules, in one direction. */
-static double leave_jaws(const winder *w, const knot_tool *tool, double place, bool forward)
+static double leave_jaws(const winding_tracer *w, const knot_tool *tool, double place, bool forward)
 {
-    double last = (double)(w->scene->point_count - 1), end = forward ? last : 0.0;
+    double last = (double)(w->input->point_count - 1), end = forward ? last : 0.0;
     while (place != end) {
         double next = forward ? floor(place) + 1.0 : -floor(-place) - 1.0;
         vec3 x = point_at(w, place);
-        double part = stays_within(w, tool, x, vec3_sub(point_at(w, next), x));
-        if (part < 1.0) {
-            return place + part * (next - place);
+        double fraction = stays_within(w, tool, x, vec3_sub(point_at(w, next), x));
+        if (fraction < 1.0) {
+            return place + fraction * (next - place);
         }
         place = next;
     }
@@ -370,62 +375,63 @@ static double leave_jaws(const winder *w, const knot_tool *tool, double place, b
 /* ---- which way it winds */
 
 /* Looks in the run for where this part of its turns is done, for the first or for the last time. */
-static bool find_part(winder *w, double part, bool last)
+static bool find_turn_fraction(winding_tracer *w, double fraction, bool last)
 {
     const knot_winding *winding = w->winding;
-    double turns = part * fabs(winding->run_turns), sign = winding->run_turns < 0.0 ? -1.0 : 1.0;
+    double turns = fraction * fabs(winding->run_turns),
+           sign = winding->run_turns < 0.0 ? -1.0 : 1.0;
     if (fabs(turns - floor(turns + 0.5)) < 1e-6) {
         turns -= 2e-6; /* the run shall not begin on the half-line */
     }
-    spin(w, w->most_angle + sign * turns * FULL_TURN);
+    spin(w, w->max_run_angle + sign * turns * FULL_TURN);
     w->wanted = (int32_t)sign * (1 + (int32_t)floor(turns));
     w->wants_last = last;
     w->found = false;
-    walk(w, winding->run_places[0], winding->run_places[1]);
+    trace(w, winding->run_places[0], winding->run_places[1]);
     w->ended = false;
     return w->found;
 }
 
 /* As a rule the long limb is what winds: the tissue is before the run unless it is known to be after. */
-static int32_t find_sense(winder *w, const knot_tool *tool)
+static int32_t find_sense(winding_tracer *w, const knot_tool *tool)
 {
-    if (!(fabs(w->winding->run_turns) >= 0.5) || !find_part(w, 0.25, false)) {
+    if (!(fabs(w->winding->run_turns) >= 0.5) || !find_turn_fraction(w, 0.25, false)) {
         return 0;
     }
     double place = w->found_place, width = 0.1 * tool->radius[w->found_piece];
     double down = height_at(w, place, w->found_piece);
-    if (!find_part(w, 0.75, true)) {
+    if (!find_turn_fraction(w, 0.75, true)) {
         return 0;
     }
     down -= height_at(w, w->found_place, w->found_piece);
-    if (w->scene->tissue_place > 0.5 * (place + w->found_place)) {
+    if (w->input->tissue_place > 0.5 * (place + w->found_place)) {
         down = -down;
     }
     return down > width ? 1 : down < -width ? -1 : 0;
 }
 
-void vbss_knot_wind(const knot_scene *scene, uint32_t tool_index, knot_winding *winding)
+void vbss_knot_measure_winding(const knot_input *input, uint32_t tool_index, knot_winding *winding)
 {
-    const knot_tool *tool = &scene->tools[tool_index];
-    winder w = {0};
+    const knot_tool *tool = &input->tools[tool_index];
+    winding_tracer w = {0};
     knot_winding none = {0};
     *winding = none;
     w.winding = winding;
-    set_up(&w, scene, tool);
-    double last = (double)(scene->point_count - 1), leaves = last, returns = last;
+    set_up(&w, input, tool);
+    double last = (double)(input->point_count - 1), leaves = last, returns = last;
     if (tool->held != VBSS_KNOT_HELD_NOTHING) {
-        double place = greater(0.0, lesser(tool->held_place, last));
+        double place = vbss_max(0.0, vbss_min(tool->held_place, last));
         leaves = leave_jaws(&w, tool, place, false);
         returns = leave_jaws(&w, tool, place, true);
     }
     bool held = leaves < returns;
-    walk(&w, 0.0, held ? leaves : last);
+    trace(&w, 0.0, held ? leaves : last);
     if (held) {
-        walk(&w, returns, last);
+        trace(&w, returns, last);
     }
     if (winding->runs > 0) {
         for (int k = 0; k < 2; k++) {
-            winding->run_heights[k] = height_at(&w, winding->run_places[k], w.most_pieces[k]);
+            winding->run_heights[k] = height_at(&w, winding->run_places[k], w.max_run_pieces[k]);
         }
         winding->sense = find_sense(&w, tool);
     }

@@ -117,7 +117,7 @@ static metrics_note note_of(const metrics_object *m, const vbss_metrics_event *e
         note.value[0] = deviation_mm(&m->config, e);
     } else if (e->kind == VBSS_METRICS_EVENT_GAP) {
         note.value[0] = MILLIMETRES * vec3_distance(note.position, vec3_load(e->other));
-        note.value[1] = greater(note.value[0], MILLIMETRES * e->amount);
+        note.value[1] = vbss_max(note.value[0], MILLIMETRES * e->amount);
     }
     return note;
 }

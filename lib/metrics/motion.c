@@ -73,7 +73,7 @@ static void sum_up(const metrics_object *m, const metrics_hand *h, window w,
         idle += rested ? 1u : 0u;
         length += h->speed[i];
         roughness += h->jerk[i];
-        out->peak_speed = greater(out->peak_speed, h->speed[i]);
+        out->peak_speed = vbss_max(out->peak_speed, h->speed[i]);
     }
     double t = out->time = seen * METRICS_TICK, peak = out->peak_speed;
     out->unseen_time = (w.end - w.begin - seen) * METRICS_TICK;
@@ -124,7 +124,7 @@ static void add_forces(const metrics_hand *h, window w, vbss_metrics_motion *out
 {
     for (uint32_t i = w.begin; i < w.end; i++) {
         out->force_integral += h->impulse[i];
-        out->force_peak = greater(out->force_peak, h->peak[i]);
+        out->force_peak = vbss_max(out->force_peak, h->peak[i]);
     }
 }
 
@@ -172,7 +172,7 @@ static void correlate(const metrics_object *m, window w, uint32_t seen, vbss_met
         }
     }
     if (aa > 0.0 && bb > 0.0) {
-        out->correlation = greater(-1.0, lesser(1.0, ab / (sqrt(aa) * sqrt(bb))));
+        out->correlation = vbss_max(-1.0, vbss_min(1.0, ab / (sqrt(aa) * sqrt(bb))));
         out->valid |= VBSS_METRICS_HAS_CORRELATION;
     }
 }

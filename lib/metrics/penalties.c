@@ -147,7 +147,7 @@ static bool judge_ends(const metrics_object *m, tally *t)
     bool ended = false;
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         if (ends[i].is_so) {
-            double left = greater(most - time - t->sum, 0.0);
+            double left = vbss_max(most - time - t->sum, 0.0);
             take(t, ends[i].kind, &ends[i].why, 0.0, left);
             ended = true;
         }
@@ -165,7 +165,7 @@ metrics_score vbss_metrics_judge(const metrics_object *m, uint32_t number,
     bool ended = judge_ends(m, &t);
     bool known = m->facts[METRICS_PUNCTURE].standing && m->facts[METRICS_PUNCTURE + 1].standing &&
                  m->facts[METRICS_GAPES].standing && tightness(m) != VBSS_METRICS_TIGHTNESS_UNKNOWN;
-    double left = greater(m->config.max_time - vbss_metrics_time(m) - t.sum, 0.0);
+    double left = vbss_max(m->config.max_time - vbss_metrics_time(m) - t.sum, 0.0);
     bool started = m->facts[METRICS_APPEARED].standing != 0;
     metrics_score score = {started && !ended ? left : 0.0, t.sum, t.count,
                            ended || (started && vbss_metrics_stopped(m) && known)};

@@ -35,7 +35,7 @@ static vbss_result check(const metrics_object *m, const vbss_metrics_pull *p)
 /* Ours: borne for the time, with less than the limit drawn in. Once that is shown, the test is over. */
 static void hold(const vbss_metrics_config *c, metrics_pull *pull, const vbss_metrics_pull *p)
 {
-    double weaker = lesser(p->force[0], p->force[1]);
+    double weaker = vbss_min(p->force[0], p->force[1]);
     if (pull->tight || pull->untied) {
         return;
     }
@@ -49,10 +49,10 @@ static void hold(const vbss_metrics_config *c, metrics_pull *pull, const vbss_me
         pull->holding = 1;
         pull->hold_began = p->time;
     }
-    pull->drawn_in = greater(pull->drawn_in, p->drawn_in);
+    pull->drawn_in = vbss_max(pull->drawn_in, p->drawn_in);
     pull->slipped = pull->drawn_in >= c->slip_limit;
     if (pull->holding) {
-        pull->held = greater(pull->held, p->time - pull->hold_began);
+        pull->held = vbss_max(pull->held, p->time - pull->hold_began);
         pull->tight = !pull->slipped && pull->held >= c->pull_time;
     }
 }
@@ -62,9 +62,9 @@ static void stretch(const vbss_metrics_config *c, metrics_pull *pull, const vbss
 {
     double threshold =
         c->strain_threshold > 0.0 ? c->strain_threshold : c->pull_force / c->stiffness;
-    double smaller = lesser(p->strain[0], p->strain[1]);
+    double smaller = vbss_min(p->strain[0], p->strain[1]);
     if (p->tied != 0 && !pull->untied) {
-        pull->strain = greater(pull->strain, smaller);
+        pull->strain = vbss_max(pull->strain, smaller);
         pull->strained |= smaller >= threshold;
     }
 }

@@ -28,14 +28,14 @@ bool vbss_metrics_stopped(const metrics_object *m)
 double vbss_metrics_stop_time(const metrics_object *m)
 {
     return vbss_metrics_stopped(m)
-               ? greater(m->facts[METRICS_CUT].time, m->facts[METRICS_CUT + 1].time)
+               ? vbss_max(m->facts[METRICS_CUT].time, m->facts[METRICS_CUT + 1].time)
                : m->now;
 }
 
 double vbss_metrics_time(const metrics_object *m)
 {
     const metrics_note *appeared = &m->facts[METRICS_APPEARED];
-    return appeared->standing ? greater(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
+    return appeared->standing ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
 }
 
 /* ---- the report */
@@ -184,7 +184,7 @@ vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t index, vbss_m
                               .ended = ended,
                               .step = visit->step,
                               .begin = visit->begin};
-    own.end = ended ? visit[1].begin : greater(vbss_metrics_stop_time(m), visit->begin);
+    own.end = ended ? visit[1].begin : vbss_max(vbss_metrics_stop_time(m), visit->begin);
     return vbss_struct_write(m->context, &phase_layout, &own, phase, struct_size);
 }
 

@@ -24,7 +24,7 @@ static void visit_bounded(vbss_stream *stream, uint16_t tag, double *values, siz
                           double bound)
 {
     vbss_stream_f64(stream, tag, values, count);
-    refuse(stream, !(vbss_largest(values, count) <= bound));
+    refuse(stream, !(vbss_max_abs(values, count) <= bound));
 }
 
 static void visit_config(vbss_stream *stream, const vbss_metrics_config *c)
@@ -38,10 +38,10 @@ static void visit_config(vbss_stream *stream, const vbss_metrics_config *c)
         c->weight_tightness, c->weight_throw,    c->weight_granny,    c->weight_attempt,
         c->weight_drop,      c->weight_transfer, c->weight_host};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        vbss_stream_same(stream, 1, words[i]);
+        vbss_stream_expect(stream, 1, words[i]);
     }
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 2, numbers[i]);
+        vbss_stream_expect_f64(stream, 2, numbers[i]);
     }
 }
 

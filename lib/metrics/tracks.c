@@ -80,7 +80,7 @@ static void follow(metrics_object *m, metrics_hand *h, const metrics_cell *cell)
         if (is_full(m, h) || time >= cell->end) {
             return;
         }
-        push(m, h, vbss_metrics_cell_at(cell, greater(time, cell->begin)), true);
+        push(m, h, vbss_metrics_cell_at(cell, vbss_max(time, cell->begin)), true);
     }
 }
 
@@ -184,7 +184,7 @@ static void add_force(metrics_hand *h, uint32_t tick, double impulse, double pea
         h->force_count++;
     }
     h->impulse[tick] += impulse;
-    h->peak[tick] = greater(h->peak[tick], peak);
+    h->peak[tick] = vbss_max(h->peak[tick], peak);
 }
 
 /* The tick that a time lies after, or false: there is no room. */
@@ -210,11 +210,11 @@ static void share_out(metrics_object *m, metrics_hand *h, double time, double fo
     }
     for (uint32_t tick = from; tick <= to; tick++) {
         double next = m->origin + (tick + 1.0) / METRICS_TICK_RATE;
-        double end = tick == to ? lesser(time, greater(next, begin)) : lesser(next, time);
-        double width = greater(end - begin, 0.0);
+        double end = tick == to ? vbss_min(time, vbss_max(next, begin)) : vbss_min(next, time);
+        double width = vbss_max(end - begin, 0.0);
         double middle = h->force + rise * (0.5 * (begin + end) - h->force_time);
-        add_force(h, tick, width * greater(middle, 0.0), 0.0);
-        begin = greater(end, begin);
+        add_force(h, tick, width * vbss_max(middle, 0.0), 0.0);
+        begin = vbss_max(end, begin);
     }
 }
 

@@ -20,7 +20,7 @@ double vbss_needle_corner(const needle_object *n, uint32_t i)
 /* Clockwise from the tip; beyond the ends that of the end. */
 static double angle_at(const needle_object *n, double arc_length)
 {
-    return lesser(greater(arc_length / n->config.radius, 0.0), n->config.arc);
+    return vbss_min(vbss_max(arc_length / n->config.radius, 0.0), n->config.arc);
 }
 
 vec3 vbss_needle_direction(const needle_object *n, double arc_length)
@@ -35,7 +35,7 @@ vec3 vbss_needle_point(const needle_object *n, double arc_length)
     double sine, cosine, r = n->config.radius;
     vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
     /* how far behind the swage, or, below zero, before the tip */
-    double behind = lesser(arc_length, 0.0) + greater(arc_length - vbss_needle_length(n), 0.0);
+    double behind = vbss_min(arc_length, 0.0) + vbss_max(arc_length - vbss_needle_length(n), 0.0);
     return vec3_make(r * cosine - behind * sine, -r * sine - behind * cosine, 0.0);
 }
 

@@ -9,10 +9,10 @@ static void visit_config(vbss_stream *stream, const vbss_needle_config *c)
     const double numbers[] = {c->radius, c->wire_radius, c->arc,        c->density,   c->friction,
                               c->drag,   c->gravity[0],  c->gravity[1], c->gravity[2]};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
-    vbss_stream_same(stream, 2, (uint64_t)c->method);
-    vbss_stream_same(stream, 2, c->segment_count);
+    vbss_stream_expect(stream, 2, (uint64_t)c->method);
+    vbss_stream_expect(stream, 2, c->segment_count);
 }
 
 void vbss_needle_serialise(vbss_stream *stream, void *object)

@@ -25,9 +25,9 @@ static void visit(vbss_stream *stream, uint32_t code, uint16_t plain, log_snapsh
     const uint16_t tag = packed ? 5 : 3;
     const uint32_t count = packed ? snapshot->packed_count : snapshot->count;
     if (reading) {
-        snapshot->bytes = vbss_stream_find_u8(stream, tag, count);
+        snapshot->bytes = vbss_stream_view_u8(stream, tag, count);
     } else {
-        snapshot->place = vbss_stream_place_u8(stream, tag, count);
+        snapshot->place = vbss_stream_reserve_u8(stream, tag, count);
     }
     vbss_stream_close(stream, outer);
 }

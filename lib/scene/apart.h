@@ -1,4 +1,4 @@
-/* Of a pair of features, whether it is known to stay apart: without measuring it again (lib/collision/apart.c). */
+/* Of a pair of features, whether it is known to stay apart: without measuring it again (lib/collision/separation_cache.c). */
 #ifndef VBSS_SCENE_APART_H
 #define VBSS_SCENE_APART_H
 
@@ -22,7 +22,7 @@ static inline bool scene_stay_apart(const scene_object *s, const collision_candi
                                     double distance)
 {
     distance += scene_radius_of(s, q, false) + scene_radius_of(s, q, true);
-    return vbss_collision_stays_apart(s->collision, q, distance);
+    return vbss_collision_stays_separated(s->collision, q, distance);
 }
 
 #endif

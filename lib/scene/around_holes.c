@@ -77,7 +77,7 @@ static double reach_of(const suture_hole *hole, const scene_body *suture, double
 {
     bool at_mouth = hole->needle != 0 && hole->arc < 0.0 && suture->kind == BODY_RIGID &&
                     vbss_scene_is_at_tip(suture, arc);
-    return at_mouth ? greater(reach, -SCENE_PIN_ARC * hole->entry) : reach;
+    return at_mouth ? vbss_max(reach, -SCENE_PIN_ARC * hole->entry) : reach;
 }
 
 /* Within which of a hole a suture touches nothing: a thread, which turns at once, less far than a needle. */
@@ -122,7 +122,7 @@ static double reach_at_swage(const scene_object *s, const scene_body *suture, ui
     double touching = SCENE_PIN_ARC * (wire + 0.5 * wall->thickness);
     double arc = vbss_scene_arc_of(suture, segment, 0.0);
     double more = SCENE_PIN_ARC * (wire - suture->thread.thread->config.radius);
-    return arc < touching ? reach + greater(more, 0.0) : reach;
+    return arc < touching ? reach + vbss_max(more, 0.0) : reach;
 }
 
 /* The share of the distance of touching at which a place touches that is so many reaches from a hole. */
@@ -156,14 +156,15 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
         }
         double now = vec3_distance(spot->now, hole_point_at(hole, d, spot->time));
         double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
-        double most = greater(own, -SCENE_PIN_ARC * hole->entry);
-        if (!(greater(now, rest) < (1.0 + COMES_OUT) * most)) {
+        double most = vbss_max(own, -SCENE_PIN_ARC * hole->entry);
+        if (!(vbss_max(now, rest) < (1.0 + COMES_OUT) * most)) {
             continue;
         }
         double arc = vbss_scene_arc_of(suture, segment, share);
         double far = reach_of(hole, suture, arc, own);
-        double away = greater(greater(now, rest), arc_from_hole(s, hole, suture, arc, spot->time));
-        least = lesser(least, share_beside(suture, away / far));
+        double away =
+            vbss_max(vbss_max(now, rest), arc_from_hole(s, hole, suture, arc, spot->time));
+        least = vbss_min(least, share_beside(suture, away / far));
     }
     return least;
 }
@@ -194,10 +195,10 @@ static bool pass_hole(const suture_hole *hole, double arc, const scene_body *nee
 {
     double begin = arc - reach, end = arc + reach;
     double mouth = arc + reach_of(hole, needle, 0.0, reach);
-    end = greater(end, lesser(TIP * needle->rigid.needle->config.wire_radius, mouth));
+    end = vbss_max(end, vbss_min(TIP * needle->rigid.needle->config.wire_radius, mouth));
     bool at = begin <= *from && *from < end;
     *from = at ? end : *from;
-    *to = begin > *from ? lesser(*to, begin) : *to;
+    *to = begin > *from ? vbss_min(*to, begin) : *to;
     return at;
 }
 
@@ -233,8 +234,8 @@ static bool clip_side(const vec3 side[2], vec3 point, vec3 along, double shares[
         return false;
     }
     double cut = begin != end ? begin / (begin - end) : 0.0;
-    shares[0] = begin < 0.0 ? greater(shares[0], cut) : shares[0];
-    shares[1] = end < 0.0 ? lesser(shares[1], cut) : shares[1];
+    shares[0] = begin < 0.0 ? vbss_max(shares[0], cut) : shares[0];
+    shares[1] = end < 0.0 ? vbss_min(shares[1], cut) : shares[1];
     return shares[0] < shares[1];
 }
 

@@ -47,7 +47,7 @@ static double given_by_hole(const scene_object *s, const contact_row *row, vec3 
     const suture_hole *hole = &s->holes[row->key.a];
     double before = hole->held * hole->held + vec3_norm_squared(hole->across);
     double more = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
-    return greater(done + more, 0.0);
+    return vbss_max(done + more, 0.0);
 }
 
 /* What a contact does to threads and drains: with the force of which the blocks balance. */
@@ -83,7 +83,7 @@ static double stored(const contact_row *row, double gap)
 /* More than the law would have put in. */
 static double gain(double done, double by_law)
 {
-    return greater(done - greater(by_law, 0.0), 0.0);
+    return vbss_max(done - vbss_max(by_law, 0.0), 0.0);
 }
 
 /* What a force has put in, up to the trial state, that the law would not have; what others have taken out does not make up for
@@ -94,13 +94,13 @@ static double work_beyond_law(const scene_object *s, const contact_row *row, vec
     bool at_wall = b != NULL && b->kind == BODY_DRAIN;
     vec3 law = vbss_contact_force(row, vec3_zero()), way = row->slid;
     if (row->sleeve) {
-        return greater(vec3_dot(vec3_sub(force, law), way), 0.0);
+        return vbss_max(vec3_dot(vec3_sub(force, law), way), 0.0);
     }
     double along = vec3_dot(row->normal, way), done = along * vec3_dot(force, row->normal);
     double let_go = stored(row, row->gap_before) - stored(row, row->gap);
     vec3 beside = vec3_add_scaled(way, -along, row->normal);
     double rubbed = vec3_dot(force, beside), by_law = vec3_dot(law, beside);
-    return at_wall ? greater(done - let_go, 0.0) + greater(rubbed - by_law, 0.0)
+    return at_wall ? vbss_max(done - let_go, 0.0) + vbss_max(rubbed - by_law, 0.0)
                    : gain(done, let_go) + gain(rubbed, by_law);
 }
 
@@ -111,7 +111,7 @@ static double work_at_node(const thread_object *t, uint32_t node)
 {
     double pull = 0.0;
     for (uint32_t k = node > 0 ? node - 1 : 0; k <= node && k + 1 < t->node_count; k++) {
-        pull = greater(pull, greater(fabs(t->trial_tension[k]), fabs(t->now.tension[k])));
+        pull = vbss_max(pull, vbss_max(fabs(t->trial_tension[k]), fabs(t->now.tension[k])));
     }
     return pull * vec3_norm(way_of(t, node));
 }

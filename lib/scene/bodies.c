@@ -143,8 +143,8 @@ static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *
                                         t->config.radius, shape);
     }
     VBSS_TRY(
-        vbss_collision_add_sleeping_chain(s->collision, t->node_capacity, t->config.radius, shape));
-    vbss_collision_change_chain(s->collision, *shape, t->node_count, t->rest);
+        vbss_collision_add_disabled_chain(s->collision, t->node_capacity, t->config.radius, shape));
+    vbss_collision_resize_chain(s->collision, *shape, t->node_count, t->rest);
     return VBSS_OK;
 }
 
@@ -189,8 +189,8 @@ static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
 {
     VBSS_TRY(vbss_check_finite(context, c->begin, 3, "begin of a capsule"));
     VBSS_TRY(vbss_check_finite(context, c->end, 3, "end of a capsule"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->begin, 3), 0.0, 1e3, "begin of a capsule"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->end, 3), 0.0, 1e3, "end of a capsule"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->begin, 3), 0.0, 1e3, "begin of a capsule"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->end, 3), 0.0, 1e3, "end of a capsule"));
     return vbss_check_range(context, c->radius, 1e-6, 1.0, "radius of a capsule");
 }
 
@@ -294,10 +294,10 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
         return VBSS_ERROR_CAPACITY;
     }
     for (uint32_t i = 0; i < own.capsule_count; i++) {
-        radius = greater(own.capsules[i].radius, radius);
+        radius = vbss_max(own.capsules[i].radius, radius);
     }
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), own.capsule_count, radius, &shape));
-    s->collision->shapes[shape]->rigid = true;
+    s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
     fill_rigid(&b->rigid, &own, &mass, orientation);
     add_capsules(s, b, &own);

@@ -102,7 +102,7 @@ static vbss_result move_shape(scene_object *s, const scene_body *b)
         end[i] = vec3_add_scaled(start[i], SCENE_AHEAD, ways[i]);
     }
     VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count));
-    vbss_collision_measure_ways(s->collision->shapes[b->shape]);
+    vbss_collision_update_displacements(s->collision->shapes[b->shape]);
     return VBSS_OK;
 }
 
@@ -174,7 +174,7 @@ static double reach_of(const scene_meeting *m)
     for (uint32_t i = 0; i < m->count_a; i++) {
         for (uint32_t k = 0; k < m->count_b; k++) {
             vec3 way = vec3_sub(m->ways_a[i], m->ways_b[k]);
-            largest = vbss_larger(vec3_norm_squared(way), largest);
+            largest = vbss_max_or_nan(vec3_norm_squared(way), largest);
         }
     }
     return SCENE_AHEAD * sqrt(largest);
@@ -186,7 +186,7 @@ static double approach_of(const scene_meeting *m, vec3 normal)
     for (uint32_t i = 0; i < m->count_a; i++) {
         for (uint32_t k = 0; k < m->count_b; k++) {
             vec3 way = vec3_sub(m->ways_a[i], m->ways_b[k]);
-            most = vbss_larger(-vec3_dot(normal, way), most);
+            most = vbss_max_or_nan(-vec3_dot(normal, way), most);
         }
     }
     return SCENE_AHEAD * most;
@@ -261,7 +261,7 @@ bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_mee
     }
     bool near = lay(s, row, m);
     if (m->pair != NULL) { /* from the line through a lip it is no farther than from its middle */
-        vbss_collision_note_apart(s->collision, m->pair, row->gap_before + row->touching);
+        vbss_collision_store_separation(s->collision, m->pair, row->gap_before + row->touching);
     }
     double share = near && scene_is_of_surface(key->kind) ? vbss_scene_share_of_row(s, row) : 1.0;
     if (share == 0.0 && is_needle_at_drain(row, m)) {
@@ -404,7 +404,7 @@ bool vbss_scene_add_floor_row(scene_object *s, const contact_key *key, const sce
 {
     static const vec3 floor;
     /* Only what comes down can meet it. */
-    double down = lesser(vec3_dot(way, s->floor_normal), 0.0);
+    double down = vbss_min(vec3_dot(way, s->floor_normal), 0.0);
     double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
     if (gap - s->config.contact_margin > -FAR_ABOVE * SCENE_AHEAD * down) {
         return true;

@@ -24,7 +24,7 @@ static double sound_share(scene_object *s, scene_verdict verdict)
     for (uint32_t i = 0; i < s->place_count; i++) {
         const thread_object *t = s->bodies[i].thread.thread;
         if (s->bodies[i].kind == BODY_THREAD && !vbss_thread_is_relieved(t)) {
-            stretch = vbss_larger(vbss_thread_strain_beyond_tension(t), stretch);
+            stretch = vbss_max_or_nan(vbss_thread_strain_beyond_tension(t), stretch);
         }
     }
     if (verdict == VERDICT_SINGULAR || verdict == VERDICT_FULL || !(stretch <= UNSOUND_STRETCH)) {
@@ -150,7 +150,8 @@ static void settle_rows(scene_object *s)
             row->is = now;
             continue;
         }
-        double pressure = greater(-row->stiffness * row->gap, 0.0), most = row->friction * pressure;
+        double pressure = vbss_max(-row->stiffness * row->gap, 0.0),
+               most = row->friction * pressure;
         vec3 rubbing = vbss_contact_turn_into_plane(row->held, row->normal);
         double size = vec3_norm(rubbing);
         row->is =

@@ -57,7 +57,7 @@ static double excluded_arc(const scene_object *s, const scene_body *a, const sce
 {
     const collision_object *c = s->collision;
     return (1.0 - HAIR) * c->config.exclusion *
-           vbss_collision_distance(c, c->shapes[a->shape], c->shapes[b->shape]);
+           vbss_collision_contact_distance(c, c->shapes[a->shape], c->shapes[b->shape]);
 }
 
 bool vbss_scene_adjoins(const scene_object *s, const scene_body *a, uint32_t segment_a,
@@ -75,8 +75,8 @@ static double distance(const thread_object *t, uint32_t i, const thread_object *
 {
     const vec3 *x = t->now.x + i, *y = u->now.x + k;
     double at[2];
-    return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
-                                   &at[0], &at[1]));
+    return vec3_norm(closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]),
+                                           vec3_sub(y[0], x[0]), &at[0], &at[1]));
 }
 
 /* Whether some of the one that adjoins the other is nearer than touching. */
@@ -140,8 +140,8 @@ static uint8_t sides_beyond(const scene_object *s, const renaming *r, const cont
         !vbss_scene_axis_of(s, key->body_b, key->b, y)) {
         return 0;
     }
-    (void)closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]), &at[0],
-                        &at[1]);
+    (void)closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
+                                &at[0], &at[1]);
     return (uint8_t)((a && at[0] > r->cut.share) | (b && at[1] > r->cut.share) << 1);
 }
 
@@ -276,15 +276,15 @@ static void divide(scene_object *s, scene_body *old, scene_body *piece, const th
     }
     piece->thread.before = old->number;
     piece->thread.split = cut->share < 1.0;
-    vbss_collision_change_chain(s->collision, old->shape, t->node_count, t->rest);
-    vbss_collision_change_chain(s->collision, piece->shape, u->node_count, u->rest);
+    vbss_collision_resize_chain(s->collision, old->shape, t->node_count, t->rest);
+    vbss_collision_resize_chain(s->collision, piece->shape, u->node_count, u->rest);
     vbss_scene_number_nodes(s);
 }
 
 void vbss_scene_tell_cut(scene_object *s, const scene_body *thread, const scene_body *piece,
                          double arc_length)
 {
-    uint32_t um = (uint32_t)(lesser(1e6 * arc_length, 4e9) + 0.5);
+    uint32_t um = (uint32_t)(vbss_min(1e6 * arc_length, 4e9) + 0.5);
     vbss_scene_add_event(s, VBSS_EVENT_CUT, thread->number, piece != NULL ? piece->number : 0, um);
     vbss_scene_show_lost(s);
 }

@@ -96,12 +96,12 @@ static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *s
                                      m->triangle_count, 0.5 * wall, shape));
     if (s->config.method == VBSS_METHOD_PAPER) {
         /* Edges alone, against those of others: docs/paper-scene.md. */
-        s->collision->shapes[*shape]->rigid = true;
+        s->collision->shapes[*shape]->is_rigid = true;
         s->collision->shapes[*shape]->edges_only = true;
         return VBSS_OK;
     }
     vbss_result result =
-        vbss_collision_leave_out_near(s->collision, *shape, m->rest, FAR_ALONG * wall);
+        vbss_collision_exclude_near(s->collision, *shape, m->rest, FAR_ALONG * wall);
     if (result != VBSS_OK) {
         (void)vbss_collision_remove(scene_collision(s), *shape);
     }
@@ -229,7 +229,7 @@ void vbss_scene_aim_drain(scene_drain *b, const scene_part *part)
     }
     double square = 0.0;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        square = vbss_larger(vec3_norm_squared(b->ways[i]), square);
+        square = vbss_max_or_nan(vec3_norm_squared(b->ways[i]), square);
     }
     b->longest = sqrt(square);
 }

@@ -150,7 +150,7 @@ static inline vec3 closest(const side *d, const side *e, const vec3 a[3], const 
     if (e->corners == 3) {
         double weights[3];
         const vec3 corners[3] = {vec3_sub(b[0], a[0]), vec3_sub(b[1], a[0]), vec3_sub(b[2], a[0])};
-        vec3 to = closest_corners(corners, weights);
+        vec3 to = closest_on_triangle(corners, weights);
         at[0] = weights[1];
         at[1] = weights[2];
         return vec3_neg(to);
@@ -163,7 +163,7 @@ static inline vec3 closest(const side *d, const side *e, const vec3 a[3], const 
         return vec3_add_scaled(to, -at[1], along);
     }
     return vec3_neg(
-        closest_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
+        closest_between_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
 /* ---- lips: what is cut is flat, as high as the wall. Against another wall, a lip is a line through its own. */
@@ -221,9 +221,9 @@ static vec3 between_lines(const scene_object *s, const side *d, const side *e, m
     double at[2];
     vec3 one = line_through(s, d, e, when), other = line_through(s, e, d, when);
     vec3 begins = vec3_sub(vec3_scale(vec3_sub(one, other), 0.5), middles);
-    vec3 apart = vec3_neg(closest_edges(one, other, begins, &at[0], &at[1]));
+    vec3 apart = vec3_neg(closest_between_edges(one, other, begins, &at[0], &at[1]));
     double distance = vec3_norm(apart);
-    *walls = vec3_dot(apart, middles) / greater(distance, DBL_MIN) - distance;
+    *walls = vec3_dot(apart, middles) / vbss_max(distance, DBL_MIN) - distance;
     return apart;
 }
 
@@ -382,7 +382,7 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
     }
     double mass = a->rigid.body.mass;
     if (b != NULL && b->rigid.kind != VBSS_RIGID_DRIVEN) {
-        mass = lesser(mass, b->rigid.body.mass);
+        mass = vbss_min(mass, b->rigid.body.mass);
     }
     return RIGID_AUGMENTATION * mass / (h * h);
 }
@@ -469,7 +469,7 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     const side e = side_of(s, row, b, 1);
     vec3 apart = apart_of(s, row, &d, &e, BEGIN, row->at, &row->walls);
     double distance = vec3_norm(apart), touching = touching_of(&d, &e);
-    row->thickness = 2.0 * lesser(d.radius, e.radius); /* of lips too: they are soft */
+    row->thickness = 2.0 * vbss_min(d.radius, e.radius); /* of lips too: they are soft */
     row->touching = touching;
     row->gap_before = distance - touching;
     if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row)) ||

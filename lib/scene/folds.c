@@ -18,8 +18,8 @@ static double away_from(const suture_hole *hole, const scene_body *drain, const 
 {
     const drain_object *d = drain->drain.drain;
     const scene_spot spot = vbss_scene_spot(drain, at->triangle, at->weights);
-    return greater(vec3_distance(spot.now, vbss_hole_point(hole, d, d->x)),
-                   vec3_distance(spot.rest, vbss_hole_point(hole, d, d->mesh.rest)));
+    return vbss_max(vec3_distance(spot.now, vbss_hole_point(hole, d, d->x)),
+                    vec3_distance(spot.rest, vbss_hole_point(hole, d, d->mesh.rest)));
 }
 
 /* What is left of a capsule's axis from an arc length on. */
@@ -52,7 +52,7 @@ static uint32_t list_crossings(const scene_body *needle, const scene_body *drain
                 from = list[count++].arc + n->config.wire_radius;
             }
         }
-        from = greater(from, end);
+        from = vbss_max(from, end);
     }
     return count;
 }
@@ -69,7 +69,7 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
     made.drain = drain->number;
     made.outward = vbss_suture_goes_outward(d, c->at.triangle, way);
     made.arc = c->arc;
-    made.deepest = greater(c->arc, d->config.tip_length); /* it is open */
+    made.deepest = vbss_max(c->arc, d->config.tip_length); /* it is open */
     vbss_scene_add_hole(s, &made);
 }
 
@@ -80,7 +80,7 @@ static void look_beside(scene_object *s, const suture_hole *hole)
     const scene_body *drain = vbss_scene_body(s, hole->drain);
     const double wire = needle->rigid.needle->config.wire_radius;
     const double reach = SCENE_PIN_ARC * (wire + 0.5 * drain->drain.drain->config.thickness);
-    const double mouth = greater(reach, -SCENE_PIN_ARC * hole->entry);
+    const double mouth = vbss_max(reach, -SCENE_PIN_ARC * hole->entry);
     crossing list[CROSSINGS] = {0};
     const uint32_t count = list_crossings(needle, drain, hole->arc + mouth, list);
     uint32_t own = 0;

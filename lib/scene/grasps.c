@@ -59,7 +59,7 @@ static double arc_of(const scene_object *s, const scene_grasp *g)
 void vbss_scene_tell_grasp(scene_object *s, vbss_event_kind kind, const scene_grasp *g)
 {
     double arc = 1e6 * arc_of(s, g);
-    vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)greater(arc, 0.0));
+    vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)vbss_max(arc, 0.0));
 }
 
 /* ---- taking */
@@ -193,11 +193,11 @@ static double held_angle(const scene_object *s, const scene_body *tool)
     const scene_hold *hold = &tool->rigid.hold;
     const scene_pinch *pinch = &tool->rigid.pinch;
     double angle = vbss_scene_holds_needle(s, tool->number) ? hold->angle : 0.0;
-    angle = vbss_scene_pinches(s, tool->number) ? greater(pinch->angle, angle) : angle;
+    angle = vbss_scene_pinches(s, tool->number) ? vbss_max(pinch->angle, angle) : angle;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->tool == tool->number && !g->let_go) {
-            angle = greater(g->angle, angle);
+            angle = vbss_max(g->angle, angle);
         }
     }
     return angle;
@@ -233,14 +233,14 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     scene_hold needle;
     scene_pinch wall;
     double stop = vbss_scene_find_needle(s, tool, &needle) ? needle.angle : 0.0;
-    stop = vbss_scene_find_wall(s, tool, &wall) ? greater(wall.angle, stop) : stop;
+    stop = vbss_scene_find_wall(s, tool, &wall) ? vbss_max(wall.angle, stop) : stop;
     for (uint32_t i = 0; i < m.count; i++) {
-        stop = greater(m.strands[i].angle, stop);
+        stop = vbss_max(m.strands[i].angle, stop);
     }
     if (stop < next) {
         return next;
     }
-    next = lesser(stop, g->angle); /* as it is, if it is squeezed a little already */
+    next = vbss_min(stop, g->angle); /* as it is, if it is squeezed a little already */
     if (needle.needle != 0 && needle.angle >= stop - GIVE && g->kind != VBSS_GRASPER_SHEARS) {
         vbss_scene_take_needle(s, tool, &needle);
     }
@@ -277,9 +277,9 @@ static bool is_clear(const scene_object *s, const scene_grasp *g, double share)
         for (uint32_t i = 0; i + 1 < t->node_count; i++) {
             if (vbss_scene_is_held_at(s, g, i, touching)) {
                 double at[2];
-                vec3 apart = closest_edges(vec3_sub(t->now.x[i + 1], t->now.x[i]),
-                                           vec3_sub(axis[1], axis[0]),
-                                           vec3_sub(axis[0], t->now.x[i]), &at[0], &at[1]);
+                vec3 apart = closest_between_edges(vec3_sub(t->now.x[i + 1], t->now.x[i]),
+                                                   vec3_sub(axis[1], axis[0]),
+                                                   vec3_sub(axis[0], t->now.x[i]), &at[0], &at[1]);
                 if (vec3_norm(apart) < share * touching) {
                     return false;
                 }
@@ -364,7 +364,7 @@ static double held_ahead(const thread_object *t, const scene_grasp *g, bool on)
         i = on ? i + 1 : i - 1;
         arc += t->rest[i];
     }
-    return greater(lesser(arc, g->spacing), 0.0);
+    return vbss_max(vbss_min(arc, g->spacing), 0.0);
 }
 
 static void settle(scene_object *s, scene_grasp *g, double h)

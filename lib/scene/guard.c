@@ -68,9 +68,9 @@ static bool is_expected(const scene_object *s, const motion *m)
     for (uint32_t i = 0; i < m->count; i++) {
         vec3 way = vec3_scale(m->ways[i], SCENE_AHEAD), went = vec3_sub(m->end[i], m->begin[i]);
         bool inside =
-            went.x >= lesser(0.0, way.x) - beyond && went.x <= greater(0.0, way.x) + beyond &&
-            went.y >= lesser(0.0, way.y) - beyond && went.y <= greater(0.0, way.y) + beyond &&
-            went.z >= lesser(0.0, way.z) - beyond && went.z <= greater(0.0, way.z) + beyond;
+            went.x >= vbss_min(0.0, way.x) - beyond && went.x <= vbss_max(0.0, way.x) + beyond &&
+            went.y >= vbss_min(0.0, way.y) - beyond && went.y <= vbss_max(0.0, way.y) + beyond &&
+            went.z >= vbss_min(0.0, way.z) - beyond && went.z <= vbss_max(0.0, way.z) + beyond;
         if (!inside) { /* nor is what is not a number */
             return false;
         }
@@ -119,12 +119,12 @@ static scene_verdict list_pairs(scene_object *s)
         }
         const motion m = motion_of(s, b);
         if (expected) {
-            vbss_collision_end_elsewhere(s->collision->shapes[b->shape], m.end);
+            vbss_collision_set_end_positions(s->collision->shapes[b->shape], m.end);
         } else if (vbss_collision_move(scene_collision(s), b->shape, &m.begin->x, &m.end->x,
                                        m.count) != VBSS_OK) {
             return VERDICT_SINGULAR; /* coordinates that are no place */
         }
-        vbss_collision_measure_ways(s->collision->shapes[b->shape]);
+        vbss_collision_update_displacements(s->collision->shapes[b->shape]);
     }
     if (!expected && vbss_scene_find_pairs(s) != VBSS_OK) {
         return VERDICT_FULL;
@@ -191,7 +191,7 @@ static double touching_of(const scene_object *s, const collision_candidate *q)
 /* Of the thinner one. */
 static double thickness_of(const scene_object *s, const collision_candidate *q)
 {
-    return 2.0 * lesser(radius_of(s, q, false), radius_of(s, q, true));
+    return 2.0 * vbss_min(radius_of(s, q, false), radius_of(s, q, true));
 }
 
 /* As near as contact may let them come. */
@@ -250,10 +250,10 @@ static double distance_at_begin(const scene_object *s, const asked_pair *pair, d
     const vec3 *x = c.start;
     if (pair->q->kind == VBSS_PAIR_POINT_TRIANGLE) {
         const vec3 triangle[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
-        return vec3_norm(closest_corners(triangle, at));
+        return vec3_norm(closest_on_triangle(triangle, at));
     }
-    return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]),
-                                   &at[0], &at[1]));
+    return vec3_norm(closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]),
+                                           vec3_sub(x[2], x[0]), &at[0], &at[1]));
 }
 
 /* Where the wall is nearest then, and where on the other one that is: a share of its edge. */
@@ -332,7 +332,7 @@ static double least_radius(const scene_object *s, const scene_body *b, uint32_t 
         return 2.0 * SCENE_LIP * least;
     }
     for (uint32_t i = 0; b->kind == BODY_RIGID && i < b->rigid.capsule_count; i++) {
-        least = lesser(s->capsules[b->rigid.first_capsule + i].radius, least);
+        least = vbss_min(s->capsules[b->rigid.first_capsule + i].radius, least);
     }
     return least;
 }
@@ -366,17 +366,17 @@ static uint32_t skip_proved(const scene_object *s, uint32_t first)
 static void ask(scene_object *s, uint32_t kind, uint32_t count)
 {
     collision_block *b = s->block;
-    const collision_rows rows = {.kind = (vbss_pair_kind)kind,
-                                 .count = count,
-                                 .stride = IMPACT_BLOCK,
-                                 .start = b->start[0],
-                                 .end = b->end[0],
-                                 .thickness = b->thickness,
-                                 .hit = b->hit,
-                                 .decision = b->decision,
-                                 .time = b->time};
-    vbss_collision_ask_rows(&s->collision->rules, s->collision->wide, &rows,
-                            &s->collision->counters);
+    const collision_ccd_batch rows = {.kind = (vbss_pair_kind)kind,
+                                      .count = count,
+                                      .stride = COLLISION_BLOCK_SIZE,
+                                      .start = b->start[0],
+                                      .end = b->end[0],
+                                      .thickness = b->thickness,
+                                      .hit = b->hit,
+                                      .decision = b->decision,
+                                      .time = b->time};
+    vbss_collision_run_ccd_batch(&s->collision->ccd_options, s->collision->wide, &rows,
+                                 &s->collision->counters);
 }
 
 /* When they come so near, as a share of the part; 1: they do not. */
@@ -403,9 +403,9 @@ static double time_of_hit(scene_object *s, const asked_pair *pair, shares share)
     double guarded = GUARDED * share.now * touching;
     if (distance >= touching + s->config.contact_margin) {
         double nearer = (1.0 - share.coming) * touching;
-        return time_at(s, pair, greater(allowed_by_contact(s, pair->q) - nearer, guarded));
+        return time_at(s, pair, vbss_max(allowed_by_contact(s, pair->q) - nearer, guarded));
     }
-    bool near = distance <= guarded * (1.0 + 2.0 * s->collision->rules.tolerance);
+    bool near = distance <= guarded * (1.0 + 2.0 * s->collision->ccd_options.tolerance);
     double hit = time_at(s, pair, near ? GUARDED_WHEN_NEARER * distance : guarded);
     return hit < 1.0 && distance < NEAREST * guarded && !share.leaves ? pair->from : hit;
 }
@@ -418,13 +418,13 @@ static double time_of_hit_at_holes(scene_object *s, const collision_candidate *q
     const double touching = touching_of(s, q);
     const double moved =
         s->bodies[s->shape_places[q->shape_a]].moved + s->bodies[s->shape_places[q->shape_b]].moved;
-    const double look = greater(1.0 / LOOKS, GENTLE * touching / moved);
+    const double look = vbss_max(1.0 / LOOKS, GENTLE * touching / moved);
     asked_pair pair = {q, piece, 0.0};
     const double coming = share_at_wall(s, &pair, touching, moved);
     for (uint32_t i = 0; i < ASKED && pair.from < 1.0; i++) {
         shares share = {share_at_wall(s, &pair, touching, 0.0), coming, false};
         if (share.now <= 0.0) {
-            const asked_pair next = {q, piece, lesser(pair.from + look, 1.0)};
+            const asked_pair next = {q, piece, vbss_min(pair.from + look, 1.0)};
             share.now = share_at_wall(s, &next, touching, 0.0);
             share.leaves = true;
             if (share.now <= 0.0) {
@@ -441,7 +441,7 @@ static double time_of_hit_at_holes(scene_object *s, const collision_candidate *q
             return hit.from;
         }
         double least = there > 0.0 ? 0.0 : pair.from + look / LOOKS;
-        pair.from = lesser(greater(hit.from, least), 1.0);
+        pair.from = vbss_min(vbss_max(hit.from, least), 1.0);
     }
     return pair.from;
 }
@@ -464,7 +464,7 @@ static double time_beside_holes(scene_object *s, const collision_candidate *q)
                                  &piece)) {
         const asked_pair pair = {q, &piece, 0.0};
         if (time_at(s, &pair, allowed_by_contact(s, q)) < 1.0) {
-            earliest = lesser(time_of_hit_at_holes(s, q, &piece), earliest);
+            earliest = vbss_min(time_of_hit_at_holes(s, q, &piece), earliest);
         }
     }
     return earliest;
@@ -491,10 +491,10 @@ static bool is_of_needle_and_wall(const scene_object *s, const collision_candida
 static bool is_clear(scene_object *s, const asked_pair *pair)
 {
     double at[3], distance = distance_at_begin(s, pair, at), touching = touching_of(s, pair->q);
-    const double guarded = GUARDED * touching * (1.0 + 2.0 * s->collision->rules.tolerance);
-    vbss_collision_note_apart(s->collision, pair->q, distance);
+    const double guarded = GUARDED * touching * (1.0 + 2.0 * s->collision->ccd_options.tolerance);
+    vbss_collision_store_separation(s->collision, pair->q, distance);
     return distance < touching + s->config.contact_margin &&
-           vbss_collision_stays_apart(s->collision, pair->q, guarded) &&
+           vbss_collision_stays_separated(s->collision, pair->q, guarded) &&
            !is_of_needle_and_wall(s, pair->q);
 }
 
@@ -508,7 +508,7 @@ static double look_again(scene_object *s, const collision_candidate *q, double t
     const double share = share_touching(s, q, touching_of(s, q));
     double at[3];
     if (share < 1.0 && is_of_suture_and_wall(s, q)) {
-        return lesser(time_of_hit_at_holes(s, q, NULL), time_beside_holes(s, q));
+        return vbss_min(time_of_hit_at_holes(s, q, NULL), time_beside_holes(s, q));
     }
     if (share <= 0.0) {
         return 1.0;
@@ -520,11 +520,11 @@ static double look_again(scene_object *s, const collision_candidate *q, double t
 }
 
 /* The next pairs of one kind that have to be asked about, from *next on; returns how many, and which. */
-static uint32_t gather(scene_object *s, uint32_t *next, uint32_t which[IMPACT_BLOCK])
+static uint32_t gather(scene_object *s, uint32_t *next, uint32_t which[COLLISION_BLOCK_SIZE])
 {
     const collision_object *c = s->collision;
     uint32_t count = 0;
-    for (; *next < c->candidate_count && count < IMPACT_BLOCK; ++*next) {
+    for (; *next < c->candidate_count && count < COLLISION_BLOCK_SIZE; ++*next) {
         const collision_candidate *q = &c->candidates[*next];
         bool others = *next == 0 || q->shape_a != q[-1].shape_a || q->shape_b != q[-1].shape_b;
         uint32_t beyond = others ? skip_proved(s, *next) : *next;
@@ -549,10 +549,10 @@ static double earliest_hit(scene_object *s)
 {
     const collision_object *c = s->collision;
     double earliest = 1.0;
-    uint32_t which[IMPACT_BLOCK], count, next = 0;
+    uint32_t which[COLLISION_BLOCK_SIZE], count, next = 0;
     while ((count = gather(s, &next, which)) > 0) {
-        double time[IMPACT_BLOCK];
-        bool hit[IMPACT_BLOCK];
+        double time[COLLISION_BLOCK_SIZE];
+        bool hit[COLLISION_BLOCK_SIZE];
         ask(s, c->candidates[which[0]].kind, count);
         for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
             hit[i] = s->block->hit[i] != 0;
@@ -561,7 +561,7 @@ static double earliest_hit(scene_object *s)
         for (uint32_t i = 0; i < count; i++) {
             const collision_candidate *q = &c->candidates[which[i]];
             if (hit[i]) {
-                earliest = lesser(look_again(s, q, time[i]), earliest);
+                earliest = vbss_min(look_again(s, q, time[i]), earliest);
             }
         }
     }
@@ -590,17 +590,17 @@ static double earliest_through_floor(const scene_object *s)
         const scene_rigid *r = &b->rigid;
         for (uint32_t k = 0; b->kind == BODY_THREAD && k < t->node_count; k++) {
             double at = earliest_below_floor(s, t->now.x[k], t->trial[k], t->config.radius);
-            earliest = lesser(at, earliest);
+            earliest = vbss_min(at, earliest);
         }
         for (uint32_t k = 0; b->kind == BODY_RIGID && k < 2 * r->capsule_count; k++) {
             const scene_capsule *c = &s->capsules[r->first_capsule + k / 2];
             double at = earliest_below_floor(s, c->now[k % 2], c->trial[k % 2], c->radius);
-            earliest = lesser(at, earliest);
+            earliest = vbss_min(at, earliest);
         }
         const drain_object *d = b->drain.drain;
         for (uint32_t k = 0; b->kind == BODY_DRAIN && k < d->mesh.node_count; k++) {
             double at = earliest_below_floor(s, d->x[k], d->trial[k], 0.5 * d->config.thickness);
-            earliest = lesser(at, earliest);
+            earliest = vbss_min(at, earliest);
         }
     }
     return earliest;
@@ -613,6 +613,6 @@ scene_verdict vbss_scene_guard(scene_object *s)
         return verdict;
     }
     vbss_scene_find_slides(s);
-    s->earliest = lesser(earliest_hit(s), earliest_through_floor(s));
+    s->earliest = vbss_min(earliest_hit(s), earliest_through_floor(s));
     return s->earliest < 1.0 ? VERDICT_GUARD : VERDICT_ACCEPTED;
 }

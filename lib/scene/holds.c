@@ -151,8 +151,9 @@ static bool is_clear(const scene_object *s, const scene_body *tool, double share
             const scene_capsule *c = &s->capsules[b->rigid.first_capsule + i];
             double at[2];
             vbss_scene_place_capsule(c, b->rigid.body.now.at, other);
-            vec3 apart = closest_edges(vec3_sub(one[1], one[0]), vec3_sub(other[1], other[0]),
-                                       vec3_sub(other[0], one[0]), &at[0], &at[1]);
+            vec3 apart =
+                closest_between_edges(vec3_sub(one[1], one[0]), vec3_sub(other[1], other[0]),
+                                      vec3_sub(other[0], one[0]), &at[0], &at[1]);
             if (vbss_scene_is_in_jaws(s, b, i, tool, k) &&
                 vec3_norm(apart) < share * (jaw->radius + c->radius)) {
                 return false;
@@ -295,7 +296,7 @@ static void settle(scene_object *s, scene_body *tool, double h)
     hold->slid += change.slid;
     hold->turned += change.turned;
     if (change.torn || !hold_elsewhere(needle->needle, r->grasper, hold)) {
-        hold->arc = greater(0.0, lesser(hold->arc, vbss_needle_length(needle->needle)));
+        hold->arc = vbss_max(0.0, vbss_min(hold->arc, vbss_needle_length(needle->needle)));
         tell(s, VBSS_EVENT_TORN, tool);
         hold->let_go = hold->torn = true;
         hold->force = hold->torque = vec3_zero();

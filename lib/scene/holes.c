@@ -545,7 +545,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     made.thread = suture->kind == BODY_THREAD ? body : 0;
     memcpy(made.weights, weights, sizeof made.weights);
     VBSS_TRY(lay_hole(s, &made, suture));
-    made.deepest = greater(made.deepest, d->drain.drain->config.tip_length); /* it is open */
+    made.deepest = vbss_max(made.deepest, d->drain.drain->config.tip_length); /* it is open */
     *place = made;
     s->last_hole = made.id;
     s->generation++;

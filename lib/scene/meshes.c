@@ -37,7 +37,7 @@ typedef struct around {
     double on_tool;             /* least length that the tools within would like, m */
 } around;
 
-static bool boxes_meet(const collision_box *a, const collision_box *b)
+static bool boxes_meet(const collision_aabb *a, const collision_aabb *b)
 {
     bool meet = true;
     for (int k = 0; k < 3; k++) {
@@ -46,13 +46,13 @@ static bool boxes_meet(const collision_box *a, const collision_box *b)
     return meet;
 }
 
-static collision_box box_around(const vec3 *axis, double reach)
+static collision_aabb box_around(const vec3 *axis, double reach)
 {
     const double p[3] = {axis[0].x, axis[0].y, axis[0].z}, q[3] = {axis[1].x, axis[1].y, axis[1].z};
-    collision_box box = {{0.0}, {0.0}};
+    collision_aabb box = {{0.0}, {0.0}};
     for (int k = 0; k < 3; k++) {
-        box.low[k] = lesser(p[k], q[k]) - reach;
-        box.high[k] = greater(p[k], q[k]) + reach;
+        box.low[k] = vbss_min(p[k], q[k]) - reach;
+        box.high[k] = vbss_max(p[k], q[k]) + reach;
     }
     return box;
 }
@@ -60,8 +60,8 @@ static collision_box box_around(const vec3 *axis, double reach)
 static double distance(const vec3 *a, const vec3 *b)
 {
     double at[2];
-    return vec3_norm(closest_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]), vec3_sub(b[0], a[0]),
-                                   &at[0], &at[1]));
+    return vec3_norm(closest_between_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]),
+                                           vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
 /* A strand that was cut off is not near the other end of the cut. */
@@ -79,7 +79,7 @@ static void note_wall(const probe *p, const drain_object *d, double apart, doubl
                       around *found)
 {
     double gap = apart - p->body->thread.thread->config.radius - 0.5 * d->config.thickness;
-    found->tool = gap < within ? lesser(gap, found->tool) : found->tool;
+    found->tool = gap < within ? vbss_min(gap, found->tool) : found->tool;
 }
 
 static void look_at_face(const scene_object *s, const probe *p, const scene_body *b, uint32_t face,
@@ -93,7 +93,7 @@ static void look_at_face(const scene_object *s, const probe *p, const scene_body
         for (int k = 0; k < 3; k++) {
             corners[k] = vec3_sub(d->x[nodes[k]], p->axis[end]);
         }
-        note_wall(p, d, vec3_norm(closest_corners(corners, weights)), within, found);
+        note_wall(p, d, vec3_norm(closest_on_triangle(corners, weights)), within, found);
     }
 }
 
@@ -107,7 +107,7 @@ static void look_at(const scene_object *s, const probe *p, const scene_body *b, 
     if (b->kind == BODY_THREAD) {
         const thread_object *t = b->thread.thread;
         double gap = distance(p->axis, t->now.x + feature) - radius - t->config.radius;
-        found->strand = gap < within ? lesser(gap, found->strand) : found->strand;
+        found->strand = gap < within ? vbss_min(gap, found->strand) : found->strand;
         return;
     }
     if (b->kind == BODY_DRAIN) {
@@ -122,8 +122,8 @@ static void look_at(const scene_object *s, const probe *p, const scene_body *b, 
     vbss_scene_place_capsule(c, b->rigid.body.now.at, axis);
     double gap = distance(p->axis, axis) - radius - c->radius;
     if (gap < within) {
-        found->tool = lesser(gap, found->tool);
-        found->on_tool = lesser(ON_TOOL * c->radius, found->on_tool);
+        found->tool = vbss_min(gap, found->tool);
+        found->on_tool = vbss_min(ON_TOOL * c->radius, found->on_tool);
     }
 }
 
@@ -134,17 +134,17 @@ static around look_around(scene_object *s, const probe *p, double within)
     const double none = (double)INFINITY;
     double radius = p->body->thread.thread->config.radius;
     around found = {none, none, none, none};
-    collision_box box = box_around(p->axis, radius + within);
+    collision_aabb box = box_around(p->axis, radius + within);
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
         if (b->kind == BODY_GONE || !boxes_meet(&c->shapes[b->shape]->root, &box)) {
             continue;
         }
         collision_shape *shape = c->shapes[b->shape];
-        vbss_collision_shape_fit_edges(shape);
+        vbss_collision_shape_refit_edges(shape);
         uint32_t *near = b->kind == BODY_DRAIN ? b->drain.near : s->near;
-        uint32_t count =
-            VBSS_WIDE_CALL(c->wide, vbss_collision_meet, &c->search, &shape->edge_tree, &box, near);
+        uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
+                                        &shape->edge_bvh, &box, near);
         for (uint32_t k = 0; k < count; k++) {
             look_at(s, p, b, near[k], within, &found);
             if (p->any && found.strand < within) {
@@ -152,9 +152,9 @@ static around look_around(scene_object *s, const probe *p, double within)
             }
         }
         if (b->kind == BODY_DRAIN) {
-            vbss_collision_shape_fit_triangles(shape);
-            count = VBSS_WIDE_CALL(c->wide, vbss_collision_meet, &c->search, &shape->triangle_tree,
-                                   &box, near);
+            vbss_collision_shape_refit_triangles(shape);
+            count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
+                                   &shape->triangle_bvh, &box, near);
             for (uint32_t k = 0; k < count; k++) {
                 look_at_face(s, p, b, near[k], within, &found);
             }
@@ -162,7 +162,7 @@ static around look_around(scene_object *s, const probe *p, double within)
     }
     for (int end = 0; s->config.floor != 0 && end < 2; end++) {
         double above = vec3_dot(p->axis[end], s->floor_normal) - s->config.floor_height - radius;
-        found.floor = lesser(above, found.floor);
+        found.floor = vbss_min(above, found.floor);
     }
     return found;
 }
@@ -202,9 +202,9 @@ static double room_among(scene_object *s, const scene_body *b, uint32_t low, uin
     for (uint32_t k = low; k < high && k < last; k++) {
         probe p = probe_of(b, k, k + 1, arc);
         around a = look_around(s, &p, least);
-        least = lesser(lesser(a.strand, a.tool), lesser(a.floor, least));
+        least = vbss_min(vbss_min(a.strand, a.tool), vbss_min(a.floor, least));
     }
-    return greater(SHARE_OF_GAP * least, 0.0);
+    return vbss_max(SHARE_OF_GAP * least, 0.0);
 }
 
 /* ---- where nothing changes */
@@ -347,7 +347,7 @@ static void make_changes(scene_object *s, const plan *p)
             t->statistics.refused_near++;
         }
     }
-    vbss_collision_change_chain(s->collision, p->body->shape, t->node_count, t->rest);
+    vbss_collision_resize_chain(s->collision, p->body->shape, t->node_count, t->rest);
     vbss_scene_order_memory(s);
     vbss_scene_number_nodes(s);
     s->pattern = 0;
@@ -359,7 +359,7 @@ static bool place_shapes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind != BODY_THREAD || s->collision->shapes[b->shape]->boxes_known) {
+        if (b->kind != BODY_THREAD || s->collision->shapes[b->shape]->boxes_valid) {
             continue;
         }
         const thread_object *t = b->thread.thread;
@@ -367,7 +367,7 @@ static bool place_shapes(scene_object *s)
                                 t->node_count) != VBSS_OK) {
             return false;
         }
-        vbss_collision_shape_boxes(s->collision->shapes[b->shape]);
+        vbss_collision_shape_update_boxes(s->collision->shapes[b->shape]);
     }
     return true;
 }

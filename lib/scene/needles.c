@@ -57,7 +57,7 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     }
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
                                          n->config.wire_radius, &shape));
-    s->collision->shapes[shape]->rigid = true;
+    s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){.rigid = {.kind = VBSS_RIGID_FREE,
                                 .body = n->body,
                                 .frame = n->frame,

@@ -82,9 +82,9 @@ static bool moves(const feature *f)
 /* From b to a at the end, and where on each. */
 static vec3 apart_at_end(const feature *a, const feature *b, double at[2])
 {
-    return vec3_neg(closest_edges(vec3_sub(*a->end[1], *a->end[0]),
-                                  vec3_sub(*b->end[1], *b->end[0]),
-                                  vec3_sub(*b->end[0], *a->end[0]), &at[0], &at[1]));
+    return vec3_neg(closest_between_edges(vec3_sub(*a->end[1], *a->end[0]),
+                                          vec3_sub(*b->end[1], *b->end[0]),
+                                          vec3_sub(*b->end[0], *a->end[0]), &at[0], &at[1]));
 }
 
 /* ---- pairs of them */
@@ -167,15 +167,15 @@ vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, v
 
 static vbss_impact ask(scene_object *s, const feature *a, const feature *b, double thickness)
 {
-    collision_question question = {.kind = VBSS_PAIR_EDGE_EDGE, .thickness = thickness};
-    collision_answer answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
+    collision_ccd_query question = {.kind = VBSS_PAIR_EDGE_EDGE, .thickness = thickness};
+    collision_ccd_result answer = vbss_collision_ccd_miss(VBSS_DECISION_CLAIMED);
     for (int k = 0; k < 2; k++) {
         question.start[k] = *a->start[k];
         question.end[k] = *a->end[k];
         question.start[2 + k] = *b->start[k];
         question.end[2 + k] = *b->end[k];
     }
-    vbss_collision_ask(&s->collision->rules, &question, &answer, &s->collision->counters);
+    vbss_collision_run_ccd(&s->collision->ccd_options, &question, &answer, &s->collision->counters);
     vbss_impact impact = {.struct_size = sizeof impact, .hit = answer.hit, .time = answer.time};
     vec3_store(impact.normal, answer.normal);
     memcpy(impact.weights, answer.weights, sizeof impact.weights);
@@ -200,8 +200,8 @@ static vbss_result respond(const feature *a, const feature *b, double thickness,
 static void limit_side(double displacement[6], double share, double wanted, double depth)
 {
     double factor = share != 0.0 ? wanted / share : 0.0, most = LEVER * wanted * depth;
-    double largest = factor * greater(vec3_norm(vec3_load(displacement)),
-                                      vec3_norm(vec3_load(displacement + 3)));
+    double largest = factor * vbss_max(vec3_norm(vec3_load(displacement)),
+                                       vec3_norm(vec3_load(displacement + 3)));
     factor *= largest > most ? most / largest : 1.0;
     for (int k = 0; k < 6; k++) {
         displacement[k] *= factor;
@@ -371,10 +371,10 @@ double vbss_scene_paper_measure(scene_object *s, double h)
         } else {
             lay_hit(s, &s->hits[i]);
         }
-        depth = greater(-s->hits[i].gap, depth);
+        depth = vbss_max(-s->hits[i].gap, depth);
     }
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
-        depth = greater(depth_of(s, &s->collision->candidates[i]), depth);
+        depth = vbss_max(depth_of(s, &s->collision->candidates[i]), depth);
     }
     return depth;
 }

@@ -111,7 +111,7 @@ static vec3 pull_of_section(const thread_object *t, uint32_t from, uint32_t to, 
         length += vec3_distance(t->now.x[i], t->now.x[i + 1]);
         rest += t->rest[i];
     }
-    double size = stiffness * greater(length - rest, 0.0);
+    double size = stiffness * vbss_max(length - rest, 0.0);
     vec3 way = vec3_unit_or(vec3_sub(t->now.x[to], t->now.x[from]), vec3_zero());
     return vec3_scale(way, size);
 }

@@ -139,7 +139,7 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
     vbss_paper_probe_points(r->needle, at, d->config.thickness, probe.points);
     while (vbss_paper_find_puncture(&probe, r->toggles, &made)) {
         made.arc = vbss_suture_nearest(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
-        made.deepest = greater(made.arc, 0.0);
+        made.deepest = vbss_max(made.arc, 0.0);
         vbss_scene_add_hole(s, &made);
     }
     vbss_paper_set_toggles(&probe, r->toggles);

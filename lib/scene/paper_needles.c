@@ -61,11 +61,11 @@ static double make_round(landing *l, uint32_t count)
     for (uint32_t i = 0; i < count; i++) {
         corner *c = &l->corners[i];
         double before = c->impulse;
-        c->impulse = greater(0.0, before - height_of(l, c) / c->rise);
+        c->impulse = vbss_max(0.0, before - height_of(l, c) / c->rise);
         double more = c->impulse - before;
         l->moved = vec3_add_scaled(l->moved, more / l->needle->body.mass, l->up);
         l->turned = vec3_add_scaled(l->turned, more, c->turn);
-        most = greater(most, fabs(more) * c->rise);
+        most = vbss_max(most, fabs(more) * c->rise);
     }
     return most;
 }
@@ -93,7 +93,7 @@ static void land(const scene_object *s, const scene_rigid *r, pose *at)
     vbss_rigid_advance(at, l.moved, l.turned);
     begin_landing(&l, *at, count);
     for (uint32_t i = 0; i < count; i++) { /* turns are not small */
-        below = lesser(below, height_of(&l, &l.corners[i]));
+        below = vbss_min(below, height_of(&l, &l.corners[i]));
     }
     at->position = vec3_add_scaled(at->position, -below, s->floor_normal);
 }
@@ -241,8 +241,9 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
         double at[2];
         vec3 begin = pose_apply(seen, vbss_needle_point(n, i * length));
         vec3 end = pose_apply(seen, vbss_needle_point(n, (i + 1) * length));
-        vec3 apart = closest_edges(vec3_sub(end, begin), vec3_make(0.0, 0.0, -jaw), vec3_neg(begin),
-                                   &at[0], &at[1]); /* jaws point along -z from their pivot */
+        vec3 apart =
+            closest_between_edges(vec3_sub(end, begin), vec3_make(0.0, 0.0, -jaw), vec3_neg(begin),
+                                  &at[0], &at[1]); /* jaws point along -z from their pivot */
         double arc = (i + at[0]) * length;
         vec3 way = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
         if (vec3_norm(apart) <= *nearest && fabs(way.y) >= LEAST_ACROSS) {

@@ -150,10 +150,10 @@ static double note_stretch(thread_object *t)
     c->last_stretch = c->last_stretch_error = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         double stretch = t->strains[i].excess / t->rest[i];
-        c->last_stretch = greater(stretch, c->last_stretch);
-        c->last_stretch_error = greater(fabs(stretch), c->last_stretch_error);
+        c->last_stretch = vbss_max(stretch, c->last_stretch);
+        c->last_stretch_error = vbss_max(fabs(stretch), c->last_stretch_error);
     }
-    c->stretch_error = greater(c->last_stretch_error, c->stretch_error);
+    c->stretch_error = vbss_max(c->last_stretch_error, c->stretch_error);
     return c->last_stretch_error;
 }
 
@@ -178,13 +178,13 @@ static void note_errors(scene_object *s, double h)
     double stretch = 0.0, depth = vbss_scene_paper_measure(s, h);
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
-            stretch = greater(note_stretch(s->bodies[i].thread.thread), stretch);
+            stretch = vbss_max(note_stretch(s->bodies[i].thread.thread), stretch);
         }
     }
     c->last_stretch_error = stretch;
-    c->stretch_error = greater(stretch, c->stretch_error);
+    c->stretch_error = vbss_max(stretch, c->stretch_error);
     c->last_penetration = depth;
-    c->penetration = greater(depth, c->penetration);
+    c->penetration = vbss_max(depth, c->penetration);
     c->loose_stretch += stretch > s->config.stretch_tolerance;
     c->rows = s->collision->candidate_count;
     c->parts++;

@@ -45,7 +45,7 @@ vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint
     vbss_result result = VBSS_OK;
     for (uint32_t i = 0; result == VBSS_OK && i < t->reserve->left; i++) {
         /* as large as any of the family is, which may come later */
-        result = vbss_collision_add_sleeping_chain(s->collision, t->node_capacity, t->config.radius,
+        result = vbss_collision_add_disabled_chain(s->collision, t->node_capacity, t->config.radius,
                                                    &last);
     }
     for (uint32_t name = shape; result != VBSS_OK && name <= last; name++) {
@@ -124,7 +124,7 @@ void vbss_scene_unmake_piece(scene_object *s, scene_body *piece)
 {
     const scene_thread kept = {.slot = piece->thread.slot, .thread = piece->thread.thread};
     vbss_slot_empty(kept.slot);
-    vbss_collision_send_to_sleep(s->collision, piece->shape);
+    vbss_collision_disable_chain(s->collision, piece->shape);
     *piece = (scene_body){.reserved = true, .shape = piece->shape, .thread = kept};
 }
 
@@ -198,7 +198,7 @@ void vbss_scene_finish_pieces(vbss_stream *stream, scene_object *s)
         const scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD && scene_thread_resizes(b->thread.thread)) {
             const thread_object *t = b->thread.thread;
-            vbss_collision_change_chain(s->collision, b->shape, t->node_count, t->rest);
+            vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
         }
     }
     vbss_scene_number_nodes(s);

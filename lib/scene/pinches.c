@@ -119,7 +119,8 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_pinch 
         double thick = gaps[i].layers * wall;
         /* Nearer to the pivot than it is thick it stands in the corner of the mouth, and stops nothing. */
         if (gaps[i].layers > 0 && gaps[i].depth > thick) {
-            found->angle = greater(vbss_grasper_touching_angle(thick, gaps[i].depth), found->angle);
+            found->angle =
+                vbss_max(vbss_grasper_touching_angle(thick, gaps[i].depth), found->angle);
             gaps[count++] = gaps[i];
         }
     }

@@ -116,7 +116,7 @@ static vbss_result pin_node(scene_object *s, uint32_t thread, uint32_t node, uin
     VBSS_TRY(check_node(s, t, node));
     if (point != NULL) {
         VBSS_TRY(vbss_check_finite(s->context, point, 3, "point"));
-        VBSS_TRY(vbss_check_range(s->context, vbss_largest(point, 3), 0.0, 1e3, "point"));
+        VBSS_TRY(vbss_check_range(s->context, vbss_max_abs(point, 3), 0.0, 1e3, "point"));
     }
     scene_pin *p = free_place(s);
     if (p == NULL) {

@@ -62,7 +62,7 @@ static void ease_folds(scene_object *s, double h)
         contact_row *row = &s->contacts->rows[i];
         bool folds = scene_is_of_surface(row->key.kind) && row->key.body_a == row->key.body_b;
         double borne = row->is.state == CONTACT_OPEN ? 0.0 : row->is.pressure / row->stiffness;
-        double deeper = -row->gap_before - greater(borne, OPENS * h);
+        double deeper = -row->gap_before - vbss_max(borne, OPENS * h);
         if (folds && deeper > 0.0) {
             row->eased = deeper;
             row->spared += deeper;

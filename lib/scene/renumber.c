@@ -54,8 +54,8 @@ static void shares_of(const scene_object *s, const renaming *r, const contact_ke
     double at[2];
     if ((a || b) && vbss_scene_axis_of(s, k->body_a, k->a, x) &&
         vbss_scene_axis_of(s, k->body_b, k->b, y)) {
-        (void)closest_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
-                            &at[0], &at[1]);
+        (void)closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]),
+                                    vec3_sub(y[0], x[0]), &at[0], &at[1]);
         share[0] = a ? at[0] : -1.0;
         share[1] = b ? at[1] : -1.0;
     }

@@ -16,7 +16,7 @@ static bool is_at_end(const thread_object *t, double arc)
 {
     double length = vbss_thread_arc_length(t, t->node_count - 1);
     thread_cut cut;
-    return lesser(arc, length - arc) < 2.0 * t->config.radius ||
+    return vbss_min(arc, length - arc) < 2.0 * t->config.radius ||
            !vbss_thread_find_cut(t, arc, &cut);
 }
 

@@ -219,7 +219,7 @@ static void advance(scene_object *s)
         double tolerance = near ? s->config.stretch_tolerance : t->config.stretch_tolerance;
         e->finite = e->finite && stretch < TOO_FAR;
         e->converged = e->converged && shape && stretch <= tolerance;
-        e->stretch = vbss_larger(stretch, e->stretch);
+        e->stretch = vbss_max_or_nan(stretch, e->stretch);
     }
 }
 

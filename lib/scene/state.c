@@ -20,22 +20,22 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
                                 c->linearisation_limit, c->state_limit,      c->halving_limit,
                                 c->attempt_limit,       c->paper_pass_limit, c->pin_capacity};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
-        vbss_stream_same(stream, 2, choices[i]);
+        vbss_stream_expect(stream, 2, choices[i]);
     }
     if (stream->version >= 2) {
-        vbss_stream_same(stream, 4, c->grasp_capacity);
+        vbss_stream_expect(stream, 4, c->grasp_capacity);
     }
     if (stream->version >= 3) {
-        vbss_stream_same(stream, 5, c->work_limit);
+        vbss_stream_expect(stream, 5, c->work_limit);
     }
     if (stream->version >= 4) {
-        vbss_stream_same(stream, 6, c->hole_capacity);
+        vbss_stream_expect(stream, 6, c->hole_capacity);
     }
     if (stream->version >= 6) {
-        vbss_stream_same(stream, 7, c->slot_limit);
+        vbss_stream_expect(stream, 7, c->slot_limit);
     }
 }
 
@@ -228,21 +228,21 @@ static void visit_told(vbss_stream *stream, scene_rigid *r)
 
 static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid *r)
 {
-    vbss_stream_same(stream, 20, (uint64_t)r->kind);
-    vbss_stream_same(stream, 21, r->capsule_count);
+    vbss_stream_expect(stream, 20, (uint64_t)r->kind);
+    vbss_stream_expect(stream, 21, r->capsule_count);
     if (stream->version >= 2 || r->grasper != NULL) { /* before there were none */
-        vbss_stream_same(stream, 29, r->grasper != NULL);
+        vbss_stream_expect(stream, 29, r->grasper != NULL);
     }
     if (stream->version >= 4 || r->needle != NULL) {
-        vbss_stream_same(stream, 19, r->needle != NULL);
+        vbss_stream_expect(stream, 19, r->needle != NULL);
     }
-    vbss_stream_same_f64(stream, 22, r->friction);
+    vbss_stream_expect_f64(stream, 22, r->friction);
     for (uint32_t i = 0; r->grasper == NULL && i < r->capsule_count; i++) {
         const scene_capsule *c = &s->capsules[r->first_capsule + i];
         const double numbers[] = {c->local[0].x, c->local[0].y, c->local[0].z, c->local[1].x,
                                   c->local[1].y, c->local[1].z, c->radius};
         for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
-            vbss_stream_same_f64(stream, 23, numbers[k]);
+            vbss_stream_expect_f64(stream, 23, numbers[k]);
         }
     }
     if (r->grasper != NULL) {
@@ -274,17 +274,17 @@ static void visit_thread(vbss_stream *stream, scene_thread *b)
 
 static void visit_drain(vbss_stream *stream, scene_drain *b)
 {
-    vbss_stream_same_f64(stream, 61, b->drain->config.friction);
+    vbss_stream_expect_f64(stream, 61, b->drain->config.friction);
     if (stream->version >= 4) {
         const vbss_drain_config *c = &b->drain->config;
         const double numbers[] = {c->puncture_force, c->hole_force,   c->hole_friction,
                                   c->hole_stiffness, c->hole_damping, c->tip_length};
         for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-            vbss_stream_same_f64(stream, 63, numbers[i]);
+            vbss_stream_expect_f64(stream, 63, numbers[i]);
         }
     }
     if (stream->version >= 5) {
-        vbss_stream_same_f64(stream, 64, b->drain->config.thread_force);
+        vbss_stream_expect_f64(stream, 64, b->drain->config.thread_force);
     }
     vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
     vbss_drain_serialise(stream, b->drain);
@@ -300,27 +300,27 @@ static void visit_drain(vbss_stream *stream, scene_drain *b)
 
 static void visit_bodies(vbss_stream *stream, scene_object *s)
 {
-    vbss_stream_same(stream, 10, s->place_count);
+    vbss_stream_expect(stream, 10, s->place_count);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->reserved) {
             vbss_scene_visit_piece(stream, s, b);
         } else {
-            vbss_stream_same(stream, 11, (uint64_t)b->kind);
+            vbss_stream_expect(stream, 11, (uint64_t)b->kind);
         }
         if (b->kind == BODY_GONE) {
             continue;
         }
         if (!b->reserved) {
-            vbss_stream_same(stream, 12, b->number);
+            vbss_stream_expect(stream, 12, b->number);
         }
         if (b->kind == BODY_THREAD) {
             if (!scene_thread_resizes(b->thread.thread)) {
-                vbss_stream_same(stream, 13, b->thread.thread->node_count);
+                vbss_stream_expect(stream, 13, b->thread.thread->node_count);
             }
             visit_thread(stream, &b->thread);
         } else if (b->kind == BODY_DRAIN) {
-            vbss_stream_same(stream, 14, b->drain.drain->mesh.node_count);
+            vbss_stream_expect(stream, 14, b->drain.drain->mesh.node_count);
             visit_drain(stream, &b->drain);
         } else {
             visit_rigid(stream, s, &b->rigid);

@@ -93,7 +93,7 @@ static void allow_depth(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_row *row = &s->contacts->rows[i];
         double share = s->config.penetration_tolerance * row->thickness;
-        row->depth_allowed = greater(share, DEEPER * share - row->gap_before);
+        row->depth_allowed = vbss_max(share, DEEPER * share - row->gap_before);
         s->recovering = s->recovering || row->eased - row->gap_before > share;
     }
 }
@@ -147,14 +147,14 @@ static void note_errors(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
-            stretch = greater(t->statistics.last_stretch_error, stretch);
+            stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }
     }
     depth = vbss_contact_depth(s->contacts);
     s->statistics.last_stretch_error = stretch;
-    s->statistics.stretch_error = greater(stretch, s->statistics.stretch_error);
+    s->statistics.stretch_error = vbss_max(stretch, s->statistics.stretch_error);
     s->statistics.last_penetration = depth;
-    s->statistics.penetration = greater(depth, s->statistics.penetration);
+    s->statistics.penetration = vbss_max(depth, s->statistics.penetration);
     s->statistics.loose_stretch += stretch > s->config.stretch_tolerance;
     s->statistics.last_residual = s->contacts->residual;
 }
@@ -356,7 +356,7 @@ vbss_result vbss_scene_go_through(scene_object *s)
         }
         go_on(s, at);
         if (part->begin < 1.0 && is_over(s, at)) {
-            pause_for_now(s, at, lesser(2.0 * at->size, 1.0)); /* this one did */
+            pause_for_now(s, at, vbss_min(2.0 * at->size, 1.0)); /* this one did */
             break;
         }
     }

@@ -127,9 +127,10 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
     }
     VBSS_TRY(vbss_collision_add_capsules(
         scene_collision(s), GRASPER_CAPSULES,
-        greater(g->config.shaft_radius, greater(g->config.driver_radius, g->config.shears_radius)),
+        vbss_max(g->config.shaft_radius,
+                 vbss_max(g->config.driver_radius, g->config.shears_radius)),
         &shape));
-    s->collision->shapes[shape]->rigid = true;
+    s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
     set_rigid(&b->rigid, g, slot, &mass, target);
     b->rigid.first_capsule = s->capsule_count;

@@ -11,16 +11,16 @@ static double place_of(const thread_object *t, double arc)
     uint32_t last = t->node_count - 2;
     for (uint32_t i = 0; i < last; i++) {
         if (begin + t->rest[i] >= arc) {
-            return i + greater((arc - begin) / t->rest[i], 0.0);
+            return i + vbss_max((arc - begin) / t->rest[i], 0.0);
         }
         begin += t->rest[i];
     }
-    return last + lesser(greater((arc - begin) / t->rest[last], 0.0), 1.0);
+    return last + vbss_min(vbss_max((arc - begin) / t->rest[last], 0.0), 1.0);
 }
 
 static double arc_of(const thread_object *t, double place)
 {
-    uint32_t i = (uint32_t)greater(place, 0.0);
+    uint32_t i = (uint32_t)vbss_max(place, 0.0);
     i = i > t->node_count - 2 ? t->node_count - 2 : i;
     return vbss_thread_arc_length(t, i) + (place - i) * t->rest[i];
 }
@@ -102,10 +102,10 @@ static vbss_metrics_relation relation_of(const vbss_knot_throw *t, uint32_t numb
 
 static void widen(session_knot_look *knot, const thread_object *thread, const vbss_knot_throw *t)
 {
-    double tail = arc_of(thread, greater(t->tail_places[0], t->tail_places[1]));
-    double limb = arc_of(thread, lesser(t->long_places[0], t->long_places[1]));
-    knot->ends[SESSION_IN] = knot->located ? greater(knot->ends[SESSION_IN], tail) : tail;
-    knot->ends[SESSION_OUT] = knot->located ? lesser(knot->ends[SESSION_OUT], limb) : limb;
+    double tail = arc_of(thread, vbss_max(t->tail_places[0], t->tail_places[1]));
+    double limb = arc_of(thread, vbss_min(t->long_places[0], t->long_places[1]));
+    knot->ends[SESSION_IN] = knot->located ? vbss_max(knot->ends[SESSION_IN], tail) : tail;
+    knot->ends[SESSION_OUT] = knot->located ? vbss_min(knot->ends[SESSION_OUT], limb) : limb;
     knot->located = true;
 }
 

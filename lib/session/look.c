@@ -42,13 +42,13 @@ static void look_at_tension(const thread_object *t, const double arcs[SESSION_MA
     double arc = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         double tension = t->now.tension[i];
-        look->most_tension = greater(look->most_tension, tension);
+        look->most_tension = vbss_max(look->most_tension, tension);
         if (arc > arcs[SESSION_IN]) {
-            look->tension[SESSION_IN] = greater(look->tension[SESSION_IN], tension);
+            look->tension[SESSION_IN] = vbss_max(look->tension[SESSION_IN], tension);
         }
         arc += t->rest[i];
         if (arc < arcs[SESSION_OUT]) {
-            look->tension[SESSION_OUT] = greater(look->tension[SESSION_OUT], tension);
+            look->tension[SESSION_OUT] = vbss_max(look->tension[SESSION_OUT], tension);
         }
     }
 }
@@ -141,7 +141,7 @@ static double held_arc(const scene_object *scene, uint32_t tool, const scene_bod
         const scene_grasp *g = &scene->grasps[i];
         if (g->id != 0 && !g->let_go && g->tool == tool && g->thread == thread->number) {
             double into = g->pin != 0 ? 0.0 : g->into;
-            farthest = greater(farthest, vbss_thread_arc_length(t, g->segment) + into);
+            farthest = vbss_max(farthest, vbss_thread_arc_length(t, g->segment) + into);
         }
     }
     return farthest;

@@ -45,10 +45,10 @@ static void visit_config(vbss_stream *stream, const vbss_session_config *c)
                               c->tail_high,    c->tail_margin, c->tail_reach,    c->seat_gap,
                               c->seat_release, c->seat_force,  c->avulsed_share, c->break_force};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        vbss_stream_same(stream, 1, words[i]);
+        vbss_stream_expect(stream, 1, words[i]);
     }
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 2, numbers[i]);
+        vbss_stream_expect_f64(stream, 2, numbers[i]);
     }
 }
 
@@ -177,7 +177,7 @@ static void visit_events(vbss_stream *stream, session_object *s)
 {
     uint64_t capacity = s->config.event_capacity;
     vbss_stream_u64(stream, 69, &s->event_count, 1);
-    vbss_stream_same(stream, 70, capacity);
+    vbss_stream_expect(stream, 70, capacity);
     uint64_t kept = s->event_count < capacity ? s->event_count : capacity;
     for (uint64_t i = s->event_count - kept; i < s->event_count && stream->result == VBSS_OK; i++) {
         vbss_session_event *e = vbss_session_event_at(s, i);

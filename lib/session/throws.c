@@ -108,7 +108,7 @@ static void judge_seat(session_object *s, const session_look *look)
     const vbss_session_config *c = &s->config;
     uint32_t seated = 0;
     if (s->throw_count > 0) {
-        bool pulled = lesser(look->tension[0], look->tension[1]) >= c->seat_force;
+        bool pulled = vbss_min(look->tension[0], look->tension[1]) >= c->seat_force;
         bool is =
             s->seat.value != 0 ? look->open < c->seat_release : look->open <= c->seat_gap && pulled;
         (void)vbss_session_settle(&s->seat, is, s->time, c->dwell);

@@ -55,7 +55,7 @@ static inline block_spread block_spread_out(const block *b)
     block_spread f;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            f.m[i][j] = lanes_all(lanes_at(b->column[i], j));
+            f.m[i][j] = lanes_splat(lanes_at(b->column[i], j));
         }
     }
     return f;

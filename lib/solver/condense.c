@@ -55,14 +55,14 @@ static inline void subtract_product(block *to, const block_spread *left, const b
 static void scale_entry(block *left, block *scaled, const vbss_pivot *p)
 {
     lanes c0 = left->column[0];
-    lanes c1 = lanes_sub(left->column[1], lanes_mul(p->l10, c0));
-    lanes c2 = lanes_sub(left->column[2], lanes_mul(p->l20, c0));
-    c2 = lanes_sub(c2, lanes_mul(p->l21, c1));
+    lanes c1 = lanes_sub(left->column[1], lanes_scale(p->l10, c0));
+    lanes c2 = lanes_sub(left->column[2], lanes_scale(p->l20, c0));
+    c2 = lanes_sub(c2, lanes_scale(p->l21, c1));
     left->column[1] = c1;
     left->column[2] = c2;
-    scaled->column[0] = lanes_mul(p->inverse[0], c0);
-    scaled->column[1] = lanes_mul(p->inverse[1], c1);
-    scaled->column[2] = lanes_mul(p->inverse[2], c2);
+    scaled->column[0] = lanes_scale(p->inverse[0], c0);
+    scaled->column[1] = lanes_scale(p->inverse[1], c1);
+    scaled->column[2] = lanes_scale(p->inverse[2], c2);
 }
 
 static vec3 reduce_rhs(vec3 y, const vbss_pivot *p)
@@ -76,8 +76,8 @@ static vec3 reduce_rhs(vec3 y, const vbss_pivot *p)
 /* What eliminating y takes from a later row's right-hand side. */
 static inline void subtract_rhs(vec3 *rhs, const block *scaled, vec3 y)
 {
-    lanes r = minus_three(lanes_from(*rhs), lanes_all(y.x), scaled->column[0], lanes_all(y.y),
-                          scaled->column[1], lanes_all(y.z), scaled->column[2]);
+    lanes r = minus_three(lanes_from(*rhs), lanes_splat(y.x), scaled->column[0], lanes_splat(y.y),
+                          scaled->column[1], lanes_splat(y.z), scaled->column[2]);
     *rhs = lanes_vec3(r);
 }
 

@@ -15,8 +15,8 @@ typedef struct pivoted {
 
 static inline double largest_of(const block *a)
 {
-    lanes most = lanes_larger(lanes_abs(a->column[0]), lanes_abs(a->column[1]));
-    most = lanes_larger(most, lanes_abs(a->column[2]));
+    lanes most = lanes_max(lanes_abs(a->column[0]), lanes_abs(a->column[1]));
+    most = lanes_max(most, lanes_abs(a->column[2]));
     double x = lanes_at(most, 0), y = lanes_at(most, 1), z = lanes_at(most, 2);
     double xy = x > y ? x : y;
     return xy > z ? xy : z;
@@ -67,12 +67,12 @@ static bool factor(const block *a, pivoted *p)
 static inline void solve_rows(const pivoted *p, block *rows)
 {
     lanes y0 = rows->column[p->row[0]];
-    lanes y1 = lanes_sub(rows->column[p->row[1]], lanes_mul(p->l10, y0));
-    lanes y2 = lanes_sub(rows->column[p->row[2]], lanes_mul(p->l20, y0));
-    lanes z = lanes_mul(p->inverse[2], lanes_sub(y2, lanes_mul(p->l21, y1)));
-    lanes y = lanes_mul(p->inverse[1], lanes_sub(y1, lanes_mul(p->u12, z)));
-    lanes x = lanes_sub(y0, lanes_mul(p->u01, y));
-    rows->column[0] = lanes_mul(p->inverse[0], lanes_sub(x, lanes_mul(p->u02, z)));
+    lanes y1 = lanes_sub(rows->column[p->row[1]], lanes_scale(p->l10, y0));
+    lanes y2 = lanes_sub(rows->column[p->row[2]], lanes_scale(p->l20, y0));
+    lanes z = lanes_scale(p->inverse[2], lanes_sub(y2, lanes_scale(p->l21, y1)));
+    lanes y = lanes_scale(p->inverse[1], lanes_sub(y1, lanes_scale(p->u12, z)));
+    lanes x = lanes_sub(y0, lanes_scale(p->u01, y));
+    rows->column[0] = lanes_scale(p->inverse[0], lanes_sub(x, lanes_scale(p->u02, z)));
     rows->column[1] = y;
     rows->column[2] = z;
 }
@@ -106,9 +106,9 @@ static inline void subtract_product(block *to, const block *from, const block_sp
 /* to -= from (column lanes) times a vector */
 static inline lanes minus_times(lanes to, const block *from, lanes v)
 {
-    to = lanes_sub(to, lanes_mul(lanes_at(v, 0), from->column[0]));
-    to = lanes_sub(to, lanes_mul(lanes_at(v, 1), from->column[1]));
-    return lanes_sub(to, lanes_mul(lanes_at(v, 2), from->column[2]));
+    to = lanes_sub(to, lanes_scale(lanes_at(v, 0), from->column[0]));
+    to = lanes_sub(to, lanes_scale(lanes_at(v, 1), from->column[1]));
+    return lanes_sub(to, lanes_scale(lanes_at(v, 2), from->column[2]));
 }
 
 /* ---- a column */
@@ -128,7 +128,7 @@ static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
     for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
         e->entry_in[e->rows[f]] = f;
         for (int i = 0; i < 3; i++) {
-            e->lower[f].column[i] = e->upper[f].column[i] = lanes_all(0.0);
+            e->lower[f].column[i] = e->upper[f].column[i] = lanes_splat(0.0);
         }
     }
     for (uint32_t p = e->pair_start[k]; p < e->pair_start[k + 1]; p++) {
@@ -182,7 +182,7 @@ static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
 /* Sums of products lane by lane; added up in one written order at the end. */
 static lanes return_to(const vbss_elimination *e, uint32_t k)
 {
-    lanes sums[3] = {lanes_all(0.0), lanes_all(0.0), lanes_all(0.0)};
+    lanes sums[3] = {lanes_splat(0.0), lanes_splat(0.0), lanes_splat(0.0)};
     for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
         lanes later = e->x[e->rows[f]];
         for (int i = 0; i < 3; i++) {

@@ -117,7 +117,7 @@ typedef struct symbolic {
 
 static symbolic begin_symbolic(vbss_system *s)
 {
-    size_t n = s->block_capacity, words = s->active_count / BITS + 1;
+    size_t n = s->block_capacity, words = s->active_count / BITS_PER_WORD + 1;
     uint32_t *of = s->lists;
     symbolic y = {.couplings = of,
                   .child = of + n,
@@ -148,17 +148,17 @@ static symbolic begin_symbolic(vbss_system *s)
 
 static inline void reach_row(symbolic *y, uint32_t row)
 {
-    y->last_word = row / BITS > y->last_word ? row / BITS : y->last_word;
+    y->last_word = row / BITS_PER_WORD > y->last_word ? row / BITS_PER_WORD : y->last_word;
 }
 
 static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
 {
-    y->last_word = k / BITS;
+    y->last_word = k / BITS_PER_WORD;
     for (uint32_t c = y->couplings[k]; c != VBSS_NO_COUPLING; c = s->couplings[c].next) {
         uint32_t high = s->place[s->couplings[c].high], low = s->place[s->couplings[c].low];
         uint32_t row = high > low ? high : low;
-        y->bits[row / BITS] |= bit_of(row);
-        y->own_bits[row / BITS] |= bit_of(row);
+        y->bits[row / BITS_PER_WORD] |= bit_of(row);
+        y->own_bits[row / BITS_PER_WORD] |= bit_of(row);
         y->index[row] = c;
         reach_row(y, row);
     }
@@ -172,7 +172,7 @@ static void add_rows_of(const vbss_system *s, symbolic *y, uint32_t first, const
         const vbss_entry *end = s->entries + s->column_start[listed];
         uint64_t *bits = y->bits;
         for (; e < end; e++) {
-            bits[e->row / BITS] |= bit_of(e->row);
+            bits[e->row / BITS_PER_WORD] |= bit_of(e->row);
         }
         reach_row(y, end[-1].row); /* they ascend */
     }
@@ -184,10 +184,10 @@ static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *en
                           uint32_t room)
 {
     uint32_t count = 0;
-    for (uint32_t w = k / BITS; w <= y->last_word; w++) {
+    for (uint32_t w = k / BITS_PER_WORD; w <= y->last_word; w++) {
         uint64_t own = y->own_bits[w];
         for (uint64_t bits = y->bits[w]; bits != 0; bits &= bits - 1) {
-            uint32_t row = w * BITS + lowest_bit(bits);
+            uint32_t row = w * BITS_PER_WORD + lowest_bit(bits);
             bool filled = (own & bit_of(row)) == 0;
             uint32_t index = filled ? y->fill : y->index[row];
             y->fill += filled;

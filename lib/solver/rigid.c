@@ -258,7 +258,7 @@ static bool is_pose(const pose *p)
 /* The moments of any body, to rounding. */
 static bool are_moments(vec3 j)
 {
-    double largest = greater(j.x, greater(j.y, j.z));
+    double largest = vbss_max(j.x, vbss_max(j.y, j.z));
     return is_positive(j.x) && is_positive(j.y) && is_positive(j.z) &&
            2.0 * largest <= (j.x + j.y + j.z) * (1.0 + 1e-9);
 }
@@ -284,7 +284,7 @@ void vbss_rigid_serialise(vbss_stream *stream, uint16_t first_tag, vbss_rigid *r
 {
     const double same[] = {rigid->mass, rigid->inertia.x, rigid->inertia.y, rigid->inertia.z};
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
-        vbss_stream_same_f64(stream, first_tag, same[i]);
+        vbss_stream_expect_f64(stream, first_tag, same[i]);
     }
     vbss_stream_f64(stream, (uint16_t)(first_tag + 1), &rigid->gravity.x, 3);
     vbss_stream_f64(stream, (uint16_t)(first_tag + 2), &rigid->drag, 1);

@@ -44,15 +44,15 @@ static uint32_t degree_of(const uint64_t *row, uint32_t words)
 
 static inline void join(const graph *g, uint32_t i, uint32_t j)
 {
-    row_of(g, i)[j / BITS] |= bit_of(j);
-    row_of(g, j)[i / BITS] |= bit_of(i);
+    row_of(g, i)[j / BITS_PER_WORD] |= bit_of(j);
+    row_of(g, j)[i / BITS_PER_WORD] |= bit_of(i);
 }
 
 static graph begin_graph(vbss_system *s)
 {
     vbss_elimination *e = &s->elimination;
     uint32_t n = s->active_count - s->run_count;
-    graph g = {n, (n + BITS - 1) / BITS, e->near};
+    graph g = {n, (n + BITS_PER_WORD - 1) / BITS_PER_WORD, e->near};
     memset(g.near, 0, (size_t)n * g.words * sizeof *g.near);
     for (uint32_t i = 0; i < n; i++) {
         for (uint32_t f = s->join_start[i]; f < s->join_start[i + 1]; f++) {
@@ -84,10 +84,10 @@ static uint32_t count_pairs(const vbss_elimination *e, uint32_t separators)
 static vbss_entry *list_column(const vbss_system *s, const graph *g, uint32_t i, vbss_entry *entry)
 {
     const vbss_entry *joined = s->joins + s->join_start[i], *end = s->joins + s->join_start[i + 1];
-    uint64_t later = ~UINT64_C(0) << i % BITS; /* not its own: the diagonal has no bit */
-    for (uint32_t w = i / BITS; w < g->words; w++, later = ~UINT64_C(0)) {
+    uint64_t later = ~UINT64_C(0) << i % BITS_PER_WORD; /* not its own: the diagonal has no bit */
+    for (uint32_t w = i / BITS_PER_WORD; w < g->words; w++, later = ~UINT64_C(0)) {
         for (uint64_t bits = row_of(g, i)[w] & later; bits != 0; bits &= bits - 1) {
-            uint32_t j = w * BITS + lowest_bit(bits);
+            uint32_t j = w * BITS_PER_WORD + lowest_bit(bits);
             bool was_joined = joined < end && joined->row == j;
             *entry++ =
                 (vbss_entry){s->run_count + j, was_joined ? joined->index : VBSS_NO_COUPLING};
@@ -132,7 +132,7 @@ static void list_neighbours(const graph *g, uint32_t i, uint32_t *rows)
 {
     for (uint32_t w = 0; w < g->words; w++) {
         for (uint64_t bits = row_of(g, i)[w]; bits != 0; bits &= bits - 1) {
-            *rows++ = w * BITS + lowest_bit(bits);
+            *rows++ = w * BITS_PER_WORD + lowest_bit(bits);
         }
     }
 }
@@ -148,7 +148,7 @@ static void join_neighbours(vbss_elimination *e, const graph *g, uint32_t gone,
         for (uint32_t w = 0; w < g->words; w++) {
             to[w] |= from[w];
         }
-        to[i / BITS] &= ~bit_of(i);
+        to[i / BITS_PER_WORD] &= ~bit_of(i);
         e->degrees[i].neighbours = degree_of(to, g->words);
     }
 }
@@ -176,7 +176,7 @@ static vbss_result find_order(vbss_system *s, const graph *g)
         }
         for (uint32_t r = 0; r < degree; r++) {
             uint32_t i = rows[r];
-            row_of(g, i)[gone / BITS] &= ~bit_of(gone);
+            row_of(g, i)[gone / BITS_PER_WORD] &= ~bit_of(gone);
             e->degrees[i] = (vbss_degree){e->degrees[i].neighbours - 1, degree - 1};
             e->keys[i] = key_of(e->degrees[i], i);
         }

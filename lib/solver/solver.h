@@ -21,7 +21,7 @@
 #include <vblast_ss/base.h>
 
 #include "base/linear.h"
-#include "base/wide.h"
+#include "base/simd_dispatch.h"
 #include "solver/block.h"
 
 /* ---- time integration (integration.c)

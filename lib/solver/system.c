@@ -87,7 +87,7 @@ vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_roo
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     s->context = context;
-    s->wide = vbss_wide_is_there();
+    s->wide = vbss_wide_is_available();
     s->block_capacity = room->blocks;
     s->separator_capacity = room->separators < MOST_SEPARATORS ? room->separators : MOST_SEPARATORS;
     s->pair_capacity = room->pairs;

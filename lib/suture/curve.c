@@ -246,7 +246,7 @@ static suture_place search_thread(const suture_line *line, uint32_t from, uint32
             if (p.swage) {
                 vec3 seen = pose_apply_inverse(line->at, to);
                 return place_on_needle(
-                    line, lesser(vbss_needle_nearest(line->needle, seen), line->swage));
+                    line, vbss_min(vbss_needle_nearest(line->needle, seen), line->swage));
             }
             if (k == low) {
                 return place_beyond(line, k, &p, false, to);

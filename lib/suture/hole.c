@@ -15,7 +15,7 @@ static double least_of_needle(const suture_hole *hole, const vbss_drain_config *
 {
     double gone = hole->deepest - hole->entry;
     double left = gone < c->tip_length ? 1.0 - gone / c->tip_length : 0.0;
-    return c->hole_force + left * greater(c->puncture_force - c->hole_force, 0.0);
+    return c->hole_force + left * vbss_max(c->puncture_force - c->hole_force, 0.0);
 }
 
 /* How far from the needle's to the thread's, over the length of a tip: nothing jumps. */
@@ -70,7 +70,7 @@ void vbss_hole_lay_row(const suture_hole *hole, const vbss_drain_config *config,
 void vbss_hole_move(suture_hole *hole, double arc)
 {
     hole->arc = arc;
-    hole->deepest = greater(hole->deepest, arc);
+    hole->deepest = vbss_max(hole->deepest, arc);
 }
 
 void vbss_hole_keep(suture_hole *hole, const contact_row *row)

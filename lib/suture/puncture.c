@@ -36,7 +36,7 @@ void vbss_suture_round_off(double weights[3])
 {
     double sum = 0.0;
     for (int k = 0; k < 3; k++) {
-        weights[k] = greater(weights[k], 0.0);
+        weights[k] = vbss_max(weights[k], 0.0);
         sum += weights[k];
     }
     for (int k = 0; k < 3; k++) {

@@ -35,12 +35,12 @@ static void set_part(const thread_object *t, uint32_t i, double least_pull, segm
     stiffness -= p->turning;
     for (uint32_t a = 0; a < 4; a++) {
         p->factor[a] = arc->factor[a];
-        p->slope[a] = lanes_mul(bent * arc->factor[a], curvature);
+        p->slope[a] = lanes_scale(bent * arc->factor[a], curvature);
     }
     p->slope[1] = lanes_sub(p->slope[1], tangent);
     p->slope[2] = lanes_add(p->slope[2], tangent);
     for (uint32_t a = 0; a < 4; a++) {
-        p->stiff[a] = lanes_mul(stiffness, p->slope[a]);
+        p->stiff[a] = lanes_scale(stiffness, p->slope[a]);
     }
 }
 
@@ -57,9 +57,9 @@ static inline block scalar_block(double s)
 /* b += row column^T */
 static inline void add_outer(block *b, const lanes *row, const lanes *column)
 {
-    b->column[0] = lanes_add(b->column[0], lanes_mul(lanes_at(*column, 0), *row));
-    b->column[1] = lanes_add(b->column[1], lanes_mul(lanes_at(*column, 1), *row));
-    b->column[2] = lanes_add(b->column[2], lanes_mul(lanes_at(*column, 2), *row));
+    b->column[0] = lanes_add(b->column[0], lanes_scale(lanes_at(*column, 0), *row));
+    b->column[1] = lanes_add(b->column[1], lanes_scale(lanes_at(*column, 1), *row));
+    b->column[2] = lanes_add(b->column[2], lanes_scale(lanes_at(*column, 2), *row));
 }
 
 /* The parts of four neighbouring segments, by segment modulo 4: those that meet at a node. */
@@ -93,10 +93,10 @@ static inline lanes load(const vec3 *v)
 static lanes node_force(const thread_object *t, const vbss_integration *in, uint32_t i)
 {
     lanes moved = lanes_sub(load(&t->trial[i]), load(&t->x_predicted[i]));
-    lanes speed = lanes_add(load(&t->v_predicted[i]), lanes_mul(in->rate, moved));
-    lanes force = lanes_sub(load(&t->gravity), lanes_mul(in->inertia, moved));
-    force = lanes_sub(force, lanes_mul(t->config.drag, speed));
-    return lanes_mul(t->mass[i], force);
+    lanes speed = lanes_add(load(&t->v_predicted[i]), lanes_scale(in->rate, moved));
+    lanes force = lanes_sub(load(&t->gravity), lanes_scale(in->inertia, moved));
+    force = lanes_sub(force, lanes_scale(t->config.drag, speed));
+    return lanes_scale(t->mass[i], force);
 }
 
 /* From differences, which are opposite for the two nodes of a pair: so the forces are, to the bit. */
@@ -106,11 +106,11 @@ static lanes bending_force(const thread_object *t, uint32_t i)
     for (uint32_t k = 1; k <= THREAD_REACH; k++) {
         if (i + k < t->node_count) {
             lanes e = lanes_sub(load(&t->trial[i + k]), here);
-            force = lanes_sub(force, lanes_mul(t->bending[i][k], e));
+            force = lanes_sub(force, lanes_scale(t->bending[i][k], e));
         }
         if (i >= k) {
             lanes e = lanes_sub(load(&t->trial[i - k]), here);
-            force = lanes_sub(force, lanes_mul(t->bending[i - k][k], e));
+            force = lanes_sub(force, lanes_scale(t->bending[i - k][k], e));
         }
     }
     return force;
@@ -121,7 +121,7 @@ static lanes stretching_force(const parts *p, uint32_t i)
     lanes force = lanes_make(0.0, 0.0, 0.0);
     for (uint32_t a = 0; a < 4; a++) {
         const segment_part *s = &p->at[(i + 1 - a) & 3u];
-        force = lanes_sub(force, lanes_mul(s->tension, s->slope[a]));
+        force = lanes_sub(force, lanes_scale(s->tension, s->slope[a]));
     }
     return force;
 }

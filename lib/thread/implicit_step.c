@@ -47,7 +47,7 @@ static double largest_increment(const thread_object *t)
 {
     double largest = 0.0;
     for (uint32_t i = 0; i < t->node_count; i++) {
-        largest = vbss_larger(vec3_norm(t->system->solution[i]), largest);
+        largest = vbss_max_or_nan(vec3_norm(t->system->solution[i]), largest);
     }
     return largest;
 }
@@ -73,7 +73,7 @@ static outcome iterate(thread_object *t, thread_stage *stage)
         double left = vbss_thread_advance(t, stage, t->system->solution);
         if (curved && k < REST_PULL_UPDATES) {
             /* The pull follows the shape late: nothing is known until the shape stands. */
-            left = vbss_larger(largest_increment(t), left);
+            left = vbss_max_or_nan(largest_increment(t), left);
             vbss_thread_update_rest_pull(t);
             t->statistics.softened += k + 1 == REST_PULL_UPDATES; /* from now on it stays */
         }

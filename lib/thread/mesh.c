@@ -10,8 +10,8 @@ double vbss_thread_node_curvature(const thread_object *t, uint32_t node)
 
 static double curvature_of_segment(const thread_object *t, uint32_t segment)
 {
-    return greater(vbss_thread_node_curvature(t, segment),
-                   vbss_thread_node_curvature(t, segment + 1));
+    return vbss_max(vbss_thread_node_curvature(t, segment),
+                    vbss_thread_node_curvature(t, segment + 1));
 }
 
 double vbss_thread_sagitta(const thread_object *t, uint32_t segment)
@@ -30,8 +30,8 @@ bool vbss_thread_is_too_bent(const thread_object *t, uint32_t segment)
 bool vbss_thread_is_straight(const thread_object *t, uint32_t node)
 {
     double curvature =
-        greater(curvature_of_segment(t, node - 1), vbss_thread_node_curvature(t, node + 1));
-    return curvature * greater(t->rest[node - 1], t->rest[node]) < t->config.coarsen_angle;
+        vbss_max(curvature_of_segment(t, node - 1), vbss_thread_node_curvature(t, node + 1));
+    return curvature * vbss_max(t->rest[node - 1], t->rest[node]) < t->config.coarsen_angle;
 }
 
 /* ---- lengths */

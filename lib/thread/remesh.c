@@ -127,7 +127,7 @@ static bool lay_on_arc(const thread_object *t, uint32_t segment, double room, me
     w->x[at] = vec3_sub(middle, sagitta_at(t, segment));
     let_move(w, at > MOVED_SIDE ? at - MOVED_SIDE : 0, at + MOVED_SIDE);
     double moved = vbss_mesh_settle(w);
-    moved = vbss_larger(vec3_distance(middle, w->x[at]), moved);
+    moved = vbss_max_or_nan(vec3_distance(middle, w->x[at]), moved);
     return moved <= room;
 }
 
@@ -191,7 +191,7 @@ bool vbss_thread_remove_node(thread_object *t, uint32_t node, double room)
     close_window(&w, at);
     let_move(&w, at > MOVED_SIDE ? at - MOVED_SIDE : 0, at + MOVED_SIDE - 1);
     double moved = vbss_mesh_settle(&w);
-    moved = vbss_larger(vec3_distance(gone, vec3_lerp(w.x[at - 1], w.x[at], share)), moved);
+    moved = vbss_max_or_nan(vec3_distance(gone, vec3_lerp(w.x[at - 1], w.x[at], share)), moved);
     if (!(moved <= room)) {
         return false;
     }

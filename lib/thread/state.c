@@ -32,10 +32,10 @@ static void visit_config(vbss_stream *stream, const thread_object *t)
         c->paper_substeps,   c->paper_iteration_limit, c->attachment_capacity, c->segment_count,
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
     for (size_t i = 0; i < sizeof choices / sizeof choices[0]; i++) {
-        vbss_stream_same(stream, 2, choices[i]);
+        vbss_stream_expect(stream, 2, choices[i]);
     }
 }
 
@@ -47,9 +47,9 @@ static void visit_mesh(vbss_stream *stream, thread_object *t)
                               c->coarsen_angle, c->near_distance,   c->clear_distance};
     vbss_thread_statistics *s = &t->statistics;
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 60, numbers[i]);
+        vbss_stream_expect_f64(stream, 60, numbers[i]);
     }
-    vbss_stream_same(stream, 61, c->mesh_operations);
+    vbss_stream_expect(stream, 61, c->mesh_operations);
     vbss_stream_u32(stream, 62, &t->next_look, 1);
     vbss_stream_u64(stream, 63, &s->refined, 6); /* .. refused_near */
     vbss_stream_u32(stream, 64, &s->most_nodes, 1);

@@ -39,7 +39,7 @@ double vbss_thread_note_stretch(thread_object *t, const double *tension)
         double stretch = t->strains[i].excess * t->inverse_rest[i];
         double error = fabs(stretch - tension[i] * compliance);
         largest = stretch > largest ? stretch : largest;
-        largest_error = vbss_larger(error, largest_error);
+        largest_error = vbss_max_or_nan(error, largest_error);
     }
     t->statistics.last_stretch = largest;
     t->statistics.last_stretch_error = largest_error;

@@ -147,11 +147,11 @@ static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c
 static vbss_result check_shape(vbss_context *context, const vbss_thread_config *c)
 {
     VBSS_TRY(vbss_check_finite(context, c->gravity, 3, "gravity"));
-    VBSS_TRY(vbss_check_range(context, vbss_largest(c->gravity, 3), 0.0, 1e6, "gravity"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->gravity, 3), 0.0, 1e6, "gravity"));
     if (c->positions == NULL) {
         VBSS_TRY(vbss_check_finite(context, c->start, 3, "start"));
         VBSS_TRY(vbss_check_finite(context, c->direction, 3, "direction"));
-        VBSS_TRY(vbss_check_range(context, vbss_largest(c->start, 3), 0.0, 1e3, "start"));
+        VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->start, 3), 0.0, 1e3, "start"));
         VBSS_TRY(vbss_check_range(context, vec3_norm(vec3_load(c->direction)), 1e-100, 1e100,
                                   "length of direction"));
     }

@@ -37,7 +37,7 @@ double vbss_thread_strain_beyond_tension(const thread_object *t)
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         double strain = t->strains[i].excess * t->inverse_rest[i];
         double beyond = fabs(strain - t->now.tension[i] * compliance);
-        largest = vbss_larger(beyond, largest);
+        largest = vbss_max_or_nan(beyond, largest);
     }
     return largest;
 }
@@ -46,8 +46,8 @@ bool vbss_thread_is_relieved(const thread_object *t)
 {
     double now = 0.0, trial = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        now = vbss_larger(fabs(t->now.tension[i]), now);
-        trial = vbss_larger(fabs(t->strains[i].excess) * t->inverse_rest[i], trial);
+        now = vbss_max_or_nan(fabs(t->now.tension[i]), now);
+        trial = vbss_max_or_nan(fabs(t->strains[i].excess) * t->inverse_rest[i], trial);
     }
     return trial * t->config.axial_stiffness < now;
 }
@@ -112,7 +112,7 @@ double vbss_thread_advance(thread_object *t, const thread_stage *stage, const ve
         /* The tension's turn was taken with the old tension, and to first order. */
         double left = turned * (fabs(tension - pull) + 0.5 * fabs(tension) * turned);
         left *= mobility * inverse_rest;
-        largest = vbss_larger(left, largest);
+        largest = vbss_max_or_nan(left, largest);
         t->trial_tension[i] = tension;
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
@@ -130,7 +130,7 @@ double vbss_thread_missed_by(const thread_object *t, const vec3 *u)
         vec3 e = vec3_sub(u[i + 1], u[i]), now = vec3_sub(t->trial[i + 1], t->trial[i]);
         double longer = vec3_norm(vec3_add(now, e)) - vec3_norm(now);
         double missed = fabs(longer - vec3_dot(t->strains[i].tangent, e)) * t->inverse_rest[i];
-        largest = vbss_larger(missed, largest);
+        largest = vbss_max_or_nan(missed, largest);
     }
     return largest;
 }

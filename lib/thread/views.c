@@ -159,7 +159,7 @@ vbss_result vbss_thread_get_statistics(vbss_thread *thread, vbss_thread_statisti
     own.struct_size = sizeof own;
     own.nodes = t->node_count;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        own.sagitta = greater(vbss_thread_sagitta(t, i), own.sagitta);
+        own.sagitta = vbss_max(vbss_thread_sagitta(t, i), own.sagitta);
     }
     return vbss_struct_write(t->context, &statistics_layout, &own, statistics, struct_size);
 }

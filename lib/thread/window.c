@@ -147,7 +147,7 @@ static void solve(const mesh_window *w, length_row *rows, uint32_t count)
         for (uint32_t k = 0; k < count; k++) {
             m[i][k] = pair_of(w, &rows[i], &rows[k]);
         }
-        largest = greater(m[i][i], largest);
+        largest = vbss_max(m[i][i], largest);
     }
     for (uint32_t i = 0; i < count; i++) {
         m[i][i] += GIVE * largest;
@@ -192,7 +192,7 @@ double vbss_mesh_settle(mesh_window *w)
     }
     double longest = 0.0;
     for (uint32_t k = 0; k < w->count; k++) {
-        longest = vbss_larger(vec3_distance(from[k], w->x[k]), longest);
+        longest = vbss_max_or_nan(vec3_distance(from[k], w->x[k]), longest);
     }
     return longest;
 }

@@ -27,7 +27,7 @@ static void find_normals(const drain_object *d, vec3 *normals)
         vec3 normal = vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]));
         double squared[3]; /* of the side from k to the next */
         for (int k = 0; k < 3; k++) {
-            squared[k] = greater(vec3_norm_squared(vec3_sub(x[(k + 1) % 3], x[k])), 1e-300);
+            squared[k] = vbss_max(vec3_norm_squared(vec3_sub(x[(k + 1) % 3], x[k])), 1e-300);
         }
         for (int k = 0; k < 3; k++) {
             double weight = 1.0 / (squared[k] * squared[(k + 2) % 3]);
@@ -53,10 +53,10 @@ static uint32_t divisions_of(const wall *w)
     for (uint32_t i = 0; i < w->drain->mesh.side_count; i++) {
         const uint32_t *node = w->drain->mesh.sides[i].nodes;
         const visual_side side = side_between(w, node[0], node[1]);
-        rise = greater(rise, vbss_visual_side_rise(&side));
+        rise = vbss_max(rise, vbss_visual_side_rise(&side));
     }
     double divisions = sqrt(rise / w->v->config.surface_tolerance);
-    return (uint32_t)greater(lesser(divisions, w->v->config.division_limit) + 0.999, 1.0);
+    return (uint32_t)vbss_max(vbss_min(divisions, w->v->config.division_limit) + 0.999, 1.0);
 }
 
 /* ---- vertices */

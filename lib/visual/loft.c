@@ -8,7 +8,7 @@
 static uint32_t sides_of(const visual_object *v, double radius)
 {
     double sides = VISUAL_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
-    double limited = lesser(greater(sides, 6.0), v->config.side_limit);
+    double limited = vbss_min(vbss_max(sides, 6.0), v->config.side_limit);
     return (uint32_t)(limited + 0.999);
 }
 
@@ -55,7 +55,7 @@ void vbss_visual_jaw_section(const visual_object *v, double radius, visual_secti
 
 double vbss_visual_chord(double curvature, double tolerance)
 {
-    return sqrt(8.0 * tolerance / greater(curvature, 1e-12));
+    return sqrt(8.0 * tolerance / vbss_max(curvature, 1e-12));
 }
 
 /* ---- rings */

@@ -49,7 +49,7 @@ double vbss_visual_side_rise(const visual_side *side)
     vec3 middle = vec3_sub(side->inner[1], side->inner[0]);
     vec3 begin = vec3_sub(middle, vec3_sub(side->inner[0], side->corner[0]));
     vec3 end = vec3_sub(vec3_sub(side->corner[1], side->inner[1]), middle);
-    return 0.75 * sqrt(greater(vec3_norm_squared(begin), vec3_norm_squared(end)));
+    return 0.75 * sqrt(vbss_max(vec3_norm_squared(begin), vec3_norm_squared(end)));
 }
 
 visual_patch vbss_visual_patch(const visual_side sides[3])

@@ -38,11 +38,11 @@ static vec3 begin_normal(const visual_object *v, const vbss_slot *slot, vec3 tan
 
 static uint32_t divisions_of(const visual_object *v, const visual_segment *s, double radius)
 {
-    double bend = sqrt(greater(vec3_norm_squared(s->bend_begin), vec3_norm_squared(s->bend_end)));
+    double bend = sqrt(vbss_max(vec3_norm_squared(s->bend_begin), vec3_norm_squared(s->bend_end)));
     /* Outside, the tube bends with a longer chord than its line. */
     double chord = vbss_visual_chord(bend * (1.0 + bend * radius), v->config.tube_tolerance);
-    double divisions = lesser(s->length / chord, v->config.division_limit);
-    return (uint32_t)greater(divisions + 0.999, 1.0);
+    double divisions = vbss_min(s->length / chord, v->config.division_limit);
+    return (uint32_t)vbss_max(divisions + 0.999, 1.0);
 }
 
 static double tension_at(const thread_object *t, uint32_t node)

@@ -32,12 +32,12 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const need
 {
     enum { TIP_RINGS = 8 };
     const vbss_needle_config *c = &n->config;
-    const double length = vbss_needle_length(n), tip = lesser(v->config.tip_length, 0.5 * length);
+    const double length = vbss_needle_length(n), tip = vbss_min(v->config.tip_length, 0.5 * length);
     const bool thin = tip > c->wire_radius;
     const double body = thin ? length - tip : length;
     const double outside = (1.0 + c->wire_radius / c->radius) / c->radius;
     const double chord = vbss_visual_chord(outside, v->config.tube_tolerance);
-    const uint32_t rings = (uint32_t)lesser(body / chord + 1.0, 1024.0);
+    const uint32_t rings = (uint32_t)vbss_min(body / chord + 1.0, 1024.0);
     const pose at = vbss_needle_pose(n);
     visual_section section;
     vbss_visual_round_section(v, c->wire_radius, &section);

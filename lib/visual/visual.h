@@ -84,7 +84,7 @@ typedef struct visual_point {
 /* What is beyond any scene is drawn at its edge. */
 static inline float visual_float(double x)
 {
-    return (float)lesser(greater(x, -1e30), 1e30);
+    return (float)vbss_min(vbss_max(x, -1e30), 1e30);
 }
 
 static inline void visual_store(float out[3], vec3 v)

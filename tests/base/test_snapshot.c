@@ -111,7 +111,7 @@ static void serialise_broken(vbss_stream *stream, void *object)
 {
     broken *b = object;
     vbss_stream_f64(stream, 1, b->values, 2);
-    vbss_stream_same(stream, 2, b->configuration);
+    vbss_stream_expect(stream, 2, b->configuration);
 }
 
 static const vbss_kind broken_kind = {"broken", VBSS_CODE('B', 'R', 'K', 'N'), 1, keep_broken,

@@ -237,22 +237,22 @@ static void bytes_need_no_copy(void **state)
     vbss_stream_u8(&stream, 7, read, 5);
     size_t written = stream.position;
     vbss_stream_begin_write(&stream, placed, written);
-    uint8_t *place = vbss_stream_place_u8(&stream, 7, 5);
+    uint8_t *place = vbss_stream_reserve_u8(&stream, 7, 5);
     expect_ok(stream.result);
     memcpy(place, bytes, 5);
     assert_int_equal(stream.position, written);
     assert_memory_equal(placed, copied, written);
     vbss_stream_begin_measure(&stream);
-    assert_null(vbss_stream_place_u8(&stream, 7, 5));
+    assert_null(vbss_stream_reserve_u8(&stream, 7, 5));
     assert_int_equal(stream.position, written);
     vbss_stream_begin_write(&stream, placed, written - 1);
-    assert_null(vbss_stream_place_u8(&stream, 7, 5));
+    assert_null(vbss_stream_reserve_u8(&stream, 7, 5));
     expect_result(VBSS_ERROR_CAPACITY, stream.result);
     vbss_stream_begin_read(&stream, copied, written);
-    assert_ptr_equal(vbss_stream_find_u8(&stream, 7, 5), copied + written - 5);
+    assert_ptr_equal(vbss_stream_view_u8(&stream, 7, 5), copied + written - 5);
     expect_ok(stream.result);
     vbss_stream_begin_read(&stream, copied, written - 1);
-    assert_null(vbss_stream_find_u8(&stream, 7, 5));
+    assert_null(vbss_stream_view_u8(&stream, 7, 5));
     expect_result(VBSS_ERROR_TRUNCATED, stream.result);
 }
 
@@ -392,8 +392,8 @@ static void counts_and_constants_guard_the_body(void **state)
     vbss_stream stream;
     vbss_stream_begin_write(&stream, bytes, sizeof bytes);
     vbss_stream_count(&stream, 1, &n, 20);
-    vbss_stream_same(&stream, 2, 77);
-    vbss_stream_same_f64(&stream, 3, 0.0);
+    vbss_stream_expect(&stream, 2, 77);
+    vbss_stream_expect_f64(&stream, 3, 0.0);
     size_t count = stream.position;
     vbss_stream_begin_measure(&stream);
     vbss_stream_count(&stream, 1, &n, 10); /* refused when written, too */
@@ -406,14 +406,14 @@ static void counts_and_constants_guard_the_body(void **state)
     assert_int_equal(m, 5);
     vbss_stream_begin_read(&stream, bytes, count);
     vbss_stream_count(&stream, 1, &m, 11);
-    vbss_stream_same(&stream, 2, 78);
+    vbss_stream_expect(&stream, 2, 78);
     assert_int_equal(m, 11);
     expect_result(VBSS_ERROR_CORRUPT, stream.result);
     vbss_stream_begin_read(&stream, bytes, count);
     vbss_stream_count(&stream, 1, &m, 11);
-    vbss_stream_same(&stream, 2, 77);
+    vbss_stream_expect(&stream, 2, 77);
     expect_ok(stream.result);
-    vbss_stream_same_f64(&stream, 3, -0.0); /* to the bit */
+    vbss_stream_expect_f64(&stream, 3, -0.0); /* to the bit */
     expect_result(VBSS_ERROR_CORRUPT, stream.result);
 }
 

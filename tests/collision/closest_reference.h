@@ -49,7 +49,7 @@ static inline double size_of(const feature *a, const feature *b, bool relative)
     for (int k = 0; k < a->count + b->count; k++) {
         vec3 x = k < a->count ? vertex(a, k) : vertex(b, k - a->count);
         vec3_store(at, relative ? vec3_sub(x, vertex(a, 0)) : x);
-        size = fmax(size, vbss_largest(at, 3));
+        size = fmax(size, vbss_max_abs(at, 3));
     }
     return size;
 }

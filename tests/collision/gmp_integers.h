@@ -41,7 +41,7 @@ static inline integer from_mpz(workspace *w, const mpz_t x)
     for (uint32_t shift = 0; mpz_sgn(rest) != 0; shift += 32) {
         uint64_t word = mpz_get_ui(rest) & UINT32_MAX;
         sum = vbss_integer_add(w, sum, vbss_integer_make(w, word, shift, mpz_sgn(x)));
-        sum = vbss_integer_keep(w, mark, sum);
+        sum = vbss_integer_compact(w, mark, sum);
         mpz_fdiv_q_2exp(rest, rest, 32);
     }
     mpz_clear(rest);

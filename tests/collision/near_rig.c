@@ -29,7 +29,7 @@ uint64_t near_hash(const near_rig *f)
 
 void near_leave_out(const near_rig *f, uint32_t name, const vec3 *at, double distance)
 {
-    expect_ok(vbss_collision_leave_out_near(f->object, name, at, distance));
+    expect_ok(vbss_collision_exclude_near(f->object, name, at, distance));
 }
 
 model_shape *near_add_slit_sheet(near_rig *f)

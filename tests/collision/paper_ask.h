@@ -41,13 +41,13 @@ static inline told ask_with(const vbss_collision_config *config, const question 
 {
     told t = {.counters = {0}};
     uint32_t limbs[COLLISION_STACK_LIMBS];
-    collision_rules rules = vbss_collision_rules_of(config);
+    collision_ccd_options rules = vbss_collision_ccd_options_of(config);
     rules.limbs = limbs;
     rules.limb_count = COLLISION_STACK_LIMBS;
-    collision_question own = {.kind = q->kind, .thickness = config->thickness};
-    collision_answer answer;
+    collision_ccd_query own = {.kind = q->kind, .thickness = config->thickness};
+    collision_ccd_result answer;
     vbss_collision_set_vertices(&own, q->start, q->end);
-    vbss_collision_ask(&rules, &own, &answer, &t.counters);
+    vbss_collision_run_ccd(&rules, &own, &answer, &t.counters);
     expect_ok(vbss_collision_write_impact(NULL, &own, &answer, &t.impact, sizeof t.impact));
     const vbss_impact *i = &t.impact;
     expect_finite(&i->time, (int)((sizeof *i - offsetof(vbss_impact, time)) / sizeof i->time));

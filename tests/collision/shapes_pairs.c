@@ -104,14 +104,15 @@ static double gap(const swept *a, const swept *b)
 {
     double largest = -(double)INFINITY;
     for (int k = 0; k < 3; k++) {
-        largest = vbss_larger(vbss_larger(a->low[k] - b->high[k], b->low[k] - a->high[k]), largest);
+        largest = vbss_max_or_nan(vbss_max_or_nan(a->low[k] - b->high[k], b->low[k] - a->high[k]),
+                                  largest);
     }
     return largest;
 }
 
 static double size(const swept *box)
 {
-    return vbss_larger(vbss_largest(box->low, 3), vbss_largest(box->high, 3));
+    return vbss_max_or_nan(vbss_max_abs(box->low, 3), vbss_max_abs(box->high, 3));
 }
 
 /* One listed pair after another, as all pairs go by in order. */

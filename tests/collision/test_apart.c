@@ -83,7 +83,7 @@ static void search(fixture *f)
 {
     model_move(&f->m, handle(f));
     for (uint32_t name = 0; name < f->m.count; name++) {
-        vbss_collision_measure_ways(f->object->shapes[name]);
+        vbss_collision_update_displacements(f->object->shapes[name]);
     }
     expect_ok(vbss_collision_find_candidates(handle(f)));
 }
@@ -103,16 +103,16 @@ static double distance_of(const fixture *f, const collision_candidate *q, double
         x[k] = vec3_lerp(s->start[node], s->end[node], time);
     }
     if (edges) {
-        return vec3_norm(closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]),
-                                       vec3_sub(x[2], x[0]), &at[0], &at[1]));
+        return vec3_norm(closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]),
+                                               vec3_sub(x[2], x[0]), &at[0], &at[1]));
     }
     const vec3 corners[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
-    return vec3_norm(closest_corners(corners, at));
+    return vec3_norm(closest_on_triangle(corners, at));
 }
 
 static void note(fixture *f, const collision_candidate *q)
 {
-    vbss_collision_note_apart(f->object, q, distance_of(f, q, 0.0));
+    vbss_collision_store_separation(f->object, q, distance_of(f, q, 0.0));
 }
 
 /* ---- tests */
@@ -123,16 +123,16 @@ typedef struct counts {
 
 static void look(fixture *f, const collision_candidate *q, counts *c)
 {
-    double apart = f->object->apart[q - f->object->candidates], least = (double)INFINITY;
+    double apart = f->object->separations[q - f->object->candidates], least = (double)INFINITY;
     assert_true(apart <= distance_of(f, q, 0.0));
     c->known += apart > 0.0;
     for (int k = 0; k <= BETWEEN; k++) {
-        least = lesser(least, distance_of(f, q, (double)k / BETWEEN));
+        least = vbss_min(least, distance_of(f, q, (double)k / BETWEEN));
     }
-    assert_false(vbss_collision_stays_apart(f->object, q, least));
+    assert_false(vbss_collision_stays_separated(f->object, q, least));
     for (int k = 0; k < 10; k++) {
         double distance = 0.1 * k;
-        bool stays = vbss_collision_stays_apart(f->object, q, distance);
+        bool stays = vbss_collision_stays_separated(f->object, q, distance);
         assert_true(!stays || distance < least);
         c->stays += stays;
         c->near += !stays;
@@ -174,7 +174,7 @@ static uint32_t count_known(const fixture *f)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < f->object->candidate_count; i++) {
-        count += f->object->apart[i] > 0.0;
+        count += f->object->separations[i] > 0.0;
     }
     return count;
 }
@@ -222,12 +222,12 @@ static void change(harness_source *source, void *user)
     (void)user;
     fixture f;
     begin_measured(&f, source);
-    vbss_collision_change_chain(f.object, 0, 12, NULL);
+    vbss_collision_resize_chain(f.object, 0, 12, NULL);
     search(&f);
     uint32_t others = 0;
     for (uint32_t i = 0; i < f.object->candidate_count; i++) {
         const collision_candidate *q = &f.object->candidates[i];
-        bool of_chain = q->shape_a == 0 || q->shape_b == 0, known = f.object->apart[i] > 0.0;
+        bool of_chain = q->shape_a == 0 || q->shape_b == 0, known = f.object->separations[i] > 0.0;
         assert_true(!(of_chain && known));
         others += known;
     }
@@ -264,7 +264,7 @@ static void leave(harness_source *source, void *user)
     for (uint32_t i = 0; i < f.object->candidate_count; i++) {
         const collision_candidate *q = &f.object->candidates[i];
         bool was_out = q->shape_a == 1 || q->shape_b == 1;
-        assert_true((f.object->apart[i] > 0.0) == !was_out);
+        assert_true((f.object->separations[i] > 0.0) == !was_out);
     }
     end(&f);
 }

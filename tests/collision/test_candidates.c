@@ -35,7 +35,7 @@ static void use_wide(vbss_collision *collision, bool wide)
 {
     collision_object *c;
     expect_ok(vbss_collision_open(collision, &c));
-    c->wide = wide && vbss_wide_is_there();
+    c->wide = wide && vbss_wide_is_available();
 }
 
 /* ---- complete and exact */
@@ -160,13 +160,13 @@ static double distance_at(const model *m, const candidate *pair, double time)
         for (int k = 0; k < 3; k++) {
             corners[k] = vec3_sub(vertex(b, b->triangles[pair->b][k], time), point);
         }
-        return vec3_norm(closest_corners(corners, weights));
+        return vec3_norm(closest_on_triangle(corners, weights));
     }
     vec3 p = vertex(a, a->edges[pair->a][0], time), q = vertex(b, b->edges[pair->b][0], time);
     vec3 along_a = vec3_sub(vertex(a, a->edges[pair->a][1], time), p);
     vec3 along_b = vec3_sub(vertex(b, b->edges[pair->b][1], time), q);
     double s, u;
-    return vec3_norm(closest_edges(along_a, along_b, vec3_sub(q, p), &s, &u));
+    return vec3_norm(closest_between_edges(along_a, along_b, vec3_sub(q, p), &s, &u));
 }
 
 /* Features of two shapes, so that no rule is in the way. */

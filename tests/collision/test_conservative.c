@@ -21,7 +21,7 @@ static void expect_score(const char *name, const score *s)
 /* Largest coordinate, for what rounding may do. */
 static double size_of(const collision_query *query)
 {
-    return fmax(vbss_largest(query->start, 12), vbss_largest(query->end, 12));
+    return fmax(vbss_max_abs(query->start, 12), vbss_max_abs(query->end, 12));
 }
 
 /* What is wrong with a hit that was told: a contact before its time, among some earlier times; no contact
@@ -102,7 +102,7 @@ static void any_tolerance(void **state)
             all.invented += s.invented;
             all.undecided += far ? 0 : s.undecided;
             all.wrong += far ? 0 : s.wrong;
-            all.worst = vbss_larger(all.worst, s.worst);
+            all.worst = vbss_max_or_nan(all.worst, s.worst);
             collision_set_release(&set);
         }
         char name[40];

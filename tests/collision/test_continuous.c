@@ -8,7 +8,7 @@
 
 static double size_of(const collision_query *query)
 {
-    return fmax(vbss_largest(query->start, 12), vbss_largest(query->end, 12));
+    return fmax(vbss_max_abs(query->start, 12), vbss_max_abs(query->end, 12));
 }
 
 static void expect_miss(const vbss_impact *impact)

@@ -1,38 +1,38 @@
 /* The exact decision without thickness, and the certain crossings that spare it: against the oracle. */
 #include "base/check.h"
-#include "collision/conservative.h"
-#include "collision/crossing.h"
-#include "collision/exact.h"
+#include "collision/conservative_advancement.h"
+#include "collision/ccd_crossing.h"
+#include "collision/ccd_exact.h"
 #include "oracle/oracle.h"
 #include "query.h"
 
 enum { GUARDS = 64 };
 static uint32_t limbs[COLLISION_LIMBS + GUARDS];
 
-static collision_question question_of(const collision_query *query)
+static collision_ccd_query question_of(const collision_query *query)
 {
-    collision_question q = {.kind = query->kind};
+    collision_ccd_query q = {.kind = query->kind};
     vbss_collision_set_vertices(&q, query->start, query->end);
     return q;
 }
 
 /* Also sees to it that no memory but its own is written. */
-static exact_truth decide(const collision_query *query, uint32_t capacity)
+static exact_result decide(const collision_query *query, uint32_t capacity)
 {
-    collision_question q = question_of(query);
+    collision_ccd_query q = question_of(query);
     memset(limbs + capacity, 0x5a, GUARDS * sizeof limbs[0]);
     workspace w = {.limbs = limbs, .capacity = capacity};
-    exact_truth truth = vbss_collision_exact(&q, &w);
+    exact_result truth = vbss_collision_decide_exactly(&q, &w);
     for (uint32_t i = 0; i < GUARDS; i++) {
         assert_int_equal(limbs[capacity + i], 0x5a5a5a5a);
     }
     return truth;
 }
 
-static void expect_truth(const collision_query *query, exact_truth told)
+static void expect_truth(const collision_query *query, exact_result told)
 {
-    if (told != (query->hit ? EXACT_HIT : EXACT_MISS)) {
-        print_query(told == EXACT_UNKNOWN ? "unknown" : "wrong", query);
+    if (told != (query->hit ? COLLISION_EXACT_HIT : COLLISION_EXACT_MISS)) {
+        print_query(told == COLLISION_EXACT_UNKNOWN ? "unknown" : "wrong", query);
         fail();
     }
 }
@@ -69,9 +69,9 @@ static void with_little_memory_an_answer_is_right_or_unknown(void **state)
         for (uint32_t k = 0; k < set.count; k++) {
             bool was_known = false;
             for (uint32_t capacity = 0; capacity < 3000; capacity += 1 + capacity / 16) {
-                exact_truth truth = decide(&set.queries[k], capacity);
-                assert_false(was_known && truth == EXACT_UNKNOWN);
-                was_known = truth != EXACT_UNKNOWN;
+                exact_result truth = decide(&set.queries[k], capacity);
+                assert_false(was_known && truth == COLLISION_EXACT_UNKNOWN);
+                was_known = truth != COLLISION_EXACT_UNKNOWN;
                 unknown += !was_known;
                 known += was_known;
                 if (was_known) {
@@ -129,7 +129,7 @@ static double any_coordinate(harness_source *source)
     double x;
     do {
         x = harness_draw_any_double(source);
-    } while (!(fabs(x) <= COLLISION_FARTHEST));
+    } while (!(fabs(x) <= COLLISION_MAX_COORDINATE));
     return x;
 }
 
@@ -159,16 +159,16 @@ static void any_doubles_are_decided(void **state)
 
 /* ---- certain crossings */
 
-static collision_relative relative_of(const collision_query *query)
+static collision_relative_motion relative_of(const collision_query *query)
 {
-    collision_relative m = {.size = 0.0};
+    collision_relative_motion m = {.size = 0.0};
     for (int k = 0; k < 3; k++) {
         m.start[k] = vec3_sub(vertex_of(query, false, k + 1), vertex_of(query, false, 0));
         m.end[k] = vec3_sub(vertex_of(query, true, k + 1), vertex_of(query, true, 0));
         double x[6];
         vec3_store(x, m.start[k]);
         vec3_store(x + 3, m.end[k]);
-        m.size = fmax(m.size, vbss_largest(x, 6));
+        m.size = fmax(m.size, vbss_max_abs(x, 6));
     }
     return m;
 }
@@ -176,8 +176,8 @@ static collision_relative relative_of(const collision_query *query)
 /* Returns whether a crossing is claimed; then they meet, and not more than 1e-6 later. */
 static bool claims_truly(const collision_query *query, double t)
 {
-    collision_relative m = relative_of(query);
-    if (!vbss_collision_crosses(&m, query->kind == VBSS_PAIR_EDGE_EDGE, t)) {
+    collision_relative_motion m = relative_of(query);
+    if (!vbss_collision_certifies_crossing(&m, query->kind == VBSS_PAIR_EDGE_EDGE, t)) {
         return false;
     }
     if (!oracle_meets(query) || (t + 1e-6 < 1.0 && !oracle_meets_before(query, t + 1e-6))) {

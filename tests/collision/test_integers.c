@@ -105,16 +105,16 @@ static void keeping(harness_source *source, void *user)
         }
         kept[at] = &numbers[i];
     }
-    vbss_integers_keep(w, mark, kept, KEPT);
+    vbss_integers_compact(w, mark, kept, KEPT);
     assert_int_equal(w->used, mark + sum);
     for (uint32_t i = 0; i < KEPT; i++) {
         expect_integer(w, values[i], numbers[i]);
         mpz_clear(values[i]);
     }
     uint32_t used = w->used;
-    vbss_integers_keep(w, mark, kept, KEPT); /* nothing to do */
+    vbss_integers_compact(w, mark, kept, KEPT); /* nothing to do */
     assert_int_equal(w->used, used);
-    vbss_integers_keep(w, mark, NULL, 0); /* nothing to keep */
+    vbss_integers_compact(w, mark, NULL, 0); /* nothing to keep */
     assert_int_equal(w->used, mark);
 }
 

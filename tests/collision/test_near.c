@@ -60,7 +60,7 @@ static void all_pairs(harness_source *source, void *user)
         uint32_t motion = harness_draw_below(source, MODEL_MOTIONS);
         model_draw_motion(&f.m, (model_motion)motion, source);
         model_move(&f.m, f.collision);
-        f.object->wide = i % 2 == 0 && vbss_wide_is_there();
+        f.object->wide = i % 2 == 0 && vbss_wide_is_available();
         uint32_t before = find(&f);
         if (i % 3 == 0) {
             draw_distances(&f, source);

@@ -20,7 +20,7 @@ static void a_failing_allocation_changes_nothing(void **state)
             shapes_find(f.collision, &count);
             uint64_t hash = near_hash(&f), blocks = f.memory.blocks;
             f.memory.fail_call = f.memory.calls + calls;
-            vbss_result result = vbss_collision_leave_out_near(f.object, 0, s->end, 2.5 + round);
+            vbss_result result = vbss_collision_exclude_near(f.object, 0, s->end, 2.5 + round);
             f.memory.fail_call = 0;
             if (result == VBSS_OK) {
                 assert_true(near_hash(&f) != hash);
@@ -33,7 +33,7 @@ static void a_failing_allocation_changes_nothing(void **state)
             assert_int_equal(kept, count);
         }
         assert_int_equal(calls, 16); /* of each of fifteen */
-        assert_int_equal(f.memory.blocks, before + NEAR_PARTS);
+        assert_int_equal(f.memory.blocks, before + COLLISION_EXCLUSION_ARRAYS);
     }
     expect_ok(vbss_collision_remove(f.collision, 0));
     assert_true(f.memory.blocks < before);
@@ -86,13 +86,13 @@ static void what_cannot_be_is_refused(void **state)
     vec3 *at = calloc(MOST, sizeof *at);
     assert_non_null(at);
     collision_object *c = f.object;
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_leave_out_near(c, 3, at, 1.0));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_leave_out_near(c, 1, at, 1.0));
-    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_leave_out_near(c, 0, at, -1.0));
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_collision_leave_out_near(c, 0, at, (double)NAN));
-    expect_result(VBSS_ERROR_CAPACITY, vbss_collision_leave_out_near(c, name, at, 1.0));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 3, at, 1.0));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 1, at, 1.0));
+    expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_collision_exclude_near(c, 0, at, -1.0));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_collision_exclude_near(c, 0, at, (double)NAN));
+    expect_result(VBSS_ERROR_CAPACITY, vbss_collision_exclude_near(c, name, at, 1.0));
     s->start[47].z = (double)INFINITY;
-    expect_result(VBSS_ERROR_NOT_FINITE, vbss_collision_leave_out_near(c, 0, s->start, 1.0));
+    expect_result(VBSS_ERROR_NOT_FINITE, vbss_collision_exclude_near(c, 0, s->start, 1.0));
     assert_true(near_hash(&f) == hash);
     free(at);
     near_end(&f);

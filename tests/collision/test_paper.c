@@ -158,8 +158,8 @@ static double printed_distance_at_end(const question *q, double eps)
     }
     vec3 to[3] = {vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0]), vec3_sub(x[3], x[0])};
     double s, u, weights[3];
-    return vec3_norm(edges ? closest_edges(to[0], vec3_sub(to[2], to[1]), to[1], &s, &u)
-                           : closest_corners(to, weights));
+    return vec3_norm(edges ? closest_between_edges(to[0], vec3_sub(to[2], to[1]), to[1], &s, &u)
+                           : closest_on_triangle(to, weights));
 }
 
 /* In any unit; eps_E up to where every second pair is called parallel. */

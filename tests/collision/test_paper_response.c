@@ -106,7 +106,8 @@ static void parallel_edges_that_passed_are_put_back_too(void **state)
     vec3 x[4];
     double at_a, at_b; /* any pair of points is closest; the library takes these */
     load_at(&q, 1.0, 1.0, x);
-    closest_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]), &at_a, &at_b);
+    closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(x[3], x[2]), vec3_sub(x[2], x[0]), &at_a,
+                          &at_b);
     const double weights[4] = {1.0 - at_a, at_a, 1.0 - at_b, at_b};
     expect_restored(&q, &r, weights);
 }

@@ -1,5 +1,5 @@
 /* Questions in rows have the bits of single ones: every field, in both copies of the lanes. */
-#include "collision/rows.h"
+#include "collision/ccd_batch.h"
 #include "query.h"
 
 enum { MOST = 400, STRIDE = MOST + 5 };
@@ -10,7 +10,7 @@ typedef struct table {
     vbss_pair_kind kind;
     size_t stride;
     double start[12 * STRIDE], end[12 * STRIDE], thickness[STRIDE];
-    collision_question single[MOST]; /* the same */
+    collision_ccd_query single[MOST]; /* the same */
 } table;
 
 typedef struct outputs {
@@ -22,13 +22,13 @@ static table questions;
 static outputs wanted, told;
 static uint32_t limbs[COLLISION_LIMBS];
 
-static collision_rules rules_of(vbss_collision_method method, uint32_t pass_limit)
+static collision_ccd_options rules_of(vbss_collision_method method, uint32_t pass_limit)
 {
     vbss_collision_config config;
     expect_ok(vbss_collision_config_init(&config, sizeof config));
     config.method = method;
     config.pass_limit = pass_limit;
-    collision_rules rules = vbss_collision_rules_of(&config);
+    collision_ccd_options rules = vbss_collision_ccd_options_of(&config);
     rules.limbs = limbs;
     rules.limb_count = COLLISION_LIMBS;
     return rules;
@@ -61,15 +61,15 @@ static void make_table(const collision_set *set, uint32_t first, uint32_t count,
 
 /* ---- answers */
 
-static void ask_singly(const collision_rules *rules, const table *t, outputs *o,
+static void ask_singly(const collision_ccd_options *rules, const table *t, outputs *o,
                        collision_counters *counters)
 {
     memset(o, 0xa5, sizeof *o);
     for (uint32_t i = 0; i < t->count; i++) {
-        collision_question q = t->single[i];
-        collision_answer a;
+        collision_ccd_query q = t->single[i];
+        collision_ccd_result a;
         q.thickness = t->thickness[i];
-        vbss_collision_ask(rules, &q, &a, counters);
+        vbss_collision_run_ccd(rules, &q, &a, counters);
         o->hit[i] = a.hit;
         o->decision[i] = a.decision;
         o->time[i] = a.time;
@@ -85,11 +85,11 @@ static void ask_singly(const collision_rules *rules, const table *t, outputs *o,
 }
 
 /* `which` of the outputs are wanted, a bit each; -1: all. */
-static void ask_in_rows(const collision_rules *rules, const table *t, bool wide, unsigned which,
-                        bool same_thickness, collision_counters *counters)
+static void ask_in_rows(const collision_ccd_options *rules, const table *t, bool wide,
+                        unsigned which, bool same_thickness, collision_counters *counters)
 {
     memset(&told, 0xa5, sizeof told);
-    collision_rows rows = {
+    collision_ccd_batch rows = {
         .kind = t->kind,
         .count = t->count,
         .stride = t->stride,
@@ -104,7 +104,7 @@ static void ask_in_rows(const collision_rules *rules, const table *t, bool wide,
         .normal = (which & 8u) != 0 ? told.normal : NULL,
         .weights = (which & 16u) != 0 ? told.weights : NULL,
     };
-    vbss_collision_ask_rows(rules, wide && vbss_wide_is_there(), &rows, counters);
+    vbss_collision_run_ccd_batch(rules, wide && vbss_wide_is_available(), &rows, counters);
 }
 
 /* Outputs that were not asked for stay as they were, as all cells beyond the columns do. */
@@ -128,7 +128,7 @@ static void expect_told(unsigned which)
 enum { ALL = 31 };
 
 /* Where there is no wide copy, the plain one goes twice. Returns what was counted. */
-static collision_counters expect_same(const collision_rules *rules)
+static collision_counters expect_same(const collision_ccd_options *rules)
 {
     collision_counters singly = {0};
     ask_singly(rules, &questions, &wanted, &singly);
@@ -173,13 +173,13 @@ static void every_set(void **state)
     (void)state;
     collision_counters all = {0};
     print_message("%s\n",
-                  vbss_wide_is_there() ? "both copies" : "no wide copy: the plain one twice");
+                  vbss_wide_is_available() ? "both copies" : "no wide copy: the plain one twice");
     for (uint32_t i = 0; i < set_count(); i++) {
         collision_set set;
         make_set(i, 41, &set);
         uint32_t count = set.count < MOST ? set.count : MOST;
         for (vbss_collision_method method = 0; method < 3; method++) {
-            collision_rules rules = rules_of(method, 10000);
+            collision_ccd_options rules = rules_of(method, 10000);
             make_table(&set, 0, count, STRIDE, false);
             add(&all, expect_same(&rules));
             make_table(&set, set.count / 2, count - i % 4, STRIDE - 1, true);
@@ -201,7 +201,7 @@ static void any_pass_limit(void **state)
         collision_set set;
         make_set(i, 42, &set);
         for (int k = 0; k < 8; k++) {
-            collision_rules rules = rules_of(VBSS_COLLISION_CONSERVATIVE, limits[k]);
+            collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, limits[k]);
             make_table(&set, 50 * (uint32_t)k, 97, 97, k % 2 != 0);
             add(&all, expect_same(&rules));
         }
@@ -215,7 +215,7 @@ static void features_so_small_that_products_underflow(void **state)
 {
     (void)state;
     collision_counters all = {0};
-    collision_rules rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
+    collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
     for (uint32_t i = thick_set_count(); i < set_count(); i++) {
         collision_set set;
         make_set(i, 45, &set);
@@ -233,7 +233,7 @@ static void features_so_small_that_products_underflow(void **state)
 static void many_that_need_many_passes(void **state)
 {
     (void)state;
-    collision_rules rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
+    collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
     rules.tolerance = 1e-9;
     collision_set picked;
     assert_true(collision_set_begin(&picked, "slow", MOST));
@@ -262,7 +262,7 @@ static void many_that_need_many_passes(void **state)
 static void any_number_of_questions_and_outputs(void **state)
 {
     (void)state;
-    collision_rules rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
+    collision_ccd_options rules = rules_of(VBSS_COLLISION_CONSERVATIVE, 10000);
     for (uint32_t i = 0; i < set_count(); i++) {
         collision_set set;
         make_set(i, 44, &set);

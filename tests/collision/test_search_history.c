@@ -79,14 +79,14 @@ static void other_lives_give_the_same_list(void **state)
 
 /* ---- trees that look otherwise */
 
-static void scramble(collision_tree *tree, harness_source *source)
+static void scramble(collision_bvh *tree, harness_source *source)
 {
     for (uint32_t i = 1; tree->order != NULL && i < tree->count; i++) {
         uint32_t k = harness_draw_below(source, i + 1), kept = tree->order[i];
         tree->order[i] = tree->order[k];
         tree->order[k] = kept;
     }
-    tree->fresh = 1e300; /* never loose enough to be put in order */
+    tree->built_looseness = 1e300; /* never loose enough to be put in order */
 }
 
 static void another_tree(harness_source *source, void *user)
@@ -100,11 +100,11 @@ static void another_tree(harness_source *source, void *user)
     expect_ok(vbss_collision_edit(scrambled, &c));
     shapes_find(scrambled, &count); /* now it knows its shapes */
     for (uint32_t i = 0; i < c->shape_count; i++) {
-        scramble(&c->shapes[i]->point_tree, source);
-        scramble(&c->shapes[i]->edge_tree, source);
-        scramble(&c->shapes[i]->triangle_tree, source);
+        scramble(&c->shapes[i]->point_bvh, source);
+        scramble(&c->shapes[i]->edge_bvh, source);
+        scramble(&c->shapes[i]->triangle_bvh, source);
     }
-    scramble(&c->top, source);
+    scramble(&c->shape_bvh, source);
     for (int motion = 0; motion < MODEL_MOTIONS; motion++) {
         model_draw_motion(&f.m, (model_motion)motion, source);
         model_move(&f.m, tidy);
@@ -133,7 +133,7 @@ static void either_copy(harness_source *source, void *user)
     vbss_collision *plain = make(&f), *wide = make(&f);
     collision_object *c;
     expect_ok(vbss_collision_edit(wide, &c));
-    assert_int_equal(c->wide, vbss_wide_is_there());
+    assert_int_equal(c->wide, vbss_wide_is_available());
     expect_ok(vbss_collision_edit(plain, &c));
     c->wide = false;
     for (int motion = 0; motion < MODEL_MOTIONS; motion++) {

@@ -20,8 +20,8 @@ static double travel(const collision_query *query)
 {
     double most = 0.0;
     for (int i = 0; i < 4; i++) {
-        most =
-            vbss_larger(most, vec3_distance(vertex_of(query, false, i), vertex_of(query, true, i)));
+        most = vbss_max_or_nan(
+            most, vec3_distance(vertex_of(query, false, i), vertex_of(query, true, i)));
     }
     return most;
 }

@@ -52,7 +52,7 @@ static double relative_speed(const collision_query *query)
         for (int j = first_b; j < 4; j++) {
             vec3 start = vec3_sub(vertex_of(query, false, j), vertex_of(query, false, i));
             vec3 end = vec3_sub(vertex_of(query, true, j), vertex_of(query, true, i));
-            largest = vbss_larger(largest, vec3_distance(start, end));
+            largest = vbss_max_or_nan(largest, vec3_distance(start, end));
         }
     }
     return largest;

@@ -35,7 +35,7 @@ static void open_curve(closed_curve at, const int *pq, uint32_t count, polyline 
     for (uint32_t i = 0; i < count; i++) {
         double t = 2.0 * PI * i / count, distance = vec3_norm(at(t, pq));
         begin = distance > furthest ? t : begin;
-        furthest = greater(furthest, distance);
+        furthest = vbss_max(furthest, distance);
     }
     p->count = count;
     for (uint32_t i = 0; i < count; i++) {

@@ -223,7 +223,7 @@ static void is_graded(const knot_shape *shape)
     uint32_t coarse = 0;
     for (uint32_t i = 0; i + 1 < line.node_count; i++) {
         bool in_knot = i >= line.knot_first && i < line.knot_last;
-        double ratio = i == 0 ? 1.0 : greater(rest_lengths[i] / l, l / rest_lengths[i]);
+        double ratio = i == 0 ? 1.0 : vbss_max(rest_lengths[i] / l, l / rest_lengths[i]);
         l = rest_lengths[i];
         assert_true(ratio <= shape->ratio * 1.02); /* 1.02: the knot's own l is rounded down */
         assert_true(l <= (in_knot ? shape->finest : shape->coarsest) * (1.0 + 1e-12));

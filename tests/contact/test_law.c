@@ -93,7 +93,7 @@ static void slipping_is_linearised_exactly(harness_source *source, void *user)
     double over = harness_draw_real(source, 1.02, 6.0);
     contact_row row = draw_closed(source, over);
     double most = -row.friction * k * row.gap;
-    row.augmentation = greater(row.augmentation, 0.002 * k / (over - 1.0));
+    row.augmentation = vbss_max(row.augmentation, 0.002 * k / (over - 1.0));
     double slip = (over - 1.0) * most / few_stiffness_along(&row);
     row.is.share = most / (most + row.augmentation * slip);
     check_linear_law(&row);
@@ -143,7 +143,7 @@ static void a_state_that_holds_stays(harness_source *source, void *user)
                                                 : harness_draw_real(source, 0.0, 0.99));
     contact_found next;
     double scale = -k * row.gap;
-    row.augmentation = slips ? greater(row.augmentation, 0.02 * k) : row.augmentation;
+    row.augmentation = slips ? vbss_max(row.augmentation, 0.02 * k) : row.augmentation;
     if (slips) {
         const double along = few_stiffness_along(&row);
         vec3 elastic = vec3_add_scaled(row.held, -along, across(row.slid, row.normal));
@@ -170,7 +170,7 @@ static void states_come_to_the_law(harness_source *source, void *user)
                                                 : harness_draw_real(source, 0.0, 0.95));
     /* A stiffer one overshoots, again and again. */
     row.augmentation =
-        lesser(vbss_exp(harness_draw_real(source, 7.0, 12.0)), few_stiffness_along(&row));
+        vbss_min(vbss_exp(harness_draw_real(source, 7.0, 12.0)), few_stiffness_along(&row));
     double missed = 1.0, scale = -k * row.gap;
     row.is = (contact_found){.state = (contact_state)harness_draw_below(source, 3),
                              .way = draw_in_plane(source, row.normal),

@@ -32,7 +32,7 @@ static double largest_imbalance(const few_blocks *f)
                 left = vec3_add_scaled(left, weight, force);
             }
         }
-        largest = greater(vec3_norm(left), largest);
+        largest = vbss_max(vec3_norm(left), largest);
     }
     return largest;
 }
@@ -41,7 +41,7 @@ static double largest_pressure(const few_blocks *f)
 {
     double largest = 0.0;
     for (uint32_t i = 0; i < f->set->count; i++) {
-        largest = greater(f->set->rows[i].is.pressure, largest);
+        largest = vbss_max(f->set->rows[i].is.pressure, largest);
     }
     return largest;
 }

@@ -22,7 +22,7 @@ static void slope_begin(slope *s, double angle, double mu, bool held)
     s->v = vec3_zero();
     double weight = mass * g * vbss_cos(angle), pull = mass * g * vbss_sin(angle);
     s->at = vec3_scale(s->normal, -weight / 2e5);
-    vec3 holding = vec3_scale(s->down, held ? -lesser(pull, mu * weight) : 0.0);
+    vec3 holding = vec3_scale(s->down, held ? -vbss_min(pull, mu * weight) : 0.0);
     s->f.set->memory[0] = (contact_memory){{3, 1, 0, 0, 0}, CONTACT_STICK, weight, 0.0, holding};
     s->f.set->memory_count = 1;
     double inertia = mass / (h * h);

@@ -22,7 +22,7 @@ static double largest_imbalance(const few_blocks *f, bool as_told)
             }
         }
         if (f->roles[b] != VBSS_ROLE_GIVEN) {
-            largest = greater(vec3_norm(left), largest);
+            largest = vbss_max(vec3_norm(left), largest);
         }
     }
     return largest;
@@ -35,7 +35,7 @@ static double largest_untruth(const few_blocks *f)
     for (uint32_t i = 0; i < f->set->count; i++) {
         const contact_row *row = &f->set->rows[i];
         vec3 told = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
-        largest = greater(vec3_distance(told, few_law(row, few_moved(f, row))), largest);
+        largest = vbss_max(vec3_distance(told, few_law(row, few_moved(f, row))), largest);
     }
     return largest;
 }
@@ -124,7 +124,7 @@ static void draw_few(few_blocks *f, harness_source *source, double most_friction
             row->term_count = 2;
         }
         if (!row->bilateral && harness_draw_below(source, 3) == 0) { /* it was closed before */
-            double most = row->friction * greater(0.0, -2e5 * row->gap);
+            double most = row->friction * vbss_max(0.0, -2e5 * row->gap);
             row->is.state = CONTACT_STICK;
             row->held = vec3_scale(across(draw_unit(source), normal), most);
         }
@@ -180,7 +180,7 @@ static void what_cycles_ends(harness_source *source, void *user)
         assert_true(solves >= 4);
         double pressure = 0.0;
         for (uint32_t i = 0; i < f.set->count; i++) {
-            pressure = greater(f.set->rows[i].is.pressure, pressure);
+            pressure = vbss_max(f.set->rows[i].is.pressure, pressure);
         }
         assert_true(f.set->residual <= 0.05 * pressure + 1e-12);
     }
@@ -214,7 +214,7 @@ static double imbalance_where_it_stands(const few_blocks *f)
                 left = vec3_add_scaled(left, weight, f->set->here[i].force);
             }
         }
-        largest = f->roles[b] != VBSS_ROLE_GIVEN ? greater(vec3_norm(left), largest) : largest;
+        largest = f->roles[b] != VBSS_ROLE_GIVEN ? vbss_max(vec3_norm(left), largest) : largest;
     }
     return largest;
 }

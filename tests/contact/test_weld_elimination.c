@@ -172,7 +172,7 @@ static void compare(welded *w, double tolerance)
     solve_reduced(w, got);
     solve_whole(w, wanted);
     for (uint32_t i = 0; i < BLOCKS; i++) {
-        scale = greater(vec3_norm(wanted[i]), scale);
+        scale = vbss_max(vec3_norm(wanted[i]), scale);
     }
     for (uint32_t i = 0; i < BLOCKS; i++) {
         expect_near(0.0, vec3_distance(wanted[i], got[i]), tolerance * scale);

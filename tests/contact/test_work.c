@@ -1,5 +1,5 @@
 /* The work along the way of a solve: four rows at a time, with the bits of one row after another. */
-#include "base/wide.h"
+#include "base/simd_dispatch.h"
 #include "few_blocks.h"
 
 static vec3 draw(harness_source *source, double size)
@@ -47,7 +47,7 @@ static void expect_same_work(const few_blocks *f, double share)
 {
     const double one_by_one = work_of_rows(f->set, share);
     for (int wide = 0; wide < 2; wide++) {
-        bool is_wide = wide != 0 && vbss_wide_is_there();
+        bool is_wide = wide != 0 && vbss_wide_is_available();
         vbss_contact_begin_work(f->set, is_wide);
         const double by_fours = vbss_contact_work(f->set, is_wide, share);
         assert_memory_equal(&by_fours, &one_by_one, sizeof one_by_one);

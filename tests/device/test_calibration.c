@@ -197,7 +197,7 @@ static void a_rotation_that_is_nearly_right_is_made_right(void **state)
     expect_ok(vbss_device_check_calibration(NULL, &c));
     device_frame f = vbss_device_frame_of(&c);
     mat3 off = mat3_sub(mat3_mul(f.turn, mat3_transpose(f.turn)), mat3_identity());
-    expect_near(0.0, vbss_largest(&off.m[0][0], 9), 1e-15);
+    expect_near(0.0, vbss_max_abs(&off.m[0][0], 9), 1e-15);
 }
 
 /* ---- what is none */

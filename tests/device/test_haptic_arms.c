@@ -155,8 +155,8 @@ static void a_coupling_is_computed_at_the_newest_pose(void **state)
         r.hd->look(0, &before);
         hardware_rig_steps(&r, 1);
         r.hd->look(0, &now);
-        worst = greater(worst, fabs(now.force[0] + 200.0 * before.position[0]));
-        largest = greater(largest, fabs(now.force[0]));
+        worst = vbss_max(worst, fabs(now.force[0] + 200.0 * before.position[0]));
+        largest = vbss_max(largest, fabs(now.force[0]));
     }
     assert_true(largest > 0.1);
     assert_true(worst < 1e-9);

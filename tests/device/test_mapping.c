@@ -140,7 +140,7 @@ static void the_curve_begins_at_the_dead_zone(void **state)
         config.pad_curve = curve;
         for (int i = 0; i <= 100; i++) {
             double axes[6] = {-i / 100.0, 0.0, 0.0, 0.0, 0.0, 0.0}, wanted = 1.0;
-            double part = greater((i / 100.0 - 0.15) / 0.85, 0.0);
+            double part = vbss_max((i / 100.0 - 0.15) / 0.85, 0.0);
             for (uint32_t k = 0; k < curve; k++) {
                 wanted *= part;
             }

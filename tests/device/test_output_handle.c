@@ -73,7 +73,7 @@ static void steps_without_a_command_hold_the_last(void **state)
     for (int i = 1; i <= 12; i++) {
         expect_ok(step(&r, NULL));
         double left = 1.0 - 0.2 * (i - 5);
-        expect_near(i <= 5 ? 0.4 : 0.4 * greater(left, 0.0), r.result.force[0], 1e-12);
+        expect_near(i <= 5 ? 0.4 : 0.4 * vbss_max(left, 0.0), r.result.force[0], 1e-12);
     }
     assert_int_equal(r.result.flags, VBSS_OUTPUT_INPUT_STALE | VBSS_OUTPUT_COMMAND_STALE);
     expect_near(0.01, r.result.expires, 1e-15);

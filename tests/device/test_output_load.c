@@ -151,7 +151,7 @@ static void a_warm_motor_is_spared(void **state)
     for (size_t i = 0; i < sizeof forces / sizeof forces[0]; i++) {
         r.demand.temperature = temperatures[i];
         vec3 out = stage_rig_step(&r, h, vec3_make(0.0, 2.9999, 0.0));
-        expect_near(lesser(forces[i], 2.9999), out.y, 1e-14);
+        expect_near(vbss_min(forces[i], 2.9999), out.y, 1e-14);
         assert_int_equal(r.flags, i < 2 ? 0 : VBSS_OUTPUT_WARM);
         stage_rig_step(&r, h, vec3_zero());
     }

@@ -16,7 +16,7 @@ static void expect_ramp(uint32_t flag, double timeout)
         *old = age * h;
         vec3 out = stage_rig_step(&r, h, vec3_make(0.0, -1.2, 1.6));
         double over = age * h - timeout;
-        double left = over > 0.0 ? greater(1.0 - over / 0.004, 0.0) : 1.0;
+        double left = over > 0.0 ? vbss_max(1.0 - over / 0.004, 0.0) : 1.0;
         expect_near(2.0 * left, vec3_norm(out), 1e-12);
         expect_near(0.0, vec3_cross(out, vec3_make(0.0, -0.6, 0.8)).x, 1e-15);
         assert_int_equal(r.flags & stale, over > 0.0 ? flag : 0);

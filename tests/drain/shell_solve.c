@@ -32,7 +32,7 @@ double shell_rig_stiffest(shell_rig *r)
     shell_rig_tangent(r);
     for (uint32_t i = 0; i < r->node_count; i++) {
         mat3 m = block_mat3(&r->diagonal[i]);
-        most = greater(greater(m.m[0][0], m.m[1][1]), greater(m.m[2][2], most));
+        most = vbss_max(vbss_max(m.m[0][0], m.m[1][1]), vbss_max(m.m[2][2], most));
     }
     return most;
 }
@@ -41,7 +41,7 @@ double shell_rig_rounding(shell_rig *r)
 {
     double reach = 0.0;
     for (uint32_t i = 0; i < r->node_count; i++) {
-        reach = greater(vec3_norm(r->x[i]), reach);
+        reach = vbss_max(vec3_norm(r->x[i]), reach);
     }
     return DBL_EPSILON * reach * shell_rig_stiffest(r);
 }

@@ -24,7 +24,7 @@ static void force_is_slope(harness_source *source, void *user)
     shell_rig r;
     shell_sheet_start(source, &r);
     shell_sheet_deform(source, &r, 0.15);
-    double stiffest = greater(shell_rig_stiffest(&r), 1.0);
+    double stiffest = vbss_max(shell_rig_stiffest(&r), 1.0);
     for (uint32_t i = 0; i < r.node_count; i++) {
         vec3 slopes;
         slopes.x = slope(&r, &r.x[i].x);

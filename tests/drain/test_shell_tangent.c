@@ -67,7 +67,7 @@ static void check_column(shell_rig *r, const dense *d, int j, double tolerance)
 static void check_all(shell_rig *r)
 {
     dense d;
-    double stiffest = greater(shell_rig_stiffest(r), 1.0);
+    double stiffest = vbss_max(shell_rig_stiffest(r), 1.0);
     set_dense(r, &d);
     for (int j = 0; j < d.n; j++) {
         check_column(r, &d, j, 1e-9 * stiffest);

@@ -31,7 +31,7 @@ static void copies_agree(harness_source *source, void *user)
     shell_sheet_deform(source, &r, harness_draw_below(source, 2) == 0 ? 0.4 : 0.0);
     for (int wide = 0; wide < 2; wide++) {
         /* where there is no wide copy, the plain one goes twice */
-        r.shell.wide = wide != 0 && vbss_wide_is_there();
+        r.shell.wide = wide != 0 && vbss_wide_is_available();
         shell_rig_tangent(&r);
         take_answer(&r, &answers[wide]);
         shell_rig_energy(&r);
@@ -53,7 +53,7 @@ static void the_copy_is_chosen_by_what_the_processor_has(void **state)
     harness_source source = {0};
     shell_rig r;
     shell_sheet_start(&source, &r);
-    assert_int_equal(vbss_wide_is_there(), r.shell.wide);
+    assert_int_equal(vbss_wide_is_available(), r.shell.wide);
     shell_rig_end(&r);
 }
 

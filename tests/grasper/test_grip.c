@@ -55,9 +55,9 @@ static void a_pull_meets_its_limit(harness_source *source, void *user)
     vec3 before = force_on_thread(&s);
     grip_change change = yield(&s);
     vec3 after = force_on_thread(&s);
-    expect_near(lesser(fabs(before.x), s.pressure), fabs(after.x), 1e-12);
+    expect_near(vbss_min(fabs(before.x), s.pressure), fabs(after.x), 1e-12);
     assert_true(before.x * after.x >= 0.0);
-    expect_near(lesser(along_faces_of(before), limit), along_faces_of(after), 1e-12);
+    expect_near(vbss_min(along_faces_of(before), limit), along_faces_of(after), 1e-12);
     /* the same way as before */
     expect_near(0.0, before.y * after.z - before.z * after.y, 1e-11);
     assert_true(before.y * after.y + before.z * after.z > 0.0);
@@ -160,7 +160,7 @@ static void a_turn_meets_its_limit(harness_source *source, void *user)
     yield(&s);
     double after = torque_on_thread(&s);
     *yielded += fabs(before) > limit;
-    expect_near(lesser(fabs(before), limit), fabs(after), 1e-12 * limit + 1e-16);
+    expect_near(vbss_min(fabs(before), limit), fabs(after), 1e-12 * limit + 1e-16);
     assert_true(before * after > -1e-18);
     assert_true(energy_of(&s) <= energy * (1.0 + 1e-14));
     expect_near_vec3(middle, s.grip.at[1], 1e-18);

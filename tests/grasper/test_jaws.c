@@ -167,7 +167,7 @@ static void jaws_go_as_fast_as_they_may(void **state)
     for (int i = 0; i < 60; i++) {
         double next = vbss_grasper_next_angle(&g, h, 0.0);
         assert_true(next >= 0.0);
-        expect_near(greater(0.35 - step * (i + 1), 0.0), next, 1e-15);
+        expect_near(vbss_max(0.35 - step * (i + 1), 0.0), next, 1e-15);
         g.angle = next;
     }
     expect_same_bits(0.0, g.angle);
@@ -175,7 +175,7 @@ static void jaws_go_as_fast_as_they_may(void **state)
     g.opening = 1.0;
     for (int i = 0; i < 60; i++) {
         g.angle = vbss_grasper_next_angle(&g, h, 0.0);
-        expect_near(lesser(step * (i + 1), 0.35), g.angle, 1e-15);
+        expect_near(vbss_min(step * (i + 1), 0.35), g.angle, 1e-15);
     }
     expect_same_bits(0.35, g.angle);
     expect_same_bits(0.35, vbss_grasper_next_angle(&g, h, -1.0));

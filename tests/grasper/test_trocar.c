@@ -46,7 +46,7 @@ static void the_shaft_goes_through(harness_source *source, void *user)
     expect_near_vec3(told.position, target.position, 0.0);
     expect_near(1.0, quat_dot(target.orientation, target.orientation), 1e-15);
     double off = off_the_shaft(&g, target, &up);
-    *worst = greater(*worst, off);
+    *worst = vbss_max(*worst, off);
     expect_near(0.0, off, 1e-12);
     expect_near(vec3_norm(way) * vec3_norm(way),
                 reach * reach +

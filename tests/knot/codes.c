@@ -13,29 +13,29 @@ static void *or_abort(void *block)
     return block;
 }
 
-knot_code *codes_make(void)
+knot_gauss_code *codes_make(void)
 {
-    knot_code *code = or_abort(calloc(1, sizeof *code));
+    knot_gauss_code *code = or_abort(calloc(1, sizeof *code));
     code->capacity = CODES_MOST;
     code->crossing = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->crossing));
     code->over = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->over));
-    code->at = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->at));
+    code->position = or_abort(calloc(2 * (size_t)CODES_MOST, sizeof *code->position));
     code->sign = or_abort(calloc(CODES_MOST, sizeof *code->sign));
     code->scratch = or_abort(calloc(4 * (size_t)CODES_MOST, sizeof *code->scratch));
     return code;
 }
 
-void codes_free(knot_code *code)
+void codes_free(knot_gauss_code *code)
 {
     free(code->crossing);
     free(code->over);
-    free(code->at);
+    free(code->position);
     free(code->sign);
     free(code->scratch);
     free(code);
 }
 
-void codes_set(knot_code *to, const knot_code *from)
+void codes_set(knot_gauss_code *to, const knot_gauss_code *from)
 {
     if (from->n > to->capacity) {
         abort();
@@ -43,19 +43,19 @@ void codes_set(knot_code *to, const knot_code *from)
     to->n = from->n;
     memcpy(to->crossing, from->crossing, 2 * (size_t)from->n * sizeof *to->crossing);
     memcpy(to->over, from->over, 2 * (size_t)from->n * sizeof *to->over);
-    memcpy(to->at, from->at, 2 * (size_t)from->n * sizeof *to->at);
+    memcpy(to->position, from->position, 2 * (size_t)from->n * sizeof *to->position);
     memcpy(to->sign, from->sign, (size_t)from->n * sizeof *to->sign);
 }
 
-static void number_places(knot_code *code)
+static void number_places(knot_gauss_code *code)
 {
     for (uint32_t e = 0; e < 2 * code->n; e++) {
-        code->at[e] = (double)e;
+        code->position[e] = (double)e;
     }
 }
 
 /* Entries move up to leave a gap of `count` before `entry`. */
-static void open_gap(knot_code *code, uint32_t entry, uint32_t count)
+static void open_gap(knot_gauss_code *code, uint32_t entry, uint32_t count)
 {
     size_t behind = 2 * (size_t)code->n - entry;
     memmove(code->crossing + entry + count, code->crossing + entry,
@@ -63,7 +63,7 @@ static void open_gap(knot_code *code, uint32_t entry, uint32_t count)
     memmove(code->over + entry + count, code->over + entry, behind * sizeof *code->over);
 }
 
-static void put(knot_code *code, uint32_t entry, uint32_t crossing, bool over)
+static void put(knot_gauss_code *code, uint32_t entry, uint32_t crossing, bool over)
 {
     code->crossing[entry] = (uint16_t)crossing;
     code->over[entry] = over ? 1 : 0;
@@ -72,7 +72,7 @@ static void put(knot_code *code, uint32_t entry, uint32_t crossing, bool over)
 /* ---- braids */
 
 /* Strands go up. A right-handed crossing: the one from the lower left is over. */
-bool codes_braid(knot_code *code, const int *word, size_t letters)
+bool codes_braid(knot_gauss_code *code, const int *word, size_t letters)
 {
     if (letters > code->capacity) {
         return false;
@@ -101,7 +101,7 @@ bool codes_braid(knot_code *code, const int *word, size_t letters)
     return true;
 }
 
-void codes_torus(knot_code *code, int p, int q)
+void codes_torus(knot_gauss_code *code, int p, int q)
 {
     int word[CODES_MOST], count = 0;
     for (int turn = 0; turn < abs(q); turn++) {
@@ -139,7 +139,7 @@ const codes_known codes_table[CODES_KNOWN] = {
     {"10_140", 11, {1, 1, 1, -2, -1, -1, -1, -2, -3, 2, -3}, 9, 0, 2, -4},
 };
 
-void codes_named(knot_code *code, const char *name)
+void codes_named(knot_gauss_code *code, const char *name)
 {
     for (size_t i = 0; i < CODES_KNOWN; i++) {
         const codes_known *known = &codes_table[i];
@@ -153,7 +153,7 @@ void codes_named(knot_code *code, const char *name)
 
 /* ---- sums */
 
-void codes_tie(knot_code *code, uint32_t entry, const knot_code *other)
+void codes_tie(knot_gauss_code *code, uint32_t entry, const knot_gauss_code *other)
 {
     if (code->n + other->n > code->capacity) {
         abort();
@@ -167,9 +167,9 @@ void codes_tie(knot_code *code, uint32_t entry, const knot_code *other)
     number_places(code);
 }
 
-void codes_throws(knot_code *code, uint32_t throws, const int *wraps, const int *signs)
+void codes_throws(knot_gauss_code *code, uint32_t throws, const int *wraps, const int *signs)
 {
-    knot_code *inside = codes_make();
+    knot_gauss_code *inside = codes_make();
     code->n = 0;
     for (uint32_t i = 0; i < throws; i++) {
         codes_set(inside, code);
@@ -202,7 +202,7 @@ uint32_t codes_each_sum(codes_visit visit, void *user)
 
 /* ---- the same diagram seen otherwise */
 
-void codes_mirror(knot_code *code)
+void codes_mirror(knot_gauss_code *code)
 {
     for (uint32_t e = 0; e < 2 * code->n; e++) {
         code->over[e] ^= 1;
@@ -212,7 +212,7 @@ void codes_mirror(knot_code *code)
     }
 }
 
-static void swap_entries(knot_code *code, uint32_t a, uint32_t b)
+static void swap_entries(knot_gauss_code *code, uint32_t a, uint32_t b)
 {
     uint16_t crossing = code->crossing[a];
     uint8_t over = code->over[a];
@@ -220,19 +220,19 @@ static void swap_entries(knot_code *code, uint32_t a, uint32_t b)
     put(code, b, crossing, over != 0);
 }
 
-static void reverse_part(knot_code *code, uint32_t begin, uint32_t end)
+static void reverse_part(knot_gauss_code *code, uint32_t begin, uint32_t end)
 {
     for (; begin + 1 < end; begin++, end--) {
         swap_entries(code, begin, end - 1);
     }
 }
 
-void codes_reverse(knot_code *code)
+void codes_reverse(knot_gauss_code *code)
 {
     reverse_part(code, 0, 2 * code->n);
 }
 
-void codes_rotate(knot_code *code, uint32_t entry)
+void codes_rotate(knot_gauss_code *code, uint32_t entry)
 {
     reverse_part(code, 0, entry);
     reverse_part(code, entry, 2 * code->n);
@@ -241,7 +241,7 @@ void codes_rotate(knot_code *code, uint32_t entry)
 
 /* ---- faces: sides of arcs that meet in a corner of a crossing belong together */
 
-static uint32_t mate_of(const knot_code *code, uint32_t entry)
+static uint32_t mate_of(const knot_gauss_code *code, uint32_t entry)
 {
     uint32_t mate = 0;
     while (mate == entry || code->crossing[mate] != code->crossing[entry]) {
@@ -258,7 +258,7 @@ static void join(uint32_t *faces, uint32_t count, uint32_t a, uint32_t b)
     }
 }
 
-uint32_t codes_faces(const knot_code *code, uint32_t *faces)
+uint32_t codes_faces(const knot_gauss_code *code, uint32_t *faces)
 {
     uint32_t entries = 2 * code->n, sides = 2 * entries, count = 0;
     for (uint32_t i = 0; i < sides; i++) {
@@ -292,7 +292,7 @@ uint32_t codes_faces(const knot_code *code, uint32_t *faces)
 
 /* ---- moves */
 
-bool codes_move_1(knot_code *code, vbss_random *random)
+bool codes_move_1(knot_gauss_code *code, vbss_random *random)
 {
     if (code->n == code->capacity) {
         return false;
@@ -310,7 +310,7 @@ bool codes_move_1(knot_code *code, vbss_random *random)
 
 /* Arc a is pushed over or under arc b out of the face that is on these sides of both. It meets the new crossings c
  * and c + 1 in this order, and so does b if both run the same way along the face. */
-static void push(knot_code *code, const uint32_t arcs[2], const uint32_t sides[2], bool over)
+static void push(knot_gauss_code *code, const uint32_t arcs[2], const uint32_t sides[2], bool over)
 {
     uint32_t a = arcs[0] + 1, b = arcs[1] + 1, c = code->n;
     bool same_way = sides[0] != sides[1];
@@ -332,7 +332,7 @@ static void push(knot_code *code, const uint32_t arcs[2], const uint32_t sides[2
     number_places(code);
 }
 
-bool codes_move_2(knot_code *code, vbss_random *random)
+bool codes_move_2(knot_gauss_code *code, vbss_random *random)
 {
     if (code->n == 0 || code->n + 2 > code->capacity) {
         return false;
@@ -355,7 +355,7 @@ bool codes_move_2(knot_code *code, vbss_random *random)
 }
 
 /* Whether the arcs make a triangle of three strands, one of which is over and one under both others. */
-static bool is_open_triangle(const knot_code *code, const uint32_t arcs[3])
+static bool is_open_triangle(const knot_gauss_code *code, const uint32_t arcs[3])
 {
     int overs[3] = {0, 0, 0}, tops = 0, bottoms = 0;
     for (int i = 0; i < 3; i++) {
@@ -375,7 +375,7 @@ static bool is_open_triangle(const knot_code *code, const uint32_t arcs[3])
     return tops == 1 && bottoms == 1;
 }
 
-bool codes_move_3(knot_code *code, vbss_random *random)
+bool codes_move_3(knot_gauss_code *code, vbss_random *random)
 {
     uint32_t entries = 2 * code->n, found = 0, chosen[3] = {0, 0, 0};
     uint32_t *faces = or_abort(calloc(2 * (size_t)entries + 1, sizeof *faces));
@@ -400,7 +400,7 @@ bool codes_move_3(knot_code *code, vbss_random *random)
     return found > 0;
 }
 
-void codes_grow(knot_code *code, vbss_random *random, uint32_t crossings)
+void codes_grow(knot_gauss_code *code, vbss_random *random, uint32_t crossings)
 {
     while (code->n < crossings) {
         uint32_t kind = vbss_random_below(random, 8);

@@ -17,9 +17,9 @@ void diagram_begin(diagram *d, uint32_t crossings)
     d->polygon.capacity = DIAGRAM_VERTICES;
     d->polygon.closed = true;
     vbss_knot_projector_arrays(&d->projector, DIAGRAM_VERTICES, d->arrays);
-    vbss_knot_code_arrays(&d->code, crossings, d->arrays + KNOT_PROJECTOR_ARRAYS);
-    vbss_knot_code_arrays(&d->spare, crossings,
-                          d->arrays + KNOT_PROJECTOR_ARRAYS + KNOT_CODE_ARRAYS);
+    vbss_knot_gauss_code_arrays(&d->code, crossings, d->arrays + KNOT_PROJECTOR_ARRAYS);
+    vbss_knot_gauss_code_arrays(&d->spare, crossings,
+                                d->arrays + KNOT_PROJECTOR_ARRAYS + KNOT_GAUSS_CODE_ARRAYS);
     expect_ok(vbss_allocate_arrays(d->context, d->arrays, sizeof d->arrays / sizeof d->arrays[0],
                                    "diagram"));
 }
@@ -30,18 +30,19 @@ void diagram_end(diagram *d)
     harness_context_end(d->context, &d->memory);
 }
 
-knot_diagram diagram_project(diagram *d, vec3 direction)
+knot_diagram_status diagram_project(diagram *d, vec3 direction)
 {
-    knot_work work = 0;
-    knot_diagram result = vbss_knot_project(&d->projector, &d->polygon, direction, &d->code, &work);
+    knot_ops work = 0;
+    knot_diagram_status result =
+        vbss_knot_project(&d->projector, &d->polygon, direction, &d->code, &work);
     assert_true(work < 0);
-    assert_true(result == KNOT_DIAGRAM_PLAIN || d->code.n == 0);
+    assert_true(result == KNOT_DIAGRAM_REGULAR || d->code.n == 0);
     return result;
 }
 
 uint32_t diagram_project_plain(diagram *d, uint32_t k)
 {
-    while (diagram_project(d, vbss_knot_direction(k)) != KNOT_DIAGRAM_PLAIN) {
+    while (diagram_project(d, vbss_knot_direction(k)) != KNOT_DIAGRAM_REGULAR) {
         assert_true(++k < 64);
     }
     return k;
@@ -83,7 +84,7 @@ void diagram_knot(diagram *d, knot_kind kind, bool mirrored, double finest, doub
     knot_shape_init(&shape, kind);
     shape.mirrored = mirrored;
     shape.finest = finest;
-    shape.coarsest = greater(finest, shape.coarsest);
+    shape.coarsest = vbss_max(finest, shape.coarsest);
     expect_ok(knot_make(&shape, DIAGRAM_VERTICES - 3, d->x + 1, rest_lengths, &line));
     uint32_t last = line.node_count;
     vec3 middle = vec3_lerp(d->x[1], d->x[last], 0.5);
@@ -104,7 +105,7 @@ void diagram_mirror(diagram *d)
 
 /* ---- codes */
 
-void diagram_set_code(knot_code *code, const char *entries, const char *signs)
+void diagram_set_code(knot_gauss_code *code, const char *entries, const char *signs)
 {
     code->n = (uint32_t)strlen(signs);
     assert_true(code->n <= code->capacity && strlen(entries) == 2 * (size_t)code->n);
@@ -120,14 +121,14 @@ void diagram_set_code(knot_code *code, const char *entries, const char *signs)
         seen[c] = letter;
         count += c == count ? 1 : 0;
         code->crossing[e] = (uint16_t)c;
-        code->at[e] = e + 0.5;
+        code->position[e] = e + 0.5;
     }
     for (uint32_t c = 0; c < code->n; c++) {
         code->sign[c] = signs[c] == '+' ? 1 : -1;
     }
 }
 
-void diagram_expect_code(const char *entries, const char *signs, const knot_code *code)
+void diagram_expect_code(const char *entries, const char *signs, const knot_gauss_code *code)
 {
     char text[64], sign_text[32];
     assert_true(code->n < sizeof sign_text);
@@ -184,7 +185,7 @@ static uint64_t eliminate(uint64_t *a, uint32_t n, uint32_t size)
 }
 
 /* A row a crossing: the arc over it twice, less both that end there. */
-int64_t diagram_determinant(const knot_code *code)
+int64_t diagram_determinant(const knot_gauss_code *code)
 {
     uint32_t n = code->n, arc = 0;
     if (n < 2) {
@@ -208,7 +209,7 @@ int64_t diagram_determinant(const knot_code *code)
 }
 
 /* Polyak and Viro: pairs of crossings met under a, over b, over a, under b. */
-int64_t diagram_v2(const knot_code *code)
+int64_t diagram_v2(const knot_gauss_code *code)
 {
     uint32_t n = code->n, *over = calloc(2 * (size_t)n + 1, sizeof *over), *under = over + n;
     assert_non_null(over);

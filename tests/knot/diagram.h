@@ -13,15 +13,15 @@ typedef struct diagram {
     harness_memory memory;
     vbss_context *context;
     knot_projector projector;
-    knot_code code, spare;
+    knot_gauss_code code, spare;
     knot_polygon polygon; /* of `x` */
     vec3 x[DIAGRAM_VERTICES];
-    vbss_array arrays[KNOT_PROJECTOR_ARRAYS + 2 * KNOT_CODE_ARRAYS];
+    vbss_array arrays[KNOT_PROJECTOR_ARRAYS + 2 * KNOT_GAUSS_CODE_ARRAYS];
 } diagram;
 void diagram_begin(diagram *d, uint32_t crossings);
 void diagram_end(diagram *d);
 
-knot_diagram diagram_project(diagram *d, vec3 direction);
+knot_diagram_status diagram_project(diagram *d, vec3 direction);
 /* Along the first of the fixed directions from k on in which it is plain: that one. */
 uint32_t diagram_project_plain(diagram *d, uint32_t k);
 
@@ -40,10 +40,10 @@ void diagram_mirror(diagram *d);
 
 /* Crossings as letters, capital over, in the order of the curve; signs in the order of first visits. Entry k is at
  * place k + 0.5. */
-void diagram_set_code(knot_code *code, const char *entries, const char *signs);
-void diagram_expect_code(const char *entries, const char *signs, const knot_code *code);
+void diagram_set_code(knot_gauss_code *code, const char *entries, const char *signs);
+void diagram_expect_code(const char *entries, const char *signs, const knot_gauss_code *code);
 /* |Delta(-1)| modulo 2^31 - 1 by colourings, and Vassiliev's invariant of degree 2. */
-int64_t diagram_determinant(const knot_code *code);
-int64_t diagram_v2(const knot_code *code);
+int64_t diagram_determinant(const knot_gauss_code *code);
+int64_t diagram_v2(const knot_gauss_code *code);
 
 #endif

@@ -12,7 +12,7 @@ typedef struct paper_rig {
     vbss_knot_config config;
     knot_tool tools[PAPER_RIG_TOOLS];
     vec3 points[PAPER_RIG_POINTS];
-    knot_scene scene;
+    knot_input scene;
     knot_paper paper;
 } paper_rig;
 

@@ -9,7 +9,7 @@ int reduction_make_rig(void **state)
     (void)state;
     reduction_r = (reduction_rig){.polygon = {.x = reduction_r.x,
                                               .place = reduction_r.place,
-                                              .stays = reduction_r.stays,
+                                              .is_fixed = reduction_r.stays,
                                               .capacity = REDUCTION_MOST}};
     expect_ok(vbss_context_create(NULL, &reduction_r.context));
     vbss_knot_reduction_arrays(&reduction_r.reduction, REDUCTION_MOST, reduction_r.arrays);
@@ -47,15 +47,15 @@ void reduction_add_obstacle(vec3 begin, vec3 end)
 }
 
 /* Every slice does something. */
-void reduction_reduce_in_slices(knot_work slice)
+void reduction_reduce_in_slices(knot_ops slice)
 {
     uint32_t before = reduction_r.polygon.count;
     vbss_knot_reduction_begin(&reduction_r.reduction, &reduction_r.polygon, reduction_r.obstacles,
                               reduction_r.obstacle_count);
     bool done = false;
     for (uint32_t i = 0; i < 1000000 && !done; i++) {
-        knot_work work = slice;
-        done = vbss_knot_reduction_go_on(&reduction_r.reduction, &work);
+        knot_ops work = slice;
+        done = vbss_knot_reduction_resume(&reduction_r.reduction, &work);
         assert_true(work < slice);
     }
     assert_true(done);
@@ -86,7 +86,8 @@ bool reduction_is_free(const reduction_plain *p, uint32_t i)
         knot_edge e = k < n - !reduction_r.polygon.closed ? (knot_edge){p->x[k], p->x[(k + 1) % n]}
                                                           : reduction_r.obstacles[o];
         if (k != i && k != before &&
-            (same(e.begin, b) || same(e.end, b) || !vbss_knot_misses(a, b, c, e.begin, e.end))) {
+            (same(e.start, b) || same(e.end, b) ||
+             !vbss_knot_segment_misses_triangle(a, b, c, e.start, e.end))) {
             return false;
         }
     }

@@ -30,7 +30,7 @@ void reduction_add(vec3 x, bool stays);
 void reduction_add_obstacle(vec3 begin, vec3 end);
 
 /* In slices of so much work each, or at once. */
-void reduction_reduce_in_slices(knot_work slice);
+void reduction_reduce_in_slices(knot_ops slice);
 void reduction_reduce(void);
 
 /* A polygon put aside. */

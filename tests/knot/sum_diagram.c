@@ -7,11 +7,11 @@
 void sum_begin(sum_diagram *d)
 {
     memset(d, 0, sizeof *d);
-    d->code = (knot_code){.capacity = SUM_CROSSINGS,
-                          .crossing = d->crossing,
-                          .over = d->over,
-                          .sign = d->sign,
-                          .scratch = d->scratch};
+    d->code = (knot_gauss_code){.capacity = SUM_CROSSINGS,
+                                .crossing = d->crossing,
+                                .over = d->over,
+                                .sign = d->sign,
+                                .scratch = d->scratch};
 }
 
 void sum_insert(sum_diagram *d, uint32_t at, uint32_t wraps, int handedness, bool over)

@@ -7,7 +7,7 @@
 enum { SUM_CROSSINGS = 256 };
 
 typedef struct sum_diagram {
-    knot_code code; /* its arrays are those below */
+    knot_gauss_code code; /* its arrays are those below */
     uint16_t crossing[2 * SUM_CROSSINGS], scratch[4 * SUM_CROSSINGS];
     uint8_t over[2 * SUM_CROSSINGS];
     int8_t sign[SUM_CROSSINGS];

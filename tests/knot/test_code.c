@@ -19,12 +19,12 @@ static int end(void **state)
     return 0;
 }
 
-static void simplify(knot_code *code)
+static void simplify(knot_gauss_code *code)
 {
-    knot_work work = 0;
-    vbss_knot_code_simplify(code, &work);
+    knot_ops work = 0;
+    vbss_knot_gauss_code_simplify(code, &work);
     assert_true(work <= 0);
-    assert_true(vbss_knot_code_is_planar(code));
+    assert_true(vbss_knot_gauss_code_is_planar(code));
 }
 
 static const char trefoil[] = "AbCaBc", eight[] = "AbCaDcBd", eight_signs[] = "+--+";
@@ -34,7 +34,7 @@ static const char trefoil[] = "AbCaBc", eight[] = "AbCaDcBd", eight_signs[] = "+
 static bool is_planar(const char *entries, const char *signs)
 {
     diagram_set_code(&d.code, entries, signs);
-    return vbss_knot_code_is_planar(&d.code);
+    return vbss_knot_gauss_code_is_planar(&d.code);
 }
 
 static void known_diagrams_can_be_drawn(void **state)
@@ -58,10 +58,10 @@ static void a_damaged_code_cannot_be_drawn(void **state)
     assert_false(is_planar("AbCacB", "+++")); /* passages exchanged */
     assert_false(is_planar("ABCaBc", "+++")); /* twice over */
     d.code.crossing[1] = 7;
-    assert_false(vbss_knot_code_is_planar(&d.code));
+    assert_false(vbss_knot_gauss_code_is_planar(&d.code));
     diagram_set_code(&d.code, trefoil, "+++");
     d.code.crossing[1] = 0; /* three passages of one */
-    assert_false(vbss_knot_code_is_planar(&d.code));
+    assert_false(vbss_knot_gauss_code_is_planar(&d.code));
 }
 
 static void what_is_over_may_be_exchanged_with_its_sign(void **state)
@@ -75,9 +75,9 @@ static void a_copy_is_the_same(void **state)
 {
     (void)state;
     diagram_set_code(&d.code, eight, eight_signs);
-    vbss_knot_code_copy(&d.spare, &d.code);
+    vbss_knot_gauss_code_copy(&d.spare, &d.code);
     diagram_expect_code(eight, eight_signs, &d.spare);
-    assert_memory_equal(d.code.at, d.spare.at, 8 * sizeof d.code.at[0]);
+    assert_memory_equal(d.code.position, d.spare.position, 8 * sizeof d.code.position[0]);
 }
 
 /* ---- moves put into a trefoil, wherever that can be drawn, and undone */
@@ -121,7 +121,7 @@ static void set_trefoil_with(insertions into, char sign_d, char sign_e)
         }
     }
     diagram_set_code(&d.code, entries, signs);
-    vbss_knot_code_copy(&d.spare, &d.code);
+    vbss_knot_gauss_code_copy(&d.spare, &d.code);
 }
 
 /* What is left is the trefoil, and where it was. A crossing of it may have gone instead of an alike one beside. */
@@ -131,8 +131,8 @@ static void expect_trefoil(void)
     simplify(&d.code);
     diagram_expect_code(d.code.over[0] != 0 ? trefoil : "aBcAbC", "+++", &d.code);
     for (uint32_t e = 0; e < 6; e++) {
-        assert_true(d.code.at[e] > last);
-        last = d.code.at[e];
+        assert_true(d.code.position[e] > last);
+        last = d.code.position[e];
         uint32_t before = (uint32_t)last; /* entry k was at k + 0.5 */
         assert_int_equal(d.code.over[e], d.spare.over[before]);
         expect_same_bits(before + 0.5, last);
@@ -147,7 +147,7 @@ static void every_loop_is_undone(void **state)
         insert(into, way / 4, way % 2 == 0 ? 'd' : 'D', way % 2 == 0 ? 'D' : 'd');
         set_trefoil_with(into, way / 2 % 2 == 0 ? '+' : '-', ' ');
         assert_int_equal(4, d.code.n);
-        assert_true(vbss_knot_code_is_planar(&d.code));
+        assert_true(vbss_knot_gauss_code_is_planar(&d.code));
         expect_trefoil();
     }
 }
@@ -163,7 +163,7 @@ static void every_bigon_of_one_strand_over_another_is_undone(void **state)
         insert(into, over, 'D', 'E');
         insert(into, under, same_way ? 'd' : 'e', same_way ? 'e' : 'd');
         set_trefoil_with(into, way / 2 % 2 == 0 ? '+' : '-', way / 2 % 2 == 0 ? '-' : '+');
-        if (vbss_knot_code_is_planar(&d.code)) {
+        if (vbss_knot_gauss_code_is_planar(&d.code)) {
             undone[same_way ? 0 : 1]++;
             expect_trefoil();
         }
@@ -186,9 +186,9 @@ static void bigons_of_strands_that_alternate_stay(void **state)
 static void strands_that_cross_twice_to_the_same_side_stay(void **state)
 {
     (void)state;
-    knot_work work = 0;
+    knot_ops work = 0;
     diagram_set_code(&d.code, "ABab", "++"); /* on a torus */
-    vbss_knot_code_simplify(&d.code, &work);
+    vbss_knot_gauss_code_simplify(&d.code, &work);
     diagram_expect_code("ABab", "++", &d.code);
     diagram_set_code(&d.code, "ABab", "+-");
     simplify(&d.code);
@@ -212,7 +212,7 @@ static void one_move_makes_room_for_the_next(void **state)
 
 /* ---- anything */
 
-static bool has_move(const knot_code *code)
+static bool has_move(const knot_gauss_code *code)
 {
     uint32_t count = 2 * code->n;
     for (uint32_t e = 0; e < count; e++) {
@@ -230,13 +230,13 @@ static bool has_move(const knot_code *code)
     return false;
 }
 
-static void expect_well_numbered(const knot_code *code)
+static void expect_well_numbered(const knot_gauss_code *code)
 {
     uint32_t visited = 0;
     for (uint32_t e = 0; e < 2 * code->n; e++) {
         assert_true(code->crossing[e] <= visited && visited <= code->n);
         visited += code->crossing[e] == visited ? 1 : 0;
-        assert_true(e == 0 || code->at[e] > code->at[e - 1]);
+        assert_true(e == 0 || code->position[e] > code->position[e - 1]);
     }
     assert_int_equal(code->n, visited);
 }
@@ -248,7 +248,7 @@ static void any_code_becomes_one_of_the_same_knot_without_moves(harness_source *
     diagram_project_plain(&d, harness_draw_below(source, 20));
     expect_well_numbered(&d.code);
     int64_t determinant = diagram_determinant(&d.code), v2 = diagram_v2(&d.code);
-    vbss_knot_code_copy(&d.spare, &d.code);
+    vbss_knot_gauss_code_copy(&d.spare, &d.code);
     memset(d.spare.scratch, (int)harness_draw_below(source, 256),
            4 * (size_t)d.spare.capacity * sizeof d.spare.scratch[0]);
     simplify(&d.code);
@@ -260,7 +260,7 @@ static void any_code_becomes_one_of_the_same_knot_without_moves(harness_source *
     assert_int_equal(d.code.n, d.spare.n);
     uint32_t entries = 2 * d.code.n;
     assert_memory_equal(d.code.crossing, d.spare.crossing, entries * sizeof d.code.crossing[0]);
-    assert_memory_equal(d.code.at, d.spare.at, entries * sizeof d.code.at[0]);
+    assert_memory_equal(d.code.position, d.spare.position, entries * sizeof d.code.position[0]);
 }
 
 static void codes_keep_their_knot(void **state)

@@ -15,13 +15,13 @@ typedef struct eye {
     harness_memory memory;
     vbss_context *context;
     knot_projector projector;
-    knot_code code, spare;
+    knot_gauss_code code, spare;
     knot_algebra algebra;
     knot_polygon polygon;
     vec3 x[VERTICES];
     double place[VERTICES];
     uint8_t stays[VERTICES];
-    vbss_array arrays[KNOT_PROJECTOR_ARRAYS + 2 * KNOT_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS];
+    vbss_array arrays[KNOT_PROJECTOR_ARRAYS + 2 * KNOT_GAUSS_CODE_ARRAYS + KNOT_ALGEBRA_ARRAYS];
     uint32_t count;
 } eye;
 
@@ -30,12 +30,12 @@ static void open_eye(eye *e)
     memset(e, 0, sizeof *e);
     e->context = harness_context(&e->memory);
     e->polygon = (knot_polygon){
-        .x = e->x, .place = e->place, .stays = e->stays, .capacity = VERTICES, .closed = true};
+        .x = e->x, .place = e->place, .is_fixed = e->stays, .capacity = VERTICES, .closed = true};
     vbss_array *at = e->arrays;
     vbss_knot_projector_arrays(&e->projector, VERTICES, at);
-    vbss_knot_code_arrays(&e->code, CROSSINGS, at += KNOT_PROJECTOR_ARRAYS);
-    vbss_knot_code_arrays(&e->spare, CROSSINGS, at += KNOT_CODE_ARRAYS);
-    vbss_knot_algebra_arrays(&e->algebra, CROSSINGS, at += KNOT_CODE_ARRAYS);
+    vbss_knot_gauss_code_arrays(&e->code, CROSSINGS, at += KNOT_PROJECTOR_ARRAYS);
+    vbss_knot_gauss_code_arrays(&e->spare, CROSSINGS, at += KNOT_GAUSS_CODE_ARRAYS);
+    vbss_knot_algebra_arrays(&e->algebra, CROSSINGS, at += KNOT_GAUSS_CODE_ARRAYS);
     e->count = (uint32_t)(at - e->arrays) + KNOT_ALGEBRA_ARRAYS;
     expect_ok(vbss_allocate_arrays(e->context, e->arrays, e->count, "eye"));
 }
@@ -63,9 +63,9 @@ static void close_line(eye *e, const thread_line *line, const vec3 out[2])
     vbss_knot_polygon_add(&e->polygon, round, -1.0, false);
 }
 
-static void expect_invariants(eye *e, knot_code *code, knot_invariants wanted)
+static void expect_invariants(eye *e, knot_gauss_code *code, knot_invariants wanted)
 {
-    knot_work work = INT64_MAX;
+    knot_ops work = INT64_MAX;
     knot_invariants v = {.known = true};
     v.determinant = vbss_knot_determinant(&e->algebra, code, &work);
     vbss_knot_vassiliev(code, &v.v2, &v.v3, &work);
@@ -91,21 +91,21 @@ static knot_invariants truth_of(const family_case *c)
 static void look_from_all_sides(eye *e, const family_case *c, uint32_t counts[3])
 {
     for (uint32_t k = 0; k < DIRECTIONS; k++) {
-        knot_work work = INT64_MAX;
-        knot_diagram diagram =
+        knot_ops work = INT64_MAX;
+        knot_diagram_status diagram =
             vbss_knot_project(&e->projector, &e->polygon, vbss_knot_direction(k), &e->code, &work);
         counts[diagram]++;
-        if (diagram != KNOT_DIAGRAM_PLAIN) {
+        if (diagram != KNOT_DIAGRAM_REGULAR) {
             continue;
         }
-        assert_true(vbss_knot_code_is_planar(&e->code));
+        assert_true(vbss_knot_gauss_code_is_planar(&e->code));
         if (e->code.n < 70) {
             expect_invariants(e, &e->code, truth_of(c));
         }
-        vbss_knot_code_simplify(&e->code, &work);
+        vbss_knot_gauss_code_simplify(&e->code, &work);
         expect_invariants(e, &e->code, truth_of(c));
         uint32_t tries = 1000;
-        while (vbss_knot_code_untangle(&e->code, &e->spare, &tries, &work)) {
+        while (vbss_knot_gauss_code_untangle(&e->code, &e->spare, &tries, &work)) {
             expect_invariants(e, &e->code, truth_of(c));
         }
     }
@@ -130,9 +130,9 @@ static void all_directions_agree(void **state)
         }
     }
     close_eye(&e);
-    print_message("%u diagrams plain, %u degenerate, %u full\n", counts[KNOT_DIAGRAM_PLAIN],
+    print_message("%u diagrams plain, %u degenerate, %u full\n", counts[KNOT_DIAGRAM_REGULAR],
                   counts[KNOT_DIAGRAM_DEGENERATE], counts[KNOT_DIAGRAM_FULL]);
-    assert_true(counts[KNOT_DIAGRAM_PLAIN] >= 1500 && counts[KNOT_DIAGRAM_DEGENERATE] <= 15);
+    assert_true(counts[KNOT_DIAGRAM_REGULAR] >= 1500 && counts[KNOT_DIAGRAM_DEGENERATE] <= 15);
 }
 
 /* ---- one direction, and few crossings */

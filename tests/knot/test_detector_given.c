@@ -80,7 +80,7 @@ static void points_may_come_from_the_other_end(void **state)
 static double of_doubled(double place, double last)
 {
     double vertex = floor(place), part = place - vertex;
-    return lesser(2.0 * vertex + (part > 1e-9 ? 1.0 + part : 0.0), 2.0 * last);
+    return vbss_min(2.0 * vertex + (part > 1e-9 ? 1.0 + part : 0.0), 2.0 * last);
 }
 
 static void give_twice(const family_case *c)

@@ -135,15 +135,15 @@ static bool is_inside(const thread_line *line, uint32_t end, vbss_random *random
 }
 
 /* The thread closed in the k-th of the detector's directions. */
-static bool type_closed(const thread_line *line, const knot_closing *closing, uint32_t k,
+static bool type_closed(const thread_line *line, const knot_closure *closing, uint32_t k,
                         knot_type *type)
 {
     static vec3 x[STACK_POINTS + 2];
     const double far = 2.0;
     uint32_t n = line->count;
     memcpy(x + 1, line->x, n * sizeof *x);
-    x[0] = vec3_add_scaled(line->x[0], far, closing->tail_out[k]);
-    x[n + 1] = vec3_add_scaled(line->x[n - 1], far, closing->long_out[k]);
+    x[0] = vec3_add_scaled(line->x[0], far, closing->tail_directions[k]);
+    x[n + 1] = vec3_add_scaled(line->x[n - 1], far, closing->long_directions[k]);
     return knot_type_of(x, n + 2, type);
 }
 
@@ -154,11 +154,11 @@ static void compare_closures(judge *j, const thread_line *line)
     knot_type first, other;
     expect_ok(vbss_knot_open(j->detector, &inside));
     const knot_job *job = &inside->job;
-    assert_true(type_closed(line, &job->closing, 0, &first));
+    assert_true(type_closed(line, &job->closure, 0, &first));
     assert_true(knot_type_same(first, type_read(&job->outward)));
     uint32_t agreeing = 0;
-    for (uint32_t k = 1; k <= job->closing.others; k++) {
-        assert_true(type_closed(line, &job->closing, k, &other));
+    for (uint32_t k = 1; k <= job->closure.alternative_count; k++) {
+        assert_true(type_closed(line, &job->closure, k, &other));
         agreeing += knot_type_same(first, other);
     }
     assert_int_equal(agreeing, job->agreeing);

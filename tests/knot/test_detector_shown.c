@@ -121,7 +121,7 @@ static void holes_without_places_are_where_the_thread_is_nearest(void **state)
     other.input.hole_places[0] = other.input.hole_places[1] = -1.0;
     detector_rig_judge(&r);
     detector_rig_judge(&other);
-    expect_near(r.line.tissue_place, detector_rig_object(&other)->shown.tissue_place, 1e-6);
+    expect_near(r.line.tissue_place, detector_rig_object(&other)->input.tissue_place, 1e-6);
     for (uint32_t i = 0; i < 2; i++) {
         vbss_knot_throw t = detector_rig_throw(&r, i), u = detector_rig_throw(&other, i);
         assert_int_equal(t.flags, u.flags);

@@ -20,9 +20,9 @@ static int end(void **state)
     return 0;
 }
 
-static int64_t determinant_of(const knot_code *code)
+static int64_t determinant_of(const knot_gauss_code *code)
 {
-    knot_work work = 0;
+    knot_ops work = 0;
     int64_t determinant = vbss_knot_determinant(&room->algebra, code, &work);
     assert_true(work < 0);
     return determinant;
@@ -33,7 +33,7 @@ static int64_t determinant_of(const knot_code *code)
 static void the_unknot_has_one(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     vbss_random random;
     vbss_random_seed(&random, 3, 0);
     assert_int_equal(1, determinant_of(code));
@@ -49,7 +49,7 @@ static void the_unknot_has_one(void **state)
 static void known_knots_have_theirs(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     for (size_t i = 0; i < CODES_KNOWN; i++) {
         codes_named(code, codes_table[i].name);
         assert_int_equal(codes_table[i].determinant, determinant_of(code));
@@ -63,7 +63,7 @@ static void torus_knots_have_theirs(void **state)
     static const int pairs[][2] = {{2, 1}, {2, 3}, {2, 5},  {2, 7},  {2, 63}, {3, 2},
                                    {3, 4}, {3, 5}, {3, 7},  {4, 3},  {4, 5},  {5, 2},
                                    {5, 3}, {5, 6}, {2, -5}, {3, -4}, {5, -7}};
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         int p = pairs[i][0], q = abs(pairs[i][1]);
         codes_torus(code, p, pairs[i][1]);
@@ -74,7 +74,7 @@ static void torus_knots_have_theirs(void **state)
 
 static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     int64_t wanted = 1;
     codes_throws(code, throws, wraps, signs);
     for (uint32_t i = 0; i < throws; i++) {
@@ -86,7 +86,7 @@ static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void 
 static void stacked_throws_have_the_product(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     assert_int_equal(210, codes_each_sum(visit_sum, code));
     codes_free(code);
 }
@@ -95,7 +95,7 @@ static void stacked_throws_have_the_product(void **state)
 static void large_ones_do_not_wrap(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     int word[64];
     int64_t lucas = 2, next = 1;
     for (int k = 1; k <= 32; k++) {
@@ -115,7 +115,7 @@ static void large_ones_do_not_wrap(void **state)
 static void what_is_not_plane_has_none(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     codes_named(code, "3_1");
     code->sign[1] = -1;
     assert_int_equal(0, determinant_of(code));
@@ -142,7 +142,7 @@ static int64_t inverse_of(int64_t x)
 }
 
 /* A column an arc from one entry under to the next. */
-static int fill_colourings(const knot_code *code, int64_t a[MOST_ROWS][MOST_ROWS])
+static int fill_colourings(const knot_gauss_code *code, int64_t a[MOST_ROWS][MOST_ROWS])
 {
     int n = (int)code->n, arc = 0, over[MOST_ROWS] = {0}, arriving[MOST_ROWS] = {0};
     for (uint32_t e = 0; e < 2 * code->n; e++) {
@@ -160,7 +160,7 @@ static int fill_colourings(const knot_code *code, int64_t a[MOST_ROWS][MOST_ROWS
 }
 
 /* Up to its sign, in [0, OTHER_PRIME). */
-static int64_t determinant_of_colourings(const knot_code *code)
+static int64_t determinant_of_colourings(const knot_gauss_code *code)
 {
     int64_t a[MOST_ROWS][MOST_ROWS], product = 1;
     int size = fill_colourings(code, a);
@@ -189,7 +189,7 @@ static int64_t determinant_of_colourings(const knot_code *code)
     return product;
 }
 
-static void expect_that_of_colourings(const knot_code *code)
+static void expect_that_of_colourings(const knot_gauss_code *code)
 {
     int64_t ours = determinant_of(code) % OTHER_PRIME, theirs = determinant_of_colourings(code);
     assert_true(ours == theirs || ours == modulo(-theirs));
@@ -197,7 +197,7 @@ static void expect_that_of_colourings(const knot_code *code)
 
 static void any_braid_has_that_of_colourings(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     int word[MOST_ROWS];
     size_t letters = 3 + harness_draw_below(source, MOST_ROWS - 4);
     int strands = 2 + (int)harness_draw_below(source, 4);
@@ -213,7 +213,7 @@ static void any_braid_has_that_of_colourings(harness_source *source, void *user)
 static void braids_have_that_of_colourings(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("determinants", 2000, any_braid_has_that_of_colourings, code);
     codes_free(code);
 }
@@ -222,7 +222,7 @@ static void braids_have_that_of_colourings(void **state)
 
 static void any_diagram_has_the_same(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     const codes_known *known = &codes_table[harness_draw_below(source, CODES_KNOWN)];
     codes_named(code, known->name);
     codes_grow(code, &source->random, 12 + harness_draw_below(source, 48));
@@ -238,7 +238,7 @@ static void any_diagram_has_the_same(harness_source *source, void *user)
 static void diagrams_of_a_knot_have_the_same(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("diagrams", 300, any_diagram_has_the_same, code);
     codes_free(code);
 }

@@ -93,9 +93,9 @@ static void isotopies_move_the_thread_far(void **state)
     for (uint32_t i = 0; i < line.count; i++) {
         double nearest = 1.0;
         for (uint32_t k = 0; k < base.count; k++) {
-            nearest = lesser(nearest, vec3_distance(line.x[i], base.x[k]));
+            nearest = vbss_min(nearest, vec3_distance(line.x[i], base.x[k]));
         }
-        furthest = greater(furthest, nearest);
+        furthest = vbss_max(furthest, nearest);
     }
     assert_true(furthest > 3e-3);
 }

@@ -17,11 +17,11 @@ static const look_alike look_alikes[] = {
 };
 enum { LOOK_ALIKES = sizeof look_alikes / sizeof look_alikes[0] };
 
-static knot_invariants invariants_of(const knot_code *code)
+static knot_invariants invariants_of(const knot_gauss_code *code)
 {
     algebra_room *room = algebra_room_make(64);
     knot_invariants v = {.known = true};
-    knot_work work = 0;
+    knot_ops work = 0;
     v.determinant = vbss_knot_determinant(&room->algebra, code, &work);
     vbss_knot_vassiliev(code, &v.v2, &v.v3, &work);
     assert_true(
@@ -37,7 +37,7 @@ static void invariants_take_them_for_throws(void **state)
     (void)state;
     for (int i = 0; i < LOOK_ALIKES; i++) {
         const look_alike *l = &look_alikes[i];
-        knot_code *code = codes_make();
+        knot_gauss_code *code = codes_make();
         knot_factors factors;
         assert_true(codes_braid(code, l->word, (size_t)l->letters));
         knot_invariants v = invariants_of(code);
@@ -52,25 +52,25 @@ static void invariants_take_them_for_throws(void **state)
 static void none_comes_apart(void **state)
 {
     (void)state;
-    knot_code *code = codes_make(), *spare = codes_make();
+    knot_gauss_code *code = codes_make(), *spare = codes_make();
     vbss_random random;
     vbss_random_seed(&random, 7, 1);
     for (int i = 0; i < LOOK_ALIKES * 400; i++) {
         const look_alike *l = &look_alikes[i % LOOK_ALIKES];
         uint32_t tries = KNOT_TRIES;
-        knot_work work = 0;
+        knot_ops work = 0;
         knot_factors factors;
         assert_true(codes_braid(code, l->word, (size_t)l->letters));
-        assert_false(vbss_knot_twists(code, &factors));
+        assert_false(vbss_knot_decompose(code, &factors));
         codes_grow(code, &random, 20 + vbss_random_below(&random, 40));
         if (vbss_random_below(&random, 2) == 0) {
             codes_mirror(code);
         }
-        vbss_knot_code_simplify(code, &work);
-        assert_false(vbss_knot_twists(code, &factors));
-        while (vbss_knot_code_untangle(code, spare, &tries, &work)) {
+        vbss_knot_gauss_code_simplify(code, &work);
+        assert_false(vbss_knot_decompose(code, &factors));
+        while (vbss_knot_gauss_code_untangle(code, spare, &tries, &work)) {
         }
-        assert_false(vbss_knot_twists(code, &factors));
+        assert_false(vbss_knot_decompose(code, &factors));
     }
     codes_free(code);
     codes_free(spare);

@@ -9,9 +9,9 @@
 enum { IN_ORDER = VBSS_KNOT_THROW_ORDERED, STRAY = IN_ORDER | VBSS_KNOT_THROW_STRAY };
 
 /* Throws as wraps times handedness, ended by 0. */
-static knot_verdict verdict_of(const int *throws, uint32_t flags)
+static knot_classification verdict_of(const int *throws, uint32_t flags)
 {
-    knot_verdict v = {.throw_count = 0};
+    knot_classification v = {.throw_count = 0};
     for (; throws[v.throw_count] != 0; v.throw_count++) {
         int one = throws[v.throw_count];
         v.throws[v.throw_count].wraps = one < 0 ? -one : one;
@@ -21,14 +21,14 @@ static knot_verdict verdict_of(const int *throws, uint32_t flags)
     return v;
 }
 
-static void mirror(knot_verdict *v)
+static void mirror(knot_classification *v)
 {
     for (uint32_t i = 0; i < v->throw_count; i++) {
         v->throws[i].handedness = -v->throws[i].handedness;
     }
 }
 
-static void check(knot_verdict v, vbss_knot_name name, uint32_t faults, const char *notation)
+static void check(knot_classification v, vbss_knot_name name, uint32_t faults, const char *notation)
 {
     for (int i = 0; i < 2; i++) {
         char text[KNOT_NOTATION];
@@ -102,7 +102,7 @@ static void names_faults_and_notations(void **state)
         const row *r = &not_in_order[i];
         check(verdict_of(r->throws, 0), r->name, r->faults, r->notation);
     }
-    knot_verdict one = verdict_of((const int[]){2, -1, 1, 0}, IN_ORDER);
+    knot_classification one = verdict_of((const int[]){2, -1, 1, 0}, IN_ORDER);
     one.throws[2].flags = 0; /* then neither is the order of the others */
     check(one, VBSS_KNOT_NAME_STACK, ORDER, "2+1+1");
 }
@@ -110,7 +110,7 @@ static void names_faults_and_notations(void **state)
 static void hitches_and_uncertain_readings(void **state)
 {
     (void)state;
-    knot_verdict v = verdict_of((const int[]){2, -1, 1, 0}, IN_ORDER);
+    knot_classification v = verdict_of((const int[]){2, -1, 1, 0}, IN_ORDER);
     v.throws[1].flags |= VBSS_KNOT_THROW_HITCH;
     check(v, VBSS_KNOT_NAME_FLS, VBSS_KNOT_FAULT_HITCH, "2=1=1");
     v.reason = VBSS_KNOT_REASON_ENDS;
@@ -120,7 +120,7 @@ static void hitches_and_uncertain_readings(void **state)
 static void what_is_no_stack_is_other(void **state)
 {
     (void)state;
-    knot_verdict v = {.other = true};
+    knot_classification v = {.other = true};
     check(v, VBSS_KNOT_NAME_OTHER, VBSS_KNOT_FAULT_TYPE, "?");
     v = verdict_of((const int[]){2, 1, 0}, IN_ORDER);
     v.other = true;
@@ -131,7 +131,7 @@ static void what_is_no_stack_is_other(void **state)
 static void knots_in_one_limb_do_not_count(void **state)
 {
     (void)state;
-    knot_verdict v = verdict_of((const int[]){2, 1, -1, 1, 0}, IN_ORDER);
+    knot_classification v = verdict_of((const int[]){2, 1, -1, 1, 0}, IN_ORDER);
     v.throws[1].flags = STRAY;
     check(v, VBSS_KNOT_NAME_FLS, VBSS_KNOT_FAULT_STRAY, "2=1=1 (1)");
     v.throws[1].flags = VBSS_KNOT_THROW_STRAY; /* where it is makes no difference */
@@ -145,7 +145,8 @@ static void knots_in_one_limb_do_not_count(void **state)
 static void long_notations_fit_or_say_that_they_do_not(void **state)
 {
     (void)state;
-    knot_verdict v = verdict_of((const int[]){99, -99, 99, -99, 99, -99, 99, -99, 0}, IN_ORDER);
+    knot_classification v =
+        verdict_of((const int[]){99, -99, 99, -99, 99, -99, 99, -99, 0}, IN_ORDER);
     check(v, VBSS_KNOT_NAME_STACK, MANY | FIRST | LATER, "99=99=99=99=99=99=99=99");
     v.throws[7].flags = STRAY;
     v.throws[6].flags = STRAY;
@@ -178,7 +179,7 @@ static void only_one_of_all_types_has_no_fault(void **state)
     uint32_t found = 0;
     for (int i = 0; i < 216; i++) {
         const int throws[4] = {hands[i / 36], hands[i / 6 % 6], hands[i % 6], 0};
-        knot_verdict v = verdict_of(throws, IN_ORDER);
+        knot_classification v = verdict_of(throws, IN_ORDER);
         char text[KNOT_NOTATION];
         vbss_knot_notation_of(&v, text);
         bool fls = strcmp(text, "2=1=1") == 0;
@@ -204,7 +205,7 @@ typedef struct summary {
 
 static void take_in(summary *s, const int *throws)
 {
-    knot_verdict v = verdict_of(throws, IN_ORDER);
+    knot_classification v = verdict_of(throws, IN_ORDER);
     char text[KNOT_NOTATION];
     vbss_knot_name name = vbss_knot_name_of(&v);
     vbss_knot_notation_of(&v, text);
@@ -230,7 +231,7 @@ static void check_all_orders(const int *throws, uint32_t count)
         }
         take_in(&s, permuted);
     }
-    knot_verdict v = verdict_of(throws, 0);
+    knot_classification v = verdict_of(throws, 0);
     assert_int_equal(vbss_knot_name_of(&v), s.name);
     assert_int_equal(vbss_knot_faults_of(&v), s.faults | (s.alike ? 0 : ORDER));
     char text[KNOT_NOTATION];

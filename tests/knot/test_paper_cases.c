@@ -52,8 +52,8 @@ static void the_truth_is_another(void **state)
         double turns = swept_turns(&rig), highest = -1.0, lowest = 1.0;
         expect_near(c->turns, turns, 0.005);
         for (uint32_t k = 0; k < rig.scene.point_count; k++) {
-            highest = greater(highest, rig.points[k].z);
-            lowest = lesser(lowest, rig.points[k].z);
+            highest = vbss_max(highest, rig.points[k].z);
+            lowest = vbss_min(lowest, rig.points[k].z);
         }
         assert_true(c->beside_tool ? lowest > 0.0 : highest < 0.0);
         /* Whole turns about the tool that there is. */

@@ -26,7 +26,7 @@ static const vec3 up = {0.0, 0.0, 1.0};
 
 static void project_up(void)
 {
-    assert_int_equal(KNOT_DIAGRAM_PLAIN, diagram_project(&d, up));
+    assert_int_equal(KNOT_DIAGRAM_REGULAR, diagram_project(&d, up));
 }
 
 static void set_polygon(const vec3 *x, uint32_t count)
@@ -58,8 +58,8 @@ static void a_throw_has_the_sign_of_its_handedness(void **state)
     for (int mirrored = 0; mirrored < 2; mirrored++) {
         diagram_knot(&d, KNOT_OVERHAND, mirrored != 0, 0.3e-3, 10.0);
         diagram_project_plain(&d, 0);
-        knot_work work = 0;
-        vbss_knot_code_simplify(&d.code, &work);
+        knot_ops work = 0;
+        vbss_knot_gauss_code_simplify(&d.code, &work);
         diagram_expect_code(d.code.over[0] != 0 ? "AbCaBc" : "aBcAbC",
                             mirrored != 0 ? "---" : "+++", &d.code);
         knot_type type = knot_type_of_kind(KNOT_OVERHAND, mirrored != 0);
@@ -90,8 +90,8 @@ static void entries_tell_where_they_are(void **state)
     set_polygon(x, 6);
     project_up();
     diagram_expect_code("aA", "+", &d.code);
-    expect_near(0.25, d.code.at[0], 1e-12);
-    expect_near(3.5, d.code.at[1], 1e-12);
+    expect_near(0.25, d.code.position[0], 1e-12);
+    expect_near(3.5, d.code.position[1], 1e-12);
 }
 
 static void long_edges_cross_each_other(void **state)
@@ -105,8 +105,8 @@ static void long_edges_cross_each_other(void **state)
     d.polygon.count = 43;
     project_up();
     diagram_expect_code("aA", "-", &d.code);
-    assert_true(d.code.at[0] > 39.0 && d.code.at[0] < 40.0);
-    assert_true(d.code.at[1] > 41.0 && d.code.at[1] < 42.0);
+    assert_true(d.code.position[0] > 39.0 && d.code.position[0] < 40.0);
+    assert_true(d.code.position[1] > 41.0 && d.code.position[1] < 42.0);
 }
 
 static void a_plane_curve_has_no_crossings(void **state)
@@ -119,7 +119,7 @@ static void a_plane_curve_has_no_crossings(void **state)
         d.x[i] = vec3_make(r * c, r * s, 0.7 * r * c - 0.2 * r * s);
     }
     for (uint32_t k = 0; k < 64; k++) {
-        assert_int_equal(KNOT_DIAGRAM_PLAIN, diagram_project(&d, vbss_knot_direction(k)));
+        assert_int_equal(KNOT_DIAGRAM_REGULAR, diagram_project(&d, vbss_knot_direction(k)));
         assert_int_equal(0, d.code.n);
     }
     d.polygon.count = 3;
@@ -135,10 +135,10 @@ static void expect_same_from_everywhere(const knot_type *wanted, uint32_t direct
     int64_t v2 = wanted != NULL ? wanted->v2 : 0;
     uint32_t plain = 0;
     for (uint32_t k = 0; k < directions; k++) {
-        if (diagram_project(&d, vbss_knot_direction(k)) == KNOT_DIAGRAM_PLAIN) {
+        if (diagram_project(&d, vbss_knot_direction(k)) == KNOT_DIAGRAM_REGULAR) {
             plain++;
-            knot_work work = 0;
-            vbss_knot_code_simplify(&d.code, &work);
+            knot_ops work = 0;
+            vbss_knot_gauss_code_simplify(&d.code, &work);
             v2 = determinant < 0 ? diagram_v2(&d.code) : v2;
             determinant = determinant < 0 ? diagram_determinant(&d.code) : determinant;
             assert_int_equal(determinant, diagram_determinant(&d.code));
@@ -189,7 +189,7 @@ static void any_polygon_keeps_its_diagram(harness_source *source, void *user)
     (void)user;
     diagram_random(&d, source, 4 + harness_draw_below(source, 40));
     uint32_t k = diagram_project_plain(&d, harness_draw_below(source, 20));
-    vbss_knot_code_copy(&d.spare, &d.code);
+    vbss_knot_gauss_code_copy(&d.spare, &d.code);
     vec3 direction = vbss_knot_direction(k);
     uint32_t count = d.polygon.count, shift = harness_draw_below(source, count);
     vec3 x[DIAGRAM_VERTICES];
@@ -197,23 +197,23 @@ static void any_polygon_keeps_its_diagram(harness_source *source, void *user)
     for (uint32_t i = 0; i < count; i++) {
         d.x[i] = vec3_scale(x[(i + shift) % count], 1024.0);
     }
-    assert_int_equal(KNOT_DIAGRAM_PLAIN, diagram_project(&d, direction));
+    assert_int_equal(KNOT_DIAGRAM_REGULAR, diagram_project(&d, direction));
     assert_int_equal(d.spare.n, d.code.n);
     uint32_t entries = 2 * d.code.n, first = 0;
-    while (first < entries && d.spare.at[first] < shift) {
+    while (first < entries && d.spare.position[first] < shift) {
         first++;
     }
     for (uint32_t e = 0; e < entries; e++) {
         uint32_t other = (e + first) % entries;
-        double at = d.spare.at[other] - shift;
-        expect_near(at < 0.0 ? at + count : at, d.code.at[e], 1e-6);
+        double at = d.spare.position[other] - shift;
+        expect_near(at < 0.0 ? at + count : at, d.code.position[e], 1e-6);
         assert_int_equal(d.spare.over[other], d.code.over[e]);
         assert_int_equal(d.spare.sign[d.spare.crossing[other]], d.code.sign[d.code.crossing[e]]);
     }
     for (uint32_t i = 0; i < count; i++) {
         d.x[i] = vec3_sub(x[i], vec3_scale(direction, 2.0 * vec3_dot(direction, x[i])));
     }
-    assert_int_equal(KNOT_DIAGRAM_PLAIN, diagram_project(&d, direction));
+    assert_int_equal(KNOT_DIAGRAM_REGULAR, diagram_project(&d, direction));
     assert_int_equal(d.spare.n, d.code.n);
     for (uint32_t e = 0; e < entries; e++) {
         assert_int_equal(d.spare.crossing[e], d.code.crossing[e]);
@@ -318,7 +318,7 @@ static void a_code_that_is_full_is_told(void **state)
     for (uint32_t capacity = 1; capacity <= 3; capacity++) {
         diagram_begin(&small, capacity);
         diagram_torus(&small, 2, 3, 40);
-        assert_int_equal(capacity < 3 ? KNOT_DIAGRAM_FULL : KNOT_DIAGRAM_PLAIN,
+        assert_int_equal(capacity < 3 ? KNOT_DIAGRAM_FULL : KNOT_DIAGRAM_REGULAR,
                          diagram_project(&small, up));
         diagram_end(&small);
     }

@@ -58,7 +58,7 @@ static void in_slices_as_at_once(harness_source *source, void *user)
     reduction_reduce();
     reduction_take(&p);
     reduction_put(&given);
-    reduction_reduce_in_slices(1 + (knot_work)harness_draw_below(source, 300));
+    reduction_reduce_in_slices(1 + (knot_ops)harness_draw_below(source, 300));
     reduction_expect(&p);
 }
 

@@ -23,16 +23,16 @@ static int end(void **state)
     return 0;
 }
 
-static int32_t signature_of(const knot_code *code, uint32_t x_1000)
+static int32_t signature_of(const knot_gauss_code *code, uint32_t x_1000)
 {
-    knot_work work = 0;
+    knot_ops work = 0;
     int32_t signature = 99;
     assert_true(vbss_knot_signature(&room->algebra, code, x_1000, &signature, &work));
     assert_true(work < 0);
     return signature;
 }
 
-static void expect_both(int ordinary, int tristram, const knot_code *code)
+static void expect_both(int ordinary, int tristram, const knot_gauss_code *code)
 {
     assert_int_equal(ordinary, signature_of(code, KNOT_X_ORDINARY_1000));
     assert_int_equal(ordinary, signature_of(code, 0));
@@ -44,7 +44,7 @@ static void expect_both(int ordinary, int tristram, const knot_code *code)
 static void the_unknot_has_none(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     vbss_random random;
     vbss_random_seed(&random, 3, 0);
     expect_both(0, 0, code);
@@ -60,7 +60,7 @@ static void the_unknot_has_none(void **state)
 static void known_knots_have_theirs(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     for (size_t i = 0; i < CODES_KNOWN; i++) {
         codes_named(code, codes_table[i].name);
         assert_int_equal(codes_table[i].signature, signature_of(code, KNOT_X_ORDINARY_1000));
@@ -70,7 +70,7 @@ static void known_knots_have_theirs(void **state)
 
 static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     int ordinary = 0, tristram = 0;
     codes_throws(code, throws, wraps, signs);
     for (uint32_t i = 0; i < throws; i++) {
@@ -83,7 +83,7 @@ static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void 
 static void stacked_throws_have_the_sum(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     assert_int_equal(210, codes_each_sum(visit_sum, code));
     codes_free(code);
 }
@@ -91,8 +91,8 @@ static void stacked_throws_have_the_sum(void **state)
 static void what_is_not_plane_has_none(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
-    knot_work work = 0;
+    knot_gauss_code *code = codes_make();
+    knot_ops work = 0;
     int32_t signature;
     codes_named(code, "3_1");
     code->sign[1] = -1;
@@ -106,12 +106,12 @@ static void next_to_a_root_nothing_is_told(void **state)
 {
     (void)state;
     enum { Q = 213 };
-    knot_code *code = codes_make(), *sum = codes_make();
+    knot_gauss_code *code = codes_make(), *sum = codes_make();
     codes_torus(code, 2, Q);
     codes_set(sum, code);
     codes_tie(sum, 0, code);
     for (uint32_t x_1000 = 890; x_1000 < 898; x_1000++) {
-        knot_work work = 0;
+        knot_ops work = 0;
         int32_t signature, roots = 0;
         while ((2 * roots + 1) * PI / Q < 2.0 * vbss_acos(x_1000 / 1000.0)) {
             roots++;
@@ -240,7 +240,7 @@ static void seifert_agrees_with_tables(void **state)
 static void any_braid_has_that_of_seifert(harness_source *source, void *user)
 {
     static const uint32_t others[] = {0, 100, 300, 500, 600, 700, 800, 950, 999};
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     int word[MOST_LETTERS];
     int letters = 3 + (int)harness_draw_below(source, MOST_LETTERS - 2);
     int strands = 2 + (int)harness_draw_below(source, 4);
@@ -263,7 +263,7 @@ static void any_braid_has_that_of_seifert(harness_source *source, void *user)
 static void braids_have_that_of_seifert(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("signatures", 600, any_braid_has_that_of_seifert, code);
     codes_free(code);
 }
@@ -275,7 +275,7 @@ static void a_root_next_to_pi_is_seen(void **state)
     static const int word[] = {4, -3, 4, 2,  -3, 1, 2, 2, 5, 1, 4, -3, 4, 2, 1,
                                2, 5,  1, -2, 2,  3, 4, 1, 3, 5, 4, 2,  1, 4};
     const int letters = sizeof word / sizeof word[0];
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     assert_true(codes_braid(code, word, (size_t)letters));
     assert_int_equal(-14, signature_of(code, 7));
     assert_int_equal(-14, signature_of_braid(word, letters, 0.007));
@@ -288,7 +288,7 @@ static void a_root_next_to_pi_is_seen(void **state)
 
 static void any_diagram_has_the_same(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     const codes_known *known = &codes_table[harness_draw_below(source, CODES_KNOWN)];
     codes_named(code, known->name);
     int tristram = signature_of(code, KNOT_X_TRISTRAM_1000);
@@ -305,7 +305,7 @@ static void any_diagram_has_the_same(harness_source *source, void *user)
 static void diagrams_of_a_knot_have_the_same(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("diagrams", 300, any_diagram_has_the_same, code);
     codes_free(code);
 }
@@ -313,7 +313,7 @@ static void diagrams_of_a_knot_have_the_same(void **state)
 /* Delta(-1) is 1 modulo 4, and its sign that of (-1)^(sigma/2). */
 static void any_determinant_tells_half(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     int word[60];
     size_t letters = 20 + harness_draw_below(source, 41);
     for (size_t i = 0; i < letters; i++) {
@@ -321,7 +321,7 @@ static void any_determinant_tells_half(harness_source *source, void *user)
         word[i] = harness_draw_below(source, 2) == 0 ? -letter : letter;
     }
     if (codes_braid(code, word, letters)) {
-        knot_work work = 0;
+        knot_ops work = 0;
         int64_t determinant = vbss_knot_determinant(&room->algebra, code, &work);
         assert_int_equal(determinant % 4 == 1, signature_of(code, 0) % 4 == 0);
     }
@@ -330,7 +330,7 @@ static void any_determinant_tells_half(harness_source *source, void *user)
 static void the_determinant_tells_it_modulo_4(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("modulo 4", 2000, any_determinant_tells_half, code);
     codes_free(code);
 }

@@ -15,7 +15,7 @@ typedef struct polyline {
 static double slip_of(const polyline *p, double t0, double t1, double l0, double l1)
 {
     polyline copy = *p;
-    const knot_scene scene = {.point_count = copy.count, .points = copy.x};
+    const knot_input scene = {.point_count = copy.count, .points = copy.x};
     return vbss_knot_slip(&scene, (const double[]){t0, t1}, (const double[]){l0, l1});
 }
 

@@ -145,9 +145,9 @@ static void ask(const point x[5], double scale, tally *t)
     for (int i = 0; i < 5; i++) {
         v[i] = in_space(x[i], scale);
     }
-    bool said = vbss_knot_misses(v[0], v[1], v[2], v[3], v[4]);
-    bool otherwise = vbss_knot_misses(v[1], v[2], v[0], v[4], v[3]) ||
-                     vbss_knot_misses(v[2], v[1], v[0], v[3], v[4]);
+    bool said = vbss_knot_segment_misses_triangle(v[0], v[1], v[2], v[3], v[4]);
+    bool otherwise = vbss_knot_segment_misses_triangle(v[1], v[2], v[0], v[4], v[3]) ||
+                     vbss_knot_segment_misses_triangle(v[2], v[1], v[0], v[3], v[4]);
     t->certain += said;
     assert_true(truth || (!said && !otherwise));
 }
@@ -261,9 +261,10 @@ static const vec3 A = {0.0, 0.0, 0.0}, B = {2.0, 1.0, 0.0}, C = {4.0, 0.0, 0.0};
 static void lets_a_curve_in_a_plane_go_on(void **state)
 {
     (void)state;
-    assert_true(vbss_knot_misses(A, B, C, vec3_make(-2.0, 1.0, 0.0), A));
-    assert_true(vbss_knot_misses(A, B, C, C, vec3_make(4.0, 3.0, 0.0)));
-    assert_true(vbss_knot_misses(A, B, C, vec3_make(0.0, 1.0, 0.0), vec3_make(2.0, 2.0, 0.0)));
+    assert_true(vbss_knot_segment_misses_triangle(A, B, C, vec3_make(-2.0, 1.0, 0.0), A));
+    assert_true(vbss_knot_segment_misses_triangle(A, B, C, C, vec3_make(4.0, 3.0, 0.0)));
+    assert_true(vbss_knot_segment_misses_triangle(A, B, C, vec3_make(0.0, 1.0, 0.0),
+                                                  vec3_make(2.0, 2.0, 0.0)));
 }
 
 static void lets_a_straight_curve_go_on(void **state)
@@ -273,30 +274,31 @@ static void lets_a_straight_curve_go_on(void **state)
     for (int i = 0; i < 5; i++) {
         x[i] = vec3_scale(step, i);
     }
-    assert_true(vbss_knot_misses(x[1], x[2], x[3], x[0], x[1]));
-    assert_true(vbss_knot_misses(x[1], x[2], x[3], x[3], x[4]));
-    assert_true(vbss_knot_misses(x[0], x[1], x[2], x[3], x[4]));
+    assert_true(vbss_knot_segment_misses_triangle(x[1], x[2], x[3], x[0], x[1]));
+    assert_true(vbss_knot_segment_misses_triangle(x[1], x[2], x[3], x[3], x[4]));
+    assert_true(vbss_knot_segment_misses_triangle(x[0], x[1], x[2], x[3], x[4]));
 }
 
 static void tells_folding_back(void **state)
 {
     (void)state;
-    assert_false(vbss_knot_misses(A, B, C, C, A));
-    assert_false(vbss_knot_misses(A, B, C, C, vec3_make(2.0, 0.0, 0.0)));
-    assert_false(vbss_knot_misses(A, B, C, A, vec3_make(4.0, 2.0, 0.0)));
-    assert_false(vbss_knot_misses(A, B, C, A, vec3_make(4.0, 1.0, 0.0)));
+    assert_false(vbss_knot_segment_misses_triangle(A, B, C, C, A));
+    assert_false(vbss_knot_segment_misses_triangle(A, B, C, C, vec3_make(2.0, 0.0, 0.0)));
+    assert_false(vbss_knot_segment_misses_triangle(A, B, C, A, vec3_make(4.0, 2.0, 0.0)));
+    assert_false(vbss_knot_segment_misses_triangle(A, B, C, A, vec3_make(4.0, 1.0, 0.0)));
 }
 
 static void lets_points_be_the_same(void **state)
 {
     (void)state;
     vec3 far = vec3_make(-1.0, -1.0, 0.0);
-    assert_true(vbss_knot_misses(A, A, C, far, A));
-    assert_true(vbss_knot_misses(A, A, A, far, A));
-    assert_true(vbss_knot_misses(A, B, C, far, far));
-    assert_true(vbss_knot_misses(A, B, C, A, A));
-    assert_false(vbss_knot_misses(A, C, C, B, vec3_make(2.0, -1.0, 0.0)));
-    assert_false(vbss_knot_misses(A, B, C, vec3_make(2.0, 0.5, 0.0), vec3_make(2.0, 0.5, 0.0)));
+    assert_true(vbss_knot_segment_misses_triangle(A, A, C, far, A));
+    assert_true(vbss_knot_segment_misses_triangle(A, A, A, far, A));
+    assert_true(vbss_knot_segment_misses_triangle(A, B, C, far, far));
+    assert_true(vbss_knot_segment_misses_triangle(A, B, C, A, A));
+    assert_false(vbss_knot_segment_misses_triangle(A, C, C, B, vec3_make(2.0, -1.0, 0.0)));
+    assert_false(vbss_knot_segment_misses_triangle(A, B, C, vec3_make(2.0, 0.5, 0.0),
+                                                   vec3_make(2.0, 0.5, 0.0)));
 }
 
 int test_triangle(void)

@@ -23,29 +23,29 @@ static int end(void **state)
 
 static bool untangle(uint32_t tries)
 {
-    knot_work work = 0;
+    knot_ops work = 0;
     bool lowered = false;
-    while (vbss_knot_code_untangle(&d.code, &d.spare, &tries, &work)) {
+    while (vbss_knot_gauss_code_untangle(&d.code, &d.spare, &tries, &work)) {
         lowered = true;
     }
     assert_true(work <= 0);
-    assert_true(vbss_knot_code_is_planar(&d.code));
+    assert_true(vbss_knot_gauss_code_is_planar(&d.code));
     return lowered;
 }
 
 static void simplify(void)
 {
-    knot_work work = 0;
-    vbss_knot_code_simplify(&d.code, &work);
+    knot_ops work = 0;
+    vbss_knot_gauss_code_simplify(&d.code, &work);
 }
 
-static void expect_in_order(const knot_code *code)
+static void expect_in_order(const knot_gauss_code *code)
 {
     uint32_t visited = 0;
     for (uint32_t e = 0; e < 2 * code->n; e++) {
         assert_true(code->crossing[e] <= visited);
         visited += code->crossing[e] == visited ? 1 : 0;
-        assert_true(code->at[e] > (e == 0 ? 0.0 : code->at[e - 1]));
+        assert_true(code->position[e] > (e == 0 ? 0.0 : code->position[e - 1]));
     }
     assert_int_equal(code->n, visited);
 }
@@ -58,7 +58,7 @@ static void minimal_diagrams_stay(void **state)
     diagram_set_code(&d.code, "AbCaBc", "+++");
     assert_false(untangle(TRIES));
     diagram_expect_code("AbCaBc", "+++", &d.code);
-    expect_same_bits(2.5, d.code.at[2]);
+    expect_same_bits(2.5, d.code.position[2]);
     diagram_set_code(&d.code, "AbCaDcBd", "+--+");
     assert_false(untangle(TRIES));
     diagram_expect_code("AbCaDcBd", "+--+", &d.code);
@@ -71,7 +71,7 @@ static void a_loop_with_a_knot_on_it_is_undone(void **state)
     static const char *const codes[] = {"AbCaDEfGeHgFhdBc", "AbCadEfGeHgFhDBc"};
     for (int i = 0; i < 4; i++) {
         diagram_set_code(&d.code, codes[i % 2], i < 2 ? "++++-++-" : "+++--++-");
-        assert_true(vbss_knot_code_is_planar(&d.code));
+        assert_true(vbss_knot_gauss_code_is_planar(&d.code));
         simplify();
         assert_int_equal(8, d.code.n);
         assert_true(untangle(TRIES));
@@ -85,13 +85,13 @@ static void a_code_that_leaves_no_room_stays(void **state)
 {
     (void)state;
     static diagram small;
-    knot_work work = 0;
+    knot_ops work = 0;
     for (uint32_t capacity = 8; capacity <= 10; capacity++) {
         diagram_begin(&small, capacity);
         diagram_set_code(&small.code, "AbCaDEfGeHgFhdBc", "++++-++-");
         uint32_t tries = TRIES;
         assert_int_equal(capacity == 10,
-                         vbss_knot_code_untangle(&small.code, &small.spare, &tries, &work));
+                         vbss_knot_gauss_code_untangle(&small.code, &small.spare, &tries, &work));
         assert_int_equal(capacity == 10 ? 7 : 8, small.code.n);
         diagram_end(&small);
     }
@@ -110,7 +110,7 @@ static void any_code_becomes_a_smaller_one_of_the_same_knot(harness_source *sour
     memset(d.spare.scratch, (int)harness_draw_below(source, 256),
            4 * (size_t)d.spare.capacity * sizeof d.spare.scratch[0]);
     for (uint32_t e = 0; e < 2 * d.spare.capacity; e++) {
-        d.spare.at[e] = 1e9; /* what was there does not matter */
+        d.spare.position[e] = 1e9; /* what was there does not matter */
     }
     bool told = untangle(TRIES);
     assert_int_equal(d.code.n < n, told);
@@ -118,7 +118,7 @@ static void any_code_becomes_a_smaller_one_of_the_same_knot(harness_source *sour
     assert_int_equal(determinant, diagram_determinant(&d.code));
     assert_int_equal(v2, diagram_v2(&d.code));
     expect_in_order(&d.code);
-    assert_true(d.code.n == 0 || d.code.at[2 * d.code.n - 1] < d.polygon.count);
+    assert_true(d.code.n == 0 || d.code.position[2 * d.code.n - 1] < d.polygon.count);
     assert_false(untangle(TRIES)); /* nothing was left to do */
     *lowered += told ? 1 : 0;
 }

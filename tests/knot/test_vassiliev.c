@@ -6,10 +6,10 @@
 
 #include "harness/harness.h"
 
-static void expect_both(int64_t v2, int64_t v3, const knot_code *code)
+static void expect_both(int64_t v2, int64_t v3, const knot_gauss_code *code)
 {
     int64_t two, three;
-    knot_work work = 0;
+    knot_ops work = 0;
     vbss_knot_vassiliev(code, &two, &three, &work);
     assert_int_equal(v2, two);
     assert_int_equal(v3, three);
@@ -21,7 +21,7 @@ static void expect_both(int64_t v2, int64_t v3, const knot_code *code)
 static void the_unknot_has_none(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     vbss_random random;
     vbss_random_seed(&random, 3, 0);
     expect_both(0, 0, code);
@@ -33,7 +33,7 @@ static void the_unknot_has_none(void **state)
 static void known_knots_have_theirs(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     for (size_t i = 0; i < CODES_KNOWN; i++) {
         codes_named(code, codes_table[i].name);
         expect_both(codes_table[i].v2, codes_table[i].v3, code);
@@ -48,7 +48,7 @@ static void torus_knots_have_theirs(void **state)
     (void)state;
     static const int pairs[][2] = {{2, 1}, {2, 3}, {2, 9}, {2, 63}, {3, 4},  {3, 5},
                                    {4, 5}, {5, 3}, {5, 6}, {2, -7}, {3, -5}, {5, -11}};
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         int p = pairs[i][0], q = pairs[i][1], product = (p * p - 1) * (q * q - 1);
         codes_torus(code, p, q);
@@ -59,7 +59,7 @@ static void torus_knots_have_theirs(void **state)
 
 static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     int64_t v2 = 0, v3 = 0;
     codes_throws(code, throws, wraps, signs);
     for (uint32_t i = 0; i < throws; i++) {
@@ -73,7 +73,7 @@ static void visit_sum(uint32_t throws, const int *wraps, const int *signs, void 
 static void stacked_throws_have_the_sum(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     assert_int_equal(210, codes_each_sum(visit_sum, code));
     codes_free(code);
 }
@@ -117,7 +117,7 @@ static series inverse_of(series a)
 }
 
 /* A column an arc from one entry under to the next: (1 - t) over, and t and -1 for those that arrive and leave. */
-static int fill_fox(const knot_code *code, series a[MOST_ROWS][MOST_ROWS])
+static int fill_fox(const knot_gauss_code *code, series a[MOST_ROWS][MOST_ROWS])
 {
     const series zero = {{0, 0, 0}}, t = {{1, 1, 0}}, one = {{1, 0, 0}};
     int n = (int)code->n, arc = 0, over[MOST_ROWS] = {0}, arriving[MOST_ROWS] = {0};
@@ -139,7 +139,7 @@ static int fill_fox(const knot_code *code, series a[MOST_ROWS][MOST_ROWS])
 }
 
 /* The determinant is a power of t, and a sign, times 1 + v2 e^2. */
-static int64_t second_coefficient(const knot_code *code)
+static int64_t second_coefficient(const knot_gauss_code *code)
 {
     series a[MOST_ROWS][MOST_ROWS], product = {{1, 0, 0}};
     int size = fill_fox(code, a);
@@ -171,7 +171,7 @@ static int64_t second_coefficient(const knot_code *code)
     return second > PRIME / 2 ? second - PRIME : second;
 }
 
-static bool draw_braid(harness_source *source, uint32_t most, knot_code *code)
+static bool draw_braid(harness_source *source, uint32_t most, knot_gauss_code *code)
 {
     int word[MOST_ROWS];
     size_t letters = 3 + harness_draw_below(source, most - 2);
@@ -185,10 +185,10 @@ static bool draw_braid(harness_source *source, uint32_t most, knot_code *code)
 
 static void any_braid_has_conways_coefficient(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     if (draw_braid(source, 60, code)) {
         int64_t v2, v3;
-        knot_work work = 0;
+        knot_ops work = 0;
         vbss_knot_vassiliev(code, &v2, &v3, &work);
         assert_int_equal(second_coefficient(code), v2);
     }
@@ -197,7 +197,7 @@ static void any_braid_has_conways_coefficient(harness_source *source, void *user
 static void v2_is_conways_coefficient(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("v2", 1000, any_braid_has_conways_coefficient, code);
     codes_free(code);
 }
@@ -216,7 +216,7 @@ static uint32_t root_of(const uint32_t *parents, uint32_t i)
 
 /* Curves that are left when bit c of the state says how crossing c is cut: along the curve's direction, or
  * across. Arc e goes from entry e to the next. */
-static int loops_of(const knot_code *code, uint32_t across)
+static int loops_of(const knot_gauss_code *code, uint32_t across)
 {
     uint32_t entries = 2 * code->n, parents[2 * STATE_CROSSINGS], seen[STATE_CROSSINGS];
     int loops = (int)entries;
@@ -244,7 +244,7 @@ static int loops_of(const knot_code *code, uint32_t across)
 }
 
 /* Coefficients of A^(4 i) times some power of A in the bracket, where t = A^-4: v2 and v3 from moments. */
-static void jones(const knot_code *code, int64_t *v2, int64_t *v3)
+static void jones(const knot_gauss_code *code, int64_t *v2, int64_t *v3)
 {
     int64_t sums[2 * MOST_POWER + 1] = {0}; /* of powers of A, MOST_POWER in the middle */
     int n = (int)code->n, writhe = 0;
@@ -283,7 +283,7 @@ static void jones(const knot_code *code, int64_t *v2, int64_t *v3)
 
 static void any_braid_has_those_of_jones(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     if (draw_braid(source, 10, code)) {
         int64_t v2, v3;
         jones(code, &v2, &v3);
@@ -294,7 +294,7 @@ static void any_braid_has_those_of_jones(harness_source *source, void *user)
 static void both_are_derivatives_of_jones(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     for (size_t i = 0; i < CODES_KNOWN; i++) {
         int64_t v2, v3;
         codes_named(code, codes_table[i].name);
@@ -310,7 +310,7 @@ static void both_are_derivatives_of_jones(void **state)
 
 static void any_diagram_has_the_same(harness_source *source, void *user)
 {
-    knot_code *code = user;
+    knot_gauss_code *code = user;
     const codes_known *known = &codes_table[harness_draw_below(source, CODES_KNOWN)];
     codes_named(code, known->name);
     codes_grow(code, &source->random, 12 + harness_draw_below(source, 48));
@@ -326,7 +326,7 @@ static void any_diagram_has_the_same(harness_source *source, void *user)
 static void diagrams_of_a_knot_have_the_same(void **state)
 {
     (void)state;
-    knot_code *code = codes_make();
+    knot_gauss_code *code = codes_make();
     harness_property("diagrams", 300, any_diagram_has_the_same, code);
     codes_free(code);
 }

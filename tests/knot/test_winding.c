@@ -23,14 +23,14 @@ static knot_tool straight_tool(void)
 static knot_winding wind_from(const line *l, knot_tool tool, double tissue_place)
 {
     line copy = *l;
-    knot_scene scene = {.point_count = copy.count,
+    knot_input scene = {.point_count = copy.count,
                         .tool_count = 1,
                         .has_holes = tissue_place >= 0.0,
                         .tissue_place = tissue_place,
                         .points = copy.points,
                         .tools = &tool};
     knot_winding winding;
-    vbss_knot_wind(&scene, 0, &winding);
+    vbss_knot_measure_winding(&scene, 0, &winding);
     assert_true(isfinite(winding.turns) && isfinite(winding.run_turns));
     for (int k = 0; k < 2; k++) {
         assert_true(isfinite(winding.run_heights[k]));

@@ -17,13 +17,13 @@ typedef struct line {
 static inline knot_winding wind(const line *l, knot_tool tool)
 {
     line copy = *l;
-    knot_scene scene = {.point_count = copy.count,
+    knot_input scene = {.point_count = copy.count,
                         .tool_count = 1,
                         .tissue_place = -1.0,
                         .points = copy.points,
                         .tools = &tool};
     knot_winding winding;
-    vbss_knot_wind(&scene, 0, &winding);
+    vbss_knot_measure_winding(&scene, 0, &winding);
     assert_true(isfinite(winding.turns) && isfinite(winding.run_turns));
     for (int k = 0; k < 2; k++) {
         assert_true(isfinite(winding.run_heights[k]));

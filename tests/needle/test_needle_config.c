@@ -41,7 +41,7 @@ static void no_configuration_is_the_default(void **state)
     expect_same_bits(7900.0, f.config.density);
     expect_same_bits(0.2, f.config.friction);
     expect_same_bits(0.0, f.config.drag);
-    expect_same_bits(0.0, vbss_largest(f.config.gravity, 3));
+    expect_same_bits(0.0, vbss_max_abs(f.config.gravity, 3));
     end(&f);
 }
 

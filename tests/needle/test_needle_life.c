@@ -258,8 +258,8 @@ static void it_can_be_put_anywhere(void **state)
     assert_memory_equal(&turned, &inside(moved)->body.now.at.orientation, sizeof turned);
     const vbss_needle_state s = look(moved);
     expect_near_vec3(vec3_load(p), vec3_load(s.position), 1e-15);
-    assert_true(vbss_largest(s.velocity, 3) == 0.0);
-    assert_true(vbss_largest(s.angular_velocity, 3) == 0.0);
+    assert_true(vbss_max_abs(s.velocity, 3) == 0.0);
+    assert_true(vbss_max_abs(s.angular_velocity, 3) == 0.0);
     end(&f);
 }
 

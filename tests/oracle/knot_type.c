@@ -44,7 +44,7 @@ static bool close_curve(const vec3 *x, size_t n, vec3 *closed)
         middle = vec3_add_scaled(middle, 1.0 / (double)n, x[i]);
     }
     for (size_t i = 0; i < n; i++) {
-        extent = greater(extent, vec3_distance(x[i], middle));
+        extent = vbss_max(extent, vec3_distance(x[i], middle));
     }
     if (!(extent > 0.0 && extent <= DBL_MAX)) {
         return false;

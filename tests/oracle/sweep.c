@@ -13,12 +13,12 @@ enum { MOST_ENDS = 6 };
 
 static vec3 lesser_of(vec3 a, vec3 b)
 {
-    return vec3_make(lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z));
+    return vec3_make(vbss_min(a.x, b.x), vbss_min(a.y, b.y), vbss_min(a.z, b.z));
 }
 
 static vec3 greater_of(vec3 a, vec3 b)
 {
-    return vec3_make(greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z));
+    return vec3_make(vbss_max(a.x, b.x), vbss_max(a.y, b.y), vbss_max(a.z, b.z));
 }
 
 static bool is_finite(const sweep *s)
@@ -72,7 +72,7 @@ void sweep_boxes_join(sweep *a, const sweep *b)
 static double reach(const sweep *s)
 {
     vec3 a = greater_of(s->high, vec3_neg(s->low));
-    return greater(a.x, greater(a.y, a.z));
+    return vbss_max(a.x, vbss_max(a.y, a.z));
 }
 
 static double clamp(double x)
@@ -136,10 +136,10 @@ static bool apart_from_to(const sweep *a, const sweep *b, double from, double to
     vec3 n = between(a->corners, middle_a, middle_b);
     double nearest = HUGE_VAL, furthest = -HUGE_VAL;
     for (uint32_t i = 0; i < 2 * a->corners; i++) {
-        nearest = lesser(nearest, vec3_dot(n, ends_a[i]));
+        nearest = vbss_min(nearest, vec3_dot(n, ends_a[i]));
     }
     for (uint32_t i = 0; i < 2 * b->corners; i++) {
-        furthest = greater(furthest, vec3_dot(n, ends_b[i]));
+        furthest = vbss_max(furthest, vec3_dot(n, ends_b[i]));
     }
     return nearest - furthest > ROUNDING * most * (fabs(n.x) + fabs(n.y) + fabs(n.z)) + TINY;
 }
@@ -147,11 +147,11 @@ static bool apart_from_to(const sweep *a, const sweep *b, double from, double to
 /* Step by step through time: as long as can be proven, halving what cannot. */
 static bool proven_apart(const sweep *a, const sweep *b)
 {
-    double most = greater(reach(a), reach(b)), time = 0.0, step = 1.0;
+    double most = vbss_max(reach(a), reach(b)), time = 0.0, step = 1.0;
     while (time < 1.0) {
         if (apart_from_to(a, b, time, time + step, most)) {
             time += step;
-            step = lesser(2.0 * step, 1.0 - time);
+            step = vbss_min(2.0 * step, 1.0 - time);
         } else if (step > 1.0 / (1 << HALVINGS)) {
             step *= 0.5;
         } else {

@@ -59,8 +59,8 @@ static inline void cut_remember(const scene_object *s, remembered_list *list)
 static inline double cut_apart(const vec3 a[2], const vec3 b[2])
 {
     double at[2];
-    return vec3_norm(closest_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]), vec3_sub(b[0], a[0]),
-                                   &at[0], &at[1]));
+    return vec3_norm(closest_between_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]),
+                                           vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
 /* The same, or a part of it. */

@@ -79,7 +79,7 @@ static inline void cut_expect_sound(const scene_object *s)
         assert_int_equal(b->thread.first_node, nodes);
         assert_int_equal(shape->node_count, t->node_count);
         assert_true(shape->node_count <= shape->node_capacity);
-        assert_false(shape->asleep);
+        assert_false(shape->is_disabled);
         assert_int_equal(s->shape_places[b->shape], i);
         assert_ptr_equal(b->thread.slot->object, t);
         assert_ptr_equal(b->thread.slot->owner, s);

@@ -106,7 +106,7 @@ cut_outcome cut_throw(const cut_case *t, double share)
         for (uint32_t k = 0; k < s->place_count; k++) {
             const thread_object *u = s->bodies[k].thread.thread;
             for (uint32_t n = 0; s->bodies[k].kind == BODY_THREAD && n < u->node_count; n++) {
-                found.fastest = greater(vec3_norm(u->now.v[n]), found.fastest);
+                found.fastest = vbss_max(vec3_norm(u->now.v[n]), found.fastest);
             }
         }
     }

@@ -152,7 +152,7 @@ double drain_case_fastest(const drain_case *c)
 {
     double fastest = 0.0;
     for (uint32_t i = 0; i < c->places.node_count; i++) {
-        fastest = vbss_larger(vec3_norm(vector_of(c, VBSS_DRAIN_VELOCITIES, i)), fastest);
+        fastest = vbss_max_or_nan(vec3_norm(vector_of(c, VBSS_DRAIN_VELOCITIES, i)), fastest);
     }
     return fastest;
 }

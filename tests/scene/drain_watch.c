@@ -23,7 +23,7 @@ static void find_arcs(const drain_mesh *m, uint32_t source, double *arcs)
             for (int k = 0; k < 2; k++) {
                 double arc = arcs[n[k]] + length;
                 changed = changed || arc < arcs[n[1 - k]];
-                arcs[n[1 - k]] = lesser(arc, arcs[n[1 - k]]);
+                arcs[n[1 - k]] = vbss_min(arc, arcs[n[1 - k]]);
             }
         }
     }

@@ -73,7 +73,8 @@ static inline double distance_to(const feature *f, vec3 point)
     for (uint32_t k = 0; k < 3; k++) {
         corners[k] = vec3_sub(f->x[k < f->corners ? k : f->corners - 1], point);
     }
-    return f->corners == 1 ? vec3_norm(corners[0]) : vec3_norm(closest_corners(corners, weights));
+    return f->corners == 1 ? vec3_norm(corners[0])
+                           : vec3_norm(closest_on_triangle(corners, weights));
 }
 
 static inline double distance_of(const feature *a, const feature *b)
@@ -81,8 +82,9 @@ static inline double distance_of(const feature *a, const feature *b)
     double at[2];
     return a->corners == 1
                ? distance_to(b, a->x[0])
-               : vec3_norm(closest_edges(vec3_sub(a->x[1], a->x[0]), vec3_sub(b->x[1], b->x[0]),
-                                         vec3_sub(b->x[0], a->x[0]), &at[0], &at[1]));
+               : vec3_norm(closest_between_edges(vec3_sub(a->x[1], a->x[0]),
+                                                 vec3_sub(b->x[1], b->x[0]),
+                                                 vec3_sub(b->x[0], a->x[0]), &at[0], &at[1]));
 }
 
 static inline feature feature_of_drain(const surface *f, uint32_t kind, bool is_b, uint32_t number)

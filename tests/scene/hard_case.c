@@ -41,7 +41,7 @@ double hard_fastest(const hard_case *c)
     for (uint32_t t = 0; t < c->scene.thread_count; t++) {
         const vec3 *v = values_of(c->scene.threads[t], VBSS_THREAD_VELOCITIES);
         for (uint32_t i = 0; i < c->scene.nodes[t]; i++) {
-            fastest = vbss_larger(vec3_norm(v[i]), fastest);
+            fastest = vbss_max_or_nan(vec3_norm(v[i]), fastest);
         }
     }
     return fastest;
@@ -90,14 +90,14 @@ static double overlap(const vec3 *a, const vec3 *b, double touching)
     double at[2];
     for (int k = 0; k < 3; k++) { /* most are far apart */
         const double *p = &a->x + k, *q = &b->x + k;
-        if (lesser(p[0], p[3]) - greater(q[0], q[3]) > touching ||
-            lesser(q[0], q[3]) - greater(p[0], p[3]) > touching) {
+        if (vbss_min(p[0], p[3]) - vbss_max(q[0], q[3]) > touching ||
+            vbss_min(q[0], q[3]) - vbss_max(p[0], p[3]) > touching) {
             return 0.0;
         }
     }
-    vec3 apart = closest_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]), vec3_sub(b[0], a[0]),
-                               &at[0], &at[1]);
-    return greater(1.0 - vec3_norm(apart) / touching, 0.0);
+    vec3 apart = closest_between_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]),
+                                       vec3_sub(b[0], a[0]), &at[0], &at[1]);
+    return vbss_max(1.0 - vec3_norm(apart) / touching, 0.0);
 }
 
 /* Beyond half a turn of a tube that is bent as far as it goes. */
@@ -109,7 +109,7 @@ static double overlap_with_itself(const strand *s)
         for (uint32_t k = i + 2; k < s->segments; k++) {
             arc += s->rest[k - 1];
             if (arc > 1.6 * 2.0 * s->radius) {
-                most = greater(overlap(s->x + i, s->x + k, 2.0 * s->radius), most);
+                most = vbss_max(overlap(s->x + i, s->x + k, 2.0 * s->radius), most);
             }
         }
     }
@@ -121,7 +121,7 @@ static double overlap_of(const strand *a, const strand *b)
     double most = 0.0;
     for (uint32_t i = 0; i < a->segments; i++) {
         for (uint32_t k = 0; k < b->segments; k++) {
-            most = greater(overlap(a->x + i, b->x + k, a->radius + b->radius), most);
+            most = vbss_max(overlap(a->x + i, b->x + k, a->radius + b->radius), most);
         }
     }
     return most;
@@ -135,7 +135,7 @@ static double overlap_with_body(const scene_object *s, const scene_body *b, cons
         const scene_capsule *capsule = &s->capsules[b->rigid.first_capsule + k];
         vbss_scene_place_capsule(capsule, b->rigid.body.now.at, axis);
         strand tool = {axis, NULL, capsule->radius, 1};
-        most = greater(overlap_of(thread, &tool), most);
+        most = vbss_max(overlap_of(thread, &tool), most);
     }
     return most;
 }
@@ -151,13 +151,13 @@ static double deepest(const hard_case *c)
                               .rest = values_of(thread, VBSS_THREAD_REST_LENGTHS),
                               .radius = c->scene.options.thread.radius,
                               .segments = c->scene.nodes[t] - 1};
-        most = greater(overlap_with_itself(&strands[t]), most);
+        most = vbss_max(overlap_with_itself(&strands[t]), most);
         for (uint32_t k = 0; k < s->place_count; k++) {
-            most = greater(overlap_with_body(s, &s->bodies[k], &strands[t]), most);
+            most = vbss_max(overlap_with_body(s, &s->bodies[k], &strands[t]), most);
         }
     }
     if (c->scene.thread_count == 2) {
-        most = greater(overlap_of(&strands[0], &strands[1]), most);
+        most = vbss_max(overlap_of(&strands[0], &strands[1]), most);
     }
     return most;
 }
@@ -197,7 +197,7 @@ void hard_run(hard_case *c, uint32_t steps)
             fail_msg("%s: step %u: %s: %s", c->name, c->steps, vbss_result_name(result), text);
         }
         c->cost[c->steps++ % HARD_CASE_STEPS] = (float)cost;
-        c->deepest = greater(deepest(c), c->deepest);
+        c->deepest = vbss_max(deepest(c), c->deepest);
     }
 }
 
@@ -301,7 +301,7 @@ void hard_expect_calm(hard_case *c, uint32_t steps)
     for (uint32_t i = 0; i < steps; i++) {
         expect_ok(vbss_scene_step(c->scene.scene, c->h)); /* hands and tools rest */
         double energy = hard_energy(c);
-        first = i < FIRST_STEPS && energy < 2.0 * first ? greater(energy, first) : first;
+        first = i < FIRST_STEPS && energy < 2.0 * first ? vbss_max(energy, first) : first;
         if (!(energy <= 1.01 * first + 1e-9)) {
             fail_msg("%s: at rest, step %u: %g J became %g J", c->name, i, first, energy);
         }

@@ -110,7 +110,7 @@ static inline double farthest(const stage_drain *d, uint32_t but)
 {
     double most = 0.0;
     for (uint32_t i = 0; i < DRAIN_NODES; i++) {
-        most = i == but ? most : greater(vec3_norm(moved(d, i)), most);
+        most = i == but ? most : vbss_max(vec3_norm(moved(d, i)), most);
     }
     return most;
 }
@@ -131,7 +131,7 @@ static inline double clearance(stage *s, const stage_drain *d)
     for (uint32_t e = 0; e < d->object->mesh.side_count; e++) {
         const uint32_t *nodes = d->object->mesh.sides[e].nodes;
         const vec3 side[2] = {d->object->x[nodes[0]], d->object->x[nodes[1]]};
-        least = lesser(vec3_norm(between(x, n, side, 2)), least);
+        least = vbss_min(vec3_norm(between(x, n, side, 2)), least);
     }
     return least;
 }

@@ -40,7 +40,7 @@ static inline void begin_with(prick *p, const double weights[3], uint32_t hole_c
         vec3 at = vbss_hole_point(&middle, p->drain, p->drain->mesh.rest);
         double far = vec3_distance(at, vec3_make(-2e-3, 0.3e-3, 6.5e-3));
         p->triangle = far < nearest ? t : p->triangle;
-        nearest = lesser(far, nearest);
+        nearest = vbss_min(far, nearest);
     }
     const suture_hole place = {.triangle = p->triangle,
                                .weights = {weights[0], weights[1], weights[2]}};
@@ -92,7 +92,7 @@ static inline void go(prick *p, double depth)
 static inline void drive(prick *p, double depth)
 {
     while (fabs(depth - p->depth) > 1e-9) {
-        go(p, p->depth + greater(-5e-5, lesser(5e-5, depth - p->depth)));
+        go(p, p->depth + vbss_max(-5e-5, vbss_min(5e-5, depth - p->depth)));
     }
 }
 
@@ -135,7 +135,7 @@ static inline double moved_most(const prick *p)
 {
     double most = 0.0;
     for (uint32_t i = 0; i < p->drain->mesh.node_count; i++) {
-        most = greater(most, vec3_distance(p->drain->x[i], p->drain->ties[i]));
+        most = vbss_max(most, vec3_distance(p->drain->x[i], p->drain->ties[i]));
     }
     return most;
 }

@@ -155,8 +155,8 @@ static inline vec3 between(const vec3 *p, uint32_t n, const vec3 *q, uint32_t m)
     for (uint32_t i = 0; i + 1 < n; i++) {
         for (uint32_t k = 0; k + 1 < m; k++) {
             double s, u;
-            vec3 apart = closest_edges(vec3_sub(p[i + 1], p[i]), vec3_sub(q[k + 1], q[k]),
-                                       vec3_sub(q[k], p[i]), &s, &u);
+            vec3 apart = closest_between_edges(vec3_sub(p[i + 1], p[i]), vec3_sub(q[k + 1], q[k]),
+                                               vec3_sub(q[k], p[i]), &s, &u);
             best = vec3_norm(apart) < vec3_norm(best) ? apart : best;
         }
     }

@@ -9,7 +9,7 @@ static void look_below(small_watch *w, const scene_object *s, vec3 x)
     double above = vec3_dot(x, s->floor_normal) - s->config.floor_height;
     if (s->config.floor != 0) {
         w->below += above > 0.0 ? 0 : 1;
-        w->nearest_floor = lesser(above, w->nearest_floor);
+        w->nearest_floor = vbss_min(above, w->nearest_floor);
     }
 }
 

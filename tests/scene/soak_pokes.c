@@ -156,7 +156,7 @@ static bool fine(soak *s, const life *l, vbss_result result)
     expect_ok(vbss_drain_get_view(l->drain, VBSS_DRAIN_VELOCITIES, &v, sizeof v));
     double fastest = 0.0;
     for (uint64_t i = 0; i < v.count; i++) {
-        fastest = vbss_larger(vec3_norm(((const vec3 *)v.data)[i]), fastest);
+        fastest = vbss_max_or_nan(vec3_norm(((const vec3 *)v.data)[i]), fastest);
     }
     s->fastest = fmax(s->fastest, fastest);
     if (!(fastest < 1e3)) {

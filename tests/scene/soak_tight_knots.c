@@ -99,7 +99,7 @@ static bool fine(soak *s, const contact_scene *scene, const watch *w, vbss_resul
     (void)vbss_thread_get_view(scene->threads[0], VBSS_THREAD_VELOCITIES, &v, sizeof v);
     double fastest = 0.0;
     for (uint64_t i = 0; i < v.count; i++) {
-        fastest = vbss_larger(vec3_norm(((const vec3 *)v.data)[i]), fastest);
+        fastest = vbss_max_or_nan(vec3_norm(((const vec3 *)v.data)[i]), fastest);
     }
     s->fastest = fmax(s->fastest, fastest);
     if (!(fastest < 1e3)) {

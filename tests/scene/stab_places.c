@@ -80,12 +80,12 @@ static double distance(const vec3 axis[2], const vec3 corner[3])
     for (int k = 0; k < 2; k++) {
         const vec3 from[3] = {vec3_sub(corner[0], axis[k]), vec3_sub(corner[1], axis[k]),
                               vec3_sub(corner[2], axis[k])};
-        least = fmin(least, vec3_norm(closest_corners(from, weights)));
+        least = fmin(least, vec3_norm(closest_on_triangle(from, weights)));
     }
     for (int k = 0; k < 3; k++) {
         vec3 side = vec3_sub(corner[(k + 1) % 3], corner[k]);
         vec3 between = vec3_sub(corner[k], axis[0]);
-        least = fmin(least, vec3_norm(closest_edges(along, side, between, &s, &u)));
+        least = fmin(least, vec3_norm(closest_between_edges(along, side, between, &s, &u)));
     }
     return needle_case_crosses(axis, corner, &along) ? 0.0 : least;
 }

@@ -169,7 +169,7 @@ double stitch_case_fastest(const stitch_case *c)
     for (uint32_t body = 1; body < BODIES; body++) {
         const thread_object *t = thread_of(c, body);
         for (uint32_t i = 0; t != NULL && i < t->node_count; i++) {
-            fastest = vbss_larger(vec3_norm(t->now.v[i]), fastest);
+            fastest = vbss_max_or_nan(vec3_norm(t->now.v[i]), fastest);
         }
     }
     return fastest;

@@ -29,7 +29,7 @@ static void tight(vbss_context *context, contact_scene *scene)
 static void finish(scene_object *s, const scene_body *b)
 {
     const thread_object *t = b->thread.thread;
-    vbss_collision_change_chain(s->collision, b->shape, t->node_count, t->rest);
+    vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
     vbss_scene_order_memory(s);
     vbss_scene_number_nodes(s);
     s->pattern = 0;

@@ -305,7 +305,7 @@ static void ends_under_tension_fly_back_and_come_to_rest(void **state)
             cut_expect_sound(o);
             double now = cut_energy(o);
             assert_true(now <= 1.001 * energy + 1e-12);
-            energy = lesser(now, energy);
+            energy = vbss_min(now, energy);
         }
         assert_true(energy < 0.01 * first);
         assert_true(fabs(small_tension(thread, 0)) < 1e-3);

@@ -66,7 +66,7 @@ static void see(void *watcher, const scene_object *s)
         const passing_chain alone = {t->now.x, t->trial, t->node_count, false};
         w->passed += passing_count(&alone, 1, NULL);
         for (uint32_t n = 0; n < t->node_count; n++) {
-            w->fastest = greater(vec3_norm(t->now.v[n]), w->fastest);
+            w->fastest = vbss_max(vec3_norm(t->now.v[n]), w->fastest);
         }
         for (uint32_t k = 0; k < s->place_count; k++) {
             const scene_body *b = &s->bodies[k];
@@ -148,7 +148,7 @@ static void nothing_passes_when_knots_are_cut(harness_source *source, void *user
     assert_int_equal(l.watch.passed, 0);
     sum->parts += l.watch.parts;
     sum->joined += l.watch.joined;
-    sum->fastest = greater(l.watch.fastest, sum->fastest);
+    sum->fastest = vbss_max(l.watch.fastest, sum->fastest);
     assert_true(l.watch.fastest < 100.0);
     harness_context_end(l.context, &l.memory);
 }

@@ -162,7 +162,7 @@ static void pull_thread(uint32_t segments, vec3 way, double force, uint32_t step
     for (uint32_t i = 0; i < steps; i++) {
         for (uint32_t k = 0; k < 2; k++) {
             double f[3];
-            vec3_store(f, vec3_scale(way, force * lesser(i / 300.0, 1.0)));
+            vec3_store(f, vec3_scale(way, force * vbss_min(i / 300.0, 1.0)));
             expect_ok(vbss_thread_move(c.threads[0], ids[k], f, NULL));
         }
         drain_case_step(&c);

@@ -24,7 +24,7 @@ static void stir(const char *name, double thickness)
                                    vec3_make(15e-3, 0.0, 0.0), 1.25e-3);
     drain_case_way(&c, rod, vec3_make(0.0, 0.0, 0.0), 350);
     for (int i = 0; i < 1500; i++) {
-        double turn = 2.0 * DRAIN_PI * i / 500.0, far = 6e-3 * lesser(i / 200.0, 1.0);
+        double turn = 2.0 * DRAIN_PI * i / 500.0, far = 6e-3 * vbss_min(i / 200.0, 1.0);
         drain_case_aim(&c, rod, vec3_make(0.0, far * vbss_cos(turn), far * vbss_sin(turn)));
         drain_case_step(&c);
     }
@@ -107,7 +107,7 @@ static void two_rods_squeeze_a_wall(void **state)
     uint32_t out =
         drain_case_tool(&c, VBSS_RIGID_COUPLED, vec3_make(0.0, 0.0, 10e-3), half, 1.25e-3);
     for (int i = 0; i < 500; i++) {
-        double way = 5e-3 * lesser(i / 300.0, 1.0); /* 3.25 mm would be touching: 1 N each */
+        double way = 5e-3 * vbss_min(i / 300.0, 1.0); /* 3.25 mm would be touching: 1 N each */
         drain_case_aim(&c, in, vec3_make(0.0, 0.0, 3e-3 + 0.5 * way));
         drain_case_aim(&c, out, vec3_make(0.0, 0.0, 10e-3 - way));
         drain_case_step(&c);

@@ -53,7 +53,7 @@ static double farthest(const twins *t)
     double far = 0.0;
     expect_ok(vbss_drain_get_places(t->alone.drain, &places, sizeof places));
     for (uint32_t i = 0; i < places.node_count; i++) {
-        far = greater(vec3_distance(node_of(&t->alone, i), node_of(&t->member, i)), far);
+        far = vbss_max(vec3_distance(node_of(&t->alone, i), node_of(&t->member, i)), far);
     }
     return far;
 }

@@ -33,7 +33,7 @@ static void the_anchors_bear_what_the_tool_presses(void **state)
     uint32_t tool =
         small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.3e-3, 8.4e-3, 4e-3), vec3_zero(), 1.25e-3);
     for (int i = 0; i < 400; i++) {
-        small_move(&s, tool, vec3_make(0.3e-3, 8.4e-3 - lesser(4e-5 * i, 3e-3), 4e-3));
+        small_move(&s, tool, vec3_make(0.3e-3, 8.4e-3 - vbss_min(4e-5 * i, 3e-3), 4e-3));
         small_steps(&s, 1, 1e-3);
     }
     vec3 felt = vec3_load(small_rigid(&s, tool).contact_force);

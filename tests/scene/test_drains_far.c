@@ -116,7 +116,7 @@ static void with_and_without_what_is_known(harness_source *source, void *user)
         contact_row *rows = copy_rows(o);
         c->known += count_known(o);
         c->near += count;
-        o->collision->listed = 0; /* nothing is known any more */
+        o->collision->separation_count = 0; /* nothing is known any more */
         assert_true(vbss_scene_find_rows(o, &part));
         expect_same_rows(o, rows, count);
         free(rows);

@@ -147,7 +147,7 @@ static double largest_load(drain_object *d)
     vbss_drain_find_forces(d, d->x);
     for (uint32_t k = 0; k < d->mesh.fixed_count; k++) {
         double load = vec3_norm(vbss_drain_anchor_force(d, k, d->forces)) / d->strength[k];
-        most = greater(load, most);
+        most = vbss_max(load, most);
     }
     return most;
 }

@@ -31,7 +31,7 @@ static pull pulled_through(double pressure, double friction, double speed)
         if (2 * i > steps) {
             double tension = vec3_norm(vec3_load(grasp.force));
             expect_near(tension, small_tension(r.thread, 5), 0.01 * tension);
-            p.most = greater(p.most, tension);
+            p.most = vbss_max(p.most, tension);
             p.mean += tension;
             count++;
         }
@@ -84,7 +84,7 @@ static void the_limit_grows_with_the_pressure(void **state)
     for (int i = 0; i <= 20; i++) {
         double opening = 0.01 * i;
         double told = opening * c->driver_opening - (1.0 - opening) * c->closing_angle;
-        double share = lesser((held - told) / c->closing_angle, 1.0);
+        double share = vbss_min((held - told) / c->closing_angle, 1.0);
         tools_open(&r, 0, opening);
         tools_steps(&r, 1);
         expect_near(c->closing_force * share, tools_state(&r, 0).pressure, 1e-9);
@@ -161,7 +161,7 @@ static void a_thread_turns_in_the_jaws_at_their_torque(void **state)
         vec3 arm = vec3_neg(vec3_load(tool.position));
         vec3 force = vec3_load(tool.hand_force);
         double torque = vec3_load(tool.hand_torque).x - vec3_cross(arm, force).x;
-        most = i > 100 ? greater(most, fabs(torque)) : 0.0; /* the tool has come up to speed */
+        most = i > 100 ? vbss_max(most, fabs(torque)) : 0.0; /* the tool has come up to speed */
         if (i > 800) {
             expect_near(limit, fabs(torque), 0.03 * limit);
         }

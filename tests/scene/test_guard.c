@@ -144,7 +144,7 @@ static void crossing_coupled_tools_stay_on_their_sides(void **state)
     uint32_t b = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -3e-3, 0.0), half, 1e-3);
     small_watch_begin(&s, &w);
     for (int i = 1; i <= 300; i++) { /* past each other by 6 mm */
-        double y = 3e-3 - 6e-5 * lesser(i, 100.0);
+        double y = 3e-3 - 6e-5 * vbss_min(i, 100.0);
         small_move(&s, a, vec3_make(0.0, y, 0.0));
         small_move(&s, b, vec3_make(0.0, -y, 0.0));
         guarded_steps(&s, 1, 1e-3);

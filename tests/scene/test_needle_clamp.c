@@ -46,7 +46,7 @@ static void it_swings_as_backward_euler_does(void **state)
         *speed = vec3_make(begin, 0.0, 0.0);
         for (int i = 1; i <= 400; i++) {
             small_steps(&r.tools.s, 1, h);
-            worst = greater(worst, fabs(speed->x / begin - velocity_after(i, w * h)));
+            worst = vbss_max(worst, fabs(speed->x / begin - velocity_after(i, w * h)));
             assert_true(hypot(speed->y, speed->z) < 1e-3 * begin);
         }
         assert_true(worst < 5e-4);
@@ -132,8 +132,8 @@ static void the_thread_goes_where_the_swage_goes(void **state)
         const double way[4] = {cos(turn), 0.0, sin(turn), 0.0};
         expect_ok(vbss_grasper_move(r->tools.tools[0], to, way));
         tools_steps(&r->tools, 1);
-        apart = greater(apart, vec3_distance(swage_of(r), tools_node(&r->tools, 0)));
-        loosest = greater(loosest, vec3_distance(swage_of(r), tools_node(&r->tools, 40)));
+        apart = vbss_max(apart, vec3_distance(swage_of(r), tools_node(&r->tools, 0)));
+        loosest = vbss_max(loosest, vec3_distance(swage_of(r), tools_node(&r->tools, 40)));
     }
     assert_true(apart < 1e-15);
     assert_true(vec3_distance(before, swage_of(r)) > 30e-3 &&

@@ -26,7 +26,7 @@ static double height(const needles_rig *r)
     for (uint64_t i = 0; i < view.count; i++) {
         double at[3];
         memcpy(at, (const char *)view.data + i * view.stride_bytes, sizeof at);
-        least = lesser(least, at[2]);
+        least = vbss_min(least, at[2]);
     }
     return least - r->config.wire_radius;
 }
@@ -88,9 +88,9 @@ static fall watch(needles_rig *r, uint32_t steps)
         tools_steps(&r->tools, 1);
         double now = needles_energy(r), above = height(r);
         touched = touched || small_statistics(&r->tools.s).contacts > 0;
-        f.lowest = greater(f.lowest, -above);
-        f.bounce = touched ? greater(f.bounce, above) : 0.0;
-        f.rise = greater(f.rise, now - energy);
+        f.lowest = vbss_max(f.lowest, -above);
+        f.bounce = touched ? vbss_max(f.bounce, above) : 0.0;
+        f.rise = vbss_max(f.rise, now - energy);
         f.resting_at = speed(r) > 1e-3 ? (i + 1) * 1e-3 : f.resting_at;
         energy = now;
     }
@@ -169,8 +169,8 @@ static void it_rolls_on_its_arc(void **state)
         tools_steps(&r.tools, 1);
         vbss_needle_state s = needles_state(&r);
         double now = s.angular_velocity[1];
-        slip = greater(slip, fabs(s.velocity[0] - now * outer));
-        fastest = greater(fastest, fabs(now) * outer);
+        slip = vbss_max(slip, fabs(s.velocity[0] - now * outer));
+        fastest = vbss_max(fastest, fabs(now) * outer);
         if (spin * now < 0.0) {
             double at = (i + 1 - now / (now - spin)) * 1e-3, half = 0.5 * rocking_period(&r);
             expect_near(turns == 0 ? 0.5 * half : half, at - turned_back, 0.04 * half);

@@ -113,7 +113,7 @@ static void it_slides_above_the_friction_of_both_faces(void **state)
         double middle = 0.5 * r.config.arc * r.config.radius;
         vec3 before = needles_place(&r, middle, NULL);
         for (uint32_t i = 0; i < 200; i++) {
-            b->rigid.body.gravity = vec3_make(0.0, 0.0, -gravity * lesser(1.0, (i + 1) / 20.0));
+            b->rigid.body.gravity = vec3_make(0.0, 0.0, -gravity * vbss_min(1.0, (i + 1) / 20.0));
             tools_steps(&r.tools, 1);
             slips += tools_happened(&r.tools, VBSS_EVENT_SLIP, event);
             torn += tools_happened(&r.tools, VBSS_EVENT_TORN, event);
@@ -151,7 +151,7 @@ static void it_turns_above_the_torque_they_bear(void **state)
         double weight = torque / vec3_norm(arm);
         quat before = needles_pose(&r).orientation;
         for (uint32_t i = 0; i < 40; i++) {
-            double share = lesser(1.0, (i + 1) / 20.0);
+            double share = vbss_min(1.0, (i + 1) / 20.0);
             b->rigid.body.gravity = vec3_make(0.0, -share * weight / b->rigid.body.mass, 0.0);
             tools_steps(&r.tools, 1);
             slips += tools_happened(&r.tools, VBSS_EVENT_SLIP, event);

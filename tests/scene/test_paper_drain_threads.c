@@ -33,7 +33,7 @@ static void thread_laid_over_is_held_and_moves_nothing(void **state)
             expect_ok(vbss_thread_move(s.threads[0], h.ids[k], to, NULL));
         }
         expect_ok(vbss_scene_step(s.scene, 2e-4)); /* longer ones stretch it until it bursts */
-        most = i % 10 == 0 ? greater(TOUCHING - clearance(&s, &d), most) : most;
+        most = i % 10 == 0 ? vbss_max(TOUCHING - clearance(&s, &d), most) : most;
     }
     expect_near(0.0, most, 1e-5);
     expect_near(TOUCHING, clearance(&s, &d), 1e-5);
@@ -62,7 +62,7 @@ static void free_thread_slides_off(void **state)
     double most = 0.0;
     for (int i = 0; i < 500; i++) {
         expect_ok(vbss_scene_step(s.scene, 1e-3));
-        most = greater(TOUCHING - clearance(&s, &d), most);
+        most = vbss_max(TOUCHING - clearance(&s, &d), most);
     }
     assert_true(most < 1e-4);
     const vec3 *x = places(s.threads[0], &n);

@@ -171,7 +171,7 @@ static void tool_that_goes_through_along_itself_within_a_step_is_not_seen(void *
         double most = 0.0;
         for (int i = 1, n = k == 0 ? 1 : 100; i <= n; i++) {
             go(&s, tool, vec3_lerp(outside, inside, (double)i / n));
-            most = greater(farthest(&d, DRAIN_NODES), most);
+            most = vbss_max(farthest(&d, DRAIN_NODES), most);
         }
         if (k == 0) { /* at 12 m/s */
             expect_near(0.0, most, 0.0);

@@ -158,7 +158,7 @@ static void the_hand_feels_the_stretch_of_the_sections(void **state)
             length += vec3_distance(tools_node(&r, i), tools_node(&r, i + 1));
         }
         vec3 way = vec3_sub(tools_node(&r, side == 0 ? from : to), tools_node(&r, node));
-        double stretch = greater(length - 5e-4 * (to - from), 0.0);
+        double stretch = vbss_max(length - 5e-4 * (to - from), 0.0);
         wanted = vec3_add_scaled(wanted, r.config.paper_stiffness * stretch,
                                  vec3_unit_or(way, vec3_zero()));
     }

@@ -111,8 +111,8 @@ static void find_crossing(const throw *t, uint32_t nodes[2])
     for (uint32_t i = 0; i + 1 < t->nodes; i++) {
         for (uint32_t k = i + 3; k + 1 < t->nodes; k++) {
             double s, u;
-            vec3 apart = closest_edges(vec3_sub(x[i + 1], x[i]), vec3_sub(x[k + 1], x[k]),
-                                       vec3_sub(x[k], x[i]), &s, &u);
+            vec3 apart = closest_between_edges(vec3_sub(x[i + 1], x[i]), vec3_sub(x[k + 1], x[k]),
+                                               vec3_sub(x[k], x[i]), &s, &u);
             if (vec3_norm(apart) < least) {
                 least = vec3_norm(apart);
                 nodes[0] = s < 0.5 ? i : i + 1;
@@ -187,7 +187,7 @@ static double largest_tension(const throw *t)
 {
     vbss_view v;
     expect_ok(vbss_thread_get_view(t->thread, VBSS_THREAD_TENSIONS, &v, sizeof v));
-    return vbss_largest(v.data, v.count);
+    return vbss_max_abs(v.data, v.count);
 }
 
 /* ---- knots */

@@ -25,7 +25,7 @@ static double height(const needles_rig *r)
     for (uint64_t i = 0; i < view.count; i++) {
         double at[3];
         memcpy(at, (const char *)view.data + i * view.stride_bytes, sizeof at);
-        least = lesser(least, at[2]);
+        least = vbss_min(least, at[2]);
     }
     return least - r->config.wire_radius;
 }

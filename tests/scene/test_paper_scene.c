@@ -54,7 +54,7 @@ static double tilt_of_forces(stage *s)
     double tilt = 0.0;
     for (uint64_t k = 0; k < forces.count; k++) {
         vec3 f = ((const vec3 *)forces.data)[k], n = ((const vec3 *)normals.data)[k];
-        tilt = greater(vec3_norm(vec3_cross(f, n)) / vec3_norm(f), tilt);
+        tilt = vbss_max(vec3_norm(vec3_cross(f, n)) / vec3_norm(f), tilt);
     }
     return tilt;
 }
@@ -83,7 +83,7 @@ static void crossing_threads_stop_each_other_and_slide(void **state)
         move_hands(&s, 1, &high, vec3_make(0.0, 0.0, 0.02 * h));
         expect_ok(vbss_scene_step(s.scene, h));
         expect_above(&s, 1.99 * RADIUS);
-        tilt = greater(tilt_of_forces(&s), tilt);
+        tilt = vbss_max(tilt_of_forces(&s), tilt);
     }
     vbss_scene_statistics q = statistics_of(&s);
     expect_near(before, middle_z(&s), 2e-4); /* of 10 mm */

@@ -128,7 +128,7 @@ static void a_body_feels_what_it_holds(void **state)
         begin_line(&l, k);
         small_pin(&l.s, l.number, 12, 0);
         for (int i = 1; i <= 150; i++) {
-            double pulled = lesser(1e-6 * i, 1e-4);
+            double pulled = vbss_min(1e-6 * i, 1e-4);
             small_move(&l.s, l.stick, vec3_make(-2e-3 - pulled, 1e-3, 0.0));
             small_steps(&l.s, 1, 1e-3);
         }

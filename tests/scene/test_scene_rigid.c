@@ -254,7 +254,7 @@ static void a_tool_pressed_on_the_floor_pushes_back(void **state)
     small_create(&s);
     uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 1e-3, 0.0), half, 1e-3);
     for (int i = 1; i <= 200; i++) {
-        small_move(&s, tool, vec3_make(0.0, 1e-3 - lesser(1e-5 * i, 1e-3), 0.0));
+        small_move(&s, tool, vec3_make(0.0, 1e-3 - vbss_min(1e-5 * i, 1e-3), 0.0));
         small_steps(&s, 1, 1e-3);
     }
     vbss_rigid_state r = small_rigid(&s, tool);

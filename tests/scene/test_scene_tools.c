@@ -19,7 +19,7 @@ static void tools_pressed_together_push_back_alike(void **state)
     uint32_t a = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 1.1e-3, 0.0), along, 1e-3);
     uint32_t b = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, -1.1e-3, 0.0), half, 1e-3);
     for (int i = 1; i <= 300; i++) {
-        double y = 1.1e-3 - 1e-5 * lesser(i, 110.0);
+        double y = 1.1e-3 - 1e-5 * vbss_min(i, 110.0);
         small_move(&s, a, vec3_make(0.0, y, 0.0));
         small_move(&s, b, vec3_make(0.0, -y, 0.0));
         small_steps(&s, 1, 1e-3);
@@ -53,7 +53,7 @@ static void a_tool_that_is_drawn_over_another_rubs(void **state)
     s.rigid.turning_stiffness = 1e4;
     uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 2e-3, 0.0), along, 1e-3);
     for (int i = 1; i <= 400; i++) {
-        double down = 1e-5 * lesser(i, 100.0), z = i > 200 ? 1e-5 * (i - 200) : 0.0;
+        double down = 1e-5 * vbss_min(i, 100.0), z = i > 200 ? 1e-5 * (i - 200) : 0.0;
         small_move(&s, tool, vec3_make(0.0, 2e-3 - down, z));
         small_steps(&s, 1, 1e-3);
     }
@@ -79,7 +79,7 @@ static void a_roller_rubs(void **state)
     for (int i = 1; i <= 300; i++) {
         double turn = 0.01 * i;
         const double q[4] = {vbss_cos(turn), 0.0, 0.0, vbss_sin(turn)};
-        small_move(&s, tool, vec3_make(0.0, 2e-3 - 1e-5 * lesser(i, 100.0), 0.0));
+        small_move(&s, tool, vec3_make(0.0, 2e-3 - 1e-5 * vbss_min(i, 100.0), 0.0));
         expect_ok(vbss_scene_move_rigid(s.scene, roller, zero, q));
         small_steps(&s, 1, 1e-3);
     }
@@ -103,13 +103,13 @@ static void a_tool_on_the_floor_sticks_and_then_slides(void **state)
     s.rigid.turning_stiffness = 1e4;
     uint32_t tool = small_stick(&s, VBSS_RIGID_COUPLED, vec3_make(0.0, 1e-3, 0.0), half, 1e-3);
     for (int i = 1; i <= 200; i++) {
-        small_move(&s, tool, vec3_make(0.0, 1e-3 - 1e-5 * lesser(i, 100.0), 0.0));
+        small_move(&s, tool, vec3_make(0.0, 1e-3 - 1e-5 * vbss_min(i, 100.0), 0.0));
         small_steps(&s, 1, 1e-3);
     }
     double press =
         small_rigid(&s, tool).contact_force[1]; /* 2 N: up to 0.6 N across, 0.3 mm of spring */
     for (int i = 1; i <= 200; i++) {
-        small_move(&s, tool, vec3_make(1e-6 * lesser(i, 100.0), 0.0, 0.0));
+        small_move(&s, tool, vec3_make(1e-6 * vbss_min(i, 100.0), 0.0, 0.0));
         small_steps(&s, 1, 1e-3);
     }
     vec3 stuck = small_position(&s, tool);

@@ -117,7 +117,7 @@ static void contacts_are_sound(void **state)
         double largest = 0.0;
         for (uint64_t k = 0; k < v.count; k++) {
             vec3 force = small_vector(&s, VBSS_SCENE_VIEW_CONTACT_FORCES, k);
-            largest = greater(vec3_norm(force), largest);
+            largest = vbss_max(vec3_norm(force), largest);
         }
         for (uint64_t k = 0; k < v.count; k++) {
             uint32_t f[5];
@@ -238,7 +238,7 @@ static void a_thread_is_damped_while_something_is_near(void **state)
     uint64_t damped = 0;
     for (int i = 0; i < 60; i++) {
         expect_ok(vbss_thread_get_statistics(thread, &last, sizeof last));
-        double y = 1.3e-4 + 2e-5 * greater(i - 20, 0.0); /* it is lifted off */
+        double y = 1.3e-4 + 2e-5 * vbss_max(i - 20, 0.0); /* it is lifted off */
         small_move(&s, stick, vec3_make(-9e-3, y, 0.0));
         small_move(&s, other, vec3_make(9e-3, y, 0.0));
         small_steps(&s, 1, 1e-3);

@@ -137,7 +137,7 @@ static void blades_close_on_nothing(void **state)
         shears_open(&r, 0, 0.0);
         for (int i = 0; i < 60; i++) {
             shears_steps(&r, 1);
-            angle = greater(angle - most, 0.0);
+            angle = vbss_max(angle - most, 0.0);
             expect_near(angle, shears_state(&r, 0).jaw_angle, 1e-14);
             assert_int_equal(small_view(&r.s, VBSS_SCENE_VIEW_EVENTS).count, 0);
         }

@@ -96,7 +96,7 @@ static void a_thread_is_cut_under_five_newtons(void **state)
     double give = 2.0 / r.config.stiffness + 2.0 / r.config.grip_stiffness +
                   20e-3 / r.s.thread.axial_stiffness;
     for (int i = 1; i <= 400; i++) {
-        double way = 0.5 * 5.0 * give * lesser(i / 300.0, 1.0);
+        double way = 0.5 * 5.0 * give * vbss_min(i / 300.0, 1.0);
         shears_move(&r, 0, vec3_make(0.0, -10e-3 - way, -SHEARS_BELOW));
         shears_move(&r, 1, vec3_make(0.0, 10e-3 + way, -SHEARS_BELOW));
         shears_steps(&r, 1);
@@ -114,7 +114,7 @@ static void a_thread_is_cut_under_five_newtons(void **state)
         shears_steps(&r, 1);
         /* What the thread had, and what its ends get from the tools that fly apart at up to half a metre
          * a second. */
-        double speed = greater(fabs(shears_state(&r, 0).velocity[1]), 0.5);
+        double speed = vbss_max(fabs(shears_state(&r, 0).velocity[1]), 0.5);
         double moved = 0.5 * r.s.thread.linear_density * 0.03 * speed * speed;
         /* The step in which its ends leap apart by 5 mm may be too much for a ms: then hands feel all so much later,
          * and up to two steps more while it is made in several calls. */

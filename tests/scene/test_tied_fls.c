@@ -51,7 +51,7 @@ static double loop_radius(const tied *t)
     double furthest = 0.0;
     for (uint32_t i = middle - 25; i <= middle + 25; i++) {
         vec3 off = vec3_sub(x[i], t->knot.line.cylinder_begin);
-        furthest = greater(sqrt(off.x * off.x + off.z * off.z), furthest);
+        furthest = vbss_max(sqrt(off.x * off.x + off.z * off.z), furthest);
     }
     return furthest;
 }

@@ -64,7 +64,7 @@ static gains gained(meeting what, double stiffness, double damping, const hand_p
         tools_steps(&r, 1);
         memmove(late + 1, late, sizeof late - sizeof late[0]);
         late[0] = tools_hand_force(&r, 0);
-        g.largest = greater(g.largest, vec3_norm(late[0]));
+        g.largest = vbss_max(g.largest, vec3_norm(late[0]));
         for (int d = 0; i >= ROUND && d <= MOST_DELAY; d++) {
             g.gained[d] += vec3_dot(late[d], way);
         }
@@ -82,9 +82,9 @@ static gains most_gained(meeting what, double stiffness, double damping)
         hand_path p = hand_path_draw(&random, 1e-3 + 4e-3 * i / PATHS);
         gains g = gained(what, stiffness, damping, &p);
         for (int d = 0; d <= MOST_DELAY; d++) {
-            most.gained[d] = greater(most.gained[d], g.gained[d]);
+            most.gained[d] = vbss_max(most.gained[d], g.gained[d]);
         }
-        most.largest = greater(most.largest, g.largest);
+        most.largest = vbss_max(most.largest, g.largest);
     }
     return most;
 }
@@ -132,8 +132,8 @@ static double swing(meeting what, double stiffness, double damping, int delay, d
             v += fine * (pressed + late[delay]) / mass;
             x += fine * v;
         }
-        low = i >= 2500 ? lesser(low, x) : low;
-        high = i >= 2500 ? greater(high, x) : high;
+        low = i >= 2500 ? vbss_min(low, x) : low;
+        high = i >= 2500 ? vbss_max(high, x) : high;
     }
     tools_end(&r);
     return fabs(x) < 0.1 ? high - low : 1.0;

@@ -34,8 +34,8 @@ static void jaws_follow_the_handle_as_fast_as_they_go(void **state)
         double told = openings[k] * r.config.driver_opening - (1.0 - openings[k]) * closing;
         tools_open(&r, 0, openings[k]);
         for (int i = 0; i < 60; i++) {
-            double to = greater(told, 0.0);
-            angle = angle < to ? lesser(angle + most, to) : greater(angle - most, to);
+            double to = vbss_max(told, 0.0);
+            angle = angle < to ? vbss_min(angle + most, to) : vbss_max(angle - most, to);
             tools_steps(&r, 1);
             expect_near(angle, tools_state(&r, 0).jaw_angle, 1e-15);
             /* Both turn about the pivot; their inner faces meet where the angle is none. */
@@ -92,7 +92,7 @@ static void tools_push_one_another(void **state)
     }
     assert_int_equal(small_statistics(&r.s).contacts, 0);
     for (int i = 1; i <= 300; i++) {
-        const double tip[3] = {6e-3 - 1e-5 * lesser(i, 200.0), 0.06, 0.06};
+        const double tip[3] = {6e-3 - 1e-5 * vbss_min(i, 200.0), 0.06, 0.06};
         expect_ok(vbss_grasper_move(r.tools[1], tip, NULL));
         tools_steps(&r, 1);
     }

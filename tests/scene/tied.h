@@ -64,9 +64,9 @@ static inline double tied_least_distance(const tied *t)
             double s, u;
             arc += vec3_distance(x[b - 1], x[b]);
             if (arc >= apart) {
-                vec3 way = closest_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
-                                         vec3_sub(x[b], x[a]), &s, &u);
-                least = lesser(vec3_norm(way), least);
+                vec3 way = closest_between_edges(vec3_sub(x[a + 1], x[a]), vec3_sub(x[b + 1], x[b]),
+                                                 vec3_sub(x[b], x[a]), &s, &u);
+                least = vbss_min(vec3_norm(way), least);
             }
         }
     }
@@ -100,7 +100,7 @@ static inline double tied_extent(const tied *t)
     assert_true(count > 0.0);
     for (uint64_t i = 0; i < features.count; i++) {
         double far = vec3_distance(vec3_scale(middle, 1.0 / count), at[i]);
-        furthest = kinds[5 * i] == VBSS_CONTACT_SEGMENTS ? greater(far, furthest) : furthest;
+        furthest = kinds[5 * i] == VBSS_CONTACT_SEGMENTS ? vbss_max(far, furthest) : furthest;
     }
     return furthest;
 }

@@ -225,7 +225,7 @@ static vec3 turns(double s, const contact_scene_options *o)
 {
     double r = turns_radius(o), rise = 4.0 * o->thread.radius / (2.0 * PI),
            all = 2.0 * PI * o->turns;
-    double angle = lesser(greater((s - TAIL) / r, 0.0), all);
+    double angle = vbss_min(vbss_max((s - TAIL) / r, 0.0), all);
     double beyond = s - TAIL - r * angle;
     vec3 on = vec3_make(r * vbss_sin(angle), r * vbss_cos(angle), rise * angle - TURNS_AT);
     vec3 ahead = vec3_make(vbss_cos(angle), -vbss_sin(angle), 0.0);

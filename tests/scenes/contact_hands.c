@@ -81,7 +81,7 @@ static vbss_result go(contact_hand *hand, double along, vec3 aside)
 {
     double target[3];
     hand->at = vec3_add(vec3_add_scaled(hand->at, along, hand->way), aside);
-    hand->furthest = greater(vec3_dot(vec3_sub(hand->at, hand->home), hand->way), hand->furthest);
+    hand->furthest = vbss_max(vec3_dot(vec3_sub(hand->at, hand->home), hand->way), hand->furthest);
     vec3_store(target, hand->at);
     return vbss_thread_move(hand->thread, hand->id, target, NULL);
 }
@@ -99,7 +99,7 @@ static double along(const contact_hand *hand, double h)
         return most;
     }
     double wanted = EAGERNESS * (hand->pull.force - hand->felt) / give_of(hand);
-    return lesser(greater(wanted, -GIVES_WAY * most), most);
+    return vbss_min(vbss_max(wanted, -GIVES_WAY * most), most);
 }
 
 vbss_result contact_hand_move(contact_hand *hand, double h, vec3 aside)
@@ -174,11 +174,11 @@ vbss_result contact_hand_tug(contact_hand *hand, const contact_whim *whim, doubl
     double most = STEP_FORCE / give_of(hand);
     VBSS_TRY(feel(hand));
     hand->pull.force = whim->pull.force;
-    hand->pull.speed = lesser(whim->pull.speed, most / h);
+    hand->pull.speed = vbss_min(whim->pull.speed, most / h);
     double way = along(hand, h);
     double out = vec3_dot(vec3_sub(hand->at, hand->home), hand->way);
     if (whim->back > 0.0 && out > hand->furthest - BACK) {
-        way = -lesser(whim->back * h, most);
+        way = -vbss_min(whim->back * h, most);
     }
     vec3 aside = allowed_aside(hand, vec3_scale(whim->aside, h));
     double far = vec3_norm(aside);

@@ -119,7 +119,7 @@ static vbss_result strike(const contact_scene *scene, double since)
 {
     double far = 2.0 * CONTACT_STRIKE_AWAY, way = scene->options.tool_speed * since;
     return move_tool(scene, 0,
-                     vec3_make(0.0, 0.0, way < far ? way : greater(2.0 * far - way, 0.0)));
+                     vec3_make(0.0, 0.0, way < far ? way : vbss_max(2.0 * far - way, 0.0)));
 }
 
 static vbss_result open(const contact_scene *scene, double since)
@@ -131,7 +131,7 @@ static vbss_result open(const contact_scene *scene, double since)
 
 static vbss_result draw_out(const contact_scene *scene, double since)
 {
-    double way = lesser(scene->options.tool_speed * since, CONTACT_DRAWN_OUT);
+    double way = vbss_min(scene->options.tool_speed * since, CONTACT_DRAWN_OUT);
     return move_tool(scene, 0, vec3_make(0.0, 0.0, -way));
 }
 
@@ -139,7 +139,7 @@ static vbss_result draw_out(const contact_scene *scene, double since)
 static vbss_result push_tools(const contact_scene *scene, double since)
 {
     double way = 0.2 * since;
-    way = way < TOOLS_DEPTH ? way : greater(2.0 * TOOLS_DEPTH - way, 0.0);
+    way = way < TOOLS_DEPTH ? way : vbss_max(2.0 * TOOLS_DEPTH - way, 0.0);
     VBSS_TRY(move_tool(scene, 0, vec3_make(0.0, -way, 0.0)));
     return move_tool(scene, 1, vec3_make(0.0, -0.5 * way, 0.0));
 }
@@ -201,7 +201,7 @@ double contact_scene_pull_felt(const contact_scene *scene)
 {
     double least = scene->hand_count > 0 ? scene->hands[0].felt : 0.0;
     for (uint32_t i = 1; i < scene->hand_count; i++) {
-        least = lesser(scene->hands[i].felt, least);
+        least = vbss_min(scene->hands[i].felt, least);
     }
     return least;
 }

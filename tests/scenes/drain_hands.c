@@ -98,7 +98,7 @@ static vbss_result draw_thread(vbss_scene *scene, uint64_t step)
     VBSS_TRY(vbss_scene_get_thread(scene, DRAIN_HANDS_THREAD, &thread));
     for (uint32_t end = 0; end < 2; end++) {
         double to[3];
-        vec3_store(to, end_of_thread(end, lesser((double)(step + 1) / DRAWN, 1.0)));
+        vec3_store(to, end_of_thread(end, vbss_min((double)(step + 1) / DRAWN, 1.0)));
         VBSS_TRY(vbss_thread_move(thread, end + 1, to, NULL));
     }
     return VBSS_OK;
@@ -107,8 +107,8 @@ static vbss_result draw_thread(vbss_scene *scene, uint64_t step)
 static vbss_result poke(vbss_scene *scene, uint64_t since)
 {
     double t = 1e-3 * (double)(since + 1), up = 1e-3 * ((double)(since + 1) - DOWN);
-    double depth = greater(lesser(SPEED * t, DEEPEST) - SPEED * greater(up, 0.0), 0.0);
-    double turn = 2.0 * PI * STIR_RATE * t, stirred = lesser(depth, STIRRED), to[3];
+    double depth = vbss_max(vbss_min(SPEED * t, DEEPEST) - SPEED * vbss_max(up, 0.0), 0.0);
+    double turn = 2.0 * PI * STIR_RATE * t, stirred = vbss_min(depth, STIRRED), to[3];
     vec3 aside = vec3_make(vbss_sin(turn), 0.0, vbss_cos(turn));
     vec3 tip = vec3_add_scaled(over_the_wall(), stirred, aside);
     tip.y -= depth;

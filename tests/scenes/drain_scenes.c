@@ -66,7 +66,7 @@ static vbss_result close_slit(vbss_drain *drain, uint64_t step, double h)
     const double most = 2.6e-3;
     vbss_drain_places places;
     VBSS_TRY(vbss_drain_get_places(drain, &places, sizeof places));
-    double way = lesser(DRAIN_SCENE_SPEED * h * (double)(step + 1), most);
+    double way = vbss_min(DRAIN_SCENE_SPEED * h * (double)(step + 1), most);
     for (uint32_t side = 0; side < 2; side++) {
         if (step == 0) {
             VBSS_TRY(take(drain, VBSS_DRAIN_ATTACHMENT_PIN, places.marks[side]));
@@ -93,8 +93,8 @@ static vbss_result poke(vbss_drain *drain, uint64_t step, double h)
     if (since > PUSHED) {
         return VBSS_OK;
     }
-    double depth = lesser(DRAIN_SCENE_SPEED * h * (double)(since + 1), 5e-3);
-    double turn = 2.0 * PI * 5.0 * h * (double)since, stirred = lesser(depth, 1.5e-3);
+    double depth = vbss_min(DRAIN_SCENE_SPEED * h * (double)(since + 1), 5e-3);
+    double turn = 2.0 * PI * 5.0 * h * (double)since, stirred = vbss_min(depth, 1.5e-3);
     vec3 to = rest_of(drain, node);
     to = vec3_add(to, vec3_make(stirred * vbss_sin(turn), -depth, stirred * vbss_cos(turn)));
     return move(drain, (uint32_t)round + 1, to);

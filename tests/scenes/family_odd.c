@@ -234,7 +234,7 @@ static bool open_curve(const closed_curve *c, thread_line *line)
     for (int i = 0; i < PIECES; i++) {
         double t = 2.0 * PI * i / PIECES, distance = vec3_norm(on_closed(t, c));
         begin = distance > furthest ? t : begin;
-        furthest = greater(furthest, distance);
+        furthest = vbss_max(furthest, distance);
     }
     vec3 first = on_closed(begin + PI / PIECES, c), last = on_closed(begin - PI / PIECES, c);
     vec3 out = vec3_unit_or(on_closed(begin, c), vec3_zero());

@@ -130,7 +130,7 @@ vbss_result held_knot_destroy(held_knot *knot)
 
 double held_knot_drawn_in(const held_knot_edges *before, const held_knot_edges *after)
 {
-    return greater(before->tails[0] - after->tails[0], after->tails[1] - before->tails[1]);
+    return vbss_max(before->tails[0] - after->tails[0], after->tails[1] - before->tails[1]);
 }
 
 double held_knot_inside(const held_knot_edges *edges)
@@ -228,7 +228,7 @@ static vec3 way_of_rod(const held_knot *knot, int k)
 static vbss_result move_rods(held_knot *knot)
 {
     double h = knot->options.step, time = ++knot->growing_steps * h, target[3];
-    knot->grown += h * knot->options.growth * lesser(time / STARTING, 1.0);
+    knot->grown += h * knot->options.growth * vbss_min(time / STARTING, 1.0);
     for (int k = 0; k < 2; k++) {
         vec3_store(target, way_of_rod(knot, k));
         VBSS_TRY(vbss_scene_move_rigid(knot->tied.scene, knot->rods[k], target, NULL));
@@ -255,9 +255,9 @@ vbss_result held_knot_grow(held_knot *knot, bool *goes_on)
     VBSS_TRY(look(knot, &touches));
     VBSS_TRY(held_look_tension(&knot->tied, &knot->edges, &knot->tension));
     knot->tension = touches ? knot->tension : 0.0;
-    knot->holds = undecided ? greater(knot->tension, knot->holds) : knot->holds;
+    knot->holds = undecided ? vbss_max(knot->tension, knot->holds) : knot->holds;
     knot->holds_through =
-        not_through ? greater(knot->tension, knot->holds_through) : knot->holds_through;
+        not_through ? vbss_max(knot->tension, knot->holds_through) : knot->holds_through;
     undecided = undecided && knot->end == HELD_KNOT_GREW;
     knot->end = !touches ? HELD_KNOT_OPEN : undecided ? end_of(knot) : knot->end;
     *goes_on = touches && knot->end != HELD_KNOT_STUCK && knot->tension < knot->options.limit &&

@@ -51,7 +51,7 @@ static double place_on(const held_line *line, uint32_t segment, vec3 point)
     vec3 from = vec3_sub(point, line->x[segment]);
     double share = vec3_dot(from, along) / vec3_dot(along, along);
     double length = line->arc[segment + 1] - line->arc[segment];
-    return line->arc[segment] + length * lesser(greater(share, 0.0), 1.0);
+    return line->arc[segment] + length * vbss_min(vbss_max(share, 0.0), 1.0);
 }
 
 static vbss_result find_places(const tied_knot *knot, places *p)
@@ -131,7 +131,7 @@ vbss_result held_look_middle(const tied_knot *knot, const held_knot_edges *edges
         *middle = inside ? vec3_add(*middle, line.x[i]) : *middle;
         count += inside;
     }
-    *middle = vec3_scale(*middle, 1.0 / greater(count, 1.0));
+    *middle = vec3_scale(*middle, 1.0 / vbss_max(count, 1.0));
     return VBSS_OK;
 }
 

@@ -112,7 +112,7 @@ static rays rays_of(const thread_line *line, const marks *m)
 
 static double distance_to_ray(vec3 p, vec3 from, vec3 along)
 {
-    double t = greater(vec3_dot(vec3_sub(p, from), along), 0.0);
+    double t = vbss_max(vec3_dot(vec3_sub(p, from), along), 0.0);
     return vec3_distance(p, vec3_add_scaled(from, t, along));
 }
 
@@ -120,7 +120,7 @@ static double room(const rays *r, uint32_t count, vec3 p)
 {
     double least = LARGEST;
     for (uint32_t i = 0; i < count; i++) {
-        least = lesser(least, 0.98 * distance_to_ray(p, r->from[i], r->along[i]));
+        least = vbss_min(least, 0.98 * distance_to_ray(p, r->from[i], r->along[i]));
     }
     return least;
 }
@@ -158,7 +158,7 @@ static bool draw_flow(vbss_random *random, const thread_line *line, const rays *
     if (kind < 4) {
         added->angle = 1.5 * PI * amount;
     } else {
-        added->push = vec3_scale(direction, 0.4 * radius * lesser(fabs(amount) * 1.5, 1.0));
+        added->push = vec3_scale(direction, 0.4 * radius * vbss_min(fabs(amount) * 1.5, 1.0));
     }
     f->count++;
     return true;
@@ -182,7 +182,7 @@ static double deviation(const flows *f, vec3 a, vec3 b, double t, double u, vec3
     double most = 0.0;
     for (int k = 1; k < 4; k++) {
         vec3 there = carry(f, vec3_lerp(a, b, t + 0.25 * k * (u - t)));
-        most = greater(most, vec3_distance(there, vec3_lerp(from, to, 0.25 * k)));
+        most = vbss_max(most, vec3_distance(there, vec3_lerp(from, to, 0.25 * k)));
     }
     return most;
 }
@@ -195,7 +195,7 @@ static bool put_pieces(const flows *f, vec3 a, vec3 b, uint32_t pieces, swept_li
         double t = (double)k / pieces, u = (k + 1.0) / pieces;
         vec3 end = carry(f, vec3_lerp(a, b, u));
         double strays = deviation(f, a, b, t, u, from, end);
-        if (to == NULL && strays > lesser(TOLERANCE, 0.04 * vec3_distance(from, end))) {
+        if (to == NULL && strays > vbss_min(TOLERANCE, 0.04 * vec3_distance(from, end))) {
             return false;
         }
         if (to != NULL && !swept_put(to, from, strays, false)) {

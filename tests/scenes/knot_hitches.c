@@ -70,7 +70,7 @@ void knot_path_hitches(const knot_shape *shape, double loop_radius, knot_curve *
     double y = h.front * TURN_RADIUS * size, up = h.reversed ? -1.0 : 1.0;
     double z = h.reversed ? -2.0 * loop_radius - TAIL_BELOW * size : TAIL_ABOVE * size;
     double loop_x = -loop_radius - 2.0 * SPREAD * size, low = -2.0 * loop_radius;
-    double begin = lesser(loop_x, gap - bend) - loop_radius, end = 3.0 * SPREAD * size;
+    double begin = vbss_min(loop_x, gap - bend) - loop_radius, end = 3.0 * SPREAD * size;
     /* the tail, towards +x and then to the front of the standing part */
     knot_curve_straight(curve, vec3_make(begin, y, z), vec3_make(gap - bend, y, z));
     knot_curve_arc(curve, vec3_make(gap - bend, y, z - up * bend), bend, up * 0.5 * PI, 0.0);

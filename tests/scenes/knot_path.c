@@ -72,7 +72,7 @@ static void put_strand(knot_curve *curve, const strand *s)
 static void put_turn(knot_curve *curve, int side, double from, double z_from, double to,
                      double z_to)
 {
-    double out = side * greater(from, to), radius = 0.5 * fabs(z_to - z_from);
+    double out = side * vbss_max(from, to), radius = 0.5 * fabs(z_to - z_from);
     double start = z_to > z_from ? -0.5 * PI : 0.5 * PI;
     knot_curve_straight(curve, vec3_make(side * from, 0.0, z_from), vec3_make(out, 0.0, z_from));
     knot_curve_arc(curve, vec3_make(out, 0.0, 0.5 * (z_from + z_to)), radius, start,
@@ -84,7 +84,7 @@ static double bight_radius(const knot_shape *shape)
 {
     double least = BIGHT * shape->size;
     double clear = CLEARANCE * (shape->cylinder_radius + shape->thread_radius);
-    return shape->cylinder ? greater(least, clear) : least;
+    return shape->cylinder ? vbss_max(least, clear) : least;
 }
 
 vec3 knot_path_put_pile(const knot_pile *pile, double size, double radius, knot_curve *curve)

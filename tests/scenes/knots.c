@@ -60,7 +60,7 @@ static vbss_result mesh_evenly(const knot_shape *shape, double tail, uint32_t ca
 static vbss_result mesh_tail(const knot_shape *shape, double tail, double *rest_lengths,
                              uint32_t capacity, uint32_t *count)
 {
-    double coarsest = lesser(shape->coarsest, tail), finest = lesser(shape->finest, coarsest);
+    double coarsest = vbss_min(shape->coarsest, tail), finest = vbss_min(shape->finest, coarsest);
     return vbss_thread_grade(tail, 0.0, finest, coarsest, shape->ratio, rest_lengths, capacity,
                              count);
 }
@@ -128,7 +128,7 @@ vbss_result knot_make(const knot_shape *shape, uint32_t capacity, vec3 *position
     line->knot_length = knot_curve_length(&curve);
     double straight = shape->length - line->knot_length;
     double tail = shape->tail > 0.0 ? shape->tail : 0.5 * straight;
-    if (!(lesser(tail, straight - tail) >= shape->finest)) {
+    if (!(vbss_min(tail, straight - tail) >= shape->finest)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     VBSS_TRY(shape->finest == shape->coarsest

@@ -90,7 +90,7 @@ static vbss_result pull(vbss_metrics *metrics, uint64_t step, double time)
     p.step = step;
     p.time = time;
     for (int i = 0; i < 2; i++) {
-        p.force[i] = lesser(force, 2.1);
+        p.force[i] = vbss_min(force, 2.1);
         p.strain[i] = p.force[i] / 427.0;
     }
     p.drawn_in = step > 260 ? 5e-5 * (double)(step - 260) : 0.0;

@@ -47,7 +47,7 @@ int32_t moving_knot_handedness(uint64_t step)
 static double done(uint64_t step, int first, int end)
 {
     double at = (double)(step % MOVING_KNOT_PERIOD);
-    return lesser(greater((at - first) / (double)(end - first), 0.0), 1.0);
+    return vbss_min(vbss_max((at - first) / (double)(end - first), 0.0), 1.0);
 }
 
 static double tail_end_at(uint64_t step)
@@ -137,7 +137,7 @@ static void lay_tools(uint64_t step, moving_knot *shown)
     if (at >= MOVING_KNOT_DRAWN && at < MOVING_KNOT_RELEASED) {
         vec3 first = vec3_load(shown->points[0]), second = vec3_load(shown->points[1]);
         grasper->held = VBSS_KNOT_HELD_THREAD;
-        grasper->held_place = lesser(1e-3 / greater(vec3_distance(first, second), 1e-4), 1.0);
+        grasper->held_place = vbss_min(1e-3 / vbss_max(vec3_distance(first, second), 1e-4), 1.0);
     } else if (at >= MOVING_KNOT_RELEASED) {
         tip = -0.036 - 0.05 * done(step, MOVING_KNOT_RELEASED, MOVING_KNOT_SLIPPING);
     }

@@ -58,7 +58,7 @@ static vbss_result add_thread(vbss_context *context, vbss_scene *scene)
 /* From 0 to 1 between two moments, beginning and ending at rest. */
 static double between(double t, double begin, double end)
 {
-    double share = greater(0.0, lesser((t - begin) / (end - begin), 1.0));
+    double share = vbss_max(0.0, vbss_min((t - begin) / (end - begin), 1.0));
     return share * share * (3.0 - 2.0 * share);
 }
 

@@ -34,7 +34,7 @@ static pose first_pose(void)
 /* From 0 to 1 between two moments, beginning and ending at rest. */
 static double between(double t, double begin, double end)
 {
-    double share = greater(0.0, lesser((t - begin) / (end - begin), 1.0));
+    double share = vbss_max(0.0, vbss_min((t - begin) / (end - begin), 1.0));
     return share * share * (3.0 - 2.0 * share);
 }
 
@@ -71,7 +71,7 @@ static hand hand_at(int tool, double t)
     vec3 out = quat_rotate(round, vec3_make(1.0, 0.0, 0.0));
     pose hold = pose_make(vec3_scale(out, RADIUS + away), quat_mul(round, across));
     /* The first stays where it has let go. */
-    h.tip = pose_mul(needle_at(tool == 0 ? lesser(t, 700.0) : t), hold);
+    h.tip = pose_mul(needle_at(tool == 0 ? vbss_min(t, 700.0) : t), hold);
     return h;
 }
 

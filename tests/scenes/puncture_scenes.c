@@ -76,7 +76,7 @@ vbss_result puncture_scene_create(vbss_context *context, const vbss_scene_config
 double puncture_scene_way(double speed, uint64_t steps, double h)
 {
     double way = speed * h * (double)steps;
-    return lesser(way, 2.0 * PUNCTURE_SCENE_ON - way);
+    return vbss_min(way, 2.0 * PUNCTURE_SCENE_ON - way);
 }
 
 uint32_t puncture_scene_steps(const puncture_scene *p, double h)

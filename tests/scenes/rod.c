@@ -41,9 +41,9 @@ static void serialise(vbss_stream *stream, void *object)
 {
     rod_object *r = object;
     size_t numbers = 3u * (size_t)r->node_count;
-    vbss_stream_same(stream, 1, r->node_count);
-    vbss_stream_same_f64(stream, 2, r->segment_length);
-    vbss_stream_same_f64(stream, 3, r->gust);
+    vbss_stream_expect(stream, 1, r->node_count);
+    vbss_stream_expect_f64(stream, 2, r->segment_length);
+    vbss_stream_expect_f64(stream, 3, r->gust);
     vbss_stream_f64(stream, 4, &r->positions[0].x, numbers);
     vbss_stream_f64(stream, 5, &r->velocities[0].x, numbers);
     vbss_stream_f64(stream, 6, &r->orientation.w, 4);

@@ -103,7 +103,7 @@ static void run(const stand_in_hd_table *hd, host *h)
         }
         hd->look(0, &now);
         begin = tick == ROUND * (ROUNDS - MEASURED) ? now : begin;
-        w->deepest = greater(w->deepest, -now.position[0]);
+        w->deepest = vbss_max(w->deepest, -now.position[0]);
     }
     w->gained = (now.work - begin.work) / MEASURED;
     w->cpu_worst = now.cpu_worst;

@@ -30,9 +30,9 @@ static inline vbss_result shapes_body_step(void *handle)
         const collision_shape *s = c->shapes[i];
         numbers += 3 * (size_t)s->node_count;
         scene.options.segment_count =
-            s->kind == SHAPE_CHAIN ? s->edge_count : scene.options.segment_count;
-        scene.options.capsules = scene.options.capsules || s->kind == SHAPE_CAPSULES;
-        scene.options.sheet = scene.options.sheet || s->kind == SHAPE_MESH;
+            s->kind == COLLISION_SHAPE_CHAIN ? s->edge_count : scene.options.segment_count;
+        scene.options.capsules = scene.options.capsules || s->kind == COLLISION_SHAPE_CAPSULES;
+        scene.options.sheet = scene.options.sheet || s->kind == COLLISION_SHAPE_MESH;
     }
     scene.positions = malloc(numbers * sizeof *scene.positions);
     assert_non_null(scene.positions);

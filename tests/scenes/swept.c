@@ -8,7 +8,7 @@
 
 static double clamp(double t)
 {
-    return lesser(greater(t, 0.0), 1.0);
+    return vbss_min(vbss_max(t, 0.0), 1.0);
 }
 
 static double point_segment(vec3 p, vec3 a, vec3 b)
@@ -22,8 +22,8 @@ static double point_segment(vec3 p, vec3 a, vec3 b)
 /* The least of those from the ends, and of the lines where both are nearest inside the segments. */
 static double segment_segment(vec3 p, vec3 q, vec3 a, vec3 b)
 {
-    double least = lesser(lesser(point_segment(p, a, b), point_segment(q, a, b)),
-                          lesser(point_segment(a, p, q), point_segment(b, p, q)));
+    double least = vbss_min(vbss_min(point_segment(p, a, b), point_segment(q, a, b)),
+                            vbss_min(point_segment(a, p, q), point_segment(b, p, q)));
     vec3 u = vec3_sub(q, p), v = vec3_sub(b, a), w = vec3_sub(p, a);
     double uu = vec3_dot(u, u), uv = vec3_dot(u, v), vv = vec3_dot(v, v);
     double uw = vec3_dot(u, w), vw = vec3_dot(v, w), d = uu * vv - uv * uv;
@@ -31,7 +31,7 @@ static double segment_segment(vec3 p, vec3 q, vec3 a, vec3 b)
         double s = (uv * vw - vv * uw) / d, t = (uu * vw - uv * uw) / d;
         if (s > 0.0 && s < 1.0 && t > 0.0 && t < 1.0) {
             vec3 between = vec3_add_scaled(vec3_add_scaled(w, s, u), -t, v);
-            least = lesser(least, vec3_norm(between));
+            least = vbss_min(least, vec3_norm(between));
         }
     }
     return least;
@@ -53,7 +53,7 @@ static double segment_triangle(vec3 p, vec3 q, const vec3 corners[3])
 {
     double least = DBL_MAX;
     for (int i = 0; i < 3; i++) {
-        least = lesser(least, segment_segment(p, q, corners[i], corners[(i + 1) % 3]));
+        least = vbss_min(least, segment_segment(p, q, corners[i], corners[(i + 1) % 3]));
     }
     vec3 normal = vec3_cross(vec3_sub(corners[1], corners[0]), vec3_sub(corners[2], corners[0]));
     double area = vec3_norm(normal);
@@ -62,8 +62,8 @@ static double segment_triangle(vec3 p, vec3 q, const vec3 corners[3])
     }
     vec3 n = vec3_scale(normal, 1.0 / area);
     double at_p = vec3_dot(n, vec3_sub(p, corners[0])), at_q = vec3_dot(n, vec3_sub(q, corners[0]));
-    least = foot_inside(p, corners, n) ? lesser(least, fabs(at_p)) : least;
-    least = foot_inside(q, corners, n) ? lesser(least, fabs(at_q)) : least;
+    least = foot_inside(p, corners, n) ? vbss_min(least, fabs(at_p)) : least;
+    least = foot_inside(q, corners, n) ? vbss_min(least, fabs(at_q)) : least;
     if ((at_p < 0.0) != (at_q < 0.0) &&
         foot_inside(vec3_lerp(p, q, at_p / (at_p - at_q)), corners, n)) {
         return 0.0;
@@ -77,7 +77,7 @@ static bool leaves(vec3 at, vec3 p, vec3 b, vec3 c)
     vec3 u = vec3_unit_or(vec3_sub(p, at), vec3_zero());
     vec3 e = vec3_unit_or(vec3_sub(b, at), vec3_zero());
     vec3 f = vec3_unit_or(vec3_sub(c, at), vec3_zero());
-    if (greater(vec3_dot(u, e), vec3_dot(u, f)) > GREATEST_COSINE) {
+    if (vbss_max(vec3_dot(u, e), vec3_dot(u, f)) > GREATEST_COSINE) {
         return false;
     }
     vec3 normal = vec3_cross(e, f);
@@ -116,12 +116,12 @@ bool swept_put(swept_line *line, vec3 x, double deviation, bool stays)
 
 static vec3 lower(vec3 a, vec3 b)
 {
-    return vec3_make(lesser(a.x, b.x), lesser(a.y, b.y), lesser(a.z, b.z));
+    return vec3_make(vbss_min(a.x, b.x), vbss_min(a.y, b.y), vbss_min(a.z, b.z));
 }
 
 static vec3 higher(vec3 a, vec3 b)
 {
-    return vec3_make(greater(a.x, b.x), greater(a.y, b.y), greater(a.z, b.z));
+    return vec3_make(vbss_max(a.x, b.x), vbss_max(a.y, b.y), vbss_max(a.z, b.z));
 }
 
 static bool is_left(const swept_line *line, uint32_t i)
@@ -378,7 +378,7 @@ bool swept_is_true(const swept_line *line)
 {
     double most = 0.0;
     for (uint32_t i = 0; i < line->last; i++) {
-        most = greater(most, strays(line, i));
+        most = vbss_max(most, strays(line, i));
         if (!corner_is_plain(line, i)) {
             return false;
         }

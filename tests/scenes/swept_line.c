@@ -37,7 +37,7 @@ static bool split_longest(swept_line *line)
     for (uint32_t v = 0; v != line->last; v = line->next[v]) {
         double length = vec3_distance(line->x[v], line->x[line->next[v]]);
         longest = length > most ? v : longest;
-        most = greater(most, length);
+        most = vbss_max(most, length);
     }
     return swept_split(line, longest);
 }

@@ -99,7 +99,7 @@ static void lay_thread(throw_scene *scene, vec3 limb_way, layout *l)
     lay_node(l, on_drain(-1.0, surface));
     scene->left_mark = l->count - 1;
     for (uint32_t i = 1; i <= limb; i++) {
-        double along = lesser((i - 0.5) * o->segment / BEND, 1.0);
+        double along = vbss_min((i - 0.5) * o->segment / BEND, 1.0);
         vec3 way = vec3_unit_or(vec3_lerp(out_of_drain(-1.0), limb_way, along), limb_way);
         lay_node(l, vec3_add_scaled(l->x[l->count - 1], o->segment, way));
     }

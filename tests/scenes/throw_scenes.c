@@ -188,8 +188,8 @@ static vec3 orbit_point(const throw_scene *scene)
     vec3 foot = vec3_add_scaled(tip, o->first - o->advance * turned, u);
     vec3 at = vec3_add_scaled(foot, scene->radius, throw_from_w(scene, scene->phi));
     /* Its handle points away from W: it shall not knock on drain and floor. */
-    double down = greater(-throw_from_w(scene, scene->phi).z, 0.0);
-    at.z = greater(at.z, LOWEST + HANDLE * down);
+    double down = vbss_max(-throw_from_w(scene, scene->phi).z, 0.0);
+    at.z = vbss_max(at.z, LOWEST + HANDLE * down);
     return at;
 }
 
@@ -216,12 +216,12 @@ static void orbit(throw_scene *scene)
     }
     bool slack = pull < 0.4 * o->pull; /* the worst that can be: loops fall off */
     scene->share += pull > o->pull ? -1e-3 : slack && last > 0 ? 4e-4 : 0.0;
-    scene->share = greater(lesser(scene->share, MOST_SHARE), LEAST_SHARE);
+    scene->share = vbss_max(vbss_min(scene->share, MOST_SHARE), LEAST_SHARE);
     double wanted =
-        lesser(greater(scene->share * free_length, LEAST_RADIUS), MOST_RADIUS) - scene->radius;
-    scene->radius += lesser(greater(wanted, -RADIUS_SPEED * h), RADIUS_SPEED * h);
+        vbss_min(vbss_max(scene->share * free_length, LEAST_RADIUS), MOST_RADIUS) - scene->radius;
+    scene->radius += vbss_min(vbss_max(wanted, -RADIUS_SPEED * h), RADIUS_SPEED * h);
     double slow = pull > 3.0 * o->pull ? 0.0 : pull > o->pull ? 0.3 : 1.0;
-    scene->phi += slow * lesser(o->speed / scene->radius, MOST_TURN) * h;
+    scene->phi += slow * vbss_min(o->speed / scene->radius, MOST_TURN) * h;
     go_to(&scene->c, orbit_point(scene), HAND_SPEED);
     if (scene->phi >= 2.0 * PI * o->turns || scene->since >= ORBIT_STEPS) {
         begin_phase(scene, THROW_TRAVEL);
@@ -254,23 +254,23 @@ static void draw(throw_scene *scene)
 {
     const double h = THROW_SCENE_STEP;
     double at_w = throw_scene_pull_at_w(scene), at_c = throw_scene_pull_at_c(scene);
-    double slow = lesser(greater((STOPPED - at_w) / (STOPPED - SLOWER), 0.0), 1.0);
+    double slow = vbss_min(vbss_max((STOPPED - at_w) / (STOPPED - SLOWER), 0.0), 1.0);
     bool adapts = scene->options.thread.mesh == VBSS_MESH_ADAPTIVE;
     double whole =
         THROW_TAIL - (adapts ? scene->arcs[0] : scene->tail_node * scene->options.segment);
     scene->leash += at_w > LEASH_PULL ? -LEASH_SPEED * h
                                       : (LEASH_SHARE * whole - scene->leash) * h / LEASH_TIME;
-    scene->over = lesser(scene->over + slow * DRAW_SPEED * h / whole, OVER);
+    scene->over = vbss_min(scene->over + slow * DRAW_SPEED * h / whole, OVER);
     vec3 on_arc = vec3_make(vbss_cos(scene->over), 0.0, vbss_sin(scene->over));
     go_to(&scene->w, vec3_add_scaled(scene->mark, scene->leash, on_arc), HAND_SPEED);
     /* C goes to the right while the limb is slack, and gives way to W when it is not. */
     double eager = (GIVE_WAY - at_c) / GIVE_WAY;
     vec3 back = vec3_unit_or(vec3_sub(scene->w.at, scene->c.at), vec3_make(-1.0, 0.0, 0.0));
-    vec3 way =
-        eager > 0.0 ? vec3_make(eager, 0.0, 0.0) : vec3_scale(back, lesser(-eager, GIVE_WAY_MOST));
+    vec3 way = eager > 0.0 ? vec3_make(eager, 0.0, 0.0)
+                           : vec3_scale(back, vbss_min(-eager, GIVE_WAY_MOST));
     scene->c.at = vec3_add_scaled(scene->c.at, DRAW_SPEED * h, way);
-    scene->c.at.x = lesser(scene->c.at.x, FURTHEST_RIGHT);
-    scene->c.at.z = greater(scene->c.at.z, LOWEST);
+    scene->c.at.x = vbss_min(scene->c.at.x, FURTHEST_RIGHT);
+    scene->c.at.z = vbss_max(scene->c.at.z, LOWEST);
     if (scene->over >= OVER || scene->since >= DRAW_STEPS) {
         begin_phase(scene, THROW_REST);
     }

@@ -79,7 +79,7 @@ static void place_points(const throw_stack *stack, const measure *m, double *len
         sum += lengths[i];
     }
     for (uint32_t i = 0; i <= stack->segments; i++) {
-        double s = along(m, measured(m) * lesser(reached / sum, 1.0));
+        double s = along(m, measured(m) * vbss_min(reached / sum, 1.0));
         reached += i < stack->segments ? lengths[i] : 0.0;
         lengths[i] = s; /* what stood there was taken */
     }
@@ -114,9 +114,9 @@ static bool shows(const knot_curve *curve, const double *lengths, uint32_t segme
     uint32_t pieces = segments < 400 ? 3200 / segments : 6;
     double shortest = DBL_MAX;
     for (uint32_t i = 0; i < segments; i++) {
-        shortest = lesser(shortest, (lengths[i + 1] - lengths[i]) / pieces);
+        shortest = vbss_min(shortest, (lengths[i + 1] - lengths[i]) / pieces);
     }
-    swept_begin(fine, 0.1 * lesser(shortest, 0.1 * size));
+    swept_begin(fine, 0.1 * vbss_min(shortest, 0.1 * size));
     bool shown = put_finely(curve, lengths, segments, pieces, fine);
     if (shown) {
         swept_finish(fine);
@@ -178,7 +178,7 @@ bool throw_stack_make(const throw_stack *stack, thread_line *line)
 vec3 thread_line_at(const thread_line *line, double place)
 {
     double last = (double)line->count - 1.0;
-    double p = lesser(greater(place, 0.0), last);
+    double p = vbss_min(vbss_max(place, 0.0), last);
     uint32_t i = (uint32_t)p;
     i = i + 2 > line->count ? line->count - 2 : i;
     return vec3_lerp(line->x[i], line->x[i + 1], p - i);

@@ -65,7 +65,7 @@ bool tied_knot_done(const tied_knot *knot)
 
 double tied_knot_felt(const tied_knot *knot)
 {
-    return lesser(knot->hands[0].felt, knot->hands[1].felt);
+    return vbss_min(knot->hands[0].felt, knot->hands[1].felt);
 }
 
 /* ---- hands */
@@ -195,7 +195,7 @@ static vbss_result end_stage(tied_knot *knot)
 
 static vbss_result withdraw_pegs(tied_knot *knot, double h)
 {
-    knot->withdrawn = lesser(knot->withdrawn + PEG_SPEED * h, PEG_AWAY);
+    knot->withdrawn = vbss_min(knot->withdrawn + PEG_SPEED * h, PEG_AWAY);
     for (int k = 0; k < TIED_KNOT_PEGS && knot->peg_radius > 0.0; k++) {
         double target[3];
         vec3_store(target, vec3_add(knot->peg_homes[k], vec3_make(0.0, knot->withdrawn, 0.0)));

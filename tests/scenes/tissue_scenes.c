@@ -94,7 +94,7 @@ static vbss_result take_end(vbss_thread *thread, uint32_t node)
 
 static vbss_result load_ends(vbss_thread *thread, double at)
 {
-    const double force[3] = {0.0, -WEIGHT * lesser(at / LOADED_AFTER, 1.0), 0.0};
+    const double force[3] = {0.0, -WEIGHT * vbss_min(at / LOADED_AFTER, 1.0), 0.0};
     VBSS_TRY(vbss_thread_move(thread, 1, force, NULL));
     return vbss_thread_move(thread, 2, force, NULL);
 }
@@ -163,7 +163,7 @@ enum { PUSHED = 400, ROUND = 600 };
 /* To a depth at SPEED, kept until the time is over, and back. */
 static double plunge(double at, double depth, double until)
 {
-    return greater(lesser(lesser(SPEED * at, depth), depth - SPEED * (at - until)), 0.0);
+    return vbss_max(vbss_min(vbss_min(SPEED * at, depth), depth - SPEED * (at - until)), 0.0);
 }
 
 static vec3 poke(uint64_t step, double h)
@@ -190,7 +190,7 @@ static vec3 way_of(const tissue_scene *t, int which, uint64_t step, double h)
     case TISSUE_SCENE_INVERTED:
         return vec3_make(0.0, -plunge(at, 12e-3, 0.4), 0.0);
     case TISSUE_SCENE_LIFTED:
-        return vec3_make(0.0, lesser(SPEED * at, 25e-3), 0.0);
+        return vec3_make(0.0, vbss_min(SPEED * at, 25e-3), 0.0);
     default:
         return vec3_zero();
     }
@@ -200,7 +200,7 @@ vbss_result tissue_scene_shut(tissue_scene *t, double at)
 {
     vbss_drain_places places;
     vbss_view rest;
-    double way = lesser(SPEED * at, 4e-3);
+    double way = vbss_min(SPEED * at, 4e-3);
     VBSS_TRY(vbss_drain_get_places(t->drain, &places, sizeof places));
     VBSS_TRY(vbss_drain_get_view(t->drain, VBSS_DRAIN_REST_POSITIONS, &rest, sizeof rest));
     for (uint32_t side = 0; side < 2; side++) {

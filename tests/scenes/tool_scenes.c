@@ -72,7 +72,7 @@ vbss_result tool_scene_create(vbss_context *context, vbss_method method, vbss_sc
 /* From 0 to 1 between two moments. */
 static double between(double t, double begin, double end)
 {
-    return greater(0.0, lesser((t - begin) / (end - begin), 1.0));
+    return vbss_max(0.0, vbss_min((t - begin) / (end - begin), 1.0));
 }
 
 typedef struct hand {

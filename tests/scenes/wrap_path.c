@@ -59,7 +59,7 @@ static double helix_x(const wrap_state *state, double share)
 
 static double smooth(double t)
 {
-    double s = lesser(greater(t, 0.0), 1.0);
+    double s = vbss_min(vbss_max(t, 0.0), 1.0);
     return s * s * (3.0 - 2.0 * s);
 }
 
@@ -102,7 +102,7 @@ static void put_tail(const wrap_state *state, pen *p)
     double z = wrap_axis_height(state), low = top(state), up = state->lift;
     vec3 rise = vec3_make(WRAP_RISE, 0.0, low + up * (z - low));
     vec3 jaws = vec3_make(state->lift < 1.0 ? WRAP_RISE - 1e-3 : state->jaws, 0.0, rise.z);
-    double back = lesser(state->hanging, greater(jaws.x - (WRAP_RISE - 6e-3), 0.0));
+    double back = vbss_min(state->hanging, vbss_max(jaws.x - (WRAP_RISE - 6e-3), 0.0));
     double sine, cosine, rest = state->hanging - back;
     vbss_sincos(PI * state->swing, &sine, &cosine);
     if (rest > 1e-9) { /* what hangs reaches back out of the loops: then to the side */
@@ -112,7 +112,7 @@ static void put_tail(const wrap_state *state, pen *p)
         p->at = vec3_add(jaws, vec3_make(-cosine * back, BESIDE + sine * back, 0.0));
     }
     go(p, vec3_add(jaws, vec3_make(0.0, BESIDE, 0.0)));
-    go(p, vec3_add(jaws, vec3_make(jaws.x > WRAP_RISE ? 0.35e-3 * greater(cosine, 0.0) : 0.0,
+    go(p, vec3_add(jaws, vec3_make(jaws.x > WRAP_RISE ? 0.35e-3 * vbss_max(cosine, 0.0) : 0.0,
                                    0.5 * BESIDE, 0.0)));
     go(p, jaws);
     if (jaws.x > WRAP_RISE) {
@@ -200,7 +200,7 @@ static bool put_share(const wrap_state *state, const knot_curve *curve, double f
             vec3 middle = flattened(state, knot_curve_at(curve, s));
             vec3 b = flattened(state, knot_curve_at(curve, t));
             double strays = vec3_distance(middle, vec3_lerp(a, b, 0.5));
-            worst = greater(worst, strays / vec3_distance(a, b));
+            worst = vbss_max(worst, strays / vec3_distance(a, b));
             if (!swept_put(fine, a, strays, false)) {
                 return false;
             }
@@ -257,7 +257,7 @@ static double place_of(const swept_line *fine, uint32_t vertex)
     }
     vec3 a = fine->x[v], b = fine->x[fine->next[v]], along = vec3_sub(b, a);
     double t = vec3_dot(vec3_sub(fine->x[vertex], a), along) / vec3_norm_squared(along);
-    return number + lesser(greater(t, 0.0), 1.0);
+    return number + vbss_min(vbss_max(t, 0.0), 1.0);
 }
 
 static bool read_off(swept_line *fine, const wrap_state *state, uint32_t segments,

@@ -42,7 +42,7 @@ const wrap_script wrap_scripts[WRAP_SCRIPTS] = {
 /* How far t has gone from one moment to another, 0 to 1, smoothly. */
 static double part(double t, double from, double to)
 {
-    double s = lesser(greater((t - from) / (to - from), 0.0), 1.0);
+    double s = vbss_min(vbss_max((t - from) / (to - from), 0.0), 1.0);
     return s * s * (3.0 - 2.0 * s);
 }
 
@@ -138,7 +138,7 @@ static void spoil(story which, double t, scene *s)
         s->holds = t < 0.6;
         slip_back(t, 0.75, 0.95, mix(WRAP_RISE - 1e-3, 1e-3, part(t, GRASPED, 0.6)), s);
         s->tip = mix(WRAP_RISE - 1e-3, CLEAR, part(t, GRASPED, 0.75));
-        s->tip = t < 0.6 ? state->jaws : greater(s->tip, state->jaws);
+        s->tip = t < 0.6 ? state->jaws : vbss_max(s->tip, state->jaws);
         state->pulled = 0.0;
         state->radius = LOOSE;
     } else if (which == BACKS_OUT && t >= DRAWN) {
@@ -190,7 +190,7 @@ static int wraps_of(const scene *s)
 static double turns_beside(const scene *s)
 {
     double beside = (WRAP_LOOPS - s->tip) / (2.0 * WRAP_LOOPS);
-    return s->state.turns * lesser(greater(beside, 0.0), 1.0);
+    return s->state.turns * vbss_min(vbss_max(beside, 0.0), 1.0);
 }
 
 static void tell(story which, double t, const scene *s, script_frame *frame)

@@ -106,7 +106,7 @@ static void devices_hand_a_needle_over(void **state)
         assert_int_equal(rows.count, STEPS);
         for (uint64_t k = 0; k < rows.count; k++) {
             const double *row = (const double *)rows.data + 9 * k;
-            most = greater(most, vec3_norm(vec3_load(row + 1)));
+            most = vbss_max(most, vec3_norm(vec3_load(row + 1)));
         }
     }
     assert_true(most > 1e-3 && most < 3.0 + 1e-9); /* N: the needle, and tools that meet */

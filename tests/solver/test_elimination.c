@@ -159,7 +159,7 @@ static void by_both_copies(harness_source *source, void *user)
     size_t size = twin_separators(t) * sizeof *order;
     memcpy(first, t->x, sizeof first);
     memcpy(order, factor(t)->order, size);
-    t->system->wide = vbss_wide_is_there();
+    t->system->wide = vbss_wide_is_available();
     expect_ok(vbss_system_order_separators(t->system));
     assert_memory_equal(order, factor(t)->order, size);
     solve(t);

@@ -19,7 +19,7 @@ static void the_copy_is_chosen_by_what_the_processor_has(void **state)
 #if defined(__GNUC__) && defined(__x86_64__)
     wanted = __builtin_cpu_supports("avx2") != 0;
 #endif
-    assert_int_equal(wanted, vbss_wide_is_there());
+    assert_int_equal(wanted, vbss_wide_is_available());
     vbss_context *context;
     vbss_thread_config config;
     vbss_thread *handle;
@@ -51,8 +51,8 @@ static void both_copies_give_the_same_bits(void **state)
             for (int step = 0; step < 200; step++) {
                 uint64_t hashes[2];
                 for (int wide = 0; wide < 2; wide++) {
-                    use(scenes[wide].thread, wide != 0 && vbss_wide_is_there());
-                    use(scenes[wide].piece, wide != 0 && vbss_wide_is_there());
+                    use(scenes[wide].thread, wide != 0 && vbss_wide_is_available());
+                    use(scenes[wide].piece, wide != 0 && vbss_wide_is_available());
                     expect_ok(thread_scene_step(&scenes[wide], 1e-3));
                     expect_ok(thread_scene_hash(&scenes[wide], &hashes[wide]));
                 }

@@ -144,7 +144,7 @@ double normal_error(const drawn *d, const visual_part *part)
 {
     double error = 0.0;
     for (uint32_t i = 0; i < part->vertex_count; i++) {
-        error = vbss_larger(error, fabs(vec3_norm(normal_of(d, part->first_vertex + i)) - 1.0));
+        error = vbss_max_or_nan(error, fabs(vec3_norm(normal_of(d, part->first_vertex + i)) - 1.0));
     }
     return error;
 }

@@ -74,9 +74,9 @@ static void the_faces_are_half_a_wall_from_the_cylinder(void **state)
         if (side == 0.0) {
             continue;
         }
-        worst = greater(worst, fabs(from_axis(p) - radius - side * half));
+        worst = vbss_max(worst, fabs(from_axis(p) - radius - side * half));
         vec3 out = vec3_scale(vec3_make(0.0, p.y, p.z), side / from_axis(p));
-        leaning = greater(leaning, vec3_distance(n, out));
+        leaning = vbss_max(leaning, vec3_distance(n, out));
     }
     /* Nodes at ends and lips see triangles on one side only, which lean by half of what a cell turns. */
     assert_true(worst < 1.5e-4);
@@ -120,7 +120,7 @@ static double deviation(const drawn *d, const drain_object *drain)
             vec3 b = vbss_visual_side_point(&side, from + step, &normal);
             vec3 chord = vec3_lerp(a, b, (share - from) / step);
             vec3 curve = vbss_visual_side_point(&side, share, &normal);
-            worst = greater(worst, vec3_distance(chord, curve));
+            worst = vbss_max(worst, vec3_distance(chord, curve));
         }
     }
     return worst;

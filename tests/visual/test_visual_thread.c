@@ -108,7 +108,7 @@ static void the_line_keeps_its_tolerance(void **state)
         for (uint32_t i = rings / 4; i < rings * 3 / 4; i++) { /* where its ends are not felt */
             vec3 a = middle_of(&d, dome + i * stride, sides);
             vec3 b = middle_of(&d, dome + (i + 1) * stride, sides);
-            worst = greater(worst, from_helix(vec3_lerp(a, b, 0.5), radius, rise));
+            worst = vbss_max(worst, from_helix(vec3_lerp(a, b, 0.5), radius, rise));
         }
         /* The spline itself is off the helix by r angle^4 / 384. */
         assert_true(worst < tolerance + 1e-6);
@@ -294,12 +294,12 @@ static void vertices_tell_where_they_are_along_the_thread(void **state)
     double least = 1.0, most = -1.0, pulled = 0.0;
     for (uint32_t i = 0; i < d.vertex_count; i++) {
         vec3 m = material_of(&d, i);
-        least = lesser(least, m.x);
-        most = greater(most, m.x);
+        least = vbss_min(least, m.x);
+        most = vbss_max(most, m.x);
         expect_near(m.x, (double)d.vertices[i].texture[1], 1e-9);
         assert_true(sqrt(m.y * m.y + m.z * m.z) < 1.2501e-4);
         assert_true(d.vertices[i].texture[0] >= 0.0F && d.vertices[i].texture[0] <= 1.0F);
-        pulled = greater(pulled, (double)d.vertices[i].value);
+        pulled = vbss_max(pulled, (double)d.vertices[i].value);
     }
     expect_near(-1.25e-4, least, 1e-9);
     expect_near(length + 1.25e-4, most, 1e-8);

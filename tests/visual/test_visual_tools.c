@@ -37,9 +37,9 @@ static void a_needle_is_a_wire_with_a_tip(void **state)
     for (uint32_t i = 0; i < d.vertex_count; i++) {
         vec3 local = pose_apply_inverse(at, position_of(&d, i));
         double arc = vbss_needle_nearest(n, local);
-        double away = vec3_distance(local, vbss_needle_point(n, lesser(arc, length)));
-        thickest = greater(thickest, away);
-        foremost = lesser(foremost, arc);
+        double away = vec3_distance(local, vbss_needle_point(n, vbss_min(arc, length)));
+        thickest = vbss_max(thickest, away);
+        foremost = vbss_min(foremost, arc);
         if (arc > f.config.tip_length + 1e-6 && arc < length) {
             expect_near(wire, away, 3e-9);
         } else if (arc > 0.0 && arc < f.config.tip_length) {
@@ -94,11 +94,11 @@ static void expect_within_capsules(const drawn *d, vbss_grasper *grasper)
             vec3 p = position_of(d, i);
             double length = vec3_norm_squared(way);
             double share = length > 0.0 ? vec3_dot(vec3_sub(p, a), way) / length : 0.0;
-            share = lesser(greater(share, 0.0), 1.0);
+            share = vbss_min(vbss_max(share, 0.0), 1.0);
             double away = vec3_distance(p, vec3_add_scaled(a, share, way)) / capsule[6];
-            nearest = lesser(nearest, (away - 1.0) * capsule[6]);
+            nearest = vbss_min(nearest, (away - 1.0) * capsule[6]);
         }
-        outside = greater(outside, nearest);
+        outside = vbss_max(outside, nearest);
     }
     assert_true(outside < 0.42 * 0.5e-3); /* sqrt(2) - 1 of a jaw */
 }
@@ -127,7 +127,7 @@ static double farthest_opening(const drawn *d, pose at)
     double most = 0.0;
     for (uint32_t i = 0; i < d->vertex_count; i++) {
         if ((double)d->vertices[i].value > 1.5) {
-            most = greater(most, fabs(pose_apply_inverse(at, position_of(d, i)).x));
+            most = vbss_max(most, fabs(pose_apply_inverse(at, position_of(d, i)).x));
         }
     }
     return most;
@@ -212,7 +212,7 @@ static void capsules_balls_and_the_floor_are_drawn(void **state)
     const pose at = pose_make(vec3_load(place), quat_make(0.8, 0.0, 0.6, 0.0));
     double reach = 0.0; /* in its frame the ball ends at x = 22 mm */
     for (uint32_t i = 0; i < d.parts[0].vertex_count; i++) {
-        reach = greater(reach, pose_apply_inverse(at, position_of(&d, i)).x);
+        reach = vbss_max(reach, pose_apply_inverse(at, position_of(&d, i)).x);
     }
     expect_near(0.022, reach, 1e-5);
     assert_int_equal(d.parts[1].kind, VBSS_VISUAL_FLOOR);

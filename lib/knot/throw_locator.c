@@ -1,7 +1,7 @@
 /* Where on the thread the throws lie, and which comes after which.
  *
  * The thread is reduced again, but only between vertices that stay, so that the crossings of its diagrams have
- * places: if one comes apart, the throws' strands can be read off, nested about the tissue (places.c). Sub-chains cut
+ * places: if one comes apart, the throws' strands can be read off, nested about the tissue (throw_places.c). Sub-chains cut
  * between the throws must then have just the throws inside (sub_chains.c). If no diagram comes apart, or they have not,
  * nothing is told of places and order. (Shrinking sub-chains until they lose a throw was tried: the ray of a cut limb may
  * undo an inner throw as well as the outermost, 2 orders of 130 000 were wrong.) */
@@ -16,7 +16,7 @@ static const uint32_t spacings[ROUNDS] = {6, 16, 0, 10, 24, 4};
 
 /* ---- rounds */
 
-static void begin_check(knot_locating *l)
+static void begin_check(knot_locator *l)
 {
     l->certified = true;
     l->level = 0;
@@ -25,45 +25,47 @@ static void begin_check(knot_locating *l)
 }
 
 /* The thread closed; the tissue's place stays, and its ray is in the way of moves. */
-static void begin_round(knot_locating *l, knot_curve *curve)
+static void begin_round(knot_locator *l, knot_curve *curve)
 {
-    const knot_scene *scene = l->scene;
-    const double last = scene->point_count - 1.0, tissue = scene->tissue_place;
+    const knot_input *input = l->input;
+    const double last = input->point_count - 1.0, tissue = input->tissue_place;
     knot_polygon *p = &l->polygon;
-    knot_way tail = vbss_knot_way_out(scene->points[0], l->closing->tail_out[0]);
-    knot_way end =
-        vbss_knot_way_out(scene->points[scene->point_count - 1], l->closing->long_out[0]);
-    vbss_knot_close_begin(l->closing, p, &tail);
-    if (l->closing->has_tissue) {
-        vbss_knot_polygon_add_thread(p, scene, 0.0, tissue);
+    knot_extension tail =
+        vbss_knot_straight_extension(input->points[0], l->closure->tail_directions[0]);
+    knot_extension end = vbss_knot_straight_extension(input->points[input->point_count - 1],
+                                                      l->closure->long_directions[0]);
+    vbss_knot_close_begin(l->closure, p, &tail);
+    if (l->closure->has_tissue) {
+        vbss_knot_polygon_add_thread(p, input, 0.0, tissue);
         vec3 in = p->x[p->count - 1];
-        p->stays[p->count - 1] = true;
-        l->ray = (knot_edge){in, vec3_add_scaled(in, l->closing->far, l->closing->away)};
-        vbss_knot_polygon_add_thread(p, scene, tissue, last);
+        p->is_fixed[p->count - 1] = true;
+        l->ray = (knot_edge){in, vec3_add_scaled(in, l->closure->far_distance, l->closure->away)};
+        vbss_knot_polygon_add_thread(p, input, tissue, last);
     } else {
-        vbss_knot_polygon_add_thread(p, scene, 0.0, last);
+        vbss_knot_polygon_add_thread(p, input, 0.0, last);
     }
-    vbss_knot_close_end(l->closing, p, &tail, &end);
-    p->stays[0] = p->stays[p->count - 1] = true; /* far away: between them there is no thread */
+    vbss_knot_close_end(l->closure, p, &tail, &end);
+    p->is_fixed[0] = p->is_fixed[p->count - 1] =
+        true; /* far away: between them there is no thread */
     uint32_t spacing = spacings[l->round++];
     for (uint32_t i = 1; i < p->count && spacing > 0; i += spacing) {
-        p->stays[i] = true;
+        p->is_fixed[i] = true;
     }
-    vbss_knot_reduction_begin(&curve->reduction, p, &l->ray, l->closing->has_tissue ? 1 : 0);
+    vbss_knot_reduction_begin(&curve->reduction, p, &l->ray, l->closure->has_tissue ? 1 : 0);
     l->direction = 0;
     l->stage = KNOT_LOCATE_REDUCE;
 }
 
-static void reduce(knot_locating *l, knot_curve *curve, knot_work *work)
+static void reduce(knot_locator *l, knot_curve *curve, knot_ops *budget)
 {
-    if (vbss_knot_reduction_go_on(&curve->reduction, work)) {
+    if (vbss_knot_reduction_resume(&curve->reduction, budget)) {
         curve->counts.removed += curve->reduction.removed;
         l->stage = KNOT_LOCATE_PROJECT;
     }
 }
 
 /* What there is, but not where. */
-static void leave_unordered(knot_locating *l)
+static void set_unordered(knot_locator *l)
 {
     l->count = l->whole->factors.count;
     for (uint32_t i = 0; i < l->count; i++) {
@@ -74,7 +76,7 @@ static void leave_unordered(knot_locating *l)
     l->stage = KNOT_LOCATE_DONE;
 }
 
-static void end_round(knot_locating *l, knot_curve *curve)
+static void end_round(knot_locator *l, knot_curve *curve)
 {
     if (l->has_spare) {
         memcpy(l->throws, l->spare, sizeof l->throws);
@@ -83,13 +85,13 @@ static void end_round(knot_locating *l, knot_curve *curve)
     } else if (l->round < ROUNDS) {
         begin_round(l, curve);
     } else {
-        leave_unordered(l);
+        set_unordered(l);
     }
 }
 
 /* ---- diagrams */
 
-static bool is_same_stack(const knot_locating *l)
+static bool is_same_stack(const knot_locator *l)
 {
     bool same = true;
     for (uint32_t i = 0; i < l->count && same; i++) {
@@ -101,7 +103,7 @@ static bool is_same_stack(const knot_locating *l)
 }
 
 /* Whether it takes less of the thread, and lies between those it lay between. */
-static bool is_better_place(const knot_locating *l, uint32_t i)
+static bool is_better_place(const knot_locator *l, uint32_t i)
 {
     const knot_located *t = &l->throws[i], *inner = &l->spare[i], *outer = &l->spare[i];
     if (t->ordered) {
@@ -116,19 +118,20 @@ static bool is_better_place(const knot_locating *l, uint32_t i)
 /* Of all diagrams that show the same stack each throw has the places where it takes the least of the thread: a
  * crossing of it may be seen far from the others. Strands that were laid anew have no places of their own: such diagrams
  * are kept only until there is another. */
-static void keep_places(knot_locating *l, const knot_code *code, const knot_factors *factors)
+static void store_better_places(knot_locator *l, const knot_gauss_code *code,
+                                const knot_factors *factors)
 {
     l->stage = KNOT_LOCATE_PROJECT;
-    if (!vbss_knot_take_off(l, code, factors) ||
+    if (!vbss_knot_locate_throws(l, code, factors) ||
         !vbss_knot_has_first_throws(l, l->whole, l->count) ||
-        (l->closing->has_tissue && !vbss_knot_has_strays(l))) {
+        (l->closure->has_tissue && !vbss_knot_strays_agree(l))) {
         return;
     }
-    if (!l->has_spare || (l->spare_anew && !l->anew)) {
+    if (!l->has_spare || (l->spare_is_rerouted && !l->is_rerouted)) {
         memcpy(l->spare, l->throws, sizeof l->throws);
         l->has_spare = true;
-        l->spare_anew = l->anew;
-    } else if (l->spare_anew == l->anew && is_same_stack(l)) {
+        l->spare_is_rerouted = l->is_rerouted;
+    } else if (l->spare_is_rerouted == l->is_rerouted && is_same_stack(l)) {
         for (uint32_t i = 0; i < l->count; i++) {
             if (is_better_place(l, i)) {
                 l->spare[i] = l->throws[i];
@@ -137,9 +140,9 @@ static void keep_places(knot_locating *l, const knot_code *code, const knot_fact
     }
 }
 
-static void project(knot_locating *l, knot_curve *curve, knot_work *work)
+static void project(knot_locator *l, knot_curve *curve, knot_ops *budget)
 {
-    knot_code *code = &curve->codes[0];
+    knot_gauss_code *code = &curve->codes[0];
     knot_factors factors;
     if (l->direction >= l->direction_limit) {
         end_round(l, curve);
@@ -147,43 +150,43 @@ static void project(knot_locating *l, knot_curve *curve, knot_work *work)
     }
     vec3 direction = vbss_knot_direction(l->direction++);
     curve->counts.projections++;
-    if (vbss_knot_project(&curve->projector, &l->polygon, direction, code, work) !=
-        KNOT_DIAGRAM_PLAIN) {
+    if (vbss_knot_project(&curve->projector, &l->polygon, direction, code, budget) !=
+        KNOT_DIAGRAM_REGULAR) {
         return;
     }
-    vbss_knot_code_simplify(code, work);
-    l->anew = false;
-    if (vbss_knot_twists(code, &factors)) {
-        keep_places(l, code, &factors);
-    } else if (!l->has_spare || l->spare_anew) {
+    vbss_knot_gauss_code_simplify(code, budget);
+    l->is_rerouted = false;
+    if (vbss_knot_decompose(code, &factors)) {
+        store_better_places(l, code, &factors);
+    } else if (!l->has_spare || l->spare_is_rerouted) {
         l->tries = KNOT_TRIES;
         l->stage = KNOT_LOCATE_UNTANGLE;
     }
 }
 
-static void untangle(knot_locating *l, knot_curve *curve, knot_work *work)
+static void untangle(knot_locator *l, knot_curve *curve, knot_ops *budget)
 {
-    knot_code *code = &curve->codes[0];
+    knot_gauss_code *code = &curve->codes[0];
     knot_factors factors;
-    if (vbss_knot_code_untangle(code, &curve->codes[1], &l->tries, work)) {
-        l->anew = true;
+    if (vbss_knot_gauss_code_untangle(code, &curve->codes[1], &l->tries, budget)) {
+        l->is_rerouted = true;
         return;
     }
     l->stage = KNOT_LOCATE_PROJECT;
-    if (l->anew && vbss_knot_twists(code, &factors)) {
-        keep_places(l, code, &factors);
+    if (l->is_rerouted && vbss_knot_decompose(code, &factors)) {
+        store_better_places(l, code, &factors);
     }
 }
 
 /* ---- the whole */
 
-void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_scene *scene,
-                              const knot_closing *closing, const knot_reading *whole,
-                              const knot_reading *tail, const knot_reading *long_limb,
-                              uint32_t direction_limit)
+void vbss_knot_locator_begin(knot_locator *l, knot_curve *curve, const knot_input *input,
+                             const knot_closure *closure, const knot_reading *whole,
+                             const knot_reading *tail, const knot_reading *long_limb,
+                             uint32_t direction_limit)
 {
-    l->scene = scene;
-    l->closing = closing;
+    l->input = input;
+    l->closure = closure;
     l->whole = whole;
     l->limbs[0] = tail;
     l->limbs[1] = long_limb;
@@ -197,26 +200,26 @@ void vbss_knot_locating_begin(knot_locating *l, knot_curve *curve, const knot_sc
         return;
     }
     begin_round(l, curve);
-    if (closing->has_tissue && !(knot_was_read(tail) && knot_was_read(long_limb))) {
-        leave_unordered(l);
+    if (closure->has_tissue && !(knot_was_read(tail) && knot_was_read(long_limb))) {
+        set_unordered(l);
     }
 }
 
-bool vbss_knot_locating_go_on(knot_locating *l, knot_curve *curve, knot_work *work)
+bool vbss_knot_locator_resume(knot_locator *l, knot_curve *curve, knot_ops *budget)
 {
-    while (*work > 0 && l->stage != KNOT_LOCATE_DONE) {
+    while (*budget > 0 && l->stage != KNOT_LOCATE_DONE) {
         switch (l->stage) {
         case KNOT_LOCATE_REDUCE:
-            reduce(l, curve, work);
+            reduce(l, curve, budget);
             break;
         case KNOT_LOCATE_PROJECT:
-            project(l, curve, work);
+            project(l, curve, budget);
             break;
         case KNOT_LOCATE_UNTANGLE:
-            untangle(l, curve, work);
+            untangle(l, curve, budget);
             break;
         case KNOT_LOCATE_CHECK:
-            vbss_knot_check_order(l, curve, work);
+            vbss_knot_check_order(l, curve, budget);
             break;
         case KNOT_LOCATE_DONE:
             break;

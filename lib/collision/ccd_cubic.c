@@ -58,7 +58,7 @@ static inline double value(const cubic *c, double t)
 }
 
 /* Times in (0, 1) at which p turns, ascending: from there to there it is monotone. */
-static int turns(const cubic *c, double at[2])
+static int turning_points(const cubic *c, double at[2])
 {
     double a = 3.0 * c->k3, b = c->k2, d = c->k1; /* p' = a t^2 + 2 b t + d */
     double square = b * b - a * d;
@@ -140,47 +140,47 @@ static inline bool point_meets(const spanned *s, vec3 n, double weights[4])
 }
 
 /* `side`: the sign of p before this root, or after it where there is no before. */
-static bool look_at_root(const collision_question *q, double t, double side,
-                         collision_answer *answer)
+static bool test_root(const collision_ccd_query *q, double t, double side,
+                      collision_ccd_result *result)
 {
     const vec3 *x = q->start, *y = q->end;
     bool edges = q->kind == VBSS_PAIR_EDGE_EDGE;
     spanned s = spanned_by(vec3_lerp(x[0], y[0], t), vec3_lerp(x[1], y[1], t),
                            vec3_lerp(x[2], y[2], t), vec3_lerp(x[3], y[3], t), edges);
     vec3 n = vec3_cross(s.e, s.f);
-    double *w = answer->weights;
-    answer->passes++;
+    double *w = result->weights;
+    result->passes++;
     if (!(edges ? edges_meet(&s, n, w) : point_meets(&s, n, w))) {
         return false;
     }
-    answer->hit = 1;
-    answer->time = t;
+    result->hit = 1;
+    result->time = t;
     vec3 unit = vec3_unit_or(n, vec3_zero());
-    answer->distance = fabs(vec3_dot(s.r, unit));
-    answer->normal = side > 0.0 ? unit : side < 0.0 ? vec3_neg(unit) : vec3_zero();
+    result->distance = fabs(vec3_dot(s.r, unit));
+    result->normal = side > 0.0 ? unit : side < 0.0 ? vec3_neg(unit) : vec3_zero();
     return true;
 }
 
-static bool test_roots(const collision_question *q, const cubic *c, collision_answer *answer)
+static bool test_roots(const collision_ccd_query *q, const cubic *c, collision_ccd_result *result)
 {
     double at[4] = {0.0}, height[4] = {c->k0};
-    int last = turns(c, at + 1) + 1;
+    int last = turning_points(c, at + 1) + 1;
     at[last] = 1.0;
     height[last] = c->end;
     for (int k = 1; k < last; k++) {
         height[k] = value(c, at[k]);
     }
-    if (height[0] == 0.0 && look_at_root(q, 0.0, height[1], answer)) {
+    if (height[0] == 0.0 && test_root(q, 0.0, height[1], result)) {
         return true;
     }
     for (int k = 0; k < last; k++) {
         double from = height[k], to = height[k + 1];
         if (to == 0.0) {
-            if (look_at_root(q, at[k + 1], from, answer)) {
+            if (test_root(q, at[k + 1], from, result)) {
                 return true;
             }
         } else if ((from < 0.0 && to > 0.0) || (from > 0.0 && to < 0.0)) {
-            if (look_at_root(q, root_between(c, at[k], from, at[k + 1], to), from, answer)) {
+            if (test_root(q, root_between(c, at[k], from, at[k + 1], to), from, result)) {
                 return true;
             }
         }
@@ -190,42 +190,45 @@ static bool test_roots(const collision_question *q, const cubic *c, collision_an
 
 /* ---- the distance at the end */
 
-static void test_end(const collision_question *q, collision_answer *answer)
+static void test_end(const collision_ccd_query *q, collision_ccd_result *result)
 {
     const vec3 *y = q->end;
-    vec3 to1 = vec3_sub(y[1], y[0]), to2 = vec3_sub(y[2], y[0]), to3 = vec3_sub(y[3], y[0]), apart;
+    vec3 to1 = vec3_sub(y[1], y[0]), to2 = vec3_sub(y[2], y[0]), to3 = vec3_sub(y[3], y[0]),
+         separation;
     double weights[4] = {1.0};
     if (q->kind == VBSS_PAIR_EDGE_EDGE) {
-        apart = closest_edges(to1, vec3_sub(y[3], y[2]), to2, &weights[1], &weights[3]);
+        separation =
+            closest_between_edges(to1, vec3_sub(y[3], y[2]), to2, &weights[1], &weights[3]);
         weights[0] = 1.0 - weights[1];
         weights[2] = 1.0 - weights[3];
     } else {
         const vec3 corners[3] = {to1, to2, to3};
-        apart = closest_corners(corners, &weights[1]);
+        separation = closest_on_triangle(corners, &weights[1]);
     }
-    double distance = vec3_norm(apart);
+    double distance = vec3_norm(separation);
     if (distance <= q->thickness) {
-        answer->hit = 1;
-        answer->distance = distance;
-        answer->normal = vec3_unit_or(apart, vec3_zero());
+        result->hit = 1;
+        result->distance = distance;
+        result->normal = vec3_unit_or(separation, vec3_zero());
         for (int k = 0; k < 4; k++) {
-            answer->weights[k] = weights[k];
+            result->weights[k] = weights[k];
         }
     }
 }
 
-void vbss_collision_cubic(const collision_rules *rules, const collision_question *question,
-                          collision_answer *answer, collision_counters *counters)
+void vbss_collision_run_cubic(const collision_ccd_options *options,
+                              const collision_ccd_query *query, collision_ccd_result *result,
+                              collision_counters *counters)
 {
-    (void)rules;
+    (void)options;
     (void)counters;
-    const vec3 *x = question->start, *y = question->end;
-    bool edges = question->kind == VBSS_PAIR_EDGE_EDGE;
+    const vec3 *x = query->start, *y = query->end;
+    bool edges = query->kind == VBSS_PAIR_EDGE_EDGE;
     spanned from = spanned_by(x[0], x[1], x[2], x[3], edges);
     spanned to = spanned_by(y[0], y[1], y[2], y[3], edges);
     cubic c = cubic_of(&from, &to);
-    bool found = !never_zero(&c) && test_roots(question, &c, answer);
-    if (!found && question->thickness > 0.0) {
-        test_end(question, answer);
+    bool found = !never_zero(&c) && test_roots(query, &c, result);
+    if (!found && query->thickness > 0.0) {
+        test_end(query, result);
     }
 }

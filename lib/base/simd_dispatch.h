@@ -2,8 +2,8 @@
  *
  * A file of such loops names its functions VBSS_WIDE_NAME(function) and is compiled a second time with
  * VBSS_WIDE defined. Lanes are independent entries, so both give the same bits. */
-#ifndef VBSS_BASE_WIDE_H
-#define VBSS_BASE_WIDE_H
+#ifndef VBSS_BASE_SIMD_DISPATCH_H
+#define VBSS_BASE_SIMD_DISPATCH_H
 
 #include <stdbool.h>
 
@@ -19,6 +19,6 @@
 #define VBSS_WIDE_CALL(wide, function, ...) ((void)(wide), function##_plain(__VA_ARGS__))
 #endif
 /* Whether this processor and this build have the wide copies. */
-bool vbss_wide_is_there(void);
+bool vbss_wide_is_available(void);
 
 #endif

@@ -5,11 +5,11 @@
 
 #include <string.h>
 
-static void put_vertex(collision_block *block, size_t vertex, uint32_t at, const collision_shape *s,
-                       uint32_t node)
+static void load_vertex(collision_block *block, size_t vertex, uint32_t at,
+                        const collision_shape *s, uint32_t node)
 {
-    double(*start)[IMPACT_BLOCK] = &block->start[3 * vertex];
-    double(*end)[IMPACT_BLOCK] = &block->end[3 * vertex];
+    double(*start)[COLLISION_BLOCK_SIZE] = &block->start[3 * vertex];
+    double(*end)[COLLISION_BLOCK_SIZE] = &block->end[3 * vertex];
     start[0][at] = s->start[node].x;
     start[1][at] = s->start[node].y;
     start[2][at] = s->start[node].z;
@@ -18,21 +18,21 @@ static void put_vertex(collision_block *block, size_t vertex, uint32_t at, const
     end[2][at] = s->end[node].z;
 }
 
-static void put_question(const collision_object *c, uint32_t at, const collision_candidate *q)
+static void load_query(const collision_object *c, uint32_t at, const collision_candidate *q)
 {
     const collision_shape *a = c->shapes[q->shape_a], *b = c->shapes[q->shape_b];
     collision_block *block = c->block;
-    block->thickness[at] = vbss_collision_distance(c, a, b);
+    block->thickness[at] = vbss_collision_contact_distance(c, a, b);
     if (q->kind == VBSS_PAIR_EDGE_EDGE) {
-        put_vertex(block, 0, at, a, a->edges[q->a][0]);
-        put_vertex(block, 1, at, a, a->edges[q->a][1]);
-        put_vertex(block, 2, at, b, b->edges[q->b][0]);
-        put_vertex(block, 3, at, b, b->edges[q->b][1]);
+        load_vertex(block, 0, at, a, a->edges[q->a][0]);
+        load_vertex(block, 1, at, a, a->edges[q->a][1]);
+        load_vertex(block, 2, at, b, b->edges[q->b][0]);
+        load_vertex(block, 3, at, b, b->edges[q->b][1]);
     } else {
-        put_vertex(block, 0, at, a, q->a);
-        put_vertex(block, 1, at, b, b->triangles[q->b][0]);
-        put_vertex(block, 2, at, b, b->triangles[q->b][1]);
-        put_vertex(block, 3, at, b, b->triangles[q->b][2]);
+        load_vertex(block, 0, at, a, q->a);
+        load_vertex(block, 1, at, b, b->triangles[q->b][0]);
+        load_vertex(block, 2, at, b, b->triangles[q->b][1]);
+        load_vertex(block, 3, at, b, b->triangles[q->b][2]);
     }
 }
 
@@ -42,27 +42,27 @@ static uint32_t test_block(const collision_object *c, uint32_t first, collision_
     collision_block *block = c->block;
     const collision_candidate *q = c->candidates + first;
     uint32_t count = 0, left = c->candidate_count - first;
-    while (count < IMPACT_BLOCK && count < left && q[count].kind == q[0].kind) {
-        put_question(c, count, &q[count]);
+    while (count < COLLISION_BLOCK_SIZE && count < left && q[count].kind == q[0].kind) {
+        load_query(c, count, &q[count]);
         count++;
     }
-    const collision_rows rows = {.kind = (vbss_pair_kind)q[0].kind,
-                                 .count = count,
-                                 .stride = IMPACT_BLOCK,
-                                 .start = block->start[0],
-                                 .end = block->end[0],
-                                 .thickness = block->thickness,
-                                 .hit = block->hit,
-                                 .decision = block->decision,
-                                 .time = block->time,
-                                 .distance = block->distance,
-                                 .normal = block->normal[0],
-                                 .weights = block->weights[0]};
-    vbss_collision_ask_rows(&c->rules, c->wide, &rows, counters);
+    const collision_ccd_batch batch = {.kind = (vbss_pair_kind)q[0].kind,
+                                       .count = count,
+                                       .stride = COLLISION_BLOCK_SIZE,
+                                       .start = block->start[0],
+                                       .end = block->end[0],
+                                       .thickness = block->thickness,
+                                       .hit = block->hit,
+                                       .decision = block->decision,
+                                       .time = block->time,
+                                       .distance = block->distance,
+                                       .normal = block->normal[0],
+                                       .weights = block->weights[0]};
+    vbss_collision_run_ccd_batch(&c->ccd_options, c->wide, &batch, counters);
     return count;
 }
 
-static void keep_impact(collision_object *c, uint32_t candidate, uint32_t at)
+static void store_impact(collision_object *c, uint32_t candidate, uint32_t at)
 {
     const collision_block *block = c->block;
     uint32_t i = c->impact_count++;
@@ -97,7 +97,7 @@ vbss_result vbss_collision_find_impacts(vbss_collision *collision)
                                  "there are more impacts than impact_capacity, %u",
                                  c->config.impact_capacity);
             }
-            keep_impact(c, first + at, at);
+            store_impact(c, first + at, at);
         }
     }
     c->counters = counters;

@@ -23,10 +23,10 @@ static void visit_config(vbss_stream *stream, const vbss_knot_config *c)
     const double numbers[] = {c->tail_reach, c->tail_least, c->wrap_turns, c->slip_limit,
                               c->plane_offset};
     for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
-        vbss_stream_same(stream, 1, words[i]);
+        vbss_stream_expect(stream, 1, words[i]);
     }
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 2, numbers[i]);
+        vbss_stream_expect_f64(stream, 2, numbers[i]);
     }
 }
 
@@ -34,12 +34,12 @@ static void visit_config(vbss_stream *stream, const vbss_knot_config *c)
 
 static void visit_tools(vbss_stream *stream, knot_detector *d)
 {
-    vbss_stream_count(stream, 10, &d->shown.tool_count, d->config.tool_capacity);
-    vbss_stream_count(stream, 11, &d->shown.point_count, d->config.point_capacity);
+    vbss_stream_count(stream, 10, &d->input.tool_count, d->config.tool_capacity);
+    vbss_stream_count(stream, 11, &d->input.point_count, d->config.point_capacity);
     for (uint32_t i = 0; i < d->config.tool_capacity; i++) {
         knot_tool_state *t = &d->tools[i];
         visit_bool(stream, 12, &t->wrapped);
-        visit_bool(stream, 13, &t->wrong_way);
+        visit_bool(stream, 13, &t->wrong_sense);
         vbss_stream_i32(stream, 14, &t->held, 1);
         vbss_stream_f64(stream, 15, &t->winding.turns, 1);
         vbss_stream_f64(stream, 16, &t->winding.run_turns, 1);
@@ -94,9 +94,9 @@ static void visit_throw(vbss_stream *stream, vbss_knot_throw *t)
     }
 }
 
-static void visit_verdict(vbss_stream *stream, knot_detector *d)
+static void visit_classification(vbss_stream *stream, knot_detector *d)
 {
-    knot_verdict *v = &d->verdict;
+    knot_classification *v = &d->classification;
     vbss_stream_count(stream, 50, &v->throw_count, KNOT_THROWS);
     d->state.throw_count = v->throw_count;
     visit_bool(stream, 51, &v->other);
@@ -126,7 +126,7 @@ static bool is_tool_sound(const knot_tool *t, uint32_t points)
     for (uint32_t i = 0; i < t->point_count && sound; i++) {
         double x[3];
         vec3_store(x, t->axis[i]);
-        sound = vbss_largest(x, 3) <= 1e3 &&
+        sound = vbss_max_abs(x, 3) <= 1e3 &&
                 (i == 0 || (vec3_distance(t->axis[i], t->axis[i - 1]) >= 1e-9 &&
                             t->radius[i - 1] >= 0.0 && t->radius[i - 1] <= 1.0));
     }
@@ -148,44 +148,44 @@ static void visit_tool(vbss_stream *stream, knot_tool *t, uint32_t points)
 }
 
 /* Numbers of the host's points, all one way. */
-static bool are_places_sound(const knot_scene *scene, const vbss_knot_config *config)
+static bool are_places_sound(const knot_input *input, const vbss_knot_config *config)
 {
     bool sound = true;
-    for (uint32_t i = 0; i < scene->point_count && sound; i++) {
-        double at = scene->places[i];
+    for (uint32_t i = 0; i < input->point_count && sound; i++) {
+        double at = input->places[i];
         sound = at >= 0.0 && at < config->point_capacity && at == floor(at);
         if (i > 0 && sound) {
-            bool ascends = scene->places[1] > scene->places[0];
-            sound = ascends ? at > scene->places[i - 1] : at < scene->places[i - 1];
+            bool ascends = input->places[1] > input->places[0];
+            sound = ascends ? at > input->places[i - 1] : at < input->places[i - 1];
         }
     }
     return sound;
 }
 
-static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, knot_scene *scene)
+static void visit_scene(vbss_stream *stream, const vbss_knot_config *config, knot_input *input)
 {
-    vbss_stream_count(stream, 80, &scene->point_count, config->point_capacity);
-    vbss_stream_count(stream, 81, &scene->tool_count, config->tool_capacity);
-    if (stream->result != VBSS_OK || scene->point_count == 0) {
+    vbss_stream_count(stream, 80, &input->point_count, config->point_capacity);
+    vbss_stream_count(stream, 81, &input->tool_count, config->tool_capacity);
+    if (stream->result != VBSS_OK || input->point_count == 0) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a thread without points");
         return;
     }
-    visit_bool(stream, 82, &scene->has_holes);
-    visit_bool(stream, 87, &scene->may_have_passed);
-    vbss_stream_f64(stream, 83, &scene->tissue_place, 1);
-    vbss_stream_f64(stream, 84, &scene->away.x, 3);
-    vbss_stream_f64(stream, 85, &scene->points[0].x, 3 * (size_t)scene->point_count);
-    vbss_stream_f64(stream, 86, scene->places, scene->point_count);
-    for (uint32_t i = 0; i < scene->tool_count && stream->result == VBSS_OK; i++) {
-        visit_tool(stream, &scene->tools[i], scene->point_count);
+    visit_bool(stream, 82, &input->has_holes);
+    visit_bool(stream, 87, &input->may_have_passed);
+    vbss_stream_f64(stream, 83, &input->tissue_place, 1);
+    vbss_stream_f64(stream, 84, &input->away.x, 3);
+    vbss_stream_f64(stream, 85, &input->points[0].x, 3 * (size_t)input->point_count);
+    vbss_stream_f64(stream, 86, input->places, input->point_count);
+    for (uint32_t i = 0; i < input->tool_count && stream->result == VBSS_OK; i++) {
+        visit_tool(stream, &input->tools[i], input->point_count);
     }
     double away[3];
-    vec3_store(away, scene->away);
-    bool sound = vbss_largest(away, 3) <= 1.0 + 1e-9 && scene->tissue_place >= -1.0 &&
-                 scene->tissue_place <= scene->point_count - 1.0 &&
-                 scene->has_holes == (scene->tissue_place >= 0.0) &&
-                 vbss_largest(&scene->points[0].x, 3 * (size_t)scene->point_count) <= 1e3 &&
-                 are_places_sound(scene, config);
+    vec3_store(away, input->away);
+    bool sound = vbss_max_abs(away, 3) <= 1.0 + 1e-9 && input->tissue_place >= -1.0 &&
+                 input->tissue_place <= input->point_count - 1.0 &&
+                 input->has_holes == (input->tissue_place >= 0.0) &&
+                 vbss_max_abs(&input->points[0].x, 3 * (size_t)input->point_count) <= 1e3 &&
+                 are_places_sound(input, config);
     if (!sound) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no thread is like this");
     }
@@ -195,7 +195,7 @@ static void visit_job(vbss_stream *stream, knot_detector *d)
 {
     knot_job *job = &d->job;
     bool active = vbss_knot_job_is_active(job);
-    uint64_t spent = (uint64_t)job->spent, step = job->step;
+    uint64_t ops = (uint64_t)job->ops_used, step = job->step;
     visit_bool(stream, 90, &active);
     if (!active) {
         if (stream->mode == VBSS_STREAM_READ) {
@@ -204,8 +204,8 @@ static void visit_job(vbss_stream *stream, knot_detector *d)
         return;
     }
     vbss_stream_u64(stream, 91, &step, 1);
-    vbss_stream_u64(stream, 92, &spent, 1);
-    visit_scene(stream, &d->config, &job->scene);
+    vbss_stream_u64(stream, 92, &ops, 1);
+    visit_scene(stream, &d->config, &job->input);
     if (stream->mode != VBSS_STREAM_READ) {
         return;
     }
@@ -213,9 +213,9 @@ static void visit_job(vbss_stream *stream, knot_detector *d)
     if (stream->result != VBSS_OK) {
         return;
     }
-    knot_work work = spent > INT64_MAX ? INT64_MAX : (knot_work)spent;
+    knot_ops budget = ops > INT64_MAX ? INT64_MAX : (knot_ops)ops;
     vbss_knot_job_begin(job, &d->config, step);
-    if (vbss_knot_job_go_on(job, &d->config, &work) || job->spent != (knot_work)spent) {
+    if (vbss_knot_job_resume(job, &d->config, &budget) || job->ops_used != (knot_ops)ops) {
         job->stage = KNOT_JOB_IDLE;
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a reading does not stop after such work");
     }
@@ -226,14 +226,14 @@ void vbss_knot_serialise(vbss_stream *stream, void *object)
     knot_detector *d = object;
     visit_config(stream, &d->config);
     vbss_stream_u64(stream, 3, &d->steps, 1);
-    vbss_stream_u64(stream, 4, &d->job_began, 1);
-    visit_bool(stream, 5, &d->due);
-    visit_bool(stream, 7, &d->doubted);
+    vbss_stream_u64(stream, 4, &d->job_start_step, 1);
+    visit_bool(stream, 5, &d->reading_due);
+    visit_bool(stream, 7, &d->thread_may_differ);
     vbss_random_serialise(stream, 6, &d->paper.random);
     visit_tools(stream, d);
     visit_state(stream, &d->state);
-    visit_verdict(stream, d);
-    visit_figures(stream, &d->figures);
+    visit_classification(stream, d);
+    visit_figures(stream, &d->statistics);
     visit_job(stream, d);
 }
 

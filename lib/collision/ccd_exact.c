@@ -3,12 +3,13 @@
  * Two kinds of event are enough (proof in docs/collision.md). Crossing: the volume of the four vertices
  * vanishes while the interiors cross. Touching: a vertex comes upon an edge. What crosses the border of
  * an interior, moves within one plane or loses its length or area is a touching, or begins at time 0. */
-#include "collision/exact.h"
+#include "collision/ccd_exact.h"
 
 #include "base/double_double.h"
-#include "collision/conservative.h"
+#include "collision/conservative_advancement.h"
 
-_Static_assert((int)COLLISION_LIMBS <= (int)WORKSPACE_LIMBS, "integers find all their limbs");
+_Static_assert((int)COLLISION_LIMBS <= (int)COLLISION_WORKSPACE_LIMBS,
+               "integers find all their limbs");
 
 typedef struct ivec {
     polynomial x, y, z;
@@ -39,7 +40,7 @@ static int trailing_zeros(uint64_t x)
 }
 
 /* The exponent of the last bit that is set in any of them. */
-static int last_exponent(const collision_question *q)
+static int last_exponent(const collision_ccd_query *q)
 {
     int last = 3000;
     for (int k = 0; k < 8; k++) {
@@ -74,17 +75,17 @@ static polynomial difference(workspace *w, double from0, double from1, double to
     polynomial p = {.degree = -1};
     uint32_t mark = w->used;
     integer a = to_integer(w, from0, last), b = to_integer(w, to0, last);
-    p.c[0] = vbss_integer_keep(w, mark, vbss_integer_subtract(w, b, a));
+    p.c[0] = vbss_integer_compact(w, mark, vbss_integer_subtract(w, b, a));
     mark = w->used;
     a = to_integer(w, from1, last);
     b = to_integer(w, to1, last);
     integer end = vbss_integer_subtract(w, b, a);
-    p.c[1] = vbss_integer_keep(w, mark, vbss_integer_subtract(w, end, p.c[0]));
+    p.c[1] = vbss_integer_compact(w, mark, vbss_integer_subtract(w, end, p.c[0]));
     vbss_polynomial_trim(&p, 1);
     return p;
 }
 
-static ivec between(workspace *w, const collision_question *q, int from, int to, int last)
+static ivec between(workspace *w, const collision_ccd_query *q, int from, int to, int last)
 {
     vec3 a0 = q->start[from], a1 = q->end[from], b0 = q->start[to], b1 = q->end[to];
     ivec v = {difference(w, a0.x, a1.x, b0.x, b1.x, last),
@@ -100,7 +101,7 @@ static polynomial product_difference(workspace *w, const polynomial *a, const po
 {
     uint32_t mark = w->used;
     polynomial ab = vbss_polynomial_multiply(w, a, b), cd = vbss_polynomial_multiply(w, c, d);
-    return vbss_polynomial_keep(w, mark, vbss_polynomial_subtract(w, &ab, &cd));
+    return vbss_polynomial_compact(w, mark, vbss_polynomial_subtract(w, &ab, &cd));
 }
 
 static ivec cross(workspace *w, const ivec *a, const ivec *b)
@@ -118,7 +119,7 @@ static polynomial dot(workspace *w, const ivec *a, const ivec *b)
     polynomial y = vbss_polynomial_multiply(w, &a->y, &b->y);
     polynomial z = vbss_polynomial_multiply(w, &a->z, &b->z);
     x = vbss_polynomial_add(w, &x, &y);
-    return vbss_polynomial_keep(w, mark, vbss_polynomial_add(w, &x, &z));
+    return vbss_polynomial_compact(w, mark, vbss_polynomial_add(w, &x, &z));
 }
 
 static ivec minus(workspace *w, const ivec *a, const ivec *b)
@@ -243,13 +244,13 @@ typedef struct crossing {
     ivec normal, first, second;
 } crossing;
 
-static bool inside(workspace *w, const polynomial *share, const polynomial *whole, int32_t sign,
+static bool inside(workspace *w, const polynomial *weight, const polynomial *whole, int32_t sign,
                    const instant *when)
 {
-    if (sign_at(w, share, when) != sign) {
+    if (sign_at(w, weight, when) != sign) {
         return false;
     }
-    polynomial left = vbss_polynomial_subtract(w, whole, share);
+    polynomial left = vbss_polynomial_subtract(w, whole, weight);
     return sign_at(w, &left, when) == sign;
 }
 
@@ -297,7 +298,7 @@ static bool crosses(workspace *w, const crossing *p)
 
 /* ---- the decision */
 
-static crossing make_crossing(workspace *w, const collision_question *q, int last)
+static crossing make_crossing(workspace *w, const collision_ccd_query *q, int last)
 {
     crossing p = {.edges = q->kind == VBSS_PAIR_EDGE_EDGE};
     if (p.edges) { /* s a = c + u b */
@@ -323,18 +324,18 @@ static const int touchings_of_edges[4][3] = {{0, 2, 3}, {1, 2, 3}, {2, 0, 1}, {3
 static const int touchings_of_triangle[3][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
 
 /* A touching comes near: whether the point and the edge are proved apart spares most of them. */
-static bool may_touch(const collision_question *q, const int vertices[3])
+static bool may_touch(const collision_ccd_query *q, const int vertices[3])
 {
-    collision_question pair = {.kind = VBSS_PAIR_EDGE_EDGE};
+    collision_ccd_query pair = {.kind = VBSS_PAIR_EDGE_EDGE};
     const int both[4] = {vertices[0], vertices[0], vertices[1], vertices[2]};
     for (int k = 0; k < 4; k++) {
         pair.start[k] = q->start[both[k]];
         pair.end[k] = q->end[both[k]];
     }
-    return !vbss_collision_apart(&pair);
+    return !vbss_collision_proves_separation(&pair);
 }
 
-exact_truth vbss_collision_exact(const collision_question *q, workspace *w)
+exact_result vbss_collision_decide_exactly(const collision_ccd_query *q, workspace *w)
 {
     int last = last_exponent(q);
     bool edges = q->kind == VBSS_PAIR_EDGE_EDGE, hit = false;
@@ -353,7 +354,7 @@ exact_truth vbss_collision_exact(const collision_question *q, workspace *w)
         hit = crosses(w, &across);
     }
     if (w->full) {
-        return EXACT_UNKNOWN;
+        return COLLISION_EXACT_UNKNOWN;
     }
-    return hit ? EXACT_HIT : EXACT_MISS;
+    return hit ? COLLISION_EXACT_HIT : COLLISION_EXACT_MISS;
 }

@@ -7,24 +7,24 @@
 #include "base/random.h"
 #include "collision/shapes.h"
 
-size_t vbss_collision_tree_groups(uint32_t count)
+size_t vbss_collision_bvh_group_count(uint32_t count)
 {
     size_t sum = 0, groups = count;
     do {
-        groups = (groups + TREE_LANES - 1) / TREE_LANES;
+        groups = (groups + COLLISION_BVH_WIDTH - 1) / COLLISION_BVH_WIDTH;
         sum += groups;
     } while (groups > 1);
     return sum;
 }
 
-void vbss_collision_tree_set_count(collision_tree *t, uint32_t count)
+void vbss_collision_bvh_set_count(collision_bvh *t, uint32_t count)
 {
     uint32_t groups = count, first = 0;
     t->count = count;
     t->level_count = 0;
-    t->fresh = 0.0;
+    t->built_looseness = 0.0;
     do {
-        groups = (groups + TREE_LANES - 1) / TREE_LANES;
+        groups = (groups + COLLISION_BVH_WIDTH - 1) / COLLISION_BVH_WIDTH;
         t->level_groups[t->level_count] = groups;
         t->level_first[t->level_count] = first;
         first += groups;
@@ -37,13 +37,13 @@ void vbss_collision_tree_set_count(collision_tree *t, uint32_t count)
 
 /* ---- passing boxes up */
 
-static double extent(const collision_box *box)
+static double extent(const collision_aabb *box)
 {
     return (box->high[0] - box->low[0]) + (box->high[1] - box->low[1]) +
            (box->high[2] - box->low[2]);
 }
 
-static void set_lane(box_group *g, uint32_t lane, const collision_box *box)
+static void set_lane(collision_bvh_group *g, uint32_t lane, const collision_aabb *box)
 {
     for (int k = 0; k < 3; k++) {
         g->low[k][lane] = box->low[k];
@@ -53,23 +53,23 @@ static void set_lane(box_group *g, uint32_t lane, const collision_box *box)
 
 /* Fills the groups of a level with `count` boxes, in order if there is one. Returns the sum of the
  * extents of these boxes. */
-static double fill_level(collision_tree *t, uint32_t level, const collision_box *boxes,
+static double fill_level(collision_bvh *t, uint32_t level, const collision_aabb *boxes,
                          const uint32_t *order, uint32_t count)
 {
-    const collision_box none = box_none();
+    const collision_aabb none = aabb_empty();
     double sum = 0.0;
-    uint32_t place = 0;
+    uint32_t leaf = 0;
     for (uint32_t i = 0; i < t->level_groups[level]; i++) {
-        box_group *g = &t->groups[t->level_first[level] + i];
-        collision_box all = none;
-        for (uint32_t lane = 0; lane < TREE_LANES; lane++, place++) {
-            if (place >= count) {
+        collision_bvh_group *g = &t->groups[t->level_first[level] + i];
+        collision_aabb all = none;
+        for (uint32_t lane = 0; lane < COLLISION_BVH_WIDTH; lane++, leaf++) {
+            if (leaf >= count) {
                 set_lane(g, lane, &none);
                 continue;
             }
-            const collision_box *box = &boxes[order != NULL ? order[place] : place];
+            const collision_aabb *box = &boxes[order != NULL ? order[leaf] : leaf];
             set_lane(g, lane, box);
-            box_add(&all, box);
+            aabb_extend(&all, box);
             sum += extent(box);
         }
         t->group_boxes[t->level_first[level] + i] = all;
@@ -79,36 +79,36 @@ static double fill_level(collision_tree *t, uint32_t level, const collision_box 
 
 /* Returns how large the lowest groups are, against their features and the whole, so that shapes that
  * move fast or grow do not count as loose; 0 when all boxes are points. */
-static double pass_up(collision_tree *t)
+static double update_levels(collision_bvh *t)
 {
     double features = fill_level(t, 0, t->boxes, t->order, t->count), groups = 0.0;
     for (uint32_t level = 1; level < t->level_count; level++) {
-        const collision_box *below = &t->group_boxes[t->level_first[level - 1]];
+        const collision_aabb *below = &t->group_boxes[t->level_first[level - 1]];
         double sum = fill_level(t, level, below, NULL, t->level_groups[level - 1]);
         groups = level == 1 ? sum : groups;
     }
-    double whole = features + extent(tree_root(t));
+    double whole = features + extent(bvh_root(t));
     return whole > 0.0 ? groups / whole : 0.0;
 }
 
 /* ---- ordering */
 
-static double centre(const collision_tree *t, uint32_t place, int axis)
+static double centre(const collision_bvh *t, uint32_t leaf, int axis)
 {
-    const collision_box *box = &t->boxes[t->order[place]];
+    const collision_aabb *box = &t->boxes[t->order[leaf]];
     return box->low[axis] + box->high[axis];
 }
 
-static int widest_axis(const collision_tree *t, uint32_t begin, uint32_t end)
+static int widest_axis(const collision_bvh *t, uint32_t first, uint32_t end)
 {
     int widest = 0;
     double width = -1.0;
     for (int axis = 0; axis < 3; axis++) {
         double low = (double)INFINITY, high = -(double)INFINITY;
-        for (uint32_t place = begin; place < end; place++) {
-            double c = centre(t, place, axis);
-            low = lesser(low, c);
-            high = greater(high, c);
+        for (uint32_t leaf = first; leaf < end; leaf++) {
+            double c = centre(t, leaf, axis);
+            low = vbss_min(low, c);
+            high = vbss_max(high, c);
         }
         if (high - low > width) {
             width = high - low;
@@ -118,35 +118,35 @@ static int widest_axis(const collision_tree *t, uint32_t begin, uint32_t end)
     return widest;
 }
 
-static void swap(collision_tree *t, uint32_t i, uint32_t k)
+static void swap(collision_bvh *t, uint32_t i, uint32_t k)
 {
-    uint32_t kept = t->order[i];
+    uint32_t saved = t->order[i];
     t->order[i] = t->order[k];
-    t->order[k] = kept;
+    t->order[k] = saved;
 }
 
 /* Moves what is lower along the axis to the places before `middle`. Pivots are drawn, so that no
  * arrangement of features is slow by its nature; places of equal keys end the search at once. */
-static void divide(collision_tree *t, uint32_t begin, uint32_t middle, uint32_t end, int axis,
-                   vbss_random *random)
+static void partition(collision_bvh *t, uint32_t first, uint32_t middle, uint32_t end, int axis,
+                      vbss_random *random)
 {
-    while (begin < middle && middle < end) {
-        double pivot = centre(t, begin + vbss_random_below(random, end - begin), axis);
-        uint32_t below = begin, above = end;
-        for (uint32_t place = begin; place < above;) {
-            double c = centre(t, place, axis);
+    while (first < middle && middle < end) {
+        double pivot = centre(t, first + vbss_random_below(random, end - first), axis);
+        uint32_t below = first, above = end;
+        for (uint32_t leaf = first; leaf < above;) {
+            double c = centre(t, leaf, axis);
             if (c < pivot) {
-                swap(t, place++, below++);
+                swap(t, leaf++, below++);
             } else if (c > pivot) {
-                swap(t, place, --above);
+                swap(t, leaf, --above);
             } else {
-                place++;
+                leaf++;
             }
         }
         if (middle <= below) {
             end = below;
         } else if (middle >= above) {
-            begin = above;
+            first = above;
         } else {
             break;
         }
@@ -154,31 +154,31 @@ static void divide(collision_tree *t, uint32_t begin, uint32_t middle, uint32_t 
 }
 
 /* Where to divide that many places: at a multiple of the largest group of a level that is smaller. */
-static uint32_t first_part(uint32_t size)
+static uint32_t split_size(uint32_t size)
 {
-    uint32_t unit = TREE_LANES;
-    while (unit * TREE_LANES < size) {
-        unit *= TREE_LANES;
+    uint32_t unit = COLLISION_BVH_WIDTH;
+    while (unit * COLLISION_BVH_WIDTH < size) {
+        unit *= COLLISION_BVH_WIDTH;
     }
     return ((size + unit - 1) / unit + 1) / 2 * unit;
 }
 
-static void order_places(collision_tree *t)
+static void build_order(collision_bvh *t)
 {
     /* What is still to be divided: parts after the present one. A group's eight children are parted in
      * three halvings, so a level leaves at most three waiting. */
     struct {
-        uint32_t begin, end;
-    } waiting[TREE_LANES_LOG * TREE_LEVELS];
-    uint32_t begin = 0, end = t->count, count = 0;
+        uint32_t first, end;
+    } pending[COLLISION_BVH_WIDTH_LOG2 * COLLISION_BVH_LEVELS];
+    uint32_t first = 0, end = t->count, count = 0;
     vbss_random random;
     vbss_random_seed(&random, 1, 1);
     for (;;) {
-        while (end - begin > TREE_LANES) {
-            uint32_t middle = begin + first_part(end - begin);
-            divide(t, begin, middle, end, widest_axis(t, begin, end), &random);
-            waiting[count].begin = middle;
-            waiting[count].end = end;
+        while (end - first > COLLISION_BVH_WIDTH) {
+            uint32_t middle = first + split_size(end - first);
+            partition(t, first, middle, end, widest_axis(t, first, end), &random);
+            pending[count].first = middle;
+            pending[count].end = end;
             count++;
             end = middle;
         }
@@ -186,18 +186,18 @@ static void order_places(collision_tree *t)
             return;
         }
         count--;
-        begin = waiting[count].begin;
-        end = waiting[count].end;
+        first = pending[count].first;
+        end = pending[count].end;
     }
 }
 
-bool vbss_collision_tree_fit(collision_tree *t)
+bool vbss_collision_bvh_refit(collision_bvh *t)
 {
-    double looseness = pass_up(t);
-    bool anew = t->order != NULL && looseness > 1.5 * t->fresh;
-    if (anew) {
-        order_places(t);
-        t->fresh = pass_up(t);
+    double looseness = update_levels(t);
+    bool is_reordered = t->order != NULL && looseness > 1.5 * t->built_looseness;
+    if (is_reordered) {
+        build_order(t);
+        t->built_looseness = update_levels(t);
     }
-    return anew;
+    return is_reordered;
 }

@@ -10,8 +10,8 @@ static uint32_t hand_number(int32_t handedness)
 /* ---- throws */
 
 /* Throws of a kind that a reading has, less those of the same kind before number `until` of the verdict. */
-static int32_t left_in(const knot_reading *r, const knot_verdict *v, uint32_t until,
-                       const vbss_knot_throw *kind)
+static int32_t count_left(const knot_reading *r, const knot_classification *v, uint32_t until,
+                          const vbss_knot_throw *kind)
 {
     int32_t count = 0;
     for (uint32_t i = 0; i < r->factors.count; i++) {
@@ -25,15 +25,15 @@ static int32_t left_in(const knot_reading *r, const knot_verdict *v, uint32_t un
 }
 
 /* What it is was proved, and its ends are clear of it. */
-static bool is_sure(const knot_job *job)
+static bool is_certain(const knot_job *job)
 {
-    return (job->outward.certified || job->locating.certified) &&
-           job->agreeing == job->closing.others;
+    return (job->outward.certified || job->locator.certified) &&
+           job->agreeing == job->closure.alternative_count;
 }
 
 static void fill_throw(const knot_detector *d, const knot_located *from, vbss_knot_throw *to)
 {
-    const knot_scene *scene = &d->job.scene;
+    const knot_input *input = &d->job.input;
     *to = (vbss_knot_throw){.struct_size = sizeof *to,
                             .wraps = from->wraps,
                             .handedness = from->handedness,
@@ -41,38 +41,39 @@ static void fill_throw(const knot_detector *d, const knot_located *from, vbss_kn
                             .formed_step = d->job.step};
     to->flags |= from->ordered ? VBSS_KNOT_THROW_ORDERED : 0u;
     to->flags |= from->stray ? VBSS_KNOT_THROW_STRAY : 0u;
-    to->verdict = is_sure(&d->job) && (from->ordered || from->stray) ? VBSS_KNOT_VERDICT_CERTIFIED
-                                                                     : VBSS_KNOT_VERDICT_FORMED;
+    to->verdict = is_certain(&d->job) && (from->ordered || from->stray)
+                      ? VBSS_KNOT_VERDICT_CERTIFIED
+                      : VBSS_KNOT_VERDICT_FORMED;
     if (!from->located) {
         return;
     }
     to->flags |= VBSS_KNOT_THROW_LOCATED;
-    vbss_knot_show_places(scene, from->tail_places, to->tail_places);
-    vbss_knot_show_places(scene, from->long_places, to->long_places);
-    to->slip = vbss_knot_slip(scene, from->tail_places, from->long_places);
-    to->tail_length = vbss_knot_length(scene, 0.0, from->tail_places[0]);
+    vbss_knot_places_to_host(input, from->tail_places, to->tail_places);
+    vbss_knot_places_to_host(input, from->long_places, to->long_places);
+    to->slip = vbss_knot_slip(input, from->tail_places, from->long_places);
+    to->tail_length = vbss_knot_length(input, 0.0, from->tail_places[0]);
     to->flags |= from->stray || fabs(to->slip) < d->config.slip_limit ? 0u : VBSS_KNOT_THROW_HITCH;
     to->flags |= to->tail_length < d->config.tail_least ? VBSS_KNOT_THROW_REVOCABLE : 0u;
 }
 
 /* A throw that one limb has alone is stray, wherever it lies. */
-static void mark_strays(knot_verdict *v, const knot_reading *limb)
+static void flag_strays(knot_classification *v, const knot_reading *limb)
 {
     uint32_t count = knot_was_read(limb) ? limb->factors.count : 0;
     for (uint32_t k = 0; k < count; k++) {
         const knot_factor *f = &limb->factors.factors[k];
-        bool marked = false;
-        for (uint32_t i = v->throw_count; i-- > 0 && !marked;) {
+        bool found = false;
+        for (uint32_t i = v->throw_count; i-- > 0 && !found;) {
             vbss_knot_throw *t = &v->throws[i];
-            marked = t->wraps == f->wraps && t->handedness == f->handedness &&
-                     !(t->flags & VBSS_KNOT_THROW_LOCATED) && !(t->flags & VBSS_KNOT_THROW_STRAY);
-            t->flags |= marked ? VBSS_KNOT_THROW_STRAY : 0u;
+            found = t->wraps == f->wraps && t->handedness == f->handedness &&
+                    !(t->flags & VBSS_KNOT_THROW_LOCATED) && !(t->flags & VBSS_KNOT_THROW_STRAY);
+            t->flags |= found ? VBSS_KNOT_THROW_STRAY : 0u;
         }
     }
 }
 
 /* What is sure must agree with what both theta edges show in one limb alone. */
-static void doubt_strays(const knot_job *job, knot_verdict *v)
+static void check_strays(const knot_job *job, knot_classification *v)
 {
     uint32_t strays = 0;
     for (uint32_t i = 0; i < v->throw_count; i++) {
@@ -80,14 +81,14 @@ static void doubt_strays(const knot_job *job, knot_verdict *v)
     }
     bool agree = knot_was_read(&job->tail) && knot_was_read(&job->long_limb) &&
                  job->tail.factors.count + job->long_limb.factors.count == strays;
-    for (uint32_t i = 0; i < v->throw_count && job->closing.has_tissue && !agree; i++) {
+    for (uint32_t i = 0; i < v->throw_count && job->closure.has_tissue && !agree; i++) {
         v->throws[i].verdict = VBSS_KNOT_VERDICT_FORMED;
     }
 }
 
 /* ---- order by history: what was in order before and is still there keeps it, what came is outermost */
 
-static int32_t count_kind(const knot_verdict *v, const vbss_knot_throw *kind)
+static int32_t count_kind(const knot_classification *v, const vbss_knot_throw *kind)
 {
     int32_t count = 0;
     for (uint32_t i = 0; i < v->throw_count; i++) {
@@ -97,7 +98,7 @@ static int32_t count_kind(const knot_verdict *v, const vbss_knot_throw *kind)
 }
 
 /* All in order, or none, and nothing stray. */
-static bool is_plain(const knot_verdict *v, uint32_t ordered)
+static bool is_plain(const knot_classification *v, uint32_t ordered)
 {
     bool plain = true;
     for (uint32_t i = 0; i < v->throw_count; i++) {
@@ -107,7 +108,8 @@ static bool is_plain(const knot_verdict *v, uint32_t ordered)
     return plain;
 }
 
-static void put_first(knot_verdict *v, uint32_t at, const vbss_knot_throw *kind, bool sure)
+static void put_first(knot_classification *v, uint32_t at, const vbss_knot_throw *kind,
+                      bool is_certain)
 {
     uint32_t found = at;
     while (found < v->throw_count && (v->throws[found].wraps != kind->wraps ||
@@ -118,35 +120,36 @@ static void put_first(knot_verdict *v, uint32_t at, const vbss_knot_throw *kind,
         vbss_knot_throw moving = v->throws[found];
         v->throws[found] = v->throws[at];
         v->throws[at] = moving;
-        v->throws[at].verdict = sure ? kind->verdict : v->throws[at].verdict;
+        v->throws[at].verdict = is_certain ? kind->verdict : v->throws[at].verdict;
     }
 }
 
-static void order_by_history(const knot_verdict *before, knot_verdict *v, bool sure)
+static void order_by_history(const knot_classification *before, knot_classification *v,
+                             bool is_certain)
 {
     bool grown = v->throw_count == before->throw_count || v->throw_count == before->throw_count + 1;
-    bool kept = grown && before->throw_count > 0 && is_plain(before, VBSS_KNOT_THROW_ORDERED) &&
-                is_plain(v, 0);
-    for (uint32_t i = 0; i < before->throw_count && kept; i++) {
-        kept = count_kind(v, &before->throws[i]) >= count_kind(before, &before->throws[i]);
+    bool matches = grown && before->throw_count > 0 && is_plain(before, VBSS_KNOT_THROW_ORDERED) &&
+                   is_plain(v, 0);
+    for (uint32_t i = 0; i < before->throw_count && matches; i++) {
+        matches = count_kind(v, &before->throws[i]) >= count_kind(before, &before->throws[i]);
     }
-    if (!kept) {
+    if (!matches) {
         return;
     }
     for (uint32_t i = 0; i < before->throw_count; i++) {
-        put_first(v, i, &before->throws[i], sure);
+        put_first(v, i, &before->throws[i], is_certain);
     }
     for (uint32_t i = 0; i < v->throw_count; i++) {
         v->throws[i].flags |= VBSS_KNOT_THROW_ORDERED;
     }
 }
 
-static void mark_relations(knot_verdict *v, const knot_reading *tools, bool has_tools)
+static void flag_relations(knot_classification *v, const knot_reading *tools, bool has_tools)
 {
     const vbss_knot_throw *before = NULL;
     for (uint32_t i = 0; i < v->throw_count; i++) {
         vbss_knot_throw *t = &v->throws[i];
-        if (has_tools && knot_was_read(tools) && left_in(tools, v, i, t) <= 0) {
+        if (has_tools && knot_was_read(tools) && count_left(tools, v, i, t) <= 0) {
             t->flags |= VBSS_KNOT_THROW_REVOCABLE;
         }
         if (t->flags & VBSS_KNOT_THROW_STRAY) {
@@ -159,25 +162,25 @@ static void mark_relations(knot_verdict *v, const knot_reading *tools, bool has_
     }
 }
 
-static void list_throws(const knot_detector *d, bool follows, knot_verdict *v)
+static void list_throws(const knot_detector *d, bool follows, knot_classification *v)
 {
     const knot_job *job = &d->job;
-    *v = (knot_verdict){.reason = VBSS_KNOT_REASON_NONE};
+    *v = (knot_classification){.reason = VBSS_KNOT_REASON_NONE};
     v->other = !job->outward.throws;
     if (v->other) {
         return;
     }
     v->throw_count = job->outward.factors.count;
     for (uint32_t i = 0; i < v->throw_count; i++) {
-        fill_throw(d, &job->locating.throws[i], &v->throws[i]);
+        fill_throw(d, &job->locator.throws[i], &v->throws[i]);
     }
-    mark_strays(v, &job->tail);
-    mark_strays(v, &job->long_limb);
-    doubt_strays(job, v);
+    flag_strays(v, &job->tail);
+    flag_strays(v, &job->long_limb);
+    check_strays(job, v);
     if (follows) {
-        order_by_history(&d->verdict, v, is_sure(job));
+        order_by_history(&d->classification, v, is_certain(job));
     }
-    mark_relations(v, &job->tools, job->has_tools);
+    flag_relations(v, &job->tools, job->has_tools);
 }
 
 /* ---- what changed */
@@ -188,16 +191,17 @@ static bool is_same_throw(const vbss_knot_throw *a, const vbss_knot_throw *b)
            ((a->flags ^ b->flags) & VBSS_KNOT_THROW_STRAY) == 0;
 }
 
-static void tell_gone(knot_detector *d, uint32_t i)
+static void emit_revoked(knot_detector *d, uint32_t i)
 {
-    const vbss_knot_throw *t = &d->verdict.throws[i];
-    d->figures.revoked++;
-    vbss_knot_tell(d, VBSS_KNOT_EVENT_REVOKED, i, (uint32_t)t->wraps, hand_number(t->handedness));
+    const vbss_knot_throw *t = &d->classification.throws[i];
+    d->statistics.revoked++;
+    vbss_knot_emit_event(d, VBSS_KNOT_EVENT_REVOKED, i, (uint32_t)t->wraps,
+                         hand_number(t->handedness));
 }
 
-static void tell_changes(knot_detector *d, knot_verdict *v)
+static void emit_changes(knot_detector *d, knot_classification *v)
 {
-    knot_verdict *old = &d->verdict;
+    knot_classification *old = &d->classification;
     uint32_t same = 0;
     while (same < old->throw_count && same < v->throw_count &&
            is_same_throw(&old->throws[same], &v->throws[same])) {
@@ -205,7 +209,7 @@ static void tell_changes(knot_detector *d, knot_verdict *v)
         same++;
     }
     for (uint32_t i = old->throw_count; i-- > same;) {
-        tell_gone(d, i);
+        emit_revoked(d, i);
     }
     for (uint32_t i = 0; i < v->throw_count; i++) {
         const vbss_knot_throw *t = &v->throws[i];
@@ -214,18 +218,18 @@ static void tell_changes(knot_detector *d, knot_verdict *v)
         uint32_t wraps = (uint32_t)t->wraps, hand = hand_number(t->handedness);
         if (i >= same) {
             bool stray = (t->flags & VBSS_KNOT_THROW_STRAY) != 0;
-            vbss_knot_tell(d, stray ? VBSS_KNOT_EVENT_STRAY : VBSS_KNOT_EVENT_FORMED, i, wraps,
-                           hand);
+            vbss_knot_emit_event(d, stray ? VBSS_KNOT_EVENT_STRAY : VBSS_KNOT_EVENT_FORMED, i,
+                                 wraps, hand);
         }
         if (is_certified && !was_certified) {
-            vbss_knot_tell(d, VBSS_KNOT_EVENT_CERTIFIED, i, wraps, hand);
+            vbss_knot_emit_event(d, VBSS_KNOT_EVENT_CERTIFIED, i, wraps, hand);
         } else if (was_certified && !is_certified) {
-            tell_gone(d, i);
+            emit_revoked(d, i);
         }
     }
 }
 
-static vbss_knot_verdict least_verdict(const knot_verdict *v)
+static vbss_knot_verdict lowest_certainty(const knot_classification *v)
 {
     if (v->reason != VBSS_KNOT_REASON_NONE) {
         return VBSS_KNOT_VERDICT_UNCERTAIN;
@@ -233,12 +237,12 @@ static vbss_knot_verdict least_verdict(const knot_verdict *v)
     if (v->other) {
         return VBSS_KNOT_VERDICT_FORMED;
     }
-    vbss_knot_verdict least =
+    vbss_knot_verdict lowest =
         v->throw_count > 0 ? VBSS_KNOT_VERDICT_CERTIFIED : VBSS_KNOT_VERDICT_NONE;
     for (uint32_t i = 0; i < v->throw_count; i++) {
-        least = v->throws[i].verdict < least ? v->throws[i].verdict : least;
+        lowest = v->throws[i].verdict < lowest ? v->throws[i].verdict : lowest;
     }
-    return least;
+    return lowest;
 }
 
 /* ---- what is being tied */
@@ -248,7 +252,7 @@ static const knot_factor *added_by_tools(const knot_job *job)
 {
     const knot_factors *now = &job->outward.factors, *then = &job->tools.factors;
     const knot_factor *added = NULL;
-    uint32_t kept = 0;
+    uint32_t matched = 0;
     if (!job->has_tools || !knot_was_read(&job->tools) || !knot_was_read(&job->outward)) {
         return NULL;
     }
@@ -260,10 +264,10 @@ static const knot_factor *added_by_tools(const knot_job *job)
                     now->factors[k].handedness == then->factors[i].handedness;
             used[k] |= found;
         }
-        kept += found;
+        matched += found;
         added = found ? added : &then->factors[i];
     }
-    return kept == now->count && then->count == kept + 1 ? added : NULL;
+    return matched == now->count && then->count == matched + 1 ? added : NULL;
 }
 
 /* The law of wraps: |w| in (k, k + 1] signed turns towards the tip give k wraps, left-handed when w > 0. */
@@ -279,28 +283,29 @@ static void set_wrapping(vbss_knot_state *state, uint32_t tool, const knot_windi
     state->next_handedness = w->run_turns > 0.0 ? -1 : 1;
 }
 
-void vbss_knot_conclude_next(knot_detector *d)
+void vbss_knot_classify_next(knot_detector *d)
 {
     vbss_knot_state *state = &d->state;
-    const knot_winding *most = NULL;
+    const knot_winding *strongest = NULL;
     bool passed = state->next_verdict == VBSS_KNOT_VERDICT_PASSED;
-    for (uint32_t i = 0; i < d->shown.tool_count; i++) {
+    for (uint32_t i = 0; i < d->input.tool_count; i++) {
         const knot_winding *w = &d->tools[i].winding;
-        if (d->tools[i].wrapped && (most == NULL || fabs(w->run_turns) > fabs(most->run_turns))) {
-            most = w;
+        if (d->tools[i].wrapped &&
+            (strongest == NULL || fabs(w->run_turns) > fabs(strongest->run_turns))) {
+            strongest = w;
             if (!passed) {
                 set_wrapping(state, i, w);
             }
         }
     }
-    if (most == NULL && !passed) {
+    if (strongest == NULL && !passed) {
         state->next_verdict = VBSS_KNOT_VERDICT_NONE;
         state->next_wraps = state->next_handedness = 0;
         state->next_tool = 0;
     }
 }
 
-static void conclude_passing(knot_detector *d)
+static void classify_passed(knot_detector *d)
 {
     vbss_knot_state *state = &d->state;
     const knot_factor *added = added_by_tools(&d->job);
@@ -311,14 +316,14 @@ static void conclude_passing(knot_detector *d)
         if (!had || state->next_wraps != added->wraps ||
             state->next_handedness != added->handedness) {
             uint32_t tool = state->next_tool; /* that the thread winds round */
-            vbss_knot_tell(d, VBSS_KNOT_EVENT_PASSED, tool, (uint32_t)added->wraps,
-                           hand_number(added->handedness));
+            vbss_knot_emit_event(d, VBSS_KNOT_EVENT_PASSED, tool, (uint32_t)added->wraps,
+                                 hand_number(added->handedness));
         }
         state->next_verdict = VBSS_KNOT_VERDICT_PASSED;
         state->next_wraps = added->wraps;
         state->next_handedness = added->handedness;
     }
-    vbss_knot_conclude_next(d);
+    vbss_knot_classify_next(d);
 }
 
 /* ---- the whole */
@@ -329,60 +334,60 @@ static vbss_knot_reason reason_of(const knot_detector *d)
     if (job->outward.reason != VBSS_KNOT_REASON_NONE) {
         return job->outward.reason;
     }
-    uint32_t differing = job->closing.others - job->agreeing;
+    uint32_t differing = job->closure.alternative_count - job->agreeing;
     return differing > d->config.closure_tolerance ? VBSS_KNOT_REASON_ENDS : VBSS_KNOT_REASON_NONE;
 }
 
-static void show_reading(knot_detector *d)
+static void publish_reading(knot_detector *d)
 {
     const knot_job *job = &d->job;
     const knot_reading *r = &job->outward;
     vbss_knot_state *s = &d->state;
     s->crossings = r->crossings;
-    s->certified = r->certified || job->locating.certified;
+    s->certified = r->certified || job->locator.certified;
     s->signature = r->invariants.signature;
     s->signature_tristram = r->invariants.signature_tristram;
     s->determinant = r->invariants.determinant;
     s->v2 = r->invariants.v2;
     s->v3 = r->invariants.v3;
-    s->closures = job->closing.others;
+    s->closures = job->closure.alternative_count;
     s->closures_agreeing = job->agreeing;
-    s->ends_free = job->closing.ends_free;
+    s->ends_free = job->closure.ends_free;
     s->reading_step = job->step;
 }
 
-void vbss_knot_conclude(knot_detector *d, bool follows)
+void vbss_knot_classify(knot_detector *d, bool follows)
 {
-    knot_verdict v;
+    knot_classification v;
     vbss_knot_reason reason = reason_of(d);
-    show_reading(d);
+    publish_reading(d);
     if (reason == VBSS_KNOT_REASON_NONE) {
         list_throws(d, follows, &v);
-        tell_changes(d, &v);
-        d->verdict = v;
-        conclude_passing(d);
+        emit_changes(d, &v);
+        d->classification = v;
+        classify_passed(d);
     } else { /* what is known of the throws is kept, and no longer sure */
-        d->figures.uncertain++;
-        if (d->verdict.reason != reason) {
-            vbss_knot_tell(d, VBSS_KNOT_EVENT_UNCERTAIN, (uint32_t)reason, 0, 0);
+        d->statistics.uncertain++;
+        if (d->classification.reason != reason) {
+            vbss_knot_emit_event(d, VBSS_KNOT_EVENT_UNCERTAIN, (uint32_t)reason, 0, 0);
         }
-        d->verdict.reason = reason;
+        d->classification.reason = reason;
         if (!d->job.has_tools) {
             d->state.next_verdict = VBSS_KNOT_VERDICT_NONE;
-            vbss_knot_conclude_next(d);
+            vbss_knot_classify_next(d);
         }
     }
     vbss_knot_state *s = &d->state;
-    s->name = vbss_knot_name_of(&d->verdict);
-    s->faults = vbss_knot_faults_of(&d->verdict);
-    s->throw_count = d->verdict.throw_count;
-    s->verdict = least_verdict(&d->verdict);
+    s->name = vbss_knot_name_of(&d->classification);
+    s->faults = vbss_knot_faults_of(&d->classification);
+    s->throw_count = d->classification.throw_count;
+    s->verdict = lowest_certainty(&d->classification);
     s->reason = reason;
-    d->figures.readings++;
-    if (d->figures.most_work < (uint64_t)d->job.spent) {
-        d->figures.most_work = (uint64_t)d->job.spent;
+    d->statistics.readings++;
+    if (d->statistics.most_work < (uint64_t)d->job.ops_used) {
+        d->statistics.most_work = (uint64_t)d->job.ops_used;
     }
-    vbss_knot_count_job(&d->job, &d->figures);
-    vbss_knot_tell(d, VBSS_KNOT_EVENT_READ, s->throw_count, (uint32_t)s->name,
-                   (uint32_t)s->verdict);
+    vbss_knot_count_job(&d->job, &d->statistics);
+    vbss_knot_emit_event(d, VBSS_KNOT_EVENT_READ, s->throw_count, (uint32_t)s->name,
+                         (uint32_t)s->verdict);
 }

@@ -2,7 +2,7 @@
  *
  * Spares most true crossings of zero thickness the exact decision: the volume of the four vertices has
  * opposite signs before and after, and in between the place where they cross stays inside both. */
-#include "collision/crossing.h"
+#include "collision/ccd_crossing.h"
 
 /* Half of the span of time that is looked at. */
 #define SPAN 0x1p-20
@@ -17,7 +17,7 @@ typedef struct vectors {
     vec3 a, b, c;
 } vectors;
 
-static vectors vectors_at(const collision_relative *m, bool edges, double t)
+static vectors vectors_at(const collision_relative_motion *m, bool edges, double t)
 {
     vec3 p = relative_at(m, 0, t), q = relative_at(m, 1, t), r = relative_at(m, 2, t);
     vectors v;
@@ -59,15 +59,15 @@ static bernstein product(vec3 x_low, vec3 x_high, vec3 y_low, vec3 y_high, int k
     return p;
 }
 
-static bernstein less(bernstein a, bernstein b)
+static bernstein difference(bernstein a, bernstein b)
 {
     bernstein p = {{a.c[0] - b.c[0], a.c[1] - b.c[1], a.c[2] - b.c[2]}};
     return p;
 }
 
-static bool above(bernstein p, double way, double bound)
+static bool above(bernstein p, double sign, double bound)
 {
-    return way * p.c[0] > bound && way * p.c[1] > bound && way * p.c[2] > bound;
+    return sign * p.c[0] > bound && sign * p.c[1] > bound && sign * p.c[2] > bound;
 }
 
 static int largest_component(vec3 v)
@@ -76,7 +76,7 @@ static int largest_component(vec3 v)
     return x >= y && x >= z ? 0 : y >= z ? 1 : 2;
 }
 
-bool vbss_collision_crosses(const collision_relative *m, bool edges, double t)
+bool vbss_collision_certifies_crossing(const collision_relative_motion *m, bool edges, double t)
 {
     double low = t - SPAN < 0.0 ? 0.0 : t - SPAN, high = t + SPAN > 1.0 ? 1.0 : t + SPAN;
     vectors l = vectors_at(m, edges, low), h = vectors_at(m, edges, high);
@@ -88,16 +88,16 @@ bool vbss_collision_crosses(const collision_relative *m, bool edges, double t)
         return false;
     }
     int k = largest_component(n_low);
-    double way = component(n_low, k) < 0.0 ? -1.0 : 1.0;
+    double sign = component(n_low, k) < 0.0 ? -1.0 : 1.0;
     /* Differences of two or three products: 4 times the rounding of one. */
     double area = 4.0 * AREA_ROUNDING * size * size;
     bernstein n = product(l.a, h.a, l.b, h.b, k), first = product(l.c, h.c, l.b, h.b, k), second;
     if (edges) {
         second = product(l.c, h.c, l.a, h.a, k);
-        return above(first, way, area) && above(less(n, first), way, area) &&
-               above(second, way, area) && above(less(n, second), way, area);
+        return above(first, sign, area) && above(difference(n, first), sign, area) &&
+               above(second, sign, area) && above(difference(n, second), sign, area);
     }
     second = product(l.a, h.a, l.c, h.c, k);
-    return above(first, way, area) && above(second, way, area) &&
-           above(less(less(n, first), second), way, area);
+    return above(first, sign, area) && above(second, sign, area) &&
+           above(difference(difference(n, first), second), sign, area);
 }

@@ -36,11 +36,11 @@ vbss_result vbss_collision_check_thickness(vbss_context *context, double thickne
     if (thickness == 0.0) {
         return VBSS_OK;
     }
-    return vbss_check_range(context, thickness, COLLISION_THINNEST, COLLISION_FARTHEST,
+    return vbss_check_range(context, thickness, COLLISION_MIN_THICKNESS, COLLISION_MAX_COORDINATE,
                             "thickness");
 }
 
-vbss_result vbss_collision_check_rules(vbss_context *context, const vbss_collision_config *c)
+vbss_result vbss_collision_check_ccd_options(vbss_context *context, const vbss_collision_config *c)
 {
     VBSS_TRY(vbss_check_range(context, c->method, VBSS_COLLISION_CONSERVATIVE, VBSS_COLLISION_PAPER,
                               "method"));
@@ -51,36 +51,36 @@ vbss_result vbss_collision_check_rules(vbss_context *context, const vbss_collisi
     return vbss_check_range(context, c->paper_unit, 1e-9, 1e3, "paper_unit");
 }
 
-collision_rules vbss_collision_rules_of(const vbss_collision_config *config)
+collision_ccd_options vbss_collision_ccd_options_of(const vbss_collision_config *config)
 {
-    collision_rules rules = {config->method,
-                             config->pass_limit,
-                             config->tolerance,
-                             config->paper_parallel,
-                             config->paper_unit,
-                             NULL,
-                             0};
-    return rules;
+    collision_ccd_options options = {config->method,
+                                     config->pass_limit,
+                                     config->tolerance,
+                                     config->paper_parallel,
+                                     config->paper_unit,
+                                     NULL,
+                                     0};
+    return options;
 }
 
-void vbss_collision_ask(const collision_rules *rules, const collision_question *question,
-                        collision_answer *answer, collision_counters *counters)
+void vbss_collision_run_ccd(const collision_ccd_options *options, const collision_ccd_query *query,
+                            collision_ccd_result *result, collision_counters *counters)
 {
-    switch (rules->method) {
+    switch (options->method) {
     case VBSS_COLLISION_CUBIC:
-        *answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
-        vbss_collision_cubic(rules, question, answer, counters);
+        *result = vbss_collision_ccd_miss(VBSS_DECISION_CLAIMED);
+        vbss_collision_run_cubic(options, query, result, counters);
         break;
     case VBSS_COLLISION_PAPER:
-        *answer = vbss_collision_miss(VBSS_DECISION_CLAIMED);
-        vbss_collision_paper(rules, question, answer, counters);
+        *result = vbss_collision_ccd_miss(VBSS_DECISION_CLAIMED);
+        vbss_collision_paper(options, query, result, counters);
         break;
     default:
-        *answer = vbss_collision_miss(VBSS_DECISION_PROVED);
-        vbss_collision_conservative(rules, question, answer, counters);
+        *result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
+        vbss_collision_run_conservative(options, query, result, counters);
         break;
     }
-    vbss_collision_count(counters, answer);
+    vbss_collision_count_result(counters, result);
 }
 
 vbss_result vbss_collision_check_coordinates(vbss_context *context, const double *values,
@@ -89,105 +89,106 @@ vbss_result vbss_collision_check_coordinates(vbss_context *context, const double
     VBSS_TRY(vbss_check_pointer(context, values, name));
     bool sound = true;
     for (size_t i = 0; i < count; i++) {
-        sound &= fabs(values[i]) <= COLLISION_FARTHEST;
+        sound &= fabs(values[i]) <= COLLISION_MAX_COORDINATE;
     }
     if (sound) {
         return VBSS_OK;
     }
     VBSS_TRY(vbss_check_finite(context, values, count, name));
     size_t i = 0;
-    while (fabs(values[i]) <= COLLISION_FARTHEST) {
+    while (fabs(values[i]) <= COLLISION_MAX_COORDINATE) {
         i++;
     }
     return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "%s[%llu] is %g, outside [-%g, %g]", name,
-                     (unsigned long long)i, values[i], COLLISION_FARTHEST, COLLISION_FARTHEST);
+                     (unsigned long long)i, values[i], COLLISION_MAX_COORDINATE,
+                     COLLISION_MAX_COORDINATE);
 }
 
 /* The point of a feature at the time of the answer, from its vertices first .. last. */
-static vec3 point_at(const collision_question *q, const collision_answer *answer, int first,
+static vec3 point_at(const collision_ccd_query *q, const collision_ccd_result *result, int first,
                      int last)
 {
     vec3 point = vec3_zero();
     for (int k = first; k <= last; k++) {
-        vec3 now = vec3_lerp(q->start[k], q->end[k], answer->time);
-        point = vec3_add_scaled(point, answer->weights[k], now);
+        vec3 now = vec3_lerp(q->start[k], q->end[k], result->time);
+        point = vec3_add_scaled(point, result->weights[k], now);
     }
     return point;
 }
 
-vbss_result vbss_collision_write_impact(vbss_context *context, const collision_question *question,
-                                        const collision_answer *answer, vbss_impact *impact,
+vbss_result vbss_collision_write_impact(vbss_context *context, const collision_ccd_query *query,
+                                        const collision_ccd_result *result, vbss_impact *impact,
                                         uint32_t struct_size)
 {
     vbss_impact own = {
         .struct_size = sizeof own,
-        .hit = answer->hit,
-        .decision = answer->decision,
-        .passes = answer->passes,
-        .time = answer->time,
-        .distance = answer->distance,
+        .hit = result->hit,
+        .decision = result->decision,
+        .passes = result->passes,
+        .time = result->time,
+        .distance = result->distance,
     };
-    if (answer->hit != 0) {
-        int last_of_a = question->kind == VBSS_PAIR_EDGE_EDGE ? 1 : 0;
-        vec3_store(own.normal, answer->normal);
-        memcpy(own.weights, answer->weights, sizeof own.weights);
-        vec3_store(own.point_a, point_at(question, answer, 0, last_of_a));
-        vec3_store(own.point_b, point_at(question, answer, last_of_a + 1, 3));
+    if (result->hit != 0) {
+        int last_of_a = query->kind == VBSS_PAIR_EDGE_EDGE ? 1 : 0;
+        vec3_store(own.normal, result->normal);
+        memcpy(own.weights, result->weights, sizeof own.weights);
+        vec3_store(own.point_a, point_at(query, result, 0, last_of_a));
+        vec3_store(own.point_b, point_at(query, result, last_of_a + 1, 3));
     }
     return vbss_struct_write(context, &impact_layout, &own, impact, struct_size);
 }
 
-void vbss_collision_set_vertices(collision_question *question, const double start[12],
+void vbss_collision_set_vertices(collision_ccd_query *query, const double start[12],
                                  const double end[12])
 {
     for (int k = 0; k < 4; k++) {
-        question->start[k] = vec3_load(start + 3 * (size_t)k);
-        question->end[k] = vec3_load(end + 3 * (size_t)k);
+        query->start[k] = vec3_load(start + 3 * (size_t)k);
+        query->end[k] = vec3_load(end + 3 * (size_t)k);
     }
 }
 
 /* With memory for exact decisions on the stack; apart, so that nothing else is called on top of it. */
-VBSS_NEVER_INLINE void ask_on_stack(const collision_rules *rules,
-                                    const collision_question *question, collision_answer *answer)
+VBSS_NEVER_INLINE void run_on_stack(const collision_ccd_options *options,
+                                    const collision_ccd_query *query, collision_ccd_result *result)
 {
     uint32_t limbs[COLLISION_STACK_LIMBS];
     collision_counters counters = {0};
-    collision_rules own = *rules;
+    collision_ccd_options own = *options;
     own.limbs = limbs;
     own.limb_count = COLLISION_STACK_LIMBS;
-    vbss_collision_ask(&own, question, answer, &counters);
+    vbss_collision_run_ccd(&own, query, result, &counters);
 }
 
 /* Without an object there is nobody to keep an error text. */
-static vbss_result test(const vbss_collision_config *config, vbss_pair_kind kind,
-                        const double *start, const double *end, vbss_impact *impact,
-                        uint32_t struct_size)
+static vbss_result run_test(const vbss_collision_config *config, vbss_pair_kind kind,
+                            const double *start, const double *end, vbss_impact *impact,
+                            uint32_t struct_size)
 {
     vbss_collision_config own = defaults;
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(NULL, &vbss_collision_config_layout, config, &own));
-        VBSS_TRY(vbss_collision_check_rules(NULL, &own));
+        VBSS_TRY(vbss_collision_check_ccd_options(NULL, &own));
     }
     VBSS_TRY(vbss_collision_check_coordinates(NULL, start, 12, "start"));
     VBSS_TRY(vbss_collision_check_coordinates(NULL, end, 12, "end"));
     VBSS_TRY(vbss_check_arithmetic(NULL));
-    collision_rules rules = vbss_collision_rules_of(&own);
-    collision_question question = {.kind = kind, .thickness = own.thickness};
-    vbss_collision_set_vertices(&question, start, end);
-    collision_answer answer;
-    ask_on_stack(&rules, &question, &answer);
-    return vbss_collision_write_impact(NULL, &question, &answer, impact, struct_size);
+    collision_ccd_options options = vbss_collision_ccd_options_of(&own);
+    collision_ccd_query query = {.kind = kind, .thickness = own.thickness};
+    vbss_collision_set_vertices(&query, start, end);
+    collision_ccd_result result;
+    run_on_stack(&options, &query, &result);
+    return vbss_collision_write_impact(NULL, &query, &result, impact, struct_size);
 }
 
 vbss_result vbss_edges_test(const vbss_collision_config *config, const double start[12],
                             const double end[12], vbss_impact *impact, uint32_t struct_size)
 {
-    return test(config, VBSS_PAIR_EDGE_EDGE, start, end, impact, struct_size);
+    return run_test(config, VBSS_PAIR_EDGE_EDGE, start, end, impact, struct_size);
 }
 
 vbss_result vbss_point_triangle_test(const vbss_collision_config *config, const double start[12],
                                      const double end[12], vbss_impact *impact,
                                      uint32_t struct_size)
 {
-    return test(config, VBSS_PAIR_POINT_TRIANGLE, start, end, impact, struct_size);
+    return run_test(config, VBSS_PAIR_POINT_TRIANGLE, start, end, impact, struct_size);
 }

@@ -12,8 +12,8 @@ uint32_t vbss_knot_count_factors(const knot_factors *f, int32_t wraps, int32_t h
     return count;
 }
 
-uint32_t vbss_knot_count_found(const knot_locating *l, uint32_t until, int32_t wraps,
-                               int32_t handedness)
+uint32_t vbss_knot_count_located(const knot_locator *l, uint32_t until, int32_t wraps,
+                                 int32_t handedness)
 {
     uint32_t count = 0;
     for (uint32_t i = 0; i < until; i++) {
@@ -22,12 +22,12 @@ uint32_t vbss_knot_count_found(const knot_locating *l, uint32_t until, int32_t w
     return count;
 }
 
-bool vbss_knot_has_first_throws(const knot_locating *l, const knot_reading *r, uint32_t count)
+bool vbss_knot_has_first_throws(const knot_locator *l, const knot_reading *r, uint32_t count)
 {
     bool same = knot_was_read(r) && r->factors.count == count;
     for (uint32_t i = 0; i < count && same; i++) {
         const knot_located *t = &l->throws[i];
-        same = vbss_knot_count_found(l, count, t->wraps, t->handedness) ==
+        same = vbss_knot_count_located(l, count, t->wraps, t->handedness) ==
                vbss_knot_count_factors(&r->factors, t->wraps, t->handedness);
     }
     return same;
@@ -42,20 +42,21 @@ static double place_of(const knot_polygon *p, double at)
     if (a >= 0.0 && b >= 0.0) {
         return a + (at - i) * (b - a);
     }
-    return greater(a, b); /* beyond an end: that end */
+    return vbss_max(a, b); /* beyond an end: that end */
 }
 
 /* Where a throw lies on both limbs: the ranges of its own crossings before and after the tissue, or of its two
  * strands when nobody knows where that is or the throw is in one limb alone. (Of a half hitch they are not its strands.) */
-static void take_places(const knot_locating *l, const knot_code *code, const knot_factors *f,
-                        uint32_t number, knot_located *t)
+static void find_throw_places(const knot_locator *l, const knot_gauss_code *code,
+                              const knot_factors *f, uint32_t number, knot_located *t)
 {
     const knot_factor *own = &f->factors[number];
-    const double tissue = l->scene->tissue_place;
+    const double tissue = l->input->tissue_place;
     uint32_t split[2] = {own->strand_end, own->strand_begin};
-    t->stray = l->closing->has_tissue && (place_of(&l->polygon, code->at[own->last]) < tissue ||
-                                          place_of(&l->polygon, code->at[own->first]) > tissue);
-    if (l->closing->has_tissue && !t->stray) {
+    t->stray =
+        l->closure->has_tissue && (place_of(&l->polygon, code->position[own->last]) < tissue ||
+                                   place_of(&l->polygon, code->position[own->first]) > tissue);
+    if (l->closure->has_tissue && !t->stray) {
         split[0] = own->first;
         split[1] = own->last;
         for (uint32_t e = own->first; e <= own->last; e++) {
@@ -65,7 +66,7 @@ static void take_places(const knot_locating *l, const knot_code *code, const kno
                 inner = other->first > own->first && other->last < own->last && e >= other->first &&
                         e <= other->last;
             }
-            bool before = place_of(&l->polygon, code->at[e]) <= tissue;
+            bool before = place_of(&l->polygon, code->position[e]) <= tissue;
             if (!inner && before) {
                 split[0] = e;
             } else if (!inner && e < split[1]) {
@@ -73,10 +74,10 @@ static void take_places(const knot_locating *l, const knot_code *code, const kno
             }
         }
     }
-    t->tail_places[0] = place_of(&l->polygon, code->at[own->first]);
-    t->tail_places[1] = place_of(&l->polygon, code->at[split[0]]);
-    t->long_places[0] = place_of(&l->polygon, code->at[split[1]]);
-    t->long_places[1] = place_of(&l->polygon, code->at[own->last]);
+    t->tail_places[0] = place_of(&l->polygon, code->position[own->first]);
+    t->tail_places[1] = place_of(&l->polygon, code->position[split[0]]);
+    t->long_places[0] = place_of(&l->polygon, code->position[split[1]]);
+    t->long_places[1] = place_of(&l->polygon, code->position[own->last]);
 }
 
 bool vbss_knot_is_inside(const knot_located *a, const knot_located *b)
@@ -85,7 +86,7 @@ bool vbss_knot_is_inside(const knot_located *a, const knot_located *b)
 }
 
 /* About the tissue first, from the inside out; then stray ones, along the thread. */
-static void sort_throws(knot_locating *l)
+static void sort_throws(knot_locator *l)
 {
     for (uint32_t i = 1; i < l->count; i++) {
         knot_located moving = l->throws[i];
@@ -105,7 +106,7 @@ static void sort_throws(knot_locating *l)
     }
 }
 
-bool vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_factors *f)
+bool vbss_knot_locate_throws(knot_locator *l, const knot_gauss_code *code, const knot_factors *f)
 {
     bool on_thread = true;
     l->count = f->count;
@@ -113,9 +114,9 @@ bool vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_fact
         knot_located *t = &l->throws[i];
         *t = (knot_located){
             .located = true, .wraps = f->factors[i].wraps, .handedness = f->factors[i].handedness};
-        take_places(l, code, f, i, t);
-        on_thread &= lesser(lesser(t->tail_places[0], t->tail_places[1]),
-                            lesser(t->long_places[0], t->long_places[1])) >= 0.0;
+        find_throw_places(l, code, f, i, t);
+        on_thread &= vbss_min(vbss_min(t->tail_places[0], t->tail_places[1]),
+                              vbss_min(t->long_places[0], t->long_places[1])) >= 0.0;
     }
     sort_throws(l);
     uint32_t about = 0;
@@ -134,18 +135,18 @@ bool vbss_knot_take_off(knot_locating *l, const knot_code *code, const knot_fact
 
 /* Whether what lies in one limb alone is what the limb has. Moves of a code know nothing of the tissue's ray: a
  * diagram may show a throw beside the tissue that is about it, or the reverse. */
-bool vbss_knot_has_strays(const knot_locating *l)
+bool vbss_knot_strays_agree(const knot_locator *l)
 {
     uint32_t found[2] = {0, 0};
     bool same = true;
     for (uint32_t i = 0; i < l->count && same; i++) {
         const knot_located *t = &l->throws[i];
-        uint32_t side = t->tail_places[0] > l->scene->tissue_place, alike = 0;
+        uint32_t side = t->tail_places[0] > l->input->tissue_place, alike = 0;
         for (uint32_t k = 0; k < l->count && t->stray; k++) {
             const knot_located *other = &l->throws[k];
             alike += other->stray && other->wraps == t->wraps &&
                      other->handedness == t->handedness &&
-                     (other->tail_places[0] > l->scene->tissue_place) == (side == 1);
+                     (other->tail_places[0] > l->input->tissue_place) == (side == 1);
         }
         found[side] += t->stray;
         same = !t->stray ||

@@ -1,16 +1,16 @@
 /* What conservative advancement works with; the same for one question and for rows. */
-#ifndef VBSS_COLLISION_CONSERVATIVE_H
-#define VBSS_COLLISION_CONSERVATIVE_H
+#ifndef VBSS_COLLISION_CONSERVATIVE_ADVANCEMENT_H
+#define VBSS_COLLISION_CONSERVATIVE_ADVANCEMENT_H
 
 #include "collision/collision.h"
 
 /* Vertices 1, 2, 3 of a question relative to vertex 0. */
-typedef struct collision_relative {
+typedef struct collision_relative_motion {
     vec3 start[3], end[3];
     double size; /* largest coordinate */
-} collision_relative;
+} collision_relative_motion;
 
-static inline vec3 relative_at(const collision_relative *m, int vertex, double t)
+static inline vec3 relative_at(const collision_relative_motion *m, int vertex, double t)
 {
     return vec3_add_scaled(m->start[vertex], t, vec3_sub(m->end[vertex], m->start[vertex]));
 }
@@ -21,16 +21,16 @@ static inline vec3 relative_at(const collision_relative *m, int vertex, double t
 #define VOLUME_UNDERFLOW 1e-290
 
 typedef struct conservative_bounds {
-    double clear;           /* a direction that separates by this proves more than D */
+    double clearance;       /* a direction that separates by this proves more than D */
     double near_square;     /* features that are within the root of this have hit */
     double rounding_square; /* vectors shorter than the root of this have no direction */
 } conservative_bounds;
 
 /* The least tolerance, as a share of size and D; how much of it a hit may use, a hair less than all, so
  * that rounding does not let it beyond; and below which share of the size a vector is all rounding. */
-#define LEAST_TOLERANCE (128.0 * DBL_EPSILON)
-#define NEAR_SHARE 0.999
-#define ROUNDING_SHARE (16.0 * DBL_EPSILON)
+#define MIN_TOLERANCE (128.0 * DBL_EPSILON)
+#define HIT_FRACTION 0.999
+#define ROUNDING_FRACTION (16.0 * DBL_EPSILON)
 /* With D = 0: fourth powers of lengths might underflow below this size. */
 #define TINY_SIZE 1e-50
 
@@ -48,18 +48,18 @@ static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
 static inline conservative_bounds conservative_bounds_of(double tolerance, double thickness,
                                                          double size)
 {
-    double least = LEAST_TOLERANCE * (size + thickness), wanted = tolerance * thickness;
-    double whole = wanted < least ? least : wanted;
-    double near = thickness + NEAR_SHARE * whole;
+    double min_tolerance = MIN_TOLERANCE * (size + thickness), wanted = tolerance * thickness;
+    double whole = wanted < min_tolerance ? min_tolerance : wanted;
+    double near = thickness + HIT_FRACTION * whole;
     /* Then nothing is proved, all is left to exact arithmetic. */
     bool tiny = thickness == 0.0 && size < TINY_SIZE;
-    double rounding = ROUNDING_SHARE * size;
+    double rounding = ROUNDING_FRACTION * size;
     conservative_bounds bounds = {thickness + 0.5 * whole, tiny ? DBL_MAX : near * near,
                                   rounding * rounding};
     return bounds;
 }
 
 /* Proved without thickness to be apart all the time; false says nothing. */
-bool vbss_collision_apart(const collision_question *question);
+bool vbss_collision_proves_separation(const collision_ccd_query *query);
 
 #endif

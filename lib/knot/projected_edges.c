@@ -2,7 +2,7 @@
  *
  * Edges that stand side by side in lanes are neighbours on the curve, and have a box together. Edges that are
  * much longer than most, which are those of a closure, have none: they would be in every box. */
-#include "knot/sheet.h"
+#include "knot/projected_edges.h"
 
 enum { FLAT_ARRAYS = 7, BOX_ARRAYS = 4 };
 
@@ -11,7 +11,7 @@ enum { FLAT_ARRAYS = 7, BOX_ARRAYS = 4 };
 #define COORDINATE_ERROR (8.0 * 0x1p-53)
 
 /* Edges of more than LONG times the mean of all that are not longer than the mean. */
-#define LONG 8.0
+#define LONG_EDGE_RATIO 8.0
 
 /* ---- arrays */
 
@@ -37,34 +37,35 @@ void vbss_knot_projector_arrays(knot_projector *p, uint32_t capacity,
     arrays[2] = (vbss_array){&p->order, 2 * (size_t)capacity, sizeof *p->order};
 }
 
-static knot_sheet sheet_of(knot_projector *p, uint32_t count, knot_code *code)
+static knot_projected_edges projected_edges_in(knot_projector *p, uint32_t count,
+                                               knot_gauss_code *code)
 {
     uint32_t wide = padded(count), all = wide + padded_groups(wide);
     double *flat = p->flat, *boxes = p->boxes;
-    return (knot_sheet){.count = count,
-                        .groups = wide / LANES,
-                        .x = flat,
-                        .y = flat + wide,
-                        .z = flat + 2 * (size_t)wide,
-                        .dx = flat + 3 * (size_t)wide,
-                        .dy = flat + 4 * (size_t)wide,
-                        .dz = flat + 5 * (size_t)wide,
-                        .bound = flat + 6 * (size_t)wide,
-                        .low_x = boxes,
-                        .high_x = boxes + all,
-                        .low_y = boxes + 2 * (size_t)all,
-                        .high_y = boxes + 3 * (size_t)all,
-                        .grouped = wide,
-                        .spare = wide + padded(wide / LANES),
-                        .heads = p->order,
-                        .longs = p->order + count,
-                        .code = code};
+    return (knot_projected_edges){.count = count,
+                                  .groups = wide / LANES,
+                                  .x = flat,
+                                  .y = flat + wide,
+                                  .z = flat + 2 * (size_t)wide,
+                                  .dx = flat + 3 * (size_t)wide,
+                                  .dy = flat + 4 * (size_t)wide,
+                                  .dz = flat + 5 * (size_t)wide,
+                                  .bound = flat + 6 * (size_t)wide,
+                                  .low_x = boxes,
+                                  .high_x = boxes + all,
+                                  .low_y = boxes + 2 * (size_t)all,
+                                  .high_y = boxes + 3 * (size_t)all,
+                                  .grouped = wide,
+                                  .spare = wide + padded(wide / LANES),
+                                  .heads = p->order,
+                                  .longs = p->order + count,
+                                  .code = code};
 }
 
 /* ---- edges */
 
 /* Distances are from a vertex in the middle, which is not one of a closure. False: no numbers. */
-static bool turn(knot_sheet *s, const vec3 *x, vec3 direction)
+static bool rotate_to_frame(knot_projected_edges *s, const vec3 *x, vec3 direction)
 {
     vec3 right = vec3_any_normal(direction), ahead = vec3_cross(direction, right);
     vec3 origin = x[s->count / 2];
@@ -75,7 +76,8 @@ static bool turn(knot_sheet *s, const vec3 *x, vec3 direction)
         s->x[i] = at.x;
         s->y[i] = at.y;
         s->z[i] = at.z;
-        size = vbss_larger(vbss_larger(vbss_larger(size, fabs(at.x)), fabs(at.y)), fabs(at.z));
+        size = vbss_max_or_nan(vbss_max_or_nan(vbss_max_or_nan(size, fabs(at.x)), fabs(at.y)),
+                               fabs(at.z));
     }
     s->x[s->count] = s->x[0];
     s->y[s->count] = s->y[0];
@@ -87,7 +89,7 @@ static bool turn(knot_sheet *s, const vec3 *x, vec3 direction)
 
 /* The turn of two edges whose boxes meet is wrong by 2.75 errors of each difference in it at most, rounding
  * of products included, and by 10 squares of the error. */
-static double set_edges(knot_sheet *s)
+static double set_edges(knot_projected_edges *s)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -96,7 +98,7 @@ static double set_edges(knot_sheet *s)
         s->dz[i] = s->z[i + 1] - s->z[i];
         double length = fabs(s->dx[i]) + fabs(s->dy[i]);
         s->bound[i] = s->error * (9.0 * length + 16.0 * s->error);
-        s->heads[i] = SHEET_NO_ENTRY;
+        s->heads[i] = KNOT_NO_ENTRY;
         sum += length;
     }
     for (uint32_t i = s->count; i < LANES * s->groups; i++) { /* lanes that nobody asks for */
@@ -109,13 +111,13 @@ static double set_edges(knot_sheet *s)
 
 /* ---- boxes */
 
-static void no_box(knot_sheet *s, uint32_t at)
+static void set_empty_box(knot_projected_edges *s, uint32_t at)
 {
     s->low_x[at] = s->low_y[at] = DBL_MAX;
     s->high_x[at] = s->high_y[at] = -DBL_MAX;
 }
 
-static double longest_with_box(const knot_sheet *s, double sum)
+static double longest_with_box(const knot_projected_edges *s, double sum)
 {
     double mean = sum / s->count, short_sum = 0.0, shorts = 0.0;
     for (uint32_t i = 0; i < s->count; i++) {
@@ -124,56 +126,57 @@ static double longest_with_box(const knot_sheet *s, double sum)
         short_sum += is_short ? length : 0.0;
         shorts += is_short ? 1.0 : 0.0;
     }
-    return shorts > 0.0 ? LONG * (short_sum / shorts) : mean;
+    return shorts > 0.0 ? LONG_EDGE_RATIO * (short_sum / shorts) : mean;
 }
 
-void vbss_knot_sheet_box(knot_sheet *s, uint32_t i, uint32_t to)
+void vbss_knot_projected_edges_set_box(knot_projected_edges *s, uint32_t i, uint32_t to)
 {
-    s->low_x[to] = lesser(s->x[i], s->x[i + 1]) - s->error;
-    s->high_x[to] = greater(s->x[i], s->x[i + 1]) + s->error;
-    s->low_y[to] = lesser(s->y[i], s->y[i + 1]) - s->error;
-    s->high_y[to] = greater(s->y[i], s->y[i + 1]) + s->error;
+    s->low_x[to] = vbss_min(s->x[i], s->x[i + 1]) - s->error;
+    s->high_x[to] = vbss_max(s->x[i], s->x[i + 1]) + s->error;
+    s->low_y[to] = vbss_min(s->y[i], s->y[i + 1]) - s->error;
+    s->high_y[to] = vbss_max(s->y[i], s->y[i + 1]) + s->error;
 }
 
 /* Edges longer than that go without a box, if they are few. */
-static void box_edges(knot_sheet *s, double longest)
+static void box_edges(knot_projected_edges *s, double longest)
 {
-    uint32_t most = s->count / 16 + LANES;
+    uint32_t max_long = s->count / 16 + LANES;
     for (uint32_t i = 0; i < s->count; i++) {
-        if (fabs(s->dx[i]) + fabs(s->dy[i]) > longest && s->long_count < most) {
+        if (fabs(s->dx[i]) + fabs(s->dy[i]) > longest && s->long_count < max_long) {
             s->longs[s->long_count++] = i;
-            no_box(s, i);
+            set_empty_box(s, i);
         } else {
-            vbss_knot_sheet_box(s, i, i);
+            vbss_knot_projected_edges_set_box(s, i, i);
         }
     }
     for (uint32_t i = s->count; i < s->groups * LANES; i++) {
-        no_box(s, i);
+        set_empty_box(s, i);
     }
 }
 
-static void box_groups(knot_sheet *s)
+static void box_groups(knot_projected_edges *s)
 {
     for (uint32_t g = 0; g < s->groups; g++) {
         uint32_t to = s->grouped + g;
-        no_box(s, to);
+        set_empty_box(s, to);
         for (uint32_t i = LANES * g; i < LANES * (g + 1); i++) {
-            s->low_x[to] = lesser(s->low_x[to], s->low_x[i]);
-            s->high_x[to] = greater(s->high_x[to], s->high_x[i]);
-            s->low_y[to] = lesser(s->low_y[to], s->low_y[i]);
-            s->high_y[to] = greater(s->high_y[to], s->high_y[i]);
+            s->low_x[to] = vbss_min(s->low_x[to], s->low_x[i]);
+            s->high_x[to] = vbss_max(s->high_x[to], s->high_x[i]);
+            s->low_y[to] = vbss_min(s->low_y[to], s->low_y[i]);
+            s->high_y[to] = vbss_max(s->high_y[to], s->high_y[i]);
         }
     }
     for (uint32_t to = s->grouped + s->groups; to < s->spare; to++) {
-        no_box(s, to);
+        set_empty_box(s, to);
     }
 }
 
-bool vbss_knot_sheet_lay(knot_sheet *s, knot_projector *p, const knot_polygon *polygon,
-                         vec3 direction, knot_code *code)
+bool vbss_knot_projected_edges_init(knot_projected_edges *s, knot_projector *p,
+                                    const knot_polygon *polygon, vec3 direction,
+                                    knot_gauss_code *code)
 {
-    *s = sheet_of(p, polygon->count, code);
-    if (!turn(s, polygon->x, direction)) {
+    *s = projected_edges_in(p, polygon->count, code);
+    if (!rotate_to_frame(s, polygon->x, direction)) {
         return false;
     }
     double sum = set_edges(s);

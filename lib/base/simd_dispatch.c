@@ -1,12 +1,12 @@
 /* Whether the hot loops can be run with AVX2. */
-#include "base/wide.h"
+#include "base/simd_dispatch.h"
 
 #if defined(VBSS_HAVE_WIDE)
 
 #include <cpuid.h>
 
 /* The processor has AVX2, and the system keeps the wide registers. */
-bool vbss_wide_is_there(void)
+bool vbss_wide_is_available(void)
 {
     unsigned a, b, c, d;
     if (__get_cpuid(1, &a, &b, &c, &d) == 0 || (c & bit_OSXSAVE) == 0 || (c & bit_AVX) == 0) {
@@ -24,7 +24,7 @@ bool vbss_wide_is_there(void)
 
 #else
 
-bool vbss_wide_is_there(void)
+bool vbss_wide_is_available(void)
 {
     return false;
 }

@@ -9,19 +9,20 @@
 /* The configuration that must be the same; what only sizes memory may differ. */
 static void visit_config(vbss_stream *stream, const collision_object *c)
 {
-    const double numbers[] = {c->thickness,     c->rules.tolerance,      c->config.exclusion,
-                              c->config.margin, c->rules.paper_parallel, c->rules.paper_unit};
+    const double numbers[] = {
+        c->thickness,     c->ccd_options.tolerance,      c->config.exclusion,
+        c->config.margin, c->ccd_options.paper_parallel, c->ccd_options.paper_unit};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        vbss_stream_same_f64(stream, 1, numbers[i]);
+        vbss_stream_expect_f64(stream, 1, numbers[i]);
     }
-    vbss_stream_same(stream, 2, (uint64_t)c->rules.method);
-    vbss_stream_same(stream, 3, c->rules.pass_limit);
+    vbss_stream_expect(stream, 2, (uint64_t)c->ccd_options.method);
+    vbss_stream_expect(stream, 3, c->ccd_options.pass_limit);
 }
 
 static void visit_shape(vbss_stream *stream, collision_shape *s)
 {
     size_t numbers = 3u * (size_t)s->node_count;
-    vbss_stream_same(stream, 11, s->topology);
+    vbss_stream_expect(stream, 11, s->topology_hash);
     vbss_stream_f64(stream, 12, &s->start[0].x, numbers);
     vbss_stream_f64(stream, 13, &s->end[0].x, numbers);
     vbss_stream_u32(stream, 14, &s->category, 1);
@@ -29,9 +30,9 @@ static void visit_shape(vbss_stream *stream, collision_shape *s)
     if (stream->mode != VBSS_STREAM_READ) {
         return;
     }
-    vbss_collision_shape_moved(s);
-    if (vbss_largest(&s->start[0].x, numbers) > COLLISION_FARTHEST ||
-        vbss_largest(&s->end[0].x, numbers) > COLLISION_FARTHEST) {
+    vbss_collision_shape_invalidate(s);
+    if (vbss_max_abs(&s->start[0].x, numbers) > COLLISION_MAX_COORDINATE ||
+        vbss_max_abs(&s->end[0].x, numbers) > COLLISION_MAX_COORDINATE) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a coordinate is too large");
     }
 }
@@ -51,11 +52,11 @@ void vbss_collision_serialise(vbss_stream *stream, void *object)
 {
     collision_object *c = object;
     visit_config(stream, c);
-    vbss_stream_same(stream, 4, c->shape_count);
-    for (uint32_t name = 0; name < c->shape_count; name++) {
-        vbss_stream_same(stream, 10, c->shapes[name] != NULL);
-        if (c->shapes[name] != NULL) {
-            visit_shape(stream, c->shapes[name]);
+    vbss_stream_expect(stream, 4, c->shape_count);
+    for (uint32_t id = 0; id < c->shape_count; id++) {
+        vbss_stream_expect(stream, 10, c->shapes[id] != NULL);
+        if (c->shapes[id] != NULL) {
+            visit_shape(stream, c->shapes[id]);
         }
     }
     visit_counters(stream, c);
@@ -74,7 +75,7 @@ vbss_result vbss_collision_restore(vbss_collision *collision, const uint8_t *byt
     collision_object *c;
     VBSS_TRY(vbss_object_restore(collision, &vbss_collision_kind, bytes, count));
     VBSS_TRY(vbss_collision_open(collision, &c));
-    vbss_collision_forget(c);
+    vbss_collision_clear_results(c);
     c->generation++;
     return VBSS_OK;
 }

@@ -5,28 +5,29 @@
 
 enum { NO_ENTRY = 0xffff };
 
-void vbss_knot_code_arrays(knot_code *code, uint32_t capacity, vbss_array arrays[KNOT_CODE_ARRAYS])
+void vbss_knot_gauss_code_arrays(knot_gauss_code *code, uint32_t capacity,
+                                 vbss_array arrays[KNOT_GAUSS_CODE_ARRAYS])
 {
     code->capacity = capacity;
     arrays[0] = (vbss_array){&code->crossing, 2 * (size_t)capacity, sizeof *code->crossing};
     arrays[1] = (vbss_array){&code->over, 2 * (size_t)capacity, sizeof *code->over};
-    arrays[2] = (vbss_array){&code->at, 2 * (size_t)capacity, sizeof *code->at};
+    arrays[2] = (vbss_array){&code->position, 2 * (size_t)capacity, sizeof *code->position};
     arrays[3] = (vbss_array){&code->sign, capacity, sizeof *code->sign};
     arrays[4] = (vbss_array){&code->scratch, 4 * (size_t)capacity, sizeof *code->scratch};
 }
 
-void vbss_knot_code_copy(knot_code *to, const knot_code *from)
+void vbss_knot_gauss_code_copy(knot_gauss_code *to, const knot_gauss_code *from)
 {
     size_t entries = 2 * (size_t)from->n;
     to->n = from->n;
     memcpy(to->crossing, from->crossing, entries * sizeof *to->crossing);
     memcpy(to->over, from->over, entries * sizeof *to->over);
-    memcpy(to->at, from->at, entries * sizeof *to->at);
+    memcpy(to->position, from->position, entries * sizeof *to->position);
     memcpy(to->sign, from->sign, from->n * sizeof *to->sign);
 }
 
 /* Of each entry: the other one of its crossing. False: not every crossing has two, one over the other. */
-static bool find_mates(const knot_code *code, uint16_t *mate, uint16_t *first)
+static bool find_mates(const knot_gauss_code *code, uint16_t *mate, uint16_t *first)
 {
     for (uint32_t c = 0; c < code->n; c++) {
         first[c] = NO_ENTRY;
@@ -56,23 +57,23 @@ static bool find_mates(const knot_code *code, uint16_t *mate, uint16_t *first)
 enum { FORWARD = 1, BACKWARD = 2 };
 
 /* Walks round a face, which is on the left, from the arc after entry e on. */
-static void walk_round(const knot_code *code, const uint16_t *mate, uint16_t *seen, uint32_t e,
-                       uint32_t way)
+static void trace_face(const knot_gauss_code *code, const uint16_t *mate, uint16_t *seen,
+                       uint32_t e, uint32_t direction)
 {
     uint32_t last = 2 * code->n - 1;
-    while ((seen[e] & way) == 0) {
-        seen[e] |= (uint16_t)way;
-        uint32_t here = way == BACKWARD ? e : e == last ? 0 : e + 1;
+    while ((seen[e] & direction) == 0) {
+        seen[e] |= (uint16_t)direction;
+        uint32_t here = direction == BACKWARD ? e : e == last ? 0 : e + 1;
         /* Seen along the curve, the other strand goes from right to left: */
         bool leftward = (code->over[here] != 0) == (code->sign[code->crossing[here]] > 0);
         uint32_t other = mate[here];
-        bool onward = leftward == (way == FORWARD);
+        bool onward = leftward == (direction == FORWARD);
         e = onward ? other : other == 0 ? last : other - 1;
-        way = onward ? FORWARD : BACKWARD;
+        direction = onward ? FORWARD : BACKWARD;
     }
 }
 
-bool vbss_knot_code_is_planar(const knot_code *code)
+bool vbss_knot_gauss_code_is_planar(const knot_gauss_code *code)
 {
     uint16_t *mate = code->scratch, *seen = code->scratch + 2 * (size_t)code->n;
     if (code->n == 0) {
@@ -84,9 +85,9 @@ bool vbss_knot_code_is_planar(const knot_code *code)
     memset(seen, 0, 2 * (size_t)code->n * sizeof *seen);
     uint32_t faces = 0;
     for (uint32_t e = 0; e < 2 * code->n; e++) {
-        for (uint32_t way = FORWARD; way <= BACKWARD; way++) {
-            faces += (seen[e] & way) == 0 ? 1 : 0;
-            walk_round(code, mate, seen, e, way);
+        for (uint32_t direction = FORWARD; direction <= BACKWARD; direction++) {
+            faces += (seen[e] & direction) == 0 ? 1 : 0;
+            trace_face(code, mate, seen, e, direction);
         }
     }
     return faces == code->n + 2;
@@ -107,7 +108,7 @@ typedef struct knot_ring {
         stack; /* an entry that is gone: `next` of it is the one below, `previous` what to look at */
 } knot_ring;
 
-static knot_ring ring_of(knot_code *code)
+static knot_ring ring_of(knot_gauss_code *code)
 {
     uint32_t count = 2 * code->n;
     knot_ring r = {code->crossing, code->scratch, code->scratch + count,
@@ -146,54 +147,56 @@ static uint32_t unlink_two(knot_ring *r, uint32_t first, uint32_t second)
     return before;
 }
 
-static void look_again(knot_ring *r, uint32_t at, uint32_t room)
+static void push_entry(knot_ring *r, uint32_t at, uint32_t freed)
 {
-    r->next[room] = (uint16_t)r->stack;
-    r->previous[room] = (uint16_t)at;
-    r->stack = room;
+    r->next[freed] = (uint16_t)r->stack;
+    r->previous[freed] = (uint16_t)at;
+    r->stack = freed;
 }
 
 /* What entry e and the next do. */
-static bool take_away(knot_ring *r, uint32_t e)
+static bool apply_move(knot_ring *r, uint32_t e)
 {
     uint32_t next = r->next[e], mate = r->mate[e], mate_of_next = r->mate[next];
     if (next == mate) { /* I: a loop */
-        look_again(r, unlink_two(r, e, next), e);
+        push_entry(r, unlink_two(r, e, next), e);
         return true;
     }
-    bool same_way = r->next[mate] == mate_of_next, other_way = r->next[mate_of_next] == mate;
-    if (!(same_way || other_way) ||
+    bool same_direction = r->next[mate] == mate_of_next,
+         opposite_direction = r->next[mate_of_next] == mate;
+    if (!(same_direction || opposite_direction) ||
         ((r->flags[e] ^ r->flags[next]) & (OVER | POSITIVE)) != POSITIVE) {
         return false;
     }
     /* II: one strand over the other and back */
     uint32_t before = unlink_two(r, e, next);
-    uint32_t first = same_way ? mate : mate_of_next, second = same_way ? mate_of_next : mate;
+    uint32_t first = same_direction ? mate : mate_of_next,
+             second = same_direction ? mate_of_next : mate;
     uint32_t before_mates = unlink_two(r, first, second);
-    look_again(r, before, e);
-    look_again(r, before_mates, first);
+    push_entry(r, before, e);
+    push_entry(r, before_mates, first);
     return true;
 }
 
-static void take_away_all(knot_ring *r)
+static void apply_moves(knot_ring *r)
 {
     uint32_t count = r->left;
     for (uint32_t e = 0; e < count; e++) {
         uint32_t at = e;
         while (at != NO_ENTRY) {
             if ((r->flags[at] & GONE) == 0) {
-                take_away(r, at);
+                apply_move(r, at);
             }
-            uint32_t room = r->stack;
-            at = room == NO_ENTRY ? NO_ENTRY : r->previous[room];
-            r->stack = room == NO_ENTRY ? NO_ENTRY : r->next[room];
+            uint32_t freed = r->stack;
+            at = freed == NO_ENTRY ? NO_ENTRY : r->previous[freed];
+            r->stack = freed == NO_ENTRY ? NO_ENTRY : r->next[freed];
         }
     }
 }
 
 /* What is left becomes a code again, in its order. Links are not needed any more: `next` of the second passage of a
  * crossing is told its number by the first. */
-static void close_ranks(knot_code *code, const knot_ring *r, uint32_t count)
+static void compact_code(knot_gauss_code *code, const knot_ring *r, uint32_t count)
 {
     uint32_t to = 0, visited = 0;
     for (uint32_t e = 0; e < count; e++) {
@@ -208,18 +211,18 @@ static void close_ranks(knot_code *code, const knot_ring *r, uint32_t count)
         }
         code->crossing[to] = r->next[e];
         code->over[to] = (flags & OVER) != 0;
-        code->at[to++] = code->at[e];
+        code->position[to++] = code->position[e];
     }
     code->n = visited;
 }
 
-void vbss_knot_code_simplify(knot_code *code, knot_work *work)
+void vbss_knot_gauss_code_simplify(knot_gauss_code *code, knot_ops *budget)
 {
     uint32_t count = 2 * code->n;
-    *work -= 4 * (knot_work)count;
+    *budget -= 4 * (knot_ops)count;
     if (count > 0) {
         knot_ring ring = ring_of(code);
-        take_away_all(&ring);
-        close_ranks(code, &ring, count);
+        apply_moves(&ring);
+        compact_code(code, &ring, count);
     }
 }

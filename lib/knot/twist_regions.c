@@ -11,10 +11,10 @@
  * between its entries lie such intervals only, which end before it does: so they all are found, inner ones first. */
 #include "knot/knot.h"
 
-enum { LEAST_CROSSINGS = 3 };
+enum { MIN_CROSSINGS = 3 };
 
 /* Whether the 2 m entries are a block; they are known to hold some crossing as the last of each half. */
-static bool is_block(const knot_code *code, const uint16_t *entries, uint32_t m)
+static bool is_block(const knot_gauss_code *code, const uint16_t *entries, uint32_t m)
 {
     int8_t sign = code->sign[code->crossing[entries[0]]];
     bool over = code->over[entries[0]] != 0;
@@ -30,7 +30,7 @@ static bool is_block(const knot_code *code, const uint16_t *entries, uint32_t m)
     return true;
 }
 
-static knot_factor factor_of(const knot_code *code, const uint16_t *entries, uint32_t m)
+static knot_factor factor_of(const knot_gauss_code *code, const uint16_t *entries, uint32_t m)
 {
     knot_factor factor = {.wraps = (int32_t)(m / 2),
                           .handedness = code->sign[code->crossing[entries[0]]] > 0 ? 1 : -1,
@@ -56,10 +56,10 @@ static bool are_nested(const knot_factors *factors)
 static uint32_t crossings_on_top(uint32_t first, uint32_t top)
 {
     uint32_t m = top - first;
-    return m >= LEAST_CROSSINGS && m % 2 == 1 && top + 1 >= 2 * m ? m : 0;
+    return m >= MIN_CROSSINGS && m % 2 == 1 && top + 1 >= 2 * m ? m : 0;
 }
 
-static bool take_apart(const knot_code *code, knot_factors *factors)
+static bool pop_blocks(const knot_gauss_code *code, knot_factors *factors)
 {
     uint16_t *stack = code->scratch, *first = stack + 2 * (size_t)code->n, *seen = first + code->n;
     uint32_t height = 0;
@@ -89,10 +89,10 @@ static bool take_apart(const knot_code *code, knot_factors *factors)
     return height == 0;
 }
 
-bool vbss_knot_twists(const knot_code *code, knot_factors *factors)
+bool vbss_knot_decompose(const knot_gauss_code *code, knot_factors *factors)
 {
     *factors = (knot_factors){.count = 0};
-    if (code->n > UINT16_MAX / 2 || !take_apart(code, factors)) {
+    if (code->n > UINT16_MAX / 2 || !pop_blocks(code, factors)) {
         *factors = (knot_factors){.count = 0};
         return false;
     }

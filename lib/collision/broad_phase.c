@@ -1,0 +1,269 @@
+/* The search for candidates: which shapes to walk together, and putting the pairs in order.
+ *
+ * For each shape as b in turn, all shapes a that come near it are walked with it, and the pairs of a walk
+ * are sorted by feature b, if they do not come so. Thus the pairs of any feature a are found sorted by
+ * shape and feature b, and one counting sort by shape and feature a puts the list in order, however
+ * the trees look. */
+#include "base/check.h"
+#include "base/error.h"
+#include "collision/shapes.h"
+
+#include <string.h>
+
+/* ---- boxes of what has moved */
+
+static void list_active_shapes(collision_object *c)
+{
+    c->active_count = 0;
+    for (uint32_t id = 0; id < c->shape_count; id++) {
+        if (c->shapes[id] != NULL && !c->shapes[id]->is_disabled) {
+            c->active_shapes[c->active_count++] = id;
+        }
+    }
+    vbss_collision_bvh_set_count(&c->shape_bvh, c->active_count);
+    c->active_valid = true;
+}
+
+static void refit_shapes(collision_object *c)
+{
+    if (!c->active_valid) {
+        list_active_shapes(c);
+    }
+    for (uint32_t i = 0; i < c->active_count; i++) {
+        collision_shape *s = c->shapes[c->active_shapes[i]];
+        vbss_collision_shape_update_boxes(s);
+        c->shape_bvh.boxes[i] = s->root;
+        s->edge_offsets_used = s->point_offsets_used = false;
+    }
+    if (c->active_count > 0) {
+        vbss_collision_bvh_refit(&c->shape_bvh);
+    }
+}
+
+/* ---- walks */
+
+static uint32_t *edge_offsets_of(collision_shape *s)
+{
+    if (!s->edge_offsets_used) {
+        memset(s->edge_offsets, 0, s->edge_count * sizeof *s->edge_offsets);
+        s->edge_offsets_used = true;
+    }
+    return s->edge_offsets;
+}
+
+static uint32_t *point_offsets_of(collision_shape *s)
+{
+    if (!s->point_offsets_used) {
+        memset(s->point_offsets, 0, s->node_count * sizeof *s->point_offsets);
+        s->point_offsets_used = true;
+    }
+    return s->point_offsets;
+}
+
+/* Turns numbers of candidates into the place of the first, each after the one before. */
+static uint32_t exclusive_scan(uint32_t *offsets, uint32_t count, uint32_t offset)
+{
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t here = offsets[i];
+        offsets[i] = offset;
+        offset += here;
+    }
+    return offset;
+}
+
+/* ---- pairs of a walk that came in the order of a tree */
+
+#define INSERTION_SORT_LIMIT 24u /* pairs that are sorted faster by inserting */
+
+static void insertion_sort(collision_pair *pairs, uint32_t count)
+{
+    for (uint32_t i = 1; i < count; i++) {
+        collision_pair pair = pairs[i];
+        uint32_t k = i;
+        for (; k > 0 && pairs[k - 1].b > pair.b; k--) {
+            pairs[k] = pairs[k - 1];
+        }
+        pairs[k] = pair;
+    }
+}
+
+/* By b, of which there are `features`. The order of pairs with the same b does not matter. */
+static void radix_sort(collision_object *c, uint32_t first, uint32_t features)
+{
+    collision_pair *pairs = c->search.pairs + first, *spare = c->sort_buffer;
+    uint32_t count = c->search.pair_count - first, *offsets = c->buckets;
+    if (count <= INSERTION_SORT_LIMIT) {
+        insertion_sort(pairs, count);
+        return;
+    }
+    for (uint32_t shift = 0; shift == 0 || (features - 1) >> shift != 0;
+         shift += COLLISION_SORT_DIGITS) {
+        memset(offsets, 0, COLLISION_SORT_BUCKETS * sizeof *offsets);
+        for (uint32_t i = 0; i < count; i++) {
+            offsets[pairs[i].b >> shift & (COLLISION_SORT_BUCKETS - 1)]++;
+        }
+        exclusive_scan(offsets, COLLISION_SORT_BUCKETS, 0);
+        for (uint32_t i = 0; i < count; i++) {
+            spare[offsets[pairs[i].b >> shift & (COLLISION_SORT_BUCKETS - 1)]++] = pairs[i];
+        }
+        memcpy(pairs, spare, count * sizeof *pairs);
+    }
+}
+
+/* Notes the run, if it has any candidates. */
+static bool collect_pairs(collision_object *c, const collision_traversal *w, vbss_pair_kind kind,
+                          uint32_t a, uint32_t b)
+{
+    const collision_run run = {kind, c->active_shapes[a], c->active_shapes[b],
+                               c->search.pair_count};
+    c->runs[c->run_count] = run; /* there is room for one more than there can be candidates */
+    if (!VBSS_WIDE_CALL(c->wide, vbss_collision_traverse, &c->search, w)) {
+        return false;
+    }
+    if (w->b->order != NULL) {
+        radix_sort(c, run.first, w->b->count);
+    }
+    c->run_count += c->search.pair_count > run.first;
+    return true;
+}
+
+/* For the edges of one shape. */
+static collision_pair_rule rule_of_edges(const collision_shape *s)
+{
+    return s->kind == COLLISION_SHAPE_CHAIN      ? COLLISION_RULE_CHAIN
+           : s->kind == COLLISION_SHAPE_CAPSULES ? COLLISION_RULE_CAPSULES
+           : s->exclusion.words > 0              ? COLLISION_RULE_FAR_EDGES
+                                                 : COLLISION_RULE_MESH_EDGES;
+}
+
+static collision_pair_rule rule_of_points(const collision_shape *mesh)
+{
+    return mesh->exclusion.words > 0 ? COLLISION_RULE_FAR_POINTS : COLLISION_RULE_MESH_POINTS;
+}
+
+static bool collect_edge_pairs(collision_object *c, uint32_t a, uint32_t b)
+{
+    collision_shape *s = c->shapes[c->active_shapes[a]], *other = c->shapes[c->active_shapes[b]];
+    if (s == other && s->edge_count < 2) {
+        return true;
+    }
+    vbss_collision_shape_refit_edges(s);
+    vbss_collision_shape_refit_edges(other);
+    const collision_traversal w = {.a = &s->edge_bvh,
+                                   .b = &other->edge_bvh,
+                                   .rule = s == other ? rule_of_edges(s) : COLLISION_RULE_ALL,
+                                   .shape = s,
+                                   .excluded_lanes = s->exclusion.edge_lanes,
+                                   .offsets = edge_offsets_of(s)};
+    return collect_pairs(c, &w, VBSS_PAIR_EDGE_EDGE, a, b);
+}
+
+static bool collect_point_pairs(collision_object *c, uint32_t a, uint32_t b)
+{
+    collision_shape *s = c->shapes[c->active_shapes[a]], *mesh = c->shapes[c->active_shapes[b]];
+    vbss_collision_shape_refit_points(s);
+    vbss_collision_shape_refit_triangles(mesh);
+    const collision_traversal w = {.a = &s->point_bvh,
+                                   .b = &mesh->triangle_bvh,
+                                   .rule = s == mesh ? rule_of_points(s) : COLLISION_RULE_ALL,
+                                   .shape = mesh,
+                                   .excluded_lanes = mesh->exclusion.point_lanes,
+                                   .offsets = point_offsets_of(s)};
+    return collect_pairs(c, &w, VBSS_PAIR_POINT_TRIANGLE, a, b);
+}
+
+static bool filtered_out(const collision_object *c, uint32_t a, uint32_t b)
+{
+    const collision_shape *s = c->shapes[c->active_shapes[a]],
+                          *other = c->shapes[c->active_shapes[b]];
+    return (a == b && s->is_rigid) || (s->category & other->mask) == 0 ||
+           (other->category & s->mask) == 0;
+}
+
+static bool find_pairs(collision_object *c)
+{
+    c->run_count = c->search.pair_count = 0;
+    for (uint32_t b = 0; b < c->active_count; b++) {
+        const collision_shape *s = c->shapes[c->active_shapes[b]];
+        bool mesh = s->kind == COLLISION_SHAPE_MESH && !s->edges_only;
+        uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
+                                        &c->shape_bvh, &c->shape_bvh.boxes[b], c->overlapping);
+        for (uint32_t i = 0; i < count; i++) {
+            uint32_t a = c->overlapping[i];
+            if (filtered_out(c, a, b)) {
+                continue;
+            }
+            if (a <= b && !collect_edge_pairs(c, a, b)) {
+                return false;
+            }
+            if (mesh && !collect_point_pairs(c, a, b)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* ---- order */
+
+static void compute_offsets(collision_object *c)
+{
+    uint32_t offset = 0;
+    for (uint32_t i = 0; i < c->active_count; i++) {
+        collision_shape *s = c->shapes[c->active_shapes[i]];
+        offset =
+            s->edge_offsets_used ? exclusive_scan(s->edge_offsets, s->edge_count, offset) : offset;
+    }
+    for (uint32_t i = 0; i < c->active_count; i++) {
+        collision_shape *s = c->shapes[c->active_shapes[i]];
+        offset = s->point_offsets_used ? exclusive_scan(s->point_offsets, s->node_count, offset)
+                                       : offset;
+    }
+}
+
+static void write_candidates(collision_object *c)
+{
+    uint32_t i = 0;
+    compute_offsets(c);
+    for (uint32_t r = 0; r < c->run_count; r++) {
+        const collision_run *run = &c->runs[r];
+        const collision_shape *s = c->shapes[run->shape_a];
+        bool edges = run->kind == VBSS_PAIR_EDGE_EDGE;
+        uint32_t *offsets = edges ? s->edge_offsets : s->point_offsets;
+        uint32_t end = r + 1 < c->run_count ? c->runs[r + 1].first : c->search.pair_count;
+        collision_candidate candidate = {
+            .kind = (uint32_t)run->kind, .shape_a = run->shape_a, .shape_b = run->shape_b};
+        for (; i < end; i++) {
+            candidate.a = c->search.pairs[i].a;
+            candidate.b = c->search.pairs[i].b;
+            c->candidates[offsets[candidate.a]++] = candidate;
+        }
+    }
+    c->candidate_count = c->search.pair_count;
+}
+
+vbss_result vbss_collision_find_candidates(vbss_collision *collision)
+{
+    collision_object *c;
+    VBSS_TRY(vbss_collision_edit(collision, &c));
+    VBSS_TRY(vbss_check_arithmetic(c->context));
+    vbss_collision_clear_results(c);
+    c->generation++;
+    if (c->caches_separation) {
+        vbss_collision_swap_separation_cache(c);
+    }
+    c->search.boxes_tested = 0;
+    refit_shapes(c);
+    if (!find_pairs(c)) {
+        return vbss_fail(c->context, VBSS_ERROR_CAPACITY,
+                         "there are more candidates than pair_capacity, %u",
+                         c->config.pair_capacity);
+    }
+    write_candidates(c);
+    if (c->caches_separation) {
+        vbss_collision_carry_separations(c);
+    }
+    c->boxes_tested += c->search.boxes_tested;
+    c->searches++;
+    return VBSS_OK;
+}
