@@ -85,7 +85,7 @@ static void step_runge_kutta(vec3 inertia, double h, turning *t)
 
 static turning begun_turning(const vbss_rigid *body)
 {
-    quat q = body->now.at.orientation;
+    quat q = body->now.pose.orientation;
     turning t = {q, quat_rotate_back(q, body->now.w)};
     return t;
 }
@@ -112,7 +112,7 @@ static vbss_result throw_needle(vbss_random *random, uint32_t i)
     VBSS_TRY(vbss_needle_open(needles[i], &n));
     begun[i] = n->body;
     turnings[i] = begun_turning(&n->body);
-    positions[i] = n->body.now.at.position;
+    positions[i] = n->body.now.pose.position;
     velocities[i] = n->body.now.v;
     return VBSS_OK;
 }
@@ -158,7 +158,7 @@ static void show_ours(const void *user)
         needle_object *n = NULL;
         if (vbss_needle_open(needles[i], &n) == VBSS_OK) {
             turnings[i] = begun_turning(&n->body);
-            positions[i] = n->body.now.at.position;
+            positions[i] = n->body.now.pose.position;
         }
     }
 }

@@ -89,7 +89,7 @@ static void run_linearisation(void *user)
         l->failed = !vbss_system_condense(system) || l->failed;
     }
     if (l->last >= SOLVE) {
-        vbss_system_take_separators(system);
+        vbss_system_load_schur_complement(system);
         l->failed = !vbss_system_solve(system) || l->failed;
     }
 }

@@ -77,8 +77,8 @@ static void set_diagonal(drain_object *d, const drain_stage *stage, vbss_system 
 
 static void empty_couplings(const drain_object *d, vbss_system *s)
 {
-    block *first = &s->numbers[d->order.first_coupling];
-    memset(&s->numbers[VBSS_NO_COUPLING], 0, sizeof *s->numbers);
+    block *first = &s->off_diagonal[d->order.first_coupling];
+    memset(&s->off_diagonal[VBSS_NO_COUPLING], 0, sizeof *s->off_diagonal);
     memset(first, 0, d->order.coupling_count * sizeof *first);
 }
 
@@ -93,7 +93,7 @@ void vbss_drain_assemble(drain_object *d, const drain_stage *stage, vbss_system 
     empty_couplings(d, s);
     memset(d->forces, 0, d->mesh.node_count * sizeof *d->forces);
     memset(d->diagonal, 0, d->mesh.node_count * sizeof *d->diagonal);
-    vbss_shell_assemble(&d->shell, d->trial, d->forces, d->diagonal, s->numbers);
+    vbss_shell_assemble(&d->shell, d->trial, d->forces, d->diagonal, s->off_diagonal);
     set_diagonal(d, stage, s, first);
     set_rhs(d, stage, s, first);
 }

@@ -89,11 +89,11 @@ static vbss_result make_shell(drain_object *d)
 static vbss_result make_system(drain_object *d)
 {
     VBSS_TRY(vbss_drain_make_order(d->context, &d->mesh, &d->shell, &d->order));
-    const vbss_system_room room = {.blocks = d->mesh.node_count,
-                                   .couplings = d->order.pair_count,
-                                   .entries = d->order.entries,
-                                   .products = d->order.products};
-    return vbss_system_create_room(d->context, &room, &d->system);
+    const vbss_system_capacity room = {.blocks = d->mesh.node_count,
+                                       .couplings = d->order.pair_count,
+                                       .entries = d->order.entries,
+                                       .products = d->order.products};
+    return vbss_system_create_with_capacity(d->context, &room, &d->system);
 }
 
 static void place(drain_object *d)

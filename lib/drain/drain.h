@@ -122,7 +122,7 @@ void vbss_drain_exchange_goals(drain_object *d);
 
 /* ---- pattern.c: the drain's chain in a system, a block a node in the order of elimination, those marked (NULL: none) as
  * separators; and, when that has been analysed, where the shell's blocks go: whoever registers aims after the analyse that
- * follows, but need not after vbss_system_begin_again and another one, as couplings stay what they are */
+ * follows, but need not after vbss_system_reset_separator_couplings and another one, as couplings stay what they are */
 vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *separators,
                                 uint32_t *first);
 void vbss_drain_aim(drain_object *d, const vbss_system *s);
@@ -177,8 +177,9 @@ double vbss_drain_gain(const drain_object *d, double h);
 /* Speeds that are as good as none are none. */
 static inline vec3 vbss_drain_stilled(vec3 v)
 {
-    return vec3_make(fabs(v.x) < VBSS_STILL ? 0.0 : v.x, fabs(v.y) < VBSS_STILL ? 0.0 : v.y,
-                     fabs(v.z) < VBSS_STILL ? 0.0 : v.z);
+    return vec3_make(fabs(v.x) < VBSS_FLUSH_THRESHOLD ? 0.0 : v.x,
+                     fabs(v.y) < VBSS_FLUSH_THRESHOLD ? 0.0 : v.y,
+                     fabs(v.z) < VBSS_FLUSH_THRESHOLD ? 0.0 : v.z);
 }
 
 /* A point of a triangle, where nodes are at x. */

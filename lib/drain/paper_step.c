@@ -31,7 +31,7 @@ static uint32_t count_parts(const drain_object *d, double h)
             rate = vbss_max_or_nan(0.25 * d->config.paper_stiffness / d->free_mass[i], rate);
         }
     }
-    return vbss_explicit_parts(h, rate);
+    return vbss_explicit_substep_count(h, rate);
 }
 
 /* Drag and attached springs are implicit and count as mass, as in the paper's thread. */

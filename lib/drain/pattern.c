@@ -7,13 +7,13 @@ vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *
 {
     drain_order *order = &d->order;
     VBSS_TRY(vbss_system_add_chain(s, d->mesh.node_count, first));
-    vbss_system_keep_order(s);
+    vbss_system_use_natural_order(s);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         bool separator = separators != NULL && separators[i] != 0;
         vbss_system_set_role(s, *first + order->place[i],
-                             d->anchored[i] ? VBSS_ROLE_GIVEN
+                             d->anchored[i] ? VBSS_ROLE_PRESCRIBED
                              : separator    ? VBSS_ROLE_SEPARATOR
-                                            : VBSS_ROLE_RUN);
+                                            : VBSS_ROLE_INTERIOR);
     }
     order->first_coupling = s->coupling_count + 1;
     for (uint32_t p = 0; p < order->pair_count; p++) {
@@ -30,7 +30,7 @@ void vbss_drain_aim(drain_object *d, const vbss_system *s)
     drain_order *order = &d->order;
     for (uint32_t p = 0; p < order->pair_count; p++) {
         uint32_t coupling = order->pairs[p].coupling;
-        order->targets[p] = 2 * coupling + (s->couplings[coupling].flipped != 0);
+        order->targets[p] = 2 * coupling + (s->couplings[coupling].is_transposed != 0);
     }
     order->targets[order->pair_count] = 2 * VBSS_NO_COUPLING;
     vbss_shell_aim(&d->shell, (const uint32_t(*)[SHELL_PAIRS])order->pair_of, order->targets);

@@ -9,7 +9,7 @@
 
 static double finish_solution(drain_object *d)
 {
-    vbss_system_take_separators(d->system);
+    vbss_system_load_schur_complement(d->system);
     bool solved = vbss_system_solve(d->system);
     return solved ? vbss_drain_largest_increment(d, d->system, 0) : (double)INFINITY;
 }
@@ -103,7 +103,7 @@ static vbss_result know_pattern(drain_object *d)
 {
     uint32_t first;
     if (!d->pattern_known) {
-        vbss_system_begin(d->system);
+        vbss_system_begin_pattern(d->system);
         VBSS_TRY(vbss_drain_register(d, d->system, NULL, &first));
         VBSS_TRY(vbss_system_analyse(d->system));
         vbss_drain_aim(d, d->system);

@@ -20,14 +20,14 @@ static const vbss_layout energies_layout = {"vbss_needle_energies", NULL, energi
 
 pose vbss_needle_pose(const needle_object *n)
 {
-    return pose_mul(n->body.now.at, pose_inverse(n->frame));
+    return pose_mul(n->body.now.pose, pose_inverse(n->frame));
 }
 
 /* From the origin of its frame to its centre of mass, in the world. */
 static vec3 arm_of(const needle_object *n)
 {
     vec3 in_body = quat_rotate_back(n->frame.orientation, n->frame.position);
-    return quat_rotate(n->body.now.at.orientation, in_body);
+    return quat_rotate(n->body.now.pose.orientation, in_body);
 }
 
 /* The body, turned as it is, gets the place and the velocities of the frame. */
@@ -35,17 +35,17 @@ static void set_motion(needle_object *n, vec3 position, vec3 velocity, vec3 angu
 {
     vec3 arm = arm_of(n);
     vbss_rigid_motion *now = &n->body.now;
-    now->at.position = vec3_add(position, arm);
+    now->pose.position = vec3_add(position, arm);
     now->v = vec3_add(velocity, vec3_cross(angular_velocity, arm));
     now->w = angular_velocity;
-    n->body.begin = n->body.end = now->at;
+    n->body.target_start = n->body.target_end = now->pose;
     n->generation++;
 }
 
 void vbss_needle_follow(needle_object *n, const vbss_rigid_motion *motion, uint32_t number)
 {
     n->body.now = *motion;
-    n->body.begin = n->body.end = motion->at;
+    n->body.target_start = n->body.target_end = motion->pose;
     n->number = number;
     n->generation++;
 }
@@ -70,7 +70,7 @@ static void begin(needle_object *n, const vbss_needle_config *config, quat orien
     n->body.inertia = weighed.inertia;
     n->body.gravity = vec3_load(config->gravity);
     n->body.drag = config->drag;
-    n->body.now.at.orientation = quat_mul(orientation, n->frame.orientation);
+    n->body.now.pose.orientation = quat_mul(orientation, n->frame.orientation);
     set_motion(n, vec3_load(config->position), vec3_load(config->velocity),
                vec3_load(config->angular_velocity));
 }
@@ -134,13 +134,13 @@ vbss_result vbss_needle_step(vbss_needle *needle, double h)
     VBSS_TRY(edit_alone(needle, &n));
     VBSS_TRY(vbss_check_range(n->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(n->context));
-    const vbss_rigid_part whole = {h, 0.0, 1.0};
+    const vbss_rigid_substep whole = {h, 0.0, 1.0};
     vbss_rigid body = n->body;
     vbss_rigid_motion flown;
     vbss_rigid_predict(&body, &whole, &flown);
-    vbss_rigid_commit(&body, &whole, &flown, &flown.at);
-    body.begin = body.end = body.now.at;
-    if (!vbss_rigid_is_sound(&body)) {
+    vbss_rigid_commit(&body, &whole, &flown, &flown.pose);
+    body.target_start = body.target_end = body.now.pose;
+    if (!vbss_rigid_is_valid(&body)) {
         return vbss_fail(n->context, VBSS_ERROR_NOT_FINITE, "needle step: no finite state");
     }
     n->body = body;
@@ -167,7 +167,7 @@ vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
     VBSS_TRY(check_speed(n->context, angular_velocity, 1e6, "angular_velocity"));
     if (orientation != NULL) {
         VBSS_TRY(vbss_read_orientation(n->context, orientation, &turned));
-        n->body.now.at.orientation = quat_mul(turned, n->frame.orientation);
+        n->body.now.pose.orientation = quat_mul(turned, n->frame.orientation);
     }
     set_motion(n, vec3_load(position), velocity != NULL ? vec3_load(velocity) : vec3_zero(),
                angular_velocity != NULL ? vec3_load(angular_velocity) : vec3_zero());
@@ -235,7 +235,7 @@ vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_energies *
     vec3 spin = vbss_rigid_angular_momentum(b, &b->now);
     vbss_needle_energies own = {.struct_size = sizeof own};
     own.kinetic = 0.5 * (b->mass * vec3_norm_squared(b->now.v) + vec3_dot(spin, b->now.w));
-    own.gravity = -b->mass * vec3_dot(b->gravity, b->now.at.position);
+    own.gravity = -b->mass * vec3_dot(b->gravity, b->now.pose.position);
     own.total = own.kinetic + own.gravity;
     return vbss_struct_write(n->context, &energies_layout, &own, energies, struct_size);
 }

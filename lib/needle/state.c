@@ -20,15 +20,15 @@ void vbss_needle_serialise(vbss_stream *stream, void *object)
     needle_object *n = object;
     vbss_rigid_motion *now = &n->body.now;
     visit_config(stream, &n->config);
-    vbss_stream_f64(stream, 10, &now->at.position.x, 3);
-    vbss_stream_f64(stream, 11, &now->at.orientation.w, 4);
+    vbss_stream_f64(stream, 10, &now->pose.position.x, 3);
+    vbss_stream_f64(stream, 11, &now->pose.orientation.w, 4);
     vbss_stream_f64(stream, 12, &now->v.x, 3);
     vbss_stream_f64(stream, 13, &now->w.x, 3);
     if (stream->mode != VBSS_STREAM_READ) {
         return;
     }
-    n->body.begin = n->body.end = now->at;
-    if (!stream->trusted && !vbss_rigid_is_sound(&n->body)) {
+    n->body.target_start = n->body.target_end = now->pose;
+    if (!stream->trusted && !vbss_rigid_is_valid(&n->body)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle");
     }
     n->generation++;

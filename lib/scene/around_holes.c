@@ -272,17 +272,18 @@ bool vbss_scene_next_piece(const scene_object *s, const scene_body *needle, uint
 }
 
 static scene_spot spot_of_row(const scene_object *s, const scene_body *drain,
-                              const contact_row *row)
+                              const contact_constraint *row)
 {
-    const double weights[3] = {1.0 - row->at[0] - row->at[1], row->at[0], row->at[1]};
+    const double weights[3] = {1.0 - row->barycentric[0] - row->barycentric[1], row->barycentric[0],
+                               row->barycentric[1]};
     if (row->key.kind == VBSS_CONTACT_POINT_FACE) {
-        return vbss_scene_spot(drain, row->key.b, weights);
+        return vbss_scene_spot(drain, row->key.feature_b, weights);
     }
-    const uint32_t *side = s->collision->shapes[drain->shape]->edges[row->key.b];
-    return vbss_scene_spot_on_side(drain, side, row->at[1]);
+    const uint32_t *side = s->collision->shapes[drain->shape]->edges[row->key.feature_b];
+    return vbss_scene_spot_on_side(drain, side, row->barycentric[1]);
 }
 
-double vbss_scene_share_of_row(const scene_object *s, const contact_row *row)
+double vbss_scene_share_of_row(const scene_object *s, const contact_constraint *row)
 {
     const scene_body *a = vbss_scene_body(s, row->key.body_a);
     const scene_body *b = vbss_scene_body(s, row->key.body_b);
@@ -290,6 +291,7 @@ double vbss_scene_share_of_row(const scene_object *s, const contact_row *row)
         return 1.0;
     }
     const scene_spot spot = spot_of_row(s, b, row);
-    return vbss_scene_share_touching(s, a, row->key.kind == VBSS_CONTACT_POINT_FACE, row->key.a,
-                                     row->at[0], b, &spot, SCENE_PIN_ARC * row->touching);
+    return vbss_scene_share_touching(s, a, row->key.kind == VBSS_CONTACT_POINT_FACE,
+                                     row->key.feature_a, row->barycentric[0], b, &spot,
+                                     SCENE_PIN_ARC * row->contact_distance);
 }

@@ -20,7 +20,7 @@ scene_spot vbss_scene_spot_on_side_then(const scene_body *drain, const uint32_t 
 double vbss_scene_share_touching(const scene_object *s, const scene_body *body, bool point,
                                  uint32_t feature, double share, const scene_body *drain,
                                  const scene_spot *spot, double reach);
-double vbss_scene_share_of_row(const scene_object *s, const contact_row *row);
+double vbss_scene_share_of_row(const scene_object *s, const contact_constraint *row);
 /* The axis of a needle's capsule is cut at its holes in a drain, and so is a side of that by the planes across the axis there:
  * what is left of a needle beside a hole has no end that might push the wall along. The next two pieces, farther than `reach`
  * from all holes. False: there are none. */

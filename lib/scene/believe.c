@@ -42,23 +42,25 @@ typedef struct gains {
 
 /* What a hole gives to both, and stores, above what it had stored. Its law is no measure: where a search was stopped that may
  * itself say 2.7 N along the way that both have gone. */
-static double given_by_hole(const scene_object *s, const contact_row *row, vec3 force, double done)
+static double given_by_hole(const scene_object *s, const contact_constraint *row, vec3 force,
+                            double done)
 {
-    const suture_hole *hole = &s->holes[row->key.a];
+    const suture_hole *hole = &s->holes[row->key.feature_a];
     double before = hole->held * hole->held + vec3_norm_squared(hole->across);
     double more = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
     return vbss_max(done + more, 0.0);
 }
 
 /* What a contact does to threads and drains: with the force of which the blocks balance. */
-static void take_work_of_row(const scene_object *s, const contact_row *row, vec3 force, gains *g)
+static void take_work_of_row(const scene_object *s, const contact_constraint *row, vec3 force,
+                             gains *g)
 {
     double on_threads = 0.0, on_drains = 0.0;
     bool known = true; /* what a needle was done is not */
-    for (uint32_t k = 0; k < row->term_count; k++) {
-        const contact_term *term = &row->terms[k];
+    for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
+        const contact_jacobian_block *term = &row->jacobian[k];
         vec3 way;
-        body_kind kind = term->turns ? BODY_GONE : vbss_scene_find_way(s, term->block, &way);
+        body_kind kind = term->is_rotation ? BODY_GONE : vbss_scene_find_way(s, term->block, &way);
         known = known && kind != BODY_GONE;
         if (kind == BODY_THREAD) {
             on_threads += term->weight * vec3_dot(force, way);
@@ -68,14 +70,14 @@ static void take_work_of_row(const scene_object *s, const contact_row *row, vec3
     }
     g->threads -= on_threads;
     g->drains -= on_drains;
-    if (row->sleeve && known) {
+    if (row->is_sleeve && known) {
         g->beyond_law += given_by_hole(s, row, force, on_threads + on_drains);
     }
 }
 
 /* ---- forces that the law does not know */
 
-static double stored(const contact_row *row, double gap)
+static double stored(const contact_constraint *row, double gap)
 {
     return gap < 0.0 ? 0.5 * row->stiffness * gap * gap : 0.0;
 }
@@ -88,16 +90,16 @@ static double gain(double done, double by_law)
 
 /* What a force has put in, up to the trial state, that the law would not have; what others have taken out does not make up for
  * it. What threads gain is known; what drains do is not, so at a wall counts what the law would have taken out, too. */
-static double work_beyond_law(const scene_object *s, const contact_row *row, vec3 force)
+static double work_beyond_law(const scene_object *s, const contact_constraint *row, vec3 force)
 {
     const scene_body *b = vbss_scene_body(s, row->key.body_b);
     bool at_wall = b != NULL && b->kind == BODY_DRAIN;
-    vec3 law = vbss_contact_force(row, vec3_zero()), way = row->slid;
-    if (row->sleeve) {
+    vec3 law = vbss_contact_force(row, vec3_zero()), way = row->relative_displacement;
+    if (row->is_sleeve) {
         return vbss_max(vec3_dot(vec3_sub(force, law), way), 0.0);
     }
     double along = vec3_dot(row->normal, way), done = along * vec3_dot(force, row->normal);
-    double let_go = stored(row, row->gap_before) - stored(row, row->gap);
+    double let_go = stored(row, row->start_gap) - stored(row, row->gap);
     vec3 beside = vec3_add_scaled(way, -along, row->normal);
     double rubbed = vec3_dot(force, beside), by_law = vec3_dot(law, beside);
     return at_wall ? vbss_max(done - let_go, 0.0) + vbss_max(rubbed - by_law, 0.0)
@@ -145,7 +147,7 @@ static bool is_asked(const scene_object *s, const scene_part *part)
 {
     bool has_time = s->most_work == 0 && !part->smallest;
     return vbss_scene_has(s, BODY_THREAD) &&
-           (s->contacts->stopped || (has_time && vbss_scene_has(s, BODY_DRAIN)));
+           (s->contacts->is_stopped_early || (has_time && vbss_scene_has(s, BODY_DRAIN)));
 }
 
 static gains find_gains(const scene_object *s, const scene_part *part)
@@ -161,10 +163,11 @@ static gains find_gains(const scene_object *s, const scene_part *part)
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {
-        const contact_row *row = &set->rows[i];
-        take_work_of_row(s, row, set->here[i].force, &g);
-        if (!row->bilateral || row->sleeve) { /* the others' law is linear: they miss nothing */
-            g.beyond_law += work_beyond_law(s, row, set->here[i].force);
+        const contact_constraint *row = &set->constraints[i];
+        take_work_of_row(s, row, set->current[i].force, &g);
+        if (!row->is_bilateral ||
+            row->is_sleeve) { /* the others' law is linear: they miss nothing */
+            g.beyond_law += work_beyond_law(s, row, set->current[i].force);
         }
     }
     return g;
@@ -186,7 +189,7 @@ bool vbss_scene_believes(const scene_object *s, const scene_part *part)
 
 bool vbss_scene_may_yet_believe(const scene_object *s, const scene_part *part)
 {
-    bool asks = s->contacts->stopped && !part->smallest;
+    bool asks = s->contacts->is_stopped_early && !part->smallest;
     if (!asks || !vbss_scene_has(s, BODY_THREAD) || !vbss_scene_has(s, BODY_DRAIN)) {
         return true;
     }

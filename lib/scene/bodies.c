@@ -248,7 +248,7 @@ static void fill_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_ri
     r->body.mass = mass->mass;
     r->body.inertia = mass->inertia;
     r->body.gravity = vec3_load(c->gravity);
-    r->body.now.at = r->body.begin = r->body.end = r->trial = at;
+    r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
     if (c->kind == VBSS_RIGID_COUPLED) {
         const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
                                               c->turning_damping};
@@ -271,7 +271,7 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
         to->local_end[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
         vbss_scene_finish_capsule(to);
         to->radius = c->capsules[i].radius;
-        vbss_scene_place_capsule(to, r->body.now.at, to->now);
+        vbss_scene_place_capsule(to, r->body.now.pose, to->now);
     }
 }
 
@@ -325,7 +325,7 @@ bool vbss_scene_axis_of(const scene_object *s, uint32_t number, uint32_t feature
         axis[1] = b->drain.drain->x[side[1]];
     } else {
         vbss_scene_place_capsule(&s->capsules[b->rigid.first_capsule + feature],
-                                 b->rigid.body.now.at, axis);
+                                 b->rigid.body.now.pose, axis);
     }
     return true;
 }
@@ -411,7 +411,7 @@ void vbss_scene_take_told(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == BODY_RIGID && r->is_told) {
-            r->body.end = r->told;
+            r->body.target_end = r->told;
             r->is_told = false;
             some = true;
         }
@@ -441,7 +441,8 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     scene_rigid *r = &b->rigid;
-    pose last = r->is_told ? r->told : r->body.end, told = pose_mul(last, pose_inverse(r->frame));
+    pose last = r->is_told ? r->told : r->body.target_end,
+         told = pose_mul(last, pose_inverse(r->frame));
     if (r->grasper != NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "body %u is a grasper: it goes where vbss_grasper_move says", body);
@@ -474,12 +475,12 @@ vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_st
     }
     const scene_rigid *r = &b->rigid;
     vbss_rigid_state own = {.struct_size = sizeof own, .kind = r->kind};
-    pose back = pose_inverse(r->frame), at = pose_mul(r->body.now.at, back);
-    vec3 to_centre = vec3_sub(r->body.now.at.position, at.position);
+    pose back = pose_inverse(r->frame), at = pose_mul(r->body.now.pose, back);
+    vec3 to_centre = vec3_sub(r->body.now.pose.position, at.position);
     vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->pull.force);
     vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->pull.torque);
     pose_store(at, own.position, own.orientation);
-    pose_store(pose_mul(r->is_told ? r->told : r->body.end, back), own.target_position,
+    pose_store(pose_mul(r->is_told ? r->told : r->body.target_end, back), own.target_position,
                own.target_orientation);
     vec3_store(own.velocity, vec3_sub(r->body.now.v, vec3_cross(r->body.now.w, to_centre)));
     vec3_store(own.angular_velocity, r->body.now.w);

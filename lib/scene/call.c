@@ -55,7 +55,7 @@ vbss_result vbss_scene_end_waiting(scene_object *s)
     }
     VBSS_TRY(vbss_scene_keep(s));
     exchange_goals(s);
-    s->contacts->counters.work = s->way.work;
+    s->contacts->counters.operations = s->way.work;
     vbss_scene_give_up(s);
     vbss_scene_finish_step(s);
     exchange_goals(s);
@@ -88,17 +88,17 @@ static vbss_result go_on(scene_object *s, double h, bool divided)
     scene_way *at = &s->way;
     const bool waited = at->waits;
     if (waited) {
-        s->contacts->counters.work = at->work;
+        s->contacts->counters.operations = at->work;
         exchange_goals(s);
     } else {
         at->behind--;
         at->undivided -= at->undivided > 0;
         vbss_scene_begin_step(s, h);
     }
-    const uint64_t before = s->contacts->counters.work;
-    s->contacts->slot.end = divided ? before + at->left : 0;
+    const uint64_t before = s->contacts->counters.operations;
+    s->contacts->call_budget.operation_limit = divided ? before + at->left : 0;
     vbss_result result = vbss_scene_go_through(s);
-    at->work = s->contacts->counters.work;
+    at->work = s->contacts->counters.operations;
     take(at, at->work - before);
     if (result == VBSS_OK && !at->waits) {
         vbss_scene_finish_step(s);
@@ -147,7 +147,7 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
         VBSS_TRY(vbss_scene_end_waiting(s));
     }
     const bool divided = vbss_scene_is_limited(s) && s->config.slot_limit > 0 && at->undivided == 0;
-    s->contacts->slot.begun = false;
+    s->contacts->call_budget.has_progress = false;
     at->left = s->config.slot_limit;
     at->behind++;
     vbss_result result = try_to_go_on(s, h, divided);

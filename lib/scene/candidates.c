@@ -41,19 +41,19 @@ static void set_thread_ways(scene_object *s, const scene_thread *b, const scene_
 
 static void set_capsule_ways(scene_object *s, const scene_rigid *r, const scene_part *part)
 {
-    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    const vbss_rigid_substep p = {part->step, part->begin, part->end};
     vbss_rigid_motion to;
     if (r->kind == VBSS_RIGID_DRIVEN) {
-        to = vbss_rigid_given(&r->body, &p);
+        to = vbss_rigid_target_motion(&r->body, &p);
     } else {
         vbss_rigid_predict(&r->body, &p, &to);
     }
     for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[i];
         vec3 *ways = s->ways + s->config.node_capacity + 2 * (size_t)i;
-        vbss_scene_place_capsule(c, r->body.now.at, c->now);
+        vbss_scene_place_capsule(c, r->body.now.pose, c->now);
         for (int k = 0; k < 2; k++) {
-            vec3 there = part->again ? c->trial[k] : pose_apply(to.at, c->local_trial[k]);
+            vec3 there = part->again ? c->trial[k] : pose_apply(to.pose, c->local_trial[k]);
             ways[k] = vec3_sub(there, c->now[k]);
         }
     }
@@ -195,7 +195,7 @@ static double approach_of(const scene_meeting *m, vec3 normal)
 /* Of a wall, which swings the line through it farther than its middle goes. */
 static bool is_lip(const scene_body *b, const contact_key *key, bool is_b)
 {
-    const uint32_t feature = is_b ? key->b : key->a;
+    const uint32_t feature = is_b ? key->feature_b : key->feature_a;
     return key->kind == VBSS_CONTACT_SIDES
                ? b->drain.lip_of_side[feature] != SCENE_NO_FACE
                : !is_b && b->drain.lip_of_node[feature] != SCENE_NO_FACE;
@@ -208,7 +208,7 @@ static bool swings(const scene_meeting *m, const contact_key *key)
 }
 
 /* Laid, and whether it is near enough to touch. */
-static bool lay(const scene_object *s, contact_row *row, const scene_meeting *m)
+static bool lay(const scene_object *s, contact_constraint *row, const scene_meeting *m)
 {
     uint32_t kind = row->key.kind;
     double margin = s->config.contact_margin, reach = reach_of(m);
@@ -216,33 +216,34 @@ static bool lay(const scene_object *s, contact_row *row, const scene_meeting *m)
     bool directed =
         kind == VBSS_CONTACT_SEGMENTS || (scene_is_of_surface(kind) && !swings(m, &row->key));
     if (near && directed) {
-        near = row->gap_before < approach_of(m, row->normal) + ACROSS * reach + margin;
+        near = row->start_gap < approach_of(m, row->normal) + ACROSS * reach + margin;
     }
     return near;
 }
 
 /* Where a needle is nearest to a side it is in its hole: the rest of it, before and behind, may touch that side elsewhere. A
  * pair has one row, of the nearest piece. */
-static bool lay_beside_holes(const scene_object *s, contact_row *row, const scene_meeting *m)
+static bool lay_beside_holes(const scene_object *s, contact_constraint *row, const scene_meeting *m)
 {
-    const double reach = SCENE_PIN_ARC * row->touching;
+    const double reach = SCENE_PIN_ARC * row->contact_distance;
     scene_piece piece = {.begun = false}, nearest = piece;
     double least = (double)INFINITY;
-    while (vbss_scene_next_piece(s, m->a, row->key.a, m->b, row->key.b, reach, &piece)) {
-        memcpy(row->piece, piece.at, sizeof piece.at);
-        if (lay(s, row, m) && row->gap_before < least) {
-            least = row->gap_before;
+    while (vbss_scene_next_piece(s, m->a, row->key.feature_a, m->b, row->key.feature_b, reach,
+                                 &piece)) {
+        memcpy(row->axis_interval, piece.at, sizeof piece.at);
+        if (lay(s, row, m) && row->start_gap < least) {
+            least = row->start_gap;
             nearest = piece;
         }
     }
     if (!nearest.begun) {
         return false;
     }
-    memcpy(row->piece, nearest.at, sizeof nearest.at);
+    memcpy(row->axis_interval, nearest.at, sizeof nearest.at);
     return lay(s, row, m);
 }
 
-static bool is_needle_at_drain(const contact_row *row, const scene_meeting *m)
+static bool is_needle_at_drain(const contact_constraint *row, const scene_meeting *m)
 {
     return row->key.kind == VBSS_CONTACT_SIDES && m->a->kind == BODY_RIGID &&
            m->a->rigid.needle != NULL;
@@ -250,25 +251,26 @@ static bool is_needle_at_drain(const contact_row *row, const scene_meeting *m)
 
 bool vbss_scene_add_row(scene_object *s, const contact_key *key, const scene_meeting *m)
 {
-    if (vbss_scene_is_given(s, m->a, key->kind, false, key->a) &&
-        vbss_scene_is_given(s, m->b, key->kind, true, key->b)) {
+    if (vbss_scene_is_given(s, m->a, key->kind, false, key->feature_a) &&
+        vbss_scene_is_given(s, m->b, key->kind, true, key->feature_b)) {
         s->unlisted = s->unlisted || m->b != NULL; /* the floor is not the guard's pair */
         return true;
     }
-    contact_row *row = vbss_contact_add(s->contacts, key);
+    contact_constraint *row = vbss_contact_add(s->contacts, key);
     if (row == NULL) {
         return false;
     }
     bool near = lay(s, row, m);
     if (m->pair != NULL) { /* from the line through a lip it is no farther than from its middle */
-        vbss_collision_store_separation(s->collision, m->pair, row->gap_before + row->touching);
+        vbss_collision_store_separation(s->collision, m->pair,
+                                        row->start_gap + row->contact_distance);
     }
     double share = near && scene_is_of_surface(key->kind) ? vbss_scene_share_of_row(s, row) : 1.0;
     if (share == 0.0 && is_needle_at_drain(row, m)) {
         share = lay_beside_holes(s, row, m) ? 1.0 : 0.0;
     }
-    row->spared = (1.0 - share) * row->touching;
-    row->gap_before += row->spared;
+    row->overlap_allowance = (1.0 - share) * row->contact_distance;
+    row->start_gap += row->overlap_allowance;
     if (!near || share == 0.0) {
         s->contacts->count--;
     }
@@ -443,7 +445,7 @@ static void note_near(scene_object *s)
         s->bodies[i].thread.near = s->bodies[i].thread.welded = false;
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_key *key = &s->contacts->rows[i].key;
+        const contact_key *key = &s->contacts->constraints[i].key;
         scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
         a->thread.near = true;
         if (b != NULL) {
@@ -465,7 +467,7 @@ bool vbss_scene_find_rows(scene_object *s, const scene_part *part)
     if (search(s) != VBSS_OK) {
         return false;
     }
-    vbss_contact_begin(set);
+    vbss_contact_clear(set);
     s->unlisted = false;
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
         if (!add_pair(s, &s->collision->candidates[i])) {

@@ -50,7 +50,7 @@ static void shorten_thread(thread_object *t, double share)
 
 static void shorten_rigid(scene_object *s, scene_rigid *r, double share)
 {
-    const pose begin = r->body.now.at, whole = r->trial;
+    const pose begin = r->body.now.pose, whole = r->trial;
     r->trial = begin;
     if (share > 0.0) {
         vec3 way = vec3_sub(whole.position, begin.position);
@@ -93,10 +93,10 @@ static void take_thread(thread_object *t, double h)
 static void take_rigid(scene_rigid *r, double h)
 {
     vbss_rigid_motion *now = &r->body.now;
-    vec3 way = vec3_sub(r->trial.position, now->at.position);
+    vec3 way = vec3_sub(r->trial.position, now->pose.position);
     vec3 turn = vbss_quat_to_rotation_vector(
-        quat_mul(r->trial.orientation, quat_conjugate(now->at.orientation)));
-    now->at = r->trial;
+        quat_mul(r->trial.orientation, quat_conjugate(now->pose.orientation)));
+    now->pose = r->trial;
     now->v = vec3_scale(way, VELOCITY_LEFT / h);
     now->w = vec3_scale(turn, VELOCITY_LEFT / h);
 }
@@ -141,23 +141,23 @@ static double shorten_safely(scene_object *s, double share)
 static void settle_rows(scene_object *s)
 {
     vbss_scene_lay_rows_again(s);
-    s->contacts->stopped = false; /* nothing of the search is left in them */
+    s->contacts->is_stopped_early = false; /* nothing of the search is left in them */
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        if (row->bilateral) {
-            contact_found now;
-            (void)vbss_contact_next_state(row, vec3_zero(), &now);
-            row->is = now;
+        contact_constraint *row = &s->contacts->constraints[i];
+        if (row->is_bilateral) {
+            contact_solution now;
+            (void)vbss_contact_update_solution(row, vec3_zero(), &now);
+            row->solution = now;
             continue;
         }
         double pressure = vbss_max(-row->stiffness * row->gap, 0.0),
                most = row->friction * pressure;
-        vec3 rubbing = vbss_contact_turn_into_plane(row->held, row->normal);
+        vec3 rubbing = vbss_contact_rotate_to_tangent_plane(row->previous_force, row->normal);
         double size = vec3_norm(rubbing);
-        row->is =
-            (contact_found){.state = pressure > 0.0 ? CONTACT_STICK : CONTACT_OPEN,
-                            .pressure = pressure,
-                            .rubbing = size > most ? vec3_scale(rubbing, most / size) : rubbing};
+        row->solution = (contact_solution){
+            .status = pressure > 0.0 ? CONTACT_STICK : CONTACT_OPEN,
+            .normal_force = pressure,
+            .tangential_force = size > most ? vec3_scale(rubbing, most / size) : rubbing};
     }
 }
 
@@ -169,7 +169,7 @@ void vbss_scene_stay(scene_object *s)
 
 double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part *part)
 {
-    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    const vbss_rigid_substep p = {part->step, part->begin, part->end};
     double share = shorten_safely(s, sound_share(s, verdict));
     vbss_scene_show_part(s);
     settle_rows(s);
@@ -179,7 +179,7 @@ double vbss_scene_clamp(scene_object *s, scene_verdict verdict, const scene_part
         } else if (s->bodies[i].kind == BODY_RIGID) {
             scene_rigid *r = &s->bodies[i].rigid;
             take_rigid(r, part->h);
-            r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
+            r->pull = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
         } else if (s->bodies[i].kind == BODY_DRAIN) {
             take_drain(s->bodies[i].drain.drain, part->h);
         }

@@ -33,7 +33,7 @@ void vbss_scene_commit_capsules(scene_object *s)
 
 void vbss_scene_commit(scene_object *s, const scene_part *part)
 {
-    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    const vbss_rigid_substep p = {part->step, part->begin, part->end};
     vbss_scene_show_part(s);
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
@@ -45,7 +45,7 @@ void vbss_scene_commit(scene_object *s, const scene_part *part)
                 r->body.now = r->predicted;
             } else {
                 vbss_rigid_commit(&r->body, &p, &r->predicted, &r->trial);
-                r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
+                r->pull = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
             }
         } else if (b->kind == BODY_DRAIN) {
             vbss_drain_commit(b->drain.drain, part->h);
@@ -54,7 +54,7 @@ void vbss_scene_commit(scene_object *s, const scene_part *part)
     vbss_scene_commit_capsules(s);
     vbss_scene_keep_holes(s);
     vbss_scene_move_holes(s);
-    vbss_contact_keep(s->contacts);
+    vbss_contact_store_warm_start(s->contacts);
     s->statistics.parts++;
 }
 

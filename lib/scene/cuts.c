@@ -132,12 +132,12 @@ static bool is_cut_segment(const renaming *r, uint32_t number, uint32_t feature)
 static uint8_t sides_beyond(const scene_object *s, const renaming *r, const contact_key *key)
 {
     bool segments = key->kind == VBSS_CONTACT_SEGMENTS;
-    bool a = scene_is_of_segment(key->kind) && is_cut_segment(r, key->body_a, key->a);
-    bool b = segments && is_cut_segment(r, key->body_b, key->b);
+    bool a = scene_is_of_segment(key->kind) && is_cut_segment(r, key->body_a, key->feature_a);
+    bool b = segments && is_cut_segment(r, key->body_b, key->feature_b);
     vec3 x[2], y[2];
     double at[2];
-    if (!(a || b) || !vbss_scene_axis_of(s, key->body_a, key->a, x) ||
-        !vbss_scene_axis_of(s, key->body_b, key->b, y)) {
+    if (!(a || b) || !vbss_scene_axis_of(s, key->body_a, key->feature_a, x) ||
+        !vbss_scene_axis_of(s, key->body_b, key->feature_b, y)) {
         return 0;
     }
     (void)closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
@@ -159,32 +159,33 @@ static void rename_side(const renaming *r, bool node, bool beyond, uint32_t *num
 }
 
 /* Shapes found first are side a. */
-static void turn_round(const scene_object *s, contact_memory *m)
+static void turn_round(const scene_object *s, contact_warm_start_entry *m)
 {
     contact_key *k = &m->key;
     if (k->kind == VBSS_CONTACT_SEGMENTS &&
         vbss_scene_body(s, k->body_a)->shape > vbss_scene_body(s, k->body_b)->shape) {
-        *k = (contact_key){k->kind, k->body_b, k->b, k->body_a, k->a};
-        m->rubbing = vec3_neg(m->rubbing);
+        *k = (contact_key){k->kind, k->body_b, k->feature_b, k->body_a, k->feature_a};
+        m->tangential_force = vec3_neg(m->tangential_force);
     }
 }
 
 /* Ascending keys: Shell's gaps, as a whole run may have moved. */
 static void sort_memory(contact_set *set)
 {
-    uint32_t n = set->memory_count, gap = 1;
+    uint32_t n = set->warm_start_count, gap = 1;
     while (gap < n / 3) {
         gap = 3 * gap + 1;
     }
     for (; gap > 0; gap /= 3) {
         for (uint32_t i = gap; i < n; i++) {
-            const contact_memory m = set->memory[i];
+            const contact_warm_start_entry m = set->warm_start[i];
             uint32_t to = i;
-            while (to >= gap && vbss_contact_compare(&set->memory[to - gap].key, &m.key) > 0) {
-                set->memory[to] = set->memory[to - gap];
+            while (to >= gap &&
+                   vbss_contact_compare_keys(&set->warm_start[to - gap].key, &m.key) > 0) {
+                set->warm_start[to] = set->warm_start[to - gap];
                 to -= gap;
             }
-            set->memory[to] = m;
+            set->warm_start[to] = m;
         }
     }
 }
@@ -192,24 +193,24 @@ static void sort_memory(contact_set *set)
 static void note_sides(scene_object *s, const renaming *r)
 {
     contact_set *set = s->contacts;
-    for (uint32_t i = 0; set != NULL && i < set->memory_count; i++) {
-        set->recalled[i] = sides_beyond(s, r, &set->memory[i].key);
+    for (uint32_t i = 0; set != NULL && i < set->warm_start_count; i++) {
+        set->scratch_flags[i] = sides_beyond(s, r, &set->warm_start[i].key);
     }
 }
 
 static void rename_memory(scene_object *s, const renaming *r)
 {
     contact_set *set = s->contacts;
-    for (uint32_t i = 0; set != NULL && i < set->memory_count; i++) {
-        contact_memory *m = &set->memory[i];
+    for (uint32_t i = 0; set != NULL && i < set->warm_start_count; i++) {
+        contact_warm_start_entry *m = &set->warm_start[i];
         contact_key *k = &m->key;
         bool node = scene_is_of_node(k->kind);
         if (!node && !scene_is_of_segment(k->kind)) {
             continue;
         }
-        rename_side(r, node, (set->recalled[i] & 1u) != 0, &k->body_a, &k->a);
+        rename_side(r, node, (set->scratch_flags[i] & 1u) != 0, &k->body_a, &k->feature_a);
         if (k->kind == VBSS_CONTACT_SEGMENTS) {
-            rename_side(r, false, (set->recalled[i] & 2u) != 0, &k->body_b, &k->b);
+            rename_side(r, false, (set->scratch_flags[i] & 2u) != 0, &k->body_b, &k->feature_b);
         }
         turn_round(s, m);
     }

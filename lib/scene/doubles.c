@@ -5,18 +5,18 @@
 
 /* ---- segments of threads: the end of one is the begin of the next, whose row stays */
 
-static bool goes_on(const contact_set *set, const contact_row *row)
+static bool goes_on(const contact_set *set, const contact_constraint *row)
 {
     contact_key key = row->key;
-    double at[2] = {row->at[0], row->at[1]};
+    double at[2] = {row->barycentric[0], row->barycentric[1]};
     bool a = at[0] == 1.0, b = key.kind == VBSS_CONTACT_SEGMENTS && at[1] == 1.0;
-    key.a += a;
-    key.b += b;
+    key.feature_a += a;
+    key.feature_b += b;
     at[0] = a ? 0.0 : at[0];
     at[1] = b ? 0.0 : at[1];
     uint32_t other = a || b ? vbss_contact_find(set, &key) : UINT32_MAX;
-    return other != UINT32_MAX && fabs(set->rows[other].at[0] - at[0]) < 1e-9 &&
-           fabs(set->rows[other].at[1] - at[1]) < 1e-9;
+    return other != UINT32_MAX && fabs(set->constraints[other].barycentric[0] - at[0]) < 1e-9 &&
+           fabs(set->constraints[other].barycentric[1] - at[1]) < 1e-9;
 }
 
 /* ---- sides of drains: more than two meet, and not all that do have rows; the last of those that have stays */
@@ -35,40 +35,40 @@ static uint32_t point_of(const scene_object *s, uint32_t number, uint32_t featur
     return 2 * feature + 1; /* after the end of a capsule nothing follows */
 }
 
-static void find_points(const scene_object *s, contact_row *row)
+static void find_points(const scene_object *s, contact_constraint *row)
 {
     const contact_key *key = &row->key;
-    row->points[0] = point_of(s, key->body_a, key->a, row->at[0]);
-    row->points[1] = point_of(s, key->body_b, key->b, row->at[1]);
-    if (key->body_a == key->body_b && row->points[0] > row->points[1]) {
-        uint32_t first = row->points[0];
-        row->points[0] = row->points[1];
-        row->points[1] = first;
+    row->dedup_points[0] = point_of(s, key->body_a, key->feature_a, row->barycentric[0]);
+    row->dedup_points[1] = point_of(s, key->body_b, key->feature_b, row->barycentric[1]);
+    if (key->body_a == key->body_b && row->dedup_points[0] > row->dedup_points[1]) {
+        uint32_t first = row->dedup_points[0];
+        row->dedup_points[0] = row->dedup_points[1];
+        row->dedup_points[1] = first;
     }
 }
 
-static bool is_same(const contact_row *a, const contact_row *b)
+static bool is_same(const contact_constraint *a, const contact_constraint *b)
 {
-    return a->points[0] == b->points[0] && a->points[1] == b->points[1] &&
+    return a->dedup_points[0] == b->dedup_points[0] && a->dedup_points[1] == b->dedup_points[1] &&
            a->key.kind == b->key.kind && a->key.body_a == b->key.body_a &&
            a->key.body_b == b->key.body_b;
 }
 
 /* Rows by their points. */
 enum { BUCKETS = 256 };
-static uint32_t bucket_of(const contact_row *row)
+static uint32_t bucket_of(const contact_constraint *row)
 {
-    return (row->points[0] * 31u + row->points[1]) % BUCKETS;
+    return (row->dedup_points[0] * 31u + row->dedup_points[1]) % BUCKETS;
 }
 
 static bool is_there(contact_set *set, uint32_t last[BUCKETS], uint32_t i)
 {
-    contact_row *row = &set->rows[i];
+    contact_constraint *row = &set->constraints[i];
     uint32_t *bucket = &last[bucket_of(row)], k = *bucket;
-    while (k != UINT32_MAX && !is_same(row, &set->rows[k])) {
-        k = set->rows[k].later;
+    while (k != UINT32_MAX && !is_same(row, &set->constraints[k])) {
+        k = set->constraints[k].dedup_next;
     }
-    row->later = *bucket;
+    row->dedup_next = *bucket;
     *bucket = k == UINT32_MAX ? i : *bucket;
     return k != UINT32_MAX;
 }
@@ -81,20 +81,20 @@ void vbss_scene_remove_doubles(scene_object *s)
         last[i] = UINT32_MAX;
     }
     for (uint32_t i = set->count; i > 0; i--) {
-        contact_row *row = &set->rows[i - 1];
+        contact_constraint *row = &set->constraints[i - 1];
         uint32_t kind = row->key.kind;
-        set->recalled[i - 1] = 0;
+        set->scratch_flags[i - 1] = 0;
         if (kind == VBSS_CONTACT_SIDES) {
             find_points(s, row);
-            set->recalled[i - 1] = is_there(set, last, i - 1);
+            set->scratch_flags[i - 1] = is_there(set, last, i - 1);
         } else if (scene_is_of_segment(kind)) {
-            set->recalled[i - 1] = goes_on(set, row);
+            set->scratch_flags[i - 1] = goes_on(set, row);
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {
-        if (set->recalled[i] == 0) {
+        if (set->scratch_flags[i] == 0) {
             if (kept < i) {
-                set->rows[kept] = set->rows[i];
+                set->constraints[kept] = set->constraints[i];
             }
             kept++;
         }

@@ -22,7 +22,7 @@
 #define MORE_ENTRIES 4u
 #define MORE_PRODUCTS 8u
 
-static void add_room(vbss_system_room *room, const drain_object *d)
+static void add_room(vbss_system_capacity *room, const drain_object *d)
 {
     uint32_t n = d->mesh.node_count, all = n * (n - 1) / 2, most = PAIRS_OF_A_DRAIN_NODE * n;
     room->blocks += n;
@@ -36,8 +36,8 @@ static void add_room(vbss_system_room *room, const drain_object *d)
 vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer)
 {
     uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
-    vbss_system_room room =
-        vbss_system_room_of_lines(blocks, THREAD_REACH, blocks, PAIRS_OF_A_SEPARATOR * blocks);
+    vbss_system_capacity room =
+        vbss_system_capacity_of_chains(blocks, THREAD_REACH, blocks, PAIRS_OF_A_SEPARATOR * blocks);
     vbss_system *made;
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
@@ -47,7 +47,7 @@ vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer)
     if (comer != NULL) {
         add_room(&room, comer);
     }
-    VBSS_TRY(vbss_system_create_room(s->context, &room, &made));
+    VBSS_TRY(vbss_system_create_with_capacity(s->context, &room, &made));
     vbss_system_destroy(s->context, s->system);
     s->system = made;
     s->pattern = 0;
@@ -251,11 +251,11 @@ static void note_pushes(scene_object *s, scene_drain *b)
     uint32_t n = d->mesh.node_count;
     memset(d->pushes, 0, n * sizeof *d->pushes);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
+        const contact_constraint *row = &s->contacts->constraints[i];
         vec3 force;
         bool bears = vbss_scene_find_force(s->contacts, i, &force);
-        for (uint32_t k = 0; bears && k < row->term_count; k++) {
-            const contact_term *t = &row->terms[k];
+        for (uint32_t k = 0; bears && k < row->jacobian_block_count; k++) {
+            const contact_jacobian_block *t = &row->jacobian[k];
             if (t->block >= b->first_block && t->block - b->first_block < n) {
                 uint32_t node = d->order.node[t->block - b->first_block];
                 d->pushes[node] = vec3_add_scaled(d->pushes[node], t->weight, force);

@@ -46,8 +46,8 @@ static void insert(scene_object *s, scene_touch touch)
 static void list_touches(scene_object *s)
 {
     s->touch_count = 0;
-    for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->memory_count; i++) {
-        const contact_key *key = &s->contacts->memory[i].key;
+    for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->warm_start_count; i++) {
+        const contact_key *key = &s->contacts->warm_start[i].key;
         const scene_touch touch = {key->body_a, key->body_b};
         insert(s, touch);
     }

@@ -50,10 +50,10 @@ static const scene_body *body_of(const scene_object *s, uint32_t number, const s
     return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
 }
 
-static inline side side_of(const scene_object *s, const contact_row *row, const scene_body *b,
-                           int which)
+static inline side side_of(const scene_object *s, const contact_constraint *row,
+                           const scene_body *b, int which)
 {
-    uint32_t kind = row->key.kind, feature = which == 0 ? row->key.a : row->key.b;
+    uint32_t kind = row->key.kind, feature = which == 0 ? row->key.feature_a : row->key.feature_b;
     side d; /* its nodes are looked at where they are set */
     d.body = b;
     d.capsule = NULL;
@@ -192,10 +192,10 @@ static bool ends_at_lip(const side *d, double at)
            d->body->drain.lip_of_node[d->nodes[at == 1.0 ? 1 : 0]] != SCENE_NO_FACE;
 }
 
-static bool is_seen_by_lips(const side *d, const side *e, const contact_row *row)
+static bool is_seen_by_lips(const side *d, const side *e, const contact_constraint *row)
 {
     return d->body->kind == BODY_DRAIN && e->body->kind == BODY_DRAIN &&
-           (ends_at_lip(d, row->at[0]) || ends_at_lip(e, row->at[1]));
+           (ends_at_lip(d, row->barycentric[0]) || ends_at_lip(e, row->barycentric[1]));
 }
 
 static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
@@ -228,13 +228,13 @@ static vec3 between_lines(const scene_object *s, const side *d, const side *e, m
 }
 
 /* Beside a hole. */
-static bool is_cut(const contact_row *row)
+static bool is_cut(const contact_constraint *row)
 {
-    return row->piece[0][0] > 0.0 || row->piece[0][1] < 1.0;
+    return row->axis_interval[0][0] > 0.0 || row->axis_interval[0][1] < 1.0;
 }
 
 /* From b to a between the surfaces' middles where they are nearest: where that is on both, and what of it is wall. */
-static inline vec3 apart_of(const scene_object *s, const contact_row *row, const side *d,
+static inline vec3 apart_of(const scene_object *s, const contact_constraint *row, const side *d,
                             const side *e, moment when, double at[2], double *walls)
 {
     vec3 one[3], other[3];
@@ -242,29 +242,30 @@ static inline vec3 apart_of(const scene_object *s, const contact_row *row, const
     axis_of(s, e, when, other);
     bool cut = is_cut(row);
     if (cut) {
-        scene_cut_axis(one, row->piece[0]);
-        scene_cut_axis(other, row->piece[1]);
+        scene_cut_axis(one, row->axis_interval[0]);
+        scene_cut_axis(other, row->axis_interval[1]);
     }
     vec3 apart = closest(d, e, one, other, at);
     for (int k = 0; cut && k < 2; k++) {
-        at[k] = row->piece[k][0] + at[k] * (row->piece[k][1] - row->piece[k][0]);
+        at[k] = row->axis_interval[k][0] +
+                at[k] * (row->axis_interval[k][1] - row->axis_interval[k][0]);
     }
     *walls = 0.0;
     return is_flat(d, e) || is_flat(e, d) ? between_lines(s, d, e, when, apart, walls) : apart;
 }
 
 /* The share of each corner in the point that the row is about. */
-static inline void weigh(const side *d, const contact_row *row, int which, double weights[3])
+static inline void weigh(const side *d, const contact_constraint *row, int which, double weights[3])
 {
     weights[0] = 1.0;
     weights[1] = weights[2] = 0.0;
     if (d->corners == 2) {
-        weights[0] = 1.0 - row->at[which];
-        weights[1] = row->at[which];
+        weights[0] = 1.0 - row->barycentric[which];
+        weights[1] = row->barycentric[which];
     } else if (d->corners == 3) {
-        weights[0] = 1.0 - row->at[0] - row->at[1];
-        weights[1] = row->at[0];
-        weights[2] = row->at[1];
+        weights[0] = 1.0 - row->barycentric[0] - row->barycentric[1];
+        weights[1] = row->barycentric[0];
+        weights[2] = row->barycentric[1];
     }
 }
 
@@ -282,25 +283,26 @@ static inline vec3 point_of(const side *d, const vec3 axis[3], const double weig
 
 /* ---- terms */
 
-static void add_term(contact_row *row, uint32_t b, double weight)
+static void add_term(contact_constraint *row, uint32_t b, double weight)
 {
-    contact_term *term = &row->terms[row->term_count++];
-    *term = (contact_term){.block = b, .weight = weight};
+    contact_jacobian_block *term = &row->jacobian[row->jacobian_block_count++];
+    *term = (contact_jacobian_block){.block = b, .weight = weight};
 }
 
-void vbss_scene_add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 point, double weight)
+void vbss_scene_add_rigid_terms(contact_constraint *row, const scene_rigid *r, vec3 point,
+                                double weight)
 {
-    contact_term *term = &row->terms[row->term_count + 1];
+    contact_jacobian_block *term = &row->jacobian[row->jacobian_block_count + 1];
     add_term(row, r->blocks.first, weight);
-    *term = (contact_term){.block = r->blocks.first + 1,
-                           .turns = true,
-                           .weight = weight,
-                           .arm = vec3_sub(point, r->trial.position)};
-    row->term_count++;
+    *term = (contact_jacobian_block){.block = r->blocks.first + 1,
+                                     .is_rotation = true,
+                                     .weight = weight,
+                                     .arm = vec3_sub(point, r->trial.position)};
+    row->jacobian_block_count++;
 }
 
 /* A node that is welded to a body moves as that does. */
-void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
+void vbss_scene_add_node_term(const scene_object *s, contact_constraint *row, const scene_body *b,
                               uint32_t node, double weight)
 {
     const scene_pin *weld =
@@ -314,7 +316,7 @@ void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const sce
 }
 
 /* The terms that move `point` of the surface. */
-static void add_terms(const scene_object *s, contact_row *row, const side *d,
+static void add_terms(const scene_object *s, contact_constraint *row, const side *d,
                       const double weights[3], vec3 point, double sign)
 {
     const scene_body *b = d->body;
@@ -346,7 +348,7 @@ static vec3 point_at_begin(const side *d, double at, vec3 point)
     /* a jaw's axis goes against its body */
     vec3 moved = vec3_lerp(vec3_sub(c->local_trial[first], c->local[first]),
                            vec3_sub(c->local_trial[last], c->local[last]), at);
-    return pose_apply(r->body.now.at, vec3_sub(pose_apply_inverse(r->trial, point), moved));
+    return pose_apply(r->body.now.pose, vec3_sub(pose_apply_inverse(r->trial, point), moved));
 }
 
 /* ---- rows */
@@ -389,8 +391,8 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
 
 /* One side of a row, once normal and places are known: its terms, how far its point has come since the part began,
  * and where that is. `out` is from the axis, or the middle of a wall, to the surface. */
-static vec3 place_side(const scene_object *s, contact_row *row, const side *d, int which, vec3 out,
-                       double sign)
+static vec3 place_side(const scene_object *s, contact_constraint *row, const side *d, int which,
+                       vec3 out, double sign)
 {
     vec3 axis[3], before[3], began;
     double weights[3];
@@ -400,35 +402,37 @@ static vec3 place_side(const scene_object *s, contact_row *row, const side *d, i
     vec3 here = point_of(d, axis, weights), point = vec3_add(here, out);
     add_terms(s, row, d, weights, point, sign);
     if (d->capsule != NULL) {
-        began = point_at_begin(d, d->corners > 1 ? row->at[which] : 0.0, point);
-        row->slid = vec3_add_scaled(row->slid, sign, vec3_sub(point, began));
+        began = point_at_begin(d, d->corners > 1 ? row->barycentric[which] : 0.0, point);
+        row->relative_displacement =
+            vec3_add_scaled(row->relative_displacement, sign, vec3_sub(point, began));
     } else {
         axis_of(s, d, BEGIN, before);
         began = point_of(d, before, weights);
-        row->slid = vec3_add_scaled(row->slid, sign, vec3_sub(here, began));
+        row->relative_displacement =
+            vec3_add_scaled(row->relative_displacement, sign, vec3_sub(here, began));
     }
     return here;
 }
 
-static void place_row(const scene_object *s, contact_row *row, const side *d, const side *e)
+static void place_row(const scene_object *s, contact_constraint *row, const side *d, const side *e)
 {
     const vec3 n = row->normal;
-    row->term_count = 0;
-    row->slid = vec3_zero();
+    row->jacobian_block_count = 0;
+    row->relative_displacement = vec3_zero();
     vec3 out = vec3_scale(n, -d->radius), here = place_side(s, row, d, 0, out, 1.0);
     if (e == NULL) {
         row->gap = vec3_dot(n, here) - s->config.floor_height - d->radius;
     } else {
         vec3 there = place_side(s, row, e, 1, vec3_scale(n, e->radius), -1.0);
-        row->gap =
-            vec3_dot(n, vec3_sub(here, there)) - touching_of(d, e) - row->walls + row->spared;
+        row->gap = vec3_dot(n, vec3_sub(here, there)) - touching_of(d, e) - row->lip_thickness +
+                   row->overlap_allowance;
     }
     row->point = vec3_add_scaled(vec3_add(here, out), -0.5 * row->gap, n);
 }
 
 /* Whether normals of the begin will do: those of segments jump, or turn fast as their radius is small; velocities
  * that are a little wrong would make them worse, and tight knots tremble. */
-static bool keeps_normal(const contact_row *row)
+static bool keeps_normal(const contact_constraint *row)
 {
     return row->key.kind == VBSS_CONTACT_SEGMENTS ||
            row->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE || row->key.kind == VBSS_CONTACT_SIDES ||
@@ -436,9 +440,10 @@ static bool keeps_normal(const contact_row *row)
 }
 
 /* Within the face, not on a side of it. */
-static bool is_within(const contact_row *row)
+static bool is_within(const contact_constraint *row)
 {
-    return row->at[0] > 0.0 && row->at[1] > 0.0 && row->at[0] + row->at[1] < 1.0;
+    return row->barycentric[0] > 0.0 && row->barycentric[1] > 0.0 &&
+           row->barycentric[0] + row->barycentric[1] < 1.0;
 }
 
 /* Features that meet: as good as any direction that is across both. */
@@ -452,7 +457,7 @@ static vec3 across(const scene_object *s, const side *d, const side *e)
     return vec3_unit_or(normal, vec3_make(0.0, 1.0, 0.0));
 }
 
-bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
+bool vbss_scene_lay_row(const scene_object *s, contact_constraint *row, const scene_body *a,
                         const scene_body *b, double reach)
 {
     const side d = side_of(s, row, a, 0);
@@ -460,19 +465,19 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
         vec3 one[3];
         axis_of(s, &d, BEGIN, one);
         row->normal = s->floor_normal;
-        row->at[0] = row->at[1] = 0.0;
+        row->barycentric[0] = row->barycentric[1] = 0.0;
         row->thickness = 2.0 * d.radius;
-        row->touching = d.radius;
-        row->gap_before = vec3_dot(row->normal, one[0]) - s->config.floor_height - d.radius;
-        return row->gap_before < reach;
+        row->contact_distance = d.radius;
+        row->start_gap = vec3_dot(row->normal, one[0]) - s->config.floor_height - d.radius;
+        return row->start_gap < reach;
     }
     const side e = side_of(s, row, b, 1);
-    vec3 apart = apart_of(s, row, &d, &e, BEGIN, row->at, &row->walls);
+    vec3 apart = apart_of(s, row, &d, &e, BEGIN, row->barycentric, &row->lip_thickness);
     double distance = vec3_norm(apart), touching = touching_of(&d, &e);
     row->thickness = 2.0 * vbss_min(d.radius, e.radius); /* of lips too: they are soft */
-    row->touching = touching;
-    row->gap_before = distance - touching;
-    if (!(row->gap_before < reach) || (e.corners == 3 && !is_within(row)) ||
+    row->contact_distance = touching;
+    row->start_gap = distance - touching;
+    if (!(row->start_gap < reach) || (e.corners == 3 && !is_within(row)) ||
         is_seen_by_lips(&d, &e, row)) {
         return false;
     }
@@ -486,30 +491,33 @@ bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_bod
     double later = vec3_norm(then);
     if (later > STILL_APART * touching && vec3_dot(then, row->normal) > SAME_SIDE * later) {
         row->normal = vec3_scale(then, 1.0 / later);
-        row->at[0] = at[0];
-        row->at[1] = at[1];
-        row->walls = walls;
+        row->barycentric[0] = at[0];
+        row->barycentric[1] = at[1];
+        row->lip_thickness = walls;
     }
     return true;
 }
 
 typedef enum look_at_row { SET, REFRESH, LAY_AGAIN, MEASURE } look_at_row;
 
-static void lay_again(const scene_object *s, contact_row *row, const side *d, const side *e)
+static void lay_again(const scene_object *s, contact_constraint *row, const side *d, const side *e)
 {
-    row->normal = vec3_unit_or(apart_of(s, row, d, e, TRIAL, row->at, &row->walls), row->normal);
-    row->held = vbss_contact_turn_into_plane(row->held, row->normal);
-    row->is.way = vec3_unit_or(vbss_contact_turn_into_plane(row->is.way, row->normal), row->is.way);
+    row->normal = vec3_unit_or(apart_of(s, row, d, e, TRIAL, row->barycentric, &row->lip_thickness),
+                               row->normal);
+    row->previous_force = vbss_contact_rotate_to_tangent_plane(row->previous_force, row->normal);
+    row->solution.slip_direction = vec3_unit_or(
+        vbss_contact_rotate_to_tangent_plane(row->solution.slip_direction, row->normal),
+        row->solution.slip_direction);
 }
 
-static void measure(const scene_object *s, contact_row *row, const side *d, const side *e)
+static void measure(const scene_object *s, contact_constraint *row, const side *d, const side *e)
 {
     double at[2], walls;
-    row->gap =
-        vec3_norm(apart_of(s, row, d, e, TRIAL, at, &walls)) - touching_of(d, e) + row->spared;
+    row->gap = vec3_norm(apart_of(s, row, d, e, TRIAL, at, &walls)) - touching_of(d, e) +
+               row->overlap_allowance;
 }
 
-static void look(const scene_object *s, contact_row *row, const side *d, const side *e,
+static void look(const scene_object *s, contact_constraint *row, const side *d, const side *e,
                  look_at_row how)
 {
     if (how == MEASURE && e != NULL) {
@@ -527,8 +535,8 @@ static void look_at_all(scene_object *s, look_at_row how, double h)
 {
     const scene_body *a = NULL, *b = NULL;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        if (row->bilateral) {
+        contact_constraint *row = &s->contacts->constraints[i];
+        if (row->is_bilateral) {
             if (how != MEASURE) {
                 vbss_scene_lay_grasp_row(s, row);
             }
@@ -540,7 +548,8 @@ static void look_at_all(scene_object *s, look_at_row how, double h)
             row->friction = friction_of(s, a, b);
             row->stiffness = s->config.contact_stiffness;
             row->augmentation = augmentation_of(a, b, h);
-            row->spent = row->key.kind == VBSS_CONTACT_NODE_FLOOR ? SPENT_ON_FLOOR : 0.0;
+            row->elastic_slip_limit =
+                row->key.kind == VBSS_CONTACT_NODE_FLOOR ? SPENT_ON_FLOOR : 0.0;
         }
         const side d = side_of(s, row, a, 0);
         if (b == NULL) {

@@ -26,7 +26,7 @@ static double away_from(const suture_hole *hole, const scene_body *drain, const 
 static void axis_from(const scene_body *needle, uint32_t capsule, double from, vec3 axis[2])
 {
     const needle_object *n = needle->rigid.needle;
-    const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.at);
+    const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.pose);
     const double begin = vbss_needle_corner(n, capsule), end = vbss_needle_corner(n, capsule + 1);
     const vec3 first = pose_apply(at, vbss_needle_point(n, begin));
     axis[1] = pose_apply(at, vbss_needle_point(n, end));
@@ -61,7 +61,7 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
                    const crossing *c)
 {
     const drain_object *d = drain->drain.drain;
-    const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.at);
+    const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.pose);
     const vec3 way =
         quat_rotate(at.orientation, vbss_needle_direction(needle->rigid.needle, c->arc));
     suture_hole made = c->at;

@@ -7,7 +7,7 @@ static void add_force(scene_body *b, vec3 point, vec3 force)
 {
     if (b != NULL && b->kind == BODY_RIGID) {
         scene_rigid *r = &b->rigid;
-        vec3 arm = vec3_sub(point, r->body.now.at.position);
+        vec3 arm = vec3_sub(point, r->body.now.pose.position);
         r->force = vec3_add(r->force, force);
         r->torque = vec3_add(r->torque, vec3_cross(arm, force));
     }
@@ -17,7 +17,8 @@ static void show_contact(scene_object *s, const scene_hit *hit)
 {
     uint32_t i = s->contact_count++;
     const contact_key *key = &hit->key;
-    const uint32_t features[5] = {key->kind, key->body_a, key->a, key->body_b, key->b};
+    const uint32_t features[5] = {key->kind, key->body_a, key->feature_a, key->body_b,
+                                  key->feature_b};
     for (int k = 0; k < 5; k++) {
         s->contact_features[i][k] = features[k];
     }
@@ -48,33 +49,34 @@ static scene_body *bearer_of(scene_object *s, uint32_t b)
 
 bool vbss_scene_find_force(const contact_set *set, uint32_t i, vec3 *force)
 {
-    const contact_row *row = &set->rows[i];
-    contact_found is = row->is;
-    if (set->stopped && !row->bilateral) { /* what the law says of where that is nothing has felt */
-        *force = set->here[i].force;
+    const contact_constraint *row = &set->constraints[i];
+    contact_solution is = row->solution;
+    if (set->is_stopped_early &&
+        !row->is_bilateral) { /* what the law says of where that is nothing has felt */
+        *force = set->current[i].force;
         return vec3_norm_squared(*force) > 0.0;
     }
-    if (row->bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
-        (void)vbss_contact_next_state(row, vec3_zero(), &is);
+    if (row->is_bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
+        (void)vbss_contact_update_solution(row, vec3_zero(), &is);
     }
-    *force = vec3_add_scaled(is.rubbing, is.pressure, row->normal);
-    return row->is.state != CONTACT_OPEN;
+    *force = vec3_add_scaled(is.tangential_force, is.normal_force, row->normal);
+    return row->solution.status != CONTACT_OPEN;
 }
 
 static void add_contacts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
+        const contact_constraint *row = &s->contacts->constraints[i];
         vec3 force;
         if (!vbss_scene_find_force(s->contacts, i, &force)) {
             continue;
         }
-        const double gap = row->gap - row->eased;
+        const double gap = row->gap - row->fold_allowance;
         const scene_hit hit = {row->key, row->normal, force, row->point, gap};
         show_contact(s, &hit);
-        for (uint32_t k = 0; k < row->term_count; k++) {
-            const contact_term *term = &row->terms[k];
-            if (!term->turns) {
+        for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
+            const contact_jacobian_block *term = &row->jacobian[k];
+            if (!term->is_rotation) {
                 add_force(bearer_of(s, term->block), row->point, vec3_scale(force, term->weight));
             }
         }

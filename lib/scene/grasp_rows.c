@@ -47,39 +47,39 @@ pose vbss_scene_jaws_of(const scene_rigid *r, pose principal)
     return pose_mul(tool, vbss_grasper_jaw_frame(r->grasper));
 }
 
-void vbss_scene_lay_spring(contact_row *row, const scene_rigid *tool, vec3 here, vec3 there)
+void vbss_scene_lay_spring(contact_constraint *row, const scene_rigid *tool, vec3 here, vec3 there)
 {
     pose jaws = vbss_scene_jaws_of(tool, tool->trial);
     row->normal = quat_rotate(jaws.orientation, vec3_make(1.0, 0.0, 0.0));
-    row->slid = vec3_sub(here, there);
-    row->gap = vec3_dot(row->normal, row->slid);
+    row->relative_displacement = vec3_sub(here, there);
+    row->gap = vec3_dot(row->normal, row->relative_displacement);
     row->point = there;
-    row->term_count = 0;
+    row->jacobian_block_count = 0;
     row->friction = 1.0; /* it has a stiffness along the plane too */
-    row->held = row->is.rubbing = vec3_zero();
-    row->is.state = CONTACT_STICK;
+    row->previous_force = row->solution.tangential_force = vec3_zero();
+    row->solution.status = CONTACT_STICK;
 }
 
-static void lay(scene_object *s, contact_row *row)
+static void lay(scene_object *s, contact_constraint *row)
 {
-    const scene_grasp *g = &s->grasps[row->key.a / GRIP_POINTS];
+    const scene_grasp *g = &s->grasps[row->key.feature_a / GRIP_POINTS];
     const scene_body *b = vbss_scene_body(s, g->thread);
     const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
     const thread_object *t = b->thread.thread;
-    uint32_t point = row->key.a % GRIP_POINTS;
+    uint32_t point = row->key.feature_a % GRIP_POINTS;
     place p = place_of_point(t, g, point);
     vec3 held = pose_apply(vbss_scene_jaws_of(r, r->trial), g->grip.at[point]);
     vec3 here = vec3_lerp(t->trial[p.segment], t->trial[p.segment + 1], p.share);
     vbss_scene_lay_spring(row, r, here, held);
     row->stiffness = GRIP_ACROSS * (r->grasper->config.grip_stiffness / GRIP_POINTS);
-    row->along = 1.0 / GRIP_ACROSS;
-    row->at[0] = p.share;
+    row->tangential_stiffness_ratio = 1.0 / GRIP_ACROSS;
+    row->barycentric[0] = p.share;
     vbss_scene_add_node_term(s, row, b, p.segment, 1.0 - p.share);
     vbss_scene_add_node_term(s, row, b, p.segment + 1, p.share);
     vbss_scene_add_rigid_terms(row, r, held, -1.0);
 }
 
-void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
+void vbss_scene_lay_grasp_row(scene_object *s, contact_constraint *row)
 {
     if (row->key.kind == VBSS_CONTACT_HOLE) {
         vbss_scene_lay_hole_row(s, row);
@@ -97,11 +97,11 @@ void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row)
     lay(s, row);
 }
 
-contact_row *vbss_scene_add_tie(scene_object *s, const contact_key *key)
+contact_constraint *vbss_scene_add_tie(scene_object *s, const contact_key *key)
 {
-    contact_row *row = vbss_contact_add(s->contacts, key);
+    contact_constraint *row = vbss_contact_add(s->contacts, key);
     if (row != NULL) {
-        row->bilateral = true;
+        row->is_bilateral = true;
         row->thickness = 1.0; /* it overlaps nothing */
     }
     return row;

@@ -150,7 +150,7 @@ static void look_between(const scene_object *s, const scene_body *tool, mouth *m
     const scene_rigid *r = &tool->rigid;
     m->tool = tool->number;
     m->grasper = r->grasper;
-    m->jaws = vbss_scene_jaws_of(r, r->body.now.at);
+    m->jaws = vbss_scene_jaws_of(r, r->body.now.pose);
     m->count = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
@@ -273,7 +273,7 @@ static bool is_clear(const scene_object *s, const scene_grasp *g, double share)
         const scene_capsule *c = &s->capsules[r->first_capsule + k];
         vec3 axis[2];
         double touching = c->radius + t->config.radius;
-        vbss_scene_place_capsule(c, r->body.now.at, axis);
+        vbss_scene_place_capsule(c, r->body.now.pose, axis);
         for (uint32_t i = 0; i + 1 < t->node_count; i++) {
             if (vbss_scene_is_held_at(s, g, i, touching)) {
                 double at[2];
@@ -371,7 +371,7 @@ static void settle(scene_object *s, scene_grasp *g, double h)
 {
     const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
     const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
-    pose jaws = vbss_scene_jaws_of(r, r->body.now.at);
+    pose jaws = vbss_scene_jaws_of(r, r->body.now.pose);
     double stiffness = r->grasper->config.grip_stiffness / GRIP_POINTS;
     vec3 way = vec3_sub(t->now.x[g->segment + 1], t->now.x[g->segment]);
     uint32_t strands = vbss_scene_count_grasps(s, g->tool);

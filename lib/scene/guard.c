@@ -84,8 +84,9 @@ static bool are_apart(const scene_object *s)
 {
     bool apart = !s->unlisted;
     for (uint32_t i = 0; apart && i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
-        apart = row->bilateral || row->gap_before - row->spared >= -DEEP * row->touching;
+        const contact_constraint *row = &s->contacts->constraints[i];
+        apart = row->is_bilateral ||
+                row->start_gap - row->overlap_allowance >= -DEEP * row->contact_distance;
     }
     return apart;
 }

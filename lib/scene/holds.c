@@ -74,9 +74,9 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
 {
     const grasper_object *g = tool->rigid.grasper;
     const needle_object *n = b->rigid.needle;
-    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.at);
+    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.pose);
     pose needle =
-        pose_mul(pose_inverse(jaws), vbss_scene_needle_at(&b->rigid, b->rigid.body.now.at));
+        pose_mul(pose_inverse(jaws), vbss_scene_needle_at(&b->rigid, b->rigid.body.now.pose));
     uint32_t pieces = PIECES * n->config.segment_count;
     double length = vbss_needle_length(n) / pieces;
     for (uint32_t i = 0; i < pieces; i++) {
@@ -146,11 +146,11 @@ static bool is_clear(const scene_object *s, const scene_body *tool, double share
     for (uint32_t k = GRASPER_JAW; k < GRASPER_NECK; k++) {
         const scene_capsule *jaw = &s->capsules[tool->rigid.first_capsule + k];
         vec3 one[2], other[2];
-        vbss_scene_place_capsule(jaw, tool->rigid.body.now.at, one);
+        vbss_scene_place_capsule(jaw, tool->rigid.body.now.pose, one);
         for (uint32_t i = 0; i < b->rigid.capsule_count; i++) {
             const scene_capsule *c = &s->capsules[b->rigid.first_capsule + i];
             double at[2];
-            vbss_scene_place_capsule(c, b->rigid.body.now.at, other);
+            vbss_scene_place_capsule(c, b->rigid.body.now.pose, other);
             vec3 apart =
                 closest_between_edges(vec3_sub(one[1], one[0]), vec3_sub(other[1], other[0]),
                                       vec3_sub(other[0], one[0]), &at[0], &at[1]);
@@ -226,14 +226,14 @@ static corner corner_of(const scene_rigid *needle, pose needle_principal, const 
                     pose_apply(place, pose_apply_inverse(hold->at, local))};
 }
 
-void vbss_scene_lay_hold_row(scene_object *s, contact_row *row)
+void vbss_scene_lay_hold_row(scene_object *s, contact_constraint *row)
 {
     const scene_rigid *needle = &vbss_scene_body(s, row->key.body_a)->rigid;
     const scene_rigid *tool = &vbss_scene_body(s, row->key.body_b)->rigid;
-    const corner c = corner_of(needle, needle->trial, tool, tool->trial, row->key.a);
+    const corner c = corner_of(needle, needle->trial, tool, tool->trial, row->key.feature_a);
     vbss_scene_lay_spring(row, tool, c.here, c.there);
     row->stiffness = vbss_hold_stiffness(tool->grasper);
-    row->along = 0.0; /* the same in all directions */
+    row->tangential_stiffness_ratio = 0.0; /* the same in all directions */
     vbss_scene_add_rigid_terms(row, needle, c.here, 1.0);
     vbss_scene_add_rigid_terms(row, tool, c.there, -1.0);
 }
@@ -244,10 +244,10 @@ void vbss_scene_lay_hold_row(scene_object *s, contact_row *row)
 static hold_load load_of(const scene_rigid *needle, const scene_rigid *tool)
 {
     const scene_hold *hold = &tool->hold;
-    pose jaws = vbss_scene_jaws_of(tool, tool->body.now.at);
+    pose jaws = vbss_scene_jaws_of(tool, tool->body.now.pose);
     hold_load load = {.force = vec3_zero(), .torque = vec3_zero()};
     for (uint32_t k = 0; k < HOLD_POINTS; k++) {
-        const corner c = corner_of(needle, needle->body.now.at, tool, tool->body.now.at, k);
+        const corner c = corner_of(needle, needle->body.now.pose, tool, tool->body.now.pose, k);
         vec3 apart = quat_rotate_back(jaws.orientation, vec3_sub(c.there, c.here));
         vec3 force = vec3_scale(apart, vbss_hold_stiffness(tool->grasper));
         vec3 arm =
@@ -280,7 +280,7 @@ static void settle(scene_object *s, scene_body *tool, double h)
     scene_rigid *r = &tool->rigid;
     scene_hold *hold = &r->hold;
     const scene_rigid *needle = needle_of(s, hold);
-    pose jaws = vbss_scene_jaws_of(r, r->body.now.at);
+    pose jaws = vbss_scene_jaws_of(r, r->body.now.pose);
     hold_load load = load_of(needle, r);
     load.pressure = r->grasper->pressure / vbss_scene_count_grasps(s, tool->number);
     load.h = h;
@@ -328,6 +328,6 @@ void vbss_scene_show_hold(const scene_object *s, const scene_body *tool, vbss_gr
     grasp->arc_length = hold->arc;
     grasp->limit = hold->limit;
     grasp->slid = hold->slid;
-    vec3_store(grasp->position, held_place(needle, hold, needle->body.now.at).position);
+    vec3_store(grasp->position, held_place(needle, hold, needle->body.now.pose).position);
     vec3_store(grasp->force, hold->force);
 }

@@ -73,7 +73,7 @@ static passage passage_of(const scene_object *s, const suture_hole *hole)
     if (p.needle != NULL) {
         const scene_rigid *r = &p.needle->rigid;
         p.now.needle = r->needle;
-        p.now.at = vbss_scene_needle_at(r, r->body.now.at);
+        p.now.at = vbss_scene_needle_at(r, r->body.now.pose);
         p.now.swage = vbss_needle_length(r->needle);
         p.trial.at = vbss_scene_needle_at(r, r->trial);
     }
@@ -106,11 +106,11 @@ bool vbss_scene_add_hole_rows(scene_object *s)
         }
         const contact_key key = {VBSS_CONTACT_HOLE, hole->needle != 0 ? hole->needle : hole->thread,
                                  i, hole->drain, 0};
-        contact_row *row = vbss_scene_add_tie(s, &key);
+        contact_constraint *row = vbss_scene_add_tie(s, &key);
         if (row == NULL) {
             return false;
         }
-        row->sleeve = true;
+        row->is_sleeve = true;
     }
     return true;
 }
@@ -126,7 +126,7 @@ static double number_of(const suture_place *place, const double numbers[SUTURE_N
 
 /* Needle and the node that is the swage's move as one: weights and points add up. What nodes behind it lose as the place
  * slides on, the needle gains. */
-static void add_needle_terms(contact_row *row, const passage *p, const suture_place *place)
+static void add_needle_terms(contact_constraint *row, const passage *p, const suture_place *place)
 {
     const suture_line *line = &p->trial;
     const double of_end = number_of(place, place->weights, 0);
@@ -136,23 +136,27 @@ static void add_needle_terms(contact_row *row, const passage *p, const suture_pl
     point = vec3_add_scaled(point, of_end, end);
     point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;
     vbss_scene_add_rigid_terms(row, &p->needle->rigid, pose_apply(line->at, point), weight);
-    contact_term *moves = &row->terms[row->term_count - 2], *turns = moves + 1;
+    contact_jacobian_block *moves = &row->jacobian[row->jacobian_block_count - 2],
+                           *turns = moves + 1;
     if (place->span == SUTURE_ON_NEEDLE) {
-        turns->swing = vec3_neg(place->tangent); /* toward the tip, from which the arc is counted */
+        turns->weighted_arm_derivative =
+            vec3_neg(place->tangent); /* toward the tip, from which the arc is counted */
     } else if (place->first == 0) {
         const vec3 centre = p->needle->rigid.trial.position;
         const double end_gains = place->slopes[0];
         for (uint32_t i = 1; i < SUTURE_NODES; i++) {
-            moves->slope -= place->slopes[i];
+            moves->weight_derivative -= place->slopes[i];
         }
-        turns->swing = vec3_scale(vec3_sub(pose_apply(line->at, end), centre), end_gains);
-        turns->swing = vec3_add_scaled(turns->swing, moves->slope - end_gains,
-                                       vec3_sub(pose_apply(line->at, place->needle), centre));
+        turns->weighted_arm_derivative =
+            vec3_scale(vec3_sub(pose_apply(line->at, end), centre), end_gains);
+        turns->weighted_arm_derivative =
+            vec3_add_scaled(turns->weighted_arm_derivative, moves->weight_derivative - end_gains,
+                            vec3_sub(pose_apply(line->at, place->needle), centre));
     }
 }
 
 /* The nodes of a span and of those beside it, with what the place weighs them: it may slide on to those. */
-static void add_thread_terms(const scene_object *s, contact_row *row, const passage *p,
+static void add_thread_terms(const scene_object *s, contact_constraint *row, const passage *p,
                              const suture_place *place, uint32_t span)
 {
     const thread_object *t = p->thread->thread.thread;
@@ -161,15 +165,16 @@ static void add_thread_terms(const scene_object *s, contact_row *row, const pass
     first = p->needle != NULL && first == 0 ? 1 : first; /* the swage is the needle's */
     for (uint32_t i = first; i <= last; i++) {
         uint32_t room = t->welded[i] != 0 ? 2 : 1;
-        if (row->term_count + room > CONTACT_TERMS - 3) { /* welds beside each other */
+        if (row->jacobian_block_count + room >
+            CONTACT_MAX_JACOBIAN_BLOCKS - 3) { /* welds beside each other */
             break;
         }
-        const uint32_t from = row->term_count;
+        const uint32_t from = row->jacobian_block_count;
         vbss_scene_add_node_term(s, row, p->thread, i, number_of(place, place->weights, i));
-        for (uint32_t k = from; k < row->term_count; k++) {
-            contact_term *term = &row->terms[k];
-            term->slope = number_of(place, place->slopes, i);
-            term->swing = vec3_scale(term->arm, term->slope);
+        for (uint32_t k = from; k < row->jacobian_block_count; k++) {
+            contact_jacobian_block *term = &row->jacobian[k];
+            term->weight_derivative = number_of(place, place->slopes, i);
+            term->weighted_arm_derivative = vec3_scale(term->arm, term->weight_derivative);
         }
     }
 }
@@ -181,21 +186,21 @@ static uint32_t choose_span(const passage *p, double arc)
     return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 
-void vbss_scene_lay_hole_row(scene_object *s, contact_row *row)
+void vbss_scene_lay_hole_row(scene_object *s, contact_constraint *row)
 {
-    const suture_hole *hole = &s->holes[row->key.a];
+    const suture_hole *hole = &s->holes[row->key.feature_a];
     const passage p = passage_of(s, hole);
     const drain_object *d = p.drain->drain;
     const vec3 point = vbss_hole_point(hole, d, d->trial);
-    if (row->term_count == 0) {
+    if (row->jacobian_block_count == 0) {
         const suture_place before = look_now(&p, hole);
-        row->from = before.arc;
+        row->start_arc_length = before.arc;
         row->span = choose_span(&p, vbss_suture_nearest(&p.trial, p.arc, point).arc);
-        row->is.state = CONTACT_STICK;
+        row->solution.status = CONTACT_STICK;
         const hole_bound bound = vbss_hole_bound(hole, &d->config, &p.now, &before);
-        row->least = bound.least;
-        row->grip[0] = bound.grip[0];
-        row->grip[1] = bound.grip[1];
+        row->yield_force = bound.least;
+        row->yield_friction[0] = bound.grip[0];
+        row->yield_friction[1] = bound.grip[1];
     }
     uint32_t span = row->span;
     suture_line line = p.trial;
@@ -204,7 +209,7 @@ void vbss_scene_lay_hole_row(scene_object *s, contact_row *row)
                                  ? vbss_suture_nearest(&line, p.arc, point)
                                  : vbss_suture_nearest_by(&line, span, p.arc, point);
     vbss_hole_lay_row(hole, &d->config, &now, point, s->part_length, row);
-    row->term_count = 0;
+    row->jacobian_block_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
         add_needle_terms(row, &p, &now);
     }
@@ -213,21 +218,21 @@ void vbss_scene_lay_hole_row(scene_object *s, contact_row *row)
     }
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t node = d->mesh.triangles[hole->triangle][k];
-        row->terms[row->term_count++] = (contact_term){
+        row->jacobian[row->jacobian_block_count++] = (contact_jacobian_block){
             .block = p.drain->first_block + d->order.place[node], .weight = -hole->weights[k]};
     }
 }
 
-void vbss_scene_mark_hole(const scene_object *s, const contact_row *row)
+void vbss_scene_mark_hole(const scene_object *s, const contact_constraint *row)
 {
-    const suture_hole *hole = &s->holes[row->key.a];
+    const suture_hole *hole = &s->holes[row->key.feature_a];
     const passage p = passage_of(s, hole);
     for (uint32_t k = 0; k < 3; k++) {
         p.drain->marks[p.drain->drain->mesh.triangles[hole->triangle][k]] = 1;
     }
-    for (uint32_t k = 0; p.thread != NULL && k < row->term_count; k++) {
-        uint32_t node = row->terms[k].block - p.thread->thread.first_block;
-        if (row->terms[k].block >= p.thread->thread.first_block &&
+    for (uint32_t k = 0; p.thread != NULL && k < row->jacobian_block_count; k++) {
+        uint32_t node = row->jacobian[k].block - p.thread->thread.first_block;
+        if (row->jacobian[k].block >= p.thread->thread.first_block &&
             node < p.now.thread->node_count) {
             s->marks[p.thread->thread.first_node + node] = 1;
         }
@@ -237,9 +242,9 @@ void vbss_scene_mark_hole(const scene_object *s, const contact_row *row)
 void vbss_scene_keep_holes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
+        const contact_constraint *row = &s->contacts->constraints[i];
         if (row->key.kind == VBSS_CONTACT_HOLE) {
-            vbss_hole_keep(&s->holes[row->key.a], row);
+            vbss_hole_keep(&s->holes[row->key.feature_a], row);
         }
     }
 }

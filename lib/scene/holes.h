@@ -7,8 +7,8 @@
 /* holes.c. A row a hole, in a list that has begun; how one lies in the trial state; its nodes are separators; what
  * rows have found, when a part is taken. */
 bool vbss_scene_add_hole_rows(scene_object *s);
-void vbss_scene_lay_hole_row(scene_object *s, contact_row *row);
-void vbss_scene_mark_hole(const scene_object *s, const contact_row *row);
+void vbss_scene_lay_hole_row(scene_object *s, contact_constraint *row);
+void vbss_scene_mark_hole(const scene_object *s, const contact_constraint *row);
 void vbss_scene_keep_holes(scene_object *s);
 /* The next part has other places in them. */
 void vbss_scene_move_holes(scene_object *s);

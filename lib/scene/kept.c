@@ -30,7 +30,7 @@ vbss_result vbss_scene_keep(scene_object *s)
     s->kept_event_count = s->event_count;
     s->kept_lost_events = s->lost_events;
     s->kept_way = s->way;
-    vbss_contact_mark(s->contacts);
+    vbss_contact_checkpoint(s->contacts);
     return VBSS_OK;
 }
 
@@ -69,7 +69,7 @@ void vbss_scene_go_back(scene_object *s)
     s->pace = s->kept_pace;
     s->way = s->kept_way;
     s->way.at_hand = false;
-    vbss_contact_return(s->contacts);
+    vbss_contact_rollback(s->contacts);
     s->event_count = s->kept_event_count;
     s->lost_events = s->kept_lost_events;
     s->generation++;

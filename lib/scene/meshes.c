@@ -119,7 +119,7 @@ static void look_at(const scene_object *s, const probe *p, const scene_body *b, 
     }
     const scene_capsule *c = &s->capsules[b->rigid.first_capsule + feature];
     vec3 axis[2];
-    vbss_scene_place_capsule(c, b->rigid.body.now.at, axis);
+    vbss_scene_place_capsule(c, b->rigid.body.now.pose, axis);
     double gap = distance(p->axis, axis) - radius - c->radius;
     if (gap < within) {
         found->tool = vbss_min(gap, found->tool);

@@ -38,7 +38,7 @@ static void add_capsules(scene_object *s, scene_rigid *r)
         }
         vbss_scene_finish_capsule(to);
         to->radius = n->config.wire_radius;
-        vbss_scene_place_capsule(to, r->body.now.at, to->now);
+        vbss_scene_place_capsule(to, r->body.now.pose, to->now);
     }
 }
 
@@ -62,10 +62,10 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
                                 .body = n->body,
                                 .frame = n->frame,
                                 .friction = n->config.friction,
-                                .trial = n->body.now.at,
+                                .trial = n->body.now.pose,
                                 .slot = slot,
                                 .needle = n}};
-    b->rigid.body.begin = b->rigid.body.end = n->body.now.at;
+    b->rigid.body.target_start = b->rigid.body.target_end = n->body.now.pose;
     add_capsules(s, &b->rigid);
     slot->owner = s;
     vbss_scene_publish(s, b, BODY_RIGID, shape, body);

@@ -138,7 +138,7 @@ static uint32_t place_of(const scene_object *s, const contact_key *key)
     uint32_t low = 0, high = s->hit_count;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
-        bool below = vbss_contact_compare(&s->hits[middle].key, key) < 0;
+        bool below = vbss_contact_compare_keys(&s->hits[middle].key, key) < 0;
         low = below ? middle + 1 : low;
         high = below ? high : middle;
     }
@@ -149,7 +149,7 @@ vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, v
                                       vec3 push)
 {
     uint32_t i = place_of(s, key);
-    if (i == s->hit_count || vbss_contact_compare(&s->hits[i].key, key) != 0) {
+    if (i == s->hit_count || vbss_contact_compare_keys(&s->hits[i].key, key) != 0) {
         if (s->hit_count == s->config.contact_capacity) {
             return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
                              "there are more contacts than contact_capacity, %u", s->hit_count);
@@ -336,12 +336,13 @@ static void lay_hit(const scene_object *s, scene_hit *hit)
     const scene_body *b = vbss_scene_body(s, hit->key.body_b);
     if (b == NULL) {
         feature f = {.radius = 0.0};
-        set_node(&f, 0, a, hit->key.a);
+        set_node(&f, 0, a, hit->key.feature_a);
         hit->gap = height_of(s, *f.end[0]) - f.radius;
         hit->point = vec3_add_scaled(*f.end[0], -f.radius - 0.5 * hit->gap, hit->normal);
         return;
     }
-    const feature f = feature_of(s, a, hit->key.a), g = feature_of(s, b, hit->key.b);
+    const feature f = feature_of(s, a, hit->key.feature_a),
+                  g = feature_of(s, b, hit->key.feature_b);
     double at[2];
     vec3 apart = apart_at_end(&f, &g, at), here = vec3_lerp(*f.end[0], *f.end[1], at[0]);
     double distance = vec3_norm(apart), side = vec3_dot(apart, hit->normal) < 0.0 ? -1.0 : 1.0;

@@ -32,7 +32,7 @@ static void lead(scene_object *s, scene_grasp *g)
 static bool nearest_node(const scene_object *s, const scene_body *tool, scene_grasp *found)
 {
     const grasper_object *g = tool->rigid.grasper;
-    pose at = pose_mul(tool->rigid.body.now.at, pose_inverse(tool->rigid.frame));
+    pose at = pose_mul(tool->rigid.body.now.pose, pose_inverse(tool->rigid.frame));
     double nearest = g->config.paper_distance;
     found->thread = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {

@@ -70,7 +70,7 @@ vbss_result vbss_scene_paper_carry(scene_object *s, double h)
 
 void vbss_scene_paper_lay_hole(const scene_object *s, scene_hit *hit)
 {
-    const suture_hole *hole = &s->holes[hit->key.a];
+    const suture_hole *hole = &s->holes[hit->key.feature_a];
     const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
     hit->point = vbss_hole_point(hole, d, d->x);
     hit->gap = 0.0;
@@ -119,7 +119,7 @@ static void note_forces(scene_object *s)
     for (uint32_t i = 0; i < s->hit_count; i++) {
         const scene_hit *hit = &s->hits[i];
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
-            s->holes[hit->key.a].across = hit->force;
+            s->holes[hit->key.feature_a].across = hit->force;
         }
     }
 }
@@ -128,7 +128,7 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
 {
     scene_rigid *r = &needle->rigid;
     const drain_object *d = drain->drain.drain;
-    pose at = vbss_scene_needle_at(r, r->body.now.at);
+    pose at = vbss_scene_needle_at(r, r->body.now.pose);
     const suture_line line = {.needle = r->needle, .at = at};
     suture_probe probe = {.needle = needle->number,
                           .drain = drain->number,

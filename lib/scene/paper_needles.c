@@ -90,7 +90,7 @@ static void land(const scene_object *s, const scene_rigid *r, pose *at)
     begin_landing(&l, *at, count);
     for (int i = 0; i < ROUNDS && make_round(&l, count) > SCENE_NO_DEPTH * thickness; i++) {
     }
-    vbss_rigid_advance(at, l.moved, l.turned);
+    vbss_rigid_apply_increment(at, l.moved, l.turned);
     begin_landing(&l, *at, count);
     for (uint32_t i = 0; i < count; i++) { /* turns are not small */
         below = vbss_min(below, height_of(&l, &l.corners[i]));
@@ -111,12 +111,12 @@ static bool is_in_a_wall(const scene_object *s, const scene_body *b)
 }
 
 static vbss_rigid_motion fly(const scene_object *s, const scene_rigid *r,
-                             const vbss_rigid_part *whole)
+                             const vbss_rigid_substep *whole)
 {
     vbss_rigid body = r->body;
     vbss_rigid_motion flown;
     vbss_rigid_predict(&body, whole, &flown);
-    pose at = flown.at;
+    pose at = flown.pose;
     if (s->config.floor != 0) {
         land(s, r, &at);
     }
@@ -127,16 +127,16 @@ static vbss_rigid_motion fly(const scene_object *s, const scene_rigid *r,
 static void aim(const scene_object *s, scene_body *b, double h)
 {
     scene_rigid *r = &b->rigid;
-    const vbss_rigid_part whole = {h, 0.0, 1.0};
+    const vbss_rigid_substep whole = {h, 0.0, 1.0};
     if (r->leader != 0) {
         const scene_rigid *tool = &vbss_scene_body(s, r->leader)->rigid;
-        r->body.end = pose_mul(tool->body.end, tool->hold.at);
-        r->predicted = vbss_rigid_given(&r->body, &whole);
+        r->body.target_end = pose_mul(tool->body.target_end, tool->hold.at);
+        r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     } else if (is_in_a_wall(s, b)) {
-        r->predicted = (vbss_rigid_motion){r->body.now.at, vec3_zero(), vec3_zero()};
+        r->predicted = (vbss_rigid_motion){r->body.now.pose, vec3_zero(), vec3_zero()};
     } else {
         r->predicted = fly(s, r, &whole);
-        r->body.end = r->predicted.at;
+        r->body.target_end = r->predicted.pose;
     }
 }
 
@@ -164,7 +164,7 @@ void vbss_scene_paper_return_needles(scene_object *s)
     bool any = false;
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (is_needle(&s->bodies[i])) {
-            s->bodies[i].rigid.body.end = s->bodies[i].rigid.body.begin;
+            s->bodies[i].rigid.body.target_end = s->bodies[i].rigid.body.target_start;
             any = true;
         }
     }
@@ -196,7 +196,7 @@ static void lead(scene_object *s, scene_body *tool)
 {
     scene_rigid *needle = needle_of(s, tool);
     needle->leader = tool->number;
-    tool->rigid.hold.at = pose_mul(pose_inverse(tool->rigid.body.now.at), needle->body.now.at);
+    tool->rigid.hold.at = pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->body.now.pose);
     tell(s, VBSS_EVENT_GRASP, tool);
 }
 
@@ -232,8 +232,8 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
 {
     const needle_object *n = b->rigid.needle;
     double jaw = vbss_grasper_jaws_now(tool->rigid.grasper)->length;
-    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.at);
-    pose needle = pose_mul(b->rigid.body.now.at, pose_inverse(b->rigid.frame));
+    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.pose);
+    pose needle = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
     pose seen = pose_mul(pose_inverse(jaws), needle);
     uint32_t pieces = PIECES * n->config.segment_count;
     double length = vbss_needle_length(n) / pieces;

@@ -57,16 +57,16 @@ static void go_back(scene_object *s)
 /* The capsules' axes at both ends of the step, for the tests and for the search. */
 static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid *r, double h)
 {
-    const vbss_rigid_part whole = {h, 0.0, 1.0};
+    const vbss_rigid_substep whole = {h, 0.0, 1.0};
     uint32_t count = 2 * r->capsule_count;
     vec3 *start = s->vertices, *end = start + count;
     if (r->needle == NULL) { /* needles have been aimed */
-        r->predicted = vbss_rigid_given(&r->body, &whole);
+        r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     }
-    r->trial = r->predicted.at;
+    r->trial = r->predicted.pose;
     for (uint32_t i = 0; i < r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[r->first_capsule + i];
-        vbss_scene_place_capsule(c, r->body.now.at, c->now);
+        vbss_scene_place_capsule(c, r->body.now.pose, c->now);
         vbss_scene_place_trial(c, r->trial);
         for (uint32_t k = 0; k < 2; k++) {
             start[2 * i + k] = c->now[k];
@@ -165,7 +165,7 @@ static void arrive(scene_object *s, double h)
             vbss_thread_finish_step(b->thread.thread, h);
         } else if (b->kind == BODY_RIGID) {
             b->rigid.body.now = b->rigid.predicted;
-            b->rigid.body.begin = b->rigid.body.end;
+            b->rigid.body.target_start = b->rigid.body.target_end;
         } else if (b->kind == BODY_DRAIN) {
             vbss_scene_paper_arrive_drain(&b->drain, h);
         }

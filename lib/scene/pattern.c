@@ -30,7 +30,8 @@ static void mark_drain(const scene_object *s, const scene_body *b, const contact
                        bool is_b)
 {
     uint32_t nodes[3];
-    uint32_t count = vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->b : key->a, nodes);
+    uint32_t count =
+        vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->feature_b : key->feature_a, nodes);
     for (uint32_t k = 0; k < count; k++) {
         b->drain.marks[nodes[k]] = MARK_SEPARATOR;
     }
@@ -38,7 +39,8 @@ static void mark_drain(const scene_object *s, const scene_body *b, const contact
 
 static void mark_side(scene_object *s, const contact_key *key, bool is_b)
 {
-    uint32_t number = is_b ? key->body_b : key->body_a, feature = is_b ? key->b : key->a;
+    uint32_t number = is_b ? key->body_b : key->body_a,
+             feature = is_b ? key->feature_b : key->feature_a;
     const scene_body *b = vbss_scene_body(s, number);
     if (b != NULL && b->kind == BODY_DRAIN) {
         mark_drain(s, b, key, is_b);
@@ -61,7 +63,7 @@ static void mark_side(scene_object *s, const contact_key *key, bool is_b)
 }
 
 /* Nodes that a grasp holds between. */
-static void mark_held(scene_object *s, const contact_row *row)
+static void mark_held(scene_object *s, const contact_constraint *row)
 {
     const scene_body *b = vbss_scene_body(s, row->key.body_a);
     if (b->kind == BODY_DRAIN) {
@@ -72,9 +74,9 @@ static void mark_held(scene_object *s, const contact_row *row)
         return;
     }
     const thread_object *t = b->thread.thread;
-    for (uint32_t k = 0; k < row->term_count; k++) {
-        uint32_t node = row->terms[k].block - b->thread.first_block;
-        if (row->terms[k].block >= b->thread.first_block && node < t->node_count) {
+    for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
+        uint32_t node = row->jacobian[k].block - b->thread.first_block;
+        if (row->jacobian[k].block >= b->thread.first_block && node < t->node_count) {
             mark_node(s, b, node);
         }
     }
@@ -132,13 +134,13 @@ static void set_marks(scene_object *s)
         }
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_key *key = &s->contacts->rows[i].key;
+        const contact_key *key = &s->contacts->constraints[i].key;
         if (key->kind == VBSS_CONTACT_HOLE) {
-            vbss_scene_mark_hole(s, &s->contacts->rows[i]);
+            vbss_scene_mark_hole(s, &s->contacts->constraints[i]);
             continue;
         }
-        if (s->contacts->rows[i].bilateral) {
-            mark_held(s, &s->contacts->rows[i]);
+        if (s->contacts->constraints[i].is_bilateral) {
+            mark_held(s, &s->contacts->constraints[i]);
             continue;
         }
         mark_side(s, key, false);
@@ -161,7 +163,7 @@ static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
     uint32_t count = w->neighbour_count;
     for (const contact_weld *before = s->welds; before < w; before++) {
         for (uint32_t k = 0; k < count; k++) {
-            if (w->neighbours[k] == before->slave) {
+            if (w->neighbours[k] == before->node) {
                 w->neighbours[w->neighbour_count++] = before->translation;
                 w->neighbours[w->neighbour_count++] = before->rotation;
             }
@@ -181,7 +183,7 @@ static void list_welds(scene_object *s)
         uint32_t first = t->thread.first_block, n = t->thread.thread->node_count;
         uint32_t reach = vbss_thread_reach(t->thread.thread);
         contact_weld *w = &s->welds[s->weld_count++];
-        *w = (contact_weld){.slave = first + p->node,
+        *w = (contact_weld){.node = first + p->node,
                             .translation = b->rigid.blocks.first,
                             .rotation = b->rigid.blocks.first + 1};
         for (uint32_t k = 1; k <= reach; k++) {
@@ -234,13 +236,14 @@ static uint64_t mix_marks(uint64_t hash, const uint8_t *marks, uint32_t count)
     return hash;
 }
 
-static uint64_t mix_row(uint64_t hash, const contact_row *row)
+static uint64_t mix_row(uint64_t hash, const contact_constraint *row)
 {
-    hash = mix_two(hash, row->key.kind, row->key.a);
+    hash = mix_two(hash, row->key.kind, row->key.feature_a);
     hash = mix_two(hash, row->key.body_a, row->key.body_b);
-    hash = mix_two(hash, row->key.b, row->term_count);
-    for (uint32_t k = 0; row->bilateral && k < row->term_count; k++) { /* they slide on */
-        hash = mix(hash, row->terms[k].block);
+    hash = mix_two(hash, row->key.feature_b, row->jacobian_block_count);
+    for (uint32_t k = 0; row->is_bilateral && k < row->jacobian_block_count;
+         k++) { /* they slide on */
+        hash = mix(hash, row->jacobian[k].block);
     }
     return hash;
 }
@@ -282,7 +285,7 @@ static uint64_t hash_of_pattern(const scene_object *s, uint64_t bodies)
 {
     uint64_t hash = bodies;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        hash = mix_row(hash, &s->contacts->rows[i]);
+        hash = mix_row(hash, &s->contacts->constraints[i]);
     }
     return hash | 1u;
 }
@@ -296,7 +299,7 @@ static vbss_result register_bodies(scene_object *s)
                                           s->marks + b->thread.first_node, &b->thread.first_block));
         } else if (b->kind == BODY_RIGID) {
             vbss_role role =
-                b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_GIVEN : VBSS_ROLE_SEPARATOR;
+                b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED : VBSS_ROLE_SEPARATOR;
             VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
         } else if (b->kind == BODY_DRAIN) {
             VBSS_TRY(vbss_drain_register(b->drain.drain, s->system, b->drain.marks,
@@ -329,10 +332,10 @@ void vbss_scene_number_blocks(scene_object *s)
 static vbss_result begin_pattern(scene_object *s, bool same_bodies)
 {
     if (same_bodies) {
-        vbss_system_begin_again(s->system);
+        vbss_system_reset_separator_couplings(s->system);
         return VBSS_OK;
     }
-    vbss_system_begin(s->system);
+    vbss_system_begin_pattern(s->system);
     VBSS_TRY(register_bodies(s));
     list_welds(s);
     return VBSS_OK;
@@ -343,7 +346,7 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     set_marks(s);
     uint64_t bodies = hash_of_bodies(s), pattern = hash_of_pattern(s, bodies);
     if (pattern == s->pattern) {
-        vbss_contact_number_places(s->contacts);
+        vbss_contact_assign_schur_offsets(s->contacts);
         return VBSS_OK;
     }
     bool same_bodies = s->pattern != 0 && bodies == s->pattern_of_bodies;
@@ -352,11 +355,11 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     s->statistics.patterns++;
     VBSS_TRY(begin_pattern(s, same_bodies));
     for (uint32_t i = 0; i < s->weld_count; i++) {
-        VBSS_TRY(vbss_weld_register(&s->welds[i], s->system));
+        VBSS_TRY(vbss_contact_register_weld(&s->welds[i], s->system));
     }
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
-    vbss_contact_find_places(s->contacts, s->system);
+    vbss_contact_find_schur_indices(s->contacts, s->system);
     for (uint32_t i = 0; !same_bodies && i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
             vbss_drain_aim(s->bodies[i].drain.drain, s->system);

@@ -102,7 +102,7 @@ static void take_point(scene_pinch *p, uint32_t k, const gap *at)
 static void look_along(const scene_body *tool, const scene_body *b, scene_pinch *found)
 {
     const grasper_object *g = tool->rigid.grasper;
-    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.at);
+    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.pose);
     double length = vbss_grasper_jaws_now(g)->length, wall = b->drain.drain->config.thickness;
     gap gaps[PLACES];
     uint32_t count = 0;
@@ -188,7 +188,7 @@ static bool is_clear(const scene_object *s, const scene_body *tool, double share
         const scene_capsule *jaw = &s->capsules[tool->rigid.first_capsule + j];
         double least = share * (jaw->radius + 0.5 * d->config.thickness);
         vec3 axis[2];
-        vbss_scene_place_capsule(jaw, tool->rigid.body.now.at, axis);
+        vbss_scene_place_capsule(jaw, tool->rigid.body.now.pose, axis);
         for (uint32_t k = 0; k < p->count; k++) {
             vec3 along = vec3_sub(axis[1], axis[0]);
             vec3 to = vec3_sub(point_of(p, d, d->x, k), axis[0]);
@@ -279,31 +279,31 @@ static double stiffness_of(const grasper_object *g, const scene_pinch *p)
     return g->config.needle_stiffness / p->count;
 }
 
-void vbss_scene_lay_pinch_row(scene_object *s, contact_row *row)
+void vbss_scene_lay_pinch_row(scene_object *s, contact_constraint *row)
 {
     const scene_drain *b = &vbss_scene_body(s, row->key.body_a)->drain;
     const scene_rigid *tool = &vbss_scene_body(s, row->key.body_b)->rigid;
     const scene_pinch *p = &tool->pinch;
     const drain_object *d = b->drain;
-    uint32_t k = row->key.a;
+    uint32_t k = row->key.feature_a;
     vec3 there = pose_apply(vbss_scene_jaws_of(tool, tool->trial), p->at[k]);
     vbss_scene_lay_spring(row, tool, point_of(p, d, d->trial, k), there);
     row->stiffness = stiffness_of(tool->grasper, p);
-    row->along = 0.0; /* the same in all directions */
+    row->tangential_stiffness_ratio = 0.0; /* the same in all directions */
     for (uint32_t i = 0; i < 3; i++) {
         uint32_t place = d->order.place[d->mesh.triangles[p->triangle[k]][i]];
-        row->terms[row->term_count++] =
-            (contact_term){.block = b->first_block + place, .weight = p->weights[k][i]};
+        row->jacobian[row->jacobian_block_count++] =
+            (contact_jacobian_block){.block = b->first_block + place, .weight = p->weights[k][i]};
     }
     vbss_scene_add_rigid_terms(row, tool, there, -1.0);
 }
 
-void vbss_scene_mark_pinched(const scene_object *s, const contact_row *row)
+void vbss_scene_mark_pinched(const scene_object *s, const contact_constraint *row)
 {
     const scene_drain *b = &vbss_scene_body(s, row->key.body_a)->drain;
     const scene_pinch *p = &vbss_scene_body(s, row->key.body_b)->rigid.pinch;
     for (uint32_t i = 0; i < 3; i++) {
-        b->marks[b->drain->mesh.triangles[p->triangle[row->key.a]][i]] = 1;
+        b->marks[b->drain->mesh.triangles[p->triangle[row->key.feature_a]][i]] = 1;
     }
 }
 
@@ -314,7 +314,7 @@ static void settle(scene_object *s, scene_body *tool, double h)
     scene_rigid *r = &tool->rigid;
     scene_pinch *p = &r->pinch;
     const drain_object *d = drain_of(s, p);
-    pose jaws = vbss_scene_jaws_of(r, r->body.now.at);
+    pose jaws = vbss_scene_jaws_of(r, r->body.now.pose);
     hold_load load = {.h = h};
     vec3 middle = vec3_zero();
     for (uint32_t k = 0; k < p->count; k++) {

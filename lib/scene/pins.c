@@ -92,7 +92,7 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
 /* Where the pinned point will be at the end of the next step. */
 static vec3 aim(const scene_body *b, vec3 point)
 {
-    return b == NULL ? point : pose_apply(b->rigid.body.end, point);
+    return b == NULL ? point : pose_apply(b->rigid.body.target_end, point);
 }
 
 static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position, uint32_t *id)
@@ -126,7 +126,7 @@ static vbss_result pin_node(scene_object *s, uint32_t thread, uint32_t node, uin
     vec3 at = point != NULL ? vec3_load(point) : here;
     if (b != NULL) {
         at = point != NULL ? pose_apply_inverse(b->rigid.frame, at)
-                           : pose_apply_inverse(b->rigid.body.now.at, here);
+                           : pose_apply_inverse(b->rigid.body.now.pose, here);
     }
     uint32_t attachment = 0;
     if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || s->config.method == VBSS_METHOD_PAPER) {

@@ -41,13 +41,13 @@ static void predict_thread(scene_thread *b, const scene_part *part)
 
 static void predict_rigid(scene_object *s, scene_rigid *r, const scene_part *part)
 {
-    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    const vbss_rigid_substep p = {part->step, part->begin, part->end};
     if (r->kind == VBSS_RIGID_DRIVEN) {
-        r->predicted = vbss_rigid_given(&r->body, &p);
-        r->trial = r->predicted.at;
+        r->predicted = vbss_rigid_target_motion(&r->body, &p);
+        r->trial = r->predicted.pose;
     } else {
         vbss_rigid_predict(&r->body, &p, &r->predicted);
-        r->trial = r->body.now.at;
+        r->trial = r->body.now.pose;
     }
     for (uint32_t c = 0; c < r->capsule_count; c++) {
         vbss_scene_place_trial(&s->capsules[r->first_capsule + c], r->trial);

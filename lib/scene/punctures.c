@@ -4,11 +4,11 @@
 #include "scene/tools.h"
 
 /* Where on the needle a row is about. */
-static double arc_of_row(const scene_body *needle, const contact_row *row)
+static double arc_of_row(const scene_body *needle, const contact_constraint *row)
 {
     bool point = row->key.kind == VBSS_CONTACT_POINT_FACE;
-    return point ? vbss_scene_arc_of(needle, row->key.a / 2, row->key.a % 2)
-                 : vbss_scene_arc_of(needle, row->key.a, row->at[0]);
+    return point ? vbss_scene_arc_of(needle, row->key.feature_a / 2, row->key.feature_a % 2)
+                 : vbss_scene_arc_of(needle, row->key.feature_a, row->barycentric[0]);
 }
 
 /* What a drain does to the tip of a needle. */
@@ -16,18 +16,18 @@ static bool look_at_tip(const scene_object *s, const scene_body *needle, const s
                         suture_tip *tip)
 {
     const scene_rigid *r = &needle->rigid;
-    pose at = vbss_scene_needle_at(r, r->body.now.at);
+    pose at = vbss_scene_needle_at(r, r->body.now.pose);
     vec3 normal = vec3_zero();
     *tip = (suture_tip){.position = pose_apply(at, vbss_needle_point(r->needle, 0.0)),
                         .direction =
                             quat_rotate(at.orientation, vbss_needle_direction(r->needle, 0.0))};
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
+        const contact_constraint *row = &s->contacts->constraints[i];
         if (row->key.body_a == needle->number && row->key.body_b == drain->number &&
-            row->key.kind != VBSS_CONTACT_HOLE && row->is.state != CONTACT_OPEN &&
+            row->key.kind != VBSS_CONTACT_HOLE && row->solution.status != CONTACT_OPEN &&
             vbss_scene_is_at_tip(needle, arc_of_row(needle, row))) {
-            normal = vec3_add_scaled(normal, row->is.pressure, row->normal);
-            tip->force = vec3_add(tip->force, row->is.rubbing);
+            normal = vec3_add_scaled(normal, row->solution.normal_force, row->normal);
+            tip->force = vec3_add(tip->force, row->solution.tangential_force);
         }
     }
     tip->force = vec3_add(tip->force, normal);
@@ -71,7 +71,7 @@ void vbss_scene_settle_holes(scene_object *s)
     vbss_scene_leave_holes(s);
     vbss_scene_find_folds(s);
     /* What presses where a part was thrown away says nothing of what the wall bears, nor what does where a search was stopped. */
-    bool known = s->taken && !s->contacts->stopped;
+    bool known = s->taken && !s->contacts->is_stopped_early;
     for (uint32_t i = 0; known && i < s->place_count; i++) {
         const scene_body *needle = &s->bodies[i];
         for (uint32_t k = 0;

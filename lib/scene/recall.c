@@ -7,8 +7,10 @@ static bool share_a_node(const scene_object *s, const scene_body *b, const conta
                          const contact_key *y, bool is_b)
 {
     uint32_t p[3], q[3];
-    uint32_t count = vbss_scene_nodes_of(s, b, x->kind, is_b, is_b ? x->b : x->a, p);
-    uint32_t others = vbss_scene_nodes_of(s, b, y->kind, is_b, is_b ? y->b : y->a, q);
+    uint32_t count =
+        vbss_scene_nodes_of(s, b, x->kind, is_b, is_b ? x->feature_b : x->feature_a, p);
+    uint32_t others =
+        vbss_scene_nodes_of(s, b, y->kind, is_b, is_b ? y->feature_b : y->feature_a, q);
     bool shared = false;
     for (uint32_t i = 0; i < count; i++) {
         for (uint32_t k = 0; k < others; k++) {
@@ -26,10 +28,10 @@ static bool are_beside(const scene_object *s, const scene_body *a, const contact
         return share_a_node(s, a, x, y, false);
     }
     if (a->kind == BODY_THREAD) {
-        return x->a + 1 >= y->a && y->a + 1 >= x->a;
+        return x->feature_a + 1 >= y->feature_a && y->feature_a + 1 >= x->feature_a;
     }
-    uint32_t one = x->kind == VBSS_CONTACT_POINT_FACE ? x->a / 2 : x->a;
-    return one == (y->kind == VBSS_CONTACT_POINT_FACE ? y->a / 2 : y->a);
+    uint32_t one = x->kind == VBSS_CONTACT_POINT_FACE ? x->feature_a / 2 : x->feature_a;
+    return one == (y->kind == VBSS_CONTACT_POINT_FACE ? y->feature_a / 2 : y->feature_a);
 }
 
 /* The nearest row beside it that has no other memory yet, or UINT32_MAX. */
@@ -39,10 +41,10 @@ static uint32_t find_next(const scene_object *s, const contact_key *key)
     const scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
     uint32_t best = UINT32_MAX;
     for (uint32_t i = 0; a != NULL && b != NULL && i < set->count; i++) {
-        const contact_row *row = &set->rows[i];
-        if (scene_is_of_surface(row->key.kind) && row->is.state == CONTACT_OPEN &&
+        const contact_constraint *row = &set->constraints[i];
+        if (scene_is_of_surface(row->key.kind) && row->solution.status == CONTACT_OPEN &&
             row->key.body_a == key->body_a && row->key.body_b == key->body_b &&
-            (best == UINT32_MAX || row->gap_before < set->rows[best].gap_before) &&
+            (best == UINT32_MAX || row->start_gap < set->constraints[best].start_gap) &&
             are_beside(s, a, key, &row->key) && share_a_node(s, b, key, &row->key, true)) {
             best = i;
         }
@@ -59,14 +61,16 @@ static uint32_t find_next(const scene_object *s, const contact_key *key)
 static void ease_folds(scene_object *s, double h)
 {
     for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
+        contact_constraint *row = &s->contacts->constraints[i];
         bool folds = scene_is_of_surface(row->key.kind) && row->key.body_a == row->key.body_b;
-        double borne = row->is.state == CONTACT_OPEN ? 0.0 : row->is.pressure / row->stiffness;
-        double deeper = -row->gap_before - vbss_max(borne, OPENS * h);
+        double borne = row->solution.status == CONTACT_OPEN
+                           ? 0.0
+                           : row->solution.normal_force / row->stiffness;
+        double deeper = -row->start_gap - vbss_max(borne, OPENS * h);
         if (folds && deeper > 0.0) {
-            row->eased = deeper;
-            row->spared += deeper;
-            row->gap_before += deeper;
+            row->fold_allowance = deeper;
+            row->overlap_allowance += deeper;
+            row->start_gap += deeper;
             row->gap += deeper;
         }
     }
@@ -75,19 +79,19 @@ static void ease_folds(scene_object *s, double h)
 void vbss_scene_recall_rows(scene_object *s, const scene_part *part)
 {
     contact_set *set = s->contacts;
-    vbss_contact_recall(set);
-    for (uint32_t m = 0; m < set->memory_count; m++) {
-        const contact_key *key = &set->memory[m].key;
-        if (set->recalled[m] != 0) {
+    vbss_contact_warm_start(set);
+    for (uint32_t m = 0; m < set->warm_start_count; m++) {
+        const contact_key *key = &set->warm_start[m].key;
+        if (set->scratch_flags[m] != 0) {
             continue;
         }
         if (!scene_is_of_surface(key->kind)) {
-            vbss_contact_pass_on(set, m);
+            vbss_contact_warm_start_neighbour(set, m);
             continue;
         }
         uint32_t row = find_next(s, key);
         if (row != UINT32_MAX) {
-            vbss_contact_remind(set, m, row);
+            vbss_contact_warm_start_one(set, m, row);
         }
     }
     ease_folds(s, part->h);

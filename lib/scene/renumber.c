@@ -47,13 +47,13 @@ static void shares_of(const scene_object *s, const renaming *r, const contact_ke
                       double share[2])
 {
     bool segments = k->kind == VBSS_CONTACT_SEGMENTS;
-    bool a = scene_is_of_segment(k->kind) && is_divided(r, k->body_a, k->a);
-    bool b = segments && is_divided(r, k->body_b, k->b);
+    bool a = scene_is_of_segment(k->kind) && is_divided(r, k->body_a, k->feature_a);
+    bool b = segments && is_divided(r, k->body_b, k->feature_b);
     share[0] = share[1] = -1.0;
     vec3 x[2], y[2];
     double at[2];
-    if ((a || b) && vbss_scene_axis_of(s, k->body_a, k->a, x) &&
-        vbss_scene_axis_of(s, k->body_b, k->b, y)) {
+    if ((a || b) && vbss_scene_axis_of(s, k->body_a, k->feature_a, x) &&
+        vbss_scene_axis_of(s, k->body_b, k->feature_b, y)) {
         (void)closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]),
                                     vec3_sub(y[0], x[0]), &at[0], &at[1]);
         share[0] = a ? at[0] : -1.0;
@@ -65,14 +65,14 @@ static void shares_of(const scene_object *s, const renaming *r, const contact_ke
 static void go_to_node(const scene_object *s, const renaming *r, contact_key *k, double share)
 {
     const scene_body *b = vbss_scene_body(s, k->body_b);
-    double radius = s->capsules[b->rigid.first_capsule + k->b].radius;
+    double radius = s->capsules[b->rigid.first_capsule + k->feature_b].radius;
     if (r->before <= radius) {
         k->kind = VBSS_CONTACT_NODE_CAPSULE;
-        k->a = r->change.at + (share > 0.75 ? 2 : share < 0.25 ? 0 : 1);
+        k->feature_a = r->change.at + (share > 0.75 ? 2 : share < 0.25 ? 0 : 1);
     }
 }
 
-static void rename_contact(const scene_object *s, const renaming *r, contact_memory *m)
+static void rename_contact(const scene_object *s, const renaming *r, contact_warm_start_entry *m)
 {
     contact_key *k = &m->key;
     double share[2];
@@ -82,12 +82,12 @@ static void rename_contact(const scene_object *s, const renaming *r, contact_mem
     }
     shares_of(s, r, k, share);
     if (k->body_a == r->body->number) {
-        k->a =
-            node ? rename_node(&r->change, k->a) : rename_segment(&r->change, k->a, share[0] > 0.5);
-        m->key.kind = k->a == GONE ? GONE : k->kind;
+        k->feature_a = node ? rename_node(&r->change, k->feature_a)
+                            : rename_segment(&r->change, k->feature_a, share[0] > 0.5);
+        m->key.kind = k->feature_a == GONE ? GONE : k->kind;
     }
     if (k->kind == VBSS_CONTACT_SEGMENTS && k->body_b == r->body->number) {
-        k->b = rename_segment(&r->change, k->b, share[1] > 0.5);
+        k->feature_b = rename_segment(&r->change, k->feature_b, share[1] > 0.5);
     }
     if (k->kind == VBSS_CONTACT_SEGMENT_CAPSULE && share[0] >= 0.0) {
         go_to_node(s, r, k, share[0]);
@@ -99,20 +99,21 @@ void vbss_scene_order_memory(scene_object *s)
 {
     contact_set *set = s->contacts;
     uint32_t kept = 0;
-    for (uint32_t i = 0; i < set->memory_count; i++) {
-        const contact_memory m = set->memory[i];
+    for (uint32_t i = 0; i < set->warm_start_count; i++) {
+        const contact_warm_start_entry m = set->warm_start[i];
         uint32_t to = kept;
-        while (to > 0 && vbss_contact_compare(&set->memory[to - 1].key, &m.key) > 0) {
+        while (to > 0 && vbss_contact_compare_keys(&set->warm_start[to - 1].key, &m.key) > 0) {
             to--;
         }
-        bool twice = to > 0 && vbss_contact_compare(&set->memory[to - 1].key, &m.key) == 0;
+        bool twice = to > 0 && vbss_contact_compare_keys(&set->warm_start[to - 1].key, &m.key) == 0;
         if (m.key.kind != GONE && !twice) {
-            memmove(&set->memory[to + 1], &set->memory[to], (kept - to) * sizeof *set->memory);
-            set->memory[to] = m;
+            memmove(&set->warm_start[to + 1], &set->warm_start[to],
+                    (kept - to) * sizeof *set->warm_start);
+            set->warm_start[to] = m;
             kept++;
         }
     }
-    set->memory_count = kept;
+    set->warm_start_count = kept;
 }
 
 /* ---- views of contacts, which say where they are */
@@ -175,8 +176,8 @@ static void rename_holders(scene_object *s, const renaming *r)
 
 static void rename_all(scene_object *s, const renaming *r)
 {
-    for (uint32_t i = 0; i < s->contacts->memory_count; i++) {
-        rename_contact(s, r, &s->contacts->memory[i]);
+    for (uint32_t i = 0; i < s->contacts->warm_start_count; i++) {
+        rename_contact(s, r, &s->contacts->warm_start[i]);
     }
     rename_views(s, r);
     rename_holders(s, r);

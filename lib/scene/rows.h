@@ -55,12 +55,13 @@ uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uin
 /* recall.c: what the rows remember of the last part. */
 void vbss_scene_recall_rows(scene_object *s, const scene_part *part);
 /* features.c: how the sides of a row lie at the begin of the part (b is NULL: the floor); false: too far apart to touch in it. */
-bool vbss_scene_lay_row(const scene_object *s, contact_row *row, const scene_body *a,
+bool vbss_scene_lay_row(const scene_object *s, contact_constraint *row, const scene_body *a,
                         const scene_body *b, double reach);
 /* Terms of a node, and of a point of a rigid body. */
-void vbss_scene_add_node_term(const scene_object *s, contact_row *row, const scene_body *b,
+void vbss_scene_add_node_term(const scene_object *s, contact_constraint *row, const scene_body *b,
                               uint32_t node, double weight);
-void vbss_scene_add_rigid_terms(contact_row *row, const scene_rigid *r, vec3 point, double weight);
+void vbss_scene_add_rigid_terms(contact_constraint *row, const scene_rigid *r, vec3 point,
+                                double weight);
 /* All that a row is beside that, in the trial state; and what a further linearisation changes. The normal
  * stays. */
 void vbss_scene_set_rows(scene_object *s, const scene_part *part);

@@ -121,9 +121,9 @@ typedef struct scene_rigid {
     vbss_rigid_motion predicted;
     pose trial;
     vec3 force, torque;     /* of contacts and pins in the last part; about the centre of mass */
-    vbss_rigid_pull pull;   /* of the coupling in the last part */
+    vbss_rigid_wrench pull; /* of the coupling in the last part */
     vbss_rigid_motion kept; /* before the step */
-    vbss_rigid_pull kept_pull;
+    vbss_rigid_wrench kept_pull;
     vbss_slot *slot;       /* of the handle of a grasper or a needle; else NULL */
     needle_object *needle; /* of a needle; else NULL */
     uint32_t leader;       /* PAPER: number of the tool that the needle follows; 0: it is free */
@@ -264,7 +264,7 @@ typedef struct scene_way {
     bool waits;         /* the step is not at its end */
     bool attempted;     /* and an attempt is under way, */
     bool at_hand;       /* as it was left: it is not made once more */
-    uint32_t passed;    /* and has been let go on so often (contact_slot) */
+    uint32_t passed;    /* and has been let go on so often (contact_call_budget) */
     uint64_t before;    /* work of the step, in operations: when the attempt began; */
     uint64_t work;      /* so far */
     uint64_t left;      /* of the call, in operations */

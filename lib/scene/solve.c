@@ -9,7 +9,7 @@
 #include "scene/step.h"
 
 /* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
- * contact_search tells the units. */
+ * contact_active_set_options tells the units. */
 #define FORCE_SHARE 1e-3
 #define LEAST_FORCE 1e-7
 #define SLACK 1e-4
@@ -41,7 +41,7 @@ static void clear(scene_object *s, bool but_drains)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
-            vbss_system_keep_matrix(s->system, s->bodies[i].drain.first_block, but_drains);
+            vbss_system_reuse_factor(s->system, s->bodies[i].drain.first_block, but_drains);
         }
     }
     vbss_system_clear(s->system);
@@ -49,7 +49,7 @@ static void clear(scene_object *s, bool but_drains)
 
 static void assemble(scene_object *s, const scene_part *part, news what)
 {
-    const vbss_rigid_part p = {part->step, part->begin, part->end};
+    const vbss_rigid_substep p = {part->step, part->begin, part->end};
     vbss_system *system = s->system;
     if (what != NEWS_FORCES) {
         clear(s, what == NEWS_BUT_DRAINS);
@@ -113,32 +113,34 @@ static uint64_t limit_search(const scene_object *s)
 static scene_verdict find_states(scene_object *s)
 {
     scene_shape *at = &s->shape;
-    const contact_search search = {.system = s->system,
-                                   .welds = s->welds,
-                                   .weld_count = s->weld_count,
-                                   .limit = s->config.state_limit,
-                                   .force_share = FORCE_SHARE,
-                                   .least_force = LEAST_FORCE,
-                                   .slack = SLACK,
-                                   .patience = PATIENCE,
-                                   .loose_share = LOOSE_SHARE,
-                                   .loose_overlap = LOOSE_OVERLAP,
-                                   .most_work = at->most_work,
-                                   .goes_on = at->goes_on && s->most_work > 0,
-                                   .resumes = at->waits};
-    contact_outcome found = vbss_contact_find_states(s->contacts, &search);
-    at->waits = found == CONTACT_WAITS;
-    if (found == CONTACT_WAITS) {
+    const contact_active_set_options search = {.system = s->system,
+                                               .welds = s->welds,
+                                               .weld_count = s->weld_count,
+                                               .max_solves = s->config.state_limit,
+                                               .relative_force_tolerance = FORCE_SHARE,
+                                               .absolute_force_tolerance = LEAST_FORCE,
+                                               .overlap_tolerance = SLACK,
+                                               .max_stalled_solves = PATIENCE,
+                                               .loose_force_tolerance = LOOSE_SHARE,
+                                               .loose_overlap_tolerance = LOOSE_OVERLAP,
+                                               .operation_limit = at->most_work,
+                                               .starts_from_current =
+                                                   at->goes_on && s->most_work > 0,
+                                               .is_resumed = at->waits};
+    contact_outcome found = vbss_contact_solve_active_set(s->contacts, &search);
+    at->waits = found == CONTACT_SUSPENDED;
+    if (found == CONTACT_SUSPENDED) {
         return VERDICT_WAITS;
     }
     if (found == CONTACT_SINGULAR) {
         return VERDICT_SINGULAR;
     }
     for (uint32_t i = 0; i < s->weld_count; i++) {
-        s->system->solution[s->welds[i].slave] = vbss_weld_increment(&s->welds[i], s->system);
+        s->system->solution[s->welds[i].node] =
+            vbss_contact_weld_increment(&s->welds[i], s->system);
     }
-    vbss_system_finish(s->system);
-    return found == CONTACT_LOST ? VERDICT_STATES : VERDICT_ACCEPTED;
+    vbss_system_back_substitute(s->system);
+    return found == CONTACT_NOT_CONVERGED ? VERDICT_STATES : VERDICT_ACCEPTED;
 }
 
 /* Where no more work may be done drains keep their matrix from the linearisation before, in which they have moved by little: of
@@ -168,8 +170,8 @@ static scene_verdict linearise(scene_object *s, const scene_part *part)
 static void advance_rigid(scene_object *s, scene_rigid *r)
 {
     if (r->kind != VBSS_RIGID_DRIVEN) {
-        vbss_rigid_advance(&r->trial, s->system->solution[r->blocks.first],
-                           s->system->solution[r->blocks.first + 1]);
+        vbss_rigid_apply_increment(&r->trial, s->system->solution[r->blocks.first],
+                                   s->system->solution[r->blocks.first + 1]);
         for (uint32_t c = 0; c < r->capsule_count; c++) {
             vbss_scene_place_trial(&s->capsules[r->first_capsule + c], r->trial);
         }
@@ -311,7 +313,7 @@ static void begin_look(scene_object *s, const scene_part *part)
     s->shape.most_work = limit_search(s);
     s->shape.goes_on = s->shape.looked = true;
     vbss_scene_spend(s, cost(s, COST_OF_LOOK));
-    vbss_contact_note_found(s->contacts);
+    vbss_contact_save_solution(s->contacts);
     assemble(s, part, NEWS_FORCES);
     vbss_scene_set_weld_arms(s);
     vbss_system_condense_rhs(s->system);
@@ -321,7 +323,7 @@ static void begin_look(scene_object *s, const scene_part *part)
 static scene_verdict end_look(scene_object *s, scene_verdict found)
 {
     if (found != VERDICT_ACCEPTED || !is_believed(s)) {
-        vbss_contact_return_to_found(s->contacts);
+        vbss_contact_restore_solution(s->contacts);
         return VERDICT_ACCEPTED;
     }
     advance(s);
@@ -335,7 +337,7 @@ static scene_verdict end_look(scene_object *s, scene_verdict found)
 static bool is_astray(const scene_object *s, const scene_part *part, double before)
 {
     double stretch = s->shape.stretch;
-    bool ends = s->most_work > 0 && s->contacts->counters.work >= limit_search(s);
+    bool ends = s->most_work > 0 && s->contacts->counters.operations >= limit_search(s);
     return ends && !part->smallest && stretch > ASTRAY && stretch > 0.5 * before;
 }
 
@@ -372,7 +374,7 @@ static scene_verdict make_linearisation(scene_object *s, const scene_part *part)
     scene_shape *at = &s->shape;
     scene_verdict verdict;
     if (at->phase == SHAPE_LINEARISES) {
-        if (vbss_contact_must_wait(s->contacts, vbss_scene_linearisation_cost(s))) {
+        if (vbss_contact_must_suspend(s->contacts, vbss_scene_linearisation_cost(s))) {
             return VERDICT_WAITS;
         }
         verdict = linearise(s, part);
@@ -446,9 +448,9 @@ static scene_verdict find_shapes(scene_object *s, const scene_part *part)
             s->turned = verdict != VERDICT_WAITS && at->normals > 0;
             return verdict;
         }
-        bool shallow = vbss_contact_depth_is_allowed(s->contacts);
+        bool shallow = vbss_contact_penetration_is_allowed(s->contacts);
         vbss_scene_measure_gaps(s);
-        if (vbss_contact_depth_is_allowed(s->contacts)) {
+        if (vbss_contact_penetration_is_allowed(s->contacts)) {
             return VERDICT_ACCEPTED;
         }
         if (at->normals == (part->straight ? 0u : (uint32_t)TURNS) || vbss_scene_is_spent(s) ||

@@ -49,12 +49,12 @@ bool vbss_scene_is_part(const scene_object *s, double size)
 
 void vbss_scene_spend(scene_object *s, uint32_t work)
 {
-    s->contacts->counters.work += work;
+    s->contacts->counters.operations += work;
 }
 
 bool vbss_scene_is_spent(const scene_object *s)
 {
-    return s->most_work > 0 && s->contacts->counters.work >= s->most_work;
+    return s->most_work > 0 && s->contacts->counters.operations >= s->most_work;
 }
 
 /* The first step of a scene is not: what a host has laid out may overlap. */
@@ -68,7 +68,7 @@ bool vbss_scene_is_limited(const scene_object *s)
  * to by a limit of its own must do. */
 static void limit_work(scene_object *s, const scene_part *part, bool least)
 {
-    uint64_t before = part->stops ? s->contacts->counters.work : 0;
+    uint64_t before = part->stops ? s->contacts->counters.operations : 0;
     bool limited = vbss_scene_is_limited(s) && (part->stops || !least);
     s->most_work = limited ? before + s->config.work_limit : 0;
 }
@@ -76,7 +76,7 @@ static void limit_work(scene_object *s, const scene_part *part, bool least)
 static void note_work(scene_object *s)
 {
     vbss_scene_statistics *c = &s->statistics;
-    uint64_t work = s->contacts->counters.work;
+    uint64_t work = s->contacts->counters.operations;
     c->operations += work;
     c->most_operations = work > c->most_operations ? work : c->most_operations;
 }
@@ -91,10 +91,10 @@ static void allow_depth(scene_object *s)
 {
     s->recovering = false;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
+        contact_constraint *row = &s->contacts->constraints[i];
         double share = s->config.penetration_tolerance * row->thickness;
-        row->depth_allowed = vbss_max(share, DEEPER * share - row->gap_before);
-        s->recovering = s->recovering || row->eased - row->gap_before > share;
+        row->allowed_penetration = vbss_max(share, DEEPER * share - row->start_gap);
+        s->recovering = s->recovering || row->fold_allowance - row->start_gap > share;
     }
 }
 
@@ -114,7 +114,7 @@ static scene_verdict begin_attempt(scene_object *s, const scene_part *part)
     if (vbss_scene_build_pattern(s) != VBSS_OK) {
         return VERDICT_FULL;
     }
-    s->contacts->slot.begun = true;
+    s->contacts->call_budget.has_progress = true;
     return vbss_scene_solve(s, part);
 }
 
@@ -124,7 +124,7 @@ static scene_verdict attempt(scene_object *s)
     scene_verdict verdict =
         at->at_hand ? vbss_scene_solve_on(s, &at->part) : begin_attempt(s, &at->part);
     at->attempted = at->at_hand = verdict == VERDICT_WAITS;
-    at->passed = s->contacts->slot.passed;
+    at->passed = s->contacts->call_budget.checks_passed;
     return verdict == VERDICT_ACCEPTED ? vbss_scene_guard(s) : verdict;
 }
 
@@ -150,7 +150,7 @@ static void note_errors(scene_object *s)
             stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }
     }
-    depth = vbss_contact_depth(s->contacts);
+    depth = vbss_contact_max_penetration(s->contacts);
     s->statistics.last_stretch_error = stretch;
     s->statistics.stretch_error = vbss_max(stretch, s->statistics.stretch_error);
     s->statistics.last_penetration = depth;
@@ -163,7 +163,7 @@ static void note_errors(scene_object *s)
 static bool is_over(const scene_object *s, const scene_way *at)
 {
     uint64_t another = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
-    bool spent = s->contacts->counters.work + another >= s->config.work_limit;
+    bool spent = s->contacts->counters.operations + another >= s->config.work_limit;
     return vbss_scene_is_limited(s) && (at->attempts >= s->config.attempt_limit || spent);
 }
 
@@ -204,11 +204,11 @@ static bool may_wait(scene_verdict verdict)
 /* Hands feel how far their tools are left behind. */
 static void pull_from_here(scene_object *s, const scene_part *part)
 {
-    const vbss_rigid_part p = {part->step, part->begin, 1.0};
+    const vbss_rigid_substep p = {part->step, part->begin, 1.0};
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == BODY_RIGID) {
-            r->pull = vbss_rigid_coupling_pull(&r->body, &p, &r->body.now);
+            r->pull = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
         }
     }
 }
@@ -231,7 +231,7 @@ static void pause_for_now(scene_object *s, const scene_way *at, double size)
 static bool waits(const scene_object *s, const scene_way *at, double *size)
 {
     bool small = at->size <= at->smallest;
-    bool worked = s->contacts->stopped || vbss_scene_is_spent(s);
+    bool worked = s->contacts->is_stopped_early || vbss_scene_is_spent(s);
     *size = small && at->size < at->begun ? at->size : 0.5 * at->size;
     return is_over(s, at) && (!small || (worked && at->size > at->least));
 }
@@ -269,17 +269,17 @@ static void aim(scene_object *s)
 static scene_verdict take_up(scene_object *s)
 {
     scene_way *at = &s->way;
-    contact_slot *slot = &s->contacts->slot;
+    contact_call_budget *slot = &s->contacts->call_budget;
     if (!at->attempted) {
         aim(s);
-        at->before = s->contacts->counters.work;
-        slot->passed = 0;
+        at->before = s->contacts->counters.operations;
+        slot->checks_passed = 0;
     }
     /* With the ways of the attempt before it nobody else could make it once more. */
-    const uint64_t end = slot->end;
-    slot->end = at->part.again ? 0 : end;
+    const uint64_t end = slot->operation_limit;
+    slot->operation_limit = at->part.again ? 0 : end;
     scene_verdict verdict = attempt(s);
-    slot->end = end;
+    slot->operation_limit = end;
     return verdict;
 }
 
@@ -287,13 +287,14 @@ static scene_verdict take_up(scene_object *s)
 static void make_again(scene_object *s)
 {
     scene_way *at = &s->way;
-    contact_slot *slot = &s->contacts->slot;
+    contact_call_budget *slot = &s->contacts->call_budget;
     const contact_counters counters = s->contacts->counters;
-    s->contacts->counters.work = at->before;
+    s->contacts->counters.operations = at->before;
     aim(s);
-    *slot = (contact_slot){.end = slot->end, .again = true, .stopped = at->passed};
+    *slot = (contact_call_budget){
+        .operation_limit = slot->operation_limit, .is_replay = true, .replay_checks = at->passed};
     (void)attempt(s);
-    slot->again = slot->begun = false;
+    slot->is_replay = slot->has_progress = false;
     s->contacts->counters = counters;
     vbss_scene_return_statistics(s);
 }
@@ -309,10 +310,10 @@ static void accept(scene_object *s)
 /* What is left of the step waits where the slot has no room for another attempt. */
 static bool is_for_later(const scene_object *s)
 {
-    const contact_slot *slot = &s->contacts->slot;
-    uint64_t work = s->contacts->counters.work + vbss_scene_attempt_cost(s);
-    return !s->way.attempted && !s->way.part.again && slot->end > 0 && slot->begun &&
-           work > slot->end;
+    const contact_call_budget *slot = &s->contacts->call_budget;
+    uint64_t work = s->contacts->counters.operations + vbss_scene_attempt_cost(s);
+    return !s->way.attempted && !s->way.part.again && slot->operation_limit > 0 &&
+           slot->has_progress && work > slot->operation_limit;
 }
 
 vbss_result vbss_scene_go_through(scene_object *s)
@@ -409,7 +410,7 @@ void vbss_scene_begin_step(scene_object *s, double h)
     }
     vbss_scene_take_tools(s, h);
     s->lagging = false;
-    s->contacts->counters.work = 0;
+    s->contacts->counters.operations = 0;
 }
 
 static void arrive(scene_object *s, double h)
@@ -429,8 +430,8 @@ static void arrive(scene_object *s, double h)
             }
         } else if (b->kind == BODY_RIGID) {
             scene_rigid *r = &b->rigid;
-            r->body.begin =
-                r->kind == VBSS_RIGID_DRIVEN && s->lagging ? r->body.now.at : r->body.end;
+            r->body.target_start =
+                r->kind == VBSS_RIGID_DRIVEN && s->lagging ? r->body.now.pose : r->body.target_end;
         }
     }
 }
@@ -450,6 +451,6 @@ void vbss_scene_finish_step(scene_object *s)
     note_work(s);
     s->statistics.rows = s->contacts->count;
     s->statistics.state_solves = s->contacts->counters.solves;
-    s->statistics.loose_states = s->contacts->counters.loose;
-    s->statistics.separators = s->system->active_count - s->system->run_count;
+    s->statistics.loose_states = s->contacts->counters.inexact;
+    s->statistics.separators = s->system->unknown_count - s->system->interior_count;
 }

@@ -27,7 +27,7 @@ uint32_t vbss_scene_nodes_of(const scene_object *s, const scene_body *drain, uin
 static const vec3 *ways_of(const scene_object *s, const scene_body *b, const contact_key *key,
                            bool is_b, vec3 room[3], uint32_t *count)
 {
-    uint32_t feature = is_b ? key->b : key->a, nodes[3];
+    uint32_t feature = is_b ? key->feature_b : key->feature_a, nodes[3];
     bool side = key->kind == VBSS_CONTACT_SIDES;
     if (b->kind == BODY_DRAIN) {
         *count = vbss_scene_nodes_of(s, b, key->kind, is_b, feature, nodes);

@@ -27,7 +27,7 @@ static void set_rigid(scene_rigid *r, const grasper_object *g, vbss_slot *slot,
                        .grasper = slot->object};
     r->body.mass = mass->mass;
     r->body.inertia = mass->inertia;
-    r->body.now.at = r->body.begin = r->body.end = r->trial = at;
+    r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
     if (!paper) {
         const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
                                               c->turning_damping};
@@ -53,8 +53,8 @@ static void show(scene_object *s, scene_body *b)
 {
     const scene_rigid *r = &b->rigid;
     grasper_object *g = r->grasper;
-    pose tool = pose_mul(r->body.now.at, pose_inverse(r->frame));
-    vec3 arm = vec3_sub(tool.position, r->body.now.at.position); /* to the tip */
+    pose tool = pose_mul(r->body.now.pose, pose_inverse(r->frame));
+    vec3 arm = vec3_sub(tool.position, r->body.now.pose.position); /* to the tip */
     bool driven = r->kind == VBSS_RIGID_DRIVEN;
     vec3 torque = driven ? vec3_zero() : vec3_neg(r->pull.torque);
     g->body = b->number;
@@ -182,7 +182,7 @@ void vbss_scene_keep_tools(scene_object *s)
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == BODY_RIGID && r->grasper != NULL) {
             const grasper_object *g = r->grasper;
-            r->kept_end = r->body.end;
+            r->kept_end = r->body.target_end;
             r->kept_hold = r->hold;
             r->kept_pinch = r->pinch;
             r->kept_jaws = (struct kept_jaws){g->kind, g->kind_told, g->angle, g->pressure};
@@ -208,7 +208,7 @@ void vbss_scene_return_tools(scene_object *s)
         scene_rigid *r = &s->bodies[i].rigid;
         if (s->bodies[i].kind == BODY_RIGID && r->grasper != NULL) {
             grasper_object *g = r->grasper;
-            r->body.end = r->kept_end;
+            r->body.target_end = r->kept_end;
             r->hold = r->kept_hold;
             r->pinch = r->kept_pinch;
             g->kind = r->kept_jaws.kind;
@@ -233,7 +233,7 @@ static void exchange(scene_object *s, scene_body *b)
     if (g->kind_told == g->kind) {
         return;
     }
-    pose tool = pose_mul(b->rigid.body.now.at, pose_inverse(b->rigid.frame));
+    pose tool = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
     double far = vec3_distance(tool.position, vec3_load(c->exchange_centre));
     bool may = vbss_scene_count_grasps(s, b->number) == 0 && far >= c->exchange_distance;
     vbss_grasper_kind before = g->kind, wanted = g->kind_told;
@@ -260,7 +260,7 @@ static void take_told(scene_object *s, scene_body *b, double h)
     pose target;
     exchange(s, b);
     if (vbss_grasper_through_trocar(g, g->told, &target)) { /* it was asked when it was told */
-        r->body.end = pose_mul(target, r->frame);
+        r->body.target_end = pose_mul(target, r->frame);
     }
     double before = g->angle;
     if (s->config.method == VBSS_METHOD_PAPER && g->kind == VBSS_GRASPER_NEEDLE_DRIVER) {

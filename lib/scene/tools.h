@@ -51,7 +51,7 @@ bool vbss_scene_is_in_jaws(const scene_object *s, const scene_body *needle, uint
                            const scene_body *tool, uint32_t capsule);
 /* Three rows a hold, in a list that has begun; how one lies in the trial state. */
 bool vbss_scene_add_hold_rows(scene_object *s);
-void vbss_scene_lay_hold_row(scene_object *s, contact_row *row);
+void vbss_scene_lay_hold_row(scene_object *s, contact_constraint *row);
 
 /* pinches.c: the same of the wall of a drain, of which `point` is one. */
 bool vbss_scene_pinches(const scene_object *s, uint32_t tool);
@@ -64,18 +64,18 @@ void vbss_scene_show_pinch(const scene_object *s, const scene_body *tool, vbss_g
 bool vbss_scene_is_pinched(const scene_object *s, const scene_body *drain, vec3 point,
                            const scene_body *tool, uint32_t capsule);
 bool vbss_scene_add_pinch_rows(scene_object *s);
-void vbss_scene_lay_pinch_row(scene_object *s, contact_row *row);
-void vbss_scene_mark_pinched(const scene_object *s, const contact_row *row);
+void vbss_scene_lay_pinch_row(scene_object *s, contact_constraint *row);
+void vbss_scene_mark_pinched(const scene_object *s, const contact_constraint *row);
 
 /* grasp_rows.c: three rows a grasp, in a list that has begun; how one lies in the trial state, all of it or what
  * a linearisation changes; a point of a thread that is held; the jaws' frame in the world. */
 bool vbss_scene_add_grasp_rows(scene_object *s);
 /* What is held is here in the trial state, and shall be there, in the jaws: a spring between the two, whose stiffness and terms
  * who calls it adds. */
-void vbss_scene_lay_spring(contact_row *row, const scene_rigid *tool, vec3 here, vec3 there);
+void vbss_scene_lay_spring(contact_constraint *row, const scene_rigid *tool, vec3 here, vec3 there);
 /* A row that ties two places, of whatever is held or pierced. False: no room. */
-contact_row *vbss_scene_add_tie(scene_object *s, const contact_key *key);
-void vbss_scene_lay_grasp_row(scene_object *s, contact_row *row);
+contact_constraint *vbss_scene_add_tie(scene_object *s, const contact_key *key);
+void vbss_scene_lay_grasp_row(scene_object *s, contact_constraint *row);
 vec3 vbss_scene_held_point(const scene_grasp *g, const thread_object *t, const vec3 *x,
                            uint32_t point);
 pose vbss_scene_jaws_of(const scene_rigid *r, pose principal);

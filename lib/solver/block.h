@@ -46,13 +46,13 @@ static inline void block_add(block *b, mat3 m)
 }
 
 /* A block whose every number fills the lanes: m[column][row]. */
-typedef struct block_spread {
+typedef struct block_broadcast {
     lanes m[3][3];
-} block_spread;
+} block_broadcast;
 
-static inline block_spread block_spread_out(const block *b)
+static inline block_broadcast block_make_broadcast(const block *b)
 {
-    block_spread f;
+    block_broadcast f;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             f.m[i][j] = lanes_splat(lanes_at(b->column[i], j));

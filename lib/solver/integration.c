@@ -4,14 +4,14 @@
 /* The family: with q the acceleration that balances the forces,
  *   (1 - am) a1 + am a0 = (1 - af) q1 + af q0,
  *   x1 = x0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),  v1 = v0 + h ((1 - gamma) a0 + gamma a1). */
-static vbss_integration family(double h, double am, double af, double beta, double gamma)
+static vbss_integration make_integration(double h, double am, double af, double beta, double gamma)
 {
-    double fresh = (1.0 - af) / (1.0 - am); /* share of q1 in a1 */
+    double q1_factor = (1.0 - af) / (1.0 - am); /* share of q1 in a1 */
     vbss_integration i;
     i.h = h;
-    i.inertia = 1.0 / (h * h * beta * fresh);
-    i.follow = fresh * i.inertia;
-    i.rate = h * gamma * i.follow;
+    i.inertia = 1.0 / (h * h * beta * q1_factor);
+    i.acceleration_factor = q1_factor * i.inertia;
+    i.velocity_factor = h * gamma * i.acceleration_factor;
     i.a_a = -am / (1.0 - am);
     i.a_q = af / (1.0 - am);
     i.x_a = h * h * (0.5 - beta + beta * i.a_a);
@@ -26,12 +26,12 @@ vbss_integration vbss_integration_generalised_alpha(double h, double spectral_ra
     double r = spectral_radius;
     double am = (2.0 * r - 1.0) / (r + 1.0), af = r / (r + 1.0);
     double s = 1.0 - am + af;
-    return family(h, am, af, 0.25 * s * s, 0.5 - am + af);
+    return make_integration(h, am, af, 0.25 * s * s, 0.5 - am + af);
 }
 
 vbss_integration vbss_integration_backward_euler(double h)
 {
-    vbss_integration i = family(h, 0.0, 0.0, 1.0, 1.0);
+    vbss_integration i = make_integration(h, 0.0, 0.0, 1.0, 1.0);
     i.x_a = i.v_a = 0.0; /* exactly: what was known of accelerations is forgotten */
     return i;
 }
@@ -54,23 +54,23 @@ void vbss_integration_predict(const vbss_integration *integration, size_t count,
     }
 }
 
-static double still(double speed)
+static double flush_small(double speed)
 {
-    return fabs(speed) > VBSS_STILL ? speed : 0.0;
+    return fabs(speed) > VBSS_FLUSH_THRESHOLD ? speed : 0.0;
 }
 
-void vbss_integration_follow(const vbss_integration *integration, size_t count, const double *x,
-                             const double *x_predicted, const double *v_predicted,
-                             const double *a_predicted, double *v, double *a, double *q)
+void vbss_integration_correct(const vbss_integration *integration, size_t count, const double *x,
+                              const double *x_predicted, const double *v_predicted,
+                              const double *a_predicted, double *v, double *a, double *q)
 {
     const vbss_integration c = *integration;
     for (size_t i = 0; i < count; i++) {
-        v[i] = still(v_predicted[i] + c.rate * (x[i] - x_predicted[i]));
+        v[i] = flush_small(v_predicted[i] + c.velocity_factor * (x[i] - x_predicted[i]));
     }
     for (size_t i = 0; i < count; i++) {
-        a[i] = still(a_predicted[i] + c.follow * (x[i] - x_predicted[i]));
+        a[i] = flush_small(a_predicted[i] + c.acceleration_factor * (x[i] - x_predicted[i]));
     }
     for (size_t i = 0; i < count; i++) {
-        q[i] = still(c.inertia * (x[i] - x_predicted[i]));
+        q[i] = flush_small(c.inertia * (x[i] - x_predicted[i]));
     }
 }

@@ -23,9 +23,9 @@ static vec3 rotation_rate(mat3 inertia, vec3 momentum)
             p = !used[i] && (p < 0 || a[i][i] > a[p][p]) ? i : p;
         }
         used[p] = true;
-        bool flat = !(a[p][p] > 1e-13 * largest);
+        bool is_singular = !(a[p][p] > 1e-13 * largest);
         for (int j = 0; j < 4; j++) {
-            a[p][j] = flat ? (j == p ? 1.0 : 0.0) : a[p][j];
+            a[p][j] = is_singular ? (j == p ? 1.0 : 0.0) : a[p][j];
         }
         double pivot = 1.0 / a[p][p];
         for (int j = 0; j < 4; j++) {
@@ -42,20 +42,20 @@ static vec3 rotation_rate(mat3 inertia, vec3 momentum)
 }
 
 void vbss_damp_relative_motion(const double *mass, const vec3 *x, vec3 *v, uint32_t first,
-                               uint32_t last, double share)
+                               uint32_t last, double fraction)
 {
     double total = 0.0;
-    vec3 centre = vec3_zero(), drift = vec3_zero();
+    vec3 centre = vec3_zero(), mean_velocity = vec3_zero();
     for (uint32_t i = first; i <= last; i++) {
         total += mass[i];
         centre = vec3_add_scaled(centre, mass[i], x[i]);
-        drift = vec3_add_scaled(drift, mass[i], v[i]);
+        mean_velocity = vec3_add_scaled(mean_velocity, mass[i], v[i]);
     }
     if (!(total > 0.0)) {
         return;
     }
     centre = vec3_scale(centre, 1.0 / total);
-    drift = vec3_scale(drift, 1.0 / total);
+    mean_velocity = vec3_scale(mean_velocity, 1.0 / total);
     mat3 inertia = mat3_zero();
     vec3 momentum = vec3_zero();
     for (uint32_t i = first; i <= last; i++) {
@@ -63,19 +63,20 @@ void vbss_damp_relative_motion(const double *mass, const vec3 *x, vec3 *v, uint3
         double rr = vec3_norm_squared(r);
         inertia = mat3_add_scaled(inertia, mass[i],
                                   mat3_sub(mat3_diagonal(rr, rr, rr), mat3_outer(r, r)));
-        vec3 own = vec3_sub(v[i], drift);
-        momentum = vec3_add_scaled(momentum, mass[i], vec3_cross(r, own));
+        vec3 relative_velocity = vec3_sub(v[i], mean_velocity);
+        momentum = vec3_add_scaled(momentum, mass[i], vec3_cross(r, relative_velocity));
     }
     vec3 rate = rotation_rate(inertia, momentum);
     /* The centre is rounded; particles nearly on a line may turn fast about it. What that adds to
      * the momentum is taken out. */
-    vec3 slip = vec3_zero();
+    vec3 mean_velocity_error = vec3_zero();
     for (uint32_t i = first; i <= last; i++) {
-        slip = vec3_add_scaled(slip, mass[i] / total, vec3_cross(rate, vec3_sub(x[i], centre)));
+        mean_velocity_error = vec3_add_scaled(mean_velocity_error, mass[i] / total,
+                                              vec3_cross(rate, vec3_sub(x[i], centre)));
     }
-    drift = vec3_sub(drift, slip);
+    mean_velocity = vec3_sub(mean_velocity, mean_velocity_error);
     for (uint32_t i = first; i <= last; i++) {
-        vec3 rigid = vec3_add(drift, vec3_cross(rate, vec3_sub(x[i], centre)));
-        v[i] = vec3_add_scaled(v[i], -share, vec3_sub(v[i], rigid));
+        vec3 rigid = vec3_add(mean_velocity, vec3_cross(rate, vec3_sub(x[i], centre)));
+        v[i] = vec3_add_scaled(v[i], -fraction, vec3_sub(v[i], rigid));
     }
 }

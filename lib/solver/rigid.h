@@ -23,7 +23,7 @@ typedef struct vbss_stream vbss_stream;
 
 /* The position of a motion is the centre of mass; its orientation takes the principal axes to the world. */
 typedef struct vbss_rigid_motion {
-    pose at;
+    pose pose;
     vec3 v, w; /* of the centre of mass, m/s, and angular, rad/s; both in the world */
 } vbss_rigid_motion;
 
@@ -41,26 +41,27 @@ typedef struct vbss_rigid {
     double drag;  /* both momenta decay at this rate, 1/s; 0: none */
     vbss_rigid_coupling coupling;
     vbss_rigid_motion now;
-    pose begin,
-        end; /* the given pose (of centre of mass and principal axes) at both ends of the step */
+    pose target_start,
+        target_end; /* the given pose (of centre of mass and principal axes) at both ends of the step */
 } vbss_rigid;
 
 /* Whether the body is one that can be stepped: finite, mass and moments positive, no moment larger than
  * the sum of the others, nothing else negative, orientations unit. */
-bool vbss_rigid_is_sound(const vbss_rigid *rigid);
+bool vbss_rigid_is_valid(const vbss_rigid *rigid);
 /* The given pose that was the end of the last step is the begin of the next. */
-void vbss_rigid_retarget(vbss_rigid *rigid, pose end);
+void vbss_rigid_set_target(vbss_rigid *rigid, pose target);
 
 /* The part of a step that is made at once; 0 and 1 for all of it. The given pose crosses the step evenly:
  * along a straight line, and about one axis the shortest way. Between two steps it shall not turn by half a
  * turn or more. */
-typedef struct vbss_rigid_part {
-    double step;       /* length of the whole step, s */
-    double begin, end; /* shares of it */
-} vbss_rigid_part;
+typedef struct vbss_rigid_substep {
+    double step_length;                  /* length of the whole step, s */
+    double start_fraction, end_fraction; /* shares of it */
+} vbss_rigid_substep;
 /* The given pose at the end of the part and its velocities: the motion of a body that is driven, whose
- * blocks have the role VBSS_ROLE_GIVEN. At the end of the step it is rigid->end to the bit. */
-vbss_rigid_motion vbss_rigid_given(const vbss_rigid *rigid, const vbss_rigid_part *part);
+ * blocks have the role VBSS_ROLE_PRESCRIBED. At the end of the step it is rigid->end to the bit. */
+vbss_rigid_motion vbss_rigid_target_motion(const vbss_rigid *rigid,
+                                           const vbss_rigid_substep *substep);
 
 /* About the centre of mass, in the world. */
 mat3 vbss_rigid_world_inertia(const vbss_rigid *rigid, quat orientation);
@@ -80,34 +81,36 @@ vbss_result vbss_rigid_register(vbss_system *system, vbss_role role, vbss_rigid_
  * what gravity does already in the prediction. Rotation: the angular momentum stays to rounding (but for
  * drag); the orientation is of second order, and exact for a body two of whose moments are equal; energy
  * stays bounded. The prediction is where the trial starts. */
-void vbss_rigid_predict(const vbss_rigid *rigid, const vbss_rigid_part *part,
+void vbss_rigid_predict(const vbss_rigid *rigid, const vbss_rigid_substep *substep,
                         vbss_rigid_motion *predicted);
 /* Velocities that belong to a trial pose at the end of the part: the predicted ones, and the way and the
  * turn from the predicted pose over the length of the part. */
-vbss_rigid_motion vbss_rigid_follow(const vbss_rigid_part *part, const vbss_rigid_motion *predicted,
-                                    const pose *trial);
+vbss_rigid_motion vbss_rigid_motion_from_pose(const vbss_rigid_substep *substep,
+                                              const vbss_rigid_motion *predicted,
+                                              const pose *trial);
 /* Sets diagonals, right-hand sides and coupling of both blocks, for increments from the trial. Symmetric
  * and positive definite: inertia, at the predicted orientation, and of the virtual coupling stiffness and
  * damping over the length of the part. Derivatives that grow with the turn from the predicted to the trial
  * or the given pose are left out: one linearisation is exact where each turn is about one axis, else a few
  * balance to rounding. Under torque the whole is of first order. */
-void vbss_rigid_assemble(const vbss_rigid *rigid, const vbss_rigid_part *part,
+void vbss_rigid_assemble(const vbss_rigid *rigid, const vbss_rigid_substep *substep,
                          const vbss_rigid_motion *predicted, const pose *trial, vbss_system *system,
                          const vbss_rigid_blocks *blocks);
-void vbss_rigid_advance(pose *trial, vec3 dx, vec3 dtheta);
-/* Makes the trial the state of the body: vbss_rigid_follow, speeds below VBSS_STILL zero. */
-void vbss_rigid_commit(vbss_rigid *rigid, const vbss_rigid_part *part,
+void vbss_rigid_apply_increment(pose *trial, vec3 dx, vec3 dtheta);
+/* Makes the trial the state of the body: vbss_rigid_motion_from_pose, speeds below VBSS_FLUSH_THRESHOLD zero. */
+void vbss_rigid_commit(vbss_rigid *rigid, const vbss_rigid_substep *substep,
                        const vbss_rigid_motion *predicted, const pose *trial);
 
 /* What the given pose exerts on the body in that motion at the end of the part, through the virtual
  * coupling: after a commit with rigid->now, what acted in that part. A hand that holds the given pose
  * feels the opposite. */
-typedef struct vbss_rigid_pull {
+typedef struct vbss_rigid_wrench {
     vec3 force;  /* N, at the centre of mass */
     vec3 torque; /* N m, about the centre of mass */
-} vbss_rigid_pull;
-vbss_rigid_pull vbss_rigid_coupling_pull(const vbss_rigid *rigid, const vbss_rigid_part *part,
-                                         const vbss_rigid_motion *motion);
+} vbss_rigid_wrench;
+vbss_rigid_wrench vbss_rigid_coupling_wrench(const vbss_rigid *rigid,
+                                             const vbss_rigid_substep *substep,
+                                             const vbss_rigid_motion *motion);
 
 /* Visits all of the body, mass and moments as what must be the same, with tags from the first on. */
 enum { VBSS_RIGID_TAGS = 12 };

@@ -7,59 +7,61 @@
 
 typedef struct capsule_mass {
     double mass;
-    vec3 middle, axis;
-    double along,
-        across; /* moments about the axis, and about any normal to it through the middle */
+    vec3 centre, axis;
+    double axial,
+        transverse; /* moments about the axis, and about any normal to it through the middle */
 } capsule_mass;
 
 static capsule_mass mass_of(const vbss_rigid_capsule *c)
 {
-    vec3 way = vec3_sub(c->b, c->a);
-    double r = c->radius, l = vec3_norm(way), r2 = r * r, l2 = l * l;
+    vec3 axis_vector = vec3_sub(c->b, c->a);
+    double r = c->radius, l = vec3_norm(axis_vector), r2 = r * r, l2 = l * l;
     double cylinder = c->density * PI * r2 * l, ball = c->density * PI * (4.0 / 3.0) * r2 * r;
     capsule_mass m;
     m.mass = cylinder + ball;
-    m.middle = vec3_lerp(c->a, c->b, 0.5);
-    m.axis = vec3_unit_or(way, vec3_make(1.0, 0.0, 0.0));
-    m.along = r2 * (0.5 * cylinder + 0.4 * ball);
+    m.centre = vec3_lerp(c->a, c->b, 0.5);
+    m.axis = vec3_unit_or(axis_vector, vec3_make(1.0, 0.0, 0.0));
+    m.axial = r2 * (0.5 * cylinder + 0.4 * ball);
     /* The centre of a half ball is 3/8 r away from its flat side. */
-    m.across = cylinder * (l2 / 12.0 + 0.25 * r2) + ball * (0.4 * r2 + 0.25 * l2 + 0.375 * r * l);
+    m.transverse =
+        cylinder * (l2 / 12.0 + 0.25 * r2) + ball * (0.4 * r2 + 0.25 * l2 + 0.375 * r * l);
     return m;
 }
 
 /* s (|v|^2 - v v^T): of a mass at v, or of the difference between across and along. */
-static mat3 around(vec3 v, double s)
+static mat3 offset_inertia(vec3 v, double s)
 {
     double square = s * vec3_norm_squared(v);
     return mat3_add_scaled(mat3_diagonal(square, square, square), -s, mat3_outer(v, v));
 }
 
 /* About a point. */
-static mat3 inertia_of(const capsule_mass *m, vec3 about)
+static mat3 inertia_about(const capsule_mass *m, vec3 about)
 {
-    mat3 inertia = mat3_diagonal(m->along, m->along, m->along);
-    inertia = mat3_add(inertia, around(m->axis, m->across - m->along));
-    return mat3_add(inertia, around(vec3_sub(m->middle, about), m->mass));
+    mat3 inertia = mat3_diagonal(m->axial, m->axial, m->axial);
+    inertia = mat3_add(inertia, offset_inertia(m->axis, m->transverse - m->axial));
+    return mat3_add(inertia, offset_inertia(vec3_sub(m->centre, about), m->mass));
 }
 
 /* ---- principal axes */
 
-static mat3 seen_from(mat3 inertia, quat axes)
+static mat3 inertia_in_axes(mat3 inertia, quat axes)
 {
     mat3 r = quat_to_mat3(axes);
     return mat3_mul(mat3_transpose(r), mat3_mul(inertia, r));
 }
 
 /* Jacobi: turns about the third axis until the product of inertia of the other two is gone. */
-static quat without_product(mat3 inertia, quat axes, int axis)
+static quat jacobi_rotate(mat3 inertia, quat axes, int axis)
 {
     int i = (axis + 1) % 3, j = (axis + 2) % 3;
-    mat3 seen = seen_from(inertia, axes);
-    double product = 0.5 * (seen.m[i][j] + seen.m[j][i]);
+    mat3 rotated = inertia_in_axes(inertia, axes);
+    double product = 0.5 * (rotated.m[i][j] + rotated.m[j][i]);
     if (product == 0.0) {
         return axes;
     }
-    double cotangent = (seen.m[j][j] - seen.m[i][i]) / (2.0 * product); /* of twice the angle */
+    double cotangent =
+        (rotated.m[j][j] - rotated.m[i][i]) / (2.0 * product); /* of twice the angle */
     double tangent =
         copysign(1.0, cotangent) / (fabs(cotangent) + sqrt(1.0 + cotangent * cotangent));
     double cosine = 1.0 / sqrt(1.0 + tangent * tangent), half = sqrt(0.5 * (1.0 + cosine));
@@ -75,7 +77,7 @@ static quat principal_axes(mat3 inertia)
     quat axes = quat_identity();
     for (int sweep = 0; sweep < 6; sweep++) {
         for (int axis = 2; axis >= 0; axis--) {
-            axes = without_product(inertia, axes, axis);
+            axes = jacobi_rotate(inertia, axes, axis);
         }
         axes = quat_unit(axes);
     }
@@ -93,7 +95,7 @@ bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t co
         capsule_mass m = mass_of(&capsules[i]);
         sum += m.mass;
         /* From the first end: far from the origin digits would be lost. */
-        moment = vec3_add_scaled(moment, m.mass, vec3_sub(m.middle, capsules[0].a));
+        moment = vec3_add_scaled(moment, m.mass, vec3_sub(m.centre, capsules[0].a));
     }
     if (!(sum >= DBL_MIN && sum <= DBL_MAX)) {
         return false;
@@ -102,13 +104,13 @@ bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t co
     mat3 inertia = mat3_zero();
     for (uint32_t i = 0; i < count; i++) {
         capsule_mass m = mass_of(&capsules[i]);
-        inertia = mat3_add(inertia, inertia_of(&m, centre));
+        inertia = mat3_add(inertia, inertia_about(&m, centre));
     }
     quat axes = principal_axes(inertia);
-    mat3 seen = seen_from(inertia, axes);
-    vec3 moments = vec3_make(seen.m[0][0], seen.m[1][1], seen.m[2][2]);
-    bool sound = moments.x >= DBL_MIN && moments.y >= DBL_MIN && moments.z >= DBL_MIN;
-    if (!(sound && vec3_is_finite(moments) && vec3_is_finite(centre))) {
+    mat3 rotated = inertia_in_axes(inertia, axes);
+    vec3 moments = vec3_make(rotated.m[0][0], rotated.m[1][1], rotated.m[2][2]);
+    bool is_valid = moments.x >= DBL_MIN && moments.y >= DBL_MIN && moments.z >= DBL_MIN;
+    if (!(is_valid && vec3_is_finite(moments) && vec3_is_finite(centre))) {
         return false;
     }
     mass->mass = sum;

@@ -8,78 +8,79 @@
 /* ---- memory: one table says what there is */
 
 enum { PARTS = 46 };
-#define MOST_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
+#define MAX_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
 
-static void list_parts(vbss_system *s, vbss_array parts[PARTS])
+static void list_arrays(vbss_system *s, vbss_array arrays[PARTS])
 {
     size_t blocks = s->block_capacity, entries = s->entry_capacity;
-    size_t numbers = entries + s->coupling_capacity + 1, separators = s->separator_capacity;
+    size_t off_diagonals = entries + s->coupling_capacity + 1, separators = s->separator_capacity;
     size_t pairs = s->pair_capacity, words = (separators + 63) / 64;
-    size_t places = 2 * pairs + separators;
+    size_t schur_blocks = 2 * pairs + separators;
     vbss_elimination *e = &s->elimination;
     const vbss_array all[PARTS] = {
         {&s->roles, blocks, sizeof *s->roles},
         {&s->couplings, (size_t)s->coupling_capacity + 1, sizeof *s->couplings},
         {&s->chain_ends, blocks, sizeof *s->chain_ends},
         {&s->chain_of, blocks, sizeof *s->chain_of},
-        {&s->chain_ordered, blocks, sizeof *s->chain_ordered},
-        {&s->chain_kept, blocks, sizeof *s->chain_kept},
+        {&s->chain_uses_natural_order, blocks, sizeof *s->chain_uses_natural_order},
+        {&s->chain_reuses_factor, blocks, sizeof *s->chain_reuses_factor},
         {&s->fill_ends, 2 * blocks, sizeof *s->fill_ends},
-        {&s->known, s->known_capacity, sizeof *s->known},
-        {&s->known_places, s->coupling_capacity, sizeof *s->known_places},
+        {&s->coupling_hash, s->coupling_hash_capacity, sizeof *s->coupling_hash},
+        {&s->coupling_hash_buckets, s->coupling_capacity, sizeof *s->coupling_hash_buckets},
         {&s->order, blocks, sizeof *s->order},
-        {&s->place, blocks, sizeof *s->place},
+        {&s->position, blocks, sizeof *s->position},
         {&s->column_start, blocks + 1, sizeof *s->column_start},
         {&s->entries, entries, sizeof *s->entries},
         {&s->product_start, blocks, sizeof *s->product_start},
         {&s->products, s->product_capacity, sizeof *s->products},
-        {&s->joins, pairs, sizeof *s->joins},
-        {&s->join_start, separators + 1, sizeof *s->join_start},
+        {&s->schur_pattern, pairs, sizeof *s->schur_pattern},
+        {&s->schur_column_start, separators + 1, sizeof *s->schur_column_start},
         {&s->row_bits, 2 * (blocks / 64 + 1), sizeof *s->row_bits},
-        {&s->lists, 9 * blocks, sizeof *s->lists},
+        {&s->symbolic_scratch, 9 * blocks, sizeof *s->symbolic_scratch},
         {&s->diagonal, blocks, sizeof *s->diagonal},
-        {&s->numbers, numbers, sizeof *s->numbers},
-        {&s->scaled, numbers, sizeof *s->scaled},
+        {&s->off_diagonal, off_diagonals, sizeof *s->off_diagonal},
+        {&s->scaled, off_diagonals, sizeof *s->scaled},
         {&s->rhs, blocks, sizeof *s->rhs},
         {&s->solution, blocks, sizeof *s->solution},
         {&s->pivots, blocks, sizeof *s->pivots},
-        {&s->separator_base, places, sizeof *s->separator_base},
-        {&s->separator_blocks, places, sizeof *s->separator_blocks},
-        {&s->separator_base_rhs, separators, sizeof *s->separator_base_rhs},
+        {&s->schur_complement, schur_blocks, sizeof *s->schur_complement},
+        {&s->separator_blocks, schur_blocks, sizeof *s->separator_blocks},
+        {&s->schur_rhs, separators, sizeof *s->schur_rhs},
         {&s->separator_rhs, separators, sizeof *s->separator_rhs},
-        {&s->followed, separators, sizeof *s->followed},
+        {&s->line_search_increments, separators, sizeof *s->line_search_increments},
         {&e->order, separators, sizeof *e->order},
         {&e->position, separators, sizeof *e->position},
         {&e->column_start, separators + 1, sizeof *e->column_start},
         {&e->rows, pairs, sizeof *e->rows},
         {&e->row_start, separators + 1, sizeof *e->row_start},
-        {&e->earlier, pairs, sizeof *e->earlier},
+        {&e->row_entries, pairs, sizeof *e->row_entries},
         {&e->pair_start, separators + 1, sizeof *e->pair_start},
         {&e->pairs, pairs, sizeof *e->pairs},
         {&e->lower, pairs, sizeof *e->lower},
         {&e->upper, pairs, sizeof *e->upper},
         {&e->x, separators, sizeof *e->x},
-        {&e->near, separators * words, sizeof *e->near},
+        {&e->adjacency, separators * words, sizeof *e->adjacency},
         {&e->degrees, separators, sizeof *e->degrees},
         {&e->keys, separators, sizeof *e->keys},
-        {&e->next, separators, sizeof *e->next},
-        {&e->entry_in, separators, sizeof *e->entry_in},
+        {&e->bucket_next, separators, sizeof *e->bucket_next},
+        {&e->entry_of_row, separators, sizeof *e->entry_of_row},
     };
-    memcpy(parts, all, sizeof all);
+    memcpy(arrays, all, sizeof all);
 }
 
 /* Half of it stays free. */
-static uint32_t room_for_known(uint32_t couplings)
+static uint32_t hash_capacity(uint32_t couplings)
 {
-    uint32_t room = 2;
-    while (room / 2 <= couplings && room <= UINT32_MAX / 2) {
-        room *= 2;
+    uint32_t capacity = 2;
+    while (capacity / 2 <= couplings && capacity <= UINT32_MAX / 2) {
+        capacity *= 2;
     }
-    return room;
+    return capacity;
 }
 
-vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_room *room,
-                                    vbss_system **system)
+vbss_result vbss_system_create_with_capacity(vbss_context *context,
+                                             const vbss_system_capacity *capacity,
+                                             vbss_system **system)
 {
     *system = NULL;
     vbss_system *s = vbss_allocate(context, 1, sizeof *s, "system");
@@ -88,16 +89,17 @@ vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_roo
     }
     s->context = context;
     s->wide = vbss_wide_is_available();
-    s->block_capacity = room->blocks;
-    s->separator_capacity = room->separators < MOST_SEPARATORS ? room->separators : MOST_SEPARATORS;
-    s->pair_capacity = room->pairs;
-    s->coupling_capacity = room->couplings + room->pairs;
-    s->entry_capacity = room->entries + room->pairs;
-    s->known_capacity = room_for_known(s->coupling_capacity);
-    s->product_capacity = room->products;
-    vbss_array parts[PARTS];
-    list_parts(s, parts);
-    vbss_result result = vbss_allocate_arrays(context, parts, PARTS, "system");
+    s->block_capacity = capacity->blocks;
+    s->separator_capacity =
+        capacity->separators < MAX_SEPARATORS ? capacity->separators : MAX_SEPARATORS;
+    s->pair_capacity = capacity->pairs;
+    s->coupling_capacity = capacity->couplings + capacity->pairs;
+    s->entry_capacity = capacity->entries + capacity->pairs;
+    s->coupling_hash_capacity = hash_capacity(s->coupling_capacity);
+    s->product_capacity = capacity->products;
+    vbss_array arrays[PARTS];
+    list_arrays(s, arrays);
+    vbss_result result = vbss_allocate_arrays(context, arrays, PARTS, "system");
     if (result != VBSS_OK) {
         vbss_system_destroy(context, s);
         return result;
@@ -106,19 +108,21 @@ vbss_result vbss_system_create_room(vbss_context *context, const vbss_system_roo
     return VBSS_OK;
 }
 
-vbss_system_room vbss_system_room_of_lines(uint32_t blocks, uint32_t reach, uint32_t separators,
-                                           uint32_t pairs)
+vbss_system_capacity vbss_system_capacity_of_chains(uint32_t blocks, uint32_t half_bandwidth,
+                                                    uint32_t separators, uint32_t pairs)
 {
-    uint32_t rows = 2 * reach; /* of a run's column: neighbours ahead, separators behind */
-    return (vbss_system_room){
-        blocks, blocks * reach, blocks * rows, blocks * (rows * (rows - 1) / 2), separators, pairs};
+    uint32_t rows = 2 * half_bandwidth; /* of a run's column: neighbours ahead, separators behind */
+    return (vbss_system_capacity){blocks,        blocks * half_bandwidth,
+                                  blocks * rows, blocks * (rows * (rows - 1) / 2),
+                                  separators,    pairs};
 }
 
-vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t reach,
+vbss_result vbss_system_create(vbss_context *context, uint32_t blocks, uint32_t half_bandwidth,
                                uint32_t separators, uint32_t pairs, vbss_system **system)
 {
-    const vbss_system_room room = vbss_system_room_of_lines(blocks, reach, separators, pairs);
-    return vbss_system_create_room(context, &room, system);
+    const vbss_system_capacity capacity =
+        vbss_system_capacity_of_chains(blocks, half_bandwidth, separators, pairs);
+    return vbss_system_create_with_capacity(context, &capacity, system);
 }
 
 void vbss_system_destroy(vbss_context *context, vbss_system *system)
@@ -126,34 +130,36 @@ void vbss_system_destroy(vbss_context *context, vbss_system *system)
     if (system == NULL) {
         return;
     }
-    vbss_array parts[PARTS];
-    list_parts(system, parts);
-    vbss_release_arrays(context, parts, PARTS);
+    vbss_array arrays[PARTS];
+    list_arrays(system, arrays);
+    vbss_release_arrays(context, arrays, PARTS);
     vbss_release(context, system, 1, sizeof *system);
 }
 
 /* ---- the pattern */
 
-static uint32_t first_place(const vbss_system *s, uint32_t high, uint32_t low)
+static uint32_t first_bucket(const vbss_system *s, uint32_t high, uint32_t low)
 {
     uint64_t mixed = (((uint64_t)high << 32) + low) * UINT64_C(0x9e3779b97f4a7c15);
-    return (uint32_t)(mixed >> 32) & (s->known_capacity - 1);
+    return (uint32_t)(mixed >> 32) & (s->coupling_hash_capacity - 1);
 }
 
 /* The last to come is the first to go, so that no place on the way to another becomes empty: couplings after `last`. */
-static void forget(vbss_system *s, uint32_t last)
+static void remove_couplings_after(vbss_system *s, uint32_t last)
 {
-    while (s->known_count > 0 && s->known[s->known_places[s->known_count - 1]] > last) {
-        s->known[s->known_places[--s->known_count]] = VBSS_NO_COUPLING;
+    while (s->coupling_hash_count > 0 &&
+           s->coupling_hash[s->coupling_hash_buckets[s->coupling_hash_count - 1]] > last) {
+        s->coupling_hash[s->coupling_hash_buckets[--s->coupling_hash_count]] = VBSS_NO_COUPLING;
     }
-    s->known_to = s->known_to < last ? s->known_to : last;
+    s->hashed_coupling_end = s->hashed_coupling_end < last ? s->hashed_coupling_end : last;
 }
 
-void vbss_system_begin(vbss_system *system)
+void vbss_system_begin_pattern(vbss_system *system)
 {
-    forget(system, VBSS_NO_COUPLING);
-    system->block_count = system->coupling_count = system->own_count = system->chain_count = 0;
-    system->bodies_known = false;
+    remove_couplings_after(system, VBSS_NO_COUPLING);
+    system->block_count = system->coupling_count = system->body_coupling_count =
+        system->chain_count = 0;
+    system->has_body_pattern = false;
     memset(&system->couplings[VBSS_NO_COUPLING], 0, sizeof *system->couplings);
 }
 
@@ -164,33 +170,33 @@ vbss_result vbss_system_add_chain(vbss_system *system, uint32_t count, uint32_t 
                          system->block_capacity);
     }
     *first = system->block_count;
-    system->bodies_known = false;
-    memset(system->roles + system->block_count, VBSS_ROLE_RUN, count);
+    system->has_body_pattern = false;
+    memset(system->roles + system->block_count, VBSS_ROLE_INTERIOR, count);
     for (uint32_t b = *first; b < *first + count; b++) {
         system->chain_of[b] = system->chain_count;
     }
     system->block_count += count;
-    system->chain_ordered[system->chain_count] = false;
-    system->chain_kept[system->chain_count] = false;
+    system->chain_uses_natural_order[system->chain_count] = false;
+    system->chain_reuses_factor[system->chain_count] = false;
     system->chain_ends[system->chain_count++] = system->block_count;
     return VBSS_OK;
 }
 
-void vbss_system_keep_order(vbss_system *system)
+void vbss_system_use_natural_order(vbss_system *system)
 {
-    system->bodies_known = false;
-    system->chain_ordered[system->chain_count - 1] = true;
+    system->has_body_pattern = false;
+    system->chain_uses_natural_order[system->chain_count - 1] = true;
 }
 
 void vbss_system_set_role(vbss_system *system, uint32_t b, vbss_role role)
 {
-    system->bodies_known = false;
+    system->has_body_pattern = false;
     system->roles[b] = (uint8_t)role;
 }
 
-static bool is_given(const vbss_system *system, uint32_t a, uint32_t b)
+static bool either_is_prescribed(const vbss_system *system, uint32_t a, uint32_t b)
 {
-    return system->roles[a] == VBSS_ROLE_GIVEN || system->roles[b] == VBSS_ROLE_GIVEN;
+    return system->roles[a] == VBSS_ROLE_PRESCRIBED || system->roles[b] == VBSS_ROLE_PRESCRIBED;
 }
 
 static bool are_separators(const vbss_system *system, uint32_t a, uint32_t b)
@@ -213,7 +219,7 @@ static vbss_result add_coupling(vbss_system *system, uint32_t a, uint32_t b)
 vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint32_t *coupling)
 {
     *coupling = VBSS_NO_COUPLING;
-    if (is_given(system, a, b)) {
+    if (either_is_prescribed(system, a, b)) {
         return VBSS_OK;
     }
     if (system->chain_of[a] != system->chain_of[b] && !are_separators(system, a, b)) {
@@ -221,85 +227,86 @@ vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint
                          "system: blocks %u and %u are of two chains, and not both separators", a,
                          b);
     }
-    if (system->own_count != system->coupling_count) {
+    if (system->body_coupling_count != system->coupling_count) {
         return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
                          "system: bodies couple blocks %u and %u after others coupled", a, b);
     }
     VBSS_TRY(add_coupling(system, a, b));
-    system->bodies_known = false;
-    *coupling = system->own_count = system->coupling_count;
+    system->has_body_pattern = false;
+    *coupling = system->body_coupling_count = system->coupling_count;
     return VBSS_OK;
 }
 
 /* ---- couplings by hash: open addressing, which only ever tells whether a pair is there */
 
 /* Where the coupling of two blocks stands, or could. */
-static uint32_t *known_place(vbss_system *s, uint32_t high, uint32_t low)
+static uint32_t *find_bucket(vbss_system *s, uint32_t high, uint32_t low)
 {
-    for (uint32_t at = first_place(s, high, low);; at = (at + 1) & (s->known_capacity - 1)) {
-        const vbss_coupling *c = &s->couplings[s->known[at]];
-        if (s->known[at] == VBSS_NO_COUPLING || (c->high == high && c->low == low)) {
-            return &s->known[at];
+    for (uint32_t bucket = first_bucket(s, high, low);;
+         bucket = (bucket + 1) & (s->coupling_hash_capacity - 1)) {
+        const vbss_coupling *c = &s->couplings[s->coupling_hash[bucket]];
+        if (s->coupling_hash[bucket] == VBSS_NO_COUPLING || (c->high == high && c->low == low)) {
+            return &s->coupling_hash[bucket];
         }
     }
 }
 
-static void know(vbss_system *s, uint32_t coupling, uint32_t *place)
+static void insert_coupling(vbss_system *s, uint32_t coupling, uint32_t *bucket)
 {
-    *place = coupling;
-    s->known_places[s->known_count++] = (uint32_t)(place - s->known);
+    *bucket = coupling;
+    s->coupling_hash_buckets[s->coupling_hash_count++] = (uint32_t)(bucket - s->coupling_hash);
 }
 
 /* Only who asks pays; and nobody asks for a coupling of a run. */
-static void know_all(vbss_system *s)
+static void hash_new_couplings(vbss_system *s)
 {
-    while (s->known_to < s->coupling_count) {
-        const vbss_coupling *c = &s->couplings[++s->known_to];
+    while (s->hashed_coupling_end < s->coupling_count) {
+        const vbss_coupling *c = &s->couplings[++s->hashed_coupling_end];
         if (are_separators(s, c->high, c->low)) {
-            know(s, s->known_to, known_place(s, c->high, c->low));
+            insert_coupling(s, s->hashed_coupling_end, find_bucket(s, c->high, c->low));
         }
     }
 }
 
-vbss_result vbss_system_couple_once(vbss_system *system, uint32_t a, uint32_t b)
+vbss_result vbss_system_couple_separators(vbss_system *system, uint32_t a, uint32_t b)
 {
-    if (is_given(system, a, b)) {
+    if (either_is_prescribed(system, a, b)) {
         return VBSS_OK;
     }
     if (!are_separators(system, a, b)) {
         return vbss_fail(system->context, VBSS_ERROR_OUT_OF_RANGE,
                          "system: blocks %u and %u are not both separators", a, b);
     }
-    know_all(system);
-    uint32_t *known = known_place(system, a > b ? a : b, a > b ? b : a);
-    if (*known == VBSS_NO_COUPLING) {
+    hash_new_couplings(system);
+    uint32_t *bucket = find_bucket(system, a > b ? a : b, a > b ? b : a);
+    if (*bucket == VBSS_NO_COUPLING) {
         VBSS_TRY(add_coupling(system, a, b));
-        system->known_to = system->coupling_count;
-        know(system, system->coupling_count, known);
+        system->hashed_coupling_end = system->coupling_count;
+        insert_coupling(system, system->coupling_count, bucket);
     }
     return VBSS_OK;
 }
 
-void vbss_system_begin_again(vbss_system *system)
+void vbss_system_reset_separator_couplings(vbss_system *system)
 {
-    forget(system, system->own_count);
-    system->coupling_count = system->own_count;
+    remove_couplings_after(system, system->body_coupling_count);
+    system->coupling_count = system->body_coupling_count;
 }
 
 /* ---- the numbers */
 
-void vbss_system_keep_matrix(vbss_system *system, uint32_t b, bool kept)
+void vbss_system_reuse_factor(vbss_system *system, uint32_t b, bool reuse)
 {
-    system->chain_kept[system->chain_of[b]] = kept;
+    system->chain_reuses_factor[system->chain_of[b]] = reuse;
 }
 
 void vbss_system_clear(vbss_system *system)
 {
     /* Fill stands behind the couplings of bodies. */
-    block *fill = system->numbers + system->own_count + 1;
+    block *fill = system->off_diagonal + system->body_coupling_count + 1;
     for (uint32_t i = 0, begin = 0, end; i < 2 * system->chain_count; i++, begin = end) {
         end = system->fill_ends[i];
-        if (!system->chain_kept[i % system->chain_count]) {
+        if (!system->chain_reuses_factor[i % system->chain_count]) {
             memset(fill + begin, 0, (end - begin) * sizeof *fill);
         }
     }

@@ -53,17 +53,18 @@ hole_bound vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *con
 
 /* Toward the tip the suture moves when the hole goes on to larger arc lengths. */
 void vbss_hole_lay_row(const suture_hole *hole, const vbss_drain_config *config,
-                       const suture_place *now, vec3 drain, double h, contact_row *row)
+                       const suture_place *now, vec3 drain, double h, contact_constraint *row)
 {
     row->normal = now->tangent;
-    row->turn = now->turn;
-    row->slid = vec3_sub(now->point, drain);
-    row->slid = vec3_add_scaled(row->slid, now->arc - row->from, now->tangent);
+    row->curvature = now->turn;
+    row->relative_displacement = vec3_sub(now->point, drain);
+    row->relative_displacement =
+        vec3_add_scaled(row->relative_displacement, now->arc - row->start_arc_length, now->tangent);
     row->gap = 0.0;
     row->point = drain;
-    row->held = vec3_scale(now->tangent, hole->held);
+    row->previous_force = vec3_scale(now->tangent, hole->held);
     row->stiffness = config->hole_stiffness;
-    row->beyond = config->hole_damping / h;
+    row->viscous_stiffness = config->hole_damping / h;
     row->friction = 0.0; /* that of a sleeve */
 }
 
@@ -73,12 +74,12 @@ void vbss_hole_move(suture_hole *hole, double arc)
     hole->deepest = vbss_max(hole->deepest, arc);
 }
 
-void vbss_hole_keep(suture_hole *hole, const contact_row *row)
+void vbss_hole_keep(suture_hole *hole, const contact_constraint *row)
 {
-    contact_found is;
-    (void)vbss_contact_next_state(row, vec3_zero(), &is);
-    hole->held = is.pressure;
-    hole->across = is.rubbing;
+    contact_solution is;
+    (void)vbss_contact_update_solution(row, vec3_zero(), &is);
+    hole->held = is.normal_force;
+    hole->across = is.tangential_force;
 }
 
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole)

@@ -108,11 +108,11 @@ hole_bound vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *con
 /* Its row, all but the terms and what was known at the begin of the part: `now` and `drain` in the trial state; the part is h
  * long. a is the suture. */
 void vbss_hole_lay_row(const suture_hole *hole, const vbss_drain_config *config,
-                       const suture_place *now, vec3 drain, double h, contact_row *row);
+                       const suture_place *now, vec3 drain, double h, contact_constraint *row);
 /* It has slid to that arc length of the needle. */
 void vbss_hole_move(suture_hole *hole, double arc);
 /* What rows have found becomes its state. */
-void vbss_hole_keep(suture_hole *hole, const contact_row *row);
+void vbss_hole_keep(suture_hole *hole, const contact_constraint *row);
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole);
 bool vbss_hole_is_sound(const suture_hole *hole);
 

@@ -93,7 +93,7 @@ static inline lanes load(const vec3 *v)
 static lanes node_force(const thread_object *t, const vbss_integration *in, uint32_t i)
 {
     lanes moved = lanes_sub(load(&t->trial[i]), load(&t->x_predicted[i]));
-    lanes speed = lanes_add(load(&t->v_predicted[i]), lanes_scale(in->rate, moved));
+    lanes speed = lanes_add(load(&t->v_predicted[i]), lanes_scale(in->velocity_factor, moved));
     lanes force = lanes_sub(load(&t->gravity), lanes_scale(in->inertia, moved));
     force = lanes_sub(force, lanes_scale(t->config.drag, speed));
     return lanes_scale(t->mass[i], force);
@@ -143,13 +143,13 @@ static void set_nodes(const thread_object *t, const thread_stage *stage, vbss_sy
         const segment_part *before = &p.at[(i + 3) & 3u], *behind = &p.at[i & 3u];
         lanes force = lanes_add(node_force(t, in, i), bending_force(t, i));
         system->rhs[first + i] = lanes_vec3(lanes_add(force, stretching_force(&p, i)));
-        double scalar = t->mass[i] * (in->inertia + t->config.drag * in->rate) + t->bending[i][0] +
-                        before->turning + behind->turning;
+        double scalar = t->mass[i] * (in->inertia + t->config.drag * in->velocity_factor) +
+                        t->bending[i][0] + before->turning + behind->turning;
         system->diagonal[first + i] = pair_block(&p, i, 0, scalar, false);
         for (uint32_t k = 1; k <= reach; k++) {
             uint32_t c = t->couplings[i][k - 1];
             double own = t->bending[i][k] - (k == 1 ? behind->turning : 0.0);
-            system->numbers[c] = pair_block(&p, i, k, own, system->couplings[c].flipped);
+            system->off_diagonal[c] = pair_block(&p, i, k, own, system->couplings[c].is_transposed);
         }
     }
 }
@@ -204,13 +204,13 @@ static void add_attachments(const thread_object *t, const thread_stage *stage, v
             *rhs = vec3_add(*rhs, a->force);
         } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
             vec3 moved = vec3_sub(t->trial[a->node], t->x_predicted[a->node]);
-            vec3 speed = vec3_add_scaled(t->v_predicted[a->node], in->rate, moved);
+            vec3 speed = vec3_add_scaled(t->v_predicted[a->node], in->velocity_factor, moved);
             vec3 end_speed = vec3_scale(vec3_sub(a->target, a->position), share);
             vec3 stretch =
                 vec3_sub(vbss_thread_attachment_position(a, stage->part_end), t->trial[a->node]);
             *rhs = vec3_add_scaled(*rhs, a->stiffness, stretch);
             *rhs = vec3_add_scaled(*rhs, a->damping, vec3_sub(end_speed, speed));
-            block spring = scalar_block(a->stiffness + a->damping * in->rate);
+            block spring = scalar_block(a->stiffness + a->damping * in->velocity_factor);
             block *diagonal = &system->diagonal[first + a->node];
             for (int c = 0; c < 3; c++) {
                 diagonal->column[c] = lanes_add(diagonal->column[c], spring.column[c]);

@@ -30,7 +30,7 @@ static bool solve(thread_object *t, const thread_stage *stage)
     if (!vbss_system_condense(t->system)) {
         return false;
     }
-    vbss_system_take_separators(t->system);
+    vbss_system_load_schur_complement(t->system);
     return vbss_system_solve(t->system);
 }
 

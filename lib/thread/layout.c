@@ -140,7 +140,7 @@ static void set_roles(const thread_object *t, vbss_system *s, uint32_t first,
     }
     for (uint32_t i = 0; i < n; i++) {
         if (t->held[i] != 0) {
-            vbss_system_set_role(s, first + i, VBSS_ROLE_GIVEN);
+            vbss_system_set_role(s, first + i, VBSS_ROLE_PRESCRIBED);
         }
     }
 }
@@ -166,7 +166,7 @@ vbss_result vbss_thread_register(thread_object *t, vbss_system *s, const uint8_t
 static vbss_result build_pattern(thread_object *t)
 {
     uint32_t first = 0;
-    vbss_system_begin(t->system);
+    vbss_system_begin_pattern(t->system);
     VBSS_TRY(vbss_thread_register(t, t->system, NULL, &first));
     return vbss_system_analyse(t->system);
 }

@@ -13,7 +13,7 @@ static uint32_t count_parts(thread_object *t, double h)
     if (t->config.paper_substeps > 0) {
         return t->config.paper_substeps;
     }
-    return vbss_explicit_parts(h, vbss_paper_rate(t));
+    return vbss_explicit_substep_count(h, vbss_paper_rate(t));
 }
 
 static void prepare_masses(thread_object *t)
@@ -151,7 +151,8 @@ static void note_stretch(thread_object *t)
 
 static vec3 still(vec3 v)
 {
-    bool moving = fabs(v.x) > VBSS_STILL || fabs(v.y) > VBSS_STILL || fabs(v.z) > VBSS_STILL;
+    bool moving = fabs(v.x) > VBSS_FLUSH_THRESHOLD || fabs(v.y) > VBSS_FLUSH_THRESHOLD ||
+                  fabs(v.z) > VBSS_FLUSH_THRESHOLD;
     return moving ? v : vec3_zero();
 }
 

@@ -163,8 +163,8 @@ static void set_held_motion(thread_object *t, const vbss_integration *in)
             vec3 turn = vec3_scale(vec3_sub(speed, t->now.v[i]), 1.0 / in->h);
             vec3 moved = vec3_scale(turn, 1.0 / in->inertia);
             t->x_predicted[i] = vec3_sub(t->trial[i], moved);
-            t->v_predicted[i] = vec3_add_scaled(speed, -in->rate, moved);
-            t->a_predicted[i] = vec3_add_scaled(turn, -in->follow, moved);
+            t->v_predicted[i] = vec3_add_scaled(speed, -in->velocity_factor, moved);
+            t->a_predicted[i] = vec3_add_scaled(turn, -in->acceleration_factor, moved);
         }
     }
 }
@@ -174,9 +174,9 @@ void vbss_thread_commit(thread_object *t, const vbss_integration *in)
     set_held_motion(t, in);
     memcpy(t->now.x, t->trial, t->node_count * sizeof *t->trial);
     memcpy(t->now.tension, t->trial_tension, t->node_count * sizeof *t->trial_tension);
-    vbss_integration_follow(in, 3 * (size_t)t->node_count, &t->trial->x, &t->x_predicted->x,
-                            &t->v_predicted->x, &t->a_predicted->x, &t->now.v->x, &t->now.a->x,
-                            &t->now.q->x);
+    vbss_integration_correct(in, 3 * (size_t)t->node_count, &t->trial->x, &t->x_predicted->x,
+                             &t->v_predicted->x, &t->a_predicted->x, &t->now.v->x, &t->now.a->x,
+                             &t->now.q->x);
     if (t->config.damping > 0.0) {
         /* Implicit in the rate: stable for any of them. */
         double share = t->config.damping * in->h / (1.0 + t->config.damping * in->h);

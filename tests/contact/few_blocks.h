@@ -15,7 +15,7 @@ typedef struct few_blocks {
     vbss_context *context;
     vbss_system *system;
     contact_set *set;
-    contact_search search; /* as a scene has it, but strict: nothing is loose */
+    contact_active_set_options search; /* as a scene has it, but strict: nothing is loose */
     uint32_t count;
     vbss_role roles[FEW_BLOCKS];
     mat3 stiffness[FEW_BLOCKS]; /* inertia included */
@@ -30,12 +30,12 @@ static inline void few_begin(few_blocks *f, uint32_t count)
     expect_ok(vbss_system_create(f->context, FEW_BLOCKS, 1, FEW_BLOCKS, FEW_BLOCKS * FEW_BLOCKS,
                                  &f->system));
     expect_ok(vbss_contact_create(f->context, FEW_ROWS, &f->set));
-    f->search = (contact_search){.system = f->system,
-                                 .limit = 24,
-                                 .force_share = 1e-9,
-                                 .least_force = 1e-12,
-                                 .slack = 0.0,
-                                 .patience = 1000};
+    f->search = (contact_active_set_options){.system = f->system,
+                                             .max_solves = 24,
+                                             .relative_force_tolerance = 1e-9,
+                                             .absolute_force_tolerance = 1e-12,
+                                             .overlap_tolerance = 0.0,
+                                             .max_stalled_solves = 1000};
     for (uint32_t i = 0; i < FEW_BLOCKS; i++) {
         f->roles[i] = VBSS_ROLE_SEPARATOR;
         f->stiffness[i] = mat3_identity();
@@ -50,17 +50,18 @@ static inline void few_end(few_blocks *f)
 }
 
 /* A row of a block against the world. */
-static inline contact_row *few_plane(few_blocks *f, uint32_t feature, uint32_t b, vec3 normal)
+static inline contact_constraint *few_plane(few_blocks *f, uint32_t feature, uint32_t b,
+                                            vec3 normal)
 {
     const contact_key key = {3, 1, feature, 0, 0};
-    contact_row *row = vbss_contact_add(f->set, &key);
+    contact_constraint *row = vbss_contact_add(f->set, &key);
     assert_non_null(row);
     row->normal = normal;
     row->stiffness = 2e5;
     row->augmentation = 3.0;
     row->thickness = 1e-3;
-    row->term_count = 1;
-    row->terms[0] = (contact_term){.block = b, .weight = 1.0};
+    row->jacobian_block_count = 1;
+    row->jacobian[0] = (contact_jacobian_block){.block = b, .weight = 1.0};
     return row;
 }
 
@@ -71,58 +72,59 @@ static inline contact_row *few_plane(few_blocks *f, uint32_t feature, uint32_t b
     {                   \
         0.2, 0.5        \
     }
-static inline contact_row few_sleeve(vec3 normal)
+static inline contact_constraint few_sleeve(vec3 normal)
 {
-    contact_row row = {.normal = normal,
-                       .stiffness = FEW_SLEEVE_STIFFNESS,
-                       .bilateral = true,
-                       .sleeve = true,
-                       .least = FEW_SLEEVE_LEAST,
-                       .grip = FEW_SLEEVE_GRIP,
-                       .beyond = 500.0,
-                       .thickness = 1.0};
-    row.is.state = CONTACT_STICK;
+    contact_constraint row = {.normal = normal,
+                              .stiffness = FEW_SLEEVE_STIFFNESS,
+                              .is_bilateral = true,
+                              .is_sleeve = true,
+                              .yield_force = FEW_SLEEVE_LEAST,
+                              .yield_friction = FEW_SLEEVE_GRIP,
+                              .viscous_stiffness = 500.0,
+                              .thickness = 1.0};
+    row.solution.status = CONTACT_STICK;
     return row;
 }
 
 static inline void few_register(few_blocks *f)
 {
     uint32_t first;
-    vbss_system_begin(f->system);
+    vbss_system_begin_pattern(f->system);
     expect_ok(vbss_system_add_chain(f->system, f->count, &first));
     for (uint32_t i = 0; i < f->count; i++) {
         vbss_system_set_role(f->system, i, f->roles[i]);
     }
     expect_ok(vbss_contact_register(f->set, f->system));
     expect_ok(vbss_system_analyse(f->system));
-    vbss_contact_find_places(f->set, f->system);
+    vbss_contact_find_schur_indices(f->set, f->system);
 }
 
 static inline contact_outcome few_solve(few_blocks *f)
 {
     few_register(f);
     vbss_system_clear(f->system);
-    memset(f->system->numbers, 0, (f->system->coupling_count + 1) * sizeof *f->system->numbers);
+    memset(f->system->off_diagonal, 0,
+           (f->system->coupling_count + 1) * sizeof *f->system->off_diagonal);
     for (uint32_t i = 0; i < f->count; i++) {
         block_set(&f->system->diagonal[i], f->stiffness[i]);
         f->system->rhs[i] = f->force[i];
     }
     assert_true(vbss_system_condense(f->system));
-    contact_outcome found = vbss_contact_find_states(f->set, &f->search);
+    contact_outcome found = vbss_contact_solve_active_set(f->set, &f->search);
     if (found != CONTACT_SINGULAR) {
-        vbss_system_finish(f->system);
+        vbss_system_back_substitute(f->system);
     }
     return found;
 }
 
 /* How far side a of a row has come against side b. */
-static inline vec3 few_moved(const few_blocks *f, const contact_row *row)
+static inline vec3 few_moved(const few_blocks *f, const contact_constraint *row)
 {
     vec3 u = vec3_zero();
-    for (uint32_t p = 0; p < row->term_count; p++) {
-        const contact_term *t = &row->terms[p];
+    for (uint32_t p = 0; p < row->jacobian_block_count; p++) {
+        const contact_jacobian_block *t = &row->jacobian[p];
         vec3 d = f->system->solution[t->block];
-        u = vec3_add_scaled(u, t->weight, t->turns ? vec3_cross(d, t->arm) : d);
+        u = vec3_add_scaled(u, t->weight, t->is_rotation ? vec3_cross(d, t->arm) : d);
     }
     return u;
 }
@@ -133,26 +135,27 @@ static inline vec3 across(vec3 v, vec3 normal)
 }
 
 /* In the plane it may be softer. */
-static inline double few_stiffness_along(const contact_row *row)
+static inline double few_stiffness_along(const contact_constraint *row)
 {
-    return row->stiffness * (row->along > 0.0 ? row->along : 1.0);
+    return row->stiffness *
+           (row->tangential_stiffness_ratio > 0.0 ? row->tangential_stiffness_ratio : 1.0);
 }
 
 /* The law itself, in closed form: elastic, then cut back to the cone. */
-static inline vec3 few_law(const contact_row *row, vec3 u)
+static inline vec3 few_law(const contact_constraint *row, vec3 u)
 {
     vec3 n = row->normal;
     double pressure = -row->stiffness * (row->gap + vec3_dot(n, u));
-    if (!row->bilateral && pressure <= 0.0) {
+    if (!row->is_bilateral && pressure <= 0.0) {
         return vec3_zero();
     }
     if (row->friction == 0.0) {
         return vec3_scale(n, pressure);
     }
-    vec3 moved = across(vec3_add(row->slid, u), n);
-    vec3 rubbing = vec3_add_scaled(row->held, -few_stiffness_along(row), moved);
+    vec3 moved = across(vec3_add(row->relative_displacement, u), n);
+    vec3 rubbing = vec3_add_scaled(row->previous_force, -few_stiffness_along(row), moved);
     double size = vec3_norm(rubbing), most = row->friction * pressure;
-    if (!row->bilateral && size > most) {
+    if (!row->is_bilateral && size > most) {
         rubbing = vec3_scale(rubbing, most / size);
     }
     return vec3_add_scaled(rubbing, pressure, n);

@@ -4,14 +4,14 @@
 
 static const double k = 2e5;
 
-static contact_row plain_row(vec3 normal)
+static contact_constraint plain_row(vec3 normal)
 {
-    contact_row row = {.normal = normal,
-                       .stiffness = k,
-                       .friction = 0.3,
-                       .augmentation = 3.0,
-                       .thickness = 1e-3,
-                       .gap = -5e-6};
+    contact_constraint row = {.normal = normal,
+                              .stiffness = k,
+                              .friction = 0.3,
+                              .augmentation = 3.0,
+                              .thickness = 1e-3,
+                              .gap = -5e-6};
     return row;
 }
 
@@ -22,10 +22,10 @@ static vec3 draw_in_plane(harness_source *source, vec3 normal)
 }
 
 /* A closed row whose elastic force is `over` times what the cone allows. */
-static contact_row draw_closed(harness_source *source, double over)
+static contact_constraint draw_closed(harness_source *source, double over)
 {
     vec3 normal = vec3_unit_or(harness_draw_vec3(source, -1.0, 1.0), vec3_make(1.0, 0.0, 0.0));
-    contact_row row = plain_row(normal);
+    contact_constraint row = plain_row(normal);
     row.friction = harness_draw_real(source, 0.05, 1.5);
     row.augmentation = vbss_exp(harness_draw_real(source, -3.0, 12.0));
     row.gap = -harness_draw_real(source, 1e-6, 5e-5);
@@ -34,22 +34,25 @@ static contact_row draw_closed(harness_source *source, double over)
     double share = harness_draw_real(source, 0.0, 1.0);
     vec3 elastic = vec3_scale(way, over * most);
     vec3 side = vec3_scale(draw_in_plane(source, normal), share * most);
-    row.held = vec3_add(vec3_scale(elastic, 0.3), side);
-    row.along = harness_draw_below(source, 2) == 0 ? harness_draw_real(source, 0.01, 1.0) : 0.0;
-    row.slid = vec3_scale(vec3_sub(row.held, elastic), 1.0 / few_stiffness_along(&row));
+    row.previous_force = vec3_add(vec3_scale(elastic, 0.3), side);
+    row.tangential_stiffness_ratio =
+        harness_draw_below(source, 2) == 0 ? harness_draw_real(source, 0.01, 1.0) : 0.0;
+    row.relative_displacement =
+        vec3_scale(vec3_sub(row.previous_force, elastic), 1.0 / few_stiffness_along(&row));
     /* What lies along the normal is no slip. */
-    row.slid = vec3_add_scaled(row.slid, harness_draw_real(source, -1e-5, 1e-5), normal);
-    row.is.state = CONTACT_STICK;
+    row.relative_displacement =
+        vec3_add_scaled(row.relative_displacement, harness_draw_real(source, -1e-5, 1e-5), normal);
+    row.solution.status = CONTACT_STICK;
     if (over > 1.0) {
         double slip = (over - 1.0) * most / few_stiffness_along(&row);
-        row.is.state = CONTACT_SLIP;
-        row.is.way = way;
-        row.is.share = most / (most + row.augmentation * slip);
+        row.solution.status = CONTACT_SLIP;
+        row.solution.slip_direction = way;
+        row.solution.friction_ratio = most / (most + row.augmentation * slip);
     }
     return row;
 }
 
-static vec3 linear_force(const contact_tangent *t, vec3 u)
+static vec3 linear_force(const contact_linearisation *t, vec3 u)
 {
     vec3 force = t->force;
     for (uint32_t d = 0; d < t->count; d++) {
@@ -60,10 +63,10 @@ static vec3 linear_force(const contact_tangent *t, vec3 u)
 
 /* ---- the linear law is the law's value and its derivative */
 
-static void check_linear_law(const contact_row *row)
+static void check_linear_law(const contact_constraint *row)
 {
-    contact_tangent t;
-    vbss_contact_linear_law(row, &t);
+    contact_linearisation t;
+    vbss_contact_linearise(row, &t);
     vec3 force = few_law(row, vec3_zero());
     double scale = vec3_norm(force);
     expect_near(0.0, vec3_distance(force, t.force), 1e-11 * scale);
@@ -80,9 +83,9 @@ static void check_linear_law(const contact_row *row)
 static void sticking_is_linearised_exactly(harness_source *source, void *user)
 {
     (void)user;
-    contact_row row = draw_closed(source, harness_draw_real(source, 0.0, 0.99));
+    contact_constraint row = draw_closed(source, harness_draw_real(source, 0.0, 0.99));
     check_linear_law(&row);
-    row.bilateral = true;
+    row.is_bilateral = true;
     check_linear_law(&row);
 }
 
@@ -91,25 +94,25 @@ static void slipping_is_linearised_exactly(harness_source *source, void *user)
     (void)user;
     /* Not nearer to sticking than the largest share that is used. */
     double over = harness_draw_real(source, 1.02, 6.0);
-    contact_row row = draw_closed(source, over);
+    contact_constraint row = draw_closed(source, over);
     double most = -row.friction * k * row.gap;
     row.augmentation = vbss_max(row.augmentation, 0.002 * k / (over - 1.0));
     double slip = (over - 1.0) * most / few_stiffness_along(&row);
-    row.is.share = most / (most + row.augmentation * slip);
+    row.solution.friction_ratio = most / (most + row.augmentation * slip);
     check_linear_law(&row);
 }
 
 static void rows_without_friction_are_linearised_exactly(harness_source *source, void *user)
 {
     (void)user;
-    contact_row row = draw_closed(source, 0.5);
+    contact_constraint row = draw_closed(source, 0.5);
     row.friction = 0.0;
-    row.held = vec3_zero();
+    row.previous_force = vec3_zero();
     check_linear_law(&row);
-    contact_tangent t;
+    contact_linearisation t;
     row.gap = harness_draw_real(source, 0.0, 1.0); /* bilateral, it pulls */
-    row.bilateral = true;
-    vbss_contact_linear_law(&row, &t);
+    row.is_bilateral = true;
+    vbss_contact_linearise(&row, &t);
     expect_near(-k * row.gap, vec3_dot(t.force, row.normal), 1e-9);
 }
 
@@ -124,10 +127,10 @@ static void the_linear_law_is_the_derivative_of_the_law(void **state)
 static void an_open_row_adds_nothing(void **state)
 {
     (void)state;
-    contact_row row = plain_row(vec3_make(0.0, 1.0, 0.0));
-    contact_tangent t;
+    contact_constraint row = plain_row(vec3_make(0.0, 1.0, 0.0));
+    contact_linearisation t;
     row.gap = -1e-3; /* even where it overlaps: its state says so */
-    vbss_contact_linear_law(&row, &t);
+    vbss_contact_linearise(&row, &t);
     assert_int_equal(t.count, 0);
     expect_near(0.0, vec3_norm(t.force), 0.0);
 }
@@ -139,25 +142,27 @@ static void a_state_that_holds_stays(harness_source *source, void *user)
 {
     (void)user;
     bool slips = harness_draw_below(source, 2) == 1;
-    contact_row row = draw_closed(source, slips ? harness_draw_real(source, 1.1, 6.0)
-                                                : harness_draw_real(source, 0.0, 0.99));
-    contact_found next;
+    contact_constraint row = draw_closed(source, slips ? harness_draw_real(source, 1.1, 6.0)
+                                                       : harness_draw_real(source, 0.0, 0.99));
+    contact_solution next;
     double scale = -k * row.gap;
     row.augmentation = slips ? vbss_max(row.augmentation, 0.02 * k) : row.augmentation;
     if (slips) {
         const double along = few_stiffness_along(&row);
-        vec3 elastic = vec3_add_scaled(row.held, -along, across(row.slid, row.normal));
+        vec3 elastic = vec3_add_scaled(row.previous_force, -along,
+                                       across(row.relative_displacement, row.normal));
         double most = row.friction * scale;
-        row.is.share = most / (most + row.augmentation * (vec3_norm(elastic) - most) / along);
+        row.solution.friction_ratio =
+            most / (most + row.augmentation * (vec3_norm(elastic) - most) / along);
     }
-    expect_near(0.0, vbss_contact_next_state(&row, vec3_zero(), &next), 1e-10 * scale);
-    assert_int_equal(next.state, slips ? CONTACT_SLIP : CONTACT_STICK);
-    expect_near(scale, next.pressure, 1e-12 * scale);
-    vec3 wanted = vec3_add_scaled(few_law(&row, vec3_zero()), -next.pressure, row.normal);
-    expect_near(0.0, vec3_distance(wanted, next.rubbing), 1e-10 * scale);
+    expect_near(0.0, vbss_contact_update_solution(&row, vec3_zero(), &next), 1e-10 * scale);
+    assert_int_equal(next.status, slips ? CONTACT_SLIP : CONTACT_STICK);
+    expect_near(scale, next.normal_force, 1e-12 * scale);
+    vec3 wanted = vec3_add_scaled(few_law(&row, vec3_zero()), -next.normal_force, row.normal);
+    expect_near(0.0, vec3_distance(wanted, next.tangential_force), 1e-10 * scale);
     if (slips) {
-        expect_near(0.0, vec3_distance(row.is.way, next.way), 1e-9);
-        expect_near(row.is.share, next.share, 1e-9);
+        expect_near(0.0, vec3_distance(row.solution.slip_direction, next.slip_direction), 1e-9);
+        expect_near(row.solution.friction_ratio, next.friction_ratio, 1e-9);
     }
 }
 
@@ -166,23 +171,24 @@ static void states_come_to_the_law(harness_source *source, void *user)
 {
     (void)user;
     bool slips = harness_draw_below(source, 2) == 1;
-    contact_row row = draw_closed(source, slips ? harness_draw_real(source, 1.1, 6.0)
-                                                : harness_draw_real(source, 0.0, 0.95));
+    contact_constraint row = draw_closed(source, slips ? harness_draw_real(source, 1.1, 6.0)
+                                                       : harness_draw_real(source, 0.0, 0.95));
     /* A stiffer one overshoots, again and again. */
     row.augmentation =
         vbss_min(vbss_exp(harness_draw_real(source, 7.0, 12.0)), few_stiffness_along(&row));
     double missed = 1.0, scale = -k * row.gap;
-    row.is = (contact_found){.state = (contact_state)harness_draw_below(source, 3),
-                             .way = draw_in_plane(source, row.normal),
-                             .share = harness_draw_real(source, 0.1, 0.99)};
+    row.solution = (contact_solution){.status = (contact_status)harness_draw_below(source, 3),
+                                      .slip_direction = draw_in_plane(source, row.normal),
+                                      .friction_ratio = harness_draw_real(source, 0.1, 0.99)};
     /* Farther than is asked of what is missed: the force is off by up to the ratio of the stiffness along to r more. */
     for (int i = 0; i < 200 && missed > 1e-11 * scale; i++) {
-        contact_found next;
-        missed = vbss_contact_next_state(&row, vec3_zero(), &next);
-        row.is = next;
+        contact_solution next;
+        missed = vbss_contact_update_solution(&row, vec3_zero(), &next);
+        row.solution = next;
     }
     expect_near(0.0, missed, 1e-9 * scale);
-    vec3 force = vec3_add_scaled(row.is.rubbing, row.is.pressure, row.normal);
+    vec3 force =
+        vec3_add_scaled(row.solution.tangential_force, row.solution.normal_force, row.normal);
     expect_near(0.0, vec3_distance(few_law(&row, vec3_zero()), force), 2e-8 * scale);
 }
 
@@ -193,65 +199,68 @@ static void next_states_lead_to_the_law_and_stay_there(void **state)
     harness_property("comes", 300, states_come_to_the_law, NULL);
 }
 
-static contact_state next_of(contact_row *row, vec3 u, contact_found *next)
+static contact_status next_of(contact_constraint *row, vec3 u, contact_solution *next)
 {
-    (void)vbss_contact_next_state(row, u, next);
-    return next->state;
+    (void)vbss_contact_update_solution(row, u, next);
+    return next->status;
 }
 
 static void rows_open_and_close(void **state)
 {
     (void)state;
-    contact_row row = plain_row(vec3_make(0.0, 1.0, 0.0));
-    contact_found next;
+    contact_constraint row = plain_row(vec3_make(0.0, 1.0, 0.0));
+    contact_solution next;
     row.gap = 1e-5;
     assert_int_equal(next_of(&row, vec3_zero(), &next), CONTACT_OPEN);
     assert_int_equal(next_of(&row, vec3_make(1.0, -0.999e-5, 1.0), &next), CONTACT_OPEN);
-    expect_near(0.0, vbss_contact_next_state(&row, vec3_make(0.0, -1e-5, 0.0), &next), 0.0);
-    assert_int_equal(next.state, CONTACT_OPEN); /* touching is not pressing */
+    expect_near(0.0, vbss_contact_update_solution(&row, vec3_make(0.0, -1e-5, 0.0), &next), 0.0);
+    assert_int_equal(next.status, CONTACT_OPEN); /* touching is not pressing */
     /* It closes: what is missed is the force that an open row does not have. */
-    expect_near(0.2, vbss_contact_next_state(&row, vec3_make(0.0, -1.1e-5, 0.0), &next), 1e-12);
-    assert_int_equal(next.state, CONTACT_STICK);
-    expect_near(0.2, next.pressure, 1e-12);
+    expect_near(0.2, vbss_contact_update_solution(&row, vec3_make(0.0, -1.1e-5, 0.0), &next),
+                1e-12);
+    assert_int_equal(next.status, CONTACT_STICK);
+    expect_near(0.2, next.normal_force, 1e-12);
     assert_int_equal(next_of(&row, vec3_make(0.9e-7, -1.1e-5, 0.0), &next), CONTACT_STICK);
     assert_int_equal(next_of(&row, vec3_make(1e-6, -1.1e-5, 0.0), &next), CONTACT_SLIP);
-    expect_near(-1.0, next.way.x, 1e-15);
-    expect_near(-0.3 * 0.2, next.rubbing.x, 1e-12);
+    expect_near(-1.0, next.slip_direction.x, 1e-15);
+    expect_near(-0.3 * 0.2, next.tangential_force.x, 1e-12);
     row.friction = 0.0;
     assert_int_equal(next_of(&row, vec3_make(1e-6, -1.1e-5, 0.0), &next), CONTACT_STICK);
-    expect_near(0.0, vec3_norm(next.rubbing), 0.0);
+    expect_near(0.0, vec3_norm(next.tangential_force), 0.0);
     /* It opens, from either closed state: what is missed is the pull, and what it would be rubbed with. */
     row.friction = 0.3;
     for (int s = CONTACT_STICK; s <= CONTACT_SLIP; s++) {
-        row.is = (contact_found){.state = (contact_state)s, .way = {1.0, 0.0, 0.0}, .share = 0.5};
-        double missed = vbss_contact_next_state(&row, vec3_zero(), &next);
-        expect_near(vec3_norm(vbss_contact_linear_force(&row, vec3_zero())), missed, 1e-12);
+        row.solution = (contact_solution){
+            .status = (contact_status)s, .slip_direction = {1.0, 0.0, 0.0}, .friction_ratio = 0.5};
+        double missed = vbss_contact_update_solution(&row, vec3_zero(), &next);
+        expect_near(vec3_norm(vbss_contact_linearised_force(&row, vec3_zero())), missed, 1e-12);
         assert_true(missed > 2.0 - 1e-12);
-        assert_int_equal(next.state, CONTACT_OPEN);
-        expect_near(0.0, next.pressure, 0.0);
+        assert_int_equal(next.status, CONTACT_OPEN);
+        expect_near(0.0, next.normal_force, 0.0);
     }
 }
 
 static void sticking_ends_at_the_cone_and_slipping_when_it_is_turned_back(void **state)
 {
     (void)state;
-    contact_row row = plain_row(vec3_make(0.0, 1.0, 0.0));
-    contact_found next;
-    row.is.state = CONTACT_STICK; /* 1 N of pressure: 0.3 N at most, which is 1.5 um */
+    contact_constraint row = plain_row(vec3_make(0.0, 1.0, 0.0));
+    contact_solution next;
+    row.solution.status = CONTACT_STICK; /* 1 N of pressure: 0.3 N at most, which is 1.5 um */
     assert_int_equal(next_of(&row, vec3_make(1.4999e-6, 0.0, 0.0), &next), CONTACT_STICK);
-    expect_near(-0.29998, next.rubbing.x, 1e-12);
+    expect_near(-0.29998, next.tangential_force.x, 1e-12);
     assert_int_equal(next_of(&row, vec3_make(1.5001e-6, 0.0, 0.0), &next), CONTACT_SLIP);
-    expect_near(-1.0, next.way.x, 1e-15);
-    assert_true(next.share < 1.0);
+    expect_near(-1.0, next.slip_direction.x, 1e-15);
+    assert_true(next.friction_ratio < 1.0);
     /* More pressure holds it. */
     assert_int_equal(next_of(&row, vec3_make(1.5001e-6, -1e-8, 0.0), &next), CONTACT_STICK);
     /* A force that is held counts. */
-    row.held = vec3_make(-0.2, 0.0, 0.0);
+    row.previous_force = vec3_make(-0.2, 0.0, 0.0);
     assert_int_equal(next_of(&row, vec3_make(0.49e-6, 0.0, 0.0), &next), CONTACT_STICK);
     assert_int_equal(next_of(&row, vec3_make(0.51e-6, 0.0, 0.0), &next), CONTACT_SLIP);
     /* It slips, and is moved back by more than was elastic. */
-    row.held = vec3_zero();
-    row.is = (contact_found){.state = CONTACT_SLIP, .way = {-1.0, 0.0, 0.0}, .share = 0.9};
+    row.previous_force = vec3_zero();
+    row.solution = (contact_solution){
+        .status = CONTACT_SLIP, .slip_direction = {-1.0, 0.0, 0.0}, .friction_ratio = 0.9};
     row.augmentation = k;
     assert_int_equal(next_of(&row, vec3_make(2e-6, 0.0, 0.0), &next), CONTACT_SLIP);
     assert_int_equal(next_of(&row, vec3_make(1e-6, 0.0, 0.0), &next), CONTACT_STICK);
@@ -260,21 +269,21 @@ static void sticking_ends_at_the_cone_and_slipping_when_it_is_turned_back(void *
 static void what_ties_pulls_and_never_slips(void **state)
 {
     (void)state;
-    contact_row row = plain_row(vec3_make(0.0, 1.0, 0.0));
-    contact_found next;
-    row.bilateral = true;
-    row.is.state = CONTACT_STICK;
+    contact_constraint row = plain_row(vec3_make(0.0, 1.0, 0.0));
+    contact_solution next;
+    row.is_bilateral = true;
+    row.solution.status = CONTACT_STICK;
     const vec3 ways[] = {{0.0, 0.0, 0.0}, {1e-3, 1e-3, 0.0}, {-1.0, 1.0, 1.0}, {0.0, -1.0, 0.0}};
     for (int i = 0; i < 4; i++) {
-        expect_near(0.0, vbss_contact_next_state(&row, ways[i], &next), 0.0);
-        assert_int_equal(next.state, CONTACT_STICK);
-        expect_near(-k * (row.gap + ways[i].y), next.pressure, 1e-9);
-        expect_near(-k * ways[i].x, next.rubbing.x, 1e-9);
-        expect_near(-k * ways[i].z, next.rubbing.z, 1e-9);
+        expect_near(0.0, vbss_contact_update_solution(&row, ways[i], &next), 0.0);
+        assert_int_equal(next.status, CONTACT_STICK);
+        expect_near(-k * (row.gap + ways[i].y), next.normal_force, 1e-9);
+        expect_near(-k * ways[i].x, next.tangential_force.x, 1e-9);
+        expect_near(-k * ways[i].z, next.tangential_force.z, 1e-9);
     }
     row.friction = 0.0; /* free in the plane */
-    expect_near(0.0, vbss_contact_next_state(&row, ways[1], &next), 0.0);
-    expect_near(0.0, vec3_norm(next.rubbing), 0.0);
+    expect_near(0.0, vbss_contact_update_solution(&row, ways[1], &next), 0.0);
+    expect_near(0.0, vec3_norm(next.tangential_force), 0.0);
 }
 
 /* ---- the force that is held */
@@ -284,7 +293,7 @@ static void a_turned_force_keeps_its_length(harness_source *source, void *user)
     (void)user;
     vec3 normal = vec3_unit_or(harness_draw_vec3(source, -1.0, 1.0), vec3_make(0.0, 0.0, 1.0));
     vec3 force = harness_draw_vec3(source, -1.0, 1.0);
-    vec3 turned = vbss_contact_turn_into_plane(force, normal);
+    vec3 turned = vbss_contact_rotate_to_tangent_plane(force, normal);
     vec3 in_plane = across(force, normal);
     expect_near(0.0, vec3_dot(turned, normal), 1e-12 * vec3_norm(force));
     expect_near(vec3_norm(force), vec3_norm(turned), 1e-13);
@@ -296,8 +305,8 @@ static void held_forces_turn_with_the_plane(void **state)
     (void)state;
     harness_property("turned", 300, a_turned_force_keeps_its_length, NULL);
     vec3 n = vec3_make(0.6, 0.0, 0.8);
-    expect_near(0.0, vec3_norm(vbss_contact_turn_into_plane(n, n)), 0.0);
-    expect_near(0.0, vec3_norm(vbss_contact_turn_into_plane(vec3_zero(), n)), 0.0);
+    expect_near(0.0, vec3_norm(vbss_contact_rotate_to_tangent_plane(n, n)), 0.0);
+    expect_near(0.0, vec3_norm(vbss_contact_rotate_to_tangent_plane(vec3_zero(), n)), 0.0);
 }
 
 int test_law(void)

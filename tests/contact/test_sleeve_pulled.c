@@ -17,28 +17,28 @@ static double pull(pulled *p, double force)
 {
     const double mass = 1e-3;
     few_blocks *f = &p->f;
-    vbss_contact_begin(f->set);
-    contact_row *row = few_plane(f, 0, 0, vec3_make(1.0, 0.0, 0.0));
+    vbss_contact_clear(f->set);
+    contact_constraint *row = few_plane(f, 0, 0, vec3_make(1.0, 0.0, 0.0));
     const contact_key key = row->key;
     *row = few_sleeve(row->normal);
     row->key = key;
-    row->term_count = 1;
-    row->terms[0] = (contact_term){.block = 0, .weight = 1.0};
-    row->slid = across(p->x, row->normal);
-    row->beyond = damping / p->h;
-    row->held = vec3_make(p->held, 0.0, 0.0);
-    vbss_contact_recall(f->set);
+    row->jacobian_block_count = 1;
+    row->jacobian[0] = (contact_jacobian_block){.block = 0, .weight = 1.0};
+    row->relative_displacement = across(p->x, row->normal);
+    row->viscous_stiffness = damping / p->h;
+    row->previous_force = vec3_make(p->held, 0.0, 0.0);
+    vbss_contact_warm_start(f->set);
     f->stiffness[0] = mat3_scale(mat3_identity(), mass / (p->h * p->h));
     f->force[0] = vec3_add_scaled(vec3_make(force, 0.3, -0.4), mass / p->h, p->v);
-    assert_int_equal(few_solve(f), CONTACT_FOUND);
+    assert_int_equal(few_solve(f), CONTACT_CONVERGED);
     const vec3 u = f->system->solution[0];
-    contact_found is;
-    (void)vbss_contact_next_state(&f->set->rows[0], u, &is);
-    vbss_contact_keep(f->set);
+    contact_solution is;
+    (void)vbss_contact_update_solution(&f->set->constraints[0], u, &is);
+    vbss_contact_store_warm_start(f->set);
     p->x = vec3_add(p->x, u);
     p->v = vec3_scale(u, 1.0 / p->h);
-    p->held = is.pressure;
-    return is.pressure;
+    p->held = is.normal_force;
+    return is.normal_force;
 }
 
 static void begin_pulled(pulled *p, double h)
@@ -126,25 +126,26 @@ static void a_sleeve_keeps_what_it_was_laid_with(void **state)
     few_blocks f;
     few_begin(&f, 1);
     for (int i = 0; i < 4; i++) { /* is it remembered, is it a sleeve */
-        f.set->memory_count = 0;
+        f.set->warm_start_count = 0;
         if (i % 2 == 1) {
-            f.set->memory[f.set->memory_count++] = (contact_memory){
+            f.set->warm_start[f.set->warm_start_count++] = (contact_warm_start_entry){
                 {3, 1, 0, 0, 0}, CONTACT_SLIP, -0.7, 0.0, vec3_make(0.0, 0.3, -0.4)};
         }
-        vbss_contact_begin(f.set);
-        contact_row *row = few_plane(&f, 0, 0, vec3_make(1.0, 0.0, 0.0));
-        row->bilateral = true;
-        row->sleeve = i >= 2;
-        row->held = held;
-        vbss_contact_recall(f.set);
+        vbss_contact_clear(f.set);
+        contact_constraint *row = few_plane(&f, 0, 0, vec3_make(1.0, 0.0, 0.0));
+        row->is_bilateral = true;
+        row->is_sleeve = i >= 2;
+        row->previous_force = held;
+        vbss_contact_warm_start(f.set);
         vec3 other = i % 2 == 1 ? vec3_make(0.0, 0.3, -0.4) : vec3_zero();
-        expect_near(0.0, vec3_distance(row->held, row->sleeve ? held : other), 1e-15);
-        expect_near(0.0, vec3_distance(row->is.rubbing, other), 1e-15);
-        assert_int_equal(row->is.state, i % 2 == 1 ? CONTACT_SLIP : CONTACT_STICK);
+        expect_near(0.0, vec3_distance(row->previous_force, row->is_sleeve ? held : other), 1e-15);
+        expect_near(0.0, vec3_distance(row->solution.tangential_force, other), 1e-15);
+        assert_int_equal(row->solution.status, i % 2 == 1 ? CONTACT_SLIP : CONTACT_STICK);
         if (i == 3) {
-            expect_near(-0.7, row->is.pressure, 0.0);
-            expect_near(0.0, row->is.share, 0.0);
-            expect_near(0.0, vec3_distance(row->is.way, vec3_make(0.0, 0.6, -0.8)), 1e-15);
+            expect_near(-0.7, row->solution.normal_force, 0.0);
+            expect_near(0.0, row->solution.friction_ratio, 0.0);
+            expect_near(0.0, vec3_distance(row->solution.slip_direction, vec3_make(0.0, 0.6, -0.8)),
+                        1e-15);
         }
     }
     few_end(&f);
@@ -154,16 +155,16 @@ static void a_row_in_the_place_of_a_sleeve_is_none(void **state)
 {
     (void)state;
     few_blocks f;
-    contact_tangent t;
+    contact_linearisation t;
     few_begin(&f, 1);
-    contact_row *row = few_plane(&f, 0, 0, vec3_make(1.0, 0.0, 0.0));
-    row->bilateral = row->sleeve = true;
-    row->held = vec3_make(0.3, 0.0, 0.0);
-    vbss_contact_begin(f.set);
+    contact_constraint *row = few_plane(&f, 0, 0, vec3_make(1.0, 0.0, 0.0));
+    row->is_bilateral = row->is_sleeve = true;
+    row->previous_force = vec3_make(0.3, 0.0, 0.0);
+    vbss_contact_clear(f.set);
     row = few_plane(&f, 1, 0, vec3_make(1.0, 0.0, 0.0));
     row->gap = 1e-3;
-    assert_false(row->sleeve);
-    vbss_contact_linear_law(row, &t);
+    assert_false(row->is_sleeve);
+    vbss_contact_linearise(row, &t);
     assert_int_equal(t.count, 0);
     few_end(&f);
 }

@@ -22,19 +22,22 @@ static suture_place place_of(const sliding *s)
 }
 
 /* As a scene lays it: the nodes that it may slide on to are terms too. */
-static void lay(const sliding *s, contact_row *row)
+static void lay(const sliding *s, contact_constraint *row)
 {
     const suture_place now = place_of(s);
-    row->from = s->from;
+    row->start_arc_length = s->from;
     vbss_hole_lay_row(&s->hole, &s->config, &now, s->wall, 1e-3, row);
-    row->term_count = 0;
+    row->jacobian_block_count = 0;
     for (uint32_t i = 0; i < NODES; i++) {
         uint32_t k = i - now.first;
         bool own = i >= now.first && k < SUTURE_NODES;
-        row->terms[row->term_count++] = (contact_term){
-            .block = i, .weight = own ? now.weights[k] : 0.0, .slope = own ? now.slopes[k] : 0.0};
+        row->jacobian[row->jacobian_block_count++] =
+            (contact_jacobian_block){.block = i,
+                                     .weight = own ? now.weights[k] : 0.0,
+                                     .weight_derivative = own ? now.slopes[k] : 0.0};
     }
-    row->terms[row->term_count++] = (contact_term){.block = WALL, .weight = -1.0};
+    row->jacobian[row->jacobian_block_count++] =
+        (contact_jacobian_block){.block = WALL, .weight = -1.0};
 }
 
 /* ---- any row, with the state that it has there */
@@ -50,9 +53,9 @@ static void draw_thread(harness_source *source, sliding *s)
     }
 }
 
-static contact_row draw_row(harness_source *source, sliding *s)
+static contact_constraint draw_row(harness_source *source, sliding *s)
 {
-    contact_row row = {.bilateral = true, .sleeve = true};
+    contact_constraint row = {.is_bilateral = true, .is_sleeve = true};
     s->config.hole_stiffness = 2e5;
     s->config.hole_damping = harness_draw_real(source, 0.01, 20.0);
     s->hole.held = harness_draw_real(source, -1.0, 1.0);
@@ -60,24 +63,24 @@ static contact_row draw_row(harness_source *source, sliding *s)
     s->wall = vec3_lerp(s->x[0], s->x[NODES - 1], harness_draw_real(source, 0.1, 0.9));
     s->wall = vec3_add(place_of(s).point, harness_draw_vec3(source, -4e-6, 4e-6));
     s->from = place_of(s).arc + harness_draw_real(source, -8e-6, 8e-6);
-    row.least = harness_draw_real(source, 0.1, 1.0);
-    row.grip[0] = harness_draw_real(source, 0.1, 1.0);
-    row.grip[1] = harness_draw_real(source, 0.1, 1.0);
+    row.yield_force = harness_draw_real(source, 0.1, 1.0);
+    row.yield_friction[0] = harness_draw_real(source, 0.1, 1.0);
+    row.yield_friction[1] = harness_draw_real(source, 0.1, 1.0);
     return row;
 }
 
-static void find_state(const sliding *s, contact_row *row)
+static void find_state(const sliding *s, contact_constraint *row)
 {
     lay(s, row);
-    (void)vbss_contact_next_state(row, vec3_zero(), &row->is);
+    (void)vbss_contact_update_solution(row, vec3_zero(), &row->solution);
 }
 
 /* ---- what it adds */
 
-static void begin_system(few_blocks *f, const contact_row *row)
+static void begin_system(few_blocks *f, const contact_constraint *row)
 {
     few_begin(f, BLOCKS);
-    contact_row *added = few_plane(f, 0, 0, row->normal);
+    contact_constraint *added = few_plane(f, 0, 0, row->normal);
     const contact_key key = added->key;
     *added = *row;
     added->key = key;
@@ -88,14 +91,14 @@ static void begin_system(few_blocks *f, const contact_row *row)
         f->system->rhs[i] = vec3_zero();
     }
     assert_true(vbss_system_condense(f->system));
-    vbss_system_take_separators(f->system);
+    vbss_system_load_schur_complement(f->system);
     vbss_contact_assemble(f->set, f->system);
 }
 
 static vec3 added(const few_blocks *f, uint32_t p, uint32_t q, vec3 way)
 {
-    uint32_t place = vbss_system_place(f->system, p, q);
-    assert_true(place != VBSS_NO_PLACE);
+    uint32_t place = vbss_system_schur_index(f->system, p, q);
+    assert_true(place != VBSS_NO_INDEX);
     return mat3_mul_vec3(block_mat3(&f->system->separator_blocks[place]), way);
 }
 
@@ -104,22 +107,22 @@ static vec3 added(const few_blocks *f, uint32_t p, uint32_t q, vec3 way)
 typedef struct shifted {
     vec3 force[BLOCKS];
     double arc;
-    contact_state state;
+    contact_status state;
 } shifted;
 
 /* With a block moved on. */
-static shifted shift(const sliding *s, const contact_row *like, uint32_t q, vec3 way)
+static shifted shift(const sliding *s, const contact_constraint *like, uint32_t q, vec3 way)
 {
     sliding there = *s;
-    contact_row row = *like;
+    contact_constraint row = *like;
     vec3 *moved = q == WALL ? &there.wall : &there.x[q];
     *moved = vec3_add(*moved, way);
     there.thread.rest = there.rest;
     find_state(&there, &row);
     const vec3 f = vbss_contact_force(&row, vec3_zero());
-    shifted found = {.arc = place_of(&there).arc, .state = row.is.state};
+    shifted found = {.arc = place_of(&there).arc, .state = row.solution.status};
     for (uint32_t p = 0; p < BLOCKS; p++) {
-        found.force[p] = vec3_scale(f, row.terms[p].weight);
+        found.force[p] = vec3_scale(f, row.jacobian[p].weight);
     }
     return found;
 }
@@ -156,43 +159,45 @@ static double most_rate(const sliding *s)
  *     the normal feels.
  * Exact where the hole is on the curve, and the curve is as long there as the thread at rest; but for this:
  *   - what bears along the normal turns where a node turns that (without friction nothing does). */
-static vec3 left_out(const contact_row *row, uint32_t p, double moved, double slid, double rate)
+static vec3 left_out(const contact_constraint *row, uint32_t p, double moved, double slid,
+                     double rate)
 {
-    const contact_term *of = &row->terms[p];
+    const contact_jacobian_block *of = &row->jacobian[p];
     const vec3 n = row->normal, f = vbss_contact_force(row, vec3_zero());
-    const double k = row->stiffness, b = row->beyond, along = vec3_dot(f, n);
-    const double spring = row->is.state == CONTACT_SLIP ? k * b / (k + b) : k;
-    vec3 more = vec3_scale(f, -of->slope);
-    more = vec3_add_scaled(more, -of->weight * along, row->turn);
-    more = vec3_add_scaled(more, of->weight * (1.0 - spring / k) * vec3_dot(f, row->turn), n);
+    const double k = row->stiffness, b = row->viscous_stiffness, along = vec3_dot(f, n);
+    const double spring = row->solution.status == CONTACT_SLIP ? k * b / (k + b) : k;
+    vec3 more = vec3_scale(f, -of->weight_derivative);
+    more = vec3_add_scaled(more, -of->weight * along, row->curvature);
+    more = vec3_add_scaled(more, of->weight * (1.0 - spring / k) * vec3_dot(f, row->curvature), n);
     return vec3_add_scaled(vec3_scale(more, slid - moved),
                            of->weight * spring * (rate - 1.0) * slid, n);
 }
 
 /* The forces on all blocks when a single one moves: a node turns the tangent too, each in its own way. */
-static bool look_at_column(const sliding *s, const few_blocks *f, const contact_row *row,
+static bool look_at_column(const sliding *s, const few_blocks *f, const contact_constraint *row,
                            uint32_t q, vec3 way)
 {
     const double step = 2e-10, rate = rate_at(s);
     const shifted on = shift(s, row, q, vec3_scale(way, step));
     const shifted back = shift(s, row, q, vec3_scale(way, -step));
-    const contact_term *term = &row->terms[q];
-    if (on.state != row->is.state || back.state != row->is.state) {
+    const contact_jacobian_block *term = &row->jacobian[q];
+    if (on.state != row->solution.status || back.state != row->solution.status) {
         return false; /* between two states there is no slope */
     }
-    const vec3 aims =
-        vec3_scale(across(way, row->normal),
-                   term->slope * vec3_dot(vbss_contact_force(row, vec3_zero()), row->normal));
+    const vec3 aims = vec3_scale(across(way, row->normal),
+                                 term->weight_derivative *
+                                     vec3_dot(vbss_contact_force(row, vec3_zero()), row->normal));
     const double slid = 0.5 * (on.arc - back.arc) / step / rate;
     const double moved = term->weight * vec3_dot(row->normal, way);
-    const double aside = vec3_norm(row->is.rubbing) / row->stiffness;
-    const double order = fabs(term->slope) + vec3_norm(row->turn) * fabs(term->weight);
+    const double aside = vec3_norm(row->solution.tangential_force) / row->stiffness;
+    const double order =
+        fabs(term->weight_derivative) + vec3_norm(row->curvature) * fabs(term->weight);
     assert_true(rate > 1.0 - 1e-7 && rate < most_rate(s) + 1e-7);
     assert_true(fabs(slid - moved) <= 1.1 * aside * order + 1e-6);
     for (uint32_t p = 0; p < BLOCKS; p++) {
         vec3 slope = vec3_scale(vec3_sub(back.force[p], on.force[p]), 0.5 / step);
         vec3 own = vec3_add(added(f, p, q, way), left_out(row, p, moved, slid, rate));
-        own = vec3_add_scaled(own, row->terms[p].weight, aims);
+        own = vec3_add_scaled(own, row->jacobian[p].weight, aims);
         expect_near(0.0, vec3_distance(slope, own), 0.01);
     }
     return true;
@@ -201,18 +206,18 @@ static bool look_at_column(const sliding *s, const few_blocks *f, const contact_
 static const vec3 axes[3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
 
 /* Whether it has been looked at: not where nothing across has a direction. */
-static bool look_at_row(sliding *s, contact_row *row)
+static bool look_at_row(sliding *s, contact_constraint *row)
 {
     few_blocks f;
     bool smooth = true;
     find_state(s, row);
-    if (vec3_norm(row->is.rubbing) < 0.1) {
+    if (vec3_norm(row->solution.tangential_force) < 0.1) {
         return false;
     }
     begin_system(&f, row);
     const shifted now = shift(s, row, WALL, vec3_zero());
     for (uint32_t p = 0; p < BLOCKS; p++) {
-        vec3 rhs = f.system->separator_rhs[vbss_system_rhs_place(f.system, p)];
+        vec3 rhs = f.system->separator_rhs[vbss_system_schur_rhs_index(f.system, p)];
         expect_near(0.0, vec3_distance(now.force[p], rhs), 1e-12);
     }
     for (uint32_t q = 0; q < BLOCKS; q++) {
@@ -229,9 +234,9 @@ static void any_row_that_slides_has_its_slope(harness_source *source, void *user
     int *seen = user;
     sliding s;
     draw_thread(source, &s);
-    contact_row row = draw_row(source, &s);
+    contact_constraint row = draw_row(source, &s);
     bool looked = look_at_row(&s, &row);
-    seen[row.is.state == CONTACT_SLIP] += looked;
+    seen[row.solution.status == CONTACT_SLIP] += looked;
 }
 
 static void what_it_adds_is_the_slope_of_the_forces(void **state)
@@ -250,11 +255,11 @@ static void any_row_without_friction_is_symmetric(harness_source *source, void *
     sliding s;
     few_blocks f;
     draw_thread(source, &s);
-    contact_row row = draw_row(source, &s);
+    contact_constraint row = draw_row(source, &s);
     s.config.hole_damping = s.hole.held = 0.0;
-    row.least = row.grip[0] = row.grip[1] = 0.0;
+    row.yield_force = row.yield_friction[0] = row.yield_friction[1] = 0.0;
     *seen += look_at_row(&s, &row);
-    expect_near(0.0, row.is.pressure, 0.0);
+    expect_near(0.0, row.solution.normal_force, 0.0);
     begin_system(&f, &row);
     for (uint32_t p = 0; p < BLOCKS; p++) {
         for (uint32_t q = 0; q < p; q++) {

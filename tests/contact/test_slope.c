@@ -23,8 +23,9 @@ static void slope_begin(slope *s, double angle, double mu, bool held)
     double weight = mass * g * vbss_cos(angle), pull = mass * g * vbss_sin(angle);
     s->at = vec3_scale(s->normal, -weight / 2e5);
     vec3 holding = vec3_scale(s->down, held ? -vbss_min(pull, mu * weight) : 0.0);
-    s->f.set->memory[0] = (contact_memory){{3, 1, 0, 0, 0}, CONTACT_STICK, weight, 0.0, holding};
-    s->f.set->memory_count = 1;
+    s->f.set->warm_start[0] =
+        (contact_warm_start_entry){{3, 1, 0, 0, 0}, CONTACT_STICK, weight, 0.0, holding};
+    s->f.set->warm_start_count = 1;
     double inertia = mass / (h * h);
     s->f.stiffness[0] = mat3_diagonal(inertia, inertia, inertia);
 }
@@ -32,18 +33,18 @@ static void slope_begin(slope *s, double angle, double mu, bool held)
 static contact_outcome slope_part(slope *s, double augmentation)
 {
     contact_set *set = s->f.set;
-    vbss_contact_begin(set);
-    contact_row *row = few_plane(&s->f, 0, 0, s->normal);
+    vbss_contact_clear(set);
+    contact_constraint *row = few_plane(&s->f, 0, 0, s->normal);
     row->friction = s->mu;
     row->augmentation = augmentation;
     row->gap = vec3_dot(s->at, s->normal);
-    vbss_contact_recall(set);
+    vbss_contact_warm_start(set);
     s->f.force[0] = vec3_add_scaled(vec3_make(0.0, -mass * g, 0.0), mass / h, s->v);
     contact_outcome found = few_solve(&s->f);
     vec3 u = s->f.system->solution[0];
     s->at = vec3_add(s->at, u);
     s->v = vec3_scale(u, 1.0 / h);
-    vbss_contact_keep(set);
+    vbss_contact_store_warm_start(set);
     return found;
 }
 
@@ -60,17 +61,17 @@ static void a_block_slides_or_stays_as_its_slope_says(void **state)
             if (fabs(over) > 1e-6) {
                 vec3 begin = s.at;
                 for (int i = 0; i < 50; i++) {
-                    assert_int_equal(slope_part(&s, augmentations[m % 3]), CONTACT_FOUND);
+                    assert_int_equal(slope_part(&s, augmentations[m % 3]), CONTACT_CONVERGED);
                 }
-                const contact_found *is = &s.f.set->rows[0].is;
+                const contact_solution *is = &s.f.set->constraints[0].solution;
                 double weight = mass * g * cosine;
-                expect_near(weight, is->pressure, 1e-8 * mass * g);
+                expect_near(weight, is->normal_force, 1e-8 * mass * g);
                 if (over > 0.0) {
                     expect_near(50.0 * h * g * over, vec3_dot(s.v, s.down), 1e-9);
-                    expect_near(s.mu * weight, vec3_norm(is->rubbing), 1e-8 * mass * g);
+                    expect_near(s.mu * weight, vec3_norm(is->tangential_force), 1e-8 * mass * g);
                 } else {
                     expect_near(0.0, vec3_distance(s.at, begin), 1e-15);
-                    expect_near(mass * g * sine, vec3_norm(is->rubbing), 1e-8 * mass * g);
+                    expect_near(mass * g * sine, vec3_norm(is->tangential_force), 1e-8 * mass * g);
                 }
             }
             few_end(&s.f);
@@ -85,10 +86,10 @@ static void the_threshold_is_the_cone_to_five_digits(void **state)
         slope s;
         slope_begin(&s, 0.3, vbss_sin(0.3) / vbss_cos(0.3) * (1.0 + 1e-5 * side), true);
         for (int i = 0; i < 400; i++) {
-            assert_int_equal(slope_part(&s, 3.0), CONTACT_FOUND);
+            assert_int_equal(slope_part(&s, 3.0), CONTACT_CONVERGED);
         }
-        contact_state wanted = side > 0 ? CONTACT_STICK : CONTACT_SLIP;
-        assert_int_equal(s.f.set->rows[0].is.state, wanted);
+        contact_status wanted = side > 0 ? CONTACT_STICK : CONTACT_SLIP;
+        assert_int_equal(s.f.set->constraints[0].solution.status, wanted);
         expect_near(side > 0 ? 0.0 : 0.4 * g * 1e-5 * vbss_sin(0.3), vec3_dot(s.v, s.down), 1e-9);
         few_end(&s.f);
     }
@@ -109,7 +110,7 @@ static void what_sticks_does_not_creep(void **state)
     begin = s.at;
     uint64_t solves = s.f.set->counters.solves;
     for (int i = 0; i < 5000; i++) {
-        assert_int_equal(slope_part(&s, 3.0), CONTACT_FOUND);
+        assert_int_equal(slope_part(&s, 3.0), CONTACT_CONVERGED);
     }
     expect_near(0.0, vec3_distance(begin, s.at), 1e-15);
     assert_int_equal(s.f.set->counters.solves - solves,

@@ -9,19 +9,20 @@ static double largest_imbalance(const few_blocks *f, bool as_told)
     double largest = 0.0;
     for (uint32_t b = 0; b < f->count; b++) {
         vec3 left = vec3_sub(f->force[b], mat3_mul_vec3(f->stiffness[b], f->system->solution[b]));
-        for (uint32_t i = 0; i < f->set->count && f->roles[b] != VBSS_ROLE_GIVEN; i++) {
-            const contact_row *row = &f->set->rows[i];
-            vec3 told = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+        for (uint32_t i = 0; i < f->set->count && f->roles[b] != VBSS_ROLE_PRESCRIBED; i++) {
+            const contact_constraint *row = &f->set->constraints[i];
+            vec3 told = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
+                                        row->normal);
             vec3 force = as_told ? told : few_law(row, few_moved(f, row));
-            for (uint32_t p = 0; p < row->term_count; p++) {
-                const contact_term *t = &row->terms[p];
+            for (uint32_t p = 0; p < row->jacobian_block_count; p++) {
+                const contact_jacobian_block *t = &row->jacobian[p];
                 if (t->block == b) {
-                    vec3 part = t->turns ? vec3_cross(t->arm, force) : force;
+                    vec3 part = t->is_rotation ? vec3_cross(t->arm, force) : force;
                     left = vec3_add_scaled(left, t->weight, part);
                 }
             }
         }
-        if (f->roles[b] != VBSS_ROLE_GIVEN) {
+        if (f->roles[b] != VBSS_ROLE_PRESCRIBED) {
             largest = vbss_max(vec3_norm(left), largest);
         }
     }
@@ -33,8 +34,9 @@ static double largest_untruth(const few_blocks *f)
 {
     double largest = 0.0;
     for (uint32_t i = 0; i < f->set->count; i++) {
-        const contact_row *row = &f->set->rows[i];
-        vec3 told = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+        const contact_constraint *row = &f->set->constraints[i];
+        vec3 told = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
+                                    row->normal);
         largest = vbss_max(vec3_distance(told, few_law(row, few_moved(f, row))), largest);
     }
     return largest;
@@ -59,14 +61,14 @@ static void a_node_rests_in_a_corner_of_many_planes(void **state)
         f.stiffness[0] = mat3_diagonal(10.0, 10.0, 10.0);
         f.force[0] = vec3_make(-1.0, -2.0, -0.5);
         for (uint32_t i = 0; i < 3 * copies; i++) {
-            contact_row *row = few_plane(&f, i, 0, axes[i % 3]);
+            contact_constraint *row = few_plane(&f, i, 0, axes[i % 3]);
             row->friction = 0.0;
         }
-        assert_int_equal(few_solve(&f), CONTACT_FOUND);
+        assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
         for (uint32_t i = 0; i < 3 * copies; i++) {
             double share = 2e5 * copies / (2e5 * copies + 10.0) / copies;
             double wanted = -vec3_dot(f.force[0], axes[i % 3]) * share;
-            expect_near(wanted, f.set->rows[i].is.pressure, 1e-10);
+            expect_near(wanted, f.set->constraints[i].solution.normal_force, 1e-10);
         }
         expect_solved(&f, 2.0);
         few_end(&f);
@@ -80,13 +82,13 @@ static void a_row_that_would_pull_opens(void **state)
     few_blocks f;
     few_begin(&f, 1);
     f.force[0] = vec3_make(1.0, -1.0, 0.0);
-    contact_row *wall = few_plane(&f, 0, 0, vec3_make(1.0, 0.0, 0.0));
-    contact_row *floor = few_plane(&f, 1, 0, vec3_make(0.0, 1.0, 0.0));
-    wall->is.state = floor->is.state = CONTACT_STICK;
+    contact_constraint *wall = few_plane(&f, 0, 0, vec3_make(1.0, 0.0, 0.0));
+    contact_constraint *floor = few_plane(&f, 1, 0, vec3_make(0.0, 1.0, 0.0));
+    wall->solution.status = floor->solution.status = CONTACT_STICK;
     wall->friction = floor->friction = 0.2;
-    assert_int_equal(few_solve(&f), CONTACT_FOUND);
-    assert_int_equal(f.set->rows[0].is.state, CONTACT_OPEN);
-    assert_int_equal(f.set->rows[1].is.state, CONTACT_SLIP);
+    assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
+    assert_int_equal(f.set->constraints[0].solution.status, CONTACT_OPEN);
+    assert_int_equal(f.set->constraints[1].solution.status, CONTACT_SLIP);
     expect_near(0.8, f.system->solution[0].x, 1e-4);
     expect_solved(&f, 1.0);
     few_end(&f);
@@ -106,27 +108,28 @@ static void draw_few(few_blocks *f, harness_source *source, double most_friction
         double inertia = vbss_exp(harness_draw_real(source, 2.0, 9.0));
         f->stiffness[b] = mat3_diagonal(inertia, inertia, inertia);
         f->force[b] = harness_draw_vec3(source, -1.0, 1.0);
-        f->roles[b] =
-            b > 0 && harness_draw_below(source, 5) == 0 ? VBSS_ROLE_GIVEN : VBSS_ROLE_SEPARATOR;
+        f->roles[b] = b > 0 && harness_draw_below(source, 5) == 0 ? VBSS_ROLE_PRESCRIBED
+                                                                  : VBSS_ROLE_SEPARATOR;
     }
     uint32_t rows = 1 + harness_draw_below(source, 6);
     for (uint32_t i = 0; i < rows; i++) {
         vec3 normal = draw_unit(source);
-        contact_row *row = few_plane(f, i, harness_draw_below(source, f->count), normal);
+        contact_constraint *row = few_plane(f, i, harness_draw_below(source, f->count), normal);
         row->friction = harness_draw_real(source, 0.0, most_friction);
         row->gap = harness_draw_real(source, -1e-5, 1e-5);
         row->augmentation = vbss_exp(harness_draw_real(source, 8.0, 12.0));
-        row->bilateral = harness_draw_below(source, 8) == 0;
-        row->is.state = row->bilateral ? CONTACT_STICK : CONTACT_OPEN;
+        row->is_bilateral = harness_draw_below(source, 8) == 0;
+        row->solution.status = row->is_bilateral ? CONTACT_STICK : CONTACT_OPEN;
         if (harness_draw_below(source, 2) == 0) { /* against another, with a lever */
-            row->terms[1] = (contact_term){.block = harness_draw_below(source, f->count),
-                                           .weight = harness_draw_real(source, -1.0, -0.1)};
-            row->term_count = 2;
+            row->jacobian[1] =
+                (contact_jacobian_block){.block = harness_draw_below(source, f->count),
+                                         .weight = harness_draw_real(source, -1.0, -0.1)};
+            row->jacobian_block_count = 2;
         }
-        if (!row->bilateral && harness_draw_below(source, 3) == 0) { /* it was closed before */
+        if (!row->is_bilateral && harness_draw_below(source, 3) == 0) { /* it was closed before */
             double most = row->friction * vbss_max(0.0, -2e5 * row->gap);
-            row->is.state = CONTACT_STICK;
-            row->held = vec3_scale(across(draw_unit(source), normal), most);
+            row->solution.status = CONTACT_STICK;
+            row->previous_force = vec3_scale(across(draw_unit(source), normal), most);
         }
     }
 }
@@ -141,16 +144,16 @@ static void whatever_is_found_is_right(harness_source *source, void *user)
     few_blocks f;
     draw_few(&f, source, 0.4);
     contact_outcome outcome = few_solve(&f);
-    assert_true(outcome == CONTACT_FOUND || outcome == CONTACT_LOST);
-    assert_true(f.set->counters.solves <= f.search.limit);
+    assert_true(outcome == CONTACT_CONVERGED || outcome == CONTACT_NOT_CONVERGED);
+    assert_true(f.set->counters.solves <= f.search.max_solves);
     for (uint32_t i = 0; i < f.set->count; i++) {
-        expect_same_bits(2e5, f.set->rows[i].stiffness);
+        expect_same_bits(2e5, f.set->constraints[i].stiffness);
     }
-    if (outcome == CONTACT_FOUND) {
+    if (outcome == CONTACT_CONVERGED) {
         expect_solved(&f, 3.0);
     }
-    t->found += outcome == CONTACT_FOUND;
-    t->lost += outcome == CONTACT_LOST;
+    t->found += outcome == CONTACT_CONVERGED;
+    t->lost += outcome == CONTACT_NOT_CONVERGED;
     few_end(&f);
 }
 
@@ -168,25 +171,25 @@ static void what_cycles_ends(harness_source *source, void *user)
     tally *t = user;
     few_blocks f;
     draw_few(&f, source, 3.0);
-    f.search.limit = 8 + harness_draw_below(source, 16);
-    f.search.patience = 6;
-    f.search.loose_share = 0.05;
-    f.search.loose_overlap = 0.02;
+    f.search.max_solves = 8 + harness_draw_below(source, 16);
+    f.search.max_stalled_solves = 6;
+    f.search.loose_force_tolerance = 0.05;
+    f.search.loose_overlap_tolerance = 0.02;
     contact_outcome outcome = few_solve(&f);
     uint64_t solves = f.set->counters.solves;
-    assert_true(solves <= f.search.limit);
-    assert_int_equal(f.set->counters.loose, outcome == CONTACT_LOOSE);
-    if (outcome == CONTACT_LOOSE) {
+    assert_true(solves <= f.search.max_solves);
+    assert_int_equal(f.set->counters.inexact, outcome == CONTACT_INEXACT);
+    if (outcome == CONTACT_INEXACT) {
         assert_true(solves >= 4);
         double pressure = 0.0;
         for (uint32_t i = 0; i < f.set->count; i++) {
-            pressure = vbss_max(f.set->rows[i].is.pressure, pressure);
+            pressure = vbss_max(f.set->constraints[i].solution.normal_force, pressure);
         }
         assert_true(f.set->residual <= 0.05 * pressure + 1e-12);
     }
-    t->found += outcome == CONTACT_LOOSE;
-    t->lost += outcome == CONTACT_LOST;
-    assert_true(outcome != CONTACT_LOST || solves == f.search.limit);
+    t->found += outcome == CONTACT_INEXACT;
+    t->lost += outcome == CONTACT_NOT_CONVERGED;
+    assert_true(outcome != CONTACT_NOT_CONVERGED || solves == f.search.max_solves);
     few_end(&f);
 }
 
@@ -207,14 +210,15 @@ static double imbalance_where_it_stands(const few_blocks *f)
     for (uint32_t b = 0; b < f->count; b++) {
         vec3 left = vec3_sub(f->force[b], mat3_mul_vec3(f->stiffness[b], f->system->solution[b]));
         for (uint32_t i = 0; i < f->set->count; i++) {
-            const contact_row *row = &f->set->rows[i];
-            for (uint32_t p = 0; p < row->term_count; p++) {
-                bool here = row->terms[p].block == b;
-                double weight = here ? row->terms[p].weight : 0.0;
-                left = vec3_add_scaled(left, weight, f->set->here[i].force);
+            const contact_constraint *row = &f->set->constraints[i];
+            for (uint32_t p = 0; p < row->jacobian_block_count; p++) {
+                bool here = row->jacobian[p].block == b;
+                double weight = here ? row->jacobian[p].weight : 0.0;
+                left = vec3_add_scaled(left, weight, f->set->current[i].force);
             }
         }
-        largest = f->roles[b] != VBSS_ROLE_GIVEN ? vbss_max(vec3_norm(left), largest) : largest;
+        largest =
+            f->roles[b] != VBSS_ROLE_PRESCRIBED ? vbss_max(vec3_norm(left), largest) : largest;
     }
     return largest;
 }
@@ -225,23 +229,23 @@ static void what_stops_in_time_balances(harness_source *source, void *user)
     tally *t = user;
     few_blocks f;
     draw_few(&f, source, 3.0);
-    f.search.most_work = 1 + harness_draw_below(source, 2000);
+    f.search.operation_limit = 1 + harness_draw_below(source, 2000);
     contact_outcome outcome = few_solve(&f);
-    const uint64_t work = f.set->counters.work, solves = f.set->counters.solves;
-    assert_true(solves == 1 || work <= f.search.most_work);
-    if (outcome == CONTACT_LOST) { /* it may go on for as long as ever */
-        assert_int_equal(solves, f.search.limit);
+    const uint64_t work = f.set->counters.operations, solves = f.set->counters.solves;
+    assert_true(solves == 1 || work <= f.search.operation_limit);
+    if (outcome == CONTACT_NOT_CONVERGED) { /* it may go on for as long as ever */
+        assert_int_equal(solves, f.search.max_solves);
         few_end(&f);
         return;
     }
     expect_near(0.0, imbalance_where_it_stands(&f), 1e-8);
     for (uint32_t i = 0; i < f.set->count; i++) {
-        const contact_row *row = &f.set->rows[i];
-        expect_near(0.0, vec3_distance(few_moved(&f, row), f.set->here[i].u), 1e-12);
+        const contact_constraint *row = &f.set->constraints[i];
+        expect_near(0.0, vec3_distance(few_moved(&f, row), f.set->current[i].u), 1e-12);
         expect_same_bits(2e5, row->stiffness);
     }
-    t->found += outcome == CONTACT_LOOSE;
-    t->lost += outcome == CONTACT_FOUND;
+    t->found += outcome == CONTACT_INEXACT;
+    t->lost += outcome == CONTACT_CONVERGED;
     few_end(&f);
 }
 
@@ -258,24 +262,24 @@ static void what_is_left_again_is_as_it_was_found(harness_source *source, void *
 {
     tally *t = user;
     few_blocks f;
-    contact_found found[16] = {0};
+    contact_solution found[16] = {0};
     draw_few(&f, source, 3.0);
-    f.search.most_work = 1;
+    f.search.operation_limit = 1;
     (void)few_solve(&f);
-    const bool stopped = f.set->stopped;
+    const bool stopped = f.set->is_stopped_early;
     assert_true(f.set->count <= 16);
-    vbss_contact_note_found(f.set);
+    vbss_contact_save_solution(f.set);
     for (uint32_t i = 0; i < f.set->count; i++) {
-        found[i] = f.set->rows[i].is;
+        found[i] = f.set->constraints[i].solution;
     }
-    f.search.most_work = 0;
+    f.search.operation_limit = 0;
     (void)few_solve(&f);
-    assert_false(f.set->stopped);
-    vbss_contact_return_to_found(f.set);
-    assert_int_equal(stopped, f.set->stopped);
+    assert_false(f.set->is_stopped_early);
+    vbss_contact_restore_solution(f.set);
+    assert_int_equal(stopped, f.set->is_stopped_early);
     for (uint32_t i = 0; i < f.set->count; i++) {
-        assert_int_equal(found[i].state, f.set->rows[i].is.state);
-        expect_same_bits(found[i].pressure, f.set->rows[i].is.pressure);
+        assert_int_equal(found[i].status, f.set->constraints[i].solution.status);
+        expect_same_bits(found[i].normal_force, f.set->constraints[i].solution.normal_force);
     }
     t->found += stopped;
     t->lost += !stopped;
@@ -298,14 +302,14 @@ static void nothing_to_hold_on_to_is_told(void **state)
     f.stiffness[0] = mat3_zero();
     f.force[0] = vec3_make(0.0, -1.0, 0.0);
     assert_int_equal(few_solve(&f), CONTACT_SINGULAR);
-    contact_row *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
-    row->is.state = CONTACT_STICK; /* smooth: it slides away */
+    contact_constraint *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
+    row->solution.status = CONTACT_STICK; /* smooth: it slides away */
     assert_int_equal(few_solve(&f), CONTACT_SINGULAR);
-    f.set->rows[0].friction = 0.5; /* and rough it rests */
-    f.set->rows[0].is.state = CONTACT_STICK;
-    f.set->rows[0].gap = -5e-6;
-    assert_int_equal(few_solve(&f), CONTACT_FOUND);
-    expect_near(1.0, f.set->rows[0].is.pressure, 1e-9);
+    f.set->constraints[0].friction = 0.5; /* and rough it rests */
+    f.set->constraints[0].solution.status = CONTACT_STICK;
+    f.set->constraints[0].gap = -5e-6;
+    assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
+    expect_near(1.0, f.set->constraints[0].solution.normal_force, 1e-9);
     few_end(&f);
 }
 
@@ -321,13 +325,13 @@ static void a_row_that_closes_early_on_the_way_is_found_at_once(void **state)
         few_begin(&f, 1);
         f.stiffness[0] = mat3_diagonal(10.0, 10.0, 10.0);
         f.force[0] = vec3_make(0.0, 1e-5, 0.0); /* 1 um, if nothing were there */
-        contact_row *left = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
-        left->is.state = CONTACT_STICK;
-        contact_row *met = few_plane(&f, 1, 0, vec3_make(0.0, -1.0, 0.0));
+        contact_constraint *left = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
+        left->solution.status = CONTACT_STICK;
+        contact_constraint *met = few_plane(&f, 1, 0, vec3_make(0.0, -1.0, 0.0));
         met->gap = 7e-9 * k;
-        assert_int_equal(few_solve(&f), CONTACT_FOUND);
-        assert_int_equal(f.set->rows[0].is.state, CONTACT_OPEN);
-        assert_int_not_equal(f.set->rows[1].is.state, CONTACT_OPEN);
+        assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
+        assert_int_equal(f.set->constraints[0].solution.status, CONTACT_OPEN);
+        assert_int_not_equal(f.set->constraints[1].solution.status, CONTACT_OPEN);
         assert_true(f.set->counters.solves <= 4);
         expect_solved(&f, 1e-5);
         few_end(&f);
@@ -342,19 +346,20 @@ static void what_comes_nearer_with_each_solve_is_waited_for(void **state)
     for (int stiffer = 2; stiffer <= 64; stiffer *= 2) {
         few_blocks f;
         few_begin(&f, 1);
-        f.search.patience = 3;
-        f.search.loose_share = f.search.loose_overlap = 1.0; /* anything would do */
+        f.search.max_stalled_solves = 3;
+        f.search.loose_force_tolerance = f.search.loose_overlap_tolerance =
+            1.0; /* anything would do */
         f.stiffness[0] = mat3_diagonal(10.0, 10.0, 10.0 * stiffer);
         f.force[0] = vec3_make(1.0, -1.0, 1.0);
-        contact_row *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
+        contact_constraint *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
         row->friction = 0.3;
         row->gap = -5e-6;
-        row->is = (contact_found){.state = CONTACT_SLIP,
-                                  .pressure = 1.0,
-                                  .rubbing = vec3_make(-0.3, 0.0, 0.0),
-                                  .way = vec3_make(-1.0, 0.0, 0.0),
-                                  .share = 0.5};
-        assert_int_equal(few_solve(&f), CONTACT_FOUND);
+        row->solution = (contact_solution){.status = CONTACT_SLIP,
+                                           .normal_force = 1.0,
+                                           .tangential_force = vec3_make(-0.3, 0.0, 0.0),
+                                           .slip_direction = vec3_make(-1.0, 0.0, 0.0),
+                                           .friction_ratio = 0.5};
+        assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
         most = f.set->counters.solves > most ? f.set->counters.solves : most;
         few_end(&f);
     }
@@ -371,29 +376,29 @@ static void what_closes_deep_is_softened_and_ends_right(void **state)
         share *= 2.0;
         few_blocks f;
         few_begin(&f, 3);
-        f.search.force_share = 1e-3; /* as a scene asks */
-        f.search.least_force = 1e-7;
-        f.search.slack = 1e-4;
+        f.search.relative_force_tolerance = 1e-3; /* as a scene asks */
+        f.search.absolute_force_tolerance = 1e-7;
+        f.search.overlap_tolerance = 1e-4;
         for (uint32_t b = 0; b < 3; b++) {
             f.stiffness[b] = mat3_diagonal(100.0, 100.0, 100.0);
             f.force[b] = vec3_make(0.02, -0.1 * share, 0.01 * b);
             for (uint32_t k = 0; k < 3; k++) {
                 double turn = 0.5 * k - 0.5;
                 vec3 normal = vec3_make(vbss_sin(turn), vbss_cos(turn), 0.0);
-                contact_row *row = few_plane(&f, 3 * b + k, b, normal);
+                contact_constraint *row = few_plane(&f, 3 * b + k, b, normal);
                 row->friction = 0.3;
                 row->gap = 1e-6 * k;
             }
         }
-        assert_int_equal(few_solve(&f), CONTACT_FOUND);
+        assert_int_equal(few_solve(&f), CONTACT_CONVERGED);
         double little = 3e-3 * 0.1 * share;
         expect_near(0.0, largest_imbalance(&f, true), little);
         for (uint32_t i = 0; i < f.set->count; i++) {
-            contact_row *row = &f.set->rows[i];
-            double most = row->friction * row->is.pressure;
+            contact_constraint *row = &f.set->constraints[i];
+            double most = row->friction * row->solution.normal_force;
             expect_same_bits(2e5, row->stiffness);
-            assert_true(row->is.pressure >= 0.0);
-            assert_true(vec3_norm(row->is.rubbing) <= most + little);
+            assert_true(row->solution.normal_force >= 0.0);
+            assert_true(vec3_norm(row->solution.tangential_force) <= most + little);
         }
         few_end(&f);
     }
@@ -406,15 +411,15 @@ static void stiffness_comes_back_whatever_happens(void **state)
     for (uint32_t limit = 1; limit <= 8; limit++) {
         few_blocks f;
         few_begin(&f, 1);
-        f.search.limit = limit;
+        f.search.max_solves = limit;
         f.stiffness[0] = mat3_diagonal(100.0, 100.0, 100.0);
         f.force[0] = vec3_make(3.0, -4.0, 0.0);
-        contact_row *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
+        contact_constraint *row = few_plane(&f, 0, 0, vec3_make(0.0, 1.0, 0.0));
         row->friction = 0.3;
         row->stiffness = 123456.789;
         contact_outcome found = few_solve(&f);
-        assert_true(found == CONTACT_FOUND || f.set->counters.solves == limit);
-        expect_same_bits(123456.789, f.set->rows[0].stiffness);
+        assert_true(found == CONTACT_CONVERGED || f.set->counters.solves == limit);
+        expect_same_bits(123456.789, f.set->constraints[0].stiffness);
         few_end(&f);
     }
 }

@@ -63,7 +63,7 @@ static void draw_system(welded *w, harness_source *source, double body_mass)
 static void add_weld(welded *w, harness_source *source, uint32_t node, uint32_t body)
 {
     contact_weld *weld = &w->welds[w->weld_count++];
-    *weld = (contact_weld){.slave = node,
+    *weld = (contact_weld){.node = node,
                            .translation = NODES + 2 * body,
                            .rotation = NODES + 2 * body + 1,
                            .arm = harness_draw_vec3(source, -2.0, 2.0)};
@@ -74,12 +74,12 @@ static void add_weld(welded *w, harness_source *source, uint32_t node, uint32_t 
     }
     /* Of a neighbour that was welded before, the body: that has taken over. */
     for (const contact_weld *before = w->welds; before < weld; before++) {
-        if (before->slave <= node + 2 && node <= before->slave + 2) {
+        if (before->node <= node + 2 && node <= before->node + 2) {
             weld->neighbours[weld->neighbour_count++] = before->translation;
             weld->neighbours[weld->neighbour_count++] = before->rotation;
         }
     }
-    assert_true(weld->neighbour_count <= WELD_NEIGHBOURS);
+    assert_true(weld->neighbour_count <= CONTACT_WELD_MAX_NEIGHBOURS);
 }
 
 /* ---- by the library */
@@ -89,7 +89,7 @@ static void solve_reduced(welded *w, vec3 x[BLOCKS])
     uint32_t first, coupling[BLOCKS][BLOCKS] = {{0}};
     w->context = harness_context(&w->memory);
     expect_ok(vbss_system_create(w->context, BLOCKS, 2, BLOCKS, BLOCKS * BLOCKS, &w->system));
-    vbss_system_begin(w->system);
+    vbss_system_begin_pattern(w->system);
     expect_ok(vbss_system_add_chain(w->system, NODES, &first));
     expect_ok(vbss_system_add_chain(w->system, BLOCKS - NODES, &first));
     for (uint32_t i = 0; i < BLOCKS; i++) {
@@ -103,32 +103,33 @@ static void solve_reduced(welded *w, vec3 x[BLOCKS])
         }
     }
     for (uint32_t i = 0; i < w->weld_count; i++) {
-        expect_ok(vbss_weld_register(&w->welds[i], w->system));
+        expect_ok(vbss_contact_register_weld(&w->welds[i], w->system));
     }
     expect_ok(vbss_system_analyse(w->system));
     vbss_system_clear(w->system);
-    memset(w->system->numbers, 0, (w->system->coupling_count + 1) * sizeof *w->system->numbers);
+    memset(w->system->off_diagonal, 0,
+           (w->system->coupling_count + 1) * sizeof *w->system->off_diagonal);
     for (uint32_t i = 0; i < BLOCKS; i++) {
         block_set(&w->system->diagonal[i], w->a[i][i]);
         w->system->rhs[i] = w->b[i];
         for (uint32_t k = 0; k < i; k++) {
             if (coupling[i][k] != VBSS_NO_COUPLING) { /* rows of what is eliminated later */
-                bool flipped = w->system->couplings[coupling[i][k]].flipped != 0;
-                block_set(&w->system->numbers[coupling[i][k]],
+                bool flipped = w->system->couplings[coupling[i][k]].is_transposed != 0;
+                block_set(&w->system->off_diagonal[coupling[i][k]],
                           w->a[flipped ? k : i][flipped ? i : k]);
             }
         }
     }
     assert_true(vbss_system_condense(w->system));
-    vbss_system_take_separators(w->system);
+    vbss_system_load_schur_complement(w->system);
     for (uint32_t i = 0; i < w->weld_count; i++) {
-        vbss_weld_eliminate(&w->welds[i], w->system);
+        vbss_contact_eliminate_weld(&w->welds[i], w->system);
     }
     assert_true(vbss_system_solve_separators(w->system));
     for (uint32_t i = 0; i < w->weld_count; i++) {
-        vec3 *slave = &w->system->solution[w->welds[i].slave];
+        vec3 *slave = &w->system->solution[w->welds[i].node];
         expect_near(0.0, vec3_norm(*slave), 0.0); /* its own equation says that nothing moves */
-        *slave = vbss_weld_increment(&w->welds[i], w->system);
+        *slave = vbss_contact_weld_increment(&w->welds[i], w->system);
     }
     memcpy(x, w->system->solution, BLOCKS * sizeof *x);
     vbss_system_destroy(w->context, w->system);
@@ -150,7 +151,7 @@ static void solve_whole(const welded *w, vec3 x[BLOCKS])
     }
     for (uint32_t i = 0; i < w->weld_count; i++) { /* s - t - dtheta x arm = 0 */
         const contact_weld *weld = &w->welds[i];
-        const uint32_t blocks[3] = {weld->slave, weld->translation, weld->rotation};
+        const uint32_t blocks[3] = {weld->node, weld->translation, weld->rotation};
         const mat3 maps[3] = {mat3_identity(), mat3_scale(mat3_identity(), -1.0),
                               mat3_cross(weld->arm)};
         for (int k = 0; k < 3; k++) {

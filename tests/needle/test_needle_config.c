@@ -79,7 +79,7 @@ static void expect_config(const fixture *f, vbss_result wanted)
     vbss_result result = vbss_needle_create(f->context, &f->config, &needle);
     expect_result(wanted, result);
     if (result == VBSS_OK) {
-        assert_true(vbss_rigid_is_sound(&inside(needle)->body));
+        assert_true(vbss_rigid_is_valid(&inside(needle)->body));
         expect_ok(vbss_needle_step(needle, 1e-3));
         expect_ok(vbss_needle_destroy(needle));
         return;

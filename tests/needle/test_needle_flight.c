@@ -74,7 +74,8 @@ static drift fly(double h, uint32_t early, uint32_t all)
         double off = vec3_distance(spin, angular_momentum(needle)) / vec3_norm(spin);
         double change = fabs(energy(needle) / e - 1.0);
         vec3 wanted = vec3_add_scaled(x, i * h, v);
-        vec3 axis = quat_rotate(inside(needle)->body.now.at.orientation, vec3_make(1.0, 0.0, 0.0));
+        vec3 axis =
+            quat_rotate(inside(needle)->body.now.pose.orientation, vec3_make(1.0, 0.0, 0.0));
         d.momentum = fmax(d.momentum, off);
         d.energy = fmax(d.energy, change);
         d.early_energy = i <= early ? d.energy : d.early_energy;
@@ -108,7 +109,7 @@ static double flight_error(double h, vec3 own)
     const vbss_rigid_motion wanted = rigid_fine(&inside(needle)->body, vec3_zero(), 0.2, 20000);
     steps(needle, h, (uint32_t)(0.2 / h + 0.5));
     const vbss_rigid_motion got = inside(needle)->body.now;
-    double error = rigid_turn(got.at.orientation, wanted.at.orientation);
+    double error = rigid_turn(got.pose.orientation, wanted.pose.orientation);
     error = fmax(error, vec3_distance(got.w, wanted.w) / vec3_norm(wanted.w));
     end(&f);
     return error;
@@ -136,11 +137,11 @@ static void about_a_principal_axis_turning_is_exact(void **state)
         own[axis] = 2.5 * PI; /* a quarter of a turn and one whole in a second */
         fixture f;
         vbss_needle *needle = begin_turning(&f, vec3_load(own));
-        quat before = inside(needle)->body.now.at.orientation;
+        quat before = inside(needle)->body.now.pose.orientation;
         vec3 w = vec3_load(look(needle).angular_velocity);
         steps(needle, 1e-2, 100);
         quat wanted = quat_mul(vbss_quat_from_rotation_vector(w), before);
-        expect_near(0.0, rigid_turn(wanted, inside(needle)->body.now.at.orientation), 1e-11);
+        expect_near(0.0, rigid_turn(wanted, inside(needle)->body.now.pose.orientation), 1e-11);
         expect_near_vec3(w, vec3_load(look(needle).angular_velocity), 1e-11);
         end(&f);
     }

@@ -229,7 +229,7 @@ static void it_begins_where_its_configuration_says(void **state)
     vec3 arm = quat_rotate(at.orientation, vec3_load(weigh(needle).centre));
     vec3 turning = vec3_cross(vec3_load(s.angular_velocity), arm);
     expect_near_vec3(vec3_add(vec3_load(s.velocity), turning), inside(needle)->body.now.v, 1e-14);
-    expect_near_vec3(vec3_add(at.position, arm), inside(needle)->body.now.at.position, 1e-15);
+    expect_near_vec3(vec3_add(at.position, arm), inside(needle)->body.now.pose.position, 1e-15);
     end(&f);
 }
 
@@ -253,9 +253,9 @@ static void it_can_be_put_anywhere(void **state)
     memcpy(f.config.angular_velocity, w, sizeof w);
     assert_true(hash_of(moved) == hash_of(make(&f))); /* as if it had begun there */
     steps(moved, 1e-3, 10);
-    const quat turned = inside(moved)->body.now.at.orientation;
+    const quat turned = inside(moved)->body.now.pose.orientation;
     expect_ok(vbss_needle_set_state(moved, p, NULL, NULL, NULL));
-    assert_memory_equal(&turned, &inside(moved)->body.now.at.orientation, sizeof turned);
+    assert_memory_equal(&turned, &inside(moved)->body.now.pose.orientation, sizeof turned);
     const vbss_needle_state s = look(moved);
     expect_near_vec3(vec3_load(p), vec3_load(s.position), 1e-15);
     assert_true(vbss_max_abs(s.velocity, 3) == 0.0);

@@ -94,7 +94,7 @@ static void a_step_without_a_finite_end_changes_nothing(void **state)
     begin(&f);
     vbss_needle *needle = make(&f);
     needle_object *n = inside(needle);
-    n->body.now.at.position.y = n->body.now.v.y = 1.79e308;
+    n->body.now.pose.position.y = n->body.now.v.y = 1.79e308;
     uint64_t hash = hash_of(needle), generation = n->generation;
     expect_result(VBSS_ERROR_NOT_FINITE, vbss_needle_step(needle, 0.1));
     assert_true(hash_of(needle) == hash && n->generation == generation);

@@ -134,7 +134,7 @@ static void nonsense_is_refused(void **state)
     for (int i = 0; i < 4; i++) {
         vbss_needle *good = make(&f), *bad = make(&f);
         vbss_rigid_motion *now = &inside(bad)->body.now;
-        double *spoiled[] = {&now->at.orientation.w, &now->at.position.y, &now->v.x, &now->w.z};
+        double *spoiled[] = {&now->pose.orientation.w, &now->pose.position.y, &now->v.x, &now->w.z};
         *spoiled[i] = i == 0 ? 0.5 : (double)INFINITY;
         uint64_t hash = hash_of(good);
         expect_ok(vbss_needle_save(bad, bytes, sizeof bytes, &written));

@@ -9,7 +9,7 @@
 enum { CUT_CONTACTS = 1024 };
 
 typedef struct remembered {
-    contact_memory memory;
+    contact_warm_start_entry memory;
     vec3 axes[2][2];
     bool used;
 } remembered;
@@ -26,7 +26,7 @@ static inline bool cut_is_node(const contact_key *key, int side)
 
 static inline void cut_axis(const scene_object *s, const contact_key *key, int side, vec3 axis[2])
 {
-    uint32_t feature = side == 0 ? key->a : key->b;
+    uint32_t feature = side == 0 ? key->feature_a : key->feature_b;
     const scene_body *b = vbss_scene_body(s, side == 0 ? key->body_a : key->body_b);
     axis[0] = axis[1] = vec3_zero();
     if (b == NULL) { /* the floor */
@@ -34,7 +34,7 @@ static inline void cut_axis(const scene_object *s, const contact_key *key, int s
     }
     if (b->kind == BODY_RIGID) {
         vbss_scene_place_capsule(&s->capsules[b->rigid.first_capsule + feature],
-                                 b->rigid.body.now.at, axis);
+                                 b->rigid.body.now.pose, axis);
         return;
     }
     const thread_object *t = b->thread.thread;
@@ -45,11 +45,11 @@ static inline void cut_axis(const scene_object *s, const contact_key *key, int s
 
 static inline void cut_remember(const scene_object *s, remembered_list *list)
 {
-    list->count = s->contacts->memory_count;
+    list->count = s->contacts->warm_start_count;
     assert_true(list->count <= CUT_CONTACTS);
     for (uint32_t i = 0; i < list->count; i++) {
         remembered *r = &list->all[i];
-        r->memory = s->contacts->memory[i];
+        r->memory = s->contacts->warm_start[i];
         r->used = false;
         cut_axis(s, &r->memory.key, 0, r->axes[0]);
         cut_axis(s, &r->memory.key, 1, r->axes[1]);
@@ -76,10 +76,11 @@ static inline bool cut_within(const vec3 whole[2], const vec3 part[2])
 /* Whether y is what became of x, with its sides as they were or the other way round. */
 static inline bool cut_became(const remembered *x, const remembered *y, bool round)
 {
-    const contact_memory *m = &x->memory, *n = &y->memory;
-    vec3 rubbing = round ? vec3_neg(n->rubbing) : n->rubbing;
-    return m->key.kind == n->key.kind && m->state == n->state && m->pressure == n->pressure &&
-           m->share == n->share && vec3_distance(m->rubbing, rubbing) == 0.0 &&
+    const contact_warm_start_entry *m = &x->memory, *n = &y->memory;
+    vec3 rubbing = round ? vec3_neg(n->tangential_force) : n->tangential_force;
+    return m->key.kind == n->key.kind && m->status == n->status &&
+           m->normal_force == n->normal_force && m->friction_ratio == n->friction_ratio &&
+           vec3_distance(m->tangential_force, rubbing) == 0.0 &&
            cut_within(x->axes[0], y->axes[round]) && cut_within(x->axes[1], y->axes[!round]) &&
            (m->key.body_b == 0 ||
             fabs(cut_apart(x->axes[0], x->axes[1]) - cut_apart(y->axes[0], y->axes[1])) < 1e-9);

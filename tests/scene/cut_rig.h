@@ -99,9 +99,9 @@ static inline void cut_expect_sound(const scene_object *s)
             assert_true(vbss_scene_pin_holds(s, p));
         }
     }
-    for (uint32_t i = 1; s->contacts != NULL && i < s->contacts->memory_count; i++) {
-        const contact_memory *m = &s->contacts->memory[i];
-        assert_true(vbss_contact_compare(&m[-1].key, &m->key) < 0);
+    for (uint32_t i = 1; s->contacts != NULL && i < s->contacts->warm_start_count; i++) {
+        const contact_warm_start_entry *m = &s->contacts->warm_start[i];
+        assert_true(vbss_contact_compare_keys(&m[-1].key, &m->key) < 0);
     }
 }
 

@@ -180,11 +180,11 @@ static double energy_of_tool(const drain_case *c, const drain_case_hand *hand)
     double kinetic =
         0.5 * b->mass * vec3_norm_squared(b->now.v) + 0.5 * vec3_dot(turning, b->now.w);
     vec3 turn = vbss_quat_to_rotation_vector(
-        quat_mul(b->end.orientation, quat_conjugate(b->now.at.orientation)));
-    double spring =
-        b->coupling.stiffness * vec3_norm_squared(vec3_sub(b->end.position, b->now.at.position)) +
-        b->coupling.turning_stiffness * vec3_norm_squared(turn);
-    return kinetic + 0.5 * spring - b->mass * vec3_dot(b->gravity, b->now.at.position);
+        quat_mul(b->target_end.orientation, quat_conjugate(b->now.pose.orientation)));
+    double spring = b->coupling.stiffness *
+                        vec3_norm_squared(vec3_sub(b->target_end.position, b->now.pose.position)) +
+                    b->coupling.turning_stiffness * vec3_norm_squared(turn);
+    return kinetic + 0.5 * spring - b->mass * vec3_dot(b->gravity, b->now.pose.position);
 }
 
 double drain_case_energy(const drain_case *c)

@@ -133,7 +133,7 @@ static double overlap_with_body(const scene_object *s, const scene_body *b, cons
     for (uint32_t k = 0; b->kind == BODY_RIGID && k < b->rigid.capsule_count; k++) {
         vec3 axis[2];
         const scene_capsule *capsule = &s->capsules[b->rigid.first_capsule + k];
-        vbss_scene_place_capsule(capsule, b->rigid.body.now.at, axis);
+        vbss_scene_place_capsule(capsule, b->rigid.body.now.pose, axis);
         strand tool = {axis, NULL, capsule->radius, 1};
         most = vbss_max(overlap_of(thread, &tool), most);
     }

@@ -121,7 +121,7 @@ static double push_of(const needle_case *c)
     vbss_needle_state state = needle_case_state(c);
     const double *q = state.orientation;
     vec3 axis = quat_rotate(quat_make(q[0], q[1], q[2], q[3]), vec3_make(0.0, 0.0, 1.0));
-    vec3 arm = vec3_sub(r->body.now.at.position, vec3_load(state.position));
+    vec3 arm = vec3_sub(r->body.now.pose.position, vec3_load(state.position));
     vec3 torque = vec3_add(r->pull.torque, vec3_cross(arm, r->pull.force));
     return vec3_dot(axis, torque) / c->config.radius;
 }

@@ -62,9 +62,9 @@ static double force_across(const scene_object *s, uint32_t hole)
 {
     double most = vec3_norm(s->holes[hole].across);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
-        bool own = row->key.kind == VBSS_CONTACT_HOLE && row->key.a == hole;
-        most = own ? fmax(most, vec3_norm(row->is.rubbing)) : most;
+        const contact_constraint *row = &s->contacts->constraints[i];
+        bool own = row->key.kind == VBSS_CONTACT_HOLE && row->key.feature_a == hole;
+        most = own ? fmax(most, vec3_norm(row->solution.tangential_force)) : most;
     }
     return most;
 }

@@ -13,13 +13,13 @@ enum { BODIES = 24 };
 /* ---- what holes give */
 
 /* What it does to both, and what it stores more. */
-static double given_by(const scene_object *s, const contact_row *row, vec3 force)
+static double given_by(const scene_object *s, const contact_constraint *row, vec3 force)
 {
-    const suture_hole *hole = &s->holes[row->key.a];
+    const suture_hole *hole = &s->holes[row->key.feature_a];
     double before = hole->held * hole->held + vec3_norm_squared(hole->across);
     double given = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
-    for (uint32_t k = 0; k < row->term_count; k++) {
-        const contact_term *term = &row->terms[k];
+    for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
+        const contact_jacobian_block *term = &row->jacobian[k];
         vec3 way; /* the needle's holes are not looked at */
         if (vbss_scene_find_way(s, term->block, &way) != BODY_GONE) {
             given += term->weight * vec3_dot(force, way);
@@ -33,11 +33,12 @@ static void see_holes(void *watcher, const scene_object *s)
 {
     stitch_case *c = watcher;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
-        if (row->sleeve) {
-            vec3 found = vec3_add_scaled(row->is.rubbing, row->is.pressure, row->normal);
+        const contact_constraint *row = &s->contacts->constraints[i];
+        if (row->is_sleeve) {
+            vec3 found = vec3_add_scaled(row->solution.tangential_force, row->solution.normal_force,
+                                         row->normal);
             bool followed = s->config.mode == VBSS_MODE_REAL_TIME;
-            c->giving += given_by(s, row, followed ? s->contacts->here[i].force : found);
+            c->giving += given_by(s, row, followed ? s->contacts->current[i].force : found);
         }
     }
 }

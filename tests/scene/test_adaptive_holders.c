@@ -47,7 +47,7 @@ static void contacts_of_a_divided_segment_are_those_of_its_halves(void **state)
     scene_body *b = vbss_scene_body(s, scene.thread_bodies[0]);
     thread_object *t = b->thread.thread;
     uint32_t seen = s->contact_count;
-    assert_true(s->contacts->memory_count > 10 && seen > 10);
+    assert_true(s->contacts->warm_start_count > 10 && seen > 10);
     static uint32_t features[1024][5];
     memcpy(features, s->contact_features, seen * sizeof *features);
     cut_remember(s, &before);
@@ -122,19 +122,19 @@ static void a_coarse_contact_on_a_tool_becomes_one_of_a_node(void **state)
     (void)small_stick(&s, VBSS_RIGID_DRIVEN, vec3_zero(), vec3_make(0.0, 0.0, 0.01), 1.5e-3);
     small_steps(&s, 5, 1e-3);
     scene_object *o = small_object(&s);
-    assert_int_equal(o->contacts->memory_count, 1);
-    const contact_memory was = o->contacts->memory[0];
+    assert_int_equal(o->contacts->warm_start_count, 1);
+    const contact_warm_start_entry was = o->contacts->warm_start[0];
     assert_int_equal(was.key.kind, VBSS_CONTACT_SEGMENT_CAPSULE);
-    assert_int_equal(was.key.a, 4);
+    assert_int_equal(was.key.feature_a, 4);
     scene_body *b = vbss_scene_body(o, body);
     const mesh_change change = {4, false, 0.0};
     assert_true(vbss_scene_change_mesh(o, b, &change));
     finish(o, b);
-    assert_int_equal(o->contacts->memory[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
-    assert_int_equal(o->contacts->memory[0].key.a, 5);
-    expect_same_bits(was.pressure, o->contacts->memory[0].pressure);
+    assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
+    assert_int_equal(o->contacts->warm_start[0].key.feature_a, 5);
+    expect_same_bits(was.normal_force, o->contacts->warm_start[0].normal_force);
     small_steps(&s, 2, 1e-3);
-    assert_int_equal(o->contacts->memory[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
+    assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
     small_end(&s);
 }
 

@@ -21,11 +21,11 @@ static scene_object *begin(uint32_t crossings)
         }
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_row *row = &s->contacts->rows[i];
-        row->slid = vec3_zero();
-        s->contacts->here[i].force = vbss_contact_force(row, vec3_zero());
+        contact_constraint *row = &s->contacts->constraints[i];
+        row->relative_displacement = vec3_zero();
+        s->contacts->current[i].force = vbss_contact_force(row, vec3_zero());
     }
-    s->contacts->stopped = true;
+    s->contacts->is_stopped_early = true;
     assert_true(vbss_scene_believes(s, &part));
     return s;
 }
@@ -33,7 +33,7 @@ static scene_object *begin(uint32_t crossings)
 static uint32_t row_in_hole(const scene_object *s)
 {
     uint32_t i = 0;
-    while (i < s->contacts->count && !s->contacts->rows[i].sleeve) {
+    while (i < s->contacts->count && !s->contacts->constraints[i].is_sleeve) {
         i++;
     }
     assert_true(i < s->contacts->count);
@@ -44,10 +44,10 @@ static uint32_t row_in_hole(const scene_object *s)
 static void slide_in_hole(scene_object *s, double more)
 {
     const uint32_t i = row_in_hole(s);
-    contact_row *row = &s->contacts->rows[i];
-    row->slid = vec3_scale(row->normal, 0.1e-3);
+    contact_constraint *row = &s->contacts->constraints[i];
+    row->relative_displacement = vec3_scale(row->normal, 0.1e-3);
     const vec3 law = vbss_contact_force(row, vec3_zero());
-    s->contacts->here[i].force = vec3_add_scaled(law, more, row->normal);
+    s->contacts->current[i].force = vec3_add_scaled(law, more, row->normal);
 }
 
 static void what_a_hole_does_beyond_its_law_counts(void **state)
@@ -68,15 +68,15 @@ static bool believes_a_hole(scene_object *s, double force, double way)
 {
     drain_object *d;
     const uint32_t i = row_in_hole(s);
-    contact_row *row = &s->contacts->rows[i];
+    contact_constraint *row = &s->contacts->constraints[i];
     const uint32_t *node = NULL;
     expect_ok(vbss_drain_open(c.stitch.drain, &d));
-    node = d->mesh.triangles[s->holes[row->key.a].triangle];
+    node = d->mesh.triangles[s->holes[row->key.feature_a].triangle];
     memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
     for (int k = 0; k < 3; k++) {
         d->trial[node[k]] = vec3_add_scaled(d->x[node[k]], -way, row->normal);
     }
-    s->contacts->here[i].force = vec3_scale(row->normal, force);
+    s->contacts->current[i].force = vec3_scale(row->normal, force);
     return vbss_scene_believes(s, &part);
 }
 
@@ -98,15 +98,15 @@ static void what_others_take_out_does_not_count(void **state)
     (void)state;
     scene_object *s = begin(0);
     uint32_t first = row_in_hole(s), second = first + 1;
-    while (second < s->contacts->count && !s->contacts->rows[second].sleeve) {
+    while (second < s->contacts->count && !s->contacts->constraints[second].is_sleeve) {
         second++;
     }
     assert_true(second < s->contacts->count);
     for (int k = 0; k < 2; k++) {
         uint32_t i = k == 0 ? first : second;
-        contact_row *row = &s->contacts->rows[i];
-        row->slid = vec3_scale(row->normal, 0.1e-3);
-        s->contacts->here[i].force =
+        contact_constraint *row = &s->contacts->constraints[i];
+        row->relative_displacement = vec3_scale(row->normal, 0.1e-3);
+        s->contacts->current[i].force =
             vec3_add_scaled(vbss_contact_force(row, vec3_zero()), k == 0 ? 0.3 : -1.0, row->normal);
     }
     assert_false(vbss_scene_believes(s, &part));
@@ -188,7 +188,7 @@ static void what_is_beyond_hope_is_left_at_once(void **state)
     slide_in_hole(s, 0.7); /* 70 uJ */
     assert_false(vbss_scene_may_yet_believe(s, &part));
     assert_true(vbss_scene_may_yet_believe(s, &least));
-    s->contacts->stopped = false;
+    s->contacts->is_stopped_early = false;
     assert_true(vbss_scene_may_yet_believe(s, &part));
     stitch_case_end(&c);
 }
@@ -203,7 +203,7 @@ static double force_shown(const contact_key *key)
     for (uint64_t i = 0; i < names.count; i++) {
         const uint32_t *n = (const uint32_t *)names.data + 5 * i;
         const contact_key shown = {n[0], n[1], n[2], n[3], n[4]};
-        if (vbss_contact_compare(&shown, key) == 0) {
+        if (vbss_contact_compare_keys(&shown, key) == 0) {
             return vec3_norm(((const vec3 *)forces.data)[i]);
         }
     }
@@ -216,20 +216,20 @@ static void forces_shown_of_it_are_those_that_were_felt(void **state)
     (void)state;
     scene_object *s = begin(1);
     uint32_t i = 0;
-    while (i < s->contacts->count && s->contacts->rows[i].bilateral) {
+    while (i < s->contacts->count && s->contacts->constraints[i].is_bilateral) {
         i++;
     }
     assert_true(i < s->contacts->count);
-    contact_row *row = &s->contacts->rows[i];
-    row->is = (contact_found){.state = CONTACT_STICK, .pressure = 10.0};
-    s->contacts->stopped = false;
+    contact_constraint *row = &s->contacts->constraints[i];
+    row->solution = (contact_solution){.status = CONTACT_STICK, .normal_force = 10.0};
+    s->contacts->is_stopped_early = false;
     vbss_scene_note_forces(s);
     expect_near(10.0, force_shown(&row->key), 1e-12);
-    s->contacts->stopped = true;
-    s->contacts->here[i].force = vec3_scale(row->normal, 0.2);
+    s->contacts->is_stopped_early = true;
+    s->contacts->current[i].force = vec3_scale(row->normal, 0.2);
     vbss_scene_note_forces(s);
     expect_near(0.2, force_shown(&row->key), 1e-12);
-    s->contacts->here[i].force = vec3_zero();
+    s->contacts->current[i].force = vec3_zero();
     vbss_scene_note_forces(s);
     expect_near(-1.0, force_shown(&row->key), 0.0);
     stitch_case_end(&c);

@@ -24,7 +24,7 @@ static void begin(stage *g, contact_scene_kind kind, knot_kind knot, bool cylind
     expect_ok(contact_scene_create(g->context, &o, &g->scene));
     expect_ok(vbss_scene_open(g->scene.scene, &g->object));
     vbss_random_seed(&g->random, 1, 7);
-    for (uint32_t i = 0; i < steps || g->object->contacts->memory_count < 4; i++) {
+    for (uint32_t i = 0; i < steps || g->object->contacts->warm_start_count < 4; i++) {
         expect_ok(contact_scene_step(&g->scene, 1e-3));
         assert_true(i < 2000);
     }
@@ -43,13 +43,14 @@ static uint32_t cut_somewhere(stage *g, bool in_contact)
     double share = vbss_random_uniform(&g->random);
     uint32_t drawn = vbss_random_below(&g->random, 1u << 30);
     if (in_contact) {
-        const contact_key *key = &s->contacts->memory[drawn % s->contacts->memory_count].key;
+        const contact_key *key =
+            &s->contacts->warm_start[drawn % s->contacts->warm_start_count].key;
         body = key->body_a;
         const thread_object *t = cut_thread(s, body);
-        for (uint32_t k = 0; k < key->a; k++) {
+        for (uint32_t k = 0; k < key->feature_a; k++) {
             arc += t->rest[k];
         }
-        arc += key->a + 1 < t->node_count ? share * t->rest[key->a] : 0.0;
+        arc += key->feature_a + 1 < t->node_count ? share * t->rest[key->feature_a] : 0.0;
     } else {
         arc = share * cut_length(cut_thread(s, body));
     }

@@ -71,22 +71,23 @@ static uint32_t count_known(const scene_object *s)
     return known;
 }
 
-static contact_row *copy_rows(const scene_object *s)
+static contact_constraint *copy_rows(const scene_object *s)
 {
-    contact_row *copy = malloc((s->contacts->count + 1) * sizeof *copy);
+    contact_constraint *copy = malloc((s->contacts->count + 1) * sizeof *copy);
     assert_non_null(copy);
-    memcpy(copy, s->contacts->rows, s->contacts->count * sizeof *copy);
+    memcpy(copy, s->contacts->constraints, s->contacts->count * sizeof *copy);
     return copy;
 }
 
-static void expect_same_rows(const scene_object *s, const contact_row *rows, uint32_t count)
+static void expect_same_rows(const scene_object *s, const contact_constraint *rows, uint32_t count)
 {
     assert_int_equal(count, s->contacts->count);
     for (uint32_t i = 0; i < count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
+        const contact_constraint *row = &s->contacts->constraints[i];
         assert_memory_equal(&rows[i].key, &row->key, sizeof row->key);
-        assert_memory_equal(rows[i].at, row->at, sizeof row->at);
-        assert_true(rows[i].gap_before == row->gap_before && rows[i].walls == row->walls);
+        assert_memory_equal(rows[i].barycentric, row->barycentric, sizeof row->barycentric);
+        assert_true(rows[i].start_gap == row->start_gap &&
+                    rows[i].lip_thickness == row->lip_thickness);
         assert_memory_equal(&rows[i].normal, &row->normal, sizeof row->normal);
     }
 }
@@ -113,7 +114,7 @@ static void with_and_without_what_is_known(harness_source *source, void *user)
         go_on(d, source);
         assert_true(vbss_scene_find_rows(o, &part));
         uint32_t count = o->contacts->count;
-        contact_row *rows = copy_rows(o);
+        contact_constraint *rows = copy_rows(o);
         c->known += count_known(o);
         c->near += count;
         o->collision->separation_count = 0; /* nothing is known any more */

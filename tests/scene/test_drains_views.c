@@ -27,7 +27,7 @@ static feature feature_of_tool(const small *s, uint32_t body, uint32_t kind, uin
     g.radius = c->radius;
     assert_true(number < (g.corners == 1 ? 2u : 1u)); /* its ends, or the only capsule */
     for (uint32_t k = 0; k < g.corners; k++) {
-        g.x[k] = pose_apply(r->body.now.at, c->local[number + k]);
+        g.x[k] = pose_apply(r->body.now.pose, c->local[number + k]);
     }
     return g;
 }

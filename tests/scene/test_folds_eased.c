@@ -20,25 +20,25 @@ static uint32_t body_of_kind(const scene_object *s, body_kind kind)
 }
 
 /* One row of that depth, m, of which is remembered that it bore so much, N; recalled. */
-static const contact_row *recall(scene_object *s, uint32_t of, double depth, double bore)
+static const contact_constraint *recall(scene_object *s, uint32_t of, double depth, double bore)
 {
     contact_set *set = s->contacts;
     const uint32_t drain = body_of_kind(s, BODY_DRAIN);
     const contact_key key = {VBSS_CONTACT_SIDES, of, 0, drain, 40};
-    set->count = set->memory_count = 0;
-    contact_row *row = vbss_contact_add(set, &key);
+    set->count = set->warm_start_count = 0;
+    contact_constraint *row = vbss_contact_add(set, &key);
     assert_non_null(row);
     row->stiffness = 2e5;
-    row->gap_before = row->gap = -depth;
-    row->spared = 0.0;
+    row->start_gap = row->gap = -depth;
+    row->overlap_allowance = 0.0;
     if (bore > 0.0) {
-        set->memory[set->memory_count++] =
-            (contact_memory){.key = key, .state = CONTACT_STICK, .pressure = bore};
+        set->warm_start[set->warm_start_count++] =
+            (contact_warm_start_entry){.key = key, .status = CONTACT_STICK, .normal_force = bore};
     }
     vbss_scene_recall_rows(s, &part);
-    expect_near(depth, vbss_contact_depth(set), 1e-18); /* what it is nobody hides */
-    expect_near(row->eased, row->spared, 0.0);
-    expect_near(row->gap, row->gap_before, 0.0);
+    expect_near(depth, vbss_contact_max_penetration(set), 1e-18); /* what it is nobody hides */
+    expect_near(row->fold_allowance, row->overlap_allowance, 0.0);
+    expect_near(row->gap, row->start_gap, 0.0);
     return row;
 }
 
@@ -57,7 +57,7 @@ static void what_it_did_not_bear_is_let_off_slowly(void **state)
     expect_near(-100e-6, recall(s, drain, 100e-6, 30.0)->gap, 0.0);
     expect_near(-15e-6, recall(s, drain, 15e-6, 0.0)->gap, 0.0);
     expect_near(-100e-6, recall(s, thread, 100e-6, 0.0)->gap, 0.0); /* it knows its side */
-    s->contacts->count = s->contacts->memory_count = 0;
+    s->contacts->count = s->contacts->warm_start_count = 0;
     stitch_case_end(&c);
 }
 
@@ -68,7 +68,7 @@ static void in_real_time_it_is_pushed_out(void **state)
     stitch_case_open(&c, 0);
     scene_object *s = small_object(&c.s);
     expect_near(-100e-6, recall(s, body_of_kind(s, BODY_DRAIN), 100e-6, 0.0)->gap, 0.0);
-    s->contacts->count = s->contacts->memory_count = 0;
+    s->contacts->count = s->contacts->warm_start_count = 0;
     stitch_case_end(&c);
 }
 

@@ -24,7 +24,7 @@ typedef struct swaged {
     suture_hole *hole;
     lie at;
     double arc; /* of the hole along the line, at the begin of the part */
-    contact_row row;
+    contact_constraint row;
 } swaged;
 
 static swaged rig;
@@ -104,7 +104,7 @@ static void shift_wall(const swaged *w, vec3 *x, vec3 to)
     }
 }
 
-static void lay(const swaged *w, const lie *at, contact_row *row)
+static void lay(const swaged *w, const lie *at, contact_constraint *row)
 {
     w->needle->trial = at->needle;
     memcpy(w->thread->trial, at->x, sizeof at->x);
@@ -156,11 +156,11 @@ static void begin_part(swaged *w)
     w->hole->needle = behind ? 0 : w->needle_body;
     w->hole->thread = behind ? w->thread_body : 0;
     w->hole->arc = w->arc - (behind ? swage_of(w) : 0.0);
-    w->needle->body.now.at = w->at.needle;
-    w->needle->body.now.at.position.x += 1e-4; /* it moves in the part */
+    w->needle->body.now.pose = w->at.needle;
+    w->needle->body.now.pose.position.x += 1e-4; /* it moves in the part */
     memcpy(w->thread->now.x, w->at.x, sizeof w->at.x);
     shift_wall(w, w->drain->x, w->at.wall);
-    w->row = (contact_row){.key = {.kind = VBSS_CONTACT_HOLE}};
+    w->row = (contact_constraint){.key = {.kind = VBSS_CONTACT_HOLE}};
     lay(w, &w->at, &w->row);
 }
 
@@ -211,28 +211,28 @@ static part part_at(const swaged *w, const lie *at, const suture_place *place)
 }
 
 /* As a row says it: parts, and how they change as the place slides on. */
-static part part_said(const swaged *w, const contact_row *row, part *slopes)
+static part part_said(const swaged *w, const contact_constraint *row, part *slopes)
 {
     const uint32_t needle = w->needle->blocks.first;
     const uint32_t nodes = vbss_scene_body(w->scene, w->thread_body)->thread.first_block;
     part p = {0};
     *slopes = p;
-    for (uint32_t i = 0; i < row->term_count; i++) {
-        const contact_term *term = &row->terms[i];
+    for (uint32_t i = 0; i < row->jacobian_block_count; i++) {
+        const contact_jacobian_block *term = &row->jacobian[i];
         if (term->block == needle + 1) {
             p.arm = vec3_add_scaled(p.arm, term->weight, term->arm);
-            slopes->arm = vec3_add(slopes->arm, term->swing);
+            slopes->arm = vec3_add(slopes->arm, term->weighted_arm_derivative);
         } else if (term->block == needle) {
             p.needle += term->weight;
-            slopes->needle += term->slope;
+            slopes->needle += term->weight_derivative;
         } else if (term->block >= nodes && term->block < nodes + NODES) {
             assert_true(term->block > nodes); /* the first is the needle's */
             p.node[term->block - nodes] += term->weight;
-            slopes->node[term->block - nodes] += term->slope;
+            slopes->node[term->block - nodes] += term->weight_derivative;
         } else {
-            expect_near(0.0, term->slope, 0.0); /* the wall's */
+            expect_near(0.0, term->weight_derivative, 0.0); /* the wall's */
         }
-        assert_true(term->turns == (term->block == needle + 1));
+        assert_true(term->is_rotation == (term->block == needle + 1));
     }
     return p;
 }
@@ -306,7 +306,7 @@ static void any_row_has_the_slopes_of_its_parts(harness_source *source, void *us
         seen[kind_of(w, &place)]++;
         expect_near(0.0, distance(&slopes, &said_slopes), 1e-2);
         /* a needle's own bend is left out: docs/stitch.md */
-        expect_near(0.0, vec3_distance(on_needle ? vec3_zero() : turn, w->row.turn), 1e-2);
+        expect_near(0.0, vec3_distance(on_needle ? vec3_zero() : turn, w->row.curvature), 1e-2);
     }
 }
 
@@ -376,7 +376,7 @@ static bool look_at_motion(const swaged *w, const suture_place *place, const mot
     const double step = 1e-6;
     const lie ahead = moved(w, m, step), behind = moved(w, m, -step);
     const vec3 n = w->row.normal;
-    contact_row on = w->row, back = w->row;
+    contact_constraint on = w->row, back = w->row;
     part slopes, on_slopes, found;
     vec3 turn;
     const part p = part_said(w, &w->row, &slopes);

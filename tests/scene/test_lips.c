@@ -25,12 +25,12 @@ static vec3 place(vec3 rest, double slope, double height, double over)
     return vec3_make(rest.x + ALONG, height + slope * (rest.z - LIP), rest.z - over);
 }
 
-static bool has_node(const scene_object *s, const scene_body *b, const contact_row *row, bool is_b,
-                     uint32_t node)
+static bool has_node(const scene_object *s, const scene_body *b, const contact_constraint *row,
+                     bool is_b, uint32_t node)
 {
     uint32_t nodes[3];
-    uint32_t count =
-        vbss_scene_nodes_of(s, b, row->key.kind, is_b, is_b ? row->key.b : row->key.a, nodes);
+    uint32_t count = vbss_scene_nodes_of(s, b, row->key.kind, is_b,
+                                         is_b ? row->key.feature_b : row->key.feature_a, nodes);
     bool there = false;
     for (uint32_t k = 0; k < count; k++) {
         there = there || nodes[k] == node;
@@ -43,11 +43,11 @@ static double least_gap(const scene_object *s, const scene_body *b, uint32_t nod
 {
     double least = FAR;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        const contact_row *row = &s->contacts->rows[i];
+        const contact_constraint *row = &s->contacts->constraints[i];
         if (row->key.body_a == b->number && row->key.body_b == b->number &&
-            row->key.kind != VBSS_CONTACT_DRAIN_FLOOR && row->gap_before < least &&
+            row->key.kind != VBSS_CONTACT_DRAIN_FLOOR && row->start_gap < least &&
             (has_node(s, b, row, false, node) || has_node(s, b, row, true, node))) {
-            least = row->gap_before;
+            least = row->start_gap;
         }
     }
     return least;

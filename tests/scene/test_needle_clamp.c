@@ -62,7 +62,7 @@ static void it_leans_by_its_weight(void **state)
     needles_rig r;
     hold_fast(&r);
     scene_rigid *n = needle_of(&r);
-    pose before = n->body.now.at;
+    pose before = n->body.now.pose;
     vec3 held = vec3_load(tools_grasp(&r.tools, 0, 0).position);
     double arm = fabs(before.position.x - held.x), weight = 1e-3 / arm; /* 1e-3 N m */
     n->body.gravity = vec3_make(0.0, -weight / n->body.mass, 0.0);
@@ -70,7 +70,7 @@ static void it_leans_by_its_weight(void **state)
     tools_steps(&r.tools, 1000);
     const scene_hold *hold =
         &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.hold;
-    quat q = quat_mul(n->body.now.at.orientation, quat_conjugate(before.orientation));
+    quat q = quat_mul(n->body.now.pose.orientation, quat_conjugate(before.orientation));
     vec3 turn = vbss_quat_to_rotation_vector(q);
     double angle = 1e-3 / (0.5 * r.tools.config.needle_turning_stiffness);
     expect_near(angle, fabs(turn.z), 1e-3 * angle);
@@ -155,7 +155,7 @@ static void jaws_bear_needle_and_thread(void **state)
     const scene_hold *hold =
         &vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[0])->rigid.hold;
     vec3 held = vec3_load(tools_grasp(&r->tools, 0, 0).position);
-    vec3 centre = vbss_scene_body(small_object(&r->tools.s), r->body)->rigid.body.now.at.position;
+    vec3 centre = vbss_scene_body(small_object(&r->tools.s), r->body)->rigid.body.now.pose.position;
     vec3 down = vec3_make(0.0, 0.0, -9.81);
     vec3 of_needle = vec3_scale(down, m.mass), of_thread = vec3_scale(down, g.thread_mass);
     vec3 torque = vec3_add(vec3_cross(vec3_sub(centre, held), of_needle),

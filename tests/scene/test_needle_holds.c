@@ -146,7 +146,7 @@ static void it_turns_above_the_torque_they_bear(void **state)
         needles_hold(&r);
         scene_body *b = vbss_scene_body(small_object(&r.tools.s), r.body);
         vec3 held = vec3_load(tools_grasp(&r.tools, 0, 0).position);
-        vec3 arm = vec3_sub(b->rigid.body.now.at.position, held); /* along x */
+        vec3 arm = vec3_sub(b->rigid.body.now.pose.position, held); /* along x */
         double torque = (k == 0 ? 0.9 : 1.3) * r.tools.config.needle_torque;
         double weight = torque / vec3_norm(arm);
         quat before = needles_pose(&r).orientation;

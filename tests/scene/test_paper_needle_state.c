@@ -173,7 +173,8 @@ static void a_step_that_fails_leaves_all_as_it_was(void **state)
     t->now.v[5] = own;
     const scene_rigid *needle =
         &vbss_scene_body(small_object(&s), PAPER_NEEDLE_SCENE_NEEDLE)->rigid;
-    assert_memory_equal(&needle->body.end, &needle->body.begin, sizeof needle->body.end);
+    assert_memory_equal(&needle->body.target_end, &needle->body.target_start,
+                        sizeof needle->body.target_end);
     expect_ok(paper_needle_scene_step(s.scene));
     uint64_t next = small_hash(&s);
     expect_ok(vbss_scene_restore(s.scene, saved.bytes, saved.count));

@@ -192,7 +192,7 @@ static void contacts_are_told_in_the_order_of_their_features(void **state)
         vbss_view v = look(&s, VBSS_SCENE_VIEW_CONTACTS);
         const contact_key *keys = v.data;
         for (uint64_t k = 1; k < v.count; k++) {
-            assert_true(vbss_contact_compare(&keys[k - 1], &keys[k]) < 0);
+            assert_true(vbss_contact_compare_keys(&keys[k - 1], &keys[k]) < 0);
         }
         seen = v.count > seen ? v.count : seen;
     }

@@ -268,10 +268,10 @@ static void a_stopped_search_pierces_nothing(void **state)
     }
     assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
     d->config.puncture_force = 0.25;
-    s->contacts->stopped = true;
+    s->contacts->is_stopped_early = true;
     vbss_scene_settle_holes(s);
     assert_true(s->holes[0].id == 0);
-    s->contacts->stopped = false;
+    s->contacts->is_stopped_early = false;
     vbss_scene_settle_holes(s);
     assert_true(s->holes[0].id != 0);
     needle_case_end(&c);

@@ -57,7 +57,7 @@ static void lay_needle(const fold *f)
     const quat turned = quat_between(vec3_unit_or(vec3_sub(next, tip), vec3_zero()), way);
     const vec3 there = vec3_add_scaled(f->at[0], -TIP_OUT, way);
     const pose frame = pose_make(vec3_sub(there, quat_rotate(turned, tip)), turned);
-    r->body.now.at = pose_mul(frame, r->frame);
+    r->body.now.pose = pose_mul(frame, r->frame);
 }
 
 static suture_hole *begin(double entry, fold *f)

@@ -120,9 +120,13 @@ static void absurd_states_end_in_numbers_or_are_told(void **state)
         scene_object *o = small_object(&s);
         thread_object *t = o->bodies[0].thread.thread;
         vbss_rigid *loose = &o->bodies[1].rigid.body, *driven = &o->bodies[2].rigid.body;
-        double *fields[7] = {&t->now.x[5].y,         &t->now.v[5].y,  &t->now.q[3].x,
-                             &t->now.tension[2],     &loose->now.v.y, &loose->now.w.x,
-                             &driven->end.position.y};
+        double *fields[7] = {&t->now.x[5].y,
+                             &t->now.v[5].y,
+                             &t->now.q[3].x,
+                             &t->now.tension[2],
+                             &loose->now.v.y,
+                             &loose->now.w.x,
+                             &driven->target_end.position.y};
         *fields[k / 6] = absurd[k % 6];
         uint64_t hash = small_hash(&s);
         vbss_result result = vbss_scene_step(s.scene, 1e-3);

@@ -75,7 +75,7 @@ static void expect_same_state(const pulled *one, const pulled *other)
     assert_memory_equal(a->now.tension, b->now.tension, (a->node_count - 1) * sizeof(double));
     const contact_set *c = object_of(one->scene.scene)->contacts,
                       *d = object_of(other->scene.scene)->contacts;
-    assert_int_equal(c->memory_count, d->memory_count);
+    assert_int_equal(c->warm_start_count, d->warm_start_count);
 }
 
 /* Hands are drawn to and fro, and what one host tells by the number of the step, the other does by the steps that it sees begun. */
@@ -488,10 +488,10 @@ static void what_is_told_meanwhile_is_for_the_next_step(void **state)
     small_steps(&s, 3, STEP);
     scene_object *o = small_object(&s);
     assert_true(o->way.waits);
-    const pose goes = o->bodies[1].rigid.body.end;
+    const pose goes = o->bodies[1].rigid.body.target_end;
     const double told[3] = {4e-3, 2.1e-3, 1e-4};
     expect_ok(vbss_scene_move_rigid(s.scene, rod, told, NULL));
-    assert_memory_equal(&goes, &o->bodies[1].rigid.body.end, sizeof goes);
+    assert_memory_equal(&goes, &o->bodies[1].rigid.body.target_end, sizeof goes);
     vbss_rigid_state seen = small_rigid(&s, rod);
     for (int k = 0; k < 3; k++) {
         expect_near(told[k], seen.target_position[k], 1e-12);
@@ -506,7 +506,7 @@ static void what_is_told_meanwhile_is_for_the_next_step(void **state)
             expect_near(told[k], there.position[k], 1e-12);
         }
         expect_ok(vbss_scene_restore(s.scene, kept.bytes, kept.count));
-        assert_memory_equal(&goes, &o->bodies[1].rigid.body.end, sizeof goes);
+        assert_memory_equal(&goes, &o->bodies[1].rigid.body.target_end, sizeof goes);
     }
     free(kept.bytes);
     small_end(&s);

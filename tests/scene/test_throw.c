@@ -134,7 +134,7 @@ static void spoil(const throw_scene *scene, uint64_t seed, double deep)
     expect_ok(vbss_scene_open(scene->scene, &s));
     vec3 way = vbss_random_direction(&random);
     scene_rigid *w = &vbss_scene_body(s, scene->w.body)->rigid;
-    w->body.now.at.position = vec3_add_scaled(w->body.now.at.position, deep, way);
+    w->body.now.pose.position = vec3_add_scaled(w->body.now.pose.position, deep, way);
     thread_object *t = vbss_scene_body(s, scene->thread_body)->thread.thread;
     for (uint32_t i = scene->left_mark + 1; i < t->node_count; i++) {
         vec3 off = vbss_random_direction(&random);

@@ -119,7 +119,7 @@ vbss_result puncture_scene_push(const puncture_scene *p, double *push)
     const scene_rigid *r = &vbss_scene_body(s, p->needle_body)->rigid;
     pose at = vbss_needle_pose(r->needle);
     vec3 axis = quat_rotate(at.orientation, vec3_make(0.0, 0.0, 1.0));
-    vec3 arm = vec3_sub(r->body.now.at.position, at.position);
+    vec3 arm = vec3_sub(r->body.now.pose.position, at.position);
     vec3 torque = vec3_add(r->pull.torque, vec3_cross(arm, r->pull.force));
     *push = vec3_dot(axis, torque) / r->needle->config.radius;
     return VBSS_OK;

@@ -45,7 +45,7 @@ void contacts_draw_knot(twin *t, harness_source *source, uint32_t most_separator
         first[arc] = t->blocks + before;
         for (uint32_t i = 0; i < before + each + after; i++) {
             bool inside = i >= before && i < before + each;
-            t->roles[t->blocks++] = inside ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_RUN;
+            t->roles[t->blocks++] = inside ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_INTERIOR;
         }
         t->chains += apart || arc == 0;
         t->chain_end[t->chains - 1] = t->blocks;

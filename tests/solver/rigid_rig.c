@@ -10,7 +10,7 @@ void rigid_rig_begin(rigid_rig *rig, vbss_role role)
     rigid_rig_place(rig, pose_identity());
     rig->context = harness_context(&rig->memory);
     expect_ok(vbss_system_create(rig->context, 2, 1, 2, 1, &rig->system));
-    vbss_system_begin(rig->system);
+    vbss_system_begin_pattern(rig->system);
     expect_ok(vbss_rigid_register(rig->system, role, &rig->blocks));
     expect_ok(vbss_system_analyse(rig->system));
 }
@@ -24,13 +24,13 @@ void rigid_rig_end(rigid_rig *rig)
 void rigid_rig_place(rigid_rig *rig, pose at)
 {
     rig->body.now = (vbss_rigid_motion){at, vec3_zero(), vec3_zero()};
-    rig->body.begin = rig->body.end = at;
+    rig->body.target_start = rig->body.target_end = at;
 }
 
 void rigid_rig_solve(vbss_system *system)
 {
     assert_true(vbss_system_condense(system));
-    vbss_system_take_separators(system);
+    vbss_system_load_schur_complement(system);
     assert_true(vbss_system_solve(system));
 }
 
@@ -38,19 +38,19 @@ void rigid_rig_step(rigid_rig *rig, pose end)
 {
     vbss_system *s = rig->system;
     vec3 *rhs = &s->rhs[rig->blocks.first], *u = &s->solution[rig->blocks.first];
-    assert_true(vbss_rigid_is_sound(&rig->body));
-    vbss_rigid_retarget(&rig->body, end);
+    assert_true(vbss_rigid_is_valid(&rig->body));
+    vbss_rigid_set_target(&rig->body, end);
     for (uint32_t p = 0; p < rig->parts; p++) {
-        rig->part = (vbss_rigid_part){rig->h, (double)p / rig->parts, (p + 1.0) / rig->parts};
+        rig->part = (vbss_rigid_substep){rig->h, (double)p / rig->parts, (p + 1.0) / rig->parts};
         vbss_rigid_predict(&rig->body, &rig->part, &rig->predicted);
-        pose trial = rig->predicted.at;
+        pose trial = rig->predicted.pose;
         for (uint32_t k = 0; k < rig->rounds; k++) {
             vbss_system_clear(s);
             vbss_rigid_assemble(&rig->body, &rig->part, &rig->predicted, &trial, s, &rig->blocks);
             rhs[0] = vec3_add(rhs[0], rig->force);
             rhs[1] = vec3_add(rhs[1], rig->torque);
             rigid_rig_solve(s);
-            vbss_rigid_advance(&trial, u[0], u[1]);
+            vbss_rigid_apply_increment(&trial, u[0], u[1]);
         }
         vbss_rigid_commit(&rig->body, &rig->part, &rig->predicted, &trial);
     }
@@ -59,7 +59,7 @@ void rigid_rig_step(rigid_rig *rig, pose end)
 void rigid_rig_steps(rigid_rig *rig, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
-        rigid_rig_step(rig, rig->body.end);
+        rigid_rig_step(rig, rig->body.target_end);
     }
 }
 
@@ -107,7 +107,7 @@ static turning derivative(const vbss_rigid *body, const turning *s, vec3 torque)
 {
     const vbss_rigid_coupling *c = &body->coupling;
     vec3 j = body->inertia;
-    quat turn = quat_mul(body->end.orientation, quat_conjugate(quat_unit(s->q)));
+    quat turn = quat_mul(body->target_end.orientation, quat_conjugate(quat_unit(s->q)));
     vec3 pull = vec3_scale(vbss_quat_to_rotation_vector(turn), c->turning_stiffness);
     vec3 t = quat_rotate_back(s->q, vec3_add(torque, pull));
     t = vec3_add_scaled(t, -c->turning_damping, s->w);
@@ -127,7 +127,7 @@ static turning moved(const turning *s, double h, const turning *d)
 vbss_rigid_motion rigid_fine(const vbss_rigid *body, vec3 torque, double time, uint32_t count)
 {
     double h = time / count;
-    quat q = body->now.at.orientation;
+    quat q = body->now.pose.orientation;
     turning s = {q, quat_rotate_back(q, body->now.w)};
     for (uint32_t i = 0; i < count; i++) {
         turning k1 = derivative(body, &s, torque), at = moved(&s, 0.5 * h, &k1);
@@ -142,6 +142,6 @@ vbss_rigid_motion rigid_fine(const vbss_rigid *body, vec3 torque, double time, u
         s = moved(&s, h / 6.0, &k4);
         s.q = quat_unit(s.q);
     }
-    return (vbss_rigid_motion){pose_make(body->now.at.position, s.q), body->now.v,
+    return (vbss_rigid_motion){pose_make(body->now.pose.position, s.q), body->now.v,
                                quat_rotate(s.q, s.w)};
 }

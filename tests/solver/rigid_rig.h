@@ -16,7 +16,7 @@ typedef struct rigid_rig {
     vbss_context *context;
     vbss_system *system;
     vbss_rigid_blocks blocks;
-    vbss_rigid_part part;        /* the last one */
+    vbss_rigid_substep part;     /* the last one */
     vbss_rigid_motion predicted; /* in it */
 } rigid_rig;
 

@@ -85,7 +85,7 @@ static void draw_thread(twin *t, harness_source *source, const thread *made, vec
     t->chains = 1;
     t->couplings = 0;
     for (uint32_t b = 0; b <= SEGMENTS; b++) {
-        t->roles[b] = made->clamped && b < 2 ? VBSS_ROLE_GIVEN : VBSS_ROLE_RUN;
+        t->roles[b] = made->clamped && b < 2 ? VBSS_ROLE_PRESCRIBED : VBSS_ROLE_INTERIOR;
         t->diagonal[b] = mat3_diagonal(INERTIA, INERTIA, INERTIA);
         t->rhs[b] = harness_draw_vec3(source, -1.0, 1.0);
         for (uint32_t high = b + 1; high <= b + 2 && high <= SEGMENTS; high++) {

@@ -16,7 +16,7 @@ typedef struct fixture {
 static void begin_chains(vbss_system *s)
 {
     uint32_t first;
-    vbss_system_begin(s);
+    vbss_system_begin_pattern(s);
     for (uint32_t chain = 0; chain < CHAINS; chain++) {
         expect_ok(vbss_system_add_chain(s, BLOCKS / CHAINS, &first));
     }
@@ -69,7 +69,7 @@ static void couple_often(harness_source *source, void *user)
                 expect_ok(vbss_system_couple(f.system, a, b, &coupling));
                 assert_int_equal(coupling, count);
             } else {
-                expect_ok(vbss_system_couple_once(f.system, a, b));
+                expect_ok(vbss_system_couple_separators(f.system, a, b));
             }
             assert_int_equal(f.system->coupling_count, count);
         }
@@ -77,7 +77,7 @@ static void couple_often(harness_source *source, void *user)
         assert_int_equal(f.system->pair_count, count);
         for (uint32_t a = 0; a < BLOCKS; a++) {
             for (uint32_t b = 0; b < BLOCKS; b++) {
-                bool is_there = vbss_system_place(f.system, a, b) != VBSS_NO_PLACE;
+                bool is_there = vbss_system_schur_index(f.system, a, b) != VBSS_NO_INDEX;
                 assert_int_equal(is_there, a == b || coupled[a][b]);
             }
         }
@@ -98,14 +98,14 @@ static void what_is_there_already_needs_no_room(void **state)
     uint32_t one;
     begin(&f, 2);
     expect_ok(vbss_system_couple(f.system, 0, 8, &one));
-    expect_ok(vbss_system_couple_once(f.system, 3, 1));
-    expect_ok(vbss_system_couple_once(f.system, 8, 0));
-    expect_result(VBSS_ERROR_CAPACITY, vbss_system_couple_once(f.system, 3, 2));
+    expect_ok(vbss_system_couple_separators(f.system, 3, 1));
+    expect_ok(vbss_system_couple_separators(f.system, 8, 0));
+    expect_result(VBSS_ERROR_CAPACITY, vbss_system_couple_separators(f.system, 3, 2));
     expect_text(f.context, "more than 2 couplings");
-    expect_ok(vbss_system_couple_once(f.system, 0, 8));
-    expect_ok(vbss_system_couple_once(f.system, 1, 3));
-    vbss_system_set_role(f.system, 4, VBSS_ROLE_GIVEN);
-    expect_ok(vbss_system_couple_once(f.system, 4, 5));
+    expect_ok(vbss_system_couple_separators(f.system, 0, 8));
+    expect_ok(vbss_system_couple_separators(f.system, 1, 3));
+    vbss_system_set_role(f.system, 4, VBSS_ROLE_PRESCRIBED);
+    expect_ok(vbss_system_couple_separators(f.system, 4, 5));
     assert_int_equal(f.system->coupling_count, 2);
     end(&f);
 }
@@ -119,20 +119,20 @@ static void the_pair_of_couple_once_is_empty_when_taken(void **state)
     begin(&f, 8);
     const mat3 ones = {{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}};
     expect_ok(vbss_system_couple(f.system, 0, 1, &own));
-    expect_ok(vbss_system_couple_once(f.system, 1, 9));
-    expect_ok(vbss_system_couple_once(f.system, 1, 0));
+    expect_ok(vbss_system_couple_separators(f.system, 1, 9));
+    expect_ok(vbss_system_couple_separators(f.system, 1, 0));
     expect_ok(vbss_system_analyse(f.system));
     for (int round = 0; round < 2; round++) {
         vbss_system_clear(f.system);
-        block_set(&f.system->numbers[VBSS_NO_COUPLING], ones); /* swallowed */
-        block_set(&f.system->numbers[own], ones);
+        block_set(&f.system->off_diagonal[VBSS_NO_COUPLING], ones); /* swallowed */
+        block_set(&f.system->off_diagonal[own], ones);
         for (uint32_t b = 0; b < BLOCKS; b++) {
             block_set(&f.system->diagonal[b], mat3_identity());
         }
         assert_true(vbss_system_condense(f.system));
-        vbss_system_take_separators(f.system);
-        block *bodies = &f.system->separator_blocks[vbss_system_place(f.system, 0, 1)];
-        block *others = &f.system->separator_blocks[vbss_system_place(f.system, 9, 1)];
+        vbss_system_load_schur_complement(f.system);
+        block *bodies = &f.system->separator_blocks[vbss_system_schur_index(f.system, 0, 1)];
+        block *others = &f.system->separator_blocks[vbss_system_schur_index(f.system, 9, 1)];
         for (int i = 0; i < 9; i++) {
             expect_same_bits(1.0, block_mat3(bodies).m[i / 3][i % 3]);
             expect_same_bits(0.0, block_mat3(others).m[i / 3][i % 3]);
@@ -148,11 +148,11 @@ static void bodies_couple_before_others(void **state)
     fixture f;
     uint32_t coupling = 77;
     begin(&f, 8);
-    expect_ok(vbss_system_couple_once(f.system, 1, 9));
+    expect_ok(vbss_system_couple_separators(f.system, 1, 9));
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_system_couple(f.system, 2, 3, &coupling));
     expect_text(f.context, "blocks 2 and 3");
     assert_int_equal(coupling, VBSS_NO_COUPLING);
-    vbss_system_begin_again(f.system); /* nobody has coupled any more */
+    vbss_system_reset_separator_couplings(f.system); /* nobody has coupled any more */
     expect_ok(vbss_system_couple(f.system, 2, 3, &coupling));
     assert_int_equal(coupling, 1);
     end(&f);
@@ -168,19 +168,21 @@ static void a_run_is_not_coupled_with_another_chain(void **state)
     begin(&f, 8);
     for (uint32_t roles = 0; roles < 4; roles++) {
         begin_chains(f.system);
-        vbss_system_set_role(f.system, 7, (roles & 1) != 0 ? VBSS_ROLE_RUN : VBSS_ROLE_SEPARATOR);
-        vbss_system_set_role(f.system, 8, (roles & 2) != 0 ? VBSS_ROLE_RUN : VBSS_ROLE_SEPARATOR);
+        vbss_system_set_role(f.system, 7,
+                             (roles & 1) != 0 ? VBSS_ROLE_INTERIOR : VBSS_ROLE_SEPARATOR);
+        vbss_system_set_role(f.system, 8,
+                             (roles & 2) != 0 ? VBSS_ROLE_INTERIOR : VBSS_ROLE_SEPARATOR);
         expect_ok(vbss_system_couple(f.system, 6, 7, &coupling)); /* of one chain: as they are */
         vbss_result wanted = roles != 0 ? VBSS_ERROR_OUT_OF_RANGE : VBSS_OK;
         expect_result(wanted, vbss_system_couple(f.system, 7, 8, &coupling));
         if (roles != 0) {
             expect_text(f.context, "blocks 7 and 8");
             assert_int_equal(coupling, VBSS_NO_COUPLING);
-            expect_result(wanted, vbss_system_couple_once(f.system, 8, 7));
+            expect_result(wanted, vbss_system_couple_separators(f.system, 8, 7));
         }
         assert_int_equal(f.system->coupling_count, roles != 0 ? 1 : 2);
-        vbss_system_set_role(f.system, 7, VBSS_ROLE_GIVEN); /* has no equation */
-        expect_ok(vbss_system_couple_once(f.system, 7, 10));
+        vbss_system_set_role(f.system, 7, VBSS_ROLE_PRESCRIBED); /* has no equation */
+        expect_ok(vbss_system_couple_separators(f.system, 7, 10));
     }
     end(&f);
 }

@@ -24,7 +24,7 @@ static void begin_knot(twin *t, harness_source *source)
     twin_write(t);
     twin_write_plain(t);
     assert_true(vbss_system_condense(t->system));
-    vbss_system_take_separators(t->system);
+    vbss_system_load_schur_complement(t->system);
 }
 
 static void end_knot(twin *t)
@@ -91,10 +91,10 @@ static void again(harness_source *source, void *user)
     assert_memory_equal(added_rhs, s->separator_rhs, count * sizeof *added_rhs);
     solve(t);
     expect_same_solution(t, first);
-    vbss_system_take_separators(s);
+    vbss_system_load_schur_complement(s);
     assert_memory_equal(base, s->separator_blocks, size);
     solve(t);
-    vbss_system_take_separators(s);
+    vbss_system_load_schur_complement(s);
     memcpy(s->separator_blocks, added, size);
     memcpy(s->separator_rhs, added_rhs, count * sizeof *added_rhs);
     solve(t);
@@ -185,7 +185,7 @@ static void a_row_of_zeros(harness_source *source, void *user)
         a = harness_draw_below(source, t->blocks);
     } while (t->roles[a] != VBSS_ROLE_SEPARATOR);
     for (uint32_t b = 0; b < t->blocks; b++) {
-        if (vbss_system_place(t->system, a, b) != VBSS_NO_PLACE) {
+        if (vbss_system_schur_index(t->system, a, b) != VBSS_NO_INDEX) {
             mat3 m = block_mat3(twin_block(t, a, b));
             m.m[row][0] = m.m[row][1] = m.m[row][2] = 0.0;
             block_set(twin_block(t, a, b), m);
@@ -194,7 +194,7 @@ static void a_row_of_zeros(harness_source *source, void *user)
     assert_int_equal(t->system->tiny_pivots, 0);
     assert_false(vbss_system_solve_separators(t->system));
     assert_int_equal(t->system->tiny_pivots, 1);
-    vbss_system_take_separators(t->system);
+    vbss_system_load_schur_complement(t->system);
     solve(t);
     assert_int_equal(t->system->tiny_pivots, 1);
     end_knot(t);

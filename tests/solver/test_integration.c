@@ -21,8 +21,8 @@ static motion step_to(const vbss_integration *i, motion m, vec3 q)
 {
     motion p = predicted_of(i, m), next;
     next.x = vec3_add_scaled(p.x, 1.0 / i->inertia, q);
-    vbss_integration_follow(i, 3, &next.x.x, &p.x.x, &p.v.x, &p.a.x, &next.v.x, &next.a.x,
-                            &next.q.x);
+    vbss_integration_correct(i, 3, &next.x.x, &p.x.x, &p.v.x, &p.a.x, &next.v.x, &next.a.x,
+                             &next.q.x);
     next.q = q; /* but for rounding */
     return next;
 }
@@ -82,7 +82,7 @@ static void backward_euler_is_itself_to_the_bit(void **state)
     /* And to rounding where h is no fraction of two. */
     i = vbss_integration_backward_euler(1e-3);
     expect_near(1e6, i.inertia, 1e-9);
-    expect_near(1e3, i.rate, 1e-12);
+    expect_near(1e3, i.velocity_factor, 1e-12);
     expect_near(1e-3, i.h, 0.0);
 }
 

@@ -71,9 +71,9 @@ static void runs_are_eliminated_as_they_are_numbered(harness_source *source, voi
     for (uint32_t chain = 0, begin = 0; chain < t->chains; begin = t->chain_end[chain++]) {
         uint32_t last = 0;
         for (uint32_t b = begin; b < t->chain_end[chain]; b++) {
-            if (t->keeps_order[chain] && t->roles[b] == VBSS_ROLE_RUN) {
-                assert_true(t->system->place[b] >= last);
-                last = t->system->place[b];
+            if (t->keeps_order[chain] && t->roles[b] == VBSS_ROLE_INTERIOR) {
+                assert_true(t->system->position[b] >= last);
+                last = t->system->position[b];
             }
         }
     }
@@ -126,7 +126,7 @@ static void another_side(harness_source *source, void *user)
                 memcpy(t->system->rhs, sides[again == 0 ? (k + 2) % 3 : k],
                        t->blocks * sizeof *t->rhs);
                 vbss_system_condense_rhs(t->system);
-                vbss_system_take_separators(t->system);
+                vbss_system_load_schur_complement(t->system);
                 assert_true(vbss_system_solve(t->system));
             }
             expect_same_solution(t, wanted);

@@ -17,7 +17,7 @@ static void a_coupling_holds_the_rows_of_the_higher_block(void **state)
         t->reach = t->chains = 1;
         t->couplings = 2;
         for (uint32_t b = 0; b < 3; b++) {
-            t->roles[b] = (pattern >> b & 1u) != 0 ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_RUN;
+            t->roles[b] = (pattern >> b & 1u) != 0 ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_INTERIOR;
             t->diagonal[b] = mat3_identity();
             t->rhs[b] = vec3_make(1.0 + b, -2.0, 3.0 * b);
         }
@@ -30,7 +30,7 @@ static void a_coupling_holds_the_rows_of_the_higher_block(void **state)
         if (pattern % 8 == 7) { /* nothing condensed: what was added, as it was added */
             twin_write(t);
             assert_true(vbss_system_condense(t->system));
-            vbss_system_take_separators(t->system);
+            vbss_system_load_schur_complement(t->system);
             const mat3 rows_of_high = block_mat3(twin_block(t, 1, 0));
             const mat3 rows_of_low = block_mat3(twin_block(t, 0, 1));
             for (int i = 0; i < 3; i++) {
@@ -57,9 +57,9 @@ static void reach_from(const twin *t, uint32_t from, bool *met)
             uint32_t ends[2] = {t->coupling[c].high, t->coupling[c].low};
             for (int i = 0; i < 2; i++) {
                 uint32_t a = ends[i], b = ends[1 - i];
-                bool through = a == from || t->roles[a] == VBSS_ROLE_RUN;
-                if (met[a] && through && !met[b] && t->roles[a] != VBSS_ROLE_GIVEN &&
-                    t->roles[b] != VBSS_ROLE_GIVEN) {
+                bool through = a == from || t->roles[a] == VBSS_ROLE_INTERIOR;
+                if (met[a] && through && !met[b] && t->roles[a] != VBSS_ROLE_PRESCRIBED &&
+                    t->roles[b] != VBSS_ROLE_PRESCRIBED) {
                     met[b] = more = true;
                 }
             }
@@ -82,13 +82,13 @@ static void pairs_of_separators(harness_source *source, void *user)
     memset(taken, 0, sizeof taken);
     for (uint32_t a = 0; a < t->blocks; a++) {
         bool separator = t->roles[a] == VBSS_ROLE_SEPARATOR;
-        uint32_t rhs = vbss_system_rhs_place(t->system, a);
-        assert_true(separator ? rhs < count : rhs == VBSS_NO_PLACE);
+        uint32_t rhs = vbss_system_schur_rhs_index(t->system, a);
+        assert_true(separator ? rhs < count : rhs == VBSS_NO_INDEX);
         reach_from(t, a, met);
         for (uint32_t b = 0; b < t->blocks; b++) {
-            uint32_t place = vbss_system_place(t->system, a, b);
+            uint32_t place = vbss_system_schur_index(t->system, a, b);
             if (!separator || t->roles[b] != VBSS_ROLE_SEPARATOR || !met[b]) {
-                assert_int_equal(place, VBSS_NO_PLACE);
+                assert_int_equal(place, VBSS_NO_INDEX);
             } else {
                 assert_true(place < count + 2 * t->system->pair_count);
                 assert_int_equal(taken[place]++, 0); /* nobody else's */
@@ -117,7 +117,7 @@ static void make_chains(twin *t, uint32_t chains, uint32_t each, uint32_t reach)
     t->couplings = 0;
     for (uint32_t b = 0; b < t->blocks; b++) {
         uint32_t end = t->chain_end[b / each] = (b / each + 1) * each;
-        t->roles[b] = VBSS_ROLE_RUN;
+        t->roles[b] = VBSS_ROLE_INTERIOR;
         for (uint32_t high = b + 1; high <= b + reach && high < end; high++) {
             t->coupling[t->couplings++] =
                 (twin_coupling){high, b, false, mat3_zero(), VBSS_NO_COUPLING};
@@ -148,10 +148,10 @@ static void runs_without_separators_are_eliminated_from_both_ends_in_turn(void *
     static const uint32_t wanted[] = {0, 4, 1, 3, 2, 5, 9, 6, 8, 7, 10, 14, 11, 13};
     twin *t = &subject;
     make_chains(t, 3, 5, 2);
-    t->roles[12] = VBSS_ROLE_GIVEN;
+    t->roles[12] = VBSS_ROLE_PRESCRIBED;
     twin_begin(t);
     expect_ok(twin_register(t));
-    assert_int_equal(t->system->run_count, 14);
+    assert_int_equal(t->system->interior_count, 14);
     for (uint32_t k = 0; k < 14; k++) {
         assert_int_equal(t->system->order[k], wanted[k]);
     }
@@ -167,15 +167,15 @@ static void a_new_chain_has_no_roles_yet(void **state)
     uint32_t first;
     make_chains(t, 1, 8, 1);
     t->roles[2] = t->roles[3] = VBSS_ROLE_SEPARATOR;
-    t->roles[6] = VBSS_ROLE_GIVEN;
+    t->roles[6] = VBSS_ROLE_PRESCRIBED;
     twin_begin(t);
     expect_ok(twin_register(t));
-    assert_int_equal(t->system->run_count, 5);
-    vbss_system_begin(t->system);
+    assert_int_equal(t->system->interior_count, 5);
+    vbss_system_begin_pattern(t->system);
     expect_ok(vbss_system_add_chain(t->system, 8, &first));
     expect_ok(vbss_system_analyse(t->system));
-    assert_int_equal(t->system->run_count, 8);
-    assert_int_equal(t->system->active_count, 8);
+    assert_int_equal(t->system->interior_count, 8);
+    assert_int_equal(t->system->unknown_count, 8);
     twin_end(t);
 }
 

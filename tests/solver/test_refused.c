@@ -12,7 +12,7 @@ static void begin_three(twin *t, uint32_t pattern)
     t->reach = t->chains = 1;
     t->couplings = 2;
     for (uint32_t b = 0; b < 3; b++) {
-        t->roles[b] = (pattern >> b & 1u) != 0 ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_RUN;
+        t->roles[b] = (pattern >> b & 1u) != 0 ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_INTERIOR;
         t->diagonal[b] = mat3_diagonal(4.0, 5.0, 6.0);
         t->diagonal[b].m[0][1] = t->diagonal[b].m[1][0] = 1.0;
         t->rhs[b] = vec3_make(1.0, 2.0, 3.0);

@@ -18,12 +18,12 @@ static void draw_body(harness_source *source, vbss_rigid *body)
         body->coupling.turning_stiffness = pow(10.0, harness_draw_real(source, -6.0, 3.0));
         body->coupling.turning_damping = pow(10.0, harness_draw_real(source, -6.0, 1.0));
     }
-    body->now.at = rigid_draw_pose(source, 0.1);
+    body->now.pose = rigid_draw_pose(source, 0.1);
     body->now.v = harness_draw_vec3(source, -1.0, 1.0);
     body->now.w = harness_draw_vec3(source, -10.0, 10.0);
-    body->begin = rigid_draw_pose(source, 0.1);
-    body->end = rigid_draw_pose(source, 0.1);
-    assert_true(vbss_rigid_is_sound(body));
+    body->target_start = rigid_draw_pose(source, 0.1);
+    body->target_end = rigid_draw_pose(source, 0.1);
+    assert_true(vbss_rigid_is_valid(body));
 }
 
 enum { BODIES = 3 };
@@ -44,11 +44,12 @@ static void begin_bodies(const vbss_role roles[BODIES])
 {
     all.context = harness_context(&all.memory);
     expect_ok(vbss_system_create(all.context, 2 * BODIES, 1, 2 * BODIES, BODIES, &all.system));
-    vbss_system_begin(all.system);
+    vbss_system_begin_pattern(all.system);
     for (int i = 0; i < BODIES; i++) {
         expect_ok(vbss_rigid_register(all.system, roles[i], &all.blocks[i]));
         assert_int_equal(all.blocks[i].first, 2 * i);
-        assert_int_equal(all.blocks[i].coupling == VBSS_NO_COUPLING, roles[i] == VBSS_ROLE_GIVEN);
+        assert_int_equal(all.blocks[i].coupling == VBSS_NO_COUPLING,
+                         roles[i] == VBSS_ROLE_PRESCRIBED);
     }
     expect_ok(vbss_system_analyse(all.system));
 }
@@ -62,11 +63,11 @@ static void end_bodies(void)
 /* A step of those from the first on, with two linearisations. */
 static void step_bodies(int first, int count)
 {
-    const vbss_rigid_part part = {1e-3, 0.0, 1.0};
+    const vbss_rigid_substep part = {1e-3, 0.0, 1.0};
     vbss_system *s = all.system;
     for (int i = 0; i < count; i++) {
         vbss_rigid_predict(&all.body[first + i], &part, &all.predicted[i]);
-        all.trial[i] = all.predicted[i].at;
+        all.trial[i] = all.predicted[i].pose;
     }
     for (int round = 0; round < 2; round++) {
         vbss_system_clear(s);
@@ -77,7 +78,7 @@ static void step_bodies(int first, int count)
         rigid_rig_solve(s);
         for (int i = 0; i < count; i++) {
             const vec3 *u = &s->solution[all.blocks[i].first];
-            vbss_rigid_advance(&all.trial[i], u[0], u[1]);
+            vbss_rigid_apply_increment(&all.trial[i], u[0], u[1]);
         }
     }
     for (int i = 0; i < count; i++) {
@@ -98,8 +99,8 @@ static void expect_positive_definite(mat3 a)
 static void any_blocks(harness_source *source, void *user)
 {
     (void)user;
-    const vbss_role roles[BODIES] = {VBSS_ROLE_RUN, VBSS_ROLE_SEPARATOR, VBSS_ROLE_RUN};
-    const vbss_rigid_part part = {1e-3, 0.25, 0.75};
+    const vbss_role roles[BODIES] = {VBSS_ROLE_INTERIOR, VBSS_ROLE_SEPARATOR, VBSS_ROLE_INTERIOR};
+    const vbss_rigid_substep part = {1e-3, 0.25, 0.75};
     begin_bodies(roles);
     vbss_system_clear(all.system);
     for (int i = 0; i < BODIES; i++) {
@@ -108,7 +109,7 @@ static void any_blocks(harness_source *source, void *user)
         draw_body(source, body);
         vbss_rigid_predict(body, &part, &predicted);
         pose trial = rigid_draw_pose(source, 0.1);
-        memset(&all.system->numbers[all.blocks[i].coupling], 0x7f, sizeof(block));
+        memset(&all.system->off_diagonal[all.blocks[i].coupling], 0x7f, sizeof(block));
         vbss_rigid_assemble(body, &part, &predicted, &trial, all.system, &all.blocks[i]);
         const block *diagonal = &all.system->diagonal[all.blocks[i].first];
         expect_positive_definite(block_mat3(&diagonal[0]));
@@ -136,8 +137,8 @@ static void blocks_are_symmetric_and_positive_definite_wherever_the_trial_is(voi
 static void bodies_beside_each_other_do_not_meet(harness_source *source, void *user)
 {
     (void)user;
-    const vbss_role runs[BODIES] = {VBSS_ROLE_RUN, VBSS_ROLE_RUN, VBSS_ROLE_RUN};
-    const vbss_role mixed[BODIES] = {VBSS_ROLE_SEPARATOR, VBSS_ROLE_RUN, VBSS_ROLE_SEPARATOR};
+    const vbss_role runs[BODIES] = {VBSS_ROLE_INTERIOR, VBSS_ROLE_INTERIOR, VBSS_ROLE_INTERIOR};
+    const vbss_role mixed[BODIES] = {VBSS_ROLE_SEPARATOR, VBSS_ROLE_INTERIOR, VBSS_ROLE_SEPARATOR};
     vbss_rigid start[BODIES], alone[BODIES];
     for (int i = 0; i < BODIES; i++) {
         draw_body(source, &start[i]);
@@ -159,10 +160,11 @@ static void bodies_beside_each_other_do_not_meet(harness_source *source, void *u
     begin_bodies(mixed);
     step_bodies(0, BODIES);
     for (int i = 0; i < BODIES; i++) {
-        vec3 way = vec3_sub(alone[i].now.at.position, start[i].now.at.position);
-        vec3 other = vec3_sub(all.body[i].now.at.position, start[i].now.at.position);
+        vec3 way = vec3_sub(alone[i].now.pose.position, start[i].now.pose.position);
+        vec3 other = vec3_sub(all.body[i].now.pose.position, start[i].now.pose.position);
         expect_near(0.0, vec3_distance(way, other), 1e-12 * vec3_norm(way) + 1e-16);
-        expect_near(0.0, rigid_turn(alone[i].now.at.orientation, all.body[i].now.at.orientation),
+        expect_near(0.0,
+                    rigid_turn(alone[i].now.pose.orientation, all.body[i].now.pose.orientation),
                     1e-11);
     }
     end_bodies();
@@ -179,30 +181,31 @@ static void a_body_moves_alike_alone_and_among_others_in_any_role(void **state)
 static void what_others_add_at_an_arm_couples_both_blocks(void **state)
 {
     (void)state;
-    static const vbss_role each[2] = {VBSS_ROLE_RUN, VBSS_ROLE_SEPARATOR};
+    static const vbss_role each[2] = {VBSS_ROLE_INTERIOR, VBSS_ROLE_SEPARATOR};
     for (int k = 0; k < 2; k++) {
         rigid_rig rig;
         rigid_rig_begin(&rig, each[k]);
         vec3 arm = vec3_make(0.02, 0.01, -0.03), goal = vec3_make(0.02, 0.0101, -0.03);
         vbss_system *s = rig.system;
         uint32_t b = rig.blocks.first;
-        vbss_rigid_part part = {1e-3, 0.0, 1.0};
+        vbss_rigid_substep part = {1e-3, 0.0, 1.0};
         vbss_rigid_motion predicted;
         vbss_rigid_predict(&rig.body, &part, &predicted);
-        pose trial = predicted.at;
+        pose trial = predicted.pose;
         vbss_system_clear(s);
         vbss_rigid_assemble(&rig.body, &part, &predicted, &trial, s, &rig.blocks);
         double stiffness = 1e9;
         mat3 of_turn = mat3_scale(mat3_cross(arm), -1.0); /* dtheta x r */
         mat3 turning = mat3_mul(mat3_transpose(of_turn), mat3_scale(of_turn, stiffness));
-        mat3 both = mat3_scale(
-            s->couplings[rig.blocks.coupling].flipped != 0 ? of_turn : mat3_transpose(of_turn),
-            stiffness);
+        mat3 both = mat3_scale(s->couplings[rig.blocks.coupling].is_transposed != 0
+                                   ? of_turn
+                                   : mat3_transpose(of_turn),
+                               stiffness);
         vec3 force = vec3_scale(vec3_sub(goal, arm), stiffness);
         block_set(&s->diagonal[b], mat3_add(block_mat3(&s->diagonal[b]),
                                             mat3_diagonal(stiffness, stiffness, stiffness)));
         block_set(&s->diagonal[b + 1], mat3_add(block_mat3(&s->diagonal[b + 1]), turning));
-        block_set(&s->numbers[rig.blocks.coupling], both);
+        block_set(&s->off_diagonal[rig.blocks.coupling], both);
         s->rhs[b] = vec3_add(s->rhs[b], force);
         s->rhs[b + 1] = vec3_add(s->rhs[b + 1], vec3_cross(arm, force));
         rigid_rig_solve(s);
@@ -221,22 +224,22 @@ static void a_driven_body_goes_where_it_is_taken(void **state)
 {
     (void)state;
     rigid_rig rig;
-    rigid_rig_begin(&rig, VBSS_ROLE_GIVEN);
+    rigid_rig_begin(&rig, VBSS_ROLE_PRESCRIBED);
     pose end = {vec3_make(0.001, 0.002, 0.003),
                 vbss_quat_from_rotation_vector(vec3_make(0.0, 0.03, 0.04))};
-    vbss_rigid_retarget(&rig.body, end);
-    vbss_rigid_part part = {2e-3, 0.0, 0.5};
-    vbss_rigid_motion m = vbss_rigid_given(&rig.body, &part);
+    vbss_rigid_set_target(&rig.body, end);
+    vbss_rigid_substep part = {2e-3, 0.0, 0.5};
+    vbss_rigid_motion m = vbss_rigid_target_motion(&rig.body, &part);
     quat middle = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.015, 0.02));
-    expect_near(0.0, vec3_distance(vec3_make(0.0005, 0.001, 0.0015), m.at.position), 1e-18);
-    expect_near(0.0, rigid_turn(middle, m.at.orientation), 1e-15);
+    expect_near(0.0, vec3_distance(vec3_make(0.0005, 0.001, 0.0015), m.pose.position), 1e-18);
+    expect_near(0.0, rigid_turn(middle, m.pose.orientation), 1e-15);
     expect_near(0.0, vec3_distance(vec3_make(0.5, 1.0, 1.5), m.v), 1e-15);
     expect_near(0.0, vec3_distance(vec3_make(0.0, 15.0, 20.0), m.w), 1e-13);
-    part.end = 1.0;
-    m = vbss_rigid_given(&rig.body, &part);
-    assert_memory_equal(&end, &m.at, sizeof end);
+    part.end_fraction = 1.0;
+    m = vbss_rigid_target_motion(&rig.body, &part);
+    assert_memory_equal(&end, &m.pose, sizeof end);
     vbss_system_clear(rig.system);
-    vbss_rigid_assemble(&rig.body, &part, &m, &m.at, rig.system, &rig.blocks);
+    vbss_rigid_assemble(&rig.body, &part, &m, &m.pose, rig.system, &rig.blocks);
     rigid_rig_solve(rig.system); /* no equation */
     expect_near(0.0, vec3_norm(rig.system->solution[rig.blocks.first]), 0.0);
     expect_near(0.0, vec3_norm(rig.system->solution[rig.blocks.first + 1]), 0.0);
@@ -251,9 +254,9 @@ static void blocks_without_room_are_told(void **state)
     vbss_system *system;
     vbss_rigid_blocks blocks;
     expect_ok(vbss_system_create(context, 3, 1, 0, 0, &system));
-    vbss_system_begin(system);
-    expect_ok(vbss_rigid_register(system, VBSS_ROLE_RUN, &blocks));
-    expect_result(VBSS_ERROR_CAPACITY, vbss_rigid_register(system, VBSS_ROLE_RUN, &blocks));
+    vbss_system_begin_pattern(system);
+    expect_ok(vbss_rigid_register(system, VBSS_ROLE_INTERIOR, &blocks));
+    expect_result(VBSS_ERROR_CAPACITY, vbss_rigid_register(system, VBSS_ROLE_INTERIOR, &blocks));
     vbss_system_destroy(context, system);
     harness_context_end(context, &memory);
 }

@@ -9,9 +9,12 @@ static vbss_rigid_mass mass_of(const vbss_rigid_capsule *capsules, uint32_t coun
 {
     vbss_rigid_mass m;
     assert_true(vbss_rigid_mass_of_capsules(capsules, count, &m));
-    vbss_rigid body = {
-        .mass = m.mass, .inertia = m.inertia, .now.at = m.frame, .begin = m.frame, .end = m.frame};
-    assert_true(vbss_rigid_is_sound(&body));
+    vbss_rigid body = {.mass = m.mass,
+                       .inertia = m.inertia,
+                       .now.pose = m.frame,
+                       .target_start = m.frame,
+                       .target_end = m.frame};
+    assert_true(vbss_rigid_is_valid(&body));
     return m;
 }
 

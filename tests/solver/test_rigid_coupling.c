@@ -7,7 +7,7 @@ static rigid_rig rig;
 
 static void begin_tied(double stiffness, double damping)
 {
-    rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
     rig.body.coupling = (vbss_rigid_coupling){stiffness, damping, 1e-3 * stiffness, 1e-3 * damping};
     pose at = {vec3_make(0.1, -0.2, 0.3),
                vbss_quat_from_rotation_vector(vec3_make(0.5, 0.6, -0.7))};
@@ -17,12 +17,13 @@ static void begin_tied(double stiffness, double damping)
 /* How far the body is from the given pose; the turn is short. */
 static vec3 lag(void)
 {
-    return vec3_sub(rig.body.end.position, rig.body.now.at.position);
+    return vec3_sub(rig.body.target_end.position, rig.body.now.pose.position);
 }
 
 static vec3 turning_lag(void)
 {
-    quat q = quat_mul(rig.body.end.orientation, quat_conjugate(rig.body.now.at.orientation));
+    quat q =
+        quat_mul(rig.body.target_end.orientation, quat_conjugate(rig.body.now.pose.orientation));
     return vbss_quat_to_rotation_vector(q);
 }
 
@@ -37,7 +38,7 @@ static void force_and_torque_are_carried_by_the_spring(void **state)
     rigid_rig_steps(&rig, 3000);
     expect_near(0.0, vec3_norm(vec3_add_scaled(lag(), 1.0 / 200.0, rig.force)), 1e-14);
     expect_near(0.0, vec3_norm(vec3_add_scaled(turning_lag(), 1.0 / 0.2, rig.torque)), 1e-13);
-    vbss_rigid_pull pull = vbss_rigid_coupling_pull(&rig.body, &rig.part, &rig.body.now);
+    vbss_rigid_wrench pull = vbss_rigid_coupling_wrench(&rig.body, &rig.part, &rig.body.now);
     expect_near(0.0, vec3_norm(vec3_add(pull.force, rig.force)), 1e-11);
     expect_near(0.0, vec3_norm(vec3_add(pull.torque, rig.torque)), 1e-12);
     rigid_rig_end(&rig);
@@ -51,16 +52,16 @@ static void the_pull_is_what_changed_the_motion(void **state)
     rig.rounds = 8;
     rig.body.now.v = vec3_make(0.1, 0.2, -0.3);
     rig.body.now.w = vec3_make(8.0, -6.0, 7.0);
-    pose end = rig.body.end;
+    pose end = rig.body.target_end;
     for (int i = 0; i < 50; i++) {
         end.position.x += 1e-3;
         end.orientation = quat_mul(vbss_quat_from_rotation_vector(vec3_make(0.004, 0.003, -0.002)),
                                    end.orientation);
         rigid_rig_step(&rig, end);
-        vbss_rigid_pull pull = vbss_rigid_coupling_pull(&rig.body, &rig.part, &rig.body.now);
+        vbss_rigid_wrench pull = vbss_rigid_coupling_wrench(&rig.body, &rig.part, &rig.body.now);
         vec3 gained = vec3_sub(rig.body.now.v, rig.predicted.v);
         vec3 spun = vec3_sub(rig.body.now.w, rig.predicted.w);
-        mat3 inertia = vbss_rigid_world_inertia(&rig.body, rig.predicted.at.orientation);
+        mat3 inertia = vbss_rigid_world_inertia(&rig.body, rig.predicted.pose.orientation);
         vec3 torque = vec3_scale(mat3_mul_vec3(inertia, spun), 1.0 / rig.h);
         expect_near(0.0, vec3_distance(pull.force, vec3_scale(gained, rig.body.mass / rig.h)),
                     1e-9);
@@ -86,19 +87,19 @@ static void swing_errors(double h, double errors[4])
         double own[3] = {0.0, 0.0, 0.0}, start = axis < 0 ? 0.01 : 0.4;
         rig.h = h;
         if (axis < 0) {
-            rig.body.now.at.position.y += start;
+            rig.body.now.pose.position.y += start;
         } else {
             own[axis] = start;
-            vec3 turn = quat_rotate(rig.body.now.at.orientation, vec3_load(own));
-            rig.body.now.at.orientation =
-                quat_mul(vbss_quat_from_rotation_vector(turn), rig.body.now.at.orientation);
+            vec3 turn = quat_rotate(rig.body.now.pose.orientation, vec3_load(own));
+            rig.body.now.pose.orientation =
+                quat_mul(vbss_quat_from_rotation_vector(turn), rig.body.now.pose.orientation);
             rig.body.coupling.turning_damping = 4e-4;
         }
         rigid_rig_steps(&rig, (uint32_t)(0.05 / h + 0.5));
         double mass = axis < 0 ? rig.body.mass : moments[axis];
         double wanted =
             start * damped_swing(mass, axis < 0 ? 50.0 : 0.05, axis < 0 ? 1.0 : 4e-4, 0.05);
-        vec3 turn = quat_rotate_back(rig.body.end.orientation, turning_lag());
+        vec3 turn = quat_rotate_back(rig.body.target_end.orientation, turning_lag());
         const double turns[3] = {turn.x, turn.y, turn.z};
         errors[axis + 1] = fabs((axis < 0 ? lag().y : turns[axis]) + wanted);
         rigid_rig_end(&rig);
@@ -123,12 +124,12 @@ static double oblique_error(double h)
     begin_tied(50.0, 0.4);
     rig.h = h;
     rig.rounds = 6;
-    rig.body.now.at.orientation = quat_identity();
+    rig.body.now.pose.orientation = quat_identity();
     rig.body.now.w = vec3_make(20.0, -10.0, 15.0);
     rig.torque = vec3_make(0.01, 0.02, -0.01);
     vbss_rigid_motion wanted = rigid_fine(&rig.body, rig.torque, 0.1, 20000);
     rigid_rig_steps(&rig, (uint32_t)(0.1 / h + 0.5));
-    double error = rigid_turn(wanted.at.orientation, rig.body.now.at.orientation);
+    double error = rigid_turn(wanted.pose.orientation, rig.body.now.pose.orientation);
     rigid_rig_end(&rig);
     return error;
 }
@@ -148,7 +149,7 @@ static void jerk_about(harness_source *source, const vbss_rigid_coupling *coupli
     rig.body.coupling = *coupling;
     double most = 0.0;
     for (int i = 0; i < 300; i++) {
-        pose end = rig.body.end;
+        pose end = rig.body.target_end;
         if (i < 200) {
             end = rigid_draw_pose(source, 0.01);
         }
@@ -170,7 +171,7 @@ static void stiff_couplings_of_light_bodies_hold_whatever_the_hand_does(void **s
     vbss_random_seed(&source.random, 1, 0);
     for (int i = 0; i < 9; i++) {
         for (uint32_t rounds = 1; rounds <= 2; rounds++) {
-            rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+            rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
             rig.rounds = rounds;
             rig.body.mass = 1e-6;
             rig.body.inertia = moments[i / 3];
@@ -185,15 +186,15 @@ static void stiff_couplings_of_light_bodies_hold_whatever_the_hand_does(void **s
 static void soft_couplings_of_heavy_bodies_hardly_move_them(void **state)
 {
     (void)state;
-    rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
     rig.body.mass = 1e3;
     rig.body.inertia = vec3_make(1e3, 2e3, 2.5e3);
     rig.body.coupling = (vbss_rigid_coupling){1e-3, 1e-6, 1e-3, 1e-6};
-    rig.body.end = pose_make(vec3_make(0.1, 0.0, 0.0),
-                             vbss_quat_from_rotation_vector(vec3_make(0.1, 0.0, 0.0)));
+    rig.body.target_end = pose_make(vec3_make(0.1, 0.0, 0.0),
+                                    vbss_quat_from_rotation_vector(vec3_make(0.1, 0.0, 0.0)));
     rigid_rig_steps(&rig, 1000);
-    expect_near(0.5 * 1e-4 / 1e3, rig.body.now.at.position.x, 2e-10); /* a t^2/2, to h/t */
-    expect_near(0.5 * 1e-4 / 1e3, rig.body.now.at.orientation.x * 2.0, 2e-10);
+    expect_near(0.5 * 1e-4 / 1e3, rig.body.now.pose.position.x, 2e-10); /* a t^2/2, to h/t */
+    expect_near(0.5 * 1e-4 / 1e3, rig.body.now.pose.orientation.x * 2.0, 2e-10);
     rigid_rig_end(&rig);
 }
 

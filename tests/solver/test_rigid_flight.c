@@ -7,9 +7,9 @@ static rigid_rig rig;
 
 static void begin_flying(vec3 w)
 {
-    rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
     rig.body.now.w = w;
-    rig.body.now.at.orientation =
+    rig.body.now.pose.orientation =
         vbss_quat_from_rotation_vector(vec3_make(0.3, -0.8, 0.5)); /* any */
 }
 
@@ -18,11 +18,11 @@ static void begin_flying(vec3 w)
 static void a_body_falls_as_backward_euler_falls(void **state)
 {
     (void)state;
-    rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
     rig.body.gravity = vec3_make(0.0, 0.0, -9.81);
     rig.body.now.v = vec3_make(1.0, 2.0, 3.0);
     rigid_rig_steps(&rig, 1000);
-    vec3 x = rig.body.now.at.position, v = rig.body.now.v;
+    vec3 x = rig.body.now.pose.position, v = rig.body.now.v;
     expect_near(1.0, x.x, 1e-12);
     expect_near(2.0, x.y, 1e-12);
     expect_near(3.0 - 0.5 * 9.81 * 1e-6 * 1000.0 * 1001.0, x.z, 1e-12); /* -g t^2/2 (1 + h/t) */
@@ -68,7 +68,7 @@ static void angular_momentum_stays_over_many_steps(void **state)
             most = fmax(most, vec3_distance(before, after) / vec3_norm(before));
         }
         expect_near(0.0, most, 1e-13);
-        expect_near(0.0, vec3_norm(rig.body.now.at.position), 0.0);
+        expect_near(0.0, vec3_norm(rig.body.now.pose.position), 0.0);
         rigid_rig_end(&rig);
     }
 }
@@ -108,7 +108,7 @@ static double flight_error(double h)
     vbss_rigid_motion wanted = rigid_fine(&rig.body, vec3_zero(), 0.5, 20000);
     rig.h = h;
     rigid_rig_steps(&rig, (uint32_t)(0.5 / h + 0.5));
-    double error = rigid_turn(rig.body.now.at.orientation, wanted.at.orientation);
+    double error = rigid_turn(rig.body.now.pose.orientation, wanted.pose.orientation);
     error = fmax(error, vec3_distance(rig.body.now.w, wanted.w));
     rigid_rig_end(&rig);
     return error;
@@ -134,9 +134,9 @@ static void a_top_precesses_exactly_whichever_axis_is_its_own(void **state)
         moments[axis] = axis == 1 ? 1e-9 : 5e-5; /* also a thin rod */
         rig.body.inertia = vec3_load(moments);
         vec3 momentum = vbss_rigid_angular_momentum(&rig.body, &rig.body.now);
-        vec3 before = quat_rotate(rig.body.now.at.orientation, vec3_load(own));
+        vec3 before = quat_rotate(rig.body.now.pose.orientation, vec3_load(own));
         rigid_rig_steps(&rig, 1000);
-        vec3 after = quat_rotate(rig.body.now.at.orientation, vec3_load(own));
+        vec3 after = quat_rotate(rig.body.now.pose.orientation, vec3_load(own));
         quat turn = vbss_quat_from_rotation_vector(vec3_scale(momentum, 1.0 / 3e-5));
         expect_near(0.0, vec3_distance(quat_rotate(turn, before), after), axis == 1 ? 1e-8 : 1e-11);
         rigid_rig_end(&rig);
@@ -147,11 +147,11 @@ static void a_body_at_rest_stays_there_to_the_bit(void **state)
 {
     (void)state;
     begin_flying(vec3_zero());
-    rig.body.now.at.position = vec3_make(0.1, 0.2, 0.3);
+    rig.body.now.pose.position = vec3_make(0.1, 0.2, 0.3);
     rigid_rig_steps(&rig, 2); /* the orientation is made unit to the bit */
-    pose before = rig.body.now.at;
+    pose before = rig.body.now.pose;
     rigid_rig_steps(&rig, 1000);
-    assert_memory_equal(&before, &rig.body.now.at, sizeof before);
+    assert_memory_equal(&before, &rig.body.now.pose, sizeof before);
     expect_near(0.0, vec3_norm(rig.body.now.v), 0.0);
     expect_near(0.0, vec3_norm(rig.body.now.w), 0.0);
     rigid_rig_end(&rig);
@@ -198,14 +198,14 @@ static void turning_under_a_torque_is_of_first_order(void **state)
 static void a_struck_shaft_does_not_spin_about_its_axis(void **state)
 {
     (void)state;
-    rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
     rig.body.inertia = vec3_make(1e-7, 2.5e-4, 2.5e-4);
     rig.body.now.w = vec3_make(0.0, 10.0, 0.0);
     /* 10 rad/s in one step, across the shaft where it will be. */
     quat there = vbss_quat_from_rotation_vector(vec3_make(0.0, 10.0 * rig.h, 0.0));
     rig.torque = quat_rotate(there, vec3_make(0.0, 0.0, 2.5e-4 * 10.0 / rig.h));
     rigid_rig_steps(&rig, 1);
-    vec3 own = quat_rotate_back(rig.body.now.at.orientation, rig.body.now.w);
+    vec3 own = quat_rotate_back(rig.body.now.pose.orientation, rig.body.now.w);
     expect_near(0.0, own.x, 0.11);
     expect_near(10.0, own.y, 0.01);
     expect_near(10.0, own.z, 0.01);

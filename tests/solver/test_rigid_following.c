@@ -7,7 +7,7 @@ static rigid_rig rig;
 
 static void begin_tied(double stiffness, double damping)
 {
-    rigid_rig_begin(&rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(&rig, VBSS_ROLE_INTERIOR);
     rig.body.coupling = (vbss_rigid_coupling){stiffness, damping, 1e-3 * stiffness, 1e-3 * damping};
     pose at = {vec3_make(0.1, -0.2, 0.3),
                vbss_quat_from_rotation_vector(vec3_make(0.5, 0.6, -0.7))};
@@ -17,12 +17,13 @@ static void begin_tied(double stiffness, double damping)
 /* How far the body is from the given pose; the turn is short. */
 static vec3 lag(void)
 {
-    return vec3_sub(rig.body.end.position, rig.body.now.at.position);
+    return vec3_sub(rig.body.target_end.position, rig.body.now.pose.position);
 }
 
 static vec3 turning_lag(void)
 {
-    quat q = quat_mul(rig.body.end.orientation, quat_conjugate(rig.body.now.at.orientation));
+    quat q =
+        quat_mul(rig.body.target_end.orientation, quat_conjugate(rig.body.now.pose.orientation));
     return vbss_quat_to_rotation_vector(q);
 }
 
@@ -35,8 +36,8 @@ static void a_steady_hand_is_followed_with_the_lag_of_the_drag_alone(void **stat
         begin_tied(100.0, 3.0);
         rig.body.drag = with_drag == 0 ? 0.0 : 40.0;
         rig.body.coupling.turning_damping = 2e-3;
-        vec3 axis = quat_rotate(rig.body.now.at.orientation, vec3_make(0.0, 1.0, 0.0));
-        pose start = rig.body.end;
+        vec3 axis = quat_rotate(rig.body.now.pose.orientation, vec3_make(0.0, 1.0, 0.0));
+        pose start = rig.body.target_end;
         for (int i = 1; i <= 2000;
              i++) { /* 1 m/s, and 5 rad/s about a principal axis: past half a turn */
             vec3 turn = vec3_scale(axis, 5.0 * rig.h * i);
@@ -58,7 +59,7 @@ static void a_hand_that_gains_speed_is_followed_with_the_lag_of_inertia(void **s
 {
     (void)state;
     begin_tied(100.0, 3.0);
-    pose start = rig.body.end, end = start;
+    pose start = rig.body.target_end, end = start;
     for (int i = 1; i <= 1000; i++) {
         double t = rig.h * i;
         end.position = vec3_add_scaled(start.position, 0.5 * 4.0 * t * t, vec3_make(0.6, 0.0, 0.8));
@@ -100,7 +101,7 @@ static vbss_rigid_motion run_in(pose frame, const pose *ends, uint32_t count)
     rig.body.gravity = quat_rotate(q, vec3_make(0.0, 0.0, -9.81));
     rig.force = quat_rotate(q, vec3_make(0.2, 0.1, -0.3));
     rig.torque = quat_rotate(q, vec3_make(0.002, -0.001, 0.003));
-    rigid_rig_place(&rig, pose_mul(frame, rig.body.end));
+    rigid_rig_place(&rig, pose_mul(frame, rig.body.target_end));
     rig.body.now.w = quat_rotate(q, vec3_make(5.0, 6.0, -7.0));
     for (uint32_t i = 0; i < count; i++) {
         rigid_rig_step(&rig, pose_mul(frame, ends[i]));
@@ -122,9 +123,9 @@ static void any_frame(harness_source *source, void *user)
     }
     pose frame = rigid_draw_pose(source, 0.5);
     vbss_rigid_motion plain = run_in(pose_identity(), ends, 100), other = run_in(frame, ends, 100);
-    pose wanted = pose_mul(frame, plain.at);
-    expect_near(0.0, vec3_distance(wanted.position, other.at.position), 1e-12);
-    expect_near(0.0, rigid_turn(wanted.orientation, other.at.orientation), 1e-11);
+    pose wanted = pose_mul(frame, plain.pose);
+    expect_near(0.0, vec3_distance(wanted.position, other.pose.position), 1e-12);
+    expect_near(0.0, rigid_turn(wanted.orientation, other.pose.orientation), 1e-11);
     expect_near(0.0, vec3_distance(quat_rotate(frame.orientation, plain.v), other.v), 1e-10);
     expect_near(0.0, vec3_distance(quat_rotate(frame.orientation, plain.w), other.w), 1e-8);
 }
@@ -142,23 +143,23 @@ static void parts_of_a_step_are_short_steps(void **state)
     pose begin, end = {vec3_make(0.11, -0.19, 0.3),
                        vbss_quat_from_rotation_vector(vec3_make(0.6, 0.7, -0.6))};
     begin_tied(500.0, 1.0);
-    begin = rig.body.end;
+    begin = rig.body.target_end;
     rig.parts = 4;
     rigid_rig_step(&rig, end);
     vbss_rigid_motion wanted = rig.body.now;
     rigid_rig_end(&rig);
     begin_tied(500.0, 1.0);
     rig.h *= 0.25;
-    vbss_rigid_part quarter = {1.0, 0.0, 0.0};
+    vbss_rigid_substep quarter = {1.0, 0.0, 0.0};
     for (int i = 1; i <= 4; i++) {
-        vbss_rigid body = {.begin = begin, .end = end};
-        quarter.end = 0.25 * i;
-        vbss_rigid_motion given = vbss_rigid_given(&body, &quarter);
-        rigid_rig_step(&rig, given.at);
+        vbss_rigid body = {.target_start = begin, .target_end = end};
+        quarter.end_fraction = 0.25 * i;
+        vbss_rigid_motion given = vbss_rigid_target_motion(&body, &quarter);
+        rigid_rig_step(&rig, given.pose);
     }
-    expect_near(0.0, vec3_distance(wanted.at.position, rig.body.now.at.position), 1e-15);
+    expect_near(0.0, vec3_distance(wanted.pose.position, rig.body.now.pose.position), 1e-15);
     expect_near(0.0, vec3_distance(wanted.v, rig.body.now.v), 1e-11);
-    expect_near(0.0, rigid_turn(wanted.at.orientation, rig.body.now.at.orientation), 1e-14);
+    expect_near(0.0, rigid_turn(wanted.pose.orientation, rig.body.now.pose.orientation), 1e-14);
     expect_near(0.0, vec3_distance(wanted.w, rig.body.now.w), 1e-10);
     rigid_rig_end(&rig);
 }

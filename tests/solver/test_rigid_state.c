@@ -38,16 +38,16 @@ static vbss_result load(vbss_rigid *body, const saved *s, bool trusted)
 
 static void begin_moving(rigid_rig *rig)
 {
-    rigid_rig_begin(rig, VBSS_ROLE_RUN);
+    rigid_rig_begin(rig, VBSS_ROLE_INTERIOR);
     rig->rounds = 2;
     rig->body.gravity = vec3_make(1.0, 2.0, -9.0);
     rig->body.drag = 0.5;
     rig->body.coupling = (vbss_rigid_coupling){200.0, 0.3, 0.1, 1e-4};
     rig->body.now.v = vec3_make(0.1, 0.2, 0.3);
     rig->body.now.w = vec3_make(5.0, -6.0, 7.0);
-    rig->body.end = pose_make(vec3_make(0.01, 0.02, 0.03),
-                              vbss_quat_from_rotation_vector(vec3_make(0.1, 0.2, 0.3)));
-    rig->body.begin = rig->body.end;
+    rig->body.target_end = pose_make(vec3_make(0.01, 0.02, 0.03),
+                                     vbss_quat_from_rotation_vector(vec3_make(0.1, 0.2, 0.3)));
+    rig->body.target_start = rig->body.target_end;
     rigid_rig_steps(rig, 20);
 }
 
@@ -91,10 +91,10 @@ static void expect_nonsense(vbss_rigid *body, double *number, double nonsense)
 {
     double kept = *number;
     *number = nonsense;
-    assert_false(vbss_rigid_is_sound(body));
+    assert_false(vbss_rigid_is_valid(body));
     saved s = save(body);
     *number = kept;
-    assert_true(vbss_rigid_is_sound(body));
+    assert_true(vbss_rigid_is_valid(body));
     vbss_rigid other = *body;
     expect_result(VBSS_ERROR_CORRUPT, load(&other, &s, false));
     expect_ok(load(&other, &s, true));
@@ -106,7 +106,7 @@ static void nonsense_is_refused_on_reading(void **state)
     rigid_rig rig;
     begin_moving(&rig);
     vbss_rigid *b = &rig.body;
-    pose *const poses[] = {&b->now.at, &b->begin, &b->end};
+    pose *const poses[] = {&b->now.pose, &b->target_start, &b->target_end};
     vec3 *const vectors[] = {&b->gravity,         &b->now.v,           &b->now.w,
                              &poses[0]->position, &poses[1]->position, &poses[2]->position};
     double *const positive[] = {&b->drag, &b->coupling.stiffness, &b->coupling.damping,
@@ -141,15 +141,15 @@ static void impossible_masses_are_not_sound(void **state)
         double kept = *numbers[i];
         for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
             *numbers[i] = bad[k];
-            assert_false(vbss_rigid_is_sound(&rig.body));
+            assert_false(vbss_rigid_is_valid(&rig.body));
         }
         *numbers[i] = kept;
-        assert_true(vbss_rigid_is_sound(&rig.body));
+        assert_true(vbss_rigid_is_valid(&rig.body));
     }
     rig.body.inertia = vec3_make(1.0, 2.0, 3.0); /* flat: as far as it goes */
-    assert_true(vbss_rigid_is_sound(&rig.body));
+    assert_true(vbss_rigid_is_valid(&rig.body));
     rig.body.inertia.z = 3.001;
-    assert_false(vbss_rigid_is_sound(&rig.body));
+    assert_false(vbss_rigid_is_valid(&rig.body));
     rigid_rig_end(&rig);
 }
 

@@ -97,7 +97,7 @@ static void more_blocks_than_there_is_room_for_are_told(void **state)
     vbss_system *system;
     uint32_t first = 77;
     expect_ok(vbss_system_create(context, 10, 2, 3, 6, &system));
-    vbss_system_begin(system);
+    vbss_system_begin_pattern(system);
     expect_result(VBSS_ERROR_CAPACITY, vbss_system_add_chain(system, 11, &first));
     expect_text(context, "more than 10 blocks");
     expect_result(VBSS_ERROR_CAPACITY, vbss_system_add_chain(system, UINT32_MAX, &first));
@@ -109,7 +109,7 @@ static void more_blocks_than_there_is_room_for_are_told(void **state)
     expect_ok(vbss_system_add_chain(system, 4, &first));
     assert_int_equal(first, 6);
     expect_result(VBSS_ERROR_CAPACITY, vbss_system_add_chain(system, 1, &first));
-    vbss_system_begin(system); /* and all the room is there again */
+    vbss_system_begin_pattern(system); /* and all the room is there again */
     expect_ok(vbss_system_add_chain(system, 10, &first));
     vbss_system_destroy(context, system);
     harness_context_end(context, &memory);
@@ -123,7 +123,7 @@ static void more_couplings_than_there_is_room_for_are_told(void **state)
     vbss_system *system;
     uint32_t first, coupling;
     expect_ok(vbss_system_create(context, 4, 1, 4, 0, &system));
-    vbss_system_begin(system);
+    vbss_system_begin_pattern(system);
     expect_ok(vbss_system_add_chain(system, 4, &first));
     for (uint32_t b = 0; b < 4; b++) { /* a ring */
         expect_ok(vbss_system_couple(system, b, (b + 1) % 4, &coupling));
@@ -131,8 +131,8 @@ static void more_couplings_than_there_is_room_for_are_told(void **state)
     }
     expect_result(VBSS_ERROR_CAPACITY, vbss_system_couple(system, 0, 2, &coupling));
     expect_text(context, "more than 4 couplings");
-    assert_int_equal(coupling, VBSS_NO_COUPLING);     /* what is added to it is swallowed */
-    vbss_system_set_role(system, 2, VBSS_ROLE_GIVEN); /* needs no room */
+    assert_int_equal(coupling, VBSS_NO_COUPLING);          /* what is added to it is swallowed */
+    vbss_system_set_role(system, 2, VBSS_ROLE_PRESCRIBED); /* needs no room */
     expect_ok(vbss_system_couple(system, 0, 2, &coupling));
     assert_int_equal(coupling, VBSS_NO_COUPLING);
     vbss_system_destroy(context, system);
@@ -148,7 +148,7 @@ static void draw_chain(twin *t, uint32_t blocks, uint32_t reach)
     t->reach = reach;
     t->chains = 1;
     for (uint32_t b = 0; b < blocks; b++) {
-        t->roles[b] = VBSS_ROLE_RUN;
+        t->roles[b] = VBSS_ROLE_INTERIOR;
     }
     twin_draw_numbers(t, &source);
 }
@@ -164,7 +164,7 @@ static void more_separators_than_there_is_room_for_are_told_and_fewer_work_again
     }
     expect_result(VBSS_ERROR_CAPACITY, twin_register(t));
     expect_text(t->context, "more than 3 separators");
-    t->roles[6] = VBSS_ROLE_RUN;
+    t->roles[6] = VBSS_ROLE_INTERIOR;
     expect_ok(twin_register(t));
     twin_compare(t);
     twin_end(t);
@@ -179,7 +179,7 @@ static void there_is_never_room_for_more_than_16384_separators(void **state)
     vbss_system *system;
     uint32_t first;
     expect_ok(vbss_system_create(context, MANY, 0, MANY, 0, &system));
-    vbss_system_begin(system);
+    vbss_system_begin_pattern(system);
     expect_ok(vbss_system_add_chain(system, MANY, &first));
     for (uint32_t b = 1; b < MANY; b++) {
         vbss_system_set_role(system, b, VBSS_ROLE_SEPARATOR);

@@ -36,7 +36,7 @@ static void with_contacts(harness_source *source, void *user)
     const twin_roles *kind = user;
     twin *t = &subject;
     begin_with_contacts(t, source, *kind);
-    vbss_system_take_separators(t->system);
+    vbss_system_load_schur_complement(t->system);
     contacts_add(t, source);
     solve_and_compare(t);
     plain_end(&t->plain);
@@ -61,7 +61,7 @@ static void taken_twice(harness_source *source, void *user)
     for (int round = 0; round < 3; round++) {
         plain_end(&t->plain);
         twin_write_plain(t);
-        vbss_system_take_separators(t->system);
+        vbss_system_load_schur_complement(t->system);
         contacts_add(t, source);
         solve_and_compare(t);
     }
@@ -96,7 +96,7 @@ static void rows_of_a_block_are_exchanged_where_its_diagonal_is_empty(void **sta
     expect_ok(twin_register(t));
     twin_write(t);
     assert_true(vbss_system_condense(t->system));
-    vbss_system_take_separators(t->system);
+    vbss_system_load_schur_complement(t->system);
     for (uint32_t b = 0; b < 6; b++) {
         double rhs[3];
         mat3 m = mat3_zero();
@@ -132,7 +132,7 @@ static void thousands_of_separators_are_solved(void **state)
     vbss_random_seed(&source.random, 1, 0);
     uint32_t first, count = 0;
     expect_ok(vbss_system_create(context, ALL, 2, ALL, 40 * ALL, &s));
-    vbss_system_begin(s);
+    vbss_system_begin_pattern(s);
     for (uint32_t i = 0; i < STRANDS; i++) {
         expect_ok(vbss_system_add_chain(s, LENGTH, &first));
     }
@@ -144,7 +144,7 @@ static void thousands_of_separators_are_solved(void **state)
         for (uint32_t i = 0; i < 3; i++) {
             bool along = i == 0 && (b + 1) % LENGTH != 0, beside = i > 0 && others[i] < ALL;
             if (along || beside) {
-                expect_ok(vbss_system_couple_once(s, b, others[i]));
+                expect_ok(vbss_system_couple_separators(s, b, others[i]));
                 ends[count][0] = b;
                 ends[count++][1] = others[i];
             }
@@ -158,22 +158,22 @@ static void thousands_of_separators_are_solved(void **state)
         s->rhs[b] = harness_draw_vec3(&source, -1.0, 1.0);
     }
     assert_true(vbss_system_condense(s));
-    vbss_system_take_separators(s);
+    vbss_system_load_schur_complement(s);
     for (uint32_t c = 0; c < 2 * count; c++) {
         const uint32_t *pair = ends[c / 2];
         vec3 a = harness_draw_vec3(&source, -1.0, 1.0), b = harness_draw_vec3(&source, -1.0, 1.0);
-        block_add(&s->separator_blocks[vbss_system_place(s, pair[c % 2], pair[1 - c % 2])],
+        block_add(&s->separator_blocks[vbss_system_schur_index(s, pair[c % 2], pair[1 - c % 2])],
                   mat3_outer(a, b));
     }
     assert_true(vbss_system_solve(s));
     for (uint32_t b = 0; b < ALL; b++) {
-        const mat3 own = block_mat3(&s->separator_blocks[vbss_system_place(s, b, b)]);
-        defect[b] = vec3_sub(s->separator_rhs[vbss_system_rhs_place(s, b)],
+        const mat3 own = block_mat3(&s->separator_blocks[vbss_system_schur_index(s, b, b)]);
+        defect[b] = vec3_sub(s->separator_rhs[vbss_system_schur_rhs_index(s, b)],
                              mat3_mul_vec3(own, s->solution[b]));
     }
     for (uint32_t c = 0; c < 2 * count; c++) {
         uint32_t row = ends[c / 2][c % 2], column = ends[c / 2][1 - c % 2];
-        const mat3 m = block_mat3(&s->separator_blocks[vbss_system_place(s, row, column)]);
+        const mat3 m = block_mat3(&s->separator_blocks[vbss_system_schur_index(s, row, column)]);
         defect[row] = vec3_sub(defect[row], mat3_mul_vec3(m, s->solution[column]));
     }
     for (uint32_t b = 0; b < ALL; b++) {

@@ -8,8 +8,8 @@
 /* Adds a block whose rows are those of the higher block of the two. */
 static void add_to_coupling(vbss_system *system, uint32_t coupling, const block *b)
 {
-    block *to = &system->numbers[coupling];
-    if (system->couplings[coupling].flipped) {
+    block *to = &system->off_diagonal[coupling];
+    if (system->couplings[coupling].is_transposed) {
         mat3 m = mat3_transpose(block_mat3(b));
         block turned;
         block_set(&turned, m);
@@ -38,7 +38,7 @@ void twin_draw_chains(twin *t, harness_source *source, uint32_t most)
         t->chain_end[t->chains] = begin;
     }
     for (uint32_t b = 0; b < t->blocks; b++) {
-        t->roles[b] = VBSS_ROLE_RUN;
+        t->roles[b] = VBSS_ROLE_INTERIOR;
     }
     t->couplings = 0;
 }
@@ -69,16 +69,16 @@ void twin_draw_roles(twin *t, harness_source *source, twin_roles kind)
         draw_groups(t, source, VBSS_ROLE_SEPARATOR, t->reach);
         break;
     case TWIN_GIVEN:
-        draw_groups(t, source, VBSS_ROLE_GIVEN, 1);
+        draw_groups(t, source, VBSS_ROLE_PRESCRIBED, 1);
         break;
     case TWIN_MIXED:
         draw_groups(t, source, VBSS_ROLE_SEPARATOR, 1);
-        draw_groups(t, source, VBSS_ROLE_GIVEN, 1);
+        draw_groups(t, source, VBSS_ROLE_PRESCRIBED, 1);
         break;
     case TWIN_SEPARATORS:
     case TWIN_ALL_GIVEN:
         for (uint32_t b = 0; b < t->blocks; b++) {
-            t->roles[b] = kind == TWIN_SEPARATORS ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_GIVEN;
+            t->roles[b] = kind == TWIN_SEPARATORS ? VBSS_ROLE_SEPARATOR : VBSS_ROLE_PRESCRIBED;
         }
         break;
     }
@@ -136,8 +136,8 @@ bool twin_is_narrow(const twin *t)
     for (uint32_t c = 0; c < t->couplings; c++) {
         const twin_coupling *k = &t->coupling[c];
         for (uint32_t b = k->low + 1; b < k->high; b++) {
-            if (t->roles[b] == VBSS_ROLE_SEPARATOR && t->roles[k->low] == VBSS_ROLE_RUN &&
-                t->roles[k->high] == VBSS_ROLE_RUN) {
+            if (t->roles[b] == VBSS_ROLE_SEPARATOR && t->roles[k->low] == VBSS_ROLE_INTERIOR &&
+                t->roles[k->high] == VBSS_ROLE_INTERIOR) {
                 return true;
             }
         }
@@ -169,13 +169,13 @@ void twin_end(twin *t)
 
 vbss_result twin_register(twin *t)
 {
-    vbss_system_begin(t->system);
+    vbss_system_begin_pattern(t->system);
     for (uint32_t chain = 0, begin = 0; chain < t->chains; begin = t->chain_end[chain++]) {
         uint32_t first;
         VBSS_TRY(vbss_system_add_chain(t->system, t->chain_end[chain] - begin, &first));
         assert_int_equal(first, begin);
         if (t->keeps_order[chain]) {
-            vbss_system_keep_order(t->system);
+            vbss_system_use_natural_order(t->system);
         }
     }
     for (uint32_t b = 0; b < t->blocks; b++) {
@@ -201,7 +201,7 @@ void twin_write(twin *t)
     for (uint32_t c = 0; c < t->couplings; c++) {
         /* A body writes its couplings, a clear is only sure to empty fill. Then in two parts, which
          * sum to the whole without rounding. */
-        block_set(&t->system->numbers[t->coupling[c].handle], mat3_zero());
+        block_set(&t->system->off_diagonal[t->coupling[c].handle], mat3_zero());
         block_set(&b, mat3_scale(t->coupling[c].m, 0.5));
         add_to_coupling(t->system, t->coupling[c].handle, &b);
         add_to_coupling(t->system, t->coupling[c].handle, &b);
@@ -221,7 +221,7 @@ void twin_write_plain(twin *t)
         plain_add(&t->plain, k->low, k->high, mat3_transpose(k->m));
     }
     for (uint32_t b = 0; b < t->blocks; b++) {
-        if (t->roles[b] == VBSS_ROLE_GIVEN) {
+        if (t->roles[b] == VBSS_ROLE_PRESCRIBED) {
             plain_remove(&t->plain, b);
         }
     }
@@ -229,15 +229,15 @@ void twin_write_plain(twin *t)
 
 block *twin_block(twin *t, uint32_t row, uint32_t column)
 {
-    uint32_t place = vbss_system_place(t->system, row, column);
-    assert_int_not_equal(place, VBSS_NO_PLACE);
+    uint32_t place = vbss_system_schur_index(t->system, row, column);
+    assert_int_not_equal(place, VBSS_NO_INDEX);
     return &t->system->separator_blocks[place];
 }
 
 vec3 *twin_rhs(twin *t, uint32_t row)
 {
-    uint32_t place = vbss_system_rhs_place(t->system, row);
-    assert_int_not_equal(place, VBSS_NO_PLACE);
+    uint32_t place = vbss_system_schur_rhs_index(t->system, row);
+    assert_int_not_equal(place, VBSS_NO_INDEX);
     return &t->system->separator_rhs[place];
 }
 
@@ -246,7 +246,7 @@ bool twin_solve(twin *t)
     if (!vbss_system_condense(t->system)) {
         return false;
     }
-    vbss_system_take_separators(t->system);
+    vbss_system_load_schur_complement(t->system);
     if (!vbss_system_solve(t->system)) {
         return false;
     }
@@ -268,7 +268,7 @@ void twin_compare(twin *t)
     double condition = plain_condition(&t->plain);
     expect_near(0.0, plain_difference(t->plain.n, t->x, t->wanted), 1e-15 * condition);
     for (uint32_t b = 0; b < t->blocks; b++) {
-        for (uint32_t i = 0; i < 3 && t->roles[b] == VBSS_ROLE_GIVEN; i++) {
+        for (uint32_t i = 0; i < 3 && t->roles[b] == VBSS_ROLE_PRESCRIBED; i++) {
             expect_same_bits(0.0, t->x[3 * b + i]);
         }
     }

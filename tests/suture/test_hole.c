@@ -187,16 +187,16 @@ static void its_row_ties_across_and_slides_along(void **state)
     const suture_hole hole = some_hole();
     const suture_place now = some_place();
     const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5); /* across */
-    contact_row row = {
-        .bilateral = true, .sleeve = true, .least = 1e3, .gap = 5.0, .friction = 5.0};
-    row.from = now.arc - 1e-6; /* the tip has gone on by 1 um */
+    contact_constraint row = {
+        .is_bilateral = true, .is_sleeve = true, .yield_force = 1e3, .gap = 5.0, .friction = 5.0};
+    row.start_arc_length = now.arc - 1e-6; /* the tip has gone on by 1 um */
     vbss_hole_lay_row(&hole, &f.d->config, &now, vec3_sub(now.point, off), 2e-3, &row);
     double k = f.d->config.hole_stiffness;
     expect_near(0.0, vec3_distance(row.normal, now.tangent), 0.0);
-    expect_near(0.0, vec3_distance(row.turn, now.turn), 0.0);
+    expect_near(0.0, vec3_distance(row.curvature, now.turn), 0.0);
     expect_near(0.0, row.gap + row.friction, 0.0);
     expect_near(k, row.stiffness, 0.0);
-    expect_near(f.d->config.hole_damping / 2e-3, row.beyond, 1e-9);
+    expect_near(f.d->config.hole_damping / 2e-3, row.viscous_stiffness, 1e-9);
     const vec3 force = vbss_contact_force(&row, vec3_zero());
     expect_near(hole.held - k * 1e-6, vec3_dot(row.normal, force), 1e-9);
     expect_near(0.0,
@@ -216,13 +216,16 @@ static void what_was_found_is_kept(void **state)
         suture_hole hole = some_hole();
         const suture_place now = some_place();
         const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5);
-        contact_row row = {.bilateral = true, .sleeve = true, .least = 0.1, .grip = {0.2, 0.5}};
-        row.from = now.arc - sign * 1e-3;
+        contact_constraint row = {.is_bilateral = true,
+                                  .is_sleeve = true,
+                                  .yield_force = 0.1,
+                                  .yield_friction = {0.2, 0.5}};
+        row.start_arc_length = now.arc - sign * 1e-3;
         vbss_hole_lay_row(&hole, &f.d->config, &now, vec3_sub(now.point, off), 1e-3, &row);
         vbss_hole_keep(&hole, &row);
         double k = row.stiffness, most = 0.1 + (sign > 0 ? 0.2 : 0.5) * k * vec3_norm(off);
         double trial = fabs(-0.75 - sign * k * 1e-3);
-        double wanted = most + row.beyond * (trial - most) / (k + row.beyond);
+        double wanted = most + row.viscous_stiffness * (trial - most) / (k + row.viscous_stiffness);
         assert_true(wanted > most + 0.01);
         expect_near(-sign * wanted, hole.held, 1e-9);
         expect_near(0.0, vec3_distance(hole.across, vec3_scale(off, -k)), 1e-9);

@@ -204,9 +204,9 @@ static void forces_go_on_evenly(harness_source *source, void *user)
     const vec3 point = vbss_hole_point(&hole, f->d, f->d->x);
     const suture_place now = vbss_suture_nearest(&line, hole.arc, point);
     const hole_bound bound = vbss_hole_bound(&hole, &f->d->config, &line, &now);
-    contact_row row = {.bilateral = true, .sleeve = true, .from = now.arc};
+    contact_constraint row = {.is_bilateral = true, .is_sleeve = true, .start_arc_length = now.arc};
     vbss_hole_lay_row(&hole, &f->d->config, &now, point, 1e-3, &row);
-    row.least = bound.least;
+    row.yield_force = bound.least;
     vec3 force = vbss_contact_force(&row, vec3_zero());
     expect_near(0.0, vec3_distance(force, tip.force), 1e-9);
     expect_near(0.0, vec3_distance(hole.across, aside), 1e-12);

@@ -6,19 +6,19 @@ bool vbss_system_condense(vbss_system *system)
     if (!VBSS_WIDE_CALL(system->wide, vbss_system_condense, system)) {
         return false;
     }
-    vbss_system_keep_separators(system);
+    vbss_system_store_schur_complement(system);
     return true;
 }
 
 void vbss_system_condense_rhs(vbss_system *system)
 {
     VBSS_WIDE_CALL(system->wide, vbss_system_condense_rhs, system);
-    vbss_system_keep_separator_rhs(system);
+    vbss_system_store_schur_rhs(system);
 }
 
-void vbss_system_return_to_runs(vbss_system *system)
+void vbss_system_back_substitute_interior(vbss_system *system)
 {
-    VBSS_WIDE_CALL(system->wide, vbss_system_return_to_runs, system);
+    VBSS_WIDE_CALL(system->wide, vbss_system_back_substitute_interior, system);
 }
 
 bool vbss_system_solve_separators(vbss_system *system)

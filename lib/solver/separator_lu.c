@@ -7,24 +7,24 @@
 
 /* ---- 3x3 with row exchanges */
 
-typedef struct pivoted {
+typedef struct pivoted_lu {
     double l10, l20, l21, u01, u02, u12;
     double inverse[3]; /* of U's diagonal */
     int row[3];        /* where each row came from */
-} pivoted;
+} pivoted_lu;
 
 static inline double largest_of(const block *a)
 {
-    lanes most = lanes_max(lanes_abs(a->column[0]), lanes_abs(a->column[1]));
-    most = lanes_max(most, lanes_abs(a->column[2]));
-    double x = lanes_at(most, 0), y = lanes_at(most, 1), z = lanes_at(most, 2);
+    lanes largest = lanes_max(lanes_abs(a->column[0]), lanes_abs(a->column[1]));
+    largest = lanes_max(largest, lanes_abs(a->column[2]));
+    double x = lanes_at(largest, 0), y = lanes_at(largest, 1), z = lanes_at(largest, 2);
     double xy = x > y ? x : y;
     return xy > z ? xy : z;
 }
 
 /* Rows i, j, k: the first is chosen by the first column, the second by what is left of the second. Pivots
  * are compared so that NaN fails. */
-static bool factor(const block *a, pivoted *p)
+static bool factor_pivot(const block *a, pivoted_lu *p)
 {
     double smallest = SMALLEST_PIVOT * largest_of(a), c0[LANES], c1[LANES], c2[LANES];
     lanes_store(c0, a->column[0]);
@@ -64,7 +64,7 @@ static bool factor(const block *a, pivoted *p)
 }
 
 /* D^-1 of rows, each of them lanes. */
-static inline void solve_rows(const pivoted *p, block *rows)
+static inline void solve_rows(const pivoted_lu *p, block *rows)
 {
     lanes y0 = rows->column[p->row[0]];
     lanes y1 = lanes_sub(rows->column[p->row[1]], lanes_scale(p->l10, y0));
@@ -77,7 +77,7 @@ static inline void solve_rows(const pivoted *p, block *rows)
     rows->column[2] = z;
 }
 
-static inline lanes solve_vector(const pivoted *p, lanes b)
+static inline lanes solve_vector(const pivoted_lu *p, lanes b)
 {
     double in[LANES];
     lanes_store(in, b);
@@ -93,7 +93,7 @@ static inline lanes solve_vector(const pivoted *p, lanes b)
 /* ---- products */
 
 /* column j of to -= sum over i of m[i][j] times column i of from */
-static inline void subtract_product(block *to, const block *from, const block_spread *f)
+static inline void subtract_product(block *to, const block *from, const block_broadcast *f)
 {
     lanes a = from->column[0], b = from->column[1], c = from->column[2];
     for (int j = 0; j < 3; j++) {
@@ -126,15 +126,15 @@ static inline void copy_block(block *to, const block *from)
 static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
 {
     for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
-        e->entry_in[e->rows[f]] = f;
+        e->entry_of_row[e->rows[f]] = f;
         for (int i = 0; i < 3; i++) {
             e->lower[f].column[i] = e->upper[f].column[i] = lanes_splat(0.0);
         }
     }
     for (uint32_t p = e->pair_start[k]; p < e->pair_start[k + 1]; p++) {
-        uint32_t f = e->entry_in[e->pairs[p].row];
-        copy_block(&e->lower[f], &s->separator_blocks[e->pairs[p].place]);
-        block_transpose(&e->upper[f], &s->separator_blocks[e->pairs[p].place ^ 1u]);
+        uint32_t f = e->entry_of_row[e->pairs[p].row];
+        copy_block(&e->lower[f], &s->separator_blocks[e->pairs[p].schur_index]);
+        block_transpose(&e->upper[f], &s->separator_blocks[e->pairs[p].schur_index ^ 1u]);
     }
 }
 
@@ -142,17 +142,17 @@ static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
  * column's entries behind its entry in row k. */
 static void subtract_column(vbss_elimination *e, uint32_t from, uint32_t end)
 {
-    const block_spread below = block_spread_out(&e->upper[from - 1]);
+    const block_broadcast below = block_make_broadcast(&e->upper[from - 1]);
     for (uint32_t f = from; f < end; f++) {
-        subtract_product(&e->lower[e->entry_in[e->rows[f]]], &e->lower[f], &below);
+        subtract_product(&e->lower[e->entry_of_row[e->rows[f]]], &e->lower[f], &below);
     }
-    const block_spread right = block_spread_out(&e->lower[from - 1]);
+    const block_broadcast right = block_make_broadcast(&e->lower[from - 1]);
     for (uint32_t f = from; f < end; f++) {
-        subtract_product(&e->upper[e->entry_in[e->rows[f]]], &e->upper[f], &right);
+        subtract_product(&e->upper[e->entry_of_row[e->rows[f]]], &e->upper[f], &right);
     }
 }
 
-static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
+static bool factor_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
 {
     uint32_t separator = e->order[k];
     block diagonal;
@@ -160,14 +160,14 @@ static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
     lanes rhs = lanes_from(s->separator_rhs[separator]);
     load_column(s, e, k);
     for (uint32_t r = e->row_start[k]; r < e->row_start[k + 1]; r++) {
-        uint32_t column = e->earlier[r].column, f = e->earlier[r].entry;
-        const block_spread u = block_spread_out(&e->upper[f]);
+        uint32_t column = e->row_entries[r].column, f = e->row_entries[r].entry;
+        const block_broadcast u = block_make_broadcast(&e->upper[f]);
         subtract_product(&diagonal, &e->lower[f], &u);
         rhs = minus_times(rhs, &e->lower[f], e->x[column]);
         subtract_column(e, f + 1, e->column_start[column + 1]);
     }
-    pivoted p;
-    if (!factor(&diagonal, &p)) {
+    pivoted_lu p;
+    if (!factor_pivot(&diagonal, &p)) {
         return false;
     }
     e->x[k] = solve_vector(&p, rhs);
@@ -180,7 +180,7 @@ static bool eliminate(const vbss_system *s, vbss_elimination *e, uint32_t k)
 /* ---- the whole */
 
 /* Sums of products lane by lane; added up in one written order at the end. */
-static lanes return_to(const vbss_elimination *e, uint32_t k)
+static lanes back_substitute(const vbss_elimination *e, uint32_t k)
 {
     lanes sums[3] = {lanes_splat(0.0), lanes_splat(0.0), lanes_splat(0.0)};
     for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
@@ -199,16 +199,16 @@ static lanes return_to(const vbss_elimination *e, uint32_t k)
 bool VBSS_WIDE_NAME(vbss_system_solve_separators)(vbss_system *s)
 {
     vbss_elimination *e = &s->elimination;
-    uint32_t count = s->active_count - s->run_count;
+    uint32_t count = s->unknown_count - s->interior_count;
     for (uint32_t k = 0; k < count; k++) {
-        if (!eliminate(s, e, k)) {
+        if (!factor_column(s, e, k)) {
             s->tiny_pivots++;
             return false;
         }
     }
     for (uint32_t k = count; k > 0; k--) {
-        e->x[k - 1] = return_to(e, k - 1);
-        s->solution[s->order[s->run_count + e->order[k - 1]]] = lanes_vec3(e->x[k - 1]);
+        e->x[k - 1] = back_substitute(e, k - 1);
+        s->solution[s->order[s->interior_count + e->order[k - 1]]] = lanes_vec3(e->x[k - 1]);
     }
     return true;
 }

@@ -16,46 +16,46 @@ typedef struct run {
     bool separator_before, separator_after;
 } run;
 
-static void place_block(vbss_system *s, uint32_t b)
+static void append_interior(vbss_system *s, uint32_t b)
 {
-    if (s->roles[b] == VBSS_ROLE_RUN) {
-        s->order[s->active_count] = b;
-        s->place[b] = s->active_count++;
+    if (s->roles[b] == VBSS_ROLE_INTERIOR) {
+        s->order[s->unknown_count] = b;
+        s->position[b] = s->unknown_count++;
     }
 }
 
-static void place_run(vbss_system *s, run r)
+static void append_run(vbss_system *s, run r)
 {
     if (r.separator_after) {
         for (uint32_t b = r.first; b <= r.last; b++) {
-            place_block(s, b);
+            append_interior(s, b);
         }
     } else if (r.separator_before) {
         for (uint32_t b = r.last + 1; b > r.first; b--) {
-            place_block(s, b - 1);
+            append_interior(s, b - 1);
         }
     } else {
         uint32_t low = r.first, high = r.last;
         for (; low < high; low++, high--) {
-            place_block(s, low);
-            place_block(s, high);
+            append_interior(s, low);
+            append_interior(s, high);
         }
         if (low == high) {
-            place_block(s, low);
+            append_interior(s, low);
         }
     }
 }
 
-static void order_runs(vbss_system *s)
+static void append_interiors(vbss_system *s)
 {
     uint32_t begin = 0;
-    s->active_count = 0;
+    s->unknown_count = 0;
     for (uint32_t chain = 0; chain < s->chain_count; chain++) {
         uint32_t end = s->chain_ends[chain];
         bool before = false;
-        if (s->chain_ordered[chain]) {
+        if (s->chain_uses_natural_order[chain]) {
             for (uint32_t b = begin; b < end; b++) {
-                place_block(s, b);
+                append_interior(s, b);
             }
             begin = end;
             continue;
@@ -70,24 +70,24 @@ static void order_runs(vbss_system *s)
                 r.last++;
             }
             r.separator_after = r.last + 1 < end;
-            place_run(s, r);
+            append_run(s, r);
             b = r.last;
         }
         begin = end;
     }
-    s->run_count = s->active_count;
+    s->interior_count = s->unknown_count;
 }
 
-static vbss_result order_separators(vbss_system *s)
+static vbss_result append_separators(vbss_system *s)
 {
     for (uint32_t b = 0; b < s->block_count; b++) {
         if (s->roles[b] == VBSS_ROLE_SEPARATOR) {
-            if (s->active_count - s->run_count == s->separator_capacity) {
+            if (s->unknown_count - s->interior_count == s->separator_capacity) {
                 return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separators",
                                  s->separator_capacity);
             }
-            s->order[s->active_count] = b;
-            s->place[b] = s->active_count++;
+            s->order[s->unknown_count] = b;
+            s->position[b] = s->unknown_count++;
         }
     }
     return VBSS_OK;
@@ -108,45 +108,45 @@ typedef struct symbolic {
     uint32_t *child, *sibling;
     /* The same of those that wait here: they are where they have the entry `at`, and what eliminating them changes in
      * columns from here on goes to `product`. */
-    uint32_t *waiting, *next, *at, *product;
-    uint32_t *like;            /* the column whose products follow there; VBSS_NO_PLACE: none */
-    uint64_t *bits, *own_bits; /* rows; of them, those that bodies couple */
-    uint32_t *index;           /* row -> of its numbers */
+    uint32_t *pending, *next, *next_entry, *next_product;
+    uint32_t *product_source;      /* the column whose products follow there; VBSS_NO_INDEX: none */
+    uint64_t *bits, *coupled_bits; /* rows; of them, those that bodies couple */
+    uint32_t *index;               /* row -> of its numbers */
     uint32_t last_word, fill, products;
 } symbolic;
 
 static symbolic begin_symbolic(vbss_system *s)
 {
-    size_t n = s->block_capacity, words = s->active_count / BITS_PER_WORD + 1;
-    uint32_t *of = s->lists;
-    symbolic y = {.couplings = of,
-                  .child = of + n,
-                  .waiting = of + 2 * n,
-                  .sibling = of + 3 * n,
-                  .next = of + 4 * n,
-                  .at = of + 5 * n,
-                  .product = of + 6 * n,
-                  .index = of + 7 * n,
-                  .like = of + 8 * n,
+    size_t n = s->block_capacity, words = s->unknown_count / BITS_PER_WORD + 1;
+    uint32_t *scratch = s->symbolic_scratch;
+    symbolic y = {.couplings = scratch,
+                  .child = scratch + n,
+                  .pending = scratch + 2 * n,
+                  .sibling = scratch + 3 * n,
+                  .next = scratch + 4 * n,
+                  .next_entry = scratch + 5 * n,
+                  .next_product = scratch + 6 * n,
+                  .index = scratch + 7 * n,
+                  .product_source = scratch + 8 * n,
                   .bits = s->row_bits,
-                  .own_bits = s->row_bits + words,
-                  .fill = s->own_count + 1};
-    memset(y.couplings, 0, s->active_count * sizeof *y.couplings);
-    memset(y.child, 0, s->active_count * sizeof *y.child);
-    memset(y.waiting, 0, s->active_count * sizeof *y.waiting);
+                  .coupled_bits = s->row_bits + words,
+                  .fill = s->body_coupling_count + 1};
+    memset(y.couplings, 0, s->unknown_count * sizeof *y.couplings);
+    memset(y.child, 0, s->unknown_count * sizeof *y.child);
+    memset(y.pending, 0, s->unknown_count * sizeof *y.pending);
     memset(y.bits, 0, 2 * words * sizeof *y.bits);
-    for (uint32_t c = s->own_count; c > 0; c--) {
+    for (uint32_t c = s->body_coupling_count; c > 0; c--) {
         vbss_coupling *coupling = &s->couplings[c];
-        uint32_t high = s->place[coupling->high], low = s->place[coupling->low];
+        uint32_t high = s->position[coupling->high], low = s->position[coupling->low];
         uint32_t column = high < low ? high : low;
-        coupling->flipped = column == high;
+        coupling->is_transposed = column == high;
         coupling->next = y.couplings[column];
         y.couplings[column] = c;
     }
     return y;
 }
 
-static inline void reach_row(symbolic *y, uint32_t row)
+static inline void extend_to_row(symbolic *y, uint32_t row)
 {
     y->last_word = row / BITS_PER_WORD > y->last_word ? row / BITS_PER_WORD : y->last_word;
 }
@@ -155,12 +155,12 @@ static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
 {
     y->last_word = k / BITS_PER_WORD;
     for (uint32_t c = y->couplings[k]; c != VBSS_NO_COUPLING; c = s->couplings[c].next) {
-        uint32_t high = s->place[s->couplings[c].high], low = s->place[s->couplings[c].low];
+        uint32_t high = s->position[s->couplings[c].high], low = s->position[s->couplings[c].low];
         uint32_t row = high > low ? high : low;
         y->bits[row / BITS_PER_WORD] |= bit_of(row);
-        y->own_bits[row / BITS_PER_WORD] |= bit_of(row);
+        y->coupled_bits[row / BITS_PER_WORD] |= bit_of(row);
         y->index[row] = c;
-        reach_row(y, row);
+        extend_to_row(y, row);
     }
 }
 
@@ -168,48 +168,48 @@ static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
 static void add_rows_of(const vbss_system *s, symbolic *y, uint32_t first, const uint32_t *next)
 {
     for (uint32_t listed = first; listed != 0; listed = next[listed - 1]) {
-        const vbss_entry *e = s->entries + y->at[listed - 1] + 1;
+        const vbss_entry *e = s->entries + y->next_entry[listed - 1] + 1;
         const vbss_entry *end = s->entries + s->column_start[listed];
         uint64_t *bits = y->bits;
         for (; e < end; e++) {
             bits[e->row / BITS_PER_WORD] |= bit_of(e->row);
         }
-        reach_row(y, end[-1].row); /* they ascend */
+        extend_to_row(y, end[-1].row); /* they ascend */
     }
 }
 
 /* Takes the rows ascending, counted from `from`, and gives numbers to fill. Returns how many there were: when more than
  * there is room for, these are not there. */
 static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *entries,
-                          uint32_t room)
+                          uint32_t capacity)
 {
     uint32_t count = 0;
     for (uint32_t w = k / BITS_PER_WORD; w <= y->last_word; w++) {
-        uint64_t own = y->own_bits[w];
+        uint64_t coupled = y->coupled_bits[w];
         for (uint64_t bits = y->bits[w]; bits != 0; bits &= bits - 1) {
             uint32_t row = w * BITS_PER_WORD + lowest_bit(bits);
-            bool filled = (own & bit_of(row)) == 0;
-            uint32_t index = filled ? y->fill : y->index[row];
-            y->fill += filled;
+            bool is_fill = (coupled & bit_of(row)) == 0;
+            uint32_t index = is_fill ? y->fill : y->index[row];
+            y->fill += is_fill;
             y->index[row] = index;
-            if (count < room) {
+            if (count < capacity) {
                 entries[count] = (vbss_entry){row - from, index};
             }
             count++;
         }
-        y->bits[w] = y->own_bits[w] = 0;
+        y->bits[w] = y->coupled_bits[w] = 0;
     }
     return count;
 }
 
 /* A column of a run waits where it has its next entry. */
-static void hang(const vbss_system *s, symbolic *y, uint32_t column)
+static void add_to_pending(const vbss_system *s, symbolic *y, uint32_t column)
 {
-    uint32_t at = y->at[column];
-    if (at < s->column_start[column + 1]) {
-        uint32_t row = s->entries[at].row;
-        y->next[column] = y->waiting[row];
-        y->waiting[row] = column + 1;
+    uint32_t next_entry = y->next_entry[column];
+    if (next_entry < s->column_start[column + 1]) {
+        uint32_t row = s->entries[next_entry].row;
+        y->next[column] = y->pending[row];
+        y->pending[row] = column + 1;
     }
 }
 
@@ -218,35 +218,35 @@ static void hang(const vbss_system *s, symbolic *y, uint32_t column)
 static void list_products(vbss_system *s, symbolic *y, uint32_t k, uint32_t rows)
 {
     const uint32_t *index = y->index;
-    for (uint32_t waiting = y->waiting[k], next; waiting != 0; waiting = next) {
-        uint32_t column = waiting - 1;
-        uint32_t *product = s->products + y->product[column];
-        const vbss_entry *e = s->entries + ++y->at[column];
-        const vbss_entry *end = s->entries + s->column_start[waiting];
+    for (uint32_t pending = y->pending[k], next; pending != 0; pending = next) {
+        uint32_t column = pending - 1;
+        uint32_t *product = s->products + y->next_product[column];
+        const vbss_entry *e = s->entries + ++y->next_entry[column];
+        const vbss_entry *end = s->entries + s->column_start[pending];
         next = y->next[column];
         if ((uint32_t)(end - e) == rows) {
-            y->like[column] = k;
+            y->product_source[column] = k;
             continue;
         }
-        y->product[column] += (uint32_t)(end - e);
+        y->next_product[column] += (uint32_t)(end - e);
         for (; e < end; e++) {
             *product++ = index[e->row];
         }
-        hang(s, y, column);
+        add_to_pending(s, y, column);
     }
 }
 
 /* Of columns that are like a later one from somewhere on: those that it is like itself come first. */
 static void copy_products(vbss_system *s, const symbolic *y)
 {
-    for (uint32_t column = s->run_count; column > 0; column--) {
-        uint32_t k = y->like[column - 1];
-        if (k == VBSS_NO_PLACE) {
+    for (uint32_t column = s->interior_count; column > 0; column--) {
+        uint32_t k = y->product_source[column - 1];
+        if (k == VBSS_NO_INDEX) {
             continue;
         }
         uint32_t rows = s->column_start[k + 1] - s->column_start[k];
         const vbss_entry *e = s->entries + s->column_start[k];
-        uint32_t *product = s->products + y->product[column - 1];
+        uint32_t *product = s->products + y->next_product[column - 1];
         for (uint32_t i = 0; i < rows; i++) {
             *product++ = e[i].index;
         }
@@ -255,25 +255,25 @@ static void copy_products(vbss_system *s, const symbolic *y)
     }
 }
 
-static void become_child(const vbss_system *s, symbolic *y, uint32_t column)
+static void link_to_parent(const vbss_system *s, symbolic *y, uint32_t column)
 {
     uint32_t begin = s->column_start[column];
-    y->at[column] = begin;
+    y->next_entry[column] = begin;
     if (begin < s->column_start[column + 1]) {
         uint32_t parent = s->entries[begin].row;
         y->sibling[column] = y->child[parent];
         y->child[parent] = column + 1;
     }
-    hang(s, y, column);
+    add_to_pending(s, y, column);
 }
 
-static vbss_result find_run_column(vbss_system *s, symbolic *y, uint32_t k)
+static vbss_result analyse_interior_column(vbss_system *s, symbolic *y, uint32_t k)
 {
-    uint32_t begin = s->column_start[k], room = s->entry_capacity - begin;
+    uint32_t begin = s->column_start[k], capacity = s->entry_capacity - begin;
     add_coupled(s, y, k);
     add_rows_of(s, y, y->child[k], y->sibling);
-    uint32_t rows = list_rows(y, k, 0, s->entries + begin, room);
-    if (rows > room) {
+    uint32_t rows = list_rows(y, k, 0, s->entries + begin, capacity);
+    if (rows > capacity) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u blocks of factor",
                          s->entry_capacity);
     }
@@ -283,62 +283,62 @@ static vbss_result find_run_column(vbss_system *s, symbolic *y, uint32_t k)
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u products",
                          s->product_capacity);
     }
-    s->product_start[k] = y->product[k] = y->products;
+    s->product_start[k] = y->next_product[k] = y->products;
     y->products += (uint32_t)products;
-    y->like[k] = VBSS_NO_PLACE;
+    y->product_source[k] = VBSS_NO_INDEX;
     list_products(s, y, k, rows);
-    become_child(s, y, k);
+    link_to_parent(s, y, k);
     return VBSS_OK;
 }
 
 /* A separator's column as condensing leaves it: separators are not eliminated here, so all that meet it are asked. */
-static vbss_result find_joins(vbss_system *s, symbolic *y, uint32_t separator)
+static vbss_result analyse_schur_column(vbss_system *s, symbolic *y, uint32_t separator)
 {
-    uint32_t k = s->run_count + separator;
-    uint32_t begin = s->join_start[separator], room = s->pair_capacity - begin;
+    uint32_t k = s->interior_count + separator;
+    uint32_t begin = s->schur_column_start[separator], capacity = s->pair_capacity - begin;
     add_coupled(s, y, k);
-    add_rows_of(s, y, y->waiting[k], y->next);
-    uint32_t rows = list_rows(y, k, s->run_count, s->joins + begin, room);
-    if (rows > room) {
+    add_rows_of(s, y, y->pending[k], y->next);
+    uint32_t rows = list_rows(y, k, s->interior_count, s->schur_pattern + begin, capacity);
+    if (rows > capacity) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "system: more than %u separator pairs",
                          s->pair_capacity);
     }
-    s->join_start[separator + 1] = begin + rows;
-    list_products(s, y, k, VBSS_NO_PLACE);
+    s->schur_column_start[separator + 1] = begin + rows;
+    list_products(s, y, k, VBSS_NO_INDEX);
     return VBSS_OK;
 }
 
 /* All that couplings of couple_once do not change. */
 static vbss_result analyse_bodies(vbss_system *s)
 {
-    order_runs(s);
-    VBSS_TRY(order_separators(s));
+    append_interiors(s);
+    VBSS_TRY(append_separators(s));
     symbolic y = begin_symbolic(s);
-    s->column_start[0] = s->join_start[0] = 0;
+    s->column_start[0] = s->schur_column_start[0] = 0;
     uint32_t k = 0, *fill_end = s->fill_ends;
     for (uint32_t chain = 0; chain < s->chain_count; chain++) {
-        for (; k < s->run_count && s->chain_of[s->order[k]] == chain; k++) {
-            VBSS_TRY(find_run_column(s, &y, k));
+        for (; k < s->interior_count && s->chain_of[s->order[k]] == chain; k++) {
+            VBSS_TRY(analyse_interior_column(s, &y, k));
         }
-        *fill_end++ = y.fill - (s->own_count + 1);
+        *fill_end++ = y.fill - (s->body_coupling_count + 1);
     }
     s->separator_first_entry = s->column_start[k];
     for (uint32_t chain = 0; chain < s->chain_count; chain++) {
-        for (; k < s->active_count && s->chain_of[s->order[k]] == chain; k++) {
-            VBSS_TRY(find_joins(s, &y, k - s->run_count));
+        for (; k < s->unknown_count && s->chain_of[s->order[k]] == chain; k++) {
+            VBSS_TRY(analyse_schur_column(s, &y, k - s->interior_count));
         }
-        *fill_end++ = y.fill - (s->own_count + 1);
+        *fill_end++ = y.fill - (s->body_coupling_count + 1);
     }
     copy_products(s, &y);
-    s->fill_count = y.fill - (s->own_count + 1);
+    s->fill_count = y.fill - (s->body_coupling_count + 1);
     return VBSS_OK;
 }
 
 vbss_result vbss_system_analyse(vbss_system *s)
 {
-    if (!s->bodies_known) {
+    if (!s->has_body_pattern) {
         VBSS_TRY(analyse_bodies(s));
-        s->bodies_known = true;
+        s->has_body_pattern = true;
     }
     return vbss_system_order_separators(s);
 }

@@ -43,7 +43,7 @@ static inline lanes minus_three(lanes a, lanes s0, lanes v0, lanes s1, lanes v1,
 
 /* The block at the crossing of two rows: to -= left scaled^T, with left = A L^-T of the one row and
  * scaled = A L^-T D^-1 of the other. */
-static inline void subtract_product(block *to, const block_spread *left, const block *scaled)
+static inline void subtract_product(block *to, const block_broadcast *left, const block *scaled)
 {
     lanes a = scaled->column[0], b = scaled->column[1], c = scaled->column[2];
     for (int i = 0; i < 3; i++) {
@@ -81,7 +81,7 @@ static inline void subtract_rhs(vec3 *rhs, const block *scaled, vec3 y)
     *rhs = lanes_vec3(r);
 }
 
-static inline void condense_rhs_of(vbss_system *s, uint32_t k)
+static inline void condense_rhs_column(vbss_system *s, uint32_t k)
 {
     vbss_pivot *pivot = &s->pivots[k];
     pivot->y = reduce_rhs(s->rhs[s->order[k]], pivot);
@@ -93,11 +93,11 @@ static inline void condense_rhs_of(vbss_system *s, uint32_t k)
 
 bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
 {
-    for (uint32_t k = 0; k < s->run_count; k++) {
+    for (uint32_t k = 0; k < s->interior_count; k++) {
         uint32_t b = s->order[k];
         vbss_pivot *pivot = &s->pivots[k];
-        if (s->chain_kept[s->chain_of[b]]) {
-            condense_rhs_of(s, k);
+        if (s->chain_reuses_factor[s->chain_of[b]]) {
+            condense_rhs_column(s, k);
             continue;
         }
         if (!factor_pivot(&s->diagonal[b], pivot)) {
@@ -110,17 +110,17 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
         const vbss_entry *end = s->entries + s->column_start[k + 1];
         const uint32_t *product = s->products + s->product_start[k];
         for (const vbss_entry *e = begin; e < end; e++) {
-            scale_entry(&s->numbers[e->index], &s->scaled[e->index], pivot);
+            scale_entry(&s->off_diagonal[e->index], &s->scaled[e->index], pivot);
         }
         for (const vbss_entry *q = begin; q < end; q++) {
             /* taken once: for all that compilers know, what is subtracted from may be it */
-            const block_spread left = block_spread_out(&s->numbers[q->index]);
+            const block_broadcast left = block_make_broadcast(&s->off_diagonal[q->index]);
             uint32_t row = s->order[q->row];
             const block *z = &s->scaled[q->index];
             subtract_product(&s->diagonal[row], &left, z);
             subtract_rhs(&s->rhs[row], z, pivot->y);
             for (const vbss_entry *p = q + 1; p < end; p++) {
-                subtract_product(&s->numbers[*product++], &left, &s->scaled[p->index]);
+                subtract_product(&s->off_diagonal[*product++], &left, &s->scaled[p->index]);
             }
         }
     }
@@ -129,8 +129,8 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
 
 void VBSS_WIDE_NAME(vbss_system_condense_rhs)(vbss_system *s)
 {
-    for (uint32_t k = 0; k < s->run_count; k++) {
-        condense_rhs_of(s, k);
+    for (uint32_t k = 0; k < s->interior_count; k++) {
+        condense_rhs_column(s, k);
     }
 }
 
@@ -140,9 +140,9 @@ static inline double dot_lanes(lanes a, vec3 b)
 }
 
 /* Increments of the run blocks, last eliminated first, once those of the separators stand. */
-void VBSS_WIDE_NAME(vbss_system_return_to_runs)(vbss_system *s)
+void VBSS_WIDE_NAME(vbss_system_back_substitute_interior)(vbss_system *s)
 {
-    for (uint32_t k = s->run_count; k > 0; k--) {
+    for (uint32_t k = s->interior_count; k > 0; k--) {
         const vbss_pivot *p = &s->pivots[k - 1];
         vec3 x = vec3_make(p->y.x * p->inverse[0], p->y.y * p->inverse[1], p->y.z * p->inverse[2]);
         for (uint32_t e = s->column_start[k - 1]; e < s->column_start[k]; e++) {

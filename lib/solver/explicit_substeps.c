@@ -2,12 +2,12 @@
 #include "solver/solver.h"
 
 /* A part is at most this share of the longest that is stable: what is stiff becomes stiffer within a step. */
-#define STABLE_SHARE 0.9
+#define STABILITY_FRACTION 0.9
 #define MOST_PARTS 100000u
 
-uint32_t vbss_explicit_parts(double h, double rate)
+uint32_t vbss_explicit_substep_count(double h, double rate)
 {
-    double wanted = h * sqrt(rate) * (1.0 / STABLE_SHARE);
+    double wanted = h * sqrt(rate) * (1.0 / STABILITY_FRACTION);
     if (!(wanted < MOST_PARTS)) {
         return MOST_PARTS;
     }

@@ -1,0 +1,363 @@
+/* The states of all rows and the increments of all separators, found together.
+ *
+ * A primal-dual active set: solve with the rows in their states, look which states the solution has, and
+ * again with those, until they are the same. Nothing is taken that was not looked at after its solve. A solve
+ * that leads too far is followed part of the way, and the next goes on from the states there. */
+#include "contact/contact.h"
+
+#include <string.h>
+
+/* Of a solve, in products of blocks beside its own, for each separator: taken out, put in; and the rows between them. */
+enum { COST_OF_SEPARATOR = 70 };
+
+static uint64_t solve_cost(const vbss_system *system)
+{
+    uint32_t separators = system->unknown_count - system->interior_count;
+    return system->elimination.product_count + (uint64_t)COST_OF_SEPARATOR * separators;
+}
+
+static bool solve(contact_set *set, const contact_active_set_options *options)
+{
+    vbss_system *system = options->system;
+    vbss_system_load_schur_complement(system);
+    for (uint32_t i = 0; i < options->weld_count; i++) {
+        vbss_contact_eliminate_weld(&options->welds[i], system);
+    }
+    vbss_contact_assemble(set, system);
+    set->counters.solves++;
+    set->counters.operations += solve_cost(system);
+    return vbss_system_solve_separators(system);
+}
+
+static vec3 relative_motion(const contact_constraint *constraint, const vbss_system *system)
+{
+    vec3 u = vec3_zero();
+    for (uint32_t p = 0; p < constraint->jacobian_block_count; p++) {
+        const contact_jacobian_block *jacobian_block = &constraint->jacobian[p];
+        if (system->roles[jacobian_block->block] == VBSS_ROLE_SEPARATOR) {
+            vec3 d = system->solution[jacobian_block->block];
+            u = vec3_add_scaled(u, jacobian_block->weight,
+                                jacobian_block->is_rotation ? vec3_cross(d, jacobian_block->arm)
+                                                            : d);
+        }
+    }
+    return u;
+}
+
+/* ---- the look after a solve */
+
+/* Of an open row, overlap is what misses the law; of a closed one, a force. */
+typedef struct active_set_residual {
+    double force, normal_force; /* largest, N */
+    double overlap;             /* largest, as a share of the thickness */
+} active_set_residual;
+
+static bool is_open(const contact_solution *solution)
+{
+    return solution->status == CONTACT_OPEN;
+}
+
+static active_set_residual evaluate_residual(contact_set *set,
+                                             const contact_active_set_options *options)
+{
+    active_set_residual residual = {0.0, 0.0, 0.0};
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_constraint *constraint = &set->constraints[i];
+        contact_solution *next = &set->next_solutions[i];
+        vec3 u = relative_motion(constraint, options->system);
+        double violation = vbss_contact_update_solution(constraint, u, next);
+        set->candidate[i] = (contact_iterate){u, vbss_contact_linearised_force(constraint, u)};
+        if (is_open(&constraint->solution)) {
+            double overlap = violation / (constraint->stiffness * constraint->thickness);
+            if (overlap <= options->overlap_tolerance) { /* a hair is no reason to close */
+                *next = constraint->solution;
+                overlap = 0.0;
+            }
+            residual.overlap = vbss_max_or_nan(overlap, residual.overlap);
+        } else {
+            residual.force = vbss_max_or_nan(violation, residual.force);
+            /* What a grasp pulls with says nothing of how much a contact matters. */
+            residual.normal_force = vbss_max(constraint->is_bilateral ? 0.0 : next->normal_force,
+                                             residual.normal_force);
+        }
+    }
+    return residual;
+}
+
+static void accept_solution(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->constraints[i].solution = set->next_solutions[i];
+    }
+}
+
+/* ---- how far to follow a solve
+ *
+ * What the last solve led to and what this one leads to both balance, and so does all between them with forces
+ * between theirs. What those miss the law by does work along the way: while it is negative the law still
+ * drives on, and where it is zero contacts would come to rest. With given bounds of friction, that is
+ * where the energy is least along the way. */
+
+/* Nothing is cut when the work at the end is no larger than this share of that at the begin; and the place is
+ * good enough with such a share of that, or after so many looks. */
+#define FULL_STEP_SLOPE_RATIO 0.5
+#define SLOPE_TOLERANCE 0.1
+enum { LOOKS = 8, MAX_BISECTION_STEPS = 8 };
+/* Less than this share is no way to get on. False position that ends below a share and not at rest is gone on with by halves:
+ * below SHORT_STEP_FRACTION, once rows have been softened below SHORTEST. */
+#define SHORTEST 0.005
+#define SHORT_STEP_FRACTION 0.1
+/* Where the law does not drive at all, and what comes is worse. */
+#define DOUBTFUL_STEP_FRACTION 0.5
+
+/* False position; an end that stays twice counts half (Illinois). Where a row closes on the way work rises so sharply that
+ * this stays before it, all states would be as they were, and the next solve would lead to the same place: then halves, and
+ * what is beyond. */
+static double line_search(contact_set *set, bool wide, bool softened)
+{
+    vbss_contact_begin_line_search(set, wide);
+    double low = 0.0, high = 1.0, slope_low = vbss_contact_line_search_slope(set, wide, low),
+           slope_high = vbss_contact_line_search_slope(set, wide, high);
+    const double initial_descent = -slope_low;
+    if (!(initial_descent > 0.0)) { /* friction alone may drive there, and knows no least energy */
+        return slope_high > -initial_descent ? DOUBTFUL_STEP_FRACTION : 1.0;
+    }
+    if (!(slope_high > FULL_STEP_SLOPE_RATIO * initial_descent)) {
+        return 1.0;
+    }
+    double fraction = high, slope = slope_high;
+    for (int k = 0, side = 0; k < LOOKS && fabs(slope) > SLOPE_TOLERANCE * initial_descent; k++) {
+        fraction = low - slope_low * (high - low) / (slope_high - slope_low);
+        slope = vbss_contact_line_search_slope(set, wide, fraction);
+        if (slope > 0.0) {
+            high = fraction;
+            slope_high = slope;
+            slope_low *= side > 0 ? 0.5 : 1.0;
+            side = 1;
+        } else {
+            low = fraction;
+            slope_low = slope;
+            slope_high *= side < 0 ? 0.5 : 1.0;
+            side = -1;
+        }
+    }
+    if (fraction >= (softened ? SHORTEST : SHORT_STEP_FRACTION) ||
+        fabs(slope) <= SLOPE_TOLERANCE * initial_descent) {
+        return vbss_max(fraction, SHORTEST);
+    }
+    for (int k = 0; k < MAX_BISECTION_STEPS && fabs(slope) > SLOPE_TOLERANCE * initial_descent;
+         k++) {
+        fraction = 0.5 * (low + high);
+        slope = vbss_contact_line_search_slope(set, wide, fraction);
+        if (slope > 0.0) {
+            high = fraction;
+        } else {
+            low = fraction;
+        }
+    }
+    return vbss_max(fabs(slope) > SLOPE_TOLERANCE * initial_descent ? high : fraction, SHORTEST);
+}
+
+/* Where the next solve goes on from; before the first there may be nothing. */
+static void advance_iterates(contact_set *set, const contact_active_set_options *options,
+                             bool first, bool softened)
+{
+    double fraction = first ? 1.0 : line_search(set, options->system->wide, softened);
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (fraction < 1.0) {
+            set->current[i] = contact_iterate_lerp(&set->current[i], &set->candidate[i], fraction);
+            vbss_contact_solution_at(&set->constraints[i], &set->current[i],
+                                     &set->next_solutions[i]);
+        } else {
+            set->current[i] = set->candidate[i];
+        }
+    }
+    if (options->operation_limit > 0) {
+        vbss_system_advance_line_search(options->system, fraction);
+    }
+}
+
+/* ---- the search */
+
+/* From this overlap on, as a share of the thickness, rows that close all at once would throw
+ * each other about; and after so many solves they do. Then all are softened, and stiffened again in steps as
+ * their states settle, or after some solves. */
+#define DEEP 0.2
+enum { DEEP_SOLVES = 2, STUCK_SOLVES = 9, SOFT_SOLVES = 5 };
+#define SOFT_STIFFNESS_SCALE (1.0 / 256.0)
+#define STIFFEN_FACTOR 16.0
+/* What is settled while soft. */
+#define SOFT_OVERLAP_TOLERANCE 0.05
+
+/* What comes nearer to the law with each solve is not left before it is there. */
+static void track_convergence(contact_active_set_progress *progress,
+                              const contact_active_set_options *options,
+                              const active_set_residual *residual, bool first)
+{
+    double relative_residual =
+        vbss_max(residual->force / (residual->normal_force + options->absolute_force_tolerance),
+                 residual->overlap);
+    progress->stalled_solves++;
+    if (first || relative_residual <= 0.5 * progress->reference_residual) {
+        progress->reference_residual = relative_residual;
+        progress->stalled_solves = 0;
+    }
+}
+
+static void scale_stiffness(contact_set *set, contact_active_set_progress *progress, double factor)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (!set->constraints[i].is_bilateral) {     /* nothing about those is to be found */
+            set->constraints[i].stiffness *= factor; /* a power of two: exact */
+        }
+    }
+    progress->stiffness_scale *= factor;
+    progress->solves_at_scale = 0;
+}
+
+static void soften_or_stiffen(contact_set *set, contact_active_set_progress *progress,
+                              const active_set_residual *residual, double loose_tolerance)
+{
+    progress->solves_at_scale++;
+    if (progress->stiffness_scale < 1.0) {
+        bool is_converged =
+            residual->overlap <= SOFT_OVERLAP_TOLERANCE && residual->force <= loose_tolerance;
+        if (is_converged || progress->solves_at_scale == SOFT_SOLVES) {
+            scale_stiffness(set, progress, STIFFEN_FACTOR);
+        }
+        return;
+    }
+    bool is_deep = progress->solves_at_scale <= DEEP_SOLVES && residual->overlap > DEEP;
+    if (!progress->has_softened && (is_deep || progress->solves_at_scale == STUCK_SOLVES)) {
+        progress->has_softened = true;
+        scale_stiffness(set, progress, SOFT_STIFFNESS_SCALE);
+    }
+}
+
+/* What the last solve is worth: a result, or none yet. */
+static contact_outcome classify_outcome(const contact_active_set_options *options,
+                                        const contact_active_set_progress *progress,
+                                        const active_set_residual *residual)
+{
+    double tolerance = options->relative_force_tolerance * residual->normal_force +
+                       options->absolute_force_tolerance;
+    double loose_tolerance =
+        options->loose_force_tolerance * residual->normal_force + options->absolute_force_tolerance;
+    if (progress->stiffness_scale < 1.0) { /* of another stiffness than the rows' */
+        return CONTACT_NOT_CONVERGED;
+    }
+    if (residual->overlap == 0.0 && residual->force <= tolerance) {
+        return CONTACT_CONVERGED;
+    }
+    /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
+     * is small then, and the next part finds it. */
+    bool may_be_inexact =
+        progress->has_softened || progress->stalled_solves + 1 >= options->max_stalled_solves;
+    bool is_inexact = may_be_inexact && residual->overlap <= options->loose_overlap_tolerance &&
+                      residual->force <= loose_tolerance;
+    return is_inexact ? CONTACT_INEXACT : CONTACT_NOT_CONVERGED;
+}
+
+static bool is_limit_reached(const contact_set *set, const contact_active_set_options *options)
+{
+    return options->operation_limit > 0 &&
+           set->counters.operations + solve_cost(options->system) > options->operation_limit;
+}
+
+bool vbss_contact_must_suspend(contact_set *set, uint64_t operations)
+{
+    contact_call_budget *budget = &set->call_budget;
+    bool is_exhausted = budget->operation_limit > 0 && budget->has_progress &&
+                        set->counters.operations + operations > budget->operation_limit;
+    if (budget->is_replay ? budget->checks_passed == budget->replay_checks : is_exhausted) {
+        return true;
+    }
+    budget->checks_passed++;
+    budget->has_progress = true;
+    return false;
+}
+
+static contact_outcome iterate_active_set(contact_set *set,
+                                          const contact_active_set_options *options,
+                                          contact_active_set_progress *progress)
+{
+    while (progress->solve_count < options->max_solves) {
+        if (vbss_contact_must_suspend(set, solve_cost(options->system))) {
+            return CONTACT_SUSPENDED;
+        }
+        const bool first = progress->solve_count++ == 0;
+        if (!solve(set, options)) {
+            return CONTACT_SINGULAR;
+        }
+        const active_set_residual residual = evaluate_residual(set, options);
+        track_convergence(progress, options, &residual, first);
+        contact_outcome outcome = classify_outcome(options, progress, &residual);
+        set->residual = residual.force;
+        if (outcome == CONTACT_NOT_CONVERGED) {
+            advance_iterates(set, options, first && !options->starts_from_current,
+                             progress->has_softened);
+            if (is_limit_reached(set, options)) {
+                vbss_system_accept_line_search(options->system);
+                set->is_stopped_early = true;
+                outcome = CONTACT_INEXACT;
+            }
+        } else { /* from there a further linearisation goes on */
+            memcpy(set->current, set->candidate, set->count * sizeof *set->current);
+        }
+        accept_solution(set);
+        if (outcome != CONTACT_NOT_CONVERGED) {
+            set->counters.inexact += outcome == CONTACT_INEXACT;
+            return outcome;
+        }
+        soften_or_stiffen(set, progress, &residual,
+                          options->loose_force_tolerance * residual.normal_force +
+                              options->absolute_force_tolerance);
+    }
+    return CONTACT_NOT_CONVERGED;
+}
+
+/* Nothing has moved yet, and forces are what they were. */
+static void begin_line_search(contact_set *set, const contact_active_set_options *options)
+{
+    vbss_system_begin_line_search(options->system);
+    for (uint32_t i = 0; options->starts_from_current && i < set->count; i++) {
+        set->current[i].u = vec3_zero();
+    }
+}
+
+contact_outcome vbss_contact_solve_active_set(contact_set *set,
+                                              const contact_active_set_options *options)
+{
+    contact_active_set_progress *progress = &set->progress;
+    if (!options->is_resumed) {
+        *progress = (contact_active_set_progress){.stiffness_scale = 1.0};
+        set->is_stopped_early = false;
+        if (options->operation_limit > 0) {
+            begin_line_search(set, options);
+        }
+    }
+    contact_outcome result = iterate_active_set(set, options, progress);
+    if (result != CONTACT_SUSPENDED) {
+        scale_stiffness(set, progress, 1.0 / progress->stiffness_scale);
+    }
+    return result;
+}
+
+void vbss_contact_save_solution(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        set->saved_solutions[i] = set->constraints[i].solution;
+    }
+    set->was_stopped_early = set->is_stopped_early;
+}
+
+void vbss_contact_restore_solution(contact_set *set)
+{
+    for (uint32_t i = 0; i < set->count; i++) {
+        contact_solution *solution = &set->constraints[i].solution;
+        *solution = set->saved_solutions[i];
+        set->current[i].force = vec3_add_scaled(solution->tangential_force, solution->normal_force,
+                                                set->constraints[i].normal);
+    }
+    set->is_stopped_early = set->was_stopped_early;
+}

@@ -1,0 +1,386 @@
+/* The law of a row: unilateral contact with Coulomb friction, both with a stiffness; of what ties, and of what slides
+ * in a sleeve.
+ *
+ * Normal: pressure = -stiffness gap, if that presses. Tangential: the slip
+ *   v = (slid + u)_t + (rubbing - held) / stiffness
+ * is what the motion since the begin of the part leaves when the elastic part is taken off; rubbing lies in
+ * the disk of radius friction pressure, and is the projection of rubbing - r v to it (Alart, Curnier
+ * 1991). Sticking is v = 0; slipping is linearised exactly, which makes the stiffness unsymmetric. */
+#include "contact/contact.h"
+
+/* A row that slips with all of its augmented force sticks across. */
+#define MAX_FRICTION_RATIO 0.999999
+/* The way of a row that has just closed is a guess, which it shall be able to leave. */
+#define MAX_FIRST_FRICTION_RATIO 0.9
+/* A row that has just closed rubs against its motion if that is larger than this, m; else it sticks. */
+#define MIN_SLIP_ON_CLOSING 1e-7
+
+static vec3 tangential_component(vec3 v, vec3 normal)
+{
+    return vec3_add_scaled(v, -vec3_dot(v, normal), normal);
+}
+
+vec3 vbss_contact_rotate_to_tangent_plane(vec3 force, vec3 normal)
+{
+    double before = vec3_norm_squared(force);
+    vec3 in_plane = tangential_component(force, normal);
+    double after = vec3_norm_squared(in_plane);
+    if (!(after > 1e-12 * before)) { /* it stood on the plane */
+        return vec3_zero();
+    }
+    return vec3_scale(in_plane, sqrt(before / after));
+}
+
+/* SLIP: stiffness across the way. */
+static double stiffness_across_slip(const contact_constraint *constraint)
+{
+    double r = constraint->augmentation, k = contact_tangential_stiffness(constraint);
+    /* 1 / ((1 - share) / (share r) + 1 / k) */
+    return constraint->solution.friction_ratio * r * k /
+           ((1.0 - constraint->solution.friction_ratio) * k +
+            constraint->solution.friction_ratio * r);
+}
+
+/* ---- sleeves: what is held across slides along, with friction that grows with what is held
+ *
+ * Along the normal, tangent of what is in the sleeve, the force is that of a spring up to
+ *   most = least + grip |across|,    grip for either way of sliding,
+ * beyond which a damper in series with the spring yields: f = most + c v at any speed and any step (Perzyna 1966). */
+
+/* A direction of the force across that is off by so little changes it by its square. */
+#define SLEEVE_TOLERANCE 1e-4
+
+typedef struct sleeve_force {
+    vec3 transverse;
+    double axial;
+} sleeve_force;
+
+static double elastic_axial_force(const contact_constraint *constraint, vec3 displacement)
+{
+    return vec3_dot(constraint->previous_force, constraint->normal) -
+           constraint->stiffness * vec3_dot(displacement, constraint->normal);
+}
+
+/* Beyond which it slides: `forward`, that force is along the normal; `pressed` is what is held across. */
+static double axial_yield_limit(const contact_constraint *constraint, bool is_forward,
+                                double transverse_force)
+{
+    double limit =
+        constraint->yield_force + constraint->yield_friction[is_forward] * transverse_force;
+    return is_forward ? limit : -limit;
+}
+
+static double viscoplastic_force(const contact_constraint *constraint, double elastic, double limit)
+{
+    return (constraint->viscous_stiffness * elastic + constraint->stiffness * limit) /
+           (constraint->viscous_stiffness + constraint->stiffness);
+}
+
+/* In the state and with the direction across that the row has. */
+static sleeve_force linearised_sleeve_force(const contact_constraint *constraint, vec3 u)
+{
+    vec3 displacement = vec3_add(constraint->relative_displacement, u);
+    sleeve_force f = {
+        vec3_scale(tangential_component(displacement, constraint->normal), -constraint->stiffness),
+        elastic_axial_force(constraint, displacement)};
+    if (constraint->solution.status == CONTACT_SLIP) {
+        double transverse_force = vec3_dot(f.transverse, constraint->solution.slip_direction);
+        f.axial = viscoplastic_force(constraint, f.axial,
+                                     axial_yield_limit(constraint,
+                                                       constraint->solution.friction_ratio > 0.5,
+                                                       transverse_force));
+    }
+    return f;
+}
+
+static void update_sleeve(const contact_constraint *constraint, vec3 u, contact_solution *next)
+{
+    vec3 displacement = vec3_add(constraint->relative_displacement, u);
+    vec3 transverse =
+        vec3_scale(tangential_component(displacement, constraint->normal), -constraint->stiffness);
+    double elastic = elastic_axial_force(constraint, displacement),
+           transverse_force = vec3_norm(transverse);
+    double lower_limit = axial_yield_limit(constraint, false, transverse_force),
+           upper_limit = axial_yield_limit(constraint, true, transverse_force);
+    bool is_forward = elastic > upper_limit;
+    *next = (contact_solution){.status = CONTACT_STICK,
+                               .normal_force = elastic,
+                               .tangential_force = transverse,
+                               .slip_direction =
+                                   vec3_unit_or(transverse, vec3_any_normal(constraint->normal)),
+                               .friction_ratio = is_forward ? 1.0 : 0.0};
+    if (is_forward || elastic < lower_limit) {
+        next->status = CONTACT_SLIP;
+        next->normal_force =
+            viscoplastic_force(constraint, elastic, is_forward ? upper_limit : lower_limit);
+    }
+}
+
+static double sleeve_residual(const contact_constraint *constraint, vec3 u,
+                              const contact_solution *next)
+{
+    double residual = fabs(next->normal_force - linearised_sleeve_force(constraint, u).axial);
+    bool is_same_status = next->status == constraint->solution.status;
+    double size = vec3_norm(next->tangential_force) + fabs(next->normal_force);
+    return is_same_status && residual <= SLEEVE_TOLERANCE * size ? 0.0 : residual;
+}
+
+static vec3 total_sleeve_force(const contact_constraint *constraint, sleeve_force f)
+{
+    return vec3_add_scaled(f.transverse, f.axial, constraint->normal);
+}
+
+static void linearise_sleeve(const contact_constraint *constraint, contact_linearisation *t)
+{
+    const double k = constraint->stiffness;
+    vec3 direction = constraint->solution.status == CONTACT_SLIP
+                         ? constraint->solution.slip_direction
+                         : vec3_any_normal(constraint->normal);
+    t->count = 3;
+    t->left[0] = t->right[0] = constraint->normal;
+    t->left[1] = t->right[1] = direction;
+    t->left[2] = t->right[2] = vec3_cross(constraint->normal, direction);
+    t->stiffness[0] = t->stiffness[1] = t->stiffness[2] = k;
+    if (constraint->solution.status == CONTACT_SLIP) {
+        bool is_forward = constraint->solution.friction_ratio > 0.5;
+        double friction =
+            is_forward ? constraint->yield_friction[1] : -constraint->yield_friction[0];
+        t->stiffness[0] = constraint->viscous_stiffness * k / (constraint->viscous_stiffness + k);
+        t->left[1] = vec3_add_scaled(direction, friction * k / (constraint->viscous_stiffness + k),
+                                     constraint->normal);
+    }
+    t->force = total_sleeve_force(constraint, linearised_sleeve_force(constraint, vec3_zero()));
+}
+
+/* ---- the others */
+
+void vbss_contact_linearise(const contact_constraint *constraint, contact_linearisation *t)
+{
+    const vec3 n = constraint->normal;
+    const double k = constraint->stiffness, normal_force = -k * constraint->gap;
+    if (constraint->is_sleeve) {
+        linearise_sleeve(constraint, t);
+        return;
+    }
+    t->count = 0;
+    t->force = vec3_zero();
+    if (constraint->solution.status == CONTACT_OPEN) {
+        return;
+    }
+    t->count = 1;
+    t->left[0] = t->right[0] = n;
+    t->stiffness[0] = k;
+    t->force = vec3_scale(n, normal_force);
+    if (constraint->friction == 0.0) {
+        return;
+    }
+    vec3 tangential_displacement = tangential_component(constraint->relative_displacement, n);
+    if (constraint->solution.status == CONTACT_STICK) {
+        t->count = 3;
+        t->left[1] = t->right[1] = vec3_any_normal(n);
+        t->left[2] = t->right[2] = vec3_cross(n, t->left[1]);
+        t->stiffness[1] = t->stiffness[2] = contact_tangential_stiffness(constraint);
+        t->force = vec3_add(t->force, vec3_add_scaled(constraint->previous_force,
+                                                      -contact_tangential_stiffness(constraint),
+                                                      tangential_displacement));
+        return;
+    }
+    vec3 across = vec3_cross(n, constraint->solution.slip_direction);
+    double kappa = stiffness_across_slip(constraint);
+    t->count = 2;
+    t->left[0] = vec3_add_scaled(n, constraint->friction, constraint->solution.slip_direction);
+    t->left[1] = t->right[1] = across;
+    t->stiffness[1] = kappa;
+    t->force = vec3_add_scaled(t->force, constraint->friction * normal_force,
+                               constraint->solution.slip_direction);
+    double across_displacement =
+        vec3_dot(across, tangential_displacement) -
+        vec3_dot(across, constraint->previous_force) / contact_tangential_stiffness(constraint);
+    t->force = vec3_add_scaled(t->force, -kappa * across_displacement, across);
+}
+
+/* The tangential force by the linear law after u, and the slip that belongs to it. */
+static vec3 linearised_tangential_force(const contact_constraint *constraint,
+                                        vec3 tangential_displacement, double normal_force,
+                                        vec3 *slip)
+{
+    const double k = contact_tangential_stiffness(constraint);
+    if (constraint->solution.status == CONTACT_STICK) {
+        *slip = vec3_zero();
+        return vec3_add_scaled(constraint->previous_force, -k, tangential_displacement);
+    }
+    vec3 across = vec3_cross(constraint->normal, constraint->solution.slip_direction);
+    double across_displacement = vec3_dot(across, tangential_displacement) -
+                                 vec3_dot(across, constraint->previous_force) / k;
+    vec3 tangential_force =
+        vec3_scale(constraint->solution.slip_direction, constraint->friction * normal_force);
+    tangential_force = vec3_add_scaled(
+        tangential_force, -stiffness_across_slip(constraint) * across_displacement, across);
+    *slip = vec3_add_scaled(tangential_displacement, 1.0 / k,
+                            vec3_sub(tangential_force, constraint->previous_force));
+    return tangential_force;
+}
+
+static void set_slipping(const contact_constraint *constraint, vec3 direction, double augmented,
+                         contact_solution *next)
+{
+    double friction_ratio = constraint->friction * next->normal_force / augmented;
+    next->status = CONTACT_SLIP;
+    next->slip_direction = direction;
+    next->friction_ratio =
+        friction_ratio < MAX_FRICTION_RATIO ? friction_ratio : MAX_FRICTION_RATIO;
+}
+
+/* It was open, and is closed now. */
+static void close_contact(const contact_constraint *constraint, vec3 tangential_displacement,
+                          contact_solution *next)
+{
+    double slip_distance = vec3_norm(tangential_displacement);
+    next->status = CONTACT_STICK;
+    if (constraint->friction > 0.0 && slip_distance > MIN_SLIP_ON_CLOSING) {
+        vec3 direction = vec3_scale(tangential_displacement, -1.0 / slip_distance);
+        double max_friction = constraint->friction * next->normal_force;
+        set_slipping(constraint, direction, max_friction + constraint->augmentation * slip_distance,
+                     next);
+        next->friction_ratio = vbss_min(next->friction_ratio, MAX_FIRST_FRICTION_RATIO);
+        next->tangential_force = vec3_scale(direction, max_friction);
+    }
+}
+
+double vbss_contact_update_solution(const contact_constraint *constraint, vec3 u,
+                                    contact_solution *next)
+{
+    if (constraint->is_sleeve) {
+        update_sleeve(constraint, u, next);
+        return sleeve_residual(constraint, u, next);
+    }
+    double normal_force =
+        -constraint->stiffness * (constraint->gap + vec3_dot(constraint->normal, u));
+    *next = (contact_solution){.status = CONTACT_OPEN};
+    vec3 tangential_displacement = tangential_component(
+             vec3_add(constraint->relative_displacement, u), constraint->normal),
+         slip;
+    if (!constraint->is_bilateral && !(normal_force > 0.0)) {
+        if (constraint->solution.status == CONTACT_OPEN) {
+            return 0.0;
+        }
+        /* All that it was solved with is missed: little pressure may have gone with much rubbing. */
+        vec3 tangential_force = constraint->friction > 0.0
+                                    ? linearised_tangential_force(
+                                          constraint, tangential_displacement, normal_force, &slip)
+                                    : vec3_zero();
+        return vec3_norm(vec3_add_scaled(tangential_force, normal_force, constraint->normal));
+    }
+    next->normal_force = normal_force;
+    if (constraint->solution.status == CONTACT_OPEN) {
+        close_contact(constraint, tangential_displacement, next);
+        return normal_force;
+    }
+    next->status = CONTACT_STICK;
+    if (constraint->friction == 0.0) {
+        return 0.0;
+    }
+    next->tangential_force =
+        linearised_tangential_force(constraint, tangential_displacement, normal_force, &slip);
+    if (constraint->is_bilateral) {
+        return 0.0;
+    }
+    vec3 augmented = vec3_add_scaled(next->tangential_force, -constraint->augmentation, slip);
+    double size = vec3_norm(augmented), max_friction = constraint->friction * normal_force;
+    if (size <= max_friction) {
+        return vec3_distance(next->tangential_force, augmented);
+    }
+    vec3 direction = vec3_scale(augmented, 1.0 / size);
+    set_slipping(constraint, direction, size, next);
+    return vec3_distance(next->tangential_force, vec3_scale(direction, max_friction));
+}
+
+/* ---- where the search stands */
+
+vec3 vbss_contact_linearised_force(const contact_constraint *constraint, vec3 u)
+{
+    const vec3 n = constraint->normal;
+    if (constraint->is_sleeve) {
+        return total_sleeve_force(constraint, linearised_sleeve_force(constraint, u));
+    }
+    double normal_force = -constraint->stiffness * (constraint->gap + vec3_dot(n, u));
+    if (constraint->solution.status == CONTACT_OPEN) {
+        return vec3_zero();
+    }
+    if (constraint->friction == 0.0) {
+        return vec3_scale(n, normal_force);
+    }
+    vec3 slip, tangential_displacement =
+                   tangential_component(vec3_add(constraint->relative_displacement, u), n);
+    return vec3_add_scaled(
+        linearised_tangential_force(constraint, tangential_displacement, normal_force, &slip),
+        normal_force, n);
+}
+
+/* Elastic, then cut back to the cone. */
+vec3 vbss_contact_force(const contact_constraint *constraint, vec3 u)
+{
+    const vec3 n = constraint->normal;
+    if (constraint->is_sleeve) {
+        contact_solution solution;
+        update_sleeve(constraint, u, &solution);
+        return vec3_add_scaled(solution.tangential_force, solution.normal_force, n);
+    }
+    double normal_force = -constraint->stiffness * (constraint->gap + vec3_dot(n, u));
+    if (!constraint->is_bilateral && !(normal_force > 0.0)) {
+        return vec3_zero();
+    }
+    if (constraint->friction == 0.0) {
+        return vec3_scale(n, normal_force);
+    }
+    vec3 tangential_displacement =
+        tangential_component(vec3_add(constraint->relative_displacement, u), n);
+    vec3 tangential_force =
+        vec3_add_scaled(constraint->previous_force, -contact_tangential_stiffness(constraint),
+                        tangential_displacement);
+    double size = vec3_norm(tangential_force), max_friction = constraint->friction * normal_force;
+    if (!constraint->is_bilateral && size > max_friction) {
+        tangential_force = vec3_scale(tangential_force, max_friction / size);
+    }
+    return vec3_add_scaled(tangential_force, normal_force, n);
+}
+
+/* Whether it is closed is said by u; whether it slips, by the force with which blocks balance, as after a
+ * whole solve. */
+void vbss_contact_solution_at(const contact_constraint *constraint, const contact_iterate *iterate,
+                              contact_solution *next)
+{
+    const vec3 n = constraint->normal;
+    double normal_force = -constraint->stiffness * (constraint->gap + vec3_dot(n, iterate->u));
+    double balancing_force = vec3_dot(n, iterate->force);
+    if (constraint->is_sleeve) {
+        update_sleeve(constraint, iterate->u, next);
+        return;
+    }
+    *next = (contact_solution){.status = constraint->is_bilateral ? CONTACT_STICK : CONTACT_OPEN};
+    if (constraint->is_bilateral || !(normal_force > 0.0)) {
+        return;
+    }
+    vec3 tangential_displacement =
+        tangential_component(vec3_add(constraint->relative_displacement, iterate->u), n);
+    if (!(balancing_force > 0.0)) {
+        next->normal_force = normal_force;
+        close_contact(constraint, tangential_displacement, next);
+        return;
+    }
+    next->status = CONTACT_STICK;
+    next->normal_force = balancing_force;
+    if (constraint->friction == 0.0) {
+        return;
+    }
+    next->tangential_force = tangential_component(iterate->force, n);
+    const vec3 elastic_slip =
+        vec3_scale(vec3_sub(next->tangential_force, constraint->previous_force),
+                   1.0 / contact_tangential_stiffness(constraint));
+    vec3 slip = vec3_add(tangential_displacement, elastic_slip);
+    vec3 augmented = vec3_add_scaled(next->tangential_force, -constraint->augmentation, slip);
+    double size = vec3_norm(augmented);
+    if (size > constraint->friction * balancing_force) {
+        set_slipping(constraint, vec3_scale(augmented, 1.0 / size), size, next);
+    }
+}
