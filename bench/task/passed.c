@@ -144,7 +144,7 @@ passed *passed_create(vbss_scene *scene, uint32_t drain_body)
     p->object = object;
     p->drain = vbss_scene_body(object, drain_body)->drain.drain;
     const drain_mesh *m = &p->drain->mesh;
-    p->sides = calloc(m->side_count, sizeof *p->sides);
+    p->sides = calloc(m->edge_count, sizeof *p->sides);
     p->triangles = calloc(m->triangle_count, sizeof *p->triangles);
     p->failed = p->sides == NULL || p->triangles == NULL;
     read_holes(p);

@@ -280,9 +280,9 @@ static uint64_t ask_wall(passed *p, const part *t, const asked_chains *chains, b
             memcpy(p->triangles[wall.triangle_count++], m->triangles[i], sizeof p->triangles[0]);
         }
     }
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        if (whole || !round_hole(p, m->sides[i].nodes, 2)) {
-            memcpy(p->sides[wall.side_count++], m->sides[i].nodes, sizeof p->sides[0]);
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        if (whole || !round_hole(p, m->edges[i].nodes, 2)) {
+            memcpy(p->sides[wall.side_count++], m->edges[i].nodes, sizeof p->sides[0]);
         }
     }
     passing_surface_report report;

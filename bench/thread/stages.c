@@ -79,10 +79,10 @@ static void run_linearisation(void *user)
 {
     linearisation *l = user;
     vbss_system *system = l->thread->system;
-    const thread_stage stage = {.integration = &l->integration,
-                                .step = l->integration.h,
-                                .part_end = 1.0,
-                                .least_pull = -1e30}; /* all of the compression, as in a step */
+    const thread_substep stage = {.integration = &l->integration,
+                                  .step_length = l->integration.h,
+                                  .end_fraction = 1.0,
+                                  .min_tension = -1e30}; /* all of the compression, as in a step */
     vbss_system_clear(system);
     VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, l->thread, &stage, system, 0);
     if (l->last >= CONDENSE) {

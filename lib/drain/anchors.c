@@ -3,18 +3,18 @@
 
 #include <string.h>
 
-void vbss_drain_find_anchored(drain_object *d)
+void vbss_drain_update_anchored(drain_object *d)
 {
     memset(d->anchored, 0, d->mesh.node_count);
-    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
-        d->anchored[d->mesh.fixed[i]] = !d->torn[i];
+    for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
+        d->anchored[d->mesh.anchors[i]] = !d->torn[i];
     }
 }
 
 /* What does not move is in balance. */
 vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 *forces)
 {
-    uint32_t node = d->mesh.fixed[anchor];
+    uint32_t node = d->mesh.anchors[anchor];
     if (d->torn[anchor]) {
         return vec3_zero();
     }
@@ -22,21 +22,21 @@ vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 
 }
 
 /* One a step: its neighbours take over what it bore, and whether they bear that is known only then. */
-void vbss_drain_tear(drain_object *d, const vec3 *forces)
+void vbss_drain_tear_anchor(drain_object *d, const vec3 *forces)
 {
     uint32_t worst = UINT32_MAX;
-    double most = 1.0;
-    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
-        double load = vec3_norm(vbss_drain_anchor_force(d, i, forces)) / d->strength[i];
-        if (load > most) {
-            most = load;
+    double max_load = 1.0;
+    for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
+        double load = vec3_norm(vbss_drain_anchor_force(d, i, forces)) / d->anchor_strength[i];
+        if (load > max_load) {
+            max_load = load;
             worst = i;
         }
     }
     if (worst != UINT32_MAX) {
         d->torn[worst] = 1;
         d->statistics.torn++;
-        d->pattern_known = false;
-        vbss_drain_find_anchored(d);
+        d->is_sparsity_valid = false;
+        vbss_drain_update_anchored(d);
     }
 }

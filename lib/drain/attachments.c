@@ -18,7 +18,7 @@ vbss_result vbss_drain_attachment_init(vbss_drain_attachment *attachment, uint32
 
 /* ---- checks */
 
-const drain_attachment *vbss_drain_pin_of(const drain_object *d, uint32_t node)
+const drain_attachment *vbss_drain_find_pin(const drain_object *d, uint32_t node)
 {
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
         const drain_attachment *a = &d->attachments[i];
@@ -42,7 +42,7 @@ static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
     if (d->anchored[a->node]) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is anchored", a->node);
     }
-    if (a->kind == VBSS_DRAIN_ATTACHMENT_PIN && vbss_drain_pin_of(d, a->node) != NULL) {
+    if (a->kind == VBSS_DRAIN_ATTACHMENT_PIN && vbss_drain_find_pin(d, a->node) != NULL) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", a->node);
     }
     return VBSS_OK;
@@ -50,7 +50,7 @@ static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
 
 /* ---- attaching and moving */
 
-static drain_attachment *find(drain_object *d, uint32_t id)
+static drain_attachment *find_attachment(drain_object *d, uint32_t id)
 {
     for (uint32_t i = 0; id != 0 && i < d->config.attachment_capacity; i++) {
         if (d->attachments[i].id == id) {
@@ -70,14 +70,14 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
     VBSS_TRY(vbss_check_pointer(d->context, id, "id"));
     VBSS_TRY(vbss_config_read(d->context, &attachment_layout, attachment, &own));
     VBSS_TRY(check(d, &own));
-    uint32_t place = 0;
-    while (place < d->config.attachment_capacity && d->attachments[place].id != 0) {
-        place++;
+    uint32_t free_index = 0;
+    while (free_index < d->config.attachment_capacity && d->attachments[free_index].id != 0) {
+        free_index++;
     }
-    if (place == d->config.attachment_capacity || d->last_id == UINT32_MAX) {
-        return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "more than %u attachments", place);
+    if (free_index == d->config.attachment_capacity || d->last_id == UINT32_MAX) {
+        return vbss_fail(d->context, VBSS_ERROR_CAPACITY, "more than %u attachments", free_index);
     }
-    drain_attachment *a = &d->attachments[place];
+    drain_attachment *a = &d->attachments[free_index];
     *a = (drain_attachment){.id = ++d->last_id,
                             .kind = own.kind,
                             .node = own.node,
@@ -86,10 +86,10 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
                             .stiffness = own.stiffness};
     /* A node is taken to its place within the next step; a spring's end is there at once. */
     a->position = own.kind == VBSS_DRAIN_ATTACHMENT_PIN ? d->x[own.node] : a->target;
-    a->other_target = a->target;
-    a->other_force = a->force;
+    a->alternate_target = a->target;
+    a->alternate_force = a->force;
     *id = a->id;
-    vbss_drain_changed(d);
+    vbss_drain_invalidate(d);
     return VBSS_OK;
 }
 
@@ -98,7 +98,7 @@ vbss_result vbss_drain_move(vbss_drain *drain, uint32_t id, const double target[
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, target, "target"));
-    drain_attachment *a = find(d, id);
+    drain_attachment *a = find_attachment(d, id);
     if (a == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
@@ -113,44 +113,44 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
 {
     drain_object *d;
     VBSS_TRY(vbss_drain_edit(drain, &d));
-    drain_attachment *a = find(d, id);
+    drain_attachment *a = find_attachment(d, id);
     if (a == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     *a = (drain_attachment){0};
-    vbss_drain_changed(d);
+    vbss_drain_invalidate(d);
     return VBSS_OK;
 }
 
 /* ---- in a step */
 
-vec3 vbss_drain_attachment_position(const drain_attachment *a, double part)
+vec3 vbss_drain_attachment_position(const drain_attachment *a, double fraction)
 {
-    return vec3_lerp(a->position, a->target, part);
+    return vec3_lerp(a->position, a->target, fraction);
 }
 
-void vbss_drain_note_goals(drain_object *d)
+void vbss_drain_save_targets(drain_object *d)
 {
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
         drain_attachment *a = &d->attachments[i];
-        a->other_target = a->target;
-        a->other_force = a->force;
+        a->alternate_target = a->target;
+        a->alternate_force = a->force;
     }
 }
 
-void vbss_drain_exchange_goals(drain_object *d)
+void vbss_drain_swap_targets(drain_object *d)
 {
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
         drain_attachment *a = &d->attachments[i];
         const vec3 target = a->target, force = a->force;
-        a->target = a->other_target;
-        a->force = a->other_force;
-        a->other_target = target;
-        a->other_force = force;
+        a->target = a->alternate_target;
+        a->force = a->alternate_force;
+        a->alternate_target = target;
+        a->alternate_force = force;
     }
 }
 
-void vbss_drain_attachments_arrive(drain_object *d)
+void vbss_drain_commit_attachments(drain_object *d)
 {
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
         d->attachments[i].position = d->attachments[i].target;
@@ -162,7 +162,7 @@ vbss_result vbss_drain_get_reaction(vbss_drain *drain, uint32_t id, double force
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     VBSS_TRY(vbss_check_pointer(d->context, force, "force"));
-    const drain_attachment *a = find(d, id);
+    const drain_attachment *a = find_attachment(d, id);
     if (a == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }

@@ -9,52 +9,52 @@
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 23 };
+enum { ARRAY_COUNT = 23 };
 
-static size_t list_parts(drain_object *d, vbss_array parts[PARTS])
+static size_t list_arrays(drain_object *d, vbss_array arrays[ARRAY_COUNT])
 {
-    size_t n = d->mesh.node_count, m = d->mesh.triangle_count, anchors = d->mesh.fixed_count;
+    size_t n = d->mesh.node_count, m = d->mesh.triangle_count, anchors = d->mesh.anchor_count;
     size_t particles = d->config.method == VBSS_METHOD_PAPER ? n : 0;
     const vbss_array all[] = {
         {&d->groups, vbss_shell_group_count(d->mesh.triangle_count), sizeof *d->groups},
         {&d->mass, n, sizeof *d->mass},
-        {&d->strength, anchors, sizeof *d->strength},
+        {&d->anchor_strength, anchors, sizeof *d->anchor_strength},
         {&d->x, n, sizeof *d->x},
         {&d->v, n, sizeof *d->v},
         {&d->torn, anchors, sizeof *d->torn},
         {&d->attachments, d->config.attachment_capacity, sizeof *d->attachments},
         {&d->anchored, n, sizeof *d->anchored},
         {&d->trial, n, sizeof *d->trial},
-        {&d->forces, n, sizeof *d->forces},
-        {&d->v_before, n, sizeof *d->v_before},
-        {&d->pushes, n, sizeof *d->pushes},
-        {&d->kept_x, n, sizeof *d->kept_x},
-        {&d->kept_v, n, sizeof *d->kept_v},
+        {&d->internal_forces, n, sizeof *d->internal_forces},
+        {&d->v_substep_start, n, sizeof *d->v_substep_start},
+        {&d->contact_forces, n, sizeof *d->contact_forces},
+        {&d->saved_x, n, sizeof *d->saved_x},
+        {&d->saved_v, n, sizeof *d->saved_v},
         {&d->diagonal, n - particles, sizeof *d->diagonal},
         {&d->ties, particles, sizeof *d->ties},
         {&d->free_mass, particles, sizeof *d->free_mass},
         {&d->mobility, particles, sizeof *d->mobility},
         {&d->anchor_forces, anchors, sizeof *d->anchor_forces},
-        {&d->seen_forces, n, sizeof *d->seen_forces},
+        {&d->view_forces, n, sizeof *d->view_forces},
         {&d->strains, m, sizeof *d->strains},
         {&d->curvatures, m, sizeof *d->curvatures},
-        {&d->states, m, sizeof *d->states},
+        {&d->shell_responses, m, sizeof *d->shell_responses},
     };
-    _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
-    memcpy(parts, all, sizeof all);
+    _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
+    memcpy(arrays, all, sizeof all);
     return sizeof all / sizeof all[0];
 }
 
 static void free_drain(vbss_context *context, void *object)
 {
     drain_object *d = object;
-    vbss_array parts[PARTS], mesh_parts[DRAIN_MESH_PARTS];
-    size_t count = list_parts(d, parts);
-    vbss_drain_mesh_parts(&d->mesh, mesh_parts);
+    vbss_array arrays[ARRAY_COUNT], mesh_arrays[DRAIN_MESH_ARRAYS];
+    size_t count = list_arrays(d, arrays);
+    vbss_drain_mesh_arrays(&d->mesh, mesh_arrays);
     vbss_system_destroy(context, d->system);
-    vbss_drain_end_order(context, &d->mesh, &d->order);
-    vbss_release_arrays(context, parts, count);
-    vbss_release_arrays(context, mesh_parts, DRAIN_MESH_PARTS);
+    vbss_drain_destroy_elimination_order(context, &d->mesh, &d->order);
+    vbss_release_arrays(context, arrays, count);
+    vbss_release_arrays(context, mesh_arrays, DRAIN_MESH_ARRAYS);
     vbss_release(context, d, 1, sizeof *d);
 }
 
@@ -64,7 +64,7 @@ const vbss_kind vbss_drain_kind = {"drain", VBSS_CODE('D', 'R', 'A', 'N'), 1, fr
 /* ---- making one */
 
 /* Method PAPER measures and weighs with it. */
-static vbss_result make_shell(drain_object *d)
+static vbss_result create_shell(drain_object *d)
 {
     const drain_mesh *m = &d->mesh;
     const vbss_drain_config *c = &d->config;
@@ -73,8 +73,8 @@ static vbss_result make_shell(drain_object *d)
         .triangle_count = m->triangle_count,
         .rest = m->rest,
         .triangles = (const uint32_t(*)[3])m->triangles,
-        .opposite = (const uint32_t(*)[3])m->opposite,
-        .widths = m->width,
+        .opposite_node = (const uint32_t(*)[3])m->opposite_node,
+        .angular_widths = m->angular_width,
         .young = c->young_modulus,
         .thickness = c->thickness,
         .density = c->density,
@@ -86,17 +86,17 @@ static vbss_result make_shell(drain_object *d)
     return VBSS_OK;
 }
 
-static vbss_result make_system(drain_object *d)
+static vbss_result create_system(drain_object *d)
 {
-    VBSS_TRY(vbss_drain_make_order(d->context, &d->mesh, &d->shell, &d->order));
-    const vbss_system_capacity room = {.blocks = d->mesh.node_count,
-                                       .couplings = d->order.pair_count,
-                                       .entries = d->order.entries,
-                                       .products = d->order.products};
-    return vbss_system_create_with_capacity(d->context, &room, &d->system);
+    VBSS_TRY(vbss_drain_create_elimination_order(d->context, &d->mesh, &d->shell, &d->order));
+    const vbss_system_capacity capacity = {.blocks = d->mesh.node_count,
+                                           .couplings = d->order.pair_count,
+                                           .entries = d->order.factor_entries,
+                                           .products = d->order.factor_products};
+    return vbss_system_create_with_capacity(d->context, &capacity, &d->system);
 }
 
-static void place(drain_object *d)
+static void init_positions(drain_object *d)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         d->x[i] = pose_apply(d->frame, d->mesh.rest[i]);
@@ -104,33 +104,33 @@ static void place(drain_object *d)
     if (d->config.method == VBSS_METHOD_PAPER) {
         memcpy(d->ties, d->x, d->mesh.node_count * sizeof *d->ties);
     }
-    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
-        d->strength[i] = d->config.tear_stress * d->mesh.area[d->mesh.fixed[i]];
+    for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
+        d->anchor_strength[i] = d->config.tear_stress * d->mesh.node_area[d->mesh.anchors[i]];
     }
-    vbss_drain_find_anchored(d);
+    vbss_drain_update_anchored(d);
 }
 
 /* All that can fail, into an empty object that is freed by whoever asked. */
-static vbss_result make(drain_object *d, const vbss_drain_config *config)
+static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
 {
-    quat turned;
+    quat orientation;
     d->config = *config;
-    VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &turned));
-    d->frame = pose_make(vec3_load(config->position), turned);
+    VBSS_TRY(vbss_read_orientation(d->context, config->orientation, &orientation));
+    d->frame = pose_make(vec3_load(config->position), orientation);
     d->gravity = vec3_load(config->gravity);
-    drain_mesh_options options = vbss_drain_mesh_of(config);
+    drain_mesh_options options = vbss_drain_mesh_options_of(config);
     VBSS_TRY(vbss_drain_mesh_plan(d->context, &options, &d->mesh));
-    vbss_array parts[PARTS], mesh_parts[DRAIN_MESH_PARTS];
-    size_t count = list_parts(d, parts);
-    vbss_drain_mesh_parts(&d->mesh, mesh_parts);
-    VBSS_TRY(vbss_allocate_arrays(d->context, mesh_parts, DRAIN_MESH_PARTS, "mesh of a drain"));
-    VBSS_TRY(vbss_allocate_arrays(d->context, parts, count, "drain"));
+    vbss_array arrays[ARRAY_COUNT], mesh_arrays[DRAIN_MESH_ARRAYS];
+    size_t count = list_arrays(d, arrays);
+    vbss_drain_mesh_arrays(&d->mesh, mesh_arrays);
+    VBSS_TRY(vbss_allocate_arrays(d->context, mesh_arrays, DRAIN_MESH_ARRAYS, "mesh of a drain"));
+    VBSS_TRY(vbss_allocate_arrays(d->context, arrays, count, "drain"));
     vbss_drain_mesh_fill(&d->mesh);
-    VBSS_TRY(make_shell(d));
+    VBSS_TRY(create_shell(d));
     if (config->method == VBSS_METHOD_OURS) {
-        VBSS_TRY(make_system(d));
+        VBSS_TRY(create_system(d));
     }
-    place(d);
+    init_positions(d);
     return VBSS_OK;
 }
 
@@ -152,7 +152,7 @@ vbss_result vbss_drain_create(vbss_context *context, const vbss_drain_config *co
     }
     d->context = context;
     vbss_slot *slot = NULL;
-    vbss_result result = make(d, &own);
+    vbss_result result = build_drain(d, &own);
     if (result == VBSS_OK) {
         result = vbss_slot_create(context, &vbss_drain_kind, d, &slot);
     }
@@ -187,7 +187,7 @@ vbss_result vbss_drain_edit(vbss_drain *handle, drain_object **drain)
     return VBSS_OK;
 }
 
-vbss_result vbss_drain_edit_alone(vbss_drain *handle, drain_object **drain)
+vbss_result vbss_drain_edit_unowned(vbss_drain *handle, drain_object **drain)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit_unowned(handle, &vbss_drain_kind, &slot));
@@ -198,19 +198,19 @@ vbss_result vbss_drain_edit_alone(vbss_drain *handle, drain_object **drain)
 /* ---- what a host does with it */
 
 /* All or nothing. */
-static vbss_result make_step(drain_object *d, double h)
+static vbss_result run_step(drain_object *d, double h)
 {
     const vbss_drain_statistics before = d->statistics;
     size_t bytes = d->mesh.node_count * sizeof *d->x;
-    memcpy(d->kept_x, d->x, bytes);
-    memcpy(d->kept_v, d->v, bytes);
+    memcpy(d->saved_x, d->x, bytes);
+    memcpy(d->saved_v, d->v, bytes);
     d->statistics.last_move = 0.0;
     vbss_result result = d->config.method == VBSS_METHOD_PAPER ? vbss_drain_paper_step(d, h)
                                                                : vbss_drain_implicit_step(d, h);
     if (result != VBSS_OK) {
         d->statistics = before;
-        memcpy(d->x, d->kept_x, bytes);
-        memcpy(d->v, d->kept_v, bytes);
+        memcpy(d->x, d->saved_x, bytes);
+        memcpy(d->v, d->saved_v, bytes);
         return result != VBSS_ERROR_NOT_FINITE
                    ? result
                    : vbss_fail(d->context, result, "drain step: no finite state after step %llu",
@@ -223,10 +223,10 @@ static vbss_result make_step(drain_object *d, double h)
 vbss_result vbss_drain_step(vbss_drain *drain, double h)
 {
     drain_object *d;
-    VBSS_TRY(vbss_drain_edit_alone(drain, &d));
+    VBSS_TRY(vbss_drain_edit_unowned(drain, &d));
     VBSS_TRY(vbss_check_range(d->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(d->context));
-    return make_step(d, h);
+    return run_step(d, h);
 }
 
 static vbss_result check_state(const drain_object *d, const double *positions,
@@ -247,10 +247,10 @@ static vbss_result check_state(const drain_object *d, const double *positions,
     return VBSS_OK;
 }
 
-void vbss_drain_changed(drain_object *d)
+void vbss_drain_invalidate(drain_object *d)
 {
     d->generation++;
-    d->changes++;
+    d->edit_generation++;
 }
 
 vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
@@ -265,6 +265,6 @@ vbss_result vbss_drain_set_state(vbss_drain *drain, const double *positions,
         d->x[i] = positions != NULL ? vec3_load(positions + 3 * (size_t)i) : d->x[i];
         d->v[i] = velocities != NULL ? vec3_load(velocities + 3 * (size_t)i) : d->v[i];
     }
-    vbss_drain_changed(d);
+    vbss_drain_invalidate(d);
     return VBSS_OK;
 }

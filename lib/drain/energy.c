@@ -2,7 +2,7 @@
 #include "drain/drain.h"
 
 /* At most: of a pin the force is known of the last look only. */
-static double work_of_attachments(const drain_object *d)
+static double max_attachment_work(const drain_object *d)
 {
     double sum = 0.0;
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
@@ -10,23 +10,24 @@ static double work_of_attachments(const drain_object *d)
         if (a->id == 0) {
             continue;
         }
-        double way = vec3_norm(vec3_sub(d->trial[a->node], d->x[a->node]));
-        double aside = vec3_norm(vec3_sub(a->target, d->x[a->node])) + way;
-        sum += way * (a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? a->stiffness * aside
-                      : a->kind == VBSS_DRAIN_ATTACHMENT_FORCE ? vec3_norm(a->force)
-                                                               : vec3_norm(d->forces[a->node]));
+        double displacement = vec3_norm(vec3_sub(d->trial[a->node], d->x[a->node]));
+        double max_extension = vec3_norm(vec3_sub(a->target, d->x[a->node])) + displacement;
+        sum += displacement *
+               (a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? a->stiffness * max_extension
+                : a->kind == VBSS_DRAIN_ATTACHMENT_FORCE ? vec3_norm(a->force)
+                                                         : vec3_norm(d->internal_forces[a->node]));
     }
     return sum;
 }
 
-double vbss_drain_gain(const drain_object *d, double h)
+double vbss_drain_energy_change(const drain_object *d, double h)
 {
-    double gain = vbss_shell_energy(&d->shell, d->trial) - vbss_shell_energy(&d->shell, d->x);
+    double change = vbss_shell_energy(&d->shell, d->trial) - vbss_shell_energy(&d->shell, d->x);
     double per_time = 1.0 / h;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        vec3 way = vec3_sub(d->trial[i], d->x[i]), v = vec3_scale(way, per_time);
+        vec3 displacement = vec3_sub(d->trial[i], d->x[i]), v = vec3_scale(displacement, per_time);
         double squares = vec3_norm_squared(v) - vec3_norm_squared(d->v[i]);
-        gain += d->mass[i] * (0.5 * squares - vec3_dot(d->gravity, way));
+        change += d->mass[i] * (0.5 * squares - vec3_dot(d->gravity, displacement));
     }
-    return gain - work_of_attachments(d);
+    return change - max_attachment_work(d);
 }

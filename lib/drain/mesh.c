@@ -34,7 +34,7 @@ static vbss_result check_slit(vbss_context *context, const drain_mesh_options *o
                             "mark_arc, between opening and fixed strip,");
 }
 
-static vbss_result check(vbss_context *context, const drain_mesh_options *o)
+static vbss_result check_options(vbss_context *context, const drain_mesh_options *o)
 {
     VBSS_TRY(vbss_check_range(context, o->kind, 0.0, DRAIN_MESH_KINDS - 1.0, "kind"));
     VBSS_TRY(vbss_check_range(context, o->radius, 1e-4, 1.0, "radius"));
@@ -49,67 +49,68 @@ static vbss_result check(vbss_context *context, const drain_mesh_options *o)
 
 /* ---- counting */
 
-static void count(drain_mesh *m)
+static void count_entities(drain_mesh *m)
 {
     const drain_grid *g = &m->grid;
     vbss_drain_count_nodes(m);
     m->triangle_count = 2 * g->axial_cells * g->round_cells;
     /* Euler: a tube has nodes - sides + triangles = 0, a hole in it takes one. */
-    m->side_count = m->node_count + m->triangle_count + (g->tip > 0);
+    m->edge_count = m->node_count + m->triangle_count + (g->tip_rows > 0);
     uint32_t columns = 0;
     for (uint32_t j = 0; j < g->round_cells; j++) {
-        columns += vbss_drain_is_fixed(m, j <= g->round_cells / 2 ? j : g->round_cells - j);
+        columns += vbss_drain_is_anchor_column(m, j <= g->round_cells / 2 ? j : g->round_cells - j);
     }
-    m->fixed_count = columns * (g->axial_cells + 1);
+    m->anchor_count = columns * (g->axial_cells + 1);
 }
 
 vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options *options,
                                  drain_mesh *m)
 {
     memset(m, 0, sizeof *m);
-    VBSS_TRY(check(context, options));
+    VBSS_TRY(check_options(context, options));
     m->options = *options;
     if (options->kind >= DRAIN_MESH_UNIFORM) {
-        VBSS_TRY(vbss_drain_plan_equal_cells(context, m));
+        VBSS_TRY(vbss_drain_plan_uniform_grid(context, m));
     } else {
-        vbss_drain_plan_lines(m);
+        vbss_drain_plan_graded_grid(m);
     }
-    count(m);
+    count_entities(m);
     return VBSS_OK;
 }
 
-void vbss_drain_mesh_parts(drain_mesh *m, vbss_array parts[DRAIN_MESH_PARTS])
+void vbss_drain_mesh_arrays(drain_mesh *m, vbss_array arrays[DRAIN_MESH_ARRAYS])
 {
-    size_t nodes = m->node_count, triangles = m->triangle_count, sides = m->side_count;
-    size_t edges = m->slit_count > 0 ? m->slit_count - 1 : 0; /* of a lip */
+    size_t nodes = m->node_count, triangles = m->triangle_count, edges = m->edge_count;
+    size_t lip_edges = m->slit_count > 0 ? m->slit_count - 1 : 0; /* of a lip */
     const vbss_array all[] = {
         {&m->rest, nodes, sizeof *m->rest},
         {&m->angle, nodes, sizeof *m->angle},
-        {&m->material, nodes, sizeof *m->material},
-        {&m->area, nodes, sizeof *m->area},
+        {&m->material_coordinates, nodes, sizeof *m->material_coordinates},
+        {&m->node_area, nodes, sizeof *m->node_area},
         {&m->triangles, triangles, sizeof *m->triangles},
-        {&m->opposite, triangles, sizeof *m->opposite},
-        {&m->width, triangles, sizeof *m->width},
-        {&m->sides, sides, sizeof *m->sides},
-        {&m->first_side, nodes, sizeof *m->first_side},
-        {&m->next_side, sides, sizeof *m->next_side},
-        {&m->slit[DRAIN_LEFT], m->slit_count, sizeof(uint32_t)},
-        {&m->slit[DRAIN_RIGHT], m->slit_count, sizeof(uint32_t)},
-        {&m->lips[DRAIN_LEFT], edges, sizeof(uint32_t)},
-        {&m->lips[DRAIN_RIGHT], edges, sizeof(uint32_t)},
-        {&m->fixed, m->fixed_count, sizeof *m->fixed},
+        {&m->opposite_node, triangles, sizeof *m->opposite_node},
+        {&m->angular_width, triangles, sizeof *m->angular_width},
+        {&m->edges, edges, sizeof *m->edges},
+        {&m->first_edge, nodes, sizeof *m->first_edge},
+        {&m->next_edge, edges, sizeof *m->next_edge},
+        {&m->slit_nodes[DRAIN_LEFT], m->slit_count, sizeof(uint32_t)},
+        {&m->slit_nodes[DRAIN_RIGHT], m->slit_count, sizeof(uint32_t)},
+        {&m->lip_triangles[DRAIN_LEFT], lip_edges, sizeof(uint32_t)},
+        {&m->lip_triangles[DRAIN_RIGHT], lip_edges, sizeof(uint32_t)},
+        {&m->anchors, m->anchor_count, sizeof *m->anchors},
     };
-    _Static_assert(sizeof all == DRAIN_MESH_PARTS * sizeof(vbss_array), "the table has its length");
-    memcpy(parts, all, sizeof all);
+    _Static_assert(sizeof all == DRAIN_MESH_ARRAYS * sizeof(vbss_array),
+                   "the table has its length");
+    memcpy(arrays, all, sizeof all);
 }
 
 void vbss_drain_mesh_fill(drain_mesh *m)
 {
-    vbss_drain_place_nodes(m);
+    vbss_drain_compute_nodes(m);
     vbss_drain_list_triangles(m);
-    vbss_drain_list_sides(m);
+    vbss_drain_list_edges(m);
     vbss_drain_list_slit(m);
-    vbss_drain_choose_marks(m);
-    vbss_drain_list_fixed(m);
-    vbss_drain_measure(m);
+    vbss_drain_find_landmarks(m);
+    vbss_drain_list_anchors(m);
+    vbss_drain_compute_areas(m);
 }

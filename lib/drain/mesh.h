@@ -21,9 +21,9 @@
 #define DRAIN_NONE UINT32_MAX
 #define DRAIN_PI 3.14159265358979323846
 /* From the top to where the fixed strip begins; the strip is 25 degrees to either side of the bottom. */
-#define DRAIN_STRIP (155.0 / 180.0 * DRAIN_PI)
+#define DRAIN_STRIP_ANGLE (155.0 / 180.0 * DRAIN_PI)
 
-/* The graded ones, N to R, are fine where the slit is; lines.c lists them. */
+/* The graded ones, N to R, are fine where the slit is; graded_grid.c lists them. */
 typedef enum drain_mesh_kind {
     DRAIN_MESH_N,       /* 137 nodes, 240 triangles; the default */
     DRAIN_MESH_D,       /* 159 nodes, 280 triangles */
@@ -53,41 +53,41 @@ enum { DRAIN_LEFT, DRAIN_RIGHT };
 
 /* An edge of triangles. The first triangle runs along it from nodes[0] to nodes[1], the second, DRAIN_NONE at
  * a free edge, back. */
-typedef struct drain_side {
+typedef struct drain_edge {
     uint32_t nodes[2], triangles[2];
-} drain_side;
+} drain_edge;
 
-/* Lines of the grid: equal cells, or those that lines.c lists. */
+/* Lines of the grid: equal cells, or those that graded_grid.c lists. */
 typedef struct drain_grid {
     uint32_t axial_cells, round_cells; /* one row more than cells; as many columns as cells */
-    uint32_t tip;                      /* rows from mid-length to a tip of the slit; 0: no slit */
-    uint32_t mark;                     /* columns from the top to a mark; 0: no marks */
+    uint32_t tip_rows;                 /* rows from mid-length to a tip of the slit; 0: no slit */
+    uint32_t mark_column;              /* columns from the top to a mark; 0: no marks */
 } drain_grid;
 
 typedef struct drain_mesh {
     drain_mesh_options options;
     drain_grid grid;
-    uint32_t node_count, triangle_count, side_count, slit_count, fixed_count;
-    uint32_t marks[2];  /* nodes, left and right, or DRAIN_NONE */
-    uint32_t middle[2]; /* of the slit's edges */
+    uint32_t node_count, triangle_count, edge_count, slit_count, anchor_count;
+    uint32_t marks[2];       /* nodes, left and right, or DRAIN_NONE */
+    uint32_t slit_middle[2]; /* of the slit's edges */
 
     /* a node; nodes of rows in order, then those that double the slit on its left */
     vec3 *rest;
-    double *angle;         /* at rest, over -pi to pi */
-    double (*material)[2]; /* arc from the top and x, before the opening */
-    double *area;          /* a third of that of its triangles */
+    double *angle;                     /* at rest, over -pi to pi */
+    double (*material_coordinates)[2]; /* arc from the top and x, before the opening */
+    double *node_area;                 /* a third of that of its triangles */
 
     /* a triangle; the left half of them in the order of the right half that they mirror */
-    uint32_t (*triangles)[3]; /* counter-clockwise seen from outside */
-    uint32_t (*opposite)[3];  /* beyond the side opposite to each node, or DRAIN_NONE */
-    double *width;            /* angle round the axis between its outermost nodes at rest */
+    uint32_t (*triangles)[3];     /* counter-clockwise seen from outside */
+    uint32_t (*opposite_node)[3]; /* beyond the side opposite to each node, or DRAIN_NONE */
+    double *angular_width;        /* angle round the axis between its outermost nodes at rest */
 
-    drain_side *sides;                /* each once */
-    uint32_t *first_side, *next_side; /* of a node, after a side: those whose lesser node it is */
+    drain_edge *edges;                /* each once */
+    uint32_t *first_edge, *next_edge; /* of a node, after a side: those whose lesser node it is */
 
-    uint32_t *slit[2]; /* nodes of either edge with both tips, along x */
-    uint32_t *lips[2]; /* the triangles between them, one less */
-    uint32_t *fixed;   /* nodes of the strip */
+    uint32_t *slit_nodes[2];    /* nodes of either edge with both tips, along x */
+    uint32_t *lip_triangles[2]; /* the triangles between them, one less */
+    uint32_t *anchors;          /* nodes of the strip */
 } drain_mesh;
 
 /* ---- making one (mesh.c) */
@@ -95,42 +95,42 @@ void vbss_drain_mesh_defaults(drain_mesh_options *options);
 /* Checks the options and counts; the arrays are NULL. */
 vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options *options,
                                  drain_mesh *mesh);
-enum { DRAIN_MESH_PARTS = 15 };
+enum { DRAIN_MESH_ARRAYS = 15 };
 /* What a planned mesh has room for, to be allocated and released with its owner. */
-void vbss_drain_mesh_parts(drain_mesh *mesh, vbss_array parts[DRAIN_MESH_PARTS]);
+void vbss_drain_mesh_arrays(drain_mesh *mesh, vbss_array arrays[DRAIN_MESH_ARRAYS]);
 void vbss_drain_mesh_fill(drain_mesh *mesh);
 
-/* ---- lines (lines.c): rows from -x to +x, columns from the top to the bottom, which is column round_cells / 2 */
-void vbss_drain_plan_lines(drain_mesh *mesh);
-double vbss_drain_row(const drain_mesh *mesh, uint32_t row);
-double vbss_drain_column(const drain_mesh *mesh, uint32_t column);
-/* ---- lines of equal cells (equal_cells.c) */
-vbss_result vbss_drain_plan_equal_cells(vbss_context *context, drain_mesh *mesh);
-double vbss_drain_equal_row(const drain_mesh *mesh, uint32_t row);
-double vbss_drain_equal_column(const drain_mesh *mesh, uint32_t column);
+/* ---- lines (graded_grid.c): rows from -x to +x, columns from the top to the bottom, which is column round_cells / 2 */
+void vbss_drain_plan_graded_grid(drain_mesh *mesh);
+double vbss_drain_row_x(const drain_mesh *mesh, uint32_t row);
+double vbss_drain_column_angle(const drain_mesh *mesh, uint32_t column);
+/* ---- lines of equal cells (uniform_grid.c) */
+vbss_result vbss_drain_plan_uniform_grid(vbss_context *context, drain_mesh *mesh);
+double vbss_drain_uniform_row_x(const drain_mesh *mesh, uint32_t row);
+double vbss_drain_uniform_column_angle(const drain_mesh *mesh, uint32_t column);
 
 /* ---- nodes (nodes.c) */
 void vbss_drain_count_nodes(drain_mesh *mesh);
 /* Columns of both sides begin on top and meet at the bottom. */
-uint32_t vbss_drain_node(const drain_mesh *mesh, uint32_t row, uint32_t column, int side);
-void vbss_drain_place_nodes(drain_mesh *mesh);
+uint32_t vbss_drain_node_index(const drain_mesh *mesh, uint32_t row, uint32_t column, int side);
+void vbss_drain_compute_nodes(drain_mesh *mesh);
 
 /* ---- slit (slit.c) */
-bool vbss_drain_is_slit(const drain_mesh *mesh, uint32_t row); /* and no tip */
+bool vbss_drain_is_slit_row(const drain_mesh *mesh, uint32_t row); /* and no tip */
 /* Arc by which the opening moves a point of the right side away from the top. */
-double vbss_drain_shift(const drain_mesh *mesh, double x, double arc);
+double vbss_drain_slit_shift(const drain_mesh *mesh, double x, double arc);
 void vbss_drain_list_slit(drain_mesh *mesh);
 
 /* ---- triangles and their neighbours (triangles.c) */
 void vbss_drain_list_triangles(drain_mesh *mesh);
-void vbss_drain_list_sides(drain_mesh *mesh);
+void vbss_drain_list_edges(drain_mesh *mesh);
 
-/* ---- marks and the fixed strip (marks.c) */
-void vbss_drain_choose_marks(drain_mesh *mesh);
-bool vbss_drain_is_fixed(const drain_mesh *mesh, uint32_t column);
-void vbss_drain_list_fixed(drain_mesh *mesh);
+/* ---- marks and the fixed strip (landmarks.c) */
+void vbss_drain_find_landmarks(drain_mesh *mesh);
+bool vbss_drain_is_anchor_column(const drain_mesh *mesh, uint32_t column);
+void vbss_drain_list_anchors(drain_mesh *mesh);
 
-/* ---- areas and widths (measures.c) */
-void vbss_drain_measure(drain_mesh *mesh);
+/* ---- areas and widths (areas.c) */
+void vbss_drain_compute_areas(drain_mesh *mesh);
 
 #endif

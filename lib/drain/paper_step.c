@@ -56,7 +56,8 @@ static void prepare_mobilities(drain_object *d, double dt)
 static void pull_back(drain_object *d)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->forces[i] = vec3_scale(vec3_sub(d->ties[i], d->x[i]), d->config.paper_stiffness);
+        d->internal_forces[i] =
+            vec3_scale(vec3_sub(d->ties[i], d->x[i]), d->config.paper_stiffness);
     }
 }
 
@@ -64,7 +65,7 @@ static void pull_back(drain_object *d)
 static void gather_forces(drain_object *d, double end, vec3 *sums)
 {
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        sums[i] = vec3_add_scaled(d->forces[i], d->mass[i], d->gravity);
+        sums[i] = vec3_add_scaled(d->internal_forces[i], d->mass[i], d->gravity);
     }
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
         const drain_attachment *a = &d->attachments[k];
@@ -122,7 +123,7 @@ static void make_parts(drain_object *d, double dt, uint32_t parts)
     vec3 *sums = d->trial;
     for (uint32_t part = 0; part < parts; part++) {
         double end = (part + 1.0) / parts;
-        memcpy(d->v_before, d->v, d->mesh.node_count * sizeof *d->v);
+        memcpy(d->v_substep_start, d->v, d->mesh.node_count * sizeof *d->v);
         pull_back(d);
         gather_forces(d, end, sums);
         set_velocities(d, dt, sums);
@@ -148,7 +149,7 @@ vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part)
     prepare_mobilities(d, *part);
     make_parts(d, *part, parts);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        d->v[i] = vbss_drain_stilled(d->v[i]);
+        d->v[i] = vbss_drain_flush_velocity(d->v[i]);
     }
     if (!is_finite(d)) {
         return VBSS_ERROR_NOT_FINITE;
@@ -159,8 +160,8 @@ vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part)
 
 void vbss_drain_paper_arrive(drain_object *d, double part)
 {
-    vbss_drain_attachments_arrive(d);
-    vbss_drain_note_reactions(d, part);
+    vbss_drain_commit_attachments(d);
+    vbss_drain_update_reactions(d, part);
 }
 
 vbss_result vbss_drain_paper_step(drain_object *d, double h)

@@ -33,19 +33,19 @@ static vec3 pin_force(const drain_object *d, double h, const drain_attachment *p
 {
     uint32_t node = pin->node;
     vec3 v = d->v[node];
-    vec3 rate = vec3_scale(vec3_sub(v, d->v_before[node]), 1.0 / h);
-    rate = vec3_sub(vec3_add_scaled(rate, d->config.drag, v), d->gravity);
-    vec3 all = vec3_sub(vec3_scale(rate, d->mass[node]), d->forces[node]);
-    all = vec3_sub(all, d->pushes[node]);
+    vec3 acceleration = vec3_scale(vec3_sub(v, d->v_substep_start[node]), 1.0 / h);
+    acceleration = vec3_sub(vec3_add_scaled(acceleration, d->config.drag, v), d->gravity);
+    vec3 all = vec3_sub(vec3_scale(acceleration, d->mass[node]), d->internal_forces[node]);
+    all = vec3_sub(all, d->contact_forces[node]);
     return vec3_sub(all, other_forces(d, pin));
 }
 
-void vbss_drain_note_reactions(drain_object *d, double h)
+void vbss_drain_update_reactions(drain_object *d, double h)
 {
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
         drain_attachment *a = &d->attachments[k];
-        vec3 way = vec3_sub(a->position, d->x[a->node]);
-        a->reaction = a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? vec3_scale(way, a->stiffness)
+        vec3 extension = vec3_sub(a->position, d->x[a->node]);
+        a->reaction = a->kind == VBSS_DRAIN_ATTACHMENT_SPRING  ? vec3_scale(extension, a->stiffness)
                       : a->kind == VBSS_DRAIN_ATTACHMENT_FORCE ? a->force
                                                                : vec3_zero();
     }

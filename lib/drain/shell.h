@@ -24,11 +24,11 @@ enum {
 typedef struct vbss_shell_input {
     uint32_t node_count, triangle_count;
     const vec3 *rest;
-    const uint32_t (*triangles)[3]; /* counter-clockwise from outside */
-    const uint32_t (*opposite)[3];  /* node beyond the side opposite corner i, or SHELL_NONE */
+    const uint32_t (*triangles)[3];     /* counter-clockwise from outside */
+    const uint32_t (*opposite_node)[3]; /* node beyond the side opposite corner i, or SHELL_NONE */
     /* The angle (rad) a triangle spans around its tube: its bending stiffness is raised to what an
      * ovalling ring has; 0 leaves it. NULL: all 0. */
-    const double *widths;
+    const double *angular_widths;
     double young, thickness, density; /* Pa, m, kg/m^3 */
     double poisson;                   /* 0 .. 0.5 */
     bool moment_free_edges; /* no bending moment across free sides: off for comparison only */
@@ -39,23 +39,23 @@ typedef struct vbss_shell_input {
 typedef struct vbss_shell_group {
     /* The tangents at the middle of side s are those of node 1, 2, 3 + s, from node 0: gradients over
      * sqrt 3, so that sums over the sides are means. */
-    lanes slope[3][3][2];
+    lanes gradient[3][3][2];
     lanes metric[3]; /* at rest: 11, 22, 12 */
     lanes height[3]; /* at rest: of nodes 3 4 5 over the triangle's plane */
     /* Roots of membrane stiffness times area, against e11 + e22 and against e11 - e22 or 2 e12. */
     lanes root_sum, root_shear;
-    lanes bend[6];           /* bending stiffness between heights: 33 44 55 34 35 45 */
-    lanes flip[SHELL_PAIRS]; /* 1: the pair's block goes there transposed */
+    lanes bending_stiffness[6];    /* bending stiffness between heights: 33 44 55 34 35 45 */
+    lanes transposed[SHELL_PAIRS]; /* 1: the pair's block goes there transposed */
 
     /* for measuring only */
-    lanes curve[3][3]; /* curvature 11, 22, 2 12 of a unit height of nodes 3 4 5 */
-    lanes plate[6];    /* moments of curvatures: 11 22 33 12 13 23 */
-    lanes area;        /* at rest */
-    lanes mass;        /* of a corner */
+    lanes curvature_per_height[3][3]; /* curvature 11, 22, 2 12 of a unit height of nodes 3 4 5 */
+    lanes plate_stiffness[6];         /* moments of curvatures: 11 22 33 12 13 23 */
+    lanes area;                       /* at rest */
+    lanes mass;                       /* of a corner */
 
-    uint32_t node[SHELL_NODES][LANES];  /* beyond a free side: node 0, with zero constants */
-    uint32_t place[SHELL_PAIRS][LANES]; /* of a pair's block */
-    uint32_t free_sides[LANES];         /* bit s: nothing beyond side s */
+    uint32_t node[SHELL_NODES][LANES];        /* beyond a free side: node 0, with zero constants */
+    uint32_t block_index[SHELL_PAIRS][LANES]; /* of a pair's block */
+    uint32_t free_edges[LANES];               /* bit s: nothing beyond side s */
 } vbss_shell_group;
 _Static_assert(sizeof(vbss_shell_group) % sizeof(lanes) == 0 && sizeof(lanes) == 32,
                "the same layout whatever a register holds");
@@ -79,13 +79,13 @@ void vbss_shell_add_masses(const vbss_shell *shell, double *masses);
 
 /* The nodes of a pair of a patch. Its block has the rows of the pair's first node. False:
  * the pair's second node lies beyond a free side, the block is zero, and its place has to be 0. */
-bool vbss_shell_pair(const vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t *row,
-                     uint32_t *column);
+bool vbss_shell_pair_nodes(const vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t *row,
+                           uint32_t *column);
 /* A pair's block goes to blocks[place], as it is or transposed. Targets are twice a place, and 1 more for transposed;
  * numbers[triangle][pair] is twice the number of a target, and 1 more if the block is to go there the other way round.
  * Place 0 takes what was never aimed, and zeros: it must be there, and hold nothing else. */
-void vbss_shell_aim(vbss_shell *shell, const uint32_t (*numbers)[SHELL_PAIRS],
-                    const uint32_t *targets);
+void vbss_shell_set_assembly_map(vbss_shell *shell, const uint32_t (*pair_codes)[SHELL_PAIRS],
+                                 const uint32_t *block_codes);
 
 /* ---- the hot loops (shell_force.c, shell_tangent.c), forces, diagonal and x by node */
 
@@ -96,18 +96,19 @@ void vbss_shell_add_forces(const vbss_shell *shell, const vec3 *x, vec3 *forces)
 void vbss_shell_assemble(const vbss_shell *shell, const vec3 *x, vec3 *forces, block *diagonal,
                          block *blocks);
 
-/* ---- measuring (shell_measure.c). Components 11, 22, 12 in a frame that is carried along: axis 1 ran
+/* ---- measuring (shell_response.c). Components 11, 22, 12 in a frame that is carried along: axis 1 ran
  * from corner 0 to corner 1 at rest, axis 2 to the left of it in the triangle's plane. */
-typedef struct vbss_shell_state {
+typedef struct vbss_shell_response {
     double strain[3], curvature[3]; /* mid-surface, with 2 e12; 1/m against rest, with 2 k12 */
-    double force[3], moment[3];     /* N/m; N */
+    double membrane_force[3], bending_moment[3]; /* N/m; N */
     double membrane_energy, bending_energy;
-    bool inverted;
-} vbss_shell_state;
+    bool is_inverted;
+} vbss_shell_response;
 /* Turned over: the tangents at the middle of a side span an area that points against the triangle; or
  * collapsed: its area is a hundredth of what it was at rest or less. */
 bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const vec3 *x);
-void vbss_shell_measure(const vbss_shell *shell, const vec3 *x, vbss_shell_state *states);
+void vbss_shell_compute_responses(const vbss_shell *shell, const vec3 *x,
+                                  vbss_shell_response *responses);
 /* Of all triangles, J. */
 double vbss_shell_energy(const vbss_shell *shell, const vec3 *x);
 

@@ -26,10 +26,10 @@ static double plane_cross(plane_vector a, plane_vector b)
 
 /* A triangle with its neighbours folded flat into its plane. */
 typedef struct flat_patch {
-    plane_vector at[SHELL_NODES];
+    plane_vector position[SHELL_NODES];
     plane_vector gradient[3]; /* of the area coordinates */
     double area;
-    bool free[3];
+    bool is_free[3];
 } flat_patch;
 
 static bool flatten_triangle(const vec3 corner[3], flat_patch *p)
@@ -43,11 +43,11 @@ static bool flatten_triangle(const vec3 corner[3], flat_patch *p)
         return false;
     }
     p->area = 0.5 * twice;
-    p->at[0] = (plane_vector){0.0, 0.0};
-    p->at[1] = (plane_vector){length, 0.0};
-    p->at[2] = (plane_vector){vec3_dot(arm, along) / length, twice / length};
+    p->position[0] = (plane_vector){0.0, 0.0};
+    p->position[1] = (plane_vector){length, 0.0};
+    p->position[2] = (plane_vector){vec3_dot(arm, along) / length, twice / length};
     for (int i = 0; i < 3; i++) {
-        plane_vector side = plane_sub(p->at[(i + 2) % 3], p->at[(i + 1) % 3]);
+        plane_vector side = plane_sub(p->position[(i + 2) % 3], p->position[(i + 1) % 3]);
         p->gradient[i] = (plane_vector){-side.y / twice, side.x / twice};
     }
     return true;
@@ -63,10 +63,10 @@ static void flatten_neighbour(const vec3 corner[3], vec3 node, int side, flat_pa
     vec3 arm = vec3_sub(node, corner[j]);
     double along = vec3_dot(arm, unit);
     double out = vec3_norm(vec3_add_scaled(arm, -along, unit));
-    plane_vector flat = plane_sub(p->at[k], p->at[j]);
+    plane_vector flat = plane_sub(p->position[k], p->position[j]);
     double x = flat.x / length, y = flat.y / length;
-    p->at[3 + side].x = p->at[j].x + along * x + out * y;
-    p->at[3 + side].y = p->at[j].y + along * y - out * x;
+    p->position[3 + side].x = p->position[j].x + along * x + out * y;
+    p->position[3 + side].y = p->position[j].y + along * y - out * x;
 }
 
 /* The gradient at the middle of a side as factors of corners 0 1 2 and the node beyond: of the quadratic
@@ -75,13 +75,14 @@ static void flatten_neighbour(const vec3 corner[3], vec3 node, int side, flat_pa
  * map that has them both. */
 static void set_gradient(const flat_patch *f, int side, plane_vector gradient[4])
 {
-    if (f->free[side]) {
+    if (f->is_free[side]) {
         memcpy(gradient, f->gradient, sizeof f->gradient);
         gradient[3] = (plane_vector){0.0, 0.0};
         return;
     }
     int j = (side + 1) % 3, k = (side + 2) % 3;
-    plane_vector p = plane_sub(f->at[3 + side], f->at[side]), q = plane_sub(f->at[j], f->at[k]);
+    plane_vector p = plane_sub(f->position[3 + side], f->position[side]),
+                 q = plane_sub(f->position[j], f->position[k]);
     double scale = 1.0 / plane_cross(p, q);
     plane_vector of_p = {q.y * scale, -q.x * scale}, of_q = {-p.y * scale, p.x * scale};
     gradient[3] = of_p;
@@ -101,7 +102,7 @@ static void plate_times(const double c[6], const double v[3], double r[3])
 }
 
 /* The curvature across a free side follows, so that no moment is left: C - C N N^T C / (N^T C N). */
-static void release_side(const flat_patch *f, int side, double c[6])
+static void release_edge(const flat_patch *f, int side, double c[6])
 {
     plane_vector g = f->gradient[side];
     double scale = 1.0 / (g.x * g.x + g.y * g.y);
@@ -119,7 +120,7 @@ static void release_side(const flat_patch *f, int side, double c[6])
 
 /* Along an arc of three nodes `width` apart, second differences see of cos 2 theta
  * 4 (sin width / width)^2 - 1 instead of 3: w'' + w of an ovalling ring, docs/drain-shell.md. */
-static double ovalling_seen(double width)
+static double ovalling_ratio(double width)
 {
     double ratio = width > 0.0 ? vbss_sin(width) / width : 1.0;
     return (4.0 * ratio * ratio - 1.0) / 3.0;
@@ -129,24 +130,24 @@ static void set_plate(const vbss_shell_input *in, uint32_t triangle, const flat_
                       double plate[6])
 {
     double t = in->thickness, nu = in->poisson;
-    double seen = ovalling_seen(in->widths != NULL ? in->widths[triangle] : 0.0);
+    double seen = ovalling_ratio(in->angular_widths != NULL ? in->angular_widths[triangle] : 0.0);
     double d = in->young * t * t * t / (12.0 * (1.0 - nu * nu)) / (seen * seen);
     plate[0] = plate[1] = d;
     plate[2] = 0.5 * (1.0 - nu) * d;
     plate[3] = nu * d;
     plate[4] = plate[5] = 0.0;
     /* with three free sides there are no heights, and nothing to release */
-    bool bends = !f->free[0] || !f->free[1] || !f->free[2];
-    for (int s = 0; s < 3 && in->moment_free_edges && bends; s++) {
-        if (f->free[s]) {
-            release_side(f, s, plate);
+    bool has_bending = !f->is_free[0] || !f->is_free[1] || !f->is_free[2];
+    for (int s = 0; s < 3 && in->moment_free_edges && has_bending; s++) {
+        if (f->is_free[s]) {
+            release_edge(f, s, plate);
         }
     }
 }
 
 /* ---- into a lane */
 
-static void put(lanes *to, int lane, double value)
+static void set_lane(lanes *to, int lane, double value)
 {
     double all[LANES];
     lanes_store(all, *to);
@@ -154,13 +155,14 @@ static void put(lanes *to, int lane, double value)
     *to = lanes_load(all);
 }
 
-static void set_curves(const vbss_shell_input *in, uint32_t triangle, const flat_patch *f,
-                       plane_vector across[3], vbss_shell_group *g, int lane)
+static void set_curvature_operators(const vbss_shell_input *in, uint32_t triangle,
+                                    const flat_patch *f, plane_vector across[3],
+                                    vbss_shell_group *g, int lane)
 {
     double plate[6], curve[3][3], moment[3];
     set_plate(in, triangle, f, plate);
     for (int k = 0; k < 6; k++) {
-        put(&g->plate[k], lane, plate[k]);
+        set_lane(&g->plate_stiffness[k], lane, plate[k]);
     }
     for (int m = 0; m < 3; m++) {
         plane_vector l = f->gradient[m], far = across[m];
@@ -168,7 +170,7 @@ static void set_curves(const vbss_shell_input *in, uint32_t triangle, const flat
         curve[m][1] = -2.0 * l.y * far.y;
         curve[m][2] = -2.0 * (l.x * far.y + l.y * far.x);
         for (int k = 0; k < 3; k++) {
-            put(&g->curve[m][k], lane, curve[m][k]);
+            set_lane(&g->curvature_per_height[m][k], lane, curve[m][k]);
         }
     }
     static const int pairs[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
@@ -176,7 +178,7 @@ static void set_curves(const vbss_shell_input *in, uint32_t triangle, const flat
         const double *a = curve[pairs[k][0]], *b = curve[pairs[k][1]];
         plate_times(plate, b, moment);
         double product = a[0] * moment[0] + a[1] * moment[1] + a[2] * moment[2];
-        put(&g->bend[k], lane, f->area * product);
+        set_lane(&g->bending_stiffness[k], lane, f->area * product);
     }
 }
 
@@ -190,17 +192,17 @@ static void set_patch(const vbss_shell_input *in, uint32_t triangle, const flat_
         set_gradient(f, s, gradient);
         across[s] = gradient[3];
         for (int k = 0; k < 3; k++) {
-            put(&g->slope[s][k][0], lane, root_third * gradient[1 + k].x);
-            put(&g->slope[s][k][1], lane, root_third * gradient[1 + k].y);
+            set_lane(&g->gradient[s][k][0], lane, root_third * gradient[1 + k].x);
+            set_lane(&g->gradient[s][k][1], lane, root_third * gradient[1 + k].y);
         }
     }
     double nu = in->poisson;
     double stiffness = f->area * in->young * in->thickness / (1.0 - nu * nu);
-    put(&g->root_sum, lane, sqrt(0.5 * (1.0 + nu) * stiffness));
-    put(&g->root_shear, lane, sqrt(0.5 * (1.0 - nu) * stiffness));
-    put(&g->area, lane, f->area);
-    put(&g->mass, lane, in->density * in->thickness * f->area / 3.0);
-    set_curves(in, triangle, f, across, g, lane);
+    set_lane(&g->root_sum, lane, sqrt(0.5 * (1.0 + nu) * stiffness));
+    set_lane(&g->root_shear, lane, sqrt(0.5 * (1.0 - nu) * stiffness));
+    set_lane(&g->area, lane, f->area);
+    set_lane(&g->mass, lane, in->density * in->thickness * f->area / 3.0);
+    set_curvature_operators(in, triangle, f, across, g, lane);
 }
 
 /* ---- checking */
@@ -221,14 +223,14 @@ static vbss_result check_input(vbss_context *c, const vbss_shell_input *in)
 
 static vbss_result check_nodes(vbss_context *c, const vbss_shell_input *in, uint32_t triangle)
 {
-    const uint32_t *corner = in->triangles[triangle], *far = in->opposite[triangle];
+    const uint32_t *corner = in->triangles[triangle], *far = in->opposite_node[triangle];
     for (int i = 0; i < 3; i++) {
-        bool there = far[i] != SHELL_NONE;
-        if (corner[i] >= in->node_count || (there && far[i] >= in->node_count)) {
+        bool exists = far[i] != SHELL_NONE;
+        if (corner[i] >= in->node_count || (exists && far[i] >= in->node_count)) {
             return vbss_fail(c, VBSS_ERROR_OUT_OF_RANGE, "triangle %u: no such node", triangle);
         }
         /* around a node of three triangles two neighbours end in the same node: no patch of six */
-        if (there && far[i] == far[(i + 1) % 3]) {
+        if (exists && far[i] == far[(i + 1) % 3]) {
             return vbss_fail(c, VBSS_ERROR_OUT_OF_RANGE,
                              "triangle %u has two neighbours with the same far node", triangle);
         }
@@ -239,9 +241,9 @@ static vbss_result check_nodes(vbss_context *c, const vbss_shell_input *in, uint
             }
         }
     }
-    if (in->widths != NULL) {
+    if (in->angular_widths != NULL) {
         /* beyond, even w'' + w of a ring that ovals vanishes */
-        VBSS_TRY(vbss_check_range(c, in->widths[triangle], 0.0, 1.6, "width"));
+        VBSS_TRY(vbss_check_range(c, in->angular_widths[triangle], 0.0, 1.6, "width"));
     }
     return VBSS_OK;
 }
@@ -258,14 +260,14 @@ static vbss_result add_patch(vbss_context *c, const vbss_shell_input *in, uint32
     if (!flatten_triangle(corner, &flat)) {
         return vbss_fail(c, VBSS_ERROR_OUT_OF_RANGE, "triangle %u has no area", triangle);
     }
-    g->free_sides[lane] = 0;
+    g->free_edges[lane] = 0;
     for (int s = 0; s < 3; s++) {
-        uint32_t far = in->opposite[triangle][s];
-        flat.free[s] = far == SHELL_NONE;
+        uint32_t far = in->opposite_node[triangle][s];
+        flat.is_free[s] = far == SHELL_NONE;
         g->node[s][lane] = in->triangles[triangle][s];
-        g->node[3 + s][lane] = flat.free[s] ? in->triangles[triangle][0] : far;
-        g->free_sides[lane] |= flat.free[s] ? 1u << s : 0u;
-        if (!flat.free[s]) {
+        g->node[3 + s][lane] = flat.is_free[s] ? in->triangles[triangle][0] : far;
+        g->free_edges[lane] |= flat.is_free[s] ? 1u << s : 0u;
+        if (!flat.is_free[s]) {
             flatten_neighbour(corner, in->rest[far], s, &flat);
         }
     }
@@ -334,15 +336,15 @@ static const uint8_t pair_nodes[SHELL_PAIRS][2] = {{0, 1}, {0, 2}, {0, 3}, {0, 4
                                                    {1, 2}, {1, 3}, {1, 4}, {1, 5}, {2, 3},
                                                    {2, 4}, {2, 5}, {3, 4}, {3, 5}, {4, 5}};
 
-bool vbss_shell_pair(const vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t *row,
-                     uint32_t *column)
+bool vbss_shell_pair_nodes(const vbss_shell *shell, uint32_t triangle, uint32_t pair, uint32_t *row,
+                           uint32_t *column)
 {
     const vbss_shell_group *g = &shell->groups[triangle / LANES];
     uint32_t lane = triangle % LANES, i = pair_nodes[pair][0], j = pair_nodes[pair][1];
     *row = g->node[i][lane];
     *column = g->node[j][lane];
-    uint32_t gone = g->free_sides[lane] << 3; /* by node of the patch */
-    return ((gone >> i | gone >> j) & 1u) == 0;
+    uint32_t missing_nodes = g->free_edges[lane] << 3; /* by node of the patch */
+    return ((missing_nodes >> i | missing_nodes >> j) & 1u) == 0;
 }
 
 /* Lanes that are 1 where a number has a bit. */
@@ -351,8 +353,8 @@ static const double lanes_of_bits[1 << LANES][LANES] = {
     {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},
     {0, 0, 1, 1}, {1, 0, 1, 1}, {0, 1, 1, 1}, {1, 1, 1, 1}};
 
-void vbss_shell_aim(vbss_shell *shell, const uint32_t (*numbers)[SHELL_PAIRS],
-                    const uint32_t *targets)
+void vbss_shell_set_assembly_map(vbss_shell *shell, const uint32_t (*pair_codes)[SHELL_PAIRS],
+                                 const uint32_t *block_codes)
 {
     for (uint32_t first = 0; first < shell->triangle_count; first += LANES) {
         vbss_shell_group *g = &shell->groups[first / LANES];
@@ -360,12 +362,12 @@ void vbss_shell_aim(vbss_shell *shell, const uint32_t (*numbers)[SHELL_PAIRS],
         for (uint32_t pair = 0; pair < SHELL_PAIRS; pair++) {
             uint32_t transposed = 0;
             for (uint32_t lane = 0; lane < count; lane++) {
-                uint32_t number = numbers[first + lane][pair];
-                uint32_t target = targets[number / 2] ^ (number & 1u);
-                g->place[pair][lane] = target / 2;
-                transposed |= (target & 1u) << lane;
+                uint32_t pair_code = pair_codes[first + lane][pair];
+                uint32_t block_code = block_codes[pair_code / 2] ^ (pair_code & 1u);
+                g->block_index[pair][lane] = block_code / 2;
+                transposed |= (block_code & 1u) << lane;
             }
-            g->flip[pair] = lanes_load(lanes_of_bits[transposed]);
+            g->transposed[pair] = lanes_load(lanes_of_bits[transposed]);
         }
     }
 }

@@ -43,9 +43,9 @@ static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, she
     }
     for (int s = 0; s < 3; s++) {
         for (int a = 0; a < 2; a++) {
-            vlanes t = v_scale(p->arm[1], g->slope[s][0][a]);
-            t = v_add_scaled(t, g->slope[s][1][a], p->arm[2]);
-            p->tangent[s][a] = v_add_scaled(t, g->slope[s][2][a], p->arm[3 + s]);
+            vlanes t = v_scale(p->arm[1], g->gradient[s][0][a]);
+            t = v_add_scaled(t, g->gradient[s][1][a], p->arm[2]);
+            p->tangent[s][a] = v_add_scaled(t, g->gradient[s][2][a], p->arm[3 + s]);
         }
         const vlanes *t = p->tangent[s];
         p->metric[0] = lanes_add(p->metric[0], v_dot(t[0], t[0]));
@@ -78,19 +78,23 @@ static inline void shell_set_stress(const vbss_shell_group *g, const shell_shape
 }
 
 /* The slope of the bending energy to the heights. */
-static inline void shell_set_push(const vbss_shell_group *g, const shell_shape *p, lanes push[3])
+static inline void shell_set_bending_gradient(const vbss_shell_group *g, const shell_shape *p,
+                                              lanes bending_gradient[3])
 {
-    lanes risen[3];
+    lanes height_change[3];
     for (int m = 0; m < 3; m++) {
-        risen[m] = lanes_sub(p->height[m], g->height[m]);
+        height_change[m] = lanes_sub(p->height[m], g->height[m]);
     }
-    const lanes *b = g->bend;
-    push[0] = lanes_add(lanes_add(lanes_times(b[0], risen[0]), lanes_times(b[3], risen[1])),
-                        lanes_times(b[4], risen[2]));
-    push[1] = lanes_add(lanes_add(lanes_times(b[3], risen[0]), lanes_times(b[1], risen[1])),
-                        lanes_times(b[5], risen[2]));
-    push[2] = lanes_add(lanes_add(lanes_times(b[4], risen[0]), lanes_times(b[5], risen[1])),
-                        lanes_times(b[2], risen[2]));
+    const lanes *b = g->bending_stiffness;
+    bending_gradient[0] = lanes_add(
+        lanes_add(lanes_times(b[0], height_change[0]), lanes_times(b[3], height_change[1])),
+        lanes_times(b[4], height_change[2]));
+    bending_gradient[1] = lanes_add(
+        lanes_add(lanes_times(b[3], height_change[0]), lanes_times(b[1], height_change[1])),
+        lanes_times(b[5], height_change[2]));
+    bending_gradient[2] = lanes_add(
+        lanes_add(lanes_times(b[4], height_change[0]), lanes_times(b[5], height_change[1])),
+        lanes_times(b[2], height_change[2]));
 }
 
 /* The foot of node 3 + m in the triangle's plane is sum foot[m][i] (corner i): as the corners move along
@@ -110,8 +114,8 @@ static inline void shell_set_feet(const shell_shape *p, lanes foot[3][3])
 
 /* Forces on the six nodes; node 0 takes what the others need, so that there is no net force. */
 static inline void shell_set_forces(const vbss_shell_group *g, const shell_shape *p,
-                                    const lanes stress[3], const lanes push[3], lanes foot[3][3],
-                                    vlanes force[SHELL_NODES])
+                                    const lanes stress[3], const lanes bending_gradient[3],
+                                    lanes foot[3][3], vlanes force[SHELL_NODES])
 {
     vlanes none = p->arm[0];
     force[1] = force[2] = none;
@@ -121,13 +125,14 @@ static inline void shell_set_forces(const vbss_shell_group *g, const shell_shape
         vlanes to_1 = v_add_scaled(v_scale(t[0], stress[0]), stress[2], t[1]);
         vlanes to_2 = v_add_scaled(v_scale(t[0], stress[2]), stress[1], t[1]);
         for (int k = 0; k < 3; k++) {
-            vlanes slope = v_add_scaled(v_scale(to_1, g->slope[s][k][0]), g->slope[s][k][1], to_2);
+            vlanes gradient =
+                v_add_scaled(v_scale(to_1, g->gradient[s][k][0]), g->gradient[s][k][1], to_2);
             int n = k < 2 ? 1 + k : 3 + s;
-            force[n] = k < 2 ? v_sub(force[n], slope) : v_sub(none, slope);
+            force[n] = k < 2 ? v_sub(force[n], gradient) : v_sub(none, gradient);
         }
     }
     for (int m = 0; m < 3; m++) {
-        vlanes along = v_scale(p->normal, push[m]);
+        vlanes along = v_scale(p->normal, bending_gradient[m]);
         force[3 + m] = v_sub(force[3 + m], along);
         force[1] = v_add_scaled(force[1], foot[m][1], along);
         force[2] = v_add_scaled(force[2], foot[m][2], along);

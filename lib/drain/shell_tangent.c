@@ -7,7 +7,7 @@
 #include "drain/shell_strain.h"
 
 /* The tensile part of a symmetric stress 11, 22, 12: s = q I + (p - q) times a projection, p >= q. */
-static inline void keep_tension(lanes stress[3])
+static inline void keep_tensile_part(lanes stress[3])
 {
     lanes zero = lanes_splat(0.0), half = lanes_splat(0.5);
     lanes mean = lanes_times(half, lanes_add(stress[0], stress[1]));
@@ -15,13 +15,14 @@ static inline void keep_tension(lanes stress[3])
     lanes radius =
         lanes_sqrt(lanes_add(lanes_times(apart, apart), lanes_times(stress[2], stress[2])));
     lanes low = lanes_sub(mean, radius);
-    lanes high = lanes_max(lanes_add(mean, radius), zero), kept = lanes_max(low, zero);
+    lanes tensile_high = lanes_max(lanes_add(mean, radius), zero),
+          tensile_low = lanes_max(low, zero);
     /* 1 where both are kept */
     lanes twice = lanes_max(lanes_add(radius, radius), lanes_splat(1e-150));
-    lanes share = lanes_div(lanes_sub(high, kept), twice);
-    stress[0] = lanes_add(kept, lanes_times(share, lanes_sub(stress[0], low)));
-    stress[1] = lanes_add(kept, lanes_times(share, lanes_sub(stress[1], low)));
-    stress[2] = lanes_times(share, stress[2]);
+    lanes fraction = lanes_div(lanes_sub(tensile_high, tensile_low), twice);
+    stress[0] = lanes_add(tensile_low, lanes_times(fraction, lanes_sub(stress[0], low)));
+    stress[1] = lanes_add(tensile_low, lanes_times(fraction, lanes_sub(stress[1], low)));
+    stress[2] = lanes_times(fraction, stress[2]);
 }
 
 /* ---- factors of the blocks: of nodes 1 .. 5, then what is left for node 0 */
@@ -32,13 +33,13 @@ typedef struct patch_factors {
     lanes bending[SHELL_NODES][SHELL_NODES];   /* of n n^T, i <= j */
 } patch_factors;
 
-static inline void set_strain_slopes(const vbss_shell_group *g, const shell_shape *p,
-                                     patch_factors *f)
+static inline void set_strain_gradients(const vbss_shell_group *g, const shell_shape *p,
+                                        patch_factors *f)
 {
     for (int s = 0; s < 3; s++) {
         const vlanes *t = p->tangent[s];
         for (int k = 0; k < 3; k++) {
-            lanes along_1 = g->slope[s][k][0], along_2 = g->slope[s][k][1];
+            lanes along_1 = g->gradient[s][k][0], along_2 = g->gradient[s][k][1];
             vlanes own[3] = {v_scale(t[0], along_1), v_scale(t[1], along_2),
                              v_add_scaled(v_scale(t[1], along_1), along_2, t[0])};
             vlanes *to = f->strain[k < 2 ? 1 + k : 3 + s];
@@ -61,14 +62,14 @@ static inline void set_isotropic(const vbss_shell_group *g, const lanes stress[3
     for (int s = 0; s < 3; s++) {
         const int node[3] = {1, 2, 3 + s};
         for (int l = 0; l < 3; l++) {
-            const lanes *slope = g->slope[s][l];
-            lanes pull_1 =
-                lanes_add(lanes_times(stress[0], slope[0]), lanes_times(stress[2], slope[1]));
-            lanes pull_2 =
-                lanes_add(lanes_times(stress[2], slope[0]), lanes_times(stress[1], slope[1]));
+            const lanes *gradient = g->gradient[s][l];
+            lanes traction_1 =
+                lanes_add(lanes_times(stress[0], gradient[0]), lanes_times(stress[2], gradient[1]));
+            lanes traction_2 =
+                lanes_add(lanes_times(stress[2], gradient[0]), lanes_times(stress[1], gradient[1]));
             for (int k = 0; k <= l; k++) {
-                lanes own = lanes_add(lanes_times(g->slope[s][k][0], pull_1),
-                                      lanes_times(g->slope[s][k][1], pull_2));
+                lanes own = lanes_add(lanes_times(g->gradient[s][k][0], traction_1),
+                                      lanes_times(g->gradient[s][k][1], traction_2));
                 lanes *to = &f->isotropic[node[k]][node[l]];
                 *to = s == 0 || l == 2 ? own : lanes_add(*to, own);
             }
@@ -80,15 +81,17 @@ static inline void set_isotropic(const vbss_shell_group *g, const lanes stress[3
 /* Heights rise by 1 with their own node and by -foot with a corner. */
 static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patch_factors *f)
 {
-    static const int place[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
-    lanes push[3][3];
+    static const int symmetric_index[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
+    lanes stiffness_foot[3][3];
     for (int m = 0; m < 3; m++) {
-        const lanes bend[3] = {g->bend[place[m][0]], g->bend[place[m][1]], g->bend[place[m][2]]};
+        const lanes bend[3] = {g->bending_stiffness[symmetric_index[m][0]],
+                               g->bending_stiffness[symmetric_index[m][1]],
+                               g->bending_stiffness[symmetric_index[m][2]]};
         for (int i = 1; i < 3; i++) {
-            push[m][i] = lanes_add(
+            stiffness_foot[m][i] = lanes_add(
                 lanes_add(lanes_times(bend[0], foot[0][i]), lanes_times(bend[1], foot[1][i])),
                 lanes_times(bend[2], foot[2][i]));
-            f->bending[i][3 + m] = lanes_sub(lanes_splat(0.0), push[m][i]);
+            f->bending[i][3 + m] = lanes_sub(lanes_splat(0.0), stiffness_foot[m][i]);
         }
         for (int k = m; k < 3; k++) {
             f->bending[3 + m][3 + k] = bend[k];
@@ -96,15 +99,15 @@ static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patc
     }
     for (int i = 1; i < 3; i++) {
         for (int j = i; j < 3; j++) {
-            f->bending[i][j] = lanes_add(
-                lanes_add(lanes_times(foot[0][i], push[0][j]), lanes_times(foot[1][i], push[1][j])),
-                lanes_times(foot[2][i], push[2][j]));
+            f->bending[i][j] = lanes_add(lanes_add(lanes_times(foot[0][i], stiffness_foot[0][j]),
+                                                   lanes_times(foot[1][i], stiffness_foot[1][j])),
+                                         lanes_times(foot[2][i], stiffness_foot[2][j]));
         }
     }
 }
 
 /* Nothing changes when all six nodes move alike. */
-static inline void close_sums(lanes of[SHELL_NODES][SHELL_NODES])
+static inline void complete_row_sums(lanes of[SHELL_NODES][SHELL_NODES])
 {
     lanes own = lanes_splat(0.0);
     for (int j = 1; j < SHELL_NODES; j++) {
@@ -118,7 +121,7 @@ static inline void close_sums(lanes of[SHELL_NODES][SHELL_NODES])
     of[0][0] = own;
 }
 
-static inline void close_factors(patch_factors *f)
+static inline void complete_factors(patch_factors *f)
 {
     for (int row = 0; row < 3; row++) {
         vlanes sum = f->strain[1][row];
@@ -127,8 +130,8 @@ static inline void close_factors(patch_factors *f)
         }
         f->strain[0][row] = v_scale(sum, lanes_splat(-1.0));
     }
-    close_sums(f->isotropic);
-    close_sums(f->bending);
+    complete_row_sums(f->isotropic);
+    complete_row_sums(f->bending);
 }
 
 /* ---- blocks */
@@ -165,7 +168,7 @@ static inline void set_block(const patch_factors *f, const vlanes *normal, int i
 }
 
 /* On the diagonal, symmetric to the bit. */
-static inline void mirror_block(patch_block *b)
+static inline void symmetrise_block(patch_block *b)
 {
     b->at[3] = b->at[1];
     b->at[6] = b->at[2];
@@ -184,7 +187,7 @@ static inline void add_blocks(const patch_block *four, block *const to[LANES])
     }
 }
 
-static inline void flip(patch_block *four, lanes_mask transposed)
+static inline void transpose_lanes(patch_block *four, lanes_mask transposed)
 {
     static const int entry[3][2] = {{1, 3}, {2, 6}, {5, 7}};
     for (int k = 0; k < 3; k++) {
@@ -205,14 +208,14 @@ static void add_tangent(const vbss_shell_group *g, const patch_factors *f, const
             to[lane] = &diagonal[g->node[i][lane]];
         }
         set_block(f, normal, i, i, &four);
-        mirror_block(&four);
+        symmetrise_block(&four);
         add_blocks(&four, to);
         for (int j = i + 1; j < SHELL_NODES; j++, pair++) {
             for (int lane = 0; lane < LANES; lane++) {
-                to[lane] = &blocks[g->place[pair][lane]];
+                to[lane] = &blocks[g->block_index[pair][lane]];
             }
             set_block(f, normal, i, j, &four);
-            flip(&four, lanes_less(lanes_splat(0.5), g->flip[pair]));
+            transpose_lanes(&four, lanes_less(lanes_splat(0.5), g->transposed[pair]));
             add_blocks(&four, to);
         }
     }
@@ -225,21 +228,21 @@ void VBSS_WIDE_NAME(vbss_shell_assemble)(const vbss_shell *shell, const vec3 *x,
         const vbss_shell_group *g = &shell->groups[k];
         int used = shell_lanes_used(shell, k);
         shell_shape shape;
-        lanes stress[3], push[3], foot[3][3];
+        lanes stress[3], bending_gradient[3], foot[3][3];
         vlanes force[SHELL_NODES];
         patch_factors factors;
         shell_set_shape(g, x, &shape);
         shell_set_stress(g, &shape, stress);
-        shell_set_push(g, &shape, push);
+        shell_set_bending_gradient(g, &shape, bending_gradient);
         shell_set_feet(&shape, foot);
-        shell_set_forces(g, &shape, stress, push, foot, force);
+        shell_set_forces(g, &shape, stress, bending_gradient, foot, force);
         shell_scatter_forces(g, used, force, forces);
 
-        keep_tension(stress);
-        set_strain_slopes(g, &shape, &factors);
+        keep_tensile_part(stress);
+        set_strain_gradients(g, &shape, &factors);
         set_isotropic(g, stress, &factors);
         set_bending(g, foot, &factors);
-        close_factors(&factors);
+        complete_factors(&factors);
         add_tangent(g, &factors, &shape.normal, diagonal, blocks);
     }
 }

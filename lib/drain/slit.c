@@ -1,23 +1,23 @@
 /* The slit: how far it opens, and the nodes of its edges. */
 #include "drain/mesh.h"
 
-bool vbss_drain_is_slit(const drain_mesh *m, uint32_t row)
+bool vbss_drain_is_slit_row(const drain_mesh *m, uint32_t row)
 {
     uint32_t middle = m->grid.axial_cells / 2;
-    return row + m->grid.tip > middle && row < middle + m->grid.tip;
+    return row + m->grid.tip_rows > middle && row < middle + m->grid.tip_rows;
 }
 
 /* A cut from -a to a opens to the ellipse b sqrt(1 - (x/a)^2). The shift of all other points is the harmonic one
  * that has these values at the cut, is none on the line beyond the tips, and decays far away: with
  * z = (x + i arc)/a and Joukowski's map 2 z = zeta + 1/zeta, |zeta| >= 1, it is b Im(-1/zeta)
  * = b Im(zeta)/|zeta|^2. A factor, one at the cut, makes it end where the fixed strip begins. */
-double vbss_drain_shift(const drain_mesh *m, double x, double arc)
+double vbss_drain_slit_shift(const drain_mesh *m, double x, double arc)
 {
-    double share = arc / (DRAIN_STRIP * m->options.radius);
-    if (m->grid.tip == 0 || m->options.opening == 0.0 || share >= 1.0) {
+    double fraction = arc / (DRAIN_STRIP_ANGLE * m->options.radius);
+    if (m->grid.tip_rows == 0 || m->options.opening == 0.0 || fraction >= 1.0) {
         return 0.0;
     }
-    double a = vbss_drain_row(m, m->grid.axial_cells / 2 + m->grid.tip);
+    double a = vbss_drain_row_x(m, m->grid.axial_cells / 2 + m->grid.tip_rows);
     double re = fabs(x) / a, im = arc / a;
 
     /* zeta = z + sqrt(z^2 - 1), the root in the first quadrant; its smaller part by division, without loss */
@@ -29,30 +29,30 @@ double vbss_drain_shift(const drain_mesh *m, double x, double arc)
     double smaller = re * im / larger;
     re += square > 0.0 ? larger : smaller;
     im += square > 0.0 ? smaller : larger;
-    return 0.5 * m->options.opening * (im / (re * re + im * im)) * (1.0 - share * share);
+    return 0.5 * m->options.opening * (im / (re * re + im * im)) * (1.0 - fraction * fraction);
 }
 
 /* It has one. */
 static uint32_t triangle_of_edge(const drain_mesh *m, uint32_t p, uint32_t q)
 {
-    uint32_t s = m->first_side[p < q ? p : q];
-    while (m->sides[s].nodes[0] + m->sides[s].nodes[1] != p + q) {
-        s = m->next_side[s];
+    uint32_t s = m->first_edge[p < q ? p : q];
+    while (m->edges[s].nodes[0] + m->edges[s].nodes[1] != p + q) {
+        s = m->next_edge[s];
     }
-    return m->sides[s].triangles[0];
+    return m->edges[s].triangles[0];
 }
 
 void vbss_drain_list_slit(drain_mesh *m)
 {
-    uint32_t first = m->grid.axial_cells / 2 - m->grid.tip;
+    uint32_t first = m->grid.axial_cells / 2 - m->grid.tip_rows;
     for (uint32_t k = 0; k < m->slit_count; k++) {
-        m->slit[DRAIN_LEFT][k] = vbss_drain_node(m, first + k, 0, DRAIN_LEFT);
-        m->slit[DRAIN_RIGHT][k] = vbss_drain_node(m, first + k, 0, DRAIN_RIGHT);
+        m->slit_nodes[DRAIN_LEFT][k] = vbss_drain_node_index(m, first + k, 0, DRAIN_LEFT);
+        m->slit_nodes[DRAIN_RIGHT][k] = vbss_drain_node_index(m, first + k, 0, DRAIN_RIGHT);
     }
     for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
-        const uint32_t *nodes = m->slit[side];
+        const uint32_t *nodes = m->slit_nodes[side];
         for (uint32_t k = 0; k + 1 < m->slit_count; k++) {
-            m->lips[side][k] = triangle_of_edge(m, nodes[k], nodes[k + 1]);
+            m->lip_triangles[side][k] = triangle_of_edge(m, nodes[k], nodes[k + 1]);
         }
     }
 }

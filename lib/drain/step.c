@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "drain/drain.h"
 
-static double finish_solution(drain_object *d)
+static double solve_increment(drain_object *d)
 {
     vbss_system_load_schur_complement(d->system);
     bool solved = vbss_system_solve(d->system);
@@ -15,31 +15,31 @@ static double finish_solution(drain_object *d)
 }
 
 /* Largest increments of the tangent's solve and of the second look. False: there is no solution. */
-typedef struct moves {
-    double first, second;
-} moves;
+typedef struct increment_sizes {
+    double newton, correction;
+} increment_sizes;
 
-static bool linearise(drain_object *d, const drain_stage *stage, moves *m)
+static bool linearise(drain_object *d, const drain_substep *substep, increment_sizes *m)
 {
-    *m = (moves){0.0, 0.0};
+    *m = (increment_sizes){0.0, 0.0};
     vbss_system_clear(d->system);
-    vbss_drain_assemble(d, stage, d->system, 0);
+    vbss_drain_assemble(d, substep, d->system, 0);
     if (!vbss_system_condense(d->system)) {
         return false;
     }
-    m->first = finish_solution(d);
-    if (!(m->first < 1e100)) {
+    m->newton = solve_increment(d);
+    if (!(m->newton < 1e100)) {
         return false;
     }
-    vbss_drain_follow(d, d->system, 0);
-    if (m->first <= d->config.position_tolerance) {
+    vbss_drain_apply_increment(d, d->system, 0);
+    if (m->newton <= d->config.position_tolerance) {
         return true;
     }
-    vbss_drain_assemble_rhs(d, stage, d->system, 0);
+    vbss_drain_assemble_rhs(d, substep, d->system, 0);
     vbss_system_condense_rhs(d->system);
-    m->second = finish_solution(d);
-    if (m->second < DRAIN_BELIEVED * m->first) {
-        vbss_drain_follow(d, d->system, 0);
+    m->correction = solve_increment(d);
+    if (m->correction < DRAIN_MAX_CORRECTION_RATIO * m->newton) {
+        vbss_drain_apply_increment(d, d->system, 0);
     } else {
         d->statistics.corrections_dropped++;
     }
@@ -47,78 +47,79 @@ static bool linearise(drain_object *d, const drain_stage *stage, moves *m)
 }
 
 /* False: no solution. Too far: what has been found is worth nothing if the part can be halved. */
-static bool try_part(drain_object *d, const drain_stage *stage, bool may_halve, bool *too_far)
+static bool try_substep(drain_object *d, const drain_substep *substep, bool can_halve,
+                        bool *exceeds_move_limit)
 {
-    moves m = {0.0, 0.0}; /* of the last linearisation */
+    increment_sizes m = {0.0, 0.0}; /* of the last linearisation */
     uint32_t limit = d->config.linearisation_limit;
-    *too_far = false;
-    vbss_drain_begin_part(d);
+    *exceeds_move_limit = false;
+    vbss_drain_reset_trial(d);
     for (uint32_t k = 0; k < limit; k++) {
-        if (!linearise(d, stage, &m)) {
+        if (!linearise(d, substep, &m)) {
             return false;
         }
         d->statistics.linearisations++;
-        if (k == 0 && m.first > d->config.move_limit) {
+        if (k == 0 && m.newton > d->config.move_limit) {
             limit++;
-            *too_far = m.first > DRAIN_TOO_FAR * d->config.move_limit;
-            d->statistics.forced += *too_far && !may_halve;
+            *exceeds_move_limit = m.newton > DRAIN_MAX_MOVE_RATIO * d->config.move_limit;
+            d->statistics.forced += *exceeds_move_limit && !can_halve;
         }
-        if (*too_far && may_halve) {
+        if (*exceeds_move_limit && can_halve) {
             return true;
         }
-        if (m.first <= d->config.position_tolerance) {
+        if (m.newton <= d->config.position_tolerance) {
             break;
         }
     }
-    d->statistics.last_correction = m.second;
+    d->statistics.last_correction = m.correction;
     return true;
 }
 
 /* The parts are dyadic, so they sum to 1 exactly. */
-static bool make_parts(drain_object *d, double h, drain_stage *stage)
+static bool run_substeps(drain_object *d, double h, drain_substep *substep)
 {
-    double begin = 0.0, part = 1.0, smallest = 1.0;
+    double start = 0.0, fraction = 1.0, min_fraction = 1.0;
     for (uint32_t k = 0; k < d->config.halving_limit; k++) {
-        smallest *= 0.5;
+        min_fraction *= 0.5;
     }
-    while (begin < 1.0) {
-        bool too_far;
-        *stage = (drain_stage){h * part, begin + part};
-        if (!try_part(d, stage, part > smallest, &too_far)) {
+    while (start < 1.0) {
+        bool exceeds_move_limit;
+        *substep = (drain_substep){h * fraction, start + fraction};
+        if (!try_substep(d, substep, fraction > min_fraction, &exceeds_move_limit)) {
             return false;
         }
-        if (too_far && part > smallest) {
-            part *= 0.5;
+        if (exceeds_move_limit && fraction > min_fraction) {
+            fraction *= 0.5;
             continue;
         }
-        vbss_drain_commit(d, stage->h);
-        begin += part;
+        vbss_drain_commit(d, substep->h);
+        start += fraction;
     }
     return d->statistics.last_move < 1e100;
 }
 
 /* ---- the step */
 
-static vbss_result know_pattern(drain_object *d)
+static vbss_result update_sparsity(drain_object *d)
 {
     uint32_t first;
-    if (!d->pattern_known) {
+    if (!d->is_sparsity_valid) {
         vbss_system_begin_pattern(d->system);
-        VBSS_TRY(vbss_drain_register(d, d->system, NULL, &first));
+        VBSS_TRY(vbss_drain_add_to_system(d, d->system, NULL, &first));
         VBSS_TRY(vbss_system_analyse(d->system));
-        vbss_drain_aim(d, d->system);
-        d->pattern_known = true;
+        vbss_drain_set_assembly_map(d, d->system);
+        d->is_sparsity_valid = true;
     }
     return VBSS_OK;
 }
 
 vbss_result vbss_drain_implicit_step(drain_object *d, double h)
 {
-    drain_stage stage = {h, 1.0}; /* of the last part */
-    VBSS_TRY(know_pattern(d));
-    if (!make_parts(d, h, &stage)) {
+    drain_substep substep = {h, 1.0}; /* of the last part */
+    VBSS_TRY(update_sparsity(d));
+    if (!run_substeps(d, h, &substep)) {
         return VBSS_ERROR_NOT_FINITE;
     }
-    vbss_drain_arrive(d, stage.h);
+    vbss_drain_finish_substeps(d, substep.h);
     return VBSS_OK;
 }

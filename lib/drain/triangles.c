@@ -7,10 +7,10 @@
  * round: the same triangles with two nodes exchanged. */
 static void divide_cell(drain_mesh *m, uint32_t row, uint32_t column, int side, uint32_t first)
 {
-    uint32_t corner = vbss_drain_node(m, row, column, side);
-    uint32_t along = vbss_drain_node(m, row + 1, column, side);
-    uint32_t beside = vbss_drain_node(m, row, column + 1, side);
-    uint32_t across = vbss_drain_node(m, row + 1, column + 1, side);
+    uint32_t corner = vbss_drain_node_index(m, row, column, side);
+    uint32_t along = vbss_drain_node_index(m, row + 1, column, side);
+    uint32_t beside = vbss_drain_node_index(m, row, column + 1, side);
+    uint32_t across = vbss_drain_node_index(m, row + 1, column + 1, side);
     const uint32_t cell[2][3] = {{corner, beside, across}, {corner, across, along}};
     int second = side == DRAIN_RIGHT ? 1 : 2;
     for (uint32_t k = 0; k < 2; k++) {
@@ -34,65 +34,65 @@ void vbss_drain_list_triangles(drain_mesh *m)
 
 /* ---- sides */
 
-static uint32_t lesser_of(const uint32_t nodes[2])
+static uint32_t min_node(const uint32_t nodes[2])
 {
     return nodes[0] < nodes[1] ? nodes[0] : nodes[1];
 }
 
 /* The side that a triangle has run along the other way, or a new one. */
-static uint32_t find_side(drain_mesh *m, uint32_t from, uint32_t to)
+static uint32_t find_edge(drain_mesh *m, uint32_t from, uint32_t to)
 {
     const uint32_t nodes[2] = {from, to};
-    uint32_t lesser_node = lesser_of(nodes);
-    for (uint32_t s = m->first_side[lesser_node]; s != DRAIN_NONE; s = m->next_side[s]) {
-        if (m->sides[s].nodes[0] == to && m->sides[s].nodes[1] == from) {
+    uint32_t lesser_node = min_node(nodes);
+    for (uint32_t s = m->first_edge[lesser_node]; s != DRAIN_NONE; s = m->next_edge[s]) {
+        if (m->edges[s].nodes[0] == to && m->edges[s].nodes[1] == from) {
             return s;
         }
     }
-    uint32_t s = m->side_count++;
-    const drain_side side = {{from, to}, {DRAIN_NONE, DRAIN_NONE}};
-    m->sides[s] = side;
-    m->next_side[s] = m->first_side[lesser_node];
-    m->first_side[lesser_node] = s;
+    uint32_t s = m->edge_count++;
+    const drain_edge edge = {{from, to}, {DRAIN_NONE, DRAIN_NONE}};
+    m->edges[s] = edge;
+    m->next_edge[s] = m->first_edge[lesser_node];
+    m->first_edge[lesser_node] = s;
     return s;
 }
 
 /* Of a triangle, the node that is not on the side: its place. */
-static int place_off(const uint32_t triangle[3], const drain_side *side)
+static int opposite_corner(const uint32_t triangle[3], const drain_edge *edge)
 {
-    int place = 0;
-    while (triangle[place] == side->nodes[0] || triangle[place] == side->nodes[1]) {
-        place++;
+    int vertex = 0;
+    while (triangle[vertex] == edge->nodes[0] || triangle[vertex] == edge->nodes[1]) {
+        vertex++;
     }
-    return place;
+    return vertex;
 }
 
-static void join(drain_mesh *m, const drain_side *side)
+static void link_neighbours(drain_mesh *m, const drain_edge *edge)
 {
-    uint32_t a = side->triangles[0], b = side->triangles[1];
-    int off_a = place_off(m->triangles[a], side);
-    m->opposite[a][off_a] = DRAIN_NONE;
+    uint32_t a = edge->triangles[0], b = edge->triangles[1];
+    int corner_a = opposite_corner(m->triangles[a], edge);
+    m->opposite_node[a][corner_a] = DRAIN_NONE;
     if (b != DRAIN_NONE) {
-        int off_b = place_off(m->triangles[b], side);
-        m->opposite[a][off_a] = m->triangles[b][off_b];
-        m->opposite[b][off_b] = m->triangles[a][off_a];
+        int corner_b = opposite_corner(m->triangles[b], edge);
+        m->opposite_node[a][corner_a] = m->triangles[b][corner_b];
+        m->opposite_node[b][corner_b] = m->triangles[a][corner_a];
     }
 }
 
 /* The edges of the slit have nodes of their own, so nobody sees across. */
-void vbss_drain_list_sides(drain_mesh *m)
+void vbss_drain_list_edges(drain_mesh *m)
 {
-    m->side_count = 0;
+    m->edge_count = 0;
     for (uint32_t i = 0; i < m->node_count; i++) {
-        m->first_side[i] = DRAIN_NONE;
+        m->first_edge[i] = DRAIN_NONE;
     }
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         for (int k = 0; k < 3; k++) {
-            uint32_t s = find_side(m, m->triangles[t][k], m->triangles[t][(k + 1) % 3]);
-            m->sides[s].triangles[m->sides[s].triangles[0] != DRAIN_NONE] = t;
+            uint32_t s = find_edge(m, m->triangles[t][k], m->triangles[t][(k + 1) % 3]);
+            m->edges[s].triangles[m->edges[s].triangles[0] != DRAIN_NONE] = t;
         }
     }
-    for (uint32_t s = 0; s < m->side_count; s++) {
-        join(m, &m->sides[s]);
+    for (uint32_t s = 0; s < m->edge_count; s++) {
+        link_neighbours(m, &m->edges[s]);
     }
 }

@@ -19,22 +19,23 @@ static const vbss_layout statistics_layout = {"vbss_drain_statistics", NULL, sta
 
 static void fill_anchor_forces(drain_object *d)
 {
-    memset(d->seen_forces, 0, d->mesh.node_count * sizeof *d->seen_forces);
-    vbss_shell_add_forces(&d->shell, d->x, d->seen_forces);
-    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
-        d->anchor_forces[i] = vbss_drain_anchor_force(d, i, d->seen_forces);
+    memset(d->view_forces, 0, d->mesh.node_count * sizeof *d->view_forces);
+    vbss_shell_add_forces(&d->shell, d->x, d->view_forces);
+    for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
+        d->anchor_forces[i] = vbss_drain_anchor_force(d, i, d->view_forces);
         if (!d->torn[i]) {
-            d->anchor_forces[i] = vec3_sub(d->anchor_forces[i], d->pushes[d->mesh.fixed[i]]);
+            d->anchor_forces[i] =
+                vec3_sub(d->anchor_forces[i], d->contact_forces[d->mesh.anchors[i]]);
         }
     }
 }
 
 static void fill_strains(drain_object *d)
 {
-    vbss_shell_measure(&d->shell, d->x, d->states);
+    vbss_shell_compute_responses(&d->shell, d->x, d->shell_responses);
     for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
-        memcpy(d->strains[t], d->states[t].strain, sizeof d->strains[t]);
-        memcpy(d->curvatures[t], d->states[t].curvature, sizeof d->curvatures[t]);
+        memcpy(d->strains[t], d->shell_responses[t].strain, sizeof d->strains[t]);
+        memcpy(d->curvatures[t], d->shell_responses[t].curvature, sizeof d->curvatures[t]);
     }
 }
 
@@ -68,17 +69,17 @@ static vbss_result look(drain_object *d, vbss_drain_field field, vbss_view *view
             0, VBSS_TYPE_U32, 3, sizeof *m->triangles, m->triangle_count, m->triangles, 0};
         return VBSS_OK;
     case VBSS_DRAIN_SLIT_LEFT:
-        *view = numbers(m->slit[DRAIN_LEFT], m->slit_count);
+        *view = numbers(m->slit_nodes[DRAIN_LEFT], m->slit_count);
         return VBSS_OK;
     case VBSS_DRAIN_SLIT_RIGHT:
-        *view = numbers(m->slit[DRAIN_RIGHT], m->slit_count);
+        *view = numbers(m->slit_nodes[DRAIN_RIGHT], m->slit_count);
         return VBSS_OK;
     case VBSS_DRAIN_ANCHORS:
-        *view = numbers(m->fixed, m->fixed_count);
+        *view = numbers(m->anchors, m->anchor_count);
         return VBSS_OK;
     case VBSS_DRAIN_ANCHOR_FORCES:
         fill_anchor_forces(d);
-        *view = triples(d->anchor_forces, m->fixed_count);
+        *view = triples(d->anchor_forces, m->anchor_count);
         return VBSS_OK;
     case VBSS_DRAIN_STRAINS:
         fill_strains(d);
@@ -112,11 +113,12 @@ vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
     drain_object *d;
     VBSS_TRY(vbss_drain_open(drain, &d));
     const drain_mesh *m = &d->mesh;
-    const vbss_drain_places own = {.struct_size = sizeof own,
-                                   .node_count = m->node_count,
-                                   .triangle_count = m->triangle_count,
-                                   .marks = {m->marks[DRAIN_LEFT], m->marks[DRAIN_RIGHT]},
-                                   .gap_points = {m->middle[DRAIN_LEFT], m->middle[DRAIN_RIGHT]}};
+    const vbss_drain_places own = {
+        .struct_size = sizeof own,
+        .node_count = m->node_count,
+        .triangle_count = m->triangle_count,
+        .marks = {m->marks[DRAIN_LEFT], m->marks[DRAIN_RIGHT]},
+        .gap_points = {m->slit_middle[DRAIN_LEFT], m->slit_middle[DRAIN_RIGHT]}};
     return vbss_struct_write(d->context, &places_layout, &own, places, struct_size);
 }
 
@@ -124,10 +126,10 @@ vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
 
 static void add_shell_energies(drain_object *d, vbss_drain_energies *energies)
 {
-    vbss_shell_measure(&d->shell, d->x, d->states);
+    vbss_shell_compute_responses(&d->shell, d->x, d->shell_responses);
     for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {
-        energies->membrane += d->states[t].membrane_energy;
-        energies->bending += d->states[t].bending_energy;
+        energies->membrane += d->shell_responses[t].membrane_energy;
+        energies->bending += d->shell_responses[t].bending_energy;
     }
 }
 
@@ -149,8 +151,8 @@ vbss_result vbss_drain_get_energies(vbss_drain *drain, vbss_drain_energies *ener
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
         const drain_attachment *a = &d->attachments[k];
         if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_SPRING) {
-            vec3 way = vec3_sub(a->position, d->x[a->node]);
-            own.springs += 0.5 * a->stiffness * vec3_norm_squared(way);
+            vec3 extension = vec3_sub(a->position, d->x[a->node]);
+            own.springs += 0.5 * a->stiffness * vec3_norm_squared(extension);
         }
     }
     own.total = own.kinetic + own.membrane + own.bending + own.springs + own.gravity;

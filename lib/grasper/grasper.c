@@ -23,44 +23,44 @@ const vbss_kind vbss_grasper_kind_of_slot = {"grasper", VBSS_CODE('G', 'R', 'S',
                                              free_grasper, vbss_grasper_serialise};
 
 /* Where it shall be; what it was told, where no shaft through the trocar can be so. */
-static pose target_of(const grasper_object *g)
+static pose target_pose(const grasper_object *g)
 {
-    pose target = g->told;
-    return vbss_grasper_through_trocar(g, g->told, &target) ? target : g->told;
+    pose target = g->commanded_pose;
+    return vbss_grasper_apply_trocar(g, g->commanded_pose, &target) ? target : g->commanded_pose;
 }
 
 /* Outside a scene nothing keeps it from where it shall be. */
-static void arrive(grasper_object *g)
+static void move_to_target(grasper_object *g)
 {
-    if (g->body == 0) {
-        g->now = target_of(g);
-        vbss_grasper_show(g);
+    if (g->body_id == 0) {
+        g->tool_pose = target_pose(g);
+        vbss_grasper_update_view(g);
     }
     g->generation++;
 }
 
-void vbss_grasper_leave(grasper_object *g)
+void vbss_grasper_detach(grasper_object *g)
 {
-    g->body = g->grasp_count = g->needle = g->drain = g->solenoid = 0;
-    g->pressure = 0.0;
+    g->body_id = g->grasp_count = g->needle = g->drain = g->solenoid = 0;
+    g->jaw_force = 0.0;
     g->velocity = g->angular_velocity = g->hand_force = g->hand_torque = vec3_zero();
-    arrive(g);
+    move_to_target(g);
 }
 
-static void begin(grasper_object *g, const vbss_grasper_config *c)
+static void init_grasper(grasper_object *g, const vbss_grasper_config *c)
 {
-    const vbss_grasper_jaws driver = {c->driver_length, c->driver_radius, c->driver_bend,
-                                      c->driver_opening, c->driver_neck};
-    const vbss_grasper_jaws shears = {c->shears_length, c->shears_radius, c->shears_bend,
-                                      c->shears_opening, c->shears_neck};
+    const grasper_jaws driver = {c->driver_length, c->driver_radius, c->driver_bend,
+                                 c->driver_opening, c->driver_neck};
+    const grasper_jaws shears = {c->shears_length, c->shears_radius, c->shears_bend,
+                                 c->shears_opening, c->shears_neck};
     g->config = *c;
     g->driver = driver;
     g->shears = shears;
-    g->kind = g->kind_told = c->kind;
-    g->told = pose_identity();
+    g->kind = g->commanded_kind = c->kind;
+    g->commanded_pose = pose_identity();
     g->opening = 1.0;
-    g->angle = vbss_grasper_jaws_now(g)->opening;
-    arrive(g);
+    g->jaw_angle = vbss_grasper_current_jaws(g)->opening;
+    move_to_target(g);
 }
 
 vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config *config,
@@ -86,7 +86,7 @@ vbss_result vbss_grasper_create(vbss_context *context, const vbss_grasper_config
         return result;
     }
     g->context = context;
-    begin(g, &own);
+    init_grasper(g, &own);
     *grasper = (vbss_grasper *)slot;
     return VBSS_OK;
 }
@@ -123,16 +123,16 @@ vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
     VBSS_TRY(vbss_check_pointer(g->context, position, "position"));
     VBSS_TRY(vbss_check_finite(g->context, position, 3, "position"));
     VBSS_TRY(vbss_check_range(g->context, vbss_max_abs(position, 3), 0.0, 1e3, "position"));
-    pose told = pose_make(vec3_load(position), g->told.orientation), target;
+    pose commanded = pose_make(vec3_load(position), g->commanded_pose.orientation), target;
     if (orientation != NULL) {
-        VBSS_TRY(vbss_read_orientation(g->context, orientation, &told.orientation));
+        VBSS_TRY(vbss_read_orientation(g->context, orientation, &commanded.orientation));
     }
-    if (!vbss_grasper_through_trocar(g, told, &target)) {
+    if (!vbss_grasper_apply_trocar(g, commanded, &target)) {
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the tip is too near to its trocar for the shaft to go through it");
     }
-    g->told = told;
-    arrive(g);
+    g->commanded_pose = commanded;
+    move_to_target(g);
     return VBSS_OK;
 }
 
@@ -152,7 +152,7 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
     VBSS_TRY(edit(grasper, &g));
     VBSS_TRY(vbss_check_range(g->context, kind, VBSS_GRASPER_NEEDLE_DRIVER, VBSS_GRASPER_SHEARS,
                               "kind"));
-    g->kind_told = kind;
+    g->commanded_kind = kind;
     g->generation++;
     return VBSS_OK;
 }
@@ -166,16 +166,16 @@ vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *st
     VBSS_TRY(vbss_grasper_open(grasper, &g));
     vbss_grasper_state own = {.struct_size = sizeof own,
                               .kind = g->kind,
-                              .body = g->body,
+                              .body = g->body_id,
                               .grasp_count = g->grasp_count,
                               .opening = g->opening,
-                              .jaw_angle = g->angle,
-                              .pressure = g->pressure,
+                              .jaw_angle = g->jaw_angle,
+                              .pressure = g->jaw_force,
                               .needle = g->needle,
                               .drain = g->drain,
                               .solenoid = g->solenoid};
-    pose_store(g->now, own.position, own.orientation);
-    pose_store(target_of(g), own.target_position, own.target_orientation);
+    pose_store(g->tool_pose, own.position, own.orientation);
+    pose_store(target_pose(g), own.target_position, own.target_orientation);
     vec3_store(own.velocity, g->velocity);
     vec3_store(own.angular_velocity, g->angular_velocity);
     vec3_store(own.hand_force, g->hand_force);
@@ -192,10 +192,10 @@ vbss_result vbss_grasper_get_view(vbss_grasper *grasper, vbss_grasper_field fiel
         return vbss_fail(g->context, VBSS_ERROR_OUT_OF_RANGE, "a grasper has no field %d", field);
     }
     const vbss_view own = {.type = VBSS_TYPE_F64,
-                           .components = sizeof g->shown[0] / sizeof(double),
-                           .stride_bytes = sizeof g->shown[0],
+                           .components = sizeof g->view_capsules[0] / sizeof(double),
+                           .stride_bytes = sizeof g->view_capsules[0],
                            .count = GRASPER_CAPSULES,
-                           .data = g->shown,
+                           .data = g->view_capsules,
                            .generation = g->generation};
     return vbss_struct_write(g->context, &vbss_view_layout, &own, view, struct_size);
 }

@@ -4,7 +4,7 @@
 
 /* ---- where they are */
 
-const vbss_grasper_jaws *vbss_grasper_jaws_now(const grasper_object *g)
+const grasper_jaws *vbss_grasper_current_jaws(const grasper_object *g)
 {
     return g->kind == VBSS_GRASPER_SHEARS ? &g->shears : &g->driver;
 }
@@ -12,7 +12,7 @@ const vbss_grasper_jaws *vbss_grasper_jaws_now(const grasper_object *g)
 /* About x by as much as they lean: their z goes from the tip to the pivot. */
 pose vbss_grasper_jaw_frame(const grasper_object *g)
 {
-    const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
+    const grasper_jaws *j = vbss_grasper_current_jaws(g);
     double sine, cosine, half_sine, half_cosine;
     vbss_sincos(j->bend, &sine, &cosine);
     vbss_sincos(0.5 * j->bend, &half_sine, &half_cosine);
@@ -22,24 +22,24 @@ pose vbss_grasper_jaw_frame(const grasper_object *g)
 
 vec3 vbss_grasper_bend_point(const grasper_object *g)
 {
-    vec3 back = vec3_make(0.0, 0.0, vbss_grasper_jaws_now(g)->neck);
+    vec3 back = vec3_make(0.0, 0.0, vbss_grasper_current_jaws(g)->neck);
     return pose_apply(vbss_grasper_jaw_frame(g), back);
 }
 
-static grasper_capsule jaw_at(const vbss_grasper_jaws *j, pose frame, double angle, double side)
+static grasper_capsule jaw_at(const grasper_jaws *j, pose frame, double angle, double side)
 {
     double sine, cosine;
     vbss_sincos(angle, &sine, &cosine);
-    vec3 begin = vec3_make(side * j->radius, 0.0, 0.0);
+    vec3 start = vec3_make(side * j->radius, 0.0, 0.0);
     vec3 end = vec3_make(side * (j->radius + j->length * sine), 0.0, -j->length * cosine);
-    grasper_capsule jaw = {{pose_apply(frame, begin), pose_apply(frame, end)}, j->radius};
+    grasper_capsule jaw = {{pose_apply(frame, start), pose_apply(frame, end)}, j->radius};
     return jaw;
 }
 
-void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
-                               grasper_capsule capsules[GRASPER_CAPSULES])
+void vbss_grasper_compute_capsules(const grasper_object *g, double angle,
+                                   grasper_capsule capsules[GRASPER_CAPSULES])
 {
-    const vbss_grasper_jaws *j = vbss_grasper_jaws_now(g);
+    const grasper_jaws *j = vbss_grasper_current_jaws(g);
     pose frame = vbss_grasper_jaw_frame(g);
     vec3 bend = vbss_grasper_bend_point(g);
     double length = g->config.shaft_length, radius = g->config.shaft_radius;
@@ -55,39 +55,39 @@ void vbss_grasper_lay_capsules(const grasper_object *g, double angle,
     capsules[GRASPER_NECK] = (grasper_capsule){{front, bend}, g->config.neck_radius};
 }
 
-void vbss_grasper_show(grasper_object *g)
+void vbss_grasper_update_view(grasper_object *g)
 {
     grasper_capsule capsules[GRASPER_CAPSULES];
-    vbss_grasper_lay_capsules(g, g->angle, capsules);
+    vbss_grasper_compute_capsules(g, g->jaw_angle, capsules);
     for (int i = 0; i < GRASPER_CAPSULES; i++) {
-        vec3_store(g->shown[i], pose_apply(g->now, capsules[i].axis[0]));
-        vec3_store(g->shown[i] + 3, pose_apply(g->now, capsules[i].axis[1]));
-        g->shown[i][6] = capsules[i].radius;
+        vec3_store(g->view_capsules[i], pose_apply(g->tool_pose, capsules[i].axis[0]));
+        vec3_store(g->view_capsules[i] + 3, pose_apply(g->tool_pose, capsules[i].axis[1]));
+        g->view_capsules[i][6] = capsules[i].radius;
     }
 }
 
 /* ---- how they follow the handle */
 
 /* To the bit where the handle is all open or closed: open jaws at rest shall not move by rounding. */
-double vbss_grasper_told_angle(const grasper_object *g)
+double vbss_grasper_commanded_angle(const grasper_object *g)
 {
     double t = g->opening;
-    return t * vbss_grasper_jaws_now(g)->opening - (1.0 - t) * g->config.closing_angle;
+    return t * vbss_grasper_current_jaws(g)->opening - (1.0 - t) * g->config.closing_angle;
 }
 
 /* What is between them by now holds them open, whatever their speed. */
-double vbss_grasper_next_angle(const grasper_object *g, double h, double least)
+double vbss_grasper_next_angle(const grasper_object *g, double h, double min_angle)
 {
-    double most = g->config.jaw_speed * h;
-    double nearer = vbss_min(g->angle + most, vbss_grasper_told_angle(g));
-    nearer = vbss_max(g->angle - most, nearer);
-    return vbss_max(nearer, vbss_max(least, 0.0));
+    double max_change = g->config.jaw_speed * h;
+    double nearer = vbss_min(g->jaw_angle + max_change, vbss_grasper_commanded_angle(g));
+    nearer = vbss_max(g->jaw_angle - max_change, nearer);
+    return vbss_max(nearer, vbss_max(min_angle, 0.0));
 }
 
-double vbss_grasper_pressure_at(const grasper_object *g, double angle)
+double vbss_grasper_jaw_force_at(const grasper_object *g, double angle)
 {
-    double share = (angle - vbss_grasper_told_angle(g)) / g->config.closing_angle;
-    return g->config.closing_force * vbss_max(0.0, vbss_min(share, 1.0));
+    double fraction = (angle - vbss_grasper_commanded_angle(g)) / g->config.closing_angle;
+    return g->config.closing_force * vbss_max(0.0, vbss_min(fraction, 1.0));
 }
 
 /* ---- what is between them */
@@ -101,20 +101,20 @@ double vbss_grasper_touching_angle(double thread_diameter, double from_pivot)
     return vbss_atan2(sine, sqrt((1.0 - sine) * (1.0 + sine)));
 }
 
-double vbss_grasper_mouth(double angle, double from_pivot)
+double vbss_grasper_jaw_distance(double angle, double from_pivot)
 {
     return 2.0 * from_pivot * vbss_sin(angle);
 }
 
-bool vbss_grasper_find_between(const grasper_object *g, vec3 begin, vec3 end,
-                               vbss_grasper_place *place)
+bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end,
+                               grasper_jaw_point *point)
 {
-    const vbss_grasper_jaws *jaws = vbss_grasper_jaws_now(g);
-    double across = end.y - begin.y, share = across != 0.0 ? -begin.y / across : 0.0;
-    share = share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
-    vec3 at = vec3_lerp(begin, end, share);
-    *place = (vbss_grasper_place){share, fabs(at.y), -at.z};
-    return place->from_pivot > 0.0 && place->from_pivot <= jaws->length &&
-           place->beside <= GRASPER_BESIDE * jaws->radius &&
-           fabs(at.x) <= 0.5 * vbss_grasper_mouth(g->angle, place->from_pivot);
+    const grasper_jaws *jaws = vbss_grasper_current_jaws(g);
+    double across = end.y - start.y, fraction = across != 0.0 ? -start.y / across : 0.0;
+    fraction = fraction < 0.0 ? 0.0 : fraction > 1.0 ? 1.0 : fraction;
+    vec3 at = vec3_lerp(start, end, fraction);
+    *point = (grasper_jaw_point){fraction, fabs(at.y), -at.z};
+    return point->from_pivot > 0.0 && point->from_pivot <= jaws->length &&
+           point->offset <= GRASPER_MAX_OFFSET_RATIO * jaws->radius &&
+           fabs(at.x) <= 0.5 * vbss_grasper_jaw_distance(g->jaw_angle, point->from_pivot);
 }

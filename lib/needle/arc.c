@@ -12,7 +12,7 @@ double vbss_needle_length(const needle_object *n)
     return n->config.radius * n->config.arc;
 }
 
-double vbss_needle_corner(const needle_object *n, uint32_t i)
+double vbss_needle_vertex_arc(const needle_object *n, uint32_t i)
 {
     return vbss_needle_length(n) * ((double)i / (double)n->config.segment_count);
 }
@@ -35,11 +35,12 @@ vec3 vbss_needle_point(const needle_object *n, double arc_length)
     double sine, cosine, r = n->config.radius;
     vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
     /* how far behind the swage, or, below zero, before the tip */
-    double behind = vbss_min(arc_length, 0.0) + vbss_max(arc_length - vbss_needle_length(n), 0.0);
-    return vec3_make(r * cosine - behind * sine, -r * sine - behind * cosine, 0.0);
+    double overshoot =
+        vbss_min(arc_length, 0.0) + vbss_max(arc_length - vbss_needle_length(n), 0.0);
+    return vec3_make(r * cosine - overshoot * sine, -r * sine - overshoot * cosine, 0.0);
 }
 
-double vbss_needle_nearest(const needle_object *n, vec3 point)
+double vbss_needle_nearest_arc(const needle_object *n, vec3 point)
 {
     double open = 2.0 * PI - n->config.arc, length = vbss_needle_length(n);
     double angle =
@@ -79,7 +80,7 @@ static arc_means means_over(double a)
 /* docs/needle.md derives it: the volume of a torus lies u du dpsi q dtheta, at the distance
  * q = R + u cos(psi) from the axis and the height z = u sin(psi). Principal axes: middle of the arc,
  * across it in the plane, z. Sums of what is positive only: no digits get lost. */
-vbss_rigid_mass vbss_needle_weigh(const vbss_needle_config *config)
+vbss_rigid_mass vbss_needle_mass_properties(const vbss_needle_config *config)
 {
     double big = config->radius, r2 = config->wire_radius * config->wire_radius;
     double mass = config->density * PI * r2 * big * config->arc;
@@ -91,11 +92,11 @@ vbss_rigid_mass vbss_needle_weigh(const vbss_needle_config *config)
     double sine, cosine;
     vbss_sincos(-0.5 * config->arc, &sine, &cosine);
     double centre = q * arc.cosine;
-    vbss_rigid_mass weighed = {.mass = mass};
-    weighed.inertia =
+    vbss_rigid_mass properties = {.mass = mass};
+    properties.inertia =
         vec3_make(mass * (along + z_squared), mass * (across + z_squared), mass * (along + across));
-    weighed.frame =
+    properties.frame =
         pose_make(vec3_make(centre * cosine, centre * sine, 0.0),
                   vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, -0.5 * config->arc)));
-    return weighed;
+    return properties;
 }

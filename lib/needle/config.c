@@ -45,7 +45,7 @@ static vbss_result check(vbss_context *context, const vbss_needle_config *c)
         double value, low, high;
     } ranges[] = {
         {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
-        {"segment_count", c->segment_count, 2.0, NEEDLE_SEGMENTS},
+        {"segment_count", c->segment_count, 2.0, NEEDLE_MAX_SEGMENTS},
         {"reserved", c->reserved, 0.0, 0.0},
         {"radius", c->radius, 1e-4, 1.0},
         {"wire_radius", c->wire_radius, 1e-6, 0.2 * c->radius},

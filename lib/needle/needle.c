@@ -20,20 +20,20 @@ static const vbss_layout energies_layout = {"vbss_needle_energies", NULL, energi
 
 pose vbss_needle_pose(const needle_object *n)
 {
-    return pose_mul(n->body.now.pose, pose_inverse(n->frame));
+    return pose_mul(n->body.now.pose, pose_inverse(n->body_frame));
 }
 
 /* From the origin of its frame to its centre of mass, in the world. */
-static vec3 arm_of(const needle_object *n)
+static vec3 frame_to_centre(const needle_object *n)
 {
-    vec3 in_body = quat_rotate_back(n->frame.orientation, n->frame.position);
+    vec3 in_body = quat_rotate_back(n->body_frame.orientation, n->body_frame.position);
     return quat_rotate(n->body.now.pose.orientation, in_body);
 }
 
 /* The body, turned as it is, gets the place and the velocities of the frame. */
-static void set_motion(needle_object *n, vec3 position, vec3 velocity, vec3 angular_velocity)
+static void set_frame_motion(needle_object *n, vec3 position, vec3 velocity, vec3 angular_velocity)
 {
-    vec3 arm = arm_of(n);
+    vec3 arm = frame_to_centre(n);
     vbss_rigid_motion *now = &n->body.now;
     now->pose.position = vec3_add(position, arm);
     now->v = vec3_add(velocity, vec3_cross(angular_velocity, arm));
@@ -42,11 +42,11 @@ static void set_motion(needle_object *n, vec3 position, vec3 velocity, vec3 angu
     n->generation++;
 }
 
-void vbss_needle_follow(needle_object *n, const vbss_rigid_motion *motion, uint32_t number)
+void vbss_needle_set_motion(needle_object *n, const vbss_rigid_motion *motion, uint32_t body_id)
 {
     n->body.now = *motion;
     n->body.target_start = n->body.target_end = motion->pose;
-    n->number = number;
+    n->body_id = body_id;
     n->generation++;
 }
 
@@ -60,19 +60,19 @@ static void free_needle(vbss_context *context, void *object)
 const vbss_kind vbss_needle_kind = {"needle", VBSS_CODE('N', 'E', 'E', 'D'), 1, free_needle,
                                     vbss_needle_serialise};
 
-static void begin(needle_object *n, const vbss_needle_config *config, quat orientation)
+static void init_needle(needle_object *n, const vbss_needle_config *config, quat orientation)
 {
-    const vbss_rigid_mass weighed = vbss_needle_weigh(config);
+    const vbss_rigid_mass properties = vbss_needle_mass_properties(config);
     n->config = *config;
-    n->frame = weighed.frame;
-    n->end = vbss_needle_point(n, vbss_needle_length(n));
-    n->body.mass = weighed.mass;
-    n->body.inertia = weighed.inertia;
+    n->body_frame = properties.frame;
+    n->swage = vbss_needle_point(n, vbss_needle_length(n));
+    n->body.mass = properties.mass;
+    n->body.inertia = properties.inertia;
     n->body.gravity = vec3_load(config->gravity);
     n->body.drag = config->drag;
-    n->body.now.pose.orientation = quat_mul(orientation, n->frame.orientation);
-    set_motion(n, vec3_load(config->position), vec3_load(config->velocity),
-               vec3_load(config->angular_velocity));
+    n->body.now.pose.orientation = quat_mul(orientation, n->body_frame.orientation);
+    set_frame_motion(n, vec3_load(config->position), vec3_load(config->velocity),
+                     vec3_load(config->angular_velocity));
 }
 
 vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *config,
@@ -100,7 +100,7 @@ vbss_result vbss_needle_create(vbss_context *context, const vbss_needle_config *
         return result;
     }
     n->context = context;
-    begin(n, &own, orientation);
+    init_needle(n, &own, orientation);
     *needle = (vbss_needle *)slot;
     return VBSS_OK;
 }
@@ -118,7 +118,7 @@ vbss_result vbss_needle_open(const vbss_needle *handle, needle_object **needle)
     return VBSS_OK;
 }
 
-static vbss_result edit_alone(vbss_needle *handle, needle_object **needle)
+static vbss_result edit_unowned(vbss_needle *handle, needle_object **needle)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit_unowned(handle, &vbss_needle_kind, &slot));
@@ -131,14 +131,14 @@ static vbss_result edit_alone(vbss_needle *handle, needle_object **needle)
 vbss_result vbss_needle_step(vbss_needle *needle, double h)
 {
     needle_object *n;
-    VBSS_TRY(edit_alone(needle, &n));
+    VBSS_TRY(edit_unowned(needle, &n));
     VBSS_TRY(vbss_check_range(n->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(n->context));
-    const vbss_rigid_substep whole = {h, 0.0, 1.0};
+    const vbss_rigid_substep step = {h, 0.0, 1.0};
     vbss_rigid body = n->body;
-    vbss_rigid_motion flown;
-    vbss_rigid_predict(&body, &whole, &flown);
-    vbss_rigid_commit(&body, &whole, &flown, &flown.pose);
+    vbss_rigid_motion predicted;
+    vbss_rigid_predict(&body, &step, &predicted);
+    vbss_rigid_commit(&body, &step, &predicted, &predicted.pose);
     body.target_start = body.target_end = body.now.pose;
     if (!vbss_rigid_is_valid(&body)) {
         return vbss_fail(n->context, VBSS_ERROR_NOT_FINITE, "needle step: no finite state");
@@ -159,18 +159,18 @@ vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
                                   const double *angular_velocity)
 {
     needle_object *n;
-    quat turned;
-    VBSS_TRY(edit_alone(needle, &n));
+    quat frame_orientation;
+    VBSS_TRY(edit_unowned(needle, &n));
     VBSS_TRY(vbss_check_pointer(n->context, position, "position"));
     VBSS_TRY(vbss_check_vector(n->context, position, 1e3, "position"));
     VBSS_TRY(check_speed(n->context, velocity, 1e5, "velocity"));
     VBSS_TRY(check_speed(n->context, angular_velocity, 1e6, "angular_velocity"));
     if (orientation != NULL) {
-        VBSS_TRY(vbss_read_orientation(n->context, orientation, &turned));
-        n->body.now.pose.orientation = quat_mul(turned, n->frame.orientation);
+        VBSS_TRY(vbss_read_orientation(n->context, orientation, &frame_orientation));
+        n->body.now.pose.orientation = quat_mul(frame_orientation, n->body_frame.orientation);
     }
-    set_motion(n, vec3_load(position), velocity != NULL ? vec3_load(velocity) : vec3_zero(),
-               angular_velocity != NULL ? vec3_load(angular_velocity) : vec3_zero());
+    set_frame_motion(n, vec3_load(position), velocity != NULL ? vec3_load(velocity) : vec3_zero(),
+                     angular_velocity != NULL ? vec3_load(angular_velocity) : vec3_zero());
     return VBSS_OK;
 }
 
@@ -181,13 +181,13 @@ vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_state *state,
 {
     needle_object *n;
     VBSS_TRY(vbss_needle_open(needle, &n));
-    vbss_needle_state own = {.struct_size = sizeof own, .body = n->number};
+    vbss_needle_state own = {.struct_size = sizeof own, .body = n->body_id};
     const vbss_rigid_motion *now = &n->body.now;
     pose at = vbss_needle_pose(n);
     double end = vbss_needle_length(n);
     vec3 back = vec3_neg(vbss_needle_direction(n, end));
     pose_store(at, own.position, own.orientation);
-    vec3_store(own.velocity, vec3_sub(now->v, vec3_cross(now->w, arm_of(n))));
+    vec3_store(own.velocity, vec3_sub(now->v, vec3_cross(now->w, frame_to_centre(n))));
     vec3_store(own.angular_velocity, now->w);
     vec3_store(own.tip, pose_apply(at, vbss_needle_point(n, 0.0)));
     vec3_store(own.tip_direction, quat_rotate(at.orientation, vbss_needle_direction(n, 0.0)));
@@ -203,10 +203,10 @@ vbss_result vbss_needle_get_mass(vbss_needle *needle, vbss_needle_mass *mass, ui
     VBSS_TRY(vbss_needle_open(needle, &n));
     vbss_needle_mass own = {.struct_size = sizeof own, .mass = n->body.mass};
     own.length = vbss_needle_length(n);
-    vec3_store(own.centre, n->frame.position);
+    vec3_store(own.centre, n->body_frame.position);
     vec3_store(own.inertia, n->body.inertia);
     for (int i = 0; i < 3; i++) {
-        vec3_store(own.axes[i], quat_rotate(n->frame.orientation, vec3_load(units[i])));
+        vec3_store(own.axes[i], quat_rotate(n->body_frame.orientation, vec3_load(units[i])));
     }
     return vbss_struct_write(n->context, &mass_layout, &own, mass, struct_size);
 }
@@ -245,7 +245,7 @@ static void fill_points(needle_object *n)
 {
     pose at = vbss_needle_pose(n);
     for (uint32_t i = 0; i <= n->config.segment_count; i++) {
-        n->shown[i] = pose_apply(at, vbss_needle_point(n, vbss_needle_corner(n, i)));
+        n->view_points[i] = pose_apply(at, vbss_needle_point(n, vbss_needle_vertex_arc(n, i)));
     }
 }
 
@@ -260,9 +260,9 @@ vbss_result vbss_needle_get_view(vbss_needle *needle, vbss_needle_field field, v
     fill_points(n);
     const vbss_view own = {.type = VBSS_TYPE_F64,
                            .components = 3,
-                           .stride_bytes = sizeof n->shown[0],
+                           .stride_bytes = sizeof n->view_points[0],
                            .count = n->config.segment_count + 1u,
-                           .data = n->shown,
+                           .data = n->view_points,
                            .generation = n->generation};
     return vbss_struct_write(n->context, &vbss_view_layout, &own, view, struct_size);
 }

@@ -63,8 +63,8 @@ double vbss_scene_arc_of(const scene_body *suture, uint32_t segment, double shar
         return vbss_thread_arc_length(t, segment) + along;
     }
     const needle_object *n = suture->rigid.needle;
-    double begin = vbss_needle_corner(n, segment);
-    return begin + share * (vbss_needle_corner(n, segment + 1) - begin);
+    double begin = vbss_needle_vertex_arc(n, segment);
+    return begin + share * (vbss_needle_vertex_arc(n, segment + 1) - begin);
 }
 
 bool vbss_scene_is_at_tip(const scene_body *needle, double arc)
@@ -77,7 +77,7 @@ static double reach_of(const suture_hole *hole, const scene_body *suture, double
 {
     bool at_mouth = hole->needle != 0 && hole->arc < 0.0 && suture->kind == BODY_RIGID &&
                     vbss_scene_is_at_tip(suture, arc);
-    return at_mouth ? vbss_max(reach, -SCENE_PIN_ARC * hole->entry) : reach;
+    return at_mouth ? vbss_max(reach, -SCENE_PIN_ARC * hole->entry_arc) : reach;
 }
 
 /* Within which of a hole a suture touches nothing: a thread, which turns at once, less far than a needle. */
@@ -91,7 +91,7 @@ static double arc_from_hole(const scene_object *s, const suture_hole *hole,
                             const scene_body *suture, double arc, double time)
 {
     bool thread = suture->kind == BODY_THREAD;
-    const double there = hole->arc + time * hole->slides;
+    const double there = hole->arc + time * hole->trial_slide;
     if (suture->number == (thread ? hole->thread : hole->needle)) {
         return fabs(there - arc);
     }
@@ -156,7 +156,7 @@ static double share_in_holes(const scene_object *s, const scene_body *suture, ui
         }
         double now = vec3_distance(spot->now, hole_point_at(hole, d, spot->time));
         double rest = vec3_distance(spot->rest, vbss_hole_point(hole, d, d->mesh.rest));
-        double most = vbss_max(own, -SCENE_PIN_ARC * hole->entry);
+        double most = vbss_max(own, -SCENE_PIN_ARC * hole->entry_arc);
         if (!(vbss_max(now, rest) < (1.0 + COMES_OUT) * most)) {
             continue;
         }

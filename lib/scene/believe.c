@@ -46,7 +46,8 @@ static double given_by_hole(const scene_object *s, const contact_constraint *row
                             double done)
 {
     const suture_hole *hole = &s->holes[row->key.feature_a];
-    double before = hole->held * hole->held + vec3_norm_squared(hole->across);
+    double before =
+        hole->friction_force * hole->friction_force + vec3_norm_squared(hole->transverse_force);
     double more = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
     return vbss_max(done + more, 0.0);
 }
@@ -157,9 +158,9 @@ static gains find_gains(const scene_object *s, const scene_part *part)
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
-            g.threads += vbss_thread_gain(t, part->h) - work_of_holders(t);
+            g.threads += vbss_thread_energy_change(t, part->h) - work_of_holders(t);
         } else if (s->bodies[i].kind == BODY_DRAIN) {
-            g.drains += vbss_drain_gain(s->bodies[i].drain.drain, part->h);
+            g.drains += vbss_drain_energy_change(s->bodies[i].drain.drain, part->h);
         }
     }
     for (uint32_t i = 0; i < set->count; i++) {

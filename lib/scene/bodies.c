@@ -178,7 +178,7 @@ void vbss_scene_release_thread(scene_body *b)
     thread_object *t = b->thread.thread;
     b->thread.slot->owner = NULL;
     if (b->thread.slot->object == t) { /* it may have ended with the context */
-        t->pattern_known = false;
+        t->is_sparsity_valid = false;
         memset(t->welded, 0, t->node_count * sizeof *t->welded);
     }
 }
@@ -378,7 +378,7 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
     }
     VBSS_TRY(vbss_collision_remove(scene_collision(s), b->shape));
     if (b->kind == BODY_THREAD) {
-        const thread_reserve *family = b->thread.thread->reserve;
+        const thread_piece_pool *family = b->thread.thread->piece_pool;
         vbss_scene_release_thread(b);
         b->kind = BODY_GONE;
         b->reserved = false;

@@ -22,8 +22,8 @@ uint64_t vbss_scene_count_changes(const scene_object *s)
     uint64_t sum = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        sum += b->kind == BODY_THREAD  ? b->thread.thread->changes
-               : b->kind == BODY_DRAIN ? b->drain.drain->changes
+        sum += b->kind == BODY_THREAD  ? b->thread.thread->edit_generation
+               : b->kind == BODY_DRAIN ? b->drain.drain->edit_generation
                                        : 0;
     }
     return sum;
@@ -45,7 +45,7 @@ static void change_goals(scene_object *s, void (*of_thread)(thread_object *t),
 
 static void exchange_goals(scene_object *s)
 {
-    change_goals(s, vbss_thread_exchange_goals, vbss_drain_exchange_goals);
+    change_goals(s, vbss_thread_swap_targets, vbss_drain_swap_targets);
 }
 
 vbss_result vbss_scene_end_waiting(scene_object *s)
@@ -107,7 +107,7 @@ static vbss_result go_on(scene_object *s, double h, bool divided)
     if (waited) {
         exchange_goals(s);
     } else if (result == VBSS_OK && at->waits) {
-        change_goals(s, vbss_thread_note_goals, vbss_drain_note_goals);
+        change_goals(s, vbss_thread_save_targets, vbss_drain_save_targets);
     }
     return result;
 }

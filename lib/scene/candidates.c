@@ -32,7 +32,7 @@ static void set_thread_ways(scene_object *s, const scene_thread *b, const scene_
     }
     for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
         const thread_attachment *a = &t->attachments[place];
-        if (a->id != 0 && vbss_thread_holds(a->kind)) {
+        if (a->id != 0 && vbss_thread_prescribes_motion(a->kind)) {
             vec3 there = vbss_thread_attachment_position(a, part->end);
             ways[a->node] = vec3_sub(there, t->now.x[a->node]);
         }
@@ -159,7 +159,7 @@ bool vbss_scene_is_given(const scene_object *s, const scene_body *b, uint32_t ki
     uint32_t first = smooth && feature > 0 ? feature - 1 : feature;
     uint32_t end = feature + (alone ? 1u : 2u);
     for (uint32_t k = first; k < end && k < t->node_count; k++) {
-        if (t->held[k] == 0) {
+        if (t->prescribed_by[k] == 0) {
             return false;
         }
     }

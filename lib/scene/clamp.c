@@ -23,7 +23,7 @@ static double sound_share(scene_object *s, scene_verdict verdict)
     double stretch = 0.0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         const thread_object *t = s->bodies[i].thread.thread;
-        if (s->bodies[i].kind == BODY_THREAD && !vbss_thread_is_relieved(t)) {
+        if (s->bodies[i].kind == BODY_THREAD && !vbss_thread_max_tension_decreased(t)) {
             stretch = vbss_max_or_nan(vbss_thread_strain_beyond_tension(t), stretch);
         }
     }
@@ -80,12 +80,13 @@ static void take_thread(thread_object *t, double h)
         t->now.v[i] = vec3_scale(way, VELOCITY_LEFT / h);
         t->now.a[i] = t->now.q[i] = vec3_zero();
     }
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        t->now.tension[i] = t->config.axial_stiffness * t->strains[i].excess * t->inverse_rest[i];
+        t->now.tension[i] =
+            t->config.axial_stiffness * t->strains[i].elongation * t->inverse_rest[i];
     }
-    (void)vbss_thread_note_stretch(t, t->now.tension);
-    t->fresh = true;
+    (void)vbss_thread_record_stretch(t, t->now.tension);
+    t->is_acceleration_unknown = true;
     t->statistics.substeps++;
     t->statistics.forced++;
 }

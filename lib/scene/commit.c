@@ -11,8 +11,8 @@ static void commit_thread(scene_thread *b, double h)
     thread_object *t = b->thread;
     vbss_thread_commit(t, &b->integration);
     t->statistics.first_order += b->damped;
-    t->last_part = h;
-    t->fresh = false;
+    t->previous_h = h;
+    t->is_acceleration_unknown = false;
 }
 
 void vbss_scene_show_part(const scene_object *s)
@@ -62,7 +62,7 @@ void vbss_scene_unsettle(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
-            s->bodies[i].thread.thread->settling = SETTLING_STEPS + 1;
+            s->bodies[i].thread.thread->damped_steps_left = SETTLING_STEPS + 1;
         }
     }
 }

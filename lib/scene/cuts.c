@@ -125,7 +125,7 @@ typedef struct renaming {
 
 static bool is_cut_segment(const renaming *r, uint32_t number, uint32_t feature)
 {
-    return number == r->old->number && feature == r->cut.segment && r->cut.share < 1.0;
+    return number == r->old->number && feature == r->cut.segment && r->cut.fraction < 1.0;
 }
 
 /* Which sides, by bits, lie on the cut segment beyond the cut. */
@@ -142,7 +142,7 @@ static uint8_t sides_beyond(const scene_object *s, const renaming *r, const cont
     }
     (void)closest_between_edges(vec3_sub(x[1], x[0]), vec3_sub(y[1], y[0]), vec3_sub(y[0], x[0]),
                                 &at[0], &at[1]);
-    return (uint8_t)((a && at[0] > r->cut.share) | (b && at[1] > r->cut.share) << 1);
+    return (uint8_t)((a && at[0] > r->cut.fraction) | (b && at[1] > r->cut.fraction) << 1);
 }
 
 static void rename_side(const renaming *r, bool node, bool beyond, uint32_t *number,
@@ -151,10 +151,10 @@ static void rename_side(const renaming *r, bool node, bool beyond, uint32_t *num
     if (*number != r->old->number) {
         return;
     }
-    beyond = beyond || *feature >= r->cut.first_node || (!node && *feature > r->cut.segment);
+    beyond = beyond || *feature >= r->cut.first_piece_node || (!node && *feature > r->cut.segment);
     if (beyond) {
         *number = r->piece->number;
-        *feature -= r->cut.shift;
+        *feature -= r->cut.node_shift;
     }
 }
 
@@ -227,12 +227,12 @@ static void move_grasp(scene_grasp *g, const scene_body *old, const scene_body *
 {
     bool paper = g->spacing == 0.0;                         /* of a node */
     double before = old->thread.thread->rest[cut->segment]; /* what is left of the segment */
-    bool on_cut = !paper && g->segment == cut->segment && cut->share < 1.0;
-    bool beyond = paper ? g->segment >= cut->first_node
+    bool on_cut = !paper && g->segment == cut->segment && cut->fraction < 1.0;
+    bool beyond = paper ? g->segment >= cut->first_piece_node
                         : g->segment > cut->segment || (on_cut && g->into > before);
     if (g->id != 0 && g->thread == old->number && beyond) {
         g->thread = piece->number;
-        g->segment -= cut->shift;
+        g->segment -= cut->node_shift;
         g->into -= on_cut ? before : 0.0;
     }
 }
@@ -248,9 +248,9 @@ static void move_to_piece(scene_object *s, const scene_body *old, const scene_bo
                             vbss_thread_arc_length(t, t->node_count - 1));
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         scene_pin *p = &s->pins[i];
-        if (p->id != 0 && p->thread == old->number && p->node >= cut->first_node) {
+        if (p->id != 0 && p->thread == old->number && p->node >= cut->first_piece_node) {
             p->thread = piece->number;
-            p->node -= cut->shift;
+            p->node -= cut->node_shift;
         }
     }
 }
@@ -260,7 +260,8 @@ static void move_to_piece(scene_object *s, const scene_body *old, const scene_bo
 static void settle(scene_body *b)
 {
     thread_object *t = b->thread.thread;
-    t->settling = t->settling > SETTLING_STEPS ? t->settling : SETTLING_STEPS;
+    t->damped_steps_left =
+        t->damped_steps_left > SETTLING_STEPS ? t->damped_steps_left : SETTLING_STEPS;
     b->thread.calm = 0;
     b->thread.near = b->thread.welded = false;
 }
@@ -268,7 +269,7 @@ static void settle(scene_body *b)
 static void divide(scene_object *s, scene_body *old, scene_body *piece, const thread_cut *cut)
 {
     thread_object *t = old->thread.thread, *u = piece->thread.thread;
-    vbss_thread_divide(t, u, cut);
+    vbss_thread_apply_cut(t, u, cut);
     vbss_scene_make_piece(s, piece);
     piece->number = ++s->last_number;
     for (uint32_t i = 0; i < s->place_count; i++) { /* what adjoined its end adjoins the piece's */
@@ -276,7 +277,7 @@ static void divide(scene_object *s, scene_body *old, scene_body *piece, const th
         b->thread.before = b->thread.before == old->number ? piece->number : b->thread.before;
     }
     piece->thread.before = old->number;
-    piece->thread.split = cut->share < 1.0;
+    piece->thread.split = cut->fraction < 1.0;
     vbss_collision_resize_chain(s->collision, old->shape, t->node_count, t->rest);
     vbss_collision_resize_chain(s->collision, piece->shape, u->node_count, u->rest);
     vbss_scene_number_nodes(s);
@@ -296,7 +297,8 @@ vbss_result vbss_scene_cut_now(scene_object *s, scene_body *thread, double arc_l
     renaming r = {.old = thread};
     *piece = NULL;
     arc_length = vbss_scene_outside_holes(s, thread->number, arc_length);
-    if (!(arc_length >= 0.0) || !vbss_thread_find_cut(thread->thread.thread, arc_length, &r.cut)) {
+    if (!(arc_length >= 0.0) ||
+        !vbss_thread_locate_cut(thread->thread.thread, arc_length, &r.cut)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     scene_body *b = vbss_scene_find_spare(s, thread);

@@ -10,7 +10,7 @@ vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t)
 vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t shape);
 void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_shape);
 /* When none of the family is left. */
-void vbss_scene_return_spares(scene_object *s, const thread_reserve *family);
+void vbss_scene_return_spares(scene_object *s, const thread_piece_pool *family);
 void vbss_scene_return_spare(scene_body *b);
 /* The first place for a piece of that thread, or NULL; makes it a body, and undoes that. */
 scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *thread);

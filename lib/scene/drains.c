@@ -27,8 +27,8 @@ static void add_room(vbss_system_capacity *room, const drain_object *d)
     uint32_t n = d->mesh.node_count, all = n * (n - 1) / 2, most = PAIRS_OF_A_DRAIN_NODE * n;
     room->blocks += n;
     room->couplings += d->order.pair_count;
-    room->entries += MORE_ENTRIES * d->order.entries;
-    room->products += MORE_PRODUCTS * d->order.products;
+    room->entries += MORE_ENTRIES * d->order.factor_entries;
+    room->products += MORE_PRODUCTS * d->order.factor_products;
     room->separators += n;
     room->pairs += all < most ? all : most;
 }
@@ -36,8 +36,8 @@ static void add_room(vbss_system_capacity *room, const drain_object *d)
 vbss_result vbss_scene_make_system(scene_object *s, const drain_object *comer)
 {
     uint32_t blocks = s->node_capacity + 2 * s->config.rigid_capacity;
-    vbss_system_capacity room =
-        vbss_system_capacity_of_chains(blocks, THREAD_REACH, blocks, PAIRS_OF_A_SEPARATOR * blocks);
+    vbss_system_capacity room = vbss_system_capacity_of_chains(blocks, THREAD_BANDWIDTH, blocks,
+                                                               PAIRS_OF_A_SEPARATOR * blocks);
     vbss_system *made;
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
@@ -130,7 +130,7 @@ static void find_lips(scene_drain *b, const collision_shape *shape)
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         for (int k = 0; k < 3; k++) {
             uint32_t p = m->triangles[t][(k + 1) % 3], q = m->triangles[t][(k + 2) % 3];
-            if (m->opposite[t][k] == DRAIN_NONE) {
+            if (m->opposite_node[t][k] == DRAIN_NONE) {
                 b->lip_of_side[number_of_side(shape, p, q)] = t;
                 b->lip_of_node[p] = b->lip_of_node[q] = t;
             }
@@ -186,8 +186,8 @@ void vbss_scene_release_drain(scene_object *s, scene_body *b)
     uint32_t nodes = s->collision->shapes[b->shape]->node_count;
     own->slot->owner = NULL;
     if (own->slot->object == own->drain) { /* it may have ended with the context */
-        own->drain->pattern_known = false;
-        memset(own->drain->pushes, 0, nodes * sizeof *own->drain->pushes);
+        own->drain->is_sparsity_valid = false;
+        memset(own->drain->contact_forces, 0, nodes * sizeof *own->drain->contact_forces);
     }
     list_parts(own, nodes, parts);
     vbss_release_arrays(s->context, parts, PARTS);
@@ -199,9 +199,9 @@ void vbss_scene_keep_drain(scene_drain *b)
 {
     drain_object *d = b->drain;
     size_t bytes = d->mesh.node_count * sizeof *d->x;
-    memcpy(d->kept_x, d->x, bytes);
-    memcpy(d->kept_v, d->v, bytes);
-    memcpy(d->v_before, d->v, bytes); /* if it waits all of the step */
+    memcpy(d->saved_x, d->x, bytes);
+    memcpy(d->saved_v, d->v, bytes);
+    memcpy(d->v_substep_start, d->v, bytes); /* if it waits all of the step */
     b->kept = d->statistics;
 }
 
@@ -209,8 +209,8 @@ void vbss_scene_return_drain(scene_drain *b)
 {
     drain_object *d = b->drain;
     size_t bytes = d->mesh.node_count * sizeof *d->x;
-    memcpy(d->x, d->kept_x, bytes);
-    memcpy(d->v, d->kept_v, bytes);
+    memcpy(d->x, d->saved_x, bytes);
+    memcpy(d->v, d->saved_v, bytes);
     d->statistics = b->kept;
 }
 
@@ -249,7 +249,7 @@ static void note_pushes(scene_object *s, scene_drain *b)
 {
     drain_object *d = b->drain;
     uint32_t n = d->mesh.node_count;
-    memset(d->pushes, 0, n * sizeof *d->pushes);
+    memset(d->contact_forces, 0, n * sizeof *d->contact_forces);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *row = &s->contacts->constraints[i];
         vec3 force;
@@ -258,7 +258,8 @@ static void note_pushes(scene_object *s, scene_drain *b)
             const contact_jacobian_block *t = &row->jacobian[k];
             if (t->block >= b->first_block && t->block - b->first_block < n) {
                 uint32_t node = d->order.node[t->block - b->first_block];
-                d->pushes[node] = vec3_add_scaled(d->pushes[node], t->weight, force);
+                d->contact_forces[node] =
+                    vec3_add_scaled(d->contact_forces[node], t->weight, force);
             }
         }
     }
@@ -282,9 +283,9 @@ void vbss_scene_arrive_drains(scene_object *s, double h)
         if (s->bodies[i].kind == BODY_DRAIN) {
             note_pushes(s, b);
             if (s->lagging) { /* not those of an attempt that was thrown away */
-                vbss_drain_find_forces(b->drain, b->drain->x);
+                vbss_drain_compute_internal_forces(b->drain, b->drain->x);
             }
-            vbss_drain_arrive(b->drain, b->stage.h);
+            vbss_drain_finish_substeps(b->drain, b->stage.h);
             if (s->lagging) {
                 hold_back(b->drain);
             }

@@ -324,7 +324,7 @@ static void add_terms(const scene_object *s, contact_constraint *row, const side
         vbss_scene_add_rigid_terms(row, &b->rigid, point, sign);
     } else if (b->kind == BODY_DRAIN) {
         for (uint32_t k = 0; k < d->corners && k < 3; k++) {
-            uint32_t place = b->drain.drain->order.place[d->nodes[k]];
+            uint32_t place = b->drain.drain->order.block_index[d->nodes[k]];
             add_term(row, b->drain.first_block + place, sign * weights[k]);
         }
     } else if (d->corners > 1) {

@@ -17,7 +17,7 @@ typedef struct crossing {
 static double away_from(const suture_hole *hole, const scene_body *drain, const suture_hole *at)
 {
     const drain_object *d = drain->drain.drain;
-    const scene_spot spot = vbss_scene_spot(drain, at->triangle, at->weights);
+    const scene_spot spot = vbss_scene_spot(drain, at->triangle, at->barycentric);
     return vbss_max(vec3_distance(spot.now, vbss_hole_point(hole, d, d->x)),
                     vec3_distance(spot.rest, vbss_hole_point(hole, d, d->mesh.rest)));
 }
@@ -27,7 +27,8 @@ static void axis_from(const scene_body *needle, uint32_t capsule, double from, v
 {
     const needle_object *n = needle->rigid.needle;
     const pose at = vbss_scene_needle_at(&needle->rigid, needle->rigid.body.now.pose);
-    const double begin = vbss_needle_corner(n, capsule), end = vbss_needle_corner(n, capsule + 1);
+    const double begin = vbss_needle_vertex_arc(n, capsule),
+                 end = vbss_needle_vertex_arc(n, capsule + 1);
     const vec3 first = pose_apply(at, vbss_needle_point(n, begin));
     axis[1] = pose_apply(at, vbss_needle_point(n, end));
     axis[0] = vec3_lerp(first, axis[1], (from - begin) / (end - begin));
@@ -42,11 +43,12 @@ static uint32_t list_crossings(const scene_body *needle, const scene_body *drain
     uint32_t count = 0;
     double from = 0.0, share;
     for (uint32_t i = 0; i < n->config.segment_count && from < to; i++) {
-        const double end = vbss_needle_corner(n, i + 1);
+        const double end = vbss_needle_vertex_arc(n, i + 1);
         for (bool more = true; more && from < end && count < CROSSINGS;) {
             vec3 axis[2];
             axis_from(needle, i, from, axis);
-            more = vbss_suture_goes_through(drain->drain.drain, axis, &list[count].at, &share);
+            more =
+                vbss_suture_find_wall_crossing(drain->drain.drain, axis, &list[count].at, &share);
             if (more) {
                 list[count].arc = from + share * (end - from);
                 from = list[count++].arc + n->config.wire_radius;
@@ -67,9 +69,9 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
     suture_hole made = c->at;
     made.needle = needle->number;
     made.drain = drain->number;
-    made.outward = vbss_suture_goes_outward(d, c->at.triangle, way);
+    made.is_outward = vbss_suture_is_outward(d, c->at.triangle, way);
     made.arc = c->arc;
-    made.deepest = vbss_max(c->arc, d->config.tip_length); /* it is open */
+    made.max_arc = vbss_max(c->arc, d->config.tip_length); /* it is open */
     vbss_scene_add_hole(s, &made);
 }
 
@@ -80,7 +82,7 @@ static void look_beside(scene_object *s, const suture_hole *hole)
     const scene_body *drain = vbss_scene_body(s, hole->drain);
     const double wire = needle->rigid.needle->config.wire_radius;
     const double reach = SCENE_PIN_ARC * (wire + 0.5 * drain->drain.drain->config.thickness);
-    const double mouth = vbss_max(reach, -SCENE_PIN_ARC * hole->entry);
+    const double mouth = vbss_max(reach, -SCENE_PIN_ARC * hole->entry_arc);
     crossing list[CROSSINGS] = {0};
     const uint32_t count = list_crossings(needle, drain, hole->arc + mouth, list);
     uint32_t own = 0;
@@ -101,7 +103,7 @@ void vbss_scene_find_folds(scene_object *s)
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         bool enters = hole->id != 0 && hole->needle != 0 && hole->arc >= 0.0 &&
-                      hole->arc < -SCENE_PIN_ARC * hole->entry;
+                      hole->arc < -SCENE_PIN_ARC * hole->entry_arc;
         if (enters) {
             look_beside(s, hole);
         }

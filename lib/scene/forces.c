@@ -106,7 +106,7 @@ static void add_pins(scene_object *s)
         const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
         vec3 holding = s->config.method == VBSS_METHOD_PAPER
                            ? vbss_thread_paper_force(t, p->node)
-                           : vbss_thread_implicit_force(t, p->node);
+                           : vbss_thread_implicit_constraint_force(t, p->node);
         add_force(b, t->now.x[p->node], vec3_neg(holding));
     }
 }

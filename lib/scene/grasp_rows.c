@@ -30,7 +30,7 @@ static place place_of(const thread_object *t, const scene_grasp *g, double ahead
 
 static place place_of_point(const thread_object *t, const scene_grasp *g, uint32_t point)
 {
-    double half = 0.5 * (GRIP_POINTS - 1) * g->spacing;
+    double half = 0.5 * (GRASPER_THREAD_POINTS - 1) * g->spacing;
     return place_of(t, g, g->spacing * point - half);
 }
 
@@ -62,17 +62,18 @@ void vbss_scene_lay_spring(contact_constraint *row, const scene_rigid *tool, vec
 
 static void lay(scene_object *s, contact_constraint *row)
 {
-    const scene_grasp *g = &s->grasps[row->key.feature_a / GRIP_POINTS];
+    const scene_grasp *g = &s->grasps[row->key.feature_a / GRASPER_THREAD_POINTS];
     const scene_body *b = vbss_scene_body(s, g->thread);
     const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
     const thread_object *t = b->thread.thread;
-    uint32_t point = row->key.feature_a % GRIP_POINTS;
+    uint32_t point = row->key.feature_a % GRASPER_THREAD_POINTS;
     place p = place_of_point(t, g, point);
-    vec3 held = pose_apply(vbss_scene_jaws_of(r, r->trial), g->grip.at[point]);
+    vec3 held = pose_apply(vbss_scene_jaws_of(r, r->trial), g->grip.anchor[point]);
     vec3 here = vec3_lerp(t->trial[p.segment], t->trial[p.segment + 1], p.share);
     vbss_scene_lay_spring(row, r, here, held);
-    row->stiffness = GRIP_ACROSS * (r->grasper->config.grip_stiffness / GRIP_POINTS);
-    row->tangential_stiffness_ratio = 1.0 / GRIP_ACROSS;
+    row->stiffness = GRASPER_NORMAL_STIFFNESS_RATIO *
+                     (r->grasper->config.grip_stiffness / GRASPER_THREAD_POINTS);
+    row->tangential_stiffness_ratio = 1.0 / GRASPER_NORMAL_STIFFNESS_RATIO;
     row->barycentric[0] = p.share;
     vbss_scene_add_node_term(s, row, b, p.segment, 1.0 - p.share);
     vbss_scene_add_node_term(s, row, b, p.segment + 1, p.share);
@@ -111,9 +112,9 @@ bool vbss_scene_add_grasp_rows(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
-        for (uint32_t k = 0; g->id != 0 && !g->let_go && k < GRIP_POINTS; k++) {
-            const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRIP_POINTS * i + k, g->tool,
-                                     0};
+        for (uint32_t k = 0; g->id != 0 && !g->let_go && k < GRASPER_THREAD_POINTS; k++) {
+            const contact_key key = {VBSS_CONTACT_GRASP, g->thread, GRASPER_THREAD_POINTS * i + k,
+                                     g->tool, 0};
             if (vbss_scene_add_tie(s, &key) == NULL) {
                 return false;
             }

@@ -68,7 +68,7 @@ void vbss_scene_tell_grasp(scene_object *s, vbss_event_kind kind, const scene_gr
 typedef struct strand {
     const scene_body *thread;
     uint32_t segment;
-    vbss_grasper_place at;
+    grasper_jaw_point at;
     double diameter;
     double angle; /* at which the jaws touch it from both sides, with what lies across from it */
 } strand;
@@ -85,8 +85,9 @@ typedef struct mouth {
 static bool is_torn(const scene_object *s, const mouth *m, const scene_body *b, uint32_t segment)
 {
     bool cuts = m->grasper->kind == VBSS_GRASPER_SHEARS; /* also further on */
-    double radius = vbss_grasper_jaws_now(m->grasper)->radius;
-    double reach = cuts ? GRASPER_BESIDE * radius : radius + b->thread.thread->config.radius;
+    double radius = vbss_grasper_current_jaws(m->grasper)->radius;
+    double reach =
+        cuts ? GRASPER_MAX_OFFSET_RATIO * radius : radius + b->thread.thread->config.radius;
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         const scene_grasp *g = &s->grasps[i];
         if (g->id != 0 && g->torn && g->tool == m->tool && g->thread == b->number &&
@@ -100,7 +101,7 @@ static bool is_torn(const scene_object *s, const mouth *m, const scene_body *b, 
 static void look_along(const scene_object *s, const scene_body *b, mouth *m)
 {
     const thread_object *t = b->thread.thread;
-    const double length = vbss_grasper_jaws_now(m->grasper)->length;
+    const double length = vbss_grasper_current_jaws(m->grasper)->length;
     strand *last =
         NULL; /* of a run of segments that all lie between: the one nearest to the middle */
     bool is_torn_run = false;
@@ -120,7 +121,7 @@ static void look_along(const scene_object *s, const scene_body *b, mouth *m)
             last = NULL;
             is_torn_run = true;
         } else if (last != NULL) {
-            if (found.at.beside < last->at.beside) {
+            if (found.at.offset < last->at.offset) {
                 *last = found;
             }
         } else if (m->count < SCENE_STRANDS) {
@@ -178,11 +179,11 @@ static void take(scene_object *s, const scene_body *tool, const mouth *m, const 
                        .thread = found->thread->number,
                        .tool = tool->number,
                        .segment = found->segment,
-                       .into = found->at.share * t->rest[found->segment],
+                       .into = found->at.fraction * t->rest[found->segment],
                        .angle = found->angle,
-                       .spacing = m->grasper->config.grip_length / (GRIP_POINTS - 1)};
-    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
-        g->grip.at[k] = pose_apply_inverse(m->jaws, vbss_scene_held_point(g, t, t->now.x, k));
+                       .spacing = m->grasper->config.grip_length / (GRASPER_THREAD_POINTS - 1)};
+    for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
+        g->grip.anchor[k] = pose_apply_inverse(m->jaws, vbss_scene_held_point(g, t, t->now.x, k));
     }
     vbss_scene_tell_grasp(s, VBSS_EVENT_GRASP, g);
 }
@@ -209,7 +210,7 @@ static void let_through(scene_object *s, mouth *m, double next)
     uint32_t kept = 0;
     for (uint32_t i = 0; i < m->count; i++) {
         const strand *found = &m->strands[i];
-        const scene_strand at = {found->thread, found->segment, found->at.share};
+        const scene_strand at = {found->thread, found->segment, found->at.fraction};
         if (found->angle < next || !vbss_scene_let_through(s, m->tool, &at, found->angle)) {
             m->strands[kept++] = *found;
         }
@@ -222,7 +223,7 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     grasper_object *g = tool->rigid.grasper;
     double least = held_angle(s, tool);
     double next = vbss_grasper_next_angle(g, h, least);
-    if (least > 0.0 || next >= g->angle) {
+    if (least > 0.0 || next >= g->jaw_angle) {
         return next;
     }
     mouth m;
@@ -240,7 +241,7 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     if (stop < next) {
         return next;
     }
-    next = vbss_min(stop, g->angle); /* as it is, if it is squeezed a little already */
+    next = vbss_min(stop, g->jaw_angle); /* as it is, if it is squeezed a little already */
     if (needle.needle != 0 && needle.angle >= stop - GIVE && g->kind != VBSS_GRASPER_SHEARS) {
         vbss_scene_take_needle(s, tool, &needle);
     }
@@ -253,7 +254,7 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
         }
         if (g->kind == VBSS_GRASPER_SHEARS) {
             const scene_strand at = {m.strands[i].thread, m.strands[i].segment,
-                                     m.strands[i].at.share};
+                                     m.strands[i].at.fraction};
             vbss_scene_note_cut(s, &at);
         } else {
             take(s, tool, &m, &m.strands[i]);
@@ -310,7 +311,7 @@ bool vbss_scene_is_held_at(const scene_object *s, const scene_grasp *g, uint32_t
  * clamp gives way, is not touched before it has been clear of both: it might come out on the wrong side. */
 void vbss_scene_let_go(scene_object *s, const scene_body *tool)
 {
-    double told = vbss_grasper_told_angle(tool->rigid.grasper);
+    double told = vbss_grasper_commanded_angle(tool->rigid.grasper);
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_grasp *g = &s->grasps[i];
         if (g->id == 0 || g->tool != tool->number || !(told > g->angle)) {
@@ -372,26 +373,27 @@ static void settle(scene_object *s, scene_grasp *g, double h)
     const scene_rigid *r = &vbss_scene_body(s, g->tool)->rigid;
     const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
     pose jaws = vbss_scene_jaws_of(r, r->body.now.pose);
-    double stiffness = r->grasper->config.grip_stiffness / GRIP_POINTS;
+    double stiffness = r->grasper->config.grip_stiffness / GRASPER_THREAD_POINTS;
     vec3 way = vec3_sub(t->now.x[g->segment + 1], t->now.x[g->segment]);
     uint32_t strands = vbss_scene_count_grasps(s, g->tool);
-    grip_load load = {
-        .pressure = r->grasper->pressure / strands,
-        .along = vec3_unit_or(quat_rotate_back(jaws.orientation, way), vec3_make(0.0, 1.0, 0.0)),
-        .ahead = {-held_ahead(t, g, false), 0.0, held_ahead(t, g, true)},
+    grasper_thread_load load = {
+        .jaw_force = r->grasper->jaw_force / strands,
+        .thread_direction =
+            vec3_unit_or(quat_rotate_back(jaws.orientation, way), vec3_make(0.0, 1.0, 0.0)),
+        .arc_offset = {-held_ahead(t, g, false), 0.0, held_ahead(t, g, true)},
         .h = h,
-        .stacked = strands > 1};
+        .is_stacked = strands > 1};
     g->force = vec3_zero();
-    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
+    for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
         vec3 here = pose_apply_inverse(jaws, vbss_scene_held_point(g, t, t->now.x, k));
-        load.force[k] = vec3_scale(vec3_sub(g->grip.at[k], here), stiffness);
-        load.force[k].x *= GRIP_ACROSS;
+        load.force[k] = vec3_scale(vec3_sub(g->grip.anchor[k], here), stiffness);
+        load.force[k].x *= GRASPER_NORMAL_STIFFNESS_RATIO;
         g->force = vec3_add(g->force, quat_rotate(jaws.orientation, load.force[k]));
     }
-    g->limit = vbss_grip_limit(r->grasper, load.pressure);
-    grip_change change = vbss_grip_yield(r->grasper, &g->grip, &load);
-    slide(s, g, change.slid);
-    if (change.torn || is_over(s, g)) {
+    g->limit = vbss_grasper_friction_limit(r->grasper, load.jaw_force);
+    grasper_thread_slip change = vbss_grasper_yield_thread(r->grasper, &g->grip, &load);
+    slide(s, g, change.slip);
+    if (change.has_escaped || is_over(s, g)) {
         vbss_scene_tell_grasp(s, VBSS_EVENT_TORN, g);
         g->let_go = g->torn = true;
         g->force = vec3_zero();
@@ -440,9 +442,10 @@ vbss_result vbss_scene_get_grasp(vbss_scene *scene, uint32_t tool, uint32_t inde
                           .arc_length = arc_of(s, g),
                           .limit = g->limit,
                           .slid = g->slid};
-        vec3_store(own.position, s->config.method == VBSS_METHOD_PAPER
-                                     ? t->now.x[g->segment]
-                                     : vbss_scene_held_point(g, t, t->now.x, GRIP_POINTS / 2));
+        vec3_store(own.position,
+                   s->config.method == VBSS_METHOD_PAPER
+                       ? t->now.x[g->segment]
+                       : vbss_scene_held_point(g, t, t->now.x, GRASPER_THREAD_POINTS / 2));
         vec3_store(own.force, g->force);
         return vbss_struct_write(s->context, &layout, &own, grasp, struct_size);
     }

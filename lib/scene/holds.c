@@ -18,7 +18,7 @@ enum { PIECES = 4 };
 /* Held farther aside than this share of the jaws' radius, it is held by another place of its arc. */
 #define ASIDE 0.25
 /* Of its way along the jaws' width, below which that is not looked for: it lies along the jaws. */
-#define LEAST_ALONG 0.5
+#define MIN_ALONG 0.5
 
 /* ---- frames */
 
@@ -61,7 +61,7 @@ static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
 /* The angle at which round jaws touch a wire that goes that way between them. */
 static double touching_angle(const grasper_object *g, double wire, vec3 way, double from_pivot)
 {
-    double jaw = vbss_grasper_jaws_now(g)->radius, flat = sqrt(way.x * way.x + way.y * way.y);
+    double jaw = vbss_grasper_current_jaws(g)->radius, flat = sqrt(way.x * way.x + way.y * way.y);
     double across = flat > 0.0 ? fabs(way.y) / flat : 1.0;
     if (across < LEAST_ACROSS) {
         return 0.0;
@@ -80,19 +80,19 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
     uint32_t pieces = PIECES * n->config.segment_count;
     double length = vbss_needle_length(n) / pieces;
     for (uint32_t i = 0; i < pieces; i++) {
-        vbss_grasper_place at;
+        grasper_jaw_point at;
         vec3 begin = pose_apply(needle, vbss_needle_point(n, i * length));
         vec3 end = pose_apply(needle, vbss_needle_point(n, (i + 1) * length));
-        if (!vbss_grasper_find_between(g, begin, end, &at) || !(at.beside < *beside)) {
+        if (!vbss_grasper_find_between(g, begin, end, &at) || !(at.offset < *beside)) {
             continue;
         }
         double angle =
             touching_angle(g, n->config.wire_radius,
                            vec3_unit_or(vec3_sub(end, begin), vec3_zero()), at.from_pivot);
         if (angle > 0.0) {
-            *beside = at.beside;
-            *found =
-                (scene_hold){.needle = b->number, .angle = angle, .arc = (i + at.share) * length};
+            *beside = at.offset;
+            *found = (scene_hold){
+                .needle = b->number, .angle = angle, .arc = (i + at.fraction) * length};
             found->at = pose_mul(needle, frame_at(n, found->arc));
         }
     }
@@ -133,8 +133,8 @@ bool vbss_scene_is_in_jaws(const scene_object *s, const scene_body *needle, uint
     double touching =
         s->capsules[tool->rigid.first_capsule + capsule].radius + n->config.wire_radius;
     double reach = SCENE_PIN_ARC * touching;
-    return hold->arc > vbss_needle_corner(n, segment) - reach &&
-           hold->arc < vbss_needle_corner(n, segment + 1) + reach;
+    return hold->arc > vbss_needle_vertex_arc(n, segment) - reach &&
+           hold->arc < vbss_needle_vertex_arc(n, segment + 1) + reach;
 }
 
 /* ---- letting go */
@@ -166,7 +166,7 @@ static bool is_clear(const scene_object *s, const scene_body *tool, double share
 void vbss_scene_let_needle_go(scene_object *s, scene_body *tool)
 {
     scene_hold *hold = &tool->rigid.hold;
-    if (hold->needle == 0 || !(vbss_grasper_told_angle(tool->rigid.grasper) > hold->angle)) {
+    if (hold->needle == 0 || !(vbss_grasper_commanded_angle(tool->rigid.grasper) > hold->angle)) {
         return;
     }
     hold->torn = false;
@@ -200,7 +200,8 @@ bool vbss_scene_add_hold_rows(scene_object *s)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        for (uint32_t k = 0; vbss_scene_holds_needle(s, b->number) && k < HOLD_POINTS; k++) {
+        for (uint32_t k = 0; vbss_scene_holds_needle(s, b->number) && k < GRASPER_NEEDLE_POINTS;
+             k++) {
             const contact_key key = {VBSS_CONTACT_GRASP, b->rigid.hold.needle, k, b->number, 0};
             if (vbss_scene_add_tie(s, &key) == NULL) {
                 return false;
@@ -219,7 +220,7 @@ static corner corner_of(const scene_rigid *needle, pose needle_principal, const 
                         pose tool_principal, uint32_t k)
 {
     const scene_hold *hold = &tool->hold;
-    vec3 local = vbss_hold_corner(tool->grasper, hold->at.position, k);
+    vec3 local = vbss_grasper_needle_clamp_point(tool->grasper, hold->at.position, k);
     pose jaws = vbss_scene_jaws_of(tool, tool_principal);
     pose place = held_place(needle, hold, needle_principal);
     return (corner){pose_apply(jaws, local),
@@ -232,7 +233,7 @@ void vbss_scene_lay_hold_row(scene_object *s, contact_constraint *row)
     const scene_rigid *tool = &vbss_scene_body(s, row->key.body_b)->rigid;
     const corner c = corner_of(needle, needle->trial, tool, tool->trial, row->key.feature_a);
     vbss_scene_lay_spring(row, tool, c.here, c.there);
-    row->stiffness = vbss_hold_stiffness(tool->grasper);
+    row->stiffness = vbss_grasper_needle_clamp_stiffness(tool->grasper);
     row->tangential_stiffness_ratio = 0.0; /* the same in all directions */
     vbss_scene_add_rigid_terms(row, needle, c.here, 1.0);
     vbss_scene_add_rigid_terms(row, tool, c.there, -1.0);
@@ -241,17 +242,17 @@ void vbss_scene_lay_hold_row(scene_object *s, contact_constraint *row)
 /* ---- after a step */
 
 /* Force and torque about the middle of what is held. */
-static hold_load load_of(const scene_rigid *needle, const scene_rigid *tool)
+static grasper_needle_load load_of(const scene_rigid *needle, const scene_rigid *tool)
 {
     const scene_hold *hold = &tool->hold;
     pose jaws = vbss_scene_jaws_of(tool, tool->body.now.pose);
-    hold_load load = {.force = vec3_zero(), .torque = vec3_zero()};
-    for (uint32_t k = 0; k < HOLD_POINTS; k++) {
+    grasper_needle_load load = {.force = vec3_zero(), .torque = vec3_zero()};
+    for (uint32_t k = 0; k < GRASPER_NEEDLE_POINTS; k++) {
         const corner c = corner_of(needle, needle->body.now.pose, tool, tool->body.now.pose, k);
         vec3 apart = quat_rotate_back(jaws.orientation, vec3_sub(c.there, c.here));
-        vec3 force = vec3_scale(apart, vbss_hold_stiffness(tool->grasper));
-        vec3 arm =
-            vec3_sub(vbss_hold_corner(tool->grasper, hold->at.position, k), hold->at.position);
+        vec3 force = vec3_scale(apart, vbss_grasper_needle_clamp_stiffness(tool->grasper));
+        vec3 arm = vec3_sub(vbss_grasper_needle_clamp_point(tool->grasper, hold->at.position, k),
+                            hold->at.position);
         load.force = vec3_add(load.force, force);
         load.torque = vec3_add(load.torque, vec3_cross(arm, force));
     }
@@ -263,8 +264,8 @@ static hold_load load_of(const scene_rigid *needle, const scene_rigid *tool)
 static bool hold_elsewhere(const needle_object *n, const grasper_object *g, scene_hold *hold)
 {
     vec3 way = quat_rotate(hold->at.orientation, vec3_make(0.0, 1.0, 0.0));
-    double aside = hold->at.position.y, radius = vbss_grasper_jaws_now(g)->radius;
-    if (fabs(aside) > ASIDE * radius && fabs(way.y) >= LEAST_ALONG) {
+    double aside = hold->at.position.y, radius = vbss_grasper_current_jaws(g)->radius;
+    if (fabs(aside) > ASIDE * radius && fabs(way.y) >= MIN_ALONG) {
         double arc = hold->arc + aside / way.y; /* arc length grows away from the tip */
         pose other = pose_mul(pose_inverse(frame_at(n, hold->arc)), frame_at(n, arc));
         hold->at = pose_mul(hold->at, other);
@@ -281,21 +282,22 @@ static void settle(scene_object *s, scene_body *tool, double h)
     scene_hold *hold = &r->hold;
     const scene_rigid *needle = needle_of(s, hold);
     pose jaws = vbss_scene_jaws_of(r, r->body.now.pose);
-    hold_load load = load_of(needle, r);
-    load.pressure = r->grasper->pressure / vbss_scene_count_grasps(s, tool->number);
+    grasper_needle_load load = load_of(needle, r);
+    load.jaw_force = r->grasper->jaw_force / vbss_scene_count_grasps(s, tool->number);
     load.h = h;
     hold->force = quat_rotate(jaws.orientation, load.force);
     hold->torque = quat_rotate(jaws.orientation, load.torque);
-    hold->limit = vbss_grip_limit(r->grasper, load.pressure);
-    hold_change change = vbss_hold_yield(r->grasper, &hold->at, &hold->age, &load);
-    bool gives_way = change.slid > 0.0 || change.turned > 0.0;
+    hold->limit = vbss_grasper_friction_limit(r->grasper, load.jaw_force);
+    grasper_needle_slip change =
+        vbss_grasper_yield_needle(r->grasper, &hold->at, &hold->age, &load);
+    bool gives_way = change.slip > 0.0 || change.rotation > 0.0;
     if (gives_way && !hold->sliding) {
         tell(s, VBSS_EVENT_SLIP, tool);
     }
     hold->sliding = gives_way;
-    hold->slid += change.slid;
-    hold->turned += change.turned;
-    if (change.torn || !hold_elsewhere(needle->needle, r->grasper, hold)) {
+    hold->slid += change.slip;
+    hold->turned += change.rotation;
+    if (change.has_escaped || !hold_elsewhere(needle->needle, r->grasper, hold)) {
         hold->arc = vbss_max(0.0, vbss_min(hold->arc, vbss_needle_length(needle->needle)));
         tell(s, VBSS_EVENT_TORN, tool);
         hold->let_go = hold->torn = true;

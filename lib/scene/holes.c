@@ -29,7 +29,7 @@ static bool is_swage(const scene_object *s, const scene_pin *p)
     if (r->needle == NULL || !suture_is_curve(vbss_scene_body(s, p->thread)->thread.thread)) {
         return false;
     }
-    return vec3_distance(pose_apply(r->frame, p->point), r->needle->end) <=
+    return vec3_distance(pose_apply(r->frame, p->point), r->needle->swage) <=
            r->needle->config.wire_radius;
 }
 
@@ -56,7 +56,7 @@ const scene_body *vbss_scene_needle_of(const scene_object *s, const scene_body *
 typedef struct passage {
     const scene_body *needle, *thread; /* NULL: none */
     const scene_drain *drain;
-    suture_line now, trial;
+    suture_curve now, trial;
     double arc; /* of the hole, along the line */
 } passage;
 
@@ -73,26 +73,26 @@ static passage passage_of(const scene_object *s, const suture_hole *hole)
     if (p.needle != NULL) {
         const scene_rigid *r = &p.needle->rigid;
         p.now.needle = r->needle;
-        p.now.at = vbss_scene_needle_at(r, r->body.now.pose);
-        p.now.swage = vbss_needle_length(r->needle);
-        p.trial.at = vbss_scene_needle_at(r, r->trial);
+        p.now.needle_pose = vbss_scene_needle_at(r, r->body.now.pose);
+        p.now.swage_arc = vbss_needle_length(r->needle);
+        p.trial.needle_pose = vbss_scene_needle_at(r, r->trial);
     }
     if (p.thread != NULL) {
         p.now.thread = p.thread->thread.thread;
-        p.now.x = p.now.thread->now.x;
-        p.trial.x = p.now.thread->trial;
+        p.now.node_positions = p.now.thread->now.x;
+        p.trial.node_positions = p.now.thread->trial;
     }
     p.trial.needle = p.now.needle;
     p.trial.thread = p.now.thread;
-    p.trial.swage = p.now.swage;
-    p.arc += hole->thread != 0 ? p.now.swage : 0.0;
+    p.trial.swage_arc = p.now.swage_arc;
+    p.arc += hole->thread != 0 ? p.now.swage_arc : 0.0;
     return p;
 }
 
-static suture_place look_now(const passage *p, const suture_hole *hole)
+static suture_curve_point look_now(const passage *p, const suture_hole *hole)
 {
     const drain_object *d = p->drain->drain;
-    return vbss_suture_nearest(&p->now, p->arc, vbss_hole_point(hole, d, d->x));
+    return vbss_suture_nearest_point(&p->now, p->arc, vbss_hole_point(hole, d, d->x));
 }
 
 /* ---- rows */
@@ -116,48 +116,50 @@ bool vbss_scene_add_hole_rows(scene_object *s)
 }
 
 /* What a place has of a node. */
-static double number_of(const suture_place *place, const double numbers[SUTURE_NODES],
+static double number_of(const suture_curve_point *place, const double numbers[SUTURE_SPAN_NODES],
                         uint32_t node)
 {
-    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first &&
-               node < place->first + SUTURE_NODES;
-    return own ? numbers[node - place->first] : 0.0;
+    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first_node &&
+               node < place->first_node + SUTURE_SPAN_NODES;
+    return own ? numbers[node - place->first_node] : 0.0;
 }
 
 /* Needle and the node that is the swage's move as one: weights and points add up. What nodes behind it lose as the place
  * slides on, the needle gains. */
-static void add_needle_terms(contact_constraint *row, const passage *p, const suture_place *place)
+static void add_needle_terms(contact_constraint *row, const passage *p,
+                             const suture_curve_point *place)
 {
-    const suture_line *line = &p->trial;
+    const suture_curve *line = &p->trial;
     const double of_end = number_of(place, place->weights, 0);
-    const double weight = place->on_needle + of_end;
-    const vec3 end = line->needle->end;
-    vec3 point = vec3_scale(place->needle, place->on_needle);
+    const double weight = place->needle_weight + of_end;
+    const vec3 end = line->needle->swage;
+    vec3 point = vec3_scale(place->needle_point, place->needle_weight);
     point = vec3_add_scaled(point, of_end, end);
     point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;
-    vbss_scene_add_rigid_terms(row, &p->needle->rigid, pose_apply(line->at, point), weight);
+    vbss_scene_add_rigid_terms(row, &p->needle->rigid, pose_apply(line->needle_pose, point),
+                               weight);
     contact_jacobian_block *moves = &row->jacobian[row->jacobian_block_count - 2],
                            *turns = moves + 1;
     if (place->span == SUTURE_ON_NEEDLE) {
         turns->weighted_arm_derivative =
             vec3_neg(place->tangent); /* toward the tip, from which the arc is counted */
-    } else if (place->first == 0) {
+    } else if (place->first_node == 0) {
         const vec3 centre = p->needle->rigid.trial.position;
-        const double end_gains = place->slopes[0];
-        for (uint32_t i = 1; i < SUTURE_NODES; i++) {
-            moves->weight_derivative -= place->slopes[i];
+        const double end_gains = place->weight_derivatives[0];
+        for (uint32_t i = 1; i < SUTURE_SPAN_NODES; i++) {
+            moves->weight_derivative -= place->weight_derivatives[i];
         }
         turns->weighted_arm_derivative =
-            vec3_scale(vec3_sub(pose_apply(line->at, end), centre), end_gains);
+            vec3_scale(vec3_sub(pose_apply(line->needle_pose, end), centre), end_gains);
         turns->weighted_arm_derivative =
             vec3_add_scaled(turns->weighted_arm_derivative, moves->weight_derivative - end_gains,
-                            vec3_sub(pose_apply(line->at, place->needle), centre));
+                            vec3_sub(pose_apply(line->needle_pose, place->needle_point), centre));
     }
 }
 
 /* The nodes of a span and of those beside it, with what the place weighs them: it may slide on to those. */
 static void add_thread_terms(const scene_object *s, contact_constraint *row, const passage *p,
-                             const suture_place *place, uint32_t span)
+                             const suture_curve_point *place, uint32_t span)
 {
     const thread_object *t = p->thread->thread.thread;
     uint32_t first = span > 2 ? span - 2 : 0, last = t->node_count - 1;
@@ -173,7 +175,7 @@ static void add_thread_terms(const scene_object *s, contact_constraint *row, con
         vbss_scene_add_node_term(s, row, p->thread, i, number_of(place, place->weights, i));
         for (uint32_t k = from; k < row->jacobian_block_count; k++) {
             contact_jacobian_block *term = &row->jacobian[k];
-            term->weight_derivative = number_of(place, place->slopes, i);
+            term->weight_derivative = number_of(place, place->weight_derivatives, i);
             term->weighted_arm_derivative = vec3_scale(term->arm, term->weight_derivative);
         }
     }
@@ -182,7 +184,7 @@ static void add_thread_terms(const scene_object *s, contact_constraint *row, con
 /* Which span it may slide on from in this part: its pattern is made once. */
 static uint32_t choose_span(const passage *p, double arc)
 {
-    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage - NEAR_SWAGE);
+    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - NEAR_SWAGE);
     return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
 }
 
@@ -193,22 +195,22 @@ void vbss_scene_lay_hole_row(scene_object *s, contact_constraint *row)
     const drain_object *d = p.drain->drain;
     const vec3 point = vbss_hole_point(hole, d, d->trial);
     if (row->jacobian_block_count == 0) {
-        const suture_place before = look_now(&p, hole);
+        const suture_curve_point before = look_now(&p, hole);
         row->start_arc_length = before.arc;
-        row->span = choose_span(&p, vbss_suture_nearest(&p.trial, p.arc, point).arc);
+        row->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc);
         row->solution.status = CONTACT_STICK;
-        const hole_bound bound = vbss_hole_bound(hole, &d->config, &p.now, &before);
-        row->yield_force = bound.least;
-        row->yield_friction[0] = bound.grip[0];
-        row->yield_friction[1] = bound.grip[1];
+        const hole_yield_limit bound = vbss_hole_yield_limit(hole, &d->config, &p.now, &before);
+        row->yield_force = bound.force;
+        row->yield_friction[0] = bound.friction[0];
+        row->yield_friction[1] = bound.friction[1];
     }
     uint32_t span = row->span;
-    suture_line line = p.trial;
+    suture_curve line = p.trial;
     line.thread = span == SUTURE_ON_NEEDLE ? NULL : line.thread;
-    const suture_place now = span == SUTURE_ON_NEEDLE
-                                 ? vbss_suture_nearest(&line, p.arc, point)
-                                 : vbss_suture_nearest_by(&line, span, p.arc, point);
-    vbss_hole_lay_row(hole, &d->config, &now, point, s->part_length, row);
+    const suture_curve_point now =
+        span == SUTURE_ON_NEEDLE ? vbss_suture_nearest_point(&line, p.arc, point)
+                                 : vbss_suture_nearest_point_around_span(&line, span, p.arc, point);
+    vbss_hole_set_constraint(hole, &d->config, &now, point, s->part_length, row);
     row->jacobian_block_count = 0;
     if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
         add_needle_terms(row, &p, &now);
@@ -218,8 +220,9 @@ void vbss_scene_lay_hole_row(scene_object *s, contact_constraint *row)
     }
     for (uint32_t k = 0; k < 3; k++) {
         uint32_t node = d->mesh.triangles[hole->triangle][k];
-        row->jacobian[row->jacobian_block_count++] = (contact_jacobian_block){
-            .block = p.drain->first_block + d->order.place[node], .weight = -hole->weights[k]};
+        row->jacobian[row->jacobian_block_count++] =
+            (contact_jacobian_block){.block = p.drain->first_block + d->order.block_index[node],
+                                     .weight = -hole->barycentric[k]};
     }
 }
 
@@ -244,7 +247,7 @@ void vbss_scene_keep_holes(scene_object *s)
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *row = &s->contacts->constraints[i];
         if (row->key.kind == VBSS_CONTACT_HOLE) {
-            vbss_hole_keep(&s->holes[row->key.feature_a], row);
+            vbss_hole_store_forces(&s->holes[row->key.feature_a], row);
         }
     }
 }
@@ -253,15 +256,15 @@ void vbss_scene_keep_holes(scene_object *s)
  * swage. */
 static void move_to(suture_hole *hole, const passage *p, double arc)
 {
-    double swage = p->now.swage + (hole->thread != 0 ? -LEFT : LEFT);
+    double swage = p->now.swage_arc + (hole->thread != 0 ? -LEFT : LEFT);
     if (p->thread != NULL && (p->needle == NULL || arc > swage)) {
         hole->needle = 0;
         hole->thread = p->thread->number;
-        hole->arc = arc - p->now.swage;
+        hole->arc = arc - p->now.swage_arc;
     } else if (p->needle != NULL) {
         hole->needle = p->needle->number;
         hole->thread = 0;
-        vbss_hole_move(hole, arc);
+        vbss_hole_set_arc(hole, arc);
     }
 }
 
@@ -282,7 +285,7 @@ void vbss_scene_find_slides(scene_object *s)
         if (hole->id != 0) {
             const passage p = passage_of(s, hole);
             const vec3 point = vbss_hole_point(hole, p.drain->drain, p.drain->drain->trial);
-            hole->slides = vbss_suture_nearest(&p.trial, p.arc, point).arc - p.arc;
+            hole->trial_slide = vbss_suture_nearest_point(&p.trial, p.arc, point).arc - p.arc;
         }
     }
 }
@@ -320,10 +323,10 @@ static vbss_event_kind way_out(const passage *p, const suture_hole *hole)
         bool out = hole->arc > end + LEFT || (p->needle == NULL && hole->arc < -LEFT);
         return out ? VBSS_EVENT_UNTHREADED : 0;
     }
-    double end = vbss_needle_length(p->now.needle) - hole->entry + LEFT;
-    return hole->arc < hole->entry - LEFT ? VBSS_EVENT_WITHDRAWN
-           : t == NULL && hole->arc > end ? VBSS_EVENT_PASSED
-                                          : 0;
+    double end = vbss_needle_length(p->now.needle) - hole->entry_arc + LEFT;
+    return hole->arc < hole->entry_arc - LEFT ? VBSS_EVENT_WITHDRAWN
+           : t == NULL && hole->arc > end     ? VBSS_EVENT_PASSED
+                                              : 0;
 }
 
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc)
@@ -350,17 +353,17 @@ static bool is_beside(const scene_object *s, const passage *p, suture_hole *hole
     }
     const needle_object *n = p->needle->rigid.needle;
     for (uint32_t i = 0; i < n->config.segment_count; i++) {
-        const double begin = vbss_needle_corner(n, i), end = vbss_needle_corner(n, i + 1);
-        const vec3 axis[2] = {pose_apply(p->now.at, vbss_needle_point(n, begin)),
-                              pose_apply(p->now.at, vbss_needle_point(n, end))};
+        const double begin = vbss_needle_vertex_arc(n, i), end = vbss_needle_vertex_arc(n, i + 1);
+        const vec3 axis[2] = {pose_apply(p->now.needle_pose, vbss_needle_point(n, begin)),
+                              pose_apply(p->now.needle_pose, vbss_needle_point(n, end))};
         suture_hole there = *hole;
         double share;
-        if (vbss_suture_goes_through(p->drain->drain, axis, &there, &share) &&
+        if (vbss_suture_find_wall_crossing(p->drain->drain, axis, &there, &share) &&
             !vbss_scene_is_in_other_hole(s, hole, begin + share * (end - begin))) {
             *hole = there;
-            hole->held = 0.0;
-            hole->across = vec3_zero();
-            vbss_hole_move(hole, begin + share * (end - begin));
+            hole->friction_force = 0.0;
+            hole->transverse_force = vec3_zero();
+            vbss_hole_set_arc(hole, begin + share * (end - begin));
             return true;
         }
     }
@@ -508,14 +511,14 @@ static vbss_result lay_hole(const scene_object *s, suture_hole *hole, const scen
     const passage p = passage_of(s, hole);
     const drain_object *d = p.drain->drain;
     const vec3 point = vbss_hole_point(hole, d, d->x);
-    const suture_place place = vbss_suture_nearest(&p.now, p.arc, point);
-    double off = vec3_distance(place.point, point);
+    const suture_curve_point place = vbss_suture_nearest_point(&p.now, p.arc, point);
+    double off = vec3_distance(place.position, point);
     double most = radius_of(suture) + 0.5 * d->config.thickness;
     if (!(off <= most)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the hole is %g m from what shall be in it: at most %g", off, most);
     }
-    hole->outward = vbss_suture_goes_outward(d, hole->triangle, place.tangent);
+    hole->is_outward = vbss_suture_is_outward(d, hole->triangle, place.tangent);
     move_to(hole, &p, place.arc);
     return VBSS_OK;
 }
@@ -548,9 +551,9 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
         .id = s->last_hole + 1, .drain = drain, .triangle = triangle, .arc = arc_length};
     made.needle = suture->kind == BODY_RIGID ? body : 0;
     made.thread = suture->kind == BODY_THREAD ? body : 0;
-    memcpy(made.weights, weights, sizeof made.weights);
+    memcpy(made.barycentric, weights, sizeof made.barycentric);
     VBSS_TRY(lay_hole(s, &made, suture));
-    made.deepest = vbss_max(made.deepest, d->drain.drain->config.tip_length); /* it is open */
+    made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* it is open */
     *place = made;
     s->last_hole = made.id;
     s->generation++;
@@ -577,23 +580,24 @@ vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *ho
         }
         const passage p = passage_of(s, h);
         const drain_object *d = p.drain->drain;
-        const suture_place place = look_now(&p, h);
+        const suture_curve_point place = look_now(&p, h);
         vbss_hole own = {.struct_size = sizeof own,
                          .id = h->id,
                          .needle = h->needle,
                          .drain = h->drain,
                          .triangle = h->triangle,
-                         .outward = h->outward,
+                         .outward = h->is_outward,
                          .arc_length = h->arc,
-                         .friction = h->held,
+                         .friction = h->friction_force,
                          .thread = h->thread};
         for (int k = 0; k < 3; k++) {
-            own.weights[k] = h->weights[k];
+            own.weights[k] = h->barycentric[k];
         }
         vec3_store(own.position, vbss_hole_point(h, d, d->x));
         vec3_store(own.rest_position, vbss_hole_point(h, d, d->mesh.rest));
         vec3_store(own.direction, place.tangent);
-        vec3_store(own.force, vec3_add_scaled(h->across, h->held, place.tangent));
+        vec3_store(own.force,
+                   vec3_add_scaled(h->transverse_force, h->friction_force, place.tangent));
         return vbss_struct_write(s->context, &layout, &own, hole, struct_size);
     }
     return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no %u holes", index + 1);

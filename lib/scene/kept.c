@@ -11,12 +11,12 @@ vbss_result vbss_scene_keep(scene_object *s)
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
             thread_object *t = b->thread.thread;
-            VBSS_TRY(vbss_thread_layout(t));
-            vbss_thread_copy_motion(t, &t->kept, &t->now);
+            VBSS_TRY(vbss_thread_update_derived(t));
+            vbss_thread_copy_state(t, &t->saved, &t->now);
             b->thread.kept = t->statistics;
-            b->thread.kept_fresh = t->fresh;
-            b->thread.kept_settling = t->settling;
-            b->thread.kept_part = t->last_part;
+            b->thread.kept_fresh = t->is_acceleration_unknown;
+            b->thread.kept_settling = t->damped_steps_left;
+            b->thread.kept_part = t->previous_h;
         } else if (b->kind == BODY_RIGID) {
             b->rigid.kept = b->rigid.body.now;
             b->rigid.kept_pull = b->rigid.pull;
@@ -53,10 +53,10 @@ void vbss_scene_go_back(scene_object *s)
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
             thread_object *t = b->thread.thread;
-            vbss_thread_copy_motion(t, &t->now, &t->kept);
-            t->fresh = b->thread.kept_fresh;
-            t->settling = b->thread.kept_settling;
-            t->last_part = b->thread.kept_part;
+            vbss_thread_copy_state(t, &t->now, &t->saved);
+            t->is_acceleration_unknown = b->thread.kept_fresh;
+            t->damped_steps_left = b->thread.kept_settling;
+            t->previous_h = b->thread.kept_part;
         } else if (b->kind == BODY_RIGID) {
             b->rigid.body.now = b->rigid.kept;
             b->rigid.pull = b->rigid.kept_pull;

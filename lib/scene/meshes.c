@@ -226,7 +226,7 @@ static bool is_cut_end(const scene_object *s, const scene_body *b, uint32_t low,
 static bool is_held(const scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
 {
     const thread_object *t = b->thread.thread;
-    if (vbss_thread_holds_among(t, low, high) || is_cut_end(s, b, low, high)) {
+    if (vbss_thread_has_attached_node(t, low, high) || is_cut_end(s, b, low, high)) {
         return true;
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
@@ -276,14 +276,14 @@ static bool wants_division(scene_object *s, const scene_body *b, uint32_t segmen
     const thread_object *t = b->thread.thread;
     const vbss_thread_config *c = &t->config;
     double l = t->rest[segment];
-    if (l <= MESH_LENIENCE * c->finest_length) {
+    if (l <= REMESH_LENGTH_TOLERANCE * c->finest_length) {
         return false;
     }
-    if (vbss_thread_is_too_bent(t, segment)) {
+    if (vbss_thread_needs_refinement(t, segment)) {
         return true;
     }
     around a = around_segments(s, b, segment, segment + 1, c->near_distance);
-    return a.strand < c->near_distance || MESH_LENIENCE * a.on_tool < l;
+    return a.strand < c->near_distance || REMESH_LENGTH_TOLERANCE * a.on_tool < l;
 }
 
 static bool has_room_for_nodes(const scene_object *s, const thread_object *t, uint32_t comers)
@@ -299,7 +299,7 @@ static bool has_room_for_nodes(const scene_object *s, const thread_object *t, ui
 static void plan_division(scene_object *s, plan *p, uint32_t segment)
 {
     thread_object *t = p->body->thread.thread;
-    uint32_t at = vbss_thread_first_to_divide(t, segment);
+    uint32_t at = vbss_thread_first_segment_to_split(t, segment);
     uint32_t low = at > 1 ? at - 2 : 0;
     if (!is_apart(p, at)) {
         return;
@@ -317,7 +317,8 @@ static void plan_removal(scene_object *s, plan *p, uint32_t node)
 {
     thread_object *t = p->body->thread.thread;
     uint32_t low = node > 2 ? node - 3 : 0;
-    if (!is_apart(p, node) || !vbss_thread_may_join(t, node) || !vbss_thread_is_straight(t, node)) {
+    if (!is_apart(p, node) || !vbss_thread_can_coarsen(t, node) ||
+        !vbss_thread_is_straight(t, node)) {
         return;
     }
     if (is_held(s, p->body, low, node + 2)) {
@@ -327,7 +328,7 @@ static void plan_removal(scene_object *s, plan *p, uint32_t node)
     double l = t->rest[node - 1] + t->rest[node];
     around a = around_segments(s, p->body, node - 1, node + 1, t->config.clear_distance);
     double room = 0.0;
-    if (a.strand == (double)INFINITY && MESH_LENIENCE * a.on_tool >= l) {
+    if (a.strand == (double)INFINITY && REMESH_LENGTH_TOLERANCE * a.on_tool >= l) {
         room = room_among(s, p->body, low, node + 3, ROOM * l);
     }
     if (room > 0.0) {
@@ -376,8 +377,8 @@ static void adapt(scene_object *s, scene_body *b)
 {
     thread_object *t = b->thread.thread;
     plan p = {.body = b, .most = t->config.mesh_operations};
-    for (uint32_t k = 0; k < MESH_LOOKS && p.count < p.most; k++) {
-        uint32_t segment = vbss_thread_next_look(t);
+    for (uint32_t k = 0; k < REMESH_CHECKS_PER_STEP && p.count < p.most; k++) {
+        uint32_t segment = vbss_thread_next_segment_to_check(t);
         if (wants_division(s, b, segment)) {
             plan_division(s, &p, segment);
         } else if (segment > 0) {
@@ -387,7 +388,7 @@ static void adapt(scene_object *s, scene_body *b)
     if (p.count > 0) {
         make_changes(s, &p);
     }
-    vbss_thread_note_mesh(t);
+    vbss_thread_record_node_count(t);
 }
 
 void vbss_scene_adapt_meshes(scene_object *s)

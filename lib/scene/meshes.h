@@ -4,7 +4,7 @@
 #define VBSS_SCENE_MESHES_H
 
 #include "scene/scene.h"
-#include "thread/mesh.h"
+#include "thread/remesh.h"
 
 /* A node that comes, in the middle of segment `at`, or node `at` that goes. */
 typedef struct mesh_change {

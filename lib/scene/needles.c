@@ -33,7 +33,7 @@ static void add_capsules(scene_object *s, scene_rigid *r)
     for (uint32_t i = 0; i < r->capsule_count; i++) {
         scene_capsule *to = &s->capsules[s->capsule_count++];
         for (uint32_t k = 0; k < 2; k++) {
-            vec3 corner = vbss_needle_point(n, vbss_needle_corner(n, i + k));
+            vec3 corner = vbss_needle_point(n, vbss_needle_vertex_arc(n, i + k));
             to->local_end[k] = pose_apply_inverse(r->frame, corner);
         }
         vbss_scene_finish_capsule(to);
@@ -60,7 +60,7 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){.rigid = {.kind = VBSS_RIGID_FREE,
                                 .body = n->body,
-                                .frame = n->frame,
+                                .frame = n->body_frame,
                                 .friction = n->config.friction,
                                 .trial = n->body.now.pose,
                                 .slot = slot,
@@ -80,7 +80,7 @@ pose vbss_scene_needle_at(const scene_rigid *r, pose principal)
 
 void vbss_scene_show_needle(const scene_body *b)
 {
-    vbss_needle_follow(b->rigid.needle, &b->rigid.body.now, b->number);
+    vbss_needle_set_motion(b->rigid.needle, &b->rigid.body.now, b->number);
 }
 
 void vbss_scene_release_needle(scene_body *b)
@@ -88,6 +88,6 @@ void vbss_scene_release_needle(scene_body *b)
     needle_object *n = b->rigid.slot->object;
     b->rigid.slot->owner = NULL;
     if (n != NULL) { /* it may have ended with the context */
-        vbss_needle_follow(n, &b->rigid.body.now, 0);
+        vbss_needle_set_motion(n, &b->rigid.body.now, 0);
     }
 }

@@ -31,17 +31,17 @@ typedef struct feature {
 static void set_thread_node(feature *f, int k, const thread_object *t, uint32_t node)
 {
     f->radius = t->config.radius;
-    f->start[k] = &t->kept.x[node];
+    f->start[k] = &t->saved.x[node];
     f->end[k] = &t->now.x[node];
     f->speed[k] = &t->now.v[node];
     f->mass[k] = t->mass[node];
-    f->mobility[k] = t->held[node] != 0 ? 0.0 : 1.0 / t->mass[node];
+    f->mobility[k] = t->prescribed_by[node] != 0 ? 0.0 : 1.0 / t->mass[node];
 }
 
 static void set_drain_node(feature *f, int k, const drain_object *d, uint32_t node)
 {
     f->radius = 0.5 * d->config.thickness;
-    f->start[k] = &d->kept_x[node];
+    f->start[k] = &d->saved_x[node];
     f->end[k] = &d->x[node];
     f->speed[k] = &d->v[node];
     f->mass[k] = d->mass[node];
@@ -302,11 +302,11 @@ vbss_result vbss_scene_paper_search(scene_object *s)
         const scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
             const thread_object *t = b->thread.thread;
-            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &t->kept.x->x, &t->now.x->x,
+            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &t->saved.x->x, &t->now.x->x,
                                          t->node_count));
         } else if (b->kind == BODY_DRAIN) {
             const drain_object *d = b->drain.drain;
-            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &d->kept_x->x, &d->x->x,
+            VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &d->saved_x->x, &d->x->x,
                                          d->mesh.node_count));
         }
     }

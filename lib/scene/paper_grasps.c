@@ -82,7 +82,8 @@ void vbss_scene_paper_settle_grasps(scene_object *s)
     vbss_scene_forget_clear_grasps(s); /* what blades were closed through */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && !g->let_go && vbss_scene_body(s, g->tool)->rigid.grasper->angle > 0.0) {
+        if (g->id != 0 && !g->let_go &&
+            vbss_scene_body(s, g->tool)->rigid.grasper->jaw_angle > 0.0) {
             let_go(s, g);
         }
     }
@@ -121,8 +122,8 @@ static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness
 {
     uint32_t before = 0, after = t->node_count - 1;
     for (uint32_t k = 0; k < t->node_count; k++) {
-        before = t->held[k] != 0 && k < node ? k : before;
-        after = t->held[t->node_count - 1 - k] != 0 && t->node_count - 1 - k > node
+        before = t->prescribed_by[k] != 0 && k < node ? k : before;
+        after = t->prescribed_by[t->node_count - 1 - k] != 0 && t->node_count - 1 - k > node
                     ? t->node_count - 1 - k
                     : after;
     }

@@ -19,7 +19,7 @@ static vec3 way_to_needle(suture_hole *hole, const scene_rigid *r, vec3 here)
     const needle_object *n = r->needle;
     vec3 seen = pose_apply_inverse(needle_at_end(r), here);
     vec3 off = vec3_sub(seen, vbss_needle_point(n, hole->arc));
-    vbss_hole_move(hole, hole->arc - vec3_dot(off, vbss_needle_direction(n, hole->arc)));
+    vbss_hole_set_arc(hole, hole->arc - vec3_dot(off, vbss_needle_direction(n, hole->arc)));
     return vec3_sub(pose_apply(needle_at_end(r), vbss_needle_point(n, hole->arc)), here);
 }
 
@@ -31,8 +31,8 @@ static vec3 carry_triangle(const suture_hole *hole, drain_object *d, vec3 way, d
     double light[3], sum = 0.0;
     vec3 push = vec3_zero();
     for (int k = 0; k < 3; k++) { /* pinned ones stay */
-        light[k] = d->free_mass[node[k]] > 0.0 ? hole->weights[k] / d->mass[node[k]] : 0.0;
-        sum += hole->weights[k] * light[k];
+        light[k] = d->free_mass[node[k]] > 0.0 ? hole->barycentric[k] / d->mass[node[k]] : 0.0;
+        sum += hole->barycentric[k] * light[k];
     }
     for (int k = 0; k < 3 && sum > 0.0; k++) {
         vec3 own = vec3_scale(way, light[k] / sum);
@@ -99,8 +99,8 @@ bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
-            hole->arc > vbss_needle_corner(n, capsule) - reach &&
-            hole->arc < vbss_needle_corner(n, capsule + 1) + reach &&
+            hole->arc > vbss_needle_vertex_arc(n, capsule) - reach &&
+            hole->arc < vbss_needle_vertex_arc(n, capsule + 1) + reach &&
             has_node_of(d, nodes, hole->triangle)) {
             return true;
         }
@@ -114,12 +114,12 @@ bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle
 static void note_forces(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
-        s->holes[i].across = vec3_zero();
+        s->holes[i].transverse_force = vec3_zero();
     }
     for (uint32_t i = 0; i < s->hit_count; i++) {
         const scene_hit *hit = &s->hits[i];
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
-            s->holes[hit->key.feature_a].across = hit->force;
+            s->holes[hit->key.feature_a].transverse_force = hit->force;
         }
     }
 }
@@ -129,7 +129,7 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
     scene_rigid *r = &needle->rigid;
     const drain_object *d = drain->drain.drain;
     pose at = vbss_scene_needle_at(r, r->body.now.pose);
-    const suture_line line = {.needle = r->needle, .at = at};
+    const suture_curve line = {.needle = r->needle, .needle_pose = at};
     suture_probe probe = {.needle = needle->number,
                           .drain = drain->number,
                           .wall = d,
@@ -138,8 +138,8 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
     suture_hole made;
     vbss_paper_probe_points(r->needle, at, d->config.thickness, probe.points);
     while (vbss_paper_find_puncture(&probe, r->toggles, &made)) {
-        made.arc = vbss_suture_nearest(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
-        made.deepest = vbss_max(made.arc, 0.0);
+        made.arc = vbss_suture_nearest_point(&line, 0.0, vbss_hole_point(&made, d, d->x)).arc;
+        made.max_arc = vbss_max(made.arc, 0.0);
         vbss_scene_add_hole(s, &made);
     }
     vbss_paper_set_toggles(&probe, r->toggles);

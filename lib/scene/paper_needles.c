@@ -30,7 +30,7 @@ typedef struct landing {
     double height; /* of the middle of the wire on the floor */
     pose at;       /* where it would be without the floor */
     vec3 moved, turned;
-    corner corners[NEEDLE_SEGMENTS + 1];
+    corner corners[NEEDLE_MAX_SEGMENTS + 1];
 } landing;
 
 static void set_corner(landing *l, uint32_t i)
@@ -39,7 +39,7 @@ static void set_corner(landing *l, uint32_t i)
     const needle_object *n = l->needle->needle;
     corner *c = &l->corners[i];
     vec3 local =
-        pose_apply_inverse(l->needle->frame, vbss_needle_point(n, vbss_needle_corner(n, i)));
+        pose_apply_inverse(l->needle->frame, vbss_needle_point(n, vbss_needle_vertex_arc(n, i)));
     c->arm = quat_rotate(l->at.orientation, local);
     vec3 own = quat_rotate_back(l->at.orientation, vec3_cross(c->arm, l->up));
     own = vec3_make(own.x / body->inertia.x, own.y / body->inertia.y, own.z / body->inertia.z);
@@ -231,7 +231,7 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
                        double *nearest)
 {
     const needle_object *n = b->rigid.needle;
-    double jaw = vbss_grasper_jaws_now(tool->rigid.grasper)->length;
+    double jaw = vbss_grasper_current_jaws(tool->rigid.grasper)->length;
     pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.pose);
     pose needle = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
     pose seen = pose_mul(pose_inverse(jaws), needle);
@@ -274,7 +274,7 @@ void vbss_scene_paper_settle_needles(scene_object *s, double h)
         scene_body *b = &s->bodies[i];
         if (has_closed_on_one(b)) {
             b->rigid.hold.age += h;
-            if (b->rigid.grasper->angle > 0.0) {
+            if (b->rigid.grasper->jaw_angle > 0.0) {
                 let_go(s, b);
             }
         }

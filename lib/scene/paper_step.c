@@ -20,8 +20,8 @@ static vbss_result keep(scene_object *s)
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
             thread_object *t = b->thread.thread;
-            VBSS_TRY(vbss_thread_layout(t));
-            vbss_thread_copy_motion(t, &t->kept, &t->now);
+            VBSS_TRY(vbss_thread_update_derived(t));
+            vbss_thread_copy_state(t, &t->saved, &t->now);
             b->thread.kept = t->statistics;
         } else if (b->kind == BODY_DRAIN) {
             vbss_scene_keep_drain(&b->drain);
@@ -38,7 +38,7 @@ static void go_back(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
-            vbss_thread_copy_motion(t, &t->now, &t->kept);
+            vbss_thread_copy_state(t, &t->now, &t->saved);
             t->statistics = s->bodies[i].thread.kept;
         } else if (s->bodies[i].kind == BODY_DRAIN) {
             vbss_scene_return_drain(&s->bodies[i].drain);
@@ -146,10 +146,10 @@ static vbss_result make_passes(scene_object *s, double h)
 static double note_stretch(thread_object *t)
 {
     vbss_thread_statistics *c = &t->statistics;
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     c->last_stretch = c->last_stretch_error = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double stretch = t->strains[i].excess / t->rest[i];
+        double stretch = t->strains[i].elongation / t->rest[i];
         c->last_stretch = vbss_max(stretch, c->last_stretch);
         c->last_stretch_error = vbss_max(fabs(stretch), c->last_stretch_error);
     }

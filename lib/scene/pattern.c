@@ -88,7 +88,7 @@ static void mark_welds(scene_object *s)
         const scene_pin *p = &s->pins[i];
         if (p->id != 0 && p->attachment == 0) {
             const scene_body *b = vbss_scene_body(s, p->thread);
-            uint32_t reach = vbss_thread_reach(b->thread.thread);
+            uint32_t reach = vbss_thread_bandwidth(b->thread.thread);
             mark_near(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
         }
     }
@@ -97,7 +97,7 @@ static void mark_welds(scene_object *s)
 /* Groups must be as wide as the reach, and a shorter run between two is not worth its fill. */
 static void widen(const thread_object *t, uint8_t *marks)
 {
-    uint32_t n = t->node_count, reach = vbss_thread_reach(t), since = reach + 1;
+    uint32_t n = t->node_count, reach = vbss_thread_bandwidth(t), since = reach + 1;
     for (uint32_t i = 0; i < n; i++) {
         if (marks[i] != MARK_NONE) {
             for (uint32_t k = 1; since <= reach && k <= since; k++) {
@@ -181,7 +181,7 @@ static void list_welds(scene_object *s)
         }
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
         uint32_t first = t->thread.first_block, n = t->thread.thread->node_count;
-        uint32_t reach = vbss_thread_reach(t->thread.thread);
+        uint32_t reach = vbss_thread_bandwidth(t->thread.thread);
         contact_weld *w = &s->welds[s->weld_count++];
         *w = (contact_weld){.node = first + p->node,
                             .translation = b->rigid.blocks.first,
@@ -295,15 +295,16 @@ static vbss_result register_bodies(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
-            VBSS_TRY(vbss_thread_register(b->thread.thread, s->system,
-                                          s->marks + b->thread.first_node, &b->thread.first_block));
+            VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
+                                               s->marks + b->thread.first_node,
+                                               &b->thread.first_block));
         } else if (b->kind == BODY_RIGID) {
             vbss_role role =
                 b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED : VBSS_ROLE_SEPARATOR;
             VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
         } else if (b->kind == BODY_DRAIN) {
-            VBSS_TRY(vbss_drain_register(b->drain.drain, s->system, b->drain.marks,
-                                         &b->drain.first_block));
+            VBSS_TRY(vbss_drain_add_to_system(b->drain.drain, s->system, b->drain.marks,
+                                              &b->drain.first_block));
         }
     }
     return VBSS_OK;
@@ -362,7 +363,7 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     vbss_contact_find_schur_indices(s->contacts, s->system);
     for (uint32_t i = 0; !same_bodies && i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_DRAIN) {
-            vbss_drain_aim(s->bodies[i].drain.drain, s->system);
+            vbss_drain_set_assembly_map(s->bodies[i].drain.drain, s->system);
         }
     }
     s->pattern = pattern;

@@ -19,7 +19,7 @@ static bool is_spare(const scene_body *b)
 
 vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t)
 {
-    uint32_t pieces = t->reserve->left, spares = 0, threads = 0;
+    uint32_t pieces = t->piece_pool->available, spares = 0, threads = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         spares += is_spare(&s->bodies[i]);
         threads += s->bodies[i].kind == BODY_THREAD;
@@ -43,7 +43,7 @@ vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint
 {
     uint32_t last = shape;
     vbss_result result = VBSS_OK;
-    for (uint32_t i = 0; result == VBSS_OK && i < t->reserve->left; i++) {
+    for (uint32_t i = 0; result == VBSS_OK && i < t->piece_pool->available; i++) {
         /* as large as any of the family is, which may come later */
         result = vbss_collision_add_disabled_chain(s->collision, t->node_capacity, t->config.radius,
                                                    &last);
@@ -68,8 +68,8 @@ static scene_body *free_place(scene_object *s)
 void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_shape)
 {
     vbss_slot *slot = NULL;
-    for (thread_object *spare = vbss_thread_take_spare(t, &slot); spare != NULL;
-         spare = vbss_thread_take_spare(t, &slot)) {
+    for (thread_object *spare = vbss_thread_acquire_piece(t, &slot); spare != NULL;
+         spare = vbss_thread_acquire_piece(t, &slot)) {
         scene_body *b = free_place(s);
         *b = (scene_body){.reserved = true, .shape = first_shape++};
         b->thread.thread = spare;
@@ -80,20 +80,20 @@ void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_s
 
 void vbss_scene_return_spare(scene_body *b)
 {
-    vbss_thread_give_spare_back(b->thread.thread, b->thread.slot);
+    vbss_thread_return_piece(b->thread.thread, b->thread.slot);
     *b = (scene_body){.kind = BODY_GONE};
 }
 
-void vbss_scene_return_spares(scene_object *s, const thread_reserve *family)
+void vbss_scene_return_spares(scene_object *s, const thread_piece_pool *family)
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD && s->bodies[i].thread.thread->reserve == family) {
+        if (s->bodies[i].kind == BODY_THREAD && s->bodies[i].thread.thread->piece_pool == family) {
             return;
         }
     }
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (is_spare(b) && b->thread.thread->reserve == family) {
+        if (is_spare(b) && b->thread.thread->piece_pool == family) {
             (void)vbss_collision_remove(scene_collision(s), b->shape);
             vbss_scene_return_spare(b);
         }
@@ -106,7 +106,7 @@ scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *threa
 {
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (is_spare(b) && b->thread.thread->reserve == thread->thread.thread->reserve) {
+        if (is_spare(b) && b->thread.thread->piece_pool == thread->thread.thread->piece_pool) {
             return b;
         }
     }

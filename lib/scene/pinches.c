@@ -103,7 +103,7 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_pinch 
 {
     const grasper_object *g = tool->rigid.grasper;
     pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.pose);
-    double length = vbss_grasper_jaws_now(g)->length, wall = b->drain.drain->config.thickness;
+    double length = vbss_grasper_current_jaws(g)->length, wall = b->drain.drain->config.thickness;
     gap gaps[PLACES];
     uint32_t count = 0;
     *found = (scene_pinch){0};
@@ -112,7 +112,7 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_pinch 
     }
     for (uint32_t i = 0; i < PLACES; i++) {
         double depth = length * (i + 1) / PLACES;
-        gaps[i] = (gap){.depth = depth, .wide = vbss_grasper_mouth(g->angle, depth)};
+        gaps[i] = (gap){.depth = depth, .wide = vbss_grasper_jaw_distance(g->jaw_angle, depth)};
     }
     cross_all(&b->drain, jaws, gaps);
     for (uint32_t i = 0; i < PLACES; i++) {
@@ -203,7 +203,7 @@ static bool is_clear(const scene_object *s, const scene_body *tool, double share
 void vbss_scene_let_wall_go(scene_object *s, scene_body *tool)
 {
     scene_pinch *p = &tool->rigid.pinch;
-    if (p->drain == 0 || !(vbss_grasper_told_angle(tool->rigid.grasper) > p->angle)) {
+    if (p->drain == 0 || !(vbss_grasper_commanded_angle(tool->rigid.grasper) > p->angle)) {
         return;
     }
     p->torn = false;
@@ -241,7 +241,7 @@ bool vbss_scene_is_pinched(const scene_object *s, const scene_body *drain, vec3 
     const drain_object *d = drain->drain.drain;
     double touching =
         s->capsules[tool->rigid.first_capsule + capsule].radius + 0.5 * d->config.thickness;
-    double spacing = vbss_grasper_jaws_now(tool->rigid.grasper)->length / PLACES;
+    double spacing = vbss_grasper_current_jaws(tool->rigid.grasper)->length / PLACES;
     for (uint32_t k = 0; k < p->count; k++) {
         vec3 here = point_of(p, d, d->x, k);
         vec3 next = point_of(p, d, d->x, k + 1 < p->count ? k + 1 : k);
@@ -291,7 +291,7 @@ void vbss_scene_lay_pinch_row(scene_object *s, contact_constraint *row)
     row->stiffness = stiffness_of(tool->grasper, p);
     row->tangential_stiffness_ratio = 0.0; /* the same in all directions */
     for (uint32_t i = 0; i < 3; i++) {
-        uint32_t place = d->order.place[d->mesh.triangles[p->triangle[k]][i]];
+        uint32_t place = d->order.block_index[d->mesh.triangles[p->triangle[k]][i]];
         row->jacobian[row->jacobian_block_count++] =
             (contact_jacobian_block){.block = b->first_block + place, .weight = p->weights[k][i]};
     }
@@ -315,7 +315,7 @@ static void settle(scene_object *s, scene_body *tool, double h)
     scene_pinch *p = &r->pinch;
     const drain_object *d = drain_of(s, p);
     pose jaws = vbss_scene_jaws_of(r, r->body.now.pose);
-    hold_load load = {.h = h};
+    grasper_needle_load load = {.h = h};
     vec3 middle = vec3_zero();
     for (uint32_t k = 0; k < p->count; k++) {
         vec3 here = pose_apply_inverse(jaws, point_of(p, d, d->x, k));
@@ -323,20 +323,20 @@ static void settle(scene_object *s, scene_body *tool, double h)
             vec3_add_scaled(load.force, stiffness_of(r->grasper, p), vec3_sub(p->at[k], here));
         middle = vec3_add_scaled(middle, 1.0 / p->count, p->at[k]);
     }
-    load.pressure = r->grasper->pressure / vbss_scene_count_grasps(s, tool->number);
+    load.jaw_force = r->grasper->jaw_force / vbss_scene_count_grasps(s, tool->number);
     p->force = quat_rotate(jaws.orientation, load.force);
-    p->limit = vbss_grip_limit(r->grasper, load.pressure);
+    p->limit = vbss_grasper_friction_limit(r->grasper, load.jaw_force);
     pose held = pose_make(middle, quat_identity());
-    hold_change change = vbss_hold_yield(r->grasper, &held, &p->age, &load);
+    grasper_needle_slip change = vbss_grasper_yield_needle(r->grasper, &held, &p->age, &load);
     for (uint32_t k = 0; k < p->count; k++) {
         p->at[k] = vec3_add(p->at[k], vec3_sub(held.position, middle));
     }
-    if (change.slid > 0.0 && !p->sliding) {
+    if (change.slip > 0.0 && !p->sliding) {
         tell(s, VBSS_EVENT_SLIP, tool);
     }
-    p->sliding = change.slid > 0.0;
-    p->slid += change.slid;
-    if (change.torn) {
+    p->sliding = change.slip > 0.0;
+    p->slid += change.slip;
+    if (change.has_escaped) {
         tell(s, VBSS_EVENT_TORN, tool);
         p->let_go = p->torn = true;
         p->force = vec3_zero();

@@ -14,7 +14,7 @@ static vbss_result check_node(const scene_object *s, const scene_body *thread, u
     VBSS_TRY(vbss_check_range(s->context, node, 0.0, t->node_count - 1.0, "node"));
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *a = &t->attachments[i];
-        if (a->id != 0 && a->node == node && vbss_thread_holds(a->kind)) {
+        if (a->id != 0 && a->node == node && vbss_thread_prescribes_motion(a->kind)) {
             return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held already", node);
         }
     }

@@ -9,18 +9,19 @@ enum { CALM_STEPS = 3 };
 static bool is_damped(const scene_thread *b, double h)
 {
     const thread_object *t = b->thread;
-    double last = t->last_part;
+    double last = t->previous_h;
     /* Accelerations carried over from a part of quite another length would gain energy. */
     bool another = last > 0.0 && !(h < 2.1 * last && last < 2.1 * h);
-    return t->fresh || t->settling > 0 || b->near || b->welded || b->calm < CALM_STEPS || another;
+    return t->is_acceleration_unknown || t->damped_steps_left > 0 || b->near || b->welded ||
+           b->calm < CALM_STEPS || another;
 }
 
 static void predict_thread(scene_thread *b, const scene_part *part)
 {
     thread_object *t = b->thread;
-    thread_stage *stage = &b->stage;
-    *stage =
-        (thread_stage){.integration = &b->integration, .step = part->step, .part_end = part->end};
+    thread_substep *stage = &b->stage;
+    *stage = (thread_substep){
+        .integration = &b->integration, .step_length = part->step, .end_fraction = part->end};
     b->damped = is_damped(b, part->h);
     if (!b->damped) {
         b->integration = vbss_integration_generalised_alpha(part->h, t->config.spectral_radius);
@@ -32,11 +33,11 @@ static void predict_thread(scene_thread *b, const scene_part *part)
     }
     if (b->near ||
         b->welded) { /* gaps are known where the part begins, and what lies behind a gap is not */
-        vbss_thread_start_from_rest(t);
-        vbss_thread_measure(t, t->trial, t->strains);
+        vbss_thread_reset_trial(t);
+        vbss_thread_compute_strains(t, t->trial, t->strains);
     }
-    stage->carried = vbss_thread_carried_load(t, b->integration.inertia);
-    stage->least_pull = -0.9 * stage->carried;
+    stage->buckling_load = vbss_thread_buckling_load(t, b->integration.inertia);
+    stage->min_tension = -0.9 * stage->buckling_load;
 }
 
 static void predict_rigid(scene_object *s, scene_rigid *r, const scene_part *part)
@@ -63,9 +64,9 @@ void vbss_scene_predict(scene_object *s, const scene_part *part)
         } else if (b->kind == BODY_RIGID) {
             predict_rigid(s, &b->rigid, part);
         } else if (b->kind == BODY_DRAIN) {
-            b->drain.stage = (drain_stage){part->h, part->end};
+            b->drain.stage = (drain_substep){part->h, part->end};
             b->drain.moved = b->drain.drain->statistics.last_correction = 0.0;
-            vbss_drain_begin_part(b->drain.drain);
+            vbss_drain_reset_trial(b->drain.drain);
         }
     }
 }

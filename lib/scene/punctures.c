@@ -55,9 +55,9 @@ static void enter(scene_object *s, const scene_body *needle, const scene_body *d
     const drain_object *d = drain->drain.drain;
     double wire = needle->rigid.needle->config.wire_radius;
     /* Farther on than a flat wall lies that it may enter, it does not go into that on which it presses. */
-    double reach = (wire + 0.5 * d->config.thickness) / SUTURE_LEAST_INTO;
+    double reach = (wire + 0.5 * d->config.thickness) / SUTURE_MIN_ENTRY_COSINE;
     if (is_entering(s, needle, drain) || !look_at_tip(s, needle, drain, &tip) ||
-        !vbss_suture_enters(&d->config, &tip) ||
+        !vbss_suture_tip_punctures(&d->config, &tip) ||
         !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {
         return;
     }

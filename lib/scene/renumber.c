@@ -196,7 +196,7 @@ bool vbss_scene_change_mesh(scene_object *s, const scene_body *thread, const mes
     } else { /* contacts are where the whole segment was */
         r.before = 0.5 * t->rest[change->at];
         rename_all(s, &r);
-        vbss_thread_divide_segment(t, change->at, change->room);
+        vbss_thread_split_segment(t, change->at, change->room);
     }
     return true;
 }

@@ -49,7 +49,7 @@ typedef struct scene_thread {
     bool welded;          /* a node of it to a body that moves as forces say */
     bool damped;          /* this part is made by backward Euler */
     vbss_integration integration;
-    thread_stage stage;
+    thread_substep stage;
     double left;     /* how far forces left out of balance would move a node, m */
     uint32_t before; /* a piece: the body that it was cut from, until they are apart; else 0 */
     bool split;      /* that cut went through a segment, of which both have a part */
@@ -71,7 +71,7 @@ typedef struct scene_drain {
     /* Of a lip, which is a free edge, per side, and of a node there: a triangle beside it; else SCENE_NO_FACE. */
     uint32_t *lip_of_side, *lip_of_node;
     uint32_t *near; /* meshes.c: sides or triangles that a search has found */
-    drain_stage stage;
+    drain_substep stage;
     double moved;               /* by the last linearisation of the part, its farthest node, m */
     vbss_drain_statistics kept; /* before the step */
 } scene_drain;
@@ -178,7 +178,7 @@ typedef struct scene_grasp {
     double into;           /* so far from the begin of that, unstretched, m */
     double angle;          /* at which the jaws touch it */
     double spacing;        /* of the points of the grip, m */
-    grip grip;
+    grasper_thread_clamp grip;
     double slid, limit;
     vec3 force;   /* on the thread, after the last step */
     bool sliding; /* it slid in the last step */

@@ -17,19 +17,19 @@ static bool is_at_end(const thread_object *t, double arc)
     double length = vbss_thread_arc_length(t, t->node_count - 1);
     thread_cut cut;
     return vbss_min(arc, length - arc) < 2.0 * t->config.radius ||
-           !vbss_thread_find_cut(t, arc, &cut);
+           !vbss_thread_locate_cut(t, arc, &cut);
 }
 
 /* Beside those that will be made in this step. */
-static bool has_cuts_left(const scene_object *s, const thread_reserve *family)
+static bool has_cuts_left(const scene_object *s, const thread_piece_pool *family)
 {
     uint32_t left = 0, noted = 0;
     for (uint32_t i = 0; i < s->place_count; i++) {
         const scene_body *b = &s->bodies[i];
-        left += b->reserved && b->kind == BODY_GONE && b->thread.thread->reserve == family;
+        left += b->reserved && b->kind == BODY_GONE && b->thread.thread->piece_pool == family;
     }
     for (uint32_t i = 0; i < s->cut_count; i++) {
-        noted += vbss_scene_body(s, s->cuts[i].thread)->thread.thread->reserve == family;
+        noted += vbss_scene_body(s, s->cuts[i].thread)->thread.thread->piece_pool == family;
     }
     return left > noted;
 }
@@ -40,7 +40,7 @@ bool vbss_scene_let_through(scene_object *s, uint32_t tool, const scene_strand *
     double arc = arc_of(at);
     bool at_end = is_at_end(t, arc);
     scene_grasp *g = vbss_scene_free_grasp(s);
-    if (g == NULL || (!at_end && has_cuts_left(s, t->reserve))) {
+    if (g == NULL || (!at_end && has_cuts_left(s, t->piece_pool))) {
         return false;
     }
     *g = (scene_grasp){.id = ++s->last_grasp,

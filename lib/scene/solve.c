@@ -77,8 +77,8 @@ static bool leave_compression_out(scene_object *s)
     bool some = false;
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_thread *b = &s->bodies[i].thread;
-        if (s->bodies[i].kind == BODY_THREAD && b->stage.least_pull < 0.0) {
-            b->stage.least_pull = 0.0;
+        if (s->bodies[i].kind == BODY_THREAD && b->stage.min_tension < 0.0) {
+            b->stage.min_tension = 0.0;
             b->thread->statistics.softened++;
             some = true;
         }
@@ -198,12 +198,12 @@ static void advance(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_body *b = &s->bodies[i];
         if (b->kind == BODY_THREAD) {
-            b->thread.left = vbss_thread_advance(b->thread.thread, &b->thread.stage,
-                                                 s->system->solution + b->thread.first_block);
+            b->thread.left = vbss_thread_apply_increment(
+                b->thread.thread, &b->thread.stage, s->system->solution + b->thread.first_block);
         } else if (b->kind == BODY_RIGID) {
             advance_rigid(s, &b->rigid);
         } else if (b->kind == BODY_DRAIN) {
-            vbss_drain_follow(b->drain.drain, s->system, b->drain.first_block);
+            vbss_drain_apply_increment(b->drain.drain, s->system, b->drain.first_block);
         }
     }
     place_welded_nodes(s);
@@ -213,8 +213,8 @@ static void advance(scene_object *s)
             continue;
         }
         thread_object *t = b->thread.thread;
-        vbss_thread_measure(t, t->trial, t->strains);
-        double stretch = vbss_thread_note_stretch(t, t->trial_tension), far = b->thread.left;
+        vbss_thread_compute_strains(t, t->trial, t->strains);
+        double stretch = vbss_thread_record_stretch(t, t->trial_tension), far = b->thread.left;
         bool near = b->thread.near;
         /* What contact holds is not free to go where the estimate says, nor is it worth so much. */
         bool shape = near || far <= t->config.position_tolerance;
@@ -242,7 +242,7 @@ static drain_moves note_moves(scene_object *s)
             b->drain->statistics.linearisations++;
             m.finite = m.finite && b->moved < TOO_FAR;
             m.look = m.look || b->moved > c->position_tolerance;
-            m.too_far = m.too_far || b->moved > DRAIN_TOO_FAR * c->move_limit;
+            m.too_far = m.too_far || b->moved > DRAIN_MAX_MOVE_RATIO * c->move_limit;
         }
     }
     return m;
@@ -266,7 +266,8 @@ static void count_forced(scene_object *s)
     for (uint32_t i = 0; i < s->place_count; i++) {
         scene_drain *b = &s->bodies[i].drain;
         if (s->bodies[i].kind == BODY_DRAIN) {
-            b->drain->statistics.forced += b->moved > DRAIN_TOO_FAR * b->drain->config.move_limit;
+            b->drain->statistics.forced +=
+                b->moved > DRAIN_MAX_MOVE_RATIO * b->drain->config.move_limit;
         }
     }
 }
@@ -280,12 +281,13 @@ static bool is_believed(scene_object *s)
         scene_drain *b = &s->bodies[i].drain;
         if (s->bodies[i].kind == BODY_THREAD) {
             const scene_thread *a = &s->bodies[i].thread;
-            double missed = vbss_thread_missed_by(a->thread, s->system->solution + a->first_block);
+            double missed =
+                vbss_thread_linearisation_error(a->thread, s->system->solution + a->first_block);
             all = all && missed <= s->config.stretch_tolerance;
         }
         if (s->bodies[i].kind == BODY_DRAIN) {
             double correction = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
-            bool small = correction < DRAIN_BELIEVED * b->moved ||
+            bool small = correction < DRAIN_MAX_CORRECTION_RATIO * b->moved ||
                          correction <= b->drain->config.position_tolerance;
             b->drain->statistics.last_correction = correction;
             b->drain->statistics.corrections_dropped += !small;
@@ -472,7 +474,7 @@ scene_verdict vbss_scene_solve(scene_object *s, const scene_part *part)
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD &&
             s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
-            vbss_thread_update_rest_pull(s->bodies[i].thread.thread);
+            vbss_thread_update_rest_curvature_forces(s->bodies[i].thread.thread);
         }
     }
     begin_shape(&s->shape);
@@ -484,7 +486,7 @@ scene_verdict vbss_scene_solve_on(scene_object *s, const scene_part *part)
     for (uint32_t i = 0; i < s->place_count; i++) {
         if (s->bodies[i].kind == BODY_THREAD) { /* views measure there, too */
             thread_object *t = s->bodies[i].thread.thread;
-            vbss_thread_measure(t, t->trial, t->strains);
+            vbss_thread_compute_strains(t, t->trial, t->strains);
         }
     }
     return find_shapes(s, part);

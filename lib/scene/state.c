@@ -289,11 +289,12 @@ static void visit_drain(vbss_stream *stream, scene_drain *b)
     vbss_section outer = vbss_stream_open(stream, vbss_drain_kind.code, vbss_drain_kind.version);
     vbss_drain_serialise(stream, b->drain);
     vbss_stream_close(stream, outer);
-    vbss_stream_f64(stream, 62, &b->drain->pushes[0].x, 3 * (size_t)b->drain->mesh.node_count);
+    vbss_stream_f64(stream, 62, &b->drain->contact_forces[0].x,
+                    3 * (size_t)b->drain->mesh.node_count);
     for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < b->drain->mesh.node_count; i++) {
-        if (!vec3_is_finite(b->drain->pushes[i])) {
+        if (!vec3_is_finite(b->drain->contact_forces[i])) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such contacts of a drain");
-            b->drain->pushes[i] = vec3_zero();
+            b->drain->contact_forces[i] = vec3_zero();
         }
     }
 }
@@ -339,7 +340,7 @@ static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *a = &t->attachments[i];
-        if (a->id != 0 && a->node == p->node && vbss_thread_holds(a->kind)) {
+        if (a->id != 0 && a->node == p->node && vbss_thread_prescribes_motion(a->kind)) {
             return false;
         }
     }
@@ -391,8 +392,8 @@ static void visit_grasp(vbss_stream *stream, scene_grasp *g)
         vbss_stream_f64(stream, 122, numbers[i], 1);
     }
     vbss_stream_f64(stream, 123, &g->force.x, 3);
-    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
-        vbss_stream_f64(stream, 124, &g->grip.at[k].x, 3);
+    for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
+        vbss_stream_f64(stream, 124, &g->grip.anchor[k].x, 3);
     }
     if (words[3] > 1 || words[4] > 1 || words[6] > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
@@ -420,8 +421,8 @@ static bool is_grasp(const scene_object *s, const scene_grasp *g)
                   isfinite(g->limit) && vec3_is_finite(g->force) &&
                   (paper ? g->spacing == 0.0 : g->spacing > 0.0) && g->spacing <= 0.1 &&
                   g->grip.age >= 0.0 && isfinite(g->grip.age);
-    for (uint32_t k = 0; k < GRIP_POINTS; k++) {
-        placed = placed && vec3_is_finite(g->grip.at[k]);
+    for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
+        placed = placed && vec3_is_finite(g->grip.anchor[k]);
     }
     return placed;
 }
@@ -455,7 +456,7 @@ static bool is_hole(const scene_object *s, const suture_hole *hole)
     bool thread = t != NULL && t->kind == BODY_THREAD && suture_is_curve(t->thread.thread);
     return hole->id <= s->last_hole && (hole->needle != 0 ? needle : thread) && d != NULL &&
            d->kind == BODY_DRAIN && hole->triangle < d->drain.drain->mesh.triangle_count &&
-           vbss_hole_is_sound(hole);
+           vbss_hole_is_valid(hole);
 }
 
 static void visit_holes(vbss_stream *stream, scene_object *s)

@@ -420,11 +420,11 @@ static void arrive(scene_object *s, double h)
         if (b->kind == BODY_THREAD) {
             thread_object *t = b->thread.thread;
             vbss_thread_finish_step(t, h);
-            t->settling -= t->settling > 0;
+            t->damped_steps_left -= t->damped_steps_left > 0;
             b->thread.calm = b->thread.near ? 0 : b->thread.calm + (b->thread.calm < 16);
             for (uint32_t k = 0; s->lagging && k < t->config.attachment_capacity; k++) {
                 thread_attachment *a = &t->attachments[k];
-                if (a->id != 0 && vbss_thread_holds(a->kind)) {
+                if (a->id != 0 && vbss_thread_prescribes_motion(a->kind)) {
                     a->position = t->now.x[a->node]; /* held back; it goes on from here */
                 }
             }

@@ -39,7 +39,7 @@ static void set_rigid(scene_rigid *r, const grasper_object *g, vbss_slot *slot,
 static void aim_capsules(scene_object *s, const scene_rigid *r, double angle)
 {
     grasper_capsule laid[GRASPER_CAPSULES];
-    vbss_grasper_lay_capsules(r->grasper, angle, laid);
+    vbss_grasper_compute_capsules(r->grasper, angle, laid);
     for (uint32_t i = 0; i < GRASPER_CAPSULES; i++) {
         scene_capsule *c = &s->capsules[r->first_capsule + i];
         for (int k = 0; k < 2; k++) {
@@ -57,8 +57,8 @@ static void show(scene_object *s, scene_body *b)
     vec3 arm = vec3_sub(tool.position, r->body.now.pose.position); /* to the tip */
     bool driven = r->kind == VBSS_RIGID_DRIVEN;
     vec3 torque = driven ? vec3_zero() : vec3_neg(r->pull.torque);
-    g->body = b->number;
-    g->now = tool;
+    g->body_id = b->number;
+    g->tool_pose = tool;
     g->velocity = vec3_add(r->body.now.v, vec3_cross(r->body.now.w, arm));
     g->angular_velocity = r->body.now.w;
     g->hand_force = driven ? vbss_scene_paper_hand_force(s, b) : vec3_neg(r->pull.force);
@@ -70,7 +70,7 @@ static void show(scene_object *s, scene_body *b)
     g->solenoid = g->needle != 0 && squeezed;
     g->drain = vbss_scene_pinches(s, b->number) ? r->pinch.drain : 0;
     g->generation++;
-    vbss_grasper_show(g);
+    vbss_grasper_update_view(g);
 }
 
 static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
@@ -116,7 +116,7 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
     VBSS_TRY(vbss_slot_edit_unowned(grasper, &vbss_grasper_kind_of_slot, &slot));
     VBSS_TRY(check_grasper(s, slot, body));
     grasper_object *g = slot->object;
-    if (!vbss_grasper_through_trocar(g, g->told, &target)) {
+    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the trocar is nearer to the tip than the jaws reach aside");
     }
@@ -136,7 +136,7 @@ vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uin
     b->rigid.first_capsule = s->capsule_count;
     b->rigid.capsule_count = GRASPER_CAPSULES;
     s->capsule_count += GRASPER_CAPSULES;
-    aim_capsules(s, &b->rigid, g->angle);
+    aim_capsules(s, &b->rigid, g->jaw_angle);
     for (uint32_t i = 0; i < GRASPER_CAPSULES; i++) {
         vbss_scene_finish_capsule(&s->capsules[b->rigid.first_capsule + i]);
     }
@@ -151,7 +151,7 @@ void vbss_scene_release_grasper(scene_body *b)
     grasper_object *g = b->rigid.slot->object;
     b->rigid.slot->owner = NULL;
     if (g != NULL) { /* it may have ended with the context */
-        vbss_grasper_leave(g);
+        vbss_grasper_detach(g);
     }
 }
 
@@ -185,7 +185,8 @@ void vbss_scene_keep_tools(scene_object *s)
             r->kept_end = r->body.target_end;
             r->kept_hold = r->hold;
             r->kept_pinch = r->pinch;
-            r->kept_jaws = (struct kept_jaws){g->kind, g->kind_told, g->angle, g->pressure};
+            r->kept_jaws =
+                (struct kept_jaws){g->kind, g->commanded_kind, g->jaw_angle, g->jaw_force};
         }
     }
     memcpy(s->kept_grasps, s->grasps, s->config.grasp_capacity * sizeof *s->grasps);
@@ -212,9 +213,9 @@ void vbss_scene_return_tools(scene_object *s)
             r->hold = r->kept_hold;
             r->pinch = r->kept_pinch;
             g->kind = r->kept_jaws.kind;
-            g->kind_told = r->kept_jaws.kind_told;
-            g->angle = r->kept_jaws.angle;
-            g->pressure = r->kept_jaws.pressure;
+            g->commanded_kind = r->kept_jaws.kind_told;
+            g->jaw_angle = r->kept_jaws.angle;
+            g->jaw_force = r->kept_jaws.pressure;
         }
     }
     memcpy(s->grasps, s->kept_grasps, s->config.grasp_capacity * sizeof *s->grasps);
@@ -230,20 +231,20 @@ static void exchange(scene_object *s, scene_body *b)
 {
     grasper_object *g = b->rigid.grasper;
     const vbss_grasper_config *c = &g->config;
-    if (g->kind_told == g->kind) {
+    if (g->commanded_kind == g->kind) {
         return;
     }
     pose tool = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
     double far = vec3_distance(tool.position, vec3_load(c->exchange_centre));
     bool may = vbss_scene_count_grasps(s, b->number) == 0 && far >= c->exchange_distance;
-    vbss_grasper_kind before = g->kind, wanted = g->kind_told;
+    vbss_grasper_kind before = g->kind, wanted = g->commanded_kind;
     pose target;
     g->kind = may ? wanted : before;
-    if (!vbss_grasper_through_trocar(g, g->told, &target)) { /* jaws of another bend */
+    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) { /* jaws of another bend */
         g->kind = before;
         may = false;
     }
-    g->kind_told = g->kind;
+    g->commanded_kind = g->kind;
     if (may) { /* nor does it wait for anything any more */
         vbss_scene_forget_grasps_of(s, b->number);
         vbss_scene_forget_holds_of(s, b->number);
@@ -259,22 +260,24 @@ static void take_told(scene_object *s, scene_body *b, double h)
     grasper_object *g = r->grasper;
     pose target;
     exchange(s, b);
-    if (vbss_grasper_through_trocar(g, g->told, &target)) { /* it was asked when it was told */
+    if (vbss_grasper_apply_trocar(g, g->commanded_pose,
+                                  &target)) { /* it was asked when it was told */
         r->body.target_end = pose_mul(target, r->frame);
     }
-    double before = g->angle;
+    double before = g->jaw_angle;
     if (s->config.method == VBSS_METHOD_PAPER && g->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
-        g->angle = vbss_grasper_next_angle(g, h, 0.0);
+        g->jaw_angle = vbss_grasper_next_angle(g, h, 0.0);
     } else {
         vbss_scene_let_go(s, b);
         vbss_scene_let_needle_go(s, b);
         vbss_scene_let_wall_go(s, b);
-        g->angle = vbss_scene_close_jaws(s, b, h);
+        g->jaw_angle = vbss_scene_close_jaws(s, b, h);
     }
-    r->has_closed = before > 0.0 && g->angle == 0.0;
-    g->pressure =
-        vbss_scene_count_grasps(s, b->number) > 0 ? vbss_grasper_pressure_at(g, g->angle) : 0.0;
-    aim_capsules(s, r, g->angle);
+    r->has_closed = before > 0.0 && g->jaw_angle == 0.0;
+    g->jaw_force = vbss_scene_count_grasps(s, b->number) > 0
+                       ? vbss_grasper_jaw_force_at(g, g->jaw_angle)
+                       : 0.0;
+    aim_capsules(s, r, g->jaw_angle);
 }
 
 void vbss_scene_take_tools(scene_object *s, double h)

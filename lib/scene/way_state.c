@@ -26,17 +26,17 @@ static void visit_goals(vbss_stream *stream, scene_object *s)
         drain_object *d = b->kind == BODY_DRAIN ? b->drain.drain : NULL;
         for (uint32_t k = 0; t != NULL && k < t->config.attachment_capacity; k++) {
             thread_attachment *a = &t->attachments[k];
-            vbss_stream_f64(stream, 156, &a->other_target.x, 3);
-            vbss_stream_f64(stream, 156, &a->other_direction.x, 3);
-            vbss_stream_f64(stream, 156, &a->other_force.x, 3);
-            bool unit = a->id == 0 || fabs(vec3_norm(a->other_direction) - 1.0) < 1e-6;
-            sound = sound && unit && is_goal(a->other_target, a->other_force);
+            vbss_stream_f64(stream, 156, &a->alternate_target.x, 3);
+            vbss_stream_f64(stream, 156, &a->alternate_direction.x, 3);
+            vbss_stream_f64(stream, 156, &a->alternate_force.x, 3);
+            bool unit = a->id == 0 || fabs(vec3_norm(a->alternate_direction) - 1.0) < 1e-6;
+            sound = sound && unit && is_goal(a->alternate_target, a->alternate_force);
         }
         for (uint32_t k = 0; d != NULL && k < d->config.attachment_capacity; k++) {
             drain_attachment *a = &d->attachments[k];
-            vbss_stream_f64(stream, 157, &a->other_target.x, 3);
-            vbss_stream_f64(stream, 157, &a->other_force.x, 3);
-            sound = sound && is_goal(a->other_target, a->other_force);
+            vbss_stream_f64(stream, 157, &a->alternate_target.x, 3);
+            vbss_stream_f64(stream, 157, &a->alternate_force.x, 3);
+            sound = sound && is_goal(a->alternate_target, a->alternate_force);
         }
     }
     if (stream->mode == VBSS_STREAM_READ && !sound) {

@@ -32,8 +32,8 @@ static vbss_knot_tool show_tool(const thread_object *t, const grasper_object *g,
 {
     vbss_knot_tool tool = {.point_count = 3, .held = VBSS_KNOT_HELD_NOTHING};
     for (int k = 0; k < 3; k++) {
-        tool.axis[0][k] = g->shown[GRASPER_SHAFT][3 + k];
-        tool.axis[1][k] = g->shown[GRASPER_NECK][3 + k]; /* the bend */
+        tool.axis[0][k] = g->view_capsules[GRASPER_SHAFT][3 + k];
+        tool.axis[1][k] = g->view_capsules[GRASPER_NECK][3 + k]; /* the bend */
     }
     vec3_store(tool.axis[2], look->tip);
     tool.radius[0] = g->config.shaft_radius;

@@ -153,7 +153,7 @@ static session_tool_look look_at_tool(const session_object *s, const scene_objec
     const grasper_object *g = tool->rigid.grasper;
     session_tool_look look = {.has_needle = g->needle != 0 && g->needle == s->config.needle,
                               .cuts = g->kind == VBSS_GRASPER_SHEARS,
-                              .tip = g->now.position,
+                              .tip = g->tool_pose.position,
                               .force = g->hand_force};
     look.held_arc = held_arc(scene, tool->number, b->thread);
     look.has_tail = look.held_arc >= 0.0 && length - look.held_arc <= s->config.tail_reach;
@@ -172,7 +172,7 @@ static void look_at_gap(const session_object *s, const drain_object *d, const vb
     look->open = edges ? gap->signed_gap : gap->opening;
     look->gap_most = edges ? gap->largest : gap->widest_opening;
     for (int k = 0; k < 2; k++) {
-        look->lips[k] = edges ? d->x[d->mesh.middle[k]] : vec3_load(gap->lips[k]);
+        look->lips[k] = edges ? d->x[d->mesh.slit_middle[k]] : vec3_load(gap->lips[k]);
     }
 }
 
@@ -184,7 +184,7 @@ static void look_at_drain(const session_object *s, const drain_object *d, vbss_d
         look_at_gap(s, d, &gap, look);
     }
     look->torn =
-        d->mesh.fixed_count > 0 ? (double)d->statistics.torn / (double)d->mesh.fixed_count : 0.0;
+        d->mesh.anchor_count > 0 ? (double)d->statistics.torn / (double)d->mesh.anchor_count : 0.0;
     look->radius = d->config.radius;
     look->away = vec3_sub(middle_of_tube, vec3_lerp(look->lips[0], look->lips[1], 0.5));
 }

@@ -9,7 +9,7 @@
 void vbss_paper_probe_points(const needle_object *n, pose needle, double thickness, vec3 points[3])
 {
     vec3 tip = vbss_needle_point(n, 0.0);
-    vec3 corner = vbss_needle_point(n, vbss_needle_corner(n, 1));
+    vec3 corner = vbss_needle_point(n, vbss_needle_vertex_arc(n, 1));
     vec3 along = vec3_unit_or(vec3_sub(corner, tip), vec3_zero());
     for (int i = 0; i < 3; i++) {
         points[i] = pose_apply(needle, vec3_add_scaled(tip, i * thickness, along));
@@ -110,12 +110,12 @@ bool vbss_paper_find_puncture(const suture_probe *probe, suture_toggle toggles[S
             continue;
         }
         *toggle = (suture_toggle){0};
-        vbss_suture_round_off(c.weights);
+        vbss_suture_normalise_barycentric(c.weights);
         *made = (suture_hole){.needle = probe->needle,
                               .drain = probe->drain,
                               .triangle = t,
-                              .weights = {c.weights[0], c.weights[1], c.weights[2]},
-                              .outward = c.outward};
+                              .barycentric = {c.weights[0], c.weights[1], c.weights[2]},
+                              .is_outward = c.outward};
         return true;
     }
     return false;

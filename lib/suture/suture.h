@@ -22,43 +22,43 @@ typedef struct suture_hole {
     uint32_t thread;
     uint32_t drain;
     uint32_t triangle;
-    double weights[3]; /* of its corners in the hole */
-    bool outward;      /* the needle went through from inside */
+    double barycentric[3]; /* of its corners in the hole */
+    bool is_outward;       /* the needle went through from inside */
     double
-        entry; /* arc length of the needle that was there when it entered: below 0, before the tip */
+        entry_arc; /* arc length of the needle that was there when it entered: below 0, before the tip */
     double arc; /* of the needle or the thread, that is there now; from the tip, from its begin */
     double
-        slides; /* how much of `arc` it would go on in the trial state of a part; of the guard, which finds it */
-    double deepest; /* of the needle, that has been */
-    double held;    /* friction on the suture, toward the tip, N */
-    vec3 across;    /* force on the suture across its line, N, in the world */
+        trial_slide; /* how much of `arc` it would go on in the trial state of a part; of the guard, which finds it */
+    double max_arc;        /* of the needle, that has been */
+    double friction_force; /* friction on the suture, toward the tip, N */
+    vec3 transverse_force; /* force on the suture across its line, N, in the world */
 } suture_hole;
 
 /* ---- curve.c */
 
 /* A needle, a thread, or a needle with a thread swaged to its end; NULL: it has none. */
-typedef struct suture_line {
+typedef struct suture_curve {
     const needle_object *needle;
-    pose at; /* of the needle */
+    pose needle_pose; /* of the needle */
     const thread_object *thread;
-    const vec3 *x; /* its nodes */
-    double swage;  /* arc length at which the thread begins, m; 0 without a needle */
-} suture_line;
+    const vec3 *node_positions; /* its nodes */
+    double swage_arc;           /* arc length at which the thread begins, m; 0 without a needle */
+} suture_curve;
 
 #define SUTURE_ON_NEEDLE UINT32_MAX
-enum { SUTURE_NODES = 4 };
+enum { SUTURE_SPAN_NODES = 4 };
 /* A place on it: moved by the needle, by nodes of the thread, or by both. */
-typedef struct suture_place {
+typedef struct suture_curve_point {
     double arc;
-    vec3 point, tangent; /* tangent: unit, toward the tip */
-    double on_needle;    /* weight of the needle's point, which is in its frame: */
-    vec3 needle;
-    uint32_t span, first; /* of the thread: which, and the first node */
-    double share;         /* of the span, from its begin */
-    double weights[SUTURE_NODES];
-    double slopes[SUTURE_NODES]; /* of the weights along the curve as it is, 1/m */
-    vec3 turn;                   /* of the tangent the same, 1/m */
-} suture_place;
+    vec3 position, tangent; /* tangent: unit, toward the tip */
+    double needle_weight;   /* weight of the needle's point, which is in its frame: */
+    vec3 needle_point;
+    uint32_t span, first_node; /* of the thread: which, and the first node */
+    double u;                  /* of the span, from its begin */
+    double weights[SUTURE_SPAN_NODES];
+    double weight_derivatives[SUTURE_SPAN_NODES]; /* of the weights along the curve as it is, 1/m */
+    vec3 curvature;                               /* of the tangent the same, 1/m */
+} suture_curve_point;
 
 /* Threads of two nodes are no curve. */
 static inline bool suture_is_curve(const thread_object *t)
@@ -66,12 +66,14 @@ static inline bool suture_is_curve(const thread_object *t)
     return t->node_count > 2;
 }
 /* The nearest place to a point downhill from an arc length; the same, among a span and those beside it. */
-suture_place vbss_suture_nearest(const suture_line *line, double from, vec3 to);
-suture_place vbss_suture_nearest_by(const suture_line *line, uint32_t by, double from, vec3 to);
-uint32_t vbss_suture_span_at(const suture_line *line, double arc);
+suture_curve_point vbss_suture_nearest_point(const suture_curve *curve, double from, vec3 to);
+suture_curve_point vbss_suture_nearest_point_around_span(const suture_curve *curve,
+                                                         uint32_t centre_span, double from,
+                                                         vec3 to);
+uint32_t vbss_suture_span_at(const suture_curve *curve, double arc);
 /* Capstan: what slides along a thread in a hole bears, over what the hole bears across: against the tangent, along it. */
-void vbss_suture_grip(const suture_line *line, const suture_place *place, double friction,
-                      double grip[2]);
+void vbss_suture_capstan_friction(const suture_curve *curve, const suture_curve_point *point,
+                                  double friction, double capstan[2]);
 
 /* ---- puncture.c */
 
@@ -81,39 +83,40 @@ typedef struct suture_tip {
     vec3 normal;              /* of that force without friction: unit, away from the wall */
 } suture_tip;
 /* Along the wall rather than into it: cosine between the tip's way and the inner normal below which it only slides. */
-#define SUTURE_LEAST_INTO 0.3
+#define SUTURE_MIN_ENTRY_COSINE 0.3
 /* Whether it is pressed in, and not along, so that the wall gives way. */
-bool vbss_suture_enters(const vbss_drain_config *config, const suture_tip *tip);
+bool vbss_suture_tip_punctures(const vbss_drain_config *config, const suture_tip *tip);
 /* The hole that it makes: where its line meets the wall within `reach`; false: nowhere, or where the wall ends. */
 bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double reach,
                            double wire_radius, suture_hole *hole);
 /* Where an axis first goes through the wall: a hole's triangle and weights there, nothing else of it; at which share. */
-bool vbss_suture_goes_through(const drain_object *d, const vec3 axis[2], suture_hole *where,
-                              double *share);
+bool vbss_suture_find_wall_crossing(const drain_object *d, const vec3 axis[2], suture_hole *hole,
+                                    double *fraction);
 /* Weights in a triangle, but for rounding: none below 0, all together 1. */
-void vbss_suture_round_off(double weights[3]);
+void vbss_suture_normalise_barycentric(double barycentric[3]);
 /* Whether what goes that way through a triangle of the wall comes from inside. */
-bool vbss_suture_goes_outward(const drain_object *d, uint32_t triangle, vec3 way);
+bool vbss_suture_is_outward(const drain_object *d, uint32_t triangle, vec3 direction);
 
 /* ---- hole.c */
 
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x);
 /* What it bears along the suture before that slides: `least`, and `grip` of what it bears across, where it was when the part
  * began. */
-typedef struct hole_bound {
-    double least, grip[2];
-} hole_bound;
-hole_bound vbss_hole_bound(const suture_hole *hole, const vbss_drain_config *config,
-                           const suture_line *line, const suture_place *place);
+typedef struct hole_yield_limit {
+    double force, friction[2];
+} hole_yield_limit;
+hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain_config *config,
+                                       const suture_curve *curve, const suture_curve_point *point);
 /* Its row, all but the terms and what was known at the begin of the part: `now` and `drain` in the trial state; the part is h
  * long. a is the suture. */
-void vbss_hole_lay_row(const suture_hole *hole, const vbss_drain_config *config,
-                       const suture_place *now, vec3 drain, double h, contact_constraint *row);
+void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *config,
+                              const suture_curve_point *now, vec3 drain, double h,
+                              contact_constraint *constraint);
 /* It has slid to that arc length of the needle. */
-void vbss_hole_move(suture_hole *hole, double arc);
+void vbss_hole_set_arc(suture_hole *hole, double arc);
 /* What rows have found becomes its state. */
-void vbss_hole_keep(suture_hole *hole, const contact_constraint *row);
+void vbss_hole_store_forces(suture_hole *hole, const contact_constraint *constraint);
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole);
-bool vbss_hole_is_sound(const suture_hole *hole);
+bool vbss_hole_is_valid(const suture_hole *hole);
 
 #endif

@@ -13,38 +13,39 @@
 /* The slope of the segment's length at its four nodes, segment - 1 .. segment + 2: +-tangent at the
  * ends of the chord, and what bends the arc. The segment's part of the stiffness is
  * stiffness slope slope^T + bent (factor factor^T) + turning (chord), of the forces -tension slope. */
-typedef struct segment_part {
-    lanes slope[4], stiff[4]; /* stiff: times the stiffness along the segment */
-    double factor[4];         /* of the nodes in the arc's curvature */
-    double tension, bent, turning;
-} segment_part;
+typedef struct segment_terms {
+    lanes gradient[4], scaled_gradient[4]; /* stiff: times the stiffness along the segment */
+    double coefficient[4];                 /* of the nodes in the arc's curvature */
+    double tension, curvature_stiffness, geometric_stiffness;
+} segment_terms;
 
-static void set_part(const thread_object *t, uint32_t i, double least_pull, segment_part *p)
+static void set_segment_terms(const thread_object *t, uint32_t i, double min_tension,
+                              segment_terms *p)
 {
     const thread_strain *s = &t->strains[i];
     const thread_arc *arc = &t->arcs[i];
     double stiffness = t->config.axial_stiffness * t->inverse_rest[i];
-    double pull = t->trial_tension[i] > least_pull ? t->trial_tension[i] : least_pull;
-    double bent = 2.0 * arc->share;
+    double bounded_tension = t->trial_tension[i] > min_tension ? t->trial_tension[i] : min_tension;
+    double curvature_coefficient = 2.0 * arc->length_coefficient;
     lanes tangent = lanes_from(s->tangent), curvature = lanes_from(s->curvature);
-    p->tension = stiffness * s->excess;
-    p->bent = pull > 0.0 ? bent * pull : 0.0;
+    p->tension = stiffness * s->elongation;
+    p->curvature_stiffness = bounded_tension > 0.0 ? curvature_coefficient * bounded_tension : 0.0;
     /* A chord turns against pull / chord; its length then does not: less stiffness along it, which
      * is put on the whole slope, as it is small against EA / l. */
-    p->turning = s->chord > 0.0 ? pull / s->chord : 0.0;
-    stiffness -= p->turning;
+    p->geometric_stiffness = s->chord > 0.0 ? bounded_tension / s->chord : 0.0;
+    stiffness -= p->geometric_stiffness;
     for (uint32_t a = 0; a < 4; a++) {
-        p->factor[a] = arc->factor[a];
-        p->slope[a] = lanes_scale(bent * arc->factor[a], curvature);
+        p->coefficient[a] = arc->coefficient[a];
+        p->gradient[a] = lanes_scale(curvature_coefficient * arc->coefficient[a], curvature);
     }
-    p->slope[1] = lanes_sub(p->slope[1], tangent);
-    p->slope[2] = lanes_add(p->slope[2], tangent);
+    p->gradient[1] = lanes_sub(p->gradient[1], tangent);
+    p->gradient[2] = lanes_add(p->gradient[2], tangent);
     for (uint32_t a = 0; a < 4; a++) {
-        p->stiff[a] = lanes_scale(stiffness, p->slope[a]);
+        p->scaled_gradient[a] = lanes_scale(stiffness, p->gradient[a]);
     }
 }
 
-static const segment_part no_part; /* of segments beyond the ends */
+static const segment_terms no_segment; /* of segments beyond the ends */
 
 /* ---- blocks */
 
@@ -63,22 +64,22 @@ static inline void add_outer(block *b, const lanes *row, const lanes *column)
 }
 
 /* The parts of four neighbouring segments, by segment modulo 4: those that meet at a node. */
-typedef struct parts {
-    segment_part at[4];
-} parts;
+typedef struct segment_ring {
+    segment_terms at[4];
+} segment_ring;
 
 /* Node i and node i + k: the segments i + k - 2 .. i + 1 see both. */
-static block pair_block(const parts *p, uint32_t i, uint32_t k, double scalar, bool flipped)
+static block pair_block(const segment_ring *p, uint32_t i, uint32_t k, double scalar, bool flipped)
 {
     for (uint32_t a = 0; a + k < 4; a++) { /* segment i + 1 - a */
-        const segment_part *s = &p->at[(i + 1 - a) & 3u];
-        scalar += s->bent * s->factor[a] * s->factor[a + k];
+        const segment_terms *s = &p->at[(i + 1 - a) & 3u];
+        scalar += s->curvature_stiffness * s->coefficient[a] * s->coefficient[a + k];
     }
     block b = scalar_block(scalar);
     for (uint32_t a = 0; a + k < 4; a++) {
-        const segment_part *s = &p->at[(i + 1 - a) & 3u];
+        const segment_terms *s = &p->at[(i + 1 - a) & 3u];
         /* Rows belong to the node that is eliminated later. */
-        add_outer(&b, &s->slope[flipped ? a : a + k], &s->stiff[flipped ? a + k : a]);
+        add_outer(&b, &s->gradient[flipped ? a : a + k], &s->scaled_gradient[flipped ? a + k : a]);
     }
     return b;
 }
@@ -92,10 +93,11 @@ static inline lanes load(const vec3 *v)
 
 static lanes node_force(const thread_object *t, const vbss_integration *in, uint32_t i)
 {
-    lanes moved = lanes_sub(load(&t->trial[i]), load(&t->x_predicted[i]));
-    lanes speed = lanes_add(load(&t->v_predicted[i]), lanes_scale(in->velocity_factor, moved));
-    lanes force = lanes_sub(load(&t->gravity), lanes_scale(in->inertia, moved));
-    force = lanes_sub(force, lanes_scale(t->config.drag, speed));
+    lanes displacement = lanes_sub(load(&t->trial[i]), load(&t->x_predicted[i]));
+    lanes velocity =
+        lanes_add(load(&t->v_predicted[i]), lanes_scale(in->velocity_factor, displacement));
+    lanes force = lanes_sub(load(&t->gravity), lanes_scale(in->inertia, displacement));
+    force = lanes_sub(force, lanes_scale(t->config.drag, velocity));
     return lanes_scale(t->mass[i], force);
 }
 
@@ -103,52 +105,53 @@ static lanes node_force(const thread_object *t, const vbss_integration *in, uint
 static lanes bending_force(const thread_object *t, uint32_t i)
 {
     lanes here = load(&t->trial[i]), force = lanes_make(0.0, 0.0, 0.0);
-    for (uint32_t k = 1; k <= THREAD_REACH; k++) {
+    for (uint32_t k = 1; k <= THREAD_BANDWIDTH; k++) {
         if (i + k < t->node_count) {
             lanes e = lanes_sub(load(&t->trial[i + k]), here);
-            force = lanes_sub(force, lanes_scale(t->bending[i][k], e));
+            force = lanes_sub(force, lanes_scale(t->bending_matrix[i][k], e));
         }
         if (i >= k) {
             lanes e = lanes_sub(load(&t->trial[i - k]), here);
-            force = lanes_sub(force, lanes_scale(t->bending[i - k][k], e));
+            force = lanes_sub(force, lanes_scale(t->bending_matrix[i - k][k], e));
         }
     }
     return force;
 }
 
-static lanes stretching_force(const parts *p, uint32_t i)
+static lanes stretching_force(const segment_ring *p, uint32_t i)
 {
     lanes force = lanes_make(0.0, 0.0, 0.0);
     for (uint32_t a = 0; a < 4; a++) {
-        const segment_part *s = &p->at[(i + 1 - a) & 3u];
-        force = lanes_sub(force, lanes_scale(s->tension, s->slope[a]));
+        const segment_terms *s = &p->at[(i + 1 - a) & 3u];
+        force = lanes_sub(force, lanes_scale(s->tension, s->gradient[a]));
     }
     return force;
 }
 
-static void set_nodes(const thread_object *t, const thread_stage *stage, vbss_system *system,
+static void set_nodes(const thread_object *t, const thread_substep *substep, vbss_system *system,
                       uint32_t first)
 {
-    const vbss_integration *in = stage->integration;
-    uint32_t n = t->node_count, reach = t->config.bending == VBSS_BENDING_SPLINE ? 3 : 2;
-    parts p;
-    p.at[2] = p.at[3] = no_part; /* segments -2 and -1 */
-    set_part(t, 0, stage->least_pull, &p.at[0]);
+    const vbss_integration *in = substep->integration;
+    uint32_t n = t->node_count, bandwidth = t->config.bending == VBSS_BENDING_SPLINE ? 3 : 2;
+    segment_ring p;
+    p.at[2] = p.at[3] = no_segment; /* segments -2 and -1 */
+    set_segment_terms(t, 0, substep->min_tension, &p.at[0]);
     for (uint32_t i = 0; i < n; i++) {
         if (i + 2 < n) {
-            set_part(t, i + 1, stage->least_pull, &p.at[(i + 1) & 3u]);
+            set_segment_terms(t, i + 1, substep->min_tension, &p.at[(i + 1) & 3u]);
         } else {
-            p.at[(i + 1) & 3u] = no_part;
+            p.at[(i + 1) & 3u] = no_segment;
         }
-        const segment_part *before = &p.at[(i + 3) & 3u], *behind = &p.at[i & 3u];
+        const segment_terms *before = &p.at[(i + 3) & 3u], *after = &p.at[i & 3u];
         lanes force = lanes_add(node_force(t, in, i), bending_force(t, i));
         system->rhs[first + i] = lanes_vec3(lanes_add(force, stretching_force(&p, i)));
         double scalar = t->mass[i] * (in->inertia + t->config.drag * in->velocity_factor) +
-                        t->bending[i][0] + before->turning + behind->turning;
+                        t->bending_matrix[i][0] + before->geometric_stiffness +
+                        after->geometric_stiffness;
         system->diagonal[first + i] = pair_block(&p, i, 0, scalar, false);
-        for (uint32_t k = 1; k <= reach; k++) {
+        for (uint32_t k = 1; k <= bandwidth; k++) {
             uint32_t c = t->couplings[i][k - 1];
-            double own = t->bending[i][k] - (k == 1 ? behind->turning : 0.0);
+            double own = t->bending_matrix[i][k] - (k == 1 ? after->geometric_stiffness : 0.0);
             system->off_diagonal[c] = pair_block(&p, i, k, own, system->couplings[c].is_transposed);
         }
     }
@@ -161,14 +164,15 @@ static void add_far_pairs(const thread_object *t, uint32_t clamp, vec3 *rhs)
 {
     uint32_t node = t->clamps[clamp].node;
     for (uint32_t side = 0; side < 2; side++) {
-        uint32_t i = side == 0 ? node : node - THREAD_FAR;
-        bool there = side == 0 ? node + THREAD_FAR < t->node_count : node >= THREAD_FAR;
-        bool twice = there && side == 1 && clamp > 0 && t->clamps[clamp - 1].node == i;
-        if (there && !twice) {
-            vec3 e = vec3_sub(t->trial[i + THREAD_FAR], t->trial[i]);
-            vec3 f = vec3_scale(e, t->bending[i][THREAD_FAR]);
+        uint32_t i = side == 0 ? node : node - THREAD_CLAMP_BANDWIDTH;
+        bool exists = side == 0 ? node + THREAD_CLAMP_BANDWIDTH < t->node_count
+                                : node >= THREAD_CLAMP_BANDWIDTH;
+        bool is_duplicate = exists && side == 1 && clamp > 0 && t->clamps[clamp - 1].node == i;
+        if (exists && !is_duplicate) {
+            vec3 e = vec3_sub(t->trial[i + THREAD_CLAMP_BANDWIDTH], t->trial[i]);
+            vec3 f = vec3_scale(e, t->bending_matrix[i][THREAD_CLAMP_BANDWIDTH]);
             rhs[i] = vec3_sub(rhs[i], f);
-            rhs[i + THREAD_FAR] = vec3_add(rhs[i + THREAD_FAR], f);
+            rhs[i + THREAD_CLAMP_BANDWIDTH] = vec3_add(rhs[i + THREAD_CLAMP_BANDWIDTH], f);
         }
     }
 }
@@ -177,10 +181,10 @@ static void add_clamps(const thread_object *t, vec3 *rhs)
 {
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         const thread_clamp *clamp = &t->clamps[c];
-        for (uint32_t k = 0; k <= 2 * THREAD_FAR; k++) {
-            if (clamp->factor[k] != 0.0) {
-                uint32_t i = clamp->node + k - THREAD_FAR;
-                rhs[i] = vec3_add_scaled(rhs[i], -clamp->factor[k], clamp->direction);
+        for (uint32_t k = 0; k <= 2 * THREAD_CLAMP_BANDWIDTH; k++) {
+            if (clamp->coefficient[k] != 0.0) {
+                uint32_t i = clamp->node + k - THREAD_CLAMP_BANDWIDTH;
+                rhs[i] = vec3_add_scaled(rhs[i], -clamp->coefficient[k], clamp->direction);
             }
         }
         add_far_pairs(t, c, rhs);
@@ -189,13 +193,13 @@ static void add_clamps(const thread_object *t, vec3 *rhs)
 
 /* ---- attachments */
 
-static void add_attachments(const thread_object *t, const thread_stage *stage, vbss_system *system,
-                            uint32_t first)
+static void add_attachments(const thread_object *t, const thread_substep *substep,
+                            vbss_system *system, uint32_t first)
 {
-    const vbss_integration *in = stage->integration;
-    double share = 1.0 / stage->step; /* of the way to go, in 1/s */
-    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
-        const thread_attachment *a = &t->attachments[place];
+    const vbss_integration *in = substep->integration;
+    double inverse_step = 1.0 / substep->step_length; /* of the way to go, in 1/s */
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
         if (a->id == 0) {
             continue;
         }
@@ -203,13 +207,14 @@ static void add_attachments(const thread_object *t, const thread_stage *stage, v
         if (a->kind == VBSS_ATTACHMENT_FORCE) {
             *rhs = vec3_add(*rhs, a->force);
         } else if (a->kind == VBSS_ATTACHMENT_SPRING) {
-            vec3 moved = vec3_sub(t->trial[a->node], t->x_predicted[a->node]);
-            vec3 speed = vec3_add_scaled(t->v_predicted[a->node], in->velocity_factor, moved);
-            vec3 end_speed = vec3_scale(vec3_sub(a->target, a->position), share);
-            vec3 stretch =
-                vec3_sub(vbss_thread_attachment_position(a, stage->part_end), t->trial[a->node]);
-            *rhs = vec3_add_scaled(*rhs, a->stiffness, stretch);
-            *rhs = vec3_add_scaled(*rhs, a->damping, vec3_sub(end_speed, speed));
+            vec3 displacement = vec3_sub(t->trial[a->node], t->x_predicted[a->node]);
+            vec3 velocity =
+                vec3_add_scaled(t->v_predicted[a->node], in->velocity_factor, displacement);
+            vec3 end_velocity = vec3_scale(vec3_sub(a->target, a->position), inverse_step);
+            vec3 extension = vec3_sub(vbss_thread_attachment_position(a, substep->end_fraction),
+                                      t->trial[a->node]);
+            *rhs = vec3_add_scaled(*rhs, a->stiffness, extension);
+            *rhs = vec3_add_scaled(*rhs, a->damping, vec3_sub(end_velocity, velocity));
             block spring = scalar_block(a->stiffness + a->damping * in->velocity_factor);
             block *diagonal = &system->diagonal[first + a->node];
             for (int c = 0; c < 3; c++) {
@@ -219,18 +224,18 @@ static void add_attachments(const thread_object *t, const thread_stage *stage, v
     }
 }
 
-static void add_rest_pull(const thread_object *t, vec3 *rhs)
+static void add_rest_curvature_forces(const thread_object *t, vec3 *rhs)
 {
     for (uint32_t i = 0; t->config.rest_curvature > 0.0 && i < t->node_count; i++) {
-        rhs[i] = vec3_add(rhs[i], t->rest_pull[i]);
+        rhs[i] = vec3_add(rhs[i], t->rest_curvature_forces[i]);
     }
 }
 
-void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_stage *stage,
+void VBSS_WIDE_NAME(vbss_thread_assemble)(const thread_object *t, const thread_substep *substep,
                                           vbss_system *system, uint32_t first)
 {
-    set_nodes(t, stage, system, first);
+    set_nodes(t, substep, system, first);
     add_clamps(t, system->rhs + first);
-    add_rest_pull(t, system->rhs + first);
-    add_attachments(t, stage, system, first);
+    add_rest_curvature_forces(t, system->rhs + first);
+    add_attachments(t, substep, system, first);
 }

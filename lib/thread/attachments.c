@@ -20,7 +20,7 @@ vbss_result vbss_thread_attachment_init(vbss_thread_attachment *attachment, uint
     return vbss_config_init(&attachment_layout, attachment, struct_size);
 }
 
-bool vbss_thread_holds(vbss_attachment_kind kind)
+bool vbss_thread_prescribes_motion(vbss_attachment_kind kind)
 {
     return kind == VBSS_ATTACHMENT_PIN || kind == VBSS_ATTACHMENT_CLAMP;
 }
@@ -33,7 +33,7 @@ static vbss_result check_direction(vbss_context *context, const double v[3])
     return vbss_check_range(context, vec3_norm(vec3_load(v)), 1e-100, 1e100, "length of direction");
 }
 
-static vbss_result check(const thread_object *t, const vbss_thread_attachment *a)
+static vbss_result check_attachment(const thread_object *t, const vbss_thread_attachment *a)
 {
     vbss_context *context = t->context;
     VBSS_TRY(vbss_check_range(context, a->kind, VBSS_ATTACHMENT_PIN, VBSS_ATTACHMENT_MASS, "kind"));
@@ -45,14 +45,14 @@ static vbss_result check(const thread_object *t, const vbss_thread_attachment *a
     VBSS_TRY(vbss_check_range(context, a->stiffness, 0.0, 1e9, "stiffness"));
     VBSS_TRY(vbss_check_range(context, a->damping, 0.0, 1e6, "damping"));
     VBSS_TRY(vbss_check_range(context, a->mass, 0.0, 1e3, "mass"));
-    if (t->welded[a->node] != 0 && vbss_thread_holds(a->kind)) {
+    if (t->welded[a->node] != 0 && vbss_thread_prescribes_motion(a->kind)) {
         return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by a body of its scene",
                          a->node);
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *other = &t->attachments[i];
-        if (other->id != 0 && other->node == a->node && vbss_thread_holds(other->kind) &&
-            vbss_thread_holds(a->kind)) {
+        if (other->id != 0 && other->node == a->node &&
+            vbss_thread_prescribes_motion(other->kind) && vbss_thread_prescribes_motion(a->kind)) {
             return vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held by attachment %u",
                              a->node, other->id);
         }
@@ -73,24 +73,24 @@ thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id)
     return NULL;
 }
 
-static vec3 unit(const double v[3])
+static vec3 load_unit(const double v[3])
 {
     return vec3_unit_or(vec3_load(v), vec3_make(1.0, 0.0, 0.0));
 }
 
 /* Of the thread at a node. */
-static vec3 thread_direction(const thread_object *t, uint32_t node, vec3 fallback)
+static vec3 chord_direction(const thread_object *t, uint32_t node, vec3 fallback)
 {
     uint32_t low = node > 0 ? node - 1 : 0;
     uint32_t high = node + 1 < t->node_count ? node + 1 : node;
     return vec3_unit_or(vec3_sub(t->now.x[high], t->now.x[low]), fallback);
 }
 
-static void note_goal(thread_attachment *a)
+static void save_target(thread_attachment *a)
 {
-    a->other_target = a->target;
-    a->other_direction = a->target_direction;
-    a->other_force = a->force;
+    a->alternate_target = a->target;
+    a->alternate_direction = a->target_direction;
+    a->alternate_force = a->force;
 }
 
 vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment *attachment,
@@ -101,31 +101,31 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     VBSS_TRY(vbss_thread_edit(thread, &t));
     VBSS_TRY(vbss_check_pointer(t->context, id, "id"));
     VBSS_TRY(vbss_config_read(t->context, &attachment_layout, attachment, &own));
-    VBSS_TRY(check(t, &own));
-    uint32_t place = 0;
-    while (place < t->config.attachment_capacity && t->attachments[place].id != 0) {
-        place++;
+    VBSS_TRY(check_attachment(t, &own));
+    uint32_t free_index = 0;
+    while (free_index < t->config.attachment_capacity && t->attachments[free_index].id != 0) {
+        free_index++;
     }
-    if (place == t->config.attachment_capacity || t->last_id == UINT32_MAX) {
-        return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "more than %u attachments", place);
+    if (free_index == t->config.attachment_capacity || t->last_id == UINT32_MAX) {
+        return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "more than %u attachments", free_index);
     }
-    thread_attachment *a = &t->attachments[place];
+    thread_attachment *a = &t->attachments[free_index];
     a->id = *id = ++t->last_id;
     a->kind = own.kind;
     a->node = own.node;
     a->target = vec3_load(own.position);
     /* A held node is taken to its place within the next step, and a moving thread is turned in it; a
      * spring's end is there at once. */
-    a->position = vbss_thread_holds(own.kind) ? t->now.x[own.node] : a->target;
-    a->target_direction = unit(own.direction);
+    a->position = vbss_thread_prescribes_motion(own.kind) ? t->now.x[own.node] : a->target;
+    a->target_direction = load_unit(own.direction);
     a->direction =
-        t->placed ? a->target_direction : thread_direction(t, own.node, a->target_direction);
+        t->is_in_setup ? a->target_direction : chord_direction(t, own.node, a->target_direction);
     a->force = vec3_load(own.force);
     a->stiffness = own.stiffness;
     a->damping = own.damping;
     a->mass = own.mass;
-    note_goal(a);
-    vbss_thread_changed(t);
+    save_target(a);
+    vbss_thread_invalidate(t);
     return VBSS_OK;
 }
 
@@ -146,7 +146,7 @@ vbss_result vbss_thread_move(vbss_thread *thread, uint32_t id, const double targ
     VBSS_TRY(vbss_check_vector(t->context, target, force ? 1e6 : 1e3, "target"));
     if (direction != NULL) {
         VBSS_TRY(check_direction(t->context, direction));
-        a->target_direction = unit(direction);
+        a->target_direction = load_unit(direction);
     }
     *(force ? &a->force : &a->target) = vec3_load(target);
     t->generation++;
@@ -162,49 +162,49 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     *a = (thread_attachment){0};
-    vbss_thread_changed(t);
+    vbss_thread_invalidate(t);
     return VBSS_OK;
 }
 
 /* ---- where they are */
 
-vec3 vbss_thread_attachment_position(const thread_attachment *a, double part)
+vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction)
 {
-    return vec3_lerp(a->position, a->target, part);
+    return vec3_lerp(a->position, a->target, fraction);
 }
 
-vec3 vbss_thread_attachment_direction(const thread_attachment *a, double part)
+vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fraction)
 {
     /* Opposite directions: it stays in the first half and is turned over in the second. */
-    return vec3_unit_or(vec3_lerp(a->direction, a->target_direction, part),
-                        part < 0.5 ? a->direction : a->target_direction);
+    return vec3_unit_or(vec3_lerp(a->direction, a->target_direction, fraction),
+                        fraction < 0.5 ? a->direction : a->target_direction);
 }
 
-static void exchange(vec3 *one, vec3 *other)
+static void swap(vec3 *one, vec3 *other)
 {
-    vec3 kept = *one;
+    vec3 saved = *one;
     *one = *other;
-    *other = kept;
+    *other = saved;
 }
 
-void vbss_thread_note_goals(thread_object *t)
+void vbss_thread_save_targets(thread_object *t)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
-        note_goal(&t->attachments[i]);
+        save_target(&t->attachments[i]);
     }
 }
 
-void vbss_thread_exchange_goals(thread_object *t)
+void vbss_thread_swap_targets(thread_object *t)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         thread_attachment *a = &t->attachments[i];
-        exchange(&a->target, &a->other_target);
-        exchange(&a->target_direction, &a->other_direction);
-        exchange(&a->force, &a->other_force);
+        swap(&a->target, &a->alternate_target);
+        swap(&a->target_direction, &a->alternate_direction);
+        swap(&a->force, &a->alternate_force);
     }
 }
 
-void vbss_thread_attachments_arrive(thread_object *t, double h)
+void vbss_thread_commit_attachments(thread_object *t, double h)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         thread_attachment *a = &t->attachments[i];

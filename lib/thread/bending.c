@@ -17,10 +17,10 @@
 #include <string.h>
 
 /* A stretch between clamps or free ends. */
-typedef struct stretch {
+typedef struct clamp_interval {
     uint32_t low, high;      /* nodes */
     thread_clamp *clamps[2]; /* at its ends, NULL: free */
-} stretch;
+} clamp_interval;
 
 static double reciprocal_rest(const thread_object *t, uint32_t segment)
 {
@@ -28,10 +28,10 @@ static double reciprocal_rest(const thread_object *t, uint32_t segment)
 }
 
 /* The turn at a node of the stretch. */
-static thread_form turn_at(const thread_object *t, const stretch *s, uint32_t node)
+static thread_linear_form turn_at(const thread_object *t, const clamp_interval *s, uint32_t node)
 {
-    thread_form f = {node > s->low ? node - 1 : node, {0.0}, {0.0, 0.0}};
-    uint32_t here = node - f.first;
+    thread_linear_form f = {node > s->low ? node - 1 : node, {0.0}, {0.0, 0.0}};
+    uint32_t here = node - f.first_node;
     if (node < s->high) {
         f.node[here] -= reciprocal_rest(t, node);
         f.node[here + 1] += reciprocal_rest(t, node);
@@ -48,15 +48,17 @@ static thread_form turn_at(const thread_object *t, const stretch *s, uint32_t no
 }
 
 /* a + factor b; the result's window begins at the lower of the two. */
-static thread_form add_forms(thread_form a, double factor, const thread_form *b)
+static thread_linear_form add_forms(thread_linear_form a, double factor,
+                                    const thread_linear_form *b)
 {
-    thread_form r = {a.first < b->first ? a.first : b->first, {0.0}, {0.0, 0.0}};
-    for (uint32_t k = 0; k < THREAD_WINDOW; k++) {
+    thread_linear_form r = {
+        a.first_node < b->first_node ? a.first_node : b->first_node, {0.0}, {0.0, 0.0}};
+    for (uint32_t k = 0; k < THREAD_STENCIL_NODES; k++) {
         if (a.node[k] != 0.0) {
-            r.node[a.first - r.first + k] += a.node[k];
+            r.node[a.first_node - r.first_node + k] += a.node[k];
         }
         if (b->node[k] != 0.0) {
-            r.node[b->first - r.first + k] += factor * b->node[k];
+            r.node[b->first_node - r.first_node + k] += factor * b->node[k];
         }
     }
     for (int c = 0; c < 2; c++) {
@@ -66,13 +68,14 @@ static thread_form add_forms(thread_form a, double factor, const thread_form *b)
 }
 
 /* Adds weight/2 |form|^2 to the energy's factors. */
-static void add_square(thread_object *t, const stretch *s, double weight, const thread_form *f)
+static void add_square(thread_object *t, const clamp_interval *s, double weight,
+                       const thread_linear_form *f)
 {
     weight *= t->config.bending_stiffness;
-    for (uint32_t i = 0; i < THREAD_WINDOW; i++) {
-        for (uint32_t j = i; j < THREAD_WINDOW; j++) {
+    for (uint32_t i = 0; i < THREAD_STENCIL_NODES; i++) {
+        for (uint32_t j = i; j < THREAD_STENCIL_NODES; j++) {
             if (f->node[i] != 0.0 && f->node[j] != 0.0) {
-                t->bending[f->first + i][j - i] += weight * f->node[i] * f->node[j];
+                t->bending_matrix[f->first_node + i][j - i] += weight * f->node[i] * f->node[j];
             }
         }
     }
@@ -81,33 +84,34 @@ static void add_square(thread_object *t, const stretch *s, double weight, const 
         if (clamp == NULL || f->clamp[c] == 0.0) {
             continue;
         }
-        clamp->own += weight * f->clamp[c] * f->clamp[c];
-        for (uint32_t i = 0; i < THREAD_WINDOW; i++) {
+        clamp->own_coefficient += weight * f->clamp[c] * f->clamp[c];
+        for (uint32_t i = 0; i < THREAD_STENCIL_NODES; i++) {
             if (f->node[i] != 0.0) {
-                uint32_t k = f->first + i + THREAD_FAR - clamp->node;
-                clamp->factor[k] += weight * f->clamp[c] * f->node[i];
+                uint32_t k = f->first_node + i + THREAD_CLAMP_BANDWIDTH - clamp->node;
+                clamp->coefficient[k] += weight * f->clamp[c] * f->node[i];
             }
         }
     }
     if (s->clamps[0] != NULL && s->clamps[1] != NULL) {
-        s->clamps[0]->next += weight * f->clamp[0] * f->clamp[1];
+        s->clamps[0]->next_coefficient += weight * f->clamp[0] * f->clamp[1];
     }
 }
 
 /* ---- one stretch: elimination at the clamps, then Neumann's term */
 
-static void set_moment(const thread_object *t, const stretch *s, uint32_t node, thread_moment *m)
+static void set_moment(const thread_object *t, const clamp_interval *s, uint32_t node,
+                       thread_spline_moment *m)
 {
     double before = node > s->low ? t->rest[node - 1] : 0.0;
-    double behind = node < s->high ? t->rest[node] : 0.0;
+    double after = node < s->high ? t->rest[node] : 0.0;
     m->turn = turn_at(t, s, node);
-    m->diagonal = (before + behind) / 3.0;
-    m->after = behind / 6.0;
+    m->diagonal = (before + after) / 3.0;
+    m->off_diagonal = after / 6.0;
 }
 
 /* Adds the energy of a moment that is eliminated exactly, and what it leaves for the other, if any. */
-static void eliminate(thread_object *t, const stretch *s, const thread_moment *m, double coupling,
-                      thread_moment *other)
+static void eliminate(thread_object *t, const clamp_interval *s, const thread_spline_moment *m,
+                      double coupling, thread_spline_moment *other)
 {
     double factor = coupling / m->diagonal;
     add_square(t, s, 1.0 / m->diagonal, &m->turn);
@@ -119,131 +123,135 @@ static void eliminate(thread_object *t, const stretch *s, const thread_moment *m
 
 /* A moment beside those that were eliminated is eliminated as well, with the next one taken as its
  * turn over its row sum: then the energy is exact for a curvature that is linear there. */
-static void close_up(thread_object *t, const stretch *s, const thread_moment *m, double coupling,
-                     const thread_moment *next)
+static void eliminate_with_estimate(thread_object *t, const clamp_interval *s,
+                                    const thread_spline_moment *m, double coupling,
+                                    const thread_spline_moment *next)
 {
-    thread_form turn = add_forms(m->turn, -coupling / next->row_sum, &next->turn);
+    thread_linear_form turn = add_forms(m->turn, -coupling / next->row_sum, &next->turn);
     add_square(t, s, 1.0 / m->diagonal, &turn);
     add_square(t, s, coupling / (next->row_sum * next->row_sum), &next->turn);
 }
 
 /* The moments low .. high - 1 of `count`, which stand at the nodes from `begin` on. */
-static void add_neumann(thread_object *t, const stretch *s, uint32_t begin, uint32_t count,
-                        uint32_t low, uint32_t high)
+static void add_neumann(thread_object *t, const clamp_interval *s, uint32_t first_node,
+                        uint32_t count, uint32_t low, uint32_t high)
 {
     bool spline = t->config.bending == VBSS_BENDING_SPLINE;
-    thread_moment *m = t->moments;
+    thread_spline_moment *m = t->spline_moments;
     /* A free end is a neighbour with the moment zero; what was eliminated is none. */
     bool free_low = s->clamps[0] == NULL, free_high = s->clamps[1] == NULL;
-    double first_link = low == 0 && free_low && high > 0 ? t->rest[begin - 1] / 6.0 : 0.0;
+    double first_link = low == 0 && free_low && high > 0 ? t->rest[first_node - 1] / 6.0 : 0.0;
     for (uint32_t k = low; k < high; k++) {
-        double before = k > low ? m[k - 1].after : first_link;
-        bool behind = k + 1 < high || (high == count && free_high);
-        m[k].row_sum = m[k].diagonal + before + (behind ? m[k].after : 0.0);
+        double before = k > low ? m[k - 1].off_diagonal : first_link;
+        bool after = k + 1 < high || (high == count && free_high);
+        m[k].row_sum = m[k].diagonal + before + (after ? m[k].off_diagonal : 0.0);
     }
     bool close_low = spline && !free_low && high - low >= 2;
     bool close_high = spline && !free_high && high - low >= (close_low ? 3u : 2u);
     if (close_low) {
-        close_up(t, s, &m[low], m[low].after, &m[low + 1]);
+        eliminate_with_estimate(t, s, &m[low], m[low].off_diagonal, &m[low + 1]);
         low++;
     }
     if (close_high) {
-        close_up(t, s, &m[high - 1], m[high - 2].after, &m[high - 2]);
+        eliminate_with_estimate(t, s, &m[high - 1], m[high - 2].off_diagonal, &m[high - 2]);
         high--;
     }
     for (uint32_t k = low; k < high; k++) {
         double weight = 1.0 / m[k].row_sum;
         add_square(t, s, weight, &m[k].turn);
         double end_links = (k == 0 ? first_link : 0.0);
-        end_links += k + 1 == count && free_high ? m[k].after : 0.0;
+        end_links += k + 1 == count && free_high ? m[k].off_diagonal : 0.0;
         /* What is curved at rest is so at a free end: there the moment is the neighbour's. */
         if (spline && end_links > 0.0 && t->config.rest_curvature == 0.0) {
             add_square(t, s, end_links * weight * weight, &m[k].turn);
         }
         if (spline && k + 1 < high) {
-            thread_form difference = {m[k].turn.first, {0.0}, {0.0, 0.0}};
+            thread_linear_form difference = {m[k].turn.first_node, {0.0}, {0.0, 0.0}};
             difference = add_forms(difference, -weight, &m[k].turn);
             difference = add_forms(difference, 1.0 / m[k + 1].row_sum, &m[k + 1].turn);
-            add_square(t, s, m[k].after, &difference);
+            add_square(t, s, m[k].off_diagonal, &difference);
         }
     }
 }
 
-static void add_stretch(thread_object *t, const stretch *s)
+static void add_interval(thread_object *t, const clamp_interval *s)
 {
     bool spline = t->config.bending == VBSS_BENDING_SPLINE;
     bool both = s->clamps[0] != NULL && s->clamps[1] != NULL;
     /* Moments stand at all nodes but free ends. */
-    uint32_t begin = s->low + (s->clamps[0] == NULL), end = s->high + (s->clamps[1] != NULL);
-    uint32_t count = end > begin ? end - begin : 0;
+    uint32_t first_node = s->low + (s->clamps[0] == NULL), end = s->high + (s->clamps[1] != NULL);
+    uint32_t count = end > first_node ? end - first_node : 0;
     /* Moments eliminated exactly at a clamp. With five segments between two clamps the closures of both
      * would reach too far. */
-    uint32_t wanted = spline && !(both && count == 6) ? 2 : 1;
-    thread_moment *m = t->moments;
+    uint32_t exact_count = spline && !(both && count == 6) ? 2 : 1;
+    thread_spline_moment *m = t->spline_moments;
     for (uint32_t k = 0; k < count; k++) {
-        set_moment(t, s, begin + k, &m[k]);
+        set_moment(t, s, first_node + k, &m[k]);
     }
     uint32_t low = 0, high = count;
-    for (uint32_t k = 0; s->clamps[0] != NULL && k < wanted && low < high; k++, low++) {
-        eliminate(t, s, &m[low], m[low].after, low + 1 < high ? &m[low + 1] : NULL);
+    for (uint32_t k = 0; s->clamps[0] != NULL && k < exact_count && low < high; k++, low++) {
+        eliminate(t, s, &m[low], m[low].off_diagonal, low + 1 < high ? &m[low + 1] : NULL);
     }
-    for (uint32_t k = 0; s->clamps[1] != NULL && k < wanted && low < high; k++, high--) {
+    for (uint32_t k = 0; s->clamps[1] != NULL && k < exact_count && low < high; k++, high--) {
         bool more = high - 1 > low;
-        eliminate(t, s, &m[high - 1], more ? m[high - 2].after : 0.0, more ? &m[high - 2] : NULL);
+        eliminate(t, s, &m[high - 1], more ? m[high - 2].off_diagonal : 0.0,
+                  more ? &m[high - 2] : NULL);
     }
-    add_neumann(t, s, begin, count, low, high);
+    add_neumann(t, s, first_node, count, low, high);
 }
 
 /* ---- arcs of the segments */
 
 /* Curvature inside the stretch; none at its ends. */
-static thread_form inner_curvature(const thread_object *t, const stretch *s, uint32_t node)
+static thread_linear_form inner_curvature(const thread_object *t, const clamp_interval *s,
+                                          uint32_t node)
 {
-    thread_form none = {node, {0.0}, {0.0, 0.0}};
+    thread_linear_form none = {node, {0.0}, {0.0, 0.0}};
     if (node == s->low || node == s->high) {
         return none;
     }
-    thread_form turn = turn_at(t, s, node);
-    none.first = turn.first;
+    thread_linear_form turn = turn_at(t, s, node);
+    none.first_node = turn.first_node;
     return add_forms(none, 2.0 / (t->rest[node - 1] + t->rest[node]), &turn);
 }
 
 /* Curvature at any node of the stretch. At a clamp: the line through the mean over the first segment,
  * which stands a third of it away, and the next node. */
-static thread_form curvature_at(const thread_object *t, const stretch *s, uint32_t node)
+static thread_linear_form curvature_at(const thread_object *t, const clamp_interval *s,
+                                       uint32_t node)
 {
     bool low = node == s->low && s->clamps[0] != NULL;
     bool high = node == s->high && s->clamps[1] != NULL;
     if (!low && !high) {
         return inner_curvature(t, s, node);
     }
-    thread_form turn = turn_at(t, s, node), none = {turn.first, {0.0}, {0.0, 0.0}};
+    thread_linear_form turn = turn_at(t, s, node), none = {turn.first_node, {0.0}, {0.0, 0.0}};
     if (s->high == s->low + 1 && s->clamps[0] != NULL && s->clamps[1] != NULL) {
         return add_forms(none, 2.0 / t->rest[s->low], &turn); /* no inner node: that of a circle */
     }
-    thread_form next = inner_curvature(t, s, low ? node + 1 : node - 1);
+    thread_linear_form next = inner_curvature(t, s, low ? node + 1 : node - 1);
     turn = add_forms(none, 3.0 / t->rest[low ? node : node - 1], &turn);
     return add_forms(turn, -0.5, &next);
 }
 
-static void add_arcs(thread_object *t, const stretch *s)
+static void add_arcs(thread_object *t, const clamp_interval *s)
 {
     for (uint32_t i = s->low; i < s->high; i++) {
         thread_arc *arc = &t->arcs[i];
         double l = t->rest[i];
-        thread_form ends[2] = {curvature_at(t, s, i), curvature_at(t, s, i + 1)};
-        *arc = (thread_arc){.share = l * l * l / 24.0};
+        thread_linear_form ends[2] = {curvature_at(t, s, i), curvature_at(t, s, i + 1)};
+        *arc = (thread_arc){.length_coefficient = l * l * l / 24.0};
         for (int c = 0; c < 2; c++) {
-            arc->clamp[c] = s->clamps[c] != NULL ? (uint32_t)(s->clamps[c] - t->clamps) : 0;
+            arc->clamp_index[c] = s->clamps[c] != NULL ? (uint32_t)(s->clamps[c] - t->clamps) : 0;
         }
         for (int end = 0; end < 2; end++) {
-            for (uint32_t k = 0; k < THREAD_WINDOW; k++) {
+            for (uint32_t k = 0; k < THREAD_STENCIL_NODES; k++) {
                 if (ends[end].node[k] != 0.0) {
-                    arc->factor[ends[end].first + k + 1 - i] += 0.5 * ends[end].node[k];
+                    arc->coefficient[ends[end].first_node + k + 1 - i] += 0.5 * ends[end].node[k];
                 }
             }
-            arc->direction[0] += 0.5 * ends[end].clamp[0];
-            arc->direction[1] += 0.5 * ends[end].clamp[1];
+            arc->clamp_coefficient[0] += 0.5 * ends[end].clamp[0];
+            arc->clamp_coefficient[1] += 0.5 * ends[end].clamp[1];
         }
     }
 }
@@ -255,7 +263,8 @@ static void find_clamps(thread_object *t)
     t->clamp_count = 0;
     for (uint32_t i = 0; i < t->node_count; i++) {
         if (vbss_thread_is_clamped(t, i)) {
-            t->clamps[t->clamp_count++] = (thread_clamp){.place = t->held[i] - 1, .node = i};
+            t->clamps[t->clamp_count++] =
+                (thread_clamp){.attachment_index = t->prescribed_by[i] - 1, .node = i};
         }
     }
 }
@@ -263,15 +272,15 @@ static void find_clamps(thread_object *t)
 void vbss_thread_build_bending(thread_object *t)
 {
     uint32_t n = t->node_count;
-    memset(t->bending, 0, n * sizeof *t->bending);
+    memset(t->bending_matrix, 0, n * sizeof *t->bending_matrix);
     memset(t->arcs, 0, n * sizeof *t->arcs);
     find_clamps(t);
-    stretch s = {0, 0, {NULL, NULL}};
+    clamp_interval s = {0, 0, {NULL, NULL}};
     for (uint32_t c = 0; c <= t->clamp_count; c++) {
         s.clamps[1] = c < t->clamp_count ? &t->clamps[c] : NULL;
         s.high = c < t->clamp_count ? t->clamps[c].node : n - 1;
         if (s.high > s.low) {
-            add_stretch(t, &s);
+            add_interval(t, &s);
             if (t->config.bending == VBSS_BENDING_SPLINE) {
                 add_arcs(t, &s);
             }
@@ -281,29 +290,30 @@ void vbss_thread_build_bending(thread_object *t)
     }
 }
 
-static void set_clamped(thread_object *t, thread_arc *arc)
+static void set_clamp_curvature(thread_object *t, thread_arc *arc)
 {
-    arc->clamped = vec3_zero();
+    arc->clamp_curvature = vec3_zero();
     for (int c = 0; c < 2; c++) {
-        if (arc->direction[c] != 0.0) {
-            arc->clamped = vec3_add_scaled(arc->clamped, arc->direction[c],
-                                           t->clamps[arc->clamp[c]].direction);
+        if (arc->clamp_coefficient[c] != 0.0) {
+            arc->clamp_curvature = vec3_add_scaled(arc->clamp_curvature, arc->clamp_coefficient[c],
+                                                   t->clamps[arc->clamp_index[c]].direction);
         }
     }
 }
 
-void vbss_thread_set_clamps(thread_object *t, double part)
+void vbss_thread_set_clamp_directions(thread_object *t, double fraction)
 {
     uint32_t segments = t->node_count - 1;
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         thread_clamp *clamp = &t->clamps[c];
-        clamp->direction = vbss_thread_attachment_direction(&t->attachments[clamp->place], part);
+        clamp->direction =
+            vbss_thread_attachment_direction(&t->attachments[clamp->attachment_index], fraction);
     }
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         /* Only the two segments next to a clamp on either side see its direction. */
         uint32_t node = t->clamps[c].node, end = node + 2 < segments ? node + 2 : segments;
         for (uint32_t i = node < 2 ? 0 : node - 2; i < end; i++) {
-            set_clamped(t, &t->arcs[i]);
+            set_clamp_curvature(t, &t->arcs[i]);
         }
     }
 }
@@ -315,7 +325,7 @@ vec3 vbss_thread_clamp_direction(const thread_object *t, uint32_t node)
             return t->clamps[c].direction;
         }
     }
-    return t->attachments[t->held[node] - 1].direction; /* method PAPER */
+    return t->attachments[t->prescribed_by[node] - 1].direction; /* method PAPER */
 }
 
 vec3 vbss_thread_curvature(const thread_object *t, const vec3 *x, uint32_t node)
@@ -326,17 +336,17 @@ vec3 vbss_thread_curvature(const thread_object *t, const vec3 *x, uint32_t node)
     if ((first || last) && !clamp) {
         return vec3_zero();
     }
-    vec3 before = vec3_zero(), behind = vec3_zero();
+    vec3 before = vec3_zero(), after = vec3_zero();
     if (!first) {
         before = vec3_scale(vec3_sub(x[node], x[node - 1]), 1.0 / t->rest[node - 1]);
     }
     if (!last) {
-        behind = vec3_scale(vec3_sub(x[node + 1], x[node]), 1.0 / t->rest[node]);
+        after = vec3_scale(vec3_sub(x[node + 1], x[node]), 1.0 / t->rest[node]);
     }
     if (!clamp) {
-        return vec3_scale(vec3_sub(behind, before), 2.0 / (t->rest[node - 1] + t->rest[node]));
+        return vec3_scale(vec3_sub(after, before), 2.0 / (t->rest[node - 1] + t->rest[node]));
     }
     vec3 direction = vbss_thread_clamp_direction(t, node);
     return last ? vec3_scale(vec3_sub(direction, before), 2.0 / t->rest[node - 1])
-                : vec3_scale(vec3_sub(behind, direction), 2.0 / t->rest[node]);
+                : vec3_scale(vec3_sub(after, direction), 2.0 / t->rest[node]);
 }

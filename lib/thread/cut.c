@@ -7,29 +7,30 @@
 
 /* A cut so close to a node, as a share of the segment or in m, goes through the node: slivers would
  * need tiny steps. */
-#define SNAP 0.01
-#define SHORTEST 1e-7
+#define SNAP_FRACTION 0.01
+#define MIN_SEGMENT_LENGTH 1e-7
 
-bool vbss_thread_find_cut(const thread_object *t, double arc_length, thread_cut *cut)
+bool vbss_thread_locate_cut(const thread_object *t, double arc_length, thread_cut *cut)
 {
     uint32_t segments = t->node_count - 1, i = 0;
-    double left = arc_length;
-    for (; i + 1 < segments && left > t->rest[i]; i++) {
-        left -= t->rest[i];
+    double remaining = arc_length;
+    for (; i + 1 < segments && remaining > t->rest[i]; i++) {
+        remaining -= t->rest[i];
     }
-    double l = t->rest[i], snap = SNAP * l > SHORTEST ? SNAP : SHORTEST / l;
-    double share = left / l;
-    if (!(share >= snap)) {
+    double l = t->rest[i],
+           snap = SNAP_FRACTION * l > MIN_SEGMENT_LENGTH ? SNAP_FRACTION : MIN_SEGMENT_LENGTH / l;
+    double fraction = remaining / l;
+    if (!(fraction >= snap)) {
         if (i == 0) {
             return false;
         }
         i--;
-        share = 1.0;
-    } else if (share > 1.0 - snap) {
-        share = 1.0;
+        fraction = 1.0;
+    } else if (fraction > 1.0 - snap) {
+        fraction = 1.0;
     }
-    bool doubled = share == 1.0;
-    *cut = (thread_cut){i, share, doubled ? i + 2 : i + 1, doubled ? i + 1 : i};
+    bool doubled = fraction == 1.0;
+    *cut = (thread_cut){i, fraction, doubled ? i + 2 : i + 1, doubled ? i + 1 : i};
     return !(doubled && i + 1 == segments);
 }
 
@@ -54,85 +55,85 @@ static void set_node(thread_object *t, uint32_t node, vec3 x, vec3 v)
     t->now.a[node] = t->now.q[node] = vec3_zero();
 }
 
-static void divide_nodes(thread_object *t, thread_object *piece, const thread_cut *cut)
+static void split_nodes(thread_object *t, thread_object *piece, const thread_cut *cut)
 {
     uint32_t end = cut->segment + 1;
-    if (cut->share == 1.0) {
+    if (cut->fraction == 1.0) {
         copy_nodes(piece, 0, t, end);
     } else {
-        vec3 x = vec3_lerp(t->now.x[cut->segment], t->now.x[end], cut->share);
-        vec3 v = vec3_lerp(t->now.v[cut->segment], t->now.v[end], cut->share);
+        vec3 x = vec3_lerp(t->now.x[cut->segment], t->now.x[end], cut->fraction);
+        vec3 v = vec3_lerp(t->now.v[cut->segment], t->now.v[end], cut->fraction);
         copy_nodes(piece, 1, t, end);
         set_node(piece, 0, x, v);
-        piece->rest[0] = t->rest[cut->segment] * (1.0 - cut->share);
+        piece->rest[0] = t->rest[cut->segment] * (1.0 - cut->fraction);
         piece->now.tension[0] = t->now.tension[cut->segment];
         set_node(t, end, x, v);
-        t->rest[cut->segment] *= cut->share;
+        t->rest[cut->segment] *= cut->fraction;
     }
     t->node_count = end + 1;
 }
 
 /* What holds a node goes with it. */
-static void divide_holders(thread_object *t, thread_object *piece, const thread_cut *cut,
-                           uint32_t nodes_before)
+static void split_attachments(thread_object *t, thread_object *piece, const thread_cut *cut,
+                              uint32_t nodes_before)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         thread_attachment *a = &t->attachments[i];
         piece->attachments[i] = (thread_attachment){0};
-        if (a->id != 0 && a->node >= cut->first_node) {
+        if (a->id != 0 && a->node >= cut->first_piece_node) {
             piece->attachments[i] = *a;
-            piece->attachments[i].node -= cut->shift;
+            piece->attachments[i].node -= cut->node_shift;
             *a = (thread_attachment){0};
         }
     }
     piece->last_id = t->last_id;
     memset(piece->welded, 0, piece->node_count * sizeof *piece->welded);
-    for (uint32_t i = cut->first_node; i < nodes_before; i++) {
-        piece->welded[i - cut->shift] = t->welded[i];
+    for (uint32_t i = cut->first_piece_node; i < nodes_before; i++) {
+        piece->welded[i - cut->node_shift] = t->welded[i];
     }
-    memset(t->welded + cut->first_node, 0,
-           (t->node_capacity - cut->first_node) * sizeof *t->welded);
+    memset(t->welded + cut->first_piece_node, 0,
+           (t->node_capacity - cut->first_piece_node) * sizeof *t->welded);
 }
 
-void vbss_thread_divide(thread_object *t, thread_object *piece, const thread_cut *cut)
+void vbss_thread_apply_cut(thread_object *t, thread_object *piece, const thread_cut *cut)
 {
     uint32_t nodes_before = t->node_count;
-    divide_nodes(t, piece, cut);
-    divide_holders(t, piece, cut, nodes_before);
+    split_nodes(t, piece, cut);
+    split_attachments(t, piece, cut, nodes_before);
     piece->statistics = (vbss_thread_statistics){0};
     piece->statistics.time = t->statistics.time;
-    piece->placed = t->placed;
-    piece->settling = t->settling;
-    piece->last_part = 0.0;
-    piece->next_look = 0;
-    vbss_thread_changed(t);
-    vbss_thread_changed(piece);
+    piece->is_in_setup = t->is_in_setup;
+    piece->damped_steps_left = t->damped_steps_left;
+    piece->previous_h = 0.0;
+    piece->next_segment_to_check = 0;
+    vbss_thread_invalidate(t);
+    vbss_thread_invalidate(piece);
 }
 
 /* ---- spares */
 
-thread_object *vbss_thread_take_spare(thread_object *t, vbss_slot **slot)
+thread_object *vbss_thread_acquire_piece(thread_object *t, vbss_slot **slot)
 {
-    thread_reserve *r = t->reserve;
-    if (r->left == 0) {
+    thread_piece_pool *pool = t->piece_pool;
+    if (pool->available == 0) {
         return NULL;
     }
-    r->left--;
-    thread_object *spare = r->spares[r->left];
-    *slot = r->slots[r->left];
-    spare->reserve = r;
-    r->users++;
-    return spare;
+    pool->available--;
+    thread_object *piece = pool->pieces[pool->available];
+    *slot = pool->slots[pool->available];
+    piece->piece_pool = pool;
+    pool->reference_count++;
+    return piece;
 }
 
-void vbss_thread_give_spare_back(thread_object *spare, vbss_slot *slot)
+void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot)
 {
-    thread_reserve *r = spare->reserve;
-    spare->reserve = NULL;
-    r->spares[r->left] = spare;
-    r->slots[r->left] = slot;
-    r->left++;
-    vbss_thread_leave_reserve(spare->context, r);
+    thread_piece_pool *pool = piece->piece_pool;
+    piece->piece_pool = NULL;
+    pool->pieces[pool->available] = piece;
+    pool->slots[pool->available] = slot;
+    pool->available++;
+    vbss_thread_release_piece_pool(piece->context, pool);
 }
 
 /* ---- a thread alone */
@@ -141,25 +142,25 @@ vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread 
 {
     thread_object *t;
     if (piece == NULL) {
-        VBSS_TRY(vbss_thread_edit_alone(thread, &t));
+        VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
         return vbss_check_pointer(t->context, piece, "piece");
     }
     *piece = NULL;
-    VBSS_TRY(vbss_thread_edit_alone(thread, &t));
+    VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
     double length = vbss_thread_arc_length(t, t->node_count - 1);
     VBSS_TRY(vbss_check_range(t->context, arc_length, 0.0, length, "arc_length"));
     thread_cut cut;
-    if (!vbss_thread_find_cut(t, arc_length, &cut)) {
+    if (!vbss_thread_locate_cut(t, arc_length, &cut)) {
         return vbss_fail(t->context, VBSS_ERROR_OUT_OF_RANGE, "a cut at %g m is at an end",
                          arc_length);
     }
     vbss_slot *slot;
-    thread_object *new_piece = vbss_thread_take_spare(t, &slot);
+    thread_object *new_piece = vbss_thread_acquire_piece(t, &slot);
     if (new_piece == NULL) {
         return vbss_fail(t->context, VBSS_ERROR_CAPACITY, "all %u cuts are made",
-                         t->reserve->capacity);
+                         t->piece_pool->capacity);
     }
-    vbss_thread_divide(t, new_piece, &cut);
+    vbss_thread_apply_cut(t, new_piece, &cut);
     vbss_slot_fill(slot, new_piece);
     *piece = (vbss_thread *)slot;
     return VBSS_OK;

@@ -10,23 +10,23 @@
 #include <string.h>
 
 /* The first part of a step in which a motion starts, as a share of it. */
-#define FIRST_PART (1.0 / 64.0)
+#define START_SUBSTEP_FRACTION (1.0 / 64.0)
 /* A step that needs more linearisations is no smooth motion; the next ones are made by backward Euler,
  * which damps what it cannot resolve. */
-enum { SMOOTH_ITERATIONS = 4, SETTLING_STEPS = 2 };
+enum { MAX_SMOOTH_ITERATIONS = 4, DAMPED_STEPS = 2 };
 /* Linearisations in which the pull of rest curvature follows the shape. */
-enum { REST_PULL_UPDATES = 30 };
+enum { REST_CURVATURE_UPDATES = 30 };
 /* More compression than any thread carries. */
-#define ALL_OF_THE_COMPRESSION (-1e30)
+#define UNLIMITED_COMPRESSION (-1e30)
 
 /* ---- one try */
 
-typedef enum outcome { CONVERGED, UNCONVERGED, BROKEN } outcome;
+typedef enum newton_result { CONVERGED, NOT_CONVERGED, DIVERGED } newton_result;
 
-static bool solve(thread_object *t, const thread_stage *stage)
+static bool solve(thread_object *t, const thread_substep *substep)
 {
     vbss_system_clear(t->system);
-    VBSS_WIDE_CALL(t->system->wide, vbss_thread_assemble, t, stage, t->system, 0);
+    VBSS_WIDE_CALL(t->system->wide, vbss_thread_assemble, t, substep, t->system, 0);
     if (!vbss_system_condense(t->system)) {
         return false;
     }
@@ -37,10 +37,10 @@ static bool solve(thread_object *t, const thread_stage *stage)
 /* With all of the compression convergence is quadratic; where the stiffness is not positive then, with
  * what a straight thread carries inside, at a free end (a tenth less, as lengths and bends differ), and
  * with none. */
-static double with_less_compression(const thread_stage *stage)
+static double raise_min_tension(const thread_substep *substep)
 {
-    double inside = -1.8 * stage->carried, at_end = -0.9 * stage->carried;
-    return stage->least_pull < inside ? inside : stage->least_pull < at_end ? at_end : 0.0;
+    double inside = -1.8 * substep->buckling_load, at_end = -0.9 * substep->buckling_load;
+    return substep->min_tension < inside ? inside : substep->min_tension < at_end ? at_end : 0.0;
 }
 
 static double largest_increment(const thread_object *t)
@@ -52,117 +52,123 @@ static double largest_increment(const thread_object *t)
     return largest;
 }
 
-static outcome iterate(thread_object *t, thread_stage *stage)
+static newton_result run_newton(thread_object *t, thread_substep *substep)
 {
     /* Where a thread is nearly straight the direction of that pull may flip for ever, so it stays after some
      * linearisations. */
     const bool curved = t->config.rest_curvature > 0.0;
     if (curved) {
-        vbss_thread_update_rest_pull(t);
+        vbss_thread_update_rest_curvature_forces(t);
     }
     for (uint32_t k = 0; k < t->config.iteration_limit; k++) {
         t->statistics.iterations++;
         t->statistics.last_iterations++;
-        while (!solve(t, stage)) {
-            if (stage->least_pull == 0.0) {
-                return BROKEN;
+        while (!solve(t, substep)) {
+            if (substep->min_tension == 0.0) {
+                return DIVERGED;
             }
-            stage->least_pull = with_less_compression(stage);
+            substep->min_tension = raise_min_tension(substep);
             t->statistics.softened++;
         }
-        double left = vbss_thread_advance(t, stage, t->system->solution);
-        if (curved && k < REST_PULL_UPDATES) {
+        double residual = vbss_thread_apply_increment(t, substep, t->system->solution);
+        if (curved && k < REST_CURVATURE_UPDATES) {
             /* The pull follows the shape late: nothing is known until the shape stands. */
-            left = vbss_max_or_nan(largest_increment(t), left);
-            vbss_thread_update_rest_pull(t);
-            t->statistics.softened += k + 1 == REST_PULL_UPDATES; /* from now on it stays */
+            residual = vbss_max_or_nan(largest_increment(t), residual);
+            vbss_thread_update_rest_curvature_forces(t);
+            t->statistics.softened += k + 1 == REST_CURVATURE_UPDATES; /* from now on it stays */
         }
-        vbss_thread_measure(t, t->trial, t->strains);
-        double error = vbss_thread_note_stretch(t, t->trial_tension);
+        vbss_thread_compute_strains(t, t->trial, t->strains);
+        double error = vbss_thread_record_stretch(t, t->trial_tension);
         if (!(error < 1e100)) {
-            return BROKEN;
+            return DIVERGED;
         }
-        if (error <= t->config.stretch_tolerance && left <= t->config.position_tolerance) {
+        if (error <= t->config.stretch_tolerance && residual <= t->config.position_tolerance) {
             return CONVERGED;
         }
     }
-    return UNCONVERGED;
+    return NOT_CONVERGED;
 }
 
 /* ---- the step: parts, which attachments cross evenly */
 
-typedef struct attempt {
+typedef struct substep_attempt {
     vbss_integration integration;
-    bool damped; /* by backward Euler */
-    bool sound;  /* not far from where the try started */
-    outcome found;
-} attempt;
+    bool is_damped;     /* by backward Euler */
+    bool is_acceptable; /* not far from where the try started */
+    newton_result result;
+} substep_attempt;
 
-static attempt try_part(thread_object *t, double h, double begin, double end)
+static substep_attempt try_substep(thread_object *t, double h, double start, double end)
 {
-    attempt a;
-    double length = h * (end - begin), last = t->last_part;
+    substep_attempt a;
+    double length = h * (end - start), previous_h = t->previous_h;
     /* Accelerations carried over from a step of quite another length would gain energy. */
-    bool another = last > 0.0 && !(length < 2.1 * last && last < 2.1 * length);
-    thread_stage stage = {&a.integration, h, end, ALL_OF_THE_COMPRESSION, 0.0, 0.0};
-    a.damped = t->fresh || t->settling > 0 || another;
-    if (!a.damped) {
+    bool has_new_length =
+        previous_h > 0.0 && !(length < 2.1 * previous_h && previous_h < 2.1 * length);
+    thread_substep substep = {&a.integration, h, end, UNLIMITED_COMPRESSION, 0.0, 0.0};
+    a.is_damped = t->is_acceleration_unknown || t->damped_steps_left > 0 || has_new_length;
+    if (!a.is_damped) {
         a.integration = vbss_integration_generalised_alpha(length, t->config.spectral_radius);
-        a.damped = !vbss_thread_predict(t, &stage);
-        t->settling = a.damped ? SETTLING_STEPS + 1 : 0; /* it was 0 */
+        a.is_damped = !vbss_thread_predict(t, &substep);
+        t->damped_steps_left = a.is_damped ? DAMPED_STEPS + 1 : 0; /* it was 0 */
     }
-    if (a.damped) {
+    if (a.is_damped) {
         a.integration = vbss_integration_backward_euler(length);
-        (void)vbss_thread_predict(t, &stage);
+        (void)vbss_thread_predict(t, &substep);
     }
-    stage.carried = vbss_thread_carried_load(t, a.integration.inertia);
-    a.found = iterate(t, &stage);
-    a.sound = a.found != BROKEN && vbss_thread_strain_beyond_tension(t) <= stage.sound_strain;
+    substep.buckling_load = vbss_thread_buckling_load(t, a.integration.inertia);
+    a.result = run_newton(t, &substep);
+    a.is_acceptable = a.result != DIVERGED &&
+                      vbss_thread_strain_beyond_tension(t) <= substep.max_acceptable_strain;
     return a;
 }
 
-static double smallest_part(const thread_object *t)
+static double min_substep_fraction(const thread_object *t)
 {
-    double part = 1.0;
+    double fraction = 1.0;
     for (uint32_t k = 0; k < t->config.halving_limit; k++) {
-        part *= 0.5;
+        fraction *= 0.5;
     }
-    return part;
+    return fraction;
 }
 
 /* The parts are dyadic, so they sum to 1 exactly. False: no finite state was found. */
-static bool make_parts(thread_object *t, double h)
+static bool run_substeps(thread_object *t, double h)
 {
-    const double smallest = smallest_part(t);
-    double begin = 0.0, part = t->fresh ? FIRST_PART : 1.0;
-    while (begin < 1.0) {
-        double end = begin + part < 1.0 ? begin + part : 1.0;
-        bool last_chance = part <= (t->fresh ? FIRST_PART * smallest : smallest);
-        attempt a = try_part(t, h, begin, end);
-        if (a.found != CONVERGED && !last_chance) {
+    const double min_fraction = min_substep_fraction(t);
+    double start = 0.0, fraction = t->is_acceleration_unknown ? START_SUBSTEP_FRACTION : 1.0;
+    while (start < 1.0) {
+        double end = start + fraction < 1.0 ? start + fraction : 1.0;
+        bool is_smallest =
+            fraction <=
+            (t->is_acceleration_unknown ? START_SUBSTEP_FRACTION * min_fraction : min_fraction);
+        substep_attempt a = try_substep(t, h, start, end);
+        if (a.result != CONVERGED && !is_smallest) {
             t->statistics.rejections++;
-            t->settling = SETTLING_STEPS + 1;
-            part *= 0.5;
+            t->damped_steps_left = DAMPED_STEPS + 1;
+            fraction *= 0.5;
             continue;
         }
-        if (a.found != CONVERGED) {
+        if (a.result != CONVERGED) {
             t->statistics.forced++;
-            if (!a.sound && !vbss_thread_stop(t)) {
-                if (begin > 0.0) {
-                    vbss_thread_copy_motion(t, &t->now, &t->kept);
+            if (!a.is_acceptable && !vbss_thread_freeze_trial(t)) {
+                if (start > 0.0) {
+                    vbss_thread_copy_state(t, &t->now, &t->saved);
                 }
                 return false;
             }
         }
-        if (begin == 0.0 && end < 1.0) {
-            vbss_thread_copy_motion(t, &t->kept, &t->now);
+        if (start == 0.0 && end < 1.0) {
+            vbss_thread_copy_state(t, &t->saved, &t->now);
         }
         vbss_thread_commit(t, &a.integration);
-        t->statistics.first_order += a.damped;
-        part = t->fresh ? 1.0 : part;
-        t->last_part = t->fresh ? 0.0 : a.integration.h; /* a start says nothing of lengths */
-        t->fresh = false;
-        begin = end;
+        t->statistics.first_order += a.is_damped;
+        fraction = t->is_acceleration_unknown ? 1.0 : fraction;
+        t->previous_h = t->is_acceleration_unknown
+                            ? 0.0
+                            : a.integration.h; /* a start says nothing of lengths */
+        t->is_acceleration_unknown = false;
+        start = end;
     }
     return true;
 }
@@ -170,22 +176,23 @@ static bool make_parts(thread_object *t, double h)
 vbss_result vbss_thread_implicit_step(thread_object *t, double h)
 {
     const vbss_thread_statistics before = t->statistics;
-    const bool fresh = t->fresh;
-    const uint32_t settling = t->settling;
-    const double last_part = t->last_part;
+    const bool is_acceleration_unknown = t->is_acceleration_unknown;
+    const uint32_t damped_steps_left = t->damped_steps_left;
+    const double previous_h = t->previous_h;
     t->statistics.last_iterations = 0;
-    if (!make_parts(t, h)) {
+    if (!run_substeps(t, h)) {
         t->statistics = before;
-        t->fresh = fresh;
-        t->settling = settling;
-        t->last_part = last_part;
+        t->is_acceleration_unknown = is_acceleration_unknown;
+        t->damped_steps_left = damped_steps_left;
+        t->previous_h = previous_h;
         return vbss_fail(t->context, VBSS_ERROR_NOT_FINITE,
                          "thread step: no finite state after step %llu",
                          (unsigned long long)before.steps);
     }
-    t->settling -= t->settling > 0;
-    if (t->statistics.last_iterations > SMOOTH_ITERATIONS && t->settling < SETTLING_STEPS) {
-        t->settling = SETTLING_STEPS;
+    t->damped_steps_left -= t->damped_steps_left > 0;
+    if (t->statistics.last_iterations > MAX_SMOOTH_ITERATIONS &&
+        t->damped_steps_left < DAMPED_STEPS) {
+        t->damped_steps_left = DAMPED_STEPS;
     }
     return VBSS_OK;
 }

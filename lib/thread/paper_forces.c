@@ -78,7 +78,8 @@ static double hardening(vec3 before, vec3 behind)
 
 static const thread_attachment *clamp_at(const thread_object *t, uint32_t node)
 {
-    const thread_attachment *a = t->held[node] != 0 ? &t->attachments[t->held[node] - 1] : NULL;
+    const thread_attachment *a =
+        t->prescribed_by[node] != 0 ? &t->attachments[t->prescribed_by[node] - 1] : NULL;
     return a != NULL && a->kind == VBSS_ATTACHMENT_CLAMP ? a : NULL;
 }
 
@@ -115,7 +116,7 @@ void vbss_paper_add_internal_forces(const thread_object *t, double part, vec3 *f
     vec3 low = bends ? moments_at(t, 0, part).behind : vec3_zero();
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         const thread_strain *s = &t->strains[i];
-        vec3 force = vec3_scale(s->tangent, t->paper_rows[i].stiffness * s->excess);
+        vec3 force = vec3_scale(s->tangent, t->paper_rows[i].stiffness * s->elongation);
         if (bends) {
             moments high = moments_at(t, i + 1, part);
             vec3 couple = vec3_cross(vec3_sub(low, high.before), s->tangent);
@@ -182,7 +183,7 @@ static void add_rate(thread_object *t, uint32_t node, bool before, bool behind, 
     const double form[3] = {low, low + high, high};
     double sum = 0.0;
     for (uint32_t k = 0; k < 3; k++) {
-        sum += form[k] > 0.0 && t->held[node + k - 1] == 0 ? form[k] : 0.0;
+        sum += form[k] > 0.0 && t->prescribed_by[node + k - 1] == 0 ? form[k] : 0.0;
     }
     double factor = 2.0 * t->config.bending_stiffness / span * stiffness * sum;
     for (uint32_t k = 0; k < 3; k++) {
@@ -220,7 +221,7 @@ double vbss_paper_rate(thread_object *t)
     add_bending_rates(t);
     for (uint32_t i = 0; i < t->node_count; i++) {
         bool taut = i + 1 < t->node_count && t->now.tension[i] > 0.0 &&
-                    t->strains[i].excess < STRETCHED * t->rest[i];
+                    t->strains[i].elongation < STRETCHED * t->rest[i];
         double next = taut ? t->now.tension[i] / t->rest[i] : 0.0;
         double bending = 0.25 * rows[i].right, tension = 0.75 * 2.0 * (pull + next);
         double rate = rows[i].inverse_mass * (bending > tension ? bending : tension);

@@ -107,7 +107,7 @@ bool vbss_paper_project(thread_object *t, uint32_t first, uint32_t last, double 
     }
     double rate = 1.0 / dt;
     for (uint32_t i = first; i <= last; i++) {
-        if (t->held[i] == 0) {
+        if (t->prescribed_by[i] == 0) {
             vec3 moved = vec3_sub(t->now.x[i], t->trial[i]);
             t->now.v[i] = vec3_add_scaled(t->now.v[i], rate, moved);
         }

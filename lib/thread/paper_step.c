@@ -20,7 +20,7 @@ static void prepare_masses(thread_object *t)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
         thread_paper_row *row = &t->paper_rows[i];
-        row->inverse_mass = t->held[i] != 0 ? 0.0 : 1.0 / t->mass[i];
+        row->inverse_mass = t->prescribed_by[i] != 0 ? 0.0 : 1.0 / t->mass[i];
         row->inverse_rest = i + 1 < t->node_count ? 1.0 / t->rest[i] : 0.0;
         row->resistance = t->config.drag * t->mass[i];
     }
@@ -39,7 +39,7 @@ static void resist(thread_object *t, double dt)
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
         thread_paper_row *row = &t->paper_rows[i];
-        if (t->held[i] == 0) {
+        if (t->prescribed_by[i] == 0) {
             row->inverse_mass = 1.0 / (t->mass[i] + dt * row->resistance);
         }
     }
@@ -63,7 +63,7 @@ static void prepare_springs(thread_object *t, double dt)
 
 static void gather_forces(thread_object *t, double h, double begin, double end, vec3 *forces)
 {
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     for (uint32_t i = 0; i < t->node_count; i++) {
         forces[i] = vec3_scale(t->gravity, t->mass[i]);
     }
@@ -84,9 +84,9 @@ static void gather_forces(thread_object *t, double h, double begin, double end, 
 
 static void move_nodes(thread_object *t, double dt, double end, const vec3 *forces)
 {
-    const thread_motion *m = &t->now;
+    const thread_state *m = &t->now;
     for (uint32_t i = 0; i < t->node_count; i++) {
-        if (t->held[i] == 0) {
+        if (t->prescribed_by[i] == 0) {
             vec3 impulse = vec3_add_scaled(vec3_scale(m->v[i], t->mass[i]), dt, forces[i]);
             m->v[i] = vec3_scale(impulse, t->paper_rows[i].inverse_mass);
         }
@@ -96,8 +96,8 @@ static void move_nodes(thread_object *t, double dt, double end, const vec3 *forc
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
         vec3 to = vec3_add_scaled(m->x[i], dt, m->v[i]);
-        if (t->held[i] != 0) {
-            to = vbss_thread_attachment_position(&t->attachments[t->held[i] - 1], end);
+        if (t->prescribed_by[i] != 0) {
+            to = vbss_thread_attachment_position(&t->attachments[t->prescribed_by[i] - 1], end);
             m->v[i] = vec3_scale(vec3_sub(to, m->x[i]), 1.0 / dt);
         }
         m->x[i] = to;
@@ -120,28 +120,28 @@ static void project_sections(thread_object *t, double dt, vec3 *forces)
  * before it. */
 static void note_forces(thread_object *t, double dt, const vec3 *forces)
 {
-    const thread_motion *m = &t->now;
+    const thread_state *m = &t->now;
     for (uint32_t i = 0; i < t->node_count; i++) {
         m->q[i] = vec3_scale(vec3_sub(m->v[i], m->q[i]), 1.0 / dt);
         m->a[i] = vec3_zero();
-        if (t->held[i] != 0) {
+        if (t->prescribed_by[i] != 0) {
             vec3 force = vec3_sub(vec3_scale(m->q[i], t->mass[i]), forces[i]);
             m->a[i] = vec3_add_scaled(force, t->paper_rows[i].resistance, m->v[i]);
         }
     }
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         const thread_paper_row *row = &t->paper_rows[i];
-        m->tension[i] = row->stiffness * t->strains[i].excess + row->multiplier / (dt * dt);
+        m->tension[i] = row->stiffness * t->strains[i].elongation + row->multiplier / (dt * dt);
     }
 }
 
 static void note_stretch(thread_object *t)
 {
     vbss_thread_statistics *s = &t->statistics;
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     s->last_stretch = s->last_stretch_error = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double stretch = t->strains[i].excess / t->rest[i], error = fabs(stretch);
+        double stretch = t->strains[i].elongation / t->rest[i], error = fabs(stretch);
         s->last_stretch = stretch > s->last_stretch ? stretch : s->last_stretch;
         s->last_stretch_error = error > s->last_stretch_error ? error : s->last_stretch_error;
     }
@@ -171,8 +171,8 @@ vbss_result vbss_thread_paper_step(thread_object *t, double h)
 {
     const vbss_thread_statistics before = t->statistics;
     vec3 *forces = t->a_predicted;
-    vbss_thread_copy_motion(t, &t->kept, &t->now);
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_copy_state(t, &t->saved, &t->now);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     prepare_masses(t);
     uint32_t parts = count_parts(t, h);
     double dt = h / parts;
@@ -193,7 +193,7 @@ vbss_result vbss_thread_paper_step(thread_object *t, double h)
         t->now.v[i] = still(t->now.v[i]);
     }
     if (!motion_is_finite(t)) {
-        vbss_thread_copy_motion(t, &t->now, &t->kept);
+        vbss_thread_copy_state(t, &t->now, &t->saved);
         t->statistics = before;
         return vbss_fail(t->context, VBSS_ERROR_NOT_FINITE,
                          "thread step: no finite state after step %llu",

@@ -9,49 +9,52 @@ static const uint32_t reaction_sizes[] = {56, 0};
 static const vbss_layout reaction_layout = {"vbss_thread_reaction", NULL, reaction_sizes};
 
 /* A stretched arc pulls at the direction it ends in. */
-static vec3 slope_of_arcs(const thread_object *t, uint32_t clamp)
+static vec3 arc_gradient(const thread_object *t, uint32_t clamp)
 {
     uint32_t node = t->clamps[clamp].node, segments = t->node_count - 1;
     uint32_t end = node + 2 < segments ? node + 2 : segments;
-    vec3 slope = vec3_zero();
+    vec3 gradient = vec3_zero();
     for (uint32_t i = node < 2 ? 0 : node - 2; i < end; i++) {
         const thread_arc *arc = &t->arcs[i];
         for (int c = 0; c < 2; c++) {
-            if (arc->direction[c] != 0.0 && arc->clamp[c] == clamp) {
-                double factor = 2.0 * arc->share * t->now.tension[i] * arc->direction[c];
-                slope = vec3_add_scaled(slope, factor, t->strains[i].curvature);
+            if (arc->clamp_coefficient[c] != 0.0 && arc->clamp_index[c] == clamp) {
+                double coefficient =
+                    2.0 * arc->length_coefficient * t->now.tension[i] * arc->clamp_coefficient[c];
+                gradient = vec3_add_scaled(gradient, coefficient, t->strains[i].curvature);
             }
         }
     }
-    return slope;
+    return gradient;
 }
 
-static vec3 torque_of_clamp(const thread_object *t, uint32_t c)
+static vec3 clamp_torque(const thread_object *t, uint32_t c)
 {
     const thread_clamp *clamp = &t->clamps[c];
     /* The energy's slope with the direction; the torque turns the direction against it. */
-    vec3 slope = vec3_add(slope_of_arcs(t, c), vbss_thread_rest_curvature_slope(t, clamp->node));
-    slope = vec3_add_scaled(slope, clamp->own, clamp->direction);
+    vec3 gradient =
+        vec3_add(arc_gradient(t, c), vbss_thread_rest_curvature_gradient(t, clamp->node));
+    gradient = vec3_add_scaled(gradient, clamp->own_coefficient, clamp->direction);
     if (c + 1 < t->clamp_count) {
-        slope = vec3_add_scaled(slope, clamp->next, t->clamps[c + 1].direction);
+        gradient = vec3_add_scaled(gradient, clamp->next_coefficient, t->clamps[c + 1].direction);
     }
     if (c > 0) {
-        slope = vec3_add_scaled(slope, t->clamps[c - 1].next, t->clamps[c - 1].direction);
+        gradient = vec3_add_scaled(gradient, t->clamps[c - 1].next_coefficient,
+                                   t->clamps[c - 1].direction);
     }
-    for (uint32_t k = 0; k <= 2 * THREAD_FAR; k++) {
-        if (clamp->factor[k] != 0.0) {
-            slope =
-                vec3_add_scaled(slope, clamp->factor[k], t->now.x[clamp->node + k - THREAD_FAR]);
+    for (uint32_t k = 0; k <= 2 * THREAD_CLAMP_BANDWIDTH; k++) {
+        if (clamp->coefficient[k] != 0.0) {
+            gradient = vec3_add_scaled(gradient, clamp->coefficient[k],
+                                       t->now.x[clamp->node + k - THREAD_CLAMP_BANDWIDTH]);
         }
     }
-    return vec3_cross(clamp->direction, slope);
+    return vec3_cross(clamp->direction, gradient);
 }
 
 static vec3 torque_at(const thread_object *t, uint32_t node)
 {
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         if (t->clamps[c].node == node) {
-            return torque_of_clamp(t, c);
+            return clamp_torque(t, c);
         }
     }
     return vec3_zero();
@@ -59,9 +62,9 @@ static vec3 torque_at(const thread_object *t, uint32_t node)
 
 static vec3 spring_force(const thread_object *t, const thread_attachment *a)
 {
-    vec3 stretch = vec3_sub(a->position, t->now.x[a->node]);
-    vec3 slip = vec3_sub(a->velocity, t->now.v[a->node]);
-    return vec3_add_scaled(vec3_scale(stretch, a->stiffness), a->damping, slip);
+    vec3 extension = vec3_sub(a->position, t->now.x[a->node]);
+    vec3 relative_velocity = vec3_sub(a->velocity, t->now.v[a->node]);
+    return vec3_add_scaled(vec3_scale(extension, a->stiffness), a->damping, relative_velocity);
 }
 
 /* What forces and springs do at a node that something else holds. */
@@ -79,14 +82,15 @@ static vec3 other_forces(const thread_object *t, uint32_t node)
     return sum;
 }
 
-static void note(const thread_object *t, thread_attachment *a)
+static void update_reaction(const thread_object *t, thread_attachment *a)
 {
     bool paper = t->config.method == VBSS_METHOD_PAPER;
     a->reaction_torque = vec3_zero();
-    if (vbss_thread_holds(a->kind)) {
-        a->reaction =
-            paper ? vbss_thread_paper_force(t, a->node) /* without what else pulls there */
-                  : vec3_sub(vbss_thread_implicit_force(t, a->node), other_forces(t, a->node));
+    if (vbss_thread_prescribes_motion(a->kind)) {
+        a->reaction = paper
+                          ? vbss_thread_paper_force(t, a->node) /* without what else pulls there */
+                          : vec3_sub(vbss_thread_implicit_constraint_force(t, a->node),
+                                     other_forces(t, a->node));
         a->reaction_torque = paper ? vbss_thread_paper_torque(t, a->node) : torque_at(t, a->node);
     } else if (a->kind == VBSS_ATTACHMENT_FORCE) {
         a->reaction = a->force;
@@ -98,11 +102,11 @@ static void note(const thread_object *t, thread_attachment *a)
     }
 }
 
-void vbss_thread_note_reactions(thread_object *t)
+void vbss_thread_update_reactions(thread_object *t)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         if (t->attachments[i].id != 0) {
-            note(t, &t->attachments[i]);
+            update_reaction(t, &t->attachments[i]);
         }
     }
 }

@@ -12,7 +12,7 @@
 typedef struct cell {
     vec3 turn;
     double length;
-    bool before, behind;
+    bool before, after;
 } cell;
 
 static vec3 chord(const thread_object *t, const vec3 *x, uint32_t segment)
@@ -23,7 +23,7 @@ static vec3 chord(const thread_object *t, const vec3 *x, uint32_t segment)
 /* Up to two cells at a node; how many. */
 static int cells_at(const thread_object *t, const vec3 *x, uint32_t node, cell cells[2])
 {
-    bool before = node > 0, behind = node + 1 < t->node_count;
+    bool before = node > 0, after = node + 1 < t->node_count;
     int count = 0;
     if (vbss_thread_is_clamped(t, node)) {
         vec3 direction = vbss_thread_clamp_direction(t, node);
@@ -31,11 +31,11 @@ static int cells_at(const thread_object *t, const vec3 *x, uint32_t node, cell c
             vec3 turn = vec3_sub(direction, chord(t, x, node - 1));
             cells[count++] = (cell){turn, 0.5 * t->rest[node - 1], true, false};
         }
-        if (behind) {
+        if (after) {
             vec3 turn = vec3_sub(chord(t, x, node), direction);
             cells[count++] = (cell){turn, 0.5 * t->rest[node], false, true};
         }
-    } else if (before && behind) {
+    } else if (before && after) {
         vec3 turn = vec3_sub(chord(t, x, node), chord(t, x, node - 1));
         cells[count++] = (cell){turn, 0.5 * (t->rest[node - 1] + t->rest[node]), true, true};
     }
@@ -54,8 +54,8 @@ double vbss_thread_rest_curvature_energy(const thread_object *t)
     for (uint32_t i = 0; k > 0.0 && i < t->node_count; i++) {
         for (int c = cells_at(t, t->now.x, i, cells) - 1; c >= 0; c--) {
             double angle = k * cells[c].length;
-            double turned = smooth_norm(cells[c].turn, angle);
-            energy += t->config.bending_stiffness * k * (0.5 * angle - turned);
+            double turn_norm = smooth_norm(cells[c].turn, angle);
+            energy += t->config.bending_stiffness * k * (0.5 * angle - turn_norm);
         }
     }
     return energy;
@@ -65,27 +65,27 @@ double vbss_thread_rest_curvature_energy(const thread_object *t)
 static vec3 moment_of(const thread_object *t, const cell *c)
 {
     double k = t->config.rest_curvature;
-    double turned = smooth_norm(c->turn, k * c->length);
+    double turn_norm = smooth_norm(c->turn, k * c->length);
     /* 0: there is no turn, and a curvature whose square is no number. */
-    double strength = turned > 0.0 ? t->config.bending_stiffness * k / turned : 0.0;
+    double strength = turn_norm > 0.0 ? t->config.bending_stiffness * k / turn_norm : 0.0;
     return vec3_scale(c->turn, strength);
 }
 
-void vbss_thread_add_rest_curvature(const thread_object *t, const vec3 *x, vec3 *forces)
+void vbss_thread_add_rest_curvature_forces(const thread_object *t, const vec3 *x, vec3 *forces)
 {
     cell cells[2];
     for (uint32_t i = 0; t->config.rest_curvature > 0.0 && i < t->node_count; i++) {
         for (int c = cells_at(t, x, i, cells) - 1; c >= 0; c--) {
             vec3 moment = moment_of(t, &cells[c]);
             if (cells[c].before) {
-                double share = t->inverse_rest[i - 1];
-                forces[i - 1] = vec3_add_scaled(forces[i - 1], share, moment);
-                forces[i] = vec3_add_scaled(forces[i], -share, moment);
+                double coefficient = t->inverse_rest[i - 1];
+                forces[i - 1] = vec3_add_scaled(forces[i - 1], coefficient, moment);
+                forces[i] = vec3_add_scaled(forces[i], -coefficient, moment);
             }
-            if (cells[c].behind) {
-                double share = t->inverse_rest[i];
-                forces[i + 1] = vec3_add_scaled(forces[i + 1], share, moment);
-                forces[i] = vec3_add_scaled(forces[i], -share, moment);
+            if (cells[c].after) {
+                double coefficient = t->inverse_rest[i];
+                forces[i + 1] = vec3_add_scaled(forces[i + 1], coefficient, moment);
+                forces[i] = vec3_add_scaled(forces[i], -coefficient, moment);
             }
         }
     }
@@ -99,30 +99,30 @@ vec3 vbss_thread_rest_curvature_force(const thread_object *t, uint32_t node)
     for (uint32_t i = first; t->config.rest_curvature > 0.0 && i <= node + 1; i++) {
         for (int c = i < t->node_count ? cells_at(t, t->now.x, i, cells) - 1 : -1; c >= 0; c--) {
             double before = cells[c].before ? t->inverse_rest[i - 1] : 0.0;
-            double behind = cells[c].behind ? t->inverse_rest[i] : 0.0;
-            double share = i == node ? -(before + behind) : i > node ? before : behind;
-            force = vec3_add_scaled(force, share, moment_of(t, &cells[c]));
+            double after = cells[c].after ? t->inverse_rest[i] : 0.0;
+            double coefficient = i == node ? -(before + after) : i > node ? before : after;
+            force = vec3_add_scaled(force, coefficient, moment_of(t, &cells[c]));
         }
     }
     return force;
 }
 
-vec3 vbss_thread_rest_curvature_slope(const thread_object *t, uint32_t node)
+vec3 vbss_thread_rest_curvature_gradient(const thread_object *t, uint32_t node)
 {
-    vec3 slope = vec3_zero();
+    vec3 gradient = vec3_zero();
     cell cells[2];
     if (t->config.rest_curvature > 0.0) {
         for (int c = cells_at(t, t->now.x, node, cells) - 1; c >= 0; c--) {
             /* A turn toward the direction grows with it, one away from it shrinks. */
-            double sign = cells[c].behind ? 1.0 : -1.0;
-            slope = vec3_add_scaled(slope, sign, moment_of(t, &cells[c]));
+            double sign = cells[c].after ? 1.0 : -1.0;
+            gradient = vec3_add_scaled(gradient, sign, moment_of(t, &cells[c]));
         }
     }
-    return slope;
+    return gradient;
 }
 
-void vbss_thread_update_rest_pull(thread_object *t)
+void vbss_thread_update_rest_curvature_forces(thread_object *t)
 {
-    memset(t->rest_pull, 0, t->node_count * sizeof *t->rest_pull);
-    vbss_thread_add_rest_curvature(t, t->trial, t->rest_pull);
+    memset(t->rest_curvature_forces, 0, t->node_count * sizeof *t->rest_curvature_forces);
+    vbss_thread_add_rest_curvature_forces(t, t->trial, t->rest_curvature_forces);
 }

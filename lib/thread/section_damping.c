@@ -1,15 +1,16 @@
 /* Damping of what sections do beyond moving as rigid bodies. */
 #include "thread/thread.h"
 
-void vbss_thread_damp_sections(thread_object *t, double share)
+void vbss_thread_damp_sections(thread_object *t, double fraction)
 {
     for (uint32_t s = 0; s < t->section_count; s++) {
         uint32_t first = t->sections[s];
         uint32_t last = s + 1 < t->section_count ? t->sections[s + 1] : t->node_count - 1;
-        first += t->held[first] != 0;
-        last -= t->held[last] != 0; /* a section has two nodes, so this stays at or above zero */
+        first += t->prescribed_by[first] != 0;
+        last -= t->prescribed_by[last] !=
+                0; /* a section has two nodes, so this stays at or above zero */
         if (first < last) {
-            vbss_damp_relative_motion(t->mass, t->now.x, t->now.v, first, last, share);
+            vbss_damp_relative_motion(t->mass, t->now.x, t->now.v, first, last, fraction);
         }
     }
 }

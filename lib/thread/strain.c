@@ -5,16 +5,16 @@
 static vec3 arc_curvature(const thread_object *t, const vec3 *x, uint32_t segment)
 {
     const thread_arc *arc = &t->arcs[segment];
-    vec3 curvature = arc->clamped;
+    vec3 curvature = arc->clamp_curvature;
     for (uint32_t k = 0; k < 4; k++) {
-        if (arc->factor[k] != 0.0) {
-            curvature = vec3_add_scaled(curvature, arc->factor[k], x[segment + k - 1]);
+        if (arc->coefficient[k] != 0.0) {
+            curvature = vec3_add_scaled(curvature, arc->coefficient[k], x[segment + k - 1]);
         }
     }
     return curvature;
 }
 
-void vbss_thread_measure(const thread_object *t, const vec3 *x, thread_strain *strains)
+void vbss_thread_compute_strains(const thread_object *t, const vec3 *x, thread_strain *strains)
 {
     bool arcs = t->config.method == VBSS_METHOD_OURS && t->config.bending == VBSS_BENDING_SPLINE;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
@@ -23,20 +23,20 @@ void vbss_thread_measure(const thread_object *t, const vec3 *x, thread_strain *s
         s->chord = vec3_norm(e);
         /* Nodes that coincide have no direction: any will do, and the stretch pushes them apart. */
         s->tangent = s->chord > 1e-150 ? vec3_scale(e, 1.0 / s->chord) : vec3_make(1.0, 0.0, 0.0);
-        s->excess = s->chord - t->rest[i];
+        s->elongation = s->chord - t->rest[i];
         s->curvature = vec3_zero();
         if (arcs) {
             s->curvature = arc_curvature(t, x, i);
-            s->excess += t->arcs[i].share * vec3_norm_squared(s->curvature);
+            s->elongation += t->arcs[i].length_coefficient * vec3_norm_squared(s->curvature);
         }
     }
 }
 
-double vbss_thread_note_stretch(thread_object *t, const double *tension)
+double vbss_thread_record_stretch(thread_object *t, const double *tension)
 {
     double largest_error = 0.0, largest = 0.0, compliance = 1.0 / t->config.axial_stiffness;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double stretch = t->strains[i].excess * t->inverse_rest[i];
+        double stretch = t->strains[i].elongation * t->inverse_rest[i];
         double error = fabs(stretch - tension[i] * compliance);
         largest = stretch > largest ? stretch : largest;
         largest_error = vbss_max_or_nan(error, largest_error);

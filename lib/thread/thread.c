@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/stream.h"
-#include "thread/mesh.h"
+#include "thread/remesh.h"
 
 #include <string.h>
 
@@ -172,9 +172,9 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
 
 /* ---- memory: one table says what there is */
 
-enum { PARTS = 35 };
+enum { ARRAY_COUNT = 35 };
 
-static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
+static size_t list_arrays(thread_object *t, vbss_array arrays[ARRAY_COUNT])
 {
     size_t n = t->node_capacity;
     bool ours = t->config.method == VBSS_METHOD_OURS;
@@ -186,17 +186,17 @@ static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
         {&t->now.a, n, sizeof(vec3)},
         {&t->now.q, n, sizeof(vec3)},
         {&t->now.tension, n, sizeof(double)},
-        {&t->kept.x, n, sizeof(vec3)},
-        {&t->kept.v, n, sizeof(vec3)},
-        {&t->kept.a, n, sizeof(vec3)},
-        {&t->kept.q, n, sizeof(vec3)},
-        {&t->kept.tension, n, sizeof(double)},
+        {&t->saved.x, n, sizeof(vec3)},
+        {&t->saved.v, n, sizeof(vec3)},
+        {&t->saved.a, n, sizeof(vec3)},
+        {&t->saved.q, n, sizeof(vec3)},
+        {&t->saved.tension, n, sizeof(double)},
         {&t->attachments, t->config.attachment_capacity, sizeof *t->attachments},
-        {&t->held, n, sizeof *t->held},
+        {&t->prescribed_by, n, sizeof *t->prescribed_by},
         {&t->welded, n, sizeof *t->welded},
         {&t->mass, n, sizeof *t->mass},
         {&t->inverse_rest, n, sizeof *t->inverse_rest},
-        {&t->rest_arc, n, sizeof *t->rest_arc},
+        {&t->rest_arc_length, n, sizeof *t->rest_arc_length},
         {&t->sections, n, sizeof *t->sections},
         {&t->trial, n, sizeof(vec3)},
         {&t->trial_tension, n, sizeof(double)},
@@ -207,16 +207,16 @@ static size_t list_parts(thread_object *t, vbss_array parts[PARTS])
         {&t->v_predicted, n, sizeof(vec3)},
         {&t->a_predicted, n, sizeof(vec3)},
         {&t->strains, n, sizeof *t->strains},
-        {&t->bending, implicit, sizeof *t->bending},
+        {&t->bending_matrix, implicit, sizeof *t->bending_matrix},
         {&t->paper_rows, n - implicit, sizeof *t->paper_rows},
-        {&t->rest_pull, implicit, sizeof(vec3)},
-        {&t->moments, implicit, sizeof *t->moments},
+        {&t->rest_curvature_forces, implicit, sizeof(vec3)},
+        {&t->spline_moments, implicit, sizeof *t->spline_moments},
         {&t->arcs, implicit, sizeof *t->arcs},
         {&t->clamps, t->config.attachment_capacity, sizeof *t->clamps},
         {&t->couplings, implicit, sizeof *t->couplings},
     };
-    _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
-    memcpy(parts, all, sizeof all);
+    _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
+    memcpy(arrays, all, sizeof all);
     return sizeof all / sizeof all[0];
 }
 
@@ -233,14 +233,14 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     t->config.rest_lengths = t->config.positions = NULL;
     t->node_capacity = node_capacity;
     t->gravity = vec3_load(config->gravity);
-    vbss_array parts[PARTS];
-    size_t count = list_parts(t, parts);
-    vbss_result result = vbss_allocate_arrays(context, parts, count, "thread");
+    vbss_array arrays[ARRAY_COUNT];
+    size_t count = list_arrays(t, arrays);
+    vbss_result result = vbss_allocate_arrays(context, arrays, count, "thread");
     if (result == VBSS_OK && config->method == VBSS_METHOD_OURS) {
         /* A spring makes a group of separators, which is coupled with the next on either side. */
-        uint32_t separators = THREAD_REACH * config->attachment_capacity;
-        result = vbss_system_create(context, node_capacity, THREAD_REACH, separators,
-                                    3 * THREAD_REACH * separators, &t->system);
+        uint32_t separators = THREAD_BANDWIDTH * config->attachment_capacity;
+        result = vbss_system_create(context, node_capacity, THREAD_BANDWIDTH, separators,
+                                    3 * THREAD_BANDWIDTH * separators, &t->system);
     }
     if (result != VBSS_OK) {
         vbss_thread_free(context, t);
@@ -250,68 +250,69 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     return VBSS_OK;
 }
 
-static void free_memory(vbss_context *context, thread_object *t)
+static void free_thread(vbss_context *context, thread_object *t)
 {
-    vbss_array parts[PARTS];
-    size_t count = list_parts(t, parts);
-    vbss_release_arrays(context, parts, count);
+    vbss_array arrays[ARRAY_COUNT];
+    size_t count = list_arrays(t, arrays);
+    vbss_release_arrays(context, arrays, count);
     vbss_system_destroy(context, t->system);
     vbss_release(context, t, 1, sizeof *t);
 }
 
-void vbss_thread_leave_reserve(vbss_context *context, thread_reserve *r)
+void vbss_thread_release_piece_pool(vbss_context *context, thread_piece_pool *pool)
 {
-    if (r == NULL || --r->users > 0) {
+    if (pool == NULL || --pool->reference_count > 0) {
         return;
     }
-    for (uint32_t i = 0; r->spares != NULL && i < r->left; i++) {
-        if (r->spares[i] != NULL) {
-            free_memory(context, r->spares[i]);
+    for (uint32_t i = 0; pool->pieces != NULL && i < pool->available; i++) {
+        if (pool->pieces[i] != NULL) {
+            free_thread(context, pool->pieces[i]);
         }
     }
-    vbss_release(context, r->spares, r->capacity, sizeof *r->spares);
-    vbss_release(context, r->slots, r->capacity, sizeof(vbss_slot *));
-    vbss_release(context, r, 1, sizeof *r);
+    vbss_release(context, pool->pieces, pool->capacity, sizeof *pool->pieces);
+    vbss_release(context, pool->slots, pool->capacity, sizeof(vbss_slot *));
+    vbss_release(context, pool, 1, sizeof *pool);
 }
 
 void vbss_thread_free(vbss_context *context, void *object)
 {
     thread_object *t = object;
-    vbss_thread_leave_reserve(context, t->reserve);
-    free_memory(context, t);
+    vbss_thread_release_piece_pool(context, t->piece_pool);
+    free_thread(context, t);
 }
 
 const vbss_kind vbss_thread_kind = {"thread", VBSS_CODE('T', 'H', 'R', 'D'), 1, vbss_thread_free,
                                     vbss_thread_serialise};
 
 /* Threads and handles for the pieces of later cuts. */
-static vbss_result reserve_pieces(thread_object *t)
+static vbss_result create_piece_pool(thread_object *t)
 {
     vbss_context *context = t->context;
-    thread_reserve *r = vbss_allocate(context, 1, sizeof *r, "pieces of a thread");
-    if (r == NULL) {
+    thread_piece_pool *pool = vbss_allocate(context, 1, sizeof *pool, "pieces of a thread");
+    if (pool == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    t->reserve = r;
-    r->users = 1;
-    r->left = r->capacity = t->config.cut_capacity;
-    r->spares = vbss_allocate(context, r->capacity, sizeof *r->spares, "pieces of a thread");
-    r->slots = vbss_allocate(context, r->capacity, sizeof(vbss_slot *), "pieces of a thread");
-    if (r->spares == NULL || r->slots == NULL) {
+    t->piece_pool = pool;
+    pool->reference_count = 1;
+    pool->available = pool->capacity = t->config.cut_capacity;
+    pool->pieces =
+        vbss_allocate(context, pool->capacity, sizeof *pool->pieces, "pieces of a thread");
+    pool->slots = vbss_allocate(context, pool->capacity, sizeof(vbss_slot *), "pieces of a thread");
+    if (pool->pieces == NULL || pool->slots == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    for (uint32_t i = 0; i < r->capacity; i++) {
-        VBSS_TRY(vbss_thread_allocate(context, &t->config, t->node_capacity, &r->spares[i]));
-        VBSS_TRY(vbss_slot_reserve(context, &vbss_thread_kind, &r->slots[i]));
+    for (uint32_t i = 0; i < pool->capacity; i++) {
+        VBSS_TRY(vbss_thread_allocate(context, &t->config, t->node_capacity, &pool->pieces[i]));
+        VBSS_TRY(vbss_slot_reserve(context, &vbss_thread_kind, &pool->slots[i]));
     }
     return VBSS_OK;
 }
 
 /* ---- life */
 
-static void place_nodes(thread_object *t, const vbss_thread_config *c)
+static void init_nodes(thread_object *t, const vbss_thread_config *c)
 {
-    vec3 way = vec3_unit_or(vec3_load(c->direction), vec3_make(1.0, 0.0, 0.0));
+    vec3 direction = vec3_unit_or(vec3_load(c->direction), vec3_make(1.0, 0.0, 0.0));
     double arc_length = 0.0;
     t->node_count = c->segment_count + 1;
     for (uint32_t i = 0; i < t->node_count; i++) {
@@ -319,11 +320,12 @@ static void place_nodes(thread_object *t, const vbss_thread_config *c)
             t->rest[i] =
                 c->rest_lengths != NULL ? c->rest_lengths[i] : c->length / c->segment_count;
         }
-        t->now.x[i] = c->positions != NULL ? vec3_load(c->positions + 3 * (size_t)i)
-                                           : vec3_add_scaled(vec3_load(c->start), arc_length, way);
+        t->now.x[i] = c->positions != NULL
+                          ? vec3_load(c->positions + 3 * (size_t)i)
+                          : vec3_add_scaled(vec3_load(c->start), arc_length, direction);
         arc_length += i + 1 < t->node_count ? t->rest[i] : 0.0;
     }
-    t->fresh = t->placed = true;
+    t->is_acceleration_unknown = t->is_in_setup = true;
 }
 
 static uint32_t node_capacity_of(const vbss_thread_config *c)
@@ -354,7 +356,7 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
     thread_object *t;
     vbss_slot *slot = NULL;
     VBSS_TRY(vbss_thread_allocate(context, &own, node_capacity_of(&own), &t));
-    vbss_result result = reserve_pieces(t);
+    vbss_result result = create_piece_pool(t);
     if (result == VBSS_OK) {
         result = vbss_slot_create(context, &vbss_thread_kind, t, &slot);
     }
@@ -362,7 +364,7 @@ vbss_result vbss_thread_create(vbss_context *context, const vbss_thread_config *
         vbss_thread_free(context, t);
         return result;
     }
-    place_nodes(t, &own);
+    init_nodes(t, &own);
     *thread = (vbss_thread *)slot;
     return VBSS_OK;
 }
@@ -388,7 +390,7 @@ vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread)
     return VBSS_OK;
 }
 
-vbss_result vbss_thread_edit_alone(vbss_thread *handle, thread_object **thread)
+vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit_unowned(handle, &vbss_thread_kind, &slot));
@@ -396,12 +398,12 @@ vbss_result vbss_thread_edit_alone(vbss_thread *handle, thread_object **thread)
     return VBSS_OK;
 }
 
-void vbss_thread_changed(thread_object *t)
+void vbss_thread_invalidate(thread_object *t)
 {
     t->generation++;
-    t->changes++;
-    t->layout_known = false;
-    t->fresh = true;
+    t->edit_generation++;
+    t->is_derived_valid = false;
+    t->is_acceleration_unknown = true;
 }
 
 vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
@@ -429,16 +431,16 @@ vbss_result vbss_thread_set_state(vbss_thread *thread, const double *positions,
         t->now.a[i] = t->now.q[i] = vec3_zero();
         t->now.tension[i] = 0.0;
     }
-    vbss_thread_changed(t);
-    t->placed = t->placed || positions != NULL;
+    vbss_thread_invalidate(t);
+    t->is_in_setup = t->is_in_setup || positions != NULL;
     return VBSS_OK;
 }
 
 void vbss_thread_finish_step(thread_object *t, double h)
 {
-    vbss_thread_attachments_arrive(t, h);
-    vbss_thread_note_reactions(t);
-    t->placed = false;
+    vbss_thread_commit_attachments(t, h);
+    vbss_thread_update_reactions(t);
+    t->is_in_setup = false;
     t->generation++;
     t->statistics.steps++;
     t->statistics.time += h;
@@ -447,13 +449,13 @@ void vbss_thread_finish_step(thread_object *t, double h)
 vbss_result vbss_thread_step(vbss_thread *thread, double h)
 {
     thread_object *t;
-    VBSS_TRY(vbss_thread_edit_alone(thread, &t));
+    VBSS_TRY(vbss_thread_edit_unowned(thread, &t));
     VBSS_TRY(vbss_check_range(t->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(t->context));
-    VBSS_TRY(vbss_thread_pattern(t));
+    VBSS_TRY(vbss_thread_update_sparsity(t));
     VBSS_TRY(t->config.method == VBSS_METHOD_PAPER ? vbss_thread_paper_step(t, h)
                                                    : vbss_thread_implicit_step(t, h));
     vbss_thread_finish_step(t, h);
-    vbss_thread_adapt(t);
+    vbss_thread_adapt_mesh(t);
     return VBSS_OK;
 }

@@ -1,7 +1,7 @@
 /* Looking at a thread: arrays, energies, momentum, counters. */
 #include "base/config.h"
 #include "base/error.h"
-#include "thread/mesh.h"
+#include "thread/remesh.h"
 
 _Static_assert(sizeof(vbss_view) == 32 + sizeof(void *), "published size");
 _Static_assert(sizeof(vbss_thread_energies) == 48, "published size");
@@ -18,9 +18,9 @@ static const vbss_layout statistics_layout = {"vbss_thread_statistics", NULL, st
 
 static void fill_lengths(thread_object *t)
 {
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        t->lengths[i] = t->rest[i] + t->strains[i].excess;
+        t->lengths[i] = t->rest[i] + t->strains[i].elongation;
     }
 }
 
@@ -56,7 +56,7 @@ static vbss_view numbers(const uint32_t *data, uint64_t count)
     return view;
 }
 
-static vbss_result look(thread_object *t, vbss_thread_field field, vbss_view *view)
+static vbss_result get_field(thread_object *t, vbss_thread_field field, vbss_view *view)
 {
     uint32_t n = t->node_count;
     switch (field) {
@@ -98,8 +98,8 @@ vbss_result vbss_thread_get_view(vbss_thread *thread, vbss_thread_field field, v
     thread_object *t;
     vbss_view own;
     VBSS_TRY(vbss_thread_open(thread, &t));
-    VBSS_TRY(vbss_thread_prepare(t));
-    VBSS_TRY(look(t, field, &own));
+    VBSS_TRY(vbss_thread_prepare_query(t));
+    VBSS_TRY(get_field(t, field, &own));
     own.generation = t->generation;
     return vbss_struct_write(t->context, &vbss_view_layout, &own, view, struct_size);
 }
@@ -111,16 +111,16 @@ vbss_result vbss_thread_get_energies(vbss_thread *thread, vbss_thread_energies *
 {
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
-    VBSS_TRY(vbss_thread_prepare(t));
+    VBSS_TRY(vbss_thread_prepare_query(t));
     vbss_thread_energies own = {.struct_size = sizeof own};
     for (uint32_t i = 0; i < t->node_count; i++) {
         own.kinetic += 0.5 * t->mass[i] * vec3_norm_squared(t->now.v[i]);
         own.gravity -= t->mass[i] * vec3_dot(t->gravity, t->now.x[i]);
     }
-    vbss_thread_measure(t, t->now.x, t->strains);
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double excess = t->strains[i].excess;
-        own.stretching += 0.5 * t->config.axial_stiffness / t->rest[i] * excess * excess;
+        double elongation = t->strains[i].elongation;
+        own.stretching += 0.5 * t->config.axial_stiffness / t->rest[i] * elongation * elongation;
     }
     own.bending = vbss_thread_bending_energy(t);
     own.total = own.kinetic + own.stretching + own.bending + own.gravity;
@@ -132,7 +132,7 @@ vbss_result vbss_thread_get_momentum(vbss_thread *thread, vbss_thread_momentum *
 {
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
-    VBSS_TRY(vbss_thread_prepare(t));
+    VBSS_TRY(vbss_thread_prepare_query(t));
     double mass = 0.0;
     vec3 centre = vec3_zero(), linear = vec3_zero(), angular = vec3_zero();
     for (uint32_t i = 0; i < t->node_count; i++) {
@@ -154,7 +154,7 @@ vbss_result vbss_thread_get_statistics(vbss_thread *thread, vbss_thread_statisti
 {
     thread_object *t;
     VBSS_TRY(vbss_thread_open(thread, &t));
-    VBSS_TRY(vbss_thread_prepare(t));
+    VBSS_TRY(vbss_thread_prepare_query(t));
     vbss_thread_statistics own = t->statistics;
     own.struct_size = sizeof own;
     own.nodes = t->node_count;

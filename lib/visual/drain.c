@@ -50,8 +50,8 @@ static visual_side side_between(const wall *w, uint32_t a, uint32_t b)
 static uint32_t divisions_of(const wall *w)
 {
     double rise = 0.0;
-    for (uint32_t i = 0; i < w->drain->mesh.side_count; i++) {
-        const uint32_t *node = w->drain->mesh.sides[i].nodes;
+    for (uint32_t i = 0; i < w->drain->mesh.edge_count; i++) {
+        const uint32_t *node = w->drain->mesh.edges[i].nodes;
         const visual_side side = side_between(w, node[0], node[1]);
         rise = vbss_max(rise, vbss_visual_side_rise(&side));
     }
@@ -70,7 +70,8 @@ typedef struct matter {
 static matter matter_at(const wall *w, uint32_t node)
 {
     const drain_mesh *m = &w->drain->mesh;
-    const matter at = {m->rest[node], {m->material[node][1], fabs(m->material[node][0])}};
+    const matter at = {m->rest[node],
+                       {m->material_coordinates[node][1], fabs(m->material_coordinates[node][0])}};
     return at;
 }
 
@@ -111,8 +112,8 @@ static void put_sides(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
     const uint32_t inner = w->divisions - 1;
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        const uint32_t *node = m->sides[i].nodes;
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        const uint32_t *node = m->edges[i].nodes;
         const visual_side side = side_between(w, node[0], node[1]);
         const matter ends[2] = {matter_at(w, node[0]), matter_at(w, node[1])};
         for (uint32_t k = 0; k < inner; k++) {
@@ -135,7 +136,7 @@ static void put_inside(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
     const uint32_t n = w->divisions;
-    uint32_t index = m->node_count + m->side_count * (n - 1);
+    uint32_t index = m->node_count + m->edge_count * (n - 1);
     for (uint32_t t = 0; t < m->triangle_count && n > 2; t++) {
         const uint32_t *node = m->triangles[t];
         const visual_side sides[3] = {side_between(w, node[0], node[1]),
@@ -161,9 +162,9 @@ static void put_inside(const wall *w)
 static uint32_t side_of(const drain_mesh *m, uint32_t a, uint32_t b)
 {
     const uint32_t low = a < b ? a : b, high = a < b ? b : a;
-    uint32_t side = m->first_side[low];
-    while (m->sides[side].nodes[0] + m->sides[side].nodes[1] != low + high) {
-        side = m->next_side[side];
+    uint32_t side = m->first_edge[low];
+    while (m->edges[side].nodes[0] + m->edges[side].nodes[1] != low + high) {
+        side = m->next_edge[side];
     }
     return side;
 }
@@ -175,7 +176,7 @@ static uint32_t on_side(const wall *w, uint32_t side, uint32_t a, uint32_t b, ui
     if (k == 0 || k == w->divisions) {
         return k == 0 ? a : b;
     }
-    uint32_t from_first = m->sides[side].nodes[0] == a ? k : w->divisions - k;
+    uint32_t from_first = m->edges[side].nodes[0] == a ? k : w->divisions - k;
     return m->node_count + side * (w->divisions - 1) + from_first - 1;
 }
 
@@ -213,7 +214,7 @@ static void join_triangles(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
     const uint32_t n = w->divisions;
-    lattice l = {NULL, {0, 0, 0}, m->node_count + m->side_count * (n - 1)};
+    lattice l = {NULL, {0, 0, 0}, m->node_count + m->edge_count * (n - 1)};
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         l.node = m->triangles[t];
         for (int k = 0; k < 3; k++) {
@@ -254,9 +255,9 @@ static void put_rim(const wall *w, const visual_side *side, double share, const 
 static void draw_rims(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        const uint32_t *node = m->sides[i].nodes;
-        if (m->sides[i].triangles[1] != DRAIN_NONE) {
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        const uint32_t *node = m->edges[i].nodes;
+        if (m->edges[i].triangles[1] != DRAIN_NONE) {
             continue;
         }
         const visual_side side = side_between(w, node[0], node[1]);
@@ -294,7 +295,7 @@ void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const drain_objec
     wall w = {v, f, d, v->bends, 1, f->vertex_count, 0, 0.5 * d->config.thickness};
     find_normals(d, v->bends);
     w.divisions = divisions_of(&w);
-    w.face = m->node_count + m->side_count * (w.divisions - 1) +
+    w.face = m->node_count + m->edge_count * (w.divisions - 1) +
              m->triangle_count * inside_count(w.divisions);
     f->vertex_count += 2 * w.face;
     put_nodes(&w);

@@ -71,7 +71,7 @@ enum { PIECE_SHAFT = 0, PIECE_NECK = 1, PIECE_JAW = 2 };
 static void draw_round(const visual_object *v, visual_frame *f, const grasper_object *g,
                        const grasper_capsule *c, double value)
 {
-    const pose at = g->now;
+    const pose at = g->tool_pose;
     vec3 axis = vec3_sub(c->axis[0], c->axis[1]); /* toward the jaws */
     vec3 forward = vec3_unit_or(
         axis, quat_rotate(vbss_grasper_jaw_frame(g).orientation, vec3_make(0.0, 0.0, -1.0)));
@@ -91,7 +91,7 @@ static void draw_round(const visual_object *v, visual_frame *f, const grasper_ob
 static void draw_jaw(const visual_object *v, visual_frame *f, const grasper_object *g,
                      const grasper_capsule *c, double side)
 {
-    const pose at = g->now;
+    const pose at = g->tool_pose;
     vec3 forward = vec3_unit_or(vec3_sub(c->axis[1], c->axis[0]), vec3_make(0.0, 0.0, -1.0));
     vec3 opening = vec3_make(side, 0.0, 0.0); /* the jaws' x is the tool's */
     vec3 outward = vec3_add_scaled(opening, -vec3_dot(opening, forward), forward);
@@ -111,7 +111,7 @@ static void draw_jaw(const visual_object *v, visual_frame *f, const grasper_obje
 void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const grasper_object *g)
 {
     grasper_capsule capsules[GRASPER_CAPSULES];
-    vbss_grasper_lay_capsules(g, g->angle, capsules);
+    vbss_grasper_compute_capsules(g, g->jaw_angle, capsules);
     draw_round(v, f, g, &capsules[GRASPER_SHAFT], PIECE_SHAFT);
     draw_round(v, f, g, &capsules[GRASPER_NECK], PIECE_NECK);
     draw_jaw(v, f, g, &capsules[GRASPER_JAW], 1.0);

@@ -111,9 +111,9 @@ static void add_holes(const visual_object *v, visual_frame *f, const scene_objec
         if (in != NULL) {
             double radius = hole->needle != 0 ? in->rigid.needle->config.wire_radius
                                               : in->thread.thread->config.radius;
-            vbss_visual_add_spot(v, f, VBSS_SPOT_HOLE,
-                                 vbss_drain_point(d, d->mesh.rest, hole->triangle, hole->weights),
-                                 radius);
+            vbss_visual_add_spot(
+                v, f, VBSS_SPOT_HOLE,
+                vbss_drain_point(d, d->mesh.rest, hole->triangle, hole->barycentric), radius);
         }
     }
 }

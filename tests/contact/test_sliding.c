@@ -15,26 +15,26 @@ typedef struct sliding {
     double from; /* arc length from which on it has slid */
 } sliding;
 
-static suture_place place_of(const sliding *s)
+static suture_curve_point place_of(const sliding *s)
 {
-    const suture_line line = {.thread = &s->thread, .x = s->x};
-    return vbss_suture_nearest(&line, s->from, s->wall);
+    const suture_curve line = {.thread = &s->thread, .node_positions = s->x};
+    return vbss_suture_nearest_point(&line, s->from, s->wall);
 }
 
 /* As a scene lays it: the nodes that it may slide on to are terms too. */
 static void lay(const sliding *s, contact_constraint *row)
 {
-    const suture_place now = place_of(s);
+    const suture_curve_point now = place_of(s);
     row->start_arc_length = s->from;
-    vbss_hole_lay_row(&s->hole, &s->config, &now, s->wall, 1e-3, row);
+    vbss_hole_set_constraint(&s->hole, &s->config, &now, s->wall, 1e-3, row);
     row->jacobian_block_count = 0;
     for (uint32_t i = 0; i < NODES; i++) {
-        uint32_t k = i - now.first;
-        bool own = i >= now.first && k < SUTURE_NODES;
+        uint32_t k = i - now.first_node;
+        bool own = i >= now.first_node && k < SUTURE_SPAN_NODES;
         row->jacobian[row->jacobian_block_count++] =
             (contact_jacobian_block){.block = i,
                                      .weight = own ? now.weights[k] : 0.0,
-                                     .weight_derivative = own ? now.slopes[k] : 0.0};
+                                     .weight_derivative = own ? now.weight_derivatives[k] : 0.0};
     }
     row->jacobian[row->jacobian_block_count++] =
         (contact_jacobian_block){.block = WALL, .weight = -1.0};
@@ -58,10 +58,10 @@ static contact_constraint draw_row(harness_source *source, sliding *s)
     contact_constraint row = {.is_bilateral = true, .is_sleeve = true};
     s->config.hole_stiffness = 2e5;
     s->config.hole_damping = harness_draw_real(source, 0.01, 20.0);
-    s->hole.held = harness_draw_real(source, -1.0, 1.0);
+    s->hole.friction_force = harness_draw_real(source, -1.0, 1.0);
     s->from = harness_draw_real(source, 1.5e-3, 3.5e-3);
     s->wall = vec3_lerp(s->x[0], s->x[NODES - 1], harness_draw_real(source, 0.1, 0.9));
-    s->wall = vec3_add(place_of(s).point, harness_draw_vec3(source, -4e-6, 4e-6));
+    s->wall = vec3_add(place_of(s).position, harness_draw_vec3(source, -4e-6, 4e-6));
     s->from = place_of(s).arc + harness_draw_real(source, -8e-6, 8e-6);
     row.yield_force = harness_draw_real(source, 0.1, 1.0);
     row.yield_friction[0] = harness_draw_real(source, 0.1, 1.0);
@@ -132,20 +132,20 @@ static double rate_at(const sliding *s)
 {
     const double step = 1e-8;
     sliding on = *s, back = *s;
-    const suture_place here = place_of(s);
+    const suture_curve_point here = place_of(s);
     on.thread.rest = on.rest;
     back.thread.rest = back.rest;
-    on.wall = vec3_add_scaled(here.point, -step, here.tangent);
-    back.wall = vec3_add_scaled(here.point, step, here.tangent);
+    on.wall = vec3_add_scaled(here.position, -step, here.tangent);
+    back.wall = vec3_add_scaled(here.position, step, here.tangent);
     return 0.5 * (place_of(&on).arc - place_of(&back).arc) / step;
 }
 
 /* It can be: the curve's way is a mean of its segments', none longer than what that has along the tangent, over this cosine. */
 static double most_rate(const sliding *s)
 {
-    const suture_place here = place_of(s);
+    const suture_curve_point here = place_of(s);
     double least = 1.0;
-    for (uint32_t i = here.first; i < here.first + 3 && i + 1 < NODES; i++) {
+    for (uint32_t i = here.first_node; i < here.first_node + 3 && i + 1 < NODES; i++) {
         vec3 back = vec3_unit_or(vec3_sub(s->x[i], s->x[i + 1]), vec3_zero());
         least = fmin(least, vec3_dot(back, here.tangent));
     }
@@ -256,7 +256,7 @@ static void any_row_without_friction_is_symmetric(harness_source *source, void *
     few_blocks f;
     draw_thread(source, &s);
     contact_constraint row = draw_row(source, &s);
-    s.config.hole_damping = s.hole.held = 0.0;
+    s.config.hole_damping = s.hole.friction_force = 0.0;
     row.yield_force = row.yield_friction[0] = row.yield_friction[1] = 0.0;
     *seen += look_at_row(&s, &row);
     expect_near(0.0, row.solution.normal_force, 0.0);

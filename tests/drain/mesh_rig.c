@@ -61,11 +61,11 @@ drain_mesh_options mesh_rig_draw(harness_source *source, bool divided)
 
 void mesh_rig_begin(mesh_rig *rig, const drain_mesh_options *options)
 {
-    vbss_array parts[DRAIN_MESH_PARTS];
+    vbss_array parts[DRAIN_MESH_ARRAYS];
     rig->context = harness_context(&rig->memory);
     expect_ok(vbss_drain_mesh_plan(rig->context, options, &rig->mesh));
-    vbss_drain_mesh_parts(&rig->mesh, parts);
-    expect_ok(vbss_allocate_arrays(rig->context, parts, DRAIN_MESH_PARTS, "mesh"));
+    vbss_drain_mesh_arrays(&rig->mesh, parts);
+    expect_ok(vbss_allocate_arrays(rig->context, parts, DRAIN_MESH_ARRAYS, "mesh"));
     uint64_t calls = rig->memory.calls;
     vbss_drain_mesh_fill(&rig->mesh);
     assert_int_equal(calls, rig->memory.calls);
@@ -73,9 +73,9 @@ void mesh_rig_begin(mesh_rig *rig, const drain_mesh_options *options)
 
 void mesh_rig_end(mesh_rig *rig)
 {
-    vbss_array parts[DRAIN_MESH_PARTS];
-    vbss_drain_mesh_parts(&rig->mesh, parts);
-    vbss_release_arrays(rig->context, parts, DRAIN_MESH_PARTS);
+    vbss_array parts[DRAIN_MESH_ARRAYS];
+    vbss_drain_mesh_arrays(&rig->mesh, parts);
+    vbss_release_arrays(rig->context, parts, DRAIN_MESH_ARRAYS);
     harness_context_end(rig->context, &rig->memory);
 }
 
@@ -83,16 +83,16 @@ void mesh_rig_end(mesh_rig *rig)
 
 bool mesh_rig_is_tip(const drain_mesh *m, uint32_t node)
 {
-    return m->slit_count > 0 &&
-           (node == m->slit[DRAIN_LEFT][0] || node == m->slit[DRAIN_LEFT][m->slit_count - 1]);
+    return m->slit_count > 0 && (node == m->slit_nodes[DRAIN_LEFT][0] ||
+                                 node == m->slit_nodes[DRAIN_LEFT][m->slit_count - 1]);
 }
 
 uint32_t mesh_rig_mirrored(const drain_mesh *m, uint32_t node)
 {
     for (uint32_t k = 0; k < m->slit_count; k++) {
         for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
-            if (m->slit[side][k] == node) {
-                return m->slit[1 - side][k];
+            if (m->slit_nodes[side][k] == node) {
+                return m->slit_nodes[1 - side][k];
             }
         }
     }

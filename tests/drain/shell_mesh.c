@@ -129,8 +129,8 @@ vbss_shell_input shell_rig_input(const shell_rig *r)
     vbss_shell_input in = {.node_count = r->node_count, .triangle_count = r->triangle_count};
     in.rest = r->rest;
     in.triangles = (const uint32_t(*)[3])r->triangles;
-    in.opposite = (const uint32_t(*)[3])r->opposite;
-    in.widths = r->widths;
+    in.opposite_node = (const uint32_t(*)[3])r->opposite;
+    in.angular_widths = r->widths;
     in.young = in.density = 1.0;
     in.thickness = 0.1;
     in.moment_free_edges = true;
@@ -166,7 +166,7 @@ void shell_rig_start(shell_rig *r, const vbss_shell_input *input)
     for (uint32_t i = 0; i < r->triangle_count; i++) {
         for (uint32_t k = 0; k < SHELL_PAIRS; k++) {
             uint32_t a, b;
-            if (vbss_shell_pair(&r->shell, i, k, &a, &b)) {
+            if (vbss_shell_pair_nodes(&r->shell, i, k, &a, &b)) {
                 uint32_t place = pair_place(r, newest, older, a < b ? a : b, a < b ? b : a);
                 /* every third target is the other way round, and so are those of its pairs */
                 targets[place] = 2 * place + (place % 3 == 0);
@@ -174,7 +174,7 @@ void shell_rig_start(shell_rig *r, const vbss_shell_input *input)
             }
         }
     }
-    vbss_shell_aim(&r->shell, (const uint32_t(*)[SHELL_PAIRS])numbers, targets);
+    vbss_shell_set_assembly_map(&r->shell, (const uint32_t(*)[SHELL_PAIRS])numbers, targets);
     free(numbers);
     free(targets);
     r->blocks = take(r->pair_count + 1, sizeof *r->blocks);

@@ -15,7 +15,7 @@ typedef struct shell_rig {
     bool (*held)[3];
     vbss_shell shell;
     vbss_shell_group *groups;
-    vbss_shell_state *states;
+    vbss_shell_response *states;
     vec3 *forces;
     uint32_t pair_count;
     uint32_t (*pairs)[2]; /* nodes, the lower one first: rows */

@@ -11,7 +11,7 @@ double shell_rig_energy(shell_rig *r)
     double energy = 0.0;
     memset(r->forces, 0, r->node_count * sizeof *r->forces);
     vbss_shell_add_forces(&r->shell, r->x, r->forces);
-    vbss_shell_measure(&r->shell, r->x, r->states);
+    vbss_shell_compute_responses(&r->shell, r->x, r->states);
     for (uint32_t i = 0; i < r->triangle_count; i++) {
         energy += r->states[i].membrane_energy + r->states[i].bending_energy;
     }

@@ -306,11 +306,11 @@ static void leave(drain_object *d)
 }
 static void move_anchored(drain_object *d)
 {
-    d->x[d->mesh.fixed[3]].y += 1e-6;
+    d->x[d->mesh.anchors[3]].y += 1e-6;
 }
 static void speed_anchored(drain_object *d)
 {
-    d->v[d->mesh.fixed[3]].y = 1e-6;
+    d->v[d->mesh.anchors[3]].y = 1e-6;
 }
 static void tear_uncounted(drain_object *d)
 {
@@ -328,7 +328,7 @@ static void pin_twice(drain_object *d)
 }
 static void hold_anchored(drain_object *d)
 {
-    d->attachments[1].node = d->mesh.fixed[0];
+    d->attachments[1].node = d->mesh.anchors[0];
 }
 static void name_twice(drain_object *d)
 {

@@ -8,7 +8,7 @@ static void expect_counts(drain_mesh_kind kind, uint32_t nodes, uint32_t triangl
     mesh_rig_begin(&rig, &o);
     assert_int_equal(nodes, rig.mesh.node_count);
     assert_int_equal(triangles, rig.mesh.triangle_count);
-    assert_int_equal(fixed, rig.mesh.fixed_count);
+    assert_int_equal(fixed, rig.mesh.anchor_count);
     mesh_rig_end(&rig);
 }
 
@@ -35,11 +35,12 @@ static void expect_lines(drain_mesh_kind kind, const double *degrees, uint32_t c
     assert_int_equal(2 * columns - 2, m.grid.round_cells);
     assert_int_equal(2 * rows - 2, m.grid.axial_cells);
     for (uint32_t j = 0; j < columns; j++) {
-        expect_near(degrees[j], vbss_drain_column(&m, j) / RIG_DEGREE, 0.004);
+        expect_near(degrees[j], vbss_drain_column_angle(&m, j) / RIG_DEGREE, 0.004);
     }
     for (uint32_t i = 0; i < rows; i++) {
-        expect_near(1e-3 * mm[i], vbss_drain_row(&m, rows - 1 + i), 1e-17);
-        expect_same_bits(-vbss_drain_row(&m, rows - 1 + i) + 0.0, vbss_drain_row(&m, rows - 1 - i));
+        expect_near(1e-3 * mm[i], vbss_drain_row_x(&m, rows - 1 + i), 1e-17);
+        expect_same_bits(-vbss_drain_row_x(&m, rows - 1 + i) + 0.0,
+                         vbss_drain_row_x(&m, rows - 1 - i));
     }
 }
 
@@ -68,19 +69,19 @@ static void any_drain_has_lines_where_they_matter(harness_source *source, void *
         return; /* what was drawn for equal cells may be too much for graded ones */
     }
     uint32_t middle = m.grid.axial_cells / 2, bottom = m.grid.round_cells / 2;
-    expect_same_bits(0.0, vbss_drain_row(&m, middle) + 0.0);
-    expect_same_bits(0.5 * o.slit_length, vbss_drain_row(&m, middle + m.grid.tip));
-    expect_same_bits(0.5 * o.length, vbss_drain_row(&m, m.grid.axial_cells));
-    expect_same_bits(o.mark_arc / o.radius, vbss_drain_column(&m, m.grid.mark));
-    expect_same_bits(DRAIN_PI, vbss_drain_column(&m, bottom));
+    expect_same_bits(0.0, vbss_drain_row_x(&m, middle) + 0.0);
+    expect_same_bits(0.5 * o.slit_length, vbss_drain_row_x(&m, middle + m.grid.tip_rows));
+    expect_same_bits(0.5 * o.length, vbss_drain_row_x(&m, m.grid.axial_cells));
+    expect_same_bits(o.mark_arc / o.radius, vbss_drain_column_angle(&m, m.grid.mark_column));
+    expect_same_bits(DRAIN_PI, vbss_drain_column_angle(&m, bottom));
     bool strip = false;
     for (uint32_t j = 0; j < bottom; j++) {
-        strip = strip || vbss_drain_column(&m, j) == DRAIN_STRIP;
-        assert_true(vbss_drain_column(&m, j) < vbss_drain_column(&m, j + 1));
+        strip = strip || vbss_drain_column_angle(&m, j) == DRAIN_STRIP_ANGLE;
+        assert_true(vbss_drain_column_angle(&m, j) < vbss_drain_column_angle(&m, j + 1));
     }
     assert_true(strip);
     for (uint32_t i = 0; i < m.grid.axial_cells; i++) {
-        assert_true(vbss_drain_row(&m, i) < vbss_drain_row(&m, i + 1));
+        assert_true(vbss_drain_row_x(&m, i) < vbss_drain_row_x(&m, i + 1));
     }
 }
 
@@ -101,10 +102,11 @@ static void divisions_refine(void **state)
     expect_ok(vbss_drain_mesh_plan(NULL, &o, &fine));
     assert_int_equal(9 * coarse.triangle_count, fine.triangle_count);
     for (uint32_t i = 0; i <= coarse.grid.axial_cells; i++) {
-        expect_same_bits(vbss_drain_row(&coarse, i), vbss_drain_row(&fine, 3 * i));
+        expect_same_bits(vbss_drain_row_x(&coarse, i), vbss_drain_row_x(&fine, 3 * i));
     }
     for (uint32_t j = 0; j <= coarse.grid.round_cells / 2; j++) {
-        expect_same_bits(vbss_drain_column(&coarse, j), vbss_drain_column(&fine, 3 * j));
+        expect_same_bits(vbss_drain_column_angle(&coarse, j),
+                         vbss_drain_column_angle(&fine, 3 * j));
     }
 }
 
@@ -117,9 +119,9 @@ static void the_papers_grid_has_its_edges(void **state)
     mesh_rig_begin(&rig, &o);
     const drain_mesh *m = &rig.mesh;
     uint32_t along = 0, around = 0, diagonal = 0;
-    for (uint32_t s = 0; s < m->side_count; s++) {
-        const double *p = m->material[m->sides[s].nodes[0]];
-        const double *q = m->material[m->sides[s].nodes[1]];
+    for (uint32_t s = 0; s < m->edge_count; s++) {
+        const double *p = m->material_coordinates[m->edges[s].nodes[0]];
+        const double *q = m->material_coordinates[m->edges[s].nodes[1]];
         bool same_x = p[1] == q[1], same_arc = fabs(fabs(p[0]) - fabs(q[0])) < 1e-12;
         along += same_arc && !same_x;
         around += same_x && !same_arc;
@@ -130,8 +132,9 @@ static void the_papers_grid_has_its_edges(void **state)
     assert_int_equal(6 * 12, diagonal);
     /* Two cells, 10.7 mm, are nearest to the slit, 30 degrees to the marks. */
     assert_int_equal(3, m->slit_count);
-    expect_near(32e-3 / 6.0, m->rest[m->slit[DRAIN_LEFT][2]].x, 1e-17);
-    expect_near(30.0 * RIG_DEGREE * 6.5e-3, m->material[m->marks[DRAIN_RIGHT]][0], 1e-17);
+    expect_near(32e-3 / 6.0, m->rest[m->slit_nodes[DRAIN_LEFT][2]].x, 1e-17);
+    expect_near(30.0 * RIG_DEGREE * 6.5e-3, m->material_coordinates[m->marks[DRAIN_RIGHT]][0],
+                1e-17);
     mesh_rig_end(&rig);
 }
 

@@ -54,7 +54,7 @@ static void equal_cells_have_the_area_of_a_prism(void **state)
         /* Inside, six of the triangles, of which each is half a facet; at the ends, three. */
         bool end = i < 12 || i >= 60;
         bool mirror_line = i % 6 == 0; /* there, diagonals meet or pass by */
-        double facets = m->area[i] / facet;
+        double facets = m->node_area[i] / facet;
         if (!mirror_line) {
             expect_near(end ? 0.5 : 1.0, facets, 1e-12);
         }
@@ -71,8 +71,8 @@ static void any_lumped_areas_sum_to_all(harness_source *source, void *user)
     mesh_rig_begin(&rig, &o);
     double lumped = 0.0, all = mesh_rig_area(&rig.mesh);
     for (uint32_t i = 0; i < rig.mesh.node_count; i++) {
-        assert_true(rig.mesh.area[i] > 0.0);
-        lumped += rig.mesh.area[i];
+        assert_true(rig.mesh.node_area[i] > 0.0);
+        lumped += rig.mesh.node_area[i];
     }
     expect_near(all, lumped, 1e-12 * all);
     mesh_rig_end(&rig);
@@ -93,7 +93,7 @@ static void widths_are_angles_round_the_axis(void **state)
     drain_mesh_options tube = mesh_rig_tube(4, 12);
     mesh_rig_begin(&rig, &tube);
     for (uint32_t t = 0; t < rig.mesh.triangle_count; t++) {
-        expect_near(30.0 * RIG_DEGREE, rig.mesh.width[t], 1e-15);
+        expect_near(30.0 * RIG_DEGREE, rig.mesh.angular_width[t], 1e-15);
     }
     mesh_rig_end(&rig);
 
@@ -110,10 +110,10 @@ static void widths_are_angles_round_the_axis(void **state)
             from = fmin(from, angle);
             to = fmax(to, angle);
         }
-        expect_near(to - from, m->width[t], 1e-14);
+        expect_near(to - from, m->angular_width[t], 1e-14);
         if (from > 154.9 * RIG_DEGREE) {
             low++;
-            expect_near(25.0 * RIG_DEGREE, m->width[t], 1e-14);
+            expect_near(25.0 * RIG_DEGREE, m->angular_width[t], 1e-14);
         }
     }
     assert_int_equal(2 * 2 * 10, low);
@@ -129,11 +129,11 @@ static void expect_mirrored_node(const drain_mesh *m, uint32_t i)
     expect_same_bits(m->rest[i].x, m->rest[j].x);
     expect_same_bits(m->rest[i].y, m->rest[j].y);
     expect_same_bits(m->rest[i].z, 0.0 - m->rest[j].z);
-    expect_same_bits(m->material[i][1], m->material[j][1]);
+    expect_same_bits(m->material_coordinates[i][1], m->material_coordinates[j][1]);
     if (i != j) {
         expect_same_bits(m->angle[i], 0.0 - m->angle[j]);
-        expect_same_bits(m->material[i][0], 0.0 - m->material[j][0]);
-        expect_same_bits(m->area[i], m->area[j]);
+        expect_same_bits(m->material_coordinates[i][0], 0.0 - m->material_coordinates[j][0]);
+        expect_same_bits(m->node_area[i], m->node_area[j]);
     }
 }
 
@@ -143,11 +143,11 @@ static void expect_mirrored_triangle(const drain_mesh *m, uint32_t t)
     const int place[3] = {0, 2, 1};
     for (int k = 0; k < 3; k++) {
         assert_int_equal(mesh_rig_mirrored(m, m->triangles[t][k]), m->triangles[u][place[k]]);
-        uint32_t beyond = m->opposite[t][k];
+        uint32_t beyond = m->opposite_node[t][k];
         uint32_t mirrored = beyond == DRAIN_NONE ? beyond : mesh_rig_mirrored(m, beyond);
-        assert_int_equal(mirrored, m->opposite[u][place[k]]);
+        assert_int_equal(mirrored, m->opposite_node[u][place[k]]);
     }
-    expect_same_bits(m->width[t], m->width[u]);
+    expect_same_bits(m->angular_width[t], m->angular_width[u]);
 }
 
 static void any_left_half_mirrors_the_right(harness_source *source, void *user)

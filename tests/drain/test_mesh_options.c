@@ -130,7 +130,7 @@ static void any_numbers_are_refused_or_sound(harness_source *source, void *user)
         mesh_rig rig;
         mesh_rig_begin(&rig, &o);
         assert_true(mesh_rig_least_angle(&rig.mesh) > 1.5);
-        assert_int_equal(m.side_count, rig.mesh.side_count);
+        assert_int_equal(m.edge_count, rig.mesh.edge_count);
         mesh_rig_end(&rig);
         ++*planned;
     }
@@ -146,10 +146,10 @@ static void bad_options_make_no_bad_mesh(void **state)
 
 static void expect_same_parts(drain_mesh *a, drain_mesh *b)
 {
-    vbss_array of_a[DRAIN_MESH_PARTS], of_b[DRAIN_MESH_PARTS];
-    vbss_drain_mesh_parts(a, of_a);
-    vbss_drain_mesh_parts(b, of_b);
-    for (int k = 0; k < DRAIN_MESH_PARTS; k++) {
+    vbss_array of_a[DRAIN_MESH_ARRAYS], of_b[DRAIN_MESH_ARRAYS];
+    vbss_drain_mesh_arrays(a, of_a);
+    vbss_drain_mesh_arrays(b, of_b);
+    for (int k = 0; k < DRAIN_MESH_ARRAYS; k++) {
         void *p, *q;
         memcpy(&p, of_a[k].pointer, sizeof p);
         memcpy(&q, of_b[k].pointer, sizeof q);
@@ -164,13 +164,13 @@ static void the_same_options_give_the_same_mesh(void **state)
     (void)state;
     for (int kind = 0; kind < DRAIN_MESH_KINDS; kind++) {
         mesh_rig first, second;
-        vbss_array parts[DRAIN_MESH_PARTS];
+        vbss_array parts[DRAIN_MESH_ARRAYS];
         drain_mesh_options o = kind == DRAIN_MESH_UNIFORM ? mesh_rig_tube(9, 20)
                                                           : mesh_rig_options((drain_mesh_kind)kind);
         mesh_rig_begin(&first, &o);
         mesh_rig_begin(&second, &o);
-        vbss_drain_mesh_parts(&second.mesh, parts);
-        for (int k = 0; k < DRAIN_MESH_PARTS; k++) {
+        vbss_drain_mesh_arrays(&second.mesh, parts);
+        for (int k = 0; k < DRAIN_MESH_ARRAYS; k++) {
             void *block;
             memcpy(&block, parts[k].pointer, sizeof block);
             memset(block, 0x5a, parts[k].count * parts[k].size);

@@ -30,12 +30,12 @@ static void expect_neighbours(const drain_mesh *m)
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         for (int k = 0; k < 3; k++) {
             uint32_t p = m->triangles[t][(k + 1) % 3], q = m->triangles[t][(k + 2) % 3];
-            uint32_t other = runs_along(m, q, p), beyond = m->opposite[t][k];
+            uint32_t other = runs_along(m, q, p), beyond = m->opposite_node[t][k];
             assert_int_equal(other == DRAIN_NONE, beyond == DRAIN_NONE);
             if (other != DRAIN_NONE) {
                 int off = place_of(m->triangles[other], beyond);
                 assert_true(off >= 0 && beyond != p && beyond != q);
-                assert_int_equal(m->triangles[t][k], m->opposite[other][off]);
+                assert_int_equal(m->triangles[t][k], m->opposite_node[other][off]);
             }
         }
     }
@@ -44,8 +44,8 @@ static void expect_neighbours(const drain_mesh *m)
 static void expect_sides(const drain_mesh *m)
 {
     uint32_t free_sides = 0, seen = 0;
-    for (uint32_t s = 0; s < m->side_count; s++) {
-        const drain_side *side = &m->sides[s];
+    for (uint32_t s = 0; s < m->edge_count; s++) {
+        const drain_edge *side = &m->edges[s];
         assert_int_equal(runs_along(m, side->nodes[0], side->nodes[1]), side->triangles[0]);
         assert_int_equal(runs_along(m, side->nodes[1], side->nodes[0]), side->triangles[1]);
         free_sides += side->triangles[1] == DRAIN_NONE;
@@ -55,12 +55,12 @@ static void expect_sides(const drain_mesh *m)
     assert_int_equal(2 * m->grid.round_cells + edges, free_sides);
     /* Each is found from its lesser node. */
     for (uint32_t i = 0; i < m->node_count; i++) {
-        for (uint32_t s = m->first_side[i]; s != DRAIN_NONE; s = m->next_side[s], seen++) {
-            const uint32_t *n = m->sides[s].nodes;
+        for (uint32_t s = m->first_edge[i]; s != DRAIN_NONE; s = m->next_edge[s], seen++) {
+            const uint32_t *n = m->edges[s].nodes;
             assert_int_equal(i, n[0] < n[1] ? n[0] : n[1]);
         }
     }
-    assert_int_equal(m->side_count, seen);
+    assert_int_equal(m->edge_count, seen);
 }
 
 /* A tube is an annulus, a slit one more hole; planned and found numbers of sides agree. */
@@ -68,8 +68,8 @@ static void expect_euler(const drain_mesh *m)
 {
     drain_mesh planned;
     expect_ok(vbss_drain_mesh_plan(NULL, &m->options, &planned));
-    assert_int_equal(planned.side_count, m->side_count);
-    int64_t characteristic = (int64_t)m->node_count - m->side_count + m->triangle_count;
+    assert_int_equal(planned.edge_count, m->edge_count);
+    int64_t characteristic = (int64_t)m->node_count - m->edge_count + m->triangle_count;
     assert_int_equal(m->slit_count > 0 ? -1 : 0, characteristic);
 }
 
@@ -89,8 +89,8 @@ static bool touches(const drain_mesh *m, uint32_t triangle, int side)
 {
     bool any = false;
     for (uint32_t k = 1; k + 1 < m->slit_count; k++) {
-        any = any || place_of(m->triangles[triangle], m->slit[side][k]) >= 0 ||
-              place_of(m->opposite[triangle], m->slit[side][k]) >= 0;
+        any = any || place_of(m->triangles[triangle], m->slit_nodes[side][k]) >= 0 ||
+              place_of(m->opposite_node[triangle], m->slit_nodes[side][k]) >= 0;
     }
     return any;
 }
@@ -101,8 +101,9 @@ static void expect_nothing_across(const drain_mesh *m)
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         assert_false(touches(m, t, DRAIN_LEFT) && touches(m, t, DRAIN_RIGHT));
     }
-    for (uint32_t s = 0; s < m->side_count; s++) {
-        double p = m->material[m->sides[s].nodes[0]][0], q = m->material[m->sides[s].nodes[1]][0];
+    for (uint32_t s = 0; s < m->edge_count; s++) {
+        double p = m->material_coordinates[m->edges[s].nodes[0]][0],
+               q = m->material_coordinates[m->edges[s].nodes[1]][0];
         assert_false(p * q < 0.0 && fabs(p - q) < DRAIN_PI * m->options.radius);
     }
 }
@@ -146,7 +147,7 @@ static void equal_cells_take_a_slit(void **state)
     expect_ok(vbss_drain_mesh_plan(NULL, &o, &m));
     assert_int_equal(33 * 36 + 9, m.node_count);
     assert_int_equal(11, m.slit_count);
-    assert_int_equal(4, m.grid.mark);
+    assert_int_equal(4, m.grid.mark_column);
 }
 
 /* All diagonals of one side run one way, and its neighbour's over the mirror line the other. */
@@ -159,9 +160,9 @@ static void diagonals_run_one_way(void **state)
     const drain_mesh *m = &rig.mesh;
     double half = DRAIN_PI * o.radius;
     uint32_t left = 0, right = 0;
-    for (uint32_t s = 0; s < m->side_count; s++) {
-        const double *p = m->material[m->sides[s].nodes[0]];
-        const double *q = m->material[m->sides[s].nodes[1]];
+    for (uint32_t s = 0; s < m->edge_count; s++) {
+        const double *p = m->material_coordinates[m->edges[s].nodes[0]];
+        const double *q = m->material_coordinates[m->edges[s].nodes[1]];
         double arc = q[0] - p[0], x = q[1] - p[1];
         arc -= 2.0 * half * floor(0.5 * arc / half + 0.5);
         if (fabs(arc) > 1e-9 && fabs(x) > 1e-9) {

@@ -19,10 +19,10 @@ static void the_mesh_is_the_published_one(void **state)
     uint32_t along = 0, round = 0, across = 0;
     assert_int_equal(7 * 12 + 1, m->node_count);
     assert_int_equal(2 * 6 * 12, m->triangle_count);
-    for (uint32_t s = 0; s < m->side_count; s++) {
-        uint32_t a = m->sides[s].nodes[0], b = m->sides[s].nodes[1];
-        bool same_row = m->material[a][1] == m->material[b][1];
-        bool same_column = m->material[a][0] == m->material[b][0];
+    for (uint32_t s = 0; s < m->edge_count; s++) {
+        uint32_t a = m->edges[s].nodes[0], b = m->edges[s].nodes[1];
+        bool same_row = m->material_coordinates[a][1] == m->material_coordinates[b][1];
+        bool same_column = m->material_coordinates[a][0] == m->material_coordinates[b][0];
         along += same_column;
         round += same_row;
         across += !same_row && !same_column;
@@ -68,10 +68,10 @@ static void particles_weigh_what_the_wall_weighs(void **state)
     paper_begin(&r, &config);
     double sum = 0.0, area = 0.0, tube = 2.0 * DRAIN_PI * 6.5e-3 * 32e-3;
     for (uint32_t i = 0; i < PAPER_NODES; i++) {
-        double wanted = 950.0 * 1e-3 * r.object->mesh.area[i];
+        double wanted = 950.0 * 1e-3 * r.object->mesh.node_area[i];
         expect_near(1.0, r.object->mass[i] / wanted, 1e-12);
         sum += r.object->mass[i];
-        area += r.object->mesh.area[i];
+        area += r.object->mesh.node_area[i];
     }
     expect_near(950.0 * 1e-3 * area, sum, 1e-16);
     expect_near(0.97, area / tube, 0.02);

@@ -55,18 +55,19 @@ static void a_rolled_plate_bears_what_plate_theory_says(void **state)
     uint32_t inside = 0;
     for (uint32_t i = 0; i < r.triangle_count; i++) {
         const uint32_t *far = r.opposite[i];
-        const vbss_shell_state *at = &r.states[i];
+        const vbss_shell_response *at = &r.states[i];
         if (far[0] == SHELL_NONE || far[1] == SHELL_NONE || far[2] == SHELL_NONE) {
             continue;
         }
         inside++;
         expect_near(k, at->curvature[0] + at->curvature[1], 1e-3 * k);
-        expect_near((1.0 + nu) * d * k, at->moment[0] + at->moment[1], 1e-3 * d * k);
+        expect_near((1.0 + nu) * d * k, at->bending_moment[0] + at->bending_moment[1],
+                    1e-3 * d * k);
         expect_near(0.5 * d * k * k * 0.5, at->bending_energy, 1e-3 * d * k * k);
         if (i % 2 == 0) { /* whose axis 1 runs around */
-            expect_near(d * k, at->moment[0], 1e-3 * d * k);
-            expect_near(nu * d * k, at->moment[1], 1e-3 * d * k);
-            expect_near(0.0, at->moment[2], 1e-3 * d * k);
+            expect_near(d * k, at->bending_moment[0], 1e-3 * d * k);
+            expect_near(nu * d * k, at->bending_moment[1], 1e-3 * d * k);
+            expect_near(0.0, at->bending_moment[2], 1e-3 * d * k);
         }
     }
     assert_true(inside > 60);

@@ -86,8 +86,8 @@ static uint32_t count_inverted(shell_rig *r)
     uint32_t count = 0;
     shell_rig_energy(r);
     for (uint32_t i = 0; i < r->triangle_count; i++) {
-        assert_int_equal(vbss_shell_is_inverted(&r->shell, i, r->x), r->states[i].inverted);
-        count += r->states[i].inverted;
+        assert_int_equal(vbss_shell_is_inverted(&r->shell, i, r->x), r->states[i].is_inverted);
+        count += r->states[i].is_inverted;
     }
     return count;
 }

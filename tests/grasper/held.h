@@ -9,10 +9,10 @@
 
 typedef struct held {
     grasper_object g;
-    grip grip;
-    vec3 thread[GRIP_POINTS]; /* where its points are, jaws' frame */
+    grasper_thread_clamp grip;
+    vec3 thread[GRASPER_THREAD_POINTS]; /* where its points are, jaws' frame */
     vec3 along;
-    double ahead[GRIP_POINTS];
+    double ahead[GRASPER_THREAD_POINTS];
     double pressure, h;
 } held;
 
@@ -21,28 +21,28 @@ static inline held hold_along(vec3 along)
 {
     held s = {.along = vec3_unit_or(along, vec3_zero()), .pressure = 4.0, .h = 1e-3};
     s.g.kind = VBSS_GRASPER_NEEDLE_DRIVER;
-    s.g.driver = (vbss_grasper_jaws){13e-3, 0.7e-3, 0.0, 0.35, 0.0};
+    s.g.driver = (grasper_jaws){13e-3, 0.7e-3, 0.0, 0.35, 0.0};
     s.g.config.grip_friction = 0.5;
     s.g.config.grip_length = 2.0 * HALF_GRIP;
     s.g.config.grip_stiffness = 3000.0;
     s.grip.age = OLD;
-    for (int i = 0; i < GRIP_POINTS; i++) {
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
         vec3 middle = vec3_make(0.0, 0.0, -8e-3);
         s.ahead[i] = (i - 1) * HALF_GRIP;
-        s.grip.at[i] = s.thread[i] = vec3_add_scaled(middle, (i - 1) * HALF_GRIP, s.along);
+        s.grip.anchor[i] = s.thread[i] = vec3_add_scaled(middle, (i - 1) * HALF_GRIP, s.along);
     }
     return s;
 }
 
 static inline double stiffness_of(const held *s)
 {
-    return s->g.config.grip_stiffness / GRIP_POINTS;
+    return s->g.config.grip_stiffness / GRASPER_THREAD_POINTS;
 }
 
 static inline vec3 force_at(const held *s, int i)
 {
-    vec3 force = vec3_scale(vec3_sub(s->grip.at[i], s->thread[i]), stiffness_of(s));
-    return vec3_make(GRIP_ACROSS * force.x, force.y, force.z);
+    vec3 force = vec3_scale(vec3_sub(s->grip.anchor[i], s->thread[i]), stiffness_of(s));
+    return vec3_make(GRASPER_NORMAL_STIFFNESS_RATIO * force.x, force.y, force.z);
 }
 
 static inline vec3 force_on_thread(const held *s)
@@ -53,8 +53,8 @@ static inline vec3 force_on_thread(const held *s)
 static inline double torque_on_thread(const held *s)
 {
     double torque = 0.0;
-    for (int i = 0; i < GRIP_POINTS; i++) {
-        torque += vec3_cross(vec3_sub(s->grip.at[i], s->grip.at[1]), force_at(s, i)).x;
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
+        torque += vec3_cross(vec3_sub(s->grip.anchor[i], s->grip.anchor[1]), force_at(s, i)).x;
     }
     return torque;
 }
@@ -62,29 +62,29 @@ static inline double torque_on_thread(const held *s)
 static inline double energy_of(const held *s)
 {
     double energy = 0.0;
-    for (int i = 0; i < GRIP_POINTS; i++) {
-        energy += 0.5 * vec3_dot(force_at(s, i), vec3_sub(s->grip.at[i], s->thread[i]));
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
+        energy += 0.5 * vec3_dot(force_at(s, i), vec3_sub(s->grip.anchor[i], s->thread[i]));
     }
     return energy;
 }
 
 static inline void displace_thread(held *s, vec3 by)
 {
-    for (int i = 0; i < GRIP_POINTS; i++) {
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
         s->thread[i] = vec3_add(s->thread[i], by);
     }
 }
 
 /* After a step; a thread that runs through has other points held, so much further on. */
-static inline grip_change yield(held *s)
+static inline grasper_thread_slip yield(held *s)
 {
-    grip_load load = {.along = s->along, .pressure = s->pressure, .h = s->h};
-    for (int i = 0; i < GRIP_POINTS; i++) {
-        load.ahead[i] = s->ahead[i];
+    grasper_thread_load load = {.thread_direction = s->along, .jaw_force = s->pressure, .h = s->h};
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
+        load.arc_offset[i] = s->ahead[i];
         load.force[i] = force_at(s, i);
     }
-    grip_change change = vbss_grip_yield(&s->g, &s->grip, &load);
-    displace_thread(s, vec3_scale(s->along, change.slid));
+    grasper_thread_slip change = vbss_grasper_yield_thread(&s->g, &s->grip, &load);
+    displace_thread(s, vec3_scale(s->along, change.slip));
     return change;
 }
 

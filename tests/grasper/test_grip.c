@@ -7,10 +7,10 @@ static void the_limit_is_friction_of_both_faces(void **state)
 {
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
-    expect_same_bits(4.0, vbss_grip_limit(&s.g, 4.0));
+    expect_same_bits(4.0, vbss_grasper_friction_limit(&s.g, 4.0));
     s.g.config.grip_friction = 0.2;
-    expect_near(3.2, vbss_grip_limit(&s.g, 8.0), 1e-15);
-    expect_same_bits(0.0, vbss_grip_limit(&s.g, 0.0));
+    expect_near(3.2, vbss_grasper_friction_limit(&s.g, 8.0), 1e-15);
+    expect_same_bits(0.0, vbss_grasper_friction_limit(&s.g, 0.0));
 }
 
 static vec3 random_along(harness_source *source)
@@ -26,14 +26,14 @@ static void a_small_pull_changes_nothing(harness_source *source, void *user)
 {
     (void)user;
     held s = hold_along(random_along(source));
-    for (int i = 0; i < GRIP_POINTS; i++) {
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
         s.thread[i] = vec3_add(s.thread[i], harness_draw_vec3(source, -2e-5, 2e-5));
     }
     const held before = s;
-    grip_change change = yield(&s);
-    expect_same_bits(0.0, change.slid);
-    assert_false(change.torn);
-    assert_memory_equal(before.grip.at, s.grip.at, sizeof s.grip.at);
+    grasper_thread_slip change = yield(&s);
+    expect_same_bits(0.0, change.slip);
+    assert_false(change.has_escaped);
+    assert_memory_equal(before.grip.anchor, s.grip.anchor, sizeof s.grip.anchor);
     expect_same_bits(OLD + s.h, s.grip.age);
 }
 
@@ -51,9 +51,9 @@ static void a_pull_meets_its_limit(harness_source *source, void *user)
     held s = hold_along(random_along(source));
     vec3 pull = harness_draw_vec3(source, -4e-3, 4e-3);
     displace_thread(&s, pull);
-    double limit = vbss_grip_limit(&s.g, s.pressure), energy = energy_of(&s);
+    double limit = vbss_grasper_friction_limit(&s.g, s.pressure), energy = energy_of(&s);
     vec3 before = force_on_thread(&s);
-    grip_change change = yield(&s);
+    grasper_thread_slip change = yield(&s);
     vec3 after = force_on_thread(&s);
     expect_near(vbss_min(fabs(before.x), s.pressure), fabs(after.x), 1e-12);
     assert_true(before.x * after.x >= 0.0);
@@ -65,12 +65,12 @@ static void a_pull_meets_its_limit(harness_source *source, void *user)
     if (along_faces_of(before) > limit) {
         (*yielded)++;
         double way = before.y * s.along.y + before.z * s.along.z;
-        assert_true(way == 0.0 || change.slid * way > 0.0);
+        assert_true(way == 0.0 || change.slip * way > 0.0);
         /* across the thread the anchors give way, along it they stay */
-        vec3 moved = vec3_sub(s.grip.at[1], vec3_make(0.0, 0.0, -8e-3));
+        vec3 moved = vec3_sub(s.grip.anchor[1], vec3_make(0.0, 0.0, -8e-3));
         expect_near(0.0, moved.y * s.along.y + moved.z * s.along.z, 1e-15);
     } else {
-        expect_same_bits(0.0, change.slid);
+        expect_same_bits(0.0, change.slip);
     }
 }
 
@@ -89,15 +89,15 @@ static void a_thread_runs_the_way_it_is_pulled(void **state)
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
     displace_thread(&s, vec3_make(0.0, -2e-3, 0.0));
     expect_near(6.0, force_on_thread(&s).y, 1e-12);
-    grip_change change = yield(&s);
-    expect_near((6.0 - 4.0) / 3000.0, change.slid, 1e-17);
-    assert_false(change.torn);
+    grasper_thread_slip change = yield(&s);
+    expect_near((6.0 - 4.0) / 3000.0, change.slip, 1e-17);
+    assert_false(change.has_escaped);
     expect_near(4.0, force_on_thread(&s).y, 1e-12);
     displace_thread(&s, vec3_make(0.0, 4e-3, 0.0));
     change = yield(&s);
-    expect_near(-(8.0 - 4.0) / 3000.0, change.slid, 1e-17);
+    expect_near(-(8.0 - 4.0) / 3000.0, change.slip, 1e-17);
     expect_near(-4.0, force_on_thread(&s).y, 1e-12);
-    expect_same_bits(0.0, yield(&s).slid);
+    expect_same_bits(0.0, yield(&s).slip);
 }
 
 static void a_thread_across_the_pull_goes_aside(void **state)
@@ -105,10 +105,10 @@ static void a_thread_across_the_pull_goes_aside(void **state)
     (void)state;
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
     displace_thread(&s, vec3_make(0.0, 0.0, -2e-3));
-    grip_change change = yield(&s);
-    expect_near(0.0, change.slid, 1e-18);
-    for (int i = 0; i < GRIP_POINTS; i++) {
-        expect_near(-8e-3 - 2.0 / 3000.0, s.grip.at[i].z, 1e-17);
+    grasper_thread_slip change = yield(&s);
+    expect_near(0.0, change.slip, 1e-18);
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
+        expect_near(-8e-3 - 2.0 / 3000.0, s.grip.anchor[i].z, 1e-17);
     }
 }
 
@@ -117,11 +117,11 @@ static void a_thread_that_stands_between_the_faces_does_not_run(void **state)
     (void)state;
     held s = hold_along(vec3_make(1.0, 0.5, 0.0));
     displace_thread(&s, vec3_make(0.0, -2e-3, 0.0));
-    expect_same_bits(0.0, yield(&s).slid);
+    expect_same_bits(0.0, yield(&s).slip);
     expect_near(4.0, along_faces_of(force_on_thread(&s)), 1e-12);
     s = hold_along(vec3_make(1.0, 0.0, 0.0));
     displace_thread(&s, vec3_make(0.0, -2e-3, 1e-3));
-    expect_same_bits(0.0, yield(&s).slid);
+    expect_same_bits(0.0, yield(&s).slip);
     expect_near(4.0, along_faces_of(force_on_thread(&s)), 1e-12);
 }
 
@@ -141,9 +141,9 @@ static void jaws_without_pressure_hold_nothing(void **state)
 static void turn_thread(held *s, double angle)
 {
     quat turn = vbss_quat_from_rotation_vector(vec3_make(angle, 0.0, 0.0));
-    for (int i = 0; i < GRIP_POINTS; i++) {
-        vec3 arm = vec3_sub(s->thread[i], s->grip.at[1]);
-        s->thread[i] = vec3_add(s->grip.at[1], quat_rotate(turn, arm));
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
+        vec3 arm = vec3_sub(s->thread[i], s->grip.anchor[1]);
+        s->thread[i] = vec3_add(s->grip.anchor[1], quat_rotate(turn, arm));
     }
     s->along = quat_rotate(turn, s->along);
 }
@@ -153,19 +153,19 @@ static void a_turn_meets_its_limit(harness_source *source, void *user)
     uint32_t *yielded = user;
     held s = hold_along(random_along(source));
     s.pressure = harness_draw_real(source, 0.0, 0.4);
-    double limit = vbss_grip_limit(&s.g, s.pressure) * 2.0 * HALF_GRIP / 4.0;
+    double limit = vbss_grasper_friction_limit(&s.g, s.pressure) * 2.0 * HALF_GRIP / 4.0;
     turn_thread(&s, harness_draw_real(source, -3.1, 3.1));
     double before = torque_on_thread(&s), energy = energy_of(&s);
-    vec3 middle = s.grip.at[1];
+    vec3 middle = s.grip.anchor[1];
     yield(&s);
     double after = torque_on_thread(&s);
     *yielded += fabs(before) > limit;
     expect_near(vbss_min(fabs(before), limit), fabs(after), 1e-12 * limit + 1e-16);
     assert_true(before * after > -1e-18);
     assert_true(energy_of(&s) <= energy * (1.0 + 1e-14));
-    expect_near_vec3(middle, s.grip.at[1], 1e-18);
-    for (int i = 0; i < GRIP_POINTS; i += 2) { /* they stay as far from the middle */
-        expect_near(HALF_GRIP, vec3_distance(middle, s.grip.at[i]), 1e-17);
+    expect_near_vec3(middle, s.grip.anchor[1], 1e-18);
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i += 2) { /* they stay as far from the middle */
+        expect_near(HALF_GRIP, vec3_distance(middle, s.grip.anchor[i]), 1e-17);
     }
 }
 
@@ -183,9 +183,10 @@ static void a_turn_beside_a_pull_meets_its_limit(harness_source *source, void *u
     uint32_t *both = user;
     held s = hold_along(random_along(source));
     s.pressure = harness_draw_real(source, 0.1, 1.0);
-    double limit = vbss_grip_limit(&s.g, s.pressure), most = limit * 2.0 * HALF_GRIP / 4.0;
-    for (int i = 0; i < GRIP_POINTS; i += 2) {
-        s.grip.at[i] = vec3_add(s.grip.at[i], harness_draw_vec3(source, -3e-4, 3e-4));
+    double limit = vbss_grasper_friction_limit(&s.g, s.pressure),
+           most = limit * 2.0 * HALF_GRIP / 4.0;
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i += 2) {
+        s.grip.anchor[i] = vec3_add(s.grip.anchor[i], harness_draw_vec3(source, -3e-4, 3e-4));
     }
     turn_thread(&s, harness_draw_real(source, -1.5, 1.5));
     displace_thread(&s, harness_draw_vec3(source, -1e-3, 1e-3));
@@ -210,12 +211,12 @@ static void a_small_excess_turns_as_linear_springs_do(void **state)
     held s = hold_along(vec3_make(0.0, 1.0, 0.0));
     double stiffness = 2.0 * stiffness_of(&s) * HALF_GRIP * HALF_GRIP;
     s.pressure = 0.01;
-    double limit = vbss_grip_limit(&s.g, s.pressure) * 2.0 * HALF_GRIP / 4.0;
+    double limit = vbss_grasper_friction_limit(&s.g, s.pressure) * 2.0 * HALF_GRIP / 4.0;
     turn_thread(&s, 1e-2);
     double excess = -torque_on_thread(&s) - limit; /* it turns the thread back */
     assert_true(excess > 0.0);
     yield(&s);
-    vec3 way = vec3_sub(s.grip.at[2], s.grip.at[0]);
+    vec3 way = vec3_sub(s.grip.anchor[2], s.grip.anchor[0]);
     expect_near(excess / stiffness, vbss_atan2(way.z, way.y), 1e-6);
 }
 
@@ -227,9 +228,9 @@ static void any_yielding_loses_energy(harness_source *source, void *user)
     held s = hold_along(random_along(source));
     s.pressure = harness_draw_real(source, 0.0, 1.0);
     double size = harness_draw_real(source, 0.0, 1e-3);
-    for (int i = 0; i < GRIP_POINTS; i++) {
+    for (int i = 0; i < GRASPER_THREAD_POINTS; i++) {
         s.thread[i] = vec3_add(s.thread[i], harness_draw_vec3(source, -size, size));
-        s.grip.at[i] = vec3_add(s.grip.at[i], harness_draw_vec3(source, -1e-4, 1e-4));
+        s.grip.anchor[i] = vec3_add(s.grip.anchor[i], harness_draw_vec3(source, -1e-4, 1e-4));
     }
     double energy = energy_of(&s);
     for (int k = 0; k < 5; k++) {

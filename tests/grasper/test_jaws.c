@@ -3,9 +3,9 @@
 
 static grasper_object tool(double length, double radius, double bend)
 {
-    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER, .opening = 1.0, .angle = 0.35};
-    g.driver = (vbss_grasper_jaws){length, radius, bend, 0.35, 0.0};
-    g.shears = (vbss_grasper_jaws){2.0 * length, 3.0 * radius, -bend, 0.5, 0.0};
+    grasper_object g = {.kind = VBSS_GRASPER_NEEDLE_DRIVER, .opening = 1.0, .jaw_angle = 0.35};
+    g.driver = (grasper_jaws){length, radius, bend, 0.35, 0.0};
+    g.shears = (grasper_jaws){2.0 * length, 3.0 * radius, -bend, 0.5, 0.0};
     g.config.shaft_length = 0.15;
     g.config.shaft_radius = 2.5e-3;
     g.config.closing_force = 8.0;
@@ -22,7 +22,7 @@ static void the_tip_is_midway_between_the_ends_of_closed_jaws(void **state)
     grasper_capsule c[GRASPER_CAPSULES];
     for (int i = -15; i <= 15; i++) {
         grasper_object g = tool(13e-3, 0.7e-3, 0.1 * i);
-        vbss_grasper_lay_capsules(&g, 0.0, c);
+        vbss_grasper_compute_capsules(&g, 0.0, c);
         vec3 tip = vec3_lerp(c[1].axis[1], c[2].axis[1], 0.5);
         expect_near_vec3(vec3_zero(), tip, 1e-17);
         vec3 pivot = vec3_lerp(c[1].axis[0], c[2].axis[0], 0.5);
@@ -43,7 +43,7 @@ static void the_bend_lies_behind_the_neck(void **state)
     grasper_object g = tool(13e-3, 0.7e-3, 0.8);
     g.driver.neck = 5e-3;
     g.config.neck_radius = 1.2e-3;
-    vbss_grasper_lay_capsules(&g, 0.0, c);
+    vbss_grasper_compute_capsules(&g, 0.0, c);
     vec3 bend = vec3_make(0.0, 18e-3 * sin(0.8), 18e-3 * cos(0.8));
     expect_near_vec3(bend, vbss_grasper_bend_point(&g), 1e-17);
     expect_near_vec3(bend, c[GRASPER_NECK].axis[1], 1e-17);
@@ -60,7 +60,7 @@ static void a_shaft_thicker_than_long_is_a_ball(void **state)
     grasper_object g = tool(13e-3, 0.7e-3, 0.0);
     g.config.shaft_radius = 0.1;
     g.config.shaft_length = 1e-3;
-    vbss_grasper_lay_capsules(&g, 0.0, c);
+    vbss_grasper_compute_capsules(&g, 0.0, c);
     expect_near_vec3(c[0].axis[0], c[0].axis[1], 0.0);
 }
 
@@ -71,7 +71,7 @@ static void closed_jaws_touch_along_their_length(void **state)
     grasper_capsule c[GRASPER_CAPSULES];
     for (int i = -15; i <= 15; i++) {
         grasper_object g = tool(13e-3, 0.7e-3, 0.1 * i);
-        vbss_grasper_lay_capsules(&g, 0.0, c);
+        vbss_grasper_compute_capsules(&g, 0.0, c);
         for (int k = 0; k <= 20; k++) {
             vec3 a = vec3_lerp(c[1].axis[0], c[1].axis[1], 0.05 * k);
             vec3 b = vec3_lerp(c[2].axis[0], c[2].axis[1], 0.05 * k);
@@ -90,11 +90,11 @@ static void a_mouth_is_the_distance_of_the_facing_surfaces(harness_source *sourc
     double angle = harness_draw_real(source, 0.0, 1.2);
     double share = harness_draw_real(source, 0.0, 1.0);
     grasper_capsule c[GRASPER_CAPSULES];
-    vbss_grasper_lay_capsules(&g, angle, c);
+    vbss_grasper_compute_capsules(&g, angle, c);
     vec3 a = vec3_lerp(c[1].axis[0], c[1].axis[1], share);
     vec3 b = vec3_lerp(c[2].axis[0], c[2].axis[1], share);
     double apart = vec3_distance(a, b) - 2.0 * radius;
-    expect_near(apart, vbss_grasper_mouth(angle, share * length), 1e-15);
+    expect_near(apart, vbss_grasper_jaw_distance(angle, share * length), 1e-15);
     /* both open by the same angle, about the pivot, in the plane of x and the way they point */
     vec3 down = quat_rotate(vbss_grasper_jaw_frame(&g).orientation, vec3_make(0.0, 0.0, -1.0));
     for (int i = GRASPER_JAW; i < GRASPER_NECK; i++) {
@@ -118,25 +118,25 @@ static void jaws_touch_where_their_mouth_is_the_diameter(void **state)
     for (int i = 1; i <= 200; i++) {
         double from_pivot = 0.126e-3 * i;
         double angle = vbss_grasper_touching_angle(diameter, from_pivot);
-        expect_near(diameter, vbss_grasper_mouth(angle, from_pivot), 1e-18);
+        expect_near(diameter, vbss_grasper_jaw_distance(angle, from_pivot), 1e-18);
         expect_near(asin(diameter / (2.0 * from_pivot)), angle, 1e-15);
     }
     const double near[] = {0.125e-3, 0.1e-3, 1e-300, 0.0, -1.0};
     for (int i = 0; i < 5; i++) {
         expect_same_bits(0.5 * 3.141592653589793, vbss_grasper_touching_angle(diameter, near[i]));
     }
-    expect_same_bits(0.0, vbss_grasper_mouth(0.0, 0.01));
+    expect_same_bits(0.0, vbss_grasper_jaw_distance(0.0, 0.01));
 }
 
 static void the_jaws_are_those_of_the_kind(void **state)
 {
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.2);
-    assert_ptr_equal(vbss_grasper_jaws_now(&g), &g.driver);
+    assert_ptr_equal(vbss_grasper_current_jaws(&g), &g.driver);
     g.kind = VBSS_GRASPER_SHEARS;
-    assert_ptr_equal(vbss_grasper_jaws_now(&g), &g.shears);
+    assert_ptr_equal(vbss_grasper_current_jaws(&g), &g.shears);
     expect_near(-26e-3 * sin(0.2), vbss_grasper_jaw_frame(&g).position.y, 1e-16);
-    expect_same_bits(0.5, vbss_grasper_told_angle(&g));
+    expect_same_bits(0.5, vbss_grasper_commanded_angle(&g));
 }
 
 /* ---- how they follow the handle */
@@ -145,13 +145,13 @@ static void the_handle_goes_from_squeezed_to_open(void **state)
 {
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.0);
-    expect_same_bits(0.35, vbss_grasper_told_angle(&g));
+    expect_same_bits(0.35, vbss_grasper_commanded_angle(&g));
     g.opening = 0.0;
-    expect_same_bits(-0.1, vbss_grasper_told_angle(&g));
+    expect_same_bits(-0.1, vbss_grasper_commanded_angle(&g));
     double last = -1.0;
     for (int i = 0; i <= 100; i++) {
         g.opening = 0.01 * i;
-        double told = vbss_grasper_told_angle(&g);
+        double told = vbss_grasper_commanded_angle(&g);
         expect_near(-0.1 + 0.45 * g.opening, told, 1e-15);
         assert_true(told > last);
         last = told;
@@ -168,16 +168,16 @@ static void jaws_go_as_fast_as_they_may(void **state)
         double next = vbss_grasper_next_angle(&g, h, 0.0);
         assert_true(next >= 0.0);
         expect_near(vbss_max(0.35 - step * (i + 1), 0.0), next, 1e-15);
-        g.angle = next;
+        g.jaw_angle = next;
     }
-    expect_same_bits(0.0, g.angle);
+    expect_same_bits(0.0, g.jaw_angle);
     expect_same_bits(0.0, vbss_grasper_next_angle(&g, h, -1.0));
     g.opening = 1.0;
     for (int i = 0; i < 60; i++) {
-        g.angle = vbss_grasper_next_angle(&g, h, 0.0);
-        expect_near(vbss_min(step * (i + 1), 0.35), g.angle, 1e-15);
+        g.jaw_angle = vbss_grasper_next_angle(&g, h, 0.0);
+        expect_near(vbss_min(step * (i + 1), 0.35), g.jaw_angle, 1e-15);
     }
-    expect_same_bits(0.35, g.angle);
+    expect_same_bits(0.35, g.jaw_angle);
     expect_same_bits(0.35, vbss_grasper_next_angle(&g, h, -1.0));
 }
 
@@ -188,9 +188,9 @@ static void what_is_between_them_stops_the_jaws(void **state)
     grasper_object g = tool(13e-3, 0.7e-3, 0.0);
     g.opening = 0.0;
     for (int i = 0; i < 60; i++) {
-        g.angle = vbss_grasper_next_angle(&g, h, 0.02);
+        g.jaw_angle = vbss_grasper_next_angle(&g, h, 0.02);
     }
-    expect_same_bits(0.02, g.angle);
+    expect_same_bits(0.02, g.jaw_angle);
     /* what comes between them opens them, faster than they go */
     expect_same_bits(0.2, vbss_grasper_next_angle(&g, h, 0.2));
     expect_same_bits(0.02, vbss_grasper_next_angle(&g, h, 0.02));
@@ -204,15 +204,15 @@ static void pressure_grows_with_the_angle_they_are_kept_from(void **state)
     (void)state;
     grasper_object g = tool(13e-3, 0.7e-3, 0.0);
     g.opening = 0.0;
-    expect_same_bits(8.0, vbss_grasper_pressure_at(&g, 0.0));
-    expect_same_bits(8.0, vbss_grasper_pressure_at(&g, 0.3));
+    expect_same_bits(8.0, vbss_grasper_jaw_force_at(&g, 0.0));
+    expect_same_bits(8.0, vbss_grasper_jaw_force_at(&g, 0.3));
     g.opening = 0.1 / 0.45; /* they would just close */
     for (int i = 0; i <= 10; i++) {
-        expect_near(0.8 * i, vbss_grasper_pressure_at(&g, 0.01 * i), 1e-13);
+        expect_near(0.8 * i, vbss_grasper_jaw_force_at(&g, 0.01 * i), 1e-13);
     }
     g.opening = 1.0;
-    expect_same_bits(0.0, vbss_grasper_pressure_at(&g, 0.0));
-    expect_same_bits(0.0, vbss_grasper_pressure_at(&g, 0.35));
+    expect_same_bits(0.0, vbss_grasper_jaw_force_at(&g, 0.0));
+    expect_same_bits(0.0, vbss_grasper_jaw_force_at(&g, 0.35));
 }
 
 int test_jaws(void)

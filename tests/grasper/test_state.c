@@ -21,20 +21,20 @@ static vbss_result step(void *handle)
 {
     grasper_object *g;
     VBSS_TRY(vbss_grasper_open(handle, &g));
-    vec3 p = g->told.position;
+    vec3 p = g->commanded_pose.position;
     quat turn = vbss_quat_from_rotation_vector(vec3_make(0.1, 0.0, 0.2));
     VBSS_TRY(move_to(handle, vec3_make(0.01 + 0.9 * p.x, 0.5 * p.y, 0.1 - p.z),
-                     quat_mul(turn, g->told.orientation)));
+                     quat_mul(turn, g->commanded_pose.orientation)));
     VBSS_TRY(vbss_grasper_set_opening(handle, 1.0 - 0.7 * g->opening));
-    VBSS_TRY(vbss_grasper_exchange(handle, 3 - g->kind_told));
-    g->angle = vbss_grasper_next_angle(g, 1e-2, 0.0);
-    g->pressure = vbss_grasper_pressure_at(g, g->angle);
-    g->kind = g->pressure > 0.0 ? g->kind : g->kind_told;
-    g->velocity = vec3_sub(g->now.position, vec3_scale(g->velocity, 0.5));
+    VBSS_TRY(vbss_grasper_exchange(handle, 3 - g->commanded_kind));
+    g->jaw_angle = vbss_grasper_next_angle(g, 1e-2, 0.0);
+    g->jaw_force = vbss_grasper_jaw_force_at(g, g->jaw_angle);
+    g->kind = g->jaw_force > 0.0 ? g->kind : g->commanded_kind;
+    g->velocity = vec3_sub(g->tool_pose.position, vec3_scale(g->velocity, 0.5));
     g->angular_velocity = vec3_add(g->velocity, vec3_scale(g->angular_velocity, 0.5));
     g->hand_force = vec3_cross(g->velocity, g->angular_velocity);
     g->hand_torque = vec3_add(g->hand_force, vec3_scale(g->hand_torque, 0.5));
-    vbss_grasper_show(g);
+    vbss_grasper_update_view(g);
     return VBSS_OK;
 }
 
@@ -97,7 +97,8 @@ static void a_restored_grasper_shows_what_it_showed(void **state)
     assert_true(inside(second)->generation > generation);
     const vbss_grasper_state a = look(first), b = look(second);
     assert_memory_equal(&a, &b, sizeof a);
-    assert_memory_equal(inside(first)->shown, inside(second)->shown, sizeof inside(first)->shown);
+    assert_memory_equal(inside(first)->view_capsules, inside(second)->view_capsules,
+                        sizeof inside(first)->view_capsules);
     end(&f);
 }
 
@@ -110,19 +111,19 @@ static void no_kind(grasper_object *g)
 }
 static void no_kind_told(grasper_object *g)
 {
-    g->kind_told = 3;
+    g->commanded_kind = 3;
 }
 static void told_too_far(grasper_object *g)
 {
-    g->told.position.z = -1e3 * (1.0 + 1e-12);
+    g->commanded_pose.position.z = -1e3 * (1.0 + 1e-12);
 }
 static void told_no_turn(grasper_object *g)
 {
-    g->told.orientation.w = 0.5;
+    g->commanded_pose.orientation.w = 0.5;
 }
 static void is_no_turn(grasper_object *g)
 {
-    g->now.orientation.x = 1e-2;
+    g->tool_pose.orientation.x = 1e-2;
 }
 static void handle_too_open(grasper_object *g)
 {
@@ -134,19 +135,19 @@ static void handle_too_closed(grasper_object *g)
 }
 static void jaws_through_each_other(grasper_object *g)
 {
-    g->angle = -1e-9;
+    g->jaw_angle = -1e-9;
 }
 static void jaws_turned_back(grasper_object *g)
 {
-    g->angle = 2.0;
+    g->jaw_angle = 2.0;
 }
 static void pulling_jaws(grasper_object *g)
 {
-    g->pressure = -1.0;
+    g->jaw_force = -1.0;
 }
 static void too_strong_jaws(grasper_object *g)
 {
-    g->pressure = 8.5;
+    g->jaw_force = 8.5;
 }
 static void holds_outside_scenes(grasper_object *g)
 {
@@ -226,7 +227,7 @@ static void snapshots_of_another_configuration_are_refused(void **state)
     expect_foreign(&f, make(&f));
     f.config = plain;
     vbss_grasper *elsewhere = make(&f);
-    inside(elsewhere)->body = 3;
+    inside(elsewhere)->body_id = 3;
     expect_foreign(&f, elsewhere);
     end(&f);
 }

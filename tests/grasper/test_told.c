@@ -50,10 +50,10 @@ static void the_handle_and_an_exchange_wait_for_the_next_step(void **state)
     expect_same_bits(0.25, s.opening);
     expect_same_bits(f.config.driver_opening, s.jaw_angle);
     assert_int_equal(s.kind, VBSS_GRASPER_NEEDLE_DRIVER);
-    assert_int_equal(g->kind_told, VBSS_GRASPER_SHEARS);
+    assert_int_equal(g->commanded_kind, VBSS_GRASPER_SHEARS);
     /* told to be what it is, it forgets the exchange */
     expect_ok(vbss_grasper_exchange(grasper, VBSS_GRASPER_NEEDLE_DRIVER));
-    assert_int_equal(g->kind_told, g->kind);
+    assert_int_equal(g->commanded_kind, g->kind);
     end(&f);
 }
 
@@ -69,9 +69,9 @@ static void in_a_scene_it_is_told_but_does_not_move(void **state)
     vbss_slot *slot;
     expect_ok(vbss_slot_open(grasper, &vbss_grasper_kind_of_slot, &slot));
     slot->owner = &f;
-    g->body = 7;
+    g->body_id = 7;
     g->grasp_count = 2;
-    g->pressure = 3.0;
+    g->jaw_force = 3.0;
     g->velocity = vec3_make(1.0, 2.0, 3.0);
     g->hand_force = vec3_make(4.0, 5.0, 6.0);
     expect_ok(move_to(grasper, vec3_make(0.5, 0.0, 0.0), quat_make(0.0, 1.0, 0.0, 0.0)));
@@ -86,12 +86,12 @@ static void in_a_scene_it_is_told_but_does_not_move(void **state)
     expect_same_bits(3.0, s.pressure);
     expect_same_bits(2.0, s.velocity[1]);
     expect_same_bits(6.0, s.hand_force[2]);
-    vbss_grasper_leave(g);
+    vbss_grasper_detach(g);
     slot->owner = NULL;
     s = look(grasper);
     assert_int_equal(s.body + s.grasp_count, 0);
     expect_same_bits(0.5, s.position[0]);
-    expect_near(0.5, g->shown[1][0] - f.config.driver_radius, 1e-15);
+    expect_near(0.5, g->view_capsules[1][0] - f.config.driver_radius, 1e-15);
     expect_same_bits(0.0, s.pressure + s.velocity[1] + s.hand_force[2]);
     expect_ok(vbss_grasper_destroy(grasper));
     end(&f);
@@ -116,11 +116,12 @@ static void the_view_shows_its_capsules(void **state)
     assert_int_equal(view.stride_bytes, 7 * sizeof(double));
     assert_int_equal(view.count, GRASPER_CAPSULES);
     assert_true(view.generation == g->generation);
-    vbss_grasper_lay_capsules(g, g->angle, laid);
+    vbss_grasper_compute_capsules(g, g->jaw_angle, laid);
     const double *shown = view.data;
     for (int i = 0; i < GRASPER_CAPSULES; i++, shown += 7) {
-        expect_near_vec3(pose_apply(g->told, laid[i].axis[0]), vec3_load(shown), 1e-15);
-        expect_near_vec3(pose_apply(g->told, laid[i].axis[1]), vec3_load(shown + 3), 1e-15);
+        expect_near_vec3(pose_apply(g->commanded_pose, laid[i].axis[0]), vec3_load(shown), 1e-15);
+        expect_near_vec3(pose_apply(g->commanded_pose, laid[i].axis[1]), vec3_load(shown + 3),
+                         1e-15);
         expect_same_bits(i == GRASPER_SHAFT  ? f.config.shaft_radius
                          : i == GRASPER_NECK ? f.config.neck_radius
                                              : f.config.driver_radius,

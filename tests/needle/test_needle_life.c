@@ -187,7 +187,7 @@ static void in_a_scene_the_host_may_only_look(void **state)
     assert_true(hash_of(needle) == hash);
     steps(twin, 1e-3, 3);
     uint64_t generation = inside(needle)->generation;
-    vbss_needle_follow(inside(needle), &inside(twin)->body.now, 5);
+    vbss_needle_set_motion(inside(needle), &inside(twin)->body.now, 5);
     assert_true(inside(needle)->generation > generation);
     assert_memory_equal(&inside(twin)->body, &inside(needle)->body, sizeof(vbss_rigid));
     vbss_needle_state seen = look(needle);
@@ -196,7 +196,7 @@ static void in_a_scene_the_host_may_only_look(void **state)
     const vbss_needle_state wanted = look(twin);
     assert_memory_equal(&wanted, &seen, sizeof seen);
     slot->owner = NULL;
-    vbss_needle_follow(inside(needle), &inside(twin)->body.now, 0); /* it leaves */
+    vbss_needle_set_motion(inside(needle), &inside(twin)->body.now, 0); /* it leaves */
     steps(twin, 1e-3, 3);
     steps(needle, 1e-3, 3);
     assert_true(hash_of(needle) == hash_of(twin)); /* and flies on as if it had always been free */

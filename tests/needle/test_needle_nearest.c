@@ -29,7 +29,7 @@ static void places_beside_the_arc_have_its_length(void **state)
             double at = length * (0.01 + 0.98 * i / 20.0);
             for (int j = -2; j <= 2; j++) {
                 double off = 1e-3 * j;
-                expect_near(at, vbss_needle_nearest(n, beside(n, at, off, -off)), 1e-15);
+                expect_near(at, vbss_needle_nearest_arc(n, beside(n, at, off, -off)), 1e-15);
             }
         }
         end(&f);
@@ -47,9 +47,9 @@ static void beyond_both_ends_it_counts_on(void **state)
             double far = 1e-5 * i;
             for (int j = -2; j <= 2; j++) {
                 double off = 0.25e-3 * j;
-                expect_near(-far, vbss_needle_nearest(n, beside(n, -far, off, off)), 1e-15);
+                expect_near(-far, vbss_needle_nearest_arc(n, beside(n, -far, off, off)), 1e-15);
                 vec3 behind = beside(n, length + far, off, off);
-                expect_near(length + far, vbss_needle_nearest(n, behind), 1e-15);
+                expect_near(length + far, vbss_needle_nearest_arc(n, behind), 1e-15);
             }
         }
         end(&f);
@@ -65,10 +65,10 @@ static void it_goes_on_evenly_across_the_ends(void **state)
         needle_object *n = begin_with(&f, arcs[k]);
         const double ends[] = {0.0, vbss_needle_length(n)};
         for (int e = 0; e < 2; e++) {
-            double before = vbss_needle_nearest(n, beside(n, ends[e] - 1e-5, 1e-4, 1e-4));
+            double before = vbss_needle_nearest_arc(n, beside(n, ends[e] - 1e-5, 1e-4, 1e-4));
             for (int i = -99; i <= 100; i++) {
                 double at = ends[e] + 1e-7 * i;
-                double now = vbss_needle_nearest(n, beside(n, at, 1e-4, 1e-4));
+                double now = vbss_needle_nearest_arc(n, beside(n, at, 1e-4, 1e-4));
                 expect_near(1e-7, now - before, 1e-13);
                 before = now;
             }
@@ -87,7 +87,7 @@ static void nothing_of_the_line_is_nearer(harness_source *source, void *user)
     double off = harness_draw_real(source, -1e-3, 1e-3);
     double up = harness_draw_real(source, -1e-3, 1e-3);
     vec3 point = beside(n, at, off, up);
-    double least = vec3_distance(point, vbss_needle_point(n, vbss_needle_nearest(n, point)));
+    double least = vec3_distance(point, vbss_needle_point(n, vbss_needle_nearest_arc(n, point)));
     for (int i = 0; i <= PLACES; i++) {
         double place = -far + (length + 2.0 * far) * i / PLACES;
         assert_true(vec3_distance(point, vbss_needle_point(n, place)) > least - 1e-12);

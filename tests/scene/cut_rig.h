@@ -52,7 +52,7 @@ static inline double cut_energy(const scene_object *s)
             continue;
         }
         thread_object *t = s->bodies[i].thread.thread;
-        expect_ok(vbss_thread_prepare(t));
+        expect_ok(vbss_thread_prepare_query(t));
         sum += vbss_thread_bending_energy(t);
         for (uint32_t k = 0; k < t->node_count; k++) {
             sum += 0.5 * t->mass[k] * vec3_norm_squared(t->now.v[k]);

@@ -17,8 +17,8 @@ static void find_arcs(const drain_mesh *m, uint32_t source, double *arcs)
     }
     for (bool changed = true; changed;) {
         changed = false;
-        for (uint32_t i = 0; i < m->side_count; i++) {
-            const uint32_t *n = m->sides[i].nodes;
+        for (uint32_t i = 0; i < m->edge_count; i++) {
+            const uint32_t *n = m->edges[i].nodes;
             double length = vec3_distance(m->rest[n[0]], m->rest[n[1]]);
             for (int k = 0; k < 2; k++) {
                 double arc = arcs[n[k]] + length;
@@ -35,8 +35,8 @@ static void find_near(drain_watch_near *w, const drain_object *d)
     double arcs[DRAIN_WATCH_NODES], least = NEAR * d->config.thickness;
     memset(w, 0, sizeof *w);
     w->drain = d;
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        memcpy(w->sides[i], m->sides[i].nodes, sizeof w->sides[i]);
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        memcpy(w->sides[i], m->edges[i].nodes, sizeof w->sides[i]);
     }
     for (uint32_t i = 0; i < m->node_count; i++) {
         find_arcs(m, i, arcs);
@@ -80,7 +80,7 @@ uint64_t drain_watch_passed(drain_watch *w, const scene_object *s, const passing
                                               .triangles = d->mesh.triangles[0],
                                               .sides = known->sides[0],
                                               .triangle_count = d->mesh.triangle_count,
-                                              .side_count = d->mesh.side_count,
+                                              .side_count = d->mesh.edge_count,
                                               .near = known->near[0],
                                               .words = DRAIN_WATCH_NODES / 64};
     }

@@ -34,7 +34,7 @@ uint32_t folded_triangles(const vbss_drain *drain)
             vec3_cross(vec3_sub(rest[n[1]], rest[n[0]]), vec3_sub(rest[n[2]], rest[n[0]])));
         bool inverted = !(area > 0.01 * whole);
         for (int k = 0; k < 3; k++) {
-            uint32_t beyond = d->mesh.opposite[t][k];
+            uint32_t beyond = d->mesh.opposite_node[t][k];
             inverted = inverted || (beyond != DRAIN_NONE && is_folded(x, n, beyond, k));
         }
         count += inverted;

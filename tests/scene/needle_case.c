@@ -80,7 +80,7 @@ void needle_case_hold_edge(needle_case *c)
 {
     drain_object *d;
     expect_ok(vbss_drain_open(c->d.drain, &d));
-    (void)drain_case_pin(&c->d, d->mesh.middle[DRAIN_RIGHT]);
+    (void)drain_case_pin(&c->d, d->mesh.slit_middle[DRAIN_RIGHT]);
 }
 
 void needle_case_at_mark(needle_case *c, double before)

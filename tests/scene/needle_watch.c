@@ -60,7 +60,7 @@ static double distance(box b, vec3 p)
 /* What it bears across, at the begin or the end of the part. */
 static double force_across(const scene_object *s, uint32_t hole)
 {
-    double most = vec3_norm(s->holes[hole].across);
+    double most = vec3_norm(s->holes[hole].transverse_force);
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_constraint *row = &s->contacts->constraints[i];
         bool own = row->key.kind == VBSS_CONTACT_HOLE && row->key.feature_a == hole;
@@ -150,16 +150,16 @@ static passing_surface gather_features(needle_watch *n, const wall *w, box needl
     const drain_mesh *m = &w->drain->mesh;
     passing_surface f = {
         .start = w->drain->x, .end = w->drain->trial, .triangles = n->triangles, .sides = n->sides};
-    assert_true(m->triangle_count <= NEEDLE_WATCH_TRIANGLES && m->side_count <= NEEDLE_WATCH_SIDES);
+    assert_true(m->triangle_count <= NEEDLE_WATCH_TRIANGLES && m->edge_count <= NEEDLE_WATCH_SIDES);
     for (uint32_t i = 0; i < m->triangle_count; i++) {
         if (concerns(w, needle, away, m->triangles[i], 3)) {
             memcpy(n->triangles + 3 * f.triangle_count, m->triangles[i], sizeof m->triangles[i]);
             n->triangle_names[f.triangle_count++] = i;
         }
     }
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        if (concerns(w, needle, away, m->sides[i].nodes, 2)) {
-            memcpy(n->sides + 2 * f.side_count, m->sides[i].nodes, sizeof m->sides[i].nodes);
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        if (concerns(w, needle, away, m->edges[i].nodes, 2)) {
+            memcpy(n->sides + 2 * f.side_count, m->edges[i].nodes, sizeof m->edges[i].nodes);
             n->side_names[f.side_count++] = i;
         }
     }

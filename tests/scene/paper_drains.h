@@ -128,8 +128,8 @@ static inline double clearance(stage *s, const stage_drain *d)
     uint32_t n;
     const vec3 *x = places(s->threads[0], &n);
     double least = 1.0;
-    for (uint32_t e = 0; e < d->object->mesh.side_count; e++) {
-        const uint32_t *nodes = d->object->mesh.sides[e].nodes;
+    for (uint32_t e = 0; e < d->object->mesh.edge_count; e++) {
+        const uint32_t *nodes = d->object->mesh.edges[e].nodes;
         const vec3 side[2] = {d->object->x[nodes[0]], d->object->x[nodes[1]]};
         least = vbss_min(vec3_norm(between(x, n, side, 2)), least);
     }

@@ -36,14 +36,15 @@ static inline void begin_with(prick *p, const double weights[3], uint32_t hole_c
     /* The triangle whose middle is nearest to the side (+z), half a cell off mid-length. */
     double nearest = 1.0;
     for (uint32_t t = 0; t < p->drain->mesh.triangle_count; t++) {
-        const suture_hole middle = {.triangle = t, .weights = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}};
+        const suture_hole middle = {.triangle = t,
+                                    .barycentric = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0}};
         vec3 at = vbss_hole_point(&middle, p->drain, p->drain->mesh.rest);
         double far = vec3_distance(at, vec3_make(-2e-3, 0.3e-3, 6.5e-3));
         p->triangle = far < nearest ? t : p->triangle;
         nearest = vbss_min(far, nearest);
     }
     const suture_hole place = {.triangle = p->triangle,
-                               .weights = {weights[0], weights[1], weights[2]}};
+                               .barycentric = {weights[0], weights[1], weights[2]}};
     vec3 corner[3];
     for (int k = 0; k < 3; k++) {
         corner[k] = p->drain->mesh.rest[p->drain->mesh.triangles[p->triangle][k]];

@@ -39,7 +39,7 @@ static void hold_drain(soak *s)
     expect_ok(vbss_drain_open(c.d.drain, &d));
     for (int side = 0; side < 2; side++) {
         if (draw(s, 0.0, 1.0) < 0.6) {
-            (void)drain_case_pin(&c.d, d->mesh.middle[side]);
+            (void)drain_case_pin(&c.d, d->mesh.slit_middle[side]);
         }
     }
 }

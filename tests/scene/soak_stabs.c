@@ -91,8 +91,8 @@ static void hold_drain(soak *s)
     const uint32_t pins = chance(s, 0.3) ? 0 : 1 + vbss_random_below(&s->random, PINS);
     const bool edges = chance(s, 0.5), pulled = chance(s, 0.5);
     for (uint32_t i = 0; i < pins; i++) {
-        nodes[i] =
-            edges && i < 2 ? d->mesh.middle[i] : vbss_random_below(&s->random, d->mesh.node_count);
+        nodes[i] = edges && i < 2 ? d->mesh.slit_middle[i]
+                                  : vbss_random_below(&s->random, d->mesh.node_count);
         bool taken = d->mesh.rest[nodes[i]].y < 0.0; /* the strip may hold it */
         for (uint32_t k = 0; k < i; k++) {
             taken = taken || nodes[k] == nodes[i];

@@ -64,7 +64,7 @@ static on_wall draw_on_wall(const drain_mesh *m, vbss_random *random, stab_kind 
     } else if (kind == STAB_LIP) {
         p = at_node(
             m, random,
-            m->slit[vbss_random_below(random, 2)][vbss_random_below(random, m->slit_count)]);
+            m->slit_nodes[vbss_random_below(random, 2)][vbss_random_below(random, m->slit_count)]);
     } else {
         p = at_node(m, random, draw_end_node(m, random));
     }
@@ -93,8 +93,9 @@ static double distance(const vec3 axis[2], const vec3 corner[3])
 static bool is_clear(const drain_object *d, const needle_object *n, pose at, double clear)
 {
     for (uint32_t i = 0; i < n->config.segment_count; i++) {
-        const vec3 axis[2] = {pose_apply(at, vbss_needle_point(n, vbss_needle_corner(n, i))),
-                              pose_apply(at, vbss_needle_point(n, vbss_needle_corner(n, i + 1)))};
+        const vec3 axis[2] = {
+            pose_apply(at, vbss_needle_point(n, vbss_needle_vertex_arc(n, i))),
+            pose_apply(at, vbss_needle_point(n, vbss_needle_vertex_arc(n, i + 1)))};
         vec3 middle = vec3_lerp(axis[0], axis[1], 0.5);
         double half = 0.5 * vec3_distance(axis[0], axis[1]) + clear;
         for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {

@@ -16,7 +16,8 @@ enum { BODIES = 24 };
 static double given_by(const scene_object *s, const contact_constraint *row, vec3 force)
 {
     const suture_hole *hole = &s->holes[row->key.feature_a];
-    double before = hole->held * hole->held + vec3_norm_squared(hole->across);
+    double before =
+        hole->friction_force * hole->friction_force + vec3_norm_squared(hole->transverse_force);
     double given = 0.5 * (vec3_norm_squared(force) - before) / row->stiffness;
     for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
         const contact_jacobian_block *term = &row->jacobian[k];

@@ -72,7 +72,7 @@ static void a_coarse_knot_pulled_tight_takes_up_what_a_fine_one_does(void **stat
         vbss_thread_statistics s = mesh_statistics(k[2].scene.threads[0]);
         assert_true(s.refined > 50 && s.coarsened > 10 && s.refused_capacity == 0);
         assert_true(s.most_nodes < 400 && s.nodes == k[2].thread->node_count);
-        assert_true(mesh_ratio(k[2].thread) <= 2.0 * MESH_RATIO);
+        assert_true(mesh_ratio(k[2].thread) <= 2.0 * REMESH_MAX_LENGTH_RATIO);
         for (int i = 0; i < 3; i++) {
             vbss_context_destroy(k[i].context);
         }
@@ -164,7 +164,8 @@ static void strands_that_come_near_are_fine_and_coarse_again_when_they_part(void
             assert_true(t->node_count <= 23);
             assert_true(u->node_count <= 23);
         }
-        assert_true(mesh_ratio(t) <= MESH_RATIO && mesh_ratio(u) <= MESH_RATIO);
+        assert_true(mesh_ratio(t) <= REMESH_MAX_LENGTH_RATIO &&
+                    mesh_ratio(u) <= REMESH_MAX_LENGTH_RATIO);
     }
     small_end(&s);
 }

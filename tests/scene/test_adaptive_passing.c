@@ -80,7 +80,7 @@ static uint32_t change_at_random(scene_object *s, scene_body *b, vbss_random *ra
         if (divide && t->rest[at] < 0.3e-3) {
             continue;
         }
-        if (!divide && !vbss_thread_may_join(t, at)) {
+        if (!divide && !vbss_thread_can_coarsen(t, at)) {
             continue;
         }
         made += vbss_scene_change_mesh(s, b, &change);
@@ -148,7 +148,7 @@ static void pull(const pulled *p)
             expect_kept_apart(t);
             watch_again(&w);
         }
-        expect_ok(vbss_thread_prepare(t));
+        expect_ok(vbss_thread_prepare_query(t));
         cut_expect_sound(s);
         passed += w.passed;
     }

@@ -136,7 +136,7 @@ static double press_in(drain_object *d, uint32_t node, double gain)
     double way = 0.0;
     const vec3 in = vec3_unit_or(vec3_make(0.0, -d->x[node].y, -d->x[node].z), vec3_zero());
     memcpy(d->trial, d->x, d->mesh.node_count * sizeof *d->trial);
-    while (vbss_drain_gain(d, part.h) < gain) {
+    while (vbss_drain_energy_change(d, part.h) < gain) {
         way += 1e-6;
         d->trial[node] = vec3_add_scaled(d->x[node], way, in);
     }
@@ -146,7 +146,7 @@ static double press_in(drain_object *d, uint32_t node, double gain)
 static uint32_t free_node(const scene_object *s, const drain_object *d)
 {
     uint32_t node = 0;
-    while (d->anchored[node] || vec3_norm(d->pushes[node]) > 0.0) {
+    while (d->anchored[node] || vec3_norm(d->contact_forces[node]) > 0.0) {
         node++;
     }
     assert_true(node < d->mesh.node_count && s->contacts->count > 0);

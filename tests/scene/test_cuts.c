@@ -235,13 +235,13 @@ static void what_did_not_touch_along_the_thread_does_not_across_the_cut(void **s
         }
         double arc = 3e-4 + 4.37e-4 * k;
         arc = k % 4 == 0 ? 1e-4 * floor(1e4 * arc) : arc;
-        assert_true(vbss_thread_find_cut(b->thread.thread, arc, &cut));
+        assert_true(vbss_thread_locate_cut(b->thread.thread, arc, &cut));
         const scene_body *piece = vbss_scene_body(o, cut_at(&s, body, arc, NULL));
         uint32_t old = b->thread.thread->node_count - 1;
         for (uint32_t i = 0; i < old; i++) {
             for (uint32_t j = 0; j + 1 < piece->thread.thread->node_count; j++) {
-                bool same = i == j + cut.shift; /* both are of the divided one */
-                bool wanted = same || excluded[i][j + cut.shift];
+                bool same = i == j + cut.node_shift; /* both are of the divided one */
+                bool wanted = same || excluded[i][j + cut.node_shift];
                 assert_int_equal(vbss_scene_adjoins(o, b, i, piece, j), wanted);
                 assert_int_equal(vbss_scene_adjoins(o, piece, j, b, i), wanted);
             }

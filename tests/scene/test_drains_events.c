@@ -158,7 +158,7 @@ static void a_drain_touches_another(void **state)
     }
     assert_true(y.touched > 0);
     assert_int_equal(drains_rig_object(falling)->statistics.torn,
-                     drains_rig_object(falling)->mesh.fixed_count);
+                     drains_rig_object(falling)->mesh.anchor_count);
     small_end(&s);
 }
 

@@ -144,9 +144,10 @@ static void what_is_held_follows_evenly_after_a_pause(void **state)
 static double largest_load(drain_object *d)
 {
     double most = 0.0;
-    vbss_drain_find_forces(d, d->x);
-    for (uint32_t k = 0; k < d->mesh.fixed_count; k++) {
-        double load = vec3_norm(vbss_drain_anchor_force(d, k, d->forces)) / d->strength[k];
+    vbss_drain_compute_internal_forces(d, d->x);
+    for (uint32_t k = 0; k < d->mesh.anchor_count; k++) {
+        double load =
+            vec3_norm(vbss_drain_anchor_force(d, k, d->internal_forces)) / d->anchor_strength[k];
         most = vbss_max(load, most);
     }
     return most;

@@ -71,7 +71,7 @@ static void the_moments_are_what_they_are_called_and_steps_allocate_nothing(void
         for (size_t i = 0; i < TOOL_SCENE_ROUND; i++) {
             uint32_t first = vbss_scene_count_grasps(scene, 2);
             uint32_t second = vbss_scene_count_grasps(scene, 3);
-            double angle = vbss_scene_body(scene, 2)->rigid.grasper->angle;
+            double angle = vbss_scene_body(scene, 2)->rigid.grasper->jaw_angle;
             if (next < MOMENTS && i == moments[next]) {
                 assert_int_equal(first, next == 0 ? 0 : 1);
                 assert_int_equal(second, method == 0 && next == 3 ? 1 : 0);

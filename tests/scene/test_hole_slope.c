@@ -51,9 +51,9 @@ static void begin(swaged *w)
     expect_ok(vbss_drain_open(drain, &w->drain));
     w->scene = small_object(&w->s);
     w->needle = &vbss_scene_body(w->scene, w->needle_body)->rigid;
-    w->thread->layout_known = false; /* segments get other lengths */
+    w->thread->is_derived_valid = false; /* segments get other lengths */
     w->hole = &w->scene->holes[0];
-    *w->hole = (suture_hole){.id = 1, .drain = wall, .triangle = 7, .weights = {0.2, 0.3, 0.5}};
+    *w->hole = (suture_hole){.id = 1, .drain = wall, .triangle = 7, .barycentric = {0.2, 0.3, 0.5}};
     vbss_scene_number_blocks(w->scene);
 }
 
@@ -84,15 +84,16 @@ static vec3 near_arc(const swaged *w, const lie *at, double arc)
 }
 
 /* As a row finds it that is laid on that span. */
-static suture_place place_near(const swaged *w, const lie *at, uint32_t span, vec3 to)
+static suture_curve_point place_near(const swaged *w, const lie *at, uint32_t span, vec3 to)
 {
-    const suture_line line = {.needle = w->needle->needle,
-                              .at = vbss_scene_needle_at(w->needle, at->needle),
-                              .thread = span == SUTURE_ON_NEEDLE ? NULL : w->thread,
-                              .x = at->x,
-                              .swage = swage_of(w)};
-    return span == SUTURE_ON_NEEDLE ? vbss_suture_nearest(&line, w->arc, to)
-                                    : vbss_suture_nearest_by(&line, span, w->arc, to);
+    const suture_curve line = {.needle = w->needle->needle,
+                               .needle_pose = vbss_scene_needle_at(w->needle, at->needle),
+                               .thread = span == SUTURE_ON_NEEDLE ? NULL : w->thread,
+                               .node_positions = at->x,
+                               .swage_arc = swage_of(w)};
+    return span == SUTURE_ON_NEEDLE
+               ? vbss_suture_nearest_point(&line, w->arc, to)
+               : vbss_suture_nearest_point_around_span(&line, span, w->arc, to);
 }
 
 static void shift_wall(const swaged *w, vec3 *x, vec3 to)
@@ -165,17 +166,17 @@ static void begin_part(swaged *w)
 }
 
 /* It has slid in the part, maybe to another span; the hole is on the curve. Returns its place. */
-static suture_place draw_row(harness_source *source, swaged *w)
+static suture_curve_point draw_row(harness_source *source, swaged *w)
 {
     draw_line(source, w);
     w->arc = draw_arc(source, w);
     w->at.wall = near_arc(w, &w->at, w->arc);
     begin_part(w);
     const double on = w->arc + harness_draw_real(source, -0.5e-3, 0.5e-3);
-    w->at.wall = place_near(w, &w->at, w->row.span, near_arc(w, &w->at, on)).point;
+    w->at.wall = place_near(w, &w->at, w->row.span, near_arc(w, &w->at, on)).position;
     lay(w, &w->at, &w->row);
-    const suture_place place = place_near(w, &w->at, w->row.span, w->at.wall);
-    expect_near(0.0, vec3_distance(place.point, w->at.wall), 1e-12);
+    const suture_curve_point place = place_near(w, &w->at, w->row.span, w->at.wall);
+    expect_near(0.0, vec3_distance(place.position, w->at.wall), 1e-12);
     expect_near(0.0, vec3_distance(place.tangent, w->row.normal), 1e-12);
     return place;
 }
@@ -187,12 +188,12 @@ typedef struct part {
     vec3 arm;                   /* of the needle: weighted, from its centre of mass */
 } part;
 
-static part part_of(const lie *at, const suture_place *place, vec3 needle)
+static part part_of(const lie *at, const suture_curve_point *place, vec3 needle)
 {
-    part p = {.needle = place->on_needle};
-    p.arm = vec3_scale(vec3_sub(needle, at->needle.position), place->on_needle);
-    for (uint32_t k = 0; place->span != SUTURE_ON_NEEDLE && k < SUTURE_NODES; k++) {
-        const uint32_t node = place->first + k;
+    part p = {.needle = place->needle_weight};
+    p.arm = vec3_scale(vec3_sub(needle, at->needle.position), place->needle_weight);
+    for (uint32_t k = 0; place->span != SUTURE_ON_NEEDLE && k < SUTURE_SPAN_NODES; k++) {
+        const uint32_t node = place->first_node + k;
         if (node == 0) {
             p.needle += place->weights[k];
             p.arm =
@@ -204,10 +205,10 @@ static part part_of(const lie *at, const suture_place *place, vec3 needle)
     return p;
 }
 
-static part part_at(const swaged *w, const lie *at, const suture_place *place)
+static part part_at(const swaged *w, const lie *at, const suture_curve_point *place)
 {
     return part_of(at, place,
-                   pose_apply(vbss_scene_needle_at(w->needle, at->needle), place->needle));
+                   pose_apply(vbss_scene_needle_at(w->needle, at->needle), place->needle_point));
 }
 
 /* As a row says it: parts, and how they change as the place slides on. */
@@ -264,7 +265,7 @@ static double distance(const part *a, const part *b)
 /* Where it is, with the thread or without it. */
 typedef enum kind { ALONE, BEFORE_SWAGE, OVER_SWAGE, BEHIND_SWAGE, FAR, KINDS } kind;
 
-static kind kind_of(const swaged *w, const suture_place *place)
+static kind kind_of(const swaged *w, const suture_curve_point *place)
 {
     return w->row.span == SUTURE_ON_NEEDLE   ? ALONE
            : place->span == SUTURE_ON_NEEDLE ? BEFORE_SWAGE
@@ -274,12 +275,14 @@ static kind kind_of(const swaged *w, const suture_place *place)
 }
 
 /* How the tangent turns as the place slides on; false: over a joint, where the curve is another. */
-static bool turn_at(const swaged *w, const suture_place *place, part *slopes, vec3 *turn)
+static bool turn_at(const swaged *w, const suture_curve_point *place, part *slopes, vec3 *turn)
 {
     const double step = 1e-7;
     const vec3 way = vec3_scale(place->tangent, step); /* toward the tip */
-    const suture_place on = place_near(w, &w->at, w->row.span, vec3_sub(place->point, way));
-    const suture_place back = place_near(w, &w->at, w->row.span, vec3_add(place->point, way));
+    const suture_curve_point on =
+        place_near(w, &w->at, w->row.span, vec3_sub(place->position, way));
+    const suture_curve_point back =
+        place_near(w, &w->at, w->row.span, vec3_add(place->position, way));
     const part of_on = part_at(w, &w->at, &on), of_back = part_at(w, &w->at, &back);
     *slopes = difference(&of_on, &of_back, 0.5 / step);
     *turn = vec3_scale(vec3_sub(on.tangent, back.tangent), 0.5 / step);
@@ -292,7 +295,7 @@ static void any_row_has_the_slopes_of_its_parts(harness_source *source, void *us
     swaged *w = &rig;
     part slopes, said_slopes;
     vec3 turn;
-    const suture_place place = draw_row(source, w);
+    const suture_curve_point place = draw_row(source, w);
     const part is = part_at(w, &w->at, &place), said = part_said(w, &w->row, &said_slopes);
     double sum = said_slopes.needle, size = fabs(sum);
     for (uint32_t i = 0; i < NODES; i++) {
@@ -370,7 +373,7 @@ typedef struct follows {
 
 /* A row that is laid where all has moved to follows as the row says: it slides on by what moves it along the normal, and with that
  * its parts and its tangent change; and the tangent by what nodes and needle move beside it. */
-static bool look_at_motion(const swaged *w, const suture_place *place, const motion *m,
+static bool look_at_motion(const swaged *w, const suture_curve_point *place, const motion *m,
                            follows *said)
 {
     const double step = 1e-6;
@@ -418,9 +421,9 @@ static void any_row_turns_with_what_is_rigid(harness_source *source, void *user)
     int *seen = user;
     swaged *w = &rig;
     follows all, suture, slid;
-    const suture_place place = draw_row(source, w);
+    const suture_curve_point place = draw_row(source, w);
     const vec3 turns = harness_draw_vec3(source, -1.0, 1.0), n = w->row.normal;
-    const vec3 about = vec3_add(place.point, harness_draw_vec3(source, -1e-2, 1e-2));
+    const vec3 about = vec3_add(place.position, harness_draw_vec3(source, -1e-2, 1e-2));
     motion m = rigid(&w->at, harness_draw_vec3(source, -1e-2, 1e-2), turns, about);
     if (!look_at_motion(w, &place, &m, &all)) {
         return;
@@ -457,7 +460,7 @@ static void any_row_follows_any_motion(harness_source *source, void *user)
     int *seen = user;
     swaged *w = &rig;
     follows said;
-    const suture_place place = draw_row(source, w);
+    const suture_curve_point place = draw_row(source, w);
     motion m = {.moves = harness_draw_vec3(source, -1e-2, 1e-2),
                 .turns = harness_draw_vec3(source, -1.0, 1.0),
                 .wall = harness_draw_vec3(source, -1e-2, 1e-2)};

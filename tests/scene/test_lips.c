@@ -80,7 +80,7 @@ static void slide(double slope, double height)
             d->v[i] = vec3_zero();
         }
         assert_true(vbss_scene_find_rows(o, &part));
-        double gap = least_gap(o, &o->bodies[0], d->mesh.middle[DRAIN_RIGHT]);
+        double gap = least_gap(o, &o->bodies[0], d->mesh.slit_middle[DRAIN_RIGHT]);
         most = k > 0 ? fmax(fabs(gap - before), most) : 0.0;
         deepest = fmin(gap, deepest);
         before = gap;
@@ -120,7 +120,7 @@ static void a_lip_that_moves_along_another_is_near_it(void **state)
     (void)state;
     drain_object *d;
     scene_object *o = begin(FAR, &d);
-    const uint32_t lip = d->mesh.middle[DRAIN_RIGHT];
+    const uint32_t lip = d->mesh.slit_middle[DRAIN_RIGHT];
     double over = 0.0;
     do {
         over += STEP;

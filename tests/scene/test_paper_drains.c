@@ -13,11 +13,11 @@ static void its_collision_edges_are_the_segments_of_its_grid(void **state)
     expect_ok(vbss_scene_open(s.scene, &scene));
     const collision_shape *shape = scene->collision->shapes[vbss_scene_body(scene, d.body)->shape];
     const drain_mesh *m = &d.object->mesh;
-    assert_int_equal(m->side_count, shape->edge_count);
+    assert_int_equal(m->edge_count, shape->edge_count);
     for (uint32_t e = 0; e < shape->edge_count; e++) {
         uint32_t found = 0;
-        for (uint32_t k = 0; k < m->side_count; k++) {
-            const uint32_t *n = m->sides[k].nodes, *own = shape->edges[e];
+        for (uint32_t k = 0; k < m->edge_count; k++) {
+            const uint32_t *n = m->edges[k].nodes, *own = shape->edges[e];
             found += (n[0] == own[0] && n[1] == own[1]) || (n[0] == own[1] && n[1] == own[0]);
         }
         assert_int_equal(1, found);

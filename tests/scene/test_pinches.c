@@ -36,7 +36,7 @@ static void begin(wall_rig *r)
     small_create(&r->tools.s);
     r->body = small_drain(&r->tools.s, &r->drain);
     expect_ok(vbss_drain_open(r->drain, &d));
-    r->lip = d->mesh.middle[DRAIN_RIGHT];
+    r->lip = d->mesh.slit_middle[DRAIN_RIGHT];
     vec3 lip = node_at(r, r->lip);
     /* They come from above on the left and point down to the right, so that one goes through the slit. */
     double angle = vbss_atan2(lip.z, lip.y) + PITCH, sine, cosine;

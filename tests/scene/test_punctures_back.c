@@ -182,7 +182,7 @@ static void a_hole_is_in_one_wall(void **state)
     const scene_object *s = small_object(&c.d.s);
     const scene_body *drain = vbss_scene_body(s, c.d.body);
     const suture_hole *hole = &s->holes[0];
-    scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->weights);
+    scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->barycentric);
     const scene_body *needle = vbss_scene_body(s, c.body);
     assert_true(vbss_scene_share_touching(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 0.0);
     spot.rest.z = -spot.rest.z;
@@ -209,7 +209,7 @@ static void expect_piece(scene_object *s, uint32_t capsule, double from, double 
 {
     const scene_body *needle = vbss_scene_body(s, c.body), *drain = vbss_scene_body(s, c.d.body);
     const needle_object *n = needle->rigid.needle;
-    double begin = vbss_needle_corner(n, capsule), end = vbss_needle_corner(n, capsule + 1);
+    double begin = vbss_needle_vertex_arc(n, capsule), end = vbss_needle_vertex_arc(n, capsule + 1);
     assert_true(vbss_scene_next_piece(s, needle, capsule, drain, 0, 0.5e-3, piece));
     const double expected[2] = {(from - begin) / (end - begin), (to - begin) / (end - begin)};
     for (int k = 0; k < 2; k++) {
@@ -233,7 +233,7 @@ static void a_needle_touches_before_and_behind_its_hole(void **state)
     scene_object *s = small_object(&c.d.s);
     const scene_body *needle = vbss_scene_body(s, c.body);
     const needle_object *n = needle->rigid.needle;
-    const double first = vbss_needle_corner(n, 1), second = vbss_needle_corner(n, 2);
+    const double first = vbss_needle_vertex_arc(n, 1), second = vbss_needle_vertex_arc(n, 2);
     scene_piece piece = {.begun = false};
     lay_side_along(s, needle, 1, 0);
     s->holes[0].arc = first + 1e-3;
@@ -248,7 +248,7 @@ static void a_needle_touches_before_and_behind_its_hole(void **state)
     expect_no_piece(s, 1, &piece);
     /* On its way in, the tip alone is at the mouth. */
     s->holes[1] = (suture_hole){0};
-    s->holes[0].arc = s->holes[0].entry = -2e-3;
+    s->holes[0].arc = s->holes[0].entry_arc = -2e-3;
     lay_side_along(s, needle, 0, 0);
     piece = (scene_piece){.begun = false};
     expect_piece(s, 0, n->config.wire_radius, first, &piece);

@@ -15,13 +15,13 @@ typedef struct fold {
     vec3 at[2];
 } fold;
 
-static void lay_side(const drain_object *d, const drain_side *side, int k, fold *f)
+static void lay_side(const drain_object *d, const drain_edge *side, int k, fold *f)
 {
     const uint32_t *node = d->mesh.triangles[side->triangles[k]];
     f->sides[k].triangle = side->triangles[k];
     for (int i = 0; i < 3; i++) {
         bool on = node[i] == side->nodes[0] || node[i] == side->nodes[1];
-        f->sides[k].weights[i] = on ? 0.5 * (1.0 - OFF_FOLD) : OFF_FOLD;
+        f->sides[k].barycentric[i] = on ? 0.5 * (1.0 - OFF_FOLD) : OFF_FOLD;
     }
     f->at[k] = vbss_hole_point(&f->sides[k], d, d->x);
 }
@@ -30,8 +30,8 @@ static void lay_side(const drain_object *d, const drain_side *side, int k, fold 
 static fold find_fold(const drain_object *d)
 {
     fold f = {0};
-    for (uint32_t i = 0; i < d->mesh.side_count; i++) {
-        const drain_side *side = &d->mesh.sides[i];
+    for (uint32_t i = 0; i < d->mesh.edge_count; i++) {
+        const drain_edge *side = &d->mesh.edges[i];
         if (side->triangles[1] == DRAIN_NONE) {
             continue;
         }
@@ -52,7 +52,7 @@ static void lay_needle(const fold *f)
 {
     scene_rigid *r = &vbss_scene_body(small_object(&c.d.s), c.body)->rigid;
     const vec3 tip = vbss_needle_point(r->needle, 0.0);
-    const vec3 next = vbss_needle_point(r->needle, vbss_needle_corner(r->needle, 1));
+    const vec3 next = vbss_needle_point(r->needle, vbss_needle_vertex_arc(r->needle, 1));
     const vec3 way = vec3_unit_or(vec3_sub(f->at[1], f->at[0]), vec3_zero());
     const quat turned = quat_between(vec3_unit_or(vec3_sub(next, tip), vec3_zero()), way);
     const vec3 there = vec3_add_scaled(f->at[0], -TIP_OUT, way);
@@ -75,8 +75,8 @@ static suture_hole *begin(double entry, fold *f)
     s->holes[0].id = ++s->last_hole;
     s->holes[0].needle = c.body;
     s->holes[0].drain = c.d.body;
-    s->holes[0].arc = s->holes[0].deepest = TIP_OUT;
-    s->holes[0].entry = entry;
+    s->holes[0].arc = s->holes[0].max_arc = TIP_OUT;
+    s->holes[0].entry_arc = entry;
     return s->holes;
 }
 
@@ -89,7 +89,7 @@ static void the_other_side_of_a_fold_has_a_hole_of_its_own(void **state)
         vbss_scene_find_folds(small_object(&c.d.s));
         assert_int_equal(holes[1].triangle, f.sides[1].triangle);
         for (int k = 0; k < 3; k++) {
-            expect_near(f.sides[1].weights[k], holes[1].weights[k], 1e-9);
+            expect_near(f.sides[1].barycentric[k], holes[1].barycentric[k], 1e-9);
         }
         expect_near(TIP_OUT + vec3_distance(f.at[0], f.at[1]), holes[1].arc, 0.05e-3);
         assert_int_equal(holes[1].needle, c.body);

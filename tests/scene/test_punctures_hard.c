@@ -64,8 +64,8 @@ static double to_free_edge(vec3 rest)
     drain_object *d;
     double least = HUGE_VAL;
     expect_ok(vbss_drain_open(c.d.drain, &d));
-    for (uint32_t i = 0; i < d->mesh.side_count; i++) {
-        const drain_side *side = &d->mesh.sides[i];
+    for (uint32_t i = 0; i < d->mesh.edge_count; i++) {
+        const drain_edge *side = &d->mesh.edges[i];
         vec3 a = d->mesh.rest[side->nodes[0]], along = vec3_sub(d->mesh.rest[side->nodes[1]], a);
         double share = vec3_dot(vec3_sub(rest, a), along) / vec3_norm_squared(along);
         vec3 nearest = vec3_add_scaled(a, fmin(fmax(share, 0.0), 1.0), along);
@@ -116,10 +116,10 @@ static void wherever_it_is_aimed_at_it_holds_or_is_pierced_once(void **state)
         needle_case_make(&c);
         expect_ok(vbss_drain_open(c.d.drain, &d));
         const drain_mesh *m = &d->mesh;
-        uint32_t mark = m->marks[DRAIN_RIGHT], lip = m->middle[DRAIN_RIGHT];
-        uint32_t beside = m->triangles[0][0], end_node = 0, tip = m->slit[DRAIN_RIGHT][0];
-        for (uint32_t i = 0; i < m->side_count; i++) {
-            const uint32_t *n = m->sides[i].nodes;
+        uint32_t mark = m->marks[DRAIN_RIGHT], lip = m->slit_middle[DRAIN_RIGHT];
+        uint32_t beside = m->triangles[0][0], end_node = 0, tip = m->slit_nodes[DRAIN_RIGHT][0];
+        for (uint32_t i = 0; i < m->edge_count; i++) {
+            const uint32_t *n = m->edges[i].nodes;
             beside = n[0] == mark ? n[1] : n[1] == mark ? n[0] : beside;
             bool ends = fabs(m->rest[n[0]].x) > 15.9e-3 && m->rest[n[0]].z > 4e-3;
             end_node = ends ? n[0] : end_node;

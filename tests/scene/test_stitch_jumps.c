@@ -19,7 +19,7 @@ static double share_at(const suture_hole *hole, double away)
     const scene_body *thread = vbss_scene_body(s, hole->thread);
     const scene_body *drain = vbss_scene_body(s, hole->drain);
     const thread_object *t = thread->thread.thread;
-    const scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->weights);
+    const scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->barycentric);
     double arc = hole->arc + away;
     uint32_t segment = 0;
     while (vbss_thread_arc_length(t, segment + 1) < arc) {

@@ -140,7 +140,7 @@ static void spoil(const throw_scene *scene, uint64_t seed, double deep)
         vec3 off = vbss_random_direction(&random);
         t->now.x[i] = vec3_add_scaled(t->now.x[i], 0.4 * t->config.radius, off);
     }
-    t->fresh = true;
+    t->is_acceleration_unknown = true;
 }
 
 static void a_bad_state_is_left_in_a_few_steps(void **state)

@@ -101,7 +101,7 @@ static vbss_result poke(vbss_drain *drain, uint64_t step, double h)
 }
 
 /* What a hand takes in its turn, and which way it pulls. No two hands take the same node. */
-typedef struct grip {
+typedef struct grasper_thread_clamp {
     vbss_drain_attachment_kind kind;
     uint32_t node;
     vec3 rest, way; /* way: unit */

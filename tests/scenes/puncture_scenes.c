@@ -40,7 +40,7 @@ static vbss_result hold_edge(vbss_drain *drain, const drain_object *d)
     uint32_t id;
     vbss_drain_attachment a;
     VBSS_TRY(vbss_drain_attachment_init(&a, sizeof a));
-    a.node = d->mesh.middle[DRAIN_RIGHT];
+    a.node = d->mesh.slit_middle[DRAIN_RIGHT];
     vec3_store(a.position, d->x[a.node]);
     return vbss_drain_attach(drain, &a, &id);
 }

@@ -13,7 +13,7 @@ typedef struct laid {
     vec3 x[LAID_MOST];
     double rest[LAID_MOST];
     thread_object thread;
-    suture_line line;
+    suture_curve line;
 } laid;
 
 /* Of that many nodes, all that is left is where they are. */
@@ -21,7 +21,8 @@ static inline void lay_nodes(laid *l, uint32_t count)
 {
     *l = (laid){.thread = {.node_count = count}};
     l->thread.rest = l->rest;
-    l->line = (suture_line){.at = pose_identity(), .thread = &l->thread, .x = l->x};
+    l->line = (suture_curve){
+        .needle_pose = pose_identity(), .thread = &l->thread, .node_positions = l->x};
 }
 
 /* On from a place by a segment, unstretched. */
@@ -66,7 +67,7 @@ static inline void control_point(const laid *l, int node, vec3 *at, vec3 *arc)
     }
     *at = l->x[node];
     *arc = vec3_zero();
-    arc->x = l->line.swage + vbss_thread_arc_length(&l->thread, (uint32_t)node);
+    arc->x = l->line.swage_arc + vbss_thread_arc_length(&l->thread, (uint32_t)node);
 }
 
 /* Of a parameter: the point and its derivatives; the same of the arc length. */
@@ -114,18 +115,19 @@ static inline vec3 turn_by_hand(const hand_place *place)
 }
 
 /* Seen from either side of a joint: no step in place, arc length or direction; with `turns` none in curvature. */
-static inline void expect_no_step(const suture_line *line, const hand_place *joint, vec3 along,
+static inline void expect_no_step(const suture_curve *line, const hand_place *joint, vec3 along,
                                   bool turns)
 {
     const double aside = 1e-10;
     for (int side = -1; side <= 1; side++) {
         const vec3 near = vec3_add_scaled(joint->point, -aside * side, along);
-        const suture_place place = vbss_suture_nearest(line, joint->arc + 1e-5 * side, near);
-        expect_near(0.0, vec3_distance(joint->point, place.point), 1.01 * aside);
+        const suture_curve_point place =
+            vbss_suture_nearest_point(line, joint->arc + 1e-5 * side, near);
+        expect_near(0.0, vec3_distance(joint->point, place.position), 1.01 * aside);
         expect_near(joint->arc, place.arc, 1.1 * aside);
         expect_near(0.0, vec3_distance(along, place.tangent), 1e-6);
         if (turns) {
-            expect_near(0.0, vec3_distance(turn_by_hand(joint), place.turn), 1e-3);
+            expect_near(0.0, vec3_distance(turn_by_hand(joint), place.curvature), 1e-3);
         }
     }
 }
@@ -133,18 +135,18 @@ static inline void expect_no_step(const suture_line *line, const hand_place *joi
 /* ---- what places say */
 
 /* What a place has of a node. */
-static inline double number_of(const suture_place *place, const double numbers[SUTURE_NODES],
-                               uint32_t node)
+static inline double number_of(const suture_curve_point *place,
+                               const double numbers[SUTURE_SPAN_NODES], uint32_t node)
 {
-    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first &&
-               node < place->first + SUTURE_NODES;
-    return own ? numbers[node - place->first] : 0.0;
+    bool own = place->span != SUTURE_ON_NEEDLE && node >= place->first_node &&
+               node < place->first_node + SUTURE_SPAN_NODES;
+    return own ? numbers[node - place->first_node] : 0.0;
 }
 
 /* All of its weights: of nodes and of the needle. */
-static inline double sum_of_weights(const laid *l, const suture_place *place)
+static inline double sum_of_weights(const laid *l, const suture_curve_point *place)
 {
-    double sum = place->on_needle;
+    double sum = place->needle_weight;
     for (uint32_t i = 0; i < l->thread.node_count; i++) {
         sum += number_of(place, place->weights, i);
     }
@@ -152,15 +154,16 @@ static inline double sum_of_weights(const laid *l, const suture_place *place)
 }
 
 /* The point of the needle that it is moved by, in the world. */
-static inline vec3 on_needle(const suture_line *line, const suture_place *place)
+static inline vec3 on_needle(const suture_curve *line, const suture_curve_point *place)
 {
-    return place->on_needle != 0.0 ? pose_apply(line->at, place->needle) : vec3_zero();
+    return place->needle_weight != 0.0 ? pose_apply(line->needle_pose, place->needle_point)
+                                       : vec3_zero();
 }
 
 /* The place as its nodes, needle and weights have it. */
-static inline vec3 point_by_weights(const laid *l, const suture_place *place)
+static inline vec3 point_by_weights(const laid *l, const suture_curve_point *place)
 {
-    vec3 point = vec3_scale(on_needle(&l->line, place), place->on_needle);
+    vec3 point = vec3_scale(on_needle(&l->line, place), place->needle_weight);
     for (uint32_t i = 0; i < l->thread.node_count; i++) {
         point = vec3_add_scaled(point, number_of(place, place->weights, i), l->x[i]);
     }

@@ -78,8 +78,8 @@ static inline bool is_anchored(const fixture *f, uint32_t t)
 static inline double to_free_side(const fixture *f, vec3 point)
 {
     double least = HUGE_VAL;
-    for (uint32_t i = 0; i < f->d->mesh.side_count; i++) {
-        const drain_side *side = &f->d->mesh.sides[i];
+    for (uint32_t i = 0; i < f->d->mesh.edge_count; i++) {
+        const drain_edge *side = &f->d->mesh.edges[i];
         vec3 a = f->d->x[side->nodes[0]], b = f->d->x[side->nodes[1]];
         vec3 along = vec3_sub(b, a);
         double share = vec3_dot(vec3_sub(point, a), along) / vec3_norm_squared(along);

@@ -56,12 +56,13 @@ static void any_end_goes_on_straight(harness_source *source, void *user)
             const double on = 1e-4 * i * (end ? 1.0 : -1.0);
             const vec3 wanted = vec3_add_scaled(node, -on, back);
             vec3 aside = vec3_cross(back, harness_draw_vec3(source, -1e-4, 1e-4));
-            const suture_place place = vbss_suture_nearest(&l.line, arc, vec3_add(wanted, aside));
-            expect_near(0.0, vec3_distance(wanted, place.point), 1e-15);
+            const suture_curve_point place =
+                vbss_suture_nearest_point(&l.line, arc, vec3_add(wanted, aside));
+            expect_near(0.0, vec3_distance(wanted, place.position), 1e-15);
             expect_near(0.0, vec3_distance(wanted, point_by_weights(&l, &place)), 1e-15);
             expect_near(0.0, vec3_distance(back, place.tangent), 1e-12);
             expect_near(arc + on, place.arc, 1e-15);
-            expect_near(0.0, vec3_norm(place.turn), 1e-8);
+            expect_near(0.0, vec3_norm(place.curvature), 1e-8);
             assert_int_equal(place.span, end ? last - 1 : 0);
         }
     }
@@ -90,16 +91,17 @@ static void a_straight_thread_is_measured_exactly(void **state)
         for (int i = -40; i <= 110; i++) {
             double arc = 1e-4 * i;
             vec3 on = vec3_add_scaled(l.x[0], arc, way), moved = vec3_zero();
-            const suture_place place =
-                vbss_suture_nearest(&l.line, 3e-3, vec3_add_scaled(on, 0.4e-3, aside));
+            const suture_curve_point place =
+                vbss_suture_nearest_point(&l.line, 3e-3, vec3_add_scaled(on, 0.4e-3, aside));
             expect_near(arc, place.arc, 1e-15);
-            expect_near(0.0, vec3_distance(on, place.point), 1e-15);
+            expect_near(0.0, vec3_distance(on, place.position), 1e-15);
             expect_near(0.0, vec3_distance(vec3_neg(way), place.tangent), 1e-12);
             expect_near(0.0, vec3_distance(point_by_weights(&l, &place), on), 1e-15);
-            expect_near(0.0, vec3_norm(place.turn), 1e-8);
+            expect_near(0.0, vec3_norm(place.curvature), 1e-8);
             /* Weights of what slides on: their slopes move the point by as much. */
             for (uint32_t k = 0; k < 7; k++) {
-                moved = vec3_add_scaled(moved, number_of(&place, place.slopes, k), l.x[k]);
+                moved =
+                    vec3_add_scaled(moved, number_of(&place, place.weight_derivatives, k), l.x[k]);
             }
             expect_near(0.0, vec3_distance(moved, way), 1e-9);
         }
@@ -117,12 +119,12 @@ static void any_nearest_place_is_one(harness_source *source, void *user)
     double from = harness_draw_real(source, 0.0, 8e-3);
     uint32_t by = harness_draw_below(source, NODES);
     vec3 to = vec3_add(l.x[by], harness_draw_vec3(source, -0.8e-3, 0.8e-3));
-    const suture_place place = vbss_suture_nearest(&l.line, from, to);
-    expect_near(0.0, vec3_dot(place.tangent, vec3_sub(place.point, to)), 1e-12);
-    expect_near(0.0, vec3_distance(place.point, point_by_weights(&l, &place)), 1e-15);
+    const suture_curve_point place = vbss_suture_nearest_point(&l.line, from, to);
+    expect_near(0.0, vec3_dot(place.tangent, vec3_sub(place.position, to)), 1e-12);
+    expect_near(0.0, vec3_distance(place.position, point_by_weights(&l, &place)), 1e-15);
     expect_near(1.0, sum_of_weights(&l, &place), 1e-12);
     expect_near(1.0, vec3_norm(place.tangent), 1e-12);
-    double least = HUGE_VAL, off = vec3_distance(place.point, to);
+    double least = HUGE_VAL, off = vec3_distance(place.position, to);
     uint32_t low = place.span > 0 ? place.span - 1 : 0;
     uint32_t high = place.span + 2 < NODES ? place.span + 1 : NODES - 2;
     for (uint32_t k = low; k <= high; k++) {
@@ -157,20 +159,21 @@ static void the_search_ends_where_it_should(void **state)
         assert_int_equal(vbss_suture_span_at(&l.line, arc), wanted);
         for (int from = -2; from <= 10; from++) {
             vec3 to = vec3_make(arc, 0.3e-3, 0.0);
-            expect_near(arc, vbss_suture_nearest(&l.line, 1e-3 * from, to).arc, 1e-15);
-            assert_int_equal(vbss_suture_nearest(&l.line, 1e-3 * from, to).span, wanted);
+            expect_near(arc, vbss_suture_nearest_point(&l.line, 1e-3 * from, to).arc, 1e-15);
+            assert_int_equal(vbss_suture_nearest_point(&l.line, 1e-3 * from, to).span, wanted);
         }
     }
     assert_int_equal(vbss_suture_span_at(&l.line, -1.0), 0);
     assert_int_equal(vbss_suture_span_at(&l.line, 1.0), NODES - 2);
     for (uint32_t by = 0; by + 1 < NODES; by++) {
         for (int i = -2; i <= 10; i++) {
-            const suture_place place =
-                vbss_suture_nearest_by(&l.line, by, 1e-3 * by, vec3_make(1e-3 * i, 0.1e-3, 0.0));
+            const suture_curve_point place = vbss_suture_nearest_point_around_span(
+                &l.line, by, 1e-3 * by, vec3_make(1e-3 * i, 0.1e-3, 0.0));
             assert_true(place.span + 1 >= by && place.span <= by + 1);
-            for (uint32_t k = 0; k < SUTURE_NODES; k++) { /* nothing of nodes that are not */
-                bool node = place.first + k < NODES;
-                assert_true(node || (place.weights[k] == 0.0 && place.slopes[k] == 0.0));
+            for (uint32_t k = 0; k < SUTURE_SPAN_NODES; k++) { /* nothing of nodes that are not */
+                bool node = place.first_node + k < NODES;
+                assert_true(node ||
+                            (place.weights[k] == 0.0 && place.weight_derivatives[k] == 0.0));
             }
             expect_near(1e-3 * i, place.arc, 1e-15); /* beyond, straight on along its span */
         }
@@ -190,15 +193,15 @@ static void any_search_beside_a_span_goes_on_straight(harness_source *source, vo
         const double speed = vec3_norm(at.way), on = end ? 0.4e-3 : -0.4e-3;
         const vec3 wanted = vec3_add_scaled(at.point, -on, back);
         vec3 aside = vec3_cross(back, harness_draw_vec3(source, -1e-4, 1e-4)), way = vec3_zero();
-        const suture_place place =
-            vbss_suture_nearest_by(&l.line, by, at.arc, vec3_add(wanted, aside));
-        expect_near(0.0, vec3_distance(wanted, place.point), 1e-15);
+        const suture_curve_point place =
+            vbss_suture_nearest_point_around_span(&l.line, by, at.arc, vec3_add(wanted, aside));
+        expect_near(0.0, vec3_distance(wanted, place.position), 1e-15);
         expect_near(0.0, vec3_distance(wanted, point_by_weights(&l, &place)), 1e-15);
         expect_near(0.0, vec3_distance(back, place.tangent), 1e-12);
         expect_near(at.arc + on * at.rate / speed, place.arc, 1e-15);
-        expect_near(0.0, vec3_norm(place.turn), 0.0);
+        expect_near(0.0, vec3_norm(place.curvature), 0.0);
         for (uint32_t k = 0; k < NODES; k++) {
-            way = vec3_add_scaled(way, number_of(&place, place.slopes, k), l.x[k]);
+            way = vec3_add_scaled(way, number_of(&place, place.weight_derivatives, k), l.x[k]);
         }
         expect_near(0.0, vec3_distance(vec3_neg(back), way), 1e-9);
     }
@@ -219,12 +222,12 @@ static void any_arc_is_in_its_span(harness_source *source, void *user)
     uint32_t span = harness_draw_below(source, l.thread.node_count - 1);
     const hand_place wanted = by_hand(&l, span, harness_draw_real(source, 0.01, 0.99));
     assert_int_equal(vbss_suture_span_at(&l.line, wanted.arc), span);
-    const suture_place place = vbss_suture_nearest(&l.line, wanted.arc, wanted.point);
+    const suture_curve_point place = vbss_suture_nearest_point(&l.line, wanted.arc, wanted.point);
     assert_int_equal(place.span, span);
     expect_near(wanted.arc, place.arc, 1e-12);
-    expect_near(0.0, vec3_distance(wanted.point, place.point), 1e-12);
+    expect_near(0.0, vec3_distance(wanted.point, place.position), 1e-12);
     expect_near(0.0, vec3_distance(tangent_by_hand(&wanted), place.tangent), 1e-9);
-    expect_near(0.0, vec3_distance(turn_by_hand(&wanted), place.turn), 1e-6);
+    expect_near(0.0, vec3_distance(turn_by_hand(&wanted), place.curvature), 1e-6);
 }
 
 static void arc_lengths_are_in_the_spans_whose_places_have_them(void **state)
@@ -251,24 +254,25 @@ static void any_slopes_are_those_of_weights_and_tangent(harness_source *source, 
     if (harness_draw_below(source, 4) == 0) { /* on the joint itself */
         aside = vec3_zero();
     }
-    const suture_place here = vbss_suture_nearest(&l.line, at.arc, vec3_add(at.point, aside));
-    const vec3 back = vec3_add_scaled(here.point, step, here.tangent);
-    const vec3 on = vec3_add_scaled(here.point, -step, here.tangent);
-    const suture_place a = vbss_suture_nearest(&l.line, here.arc, back);
-    const suture_place b = vbss_suture_nearest(&l.line, here.arc, on);
-    double far = vec3_distance(a.point, b.point);
+    const suture_curve_point here =
+        vbss_suture_nearest_point(&l.line, at.arc, vec3_add(at.point, aside));
+    const vec3 back = vec3_add_scaled(here.position, step, here.tangent);
+    const vec3 on = vec3_add_scaled(here.position, -step, here.tangent);
+    const suture_curve_point a = vbss_suture_nearest_point(&l.line, here.arc, back);
+    const suture_curve_point b = vbss_suture_nearest_point(&l.line, here.arc, on);
+    double far = vec3_distance(a.position, b.position);
     vec3 moved = vec3_zero();
     assert_true(far > 0.0);
     for (uint32_t k = 0; k < NODES; k++) {
-        double slope = number_of(&here, here.slopes, k);
+        double slope = number_of(&here, here.weight_derivatives, k);
         double change = number_of(&b, b.weights, k) - number_of(&a, a.weights, k);
         expect_near(change / far, slope, 2e-3);
         moved = vec3_add_scaled(moved, slope, l.x[k]);
     }
     expect_near(0.0, vec3_distance(vec3_neg(here.tangent), moved), 1e-9);
     vec3 turn = vec3_scale(vec3_sub(b.tangent, a.tangent), 1.0 / far);
-    expect_near(0.0, vec3_distance(turn, here.turn), 2e-3);
-    expect_near(0.0, vec3_dot(here.turn, here.tangent), 1e-9);
+    expect_near(0.0, vec3_distance(turn, here.curvature), 2e-3);
+    expect_near(0.0, vec3_dot(here.curvature, here.tangent), 1e-9);
     *joints += a.span != b.span;
 }
 

@@ -15,15 +15,16 @@ static void draw(harness_source *source, const fixture *f, laid *l)
     way = vec3_unit_or(vec3_add(way, harness_draw_vec3(source, -0.3, 0.3)), way);
     lay_any(source, l, NODES, begin, way);
     l->line.needle = f->n;
-    l->line.at = at;
-    l->line.swage = swage;
+    l->line.needle_pose = at;
+    l->line.swage_arc = swage;
 }
 
 /* Where the needle points at its end. */
 static vec3 end_of_needle(const laid *l)
 {
-    const suture_line *line = &l->line;
-    return quat_rotate(line->at.orientation, vbss_needle_direction(line->needle, line->swage));
+    const suture_curve *line = &l->line;
+    return quat_rotate(line->needle_pose.orientation,
+                       vbss_needle_direction(line->needle, line->swage_arc));
 }
 
 /* ---- the span over the swage by hand, a Bezier curve */
@@ -45,7 +46,7 @@ static hand_place swage_by_hand(const laid *l, double u)
     const vec3 out = vec3_scale(end_of_needle(l), -l->rest[0]);
     const vec3 points[4] = {l->x[0], vec3_add_scaled(l->x[0], 1.0 / 3.0, out),
                             vec3_add_scaled(next.point, -1.0 / 3.0, next.way), next.point};
-    const double begin = l->line.swage;
+    const double begin = l->line.swage_arc;
     const vec3 arcs[4] = {{begin, 0.0, 0.0},
                           {begin + l->rest[0] / 3.0, 0.0, 0.0},
                           {next.arc - next.rate / 3.0, 0.0, 0.0},
@@ -65,22 +66,23 @@ static void any_curve_goes_on_over_the_swage(harness_source *source, void *user)
     const fixture *f = user;
     laid l;
     draw(source, f, &l);
-    const double step = 2e-6, swage = l.line.swage, of_needle = 1.0 / f->n->config.radius;
+    const double step = 2e-6, swage = l.line.swage_arc, of_needle = 1.0 / f->n->config.radius;
     const vec3 first = vbss_needle_point(f->n, swage - 1e-3);
-    suture_place before = vbss_suture_nearest(&l.line, swage - 1e-3, pose_apply(l.line.at, first));
+    suture_curve_point before =
+        vbss_suture_nearest_point(&l.line, swage - 1e-3, pose_apply(l.line.needle_pose, first));
     double bent_before = of_needle;
     expect_near(swage - 1e-3, before.arc, 1e-12);
     assert_int_equal(before.span, SUTURE_ON_NEEDLE);
     int passed = 0;
     for (int i = 0; i < 1500; i++) {
-        vec3 on = vec3_add_scaled(before.point, -step, before.tangent);
-        const suture_place place = vbss_suture_nearest(&l.line, before.arc, on);
+        vec3 on = vec3_add_scaled(before.position, -step, before.tangent);
+        const suture_curve_point place = vbss_suture_nearest_point(&l.line, before.arc, on);
         bool needle = place.span == SUTURE_ON_NEEDLE;
-        double bent = needle ? of_needle : vec3_norm(place.turn);
+        double bent = needle ? of_needle : vec3_norm(place.curvature);
         double turned = vec3_distance(before.tangent, place.tangent);
         assert_true(place.arc > before.arc + 0.5 * step && place.arc < before.arc + 2.0 * step);
-        assert_true(vec3_distance(place.point, before.point) < 1.01 * step);
-        expect_near(0.0, vec3_distance(place.point, point_by_weights(&l, &place)), 1e-14);
+        assert_true(vec3_distance(place.position, before.position) < 1.01 * step);
+        expect_near(0.0, vec3_distance(place.position, point_by_weights(&l, &place)), 1e-14);
         expect_near(1.0, sum_of_weights(&l, &place), 1e-12);
         /* 1e-5: where a span ends within a step, it may be bent more there. */
         assert_true(turned < 1.001 * step * fmax(bent, bent_before) + 1e-5);
@@ -117,7 +119,7 @@ static void any_joint_has_no_step(harness_source *source, void *user)
         expect_no_step(&l.line, &wanted, along, i >= 2);
     }
     expect_near(0.0, vec3_distance(swage_by_hand(&l, 0.0).point, l.x[0]), 0.0);
-    expect_near(l.line.swage, swage_by_hand(&l, 0.0).arc, 0.0);
+    expect_near(l.line.swage_arc, swage_by_hand(&l, 0.0).arc, 0.0);
 }
 
 static void it_leaves_the_needles_end_along_the_needle_and_joins_the_thread(void **state)
@@ -138,19 +140,21 @@ static void any_search_passes_the_swage(harness_source *source, void *user)
     laid l;
     draw(source, f, &l);
     for (int i = -30; i <= 9; i++) {
-        const double before = l.line.swage + 1e-4 * i;
+        const double before = l.line.swage_arc + 1e-4 * i;
         const hand_place behind = swage_by_hand(&l, 0.05 + 0.1 * i);
         const bool needle = i < 0;
-        vec3 to = needle ? pose_apply(l.line.at, vbss_needle_point(f->n, before)) : behind.point;
+        vec3 to =
+            needle ? pose_apply(l.line.needle_pose, vbss_needle_point(f->n, before)) : behind.point;
         const double arc = needle ? before : behind.arc;
         for (int from = -20; from <= 20; from++) {
-            const suture_place place = vbss_suture_nearest(&l.line, l.line.swage + 1e-4 * from, to);
+            const suture_curve_point place =
+                vbss_suture_nearest_point(&l.line, l.line.swage_arc + 1e-4 * from, to);
             expect_near(arc, place.arc, 1e-12);
-            expect_near(0.0, vec3_distance(to, place.point), 1e-12);
+            expect_near(0.0, vec3_distance(to, place.position), 1e-12);
             assert_int_equal(place.span, needle ? SUTURE_ON_NEEDLE : 0);
             if (!needle) {
                 expect_near(0.0, vec3_distance(tangent_by_hand(&behind), place.tangent), 1e-9);
-                expect_near(0.0, vec3_distance(turn_by_hand(&behind), place.turn), 1e-6);
+                expect_near(0.0, vec3_distance(turn_by_hand(&behind), place.curvature), 1e-6);
             }
         }
         assert_int_equal(vbss_suture_span_at(&l.line, arc), 0);
@@ -174,15 +178,15 @@ static void any_nearest_place_is_one(harness_source *source, void *user)
     draw(source, f, &l);
     const hand_place by = swage_by_hand(&l, harness_draw_real(source, 0.0, 1.0));
     vec3 to = vec3_add(by.point, harness_draw_vec3(source, -0.3e-3, 0.3e-3));
-    double from = l.line.swage + harness_draw_real(source, -1e-3, 2e-3);
-    const suture_place place = vbss_suture_nearest(&l.line, from, to);
+    double from = l.line.swage_arc + harness_draw_real(source, -1e-3, 2e-3);
+    const suture_curve_point place = vbss_suture_nearest_point(&l.line, from, to);
     double least = HUGE_VAL;
-    expect_near(0.0, vec3_dot(place.tangent, vec3_sub(place.point, to)), 1e-12);
+    expect_near(0.0, vec3_dot(place.tangent, vec3_sub(place.position, to)), 1e-12);
     for (int i = 0; i <= 200; i++) {
         least = fmin(least, vec3_distance(swage_by_hand(&l, i / 200.0).point, to));
         least = fmin(least, vec3_distance(by_hand(&l, 1, i / 200.0).point, to));
     }
-    assert_true(vec3_distance(place.point, to) <= least + 1e-12);
+    assert_true(vec3_distance(place.position, to) <= least + 1e-12);
 }
 
 static void the_nearest_place_is_square_and_nothing_nearby_is_nearer(void **state)
@@ -201,15 +205,16 @@ static void a_needle_alone_is_its_arc(void **state)
     fixture f;
     begin(&f);
     const quat turn = quat_unit(quat_make(0.3, -0.5, 0.7, 0.1));
-    const suture_line line = {.needle = f.n, .at = pose_make(vec3_make(0.1, 0.2, 0.3), turn)};
+    const suture_curve line = {.needle = f.n,
+                               .needle_pose = pose_make(vec3_make(0.1, 0.2, 0.3), turn)};
     const double length = vbss_needle_length(f.n);
     for (int i = -5; i <= 45; i++) {
         double arc = length * i / 40.0;
-        vec3 to = pose_apply(line.at, vbss_needle_point(f.n, arc));
-        const suture_place place = vbss_suture_nearest(&line, 0.0, to);
+        vec3 to = pose_apply(line.needle_pose, vbss_needle_point(f.n, arc));
+        const suture_curve_point place = vbss_suture_nearest_point(&line, 0.0, to);
         expect_near(arc, place.arc, 1e-12);
-        expect_near(0.0, vec3_distance(to, place.point), 1e-14);
-        expect_near(1.0, place.on_needle, 0.0);
+        expect_near(0.0, vec3_distance(to, place.position), 1e-14);
+        expect_near(1.0, place.needle_weight, 0.0);
         vec3 wanted = quat_rotate(turn, vbss_needle_direction(f.n, arc));
         expect_near(0.0, vec3_distance(place.tangent, wanted), 1e-12);
     }
@@ -230,24 +235,24 @@ static void any_slopes_hold_over_the_swage(harness_source *source, void *user)
         l.rest[i] *= harness_draw_real(source, 0.7, 1.4);
     }
     const hand_place at = swage_by_hand(&l, harness_draw_real(source, 0.01, 0.99));
-    const suture_place here = vbss_suture_nearest(&l.line, l.line.swage, at.point);
-    const vec3 back = vec3_add_scaled(here.point, step, here.tangent);
-    const vec3 on = vec3_add_scaled(here.point, -step, here.tangent);
-    const suture_place a = vbss_suture_nearest(&l.line, here.arc, back);
-    const suture_place b = vbss_suture_nearest(&l.line, here.arc, on);
-    double far = vec3_distance(a.point, b.point);
+    const suture_curve_point here = vbss_suture_nearest_point(&l.line, l.line.swage_arc, at.point);
+    const vec3 back = vec3_add_scaled(here.position, step, here.tangent);
+    const vec3 on = vec3_add_scaled(here.position, -step, here.tangent);
+    const suture_curve_point a = vbss_suture_nearest_point(&l.line, here.arc, back);
+    const suture_curve_point b = vbss_suture_nearest_point(&l.line, here.arc, on);
+    double far = vec3_distance(a.position, b.position);
     vec3 moved = vec3_zero(), point = on_needle(&l.line, &here);
     assert_int_equal(here.span, 0);
     for (uint32_t k = 0; k < NODES; k++) {
-        double slope = number_of(&here, here.slopes, k);
+        double slope = number_of(&here, here.weight_derivatives, k);
         double change = number_of(&b, b.weights, k) - number_of(&a, a.weights, k);
         expect_near(change / far, slope, 2e-3);
         moved = vec3_add_scaled(moved, slope, vec3_sub(l.x[k], point));
     }
     expect_near(0.0, vec3_distance(vec3_neg(here.tangent), moved), 1e-9);
     vec3 turn = vec3_scale(vec3_sub(b.tangent, a.tangent), 1.0 / far);
-    expect_near(0.0, vec3_distance(turn, here.turn), 5e-3);
-    expect_near(0.0, vec3_dot(here.turn, here.tangent), 1e-9);
+    expect_near(0.0, vec3_distance(turn, here.curvature), 5e-3);
+    expect_near(0.0, vec3_dot(here.curvature, here.tangent), 1e-9);
 }
 
 static void slopes_hold_over_the_swage(void **state)

@@ -19,9 +19,9 @@ static void lay_bend(laid *l, double theta)
 }
 
 /* Where the two spans beside the corner join: the tangent halves the bend. */
-static suture_place middle_of_bend(const laid *l)
+static suture_curve_point middle_of_bend(const laid *l)
 {
-    return vbss_suture_nearest(&l->line, CORNER * fine, by_hand(l, CORNER, 0.0).point);
+    return vbss_suture_nearest_point(&l->line, CORNER * fine, by_hand(l, CORNER, 0.0).point);
 }
 
 /* As much as a straight suture rubs is mixed in for bends that are none. */
@@ -39,8 +39,8 @@ static void in_a_symmetric_bend_it_is_the_ropes(void **state)
             double theta = 0.1 * i, mu = 0.15 * m, grip[2], sine, cosine;
             laid l;
             lay_bend(&l, theta);
-            const suture_place place = middle_of_bend(&l);
-            vbss_suture_grip(&l.line, &place, mu, grip);
+            const suture_curve_point place = middle_of_bend(&l);
+            vbss_suture_capstan_friction(&l.line, &place, mu, grip);
             vbss_sincos(0.5 * theta, &sine, &cosine);
             /* tanh(mu theta / 2) / tan(theta / 2) */
             double e = exp(mu * theta), rope = tanh(0.5 * mu * theta) * cosine / sine;
@@ -62,13 +62,14 @@ static void straight_on_it_is_the_coefficient(void **state)
         laid l;
         lay_bend(&l, angles[i]);
         for (int node = 0; node < NODES; node++) { /* ends too */
-            const suture_place place = vbss_suture_nearest(&l.line, node * fine, l.x[node]);
-            vbss_suture_grip(&l.line, &place, 0.3, grip);
+            const suture_curve_point place =
+                vbss_suture_nearest_point(&l.line, node * fine, l.x[node]);
+            vbss_suture_capstan_friction(&l.line, &place, 0.3, grip);
             expect_near(0.3, grip[0], 1e-5 + 0.6 * angles[i]);
             expect_near(0.3, grip[1], 1e-5 + 0.6 * angles[i]);
         }
-        const suture_place place = middle_of_bend(&l);
-        vbss_suture_grip(&l.line, &place, 0.3, grip);
+        const suture_curve_point place = middle_of_bend(&l);
+        vbss_suture_capstan_friction(&l.line, &place, 0.3, grip);
         expect_near(0.3, grip[0], 1e-5);
         expect_near(grip[0], grip[1], 1e-9);
     }
@@ -87,9 +88,9 @@ static void beside_the_middle_the_two_ways_differ(void **state)
         const double along = 0.1 * i;
         const uint32_t span = (uint32_t)(CORNER + (int)floor(along));
         const hand_place at = by_hand(&l, span, along - floor(along));
-        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        const suture_curve_point place = vbss_suture_nearest_point(&l.line, at.arc, at.point);
         double grip[2];
-        vbss_suture_grip(&l.line, &place, mu, grip);
+        vbss_suture_capstan_friction(&l.line, &place, mu, grip);
         /* angles of the tangent with the limb on the tip's side and with the other */
         double turned = atan2(-place.tangent.y, -place.tangent.x);
         double on = fmax(along - 1.5, 0.0), back = fmax(-1.5 - along, 0.0);
@@ -116,9 +117,9 @@ static void it_goes_on_from_span_to_span_without_a_jump(void **state)
         const double along = 0.01 * i;
         const hand_place at =
             by_hand(&l, (uint32_t)(CORNER + (int)floor(along)), along - floor(along));
-        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        const suture_curve_point place = vbss_suture_nearest_point(&l.line, at.arc, at.point);
         double grip[2];
-        vbss_suture_grip(&l.line, &place, 0.07, grip);
+        vbss_suture_capstan_friction(&l.line, &place, 0.07, grip);
         for (int k = 0; k < 2; k++) {
             most = i > -400 ? fmax(most, fabs(grip[k] - last[k])) : most;
             last[k] = grip[k];
@@ -138,11 +139,12 @@ static void only_what_is_near_bends_it(void **state)
     lay_bend(&plain, 0.0);
     for (uint32_t k = CORNER - 6; k <= CORNER + 6; k++) {
         const hand_place at = by_hand(&l, k, 0.5), even = by_hand(&plain, k, 0.5);
-        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
-        const suture_place other = vbss_suture_nearest(&plain.line, even.arc, even.point);
+        const suture_curve_point place = vbss_suture_nearest_point(&l.line, at.arc, at.point);
+        const suture_curve_point other =
+            vbss_suture_nearest_point(&plain.line, even.arc, even.point);
         assert_int_equal(place.span, k);
-        vbss_suture_grip(&l.line, &place, 0.5, bent);
-        vbss_suture_grip(&plain.line, &other, 0.5, straight);
+        vbss_suture_capstan_friction(&l.line, &place, 0.5, bent);
+        vbss_suture_capstan_friction(&plain.line, &other, 0.5, straight);
         bool near = k + 2 >= CORNER && k <= CORNER + 1;
         assert_int_equal(fabs(bent[0] - straight[0]) + fabs(bent[1] - straight[1]) > 0.05, near);
     }
@@ -161,17 +163,17 @@ static void behind_the_swage_it_comes_from_the_needle(void **state)
     const vec3 way = vec3_unit_or(vec3_add(out, vec3_any_normal(out)), out);
     lay_nodes(&l, 8);
     l.line.needle = f.n;
-    l.line.swage = swage;
+    l.line.swage_arc = swage;
     l.x[0] = vbss_needle_point(f.n, swage);
     for (uint32_t i = 1; i < 8; i++) {
         lay_on(&l, i, 1e-3, way);
     }
     for (uint32_t k = 0; k < 6; k++) {
         const hand_place at = by_hand(&l, k, 0.7);
-        const suture_place place = vbss_suture_nearest(&l.line, at.arc, at.point);
+        const suture_curve_point place = vbss_suture_nearest_point(&l.line, at.arc, at.point);
         double grip[2];
         assert_int_equal(place.span, k);
-        vbss_suture_grip(&l.line, &place, mu, grip);
+        vbss_suture_capstan_friction(&l.line, &place, mu, grip);
         assert_int_equal(fabs(grip[0] - mu) + fabs(grip[1] - mu) > 0.05, k < 2);
     }
     end(&f);

@@ -8,13 +8,13 @@ static suture_hole some_hole(void)
                          .needle = 2,
                          .drain = 1,
                          .triangle = 20,
-                         .weights = {0.25, 0.5, 0.25},
-                         .outward = true,
-                         .entry = -0.9e-3,
+                         .barycentric = {0.25, 0.5, 0.25},
+                         .is_outward = true,
+                         .entry_arc = -0.9e-3,
                          .arc = -0.9e-3,
-                         .deepest = -0.9e-3,
-                         .held = -0.75,
-                         .across = {0.1, -0.2, 0.2}};
+                         .max_arc = -0.9e-3,
+                         .friction_force = -0.75,
+                         .transverse_force = {0.1, -0.2, 0.2}};
 }
 
 /* ---- the bound */
@@ -25,29 +25,29 @@ static void what_it_bears_falls_over_the_tip_to_friction(void **state)
     fixture f;
     begin(&f);
     vbss_drain_config c = f.d->config;
-    const suture_line line = {.needle = f.n, .at = pose_identity()};
+    const suture_curve line = {.needle = f.n, .needle_pose = pose_identity()};
     suture_hole hole = some_hole();
     for (int i = 0; i <= 20; i++) {
         double gone = c.tip_length * i / 10.0;
-        hole.deepest = hole.entry + gone;
+        hole.max_arc = hole.entry_arc + gone;
         double share = fmax(0.0, 1.0 - gone / c.tip_length);
         double wanted = c.hole_force + share * (c.puncture_force - c.hole_force);
         for (int back = 0; back < 2; back++) { /* what was cut stays cut */
-            hole.arc = back ? hole.entry : hole.deepest;
-            const suture_place place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
-            const hole_bound b = vbss_hole_bound(&hole, &c, &line, &place);
-            expect_near(wanted, b.least, 1e-12);
-            expect_near(c.hole_friction, b.grip[0], 0.0);
-            expect_near(c.hole_friction, b.grip[1], 0.0);
+            hole.arc = back ? hole.entry_arc : hole.max_arc;
+            const suture_curve_point place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
+            const hole_yield_limit b = vbss_hole_yield_limit(&hole, &c, &line, &place);
+            expect_near(wanted, b.force, 1e-12);
+            expect_near(c.hole_friction, b.friction[0], 0.0);
+            expect_near(c.hole_friction, b.friction[1], 0.0);
         }
     }
     hole = some_hole();
-    const suture_place place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
+    const suture_curve_point place = {.arc = hole.arc, .span = SUTURE_ON_NEEDLE};
     c.tip_length = 0.0;
-    expect_near(c.hole_force, vbss_hole_bound(&hole, &c, &line, &place).least, 1e-15);
+    expect_near(c.hole_force, vbss_hole_yield_limit(&hole, &c, &line, &place).force, 1e-15);
     c.tip_length = 1e-3;
     c.hole_force = 3.0; /* more than it takes to enter */
-    expect_near(3.0, vbss_hole_bound(&hole, &c, &line, &place).least, 1e-15);
+    expect_near(3.0, vbss_hole_yield_limit(&hole, &c, &line, &place).force, 1e-15);
     end(&f);
 }
 
@@ -57,7 +57,7 @@ typedef struct tail {
     vec3 x[NODES];
     double rest[NODES - 1];
     thread_object thread;
-    suture_line line;
+    suture_curve line;
 } tail;
 
 static void begin_tail(tail *t, const needle_object *n)
@@ -71,8 +71,11 @@ static void begin_tail(tail *t, const needle_object *n)
         t->x[i] = vec3_add_scaled(t->x[i - 1], length, i <= 12 ? on : vec3_make(0.0, 0.0, 1.0));
     }
     t->thread.rest = t->rest;
-    t->line = (suture_line){
-        .needle = n, .at = pose_identity(), .thread = &t->thread, .x = t->x, .swage = swage};
+    t->line = (suture_curve){.needle = n,
+                             .needle_pose = pose_identity(),
+                             .thread = &t->thread,
+                             .node_positions = t->x,
+                             .swage_arc = swage};
 }
 
 /* Over the length of a tip from the needle's bound to the thread's. */
@@ -85,53 +88,56 @@ static void behind_the_swage_it_becomes_the_threads(void **state)
     begin_tail(&t, f.n);
     const vbss_drain_config c = f.d->config;
     suture_hole hole = some_hole();
-    hole.deepest = t.line.swage;
+    hole.max_arc = t.line.swage_arc;
     for (int i = -4; i <= 40; i++) {
         double behind = 0.05 * i * c.tip_length,
                share = fmin(fmax(behind / c.tip_length, 0.0), 1.0);
-        vec3 at = vec3_add_scaled(t.x[0], -behind,
-                                  vbss_needle_direction(f.n, t.line.swage)); /* straight so far */
-        suture_place place = vbss_suture_nearest(&t.line, t.line.swage + behind, at);
-        place.arc = t.line.swage + behind;
-        const hole_bound b = vbss_hole_bound(&hole, &c, &t.line, &place);
-        expect_near(c.hole_force + share * (c.thread_force - c.hole_force), b.least, 1e-12);
-        expect_near(c.hole_friction, b.grip[0], 1e-6);
-        expect_near(c.hole_friction, b.grip[1], 1e-6);
+        vec3 at = vec3_add_scaled(
+            t.x[0], -behind, vbss_needle_direction(f.n, t.line.swage_arc)); /* straight so far */
+        suture_curve_point place =
+            vbss_suture_nearest_point(&t.line, t.line.swage_arc + behind, at);
+        place.arc = t.line.swage_arc + behind;
+        const hole_yield_limit b = vbss_hole_yield_limit(&hole, &c, &t.line, &place);
+        expect_near(c.hole_force + share * (c.thread_force - c.hole_force), b.force, 1e-12);
+        expect_near(c.hole_friction, b.friction[0], 1e-6);
+        expect_near(c.hole_friction, b.friction[1], 1e-6);
     }
     /* A tip of no length: one or the other. */
     vbss_drain_config blunt = c;
     blunt.tip_length = 0.0;
     for (int i = -1; i <= 1; i++) {
-        suture_place place = vbss_suture_nearest(&t.line, t.line.swage, t.x[0]);
-        place.arc = t.line.swage + 1e-9 * i;
-        const hole_bound b = vbss_hole_bound(&hole, &blunt, &t.line, &place);
-        expect_near(i > 0 ? c.thread_force : c.hole_force, b.least, 1e-15);
-        expect_near(c.hole_friction, b.grip[0], 0.0);
+        suture_curve_point place = vbss_suture_nearest_point(&t.line, t.line.swage_arc, t.x[0]);
+        place.arc = t.line.swage_arc + 1e-9 * i;
+        const hole_yield_limit b = vbss_hole_yield_limit(&hole, &blunt, &t.line, &place);
+        expect_near(i > 0 ? c.thread_force : c.hole_force, b.force, 1e-15);
+        expect_near(c.hole_friction, b.friction[0], 0.0);
     }
     /* In the bend, and without a needle: that of a rope round a post. */
-    const suture_place bend = vbss_suture_nearest(&t.line, t.line.swage + 3e-3, t.x[12]);
-    suture_line alone = t.line;
+    const suture_curve_point bend =
+        vbss_suture_nearest_point(&t.line, t.line.swage_arc + 3e-3, t.x[12]);
+    suture_curve alone = t.line;
     alone.needle = NULL;
     for (int i = 0; i < 2; i++) {
         double grip[2];
-        const hole_bound b = vbss_hole_bound(&hole, &c, i == 0 ? &t.line : &alone, &bend);
-        vbss_suture_grip(&t.line, &bend, c.hole_friction, grip);
+        const hole_yield_limit b =
+            vbss_hole_yield_limit(&hole, &c, i == 0 ? &t.line : &alone, &bend);
+        vbss_suture_capstan_friction(&t.line, &bend, c.hole_friction, grip);
         assert_true(grip[0] < 0.9 * c.hole_friction);
-        expect_near(c.thread_force, b.least, 1e-15);
-        expect_near(grip[0], b.grip[0], 1e-15);
-        expect_near(grip[1], b.grip[1], 1e-15);
+        expect_near(c.thread_force, b.force, 1e-15);
+        expect_near(grip[0], b.friction[0], 1e-15);
+        expect_near(grip[1], b.friction[1], 1e-15);
     }
     end(&f);
 }
 
 /* ---- its row */
 
-static suture_place some_place(void)
+static suture_curve_point some_place(void)
 {
-    return (suture_place){.arc = 2e-3,
-                          .point = {1.3e-3, 2e-3, 3e-3},
-                          .tangent = {0.6, 0.0, 0.8},
-                          .turn = {80.0, 10.0, -60.0}};
+    return (suture_curve_point){.arc = 2e-3,
+                                .position = {1.3e-3, 2e-3, 3e-3},
+                                .tangent = {0.6, 0.0, 0.8},
+                                .curvature = {80.0, 10.0, -60.0}};
 }
 
 /* A thread that leaves the needle's end askew, or back along it, is no rope there: over two segments it grips as the needle does,
@@ -147,7 +153,7 @@ static void a_bend_at_the_swage_grips_as_the_needle(void **state)
         double sine, cosine;
         begin_tail(&t, f.n);
         vbss_sincos(0.5 * askew, &sine, &cosine); /* up to 143 degrees */
-        const vec3 on = vec3_neg(vbss_needle_direction(f.n, t.line.swage));
+        const vec3 on = vec3_neg(vbss_needle_direction(f.n, t.line.swage_arc));
         for (int i = 1; i < NODES; i++) {
             vec3 way = vec3_add_scaled(vec3_scale(on, cosine), sine, vec3_make(0.0, 0.0, 1.0));
             t.x[i] = vec3_add_scaled(t.x[i - 1], t.rest[i - 1], way);
@@ -159,19 +165,20 @@ static void a_bend_at_the_swage_grips_as_the_needle(void **state)
             const double behind = 0.05 * i * c.tip_length;
             const uint32_t k = (uint32_t)(behind / t.rest[0]);
             vec3 at = vec3_lerp(t.x[k], t.x[k + 1], behind / t.rest[0] - k);
-            const suture_place place = vbss_suture_nearest(&t.line, t.line.swage + behind, at);
+            const suture_curve_point place =
+                vbss_suture_nearest_point(&t.line, t.line.swage_arc + behind, at);
             if (place.span == SUTURE_ON_NEEDLE) {
                 continue; /* bent back beside it */
             }
-            const hole_bound b = vbss_hole_bound(&hole, &c, &t.line, &place);
-            const double far = (place.arc - t.line.swage - bent) / c.tip_length;
+            const hole_yield_limit b = vbss_hole_yield_limit(&hole, &c, &t.line, &place);
+            const double far = (place.arc - t.line.swage_arc - bent) / c.tip_length;
             const double share = fmin(fmax(far, 0.0), 1.0);
             double grip[2];
-            vbss_suture_grip(&t.line, &place, c.hole_friction, grip);
+            vbss_suture_capstan_friction(&t.line, &place, c.hole_friction, grip);
             for (int side = 0; side < 2; side++) {
                 double wanted = c.hole_friction + share * (grip[side] - c.hole_friction);
-                expect_near(wanted, b.grip[side], 1e-12);
-                most = fmax(most, fabs(grip[side] - b.grip[side]));
+                expect_near(wanted, b.friction[side], 1e-12);
+                most = fmax(most, fabs(grip[side] - b.friction[side]));
             }
         }
     }
@@ -185,20 +192,20 @@ static void its_row_ties_across_and_slides_along(void **state)
     fixture f;
     begin(&f);
     const suture_hole hole = some_hole();
-    const suture_place now = some_place();
+    const suture_curve_point now = some_place();
     const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5); /* across */
     contact_constraint row = {
         .is_bilateral = true, .is_sleeve = true, .yield_force = 1e3, .gap = 5.0, .friction = 5.0};
     row.start_arc_length = now.arc - 1e-6; /* the tip has gone on by 1 um */
-    vbss_hole_lay_row(&hole, &f.d->config, &now, vec3_sub(now.point, off), 2e-3, &row);
+    vbss_hole_set_constraint(&hole, &f.d->config, &now, vec3_sub(now.position, off), 2e-3, &row);
     double k = f.d->config.hole_stiffness;
     expect_near(0.0, vec3_distance(row.normal, now.tangent), 0.0);
-    expect_near(0.0, vec3_distance(row.curvature, now.turn), 0.0);
+    expect_near(0.0, vec3_distance(row.curvature, now.curvature), 0.0);
     expect_near(0.0, row.gap + row.friction, 0.0);
     expect_near(k, row.stiffness, 0.0);
     expect_near(f.d->config.hole_damping / 2e-3, row.viscous_stiffness, 1e-9);
     const vec3 force = vbss_contact_force(&row, vec3_zero());
-    expect_near(hole.held - k * 1e-6, vec3_dot(row.normal, force), 1e-9);
+    expect_near(hole.friction_force - k * 1e-6, vec3_dot(row.normal, force), 1e-9);
     expect_near(0.0,
                 vec3_distance(vec3_add_scaled(force, -vec3_dot(force, row.normal), row.normal),
                               vec3_scale(off, -k)),
@@ -214,21 +221,22 @@ static void what_was_found_is_kept(void **state)
     begin(&f);
     for (int sign = -1; sign <= 1; sign += 2) {
         suture_hole hole = some_hole();
-        const suture_place now = some_place();
+        const suture_curve_point now = some_place();
         const vec3 off = vec3_make(0.8e-5, 2e-5, -0.6e-5);
         contact_constraint row = {.is_bilateral = true,
                                   .is_sleeve = true,
                                   .yield_force = 0.1,
                                   .yield_friction = {0.2, 0.5}};
         row.start_arc_length = now.arc - sign * 1e-3;
-        vbss_hole_lay_row(&hole, &f.d->config, &now, vec3_sub(now.point, off), 1e-3, &row);
-        vbss_hole_keep(&hole, &row);
+        vbss_hole_set_constraint(&hole, &f.d->config, &now, vec3_sub(now.position, off), 1e-3,
+                                 &row);
+        vbss_hole_store_forces(&hole, &row);
         double k = row.stiffness, most = 0.1 + (sign > 0 ? 0.2 : 0.5) * k * vec3_norm(off);
         double trial = fabs(-0.75 - sign * k * 1e-3);
         double wanted = most + row.viscous_stiffness * (trial - most) / (k + row.viscous_stiffness);
         assert_true(wanted > most + 0.01);
-        expect_near(-sign * wanted, hole.held, 1e-9);
-        expect_near(0.0, vec3_distance(hole.across, vec3_scale(off, -k)), 1e-9);
+        expect_near(-sign * wanted, hole.friction_force, 1e-9);
+        expect_near(0.0, vec3_distance(hole.transverse_force, vec3_scale(off, -k)), 1e-9);
     }
     end(&f);
 }
@@ -257,7 +265,7 @@ static void it_is_read_as_it_was_written(void **state)
         hole.needle = i == 2 ? 0 : 2;
         hole.thread = i == 2 ? 3 : 0;
         memset(&back, 0xa5, sizeof back);
-        back.outward = false;
+        back.is_outward = false;
         vbss_stream_begin_write(&stream, bytes, sizeof bytes);
         expect_ok(visit(&stream, version, &hole));
         size_t count = stream.position;
@@ -270,14 +278,15 @@ static void it_is_read_as_it_was_written(void **state)
         assert_int_equal(hole.thread, back.thread);
         assert_int_equal(hole.drain, back.drain);
         assert_int_equal(hole.triangle, back.triangle);
-        assert_int_equal(hole.outward, back.outward);
-        assert_memory_equal(hole.weights, back.weights, sizeof hole.weights);
-        expect_same_bits(hole.entry, back.entry);
+        assert_int_equal(hole.is_outward, back.is_outward);
+        assert_memory_equal(hole.barycentric, back.barycentric, sizeof hole.barycentric);
+        expect_same_bits(hole.entry_arc, back.entry_arc);
         expect_same_bits(hole.arc, back.arc);
-        expect_same_bits(hole.deepest, back.deepest);
-        expect_same_bits(hole.held, back.held);
-        assert_memory_equal(&hole.across, &back.across, sizeof hole.across);
-        assert_true(vbss_hole_is_sound(&back));
+        expect_same_bits(hole.max_arc, back.max_arc);
+        expect_same_bits(hole.friction_force, back.friction_force);
+        assert_memory_equal(&hole.transverse_force, &back.transverse_force,
+                            sizeof hole.transverse_force);
+        assert_true(vbss_hole_is_valid(&back));
     }
     assert_int_equal(sizes[1], sizes[0] + sizeof(uint32_t));
 }
@@ -286,22 +295,22 @@ static void what_no_hole_is_like_is_told(void **state)
 {
     (void)state;
     suture_hole hole = some_hole();
-    assert_true(vbss_hole_is_sound(&hole));
+    assert_true(vbss_hole_is_valid(&hole));
     hole.needle = 0;
     hole.thread = 3;
-    assert_true(vbss_hole_is_sound(&hole));
+    assert_true(vbss_hole_is_valid(&hole));
     for (int i = 0; i < 11; i++) {
         hole = some_hole();
-        hole.weights[0] = i == 0 ? -0.25 : hole.weights[0];
-        hole.weights[1] = i == 0 ? 1.0 : i == 1 ? 0.6 : hole.weights[1];
-        hole.entry = i == 2 ? 1e-3 : i == 3 ? -2.0 : hole.entry;
-        hole.deepest = i == 4 ? hole.entry - 1e-6 : i == 5 ? HUGE_VAL : hole.deepest;
+        hole.barycentric[0] = i == 0 ? -0.25 : hole.barycentric[0];
+        hole.barycentric[1] = i == 0 ? 1.0 : i == 1 ? 0.6 : hole.barycentric[1];
+        hole.entry_arc = i == 2 ? 1e-3 : i == 3 ? -2.0 : hole.entry_arc;
+        hole.max_arc = i == 4 ? hole.entry_arc - 1e-6 : i == 5 ? HUGE_VAL : hole.max_arc;
         hole.arc = i == 6 ? (double)NAN : hole.arc;
-        hole.held = i == 7 ? (double)NAN : hole.held;
-        hole.across.y = i == 8 ? (double)NAN : hole.across.y;
+        hole.friction_force = i == 7 ? (double)NAN : hole.friction_force;
+        hole.transverse_force.y = i == 8 ? (double)NAN : hole.transverse_force.y;
         hole.needle = i == 9 ? 0 : hole.needle;  /* nothing in it */
         hole.thread = i == 10 ? 3 : hole.thread; /* both */
-        assert_false(vbss_hole_is_sound(&hole));
+        assert_false(vbss_hole_is_valid(&hole));
     }
 }
 

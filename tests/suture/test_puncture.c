@@ -12,9 +12,9 @@ static void it_enters_at_the_force_of_the_wall(void **state)
     const double forces[] = {0.0, 0.5, 0.999999, 1.0, 1.5};
     for (int i = 0; i < 5; i++) {
         tip.force = vec3_make(0.7, forces[i], -3.0); /* what is borne across does not count */
-        assert_int_equal(vbss_suture_enters(&c, &tip), forces[i] >= 1.0);
+        assert_int_equal(vbss_suture_tip_punctures(&c, &tip), forces[i] >= 1.0);
         tip.force = vec3_neg(tip.force); /* nor what pulls */
-        assert_false(vbss_suture_enters(&c, &tip));
+        assert_false(vbss_suture_tip_punctures(&c, &tip));
     }
 }
 
@@ -29,7 +29,7 @@ static void it_slides_when_it_is_pushed_along(void **state)
         suture_tip tip = {
             .direction = way, .normal = {0.0, 1.0, 0.0}, .force = vec3_scale(way, -5.0)};
         if (i != 30) {
-            assert_int_equal(vbss_suture_enters(&c, &tip), cosine > 0.3);
+            assert_int_equal(vbss_suture_tip_punctures(&c, &tip), cosine > 0.3);
         }
     }
 }
@@ -38,16 +38,16 @@ static void it_slides_when_it_is_pushed_along(void **state)
 
 static void expect_hole_at(const fixture *f, const suture_hole *hole, vec3 point, bool outward)
 {
-    double sum = hole->weights[0] + hole->weights[1] + hole->weights[2];
+    double sum = hole->barycentric[0] + hole->barycentric[1] + hole->barycentric[2];
     expect_near(1.0, sum, 1e-15);
     expect_near(0.0, vec3_distance(vbss_hole_point(hole, f->d, f->d->x), point), 1e-12);
-    expect_near(-TOUCHING, hole->entry, 1e-12);
-    expect_near(hole->entry, hole->arc, 0.0);
-    expect_near(hole->entry, hole->deepest, 0.0);
-    assert_int_equal(hole->outward, outward);
+    expect_near(-TOUCHING, hole->entry_arc, 1e-12);
+    expect_near(hole->entry_arc, hole->arc, 0.0);
+    expect_near(hole->entry_arc, hole->max_arc, 0.0);
+    assert_int_equal(hole->is_outward, outward);
     suture_hole own = *hole;
     own.needle = 1; /* whoever asks for it knows which */
-    assert_true(vbss_hole_is_sound(&own));
+    assert_true(vbss_hole_is_valid(&own));
 }
 
 static void inside_a_triangle_it_is_where_the_tip_points(void **state)
@@ -67,8 +67,8 @@ static void inside_a_triangle_it_is_where_the_tip_points(void **state)
         assert_true(made);
         assert_int_equal(hole.triangle, t);
         expect_hole_at(&f, &hole, point, false);
-        expect_near(-1.2, hole.held, 1e-12);
-        expect_near(0.0, vec3_norm(hole.across), 1e-12);
+        expect_near(-1.2, hole.friction_force, 1e-12);
+        expect_near(0.0, vec3_norm(hole.transverse_force), 1e-12);
         /* And from inside. */
         tip.position = vec3_add_scaled(point, TOUCHING, tip.direction);
         tip.direction = vec3_neg(tip.direction);
@@ -88,8 +88,8 @@ static void on_a_side_of_two_triangles_there_is_always_one(void **state)
     fixture f;
     uint32_t tried = 0;
     begin(&f);
-    for (uint32_t i = 0; i < f.d->mesh.side_count; i++) {
-        const drain_side *side = &f.d->mesh.sides[i];
+    for (uint32_t i = 0; i < f.d->mesh.edge_count; i++) {
+        const drain_edge *side = &f.d->mesh.edges[i];
         if (side->triangles[1] == DRAIN_NONE || is_anchored(&f, side->triangles[0]) ||
             is_anchored(&f, side->triangles[1])) {
             continue;
@@ -200,16 +200,16 @@ static void forces_go_on_evenly(harness_source *source, void *user)
         return;
     }
     pose at = needle_with_tip(f, &tip);
-    const suture_line line = {.needle = f->n, .at = at};
+    const suture_curve line = {.needle = f->n, .needle_pose = at};
     const vec3 point = vbss_hole_point(&hole, f->d, f->d->x);
-    const suture_place now = vbss_suture_nearest(&line, hole.arc, point);
-    const hole_bound bound = vbss_hole_bound(&hole, &f->d->config, &line, &now);
+    const suture_curve_point now = vbss_suture_nearest_point(&line, hole.arc, point);
+    const hole_yield_limit bound = vbss_hole_yield_limit(&hole, &f->d->config, &line, &now);
     contact_constraint row = {.is_bilateral = true, .is_sleeve = true, .start_arc_length = now.arc};
-    vbss_hole_lay_row(&hole, &f->d->config, &now, point, 1e-3, &row);
-    row.yield_force = bound.least;
+    vbss_hole_set_constraint(&hole, &f->d->config, &now, point, 1e-3, &row);
+    row.yield_force = bound.force;
     vec3 force = vbss_contact_force(&row, vec3_zero());
     expect_near(0.0, vec3_distance(force, tip.force), 1e-9);
-    expect_near(0.0, vec3_distance(hole.across, aside), 1e-12);
+    expect_near(0.0, vec3_distance(hole.transverse_force, aside), 1e-12);
     expect_near(hole.arc, now.arc, 1e-12);
 }
 

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "thread/mesh.h"
+#include "thread/remesh.h"
 #include "thread/rig.h"
 
 #define FREE 1e-3 /* more room than any change takes */
@@ -62,7 +62,7 @@ static void random_change(harness_source *source, thread_object *t, bool divide)
     uint32_t at = 3 + harness_draw_below(source, t->node_count - 7);
     if (divide && t->node_count < t->node_capacity) {
         bool free = harness_draw_below(source, 4) > 0;
-        vbss_thread_divide_segment(t, at, free ? FREE : 0.0);
+        vbss_thread_split_segment(t, at, free ? FREE : 0.0);
     } else {
         (void)vbss_thread_remove_node(t, at, FREE);
     }
@@ -86,7 +86,7 @@ static void changes_keep_sums(harness_source *source, void *user)
     rig_place(&r, x, v);
     for (int k = 0; k < 40; k++) {
         bool divide = t->node_count < 12 || harness_draw_below(source, 2) == 0;
-        expect_ok(vbss_thread_prepare(t));
+        expect_ok(vbss_thread_prepare_query(t));
         double mass = mass_of(t), length = length_of(t);
         vbss_thread_momentum p = rig_momentum(&r), q;
         random_change(source, t, divide);
@@ -121,7 +121,7 @@ static void a_division_undone_leaves_what_was_there(void **state)
     vec3 x[61];
     memcpy(rest, t->rest, sizeof rest);
     memcpy(x, t->now.x, sizeof x);
-    vbss_thread_divide_segment(t, 20, FREE);
+    vbss_thread_split_segment(t, 20, FREE);
     assert_int_equal(t->node_count, 62);
     expect_same_bits(0.5 * rest[20], t->rest[20]);
     expect_same_bits(0.5 * rest[20], t->rest[21]);
@@ -152,10 +152,10 @@ typedef struct jump {
 static double tension_error(thread_object *t)
 {
     double worst = 0.0;
-    expect_ok(vbss_thread_prepare(t));
-    vbss_thread_measure(t, t->now.x, t->strains);
+    expect_ok(vbss_thread_prepare_query(t));
+    vbss_thread_compute_strains(t, t->now.x, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double pull = t->config.axial_stiffness * t->strains[i].excess / t->rest[i];
+        double pull = t->config.axial_stiffness * t->strains[i].elongation / t->rest[i];
         worst = fmax(worst, fabs(pull - t->now.tension[i]));
     }
     return worst;
@@ -167,13 +167,13 @@ static jump jump_of(rig *r, uint32_t segment, bool divide, double room)
     uint64_t size;
     static uint8_t bytes[65536];
     expect_ok(vbss_thread_save(r->thread, bytes, sizeof bytes, &size));
-    expect_ok(vbss_thread_prepare(t));
+    expect_ok(vbss_thread_prepare_query(t));
     double k = vbss_thread_node_curvature(t, segment + 1);
     double own = 0.5 * t->config.bending_stiffness * k * k * t->rest[segment];
     vbss_thread_energies before = rig_energies(r), after;
     vbss_thread_momentum p = rig_momentum(r), q;
     if (divide) {
-        vbss_thread_divide_segment(t, segment, room);
+        vbss_thread_split_segment(t, segment, room);
     } else {
         assert_true(vbss_thread_remove_node(t, segment + 1, room));
     }
@@ -230,7 +230,7 @@ static void without_room_the_shape_stays_and_energy_jumps(void **state)
     assert_true(j.bending > 0.5 && j.tension > 0.1);
     vec3 x[76];
     memcpy(x, t->now.x, sizeof x);
-    vbss_thread_divide_segment(t, 38, 0.0);
+    vbss_thread_split_segment(t, 38, 0.0);
     assert_int_equal(t->statistics.laid_on_chord, 1);
     expect_near_vec3(vec3_lerp(x[38], x[39], 0.5), t->now.x[39], 1e-18);
     assert_memory_equal(x, t->now.x, 39 * sizeof *x);
@@ -248,11 +248,11 @@ static void graded_change(harness_source *source, thread_object *t, bool divide)
 {
     uint32_t at = 3 + harness_draw_below(source, t->node_count - 7);
     if (divide) {
-        at = vbss_thread_first_to_divide(t, at);
+        at = vbss_thread_first_segment_to_split(t, at);
         if (at >= 3 && at + 4 < t->node_count && t->rest[at] > 0.6e-3) {
-            vbss_thread_divide_segment(t, at, FREE);
+            vbss_thread_split_segment(t, at, FREE);
         }
-    } else if (vbss_thread_may_join(t, at)) {
+    } else if (vbss_thread_can_coarsen(t, at)) {
         assert_true(vbss_thread_remove_node(t, at, FREE));
     }
 }
@@ -303,14 +303,14 @@ static void a_thread_alone_refines_where_it_is_bent_and_coarsens_where_it_is_not
     c.refine_angle = 0.1;
     bend(&r, &c, 0.03, 2000);
     thread_object *t = inside(&r);
-    expect_ok(vbss_thread_prepare(t));
+    expect_ok(vbss_thread_prepare_query(t));
     assert_true(t->statistics.refined > 0 && t->statistics.coarsened > 20);
     assert_int_equal(t->statistics.refused_capacity, 0);
     for (uint32_t i = 4; i + 5 < t->node_count; i++) {
         bool bent = vbss_thread_node_curvature(t, i) * t->rest[i] > 1.1 * c.refine_angle;
         assert_true(!bent || t->rest[i] <= c.finest_length);
         double ratio = t->rest[i] / t->rest[i - 1];
-        assert_true(ratio <= MESH_RATIO && ratio >= 1.0 / MESH_RATIO);
+        assert_true(ratio <= REMESH_MAX_LENGTH_RATIO && ratio >= 1.0 / REMESH_MAX_LENGTH_RATIO);
         assert_true(t->rest[i] <= c.coarsest_length);
     }
     expect_near(0.15, length_of(t), 1e-15);

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "fixture.h"
-#include "thread/mesh.h"
+#include "thread/remesh.h"
 
 /* ---- configurations */
 

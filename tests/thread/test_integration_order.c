@@ -38,7 +38,7 @@ static void swing(const vbss_thread_config *config, start how, uint32_t steps, r
             rig_place(&r, NULL, NULL); /* nothing moves, but what was known is forgotten */
         }
         if (how == NEVER_SECOND_ORDER) {
-            inside->settling = 2; /* as after a try that failed */
+            inside->damped_steps_left = 2; /* as after a try that failed */
         }
         rig_run(&r, 0.1 / steps, 1);
     }

@@ -14,7 +14,7 @@ typedef struct loose {
 
 static double energy_of(const loose *l)
 {
-    vbss_thread_measure(l->object, l->object->now.x, l->object->strains);
+    vbss_thread_compute_strains(l->object, l->object->now.x, l->object->strains);
     return vbss_thread_paper_bending_energy(l->object);
 }
 
@@ -52,7 +52,7 @@ static void forces_are_slopes(harness_source *source, void *user)
         vec3 way = vec3_unit_or(harness_draw_vec3(source, -1, 1), along);
         t->now.x[i] = vec3_add_scaled(t->now.x[i - 1], harness_draw_real(source, 0.2, 1.0), way);
     }
-    expect_ok(vbss_thread_layout(t));
+    expect_ok(vbss_thread_update_derived(t));
     energy_of(&l);
     vec3 forces[NODES] = {{0, 0, 0}}, sum = vec3_zero(), moment = vec3_zero();
     vbss_paper_add_internal_forces(t, 0.0, forces); /* springs have no stiffness before a step */

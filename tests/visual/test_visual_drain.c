@@ -47,8 +47,8 @@ static void the_wall_is_closed_at_any_division(void **state)
         assert_int_equal(d.part_count, 1);
         assert_int_equal(d.parts[0].kind, VBSS_VISUAL_DRAIN);
         uint32_t rims = 0;
-        for (uint32_t i = 0; i < m->side_count; i++) {
-            rims += m->sides[i].triangles[1] == DRAIN_NONE;
+        for (uint32_t i = 0; i < m->edge_count; i++) {
+            rims += m->edges[i].triangles[1] == DRAIN_NONE;
         }
         assert_int_equal(d.triangle_count,
                          2 * m->triangle_count * limit * limit + 2 * rims * limit);
@@ -92,8 +92,8 @@ static void the_faces_are_half_a_wall_from_the_cylinder(void **state)
 static uint32_t divisions_of(const drawn *d, const drain_mesh *m)
 {
     uint32_t n = 1, rims = 0;
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        rims += m->sides[i].triangles[1] == DRAIN_NONE;
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        rims += m->edges[i].triangles[1] == DRAIN_NONE;
     }
     while (2 * m->triangle_count * n * n + 2 * rims * n < d->triangle_count) {
         n++;
@@ -107,8 +107,8 @@ static double deviation(const drawn *d, const drain_object *drain)
     const drain_mesh *m = &drain->mesh;
     const uint32_t n = divisions_of(d, m);
     double worst = 0.0;
-    for (uint32_t i = 0; i < m->side_count; i++) {
-        const uint32_t *node = m->sides[i].nodes;
+    for (uint32_t i = 0; i < m->edge_count; i++) {
+        const uint32_t *node = m->edges[i].nodes;
         const vec3 x[2] = {drain->x[node[0]], drain->x[node[1]]};
         const vec3 normals[2] = {normal_of(d, node[0]), normal_of(d, node[1])};
         const visual_side side = vbss_visual_side(x, normals);
@@ -199,7 +199,7 @@ static void material_is_where_nodes_rest(void **state)
     for (uint32_t i = 0; i < m->node_count; i++) {
         assert_true(vec3_distance(material_of(&d, i), m->rest[i]) < 1e-9);
         expect_near(m->rest[i].x, (double)d.vertices[i].texture[0], 1e-9);
-        expect_near(fabs(m->material[i][0]), (double)d.vertices[i].texture[1], 1e-9);
+        expect_near(fabs(m->material_coordinates[i][0]), (double)d.vertices[i].texture[1], 1e-9);
     }
     assert_int_equal(d.spot_count, 2);
     for (int side = 0; side < 2; side++) {

@@ -36,7 +36,7 @@ static void a_needle_is_a_wire_with_a_tip(void **state)
     double thickest = 0.0, foremost = 1.0;
     for (uint32_t i = 0; i < d.vertex_count; i++) {
         vec3 local = pose_apply_inverse(at, position_of(&d, i));
-        double arc = vbss_needle_nearest(n, local);
+        double arc = vbss_needle_nearest_arc(n, local);
         double away = vec3_distance(local, vbss_needle_point(n, vbss_min(arc, length)));
         thickest = vbss_max(thickest, away);
         foremost = vbss_min(foremost, arc);
@@ -143,17 +143,17 @@ static void jaws_open_and_close(void **state)
     grasper_object *g;
     expect_ok(vbss_grasper_open(grasper, &g));
     const drawn open = draw(&f);
-    double wide = farthest_opening(&open, g->now);
+    double wide = farthest_opening(&open, g->tool_pose);
     expect_near(0.5e-3 + 13e-3 * vbss_sin(0.35), wide, 1.1e-3);
-    g->angle = 0.0; /* as its scene would have it */
+    g->jaw_angle = 0.0; /* as its scene would have it */
     const drawn shut = draw(&f);
-    double narrow = farthest_opening(&shut, g->now);
+    double narrow = farthest_opening(&shut, g->tool_pose);
     expect_near(1e-3, narrow, 1e-8); /* two halves of 0.5 mm each side */
     uint32_t flat = 0;
     for (uint32_t i = 0; i < shut.vertex_count; i++) { /* their flat sides meet in the middle */
-        vec3 n = quat_rotate_back(g->now.orientation, normal_of(&shut, i));
+        vec3 n = quat_rotate_back(g->tool_pose.orientation, normal_of(&shut, i));
         if ((double)shut.vertices[i].value > 1.5 && fabs(fabs(n.x) - 1.0) < 1e-6 &&
-            fabs(pose_apply_inverse(g->now, position_of(&shut, i)).x) < 1e-8) {
+            fabs(pose_apply_inverse(g->tool_pose, position_of(&shut, i)).x) < 1e-8) {
             flat++;
         }
     }

@@ -5,21 +5,21 @@
 static vec3 bending_force(const thread_object *t, uint32_t node)
 {
     vec3 force = vec3_zero();
-    for (uint32_t k = 1; k <= THREAD_FAR; k++) {
+    for (uint32_t k = 1; k <= THREAD_CLAMP_BANDWIDTH; k++) {
         if (node + k < t->node_count) {
             vec3 e = vec3_sub(t->now.x[node + k], t->now.x[node]);
-            force = vec3_add_scaled(force, -t->bending[node][k], e);
+            force = vec3_add_scaled(force, -t->bending_matrix[node][k], e);
         }
         if (node >= k) {
             vec3 e = vec3_sub(t->now.x[node - k], t->now.x[node]);
-            force = vec3_add_scaled(force, -t->bending[node - k][k], e);
+            force = vec3_add_scaled(force, -t->bending_matrix[node - k][k], e);
         }
     }
     for (uint32_t c = 0; c < t->clamp_count; c++) {
         const thread_clamp *clamp = &t->clamps[c];
-        uint32_t k = node + THREAD_FAR - clamp->node;
-        if (node + THREAD_FAR >= clamp->node && k <= 2 * THREAD_FAR) {
-            force = vec3_add_scaled(force, -clamp->factor[k], clamp->direction);
+        uint32_t k = node + THREAD_CLAMP_BANDWIDTH - clamp->node;
+        if (node + THREAD_CLAMP_BANDWIDTH >= clamp->node && k <= 2 * THREAD_CLAMP_BANDWIDTH) {
+            force = vec3_add_scaled(force, -clamp->coefficient[k], clamp->direction);
         }
     }
     return force;
@@ -33,19 +33,21 @@ static vec3 stretching_force(const thread_object *t, uint32_t node)
     for (uint32_t i = first; i < node + 2 && i + 1 < t->node_count; i++) {
         const thread_strain *s = &t->strains[i];
         double sign = i == node ? 1.0 : i + 1 == node ? -1.0 : 0.0;
-        double bent = 2.0 * t->arcs[i].share * t->arcs[i].factor[node + 1 - i];
-        vec3 slope = vec3_sub(vec3_scale(s->tangent, sign), vec3_scale(s->curvature, bent));
-        force = vec3_add_scaled(force, t->now.tension[i], slope);
+        double curvature_coefficient =
+            2.0 * t->arcs[i].length_coefficient * t->arcs[i].coefficient[node + 1 - i];
+        vec3 gradient =
+            vec3_sub(vec3_scale(s->tangent, sign), vec3_scale(s->curvature, curvature_coefficient));
+        force = vec3_add_scaled(force, t->now.tension[i], gradient);
     }
     return force;
 }
 
-vec3 vbss_thread_implicit_force(const thread_object *t, uint32_t node)
+vec3 vbss_thread_implicit_constraint_force(const thread_object *t, uint32_t node)
 {
     /* From the tensions, which are more exact than EA times a strain. */
-    vec3 inner = vec3_add(bending_force(t, node), stretching_force(t, node));
-    inner = vec3_add(inner, vbss_thread_rest_curvature_force(t, node));
+    vec3 internal_force = vec3_add(bending_force(t, node), stretching_force(t, node));
+    internal_force = vec3_add(internal_force, vbss_thread_rest_curvature_force(t, node));
     vec3 drag = vec3_scale(t->now.v[node], -t->config.drag);
     vec3 needed = vec3_sub(vec3_sub(t->now.q[node], t->gravity), drag);
-    return vec3_sub(vec3_scale(needed, t->mass[node]), inner);
+    return vec3_sub(vec3_scale(needed, t->mass[node]), internal_force);
 }

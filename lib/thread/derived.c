@@ -6,8 +6,8 @@
 
 double vbss_thread_arc_length(const thread_object *t, uint32_t node)
 {
-    if (t->layout_known) {
-        return t->rest_arc[node];
+    if (t->is_derived_valid) {
+        return t->rest_arc_length[node];
     }
     double arc_length = 0.0;
     for (uint32_t i = 0; i < node; i++) {
@@ -36,28 +36,28 @@ static void shift_mass(thread_object *t, uint32_t from, uint32_t to, double mass
 static void correct_end(thread_object *t, uint32_t end, uint32_t next, uint32_t third, double l,
                         double l_next)
 {
-    double part = t->config.linear_density * l / 12.0, share = l / (l + l_next);
-    shift_mass(t, end, next, part * (1.0 + share));
-    shift_mass(t, third, next, part * share * l / l_next);
+    double end_mass = t->config.linear_density * l / 12.0, ratio = l / (l + l_next);
+    shift_mass(t, end, next, end_mass * (1.0 + ratio));
+    shift_mass(t, third, next, end_mass * ratio * l / l_next);
 }
 
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node)
 {
-    uint32_t held = t->held[node];
-    return held != 0 && t->attachments[held - 1].kind == VBSS_ATTACHMENT_CLAMP;
+    uint32_t prescribed_by = t->prescribed_by[node];
+    return prescribed_by != 0 && t->attachments[prescribed_by - 1].kind == VBSS_ATTACHMENT_CLAMP;
 }
 
-static void spread_mass(thread_object *t)
+static void lump_mass(thread_object *t)
 {
     uint32_t n = t->node_count;
     double density = t->config.linear_density;
     memset(t->mass, 0, n * sizeof *t->mass);
-    t->rest_arc[0] = 0.0;
-    t->shortest_rest = t->rest[0];
+    t->rest_arc_length[0] = 0.0;
+    t->min_rest_length = t->rest[0];
     for (uint32_t i = 0; i + 1 < n; i++) {
         t->inverse_rest[i] = 1.0 / t->rest[i];
-        t->rest_arc[i + 1] = t->rest_arc[i] + t->rest[i];
-        t->shortest_rest = t->rest[i] < t->shortest_rest ? t->rest[i] : t->shortest_rest;
+        t->rest_arc_length[i + 1] = t->rest_arc_length[i] + t->rest[i];
+        t->min_rest_length = t->rest[i] < t->min_rest_length ? t->rest[i] : t->min_rest_length;
         t->mass[i] += 0.5 * density * t->rest[i];
         t->mass[i + 1] += 0.5 * density * t->rest[i];
     }
@@ -78,34 +78,34 @@ static void spread_mass(thread_object *t)
 
 /* ---- attachments */
 
-static void hold_nodes(thread_object *t)
+static void find_prescribed_nodes(thread_object *t)
 {
-    memset(t->held, 0, t->node_count * sizeof *t->held);
-    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
-        const thread_attachment *a = &t->attachments[place];
-        bool holds = a->kind == VBSS_ATTACHMENT_PIN || a->kind == VBSS_ATTACHMENT_CLAMP;
-        if (a->id != 0 && holds) {
-            t->held[a->node] = place + 1;
+    memset(t->prescribed_by, 0, t->node_count * sizeof *t->prescribed_by);
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
+        bool prescribes_motion = a->kind == VBSS_ATTACHMENT_PIN || a->kind == VBSS_ATTACHMENT_CLAMP;
+        if (a->id != 0 && prescribes_motion) {
+            t->prescribed_by[a->node] = k + 1;
         }
     }
 }
 
-static void attach_masses(thread_object *t)
+static void add_attached_masses(thread_object *t)
 {
-    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
-        const thread_attachment *a = &t->attachments[place];
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
         if (a->id != 0 && a->kind == VBSS_ATTACHMENT_MASS) {
             t->mass[a->node] += a->mass;
         }
     }
 }
 
-static void divide_sections(thread_object *t)
+static void find_sections(thread_object *t)
 {
     t->section_count = 0;
     t->sections[t->section_count++] = 0;
     for (uint32_t i = 1; i + 1 < t->node_count; i++) {
-        if (t->held[i] != 0) {
+        if (t->prescribed_by[i] != 0) {
             t->sections[t->section_count++] = i;
         }
     }
@@ -114,9 +114,9 @@ static void divide_sections(thread_object *t)
 /* ---- the thread's chain in a system: held nodes are given; a node on a spring and its neighbours are a
  * group of separators, as wide as the bending reaches */
 
-uint32_t vbss_thread_reach(const thread_object *t)
+uint32_t vbss_thread_bandwidth(const thread_object *t)
 {
-    return t->config.bending == VBSS_BENDING_SPLINE ? THREAD_REACH : THREAD_REACH - 1;
+    return t->config.bending == VBSS_BENDING_SPLINE ? THREAD_BANDWIDTH : THREAD_BANDWIDTH - 1;
 }
 
 static void set_roles(const thread_object *t, vbss_system *s, uint32_t first,
@@ -128,33 +128,35 @@ static void set_roles(const thread_object *t, vbss_system *s, uint32_t first,
             vbss_system_set_role(s, first + i, VBSS_ROLE_SEPARATOR);
         }
     }
-    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
-        const thread_attachment *a = &t->attachments[place];
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
         if (a->id != 0 && a->kind == VBSS_ATTACHMENT_SPRING) {
             uint32_t low = a->node > 0 ? a->node - 1 : 0;
-            low = low + THREAD_REACH <= n ? low : n > THREAD_REACH ? n - THREAD_REACH : 0;
-            for (uint32_t i = low; i < low + THREAD_REACH && i < n; i++) {
+            low = low + THREAD_BANDWIDTH <= n ? low
+                  : n > THREAD_BANDWIDTH      ? n - THREAD_BANDWIDTH
+                                              : 0;
+            for (uint32_t i = low; i < low + THREAD_BANDWIDTH && i < n; i++) {
                 vbss_system_set_role(s, first + i, VBSS_ROLE_SEPARATOR);
             }
         }
     }
     for (uint32_t i = 0; i < n; i++) {
-        if (t->held[i] != 0) {
+        if (t->prescribed_by[i] != 0) {
             vbss_system_set_role(s, first + i, VBSS_ROLE_PRESCRIBED);
         }
     }
 }
 
-vbss_result vbss_thread_register(thread_object *t, vbss_system *s, const uint8_t *separators,
-                                 uint32_t *first)
+vbss_result vbss_thread_add_to_system(thread_object *t, vbss_system *s, const uint8_t *separators,
+                                      uint32_t *first)
 {
-    uint32_t n = t->node_count, reach = vbss_thread_reach(t);
+    uint32_t n = t->node_count, bandwidth = vbss_thread_bandwidth(t);
     VBSS_TRY(vbss_system_add_chain(s, n, first));
     set_roles(t, s, *first, separators);
     for (uint32_t i = 0; i < n; i++) {
-        for (uint32_t k = 1; k <= THREAD_REACH; k++) {
+        for (uint32_t k = 1; k <= THREAD_BANDWIDTH; k++) {
             t->couplings[i][k - 1] = VBSS_NO_COUPLING;
-            if (k <= reach && i + k < n) {
+            if (k <= bandwidth && i + k < n) {
                 VBSS_TRY(
                     vbss_system_couple(s, *first + i, *first + i + k, &t->couplings[i][k - 1]));
             }
@@ -163,49 +165,49 @@ vbss_result vbss_thread_register(thread_object *t, vbss_system *s, const uint8_t
     return VBSS_OK;
 }
 
-static vbss_result build_pattern(thread_object *t)
+static vbss_result build_sparsity(thread_object *t)
 {
     uint32_t first = 0;
     vbss_system_begin_pattern(t->system);
-    VBSS_TRY(vbss_thread_register(t, t->system, NULL, &first));
+    VBSS_TRY(vbss_thread_add_to_system(t, t->system, NULL, &first));
     return vbss_system_analyse(t->system);
 }
 
-void vbss_thread_weigh(thread_object *t)
+void vbss_thread_compute_masses(thread_object *t)
 {
-    hold_nodes(t);
-    spread_mass(t);
-    attach_masses(t);
+    find_prescribed_nodes(t);
+    lump_mass(t);
+    add_attached_masses(t);
 }
 
-vbss_result vbss_thread_layout(thread_object *t)
+vbss_result vbss_thread_update_derived(thread_object *t)
 {
-    if (t->layout_known) {
+    if (t->is_derived_valid) {
         return VBSS_OK;
     }
-    vbss_thread_weigh(t);
-    divide_sections(t);
+    vbss_thread_compute_masses(t);
+    find_sections(t);
     if (t->config.method == VBSS_METHOD_OURS) {
         vbss_thread_build_bending(t);
     }
-    t->layout_known = true;
-    t->pattern_known = false;
+    t->is_derived_valid = true;
+    t->is_sparsity_valid = false;
     return VBSS_OK;
 }
 
-vbss_result vbss_thread_pattern(thread_object *t)
+vbss_result vbss_thread_update_sparsity(thread_object *t)
 {
-    VBSS_TRY(vbss_thread_layout(t));
-    if (!t->pattern_known && t->config.method == VBSS_METHOD_OURS) {
-        VBSS_TRY(build_pattern(t));
-        t->pattern_known = true;
+    VBSS_TRY(vbss_thread_update_derived(t));
+    if (!t->is_sparsity_valid && t->config.method == VBSS_METHOD_OURS) {
+        VBSS_TRY(build_sparsity(t));
+        t->is_sparsity_valid = true;
     }
     return VBSS_OK;
 }
 
-vbss_result vbss_thread_prepare(thread_object *t)
+vbss_result vbss_thread_prepare_query(thread_object *t)
 {
-    VBSS_TRY(vbss_thread_layout(t));
-    vbss_thread_set_clamps(t, 0.0);
+    VBSS_TRY(vbss_thread_update_derived(t));
+    vbss_thread_set_clamp_directions(t, 0.0);
     return VBSS_OK;
 }

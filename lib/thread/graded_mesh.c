@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "thread/thread.h"
 
-enum { MOST_SEGMENTS = 65536 };
+enum { MAX_SEGMENTS = 65536 };
 
 /* Segments from the centre outward over a distance: finest * ratio^k, at most the coarsest, times the
  * scale. */
@@ -17,7 +17,7 @@ static double next_length(double l, double coarsest, double ratio)
     return l * ratio < coarsest ? l * ratio : coarsest;
 }
 
-static double sum_of(uint32_t count, double finest, double coarsest, double ratio)
+static double total_length(uint32_t count, double finest, double coarsest, double ratio)
 {
     double sum = 0.0, l = finest;
     for (uint32_t k = 0; k < count; k++) {
@@ -29,11 +29,11 @@ static double sum_of(uint32_t count, double finest, double coarsest, double rati
 
 /* The fewest segments that reach far enough with the ratio allowed; then a smaller ratio with which
  * they fit, and if they are too long even when equal, a scale. False: too many. */
-static bool cover(side *s, double finest, double coarsest, double ratio)
+static bool fit_segments(side *s, double finest, double coarsest, double ratio)
 {
     double sum = 0.0, l = finest;
     for (s->count = 0; sum < s->distance; s->count++) {
-        if (s->count == MOST_SEGMENTS) {
+        if (s->count == MAX_SEGMENTS) {
             return false;
         }
         sum += l;
@@ -42,14 +42,14 @@ static bool cover(side *s, double finest, double coarsest, double ratio)
     double low = 1.0, high = ratio;
     for (int k = 0; k < 60; k++) {
         double middle = 0.5 * (low + high);
-        if (sum_of(s->count, finest, coarsest, middle) < s->distance) {
+        if (total_length(s->count, finest, coarsest, middle) < s->distance) {
             low = middle;
         } else {
             high = middle;
         }
     }
     s->ratio = high;
-    s->scale = s->count > 0 ? s->distance / sum_of(s->count, finest, coarsest, high) : 1.0;
+    s->scale = s->count > 0 ? s->distance / total_length(s->count, finest, coarsest, high) : 1.0;
     return true;
 }
 
@@ -68,8 +68,8 @@ vbss_result vbss_thread_grade(double length, double centre, double finest, doubl
     double low_end = centre < 0.5 * finest ? 0.0 : centre;
     double split = length - low_end < 0.5 * finest ? length : low_end;
     side low = {split, 1.0, 1.0, 0}, high = {length - split, 1.0, 1.0, 0};
-    if (!cover(&low, finest, coarsest, ratio) || !cover(&high, finest, coarsest, ratio) ||
-        low.count + high.count > MOST_SEGMENTS) {
+    if (!fit_segments(&low, finest, coarsest, ratio) ||
+        !fit_segments(&high, finest, coarsest, ratio) || low.count + high.count > MAX_SEGMENTS) {
         return VBSS_ERROR_CAPACITY;
     }
     *count = low.count + high.count;

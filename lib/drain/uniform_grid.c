@@ -6,14 +6,14 @@
 /* Qi et al. 2017: 7 particles along the drain, 12 round it, which leaves no line for tips and marks. */
 enum { PAPER_AXIAL = 6, PAPER_ROUND = 12 };
 /* Collision takes meshes of 65536 nodes; a slit doubles fewer than 512. */
-#define MOST_NODES (65536.0 - 512.0)
+#define MAX_NODES (65536.0 - 512.0)
 /* Share of a cell by which a line may miss what lies on it. */
-#define MISS 1e-6
+#define LINE_TOLERANCE 1e-6
 /* Flatter cells have no use. */
-#define LONGEST_CELL 20.0
+#define MAX_CELL_ASPECT 20.0
 
 /* The line nearest to a number of cells, among those that may be taken. */
-static uint32_t nearest(double cells, uint32_t last)
+static uint32_t nearest_line(double cells, uint32_t last)
 {
     double line = floor(cells + 0.5);
     return line < 1.0 ? 1 : line > last ? last : (uint32_t)line;
@@ -21,7 +21,7 @@ static uint32_t nearest(double cells, uint32_t last)
 
 static vbss_result check_line(vbss_context *context, double cells, uint32_t line, const char *name)
 {
-    return fabs(cells - line) <= MISS
+    return fabs(cells - line) <= LINE_TOLERANCE
                ? VBSS_OK
                : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE,
                            "%s is %.9g cells: no line of equal cells is there", name, cells);
@@ -40,14 +40,14 @@ static vbss_result check_uniform(vbss_context *context, const drain_mesh_options
                          "axial_cells is %u: no lines at mid-length, tips and ends",
                          o->axial_cells);
     }
-    VBSS_TRY(vbss_check_range(context, (o->axial_cells + 1.0) * o->round_cells, 0.0, MOST_NODES,
+    VBSS_TRY(vbss_check_range(context, (o->axial_cells + 1.0) * o->round_cells, 0.0, MAX_NODES,
                               "number of nodes"));
     double cell = o->length / o->axial_cells * o->round_cells / (2.0 * DRAIN_PI * o->radius);
-    return vbss_check_range(context, cell, 1.0 / LONGEST_CELL, LONGEST_CELL,
+    return vbss_check_range(context, cell, 1.0 / MAX_CELL_ASPECT, MAX_CELL_ASPECT,
                             "length of a cell over its width");
 }
 
-vbss_result vbss_drain_plan_equal_cells(vbss_context *context, drain_mesh *m)
+vbss_result vbss_drain_plan_uniform_grid(vbss_context *context, drain_mesh *m)
 {
     const drain_mesh_options *o = &m->options;
     drain_grid *g = &m->grid;
@@ -57,28 +57,28 @@ vbss_result vbss_drain_plan_equal_cells(vbss_context *context, drain_mesh *m)
     }
     g->axial_cells = paper ? PAPER_AXIAL : o->axial_cells;
     g->round_cells = paper ? PAPER_ROUND : o->round_cells;
-    g->tip = g->mark = 0;
+    g->tip_rows = g->mark_column = 0;
     if (o->slit_length == 0.0) {
         return VBSS_OK;
     }
     double tip = 0.5 * o->slit_length / o->length * g->axial_cells;
     double mark = o->mark_arc / o->radius / (2.0 * DRAIN_PI) * g->round_cells;
-    g->tip = nearest(tip, g->axial_cells / 2 - 1);
-    g->mark = nearest(mark, g->round_cells / 2 - 1);
+    g->tip_rows = nearest_line(tip, g->axial_cells / 2 - 1);
+    g->mark_column = nearest_line(mark, g->round_cells / 2 - 1);
     if (!paper) {
-        VBSS_TRY(check_line(context, tip, g->tip, "half of slit_length"));
-        VBSS_TRY(check_line(context, mark, g->mark, "mark_arc"));
+        VBSS_TRY(check_line(context, tip, g->tip_rows, "half of slit_length"));
+        VBSS_TRY(check_line(context, mark, g->mark_column, "mark_arc"));
     }
     return VBSS_OK;
 }
 
-double vbss_drain_equal_row(const drain_mesh *m, uint32_t row)
+double vbss_drain_uniform_row_x(const drain_mesh *m, uint32_t row)
 {
     double cells = m->grid.axial_cells;
     return 0.5 * m->options.length * ((2.0 * row - cells) / cells);
 }
 
-double vbss_drain_equal_column(const drain_mesh *m, uint32_t column)
+double vbss_drain_uniform_column_angle(const drain_mesh *m, uint32_t column)
 {
     return DRAIN_PI * (2.0 * column / m->grid.round_cells);
 }

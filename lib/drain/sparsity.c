@@ -2,15 +2,15 @@
 #include "base/error.h"
 #include "drain/drain.h"
 
-vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *separators,
-                                uint32_t *first)
+vbss_result vbss_drain_add_to_system(drain_object *d, vbss_system *s, const uint8_t *separators,
+                                     uint32_t *first)
 {
-    drain_order *order = &d->order;
+    drain_elimination_order *order = &d->order;
     VBSS_TRY(vbss_system_add_chain(s, d->mesh.node_count, first));
     vbss_system_use_natural_order(s);
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
         bool separator = separators != NULL && separators[i] != 0;
-        vbss_system_set_role(s, *first + order->place[i],
+        vbss_system_set_role(s, *first + order->block_index[i],
                              d->anchored[i] ? VBSS_ROLE_PRESCRIBED
                              : separator    ? VBSS_ROLE_SEPARATOR
                                             : VBSS_ROLE_INTERIOR);
@@ -25,13 +25,14 @@ vbss_result vbss_drain_register(drain_object *d, vbss_system *s, const uint8_t *
 }
 
 /* When the system has been analysed: which block of a pair is eliminated later is known only then. */
-void vbss_drain_aim(drain_object *d, const vbss_system *s)
+void vbss_drain_set_assembly_map(drain_object *d, const vbss_system *s)
 {
-    drain_order *order = &d->order;
+    drain_elimination_order *order = &d->order;
     for (uint32_t p = 0; p < order->pair_count; p++) {
         uint32_t coupling = order->pairs[p].coupling;
-        order->targets[p] = 2 * coupling + (s->couplings[coupling].is_transposed != 0);
+        order->block_codes[p] = 2 * coupling + (s->couplings[coupling].is_transposed != 0);
     }
-    order->targets[order->pair_count] = 2 * VBSS_NO_COUPLING;
-    vbss_shell_aim(&d->shell, (const uint32_t(*)[SHELL_PAIRS])order->pair_of, order->targets);
+    order->block_codes[order->pair_count] = 2 * VBSS_NO_COUPLING;
+    vbss_shell_set_assembly_map(&d->shell, (const uint32_t(*)[SHELL_PAIRS])order->pair_codes,
+                                order->block_codes);
 }

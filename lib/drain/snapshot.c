@@ -46,7 +46,7 @@ static void visit_config(vbss_stream *stream, const drain_object *d)
     }
 }
 
-static bool is_foreign(const vbss_stream *stream)
+static bool is_untrusted(const vbss_stream *stream)
 {
     return stream->mode == VBSS_STREAM_READ && !stream->trusted;
 }
@@ -70,7 +70,7 @@ static void visit_attachment(vbss_stream *stream, const drain_object *d, drain_a
     vbss_stream_f64(stream, 26, &a->stiffness, 1);
     vbss_stream_f64(stream, 27, &a->reaction.x, 3);
     a->kind = kind;
-    if (is_foreign(stream) &&
+    if (is_untrusted(stream) &&
         (kind < VBSS_DRAIN_ATTACHMENT_PIN || kind > VBSS_DRAIN_ATTACHMENT_SPRING ||
          a->node >= d->mesh.node_count || a->id > d->last_id || !is_in_range(a))) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such attachment");
@@ -97,31 +97,31 @@ static bool is_at_rest(const drain_object *d, uint32_t node)
 }
 
 /* Its id is nobody else's; no node is pinned twice, or held beside an anchor. */
-static bool is_sound(const drain_object *d, uint32_t place)
+static bool is_valid(const drain_object *d, uint32_t attachment_index)
 {
-    const drain_attachment *a = &d->attachments[place];
-    bool sound = a->kind != VBSS_DRAIN_ATTACHMENT_PIN || vbss_drain_pin_of(d, a->node) == a;
-    for (uint32_t k = 0; k < place; k++) {
-        sound = sound && d->attachments[k].id != a->id;
+    const drain_attachment *a = &d->attachments[attachment_index];
+    bool valid = a->kind != VBSS_DRAIN_ATTACHMENT_PIN || vbss_drain_find_pin(d, a->node) == a;
+    for (uint32_t k = 0; k < attachment_index; k++) {
+        valid = valid && d->attachments[k].id != a->id;
     }
-    for (uint32_t k = 0; k < d->mesh.fixed_count; k++) {
-        sound = sound && (d->mesh.fixed[k] != a->node || d->torn[k] != 0);
+    for (uint32_t k = 0; k < d->mesh.anchor_count; k++) {
+        valid = valid && (d->mesh.anchors[k] != a->node || d->torn[k] != 0);
     }
-    return sound;
+    return valid;
 }
 
-static void check(vbss_stream *stream, const drain_object *d)
+static void check_consistency(vbss_stream *stream, const drain_object *d)
 {
     uint32_t torn = 0;
-    bool sound = true;
-    for (uint32_t i = 0; i < d->mesh.fixed_count; i++) {
-        sound = sound && d->torn[i] <= 1 && (d->torn[i] != 0 || is_at_rest(d, d->mesh.fixed[i]));
+    bool valid = true;
+    for (uint32_t i = 0; i < d->mesh.anchor_count; i++) {
+        valid = valid && d->torn[i] <= 1 && (d->torn[i] != 0 || is_at_rest(d, d->mesh.anchors[i]));
         torn += d->torn[i] != 0;
     }
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
-        sound = sound && (d->attachments[i].id == 0 || is_sound(d, i));
+        valid = valid && (d->attachments[i].id == 0 || is_valid(d, i));
     }
-    if (!sound || torn != d->statistics.torn) {
+    if (!valid || torn != d->statistics.torn) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such anchors or attachments");
     }
 }
@@ -133,19 +133,19 @@ void vbss_drain_serialise(vbss_stream *stream, void *object)
     visit_config(stream, d);
     vbss_stream_f64(stream, 3, &d->x[0].x, 3 * n);
     vbss_stream_f64(stream, 4, &d->v[0].x, 3 * n);
-    vbss_stream_u8(stream, 5, d->torn, d->mesh.fixed_count);
+    vbss_stream_u8(stream, 5, d->torn, d->mesh.anchor_count);
     vbss_stream_u32(stream, 6, &d->last_id, 1);
     for (uint32_t i = 0; i < d->config.attachment_capacity; i++) {
         visit_attachment(stream, d, &d->attachments[i]);
     }
     visit_statistics(stream, &d->statistics);
-    if (is_foreign(stream)) {
-        check(stream, d);
+    if (is_untrusted(stream)) {
+        check_consistency(stream, d);
     }
     if (stream->mode == VBSS_STREAM_READ) {
-        vbss_drain_find_anchored(d);
-        memset(d->pushes, 0, n * sizeof *d->pushes);
-        d->pattern_known = false;
+        vbss_drain_update_anchored(d);
+        memset(d->contact_forces, 0, n * sizeof *d->contact_forces);
+        d->is_sparsity_valid = false;
         d->generation++;
     }
 }

@@ -9,10 +9,10 @@
 /* The same for what follows the short first part of a start, whose accelerations hold for that only. */
 #define STARTING_STRAIN 1e-3
 /* Strain from which a prediction is no start for the iteration. */
-#define HOPELESS_STRAIN 0.5
+#define MAX_PREDICTION_STRAIN 0.5
 
 /* A segment that is turned over at the start of the iteration stays so: a fold that nothing made. */
-static bool turns_a_segment_over(const thread_object *t)
+static bool flips_segment(const thread_object *t)
 {
     const vec3 *x = t->now.x, *y = t->trial;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
@@ -23,10 +23,10 @@ static bool turns_a_segment_over(const thread_object *t)
     return false;
 }
 
-void vbss_thread_start_from_rest(thread_object *t)
+void vbss_thread_reset_trial(thread_object *t)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
-        t->trial[i] = t->held[i] != 0 ? t->trial[i] : t->now.x[i];
+        t->trial[i] = t->prescribed_by[i] != 0 ? t->trial[i] : t->now.x[i];
     }
 }
 
@@ -35,19 +35,19 @@ double vbss_thread_strain_beyond_tension(const thread_object *t)
 {
     double largest = 0.0, compliance = 1.0 / t->config.axial_stiffness;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        double strain = t->strains[i].excess * t->inverse_rest[i];
-        double beyond = fabs(strain - t->now.tension[i] * compliance);
-        largest = vbss_max_or_nan(beyond, largest);
+        double strain = t->strains[i].elongation * t->inverse_rest[i];
+        double excess_strain = fabs(strain - t->now.tension[i] * compliance);
+        largest = vbss_max_or_nan(excess_strain, largest);
     }
     return largest;
 }
 
-bool vbss_thread_is_relieved(const thread_object *t)
+bool vbss_thread_max_tension_decreased(const thread_object *t)
 {
     double now = 0.0, trial = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         now = vbss_max_or_nan(fabs(t->now.tension[i]), now);
-        trial = vbss_max_or_nan(fabs(t->strains[i].excess) * t->inverse_rest[i], trial);
+        trial = vbss_max_or_nan(fabs(t->strains[i].elongation) * t->inverse_rest[i], trial);
     }
     return trial * t->config.axial_stiffness < now;
 }
@@ -55,38 +55,38 @@ bool vbss_thread_is_relieved(const thread_object *t)
 /* False: this is no smooth motion. A taut thread is let go, an end jerks: accelerations of the past are
  * worth nothing then, and would feed energy. A prediction that is no start at all is replaced by the old
  * positions. */
-bool vbss_thread_predict(thread_object *t, thread_stage *stage)
+bool vbss_thread_predict(thread_object *t, thread_substep *substep)
 {
-    vbss_integration_predict(stage->integration, 3 * (size_t)t->node_count, &t->now.x->x,
+    vbss_integration_predict(substep->integration, 3 * (size_t)t->node_count, &t->now.x->x,
                              &t->now.v->x, &t->now.a->x, &t->now.q->x, &t->x_predicted->x,
                              &t->v_predicted->x, &t->a_predicted->x);
     memcpy(t->trial, t->x_predicted, t->node_count * sizeof *t->trial);
     memcpy(t->trial_tension, t->now.tension, t->node_count * sizeof *t->trial_tension);
-    for (uint32_t place = 0; place < t->config.attachment_capacity; place++) {
-        const thread_attachment *a = &t->attachments[place];
-        if (a->id != 0 && t->held[a->node] == place + 1) {
-            t->trial[a->node] = vbss_thread_attachment_position(a, stage->part_end);
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
+        if (a->id != 0 && t->prescribed_by[a->node] == k + 1) {
+            t->trial[a->node] = vbss_thread_attachment_position(a, substep->end_fraction);
         }
     }
-    vbss_thread_set_clamps(t, stage->part_end);
-    vbss_thread_measure(t, t->trial, t->strains);
+    vbss_thread_set_clamp_directions(t, substep->end_fraction);
+    vbss_thread_compute_strains(t, t->trial, t->strains);
     double strain = vbss_thread_strain_beyond_tension(t);
-    bool hopeless = !(strain <= HOPELESS_STRAIN) || turns_a_segment_over(t);
-    if (hopeless) {
-        vbss_thread_start_from_rest(t);
-        vbss_thread_measure(t, t->trial, t->strains);
+    bool is_rejected = !(strain <= MAX_PREDICTION_STRAIN) || flips_segment(t);
+    if (is_rejected) {
+        vbss_thread_reset_trial(t);
+        vbss_thread_compute_strains(t, t->trial, t->strains);
         strain = vbss_thread_strain_beyond_tension(t);
         t->statistics.softened++;
     }
-    stage->sound_strain = strain + HOPELESS_STRAIN;
-    return !hopeless && strain <= (t->last_part == 0.0 ? STARTING_STRAIN : SMOOTH_STRAIN);
+    substep->max_acceptable_strain = strain + MAX_PREDICTION_STRAIN;
+    return !is_rejected && strain <= (t->previous_h == 0.0 ? STARTING_STRAIN : SMOOTH_STRAIN);
 }
 
 /* Moves the trial state by the solution. Returns the largest distance that forces left out of balance
  * would move a node: what a further linearisation could change. */
-double vbss_thread_advance(thread_object *t, const thread_stage *stage, const vec3 *u)
+double vbss_thread_apply_increment(thread_object *t, const thread_substep *substep, const vec3 *u)
 {
-    const vbss_integration *in = stage->integration;
+    const vbss_integration *in = substep->integration;
     double largest = 0.0, mobility = 1.0 / (in->inertia * t->config.linear_density);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         const thread_strain *s = &t->strains[i];
@@ -94,25 +94,28 @@ double vbss_thread_advance(thread_object *t, const thread_stage *stage, const ve
         double inverse_rest = t->inverse_rest[i],
                stiffness = t->config.axial_stiffness * inverse_rest;
         vec3 e = vec3_sub(u[i + 1], u[i]);
-        double along = vec3_dot(s->tangent, e), longer = along;
-        if (arc->share > 0.0) {
-            vec3 bent = vec3_zero();
+        double along = vec3_dot(s->tangent, e), elongation_change = along;
+        if (arc->length_coefficient > 0.0) {
+            vec3 curvature_change = vec3_zero();
             for (uint32_t a = 0; a < 4; a++) {
-                if (arc->factor[a] != 0.0) {
-                    bent = vec3_add_scaled(bent, arc->factor[a], u[i + a - 1]);
+                if (arc->coefficient[a] != 0.0) {
+                    curvature_change =
+                        vec3_add_scaled(curvature_change, arc->coefficient[a], u[i + a - 1]);
                 }
             }
-            longer += 2.0 * arc->share * vec3_dot(s->curvature, bent);
+            elongation_change +=
+                2.0 * arc->length_coefficient * vec3_dot(s->curvature, curvature_change);
         }
-        double tension = stiffness * (s->excess + longer);
+        double tension = stiffness * (s->elongation + elongation_change);
         double old = t->trial_tension[i];
-        double pull = old > stage->least_pull ? old : stage->least_pull;
+        double bounded_tension = old > substep->min_tension ? old : substep->min_tension;
         vec3 across = vec3_add_scaled(e, -along, s->tangent);
-        double turned = vec3_norm(across) * inverse_rest;
+        double rotation = vec3_norm(across) * inverse_rest;
         /* The tension's turn was taken with the old tension, and to first order. */
-        double left = turned * (fabs(tension - pull) + 0.5 * fabs(tension) * turned);
-        left *= mobility * inverse_rest;
-        largest = vbss_max_or_nan(left, largest);
+        double residual =
+            rotation * (fabs(tension - bounded_tension) + 0.5 * fabs(tension) * rotation);
+        residual *= mobility * inverse_rest;
+        largest = vbss_max_or_nan(residual, largest);
         t->trial_tension[i] = tension;
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
@@ -123,55 +126,58 @@ double vbss_thread_advance(thread_object *t, const thread_stage *stage, const ve
 
 /* What lengths would miss of the tensions with which increments were found if the trial state moved by them, as a
  * share of the rest length: they were taken to first order. */
-double vbss_thread_missed_by(const thread_object *t, const vec3 *u)
+double vbss_thread_linearisation_error(const thread_object *t, const vec3 *u)
 {
     double largest = 0.0;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         vec3 e = vec3_sub(u[i + 1], u[i]), now = vec3_sub(t->trial[i + 1], t->trial[i]);
-        double longer = vec3_norm(vec3_add(now, e)) - vec3_norm(now);
-        double missed = fabs(longer - vec3_dot(t->strains[i].tangent, e)) * t->inverse_rest[i];
-        largest = vbss_max_or_nan(missed, largest);
+        double elongation_change = vec3_norm(vec3_add(now, e)) - vec3_norm(now);
+        double error =
+            fabs(elongation_change - vec3_dot(t->strains[i].tangent, e)) * t->inverse_rest[i];
+        largest = vbss_max_or_nan(error, largest);
     }
     return largest;
 }
 
 /* Where the last try found nothing sound: all free nodes stop where they are; counted with `forced`.
  * False: not even that is finite. */
-bool vbss_thread_stop(thread_object *t)
+bool vbss_thread_freeze_trial(thread_object *t)
 {
-    vbss_thread_start_from_rest(t);
-    vbss_thread_measure(t, t->trial, t->strains);
+    vbss_thread_reset_trial(t);
+    vbss_thread_compute_strains(t, t->trial, t->strains);
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        t->trial_tension[i] = t->config.axial_stiffness * t->strains[i].excess * t->inverse_rest[i];
+        t->trial_tension[i] =
+            t->config.axial_stiffness * t->strains[i].elongation * t->inverse_rest[i];
     }
     for (uint32_t i = 0; i < t->node_count; i++) {
         t->x_predicted[i] = t->trial[i];
         t->v_predicted[i] = t->a_predicted[i] = vec3_zero();
     }
     double largest = vbss_thread_strain_beyond_tension(t);
-    (void)vbss_thread_note_stretch(t, t->trial_tension);
+    (void)vbss_thread_record_stretch(t, t->trial_tension);
     return largest < 1e100;
 }
 
 /* A held node has the speed at which it was taken along. The recursion of the integration would make
  * it ring: it is driven here, not driving. */
-static void set_held_motion(thread_object *t, const vbss_integration *in)
+static void set_prescribed_motion(thread_object *t, const vbss_integration *in)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
-        if (t->held[i] != 0) {
-            vec3 speed = vec3_scale(vec3_sub(t->trial[i], t->now.x[i]), 1.0 / in->h);
-            vec3 turn = vec3_scale(vec3_sub(speed, t->now.v[i]), 1.0 / in->h);
-            vec3 moved = vec3_scale(turn, 1.0 / in->inertia);
-            t->x_predicted[i] = vec3_sub(t->trial[i], moved);
-            t->v_predicted[i] = vec3_add_scaled(speed, -in->velocity_factor, moved);
-            t->a_predicted[i] = vec3_add_scaled(turn, -in->acceleration_factor, moved);
+        if (t->prescribed_by[i] != 0) {
+            vec3 velocity = vec3_scale(vec3_sub(t->trial[i], t->now.x[i]), 1.0 / in->h);
+            vec3 acceleration = vec3_scale(vec3_sub(velocity, t->now.v[i]), 1.0 / in->h);
+            vec3 displacement = vec3_scale(acceleration, 1.0 / in->inertia);
+            t->x_predicted[i] = vec3_sub(t->trial[i], displacement);
+            t->v_predicted[i] = vec3_add_scaled(velocity, -in->velocity_factor, displacement);
+            t->a_predicted[i] =
+                vec3_add_scaled(acceleration, -in->acceleration_factor, displacement);
         }
     }
 }
 
 void vbss_thread_commit(thread_object *t, const vbss_integration *in)
 {
-    set_held_motion(t, in);
+    set_prescribed_motion(t, in);
     memcpy(t->now.x, t->trial, t->node_count * sizeof *t->trial);
     memcpy(t->now.tension, t->trial_tension, t->node_count * sizeof *t->trial_tension);
     vbss_integration_correct(in, 3 * (size_t)t->node_count, &t->trial->x, &t->x_predicted->x,
@@ -179,8 +185,8 @@ void vbss_thread_commit(thread_object *t, const vbss_integration *in)
                              &t->now.q->x);
     if (t->config.damping > 0.0) {
         /* Implicit in the rate: stable for any of them. */
-        double share = t->config.damping * in->h / (1.0 + t->config.damping * in->h);
-        vbss_thread_damp_sections(t, share);
+        double damping_fraction = t->config.damping * in->h / (1.0 + t->config.damping * in->h);
+        vbss_thread_damp_sections(t, damping_fraction);
     }
     vbss_thread_statistics *s = &t->statistics;
     s->substeps++;
@@ -191,10 +197,10 @@ void vbss_thread_commit(thread_object *t, const vbss_integration *in)
 /* The compression under which a straight thread with its inertia as foundation buckles at a free end:
  * sqrt(EI k), k = inertia * linear density; twice that inside. Less where that wave would be shorter
  * than two segments. */
-double vbss_thread_carried_load(const thread_object *t, double inertia)
+double vbss_thread_buckling_load(const thread_object *t, double inertia)
 {
     double foundation = inertia * t->config.linear_density, bending = t->config.bending_stiffness;
-    double l = t->shortest_rest, shortest_wave = 4.0 / (l * l); /* square of its number */
+    double l = t->min_rest_length, shortest_wave = 4.0 / (l * l); /* square of its number */
     double load = sqrt(bending * foundation);
     if (foundation > bending * shortest_wave * shortest_wave) {
         load = 0.5 * (bending * shortest_wave + foundation / shortest_wave);

@@ -19,14 +19,14 @@ static uint64_t *row_of(const graph *g, uint32_t node)
     return g->bits + (size_t)node * g->words;
 }
 
-static bool are_joined(const graph *g, uint32_t a, uint32_t b)
+static bool are_adjacent(const graph *g, uint32_t a, uint32_t b)
 {
     return (row_of(g, a)[b / 64] >> (b % 64) & 1u) != 0;
 }
 
-static void join(graph *g, uint32_t a, uint32_t b)
+static void connect_nodes(graph *g, uint32_t a, uint32_t b)
 {
-    if (a != b && !are_joined(g, a, b)) {
+    if (a != b && !are_adjacent(g, a, b)) {
         row_of(g, a)[b / 64] |= UINT64_C(1) << (b % 64);
         row_of(g, b)[a / 64] |= UINT64_C(1) << (a % 64);
         g->degree[a]++;
@@ -34,7 +34,7 @@ static void join(graph *g, uint32_t a, uint32_t b)
     }
 }
 
-static vbss_result begin_graph(vbss_context *context, uint32_t nodes, graph *g)
+static vbss_result create_graph(vbss_context *context, uint32_t nodes, graph *g)
 {
     *g = (graph){.nodes = nodes, .words = (nodes + 63) / 64};
     g->bits = vbss_allocate(context, (size_t)nodes * g->words, sizeof *g->bits, "order of a drain");
@@ -44,7 +44,7 @@ static vbss_result begin_graph(vbss_context *context, uint32_t nodes, graph *g)
                                                                    : VBSS_ERROR_OUT_OF_MEMORY;
 }
 
-static void end_graph(vbss_context *context, graph *g)
+static void destroy_graph(vbss_context *context, graph *g)
 {
     vbss_release(context, g->bits, (size_t)g->nodes * g->words, sizeof *g->bits);
     vbss_release(context, g->degree, g->nodes, sizeof *g->degree);
@@ -52,15 +52,15 @@ static void end_graph(vbss_context *context, graph *g)
 }
 
 /* Of the nodes that are left. */
-static void join_patches(graph *g, const drain_mesh *mesh, const vbss_shell *shell)
+static void connect_patches(graph *g, const drain_mesh *mesh, const vbss_shell *shell)
 {
     memset(g->bits, 0, (size_t)g->nodes * g->words * sizeof *g->bits);
     memset(g->degree, 0, g->nodes * sizeof *g->degree);
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
         for (uint32_t p = 0; p < SHELL_PAIRS; p++) {
             uint32_t a, b;
-            if (vbss_shell_pair(shell, t, p, &a, &b) && g->left[a] && g->left[b]) {
-                join(g, a, b);
+            if (vbss_shell_pair_nodes(shell, t, p, &a, &b) && g->left[a] && g->left[b]) {
+                connect_nodes(g, a, b);
             }
         }
     }
@@ -72,7 +72,7 @@ static void eliminate(graph *g, uint32_t node)
     const uint64_t *gone = row_of(g, node);
     g->left[node] = false;
     for (uint32_t a = 0; a < g->nodes; a++) {
-        if (!g->left[a] || !are_joined(g, node, a)) {
+        if (!g->left[a] || !are_adjacent(g, node, a)) {
             continue;
         }
         uint64_t *row = row_of(g, a);
@@ -83,12 +83,12 @@ static void eliminate(graph *g, uint32_t node)
         row[a / 64] &= ~(UINT64_C(1) << (a % 64));
         row[node / 64] &= ~(UINT64_C(1) << (node % 64));
         for (uint32_t b = 0; b < g->nodes; b++) {
-            g->degree[a] += are_joined(g, a, b);
+            g->degree[a] += are_adjacent(g, a, b);
         }
     }
 }
 
-static uint32_t next_node(const graph *g)
+static uint32_t min_degree_node(const graph *g)
 {
     uint32_t best = UINT32_MAX;
     for (uint32_t a = 0; a < g->nodes; a++) {
@@ -100,35 +100,35 @@ static uint32_t next_node(const graph *g)
 }
 
 static void order_nodes(graph *g, const drain_mesh *mesh, const vbss_shell *shell,
-                        drain_order *order)
+                        drain_elimination_order *order)
 {
-    uint32_t free_count = g->nodes - mesh->fixed_count;
+    uint32_t free_count = g->nodes - mesh->anchor_count;
     memset(g->left, 1, g->nodes);
-    for (uint32_t i = 0; i < mesh->fixed_count; i++) {
-        g->left[mesh->fixed[i]] = 0;
-        order->node[free_count + i] = mesh->fixed[i];
+    for (uint32_t i = 0; i < mesh->anchor_count; i++) {
+        g->left[mesh->anchors[i]] = 0;
+        order->node[free_count + i] = mesh->anchors[i];
     }
-    join_patches(g, mesh, shell);
+    connect_patches(g, mesh, shell);
     for (uint32_t k = 0; k < free_count; k++) {
-        order->node[k] = next_node(g);
+        order->node[k] = min_degree_node(g);
         eliminate(g, order->node[k]);
     }
     for (uint32_t k = 0; k < g->nodes; k++) {
-        order->place[order->node[k]] = k;
+        order->block_index[order->node[k]] = k;
     }
 }
 
 /* What the factor is when all anchors have torn. */
 static void count_fill(graph *g, const drain_mesh *mesh, const vbss_shell *shell,
-                       drain_order *order)
+                       drain_elimination_order *order)
 {
     memset(g->left, 1, g->nodes);
-    join_patches(g, mesh, shell);
-    order->entries = order->products = 0;
+    connect_patches(g, mesh, shell);
+    order->factor_entries = order->factor_products = 0;
     for (uint32_t k = 0; k < g->nodes; k++) {
         uint32_t degree = g->degree[order->node[k]];
-        order->entries += degree;
-        order->products += degree * (degree - (degree > 0)) / 2;
+        order->factor_entries += degree;
+        order->factor_products += degree * (degree - (degree > 0)) / 2;
         eliminate(g, order->node[k]);
     }
 }
@@ -145,7 +145,7 @@ static uint32_t count_pairs(const graph *g)
 }
 
 /* By the lower place, then the higher: found by halving. */
-static uint32_t find_pair(const drain_order *order, uint32_t high, uint32_t low)
+static uint32_t find_pair(const drain_elimination_order *order, uint32_t high, uint32_t low)
 {
     uint32_t from = 0, to = order->pair_count;
     while (to - from > 1) {
@@ -158,12 +158,12 @@ static uint32_t find_pair(const drain_order *order, uint32_t high, uint32_t low)
     return from;
 }
 
-static void list_pairs(const graph *g, drain_order *order)
+static void list_pairs(const graph *g, drain_elimination_order *order)
 {
     uint32_t count = 0;
     for (uint32_t low = 0; low < g->nodes; low++) {
         for (uint32_t high = low + 1; high < g->nodes; high++) {
-            if (are_joined(g, order->node[low], order->node[high])) {
+            if (are_adjacent(g, order->node[low], order->node[high])) {
                 order->pairs[count++] = (drain_pair){high, low, VBSS_NO_COUPLING};
             }
         }
@@ -171,16 +171,16 @@ static void list_pairs(const graph *g, drain_order *order)
 }
 
 static void find_pairs_of_patches(const drain_mesh *mesh, const vbss_shell *shell,
-                                  drain_order *order)
+                                  drain_elimination_order *order)
 {
     for (uint32_t t = 0; t < mesh->triangle_count; t++) {
         for (uint32_t p = 0; p < SHELL_PAIRS; p++) {
             uint32_t a, b;
-            order->pair_of[t][p] = 2 * order->pair_count;
-            if (vbss_shell_pair(shell, t, p, &a, &b)) {
-                uint32_t i = order->place[a], j = order->place[b];
+            order->pair_codes[t][p] = 2 * order->pair_count;
+            if (vbss_shell_pair_nodes(shell, t, p, &a, &b)) {
+                uint32_t i = order->block_index[a], j = order->block_index[b];
                 uint32_t pair = find_pair(order, i > j ? i : j, i > j ? j : i);
-                order->pair_of[t][p] = 2 * pair + (i < j);
+                order->pair_codes[t][p] = 2 * pair + (i < j);
             }
         }
     }
@@ -188,49 +188,53 @@ static void find_pairs_of_patches(const drain_mesh *mesh, const vbss_shell *shel
 
 /* ---- all of it */
 
-static vbss_result fill(vbss_context *context, const drain_mesh *mesh, const vbss_shell *shell,
-                        graph *g, drain_order *order)
+static vbss_result build_order(vbss_context *context, const drain_mesh *mesh,
+                               const vbss_shell *shell, graph *g, drain_elimination_order *order)
 {
     uint32_t nodes = mesh->node_count;
-    VBSS_TRY(begin_graph(context, nodes, g));
+    VBSS_TRY(create_graph(context, nodes, g));
     memset(g->left, 1, nodes);
-    join_patches(g, mesh, shell);
+    connect_patches(g, mesh, shell);
     order->pair_count = count_pairs(g);
-    order->place = vbss_allocate(context, nodes, sizeof *order->place, "order of a drain");
+    order->block_index =
+        vbss_allocate(context, nodes, sizeof *order->block_index, "order of a drain");
     order->node = vbss_allocate(context, nodes, sizeof *order->node, "order of a drain");
     order->pairs =
         vbss_allocate(context, order->pair_count, sizeof *order->pairs, "order of a drain");
-    order->pair_of =
-        vbss_allocate(context, mesh->triangle_count, sizeof *order->pair_of, "order of a drain");
-    order->targets = vbss_allocate(context, (size_t)order->pair_count + 1, sizeof *order->targets,
-                                   "order of a drain");
-    if (order->place == NULL || order->node == NULL || order->pairs == NULL ||
-        order->pair_of == NULL || order->targets == NULL) {
+    order->pair_codes =
+        vbss_allocate(context, mesh->triangle_count, sizeof *order->pair_codes, "order of a drain");
+    order->block_codes = vbss_allocate(context, (size_t)order->pair_count + 1,
+                                       sizeof *order->block_codes, "order of a drain");
+    if (order->block_index == NULL || order->node == NULL || order->pairs == NULL ||
+        order->pair_codes == NULL || order->block_codes == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     order_nodes(g, mesh, shell, order);
     count_fill(g, mesh, shell, order);
     memset(g->left, 1, nodes);
-    join_patches(g, mesh, shell); /* elimination has filled it in */
+    connect_patches(g, mesh, shell); /* elimination has filled it in */
     list_pairs(g, order);
     find_pairs_of_patches(mesh, shell, order);
     return VBSS_OK;
 }
 
-vbss_result vbss_drain_make_order(vbss_context *context, const drain_mesh *mesh,
-                                  const vbss_shell *shell, drain_order *order)
+vbss_result vbss_drain_create_elimination_order(vbss_context *context, const drain_mesh *mesh,
+                                                const vbss_shell *shell,
+                                                drain_elimination_order *order)
 {
     graph g;
-    vbss_result result = fill(context, mesh, shell, &g, order);
-    end_graph(context, &g);
+    vbss_result result = build_order(context, mesh, shell, &g, order);
+    destroy_graph(context, &g);
     return result;
 }
 
-void vbss_drain_end_order(vbss_context *context, const drain_mesh *mesh, drain_order *order)
+void vbss_drain_destroy_elimination_order(vbss_context *context, const drain_mesh *mesh,
+                                          drain_elimination_order *order)
 {
-    vbss_release(context, order->place, mesh->node_count, sizeof *order->place);
+    vbss_release(context, order->block_index, mesh->node_count, sizeof *order->block_index);
     vbss_release(context, order->node, mesh->node_count, sizeof *order->node);
     vbss_release(context, order->pairs, order->pair_count, sizeof *order->pairs);
-    vbss_release(context, order->pair_of, mesh->triangle_count, sizeof *order->pair_of);
-    vbss_release(context, order->targets, (size_t)order->pair_count + 1, sizeof *order->targets);
+    vbss_release(context, order->pair_codes, mesh->triangle_count, sizeof *order->pair_codes);
+    vbss_release(context, order->block_codes, (size_t)order->pair_count + 1,
+                 sizeof *order->block_codes);
 }

@@ -3,21 +3,21 @@
 
 /* Half a mesh, for the usual drain: columns in degrees from the top, rows in mm from mid-length. Other drains
  * stretch them between the lines that have a meaning. */
-typedef struct half_mesh {
+typedef struct half_grid {
     uint32_t columns, rows; /* cells */
-    uint32_t mark;          /* column */
+    uint32_t mark_column;   /* column */
     double degrees[11], mm[6];
-} half_mesh;
+} half_grid;
 
 /* Row of the tips, in all of them; lines that are stretched to where those of the drain are. */
-enum { TIP = 3 };
+enum { TIP_ROW = 3 };
 #define LISTED_MARK 39.67
 #define LISTED_STRIP 155.0
 #define LISTED_BOTTOM 180.0
 #define LISTED_TIP 5.0
 #define LISTED_END 16.0
 
-static const half_mesh half_meshes[] = {
+static const half_grid half_grids[] = {
     [DRAIN_MESH_N] = {6,
                       5,
                       2,
@@ -43,15 +43,16 @@ static const half_mesh half_meshes[] = {
 };
 
 /* Entry k of a list whose cells are divided. */
-static double listed(const double *list, uint32_t k, uint32_t divisions)
+static double interpolate_lines(const double *list, uint32_t k, uint32_t divisions)
 {
-    uint32_t cell = k / divisions, part = k % divisions;
-    return part == 0 ? list[cell]
-                     : list[cell] + (list[cell + 1] - list[cell]) * part / (double)divisions;
+    uint32_t cell = k / divisions, subdivision = k % divisions;
+    return subdivision == 0
+               ? list[cell]
+               : list[cell] + (list[cell + 1] - list[cell]) * subdivision / (double)divisions;
 }
 
 /* Exact at both ends. */
-static double stretch(double value, const double from[2], const double to[2])
+static double remap(double value, const double from[2], const double to[2])
 {
     double t = (value - from[0]) / (from[1] - from[0]);
     return (1.0 - t) * to[0] + t * to[1];
@@ -62,42 +63,44 @@ static bool is_graded(const drain_mesh *m)
     return m->options.kind < DRAIN_MESH_UNIFORM;
 }
 
-void vbss_drain_plan_lines(drain_mesh *m)
+void vbss_drain_plan_graded_grid(drain_mesh *m)
 {
-    const half_mesh *half = &half_meshes[m->options.kind];
+    const half_grid *half = &half_grids[m->options.kind];
     uint32_t d = m->options.divisions;
     m->grid.axial_cells = 2 * half->rows * d;
     m->grid.round_cells = 2 * half->columns * d;
-    m->grid.tip = TIP * d;
-    m->grid.mark = half->mark * d;
+    m->grid.tip_rows = TIP_ROW * d;
+    m->grid.mark_column = half->mark_column * d;
 }
 
 static double graded_row(const drain_mesh *m, uint32_t k)
 {
     static const double from[3] = {0.0, LISTED_TIP, LISTED_END};
     const double to[3] = {0.0, 0.5 * m->options.slit_length, 0.5 * m->options.length};
-    double mm = listed(half_meshes[m->options.kind].mm, k, m->options.divisions);
+    double mm = interpolate_lines(half_grids[m->options.kind].mm, k, m->options.divisions);
     int zone = mm > LISTED_TIP;
-    return stretch(mm, from + zone, to + zone);
+    return remap(mm, from + zone, to + zone);
 }
 
-double vbss_drain_row(const drain_mesh *m, uint32_t row)
+double vbss_drain_row_x(const drain_mesh *m, uint32_t row)
 {
     uint32_t middle = m->grid.axial_cells / 2;
     if (!is_graded(m)) {
-        return vbss_drain_equal_row(m, row);
+        return vbss_drain_uniform_row_x(m, row);
     }
     return row < middle ? -graded_row(m, middle - row) : graded_row(m, row - middle);
 }
 
-double vbss_drain_column(const drain_mesh *m, uint32_t column)
+double vbss_drain_column_angle(const drain_mesh *m, uint32_t column)
 {
     static const double from[4] = {0.0, LISTED_MARK, LISTED_STRIP, LISTED_BOTTOM};
-    const double to[4] = {0.0, m->options.mark_arc / m->options.radius, DRAIN_STRIP, DRAIN_PI};
+    const double to[4] = {0.0, m->options.mark_arc / m->options.radius, DRAIN_STRIP_ANGLE,
+                          DRAIN_PI};
     if (!is_graded(m)) {
-        return vbss_drain_equal_column(m, column);
+        return vbss_drain_uniform_column_angle(m, column);
     }
-    double degrees = listed(half_meshes[m->options.kind].degrees, column, m->options.divisions);
+    double degrees =
+        interpolate_lines(half_grids[m->options.kind].degrees, column, m->options.divisions);
     int zone = (degrees > LISTED_MARK) + (degrees > LISTED_STRIP);
-    return stretch(degrees, from + zone, to + zone);
+    return remap(degrees, from + zone, to + zone);
 }

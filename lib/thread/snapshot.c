@@ -1,7 +1,7 @@
 /* The state of a thread: what is saved, hashed and restored. */
 #include "base/snapshot.h"
 #include "base/stream.h"
-#include "thread/mesh.h"
+#include "thread/remesh.h"
 
 #include <string.h>
 
@@ -50,7 +50,7 @@ static void visit_mesh(vbss_stream *stream, thread_object *t)
         vbss_stream_expect_f64(stream, 60, numbers[i]);
     }
     vbss_stream_expect(stream, 61, c->mesh_operations);
-    vbss_stream_u32(stream, 62, &t->next_look, 1);
+    vbss_stream_u32(stream, 62, &t->next_segment_to_check, 1);
     vbss_stream_u64(stream, 63, &s->refined, 6); /* .. refused_near */
     vbss_stream_u32(stream, 64, &s->most_nodes, 1);
 }
@@ -61,13 +61,13 @@ static bool is_unit(vec3 v)
 }
 
 /* No node is held twice. */
-static void check_holders(vbss_stream *stream, const thread_object *t)
+static void check_prescribed_nodes(vbss_stream *stream, const thread_object *t)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         const thread_attachment *a = &t->attachments[i];
-        for (uint32_t k = 0; k < i && a->id != 0 && vbss_thread_holds(a->kind); k++) {
+        for (uint32_t k = 0; k < i && a->id != 0 && vbss_thread_prescribes_motion(a->kind); k++) {
             const thread_attachment *b = &t->attachments[k];
-            if (b->id != 0 && vbss_thread_holds(b->kind) && b->node == a->node) {
+            if (b->id != 0 && vbss_thread_prescribes_motion(b->kind) && b->node == a->node) {
                 vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a node is held twice");
             }
         }
@@ -124,11 +124,11 @@ static void visit_statistics(vbss_stream *stream, vbss_thread_statistics *s)
 
 static void check_rest(vbss_stream *stream, const thread_object *t)
 {
-    bool sound = t->node_count >= 2;
+    bool is_valid = t->node_count >= 2;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
-        sound = sound && t->rest[i] > 0.0 && t->rest[i] <= 1e3;
+        is_valid = is_valid && t->rest[i] > 0.0 && t->rest[i] <= 1e3;
     }
-    if (!sound && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
+    if (!is_valid && stream->mode == VBSS_STREAM_READ && !stream->trusted) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such rest lengths");
     }
 }
@@ -136,7 +136,7 @@ static void check_rest(vbss_stream *stream, const thread_object *t)
 void vbss_thread_serialise(vbss_stream *stream, void *object)
 {
     thread_object *t = object;
-    uint8_t fresh = t->fresh, placed = t->placed;
+    uint8_t is_acceleration_unknown = t->is_acceleration_unknown, is_in_setup = t->is_in_setup;
     visit_config(stream, t);
     vbss_stream_count(stream, 3, &t->node_count, t->node_capacity);
     size_t n = t->node_count, segments = n > 0 ? n - 1 : 0;
@@ -147,36 +147,36 @@ void vbss_thread_serialise(vbss_stream *stream, void *object)
     vbss_stream_f64(stream, 7, &t->now.a[0].x, 3 * n);
     vbss_stream_f64(stream, 8, &t->now.q[0].x, 3 * n);
     vbss_stream_f64(stream, 9, t->now.tension, segments);
-    vbss_stream_u8(stream, 10, &fresh, 1);
-    vbss_stream_u32(stream, 11, &t->settling, 1);
+    vbss_stream_u8(stream, 10, &is_acceleration_unknown, 1);
+    vbss_stream_u32(stream, 11, &t->damped_steps_left, 1);
     vbss_stream_u32(stream, 12, &t->last_id, 1);
-    vbss_stream_f64(stream, 13, &t->last_part, 1);
-    if (!(t->last_part >= 0.0) || t->settling > 16) {
+    vbss_stream_f64(stream, 13, &t->previous_h, 1);
+    if (!(t->previous_h >= 0.0) || t->damped_steps_left > 16) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such length of a step");
     }
-    vbss_stream_u8(stream, 14, &placed, 1);
-    if (fresh > 1 || placed > 1) {
+    vbss_stream_u8(stream, 14, &is_in_setup, 1);
+    if (is_acceleration_unknown > 1 || is_in_setup > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
         visit_attachment(stream, t, &t->attachments[i]);
     }
     if (stream->mode == VBSS_STREAM_READ && !stream->trusted) {
-        check_holders(stream, t);
+        check_prescribed_nodes(stream, t);
     }
     visit_statistics(stream, &t->statistics);
     if (thread_is_adaptive(t)) {
         visit_mesh(stream, t);
     }
     if (stream->mode == VBSS_STREAM_READ) {
-        t->fresh = fresh != 0;
-        t->placed = placed != 0;
-        t->layout_known = false;
+        t->is_acceleration_unknown = is_acceleration_unknown != 0;
+        t->is_in_setup = is_in_setup != 0;
+        t->is_derived_valid = false;
         t->generation++;
     }
 }
 
-void vbss_thread_copy_motion(const thread_object *t, thread_motion *to, const thread_motion *from)
+void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thread_state *from)
 {
     size_t bytes = t->node_count * sizeof(vec3);
     memcpy(to->x, from->x, bytes);

@@ -10,12 +10,12 @@ static const uint32_t gap_sizes[] = {32, 96, 0};
 static const vbss_layout gap_layout = {"vbss_drain_gap", NULL, gap_sizes};
 
 /* From face to face at a node of an edge: across the triangles beside it. */
-static vec3 through_wall(const drain_object *d, int side, uint32_t i)
+static vec3 wall_vector(const drain_object *d, int side, uint32_t i)
 {
     const drain_mesh *m = &d->mesh;
     vec3 normal = vec3_zero();
     for (uint32_t k = i > 0 ? i - 1 : 0; k <= i && k + 1 < m->slit_count; k++) {
-        const uint32_t *n = m->triangles[m->lips[side][k]];
+        const uint32_t *n = m->triangles[m->lip_triangles[side][k]];
         vec3 cross = vec3_cross(vec3_sub(d->x[n[1]], d->x[n[0]]), vec3_sub(d->x[n[2]], d->x[n[0]]));
         normal = vec3_add(normal, vec3_unit_or(cross, vec3_zero()));
     }
@@ -26,19 +26,20 @@ static vec3 through_wall(const drain_object *d, int side, uint32_t i)
 static double opening_at(const drain_object *d, uint32_t i, vec3 lips[2])
 {
     const drain_mesh *m = &d->mesh;
-    vec3 begins[2], through[2];
+    vec3 inner_points[2], wall_vectors[2];
     double at[2];
     for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
-        through[side] = through_wall(d, side, i);
-        begins[side] = vec3_add_scaled(d->x[m->slit[side][i]], -0.5, through[side]);
+        wall_vectors[side] = wall_vector(d, side, i);
+        inner_points[side] =
+            vec3_add_scaled(d->x[m->slit_nodes[side][i]], -0.5, wall_vectors[side]);
     }
-    vec3 between = vec3_sub(begins[DRAIN_RIGHT], begins[DRAIN_LEFT]);
-    vec3 apart =
-        closest_between_edges(through[DRAIN_LEFT], through[DRAIN_RIGHT], between, &at[0], &at[1]);
+    vec3 between = vec3_sub(inner_points[DRAIN_RIGHT], inner_points[DRAIN_LEFT]);
+    vec3 closest = closest_between_edges(wall_vectors[DRAIN_LEFT], wall_vectors[DRAIN_RIGHT],
+                                         between, &at[0], &at[1]);
     for (int side = DRAIN_LEFT; side <= DRAIN_RIGHT; side++) {
-        lips[side] = vec3_add_scaled(begins[side], at[side], through[side]);
+        lips[side] = vec3_add_scaled(inner_points[side], at[side], wall_vectors[side]);
     }
-    return vec3_norm(apart);
+    return vec3_norm(closest);
 }
 
 vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t struct_size)
@@ -47,13 +48,15 @@ vbss_result vbss_drain_get_gap(vbss_drain *drain, vbss_drain_gap *gap, uint32_t 
     VBSS_TRY(vbss_drain_open(drain, &d));
     const drain_mesh *m = &d->mesh;
     vbss_drain_gap own = {.struct_size = sizeof own};
-    vec3 lips[2], between = vec3_sub(d->x[m->middle[DRAIN_RIGHT]], d->x[m->middle[DRAIN_LEFT]]);
+    vec3 lips[2],
+        between = vec3_sub(d->x[m->slit_middle[DRAIN_RIGHT]], d->x[m->slit_middle[DRAIN_LEFT]]);
     own.gap = vec3_norm(between);
     own.signed_gap = vec3_dot(between, quat_rotate(d->frame.orientation, vec3_make(0.0, 0.0, 1.0)));
     for (uint32_t i = 0; i < m->slit_count; i++) {
-        double apart = vec3_distance(d->x[m->slit[DRAIN_LEFT][i]], d->x[m->slit[DRAIN_RIGHT][i]]);
-        if (apart > own.largest) {
-            own.largest = apart;
+        double distance =
+            vec3_distance(d->x[m->slit_nodes[DRAIN_LEFT][i]], d->x[m->slit_nodes[DRAIN_RIGHT][i]]);
+        if (distance > own.largest) {
+            own.largest = distance;
             own.largest_pair = i;
         }
         double opening = opening_at(d, i, lips);

@@ -21,16 +21,16 @@ static double width_of(const drain_mesh *m, const uint32_t triangle[3])
     return high - low;
 }
 
-void vbss_drain_measure(drain_mesh *m)
+void vbss_drain_compute_areas(drain_mesh *m)
 {
     for (uint32_t i = 0; i < m->node_count; i++) {
-        m->area[i] = 0.0;
+        m->node_area[i] = 0.0;
     }
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         double third = area_of(m, m->triangles[t]) / 3.0;
         for (int k = 0; k < 3; k++) {
-            m->area[m->triangles[t][k]] += third;
+            m->node_area[m->triangles[t][k]] += third;
         }
-        m->width[t] = width_of(m, m->triangles[t]);
+        m->angular_width[t] = width_of(m, m->triangles[t]);
     }
 }

@@ -37,10 +37,10 @@ static void visit_config(vbss_stream *stream, const grasper_object *g)
     vbss_stream_expect(stream, 2, (uint64_t)c->method);
     vbss_stream_expect(stream, 2, (uint64_t)c->kind);
     vbss_stream_expect(stream, 2, (uint64_t)c->has_trocar);
-    vbss_stream_expect(stream, 3, g->body); /* a scene knows it by this number */
+    vbss_stream_expect(stream, 3, g->body_id); /* a scene knows it by this number */
 }
 
-static bool is_kind(vbss_grasper_kind kind)
+static bool is_valid_kind(vbss_grasper_kind kind)
 {
     return kind == VBSS_GRASPER_NEEDLE_DRIVER || kind == VBSS_GRASPER_SHEARS;
 }
@@ -52,11 +52,13 @@ static bool is_unit(quat q)
 
 static bool is_sound(const grasper_object *g)
 {
-    return is_kind(g->kind) && is_kind(g->kind_told) && is_unit(g->told.orientation) &&
-           vbss_max_abs(&g->told.position.x, 3) <= 1e3 && is_unit(g->now.orientation) &&
-           g->opening >= 0.0 && g->opening <= 1.0 && g->angle >= 0.0 && g->angle <= 1.6 &&
-           g->pressure >= 0.0 && g->pressure <= g->config.closing_force &&
-           (g->body != 0 || g->grasp_count == 0) && g->solenoid <= (g->needle != 0);
+    return is_valid_kind(g->kind) && is_valid_kind(g->commanded_kind) &&
+           is_unit(g->commanded_pose.orientation) &&
+           vbss_max_abs(&g->commanded_pose.position.x, 3) <= 1e3 &&
+           is_unit(g->tool_pose.orientation) && g->opening >= 0.0 && g->opening <= 1.0 &&
+           g->jaw_angle >= 0.0 && g->jaw_angle <= 1.6 && g->jaw_force >= 0.0 &&
+           g->jaw_force <= g->config.closing_force && (g->body_id != 0 || g->grasp_count == 0) &&
+           g->solenoid <= (g->needle != 0);
 }
 
 void vbss_grasper_serialise(vbss_stream *stream, void *object)
@@ -64,12 +66,12 @@ void vbss_grasper_serialise(vbss_stream *stream, void *object)
     grasper_object *g = object;
     visit_config(stream, g);
     vbss_stream_i32(stream, 10, &g->kind, 1);
-    vbss_stream_i32(stream, 11, &g->kind_told, 1);
-    vbss_stream_f64(stream, 12, &g->told.position.x, 3);
-    vbss_stream_f64(stream, 13, &g->told.orientation.w, 4);
+    vbss_stream_i32(stream, 11, &g->commanded_kind, 1);
+    vbss_stream_f64(stream, 12, &g->commanded_pose.position.x, 3);
+    vbss_stream_f64(stream, 13, &g->commanded_pose.orientation.w, 4);
     vbss_stream_f64(stream, 14, &g->opening, 1);
-    vbss_stream_f64(stream, 15, &g->angle, 1);
-    vbss_stream_f64(stream, 16, &g->pressure, 1);
+    vbss_stream_f64(stream, 15, &g->jaw_angle, 1);
+    vbss_stream_f64(stream, 16, &g->jaw_force, 1);
     vbss_stream_u32(stream, 20, &g->grasp_count, 1);
     if (stream->version >= 2) {
         vbss_stream_u32(stream, 27, &g->needle, 1);
@@ -78,8 +80,8 @@ void vbss_grasper_serialise(vbss_stream *stream, void *object)
     } else {
         g->needle = g->drain = g->solenoid = 0;
     }
-    vbss_stream_f64(stream, 21, &g->now.position.x, 3);
-    vbss_stream_f64(stream, 22, &g->now.orientation.w, 4);
+    vbss_stream_f64(stream, 21, &g->tool_pose.position.x, 3);
+    vbss_stream_f64(stream, 22, &g->tool_pose.orientation.w, 4);
     vbss_stream_f64(stream, 23, &g->velocity.x, 3);
     vbss_stream_f64(stream, 24, &g->angular_velocity.x, 3);
     vbss_stream_f64(stream, 25, &g->hand_force.x, 3);
@@ -90,6 +92,6 @@ void vbss_grasper_serialise(vbss_stream *stream, void *object)
     if (!stream->trusted && !is_sound(g)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasper");
     }
-    vbss_grasper_show(g);
+    vbss_grasper_update_view(g);
     g->generation++;
 }

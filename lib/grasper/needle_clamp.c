@@ -1,0 +1,88 @@
+/* What a needle does that the jaws hold: Coulomb friction of their faces, and what torque they bear, for a clamp of three
+ * springs at the corners of a triangle.
+ *
+ * Each spring has a third of the stiffness, so that together they give k against sliding, k a^2 against turning about the
+ * normal of the faces, and half of that about axes in them: a follows from the stiffness of both. What exceeds a limit
+ * gives way by just as much as it exceeds it, at once; the place where it is held gives way only to the force that it
+ * exerts, so no yielding stores energy in the springs. */
+#include "base/rotation.h"
+#include "grasper/grasper.h"
+
+/* In which a needle that was just taken comes to lie in the middle of the jaws, s. */
+#define CENTRING_TIME 0.08
+
+vec3 vbss_grasper_needle_clamp_point(const grasper_object *g, vec3 middle, uint32_t i)
+{
+    static const double direction[GRASPER_NEEDLE_POINTS][2] = {
+        {1.0, 0.0}, {-0.5, 0.86602540378443865}, {-0.5, -0.86602540378443865}};
+    double arm = sqrt(g->config.needle_turning_stiffness / g->config.needle_stiffness);
+    return vec3_add(middle, vec3_make(0.0, arm * direction[i][0], arm * direction[i][1]));
+}
+
+double vbss_grasper_needle_clamp_stiffness(const grasper_object *g)
+{
+    return g->config.needle_stiffness / GRASPER_NEEDLE_POINTS;
+}
+
+/* So much of it is beyond the limit. */
+static double excess_fraction(double size, double limit)
+{
+    return size > limit ? (size - limit) / size : 0.0;
+}
+
+/* Pulled from face to face harder than the jaws press, it opens them and moves between them; along the faces it slides
+ * beyond their friction. */
+static double slide(const grasper_object *g, pose *at, const grasper_needle_load *load)
+{
+    vec3 along = vec3_make(0.0, load->force.y, load->force.z);
+    double across = load->force.x * excess_fraction(fabs(load->force.x), load->jaw_force);
+    double beyond =
+        excess_fraction(vec3_norm(along), vbss_grasper_friction_limit(g, load->jaw_force));
+    vec3 slip = vec3_scale(along, beyond / g->config.needle_stiffness);
+    slip.x = across / g->config.needle_stiffness;
+    at->position = vec3_sub(at->position, slip);
+    return vec3_norm(slip);
+}
+
+static double turn(const grasper_object *g, pose *at, const grasper_needle_load *load)
+{
+    double max_force = g->config.closing_force,
+           force_fraction = max_force > 0.0 ? load->jaw_force / max_force : 0.0;
+    double limit = g->config.needle_torque * force_fraction;
+    double beyond = excess_fraction(vec3_norm(load->torque), limit);
+    double stiffness = g->config.needle_turning_stiffness;
+    vec3 rotation = vec3_make(load->torque.x, 2.0 * load->torque.y, 2.0 * load->torque.z);
+    rotation = vec3_scale(rotation, beyond / stiffness);
+    if (beyond > 0.0) {
+        quat back = vbss_quat_from_rotation_vector(vec3_neg(rotation));
+        at->orientation = quat_unit(quat_mul(back, at->orientation));
+    }
+    return vec3_norm(rotation);
+}
+
+static void centre_in_jaws(pose *at, double *age, double h)
+{
+    double remaining = CENTRING_TIME - *age;
+    if (remaining > 0.0) {
+        at->position.x *= 1.0 - vbss_min(h / remaining, 1.0);
+    }
+    *age += h;
+}
+
+/* Where the jaws begin it stops; past their end, or out of jaws that are pried open, it is free. */
+static bool stays_in_jaws(const grasper_object *g, pose *at)
+{
+    const grasper_jaws *j = vbss_grasper_current_jaws(g);
+    at->position.z = vbss_min(at->position.z, 0.0);
+    vec3 middle = at->position;
+    return -middle.z <= j->length + j->radius && fabs(middle.x) <= 2.0 * j->radius;
+}
+
+grasper_needle_slip vbss_grasper_yield_needle(const grasper_object *g, pose *at, double *age,
+                                              const grasper_needle_load *load)
+{
+    grasper_needle_slip change = {.slip = slide(g, at, load), .rotation = turn(g, at, load)};
+    centre_in_jaws(at, age, load->h);
+    change.has_escaped = !stays_in_jaws(g, at);
+    return change;
+}
