@@ -68,16 +68,16 @@ static void keep_part(void *watcher, const scene_object *s)
     part *t = &p->parts[p->part_count++];
     t->chain_count = t->node_count = 0;
     const drain_object *d = NULL;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             const thread_object *o = b->thread.thread;
             keep_chain(p, t,
                        (chain){.kind = CHAIN_THREAD, .body = b->number, .count = o->node_count},
                        o->now.x, o->trial);
-        } else if (b->kind == BODY_RIGID) {
+        } else if (b->kind == SCENE_BODY_RIGID) {
             keep_rigid(p, t, b);
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             d = b->drain.drain;
         }
     }
@@ -122,9 +122,9 @@ static void read_grasps(passed *p)
     memcpy(p->held_before, p->held_now, sizeof p->held_now);
     p->held_before_count = p->held_now_count;
     p->held_now_count = 0;
-    for (uint32_t i = 0; i < p->object->place_count; i++) {
+    for (uint32_t i = 0; i < p->object->body_count; i++) {
         const scene_body *b = &p->object->bodies[i];
-        if (b->kind == BODY_RIGID && b->rigid.grasper != NULL) {
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL) {
             read_grasps_of(p, b->number);
         }
     }
@@ -148,8 +148,8 @@ passed *passed_create(vbss_scene *scene, uint32_t drain_body)
     p->triangles = calloc(m->triangle_count, sizeof *p->triangles);
     p->failed = p->sides == NULL || p->triangles == NULL;
     read_holes(p);
-    object->watch = keep_part;
-    object->watcher = p;
+    object->on_substep = keep_part;
+    object->on_substep_data = p;
     return p;
 }
 

@@ -6,7 +6,7 @@
 #include "trainer/options.h"
 
 /* What a hand shall do; the tool's shaft is upright. */
-typedef struct motion {
+typedef struct vertex_motion {
     vec at;
     double opening;
 } motion;

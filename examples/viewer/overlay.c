@@ -5,9 +5,9 @@
 
 #include "show.h"
 
-#define JUDGED_EVERY 0.1  /* s */
-#define FORCE_LENGTH 0.01 /* m/N */
-#define LEAST_FORCE 5e-3  /* N: what is less is not drawn */
+#define JUDGED_EVERY 0.1              /* s */
+#define FORCE_LENGTH 0.01             /* m/N */
+#define ABSOLUTE_FORCE_TOLERANCE 5e-3 /* N: what is less is not drawn */
 #define HELP_WIDE 520.0F
 #define WORDS_WIDE 450.0F
 #define GRAPH_TALL 70.0F
@@ -36,7 +36,8 @@ static void draw_force(show *s, const double at[3], const double force[3], pen_c
         end[i] = at[i] + FORCE_LENGTH * force[i];
         square += force[i] * force[i];
     }
-    if (square > LEAST_FORCE * LEAST_FORCE && show_place(s, at, from) && show_place(s, end, to)) {
+    if (square > ABSOLUTE_FORCE_TOLERANCE * ABSOLUTE_FORCE_TOLERANCE && show_place(s, at, from) &&
+        show_place(s, end, to)) {
         pen_line(&s->pen, from, to, 2.0F, colour);
         pen_box(&s->pen, to[0] - 2.5F, to[1] - 2.5F, 5.0F, 5.0F, colour);
     }

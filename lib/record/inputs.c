@@ -16,7 +16,7 @@ vbss_result vbss_log_find_thread(vbss_scene *scene, uint32_t body, vbss_thread *
 {
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = vbss_scene_find_body(s, body, BODY_THREAD);
+    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_THREAD);
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
@@ -28,7 +28,7 @@ vbss_result vbss_log_find_grasper(vbss_scene *scene, uint32_t body, vbss_grasper
 {
     scene_object *s;
     VBSS_TRY(vbss_scene_open(scene, &s));
-    const scene_body *b = vbss_scene_find_body(s, body, BODY_RIGID);
+    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
@@ -97,12 +97,12 @@ log_edits vbss_log_edits_of(const scene_object *s)
 {
     /* All of them only grow, and bodies come and go with a change of the scene's own. */
     log_edits edits = {s->generation, 0, 0, 0};
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             edits.threads += s->bodies[i].thread.thread->generation;
-        } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
+        } else if (s->bodies[i].kind == SCENE_BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
             edits.graspers += s->bodies[i].rigid.grasper->generation;
-        } else if (s->bodies[i].kind == BODY_DRAIN) {
+        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             edits.drains += s->bodies[i].drain.drain->generation;
         }
     }

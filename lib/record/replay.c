@@ -13,7 +13,7 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
     replay_object *p;
     scene_object *s;
     VBSS_TRY(vbss_replay_edit(replay, &p));
-    VBSS_TRY(vbss_scene_tell(scene, &s));
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     if (s->context != p->context) {
         return vbss_fail(p->context, VBSS_ERROR_INVALID_HANDLE,
                          "the scene belongs to another context");
@@ -112,7 +112,7 @@ vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, ui
 /* ---- to a step */
 
 /* A place of the log with a snapshot, and the hash that was recorded with the step before it. */
-typedef struct place {
+typedef struct location {
     log_reader after;
     log_snapshot snapshot;
     uint64_t hashed, hash;

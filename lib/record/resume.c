@@ -77,7 +77,7 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
     if (p->scene == NULL) {
         return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
     }
-    VBSS_TRY(vbss_scene_tell(p->scene, &s));
+    VBSS_TRY(vbss_scene_open_mutable(p->scene, &s));
     VBSS_TRY(check_fit(p, s));
     VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(find_end(p, &steps, &end));

@@ -1,7 +1,7 @@
 /* Threads and rigid bodies come into a scene, move there, and leave. */
 #include "base/check.h"
 #include "base/error.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/cuts.h"
 #include "scene/holes.h"
 #include "scene/paper.h"
@@ -40,31 +40,31 @@ vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_si
 
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number)
 {
-    for (uint32_t i = 0; number != 0 && i < s->place_count; i++) {
-        if (s->bodies[i].kind != BODY_GONE && s->bodies[i].number == number) {
+    for (uint32_t i = 0; number != 0 && i < s->body_count; i++) {
+        if (s->bodies[i].kind != SCENE_BODY_NONE && s->bodies[i].number == number) {
             return &s->bodies[i];
         }
     }
     return NULL;
 }
 
-bool vbss_scene_has(const scene_object *s, body_kind kind)
+bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind)
 {
-    bool some = false;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        some = some || s->bodies[i].kind == kind;
+    bool any = false;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        any = any || s->bodies[i].kind == kind;
     }
-    return some;
+    return any;
 }
 
-scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_kind kind)
+scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind)
 {
     scene_body *b = vbss_scene_body(s, number);
     if (b == NULL || b->kind != kind) {
-        static const char *const names[] = {[BODY_GONE] = "body",
-                                            [BODY_THREAD] = "thread",
-                                            [BODY_RIGID] = "rigid body",
-                                            [BODY_DRAIN] = "drain"};
+        static const char *const names[] = {[SCENE_BODY_NONE] = "body",
+                                            [SCENE_BODY_THREAD] = "thread",
+                                            [SCENE_BODY_RIGID] = "rigid body",
+                                            [SCENE_BODY_DRAIN] = "drain"};
         vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no %s of this scene", number,
                   names[kind]);
         return NULL;
@@ -73,36 +73,37 @@ scene_body *vbss_scene_find_body(const scene_object *s, uint32_t number, body_ki
 }
 
 /* A place for one more body of that kind; NULL, told. */
-scene_body *vbss_scene_new_place(scene_object *s, body_kind kind)
+scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind)
 {
-    const uint32_t capacities[] = {[BODY_THREAD] = s->config.thread_capacity,
-                                   [BODY_RIGID] = s->config.rigid_capacity,
-                                   [BODY_DRAIN] = s->config.drain_capacity};
+    const uint32_t capacities[] = {[SCENE_BODY_THREAD] = s->config.thread_capacity,
+                                   [SCENE_BODY_RIGID] = s->config.rigid_capacity,
+                                   [SCENE_BODY_DRAIN] = s->config.drain_capacity};
     const uint32_t capacity = capacities[kind];
-    uint32_t alive = 0, place = s->place_count;
-    for (uint32_t i = s->place_count; i > 0; i--) {
+    uint32_t alive = 0, body_index = s->body_count;
+    for (uint32_t i = s->body_count; i > 0; i--) {
         const scene_body *b = &s->bodies[i - 1];
-        alive += b->kind == kind || (b->reserved && b->kind == BODY_GONE && kind == BODY_THREAD);
-        place = b->kind == BODY_GONE && !b->reserved ? i - 1 : place;
+        alive += b->kind == kind ||
+                 (b->is_reserved && b->kind == SCENE_BODY_NONE && kind == SCENE_BODY_THREAD);
+        body_index = b->kind == SCENE_BODY_NONE && !b->is_reserved ? i - 1 : body_index;
     }
-    if (alive == capacity || s->last_number == UINT32_MAX) {
+    if (alive == capacity || s->last_body_number == UINT32_MAX) {
         vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u such bodies",
                   capacity);
         return NULL;
     }
-    return &s->bodies[place];
+    return &s->bodies[body_index];
 }
 
-void vbss_scene_publish(scene_object *s, scene_body *b, body_kind kind, uint32_t shape,
-                        uint32_t *number)
+void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind kind, uint32_t shape,
+                              uint32_t *number)
 {
-    uint32_t place = (uint32_t)(b - s->bodies);
+    uint32_t body_index = (uint32_t)(b - s->bodies);
     b->kind = kind;
     b->shape = shape;
-    b->number = *number = ++s->last_number;
-    s->shape_places[shape] = place;
-    s->place_count = place == s->place_count ? place + 1 : s->place_count;
-    s->pattern = 0;
+    b->number = *number = ++s->last_body_number;
+    s->body_of_shape[shape] = body_index;
+    s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
+    s->pattern_hash = 0;
     s->generation++;
 }
 
@@ -121,14 +122,14 @@ static vbss_result check_thread(const scene_object *s, const vbss_slot *slot, ui
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the thread's method is not the scene's");
     }
-    return vbss_scene_check_room(s, t);
+    return vbss_scene_check_thread_capacity(s, t);
 }
 
 void vbss_scene_number_nodes(scene_object *s)
 {
     s->node_count = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             s->bodies[i].thread.first_node = s->node_count;
             s->node_count += s->bodies[i].thread.thread->node_count;
         }
@@ -153,27 +154,27 @@ vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32
     scene_object *s;
     vbss_slot *slot;
     uint32_t shape = 0;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, &slot));
     VBSS_TRY(check_thread(s, slot, body));
-    scene_body *b = vbss_scene_new_place(s, BODY_THREAD);
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
     thread_object *t = slot->object;
     VBSS_TRY(add_shape(s, t, &shape));
-    VBSS_TRY(vbss_scene_make_shapes(s, t, shape));
+    VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));
     *b = (scene_body){0};
     b->thread.slot = slot;
     b->thread.thread = t;
     slot->owner = s;
-    vbss_scene_publish(s, b, BODY_THREAD, shape, body);
-    vbss_scene_place_spares(s, t, shape + 1);
+    vbss_scene_register_body(s, b, SCENE_BODY_THREAD, shape, body);
+    vbss_scene_add_spares(s, t, shape + 1);
     vbss_scene_number_nodes(s);
     return VBSS_OK;
 }
 
-void vbss_scene_release_thread(scene_body *b)
+void vbss_scene_disown_thread(scene_body *b)
 {
     thread_object *t = b->thread.thread;
     b->thread.slot->owner = NULL;
@@ -222,15 +223,15 @@ static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c
 }
 
 /* Capsules as if solid and of one material. */
-static vbss_result spread_mass(const scene_object *s, const vbss_rigid_config *c,
-                               vbss_rigid_mass *mass)
+static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_config *c,
+                                   vbss_rigid_mass *mass)
 {
     for (uint32_t i = 0; i < c->capsule_count; i++) {
         const vbss_capsule *from = &c->capsules[i];
-        s->solids[i] = (vbss_rigid_capsule){vec3_load(from->begin), vec3_load(from->end),
-                                            from->radius, 1000.0};
+        s->mass_capsules[i] = (vbss_rigid_capsule){vec3_load(from->begin), vec3_load(from->end),
+                                                   from->radius, 1000.0};
     }
-    if (!vbss_rigid_mass_of_capsules(s->solids, c->capsule_count, mass)) {
+    if (!vbss_rigid_mass_of_capsules(s->mass_capsules, c->capsule_count, mass)) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the capsules have no mass");
     }
     mass->inertia = vec3_scale(mass->inertia, c->mass / mass->mass);
@@ -238,7 +239,7 @@ static vbss_result spread_mass(const scene_object *s, const vbss_rigid_config *c
     return VBSS_OK;
 }
 
-static void fill_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_rigid_mass *mass,
+static void init_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_rigid_mass *mass,
                        quat orientation)
 {
     pose at = pose_mul(pose_make(vec3_load(c->position), orientation), mass->frame);
@@ -269,9 +270,9 @@ static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config
         scene_capsule *to = &s->capsules[s->capsule_count++];
         to->local_end[0] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].begin));
         to->local_end[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
-        vbss_scene_finish_capsule(to);
+        vbss_scene_snap_capsule_to_target(to);
         to->radius = c->capsules[i].radius;
-        vbss_scene_place_capsule(to, r->body.now.pose, to->now);
+        vbss_scene_transform_capsule(to, r->body.now.pose, to->now);
     }
 }
 
@@ -283,13 +284,13 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     quat orientation;
     uint32_t shape = 0;
     double radius = 0.0;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
     VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &own));
     VBSS_TRY(check_rigid(s, &own));
     VBSS_TRY(vbss_read_orientation(s->context, own.orientation, &orientation));
-    VBSS_TRY(spread_mass(s, &own, &mass));
-    scene_body *b = vbss_scene_new_place(s, BODY_RIGID);
+    VBSS_TRY(distribute_mass(s, &own, &mass));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
@@ -299,44 +300,45 @@ vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *con
     VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), own.capsule_count, radius, &shape));
     s->collision->shapes[shape]->is_rigid = true;
     *b = (scene_body){0};
-    fill_rigid(&b->rigid, &own, &mass, orientation);
+    init_rigid(&b->rigid, &own, &mass, orientation);
     add_capsules(s, b, &own);
-    vbss_scene_publish(s, b, BODY_RIGID, shape, body);
+    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
     return VBSS_OK;
 }
 
-void vbss_scene_place_capsule(const scene_capsule *capsule, pose at, vec3 axis[2])
+void vbss_scene_transform_capsule(const scene_capsule *capsule, pose at, vec3 axis[2])
 {
     axis[0] = pose_apply(at, capsule->local[0]);
     axis[1] = pose_apply(at, capsule->local[1]);
 }
 
-bool vbss_scene_axis_of(const scene_object *s, uint32_t number, uint32_t feature, vec3 axis[2])
+bool vbss_scene_feature_segment(const scene_object *s, uint32_t number, uint32_t feature,
+                                vec3 axis[2])
 {
     const scene_body *b = vbss_scene_body(s, number);
     if (b == NULL) {
         return false;
     }
-    if (b->kind == BODY_THREAD) {
+    if (b->kind == SCENE_BODY_THREAD) {
         memcpy(axis, b->thread.thread->now.x + feature, 2 * sizeof *axis);
-    } else if (b->kind == BODY_DRAIN) {
-        const uint32_t *side = s->collision->shapes[b->shape]->edges[feature];
-        axis[0] = b->drain.drain->x[side[0]];
-        axis[1] = b->drain.drain->x[side[1]];
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        const uint32_t *edge = s->collision->shapes[b->shape]->edges[feature];
+        axis[0] = b->drain.drain->x[edge[0]];
+        axis[1] = b->drain.drain->x[edge[1]];
     } else {
-        vbss_scene_place_capsule(&s->capsules[b->rigid.first_capsule + feature],
-                                 b->rigid.body.now.pose, axis);
+        vbss_scene_transform_capsule(&s->capsules[b->rigid.first_capsule + feature],
+                                     b->rigid.body.now.pose, axis);
     }
     return true;
 }
 
-void vbss_scene_place_trial(scene_capsule *capsule, pose at)
+void vbss_scene_transform_trial_capsule(scene_capsule *capsule, pose at)
 {
     capsule->trial[0] = pose_apply(at, capsule->local_trial[0]);
     capsule->trial[1] = pose_apply(at, capsule->local_trial[1]);
 }
 
-void vbss_scene_finish_capsule(scene_capsule *capsule)
+void vbss_scene_snap_capsule_to_target(scene_capsule *capsule)
 {
     for (int k = 0; k < 2; k++) {
         capsule->local[k] = capsule->local_trial[k] = capsule->local_end[k];
@@ -351,9 +353,9 @@ static void remove_capsules(scene_object *s, const scene_rigid *gone)
     memmove(s->capsules + gone->first_capsule, s->capsules + end,
             (s->capsule_count - end) * sizeof *s->capsules);
     s->capsule_count -= gone->capsule_count;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == BODY_RIGID && r->first_capsule >= end) {
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->first_capsule >= end) {
             r->first_capsule -= gone->capsule_count;
         }
     }
@@ -362,38 +364,38 @@ static void remove_capsules(scene_object *s, const scene_rigid *gone)
 vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     scene_body *b = vbss_scene_body(s, body);
     if (b == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no body %u", body);
     }
-    vbss_scene_forget_pins_of(s, body);
-    vbss_scene_forget_grasps_of(s, body);
-    vbss_scene_forget_holds_of(s, body);
-    vbss_scene_forget_pinches_of(s, body);
-    vbss_scene_forget_holes_of(s, body);
+    vbss_scene_remove_pins_of(s, body);
+    vbss_scene_remove_thread_grasps_of(s, body);
+    vbss_scene_remove_needle_grasps_of(s, body);
+    vbss_scene_remove_wall_grasps_of(s, body);
+    vbss_scene_remove_holes_of(s, body);
     vbss_scene_paper_forget_toggles_of(s, body);
-    if (b->kind == BODY_DRAIN) {
-        vbss_scene_release_drain(s, b);
+    if (b->kind == SCENE_BODY_DRAIN) {
+        vbss_scene_disown_drain(s, b);
     }
     VBSS_TRY(vbss_collision_remove(scene_collision(s), b->shape));
-    if (b->kind == BODY_THREAD) {
+    if (b->kind == SCENE_BODY_THREAD) {
         const thread_piece_pool *family = b->thread.thread->piece_pool;
-        vbss_scene_release_thread(b);
-        b->kind = BODY_GONE;
-        b->reserved = false;
+        vbss_scene_disown_thread(b);
+        b->kind = SCENE_BODY_NONE;
+        b->is_reserved = false;
         vbss_scene_return_spares(s, family);
-    } else if (b->kind == BODY_RIGID) {
+    } else if (b->kind == SCENE_BODY_RIGID) {
         if (b->rigid.grasper != NULL) {
-            vbss_scene_release_grasper(b);
+            vbss_scene_disown_grasper(b);
         } else if (b->rigid.needle != NULL) {
-            vbss_scene_release_needle(b);
+            vbss_scene_disown_needle(b);
         }
         remove_capsules(s, &b->rigid);
     }
-    b->kind = BODY_GONE;
+    b->kind = SCENE_BODY_NONE;
     vbss_scene_number_nodes(s);
-    s->pattern = 0;
+    s->pattern_hash = 0;
     s->generation++;
     return VBSS_OK;
 }
@@ -402,31 +404,31 @@ vbss_result vbss_scene_remove(vbss_scene *scene, uint32_t body)
 
 static scene_body *find_rigid(const scene_object *s, uint32_t number)
 {
-    return vbss_scene_find_body(s, number, BODY_RIGID);
+    return vbss_scene_require_body(s, number, SCENE_BODY_RIGID);
 }
 
-void vbss_scene_take_told(scene_object *s)
+void vbss_scene_apply_rigid_targets(scene_object *s)
 {
-    bool some = false;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    bool any = false;
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == BODY_RIGID && r->is_told) {
-            r->body.target_end = r->told;
-            r->is_told = false;
-            some = true;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->has_pending_target) {
+            r->body.target_end = r->pending_target;
+            r->has_pending_target = false;
+            any = true;
         }
     }
-    if (some) {
-        vbss_scene_aim_pins(s);
+    if (any) {
+        vbss_scene_set_pin_targets(s);
     }
 }
 
-void vbss_scene_tell_rigid(scene_object *s, scene_rigid *r, pose told)
+void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target)
 {
-    r->told = told;
-    r->is_told = true;
-    if (!s->way.waits) {
-        vbss_scene_take_told(s); /* a step that fails shall find nothing to undo */
+    r->pending_target = target;
+    r->has_pending_target = true;
+    if (!s->cursor.is_suspended) {
+        vbss_scene_apply_rigid_targets(s); /* a step that fails shall find nothing to undo */
     }
 }
 
@@ -434,15 +436,15 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
                                   const double *orientation)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_tell(scene, &s));
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, position, "position"));
     scene_body *b = find_rigid(s, body);
     if (b == NULL) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
     scene_rigid *r = &b->rigid;
-    pose last = r->is_told ? r->told : r->body.target_end,
-         told = pose_mul(last, pose_inverse(r->frame));
+    pose previous = r->has_pending_target ? r->pending_target : r->body.target_end,
+         target = pose_mul(previous, pose_inverse(r->frame));
     if (r->grasper != NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "body %u is a grasper: it goes where vbss_grasper_move says", body);
@@ -452,14 +454,14 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     }
     VBSS_TRY(vbss_check_vector(s->context, position, 1e3, "position"));
     if (orientation != NULL) {
-        VBSS_TRY(vbss_read_orientation(s->context, orientation, &told.orientation));
+        VBSS_TRY(vbss_read_orientation(s->context, orientation, &target.orientation));
     }
-    told.position = vec3_load(position);
-    told = pose_mul(told, r->frame);
+    target.position = vec3_load(position);
+    target = pose_mul(target, r->frame);
     if (orientation == NULL) { /* to the bit: rounding would turn it */
-        told.orientation = last.orientation;
+        target.orientation = previous.orientation;
     }
-    vbss_scene_tell_rigid(s, r, told);
+    vbss_scene_set_rigid_target(s, r, target);
     s->generation++;
     return VBSS_OK;
 }
@@ -477,11 +479,11 @@ vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_st
     vbss_rigid_state own = {.struct_size = sizeof own, .kind = r->kind};
     pose back = pose_inverse(r->frame), at = pose_mul(r->body.now.pose, back);
     vec3 to_centre = vec3_sub(r->body.now.pose.position, at.position);
-    vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->pull.force);
-    vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->pull.torque);
+    vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->coupling_wrench.force);
+    vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->coupling_wrench.torque);
     pose_store(at, own.position, own.orientation);
-    pose_store(pose_mul(r->is_told ? r->told : r->body.target_end, back), own.target_position,
-               own.target_orientation);
+    pose_store(pose_mul(r->has_pending_target ? r->pending_target : r->body.target_end, back),
+               own.target_position, own.target_orientation);
     vec3_store(own.velocity, vec3_sub(r->body.now.v, vec3_cross(r->body.now.w, to_centre)));
     vec3_store(own.angular_velocity, r->body.now.w);
     vec3_store(own.hand_force, hand);

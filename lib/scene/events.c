@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-void vbss_scene_begin_events(scene_object *s)
+void vbss_scene_clear_events(scene_object *s)
 {
     s->event_count = s->lost_events = 0;
 }
@@ -23,64 +23,67 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
     event[3] = number;
 }
 
-static bool before(scene_touch x, scene_touch y)
+static bool precedes(scene_touching_pair x, scene_touching_pair y)
 {
     return x.body_a != y.body_a ? x.body_a < y.body_a : x.body_b < y.body_b;
 }
 
 /* Few pairs of bodies: inserted in order, each once. */
-static void insert(scene_object *s, scene_touch touch)
+static void insert_pair(scene_object *s, scene_touching_pair touching_pair)
 {
-    uint32_t to = s->touch_count;
-    while (to > 0 && before(touch, s->touches[to - 1])) {
-        to--;
+    uint32_t position = s->touching_pair_count;
+    while (position > 0 && precedes(touching_pair, s->touching_pairs[position - 1])) {
+        position--;
     }
-    if (to > 0 && !before(s->touches[to - 1], touch)) {
+    if (position > 0 && !precedes(s->touching_pairs[position - 1], touching_pair)) {
         return;
     }
-    memmove(&s->touches[to + 1], &s->touches[to], (s->touch_count - to) * sizeof *s->touches);
-    s->touches[to] = touch;
-    s->touch_count++;
+    memmove(&s->touching_pairs[position + 1], &s->touching_pairs[position],
+            (s->touching_pair_count - position) * sizeof *s->touching_pairs);
+    s->touching_pairs[position] = touching_pair;
+    s->touching_pair_count++;
 }
 
-static void list_touches(scene_object *s)
+static void list_touching_pairs(scene_object *s)
 {
-    s->touch_count = 0;
+    s->touching_pair_count = 0;
     for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->warm_start_count; i++) {
         const contact_key *key = &s->contacts->warm_start[i].key;
-        const scene_touch touch = {key->body_a, key->body_b};
-        insert(s, touch);
+        const scene_touching_pair touching_pair = {key->body_a, key->body_b};
+        insert_pair(s, touching_pair);
     }
-    for (uint32_t i = 0; i < s->hit_count; i++) { /* PAPER */
-        const scene_touch touch = {s->hits[i].key.body_a, s->hits[i].key.body_b};
-        insert(s, touch);
+    for (uint32_t i = 0; i < s->baseline_contact_count; i++) { /* PAPER */
+        const scene_touching_pair touching_pair = {s->baseline_contacts[i].key.body_a,
+                                                   s->baseline_contacts[i].key.body_b};
+        insert_pair(s, touching_pair);
     }
 }
 
-void vbss_scene_note_touches(scene_object *s)
+void vbss_scene_update_touching_pairs(scene_object *s)
 {
-    uint32_t count = s->touch_count;
-    scene_touch *old = s->touches;
-    s->touches = s->touches_before;
-    s->touches_before = old;
-    list_touches(s);
+    uint32_t count = s->touching_pair_count;
+    scene_touching_pair *previous = s->touching_pairs;
+    s->touching_pairs = s->previous_touching_pairs;
+    s->previous_touching_pairs = previous;
+    list_touching_pairs(s);
     uint32_t o = 0, n = 0;
-    while (o < count || n < s->touch_count) {
-        bool gone = n == s->touch_count || (o < count && before(old[o], s->touches[n]));
-        bool come = !gone && (o == count || before(s->touches[n], old[o]));
-        if (gone) {
-            vbss_scene_add_event(s, VBSS_EVENT_PART, old[o].body_a, old[o].body_b, 0);
-        } else if (come) {
-            vbss_scene_add_event(s, VBSS_EVENT_TOUCH, s->touches[n].body_a, s->touches[n].body_b,
-                                 0);
+    while (o < count || n < s->touching_pair_count) {
+        bool has_ended = n == s->touching_pair_count ||
+                         (o < count && precedes(previous[o], s->touching_pairs[n]));
+        bool has_begun = !has_ended && (o == count || precedes(s->touching_pairs[n], previous[o]));
+        if (has_ended) {
+            vbss_scene_add_event(s, VBSS_EVENT_PART, previous[o].body_a, previous[o].body_b, 0);
+        } else if (has_begun) {
+            vbss_scene_add_event(s, VBSS_EVENT_TOUCH, s->touching_pairs[n].body_a,
+                                 s->touching_pairs[n].body_b, 0);
         }
-        o += !come;
-        n += !gone;
+        o += !has_begun;
+        n += !has_ended;
     }
-    vbss_scene_show_lost(s);
+    vbss_scene_write_lost_event(s);
 }
 
-void vbss_scene_show_lost(scene_object *s)
+void vbss_scene_write_lost_event(scene_object *s)
 {
     if (s->lost_events > 0 && s->config.event_capacity > 0) { /* in the place of the last */
         uint32_t *last = s->events[s->config.event_capacity - 1];

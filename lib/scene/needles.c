@@ -36,9 +36,9 @@ static void add_capsules(scene_object *s, scene_rigid *r)
             vec3 corner = vbss_needle_point(n, vbss_needle_vertex_arc(n, i + k));
             to->local_end[k] = pose_apply_inverse(r->frame, corner);
         }
-        vbss_scene_finish_capsule(to);
+        vbss_scene_snap_capsule_to_target(to);
         to->radius = n->config.wire_radius;
-        vbss_scene_place_capsule(to, r->body.now.pose, to->now);
+        vbss_scene_transform_capsule(to, r->body.now.pose, to->now);
     }
 }
 
@@ -47,11 +47,11 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     scene_object *s;
     vbss_slot *slot;
     uint32_t shape = 0;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, &slot));
     VBSS_TRY(check_needle(s, slot, body));
     needle_object *n = slot->object;
-    scene_body *b = vbss_scene_new_place(s, BODY_RIGID);
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
     if (b == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
@@ -68,22 +68,22 @@ vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32
     b->rigid.body.target_start = b->rigid.body.target_end = n->body.now.pose;
     add_capsules(s, &b->rigid);
     slot->owner = s;
-    vbss_scene_publish(s, b, BODY_RIGID, shape, body);
-    vbss_scene_show_needle(b);
+    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    vbss_scene_publish_needle(b);
     return VBSS_OK;
 }
 
-pose vbss_scene_needle_at(const scene_rigid *r, pose principal)
+pose vbss_scene_needle_frame(const scene_rigid *r, pose principal)
 {
     return pose_mul(principal, pose_inverse(r->frame));
 }
 
-void vbss_scene_show_needle(const scene_body *b)
+void vbss_scene_publish_needle(const scene_body *b)
 {
     vbss_needle_set_motion(b->rigid.needle, &b->rigid.body.now, b->number);
 }
 
-void vbss_scene_release_needle(scene_body *b)
+void vbss_scene_disown_needle(scene_body *b)
 {
     needle_object *n = b->rigid.slot->object;
     b->rigid.slot->owner = NULL;

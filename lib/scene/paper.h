@@ -10,7 +10,7 @@
 vbss_result vbss_scene_paper_carry(scene_object *s, double h);
 bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle, uint32_t capsule,
                                  const scene_body *drain, uint32_t side);
-void vbss_scene_paper_lay_hole(const scene_object *s, scene_hit *hit);
+void vbss_scene_paper_lay_hole(const scene_object *s, scene_contact_record *hit);
 void vbss_scene_paper_settle_holes(scene_object *s);
 void vbss_scene_paper_forget_toggles_of(scene_object *s, uint32_t number);
 

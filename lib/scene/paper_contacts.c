@@ -51,7 +51,7 @@ static void set_drain_node(feature *f, int k, const drain_object *d, uint32_t no
 /* Of a thread or a drain. */
 static void set_node(feature *f, int k, const scene_body *b, uint32_t node)
 {
-    if (b->kind == BODY_THREAD) {
+    if (b->kind == SCENE_BODY_THREAD) {
         set_thread_node(f, k, b->thread.thread, node);
     } else {
         set_drain_node(f, k, b->drain.drain, node);
@@ -62,10 +62,10 @@ static feature feature_of(const scene_object *s, const scene_body *b, uint32_t i
 {
     const uint32_t *side = s->collision->shapes[b->shape]->edges[i];
     feature f = {.radius = 0.0};
-    for (int k = 0; b->kind != BODY_RIGID && k < 2; k++) {
+    for (int k = 0; b->kind != SCENE_BODY_RIGID && k < 2; k++) {
         set_node(&f, k, b, side[k]);
     }
-    for (int k = 0; b->kind == BODY_RIGID && k < 2; k++) {
+    for (int k = 0; b->kind == SCENE_BODY_RIGID && k < 2; k++) {
         scene_capsule *c = &s->capsules[b->rigid.first_capsule + i];
         f.radius = c->radius;
         f.start[k] = &c->now[k];
@@ -96,19 +96,19 @@ typedef struct pair {
 
 static uint32_t kind_of(const scene_body *a, const scene_body *b)
 {
-    bool rigid = b->kind == BODY_RIGID;
-    return b->kind == BODY_DRAIN            ? VBSS_CONTACT_SIDES
-           : rigid && a->kind == BODY_RIGID ? VBSS_CONTACT_CAPSULES
-           : rigid                          ? VBSS_CONTACT_SEGMENT_CAPSULE
-                                            : VBSS_CONTACT_SEGMENTS;
+    bool rigid = b->kind == SCENE_BODY_RIGID;
+    return b->kind == SCENE_BODY_DRAIN            ? VBSS_CONTACT_SIDES
+           : rigid && a->kind == SCENE_BODY_RIGID ? VBSS_CONTACT_CAPSULES
+           : rigid                                ? VBSS_CONTACT_SEGMENT_CAPSULE
+                                                  : VBSS_CONTACT_SEGMENTS;
 }
 
 /* Threads come first and drains last, as their kinds are numbered, whatever the order in which bodies were added. False:
  * these two do not touch. */
 static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p)
 {
-    const scene_body *a = &s->bodies[s->shape_places[q->shape_a]];
-    const scene_body *b = &s->bodies[s->shape_places[q->shape_b]];
+    const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
+    const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
     bool swapped = a->kind > b->kind;
     uint32_t i = swapped ? q->b : q->a, k = swapped ? q->a : q->b;
     if (swapped) {
@@ -123,22 +123,22 @@ static bool pair_of(const scene_object *s, const collision_candidate *q, pair *p
     const pair own = {{kind, a->number, i, b->number, k}, feature_of(s, a, i), feature_of(s, b, k)};
     *p = own;
     if (kind == VBSS_CONTACT_SEGMENT_CAPSULE) {
-        return !vbss_scene_comes_from(s, a, i, b, k, p->a.radius + p->b.radius);
+        return !vbss_scene_is_excluded_at_pin(s, a, i, b, k, p->a.radius + p->b.radius);
     }
     if (kind == VBSS_CONTACT_SIDES) {
         return a->rigid.needle == NULL || !vbss_scene_paper_is_in_hole(s, a, i, b, k);
     }
-    return !vbss_scene_adjoins(s, a, i, b, k);
+    return !vbss_scene_is_excluded_across_cut(s, a, i, b, k);
 }
 
 /* ---- what was responded to, in the order of the features */
 
 static uint32_t place_of(const scene_object *s, const contact_key *key)
 {
-    uint32_t low = 0, high = s->hit_count;
+    uint32_t low = 0, high = s->baseline_contact_count;
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
-        bool below = vbss_contact_compare_keys(&s->hits[middle].key, key) < 0;
+        bool below = vbss_contact_compare_keys(&s->baseline_contacts[middle].key, key) < 0;
         low = below ? middle + 1 : low;
         high = below ? high : middle;
     }
@@ -149,17 +149,20 @@ vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, v
                                       vec3 push)
 {
     uint32_t i = place_of(s, key);
-    if (i == s->hit_count || vbss_contact_compare_keys(&s->hits[i].key, key) != 0) {
-        if (s->hit_count == s->config.contact_capacity) {
+    if (i == s->baseline_contact_count ||
+        vbss_contact_compare_keys(&s->baseline_contacts[i].key, key) != 0) {
+        if (s->baseline_contact_count == s->config.contact_capacity) {
             return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
-                             "there are more contacts than contact_capacity, %u", s->hit_count);
+                             "there are more contacts than contact_capacity, %u",
+                             s->baseline_contact_count);
         }
-        memmove(&s->hits[i + 1], &s->hits[i], (s->hit_count - i) * sizeof *s->hits);
-        s->hits[i] = (scene_hit){.key = *key};
-        s->hit_count++;
+        memmove(&s->baseline_contacts[i + 1], &s->baseline_contacts[i],
+                (s->baseline_contact_count - i) * sizeof *s->baseline_contacts);
+        s->baseline_contacts[i] = (scene_contact_record){.key = *key};
+        s->baseline_contact_count++;
     }
-    s->hits[i].normal = normal;
-    s->hits[i].force = vec3_add(s->hits[i].force, push);
+    s->baseline_contacts[i].normal = normal;
+    s->baseline_contacts[i].force = vec3_add(s->baseline_contacts[i].force, push);
     return VBSS_OK;
 }
 
@@ -253,7 +256,7 @@ static vbss_result meet(scene_object *s, const contact_key *key, const feature *
     if (response.depth < SCENE_NO_DEPTH * thickness || vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
-    s->hits_of_pass++;
+    s->baseline_responses_in_pass++;
     return vbss_scene_paper_note_hit(s, key, vec3_load(response.direction), push);
 }
 
@@ -273,7 +276,7 @@ static double height_of(const scene_object *s, vec3 x)
 
 static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
 {
-    bool thread = b->kind == BODY_THREAD;
+    bool thread = b->kind == SCENE_BODY_THREAD;
     uint32_t kind = thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_DRAIN_FLOOR;
     uint32_t count = thread ? b->thread.thread->node_count : b->drain.drain->mesh.node_count;
     for (uint32_t i = 0; i < count; i++) {
@@ -287,7 +290,7 @@ static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
         double displacement[6] = {0.0};
         vec3_store(displacement, vec3_scale(s->floor_normal, depth));
         const contact_key key = {kind, b->number, i, 0, 0};
-        s->hits_of_pass++;
+        s->baseline_responses_in_pass++;
         VBSS_TRY(
             vbss_scene_paper_note_hit(s, &key, s->floor_normal, displace(&f, displacement, h)));
     }
@@ -298,13 +301,13 @@ static vbss_result meet_floor(scene_object *s, const scene_body *b, double h)
 
 vbss_result vbss_scene_paper_search(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             const thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &t->saved.x->x, &t->now.x->x,
                                          t->node_count));
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             const drain_object *d = b->drain.drain;
             VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &d->saved_x->x, &d->x->x,
                                          d->mesh.node_count));
@@ -315,12 +318,12 @@ vbss_result vbss_scene_paper_search(scene_object *s)
 
 vbss_result vbss_scene_paper_pass(scene_object *s, double h)
 {
-    s->hits_of_pass = 0;
+    s->baseline_responses_in_pass = 0;
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
         VBSS_TRY(meet_candidate(s, &s->collision->candidates[i], h));
     }
-    for (uint32_t i = 0; s->config.floor != 0 && i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD || s->bodies[i].kind == BODY_DRAIN) {
+    for (uint32_t i = 0; s->config.floor != 0 && i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD || s->bodies[i].kind == SCENE_BODY_DRAIN) {
             VBSS_TRY(meet_floor(s, &s->bodies[i], h));
         }
     }
@@ -330,7 +333,7 @@ vbss_result vbss_scene_paper_pass(scene_object *s, double h)
 /* ---- afterwards */
 
 /* Where the surfaces are, on the side that was responded to. */
-static void lay_hit(const scene_object *s, scene_hit *hit)
+static void lay_hit(const scene_object *s, scene_contact_record *hit)
 {
     const scene_body *a = vbss_scene_body(s, hit->key.body_a);
     const scene_body *b = vbss_scene_body(s, hit->key.body_b);
@@ -365,14 +368,14 @@ static double depth_of(const scene_object *s, const collision_candidate *q)
 double vbss_scene_paper_measure(scene_object *s, double h)
 {
     double depth = 0.0;
-    for (uint32_t i = 0; i < s->hit_count; i++) {
-        s->hits[i].force = vec3_scale(s->hits[i].force, 1.0 / (h * h));
-        if (s->hits[i].key.kind == VBSS_CONTACT_HOLE) {
-            vbss_scene_paper_lay_hole(s, &s->hits[i]);
+    for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
+        s->baseline_contacts[i].force = vec3_scale(s->baseline_contacts[i].force, 1.0 / (h * h));
+        if (s->baseline_contacts[i].key.kind == VBSS_CONTACT_HOLE) {
+            vbss_scene_paper_lay_hole(s, &s->baseline_contacts[i]);
         } else {
-            lay_hit(s, &s->hits[i]);
+            lay_hit(s, &s->baseline_contacts[i]);
         }
-        depth = vbss_max(-s->hits[i].gap, depth);
+        depth = vbss_max(-s->baseline_contacts[i].gap, depth);
     }
     for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
         depth = vbss_max(depth_of(s, &s->collision->candidates[i]), depth);

@@ -8,10 +8,10 @@
 #include "scene/tools.h"
 
 /* The grasp of a node that leads; NULL: nobody's. */
-static const scene_grasp *leader_of(const scene_object *s, uint32_t thread, uint32_t node)
+static const scene_thread_grasp *leader_of(const scene_object *s, uint32_t thread, uint32_t node)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        const scene_grasp *g = &s->grasps[i];
+        const scene_thread_grasp *g = &s->thread_grasps[i];
         if (g->id != 0 && g->thread == thread && g->segment == node && g->pin != 0) {
             return g;
         }
@@ -20,25 +20,25 @@ static const scene_grasp *leader_of(const scene_object *s, uint32_t thread, uint
 }
 
 /* Takes the node if nobody leads it; it is free, or a pin of the host's holds it. */
-static void lead(scene_object *s, scene_grasp *g)
+static void lead(scene_object *s, scene_thread_grasp *g)
 {
     if (leader_of(s, g->thread, g->segment) == NULL &&
         vbss_scene_pin_in_step(s, g->thread, g->segment, g->tool, &g->pin) == VBSS_OK) {
-        vbss_scene_tell_grasp(s, VBSS_EVENT_GRASP, g);
+        vbss_scene_emit_grasp_event(s, VBSS_EVENT_GRASP, g);
     }
 }
 
 /* The node nearest to the middle of the jaws' ends, within the distance; false: none. */
-static bool nearest_node(const scene_object *s, const scene_body *tool, scene_grasp *found)
+static bool nearest_node(const scene_object *s, const scene_body *tool, scene_thread_grasp *found)
 {
     const grasper_object *g = tool->rigid.grasper;
     pose at = pose_mul(tool->rigid.body.now.pose, pose_inverse(tool->rigid.frame));
     double nearest = g->config.paper_distance;
     found->thread = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         const thread_object *t = b->thread.thread;
-        for (uint32_t k = 0; b->kind == BODY_THREAD && k < t->node_count; k++) {
+        for (uint32_t k = 0; b->kind == SCENE_BODY_THREAD && k < t->node_count; k++) {
             double distance = vec3_distance(t->now.x[k], at.position);
             if (distance <= nearest) {
                 nearest = distance;
@@ -52,52 +52,52 @@ static bool nearest_node(const scene_object *s, const scene_body *tool, scene_gr
 
 static void take(scene_object *s, const scene_body *tool)
 {
-    scene_grasp found = {.tool = tool->number};
+    scene_thread_grasp found = {.tool = tool->number};
     if (!nearest_node(s, tool, &found)) {
         return;
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        if (s->grasps[i].id == 0) {
-            found.id = ++s->last_grasp;
-            s->grasps[i] = found;
-            lead(s, &s->grasps[i]);
+        if (s->thread_grasps[i].id == 0) {
+            found.id = ++s->last_grasp_id;
+            s->thread_grasps[i] = found;
+            lead(s, &s->thread_grasps[i]);
             return;
         }
     }
     vbss_scene_add_event(s, VBSS_EVENT_GRASP_LOST, found.thread, tool->number, 0);
 }
 
-static void let_go(scene_object *s, scene_grasp *g)
+static void let_go(scene_object *s, scene_thread_grasp *g)
 {
     if (g->pin != 0) {
-        vbss_scene_tell_grasp(s, VBSS_EVENT_RELEASE, g);
+        vbss_scene_emit_grasp_event(s, VBSS_EVENT_RELEASE, g);
         vbss_scene_unpin_in_step(s, g->pin);
     }
-    *g = (scene_grasp){0};
+    *g = (scene_thread_grasp){0};
 }
 
 /* After the step, from which on the node is carried, or free: jaws that have opened let go first. */
 void vbss_scene_paper_settle_grasps(scene_object *s)
 {
-    vbss_scene_forget_clear_grasps(s); /* what blades were closed through */
+    vbss_scene_remove_clear_thread_grasps(s); /* what blades were closed through */
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && !g->let_go &&
+        scene_thread_grasp *g = &s->thread_grasps[i];
+        if (g->id != 0 && !g->is_released &&
             vbss_scene_body(s, g->tool)->rigid.grasper->jaw_angle > 0.0) {
             let_go(s, g);
         }
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        scene_grasp *g = &s->grasps[i];
-        if (g->id != 0 && !g->let_go && g->pin == 0) {
+        scene_thread_grasp *g = &s->thread_grasps[i];
+        if (g->id != 0 && !g->is_released && g->pin == 0) {
             lead(s, g);
         }
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_RIGID && b->rigid.grasper != NULL &&
-            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER && b->rigid.has_closed) {
-            b->rigid.has_closed = false;
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL &&
+            b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER && b->rigid.has_closed_jaws) {
+            b->rigid.has_closed_jaws = false;
             take(s, b);
         }
     }
@@ -135,10 +135,11 @@ static vec3 pull_of_node(const thread_object *t, uint32_t node, double stiffness
 vec3 vbss_scene_paper_hand_force(const scene_object *s, const scene_body *tool)
 {
     double stiffness = tool->rigid.grasper->config.paper_stiffness;
-    uint32_t needle = vbss_scene_holds_needle(s, tool->number) ? tool->rigid.hold.needle : 0;
+    uint32_t needle =
+        vbss_scene_has_needle_grasp(s, tool->number) ? tool->rigid.needle_grasp.needle : 0;
     vec3 force = vec3_zero();
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        const scene_grasp *g = &s->grasps[i];
+        const scene_thread_grasp *g = &s->thread_grasps[i];
         if (g->id != 0 && g->tool == tool->number && g->pin != 0) {
             const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
             force = vec3_add(force, pull_of_node(t, g->segment, stiffness));

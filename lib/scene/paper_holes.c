@@ -54,7 +54,7 @@ static vbss_result carry(scene_object *s, uint32_t i, double h)
     if (vec3_norm(way) < SCENE_NO_DEPTH * d->config.thickness || vec3_norm_squared(push) == 0.0) {
         return VBSS_OK;
     }
-    s->hits_of_pass++;
+    s->baseline_responses_in_pass++;
     return vbss_scene_paper_note_hit(s, &key, vec3_unit_or(way, vec3_zero()), vec3_neg(push));
 }
 
@@ -68,7 +68,7 @@ vbss_result vbss_scene_paper_carry(scene_object *s, double h)
     return VBSS_OK;
 }
 
-void vbss_scene_paper_lay_hole(const scene_object *s, scene_hit *hit)
+void vbss_scene_paper_lay_hole(const scene_object *s, scene_contact_record *hit)
 {
     const suture_hole *hole = &s->holes[hit->key.feature_a];
     const drain_object *d = vbss_scene_body(s, hole->drain)->drain.drain;
@@ -95,7 +95,7 @@ bool vbss_scene_paper_is_in_hole(const scene_object *s, const scene_body *needle
     const needle_object *n = needle->rigid.needle;
     const drain_object *d = drain->drain.drain;
     const uint32_t *nodes = s->collision->shapes[drain->shape]->edges[side];
-    double reach = SCENE_PIN_ARC * (n->config.wire_radius + 0.5 * d->config.thickness);
+    double reach = SCENE_EXCLUSION_ARC_RATIO * (n->config.wire_radius + 0.5 * d->config.thickness);
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         const suture_hole *hole = &s->holes[i];
         if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
@@ -116,8 +116,8 @@ static void note_forces(scene_object *s)
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         s->holes[i].transverse_force = vec3_zero();
     }
-    for (uint32_t i = 0; i < s->hit_count; i++) {
-        const scene_hit *hit = &s->hits[i];
+    for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
+        const scene_contact_record *hit = &s->baseline_contacts[i];
         if (hit->key.kind == VBSS_CONTACT_HOLE) {
             s->holes[hit->key.feature_a].transverse_force = hit->force;
         }
@@ -128,7 +128,7 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
 {
     scene_rigid *r = &needle->rigid;
     const drain_object *d = drain->drain.drain;
-    pose at = vbss_scene_needle_at(r, r->body.now.pose);
+    pose at = vbss_scene_needle_frame(r, r->body.now.pose);
     const suture_curve line = {.needle = r->needle, .needle_pose = at};
     suture_probe probe = {.needle = needle->number,
                           .drain = drain->number,
@@ -148,12 +148,12 @@ static void look_for_punctures(scene_object *s, scene_body *needle, const scene_
 void vbss_scene_paper_settle_holes(scene_object *s)
 {
     note_forces(s);
-    vbss_scene_leave_holes(s);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    vbss_scene_close_exited_holes(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *needle = &s->bodies[i];
-        bool is_needle = needle->kind == BODY_RIGID && needle->rigid.needle != NULL;
-        for (uint32_t k = 0; is_needle && k < s->place_count; k++) {
-            if (s->bodies[k].kind == BODY_DRAIN) {
+        bool is_needle = needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL;
+        for (uint32_t k = 0; is_needle && k < s->body_count; k++) {
+            if (s->bodies[k].kind == SCENE_BODY_DRAIN) {
                 look_for_punctures(s, needle, &s->bodies[k]);
             }
         }
@@ -162,9 +162,9 @@ void vbss_scene_paper_settle_holes(scene_object *s)
 
 void vbss_scene_paper_forget_toggles_of(scene_object *s, uint32_t number)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         suture_toggle *toggles = s->bodies[i].rigid.toggles;
-        for (int k = 0; s->bodies[i].kind == BODY_RIGID && k < SUTURE_TOGGLES; k++) {
+        for (int k = 0; s->bodies[i].kind == SCENE_BODY_RIGID && k < SUTURE_TOGGLES; k++) {
             if (toggles[k].drain == number) {
                 toggles[k] = (suture_toggle){0};
             }

@@ -12,7 +12,7 @@
 /* The arc is looked at in so many straight pieces a capsule. */
 enum { PIECES = 4 };
 /* Jaws hold a needle that goes across them: cosine of the largest angle, 45 degrees, between it and the width of the jaws. */
-#define LEAST_ACROSS 0.70710678118654752
+#define MIN_ACROSS 0.70710678118654752
 /* Rounds over the ends of the capsules that are on the floor. */
 enum { ROUNDS = 200 };
 
@@ -130,7 +130,7 @@ static void aim(const scene_object *s, scene_body *b, double h)
     const vbss_rigid_substep whole = {h, 0.0, 1.0};
     if (r->leader != 0) {
         const scene_rigid *tool = &vbss_scene_body(s, r->leader)->rigid;
-        r->body.target_end = pose_mul(tool->body.target_end, tool->hold.at);
+        r->body.target_end = pose_mul(tool->body.target_end, tool->needle_grasp.pose_in_jaws);
         r->predicted = vbss_rigid_target_motion(&r->body, &whole);
     } else if (is_in_a_wall(s, b)) {
         r->predicted = (vbss_rigid_motion){r->body.now.pose, vec3_zero(), vec3_zero()};
@@ -142,34 +142,34 @@ static void aim(const scene_object *s, scene_body *b, double h)
 
 static bool is_needle(const scene_body *b)
 {
-    return b->kind == BODY_RIGID && b->rigid.needle != NULL;
+    return b->kind == SCENE_BODY_RIGID && b->rigid.needle != NULL;
 }
 
 void vbss_scene_paper_aim_needles(scene_object *s, double h)
 {
     bool any = false;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
             aim(s, &s->bodies[i], h);
             any = true;
         }
     }
     if (any) {
-        vbss_scene_aim_pins(s);
+        vbss_scene_set_pin_targets(s);
     }
 }
 
 void vbss_scene_paper_return_needles(scene_object *s)
 {
     bool any = false;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
             s->bodies[i].rigid.body.target_end = s->bodies[i].rigid.body.target_start;
             any = true;
         }
     }
     if (any) {
-        vbss_scene_aim_pins(s);
+        vbss_scene_set_pin_targets(s);
     }
 }
 
@@ -177,18 +177,19 @@ void vbss_scene_paper_return_needles(scene_object *s)
 
 static void tell(scene_object *s, vbss_event_kind kind, const scene_body *tool)
 {
-    const scene_hold *hold = &tool->rigid.hold;
+    const scene_needle_grasp *hold = &tool->rigid.needle_grasp;
     vbss_scene_add_event(s, kind, hold->needle, tool->number, (uint32_t)(1e6 * hold->arc));
 }
 
 static scene_rigid *needle_of(const scene_object *s, const scene_body *tool)
 {
-    return &vbss_scene_body(s, tool->rigid.hold.needle)->rigid;
+    return &vbss_scene_body(s, tool->rigid.needle_grasp.needle)->rigid;
 }
 
 static bool has_closed_on_one(const scene_body *b)
 {
-    return b->kind == BODY_RIGID && b->rigid.grasper != NULL && b->rigid.hold.needle != 0;
+    return b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL &&
+           b->rigid.needle_grasp.needle != 0;
 }
 
 /* It stays as it is to the tool from now on. */
@@ -196,7 +197,8 @@ static void lead(scene_object *s, scene_body *tool)
 {
     scene_rigid *needle = needle_of(s, tool);
     needle->leader = tool->number;
-    tool->rigid.hold.at = pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->body.now.pose);
+    tool->rigid.needle_grasp.pose_in_jaws =
+        pose_mul(pose_inverse(tool->rigid.body.now.pose), needle->body.now.pose);
     tell(s, VBSS_EVENT_GRASP, tool);
 }
 
@@ -207,17 +209,17 @@ static void let_go(scene_object *s, scene_body *tool)
         needle->leader = 0;
         tell(s, VBSS_EVENT_RELEASE, tool);
     }
-    tool->rigid.hold = (scene_hold){0};
+    tool->rigid.needle_grasp = (scene_needle_grasp){0};
 }
 
 /* Who has closed on it first; NULL: nobody waits. */
 static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 {
     scene_body *first = NULL;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (has_closed_on_one(b) && b->rigid.hold.needle == needle->number &&
-            (first == NULL || b->rigid.hold.age > first->rigid.hold.age)) {
+        if (has_closed_on_one(b) && b->rigid.needle_grasp.needle == needle->number &&
+            (first == NULL || b->rigid.needle_grasp.age > first->rigid.needle_grasp.age)) {
             first = b;
         }
     }
@@ -227,12 +229,12 @@ static scene_body *next_leader(const scene_object *s, const scene_body *needle)
 /* ---- jaws that have just closed */
 
 /* The place of the needle that is nearest to the middle line of the jaws, and goes across them; nearer than `nearest`. */
-static void look_along(const scene_body *tool, const scene_body *b, scene_hold *found,
+static void look_along(const scene_body *tool, const scene_body *b, scene_needle_grasp *found,
                        double *nearest)
 {
     const needle_object *n = b->rigid.needle;
     double jaw = vbss_grasper_current_jaws(tool->rigid.grasper)->length;
-    pose jaws = vbss_scene_jaws_of(&tool->rigid, tool->rigid.body.now.pose);
+    pose jaws = vbss_scene_jaw_frame(&tool->rigid, tool->rigid.body.now.pose);
     pose needle = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
     pose seen = pose_mul(pose_inverse(jaws), needle);
     uint32_t pieces = PIECES * n->config.segment_count;
@@ -246,47 +248,48 @@ static void look_along(const scene_body *tool, const scene_body *b, scene_hold *
                                   &at[0], &at[1]); /* jaws point along -z from their pivot */
         double arc = (i + at[0]) * length;
         vec3 way = quat_rotate(seen.orientation, vbss_needle_direction(n, arc));
-        if (vec3_norm(apart) <= *nearest && fabs(way.y) >= LEAST_ACROSS) {
+        if (vec3_norm(apart) <= *nearest && fabs(way.y) >= MIN_ACROSS) {
             *nearest = vec3_norm(apart);
-            *found = (scene_hold){.needle = b->number, .arc = arc, .at = pose_identity()};
+            *found = (scene_needle_grasp){
+                .needle = b->number, .arc = arc, .pose_in_jaws = pose_identity()};
         }
     }
 }
 
 static void take(scene_object *s, scene_body *tool)
 {
-    scene_hold found = {0};
+    scene_needle_grasp found = {0};
     double nearest = tool->rigid.grasper->config.paper_distance;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         if (is_needle(&s->bodies[i])) {
             look_along(tool, &s->bodies[i], &found, &nearest);
         }
     }
     if (found.needle != 0) {
-        tool->rigid.hold = found;
-        tool->rigid.has_closed = false; /* on a needle, and on nothing beside it */
+        tool->rigid.needle_grasp = found;
+        tool->rigid.has_closed_jaws = false; /* on a needle, and on nothing beside it */
     }
 }
 
 void vbss_scene_paper_settle_needles(scene_object *s, double h)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (has_closed_on_one(b)) {
-            b->rigid.hold.age += h;
+            b->rigid.needle_grasp.age += h;
             if (b->rigid.grasper->jaw_angle > 0.0) {
                 let_go(s, b);
             }
         }
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_RIGID && b->rigid.grasper != NULL && b->rigid.has_closed &&
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL && b->rigid.has_closed_jaws &&
             b->rigid.grasper->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
             take(s, b);
         }
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *first = is_needle(&s->bodies[i]) && s->bodies[i].rigid.leader == 0
                                 ? next_leader(s, &s->bodies[i])
                                 : NULL;

@@ -3,7 +3,7 @@
  *   until nothing hits -> events -> tool forces
  * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
 #include "base/error.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/cuts.h"
 #include "scene/events.h"
 #include "scene/holes.h"
@@ -16,39 +16,39 @@
 
 static vbss_result keep(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             VBSS_TRY(vbss_thread_update_derived(t));
             vbss_thread_copy_state(t, &t->saved, &t->now);
-            b->thread.kept = t->statistics;
-        } else if (b->kind == BODY_DRAIN) {
-            vbss_scene_keep_drain(&b->drain);
+            b->thread.checkpoint_statistics = t->statistics;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            vbss_scene_checkpoint_drain(&b->drain);
             b->drain.drain->statistics.last_move = 0.0;
         }
     }
-    vbss_scene_keep_tools(s);
-    s->kept = s->statistics;
+    vbss_scene_checkpoint_tools(s);
+    s->checkpoint_statistics = s->statistics;
     return VBSS_OK;
 }
 
 static void go_back(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_copy_state(t, &t->now, &t->saved);
-            t->statistics = s->bodies[i].thread.kept;
-        } else if (s->bodies[i].kind == BODY_DRAIN) {
-            vbss_scene_return_drain(&s->bodies[i].drain);
+            t->statistics = s->bodies[i].thread.checkpoint_statistics;
+        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            vbss_scene_rollback_drain(&s->bodies[i].drain);
         }
     }
-    vbss_scene_return_tools(s);
+    vbss_scene_rollback_tools(s);
     vbss_scene_paper_return_needles(s);
-    s->statistics = s->kept;
-    s->hit_count = 0;
-    vbss_scene_begin_events(s);
+    s->statistics = s->checkpoint_statistics;
+    s->baseline_contact_count = 0;
+    vbss_scene_clear_events(s);
     s->generation++;
 }
 
@@ -66,8 +66,8 @@ static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid 
     r->trial = r->predicted.pose;
     for (uint32_t i = 0; i < r->capsule_count; i++) {
         scene_capsule *c = &s->capsules[r->first_capsule + i];
-        vbss_scene_place_capsule(c, r->body.now.pose, c->now);
-        vbss_scene_place_trial(c, r->trial);
+        vbss_scene_transform_capsule(c, r->body.now.pose, c->now);
+        vbss_scene_transform_trial_capsule(c, r->trial);
         for (uint32_t k = 0; k < 2; k++) {
             start[2 * i + k] = c->now[k];
             end[2 * i + k] = c->trial[k];
@@ -78,14 +78,14 @@ static vbss_result move_rigid(scene_object *s, const scene_body *b, scene_rigid 
 
 static vbss_result move_bodies(scene_object *s, double h)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             VBSS_TRY(vbss_thread_paper_step(b->thread.thread, h));
-        } else if (b->kind == BODY_RIGID) {
+        } else if (b->kind == SCENE_BODY_RIGID) {
             VBSS_TRY(move_rigid(s, b, &b->rigid, h));
-        } else if (b->kind == BODY_DRAIN) {
-            VBSS_TRY(vbss_drain_paper_move(b->drain.drain, h, &b->drain.stage.h));
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            VBSS_TRY(vbss_drain_paper_move(b->drain.drain, h, &b->drain.substep.h));
         }
     }
     return VBSS_OK;
@@ -106,12 +106,12 @@ static double sum_motion(const vec3 *x, const vec3 *v, uint32_t count)
 static bool is_sound(const scene_object *s)
 {
     double sum = 0.0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             const thread_object *t = b->thread.thread;
             sum += sum_motion(t->now.x, t->now.v, t->node_count);
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             const drain_object *d = b->drain.drain;
             sum += sum_motion(d->x, d->v, d->mesh.node_count);
         }
@@ -126,14 +126,15 @@ static vbss_result search(scene_object *s)
 
 static vbss_result make_passes(scene_object *s, double h)
 {
-    s->hit_count = 0;
-    s->hits_of_pass = 1;
-    for (uint32_t pass = 0; s->hits_of_pass > 0 && pass < s->config.paper_pass_limit; pass++) {
+    s->baseline_contact_count = 0;
+    s->baseline_responses_in_pass = 1;
+    for (uint32_t pass = 0; s->baseline_responses_in_pass > 0 && pass < s->config.paper_pass_limit;
+         pass++) {
         VBSS_TRY(search(s));
         VBSS_TRY(vbss_scene_paper_pass(s, h));
         s->statistics.attempts++;
     }
-    if (s->hits_of_pass == 0) {
+    if (s->baseline_responses_in_pass == 0) {
         return VBSS_OK;
     }
     s->statistics.loose_states++;
@@ -159,14 +160,14 @@ static double note_stretch(thread_object *t)
 
 static void arrive(scene_object *s, double h)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             vbss_thread_finish_step(b->thread.thread, h);
-        } else if (b->kind == BODY_RIGID) {
+        } else if (b->kind == SCENE_BODY_RIGID) {
             b->rigid.body.now = b->rigid.predicted;
             b->rigid.body.target_start = b->rigid.body.target_end;
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_scene_paper_arrive_drain(&b->drain, h);
         }
     }
@@ -176,8 +177,8 @@ static void note_errors(scene_object *s, double h)
 {
     vbss_scene_statistics *c = &s->statistics;
     double stretch = 0.0, depth = vbss_scene_paper_measure(s, h);
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             stretch = vbss_max(note_stretch(s->bodies[i].thread.thread), stretch);
         }
     }
@@ -193,24 +194,25 @@ static void note_errors(scene_object *s, double h)
 /* The hand that leads a coupled body feels what one that drives it would. */
 static void note_hands(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == BODY_RIGID && r->kind == VBSS_RIGID_COUPLED) {
-            r->pull.force = vec3_neg(r->force);
-            r->pull.torque = vec3_neg(r->torque);
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->kind == VBSS_RIGID_COUPLED) {
+            r->coupling_wrench.force = vec3_neg(r->force);
+            r->coupling_wrench.torque = vec3_neg(r->torque);
         }
     }
 }
 
 vbss_result vbss_scene_paper_step(scene_object *s, double h)
 {
-    const scene_part whole = {.step = h, .begin = 0.0, .end = 1.0, .h = h};
+    const scene_substep whole = {
+        .step_length = h, .start_fraction = 0.0, .end_fraction = 1.0, .h = h};
     VBSS_TRY(keep(s));
-    vbss_scene_begin_events(s);
-    vbss_scene_note_holes(s);
-    vbss_scene_take_tools(s, h);
+    vbss_scene_clear_events(s);
+    vbss_scene_record_holes_before_step(s);
+    vbss_scene_apply_tool_targets(s, h);
     vbss_scene_paper_aim_needles(s, h);
-    vbss_scene_aim_capsules(s, &whole);
+    vbss_scene_set_capsule_trials(s, &whole);
     vbss_result result = move_bodies(s, h);
     if (result == VBSS_OK) {
         result = make_passes(s, h);
@@ -225,11 +227,11 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     note_errors(s, h);
     arrive(s, h);
     vbss_scene_commit_capsules(s);
-    vbss_scene_part_pieces(s);
-    vbss_scene_note_touches(s);
-    vbss_scene_note_forces(s);
+    vbss_scene_update_cut_exclusions(s);
+    vbss_scene_update_touching_pairs(s);
+    vbss_scene_collect_forces(s);
     note_hands(s);
     vbss_scene_paper_settle_holes(s);
-    vbss_scene_settle_tools(s, h);
+    vbss_scene_update_tools(s, h);
     return VBSS_OK;
 }

@@ -18,13 +18,13 @@ static vbss_result check_node(const scene_object *s, const scene_body *thread, u
             return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is held already", node);
         }
     }
-    if (vbss_scene_weld_of(s, thread->number, node) != NULL) {
+    if (vbss_scene_find_weld(s, thread->number, node) != NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "node %u is pinned already", node);
     }
     return VBSS_OK;
 }
 
-static scene_pin *free_place(const scene_object *s)
+static scene_pin *find_free_pin(const scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         if (s->pins[i].id == 0) {
@@ -56,15 +56,16 @@ bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin)
     return thread != NULL && find_attachment(thread, pin->attachment) != NULL;
 }
 
-bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint32_t segment,
-                           const scene_body *rigid, uint32_t capsule, double touching)
+bool vbss_scene_is_excluded_at_pin(const scene_object *s, const scene_body *thread,
+                                   uint32_t segment, const scene_body *rigid, uint32_t capsule,
+                                   double contact_distance)
 {
     bool is_jaw =
         rigid->rigid.grasper != NULL && capsule != GRASPER_SHAFT && capsule != GRASPER_NECK;
     for (uint32_t i = 0; is_jaw && i < s->config.grasp_capacity; i++) {
-        const scene_grasp *g = &s->grasps[i];
+        const scene_thread_grasp *g = &s->thread_grasps[i];
         if (g->id != 0 && g->thread == thread->number && g->tool == rigid->number &&
-            vbss_scene_is_held_at(s, g, segment, touching)) {
+            vbss_scene_is_segment_in_grasp(s, g, segment, contact_distance)) {
             return true;
         }
     }
@@ -75,14 +76,14 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
             !vbss_scene_pin_holds(s, p)) {
             continue;
         }
-        double arc = 0.0, most = SCENE_PIN_ARC * touching;
-        for (uint32_t k = p->node; k < segment && arc < most; k++) {
+        double arc = 0.0, max_arc = SCENE_EXCLUSION_ARC_RATIO * contact_distance;
+        for (uint32_t k = p->node; k < segment && arc < max_arc; k++) {
             arc += rest[k];
         }
-        for (uint32_t k = segment + 1; k < p->node && arc < most; k++) {
+        for (uint32_t k = segment + 1; k < p->node && arc < max_arc; k++) {
             arc += rest[k];
         }
-        if (arc < most) {
+        if (arc < max_arc) {
             return true;
         }
     }
@@ -90,7 +91,7 @@ bool vbss_scene_comes_from(const scene_object *s, const scene_body *thread, uint
 }
 
 /* Where the pinned point will be at the end of the next step. */
-static vec3 aim(const scene_body *b, vec3 point)
+static vec3 pin_target(const scene_body *b, vec3 point)
 {
     return b == NULL ? point : pose_apply(b->rigid.body.target_end, point);
 }
@@ -108,8 +109,8 @@ static vbss_result attach(const scene_body *thread, uint32_t node, vec3 position
 static vbss_result pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
                             const double *point, uint32_t *pin)
 {
-    scene_body *t = vbss_scene_find_body(s, thread, BODY_THREAD);
-    scene_body *b = body == 0 ? NULL : vbss_scene_find_body(s, body, BODY_RIGID);
+    scene_body *t = vbss_scene_require_body(s, thread, SCENE_BODY_THREAD);
+    scene_body *b = body == 0 ? NULL : vbss_scene_require_body(s, body, SCENE_BODY_RIGID);
     if (t == NULL || (body != 0 && b == NULL)) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
@@ -118,22 +119,22 @@ static vbss_result pin_node(scene_object *s, uint32_t thread, uint32_t node, uin
         VBSS_TRY(vbss_check_finite(s->context, point, 3, "point"));
         VBSS_TRY(vbss_check_range(s->context, vbss_max_abs(point, 3), 0.0, 1e3, "point"));
     }
-    scene_pin *p = free_place(s);
+    scene_pin *p = find_free_pin(s);
     if (p == NULL) {
         return VBSS_ERROR_CAPACITY;
     }
-    vec3 here = t->thread.thread->now.x[node];
-    vec3 at = point != NULL ? vec3_load(point) : here;
+    vec3 current = t->thread.thread->now.x[node];
+    vec3 at = point != NULL ? vec3_load(point) : current;
     if (b != NULL) {
         at = point != NULL ? pose_apply_inverse(b->rigid.frame, at)
-                           : pose_apply_inverse(b->rigid.body.now.pose, here);
+                           : pose_apply_inverse(b->rigid.body.now.pose, current);
     }
     uint32_t attachment = 0;
     if (b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN || s->config.method == VBSS_METHOD_PAPER) {
-        VBSS_TRY(attach(t, node, aim(b, at), &attachment));
+        VBSS_TRY(attach(t, node, pin_target(b, at), &attachment));
     }
     t->thread.thread->welded[node] = attachment == 0;
-    const scene_pin own = {.id = ++s->last_pin,
+    const scene_pin own = {.id = ++s->last_pin_id,
                            .thread = thread,
                            .node = node,
                            .body = body,
@@ -149,7 +150,7 @@ vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t n
                                   const double *point, uint32_t *pin)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     VBSS_TRY(vbss_check_pointer(s->context, pin, "pin"));
     return pin_node(s, thread, node, body, point, pin);
 }
@@ -160,7 +161,7 @@ vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t no
     return pin_node(s, thread, node, body, NULL, pin);
 }
 
-static void forget(scene_object *s, scene_pin *p)
+static void remove_pin(scene_object *s, scene_pin *p)
 {
     scene_body *t = vbss_scene_body(s, p->thread);
     if (p->attachment == 0 && t != NULL) {
@@ -177,7 +178,7 @@ static bool unpin(scene_object *s, uint32_t pin)
 {
     for (uint32_t i = 0; pin != 0 && i < s->config.pin_capacity; i++) {
         if (s->pins[i].id == pin) {
-            forget(s, &s->pins[i]);
+            remove_pin(s, &s->pins[i]);
             s->generation++;
             return true;
         }
@@ -193,24 +194,24 @@ void vbss_scene_unpin_in_step(scene_object *s, uint32_t pin)
 vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_edit(scene, &s));
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
     if (unpin(s, pin)) {
         return VBSS_OK;
     }
     return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no pin %u", pin);
 }
 
-void vbss_scene_forget_pins_of(scene_object *s, uint32_t number)
+void vbss_scene_remove_pins_of(scene_object *s, uint32_t number)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         scene_pin *p = &s->pins[i];
         if (p->id != 0 && (p->thread == number || p->body == number)) {
-            forget(s, p);
+            remove_pin(s, p);
         }
     }
 }
 
-const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint32_t node)
+const scene_pin *vbss_scene_find_weld(const scene_object *s, uint32_t thread, uint32_t node)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
@@ -221,7 +222,7 @@ const scene_pin *vbss_scene_weld_of(const scene_object *s, uint32_t thread, uint
     return NULL;
 }
 
-void vbss_scene_aim_pins(scene_object *s)
+void vbss_scene_set_pin_targets(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
@@ -230,7 +231,7 @@ void vbss_scene_aim_pins(scene_object *s)
         }
         thread_attachment *a = find_attachment(vbss_scene_body(s, p->thread), p->attachment);
         if (a != NULL) {
-            a->target = aim(vbss_scene_body(s, p->body), p->point);
+            a->target = pin_target(vbss_scene_body(s, p->body), p->point);
         }
     }
 }

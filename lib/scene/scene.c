@@ -2,7 +2,7 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "base/stream.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/cuts.h"
 #include "scene/pins.h"
 #include "scene/scene.h"
@@ -59,12 +59,12 @@ typedef struct range {
     double value, low, high;
 } range;
 
-static vbss_result check(vbss_context *context, const vbss_scene_config *c)
+static vbss_result check_config(vbss_context *context, const vbss_scene_config *c)
 {
     const range ranges[] = {
         {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
         {"mode", c->mode, VBSS_MODE_REAL_TIME, VBSS_MODE_OFFLINE},
-        {"thread_capacity", c->thread_capacity, 0.0, SCENE_THREADS},
+        {"thread_capacity", c->thread_capacity, 0.0, SCENE_MAX_THREADS},
         {"node_capacity", c->node_capacity, 0.0, 8192.0},
         {"rigid_capacity", c->rigid_capacity, 0.0, 256.0},
         {"capsule_capacity", c->capsule_capacity, 0.0, 4096.0},
@@ -101,60 +101,61 @@ static vbss_result check(vbss_context *context, const vbss_scene_config *c)
 
 /* ---- memory */
 
-enum { PARTS = 25 };
+enum { ARRAY_COUNT = 25 };
 
-static size_t list_parts(scene_object *s, vbss_array parts[PARTS])
+static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
     size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
     size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
     size_t contacts = s->config.contact_capacity;
-    size_t hits = s->config.method == VBSS_METHOD_PAPER ? contacts : 0;
+    size_t baseline_contacts = s->config.method == VBSS_METHOD_PAPER ? contacts : 0;
     const vbss_array all[] = {
-        {&s->bodies, s->place_capacity, sizeof *s->bodies},
+        {&s->bodies, s->body_capacity, sizeof *s->bodies},
         {&s->capsules, capsules, sizeof *s->capsules},
         {&s->pins, s->config.pin_capacity, sizeof *s->pins},
-        {&s->grasps, s->config.grasp_capacity, sizeof *s->grasps},
-        {&s->kept_grasps, s->config.grasp_capacity, sizeof *s->kept_grasps},
+        {&s->thread_grasps, s->config.grasp_capacity, sizeof *s->thread_grasps},
+        {&s->checkpoint_thread_grasps, s->config.grasp_capacity,
+         sizeof *s->checkpoint_thread_grasps},
         {&s->holes, s->config.hole_capacity, sizeof *s->holes},
-        {&s->kept_holes, s->config.hole_capacity, sizeof *s->kept_holes},
-        {&s->holes_before, s->config.hole_capacity, sizeof *s->holes_before},
-        {&s->marks, nodes, sizeof *s->marks},
-        {&s->ways, nodes + 2 * capsules, sizeof *s->ways},
+        {&s->checkpoint_holes, s->config.hole_capacity, sizeof *s->checkpoint_holes},
+        {&s->previous_holes, s->config.hole_capacity, sizeof *s->previous_holes},
+        {&s->is_separator, nodes, sizeof *s->is_separator},
+        {&s->expected_displacements, nodes + 2 * capsules, sizeof *s->expected_displacements},
         {&s->vertices, 2 * vertices, sizeof *s->vertices},
         {&s->welds, s->config.pin_capacity, sizeof *s->welds},
-        {&s->block, 1, sizeof *s->block},
-        {&s->solids, capsules, sizeof *s->solids},
-        {&s->hits, hits, sizeof *s->hits},
-        {&s->touches, contacts, sizeof *s->touches},
-        {&s->touches_before, contacts, sizeof *s->touches_before},
+        {&s->ccd_batch, 1, sizeof *s->ccd_batch},
+        {&s->mass_capsules, capsules, sizeof *s->mass_capsules},
+        {&s->baseline_contacts, baseline_contacts, sizeof *s->baseline_contacts},
+        {&s->touching_pairs, contacts, sizeof *s->touching_pairs},
+        {&s->previous_touching_pairs, contacts, sizeof *s->previous_touching_pairs},
         {&s->events, s->config.event_capacity, sizeof *s->events},
         {&s->contact_features, contacts, sizeof *s->contact_features},
         {&s->contact_points, contacts, sizeof *s->contact_points},
         {&s->contact_normals, contacts, sizeof *s->contact_normals},
         {&s->contact_forces, contacts, sizeof *s->contact_forces},
         {&s->contact_gaps, contacts, sizeof *s->contact_gaps},
-        {&s->shape_places, SCENE_SHAPES, sizeof *s->shape_places},
-        {&s->near, vertices, sizeof *s->near},
+        {&s->body_of_shape, SCENE_MAX_SHAPES, sizeof *s->body_of_shape},
+        {&s->near_features, vertices, sizeof *s->near_features},
     };
-    _Static_assert(sizeof all <= PARTS * sizeof(vbss_array), "the table is long enough");
-    memcpy(parts, all, sizeof all);
+    _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
+    memcpy(arrays, all, sizeof all);
     return sizeof all / sizeof all[0];
 }
 
 static void free_object(vbss_context *context, void *object)
 {
     scene_object *s = object;
-    vbss_array parts[PARTS];
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
-            vbss_scene_release_thread(&s->bodies[i]);
-        } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
-            vbss_scene_release_grasper(&s->bodies[i]);
-        } else if (s->bodies[i].kind == BODY_RIGID && s->bodies[i].rigid.needle != NULL) {
-            vbss_scene_release_needle(&s->bodies[i]);
-        } else if (s->bodies[i].kind == BODY_DRAIN) {
-            vbss_scene_release_drain(s, &s->bodies[i]);
-        } else if (s->bodies[i].reserved) {
+    vbss_array arrays[ARRAY_COUNT];
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            vbss_scene_disown_thread(&s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
+            vbss_scene_disown_grasper(&s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_RIGID && s->bodies[i].rigid.needle != NULL) {
+            vbss_scene_disown_needle(&s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            vbss_scene_disown_drain(s, &s->bodies[i]);
+        } else if (s->bodies[i].is_reserved) {
             vbss_scene_return_spare(&s->bodies[i]);
         }
     }
@@ -163,7 +164,7 @@ static void free_object(vbss_context *context, void *object)
     }
     vbss_contact_destroy(context, s->contacts);
     vbss_system_destroy(context, s->system);
-    vbss_release_arrays(context, parts, list_parts(s, parts));
+    vbss_release_arrays(context, arrays, list_arrays(s, arrays));
     vbss_release(context, s, 1, sizeof *s);
 }
 
@@ -174,31 +175,31 @@ static vbss_result make_collision(scene_object *s)
 {
     vbss_collision_config c;
     VBSS_TRY(vbss_collision_config_init(&c, sizeof c));
-    c.shape_capacity = SCENE_SHAPES;
+    c.shape_capacity = SCENE_MAX_SHAPES;
     c.pair_capacity = s->config.candidate_capacity;
-    c.impact_capacity = 0; /* nobody asks for them: guard.c and paper_contacts.c ask themselves */
+    c.impact_capacity = 0; /* nobody asks for them: ccd.c and paper_contacts.c ask themselves */
     c.margin = s->config.contact_margin;
     if (s->config.method == VBSS_METHOD_PAPER) {
         c.method = VBSS_COLLISION_PAPER;
         c.thickness = s->config.paper_thickness;
         c.margin = 0.0;
     }
-    bool keeps_apart = s->config.method != VBSS_METHOD_PAPER;
-    VBSS_TRY(vbss_collision_allocate(s->context, &c, keeps_apart, &s->collision));
+    bool has_separation_cache = s->config.method != VBSS_METHOD_PAPER;
+    VBSS_TRY(vbss_collision_allocate(s->context, &c, has_separation_cache, &s->collision));
     s->collision_slot = vbss_slot_inside(s->context, &vbss_collision_kind, s->collision);
     return VBSS_OK;
 }
 
-static vbss_result make_parts(scene_object *s)
+static vbss_result create_members(scene_object *s)
 {
-    vbss_array parts[PARTS];
-    VBSS_TRY(vbss_allocate_arrays(s->context, parts, list_parts(s, parts), "scene"));
+    vbss_array arrays[ARRAY_COUNT];
+    VBSS_TRY(vbss_allocate_arrays(s->context, arrays, list_arrays(s, arrays), "scene"));
     VBSS_TRY(make_collision(s));
     if (s->config.method == VBSS_METHOD_PAPER) {
         return VBSS_OK;
     }
     VBSS_TRY(vbss_contact_create(s->context, s->config.contact_capacity, &s->contacts));
-    return vbss_scene_make_system(s, NULL);
+    return vbss_scene_create_system(s, NULL);
 }
 
 /* ---- life */
@@ -217,19 +218,19 @@ vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *co
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
     }
-    VBSS_TRY(check(context, &own));
+    VBSS_TRY(check_config(context, &own));
     scene_object *s = vbss_allocate(context, 1, sizeof *s, "scene");
     if (s == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     s->context = context;
     s->config = own;
-    s->pace = 1.0;
+    s->next_initial_size = 1.0;
     s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
     s->node_capacity = own.node_capacity;
-    s->place_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;
+    s->body_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;
     vbss_slot *slot = NULL;
-    vbss_result result = make_parts(s);
+    vbss_result result = create_members(s);
     if (result == VBSS_OK) {
         result = vbss_slot_create(context, &vbss_scene_kind, s, &slot);
     }
@@ -247,11 +248,11 @@ vbss_result vbss_scene_destroy(vbss_scene *scene)
     if (scene == NULL) {
         return VBSS_OK;
     }
-    VBSS_TRY(vbss_scene_tell(scene, &s));
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     /* Threads leave without pins, as when they are removed. */
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
-            vbss_scene_forget_pins_of(s, s->bodies[i].number);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            vbss_scene_remove_pins_of(s, s->bodies[i].number);
         }
     }
     return vbss_slot_destroy(scene, &vbss_scene_kind);
@@ -265,7 +266,7 @@ vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene)
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_tell(vbss_scene *handle, scene_object **scene)
+vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(handle, &vbss_scene_kind, &slot));
@@ -273,10 +274,10 @@ vbss_result vbss_scene_tell(vbss_scene *handle, scene_object **scene)
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_edit(vbss_scene *handle, scene_object **scene)
+vbss_result vbss_scene_open_for_edit(vbss_scene *handle, scene_object **scene)
 {
-    VBSS_TRY(vbss_scene_tell(handle, scene));
-    return vbss_scene_end_waiting(*scene);
+    VBSS_TRY(vbss_scene_open_mutable(handle, scene));
+    return vbss_scene_abandon_suspended_step(*scene);
 }
 
 vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
@@ -292,7 +293,7 @@ vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *
 vbss_result vbss_scene_step(vbss_scene *scene, double h)
 {
     scene_object *s;
-    VBSS_TRY(vbss_scene_tell(scene, &s));
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
     VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
     VBSS_TRY(vbss_check_arithmetic(s->context));
     VBSS_TRY(s->config.method == VBSS_METHOD_PAPER ? vbss_scene_paper_step(s, h)

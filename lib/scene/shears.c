@@ -4,10 +4,10 @@
 #include "scene/scene.h"
 #include "scene/tools.h"
 
-static double arc_of(const scene_strand *at)
+static double strand_arc(const scene_strand *at)
 {
     const thread_object *t = at->thread->thread.thread;
-    return vbss_thread_arc_length(t, at->segment) + at->share * t->rest[at->segment];
+    return vbss_thread_arc_length(t, at->segment) + at->fraction * t->rest[at->segment];
 }
 
 /* Blades do not slice off less than a thread is thick: neither the ends of what they have just cut, which still lie
@@ -23,47 +23,49 @@ static bool is_at_end(const thread_object *t, double arc)
 /* Beside those that will be made in this step. */
 static bool has_cuts_left(const scene_object *s, const thread_piece_pool *family)
 {
-    uint32_t left = 0, noted = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    uint32_t left = 0, scheduled = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        left += b->reserved && b->kind == BODY_GONE && b->thread.thread->piece_pool == family;
+        left +=
+            b->is_reserved && b->kind == SCENE_BODY_NONE && b->thread.thread->piece_pool == family;
     }
     for (uint32_t i = 0; i < s->cut_count; i++) {
-        noted += vbss_scene_body(s, s->cuts[i].thread)->thread.thread->piece_pool == family;
+        scheduled += vbss_scene_body(s, s->cuts[i].thread)->thread.thread->piece_pool == family;
     }
-    return left > noted;
+    return left > scheduled;
 }
 
-bool vbss_scene_let_through(scene_object *s, uint32_t tool, const scene_strand *at, double angle)
+bool vbss_scene_exclude_uncuttable(scene_object *s, uint32_t tool, const scene_strand *at,
+                                   double angle)
 {
     const thread_object *t = at->thread->thread.thread;
-    double arc = arc_of(at);
+    double arc = strand_arc(at);
     bool at_end = is_at_end(t, arc);
-    scene_grasp *g = vbss_scene_free_grasp(s);
+    scene_thread_grasp *g = vbss_scene_find_free_grasp(s);
     if (g == NULL || (!at_end && has_cuts_left(s, t->piece_pool))) {
         return false;
     }
-    *g = (scene_grasp){.id = ++s->last_grasp,
-                       .thread = at->thread->number,
-                       .tool = tool,
-                       .segment = at->segment,
-                       .into = at->share * t->rest[at->segment],
-                       .angle = angle,
-                       .spacing = t->config.radius,
-                       .let_go = true,
-                       .torn = true};
+    *g = (scene_thread_grasp){.id = ++s->last_grasp_id,
+                              .thread = at->thread->number,
+                              .tool = tool,
+                              .segment = at->segment,
+                              .segment_offset = at->fraction * t->rest[at->segment],
+                              .angle = angle,
+                              .point_spacing = t->config.radius,
+                              .is_released = true,
+                              .needs_reopening = true};
     if (!at_end) {
-        vbss_scene_tell_cut(s, at->thread, NULL, arc);
+        vbss_scene_emit_cut_event(s, at->thread, NULL, arc);
     }
     return true;
 }
 
-void vbss_scene_note_cut(scene_object *s, const scene_strand *at)
+void vbss_scene_schedule_cut(scene_object *s, const scene_strand *at)
 {
-    if (s->cut_count == SCENE_CUTS) {
+    if (s->cut_count == SCENE_MAX_CUTS) {
         return; /* what still lies between the blades is cut in the next step */
     }
-    double arc = arc_of(at);
+    double arc = strand_arc(at);
     uint32_t to =
         s->cut_count++; /* from the end of a thread on: what is left keeps its arc lengths */
     while (to > 0 && s->cuts[to - 1].arc_length < arc) {
@@ -78,7 +80,7 @@ void vbss_scene_make_cuts(scene_object *s)
     for (uint32_t i = 0; i < s->cut_count; i++) {
         scene_body *thread = vbss_scene_body(s, s->cuts[i].thread), *piece;
         if (!is_at_end(thread->thread.thread, s->cuts[i].arc_length)) { /* by now */
-            (void)vbss_scene_cut_now(s, thread, s->cuts[i].arc_length, &piece);
+            (void)vbss_scene_apply_cut(s, thread, s->cuts[i].arc_length, &piece);
         }
     }
     s->cut_count = 0;

@@ -2,14 +2,14 @@
  *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
  * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
  * made again, in halves; after the last the step is cut short where it would harm. In real time a call does no more
- * than so much of it, and the next goes on (call.c). */
+ * than so much of it, and the next goes on (time_slice.c). */
 #include "base/error.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/cuts.h"
 #include "scene/events.h"
 #include "scene/holes.h"
-#include "scene/meshes.h"
-#include "scene/rows.h"
+#include "scene/remeshing.h"
+#include "scene/contacts.h"
 #include "scene/scene.h"
 #include "scene/step.h"
 #include "scene/tools.h"
@@ -24,41 +24,41 @@ uint32_t vbss_scene_attempt_cost(const scene_object *s)
     return COST_OF_CANDIDATE * s->collision->candidate_count + COST_OF_NODE * s->node_count;
 }
 
-static double smallest_part(const scene_object *s)
+static double find_min_size(const scene_object *s)
 {
-    double part = 1.0;
+    double size = 1.0;
     for (uint32_t k = 0; k < s->config.halving_limit; k++) {
-        part *= 0.5;
+        size *= 0.5;
     }
-    return part;
+    return size;
 }
 
 /* What takes too much work as the smallest part is halved further, so many times: what snaps over takes a hundred solves in a 32nd of a
- * millisecond, and few in a 256th. Not without walls, where each part may give 1 mJ (believe.c): a knot that is cut flew apart with 38
+ * millisecond, and few in a 256th. Not without walls, where each part may give 1 mJ (energy_check.c): a knot that is cut flew apart with 38
  * m/s, where 5 N let go of give 30. */
-#define LEAST_OF_SMALLEST 0.125
+#define HARD_MIN_SIZE_RATIO 0.125
 
-bool vbss_scene_is_part(const scene_object *s, double size)
+bool vbss_scene_is_substep_size(const scene_object *s, double size)
 {
-    double part = 1.0, least = LEAST_OF_SMALLEST * smallest_part(s);
-    while (part > least && part != size) {
-        part *= 0.5;
+    double valid_size = 1.0, min_size = HARD_MIN_SIZE_RATIO * find_min_size(s);
+    while (valid_size > min_size && valid_size != size) {
+        valid_size *= 0.5;
     }
-    return part == size;
+    return valid_size == size;
 }
 
-void vbss_scene_spend(scene_object *s, uint32_t work)
+void vbss_scene_charge_budget(scene_object *s, uint32_t operations)
 {
-    s->contacts->counters.operations += work;
+    s->contacts->counters.operations += operations;
 }
 
-bool vbss_scene_is_spent(const scene_object *s)
+bool vbss_scene_is_over_budget(const scene_object *s)
 {
-    return s->most_work > 0 && s->contacts->counters.operations >= s->most_work;
+    return s->step_budget > 0 && s->contacts->counters.operations >= s->step_budget;
 }
 
 /* The first step of a scene is not: what a host has laid out may overlap. */
-bool vbss_scene_is_limited(const scene_object *s)
+bool vbss_scene_has_step_budget(const scene_object *s)
 {
     return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&
            s->statistics.steps > 0;
@@ -66,86 +66,91 @@ bool vbss_scene_is_limited(const scene_object *s)
 
 /* The least part is finished whatever it takes, or nothing might ever move again; where states cycle, what a search has led
  * to by a limit of its own must do. */
-static void limit_work(scene_object *s, const scene_part *part, bool least)
+static void set_step_budget(scene_object *s, const scene_substep *substep, bool is_hard_min_size)
 {
-    uint64_t before = part->stops ? s->contacts->counters.operations : 0;
-    bool limited = vbss_scene_is_limited(s) && (part->stops || !least);
-    s->most_work = limited ? before + s->config.work_limit : 0;
+    uint64_t operations_before = substep->has_search_budget ? s->contacts->counters.operations : 0;
+    bool is_limited =
+        vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
+    s->step_budget = is_limited ? operations_before + s->config.work_limit : 0;
 }
 
-static void note_work(scene_object *s)
+static void record_operations(scene_object *s)
 {
     vbss_scene_statistics *c = &s->statistics;
-    uint64_t work = s->contacts->counters.operations;
-    c->operations += work;
-    c->most_operations = work > c->most_operations ? work : c->most_operations;
+    uint64_t operations = s->contacts->counters.operations;
+    c->operations += operations;
+    c->most_operations = operations > c->most_operations ? operations : c->most_operations;
 }
 
 /* ---- an attempt */
 
 /* Share of what is allowed by which a part may go deeper that begins too deep, or is about to be: a load may need a
  * hair more, and on the way out too. */
-#define DEEPER 0.1
+#define ALLOWED_DEEPENING 0.1
 
-static void allow_depth(scene_object *s)
+static void set_allowed_penetrations(scene_object *s)
 {
-    s->recovering = false;
+    s->is_recovering = false;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        contact_constraint *row = &s->contacts->constraints[i];
-        double share = s->config.penetration_tolerance * row->thickness;
-        row->allowed_penetration = vbss_max(share, DEEPER * share - row->start_gap);
-        s->recovering = s->recovering || row->fold_allowance - row->start_gap > share;
+        contact_constraint *constraint = &s->contacts->constraints[i];
+        double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
+        constraint->allowed_penetration = vbss_max(
+            allowed_penetration, ALLOWED_DEEPENING * allowed_penetration - constraint->start_gap);
+        s->is_recovering = s->is_recovering ||
+                           constraint->fold_allowance - constraint->start_gap > allowed_penetration;
     }
 }
 
-static scene_verdict begin_attempt(scene_object *s, const scene_part *part)
+static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep *substep)
 {
     s->statistics.attempts++;
-    s->taken = false;
-    if (!vbss_scene_find_rows(s, part)) {
-        return VERDICT_FULL;
+    s->has_accepted_contacts = false;
+    if (!vbss_scene_create_contacts(s, substep)) {
+        return SCENE_SUBSTEP_OUT_OF_CAPACITY;
     }
-    vbss_scene_spend(s, vbss_scene_attempt_cost(s));
-    vbss_scene_predict(s, part);
+    vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
+    vbss_scene_predict(s, substep);
     vbss_scene_number_blocks(s);
-    vbss_scene_set_rows(s, part);
-    vbss_scene_recall_rows(s, part);
-    allow_depth(s);
-    if (vbss_scene_build_pattern(s) != VBSS_OK) {
-        return VERDICT_FULL;
+    vbss_scene_init_contacts(s, substep);
+    vbss_scene_warm_start_contacts(s, substep);
+    set_allowed_penetrations(s);
+    if (vbss_scene_build_sparsity_pattern(s) != VBSS_OK) {
+        return SCENE_SUBSTEP_OUT_OF_CAPACITY;
     }
     s->contacts->call_budget.has_progress = true;
-    return vbss_scene_solve(s, part);
+    return vbss_scene_solve(s, substep);
 }
 
-static scene_verdict attempt(scene_object *s)
+static scene_substep_outcome run_attempt(scene_object *s)
 {
-    scene_way *at = &s->way;
-    scene_verdict verdict =
-        at->at_hand ? vbss_scene_solve_on(s, &at->part) : begin_attempt(s, &at->part);
-    at->attempted = at->at_hand = verdict == VERDICT_WAITS;
-    at->passed = s->contacts->call_budget.checks_passed;
-    return verdict == VERDICT_ACCEPTED ? vbss_scene_guard(s) : verdict;
+    scene_step_cursor *cursor = &s->cursor;
+    scene_substep_outcome outcome = cursor->is_attempt_in_memory
+                                        ? vbss_scene_resume_solve(s, &cursor->substep)
+                                        : begin_attempt(s, &cursor->substep);
+    cursor->is_attempt_suspended = cursor->is_attempt_in_memory =
+        outcome == SCENE_SUBSTEP_SUSPENDED;
+    cursor->checks_passed = s->contacts->call_budget.checks_passed;
+    return outcome == SCENE_SUBSTEP_ACCEPTED ? vbss_scene_run_ccd(s) : outcome;
 }
 
-static void count(scene_object *s, scene_verdict verdict)
+static void count_rejection(scene_object *s, scene_substep_outcome outcome)
 {
     vbss_scene_statistics *c = &s->statistics;
-    c->rejected_states += verdict == VERDICT_STATES;
-    c->rejected_stretch += verdict == VERDICT_STRETCH;
-    c->rejected_depth += verdict == VERDICT_DEPTH;
-    c->rejected_guard += verdict == VERDICT_GUARD;
-    c->rejected_singular += verdict == VERDICT_SINGULAR;
-    c->rejected_full += verdict == VERDICT_FULL;
+    c->rejected_states += outcome == SCENE_SUBSTEP_NO_ACTIVE_SET;
+    c->rejected_stretch += outcome == SCENE_SUBSTEP_NOT_CONVERGED;
+    c->rejected_depth += outcome == SCENE_SUBSTEP_PENETRATION;
+    c->rejected_guard += outcome == SCENE_SUBSTEP_CCD_HIT;
+    c->rejected_singular += outcome == SCENE_SUBSTEP_SINGULAR;
+    c->rejected_full += outcome == SCENE_SUBSTEP_OUT_OF_CAPACITY;
 }
 
 /* ---- parts */
 
-static void note_errors(scene_object *s)
+static void record_errors(scene_object *s)
 {
     double stretch = 0.0, depth = 0.0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
             stretch = vbss_max(t->statistics.last_stretch_error, stretch);
         }
@@ -160,295 +165,315 @@ static void note_errors(scene_object *s)
 }
 
 /* Whether no more may be begun in the step: there is no room for it. */
-static bool is_over(const scene_object *s, const scene_way *at)
+static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cursor)
 {
-    uint64_t another = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
-    bool spent = s->contacts->counters.operations + another >= s->config.work_limit;
-    return vbss_scene_is_limited(s) && (at->attempts >= s->config.attempt_limit || spent);
+    uint64_t next_attempt_cost = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
+    bool is_over_budget =
+        s->contacts->counters.operations + next_attempt_cost >= s->config.work_limit;
+    return vbss_scene_has_step_budget(s) &&
+           (cursor->attempts >= s->config.attempt_limit || is_over_budget);
 }
 
 /* Whether the part is to be tried again: with the ways that are known now, or in halves. */
-static bool try_again(scene_object *s, scene_way *at, scene_verdict verdict)
+static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome)
 {
-    bool bounded = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
-    bool over = bounded && verdict != VERDICT_FULL && at->attempts >= s->config.attempt_limit;
-    bool least = at->size <= at->smallest;
-    if (verdict == VERDICT_GUARD && !at->part.again && !over) {
-        at->part.again = true;
+    bool has_attempt_limit = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
+    bool is_over_limit = has_attempt_limit && outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY &&
+                         cursor->attempts >= s->config.attempt_limit;
+    bool is_min_size = cursor->size <= cursor->min_size;
+    if (outcome == SCENE_SUBSTEP_CCD_HIT && !cursor->substep.uses_trial_motion && !is_over_limit) {
+        cursor->substep.uses_trial_motion = true;
         return true;
     }
-    if (verdict == VERDICT_STATES && least && vbss_scene_is_limited(s) && !at->part.stops) {
-        at->part.stops = true;
+    if (outcome == SCENE_SUBSTEP_NO_ACTIVE_SET && is_min_size && vbss_scene_has_step_budget(s) &&
+        !cursor->substep.has_search_budget) {
+        cursor->substep.has_search_budget = true;
         return true;
     }
     /* What is deep already is no better for being halved. */
-    if (s->turned && !at->part.straight && (least || over || s->recovering)) {
-        at->part.straight = true;
+    if (s->has_updated_normals && !cursor->substep.has_fixed_normals &&
+        (is_min_size || is_over_limit || s->is_recovering)) {
+        cursor->substep.has_fixed_normals = true;
         return true;
     }
-    at->part.again = at->part.straight = at->part.stops = false;
-    if (!least && !over) {
-        vbss_scene_unsettle(s);
-        at->size *= 0.5;
+    cursor->substep.uses_trial_motion = cursor->substep.has_fixed_normals =
+        cursor->substep.has_search_budget = false;
+    if (!is_min_size && !is_over_limit) {
+        vbss_scene_request_damping(s);
+        cursor->size *= 0.5;
         return true;
     }
     return false;
 }
 
 /* What is too much for the rooms, or no state at all, is no better for waiting. */
-static bool may_wait(scene_verdict verdict)
+static bool is_deferrable(scene_substep_outcome outcome)
 {
-    return verdict != VERDICT_FULL && verdict != VERDICT_SINGULAR;
+    return outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY && outcome != SCENE_SUBSTEP_SINGULAR;
 }
 
 /* Hands feel how far their tools are left behind. */
-static void pull_from_here(scene_object *s, const scene_part *part)
+static void update_coupling_wrenches(scene_object *s, const scene_substep *substep)
 {
-    const vbss_rigid_substep p = {part->step, part->begin, 1.0};
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    const vbss_rigid_substep p = {substep->step_length, substep->start_fraction, 1.0};
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_rigid *r = &s->bodies[i].rigid;
-        if (s->bodies[i].kind == BODY_RIGID) {
-            r->pull = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
+        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            r->coupling_wrench = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
         }
     }
 }
 
 /* The rest of the step is left out: everything rests where it is, and goes on in the next step, in parts of the
  * size at first. */
-static void pause_for_now(scene_object *s, const scene_way *at, double size)
+static void pause_step(scene_object *s, const scene_step_cursor *cursor, double size)
 {
-    double left = 1.0 - at->part.begin;
-    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * left));
+    double fraction_left = 1.0 - cursor->substep.start_fraction;
+    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
     s->statistics.paused++;
-    s->statistics.time_paused += left * at->part.step;
-    s->pace = size;
-    s->lagging = true;
-    pull_from_here(s, &at->part);
+    s->statistics.time_paused += fraction_left * cursor->substep.step_length;
+    s->next_initial_size = size;
+    s->is_behind_targets = true;
+    update_coupling_wrenches(s, &cursor->substep);
 }
 
 /* Whether a part that failed may be tried in the next step; and of which size. The smallest is halved further only for the work it took, and
  * if it was there for all of it. */
-static bool waits(const scene_object *s, const scene_way *at, double *size)
+static bool can_defer_to_next_step(const scene_object *s, const scene_step_cursor *cursor,
+                                   double *size)
 {
-    bool small = at->size <= at->smallest;
-    bool worked = s->contacts->is_stopped_early || vbss_scene_is_spent(s);
-    *size = small && at->size < at->begun ? at->size : 0.5 * at->size;
-    return is_over(s, at) && (!small || (worked && at->size > at->least));
+    bool is_min_size = cursor->size <= cursor->min_size;
+    bool is_over_budget = s->contacts->is_stopped_early || vbss_scene_is_over_budget(s);
+    *size = is_min_size && cursor->size < cursor->initial_size ? cursor->size : 0.5 * cursor->size;
+    return is_step_exhausted(s, cursor) &&
+           (!is_min_size || (is_over_budget && cursor->size > cursor->hard_min_size));
 }
 
-static void cut_short(scene_object *s, scene_way *at, scene_verdict verdict)
+static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
+                             scene_substep_outcome outcome)
 {
-    double lost = 1.0 - vbss_scene_clamp(s, verdict, &at->part);
-    double share = lost * (at->part.end - at->part.begin);
-    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * share));
-    vbss_scene_unsettle(s);
-    s->lagging = true;
+    double lost_fraction = 1.0 - vbss_scene_truncate_substep(s, outcome, &cursor->substep);
+    double lost_of_step =
+        lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
+    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
+    vbss_scene_request_damping(s);
+    s->is_behind_targets = true;
 }
 
-static void go_on(scene_object *s, scene_way *at)
+static void advance_cursor(scene_object *s, scene_step_cursor *cursor)
 {
-    note_errors(s);
-    at->part.again = at->part.straight = at->part.stops = false;
-    at->part.begin = at->part.end;
-    double pairs = at->part.begin / (2.0 * at->size);
-    if (at->size < 1.0 && floor(pairs) == pairs) {
-        at->size *= 2.0;
+    record_errors(s);
+    cursor->substep.uses_trial_motion = cursor->substep.has_fixed_normals =
+        cursor->substep.has_search_budget = false;
+    cursor->substep.start_fraction = cursor->substep.end_fraction;
+    double pairs = cursor->substep.start_fraction / (2.0 * cursor->size);
+    if (cursor->size < 1.0 && floor(pairs) == pairs) {
+        cursor->size *= 2.0;
     }
 }
 
-static void aim(scene_object *s)
+static void set_substep_end(scene_object *s)
 {
-    scene_way *at = &s->way;
-    at->part.end = at->part.begin + at->size;
-    at->part.h = at->part.step * at->size;
-    at->part.smallest = at->size <= at->smallest;
-    limit_work(s, &at->part, at->size <= at->least);
+    scene_step_cursor *cursor = &s->cursor;
+    cursor->substep.end_fraction = cursor->substep.start_fraction + cursor->size;
+    cursor->substep.h = cursor->substep.step_length * cursor->size;
+    cursor->substep.is_min_size = cursor->size <= cursor->min_size;
+    set_step_budget(s, &cursor->substep, cursor->size <= cursor->hard_min_size);
 }
 
 /* An attempt begins, or goes on. */
-static scene_verdict take_up(scene_object *s)
+static scene_substep_outcome run_or_resume_attempt(scene_object *s)
 {
-    scene_way *at = &s->way;
-    contact_call_budget *slot = &s->contacts->call_budget;
-    if (!at->attempted) {
-        aim(s);
-        at->before = s->contacts->counters.operations;
-        slot->checks_passed = 0;
+    scene_step_cursor *cursor = &s->cursor;
+    contact_call_budget *call_budget = &s->contacts->call_budget;
+    if (!cursor->is_attempt_suspended) {
+        set_substep_end(s);
+        cursor->operations_at_attempt = s->contacts->counters.operations;
+        call_budget->checks_passed = 0;
     }
     /* With the ways of the attempt before it nobody else could make it once more. */
-    const uint64_t end = slot->operation_limit;
-    slot->operation_limit = at->part.again ? 0 : end;
-    scene_verdict verdict = attempt(s);
-    slot->operation_limit = end;
-    return verdict;
+    const uint64_t end = call_budget->operation_limit;
+    call_budget->operation_limit = cursor->substep.uses_trial_motion ? 0 : end;
+    scene_substep_outcome outcome = run_attempt(s);
+    call_budget->operation_limit = end;
+    return outcome;
 }
 
 /* Makes an attempt once more that waits and is not at hand: nothing of it is in a saved state but how far it was. */
-static void make_again(scene_object *s)
+static void replay_attempt(scene_object *s)
 {
-    scene_way *at = &s->way;
-    contact_call_budget *slot = &s->contacts->call_budget;
+    scene_step_cursor *cursor = &s->cursor;
+    contact_call_budget *call_budget = &s->contacts->call_budget;
     const contact_counters counters = s->contacts->counters;
-    s->contacts->counters.operations = at->before;
-    aim(s);
-    *slot = (contact_call_budget){
-        .operation_limit = slot->operation_limit, .is_replay = true, .replay_checks = at->passed};
-    (void)attempt(s);
-    slot->is_replay = slot->has_progress = false;
+    s->contacts->counters.operations = cursor->operations_at_attempt;
+    set_substep_end(s);
+    *call_budget = (contact_call_budget){.operation_limit = call_budget->operation_limit,
+                                         .is_replay = true,
+                                         .replay_checks = cursor->checks_passed};
+    (void)run_attempt(s);
+    call_budget->is_replay = call_budget->has_progress = false;
     s->contacts->counters = counters;
-    vbss_scene_return_statistics(s);
+    vbss_scene_rollback_statistics(s);
 }
 
-static void accept(scene_object *s)
+static void accept_substep(scene_object *s)
 {
-    vbss_scene_commit(s, &s->way.part);
-    s->statistics.recovering += s->recovering;
-    s->lagging = false;
-    s->taken = true;
+    vbss_scene_commit(s, &s->cursor.substep);
+    s->statistics.recovering += s->is_recovering;
+    s->is_behind_targets = false;
+    s->has_accepted_contacts = true;
 }
 
 /* What is left of the step waits where the slot has no room for another attempt. */
-static bool is_for_later(const scene_object *s)
+static bool must_suspend(const scene_object *s)
 {
-    const contact_call_budget *slot = &s->contacts->call_budget;
-    uint64_t work = s->contacts->counters.operations + vbss_scene_attempt_cost(s);
-    return !s->way.attempted && !s->way.part.again && slot->operation_limit > 0 &&
-           slot->has_progress && work > slot->operation_limit;
+    const contact_call_budget *call_budget = &s->contacts->call_budget;
+    uint64_t operations = s->contacts->counters.operations + vbss_scene_attempt_cost(s);
+    return !s->cursor.is_attempt_suspended && !s->cursor.substep.uses_trial_motion &&
+           call_budget->operation_limit > 0 && call_budget->has_progress &&
+           operations > call_budget->operation_limit;
 }
 
-vbss_result vbss_scene_go_through(scene_object *s)
+vbss_result vbss_scene_run_substeps(scene_object *s)
 {
-    scene_way *at = &s->way;
-    scene_part *part = &at->part;
-    if (at->attempted && !at->at_hand) {
-        make_again(s);
+    scene_step_cursor *cursor = &s->cursor;
+    scene_substep *substep = &cursor->substep;
+    if (cursor->is_attempt_suspended && !cursor->is_attempt_in_memory) {
+        replay_attempt(s);
     }
-    at->waits = true;
-    while (part->begin < 1.0) {
-        if (is_for_later(s)) {
+    cursor->is_suspended = true;
+    while (substep->start_fraction < 1.0) {
+        if (must_suspend(s)) {
             return VBSS_OK;
         }
-        scene_verdict verdict = take_up(s);
-        if (verdict == VERDICT_WAITS) {
+        scene_substep_outcome outcome = run_or_resume_attempt(s);
+        if (outcome == SCENE_SUBSTEP_SUSPENDED) {
             return VBSS_OK;
         }
-        at->attempts++;
-        if (verdict == VERDICT_ACCEPTED) {
-            accept(s);
+        cursor->attempts++;
+        if (outcome == SCENE_SUBSTEP_ACCEPTED) {
+            accept_substep(s);
         } else {
-            double next;
-            count(s, verdict);
-            if (waits(s, at, &next) && may_wait(verdict)) {
-                vbss_scene_unsettle(s);
-                vbss_scene_stay(s);
-                pause_for_now(s, at, next);
+            double next_size;
+            count_rejection(s, outcome);
+            if (can_defer_to_next_step(s, cursor, &next_size) && is_deferrable(outcome)) {
+                vbss_scene_request_damping(s);
+                vbss_scene_reject_substep(s);
+                pause_step(s, cursor, next_size);
                 break;
             }
-            if (try_again(s, at, verdict)) {
+            if (prepare_retry(s, cursor, outcome)) {
                 continue;
             }
-            if (verdict == VERDICT_FULL) { /* nothing is known of what would be met */
+            if (outcome ==
+                SCENE_SUBSTEP_OUT_OF_CAPACITY) { /* nothing is known of what would be met */
                 return vbss_fail(
                     s->context, VBSS_ERROR_CAPACITY,
                     "scene step: more is near than candidate_capacity %u or contact_capacity %u",
                     s->config.candidate_capacity, s->config.contact_capacity);
             }
-            cut_short(s, at, verdict);
+            truncate_substep(s, cursor, outcome);
         }
-        go_on(s, at);
-        if (part->begin < 1.0 && is_over(s, at)) {
-            pause_for_now(s, at, vbss_min(2.0 * at->size, 1.0)); /* this one did */
+        advance_cursor(s, cursor);
+        if (substep->start_fraction < 1.0 && is_step_exhausted(s, cursor)) {
+            pause_step(s, cursor, vbss_min(2.0 * cursor->size, 1.0)); /* this one did */
             break;
         }
     }
-    at->waits = false;
+    cursor->is_suspended = false;
     return VBSS_OK;
 }
 
-void vbss_scene_give_up(scene_object *s)
+void vbss_scene_abandon_step(scene_object *s)
 {
-    scene_way *at = &s->way;
-    if (!at->attempted) { /* between two parts: rows are those of the next, as no saved state has any */
-        at->before = at->work;
-        at->passed = 0;
+    scene_step_cursor *cursor = &s->cursor;
+    if (!cursor
+             ->is_attempt_suspended) { /* between two parts: rows are those of the next, as no saved state has any */
+        cursor->operations_at_attempt = cursor->operations;
+        cursor->checks_passed = 0;
     }
-    if (!at->at_hand) {
-        make_again(s);
+    if (!cursor->is_attempt_in_memory) {
+        replay_attempt(s);
     }
-    vbss_scene_unsettle(s);
-    vbss_scene_stay(s);
-    pause_for_now(s, at, at->size);
-    at->waits = at->attempted = at->at_hand = false;
+    vbss_scene_request_damping(s);
+    vbss_scene_reject_substep(s);
+    pause_step(s, cursor, cursor->size);
+    cursor->is_suspended = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
 }
 
 /* ---- the step */
 
-void vbss_scene_take_parts(scene_object *s)
+void vbss_scene_set_substep_limits(scene_object *s)
 {
-    s->way.smallest = smallest_part(s);
-    s->way.least =
-        vbss_scene_has(s, BODY_DRAIN) ? LEAST_OF_SMALLEST * s->way.smallest : s->way.smallest;
+    s->cursor.min_size = find_min_size(s);
+    s->cursor.hard_min_size = vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
+                                  ? HARD_MIN_SIZE_RATIO * s->cursor.min_size
+                                  : s->cursor.min_size;
 }
 
 void vbss_scene_begin_step(scene_object *s, double h)
 {
-    scene_way *at = &s->way;
-    at->part = (scene_part){.step = h};
-    at->begun = at->size = s->pace;
-    vbss_scene_take_parts(s);
-    at->attempts = 0;
-    s->pace = 1.0;
-    vbss_scene_note_holes(s);
-    vbss_scene_take_told(s);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    scene_step_cursor *cursor = &s->cursor;
+    cursor->substep = (scene_substep){.step_length = h};
+    cursor->initial_size = cursor->size = s->next_initial_size;
+    vbss_scene_set_substep_limits(s);
+    cursor->attempts = 0;
+    s->next_initial_size = 1.0;
+    vbss_scene_record_holes_before_step(s);
+    vbss_scene_apply_rigid_targets(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             b->thread.thread->statistics.last_iterations = 0;
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             b->drain.drain->statistics.last_move = 0.0;
         }
     }
-    vbss_scene_take_tools(s, h);
-    s->lagging = false;
+    vbss_scene_apply_tool_targets(s, h);
+    s->is_behind_targets = false;
     s->contacts->counters.operations = 0;
 }
 
-static void arrive(scene_object *s, double h)
+static void finish_motion(scene_object *s, double h)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             thread_object *t = b->thread.thread;
             vbss_thread_finish_step(t, h);
             t->damped_steps_left -= t->damped_steps_left > 0;
-            b->thread.calm = b->thread.near ? 0 : b->thread.calm + (b->thread.calm < 16);
-            for (uint32_t k = 0; s->lagging && k < t->config.attachment_capacity; k++) {
+            b->thread.contact_free_steps =
+                b->thread.has_contacts
+                    ? 0
+                    : b->thread.contact_free_steps + (b->thread.contact_free_steps < 16);
+            for (uint32_t k = 0; s->is_behind_targets && k < t->config.attachment_capacity; k++) {
                 thread_attachment *a = &t->attachments[k];
                 if (a->id != 0 && vbss_thread_prescribes_motion(a->kind)) {
                     a->position = t->now.x[a->node]; /* held back; it goes on from here */
                 }
             }
-        } else if (b->kind == BODY_RIGID) {
+        } else if (b->kind == SCENE_BODY_RIGID) {
             scene_rigid *r = &b->rigid;
-            r->body.target_start =
-                r->kind == VBSS_RIGID_DRIVEN && s->lagging ? r->body.now.pose : r->body.target_end;
+            r->body.target_start = r->kind == VBSS_RIGID_DRIVEN && s->is_behind_targets
+                                       ? r->body.now.pose
+                                       : r->body.target_end;
         }
     }
 }
 
 void vbss_scene_finish_step(scene_object *s)
 {
-    const double h = s->way.part.step;
-    arrive(s, h);
-    vbss_scene_arrive_drains(s, h);
-    vbss_scene_part_pieces(s);
-    vbss_scene_note_touches(s);
-    vbss_scene_note_forces(s);
-    vbss_scene_settle_holes(s);
-    vbss_scene_settle_tools(s, h);
+    const double h = s->cursor.substep.step_length;
+    finish_motion(s, h);
+    vbss_scene_finish_drains(s, h);
+    vbss_scene_update_cut_exclusions(s);
+    vbss_scene_update_touching_pairs(s);
+    vbss_scene_collect_forces(s);
+    vbss_scene_update_holes(s);
+    vbss_scene_update_tools(s, h);
     vbss_scene_adapt_meshes(s);
-    vbss_scene_leave_short_threads(s);
-    note_work(s);
+    vbss_scene_close_holes_of_short_threads(s);
+    record_operations(s);
     s->statistics.rows = s->contacts->count;
     s->statistics.state_solves = s->contacts->counters.solves;
     s->statistics.loose_states = s->contacts->counters.inexact;

@@ -13,7 +13,7 @@ static scene_body *tool_of(const session_object *s, uint32_t hand)
 {
     const scene_object *scene = ((const vbss_slot *)s->scene)->object;
     scene_body *b = vbss_scene_body(scene, s->config.tools[hand]);
-    return b != NULL && b->kind == BODY_RIGID ? b : NULL;
+    return b != NULL && b->kind == SCENE_BODY_RIGID ? b : NULL;
 }
 
 static vbss_result move(const session_object *s, uint32_t hand, const vbss_device_input *in)

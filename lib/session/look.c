@@ -7,7 +7,7 @@ typedef struct bodies {
     const scene_body *thread, *needle, *drain, *tools[SESSION_TOOLS];
 } bodies;
 
-static const scene_body *body_of(const scene_object *scene, uint32_t number, body_kind kind)
+static const scene_body *body_of(const scene_object *scene, uint32_t number, scene_body_kind kind)
 {
     const scene_body *b = number > 0 ? vbss_scene_body(scene, number) : NULL;
     return b != NULL && b->kind == kind ? b : NULL;
@@ -18,11 +18,11 @@ static bool find_bodies(const session_object *s, const scene_object *scene, bodi
 {
     const vbss_session_config *c = &s->config;
     const uint32_t numbers[SESSION_TOOLS] = {c->tools[0], c->tools[1], c->shears};
-    b->needle = body_of(scene, c->needle, BODY_RIGID);
-    b->drain = body_of(scene, c->drain, BODY_DRAIN);
+    b->needle = body_of(scene, c->needle, SCENE_BODY_RIGID);
+    b->drain = body_of(scene, c->drain, SCENE_BODY_DRAIN);
     bool all = b->needle != NULL && b->drain != NULL;
     for (int i = 0; i < SESSION_TOOLS; i++) {
-        b->tools[i] = body_of(scene, numbers[i], BODY_RIGID);
+        b->tools[i] = body_of(scene, numbers[i], SCENE_BODY_RIGID);
         all = all && (b->tools[i] != NULL || numbers[i] == 0);
     }
     return all;
@@ -138,9 +138,9 @@ static double held_arc(const scene_object *scene, uint32_t tool, const scene_bod
     const thread_object *t = thread->thread.thread;
     double farthest = -1.0;
     for (uint32_t i = 0; i < scene->config.grasp_capacity; i++) {
-        const scene_grasp *g = &scene->grasps[i];
-        if (g->id != 0 && !g->let_go && g->tool == tool && g->thread == thread->number) {
-            double into = g->pin != 0 ? 0.0 : g->into;
+        const scene_thread_grasp *g = &scene->thread_grasps[i];
+        if (g->id != 0 && !g->is_released && g->tool == tool && g->thread == thread->number) {
+            double into = g->pin != 0 ? 0.0 : g->segment_offset;
             farthest = vbss_max(farthest, vbss_thread_arc_length(t, g->segment) + into);
         }
     }
@@ -201,7 +201,7 @@ void vbss_session_look(const session_object *s, session_look *look)
     const drain_object *d = b.drain->drain.drain;
     look_at_holes(s, scene, &b, look);
     look->thread = thread_of(s, look);
-    b.thread = body_of(scene, look->thread, BODY_THREAD);
+    b.thread = body_of(scene, look->thread, SCENE_BODY_THREAD);
     if (b.thread == NULL) {
         return;
     }

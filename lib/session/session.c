@@ -58,8 +58,8 @@ static vbss_result check_body(const scene_object *scene, uint32_t number, bool i
 static vbss_result check_tool(const scene_object *scene, uint32_t number, const char *name)
 {
     const scene_body *b = number > 0 ? vbss_scene_body(scene, number) : NULL;
-    return check_body(scene, number, b != NULL && b->kind == BODY_RIGID && b->rigid.grasper != NULL,
-                      name);
+    return check_body(scene, number,
+                      b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL, name);
 }
 
 static vbss_result check_bodies(const scene_object *scene, const vbss_session_config *c)
@@ -67,11 +67,14 @@ static vbss_result check_bodies(const scene_object *scene, const vbss_session_co
     const scene_body *thread = c->thread > 0 ? vbss_scene_body(scene, c->thread) : NULL;
     const scene_body *needle = c->needle > 0 ? vbss_scene_body(scene, c->needle) : NULL;
     const scene_body *drain = c->drain > 0 ? vbss_scene_body(scene, c->drain) : NULL;
-    VBSS_TRY(check_body(scene, c->thread, thread != NULL && thread->kind == BODY_THREAD, "thread"));
-    VBSS_TRY(check_body(
-        scene, c->needle,
-        needle != NULL && needle->kind == BODY_RIGID && needle->rigid.needle != NULL, "needle"));
-    VBSS_TRY(check_body(scene, c->drain, drain != NULL && drain->kind == BODY_DRAIN, "drain"));
+    VBSS_TRY(check_body(scene, c->thread, thread != NULL && thread->kind == SCENE_BODY_THREAD,
+                        "thread"));
+    VBSS_TRY(check_body(scene, c->needle,
+                        needle != NULL && needle->kind == SCENE_BODY_RIGID &&
+                            needle->rigid.needle != NULL,
+                        "needle"));
+    VBSS_TRY(
+        check_body(scene, c->drain, drain != NULL && drain->kind == SCENE_BODY_DRAIN, "drain"));
     VBSS_TRY(check_tool(scene, c->tools[0], "left tool"));
     VBSS_TRY(check_tool(scene, c->tools[1], "right tool"));
     VBSS_TRY(c->shears == 0 ? VBSS_OK : check_tool(scene, c->shears, "shears"));
@@ -165,7 +168,7 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
         return vbss_check_pointer(opened->context, session, "session");
     }
     *session = NULL;
-    VBSS_TRY(vbss_scene_tell(scene, &opened));
+    VBSS_TRY(vbss_scene_open_mutable(scene, &opened));
     VBSS_TRY(vbss_session_read_config(opened->context, config, &own));
     VBSS_TRY(check_bodies(opened, &own));
     VBSS_TRY(make(opened->context, &own, &s));

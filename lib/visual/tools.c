@@ -126,7 +126,7 @@ void vbss_visual_draw_rigid(const visual_object *v, visual_frame *f, const scene
     for (uint32_t i = 0; i < body->capsule_count; i++) {
         const scene_capsule *c = &s->capsules[body->first_capsule + i];
         vec3 axis[2];
-        vbss_scene_place_capsule(c, body->body.now.pose, axis);
+        vbss_scene_transform_capsule(c, body->body.now.pose, axis);
         vec3 along = vec3_unit_or(vec3_sub(axis[1], axis[0]), vec3_make(0.0, 0.0, 1.0));
         visual_section section;
         vbss_visual_round_section(v, c->radius, &section);

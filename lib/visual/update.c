@@ -123,13 +123,13 @@ static vbss_result draw_body(visual_object *v, visual_frame *f, uint32_t source,
 {
     const scene_rigid *rigid = &body->rigid;
     switch (body->kind) {
-    case BODY_THREAD:
+    case SCENE_BODY_THREAD:
         return draw_thread(v, f, source, body->number, body->thread.slot);
-    case BODY_DRAIN:
+    case SCENE_BODY_DRAIN:
         VBSS_TRY(draw_drain(v, f, source, body->number, body->drain.drain));
         add_holes(v, f, s, body);
         return VBSS_OK;
-    case BODY_RIGID:
+    case SCENE_BODY_RIGID:
         if (rigid->needle != NULL) {
             draw_needle(v, f, source, body->number, rigid->needle);
         } else if (rigid->grasper != NULL) {
@@ -171,7 +171,7 @@ static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
 
 static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source, scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count && vbss_visual_fits(v, f); i++) {
+    for (uint32_t i = 0; i < s->body_count && vbss_visual_fits(v, f); i++) {
         VBSS_TRY(draw_body(v, f, source, s, &s->bodies[i]));
     }
     if (s->config.floor) {

@@ -56,7 +56,7 @@ static inline double size_of(const feature *a, const feature *b, bool relative)
 
 /* ---- the reference: a distance to a convex set is convex along a line, so thirds find its least */
 
-typedef struct place {
+typedef struct location {
     long double x, y, z;
 } place;
 

@@ -18,7 +18,7 @@ enum {
     CHAIN_NODES = 6
 };
 
-typedef struct motion {
+typedef struct vertex_motion {
     vec3 start[WALL_NODES], end[WALL_NODES];
     uint32_t triangles[TRIANGLES][3], sides[SIDES][2];
     size_t side_count;

@@ -12,7 +12,7 @@ typedef struct piece {
 } piece;
 
 /* In the order of their begins along x: who begins beyond the end of another meets no more. */
-typedef struct place {
+typedef struct location {
     double low;
     size_t piece;
     const passing_surface *surface; /* here too: most pairs need no more to be left */

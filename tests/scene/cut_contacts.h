@@ -32,9 +32,9 @@ static inline void cut_axis(const scene_object *s, const contact_key *key, int s
     if (b == NULL) { /* the floor */
         return;
     }
-    if (b->kind == BODY_RIGID) {
-        vbss_scene_place_capsule(&s->capsules[b->rigid.first_capsule + feature],
-                                 b->rigid.body.now.pose, axis);
+    if (b->kind == SCENE_BODY_RIGID) {
+        vbss_scene_transform_capsule(&s->capsules[b->rigid.first_capsule + feature],
+                                     b->rigid.body.now.pose, axis);
         return;
     }
     const thread_object *t = b->thread.thread;

@@ -39,7 +39,7 @@ static inline thread_object *cut_thread(const scene_object *s, uint32_t body)
 {
     const scene_body *b = vbss_scene_body(s, body);
     assert_non_null(b);
-    assert_int_equal(b->kind, BODY_THREAD);
+    assert_int_equal(b->kind, SCENE_BODY_THREAD);
     return b->thread.thread;
 }
 
@@ -47,8 +47,8 @@ static inline thread_object *cut_thread(const scene_object *s, uint32_t body)
 static inline double cut_energy(const scene_object *s)
 {
     double sum = 0.0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind != BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind != SCENE_BODY_THREAD) {
             continue;
         }
         thread_object *t = s->bodies[i].thread.thread;
@@ -69,9 +69,9 @@ static inline double cut_energy(const scene_object *s)
 static inline void cut_expect_sound(const scene_object *s)
 {
     uint32_t nodes = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind != BODY_THREAD) {
+        if (b->kind != SCENE_BODY_THREAD) {
             continue;
         }
         const thread_object *t = b->thread.thread;
@@ -80,12 +80,12 @@ static inline void cut_expect_sound(const scene_object *s)
         assert_int_equal(shape->node_count, t->node_count);
         assert_true(shape->node_count <= shape->node_capacity);
         assert_false(shape->is_disabled);
-        assert_int_equal(s->shape_places[b->shape], i);
+        assert_int_equal(s->body_of_shape[b->shape], i);
         assert_ptr_equal(b->thread.slot->object, t);
         assert_ptr_equal(b->thread.slot->owner, s);
         nodes += t->node_count;
         for (uint32_t k = 0; k < t->node_count; k++) {
-            bool welded = vbss_scene_weld_of(s, b->number, k) != NULL;
+            bool welded = vbss_scene_find_weld(s, b->number, k) != NULL;
             assert_int_equal(t->welded[k], welded);
             assert_true(vec3_is_finite(t->now.x[k]) && vec3_is_finite(t->now.v[k]));
         }

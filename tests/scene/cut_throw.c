@@ -9,9 +9,9 @@ static void follow(contact_scene *c, const scene_object *s)
 {
     for (uint32_t i = 0; i < c->hand_count; i++) {
         contact_hand *hand = &c->hands[i];
-        for (uint32_t k = 0; k < s->place_count; k++) {
+        for (uint32_t k = 0; k < s->body_count; k++) {
             const scene_body *b = &s->bodies[k];
-            thread_attachment *a = b->kind == BODY_THREAD && hand->id != 0
+            thread_attachment *a = b->kind == SCENE_BODY_THREAD && hand->id != 0
                                        ? vbss_thread_find_attachment(b->thread.thread, hand->id)
                                        : NULL;
             if (a != NULL) {
@@ -103,9 +103,9 @@ cut_outcome cut_throw(const cut_case *t, double share)
         cuts += cuts_of_step(&c);
         follow(&c, s);
         cut_expect_sound(s);
-        for (uint32_t k = 0; k < s->place_count; k++) {
+        for (uint32_t k = 0; k < s->body_count; k++) {
             const thread_object *u = s->bodies[k].thread.thread;
-            for (uint32_t n = 0; s->bodies[k].kind == BODY_THREAD && n < u->node_count; n++) {
+            for (uint32_t n = 0; s->bodies[k].kind == SCENE_BODY_THREAD && n < u->node_count; n++) {
                 found.fastest = vbss_max(vec3_norm(u->now.v[n]), found.fastest);
             }
         }

@@ -67,9 +67,9 @@ uint64_t drain_watch_passed(drain_watch *w, const scene_object *s, const passing
     passing_surface surfaces[DRAIN_WATCH_DRAINS];
     size_t count = 0;
     *report = (passing_surface_report){0};
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind != BODY_DRAIN) {
+        if (b->kind != SCENE_BODY_DRAIN) {
             continue;
         }
         const drain_object *d = b->drain.drain;

@@ -42,7 +42,7 @@ static inline vbss_drain *drains_rig_of(vbss_scene *scene)
 {
     scene_object *object = NULL;
     expect_ok(vbss_scene_open(scene, &object));
-    assert_int_equal(object->bodies[0].kind, BODY_DRAIN);
+    assert_int_equal(object->bodies[0].kind, SCENE_BODY_DRAIN);
     return (vbss_drain *)object->bodies[0].drain.slot;
 }
 

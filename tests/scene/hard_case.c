@@ -130,10 +130,10 @@ static double overlap_of(const strand *a, const strand *b)
 static double overlap_with_body(const scene_object *s, const scene_body *b, const strand *thread)
 {
     double most = 0.0;
-    for (uint32_t k = 0; b->kind == BODY_RIGID && k < b->rigid.capsule_count; k++) {
+    for (uint32_t k = 0; b->kind == SCENE_BODY_RIGID && k < b->rigid.capsule_count; k++) {
         vec3 axis[2];
         const scene_capsule *capsule = &s->capsules[b->rigid.first_capsule + k];
-        vbss_scene_place_capsule(capsule, b->rigid.body.now.pose, axis);
+        vbss_scene_transform_capsule(capsule, b->rigid.body.now.pose, axis);
         strand tool = {axis, NULL, capsule->radius, 1};
         most = vbss_max(overlap_of(thread, &tool), most);
     }
@@ -152,7 +152,7 @@ static double deepest(const hard_case *c)
                               .radius = c->scene.options.thread.radius,
                               .segments = c->scene.nodes[t] - 1};
         most = vbss_max(overlap_with_itself(&strands[t]), most);
-        for (uint32_t k = 0; k < s->place_count; k++) {
+        for (uint32_t k = 0; k < s->body_count; k++) {
             most = vbss_max(overlap_with_body(s, &s->bodies[k], &strands[t]), most);
         }
     }

@@ -4,7 +4,7 @@
 #define VBSS_TESTS_SCENE_MESH_RIG_H
 
 #include "scene/cut_rig.h"
-#include "scene/meshes.h"
+#include "scene/remeshing.h"
 
 static inline thread_object *mesh_thread(vbss_thread *handle)
 {

@@ -20,7 +20,7 @@ void needle_case_begin(needle_case *c)
 void needle_case_make(needle_case *c)
 {
     drain_case_make(&c->d);
-    small_object(&c->d.s)->watch = NULL; /* it would take every hole for a defect */
+    small_object(&c->d.s)->on_substep = NULL; /* it would take every hole for a defect */
 }
 
 void needle_case_end(needle_case *c)
@@ -122,13 +122,13 @@ static double push_of(const needle_case *c)
     const double *q = state.orientation;
     vec3 axis = quat_rotate(quat_make(q[0], q[1], q[2], q[3]), vec3_make(0.0, 0.0, 1.0));
     vec3 arm = vec3_sub(r->body.now.pose.position, vec3_load(state.position));
-    vec3 torque = vec3_add(r->pull.torque, vec3_cross(arm, r->pull.force));
+    vec3 torque = vec3_add(r->coupling_wrench.torque, vec3_cross(arm, r->coupling_wrench.force));
     return vec3_dot(axis, torque) / c->config.radius;
 }
 
 vec3 needle_case_hand_force(const needle_case *c)
 {
-    return rigid_of(c)->pull.force;
+    return rigid_of(c)->coupling_wrench.force;
 }
 
 uint32_t needle_case_holes(const needle_case *c, vbss_hole holes[NEEDLE_CASE_HOLES])
@@ -242,7 +242,7 @@ void needle_case_step(needle_case *c)
 {
     scene_rigid *r = rigid_of(c);
     if (r->kind == VBSS_RIGID_COUPLED) {
-        vbss_scene_tell_rigid(small_object(&c->d.s), r, pose_mul(c->hand, r->frame));
+        vbss_scene_set_rigid_target(small_object(&c->d.s), r, pose_mul(c->hand, r->frame));
     }
     drain_case_step(&c->d);
     vbss_view events = small_view(&c->d.s, VBSS_SCENE_VIEW_EVENTS);

@@ -213,6 +213,6 @@ void needle_watch_begin(needle_watch *w, const needle_case *c)
 {
     scene_object *s = small_object(&c->d.s);
     *w = (needle_watch){.of = c};
-    s->watch = watch;
-    s->watcher = w;
+    s->on_substep = watch;
+    s->on_substep_data = w;
 }

@@ -77,7 +77,7 @@ pose needles_pose(const needles_rig *r)
 pose needles_jaws(const needles_rig *r, uint32_t tool)
 {
     const scene_body *b = vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[tool]);
-    return vbss_scene_jaws_of(&b->rigid, b->rigid.body.now.pose);
+    return vbss_scene_jaw_frame(&b->rigid, b->rigid.body.now.pose);
 }
 
 double needles_energy(const needles_rig *r)

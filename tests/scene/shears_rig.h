@@ -167,9 +167,9 @@ static inline double shears_kinetic(const small *s)
 {
     const scene_object *o = small_object(s);
     double sum = 0.0;
-    for (uint32_t i = 0; i < o->place_count; i++) {
+    for (uint32_t i = 0; i < o->body_count; i++) {
         const thread_object *t = o->bodies[i].thread.thread;
-        for (uint32_t k = 0; o->bodies[i].kind == BODY_THREAD && k < t->node_count; k++) {
+        for (uint32_t k = 0; o->bodies[i].kind == SCENE_BODY_THREAD && k < t->node_count; k++) {
             sum += 0.5 * t->mass[k] * vec3_norm_squared(t->now.v[k]);
         }
     }

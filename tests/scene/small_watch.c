@@ -18,24 +18,24 @@ static void watch(void *watcher, const scene_object *s)
     small_watch *w = watcher;
     passing_chain chains[MOST_CHAINS];
     size_t count = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         const thread_object *t = b->thread.thread;
         const scene_rigid *r = &b->rigid;
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             chains[count++] = (passing_chain){t->now.x, t->trial, t->node_count, false};
         }
-        for (uint32_t k = 0; b->kind == BODY_THREAD && k < t->node_count; k++) {
+        for (uint32_t k = 0; b->kind == SCENE_BODY_THREAD && k < t->node_count; k++) {
             look_below(w, s, t->trial[k]);
         }
-        for (uint32_t k = 0; b->kind == BODY_RIGID && k < r->capsule_count; k++) {
+        for (uint32_t k = 0; b->kind == SCENE_BODY_RIGID && k < r->capsule_count; k++) {
             const scene_capsule *c = &s->capsules[r->first_capsule + k];
             chains[count++] = (passing_chain){c->now, c->trial, 2, false};
             look_below(w, s, c->trial[0]);
             look_below(w, s, c->trial[1]);
         }
         const drain_object *d = b->drain.drain;
-        for (uint32_t k = 0; b->kind == BODY_DRAIN && k < d->mesh.node_count; k++) {
+        for (uint32_t k = 0; b->kind == SCENE_BODY_DRAIN && k < d->mesh.node_count; k++) {
             look_below(w, s, d->trial[k]);
         }
         assert_true(count < MOST_CHAINS);
@@ -54,8 +54,8 @@ void small_watch_begin(small *s, small_watch *w)
 {
     scene_object *object = small_object(s);
     *w = (small_watch){.nearest_floor = 1e9};
-    object->watch = watch;
-    object->watcher = w;
+    object->on_substep = watch;
+    object->on_substep_data = w;
 }
 
 void small_watch_expect_nothing(const small_watch *w)

@@ -1,7 +1,7 @@
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/scene.h"
 #include "thread/thread.h"
 
@@ -22,7 +22,7 @@ static double given_by(const scene_object *s, const contact_constraint *row, vec
     for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
         const contact_jacobian_block *term = &row->jacobian[k];
         vec3 way; /* the needle's holes are not looked at */
-        if (vbss_scene_find_way(s, term->block, &way) != BODY_GONE) {
+        if (vbss_scene_find_block_displacement(s, term->block, &way) != SCENE_BODY_NONE) {
             given += term->weight * vec3_dot(force, way);
         }
     }
@@ -69,8 +69,8 @@ void stitch_case_make(stitch_case *c)
         hand->at = hand->to = c->stitch.at[k];
     }
     stitch_case_reckon(c);
-    small_object(&c->s)->watch = see_holes;
-    small_object(&c->s)->watcher = c;
+    small_object(&c->s)->on_substep = see_holes;
+    small_object(&c->s)->on_substep_data = c;
 }
 
 void stitch_case_open(stitch_case *c, uint32_t crossings)

@@ -4,7 +4,7 @@
 
 #include "scene/cut_contacts.h"
 #include "scene/mesh_rig.h"
-#include "scene/meshes.h"
+#include "scene/remeshing.h"
 #include "scene/tools_rig.h"
 
 /* ---- contacts */
@@ -30,9 +30,9 @@ static void finish(scene_object *s, const scene_body *b)
 {
     const thread_object *t = b->thread.thread;
     vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
-    vbss_scene_order_memory(s);
+    vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern = 0;
+    s->pattern_hash = 0;
 }
 
 static void contacts_of_a_divided_segment_are_those_of_its_halves(void **state)
@@ -53,7 +53,7 @@ static void contacts_of_a_divided_segment_are_those_of_its_halves(void **state)
     cut_remember(s, &before);
     for (uint32_t k = t->node_count - 5; k > 4; k--) {
         const mesh_change change = {k, false, 0.0};
-        assert_true(vbss_scene_change_mesh(s, b, &change));
+        assert_true(vbss_scene_apply_mesh_change(s, b, &change));
     }
     finish(s, b);
     cut_remember(s, &now);
@@ -95,7 +95,7 @@ static void a_node_that_goes_takes_no_contact_of_others_with_it(void **state)
     uint32_t nodes = t->node_count, gone = 0;
     for (uint32_t k = 8; k < 14; k += 2) { /* far from the knot, before all that touches */
         const mesh_change change = {k, true, 1e-3};
-        gone += vbss_scene_change_mesh(s, b, &change);
+        gone += vbss_scene_apply_mesh_change(s, b, &change);
     }
     assert_int_equal(gone, 3);
     assert_int_equal(t->node_count, nodes - 3);
@@ -128,7 +128,7 @@ static void a_coarse_contact_on_a_tool_becomes_one_of_a_node(void **state)
     assert_int_equal(was.key.feature_a, 4);
     scene_body *b = vbss_scene_body(o, body);
     const mesh_change change = {4, false, 0.0};
-    assert_true(vbss_scene_change_mesh(o, b, &change));
+    assert_true(vbss_scene_apply_mesh_change(o, b, &change));
     finish(o, b);
     assert_int_equal(o->contacts->warm_start[0].key.kind, VBSS_CONTACT_NODE_CAPSULE);
     assert_int_equal(o->contacts->warm_start[0].key.feature_a, 5);
@@ -243,22 +243,22 @@ static void what_jaws_hold_stays_where_they_hold_it(void **state)
         vec3 position = vec3_load(tools_grasp(&r, 0, 0).position);
         double arc = tools_grasp(&r, 0, 0).arc_length;
         const mesh_change change = {at, false, 0.0};
-        assert_true(vbss_scene_change_mesh(o, b, &change));
+        assert_true(vbss_scene_apply_mesh_change(o, b, &change));
         finish(o, b);
         expect_near(arc, tools_grasp(&r, 0, 0).arc_length, 1e-15);
         vec3 moved = vec3_load(tools_grasp(&r, 0, 0).position);
         expect_near(0.0, vec3_distance(position, moved), 1e-15);
     }
     /* Even of the segment that is held, which scenes leave alone. */
-    uint32_t held = o->grasps[0].segment;
+    uint32_t held = o->thread_grasps[0].segment;
     vec3 position = vec3_load(tools_grasp(&r, 0, 0).position);
     const mesh_change inside = {held, false, 0.0}, joined = {held + 1, true, 1.0};
-    assert_true(vbss_scene_change_mesh(o, b, &inside));
+    assert_true(vbss_scene_apply_mesh_change(o, b, &inside));
     finish(o, b);
     expect_near(0.0, vec3_distance(position, vec3_load(tools_grasp(&r, 0, 0).position)), 1e-12);
-    assert_true(vbss_scene_change_mesh(o, b, &joined));
+    assert_true(vbss_scene_apply_mesh_change(o, b, &joined));
     finish(o, b);
-    assert_int_equal(o->grasps[0].segment, held);
+    assert_int_equal(o->thread_grasps[0].segment, held);
     tools_end(&r);
 }
 
@@ -285,7 +285,7 @@ static void both_ends_of_a_cut_adapt_when_they_have_come_apart(void **state)
         small_steps(&s, 1, 1e-3);
         cut_expect_sound(o);
         const scene_body *b = vbss_scene_body(o, number);
-        if (b->thread.before != 0) { /* side by side: nothing is known of them but their names */
+        if (b->thread.cut_from != 0) { /* side by side: nothing is known of them but their names */
             expect_near(0.3e-3, b->thread.thread->rest[1], 1e-15);
         }
     }

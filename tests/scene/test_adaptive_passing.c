@@ -6,7 +6,7 @@
 #include "oracle/passing.h"
 #include "oracle/knot_type.h"
 #include "scene/mesh_rig.h"
-#include "scene/meshes.h"
+#include "scene/remeshing.h"
 #include "scene/watch.h"
 #include "scenes/contact_scenes.h"
 
@@ -83,12 +83,12 @@ static uint32_t change_at_random(scene_object *s, scene_body *b, vbss_random *ra
         if (!divide && !vbss_thread_can_coarsen(t, at)) {
             continue;
         }
-        made += vbss_scene_change_mesh(s, b, &change);
+        made += vbss_scene_apply_mesh_change(s, b, &change);
     }
     vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
-    vbss_scene_order_memory(s);
+    vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern = 0;
+    s->pattern_hash = 0;
     return made;
 }
 

@@ -1,10 +1,10 @@
 /* What a search that was stopped has led to is taken only if nobody gains by it what nothing has done. */
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/events.h"
 #include "scene/stitch_case.h"
 
 static stitch_case c;
-static const scene_part part = {.step = 1e-3, .end = 1.0, .h = 1e-3};
+static const scene_substep part = {.step_length = 1e-3, .end_fraction = 1.0, .h = 1e-3};
 
 /* A stitch at rest as its own trial state, with the forces of the law. */
 static scene_object *begin(uint32_t crossings)
@@ -12,9 +12,9 @@ static scene_object *begin(uint32_t crossings)
     stitch_case_open(&c, crossings);
     stitch_case_wait(&c, 20);
     scene_object *s = small_object(&c.s);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         thread_object *t = s->bodies[i].thread.thread;
-        if (s->bodies[i].kind == BODY_THREAD) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             memcpy(t->trial, t->now.x, t->node_count * sizeof *t->trial);
             memcpy(t->trial_tension, t->now.tension,
                    (t->node_count - 1) * sizeof *t->trial_tension);
@@ -26,7 +26,7 @@ static scene_object *begin(uint32_t crossings)
         s->contacts->current[i].force = vbss_contact_force(row, vec3_zero());
     }
     s->contacts->is_stopped_early = true;
-    assert_true(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &part));
     return s;
 }
 
@@ -55,11 +55,11 @@ static void what_a_hole_does_beyond_its_law_counts(void **state)
     (void)state;
     scene_object *s = begin(0);
     slide_in_hole(s, 0.1); /* 10 uJ */
-    assert_true(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &part));
     slide_in_hole(s, 0.3); /* 30 uJ */
-    assert_false(vbss_scene_believes(s, &part));
+    assert_false(vbss_scene_passes_energy_check(s, &part));
     slide_in_hole(s, -0.3);
-    assert_true(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &part));
     stitch_case_end(&c);
 }
 
@@ -77,7 +77,7 @@ static bool believes_a_hole(scene_object *s, double force, double way)
         d->trial[node[k]] = vec3_add_scaled(d->x[node[k]], -way, row->normal);
     }
     s->contacts->current[i].force = vec3_scale(row->normal, force);
-    return vbss_scene_believes(s, &part);
+    return vbss_scene_passes_energy_check(s, &part);
 }
 
 /* 0.8 N store 16 uJ. */
@@ -109,7 +109,7 @@ static void what_others_take_out_does_not_count(void **state)
         s->contacts->current[i].force =
             vec3_add_scaled(vbss_contact_force(row, vec3_zero()), k == 0 ? 0.3 : -1.0, row->normal);
     }
-    assert_false(vbss_scene_believes(s, &part));
+    assert_false(vbss_scene_passes_energy_check(s, &part));
     stitch_case_end(&c);
 }
 
@@ -124,9 +124,9 @@ static void what_threads_gain_somebody_has_done(void **state)
     const double stretched = 0.5 * t->rest[last - 1] / t->config.axial_stiffness;
     double before = t->now.tension[last - 1], after = sqrt(before * before + 50e-6 / stretched);
     t->trial_tension[last - 1] = after;
-    assert_false(vbss_scene_believes(s, &part));
+    assert_false(vbss_scene_passes_energy_check(s, &part));
     t->trial[last] = vec3_add(t->trial[last], vec3_make(0.0, 0.0, 35e-6 / after)); /* by the hand */
-    assert_true(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &part));
     stitch_case_end(&c);
 }
 
@@ -163,15 +163,15 @@ static void what_a_drain_gains_somebody_has_done(void **state)
     expect_ok(vbss_drain_open(c.stitch.drain, &d));
     const uint32_t node = free_node(s, d);
     (void)press_in(d, node, 15e-6);
-    assert_true(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &part));
     double way = press_in(d, node, 40e-6);
-    assert_false(vbss_scene_believes(s, &part));
+    assert_false(vbss_scene_passes_energy_check(s, &part));
     expect_ok(vbss_drain_attachment_init(&a, sizeof a));
     a.kind = VBSS_DRAIN_ATTACHMENT_FORCE;
     a.node = node;
     a.force[1] = 30e-6 / way;
     expect_ok(vbss_drain_attach(c.stitch.drain, &a, &id));
-    assert_true(vbss_scene_believes(s, &part));
+    assert_true(vbss_scene_passes_energy_check(s, &part));
     stitch_case_end(&c);
 }
 
@@ -181,15 +181,16 @@ static void what_is_beyond_hope_is_left_at_once(void **state)
 {
     (void)state;
     scene_object *s = begin(0);
-    const scene_part least = {.step = 1e-3, .end = 1.0, .h = 1e-3, .smallest = true};
+    const scene_substep least = {
+        .step_length = 1e-3, .end_fraction = 1.0, .h = 1e-3, .is_min_size = true};
     slide_in_hole(s, 0.5); /* 50 uJ */
-    assert_false(vbss_scene_believes(s, &part));
-    assert_true(vbss_scene_may_yet_believe(s, &part));
+    assert_false(vbss_scene_passes_energy_check(s, &part));
+    assert_true(vbss_scene_may_pass_energy_check(s, &part));
     slide_in_hole(s, 0.7); /* 70 uJ */
-    assert_false(vbss_scene_may_yet_believe(s, &part));
-    assert_true(vbss_scene_may_yet_believe(s, &least));
+    assert_false(vbss_scene_may_pass_energy_check(s, &part));
+    assert_true(vbss_scene_may_pass_energy_check(s, &least));
     s->contacts->is_stopped_early = false;
-    assert_true(vbss_scene_may_yet_believe(s, &part));
+    assert_true(vbss_scene_may_pass_energy_check(s, &part));
     stitch_case_end(&c);
 }
 
@@ -223,14 +224,14 @@ static void forces_shown_of_it_are_those_that_were_felt(void **state)
     contact_constraint *row = &s->contacts->constraints[i];
     row->solution = (contact_solution){.status = CONTACT_STICK, .normal_force = 10.0};
     s->contacts->is_stopped_early = false;
-    vbss_scene_note_forces(s);
+    vbss_scene_collect_forces(s);
     expect_near(10.0, force_shown(&row->key), 1e-12);
     s->contacts->is_stopped_early = true;
     s->contacts->current[i].force = vec3_scale(row->normal, 0.2);
-    vbss_scene_note_forces(s);
+    vbss_scene_collect_forces(s);
     expect_near(0.2, force_shown(&row->key), 1e-12);
     s->contacts->current[i].force = vec3_zero();
-    vbss_scene_note_forces(s);
+    vbss_scene_collect_forces(s);
     expect_near(-1.0, force_shown(&row->key), 0.0);
     stitch_case_end(&c);
 }

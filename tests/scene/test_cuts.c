@@ -68,7 +68,7 @@ static void at_an_end_nothing_is_cut(void **state)
     for (int k = 0; k < 5; k++) {
         expect_result(VBSS_ERROR_OUT_OF_RANGE,
                       vbss_scene_cut_thread(s.scene, body, refused[k], &piece));
-        assert_int_equal(vbss_scene_cut_now(small_object(&s), b, refused[k], &made),
+        assert_int_equal(vbss_scene_apply_cut(small_object(&s), b, refused[k], &made),
                          VBSS_ERROR_OUT_OF_RANGE);
         assert_null(made);
     }
@@ -77,9 +77,9 @@ static void at_an_end_nothing_is_cut(void **state)
                       vbss_scene_cut_thread(s.scene, body, outside[k], &piece));
         expect_result(VBSS_ERROR_NOT_FINITE,
                       vbss_scene_cut_thread(s.scene, body, harness_bad_numbers[k], &piece));
-        assert_int_equal(vbss_scene_cut_now(small_object(&s), b, outside[k], &made),
+        assert_int_equal(vbss_scene_apply_cut(small_object(&s), b, outside[k], &made),
                          VBSS_ERROR_OUT_OF_RANGE);
-        assert_int_equal(vbss_scene_cut_now(small_object(&s), b, harness_bad_numbers[k], &made),
+        assert_int_equal(vbss_scene_apply_cut(small_object(&s), b, harness_bad_numbers[k], &made),
                          VBSS_ERROR_OUT_OF_RANGE);
     }
     expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_cut_thread(s.scene, 0, 5e-3, &piece));
@@ -168,7 +168,7 @@ static void ends_at_a_cut_do_not_push_each_other_until_they_are_apart(void **sta
         small_steps(&s, 50, 1e-3);
         scene_object *o = small_object(&s);
         const thread_object *t = cut_thread(o, body), *u = cut_thread(o, number);
-        assert_int_equal(vbss_scene_body(o, number)->thread.before, body);
+        assert_int_equal(vbss_scene_body(o, number)->thread.cut_from, body);
         for (uint32_t i = 0; i < t->node_count; i++) {
             assert_true(vec3_norm(t->now.v[i]) < 1e-9);
         }
@@ -187,7 +187,7 @@ static void ends_at_a_cut_do_not_push_each_other_until_they_are_apart(void **sta
             small_move(&s, tool, vec3_make(0.03, 2e-5 * i, 0.0));
             small_steps(&s, 1, 1e-3);
         }
-        assert_int_equal(vbss_scene_body(o, number)->thread.before, 0);
+        assert_int_equal(vbss_scene_body(o, number)->thread.cut_from, 0);
         for (int i = 1; i <= 40; i++) {
             small_move(&s, tool, vec3_make(0.03 - 1e-4 * i, 1.2e-3, 0.0));
             small_steps(&s, 1, 1e-3);
@@ -242,8 +242,8 @@ static void what_did_not_touch_along_the_thread_does_not_across_the_cut(void **s
             for (uint32_t j = 0; j + 1 < piece->thread.thread->node_count; j++) {
                 bool same = i == j + cut.node_shift; /* both are of the divided one */
                 bool wanted = same || excluded[i][j + cut.node_shift];
-                assert_int_equal(vbss_scene_adjoins(o, b, i, piece, j), wanted);
-                assert_int_equal(vbss_scene_adjoins(o, piece, j, b, i), wanted);
+                assert_int_equal(vbss_scene_is_excluded_across_cut(o, b, i, piece, j), wanted);
+                assert_int_equal(vbss_scene_is_excluded_across_cut(o, piece, j, b, i), wanted);
             }
         }
         small_end(&s);
@@ -363,7 +363,7 @@ static void cuts_close_to_each_other_do_not_push(void **state)
         small_steps(&s, 20, 1e-3);
         assert_int_equal(small_statistics(&s).contacts, 0);
         scene_object *o = small_object(&s);
-        for (uint32_t i = 0; i < o->place_count; i++) {
+        for (uint32_t i = 0; i < o->body_count; i++) {
             assert_true(vec3_norm(o->bodies[i].thread.thread->now.v[0]) < 1e-9);
         }
         small_end(&s);

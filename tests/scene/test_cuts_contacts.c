@@ -37,8 +37,8 @@ static uint32_t cut_somewhere(stage *g, bool in_contact)
     uint32_t body = 0, piece = 0;
     double arc = 0.0;
     while (body == 0) {
-        uint32_t place = vbss_random_below(&g->random, s->place_count);
-        body = s->bodies[place].kind == BODY_THREAD ? s->bodies[place].number : 0;
+        uint32_t place = vbss_random_below(&g->random, s->body_count);
+        body = s->bodies[place].kind == SCENE_BODY_THREAD ? s->bodies[place].number : 0;
     }
     double share = vbss_random_uniform(&g->random);
     uint32_t drawn = vbss_random_below(&g->random, 1u << 30);

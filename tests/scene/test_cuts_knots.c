@@ -21,7 +21,7 @@ static uint64_t count(const thread_object *t, uint32_t first, uint32_t nodes,
 
 static bool goes_on_in(const scene_object *s, const scene_body *a, const scene_body *b)
 {
-    return vbss_scene_adjoins(s, a, a->thread.thread->node_count - 2, b, 0);
+    return vbss_scene_is_excluded_across_cut(s, a, a->thread.thread->node_count - 2, b, 0);
 }
 
 /* The end of a adjoins the begin of b: as many segments of each as adjoin the other's first. */
@@ -30,10 +30,11 @@ static void ask_across(cut_watch *w, const scene_object *s, const scene_body *a,
 {
     const thread_object *t = a->thread.thread, *u = b->thread.thread;
     uint32_t end = t->node_count - 1, begin = 0;
-    while (end > 0 && vbss_scene_adjoins(s, a, end - 1, b, 0)) {
+    while (end > 0 && vbss_scene_is_excluded_across_cut(s, a, end - 1, b, 0)) {
         end--;
     }
-    while (begin + 1 < u->node_count && vbss_scene_adjoins(s, a, t->node_count - 2, b, begin)) {
+    while (begin + 1 < u->node_count &&
+           vbss_scene_is_excluded_across_cut(s, a, t->node_count - 2, b, begin)) {
         begin++;
     }
     w->joined++;
@@ -57,9 +58,9 @@ static void see(void *watcher, const scene_object *s)
 {
     cut_watch *w = watcher;
     w->parts++;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *a = &s->bodies[i];
-        if (a->kind != BODY_THREAD) {
+        if (a->kind != SCENE_BODY_THREAD) {
             continue;
         }
         const thread_object *t = a->thread.thread;
@@ -68,9 +69,9 @@ static void see(void *watcher, const scene_object *s)
         for (uint32_t n = 0; n < t->node_count; n++) {
             w->fastest = vbss_max(vec3_norm(t->now.v[n]), w->fastest);
         }
-        for (uint32_t k = 0; k < s->place_count; k++) {
+        for (uint32_t k = 0; k < s->body_count; k++) {
             const scene_body *b = &s->bodies[k];
-            if (k > i && b->kind == BODY_THREAD) {
+            if (k > i && b->kind == SCENE_BODY_THREAD) {
                 ask(w, s, a, b);
             }
         }
@@ -102,16 +103,16 @@ static void begin(life *l, harness_source *source)
     o.scene.thread_capacity = THREADS;
     expect_ok(contact_scene_create(l->context, &o, &l->scene));
     expect_ok(vbss_scene_open(l->scene.scene, &l->object));
-    l->object->watch = see;
-    l->object->watcher = &l->watch;
+    l->object->on_substep = see;
+    l->object->on_substep_data = &l->watch;
 }
 
 static void cut(life *l, harness_source *source)
 {
     scene_object *s = l->object;
     uint32_t piece, threads = 0, bodies[THREADS];
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             bodies[threads++] = s->bodies[i].number;
         }
     }

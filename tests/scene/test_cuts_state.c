@@ -228,10 +228,10 @@ static void pieces_that_cannot_be_are_refused(void **state)
     expect_result(VBSS_ERROR_CORRUPT, vbss_scene_restore(s.scene, kept.bytes, kept.count));
     assert_true(small_hash(&s) == hash);
     free(kept.bytes);
-    b->thread.before = /* a tool */
+    b->thread.cut_from = /* a tool */
         small_stick(&s, VBSS_RIGID_DRIVEN, vec3_make(0.0, 0.1, 0.0), vec3_zero(), 1e-3);
     kept = small_save(&s);
-    b->thread.before = 0;
+    b->thread.cut_from = 0;
     hash = small_hash(&s);
     expect_result(VBSS_ERROR_CORRUPT, vbss_scene_restore(s.scene, kept.bytes, kept.count));
     assert_true(small_hash(&s) == hash);

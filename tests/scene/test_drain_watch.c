@@ -13,7 +13,7 @@ static tally show(void)
 {
     const small_watch before = c.watch;
     scene_object *s = small_object(&c.s);
-    s->watch(s->watcher, s);
+    s->on_substep(s->on_substep_data, s);
     return (tally){c.watch.passed - before.passed, c.watch.passed_drain - before.passed_drain,
                    c.watch.below - before.below};
 }

@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/apart.h"
+#include "scene/separation_cache.h"
 #include "scene/drains_rig.h"
-#include "scene/rows.h"
+#include "scene/contacts.h"
 
 enum { CASES = 30, MOVES = 3 };
 
@@ -66,7 +66,7 @@ static uint32_t count_known(const scene_object *s)
     const collision_object *c = s->collision;
     uint32_t known = 0;
     for (uint32_t i = 0; i < c->candidate_count; i++) {
-        known += scene_stay_apart(s, &c->candidates[i], s->config.contact_margin);
+        known += scene_is_known_apart(s, &c->candidates[i], s->config.contact_margin);
     }
     return known;
 }
@@ -104,21 +104,21 @@ static void with_and_without_what_is_known(harness_source *source, void *user)
     drain_object *d = drains_rig_object(drains_rig_begin(&s, &hands));
     expect_ok(vbss_scene_open(s.scene, &o));
     scene_body *b = &o->bodies[0];
-    const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0};
+    const scene_substep part = {.step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0};
     draw_state(d, source);
     if (harness_draw_below(source, 2) == 0) {
         draw_lips(&b->drain, o->collision->shapes[b->shape], source);
     }
-    assert_true(vbss_scene_find_rows(o, &part));
+    assert_true(vbss_scene_create_contacts(o, &part));
     for (int move = 0; move < MOVES; move++) {
         go_on(d, source);
-        assert_true(vbss_scene_find_rows(o, &part));
+        assert_true(vbss_scene_create_contacts(o, &part));
         uint32_t count = o->contacts->count;
         contact_constraint *rows = copy_rows(o);
         c->known += count_known(o);
         c->near += count;
         o->collision->separation_count = 0; /* nothing is known any more */
-        assert_true(vbss_scene_find_rows(o, &part));
+        assert_true(vbss_scene_create_contacts(o, &part));
         expect_same_rows(o, rows, count);
         free(rows);
     }

@@ -49,17 +49,19 @@ static void note_kind(const small *s, const uint32_t f[5], const surface *drain,
     }
     assert_true(side || f[0] == VBSS_CONTACT_POINT_FACE);
     assert_int_equal(f[3], drain->body);
-    body_kind kind = vbss_scene_body(small_object(s), f[1])->kind;
-    uint32_t *of = kind == BODY_RIGID ? was->tool : kind == BODY_THREAD ? was->thread : was->itself;
+    scene_body_kind kind = vbss_scene_body(small_object(s), f[1])->kind;
+    uint32_t *of = kind == SCENE_BODY_RIGID    ? was->tool
+                   : kind == SCENE_BODY_THREAD ? was->thread
+                                               : was->itself;
     of[side]++;
 }
 
 static feature first_feature(const small *s, const uint32_t f[5], const surface *drain)
 {
-    body_kind kind = vbss_scene_body(small_object(s), f[1])->kind;
-    return kind == BODY_RIGID    ? feature_of_tool(s, f[1], f[0], f[2])
-           : kind == BODY_THREAD ? feature_of_thread(s, f[1], f[0], f[2])
-                                 : feature_of_drain(drain, f[0], false, f[2]);
+    scene_body_kind kind = vbss_scene_body(small_object(s), f[1])->kind;
+    return kind == SCENE_BODY_RIGID    ? feature_of_tool(s, f[1], f[0], f[2])
+           : kind == SCENE_BODY_THREAD ? feature_of_thread(s, f[1], f[0], f[2])
+                                       : feature_of_drain(drain, f[0], false, f[2]);
 }
 
 static bool are_lips(const surface *drain, const uint32_t f[5])

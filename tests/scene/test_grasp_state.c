@@ -76,8 +76,8 @@ static void the_moments_are_what_they_are_called_and_steps_allocate_nothing(void
                 assert_int_equal(first, next == 0 ? 0 : 1);
                 assert_int_equal(second, method == 0 && next == 3 ? 1 : 0);
                 assert_true(next > 0 || (angle > 0.05 && angle < 0.34));
-                assert_true(method == 1 || next != 3 || scene->grasps[1].sliding);
-                assert_true(method == 1 || next != 3 || scene->grasps[1].slid > 1e-4);
+                assert_true(method == 1 || next != 3 || scene->thread_grasps[1].is_sliding);
+                assert_true(method == 1 || next != 3 || scene->thread_grasps[1].slid > 1e-4);
                 next++;
             }
             expect_ok(tool_scene_step(s.scene));

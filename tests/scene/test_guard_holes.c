@@ -1,7 +1,7 @@
 /* The guard beside holes: what slides through its hole goes on, what begins near it and goes through the wall elsewhere does
  * not, however fast both are. */
-#include "scene/attempt.h"
-#include "scene/rows.h"
+#include "scene/substep.h"
+#include "scene/contacts.h"
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"
@@ -29,12 +29,12 @@ static stage open_part(void)
     g.hole = &g.s->holes[0];
     g.thread = vbss_scene_body(g.s, g.hole->thread)->thread.thread;
     g.drain = vbss_scene_body(g.s, g.hole->drain)->drain.drain;
-    const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0};
-    assert_true(vbss_scene_find_rows(g.s, &part));
+    const scene_substep part = {.step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0};
+    assert_true(vbss_scene_create_contacts(g.s, &part));
     vbss_scene_predict(g.s, &part);
     memcpy(g.thread->trial, g.thread->now.x, g.thread->node_count * sizeof(vec3));
     memcpy(g.drain->trial, g.drain->x, g.drain->mesh.node_count * sizeof(vec3));
-    assert_int_equal(vbss_scene_guard(g.s), VERDICT_ACCEPTED);
+    assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_ACCEPTED);
     return g;
 }
 
@@ -74,8 +74,8 @@ static void what_begins_near_its_hole_is_not_thrown_through_the_wall(void **stat
         vec3 from = g.thread->now.x[k], wall = wall_beside(&g, from);
         vec3 way = vec3_sub(wall, from);
         g.thread->trial[k] = vec3_add_scaled(wall, BEYOND / vec3_norm(way), way);
-        assert_int_equal(vbss_scene_guard(g.s), VERDICT_GUARD);
-        assert_true(g.s->earliest > 0.0 && g.s->earliest < 1.0);
+        assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_CCD_HIT);
+        assert_true(g.s->time_of_impact > 0.0 && g.s->time_of_impact < 1.0);
         stitch_case_end(&c);
     }
 }
@@ -93,7 +93,7 @@ static void what_slides_through_its_holes_goes_on(void **state)
         }
         const uint32_t end = way > 0 ? last : 0, before = way > 0 ? last - 1 : 1;
         g.thread->trial[end] = vec3_sub(vec3_scale(x[end], 2.0), x[before]);
-        assert_int_equal(vbss_scene_guard(g.s), VERDICT_ACCEPTED);
+        assert_int_equal(vbss_scene_run_ccd(g.s), SCENE_SUBSTEP_ACCEPTED);
         stitch_case_end(&c);
     }
 }

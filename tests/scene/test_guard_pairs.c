@@ -1,8 +1,8 @@
 /* The guard asks the pairs that the search for rows has listed, if nothing left the boxes in which that looked; else it
  * searches itself. Either way it finds the same. */
 #include "base/elementary.h"
-#include "scene/attempt.h"
-#include "scene/rows.h"
+#include "scene/substep.h"
+#include "scene/contacts.h"
 #include "scene/small.h"
 
 enum { CASES = 400, NODES = 25 };
@@ -31,12 +31,12 @@ static double random_size(vbss_random *r, double low, double high)
 static void ask(scene_object *s, tally *t, double *earliest)
 {
     uint64_t searches = s->collision->searches;
-    scene_verdict verdict = vbss_scene_guard(s);
-    assert_true(verdict == VERDICT_ACCEPTED || verdict == VERDICT_GUARD);
-    *earliest = s->earliest;
+    scene_substep_outcome verdict = vbss_scene_run_ccd(s);
+    assert_true(verdict == SCENE_SUBSTEP_ACCEPTED || verdict == SCENE_SUBSTEP_CCD_HIT);
+    *earliest = s->time_of_impact;
     t->searched += s->collision->searches > searches;
     t->listed += s->collision->searches == searches;
-    t->hits += verdict == VERDICT_GUARD;
+    t->hits += verdict == SCENE_SUBSTEP_CCD_HIT;
 }
 
 /* A thread among sticks is expected to go one way, and goes nearly that. */
@@ -61,13 +61,14 @@ static void ask_both_ways(vbss_random *r, tally *t)
     for (uint32_t i = 0; i < NODES; i++) {
         object->trial[i] = vec3_add(object->now.x[i], random_way(r, expected));
     }
-    const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0, .again = true};
-    assert_true(vbss_scene_find_rows(s, &part));
+    const scene_substep part = {
+        .step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0, .uses_trial_motion = true};
+    assert_true(vbss_scene_create_contacts(s, &part));
     for (uint32_t i = 0; i < NODES; i++) {
         object->trial[i] = vec3_add(object->trial[i], random_way(r, other));
     }
     ask(s, t, &listed);
-    s->ways[0].x = (double)NAN; /* nothing is expected of that */
+    s->expected_displacements[0].x = (double)NAN; /* nothing is expected of that */
     tally second = {0, 0, 0};
     ask(s, &second, &searched);
     assert_int_equal(second.searched, 1);

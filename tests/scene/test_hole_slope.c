@@ -1,7 +1,7 @@
 /* What a hole's row says of the needle and of the nodes behind it, as its place slides on and as they move: against difference
  * quotients, of places on the curve and of rows that are laid anew. On the needle, over the swage and behind it. */
 #include "base/rotation.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/holes.h"
 #include "scene/small.h"
 #include "scene/tools.h"
@@ -66,7 +66,7 @@ static double swage_of(const swaged *w)
 
 static vec3 on_needle(const swaged *w, const lie *at, double arc)
 {
-    return pose_apply(vbss_scene_needle_at(w->needle, at->needle),
+    return pose_apply(vbss_scene_needle_frame(w->needle, at->needle),
                       vbss_needle_point(w->needle->needle, arc));
 }
 
@@ -87,7 +87,7 @@ static vec3 near_arc(const swaged *w, const lie *at, double arc)
 static suture_curve_point place_near(const swaged *w, const lie *at, uint32_t span, vec3 to)
 {
     const suture_curve line = {.needle = w->needle->needle,
-                               .needle_pose = vbss_scene_needle_at(w->needle, at->needle),
+                               .needle_pose = vbss_scene_needle_frame(w->needle, at->needle),
                                .thread = span == SUTURE_ON_NEEDLE ? NULL : w->thread,
                                .node_positions = at->x,
                                .swage_arc = swage_of(w)};
@@ -110,7 +110,7 @@ static void lay(const swaged *w, const lie *at, contact_constraint *row)
     w->needle->trial = at->needle;
     memcpy(w->thread->trial, at->x, sizeof at->x);
     shift_wall(w, w->drain->trial, at->wall);
-    vbss_scene_lay_hole_row(w->scene, row);
+    vbss_scene_update_hole_constraint(w->scene, row);
 }
 
 /* ---- any */
@@ -153,7 +153,7 @@ static double draw_arc(harness_source *source, const swaged *w)
 static void begin_part(swaged *w)
 {
     const bool behind = w->arc >= swage_of(w);
-    w->scene->part_length = 1e-3;
+    w->scene->substep_length = 1e-3;
     w->hole->needle = behind ? 0 : w->needle_body;
     w->hole->thread = behind ? w->thread_body : 0;
     w->hole->arc = w->arc - (behind ? swage_of(w) : 0.0);
@@ -208,7 +208,7 @@ static part part_of(const lie *at, const suture_curve_point *place, vec3 needle)
 static part part_at(const swaged *w, const lie *at, const suture_curve_point *place)
 {
     return part_of(at, place,
-                   pose_apply(vbss_scene_needle_at(w->needle, at->needle), place->needle_point));
+                   pose_apply(vbss_scene_needle_frame(w->needle, at->needle), place->needle_point));
 }
 
 /* As a row says it: parts, and how they change as the place slides on. */
@@ -332,7 +332,7 @@ static void slopes_are_those_of_weights_and_arms(void **state)
 
 /* ---- as things move */
 
-typedef struct motion {
+typedef struct vertex_motion {
     vec3 moves, turns;      /* the needle: its centre of mass; about it */
     vec3 node[NODES], wall; /* the first is the needle's */
 } motion;

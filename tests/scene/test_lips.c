@@ -1,6 +1,6 @@
 /* What is cut is flat, what is not is round: a lip that slides over another wall and off its lip is nowhere suddenly nearer. */
 #include "scene/drains_rig.h"
-#include "scene/rows.h"
+#include "scene/contacts.h"
 
 /* How far it slides, in steps, m; and by how much its gap is another after one: which wall it is above is asked where the
  * middle of the lip is, not where it touches. */
@@ -29,8 +29,8 @@ static bool has_node(const scene_object *s, const scene_body *b, const contact_c
                      bool is_b, uint32_t node)
 {
     uint32_t nodes[3];
-    uint32_t count = vbss_scene_nodes_of(s, b, row->key.kind, is_b,
-                                         is_b ? row->key.feature_b : row->key.feature_a, nodes);
+    uint32_t count = vbss_scene_drain_feature_nodes(
+        s, b, row->key.kind, is_b, is_b ? row->key.feature_b : row->key.feature_a, nodes);
     bool there = false;
     for (uint32_t k = 0; k < count; k++) {
         there = there || nodes[k] == node;
@@ -53,7 +53,7 @@ static double least_gap(const scene_object *s, const scene_body *b, uint32_t nod
     return least;
 }
 
-static const scene_part part = {.step = 1e-3, .h = 1e-3, .end = 1.0};
+static const scene_substep part = {.step_length = 1e-3, .h = 1e-3, .end_fraction = 1.0};
 static small s;
 
 static scene_object *begin(double margin, drain_object **d)
@@ -79,7 +79,7 @@ static void slide(double slope, double height)
             d->x[i] = pose_apply(d->frame, place(d->mesh.rest[i], slope, height, STEP * k));
             d->v[i] = vec3_zero();
         }
-        assert_true(vbss_scene_find_rows(o, &part));
+        assert_true(vbss_scene_create_contacts(o, &part));
         double gap = least_gap(o, &o->bodies[0], d->mesh.slit_middle[DRAIN_RIGHT]);
         most = k > 0 ? fmax(fabs(gap - before), most) : 0.0;
         deepest = fmin(gap, deepest);
@@ -125,13 +125,13 @@ static void a_lip_that_moves_along_another_is_near_it(void **state)
     do {
         over += STEP;
         bring_near(d, over, vec3_zero());
-        assert_true(vbss_scene_find_rows(o, &part));
+        assert_true(vbss_scene_create_contacts(o, &part));
     } while (least_gap(o, &o->bodies[0], lip) > 0.1e-3);
     o->config.contact_margin = 30e-6;
-    assert_true(vbss_scene_find_rows(o, &part));
+    assert_true(vbss_scene_create_contacts(o, &part));
     assert_true(least_gap(o, &o->bodies[0], lip) == FAR);
     bring_near(d, over, vec3_make(0.0, 0.3, 0.0));
-    assert_true(vbss_scene_find_rows(o, &part));
+    assert_true(vbss_scene_create_contacts(o, &part));
     expect_near(0.1e-3, least_gap(o, &o->bodies[0], lip), STEP);
     small_end(&s);
 }

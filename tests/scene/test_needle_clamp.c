@@ -68,8 +68,8 @@ static void it_leans_by_its_weight(void **state)
     n->body.gravity = vec3_make(0.0, -weight / n->body.mass, 0.0);
     n->body.drag = 1e3;
     tools_steps(&r.tools, 1000);
-    const scene_hold *hold =
-        &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.hold;
+    const scene_needle_grasp *hold =
+        &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.needle_grasp;
     quat q = quat_mul(n->body.now.pose.orientation, quat_conjugate(before.orientation));
     vec3 turn = vbss_quat_to_rotation_vector(q);
     double angle = 1e-3 / (0.5 * r.tools.config.needle_turning_stiffness);
@@ -152,8 +152,8 @@ static void jaws_bear_needle_and_thread(void **state)
     needles_rig *r = &g.rig;
     tools_steps(&r->tools, 3000);
     const vbss_needle_mass m = needles_mass(r);
-    const scene_hold *hold =
-        &vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[0])->rigid.hold;
+    const scene_needle_grasp *hold =
+        &vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[0])->rigid.needle_grasp;
     vec3 held = vec3_load(tools_grasp(&r->tools, 0, 0).position);
     vec3 centre = vbss_scene_body(small_object(&r->tools.s), r->body)->rigid.body.now.pose.position;
     vec3 down = vec3_make(0.0, 0.0, -9.81);

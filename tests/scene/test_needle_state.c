@@ -54,7 +54,7 @@ static void bad_snapshots_are_refused(void **state)
     harness_refuses_bad_snapshots(&body, NEEDLE_SCENE_BOTH);
 }
 
-static void spoil(scene_hold *hold, int which)
+static void spoil(scene_needle_grasp *hold, int which)
 {
     double *numbers[] = {&hold->age,   &hold->slid,    &hold->turned,
                          &hold->limit, &hold->force.x, &hold->torque.z};
@@ -70,9 +70,9 @@ static void spoil(scene_hold *hold, int which)
     } else if (which == 11) {
         hold->angle = 0.0;
     } else if (which == 12) {
-        hold->at.position.y = 3.0;
+        hold->pose_in_jaws.position.y = 3.0;
     } else {
-        hold->at.orientation.w += 0.1;
+        hold->pose_in_jaws.orientation.w += 0.1;
     }
 }
 
@@ -86,10 +86,11 @@ static void a_hold_that_cannot_be_is_refused(void **state)
     for (int i = 0; i < NEEDLE_SCENE_BOTH; i++) {
         expect_ok(needle_scene_step(s.scene));
     }
-    scene_hold *hold = &vbss_scene_body(small_object(&s), NEEDLE_SCENE_FIRST)->rigid.hold;
+    scene_needle_grasp *hold =
+        &vbss_scene_body(small_object(&s), NEEDLE_SCENE_FIRST)->rigid.needle_grasp;
     uint64_t hash = small_hash(&s);
     for (int which = 0; which < 14; which++) {
-        const scene_hold own = *hold;
+        const scene_needle_grasp own = *hold;
         spoil(hold, which);
         small_state bad = small_save(&s);
         *hold = own;
@@ -138,8 +139,8 @@ static look look_at(const small *s)
     look l;
     const scene_object *scene = small_object(s);
     const scene_rigid *r = &vbss_scene_body(scene, NEEDLE_SCENE_NEEDLE)->rigid;
-    l.first = vbss_scene_holds_needle(scene, NEEDLE_SCENE_FIRST);
-    l.second = vbss_scene_holds_needle(scene, NEEDLE_SCENE_SECOND);
+    l.first = vbss_scene_has_needle_grasp(scene, NEEDLE_SCENE_FIRST);
+    l.second = vbss_scene_has_needle_grasp(scene, NEEDLE_SCENE_SECOND);
     expect_ok(vbss_needle_get_state((vbss_needle *)r->slot, &l.needle, sizeof l.needle));
     l.fastest = vec3_norm(r->body.now.v) + 0.03 * vec3_norm(r->body.now.w);
     return l;
@@ -213,7 +214,7 @@ typedef struct shown {
     vbss_grasper_state tool;
     vbss_grasp grasp;
     vec3 points[9];
-    scene_hold hold;
+    scene_needle_grasp hold;
     bool has_grasp;
 } shown;
 
@@ -227,7 +228,8 @@ static void show(const needles_rig *r, shown *l)
     expect_ok(vbss_needle_get_view(r->needle, VBSS_NEEDLE_VIEW_POINTS, &view, sizeof view));
     assert_int_equal(view.count, 9);
     memcpy(l->points, view.data, sizeof l->points);
-    memcpy(&l->hold, &vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[0])->rigid.hold,
+    memcpy(&l->hold,
+           &vbss_scene_body(small_object(&r->tools.s), r->tools.bodies[0])->rigid.needle_grasp,
            sizeof l->hold);
     l->has_grasp = vbss_scene_get_grasp(r->tools.s.scene, r->tools.bodies[0], 0, &l->grasp,
                                         sizeof l->grasp) == VBSS_OK;

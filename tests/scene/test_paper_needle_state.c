@@ -104,7 +104,7 @@ static void the_moments_are_what_they_are_called(void **state)
 static void spoil(scene_object *s, int which)
 {
     scene_rigid *needle = &vbss_scene_body(s, PAPER_NEEDLE_SCENE_NEEDLE)->rigid;
-    scene_hold *hold = &vbss_scene_body(s, PAPER_NEEDLE_SCENE_FIRST)->rigid.hold;
+    scene_needle_grasp *hold = &vbss_scene_body(s, PAPER_NEEDLE_SCENE_FIRST)->rigid.needle_grasp;
     const uint32_t nobodies[] = {PAPER_NEEDLE_SCENE_DRAIN, PAPER_NEEDLE_SCENE_SECOND, 77};
     const suture_toggle toggles[] = {{PAPER_NEEDLE_SCENE_THREAD, 0, false},
                                      {77, 0, false},
@@ -122,7 +122,7 @@ static void spoil(scene_object *s, int which)
     } else if (which == 10) {
         hold->needle = 0; /* and yet it leads */
     } else if (which == 11) {
-        hold->at.position.x = 3.0;
+        hold->pose_in_jaws.position.x = 3.0;
     } else {
         s->holes[0].triangle = 9999;
     }

@@ -161,7 +161,7 @@ static void who_stops_waiting_does_not_take_over(void **state)
 }
 
 /* Jaws along -z from a tip at the origin, 13 mm long, that open along x. */
-typedef struct place {
+typedef struct location {
     vec3 there;
     double turn; /* about z, from across the jaws */
     bool taken;

@@ -239,9 +239,10 @@ static void a_hold_that_no_jaws_have_is_refused(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         wall_rig r;
         pinch(&r);
-        scene_pinch *p = &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.pinch;
+        scene_wall_grasp *p =
+            &vbss_scene_body(small_object(&r.tools.s), r.tools.bodies[0])->rigid.wall_grasp;
         memcpy(p->weights[0], cases[i].weights, sizeof cases[i].weights);
-        p->at[0] = vec3_make(0.0, 0.0, -cases[i].depth);
+        p->points_in_jaws[0] = vec3_make(0.0, 0.0, -cases[i].depth);
         small_state saved = small_save(&r.tools.s);
         assert_int_equal(vbss_scene_restore(r.tools.s.scene, saved.bytes, saved.count),
                          cases[i].wanted);

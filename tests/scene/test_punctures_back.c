@@ -1,5 +1,5 @@
 /* A needle that leaves a hole, the way it came or through it, and comes again; tremor at the wall. */
-#include "scene/around_holes.h"
+#include "scene/hole_exclusion.h"
 #include "scene/holes.h"
 #include "scene/needle_case.h"
 
@@ -182,11 +182,11 @@ static void a_hole_is_in_one_wall(void **state)
     const scene_object *s = small_object(&c.d.s);
     const scene_body *drain = vbss_scene_body(s, c.d.body);
     const suture_hole *hole = &s->holes[0];
-    scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->barycentric);
+    scene_wall_point spot = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
     const scene_body *needle = vbss_scene_body(s, c.body);
-    assert_true(vbss_scene_share_touching(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 0.0);
+    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 0.0);
     spot.rest.z = -spot.rest.z;
-    assert_true(vbss_scene_share_touching(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 1.0);
+    assert_true(vbss_scene_contact_scale_at(s, needle, true, 0, 0.0, drain, &spot, 1e-3) == 1.0);
     needle_case_end(&c);
 }
 
@@ -205,23 +205,23 @@ static void lay_side_along(scene_object *s, const scene_body *needle, uint32_t c
 }
 
 static void expect_piece(scene_object *s, uint32_t capsule, double from, double to,
-                         scene_piece *piece)
+                         scene_axis_interval *piece)
 {
     const scene_body *needle = vbss_scene_body(s, c.body), *drain = vbss_scene_body(s, c.d.body);
     const needle_object *n = needle->rigid.needle;
     double begin = vbss_needle_vertex_arc(n, capsule), end = vbss_needle_vertex_arc(n, capsule + 1);
-    assert_true(vbss_scene_next_piece(s, needle, capsule, drain, 0, 0.5e-3, piece));
+    assert_true(vbss_scene_next_axis_interval(s, needle, capsule, drain, 0, 0.5e-3, piece));
     const double expected[2] = {(from - begin) / (end - begin), (to - begin) / (end - begin)};
     for (int k = 0; k < 2; k++) {
-        assert_true(fabs(piece->at[0][k] - expected[k]) < 1e-12);
-        assert_true(fabs(piece->at[1][k] - expected[k]) < 1e-9);
+        assert_true(fabs(piece->bounds[0][k] - expected[k]) < 1e-12);
+        assert_true(fabs(piece->bounds[1][k] - expected[k]) < 1e-9);
     }
 }
 
-static void expect_no_piece(scene_object *s, uint32_t capsule, scene_piece *piece)
+static void expect_no_piece(scene_object *s, uint32_t capsule, scene_axis_interval *piece)
 {
     const scene_body *needle = vbss_scene_body(s, c.body), *drain = vbss_scene_body(s, c.d.body);
-    assert_false(vbss_scene_next_piece(s, needle, capsule, drain, 0, 0.5e-3, piece));
+    assert_false(vbss_scene_next_axis_interval(s, needle, capsule, drain, 0, 0.5e-3, piece));
 }
 
 /* A capsule is longer than what a hole exempts: what is left of it before and behind the hole touches what is beside that. */
@@ -234,7 +234,7 @@ static void a_needle_touches_before_and_behind_its_hole(void **state)
     const scene_body *needle = vbss_scene_body(s, c.body);
     const needle_object *n = needle->rigid.needle;
     const double first = vbss_needle_vertex_arc(n, 1), second = vbss_needle_vertex_arc(n, 2);
-    scene_piece piece = {.begun = false};
+    scene_axis_interval piece = {.started = false};
     lay_side_along(s, needle, 1, 0);
     s->holes[0].arc = first + 1e-3;
     expect_piece(s, 1, first, first + 0.5e-3, &piece);
@@ -243,14 +243,14 @@ static void a_needle_touches_before_and_behind_its_hole(void **state)
     /* A second one overlaps the first, and reaches over the end. */
     s->holes[1] = s->holes[0];
     s->holes[1].arc = first + 0.2e-3;
-    piece = (scene_piece){.begun = false};
+    piece = (scene_axis_interval){.started = false};
     expect_piece(s, 1, first + 1.5e-3, second, &piece);
     expect_no_piece(s, 1, &piece);
     /* On its way in, the tip alone is at the mouth. */
     s->holes[1] = (suture_hole){0};
     s->holes[0].arc = s->holes[0].entry_arc = -2e-3;
     lay_side_along(s, needle, 0, 0);
-    piece = (scene_piece){.begun = false};
+    piece = (scene_axis_interval){.started = false};
     expect_piece(s, 0, n->config.wire_radius, first, &piece);
     needle_case_end(&c);
 }
@@ -269,10 +269,10 @@ static void a_stopped_search_pierces_nothing(void **state)
     assert_int_equal(c.counts[VBSS_EVENT_PUNCTURE], 0);
     d->config.puncture_force = 0.25;
     s->contacts->is_stopped_early = true;
-    vbss_scene_settle_holes(s);
+    vbss_scene_update_holes(s);
     assert_true(s->holes[0].id == 0);
     s->contacts->is_stopped_early = false;
-    vbss_scene_settle_holes(s);
+    vbss_scene_update_holes(s);
     assert_true(s->holes[0].id != 0);
     needle_case_end(&c);
 }

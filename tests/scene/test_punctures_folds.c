@@ -72,7 +72,7 @@ static suture_hole *begin(double entry, fold *f)
     lay_needle(f);
     scene_object *s = small_object(&c.d.s);
     s->holes[0] = f->sides[0];
-    s->holes[0].id = ++s->last_hole;
+    s->holes[0].id = ++s->last_hole_id;
     s->holes[0].needle = c.body;
     s->holes[0].drain = c.d.body;
     s->holes[0].arc = s->holes[0].max_arc = TIP_OUT;
@@ -86,7 +86,7 @@ static void the_other_side_of_a_fold_has_a_hole_of_its_own(void **state)
     fold f;
     suture_hole *holes = begin(ASLANT, &f);
     for (int again = 0; again < 2; again++) {
-        vbss_scene_find_folds(small_object(&c.d.s));
+        vbss_scene_find_fold_punctures(small_object(&c.d.s));
         assert_int_equal(holes[1].triangle, f.sides[1].triangle);
         for (int k = 0; k < 3; k++) {
             expect_near(f.sides[1].barycentric[k], holes[1].barycentric[k], 1e-9);
@@ -105,7 +105,7 @@ static void one_that_it_enters_square_lets_nothing_through_beside_it(void **stat
     (void)state;
     fold f;
     suture_hole *holes = begin(SQUARE, &f);
-    vbss_scene_find_folds(small_object(&c.d.s));
+    vbss_scene_find_fold_punctures(small_object(&c.d.s));
     assert_int_equal(holes[1].id, 0);
     needle_case_end(&c);
 }

@@ -209,7 +209,7 @@ static void a_step_that_fails_in_its_middle_changes_nothing(void **state)
                 scene_object *object = small_object(&s);
                 assert_true(small_hash(&s) == hash);
                 /* What is left behind of the attempts shows how far it came. */
-                double end = object->bodies[0].thread.stage.end_fraction;
+                double end = object->bodies[0].thread.substep.end_fraction;
                 in_the_middle += end > 0.0 && end < 1.0;
                 break;
             }

@@ -28,8 +28,8 @@ static void a_knot_that_is_tight_goes_on_to_the_same_bits(void **state)
 static void expect_alike(const small *x, const small *y)
 {
     const scene_object *a = small_object(x), *b = small_object(y);
-    for (uint32_t i = 0; i < a->place_count; i++) {
-        if (a->bodies[i].kind == BODY_RIGID) {
+    for (uint32_t i = 0; i < a->body_count; i++) {
+        if (a->bodies[i].kind == SCENE_BODY_RIGID) {
             vbss_rigid_state p = small_rigid(x, a->bodies[i].number);
             vbss_rigid_state q = small_rigid(y, b->bodies[i].number);
             assert_memory_equal(&p, &q, sizeof p);

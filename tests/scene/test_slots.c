@@ -110,8 +110,9 @@ static void steps_in_several_calls_come_to_the_same_bits(void **state)
         s->config.slot_limit = slots[k];
         uint64_t told = 0, calls = 0;
         while (finished(&divided) < PULLED + COMPARED) {
-            const uint64_t before = finished(&divided), begun = before + s->way.waits - PULLED;
-            s->way.behind =
+            const uint64_t before = finished(&divided),
+                           begun = before + s->cursor.is_suspended - PULLED;
+            s->cursor.steps_behind =
                 0; /* a call begins one step at most, of which is known what it was told */
             if (told == begun) {
                 tell(&divided, told++);
@@ -125,8 +126,9 @@ static void steps_in_several_calls_come_to_the_same_bits(void **state)
                 expect_ok(vbss_scene_step(whole.scene.scene, STEP));
             }
             if (finished(&divided) > before &&
-                (!s->way.waits ||
-                 s->way.part.begin == 0.0)) { /* the next may have gone a part of its way */
+                (!s->cursor.is_suspended ||
+                 s->cursor.substep.start_fraction ==
+                     0.0)) { /* the next may have gone a part of its way */
                 expect_same_state(&whole, &divided);
             }
         }
@@ -140,7 +142,7 @@ static void steps_in_several_calls_come_to_the_same_bits(void **state)
 /* Of all work, also of the step that waits. */
 static uint64_t work_of(const scene_object *s)
 {
-    return s->statistics.operations + (s->way.waits ? s->way.work : 0);
+    return s->statistics.operations + (s->cursor.is_suspended ? s->cursor.operations : 0);
 }
 
 static void no_call_does_more_than_there_is_room_for(void **state)
@@ -157,10 +159,11 @@ static void no_call_does_more_than_there_is_room_for(void **state)
         for (int i = 0; i < 800; i++) {
             const uint64_t before = work_of(s), refused = s->statistics.rejected_guard;
             expect_ok(contact_scene_step(&p.scene, STEP));
-            assert_in_range(s->way.behind + s->way.waits, 0, 2);
-            assert_int_equal(s->statistics.behind, s->way.behind + s->way.waits);
-            assert_false(s->way.waits &&
-                         s->way.part.again); /* no saved state could tell its ways */
+            assert_in_range(s->cursor.steps_behind + s->cursor.is_suspended, 0, 2);
+            assert_int_equal(s->statistics.behind, s->cursor.steps_behind + s->cursor.is_suspended);
+            assert_false(
+                s->cursor.is_suspended &&
+                s->cursor.substep.uses_trial_motion); /* no saved state could tell its ways */
             if (s->statistics.rejected_guard >
                 refused) { /* what follows one that the guard refused is not divided */
                 whole++;
@@ -213,7 +216,7 @@ static uint64_t waited_in(const harness_body *body, size_t steps)
     expect_ok(body->create(context, body->user, &scene));
     for (size_t i = 0; i < steps; i++) {
         expect_ok(body->step(scene));
-        waited += object_of(scene)->way.attempted;
+        waited += object_of(scene)->cursor.is_attempt_suspended;
     }
     harness_context_end(context, &memory);
     return waited;
@@ -345,7 +348,7 @@ static void who_looks_meanwhile_changes_nothing(void **state)
     for (int i = 0; i < 300; i++) {
         expect_ok(contact_scene_step(&seen.scene, STEP));
         expect_ok(contact_scene_step(&unseen.scene, STEP));
-        waited += object_of(seen.scene.scene)->way.attempted;
+        waited += object_of(seen.scene.scene)->cursor.is_attempt_suspended;
         look_at_all(&seen);
         assert_true(hash_of(seen.scene.scene) == hash_of(unseen.scene.scene));
     }
@@ -369,7 +372,7 @@ static void who_looks_at_a_drain_changes_nothing(void **state)
     for (int i = 0; i < 600; i++) {
         expect_ok(puncture_step(seen));
         expect_ok(puncture_step(unseen));
-        waited += object_of(seen)->way.attempted;
+        waited += object_of(seen)->cursor.is_attempt_suspended;
         for (vbss_drain_field field = 0; field <= VBSS_DRAIN_CURVATURES; field++) {
             vbss_view v;
             expect_ok(vbss_drain_get_view(drains_rig_of(seen), field, &v, sizeof v));
@@ -382,7 +385,7 @@ static void who_looks_at_a_drain_changes_nothing(void **state)
 
 static void step_until_it_waits(pulled *p)
 {
-    for (int i = 0; i < 400 || !object_of(p->scene.scene)->way.attempted; i++) {
+    for (int i = 0; i < 400 || !object_of(p->scene.scene)->cursor.is_attempt_suspended; i++) {
         assert_true(i < 2000);
         expect_ok(contact_scene_step(&p->scene, STEP));
     }
@@ -410,7 +413,7 @@ static void changes_end_the_step_that_waits(void **state)
             mass.node = 5;
             mass.mass = 1e-6;
             expect_ok(vbss_thread_attach(p.scene.threads[0], &mass, &id));
-            assert_true(object_of(p.scene.scene)->way.waits);
+            assert_true(object_of(p.scene.scene)->cursor.is_suspended);
             expect_ok(contact_scene_step(&p.scene, STEP));
             assert_true(finished(&p) > done);
         } else { /* by the scene's: at once, where everything is */
@@ -421,7 +424,7 @@ static void changes_end_the_step_that_waits(void **state)
             expect_result(
                 VBSS_ERROR_NULL_ARGUMENT,
                 vbss_scene_add_rigid(p.scene.scene, &ball, NULL)); /* a refused one, too */
-            assert_false(object_of(p.scene.scene)->way.waits);
+            assert_false(object_of(p.scene.scene)->cursor.is_suspended);
             assert_int_equal(finished(&p), done + 1);
             assert_memory_equal(&there, &t->now.x[t->node_count / 2], sizeof there);
         }
@@ -429,7 +432,7 @@ static void changes_end_the_step_that_waits(void **state)
         const uint64_t deferred = statistics_of(p.scene.scene).deferred;
         for (int i = 0; i < 20; i++) {
             expect_ok(contact_scene_step(&p.scene, STEP));
-            assert_false(object_of(p.scene.scene)->way.waits);
+            assert_false(object_of(p.scene.scene)->cursor.is_suspended);
         }
         assert_in_range(statistics_of(p.scene.scene).deferred, deferred, deferred + 20);
         end(&p);
@@ -448,7 +451,9 @@ static void a_step_is_given_up_to_the_same_bits_when_restored(void **state)
             expect_ok(contact_scene_step(&other.scene, STEP));
         }
         scene_object *s = object_of(p.scene.scene);
-        for (int i = 0; i < 150 || !s->way.waits || s->way.attempted != (attempted != 0); i++) {
+        for (int i = 0; i < 150 || !s->cursor.is_suspended ||
+                        s->cursor.is_attempt_suspended != (attempted != 0);
+             i++) {
             assert_true(i < 3000);
             expect_ok(contact_scene_step(&p.scene, STEP));
         }
@@ -460,7 +465,7 @@ static void a_step_is_given_up_to_the_same_bits_when_restored(void **state)
             vbss_scene *scene = k == 0 ? p.scene.scene : other.scene.scene;
             expect_result(VBSS_ERROR_OUT_OF_RANGE, vbss_scene_unpin_thread(scene, 77));
         }
-        assert_false(s->way.waits);
+        assert_false(s->cursor.is_suspended);
         assert_true(hash_of(p.scene.scene) == hash_of(other.scene.scene));
         for (int i = 0; i < 20; i++) {
             expect_ok(vbss_scene_step(p.scene.scene, STEP));
@@ -487,7 +492,7 @@ static void what_is_told_meanwhile_is_for_the_next_step(void **state)
                                vec3_make(0.0, 0.0, 2e-3), 5e-4);
     small_steps(&s, 3, STEP);
     scene_object *o = small_object(&s);
-    assert_true(o->way.waits);
+    assert_true(o->cursor.is_suspended);
     const pose goes = o->bodies[1].rigid.body.target_end;
     const double told[3] = {4e-3, 2.1e-3, 1e-4};
     expect_ok(vbss_scene_move_rigid(s.scene, rod, told, NULL));
@@ -528,7 +533,7 @@ static void damaged_steps_that_wait_are_refused_or_go_on(void **state)
                       5e-4);
     small_pin(&s, line, 0, 0);
     small_steps(&s, 3, STEP);
-    assert_true(small_object(&s)->way.attempted);
+    assert_true(small_object(&s)->cursor.is_attempt_suspended);
     small_state good = small_save(&s);
     uint8_t *bad = malloc(good.count);
     assert_non_null(bad);
@@ -569,13 +574,14 @@ static void steps_of_method_paper_never_wait(void **state)
     small_create(&s);
     (void)small_thread(&s, vec3_make(0.0, 1e-3, 0.0), vec3_make(8e-3, 1e-3, 0.0), 8, NULL);
     small_steps(&s, 2, STEP);
-    scene_way *way = &small_object(&s)->way;
+    scene_step_cursor *way = &small_object(&s)->cursor;
     for (int how = 0; how < 2; how++) {
-        *way = (scene_way){.part = {.step = STEP}, .begun = 1.0, .size = 1.0};
-        way->waits = how == 0;
-        way->behind = how == 0 ? 0 : 1;
+        *way =
+            (scene_step_cursor){.substep = {.step_length = STEP}, .initial_size = 1.0, .size = 1.0};
+        way->is_suspended = how == 0;
+        way->steps_behind = how == 0 ? 0 : 1;
         small_state bad = small_save(&s);
-        *way = (scene_way){0};
+        *way = (scene_step_cursor){0};
         expect_result(VBSS_ERROR_CORRUPT, vbss_scene_restore(s.scene, bad.bytes, bad.count));
         free(bad.bytes);
     }
@@ -593,7 +599,7 @@ static void without_limits_calls_make_their_steps(void **state)
         s->config.work_limit = how == 1 ? 0 : s->config.work_limit;
         for (int i = 0; i < 60; i++) {
             expect_ok(contact_scene_step(&p.scene, STEP));
-            assert_false(s->way.waits);
+            assert_false(s->cursor.is_suspended);
         }
         assert_int_equal(finished(&p), 60);
         assert_int_equal(statistics_of(p.scene.scene).deferred, 0);

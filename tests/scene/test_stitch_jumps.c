@@ -1,5 +1,5 @@
 /* What must not jump in a stitch: what a segment feels as it comes out of a hole, and where a hole is when the mesh changes. */
-#include "scene/around_holes.h"
+#include "scene/hole_exclusion.h"
 #include "scene/stitch_case.h"
 
 static stitch_case c;
@@ -8,7 +8,7 @@ static stitch_case c;
 #define SHARE 0.05
 /* Within which of a hole a needle touches nothing, and a thread, m: 1.5 distances of touching of its 1.6. */
 #define REACH 1e-3
-#define THREAD_REACH (1.5 / SCENE_PIN_ARC * REACH)
+#define THREAD_REACH (1.5 / SCENE_EXCLUSION_ARC_RATIO * REACH)
 
 /* ---- beside a hole */
 
@@ -19,14 +19,14 @@ static double share_at(const suture_hole *hole, double away)
     const scene_body *thread = vbss_scene_body(s, hole->thread);
     const scene_body *drain = vbss_scene_body(s, hole->drain);
     const thread_object *t = thread->thread.thread;
-    const scene_spot spot = vbss_scene_spot(drain, hole->triangle, hole->barycentric);
+    const scene_wall_point spot = vbss_scene_wall_point(drain, hole->triangle, hole->barycentric);
     double arc = hole->arc + away;
     uint32_t segment = 0;
     while (vbss_thread_arc_length(t, segment + 1) < arc) {
         segment++;
     }
     double share = (arc - vbss_thread_arc_length(t, segment)) / t->rest[segment];
-    return vbss_scene_share_touching(s, thread, false, segment, share, drain, &spot, REACH);
+    return vbss_scene_contact_scale_at(s, thread, false, segment, share, drain, &spot, REACH);
 }
 
 static void what_comes_out_of_a_hole_touches_little_by_little(void **state)

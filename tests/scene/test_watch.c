@@ -15,7 +15,7 @@ static void show(vec3 way)
         s->capsules[k].trial[0] = s->capsules[k].now[0];
         s->capsules[k].trial[1] = s->capsules[k].now[1];
     }
-    s->watch(s->watcher, s);
+    s->on_substep(s->on_substep_data, s);
 }
 
 static void begin(contact_scene_kind kind)
@@ -80,7 +80,7 @@ static void tools_that_go_through_tools_are_seen(void **state)
             s->capsules[k].trial[i].y -= k == 0 ? 0.01 : 0.0; /* 20 mm high, above one at 13 mm */
         }
     }
-    s->watch(s->watcher, s);
+    s->on_substep(s->on_substep_data, s);
     assert_int_equal(c.watch.passed, 1);
     assert_int_equal(c.watch.below, 0);
     hard_end(&c);

@@ -28,13 +28,13 @@ static void add_chain(watch *w, look *l, const vec3 *start, const vec3 *end, uin
 
 static void look_at(watch *w, const scene_object *s, look *l)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             const thread_object *t = b->thread.thread;
             add_chain(w, l, t->now.x, t->trial, t->node_count, 0);
         }
-        for (uint32_t c = 0; b->kind == BODY_RIGID && c < b->rigid.capsule_count; c++) {
+        for (uint32_t c = 0; b->kind == SCENE_BODY_RIGID && c < b->rigid.capsule_count; c++) {
             const scene_capsule *capsule = &s->capsules[b->rigid.first_capsule + c];
             add_chain(w, l, capsule->now, capsule->trial, 2, b->number);
         }
@@ -107,7 +107,7 @@ static void find_rays(const thread_object *t, const vec3 *x, vec3 rays[2][2])
 static bool is_closed_anew(const scene_object *s)
 {
     const scene_body *b = s->bodies;
-    while (b->kind != BODY_THREAD) {
+    while (b->kind != SCENE_BODY_THREAD) {
         b++;
     }
     const thread_object *t = b->thread.thread;
@@ -159,8 +159,8 @@ void watch_begin(watch *w, vbss_scene *scene)
     if (vbss_scene_open(scene, &s) != VBSS_OK) {
         abort();
     }
-    s->watch = see;
-    s->watcher = w;
+    s->on_substep = see;
+    s->on_substep_data = w;
     w->scene = s;
     w->count = 0;
 }

@@ -96,7 +96,7 @@ vbss_result puncture_scene_aim(vbss_scene *scene, double speed, double h)
     double way = puncture_scene_way(speed, told.steps + 1, h);
     quat turn = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, way / radius));
     at.orientation = quat_mul(at.orientation, turn);
-    vbss_scene_tell_rigid(s, r, pose_mul(at, r->frame));
+    vbss_scene_set_rigid_target(s, r, pose_mul(at, r->frame));
     return VBSS_OK;
 }
 
@@ -120,7 +120,7 @@ vbss_result puncture_scene_push(const puncture_scene *p, double *push)
     pose at = vbss_needle_pose(r->needle);
     vec3 axis = quat_rotate(at.orientation, vec3_make(0.0, 0.0, 1.0));
     vec3 arm = vec3_sub(r->body.now.pose.position, at.position);
-    vec3 torque = vec3_add(r->pull.torque, vec3_cross(arm, r->pull.force));
+    vec3 torque = vec3_add(r->coupling_wrench.torque, vec3_cross(arm, r->coupling_wrench.force));
     *push = vec3_dot(axis, torque) / r->needle->config.radius;
     return VBSS_OK;
 }

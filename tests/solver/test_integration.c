@@ -5,7 +5,7 @@
 
 /* ---- the formulas */
 
-typedef struct motion {
+typedef struct vertex_motion {
     vec3 x, v, a, q; /* q: the acceleration that balances the forces */
 } motion;
 

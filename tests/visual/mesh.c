@@ -34,7 +34,7 @@ drawn draw(const fixture *f)
 
 /* ---- closed surfaces */
 
-typedef struct place {
+typedef struct location {
     float x[3];
     uint32_t vertex;
 } place;

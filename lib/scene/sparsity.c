@@ -1,156 +1,157 @@
 /* Which blocks are separators, and the pattern of the system: made anew only when it is another, and of that as little
  * as is another. */
 #include "base/error.h"
-#include "scene/attempt.h"
+#include "scene/substep.h"
 #include "scene/holes.h"
-#include "scene/rows.h"
+#include "scene/contacts.h"
 #include "scene/scene.h"
 #include "scene/tools.h"
 
 #include <string.h>
 
-enum { MARK_NONE, MARK_SEPARATOR };
+enum { NODE_INTERIOR, NODE_SEPARATOR };
 
 /* ---- marks */
 
-static void mark_node(scene_object *s, const scene_body *b, uint32_t node)
+static void add_separator(scene_object *s, const scene_body *b, uint32_t node)
 {
-    s->marks[b->thread.first_node + node] = MARK_SEPARATOR;
+    s->is_separator[b->thread.first_node + node] = NODE_SEPARATOR;
 }
 
-static void mark_near(scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
+static void add_separator_range(scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
 {
     uint32_t last = b->thread.thread->node_count - 1;
     for (uint32_t i = low; i <= high && i <= last; i++) {
-        mark_node(s, b, i);
+        add_separator(s, b, i);
     }
 }
 
-static void mark_drain(const scene_object *s, const scene_body *b, const contact_key *key,
-                       bool is_b)
+static void add_drain_separators(const scene_object *s, const scene_body *b, const contact_key *key,
+                                 bool is_b)
 {
     uint32_t nodes[3];
-    uint32_t count =
-        vbss_scene_nodes_of(s, b, key->kind, is_b, is_b ? key->feature_b : key->feature_a, nodes);
+    uint32_t count = vbss_scene_drain_feature_nodes(s, b, key->kind, is_b,
+                                                    is_b ? key->feature_b : key->feature_a, nodes);
     for (uint32_t k = 0; k < count; k++) {
-        b->drain.marks[nodes[k]] = MARK_SEPARATOR;
+        b->drain.is_separator[nodes[k]] = NODE_SEPARATOR;
     }
 }
 
-static void mark_side(scene_object *s, const contact_key *key, bool is_b)
+static void add_side_separators(scene_object *s, const contact_key *key, bool is_b)
 {
     uint32_t number = is_b ? key->body_b : key->body_a,
              feature = is_b ? key->feature_b : key->feature_a;
     const scene_body *b = vbss_scene_body(s, number);
-    if (b != NULL && b->kind == BODY_DRAIN) {
-        mark_drain(s, b, key, is_b);
+    if (b != NULL && b->kind == SCENE_BODY_DRAIN) {
+        add_drain_separators(s, b, key, is_b);
         return;
     }
-    if (b == NULL || b->kind != BODY_THREAD) {
+    if (b == NULL || b->kind != SCENE_BODY_THREAD) {
         return;
     }
     switch (key->kind) {
     case VBSS_CONTACT_NODE_CAPSULE:
-        mark_near(s, b, feature > 0 ? feature - 1 : 0, feature + 1);
+        add_separator_range(s, b, feature > 0 ? feature - 1 : 0, feature + 1);
         break;
     case VBSS_CONTACT_NODE_FLOOR:
     case VBSS_CONTACT_POINT_FACE:
-        mark_node(s, b, feature);
+        add_separator(s, b, feature);
         break;
     default:
-        mark_near(s, b, feature, feature + 1);
+        add_separator_range(s, b, feature, feature + 1);
     }
 }
 
 /* Nodes that a grasp holds between. */
-static void mark_held(scene_object *s, const contact_constraint *row)
+static void add_bilateral_separators(scene_object *s, const contact_constraint *constraint)
 {
-    const scene_body *b = vbss_scene_body(s, row->key.body_a);
-    if (b->kind == BODY_DRAIN) {
-        vbss_scene_mark_pinched(s, row);
+    const scene_body *b = vbss_scene_body(s, constraint->key.body_a);
+    if (b->kind == SCENE_BODY_DRAIN) {
+        vbss_scene_add_wall_grasp_separators(s, constraint);
         return;
     }
-    if (b->kind == BODY_RIGID) { /* whose blocks are separators anyway */
+    if (b->kind == SCENE_BODY_RIGID) { /* whose blocks are separators anyway */
         return;
     }
     const thread_object *t = b->thread.thread;
-    for (uint32_t k = 0; k < row->jacobian_block_count; k++) {
-        uint32_t node = row->jacobian[k].block - b->thread.first_block;
-        if (row->jacobian[k].block >= b->thread.first_block && node < t->node_count) {
-            mark_node(s, b, node);
+    for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
+        uint32_t node = constraint->jacobian[k].block - b->thread.first_block;
+        if (constraint->jacobian[k].block >= b->thread.first_block && node < t->node_count) {
+            add_separator(s, b, node);
         }
     }
 }
 
-static void mark_welds(scene_object *s)
+static void add_weld_separators(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         if (p->id != 0 && p->attachment == 0) {
             const scene_body *b = vbss_scene_body(s, p->thread);
             uint32_t reach = vbss_thread_bandwidth(b->thread.thread);
-            mark_near(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
+            add_separator_range(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
         }
     }
 }
 
 /* Groups must be as wide as the reach, and a shorter run between two is not worth its fill. */
-static void widen(const thread_object *t, uint8_t *marks)
+static void widen_separators(const thread_object *t, uint8_t *is_separator)
 {
-    uint32_t n = t->node_count, reach = vbss_thread_bandwidth(t), since = reach + 1;
+    uint32_t n = t->node_count, reach = vbss_thread_bandwidth(t), run_length = reach + 1;
     for (uint32_t i = 0; i < n; i++) {
-        if (marks[i] != MARK_NONE) {
-            for (uint32_t k = 1; since <= reach && k <= since; k++) {
-                marks[i - k] = MARK_SEPARATOR;
+        if (is_separator[i] != NODE_INTERIOR) {
+            for (uint32_t k = 1; run_length <= reach && k <= run_length; k++) {
+                is_separator[i - k] = NODE_SEPARATOR;
             }
-            since = 0;
+            run_length = 0;
         } else {
-            since += since <= reach;
+            run_length += run_length <= reach;
         }
     }
     uint32_t width = 0;
     for (uint32_t i = 0; i < n; i++) {
-        if (marks[i] != MARK_NONE) {
+        if (is_separator[i] != NODE_INTERIOR) {
             width++;
         } else if (width > 0 && width < reach) {
-            marks[i] = MARK_SEPARATOR;
+            is_separator[i] = NODE_SEPARATOR;
             width++;
         } else {
             width = 0;
         }
     }
     for (; width > 0 && width < reach && width < n; width++) {
-        marks[n - 1 - width] = MARK_SEPARATOR; /* at the end it grows backward */
+        is_separator[n - 1 - width] = NODE_SEPARATOR; /* at the end it grows backward */
     }
 }
 
-static void set_marks(scene_object *s)
+static void choose_separators(scene_object *s)
 {
-    memset(s->marks, MARK_NONE, s->node_count);
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_DRAIN) {
+    memset(s->is_separator, NODE_INTERIOR, s->node_count);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             scene_drain *b = &s->bodies[i].drain;
-            memset(b->marks, MARK_NONE, b->drain->mesh.node_count * sizeof *b->marks);
+            memset(b->is_separator, NODE_INTERIOR,
+                   b->drain->mesh.node_count * sizeof *b->is_separator);
         }
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_key *key = &s->contacts->constraints[i].key;
         if (key->kind == VBSS_CONTACT_HOLE) {
-            vbss_scene_mark_hole(s, &s->contacts->constraints[i]);
+            vbss_scene_add_hole_separators(s, &s->contacts->constraints[i]);
             continue;
         }
         if (s->contacts->constraints[i].is_bilateral) {
-            mark_held(s, &s->contacts->constraints[i]);
+            add_bilateral_separators(s, &s->contacts->constraints[i]);
             continue;
         }
-        mark_side(s, key, false);
-        mark_side(s, key, true);
+        add_side_separators(s, key, false);
+        add_side_separators(s, key, true);
     }
-    mark_welds(s);
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    add_weld_separators(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             const thread_object *t = s->bodies[i].thread.thread;
-            widen(t, s->marks + s->bodies[i].thread.first_node);
+            widen_separators(t, s->is_separator + s->bodies[i].thread.first_node);
         }
     }
 }
@@ -161,11 +162,11 @@ static void set_marks(scene_object *s)
 static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
 {
     uint32_t count = w->neighbour_count;
-    for (const contact_weld *before = s->welds; before < w; before++) {
+    for (const contact_weld *earlier = s->welds; earlier < w; earlier++) {
         for (uint32_t k = 0; k < count; k++) {
-            if (w->neighbours[k] == before->node) {
-                w->neighbours[w->neighbour_count++] = before->translation;
-                w->neighbours[w->neighbour_count++] = before->rotation;
+            if (w->neighbours[k] == earlier->node) {
+                w->neighbours[w->neighbour_count++] = earlier->translation;
+                w->neighbours[w->neighbour_count++] = earlier->rotation;
             }
         }
     }
@@ -224,26 +225,26 @@ static uint64_t mix_two(uint64_t hash, uint32_t a, uint32_t b)
     return mix(hash, (uint64_t)a << 32 | b);
 }
 
-static uint64_t mix_marks(uint64_t hash, const uint8_t *marks, uint32_t count)
+static uint64_t mix_flags(uint64_t hash, const uint8_t *flags, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i += 64) {
         uint64_t bits = 0;
         for (uint32_t k = 0; k < 64 && i + k < count; k++) {
-            bits |= (uint64_t)(marks[i + k] != MARK_NONE) << k;
+            bits |= (uint64_t)(flags[i + k] != NODE_INTERIOR) << k;
         }
         hash = mix(hash, bits);
     }
     return hash;
 }
 
-static uint64_t mix_row(uint64_t hash, const contact_constraint *row)
+static uint64_t mix_constraint(uint64_t hash, const contact_constraint *constraint)
 {
-    hash = mix_two(hash, row->key.kind, row->key.feature_a);
-    hash = mix_two(hash, row->key.body_a, row->key.body_b);
-    hash = mix_two(hash, row->key.feature_b, row->jacobian_block_count);
-    for (uint32_t k = 0; row->is_bilateral && k < row->jacobian_block_count;
+    hash = mix_two(hash, constraint->key.kind, constraint->key.feature_a);
+    hash = mix_two(hash, constraint->key.body_a, constraint->key.body_b);
+    hash = mix_two(hash, constraint->key.feature_b, constraint->jacobian_block_count);
+    for (uint32_t k = 0; constraint->is_bilateral && k < constraint->jacobian_block_count;
          k++) { /* they slide on */
-        hash = mix(hash, row->jacobian[k].block);
+        hash = mix(hash, constraint->jacobian[k].block);
     }
     return hash;
 }
@@ -258,52 +259,52 @@ static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
 }
 
 /* Bodies, roles, and welds: what register_bodies and list_welds go by. */
-static uint64_t hash_of_bodies(const scene_object *s)
+static uint64_t hash_bodies(const scene_object *s)
 {
-    uint64_t hash = mix_marks(s->node_count, s->marks, s->node_count);
+    uint64_t hash = mix_flags(s->node_count, s->is_separator, s->node_count);
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         hash = mix_two(mix_two(hash, p->id, p->thread), p->node, p->body);
         hash = mix(hash, p->attachment);
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         hash = mix_two(hash, (uint32_t)b->kind, b->number);
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             hash = mix_attachments(hash, b->thread.thread);
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             uint32_t nodes = b->drain.drain->mesh.node_count;
-            hash = mix_marks(hash, b->drain.marks, nodes);
-            hash = mix_marks(hash, b->drain.drain->anchored, nodes);
+            hash = mix_flags(hash, b->drain.is_separator, nodes);
+            hash = mix_flags(hash, b->drain.drain->anchored, nodes);
         }
     }
     return hash;
 }
 
 /* Then the rows. */
-static uint64_t hash_of_pattern(const scene_object *s, uint64_t bodies)
+static uint64_t hash_pattern(const scene_object *s, uint64_t body_hash)
 {
-    uint64_t hash = bodies;
+    uint64_t hash = body_hash;
     for (uint32_t i = 0; i < s->contacts->count; i++) {
-        hash = mix_row(hash, &s->contacts->constraints[i]);
+        hash = mix_constraint(hash, &s->contacts->constraints[i]);
     }
     return hash | 1u;
 }
 
 static vbss_result register_bodies(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
-                                               s->marks + b->thread.first_node,
+                                               s->is_separator + b->thread.first_node,
                                                &b->thread.first_block));
-        } else if (b->kind == BODY_RIGID) {
+        } else if (b->kind == SCENE_BODY_RIGID) {
             vbss_role role =
                 b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED : VBSS_ROLE_SEPARATOR;
             VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
-        } else if (b->kind == BODY_DRAIN) {
-            VBSS_TRY(vbss_drain_add_to_system(b->drain.drain, s->system, b->drain.marks,
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            VBSS_TRY(vbss_drain_add_to_system(b->drain.drain, s->system, b->drain.is_separator,
                                               &b->drain.first_block));
         }
     }
@@ -314,15 +315,15 @@ static vbss_result register_bodies(scene_object *s)
 void vbss_scene_number_blocks(scene_object *s)
 {
     uint32_t first = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             b->thread.first_block = first;
             first += b->thread.thread->node_count;
-        } else if (b->kind == BODY_RIGID) {
+        } else if (b->kind == SCENE_BODY_RIGID) {
             b->rigid.blocks.first = first;
             first += 2;
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             b->drain.first_block = first;
             first += b->drain.drain->mesh.node_count;
         }
@@ -342,17 +343,17 @@ static vbss_result begin_pattern(scene_object *s, bool same_bodies)
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_build_pattern(scene_object *s)
+vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
 {
-    set_marks(s);
-    uint64_t bodies = hash_of_bodies(s), pattern = hash_of_pattern(s, bodies);
-    if (pattern == s->pattern) {
+    choose_separators(s);
+    uint64_t body_hash = hash_bodies(s), pattern_hash = hash_pattern(s, body_hash);
+    if (pattern_hash == s->pattern_hash) {
         vbss_contact_assign_schur_offsets(s->contacts);
         return VBSS_OK;
     }
-    bool same_bodies = s->pattern != 0 && bodies == s->pattern_of_bodies;
-    s->pattern = 0;
-    s->pattern_of_bodies = bodies;
+    bool same_bodies = s->pattern_hash != 0 && body_hash == s->body_pattern_hash;
+    s->pattern_hash = 0;
+    s->body_pattern_hash = body_hash;
     s->statistics.patterns++;
     VBSS_TRY(begin_pattern(s, same_bodies));
     for (uint32_t i = 0; i < s->weld_count; i++) {
@@ -361,11 +362,11 @@ vbss_result vbss_scene_build_pattern(scene_object *s)
     VBSS_TRY(vbss_contact_register(s->contacts, s->system));
     VBSS_TRY(vbss_system_analyse(s->system));
     vbss_contact_find_schur_indices(s->contacts, s->system);
-    for (uint32_t i = 0; !same_bodies && i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_DRAIN) {
+    for (uint32_t i = 0; !same_bodies && i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             vbss_drain_set_assembly_map(s->bodies[i].drain.drain, s->system);
         }
     }
-    s->pattern = pattern;
+    s->pattern_hash = pattern_hash;
     return VBSS_OK;
 }

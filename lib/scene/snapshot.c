@@ -2,7 +2,7 @@
 #include "base/snapshot.h"
 #include "base/stream.h"
 #include "scene/cuts.h"
-#include "scene/meshes.h"
+#include "scene/remeshing.h"
 #include "scene/pins.h"
 #include "scene/scene.h"
 #include "scene/step.h"
@@ -39,116 +39,121 @@ static void visit_config(vbss_stream *stream, const scene_object *s)
     }
 }
 
-static void visit_hold(vbss_stream *stream, scene_hold *hold)
+static void visit_needle_grasp(vbss_stream *stream, scene_needle_grasp *grasp)
 {
-    uint32_t words[] = {hold->needle, hold->sliding, hold->let_go, hold->torn};
-    double *numbers[] = {&hold->arc,  &hold->angle,  &hold->age,
-                         &hold->slid, &hold->turned, &hold->limit};
+    uint32_t words[] = {grasp->needle, grasp->is_sliding, grasp->is_released,
+                        grasp->needs_reopening};
+    double *numbers[] = {&grasp->arc,  &grasp->angle,  &grasp->age,
+                         &grasp->slid, &grasp->turned, &grasp->limit};
     vbss_stream_u32(stream, 130, words, sizeof words / sizeof words[0]);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_f64(stream, 131, numbers[i], 1);
     }
-    vbss_stream_f64(stream, 132, &hold->at.position.x, 3);
-    vbss_stream_f64(stream, 133, &hold->at.orientation.w, 4);
-    vbss_stream_f64(stream, 134, &hold->force.x, 3);
-    vbss_stream_f64(stream, 135, &hold->torque.x, 3);
+    vbss_stream_f64(stream, 132, &grasp->pose_in_jaws.position.x, 3);
+    vbss_stream_f64(stream, 133, &grasp->pose_in_jaws.orientation.w, 4);
+    vbss_stream_f64(stream, 134, &grasp->force.x, 3);
+    vbss_stream_f64(stream, 135, &grasp->torque.x, 3);
     if (words[1] > 1 || words[2] > 1 || words[3] > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
-    hold->needle = words[0];
-    hold->sliding = words[1] != 0;
-    hold->let_go = words[2] != 0;
-    hold->torn = words[3] != 0;
+    grasp->needle = words[0];
+    grasp->is_sliding = words[1] != 0;
+    grasp->is_released = words[2] != 0;
+    grasp->needs_reopening = words[3] != 0;
 }
 
-static bool is_hold(const scene_object *s, const scene_hold *hold)
+static bool is_valid_needle_grasp(const scene_object *s, const scene_needle_grasp *grasp)
 {
-    const scene_body *b = vbss_scene_body(s, hold->needle);
-    if (hold->needle == 0) {
+    const scene_body *b = vbss_scene_body(s, grasp->needle);
+    if (grasp->needle == 0) {
         return true;
     }
-    if (b == NULL || b->kind != BODY_RIGID || b->rigid.needle == NULL) {
+    if (b == NULL || b->kind != SCENE_BODY_RIGID || b->rigid.needle == NULL) {
         return false;
     }
-    quat q = hold->at.orientation;
+    quat q = grasp->pose_in_jaws.orientation;
     bool closed = s->config.method == VBSS_METHOD_PAPER; /* whatever is between them */
-    return hold->arc >= 0.0 && hold->arc <= vbss_needle_length(b->rigid.needle) &&
-           (closed ? hold->angle == 0.0 : hold->angle > 0.0) && hold->angle <= 1.6 &&
-           hold->age >= 0.0 && isfinite(hold->age) && isfinite(hold->slid) &&
-           isfinite(hold->turned) && isfinite(hold->limit) &&
-           vec3_norm(hold->at.position) <= 2.0 && /* jaws are at most 1 m long */
-           fabs(quat_dot(q, q) - 1.0) < 1e-6 && vec3_is_finite(hold->force) &&
-           vec3_is_finite(hold->torque);
+    return grasp->arc >= 0.0 && grasp->arc <= vbss_needle_length(b->rigid.needle) &&
+           (closed ? grasp->angle == 0.0 : grasp->angle > 0.0) && grasp->angle <= 1.6 &&
+           grasp->age >= 0.0 && isfinite(grasp->age) && isfinite(grasp->slid) &&
+           isfinite(grasp->turned) && isfinite(grasp->limit) &&
+           vec3_norm(grasp->pose_in_jaws.position) <= 2.0 && /* jaws are at most 1 m long */
+           fabs(quat_dot(q, q) - 1.0) < 1e-6 && vec3_is_finite(grasp->force) &&
+           vec3_is_finite(grasp->torque);
 }
 
-static void visit_pinch(vbss_stream *stream, scene_pinch *p)
+static void visit_wall_grasp(vbss_stream *stream, scene_wall_grasp *p)
 {
-    uint32_t words[] = {p->drain, p->count, p->sliding, p->let_go, p->torn};
+    uint32_t words[] = {p->drain, p->point_count, p->is_sliding, p->is_released,
+                        p->needs_reopening};
     double *numbers[] = {&p->angle, &p->age, &p->slid, &p->limit};
     vbss_stream_u32(stream, 136, words, sizeof words / sizeof words[0]);
-    vbss_stream_u32(stream, 137, p->triangle, PINCH_POINTS);
+    vbss_stream_u32(stream, 137, p->triangle, SCENE_WALL_GRASP_POINTS);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_f64(stream, 138, numbers[i], 1);
     }
-    for (uint32_t k = 0; k < PINCH_POINTS; k++) {
+    for (uint32_t k = 0; k < SCENE_WALL_GRASP_POINTS; k++) {
         vbss_stream_f64(stream, 139, p->weights[k], 3);
-        vbss_stream_f64(stream, 139, &p->at[k].x, 3);
+        vbss_stream_f64(stream, 139, &p->points_in_jaws[k].x, 3);
     }
     vbss_stream_f64(stream, 139, &p->force.x, 3);
     if (words[2] > 1 || words[3] > 1 || words[4] > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
     p->drain = words[0];
-    p->count = words[1];
-    p->sliding = words[2] != 0;
-    p->let_go = words[3] != 0;
-    p->torn = words[4] != 0;
+    p->point_count = words[1];
+    p->is_sliding = words[2] != 0;
+    p->is_released = words[3] != 0;
+    p->needs_reopening = words[4] != 0;
 }
 
-static bool is_pinch(const scene_object *s, const scene_pinch *p)
+static bool is_valid_wall_grasp(const scene_object *s, const scene_wall_grasp *p)
 {
     const scene_body *b = vbss_scene_body(s, p->drain);
     if (p->drain == 0) {
         return true;
     }
-    if (b == NULL || b->kind != BODY_DRAIN || p->count == 0 || p->count > PINCH_POINTS) {
+    if (b == NULL || b->kind != SCENE_BODY_DRAIN || p->point_count == 0 ||
+        p->point_count > SCENE_WALL_GRASP_POINTS) {
         return false;
     }
-    bool sound = p->angle > 0.0 && p->angle <= 1.6 && p->age >= 0.0 && isfinite(p->age) &&
-                 isfinite(p->slid) && isfinite(p->limit) && vec3_is_finite(p->force);
-    for (uint32_t k = 0; k < p->count; k++) {
+    bool is_valid = p->angle > 0.0 && p->angle <= 1.6 && p->age >= 0.0 && isfinite(p->age) &&
+                    isfinite(p->slid) && isfinite(p->limit) && vec3_is_finite(p->force);
+    for (uint32_t k = 0; k < p->point_count; k++) {
         const double *w = p->weights[k];
-        sound = sound && p->triangle[k] < b->drain.drain->mesh.triangle_count && w[0] >= 0.0 &&
-                w[1] >= 0.0 && w[2] >= 0.0 && fabs(w[0] + w[1] + w[2] - 1.0) < 1e-9 &&
-                vec3_norm(p->at[k]) <= 2.0; /* jaws are at most 1 m long */
+        is_valid = is_valid && p->triangle[k] < b->drain.drain->mesh.triangle_count &&
+                   w[0] >= 0.0 && w[1] >= 0.0 && w[2] >= 0.0 &&
+                   fabs(w[0] + w[1] + w[2] - 1.0) < 1e-9 &&
+                   vec3_norm(p->points_in_jaws[k]) <= 2.0; /* jaws are at most 1 m long */
     }
-    return sound;
+    return is_valid;
 }
 
 /* PAPER: it follows a tool that has closed on it; its tip is in walls that there are. */
-static bool is_led(const scene_object *s, const scene_body *needle)
+static bool is_valid_lead(const scene_object *s, const scene_body *needle)
 {
     const scene_rigid *r = &needle->rigid;
     const scene_body *tool = vbss_scene_body(s, r->leader);
-    bool sound = r->leader == 0 || (tool != NULL && tool->kind == BODY_RIGID &&
-                                    tool->rigid.hold.needle == needle->number);
+    bool is_valid = r->leader == 0 || (tool != NULL && tool->kind == SCENE_BODY_RIGID &&
+                                       tool->rigid.needle_grasp.needle == needle->number);
     for (int k = 0; k < SUTURE_TOGGLES; k++) {
         const suture_toggle *toggle = &r->toggles[k];
         const scene_body *d = vbss_scene_body(s, toggle->drain);
         bool none = toggle->drain == 0 && toggle->triangle == 0 && !toggle->outward;
-        sound = sound && (none || (d != NULL && d->kind == BODY_DRAIN &&
-                                   toggle->triangle < d->drain.drain->mesh.triangle_count));
+        is_valid = is_valid && (none || (d != NULL && d->kind == SCENE_BODY_DRAIN &&
+                                         toggle->triangle < d->drain.drain->mesh.triangle_count));
     }
-    return sound;
+    return is_valid;
 }
 
 /* When all bodies are read. */
-static void check_holds(vbss_stream *stream, const scene_object *s)
+static void check_jaw_grasps(vbss_stream *stream, const scene_object *s)
 {
-    for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->place_count; i++) {
+    for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_RIGID && !stream->trusted &&
-            (!is_hold(s, &b->rigid.hold) || !is_pinch(s, &b->rigid.pinch) || !is_led(s, b))) {
+        if (b->kind == SCENE_BODY_RIGID && !stream->trusted &&
+            (!is_valid_needle_grasp(s, &b->rigid.needle_grasp) ||
+             !is_valid_wall_grasp(s, &b->rigid.wall_grasp) || !is_valid_lead(s, b))) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such needle or wall in jaws");
         }
     }
@@ -173,11 +178,11 @@ static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigi
         }
     }
     if (stream->version >= 4) {
-        visit_hold(stream, &r->hold);
-        visit_pinch(stream, &r->pinch);
+        visit_needle_grasp(stream, &r->needle_grasp);
+        visit_wall_grasp(stream, &r->wall_grasp);
     } else {
-        r->hold = (scene_hold){0};
-        r->pinch = (scene_pinch){0};
+        r->needle_grasp = (scene_needle_grasp){0};
+        r->wall_grasp = (scene_wall_grasp){0};
     }
 }
 
@@ -208,20 +213,21 @@ static void visit_needle(vbss_stream *stream, const scene_object *s, scene_rigid
 
 static void visit_told(vbss_stream *stream, scene_rigid *r)
 {
-    uint32_t is_told = r->is_told;
+    uint32_t has_pending_target = r->has_pending_target;
     if (stream->version >= 6) {
-        vbss_stream_u32(stream, 54, &is_told, 1);
-        r->is_told = is_told == 1;
+        vbss_stream_u32(stream, 54, &has_pending_target, 1);
+        r->has_pending_target = has_pending_target == 1;
     } else {
-        r->is_told = false;
+        r->has_pending_target = false;
     }
-    if (r->is_told) {
-        const quat *q = &r->told.orientation;
-        vbss_stream_f64(stream, 55, &r->told.position.x, 3);
-        vbss_stream_f64(stream, 56, &r->told.orientation.w, 4);
-        r->is_told = vec3_is_finite(r->told.position) && fabs(quat_dot(*q, *q) - 1.0) < 1e-6;
+    if (r->has_pending_target) {
+        const quat *q = &r->pending_target.orientation;
+        vbss_stream_f64(stream, 55, &r->pending_target.position.x, 3);
+        vbss_stream_f64(stream, 56, &r->pending_target.orientation.w, 4);
+        r->has_pending_target =
+            vec3_is_finite(r->pending_target.position) && fabs(quat_dot(*q, *q) - 1.0) < 1e-6;
     }
-    if (is_told > 1 || (is_told == 1 && !r->is_told)) {
+    if (has_pending_target > 1 || (has_pending_target == 1 && !r->has_pending_target)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pose");
     }
 }
@@ -255,14 +261,14 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
     visit_told(stream, r);
     vbss_stream_f64(stream, 50, &r->force.x, 3);
     vbss_stream_f64(stream, 51, &r->torque.x, 3);
-    vbss_stream_f64(stream, 52, &r->pull.force.x, 3);
-    vbss_stream_f64(stream, 53, &r->pull.torque.x, 3);
+    vbss_stream_f64(stream, 52, &r->coupling_wrench.force.x, 3);
+    vbss_stream_f64(stream, 53, &r->coupling_wrench.torque.x, 3);
 }
 
 static void visit_thread(vbss_stream *stream, scene_thread *b)
 {
     const uint32_t nodes = b->thread->node_count;
-    vbss_stream_u32(stream, 60, &b->calm, 1);
+    vbss_stream_u32(stream, 60, &b->contact_free_steps, 1);
     vbss_section outer = vbss_stream_open(stream, vbss_thread_kind.code, vbss_thread_kind.version);
     vbss_thread_serialise(stream, b->thread);
     vbss_stream_close(stream, outer);
@@ -301,34 +307,34 @@ static void visit_drain(vbss_stream *stream, scene_drain *b)
 
 static void visit_bodies(vbss_stream *stream, scene_object *s)
 {
-    vbss_stream_expect(stream, 10, s->place_count);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    vbss_stream_expect(stream, 10, s->body_count);
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->reserved) {
-            vbss_scene_visit_piece(stream, s, b);
+        if (b->is_reserved) {
+            vbss_scene_serialise_piece(stream, s, b);
         } else {
             vbss_stream_expect(stream, 11, (uint64_t)b->kind);
         }
-        if (b->kind == BODY_GONE) {
+        if (b->kind == SCENE_BODY_NONE) {
             continue;
         }
-        if (!b->reserved) {
+        if (!b->is_reserved) {
             vbss_stream_expect(stream, 12, b->number);
         }
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             if (!scene_thread_resizes(b->thread.thread)) {
                 vbss_stream_expect(stream, 13, b->thread.thread->node_count);
             }
             visit_thread(stream, &b->thread);
-        } else if (b->kind == BODY_DRAIN) {
+        } else if (b->kind == SCENE_BODY_DRAIN) {
             vbss_stream_expect(stream, 14, b->drain.drain->mesh.node_count);
             visit_drain(stream, &b->drain);
         } else {
             visit_rigid(stream, s, &b->rigid);
         }
     }
-    vbss_scene_finish_pieces(stream, s);
-    check_holds(stream, s);
+    vbss_scene_restore_pieces(stream, s);
+    check_jaw_grasps(stream, s);
 }
 
 /* A weld is to a body that moves as forces say, of a node that nothing else holds. */
@@ -346,12 +352,12 @@ static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const
     }
     return s->config.method == VBSS_METHOD_OURS && body != NULL &&
            body->rigid.kind != VBSS_RIGID_DRIVEN &&
-           vbss_scene_weld_of(s, p->thread, p->node) == p; /* those before it are read */
+           vbss_scene_find_weld(s, p->thread, p->node) == p; /* those before it are read */
 }
 
 static void visit_pins(vbss_stream *stream, scene_object *s)
 {
-    vbss_stream_u32(stream, 70, &s->last_pin, 1);
+    vbss_stream_u32(stream, 70, &s->last_pin_id, 1);
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         scene_pin *p = &s->pins[i];
         uint32_t words[5] = {p->id, p->thread, p->node, p->body, p->attachment};
@@ -374,19 +380,22 @@ static void visit_pins(vbss_stream *stream, scene_object *s)
             continue;
         }
         const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
-        bool thread = t != NULL && t->kind == BODY_THREAD && p->node < t->thread.thread->node_count;
-        bool body = p->body == 0 ? p->attachment != 0 : b != NULL && b->kind == BODY_RIGID;
-        if (!thread || !body || p->id > s->last_pin ||
+        bool thread =
+            t != NULL && t->kind == SCENE_BODY_THREAD && p->node < t->thread.thread->node_count;
+        bool body = p->body == 0 ? p->attachment != 0 : b != NULL && b->kind == SCENE_BODY_RIGID;
+        if (!thread || !body || p->id > s->last_pin_id ||
             !is_weld_or_attached(s, p, b, t->thread.thread)) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pin");
         }
     }
 }
 
-static void visit_grasp(vbss_stream *stream, scene_grasp *g)
+static void visit_thread_grasp(vbss_stream *stream, scene_thread_grasp *g)
 {
-    uint32_t words[] = {g->thread, g->tool, g->segment, g->sliding, g->let_go, g->pin, g->torn};
-    double *numbers[] = {&g->into, &g->angle, &g->spacing, &g->grip.age, &g->slid, &g->limit};
+    uint32_t words[] = {g->thread,      g->tool, g->segment,        g->is_sliding,
+                        g->is_released, g->pin,  g->needs_reopening};
+    double *numbers[] = {&g->segment_offset, &g->angle, &g->point_spacing,
+                         &g->grip.age,       &g->slid,  &g->limit};
     vbss_stream_u32(stream, 121, words, sizeof words / sizeof words[0]);
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         vbss_stream_f64(stream, 122, numbers[i], 1);
@@ -401,61 +410,64 @@ static void visit_grasp(vbss_stream *stream, scene_grasp *g)
     g->thread = words[0];
     g->tool = words[1];
     g->segment = words[2];
-    g->sliding = words[3] != 0;
-    g->let_go = words[4] != 0;
+    g->is_sliding = words[3] != 0;
+    g->is_released = words[4] != 0;
     g->pin = words[5];
-    g->torn = words[6] != 0;
+    g->needs_reopening = words[6] != 0;
 }
 
-static bool is_grasp(const scene_object *s, const scene_grasp *g)
+static bool is_valid_thread_grasp(const scene_object *s, const scene_thread_grasp *g)
 {
     const scene_body *t = vbss_scene_body(s, g->thread), *b = vbss_scene_body(s, g->tool);
-    if (t == NULL || t->kind != BODY_THREAD || b == NULL || b->kind != BODY_RIGID ||
-        b->rigid.grasper == NULL || g->id > s->last_grasp) {
+    if (t == NULL || t->kind != SCENE_BODY_THREAD || b == NULL || b->kind != SCENE_BODY_RIGID ||
+        b->rigid.grasper == NULL || g->id > s->last_grasp_id) {
         return false;
     }
     const thread_object *thread = t->thread.thread;
-    bool paper = s->config.method == VBSS_METHOD_PAPER && !g->let_go; /* holds a node, by a pin */
-    bool placed = g->segment + (paper ? 0 : 1) < thread->node_count && isfinite(g->into) &&
-                  fabs(g->into) <= 1e3 && isfinite(g->angle) && isfinite(g->slid) &&
-                  isfinite(g->limit) && vec3_is_finite(g->force) &&
-                  (paper ? g->spacing == 0.0 : g->spacing > 0.0) && g->spacing <= 0.1 &&
-                  g->grip.age >= 0.0 && isfinite(g->grip.age);
+    bool paper =
+        s->config.method == VBSS_METHOD_PAPER && !g->is_released; /* holds a node, by a pin */
+    bool is_valid = g->segment + (paper ? 0 : 1) < thread->node_count &&
+                    isfinite(g->segment_offset) && fabs(g->segment_offset) <= 1e3 &&
+                    isfinite(g->angle) && isfinite(g->slid) && isfinite(g->limit) &&
+                    vec3_is_finite(g->force) &&
+                    (paper ? g->point_spacing == 0.0 : g->point_spacing > 0.0) &&
+                    g->point_spacing <= 0.1 && g->grip.age >= 0.0 && isfinite(g->grip.age);
     for (uint32_t k = 0; k < GRASPER_THREAD_POINTS; k++) {
-        placed = placed && vec3_is_finite(g->grip.anchor[k]);
+        is_valid = is_valid && vec3_is_finite(g->grip.anchor[k]);
     }
-    return placed;
+    return is_valid;
 }
 
-static void visit_grasps(vbss_stream *stream, scene_object *s)
+static void visit_thread_grasps(vbss_stream *stream, scene_object *s)
 {
     if (stream->version < 2) {
-        memset(s->grasps, 0, s->config.grasp_capacity * sizeof *s->grasps);
+        memset(s->thread_grasps, 0, s->config.grasp_capacity * sizeof *s->thread_grasps);
         return;
     }
-    vbss_stream_u32(stream, 120, &s->last_grasp, 1);
+    vbss_stream_u32(stream, 120, &s->last_grasp_id, 1);
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        scene_grasp *g = &s->grasps[i];
+        scene_thread_grasp *g = &s->thread_grasps[i];
         vbss_stream_u32(stream, 125, &g->id, 1);
         if (g->id != 0) {
-            visit_grasp(stream, g);
+            visit_thread_grasp(stream, g);
         } else if (stream->mode == VBSS_STREAM_READ) {
-            *g = (scene_grasp){0};
+            *g = (scene_thread_grasp){0};
         }
-        if (g->id != 0 && stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_grasp(s, g)) {
+        if (g->id != 0 && stream->mode == VBSS_STREAM_READ && !stream->trusted &&
+            !is_valid_thread_grasp(s, g)) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such grasp");
         }
     }
 }
 
-static bool is_hole(const scene_object *s, const suture_hole *hole)
+static bool is_valid_hole(const scene_object *s, const suture_hole *hole)
 {
     const scene_body *n = vbss_scene_body(s, hole->needle), *t = vbss_scene_body(s, hole->thread);
     const scene_body *d = vbss_scene_body(s, hole->drain);
-    bool needle = n != NULL && n->kind == BODY_RIGID && n->rigid.needle != NULL;
-    bool thread = t != NULL && t->kind == BODY_THREAD && suture_is_curve(t->thread.thread);
-    return hole->id <= s->last_hole && (hole->needle != 0 ? needle : thread) && d != NULL &&
-           d->kind == BODY_DRAIN && hole->triangle < d->drain.drain->mesh.triangle_count &&
+    bool needle = n != NULL && n->kind == SCENE_BODY_RIGID && n->rigid.needle != NULL;
+    bool thread = t != NULL && t->kind == SCENE_BODY_THREAD && suture_is_curve(t->thread.thread);
+    return hole->id <= s->last_hole_id && (hole->needle != 0 ? needle : thread) && d != NULL &&
+           d->kind == SCENE_BODY_DRAIN && hole->triangle < d->drain.drain->mesh.triangle_count &&
            vbss_hole_is_valid(hole);
 }
 
@@ -463,15 +475,15 @@ static void visit_holes(vbss_stream *stream, scene_object *s)
 {
     if (stream->version < 4) {
         memset(s->holes, 0, s->config.hole_capacity * sizeof *s->holes);
-        s->last_hole = 0;
+        s->last_hole_id = 0;
         return;
     }
-    vbss_stream_u32(stream, 140, &s->last_hole, 1);
+    vbss_stream_u32(stream, 140, &s->last_hole_id, 1);
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
         suture_hole *hole = &s->holes[i];
         vbss_hole_serialise(stream, 141, hole);
         bool check = stream->mode == VBSS_STREAM_READ && !stream->trusted && hole->id != 0;
-        if (check && !is_hole(s, hole)) {
+        if (check && !is_valid_hole(s, hole)) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such hole");
             *hole = (suture_hole){0};
         }
@@ -496,24 +508,25 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 }
 
 /* With which the next step begins; none was ever left unfinished before version 3. */
-static void visit_pace(vbss_stream *stream, scene_object *s)
+static void visit_next_initial_size(vbss_stream *stream, scene_object *s)
 {
     if (stream->version >= 3) {
-        vbss_stream_f64(stream, 86, &s->pace, 1);
+        vbss_stream_f64(stream, 86, &s->next_initial_size, 1);
     } else {
-        s->pace = 1.0;
+        s->next_initial_size = 1.0;
     }
-    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !vbss_scene_is_part(s, s->pace)) {
+    if (stream->mode == VBSS_STREAM_READ && !stream->trusted &&
+        !vbss_scene_is_substep_size(s, s->next_initial_size)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such part of a step");
-        s->pace = 1.0;
+        s->next_initial_size = 1.0;
     }
 }
 
 /* So that nobody else holds those nodes. */
-static void note_welds(scene_object *s)
+static void set_welded_flags(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             thread_object *t = s->bodies[i].thread.thread;
             memset(t->welded, 0, t->node_count * sizeof *t->welded);
         }
@@ -521,7 +534,7 @@ static void note_welds(scene_object *s)
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         const scene_pin *p = &s->pins[i];
         const scene_body *t = vbss_scene_body(s, p->thread);
-        if (p->id != 0 && p->attachment == 0 && t != NULL && t->kind == BODY_THREAD &&
+        if (p->id != 0 && p->attachment == 0 && t != NULL && t->kind == SCENE_BODY_THREAD &&
             p->node < t->thread.thread->node_count) { /* it may be refused yet */
             t->thread.thread->welded[p->node] = 1;
         }
@@ -532,22 +545,22 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
 {
     scene_object *s = object;
     visit_config(stream, s);
-    vbss_stream_u32(stream, 3, &s->last_number, 1);
+    vbss_stream_u32(stream, 3, &s->last_body_number, 1);
     visit_bodies(stream, s);
     visit_pins(stream, s);
-    visit_grasps(stream, s);
+    visit_thread_grasps(stream, s);
     visit_holes(stream, s);
     if (s->contacts != NULL) {
         vbss_contact_serialise(stream, 90, s->contacts);
     }
-    vbss_stream_count(stream, 110, &s->touch_count, s->config.contact_capacity);
-    vbss_stream_u32(stream, 111, &s->touches->body_a, 2 * (size_t)s->touch_count);
+    vbss_stream_count(stream, 110, &s->touching_pair_count, s->config.contact_capacity);
+    vbss_stream_u32(stream, 111, &s->touching_pairs->body_a, 2 * (size_t)s->touching_pair_count);
     visit_statistics(stream, &s->statistics);
-    visit_pace(stream, s);
-    vbss_scene_visit_way(stream, s);
+    visit_next_initial_size(stream, s);
+    vbss_scene_visit_cursor(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
-        note_welds(s);
-        s->pattern = 0;
+        set_welded_flags(s);
+        s->pattern_hash = 0;
         s->contact_count = s->event_count = 0;
         s->generation++;
     }

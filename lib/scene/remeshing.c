@@ -2,7 +2,7 @@
  * they lose them. All changes of a step are found before the first is made, far enough from each other that none
  * has to know of the rest; trees that the guard has left find what is near. */
 #include "scene/cuts.h"
-#include "scene/meshes.h"
+#include "scene/remeshing.h"
 #include "scene/tools.h"
 
 #include "collision/closest.h"
@@ -10,17 +10,17 @@
 #include <string.h>
 
 /* Share of the radius of a tool that is a good length of segments on it. */
-#define ON_TOOL 0.25
+#define TOOL_LENGTH_RATIO 0.25
 /* Nodes between two changes of one step, so that neither moves what the other looks at. */
-enum { APART = 10, MOST_CHANGES = 64 };
+enum { MIN_NODES_BETWEEN = 10, MAX_CHANGES = 64 };
 /* Of a segment: more room than any change of a sound mesh takes. Of the gap to what is near, for each of the two
  * that may move. */
-#define ROOM 0.05
-#define SHARE_OF_GAP 0.25
+#define MAX_SHIFT_RATIO 0.05
+#define GAP_RATIO 0.25
 /* A strand is near itself beyond this arc, in distances from axis to axis: nearer it is only bent. */
-#define FAR_ALONG 2.0
+#define MIN_SELF_CONTACT_ARC_RATIO 2.0
 /* Nodes at the ends of a cut that has not come apart. */
-enum { CUT_END = 4 };
+enum { CUT_END_NODES = 4 };
 
 /* ---- what is near */
 
@@ -32,21 +32,21 @@ typedef struct probe {
     bool any;            /* one strand is enough to know */
 } probe;
 
-typedef struct around {
+typedef struct surroundings {
     double strand, tool, floor; /* gaps, m; INFINITY: none within */
-    double on_tool;             /* least length that the tools within would like, m */
-} around;
+    double preferred_length;    /* least length that the tools within would like, m */
+} surroundings;
 
-static bool boxes_meet(const collision_aabb *a, const collision_aabb *b)
+static bool boxes_overlap(const collision_aabb *a, const collision_aabb *b)
 {
-    bool meet = true;
+    bool overlap = true;
     for (int k = 0; k < 3; k++) {
-        meet = meet && a->low[k] <= b->high[k] && b->low[k] <= a->high[k];
+        overlap = overlap && a->low[k] <= b->high[k] && b->low[k] <= a->high[k];
     }
-    return meet;
+    return overlap;
 }
 
-static collision_aabb box_around(const vec3 *axis, double reach)
+static collision_aabb bounding_box(const vec3 *axis, double reach)
 {
     const double p[3] = {axis[0].x, axis[0].y, axis[0].z}, q[3] = {axis[1].x, axis[1].y, axis[1].z};
     collision_aabb box = {{0.0}, {0.0}};
@@ -57,7 +57,7 @@ static collision_aabb box_around(const vec3 *axis, double reach)
     return box;
 }
 
-static double distance(const vec3 *a, const vec3 *b)
+static double segment_distance(const vec3 *a, const vec3 *b)
 {
     double at[2];
     return vec3_norm(closest_between_edges(vec3_sub(a[1], a[0]), vec3_sub(b[1], b[0]),
@@ -70,20 +70,20 @@ static bool is_ignored(const scene_object *s, const probe *p, const scene_body *
     if (b == p->body) {
         return feature >= p->first && feature < p->end;
     }
-    return b->kind == BODY_THREAD && p->first < p->end &&
-           vbss_scene_adjoins(s, p->body, p->first, b, feature);
+    return b->kind == SCENE_BODY_THREAD && p->first < p->end &&
+           vbss_scene_is_excluded_across_cut(s, p->body, p->first, b, feature);
 }
 
 /* The surface of a drain leaves room as a tool does, and bends a thread no more than its radius, which is large. */
-static void note_wall(const probe *p, const drain_object *d, double apart, double within,
-                      around *found)
+static void record_wall_gap(const probe *p, const drain_object *d, double distance, double within,
+                            surroundings *found)
 {
-    double gap = apart - p->body->thread.thread->config.radius - 0.5 * d->config.thickness;
+    double gap = distance - p->body->thread.thread->config.radius - 0.5 * d->config.thickness;
     found->tool = gap < within ? vbss_min(gap, found->tool) : found->tool;
 }
 
-static void look_at_face(const scene_object *s, const probe *p, const scene_body *b, uint32_t face,
-                         double within, around *found)
+static void record_face(const scene_object *s, const probe *p, const scene_body *b, uint32_t face,
+                        double within, surroundings *found)
 {
     const uint32_t *nodes = s->collision->shapes[b->shape]->triangles[face];
     const drain_object *d = b->drain.drain;
@@ -93,70 +93,70 @@ static void look_at_face(const scene_object *s, const probe *p, const scene_body
         for (int k = 0; k < 3; k++) {
             corners[k] = vec3_sub(d->x[nodes[k]], p->axis[end]);
         }
-        note_wall(p, d, vec3_norm(closest_on_triangle(corners, weights)), within, found);
+        record_wall_gap(p, d, vec3_norm(closest_on_triangle(corners, weights)), within, found);
     }
 }
 
-static void look_at(const scene_object *s, const probe *p, const scene_body *b, uint32_t feature,
-                    double within, around *found)
+static void record_feature(const scene_object *s, const probe *p, const scene_body *b,
+                           uint32_t feature, double within, surroundings *found)
 {
     double radius = p->body->thread.thread->config.radius;
     if (is_ignored(s, p, b, feature)) {
         return;
     }
-    if (b->kind == BODY_THREAD) {
+    if (b->kind == SCENE_BODY_THREAD) {
         const thread_object *t = b->thread.thread;
-        double gap = distance(p->axis, t->now.x + feature) - radius - t->config.radius;
+        double gap = segment_distance(p->axis, t->now.x + feature) - radius - t->config.radius;
         found->strand = gap < within ? vbss_min(gap, found->strand) : found->strand;
         return;
     }
-    if (b->kind == BODY_DRAIN) {
-        const uint32_t *side = s->collision->shapes[b->shape]->edges[feature];
+    if (b->kind == SCENE_BODY_DRAIN) {
+        const uint32_t *edge_nodes = s->collision->shapes[b->shape]->edges[feature];
         const drain_object *d = b->drain.drain;
-        const vec3 edge[2] = {d->x[side[0]], d->x[side[1]]};
-        note_wall(p, d, distance(p->axis, edge), within, found);
+        const vec3 edge[2] = {d->x[edge_nodes[0]], d->x[edge_nodes[1]]};
+        record_wall_gap(p, d, segment_distance(p->axis, edge), within, found);
         return;
     }
     const scene_capsule *c = &s->capsules[b->rigid.first_capsule + feature];
     vec3 axis[2];
-    vbss_scene_place_capsule(c, b->rigid.body.now.pose, axis);
-    double gap = distance(p->axis, axis) - radius - c->radius;
+    vbss_scene_transform_capsule(c, b->rigid.body.now.pose, axis);
+    double gap = segment_distance(p->axis, axis) - radius - c->radius;
     if (gap < within) {
         found->tool = vbss_min(gap, found->tool);
-        found->on_tool = vbss_min(ON_TOOL * c->radius, found->on_tool);
+        found->preferred_length = vbss_min(TOOL_LENGTH_RATIO * c->radius, found->preferred_length);
     }
 }
 
 /* What is nearer than that. Boxes are those of the last part, which hold all that is there now. */
-static around look_around(scene_object *s, const probe *p, double within)
+static surroundings find_surroundings(scene_object *s, const probe *p, double within)
 {
     collision_object *c = s->collision;
     const double none = (double)INFINITY;
     double radius = p->body->thread.thread->config.radius;
-    around found = {none, none, none, none};
-    collision_aabb box = box_around(p->axis, radius + within);
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    surroundings found = {none, none, none, none};
+    collision_aabb box = bounding_box(p->axis, radius + within);
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_GONE || !boxes_meet(&c->shapes[b->shape]->root, &box)) {
+        if (b->kind == SCENE_BODY_NONE || !boxes_overlap(&c->shapes[b->shape]->root, &box)) {
             continue;
         }
         collision_shape *shape = c->shapes[b->shape];
         vbss_collision_shape_refit_edges(shape);
-        uint32_t *near = b->kind == BODY_DRAIN ? b->drain.near : s->near;
+        uint32_t *near = b->kind == SCENE_BODY_DRAIN ? b->drain.near_features : s->near_features;
         uint32_t count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
                                         &shape->edge_bvh, &box, near);
         for (uint32_t k = 0; k < count; k++) {
-            look_at(s, p, b, near[k], within, &found);
+            record_feature(s, p, b, near[k], within, &found);
             if (p->any && found.strand < within) {
                 return found;
             }
         }
-        if (b->kind == BODY_DRAIN) {
+        if (b->kind == SCENE_BODY_DRAIN) {
             vbss_collision_shape_refit_triangles(shape);
             count = VBSS_WIDE_CALL(c->wide, vbss_collision_bvh_query, &c->search,
                                    &shape->triangle_bvh, &box, near);
             for (uint32_t k = 0; k < count; k++) {
-                look_at_face(s, p, b, near[k], within, &found);
+                record_face(s, p, b, near[k], within, &found);
             }
         }
     }
@@ -168,7 +168,7 @@ static around look_around(scene_object *s, const probe *p, double within)
 }
 
 /* Nodes low and high with what is between them left out, and what is nearer than an arc along the thread. */
-static probe probe_of(const scene_body *b, uint32_t low, uint32_t high, double arc)
+static probe make_probe(const scene_body *b, uint32_t low, uint32_t high, double arc)
 {
     const thread_object *t = b->thread.thread;
     probe p = {b, {t->now.x[low], t->now.x[high]}, low, high, false};
@@ -181,43 +181,43 @@ static probe probe_of(const scene_body *b, uint32_t low, uint32_t high, double a
     return p;
 }
 
-static around around_segments(scene_object *s, const scene_body *b, uint32_t low, uint32_t high,
-                              double within)
+static surroundings find_surroundings_of_segments(scene_object *s, const scene_body *b,
+                                                  uint32_t low, uint32_t high, double within)
 {
-    double apart = within + 2.0 * b->thread.thread->config.radius;
-    probe p = probe_of(b, low, high, FAR_ALONG * apart);
+    double axis_distance = within + 2.0 * b->thread.thread->config.radius;
+    probe p = make_probe(b, low, high, MIN_SELF_CONTACT_ARC_RATIO * axis_distance);
     p.any = true;
-    return look_around(s, &p, within);
+    return find_surroundings(s, &p, within);
 }
 
 /* How far the nodes beside a change may be moved: a share of the least gap of any segment there. What is nearer
  * along the thread than it may touch itself does not count. */
-static double room_among(scene_object *s, const scene_body *b, uint32_t low, uint32_t high,
-                         double most)
+static double max_shift_among(scene_object *s, const scene_body *b, uint32_t low, uint32_t high,
+                              double limit)
 {
     const thread_object *t = b->thread.thread;
     double arc = s->collision->config.exclusion * 2.0 * t->config.radius,
-           least = most / SHARE_OF_GAP;
+           min_gap = limit / GAP_RATIO;
     uint32_t last = t->node_count - 1;
     for (uint32_t k = low; k < high && k < last; k++) {
-        probe p = probe_of(b, k, k + 1, arc);
-        around a = look_around(s, &p, least);
-        least = vbss_min(vbss_min(a.strand, a.tool), vbss_min(a.floor, least));
+        probe p = make_probe(b, k, k + 1, arc);
+        surroundings a = find_surroundings(s, &p, min_gap);
+        min_gap = vbss_min(vbss_min(a.strand, a.tool), vbss_min(a.floor, min_gap));
     }
-    return vbss_max(SHARE_OF_GAP * least, 0.0);
+    return vbss_max(GAP_RATIO * min_gap, 0.0);
 }
 
 /* ---- where nothing changes */
 
 static bool is_cut_end(const scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
 {
-    if (b->thread.before != 0 && low < CUT_END) {
+    if (b->thread.cut_from != 0 && low < CUT_END_NODES) {
         return true;
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *piece = &s->bodies[i];
-        if (piece->kind == BODY_THREAD && piece->thread.before == b->number) {
-            return high + CUT_END >= b->thread.thread->node_count;
+        if (piece->kind == SCENE_BODY_THREAD && piece->thread.cut_from == b->number) {
+            return high + CUT_END_NODES >= b->thread.thread->node_count;
         }
     }
     return false;
@@ -230,9 +230,10 @@ static bool is_held(const scene_object *s, const scene_body *b, uint32_t low, ui
         return true;
     }
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
-        const scene_grasp *g = &s->grasps[i];
+        const scene_thread_grasp *g = &s->thread_grasps[i];
         for (uint32_t k = low; g->id != 0 && g->thread == b->number && k < high; k++) {
-            if (k + 1 < t->node_count && vbss_scene_is_held_at(s, g, k, 2.0 * t->config.radius)) {
+            if (k + 1 < t->node_count &&
+                vbss_scene_is_segment_in_grasp(s, g, k, 2.0 * t->config.radius)) {
                 return true;
             }
         }
@@ -244,31 +245,31 @@ static bool is_held(const scene_object *s, const scene_body *b, uint32_t low, ui
 
 typedef struct plan {
     scene_body *body;
-    uint32_t count, comers, most;
+    uint32_t count, added_nodes, max_changes;
     mesh_change
-        changes[MOST_CHANGES]; /* from the end of the thread on: those before keep their numbers */
+        changes[MAX_CHANGES]; /* from the end of the thread on: those before keep their numbers */
 } plan;
 
 static bool is_apart(const plan *p, uint32_t at)
 {
     for (uint32_t i = 0; i < p->count; i++) {
         uint32_t other = p->changes[i].at;
-        if ((at > other ? at - other : other - at) < APART) {
+        if ((at > other ? at - other : other - at) < MIN_NODES_BETWEEN) {
             return false;
         }
     }
     return true;
 }
 
-static void add(plan *p, uint32_t at, bool removes, double room)
+static void add_change(plan *p, uint32_t at, bool removes, double max_shift)
 {
     uint32_t to = p->count++;
     while (to > 0 && p->changes[to - 1].at < at) {
         p->changes[to] = p->changes[to - 1];
         to--;
     }
-    p->changes[to] = (mesh_change){at, removes, room};
-    p->comers += !removes;
+    p->changes[to] = (mesh_change){at, removes, max_shift};
+    p->added_nodes += !removes;
 }
 
 static bool wants_division(scene_object *s, const scene_body *b, uint32_t segment)
@@ -282,18 +283,18 @@ static bool wants_division(scene_object *s, const scene_body *b, uint32_t segmen
     if (vbss_thread_needs_refinement(t, segment)) {
         return true;
     }
-    around a = around_segments(s, b, segment, segment + 1, c->near_distance);
-    return a.strand < c->near_distance || REMESH_LENGTH_TOLERANCE * a.on_tool < l;
+    surroundings a = find_surroundings_of_segments(s, b, segment, segment + 1, c->near_distance);
+    return a.strand < c->near_distance || REMESH_LENGTH_TOLERANCE * a.preferred_length < l;
 }
 
-static bool has_room_for_nodes(const scene_object *s, const thread_object *t, uint32_t comers)
+static bool has_node_capacity(const scene_object *s, const thread_object *t, uint32_t added_nodes)
 {
     uint32_t spares = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        spares += s->bodies[i].reserved && s->bodies[i].kind == BODY_GONE;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        spares += s->bodies[i].is_reserved && s->bodies[i].kind == SCENE_BODY_NONE;
     }
-    return comers < t->node_capacity - t->node_count &&
-           s->node_count + comers + 2 * spares < s->node_capacity; /* two for each cut */
+    return added_nodes < t->node_capacity - t->node_count &&
+           s->node_count + added_nodes + 2 * spares < s->node_capacity; /* two for each cut */
 }
 
 static void plan_division(scene_object *s, plan *p, uint32_t segment)
@@ -304,12 +305,13 @@ static void plan_division(scene_object *s, plan *p, uint32_t segment)
     if (!is_apart(p, at)) {
         return;
     }
-    if (!has_room_for_nodes(s, t, p->comers)) {
+    if (!has_node_capacity(s, t, p->added_nodes)) {
         t->statistics.refused_capacity++;
     } else if (is_held(s, p->body, low, at + 3)) {
         t->statistics.refused_held++;
     } else {
-        add(p, at, false, room_among(s, p->body, low, at + 3, ROOM * t->rest[at]));
+        add_change(p, at, false,
+                   max_shift_among(s, p->body, low, at + 3, MAX_SHIFT_RATIO * t->rest[at]));
     }
 }
 
@@ -326,13 +328,14 @@ static void plan_removal(scene_object *s, plan *p, uint32_t node)
         return;
     }
     double l = t->rest[node - 1] + t->rest[node];
-    around a = around_segments(s, p->body, node - 1, node + 1, t->config.clear_distance);
-    double room = 0.0;
-    if (a.strand == (double)INFINITY && REMESH_LENGTH_TOLERANCE * a.on_tool >= l) {
-        room = room_among(s, p->body, low, node + 3, ROOM * l);
+    surroundings a =
+        find_surroundings_of_segments(s, p->body, node - 1, node + 1, t->config.clear_distance);
+    double max_shift = 0.0;
+    if (a.strand == (double)INFINITY && REMESH_LENGTH_TOLERANCE * a.preferred_length >= l) {
+        max_shift = max_shift_among(s, p->body, low, node + 3, MAX_SHIFT_RATIO * l);
     }
-    if (room > 0.0) {
-        add(p, node, true, room);
+    if (max_shift > 0.0) {
+        add_change(p, node, true, max_shift);
     } else {
         t->statistics.refused_near++;
     }
@@ -344,23 +347,23 @@ static void make_changes(scene_object *s, const plan *p)
 {
     thread_object *t = p->body->thread.thread;
     for (uint32_t i = 0; i < p->count; i++) {
-        if (!vbss_scene_change_mesh(s, p->body, &p->changes[i])) {
+        if (!vbss_scene_apply_mesh_change(s, p->body, &p->changes[i])) {
             t->statistics.refused_near++;
         }
     }
     vbss_collision_resize_chain(s->collision, p->body->shape, t->node_count, t->rest);
-    vbss_scene_order_memory(s);
+    vbss_scene_sort_warm_start(s);
     vbss_scene_number_nodes(s);
-    s->pattern = 0;
+    s->pattern_hash = 0;
     s->generation++;
 }
 
 /* Shapes that the last part has not moved: what a cut has left. False: no place for a shape. */
-static bool place_shapes(scene_object *s)
+static bool update_shape_boxes(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind != BODY_THREAD || s->collision->shapes[b->shape]->boxes_valid) {
+        if (b->kind != SCENE_BODY_THREAD || s->collision->shapes[b->shape]->boxes_valid) {
             continue;
         }
         const thread_object *t = b->thread.thread;
@@ -373,11 +376,11 @@ static bool place_shapes(scene_object *s)
     return true;
 }
 
-static void adapt(scene_object *s, scene_body *b)
+static void adapt_mesh(scene_object *s, scene_body *b)
 {
     thread_object *t = b->thread.thread;
-    plan p = {.body = b, .most = t->config.mesh_operations};
-    for (uint32_t k = 0; k < REMESH_CHECKS_PER_STEP && p.count < p.most; k++) {
+    plan p = {.body = b, .max_changes = t->config.mesh_operations};
+    for (uint32_t k = 0; k < REMESH_CHECKS_PER_STEP && p.count < p.max_changes; k++) {
         uint32_t segment = vbss_thread_next_segment_to_check(t);
         if (wants_division(s, b, segment)) {
             plan_division(s, &p, segment);
@@ -393,10 +396,11 @@ static void adapt(scene_object *s, scene_body *b)
 
 void vbss_scene_adapt_meshes(scene_object *s)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD && thread_is_adaptive(b->thread.thread) && place_shapes(s)) {
-            adapt(s, b);
+        if (b->kind == SCENE_BODY_THREAD && thread_is_adaptive(b->thread.thread) &&
+            update_shape_boxes(s)) {
+            adapt_mesh(s, b);
         }
     }
 }

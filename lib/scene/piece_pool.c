@@ -4,42 +4,42 @@
 #include "base/error.h"
 #include "base/stream.h"
 #include "scene/cuts.h"
-#include "scene/meshes.h"
+#include "scene/remeshing.h"
 #include "scene/scene.h"
 
 /* More nodes by a cut: it goes through a segment. */
-enum { NODES_OF_A_CUT = 2 };
+enum { NODES_PER_CUT = 2 };
 
 static bool is_spare(const scene_body *b)
 {
-    return b->reserved && b->kind == BODY_GONE;
+    return b->is_reserved && b->kind == SCENE_BODY_NONE;
 }
 
 /* ---- taken with a thread */
 
-vbss_result vbss_scene_check_room(const scene_object *s, const thread_object *t)
+vbss_result vbss_scene_check_thread_capacity(const scene_object *s, const thread_object *t)
 {
     uint32_t pieces = t->piece_pool->available, spares = 0, threads = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         spares += is_spare(&s->bodies[i]);
-        threads += s->bodies[i].kind == BODY_THREAD;
+        threads += s->bodies[i].kind == SCENE_BODY_THREAD;
     }
     if (pieces > 0 && threads + spares + 1 + pieces > s->config.thread_capacity) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
                          "the scene has room for %u threads, and of this one %u pieces may be cut",
                          s->config.thread_capacity, pieces);
     }
-    uint32_t taken = s->node_count + NODES_OF_A_CUT * spares;
+    uint32_t used = s->node_count + NODES_PER_CUT * spares;
     uint32_t nodes = t->config.mesh == VBSS_MESH_ADAPTIVE ? t->node_capacity : t->node_count;
-    if (taken > s->node_capacity || nodes + NODES_OF_A_CUT * pieces > s->node_capacity - taken) {
+    if (used > s->node_capacity || nodes + NODES_PER_CUT * pieces > s->node_capacity - used) {
         return vbss_fail(s->context, VBSS_ERROR_CAPACITY,
                          "the scene has room for %u nodes, %u of them for each cut",
-                         s->node_capacity, (uint32_t)NODES_OF_A_CUT);
+                         s->node_capacity, (uint32_t)NODES_PER_CUT);
     }
     return VBSS_OK;
 }
 
-vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint32_t shape)
+vbss_result vbss_scene_create_piece_shapes(scene_object *s, const thread_object *t, uint32_t shape)
 {
     uint32_t last = shape;
     vbss_result result = VBSS_OK;
@@ -48,50 +48,51 @@ vbss_result vbss_scene_make_shapes(scene_object *s, const thread_object *t, uint
         result = vbss_collision_add_disabled_chain(s->collision, t->node_capacity, t->config.radius,
                                                    &last);
     }
-    for (uint32_t name = shape; result != VBSS_OK && name <= last; name++) {
-        (void)vbss_collision_remove(scene_collision(s), name);
+    for (uint32_t id = shape; result != VBSS_OK && id <= last; id++) {
+        (void)vbss_collision_remove(scene_collision(s), id);
     }
     return result;
 }
 
-static scene_body *free_place(scene_object *s)
+static scene_body *claim_body(scene_object *s)
 {
-    uint32_t place = 0;
-    while (place < s->place_count &&
-           (s->bodies[place].kind != BODY_GONE || s->bodies[place].reserved)) {
-        place++;
+    uint32_t body_index = 0;
+    while (body_index < s->body_count &&
+           (s->bodies[body_index].kind != SCENE_BODY_NONE || s->bodies[body_index].is_reserved)) {
+        body_index++;
     }
-    s->place_count = place == s->place_count ? place + 1 : s->place_count;
-    return &s->bodies[place];
+    s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
+    return &s->bodies[body_index];
 }
 
-void vbss_scene_place_spares(scene_object *s, thread_object *t, uint32_t first_shape)
+void vbss_scene_add_spares(scene_object *s, thread_object *t, uint32_t first_shape)
 {
     vbss_slot *slot = NULL;
     for (thread_object *spare = vbss_thread_acquire_piece(t, &slot); spare != NULL;
          spare = vbss_thread_acquire_piece(t, &slot)) {
-        scene_body *b = free_place(s);
-        *b = (scene_body){.reserved = true, .shape = first_shape++};
+        scene_body *b = claim_body(s);
+        *b = (scene_body){.is_reserved = true, .shape = first_shape++};
         b->thread.thread = spare;
         b->thread.slot = slot;
-        s->shape_places[b->shape] = (uint32_t)(b - s->bodies);
+        s->body_of_shape[b->shape] = (uint32_t)(b - s->bodies);
     }
 }
 
 void vbss_scene_return_spare(scene_body *b)
 {
     vbss_thread_return_piece(b->thread.thread, b->thread.slot);
-    *b = (scene_body){.kind = BODY_GONE};
+    *b = (scene_body){.kind = SCENE_BODY_NONE};
 }
 
 void vbss_scene_return_spares(scene_object *s, const thread_piece_pool *family)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
-        if (s->bodies[i].kind == BODY_THREAD && s->bodies[i].thread.thread->piece_pool == family) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD &&
+            s->bodies[i].thread.thread->piece_pool == family) {
             return;
         }
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (is_spare(b) && b->thread.thread->piece_pool == family) {
             (void)vbss_collision_remove(scene_collision(s), b->shape);
@@ -104,7 +105,7 @@ void vbss_scene_return_spares(scene_object *s, const thread_piece_pool *family)
 
 scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *thread)
 {
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         if (is_spare(b) && b->thread.thread->piece_pool == thread->thread.thread->piece_pool) {
             return b;
@@ -113,43 +114,43 @@ scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *threa
     return NULL;
 }
 
-void vbss_scene_make_piece(scene_object *s, scene_body *piece)
+void vbss_scene_activate_piece(scene_object *s, scene_body *piece)
 {
-    piece->kind = BODY_THREAD;
+    piece->kind = SCENE_BODY_THREAD;
     vbss_slot_fill(piece->thread.slot, piece->thread.thread);
     piece->thread.slot->owner = s;
 }
 
-void vbss_scene_unmake_piece(scene_object *s, scene_body *piece)
+void vbss_scene_deactivate_piece(scene_object *s, scene_body *piece)
 {
-    const scene_thread kept = {.slot = piece->thread.slot, .thread = piece->thread.thread};
-    vbss_slot_empty(kept.slot);
+    const scene_thread pooled = {.slot = piece->thread.slot, .thread = piece->thread.thread};
+    vbss_slot_empty(pooled.slot);
     vbss_collision_disable_chain(s->collision, piece->shape);
-    *piece = (scene_body){.reserved = true, .shape = piece->shape, .thread = kept};
+    *piece = (scene_body){.is_reserved = true, .shape = piece->shape, .thread = pooled};
 }
 
 /* ---- state */
 
-void vbss_scene_visit_piece(vbss_stream *stream, scene_object *s, scene_body *b)
+void vbss_scene_serialise_piece(vbss_stream *stream, scene_object *s, scene_body *b)
 {
-    uint8_t made = b->kind == BODY_THREAD;
-    vbss_stream_u8(stream, 15, &made, 1);
-    if (made > 1) {
+    uint8_t is_active = b->kind == SCENE_BODY_THREAD;
+    vbss_stream_u8(stream, 15, &is_active, 1);
+    if (is_active > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
-    } else if (stream->mode == VBSS_STREAM_READ && made != (b->kind == BODY_THREAD)) {
-        if (made != 0) {
-            vbss_scene_make_piece(s, b);
+    } else if (stream->mode == VBSS_STREAM_READ && is_active != (b->kind == SCENE_BODY_THREAD)) {
+        if (is_active != 0) {
+            vbss_scene_activate_piece(s, b);
         } else {
-            vbss_scene_unmake_piece(s, b);
+            vbss_scene_deactivate_piece(s, b);
         }
     }
-    if (b->kind == BODY_THREAD) {
-        uint32_t words[3] = {b->number, b->thread.before, b->thread.split};
+    if (b->kind == SCENE_BODY_THREAD) {
+        uint32_t words[3] = {b->number, b->thread.cut_from, b->thread.has_split_segment};
         vbss_stream_u32(stream, 16, words, 3);
         b->number = words[0];
-        b->thread.before = words[1];
-        b->thread.split = words[2] != 0;
-        if (words[0] == 0 || words[0] > s->last_number || words[1] > s->last_number ||
+        b->thread.cut_from = words[1];
+        b->thread.has_split_segment = words[2] != 0;
+        if (words[0] == 0 || words[0] > s->last_body_number || words[1] > s->last_body_number ||
             words[2] > 1) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such piece");
         }
@@ -157,12 +158,12 @@ void vbss_scene_visit_piece(vbss_stream *stream, scene_object *s, scene_body *b)
 }
 
 /* Each number once, each thread within its shape, and all of them within the scene, however they are cut. */
-static bool fit(const scene_object *s)
+static bool do_pieces_fit(const scene_object *s)
 {
     uint32_t nodes = 0;
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD) {
+        if (b->kind == SCENE_BODY_THREAD) {
             uint32_t count = b->thread.thread->node_count;
             if (count > s->collision->shapes[b->shape]->node_capacity ||
                 count > s->node_capacity - nodes) {
@@ -170,33 +171,33 @@ static bool fit(const scene_object *s)
             }
             nodes += count;
         }
-        if (is_spare(b) && NODES_OF_A_CUT > s->node_capacity - nodes) {
+        if (is_spare(b) && NODES_PER_CUT > s->node_capacity - nodes) {
             return false;
         }
-        nodes += is_spare(b) ? NODES_OF_A_CUT : 0;
-        const scene_body *before = vbss_scene_body(s, b->thread.before);
-        if (b->kind == BODY_THREAD && before != NULL && before->kind != BODY_THREAD) {
+        nodes += is_spare(b) ? NODES_PER_CUT : 0;
+        const scene_body *before = vbss_scene_body(s, b->thread.cut_from);
+        if (b->kind == SCENE_BODY_THREAD && before != NULL && before->kind != SCENE_BODY_THREAD) {
             return false;
         }
-        if (b->kind != BODY_GONE && vbss_scene_body(s, b->number) != b) {
+        if (b->kind != SCENE_BODY_NONE && vbss_scene_body(s, b->number) != b) {
             return false;
         }
     }
     return true;
 }
 
-void vbss_scene_finish_pieces(vbss_stream *stream, scene_object *s)
+void vbss_scene_restore_pieces(vbss_stream *stream, scene_object *s)
 {
     if (stream->mode != VBSS_STREAM_READ || stream->result != VBSS_OK) {
         return;
     }
-    if (!fit(s)) {
+    if (!do_pieces_fit(s)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such pieces");
         return;
     }
-    for (uint32_t i = 0; i < s->place_count; i++) {
+    for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
-        if (b->kind == BODY_THREAD && scene_thread_resizes(b->thread.thread)) {
+        if (b->kind == SCENE_BODY_THREAD && scene_thread_resizes(b->thread.thread)) {
             const thread_object *t = b->thread.thread;
             vbss_collision_resize_chain(s->collision, b->shape, t->node_count, t->rest);
         }

@@ -1,7 +1,7 @@
-/* Threads of a scene whose meshes adapt themselves: meshes.c finds what is wanted and what is near, renumber.c takes
+/* Threads of a scene whose meshes adapt themselves: remeshing.c finds what is wanted and what is near, renumber.c takes
  * all that names nodes and segments along. */
-#ifndef VBSS_SCENE_MESHES_H
-#define VBSS_SCENE_MESHES_H
+#ifndef VBSS_SCENE_REMESHING_H
+#define VBSS_SCENE_REMESHING_H
 
 #include "scene/scene.h"
 #include "thread/remesh.h"
@@ -10,10 +10,10 @@
 typedef struct mesh_change {
     uint32_t at;
     bool removes;
-    double room; /* for its neighbours and itself, m */
+    double max_shift; /* for its neighbours and itself, m */
 } mesh_change;
 
-/* meshes.c: threads refine and coarsen themselves, at the very end of a step. */
+/* remeshing.c: threads refine and coarsen themselves, at the very end of a step. */
 void vbss_scene_adapt_meshes(scene_object *s);
 /* Whether the number of a thread's nodes may change while it is in the scene. */
 static inline bool scene_thread_resizes(const thread_object *t)
@@ -23,7 +23,8 @@ static inline bool scene_thread_resizes(const thread_object *t)
 
 /* renumber.c: makes the change, with pins, grasps and views of contacts. False: it takes more room. What contact
  * remembers is in order again only after the last of them. */
-bool vbss_scene_change_mesh(scene_object *s, const scene_body *thread, const mesh_change *change);
-void vbss_scene_order_memory(scene_object *s);
+bool vbss_scene_apply_mesh_change(scene_object *s, const scene_body *thread,
+                                  const mesh_change *change);
+void vbss_scene_sort_warm_start(scene_object *s);
 
 #endif
