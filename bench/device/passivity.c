@@ -34,7 +34,7 @@ static double gained(passivity *s, const hand_path *p)
     vec3 late[MOST_DELAY + 1] = {{0.0, 0.0, 0.0}};
     double work = 0.0;
     vbss_output_config_init(&config, sizeof config);
-    vbss_output_begin(&config, &stage);
+    vbss_output_init_state(&config, &stage);
     for (int i = 0; i < 2 * ROUND; i++) {
         vec3 x = along(p, i), next = along(p, i + 1), before = along(p, i - 1);
         memmove(late + 1, late, sizeof late - sizeof late[0]);

@@ -11,7 +11,7 @@ static void print_places(const double places[2])
 
 static void print_throw(const vbss_knot_throw *t, uint32_t number)
 {
-    char text[WORDS];
+    char text[WORD_TAGS];
     words_of_throw(t, text);
     printf("    throw %u: %-50s", (unsigned)number + 1, text);
     if ((t->flags & VBSS_KNOT_THROW_LOCATED) != 0) {
@@ -25,7 +25,7 @@ static void print_throw(const vbss_knot_throw *t, uint32_t number)
 static void print_reading(const gallery_reading *r, const char *when)
 {
     const vbss_knot_state *s = &r->state;
-    char faults[WORDS];
+    char faults[WORD_TAGS];
     words_of_faults(s->faults, faults);
     printf("  %-5s  %s, %s, %s, %s, %.0f us\n", when, r->notation, words_of_name(s->name),
            words_of_verdict(s->verdict), faults, r->us);

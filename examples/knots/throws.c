@@ -150,7 +150,7 @@ static bool add_swatches(painter *p, int line, painter_colour tail, painter_colo
 static bool add_legend(painter *p, const panel *a)
 {
     const gallery_reading *r = a->reading;
-    char text[2 * WORDS], words[WORDS];
+    char text[2 * WORD_TAGS], words[WORD_TAGS];
     int line = 0;
     words_of_faults(r->state.faults, words);
     snprintf(text, sizeof text, "%s: %s, %s, %s", a->loose ? "loose" : "tight", r->notation,

@@ -41,10 +41,10 @@ static const word flags_named[] = {
 };
 enum { FLAGS = sizeof flags_named / sizeof flags_named[0] };
 
-static void add(char text[WORDS], const char *more)
+static void add(char text[WORD_TAGS], const char *more)
 {
     size_t used = strlen(text);
-    snprintf(text + used, WORDS - used, "%s", more);
+    snprintf(text + used, WORD_TAGS - used, "%s", more);
 }
 
 const char *words_of_name(vbss_knot_name name)
@@ -57,18 +57,18 @@ const char *words_of_verdict(vbss_knot_verdict verdict)
     return verdict >= 0 && verdict <= VBSS_KNOT_VERDICT_UNCERTAIN ? verdicts[verdict] : "?";
 }
 
-void words_of_throw(const vbss_knot_throw *t, char text[WORDS])
+void words_of_throw(const vbss_knot_throw *t, char text[WORD_TAGS])
 {
-    snprintf(text, WORDS, "%d wrap%s, %s-handed, %s", (int)t->wraps, t->wraps == 1 ? "" : "s",
+    snprintf(text, WORD_TAGS, "%d wrap%s, %s-handed, %s", (int)t->wraps, t->wraps == 1 ? "" : "s",
              t->handedness > 0 ? "right" : "left", words_of_verdict(t->verdict));
     for (int i = 0; i < FLAGS; i++) {
         add(text, (t->flags & flags_named[i].bit) != 0 ? flags_named[i].text : "");
     }
 }
 
-void words_of_faults(uint32_t faults, char text[WORDS])
+void words_of_faults(uint32_t faults, char text[WORD_TAGS])
 {
-    snprintf(text, WORDS, "%s", faults == 0 ? "no faults" : "faults: ");
+    snprintf(text, WORD_TAGS, "%s", faults == 0 ? "no faults" : "faults: ");
     bool first = true;
     for (int i = 0; i < FAULTS; i++) {
         if ((faults & faults_named[i].bit) != 0) {

@@ -6,13 +6,13 @@
 
 #include <vblast_ss/knot.h>
 
-enum { WORDS = 192 }; /* bytes, enough for all of them */
+enum { WORD_TAGS = 192 }; /* bytes, enough for all of them */
 
 const char *words_of_name(vbss_knot_name name);
 const char *words_of_verdict(vbss_knot_verdict verdict);
 /* "2 wraps, right-handed, certified" and what its flags say. */
-void words_of_throw(const vbss_knot_throw *t, char text[WORDS]);
+void words_of_throw(const vbss_knot_throw *t, char text[WORD_TAGS]);
 /* "no faults", or what keeps it from being 2=1=1. */
-void words_of_faults(uint32_t faults, char text[WORDS]);
+void words_of_faults(uint32_t faults, char text[WORD_TAGS]);
 
 #endif

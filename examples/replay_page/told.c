@@ -72,7 +72,7 @@ static const char *name_of(const facts *f, const film *shown, uint32_t body)
 static void put_telling(page *p, const facts *f, const film *shown, const telling *t,
                         const happening *e)
 {
-    char text[WORDS] = "";
+    char text[WORD_TAGS] = "";
     size_t used = 0;
     for (const char *c = t->words; *c != '\0' && used + 1 < sizeof text; c++) {
         if (*c == '%') {

@@ -54,7 +54,7 @@ static void put_throws(page *p, const reading *r, const again *a)
 
 static void put_verdict(page *p, const char *when, const reading *r)
 {
-    char faults[WORDS];
+    char faults[WORD_TAGS];
     if (r->notation[0] == '\0') {
         put(p, "<p class=\"verdict\">%s, %.2f s: <strong>no knot</strong>%s</p>\n", when, r->time,
             r->state.verdict == VBSS_KNOT_VERDICT_UNCERTAIN ? ", uncertain" : "");
@@ -80,7 +80,7 @@ static void put_history(page *p, const again *a)
         (unsigned)a->reading_count);
     for (size_t i = 0; i < a->reading_count; i++) {
         const reading *r = &a->readings[i];
-        char faults[WORDS];
+        char faults[WORD_TAGS];
         words_of_faults(r->state.faults, faults);
         put(p, "<tr><td class=\"n\">%.2f</td><td class=\"n\">%llu</td><td>", r->time,
             (unsigned long long)r->step);

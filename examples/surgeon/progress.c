@@ -10,7 +10,7 @@
 #define SELDOM 2.0
 enum { NOTATION = 32 };
 
-static void words_of_knot(const watch *w, char text[WORDS])
+static void words_of_knot(const watch *w, char text[WORD_TAGS])
 {
     vbss_knot_state k;
     char notation[NOTATION] = "";
@@ -18,12 +18,12 @@ static void words_of_knot(const watch *w, char text[WORDS])
         vbss_knot_detector_get_state(w->task.knots, &k, sizeof k) == VBSS_OK &&
         vbss_knot_detector_get_notation(w->task.knots, notation, sizeof notation) == VBSS_OK;
     if (!good || (k.throw_count == 0 && k.next_verdict == VBSS_KNOT_VERDICT_NONE)) {
-        snprintf(text, WORDS, "none");
+        snprintf(text, WORD_TAGS, "none");
     } else if (k.next_verdict != VBSS_KNOT_VERDICT_NONE) {
-        snprintf(text, WORDS, "%s%s%s", notation, notation[0] != '\0' ? ", next " : "",
+        snprintf(text, WORD_TAGS, "%s%s%s", notation, notation[0] != '\0' ? ", next " : "",
                  words_of_verdict(k.next_verdict));
     } else {
-        snprintf(text, WORDS, "%s, %s", notation, words_of_verdict(k.verdict));
+        snprintf(text, WORD_TAGS, "%s, %s", notation, words_of_verdict(k.verdict));
     }
 }
 
@@ -31,7 +31,7 @@ void watch_progress(watch *w, const surgeon *s, bool enters)
 {
     const double time = s->stitch.site.stand.time;
     const bool again = isatty(STDOUT_FILENO) != 0;
-    char knot[WORDS];
+    char knot[WORD_TAGS];
     if (w->verbose || w->guest != NULL || (!enters && time < w->told + (again ? OFTEN : SELDOM))) {
         return;
     }

@@ -158,7 +158,7 @@ static void tell_score(const watch *w, const vbss_metrics_report *r)
 static void tell_knot(const watch *w)
 {
     vbss_knot_state k;
-    char notation[NOTATION] = "", words[WORDS];
+    char notation[NOTATION] = "", words[WORD_TAGS];
     if (vbss_knot_detector_get_state(w->task.knots, &k, sizeof k) != VBSS_OK ||
         vbss_knot_detector_get_notation(w->task.knots, notation, sizeof notation) != VBSS_OK) {
         return;

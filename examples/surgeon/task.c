@@ -150,7 +150,7 @@ static void words_of_stitch(const vbss_session_event *e, char words[TASK_WORDS])
 static void words_of_knot(const vbss_session_event *e, char words[TASK_WORDS])
 {
     double mm = MILLI * e->amount;
-    char faults[WORDS];
+    char faults[WORD_TAGS];
     switch (e->kind) {
     case VBSS_SESSION_EVENT_STAGE:
         snprintf(words, TASK_WORDS, "throw %d: %s", throw_number(e), task_stage_name(e->stage));

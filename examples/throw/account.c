@@ -44,7 +44,7 @@ static bool tell_knot(const demo *d)
            words_of_verdict(k->state.verdict), words_of_name(k->state.name),
            good ? "" : "  NOT WHAT IT SHALL BE");
     for (uint32_t i = 0; i < k->state.throw_count && i < DEMO_THROWS; i++) {
-        char words[WORDS];
+        char words[WORD_TAGS];
         words_of_throw(&k->throws[i], words);
         printf("  throw %u: %s; %u %s\n", (unsigned)i + 1, words, (unsigned)d->tries[i],
                d->tries[i] == 1 ? "try" : "tries");

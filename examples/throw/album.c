@@ -188,7 +188,7 @@ static bool add_swatches(painter *p, int line, uint32_t number)
 
 static bool add_legend(album *a, const senses *s, const demo_knot *k)
 {
-    char text[2 * WORDS], words[WORDS];
+    char text[2 * WORD_TAGS], words[WORD_TAGS];
     painter *p = a->painter;
     snprintf(text, sizeof text, "%s: %s, %s, at 2 N, %.2f s", a->name, k->notation,
              words_of_verdict(k->state.verdict), s->stand->time);

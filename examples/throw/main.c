@@ -87,7 +87,7 @@ static bool read_options(int count, char **words, trial_options *o, int *seeds, 
 static void tell_mistake(const trial_options *o, const trial_outcome *out)
 {
     const vbss_knot_state *k = &out->knot.state, *next = &out->predicted.state;
-    char faults[WORDS];
+    char faults[WORD_TAGS];
     words_of_faults(k->faults, faults);
     printf("  %s: wanted: %s\n", mistake_name(o->mistake), mistake_wanted(o->mistake));
     printf("  told: at the tail %s, %d wraps to come; in the end '%s', %s, slip %.2f; %s\n",

@@ -18,7 +18,7 @@ typedef struct desk {
     void (*key)(void *user, int key, bool shift); /* pressed, or repeated */
 } desk;
 
-typedef struct window {
+typedef struct tick_window {
     void *handle; /* of GLFW */
     const desk *desk;
     double x, y;     /* of the pointer */

@@ -8,7 +8,7 @@
 _Static_assert(sizeof(vbss_device_sample) == 160, "published size");
 _Static_assert(sizeof(vbss_device_capabilities) == 128, "published size");
 _Static_assert(sizeof(vbss_device_adapter) == 8 + 9 * sizeof(void *), "no hidden padding");
-_Static_assert(sizeof(vbss_output_result) <= DEVICE_ROOM, "room for all structs");
+_Static_assert(sizeof(vbss_output_result) <= DEVICE_BUFFER_BYTES, "room for all structs");
 
 static const vbss_device_adapter adapter_defaults = {.struct_size = sizeof(vbss_device_adapter)};
 static const uint32_t adapter_sizes[] = {8u + 9u * (uint32_t)sizeof(void *), 0};
@@ -53,8 +53,8 @@ vbss_result vbss_device_check_adapter(vbss_context *context, const vbss_device_a
     return VBSS_OK;
 }
 
-vbss_result vbss_device_give_adapter(vbss_context *context, const vbss_device_adapter *own,
-                                     vbss_device_adapter *adapter)
+vbss_result vbss_device_export_adapter(vbss_context *context, const vbss_device_adapter *own,
+                                       vbss_device_adapter *adapter)
 {
     VBSS_TRY(vbss_check_pointer(context, adapter, "adapter"));
     uint32_t struct_size = adapter->struct_size;
@@ -64,38 +64,38 @@ vbss_result vbss_device_give_adapter(vbss_context *context, const vbss_device_ad
 }
 
 /* What an adapter finds behind a struct that it knows longer than this library is zero. */
-static void *cleared_room(device_source *s)
+static void *clear_buffer(device_source *s)
 {
-    return memset(s->room, 0, DEVICE_ROOM);
+    return memset(s->buffer, 0, DEVICE_BUFFER_BYTES);
 }
 
 /* ---- texts */
 
-void vbss_device_keep_text(char *to, size_t room, const char *from)
+void vbss_device_copy_text(char *to, size_t capacity, const char *from)
 {
     size_t bytes = strlen(from);
-    bytes = bytes < room ? bytes : room - 1;
+    bytes = bytes < capacity ? bytes : capacity - 1;
     memcpy(to, from, bytes);
     to[bytes] = '\0';
 }
 
 /* What an adapter says of its failure, as far as it ends within the room it was given. */
-void vbss_device_note_failure(vbss_context *context, device_source *s, vbss_result result)
+void vbss_device_record_failure(vbss_context *context, device_source *s, vbss_result result)
 {
-    s->failed = result;
+    s->last_failure = result;
     memset(s->text, 0, sizeof s->text);
     if (s->adapter.explain != NULL) {
         bool outer = vbss_callback_begin(context);
-        s->adapter.explain(s->adapter.user, s->text, DEVICE_TEXT);
+        s->adapter.explain(s->adapter.user, s->text, DEVICE_TEXT_BYTES);
         vbss_callback_end(context, outer);
-        s->text[DEVICE_TEXT - 1] = '\0';
+        s->text[DEVICE_TEXT_BYTES - 1] = '\0';
     }
 }
 
-static vbss_result fail(vbss_context *context, device_source *s, vbss_result result,
-                        const char *what)
+static vbss_result fail_source(vbss_context *context, device_source *s, vbss_result result,
+                               const char *what)
 {
-    vbss_device_note_failure(context, s, result);
+    vbss_device_record_failure(context, s, result);
     return vbss_fail(context, VBSS_ERROR_DEVICE, "%s %s: %d, %s", s->name, what, result,
                      s->text[0] == '\0' ? "no reason is given" : s->text);
 }
@@ -136,18 +136,18 @@ static vbss_result check_capabilities(vbss_context *context, const vbss_device_c
     return VBSS_OK;
 }
 
-static vbss_result describe(vbss_context *context, device_source *s)
+static vbss_result describe_source(vbss_context *context, device_source *s)
 {
     if (s->adapter.describe == NULL) {
         s->capabilities.signals = s->adapter.read != NULL ? DEVICE_SIGNALS : 0;
         s->capabilities.outputs = DEVICE_OUTPUTS;
     } else {
-        memcpy(cleared_room(s), &capabilities_defaults, sizeof capabilities_defaults);
-        vbss_result result = call_describe(context, s, (vbss_device_capabilities *)s->room);
+        memcpy(clear_buffer(s), &capabilities_defaults, sizeof capabilities_defaults);
+        vbss_result result = call_describe(context, s, (vbss_device_capabilities *)s->buffer);
         if (result != VBSS_OK) {
-            return fail(context, s, result, "cannot be described");
+            return fail_source(context, s, result, "cannot be described");
         }
-        memcpy(&s->capabilities, s->room, sizeof s->capabilities);
+        memcpy(&s->capabilities, s->buffer, sizeof s->capabilities);
     }
     s->capabilities.signals &= s->adapter.read != NULL ? DEVICE_SIGNALS : 0;
     s->capabilities.outputs &= s->adapter.write != NULL ? DEVICE_OUTPUTS : 0;
@@ -156,15 +156,15 @@ static vbss_result describe(vbss_context *context, device_source *s)
 
 vbss_result vbss_device_open_source(vbss_context *context, device_source *s)
 {
-    vbss_device_keep_text(s->name, sizeof s->name,
+    vbss_device_copy_text(s->name, sizeof s->name,
                           s->adapter.name != NULL ? s->adapter.name : "device");
     if (s->adapter.open != NULL) {
         vbss_result result = call_open(context, s);
         if (result != VBSS_OK) {
-            return fail(context, s, result, "cannot be opened");
+            return fail_source(context, s, result, "cannot be opened");
         }
     }
-    vbss_result result = describe(context, s);
+    vbss_result result = describe_source(context, s);
     if (result != VBSS_OK) {
         vbss_device_close_source(context, s);
     }
@@ -185,14 +185,14 @@ void vbss_device_close_source(vbss_context *context, device_source *s)
 vbss_result vbss_device_read_source(vbss_context *context, device_source *s, double now,
                                     const vbss_device_sample **sample)
 {
-    vbss_device_sample *room = cleared_room(s);
-    *room = sample_defaults;
-    *sample = room;
+    vbss_device_sample *received = clear_buffer(s);
+    *received = sample_defaults;
+    *sample = received;
     bool outer = vbss_callback_begin(context);
-    vbss_result result = s->adapter.read(s->adapter.user, now, room);
+    vbss_result result = s->adapter.read(s->adapter.user, now, received);
     vbss_callback_end(context, outer);
     if (result != VBSS_OK) {
-        vbss_device_note_failure(context, s, result);
+        vbss_device_record_failure(context, s, result);
     }
     return result;
 }
@@ -200,7 +200,7 @@ vbss_result vbss_device_read_source(vbss_context *context, device_source *s, dou
 /* The coupling goes to the one that has the force, if it can do something with it. */
 static vbss_result call_write(device_source *s, double now, const vbss_device_coupling *coupling)
 {
-    const vbss_output_result *output = (const vbss_output_result *)s->room;
+    const vbss_output_result *output = (const vbss_output_result *)s->buffer;
     return coupling == NULL ? s->adapter.write(s->adapter.user, now, output)
                             : s->adapter.couple(s->adapter.user, now, output, coupling);
 }
@@ -224,12 +224,12 @@ bool vbss_device_write_source(vbss_context *context, device_source *s, double no
     if ((outputs & VBSS_DEVICE_OUT_TORQUE) == 0) {
         memcpy(own.torque, zero, sizeof zero);
     }
-    memcpy(cleared_room(s), &own, sizeof own);
+    memcpy(clear_buffer(s), &own, sizeof own);
     bool outer = vbss_callback_begin(context);
     vbss_result result = call_write(s, now, coupling);
     vbss_callback_end(context, outer);
     if (result != VBSS_OK) {
-        vbss_device_note_failure(context, s, result);
+        vbss_device_record_failure(context, s, result);
     }
     return result == VBSS_OK;
 }

@@ -55,13 +55,13 @@ static vbss_result check_rotation(vbss_context *context, const vbss_device_calib
     VBSS_TRY(vbss_check_finite(context, c->rotation, 9, "rotation"));
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->rotation, 9), 0.0, 1.000001, "rotation"));
     mat3 r = rotation_of(c);
-    mat3 off = mat3_sub(mat3_mul(r, mat3_transpose(r)), mat3_identity());
-    return vbss_max_abs(&off.m[0][0], 9) <= 1e-6 && mat3_determinant(r) > 0.0
+    mat3 deviation = mat3_sub(mat3_mul(r, mat3_transpose(r)), mat3_identity());
+    return vbss_max_abs(&deviation.m[0][0], 9) <= 1e-6 && mat3_determinant(r) > 0.0
                ? VBSS_OK
                : vbss_fail(context, VBSS_ERROR_OUT_OF_RANGE, "rotation is none");
 }
 
-static vbss_result check_box(vbss_context *context, const double low[3], const double high[3])
+static vbss_result check_workspace(vbss_context *context, const double low[3], const double high[3])
 {
     for (int i = 0; i < 3; i++) {
         VBSS_TRY(vbss_check_range(context, low[i], -1e3, 1e3, "workspace_low"));
@@ -92,7 +92,7 @@ vbss_result vbss_device_check_calibration(vbss_context *context, const vbss_devi
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->offset, 3), 0.0, 1e3, "offset"));
     VBSS_TRY(vbss_check_finite(context, c->mount, 4, "mount"));
     VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->mount, 4), 1e-100, 1e100, "mount"));
-    VBSS_TRY(check_box(context, c->workspace_low, c->workspace_high));
+    VBSS_TRY(check_workspace(context, c->workspace_low, c->workspace_high));
     VBSS_TRY(vbss_check_range(context, c->force_scale, 1e-3, 1e3, "force_scale"));
     return check_jaw(context, c);
 }
@@ -100,38 +100,38 @@ vbss_result vbss_device_check_calibration(vbss_context *context, const vbss_devi
 /* ---- the frame */
 
 /* Right to rounding, so that forces go back the way that positions came. */
-static mat3 made_square(mat3 r)
+static mat3 orthonormalise(mat3 r)
 {
     vec3 x = vec3_unit_or(vec3_load(r.m[0]), vec3_make(1.0, 0.0, 0.0)), y = vec3_load(r.m[1]);
     y = vec3_unit_or(vec3_add_scaled(y, -vec3_dot(x, y), x), vec3_make(0.0, 1.0, 0.0));
     return mat3_rows(x, y, vec3_cross(x, y));
 }
 
-device_frame vbss_device_frame_of(const vbss_device_calibration *c)
+device_frame vbss_device_make_frame(const vbss_device_calibration *c)
 {
     mat3 axes = mat3_zero();
     for (int i = 0; i < 3; i++) {
         axes.m[i][c->axes[i] < 0 ? -c->axes[i] - 1 : c->axes[i] - 1] = c->axes[i] < 0 ? -1.0 : 1.0;
     }
-    device_frame f = {mat3_mul(made_square(rotation_of(c)), axes), mat3_determinant(axes),
+    device_frame f = {mat3_mul(orthonormalise(rotation_of(c)), axes), mat3_determinant(axes),
                       quat_unit(quat_make(c->mount[0], c->mount[1], c->mount[2], c->mount[3]))};
     return f;
 }
 
 vec3 vbss_device_position_to_world(const vbss_device_calibration *c, const device_frame *f, vec3 p)
 {
-    return vec3_add(vec3_load(c->offset), mat3_mul_vec3(f->turn, vec3_scale(p, c->scale)));
+    return vec3_add(vec3_load(c->offset), mat3_mul_vec3(f->rotation, vec3_scale(p, c->scale)));
 }
 
 vec3 vbss_device_velocity_to_world(const vbss_device_calibration *c, const device_frame *f, vec3 v)
 {
-    return mat3_mul_vec3(f->turn, vec3_scale(v, c->scale));
+    return mat3_mul_vec3(f->rotation, vec3_scale(v, c->scale));
 }
 
 /* Axes of turns change sign in a mirror. */
 vec3 vbss_device_spin_to_world(const device_frame *f, vec3 omega)
 {
-    return vec3_scale(mat3_mul_vec3(f->turn, omega), f->parity);
+    return vec3_scale(mat3_mul_vec3(f->rotation, omega), f->parity);
 }
 
 quat vbss_device_orientation_to_world(const device_frame *f, quat q)
@@ -142,22 +142,23 @@ quat vbss_device_orientation_to_world(const device_frame *f, quat q)
 
 vec3 vbss_device_force_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v)
 {
-    return vec3_scale(mat3_transpose_mul_vec3(f->turn, v), c->force_scale);
+    return vec3_scale(mat3_transpose_mul_vec3(f->rotation, v), c->force_scale);
 }
 
 vec3 vbss_device_torque_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v)
 {
-    return vec3_scale(mat3_transpose_mul_vec3(f->turn, v), f->parity * c->force_scale);
+    return vec3_scale(mat3_transpose_mul_vec3(f->rotation, v), f->parity * c->force_scale);
 }
 
-vec3 vbss_device_way_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v)
+vec3 vbss_device_displacement_to_device(const vbss_device_calibration *c, const device_frame *f,
+                                        vec3 v)
 {
-    return vec3_scale(mat3_transpose_mul_vec3(f->turn, v), 1.0 / c->scale);
+    return vec3_scale(mat3_transpose_mul_vec3(f->rotation, v), 1.0 / c->scale);
 }
 
 /* ---- the workspace */
 
-uint32_t vbss_device_keep_inside(const vbss_device_calibration *c, vec3 *p)
+uint32_t vbss_device_clamp_to_workspace(const vbss_device_calibration *c, vec3 *p)
 {
     double x[3];
     uint32_t outside = 0;

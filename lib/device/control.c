@@ -7,7 +7,7 @@ vbss_result vbss_device_stop(vbss_device *device)
 {
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
-    vbss_device_latch(d);
+    vbss_device_latch_stop(d);
     return VBSS_OK;
 }
 
@@ -15,22 +15,22 @@ vbss_result vbss_device_release(vbss_device *device)
 {
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
-    d->output.stopped = false;
+    d->output.is_stopped = false;
     return VBSS_OK;
 }
 
 /* ---- clutch and re-centring: a shift in the world, a turn in the tool's frame, so that movements of the hand
  * keep their directions */
 
-static void place_position(device_object *d, vec3 position)
+static void set_position_offset(device_object *d, vec3 position)
 {
-    d->shift = vec3_sub(position, vbss_device_calibrated(d).position);
+    d->position_offset = vec3_sub(position, vbss_device_calibrated_pose(d).position);
 }
 
-static void place_orientation(device_object *d, quat orientation)
+static void set_orientation_offset(device_object *d, quat orientation)
 {
-    quat seen = vbss_device_calibrated(d).orientation;
-    d->turn = quat_unit(quat_mul(quat_conjugate(seen), orientation));
+    quat current = vbss_device_calibrated_pose(d).orientation;
+    d->orientation_offset = quat_unit(quat_mul(quat_conjugate(current), orientation));
 }
 
 vbss_result vbss_device_clutch(vbss_device *device, int32_t held)
@@ -38,16 +38,16 @@ vbss_result vbss_device_clutch(vbss_device *device, int32_t held)
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
     VBSS_TRY(vbss_check_range(d->context, held, 0.0, 1.0, "held"));
-    if (held != 0 && !d->clutched) {
-        d->held = d->shown;
+    if (held != 0 && !d->is_clutched) {
+        d->clutch_pose = d->reported_pose;
         d->statistics.clutches++;
-    } else if (held == 0 && d->clutched) {
-        place_position(d, d->held.position);
+    } else if (held == 0 && d->is_clutched) {
+        set_position_offset(d, d->clutch_pose.position);
         if (d->config.clutch_orientation != 0) {
-            place_orientation(d, d->held.orientation);
+            set_orientation_offset(d, d->clutch_pose.orientation);
         }
     }
-    d->clutched = held != 0;
+    d->is_clutched = held != 0;
     return VBSS_OK;
 }
 
@@ -56,7 +56,7 @@ vbss_result vbss_device_recentre(vbss_device *device, const double *position,
 {
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
-    if (!d->pose.known) {
+    if (!d->pose_reading.is_known) {
         return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "there was no pose yet");
     }
     if (position != NULL) {
@@ -68,13 +68,13 @@ vbss_result vbss_device_recentre(vbss_device *device, const double *position,
         VBSS_TRY(vbss_check_range(d->context, vbss_max_abs(orientation, 4), 1e-100, 1e100,
                                   "orientation"));
     }
-    d->clutched = false;
+    d->is_clutched = false;
     if (position != NULL) {
-        place_position(d, vec3_load(position));
+        set_position_offset(d, vec3_load(position));
     }
     if (orientation != NULL) {
-        place_orientation(d, quat_unit(quat_make(orientation[0], orientation[1], orientation[2],
-                                                 orientation[3])));
+        set_orientation_offset(d, quat_unit(quat_make(orientation[0], orientation[1],
+                                                      orientation[2], orientation[3])));
     }
     return VBSS_OK;
 }
@@ -91,10 +91,10 @@ vbss_result vbss_device_set_calibration(vbss_device *device,
     }
     VBSS_TRY(vbss_device_check_calibration(d->context, &own));
     d->calibration = own;
-    d->frame = vbss_device_frame_of(&own);
-    d->shift = vec3_zero();
-    d->turn = quat_identity();
-    d->clutched = false;
-    d->jaw.known = false;
+    d->frame = vbss_device_make_frame(&own);
+    d->position_offset = vec3_zero();
+    d->orientation_offset = quat_identity();
+    d->is_clutched = false;
+    d->jaw.is_known = false;
     return VBSS_OK;
 }

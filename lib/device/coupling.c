@@ -27,8 +27,8 @@ vbss_result vbss_device_check_coupling(vbss_context *context, const vbss_device_
 
 vec3 vbss_device_coupling_force(const vbss_device_coupling *c, vec3 position, vec3 velocity)
 {
-    vec3 away = vec3_sub(vec3_load(c->position), position);
-    vec3 slower = vec3_sub(vec3_load(c->velocity), velocity);
-    vec3 spring = vec3_add_scaled(vec3_load(c->force), c->stiffness, away);
-    return vec3_add_scaled(spring, c->damping, slower);
+    vec3 offset = vec3_sub(vec3_load(c->position), position);
+    vec3 relative_velocity = vec3_sub(vec3_load(c->velocity), velocity);
+    vec3 spring = vec3_add_scaled(vec3_load(c->force), c->stiffness, offset);
+    return vec3_add_scaled(spring, c->damping, relative_velocity);
 }

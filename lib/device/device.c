@@ -48,7 +48,7 @@ static vbss_result check_config(vbss_context *context, const vbss_device_config 
 
 /* ---- what the adapters can do together */
 
-uint32_t vbss_device_routed(const device_object *d, uint32_t source)
+uint32_t vbss_device_routed_signals(const device_object *d, uint32_t source)
 {
     if (d->source_count == 1) {
         return DEVICE_SIGNALS;
@@ -62,7 +62,7 @@ uint32_t vbss_device_routed(const device_object *d, uint32_t source)
 }
 
 /* Forces belong to the arm, which comes first; the solenoid to the handle's electronics, which come second. */
-uint32_t vbss_device_driven(const device_object *d, uint32_t source)
+uint32_t vbss_device_driven_outputs(const device_object *d, uint32_t source)
 {
     uint32_t own = d->sources[source].capabilities.outputs;
     if (d->source_count == 1) {
@@ -73,72 +73,74 @@ uint32_t vbss_device_driven(const device_object *d, uint32_t source)
                        : own & ~(other & ~(uint32_t)VBSS_DEVICE_OUT_SOLENOID);
 }
 
-static double lower(double limit, double device)
+static double tighter_limit(double limit, double device)
 {
     return device > 0.0 ? vbss_min(limit, device) : limit;
 }
 
 /* A slow device is not stale between two of its samples. */
-static double waited_for(double timeout, const vbss_device_capabilities *c)
+static double effective_timeout(double timeout, const vbss_device_capabilities *c)
 {
     return c->update_rate > 0.0 ? vbss_max(timeout, 2.5 / c->update_rate) : timeout;
 }
 
-static const vbss_device_capabilities *capabilities_for(const device_object *d, uint32_t output)
+static const vbss_device_capabilities *output_capabilities(const device_object *d, uint32_t output)
 {
-    uint32_t second = d->source_count == 2 && (vbss_device_driven(d, 1) & output) != 0;
+    uint32_t second = d->source_count == 2 && (vbss_device_driven_outputs(d, 1) & output) != 0;
     return &d->sources[second].capabilities;
 }
 
 static void set_limits(device_object *d)
 {
-    const vbss_device_capabilities *force = capabilities_for(d, VBSS_DEVICE_OUT_FORCE);
-    const vbss_device_capabilities *torque = capabilities_for(d, VBSS_DEVICE_OUT_TORQUE);
-    uint32_t jaw = d->source_count == 2 && (vbss_device_routed(d, 1) & DEVICE_JAW_SIGNALS) != 0;
+    const vbss_device_capabilities *force = output_capabilities(d, VBSS_DEVICE_OUT_FORCE);
+    const vbss_device_capabilities *torque = output_capabilities(d, VBSS_DEVICE_OUT_TORQUE);
+    uint32_t jaw =
+        d->source_count == 2 && (vbss_device_routed_signals(d, 1) & DEVICE_JAW_SIGNALS) != 0;
     uint32_t arm =
-        d->source_count == 2 && (vbss_device_routed(d, 1) & VBSS_DEVICE_HAS_POSITION) != 0;
+        d->source_count == 2 && (vbss_device_routed_signals(d, 1) & VBSS_DEVICE_HAS_POSITION) != 0;
     vbss_output_config *l = &d->limits;
-    l->max_force = lower(l->max_force, force->max_force);
-    l->continuous_force = lower(l->continuous_force, force->max_continuous_force);
-    l->max_torque = lower(l->max_torque, torque->max_torque);
-    l->continuous_torque = lower(l->continuous_torque, torque->max_continuous_torque);
-    l->input_timeout = waited_for(l->input_timeout, &d->sources[arm].capabilities);
-    d->jaw_timeout = waited_for(d->config.jaw_timeout, &d->sources[jaw].capabilities);
+    l->max_force = tighter_limit(l->max_force, force->max_force);
+    l->continuous_force = tighter_limit(l->continuous_force, force->max_continuous_force);
+    l->max_torque = tighter_limit(l->max_torque, torque->max_torque);
+    l->continuous_torque = tighter_limit(l->continuous_torque, torque->max_continuous_torque);
+    l->input_timeout = effective_timeout(l->input_timeout, &d->sources[arm].capabilities);
+    d->jaw_timeout = effective_timeout(d->config.jaw_timeout, &d->sources[jaw].capabilities);
 }
 
 /* ---- life */
 
-static void free_object(vbss_context *context, device_object *d)
+static void free_device(vbss_context *context, device_object *d)
 {
     for (uint32_t i = 0; i < DEVICE_SOURCES; i++) {
-        vbss_release(context, d->sources[i].room, DEVICE_ROOM / sizeof(uint64_t), sizeof(uint64_t));
+        vbss_release(context, d->sources[i].buffer, DEVICE_BUFFER_BYTES / sizeof(uint64_t),
+                     sizeof(uint64_t));
     }
     vbss_release(context, d, 1, sizeof *d);
 }
 
-static void end_object(vbss_context *context, void *object)
+static void destroy_device(vbss_context *context, void *object)
 {
     device_object *d = object;
-    vbss_device_latch(d);
+    vbss_device_latch_stop(d);
     for (uint32_t i = d->source_count; i > 0; i--) {
         vbss_device_close_source(context, &d->sources[i - 1]);
     }
-    free_object(context, d);
+    free_device(context, d);
 }
 
-const vbss_kind vbss_device_kind = {"device", VBSS_CODE('D', 'E', 'V', 'I'), 1, end_object,
-                                    vbss_device_visit};
+const vbss_kind vbss_device_kind = {"device", VBSS_CODE('D', 'E', 'V', 'I'), 1, destroy_device,
+                                    vbss_device_serialise};
 
-static void begin_state(device_object *d)
+static void init_state(device_object *d)
 {
     d->orientation = quat_identity();
-    d->turn = quat_identity();
-    d->held = d->shown = pose_identity();
+    d->orientation_offset = quat_identity();
+    d->clutch_pose = d->reported_pose = pose_identity();
     d->tool = d->config.tool;
     d->jaw.opening = 1.0;
-    d->pose.age = d->opening.age = -1.0;
-    vbss_device_forget_motion(&d->motion);
-    vbss_output_begin(&d->limits, &d->output);
+    d->pose_reading.age = d->opening_reading.age = -1.0;
+    vbss_device_reset_motion(&d->motion);
+    vbss_output_init_state(&d->limits, &d->output);
 }
 
 static vbss_result open_sources(device_object *d)
@@ -155,19 +157,20 @@ static vbss_result open_sources(device_object *d)
     return VBSS_OK;
 }
 
-static vbss_result make(vbss_context *context, const device_object *wanted, vbss_slot **slot)
+static vbss_result create_device(vbss_context *context, const device_object *wanted,
+                                 vbss_slot **slot)
 {
     device_object *d = vbss_allocate(context, 1, sizeof *d, "device");
     if (d == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     *d = *wanted;
-    vbss_array rooms[DEVICE_SOURCES];
+    vbss_array buffers[DEVICE_SOURCES];
     for (uint32_t i = 0; i < DEVICE_SOURCES; i++) {
-        rooms[i] =
-            (vbss_array){&d->sources[i].room, DEVICE_ROOM / sizeof(uint64_t), sizeof(uint64_t)};
+        buffers[i] = (vbss_array){&d->sources[i].buffer, DEVICE_BUFFER_BYTES / sizeof(uint64_t),
+                                  sizeof(uint64_t)};
     }
-    vbss_result result = vbss_allocate_arrays(context, rooms, DEVICE_SOURCES, "device");
+    vbss_result result = vbss_allocate_arrays(context, buffers, DEVICE_SOURCES, "device");
     if (result == VBSS_OK) {
         result = vbss_slot_reserve(context, &vbss_device_kind, slot);
     }
@@ -175,11 +178,11 @@ static vbss_result make(vbss_context *context, const device_object *wanted, vbss
         result = open_sources(d);
     }
     if (result != VBSS_OK) {
-        free_object(context, d);
+        free_device(context, d);
         return result;
     }
     set_limits(d);
-    begin_state(d);
+    init_state(d);
     vbss_slot_fill(*slot, d);
     return VBSS_OK;
 }
@@ -214,7 +217,7 @@ static vbss_result read_configs(device_object *d, const vbss_device_config *conf
     d->config.calibration = NULL; /* the host's, no longer needed */
     d->config.output = NULL;
     VBSS_TRY(vbss_device_check_calibration(context, &d->calibration));
-    d->frame = vbss_device_frame_of(&d->calibration);
+    d->frame = vbss_device_make_frame(&d->calibration);
     return vbss_output_check_config(context, &d->limits);
 }
 
@@ -235,7 +238,7 @@ vbss_result vbss_device_create(vbss_context *context, const vbss_device_adapter 
         VBSS_TRY(read_adapter(&wanted, second));
     }
     VBSS_TRY(read_configs(&wanted, config));
-    VBSS_TRY(make(context, &wanted, &slot));
+    VBSS_TRY(create_device(context, &wanted, &slot));
     *device = (vbss_device *)slot;
     return VBSS_OK;
 }
@@ -264,7 +267,7 @@ vbss_result vbss_device_edit(vbss_device *handle, device_object **device)
 vbss_result vbss_device_check_now(const device_object *d, double now)
 {
     VBSS_TRY(vbss_check_range(d->context, now, -1e9, 1e9, "now"));
-    return !d->begun || now >= d->now
+    return !d->has_time || now >= d->now
                ? VBSS_OK
                : vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "now is %g, after %g", now, d->now);
 }

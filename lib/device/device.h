@@ -1,9 +1,9 @@
 /* The inside of devices, shared by the files of lib/device.
  *
  * Pure parts know neither handles nor each other: calibration.c between frames, jaw.c the handle's opening,
- * motion.c velocities out of poses, coupling.c the force on a tied hand, judge.c what is wrong with a sample, stage.c and solenoid.c what may go out.
- * Adapters are called in adapter.c alone. On these stand device.c (life), ask.c and input.c (a read), write.c (a
- * write), control.c (clutch, stop, calibrating), views.c and state.c; output.c is the stage behind a handle of its
+ * motion.c velocities out of poses, coupling.c the force on a tied hand, sample_check.c what is wrong with a sample, output_limiter.c and solenoid.c what may go out.
+ * Adapters are called in adapter.c alone. On these stand device.c (life), poll.c and read.c (a read), write.c (a
+ * write), control.c (clutch, stop, calibrating), views.c and snapshot.c; output.c is the stage behind a handle of its
  * own; mock.c and mock_faults.c an adapter without hardware; mapping.c stands alone. */
 #ifndef VBSS_DEVICE_DEVICE_H
 #define VBSS_DEVICE_DEVICE_H
@@ -35,10 +35,10 @@ extern const vbss_layout vbss_output_result_layout, vbss_output_statistics_layou
 #define DEVICE_OUTPUTS (VBSS_DEVICE_OUT_FORCE | VBSS_DEVICE_OUT_TORQUE | VBSS_DEVICE_OUT_SOLENOID)
 
 /* Later by less is no new sample, s. */
-#define DEVICE_LEAST_ADVANCE 1e-6
+#define DEVICE_MIN_SAMPLE_SPACING 1e-6
 
 /* Part of the way to a new value that a filter with a time constant goes in h seconds. */
-static inline double device_share(double h, double time)
+static inline double device_smoothing_factor(double h, double time)
 {
     return time > 0.0 ? 1.0 - vbss_exp(-vbss_max(h, 0.0) / time) : 1.0;
 }
@@ -46,12 +46,12 @@ static inline double device_share(double h, double time)
 /* ---- calibration.c */
 
 typedef struct device_frame {
-    mat3 turn;     /* device to world */
+    mat3 rotation; /* device to world */
     double parity; /* its determinant, 1 or -1 */
     quat mount;
 } device_frame;
 vbss_result vbss_device_check_calibration(vbss_context *context, const vbss_device_calibration *c);
-device_frame vbss_device_frame_of(const vbss_device_calibration *c);
+device_frame vbss_device_make_frame(const vbss_device_calibration *c);
 vec3 vbss_device_position_to_world(const vbss_device_calibration *c, const device_frame *f, vec3 p);
 quat vbss_device_orientation_to_world(const device_frame *f, quat q);
 vec3 vbss_device_velocity_to_world(const vbss_device_calibration *c, const device_frame *f, vec3 v);
@@ -59,57 +59,64 @@ vec3 vbss_device_spin_to_world(const device_frame *f, vec3 omega);
 vec3 vbss_device_force_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v);
 vec3 vbss_device_torque_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v);
 /* A difference of positions or a velocity. */
-vec3 vbss_device_way_to_device(const vbss_device_calibration *c, const device_frame *f, vec3 v);
+vec3 vbss_device_displacement_to_device(const vbss_device_calibration *c, const device_frame *f,
+                                        vec3 v);
 /* Into the workspace; bits of the axes that were outside. */
-uint32_t vbss_device_keep_inside(const vbss_device_calibration *c, vec3 *p);
+uint32_t vbss_device_clamp_to_workspace(const vbss_device_calibration *c, vec3 *p);
 
 /* ---- jaw.c: raw value -> opening -> filter -> play -> closed or not */
 
 typedef struct device_jaw {
-    bool known, closed;
-    double filtered, play; /* play: where the filtered value was left behind by half the play */
+    bool is_known, is_closed;
+    double filtered,
+        after_play; /* play: where the filtered value was left behind by half the play */
     double opening;
 } device_jaw;
-bool vbss_device_believes_raw(const vbss_device_calibration *c, double raw);
-double vbss_device_opening_of(const vbss_device_calibration *c, double raw);
-void vbss_device_move_jaw(device_jaw *jaw, const vbss_device_calibration *c, double opening,
-                          double h);
+bool vbss_device_is_plausible_raw(const vbss_device_calibration *c, double raw);
+double vbss_device_opening_from_raw(const vbss_device_calibration *c, double raw);
+void vbss_device_update_jaw(device_jaw *jaw, const vbss_device_calibration *c, double opening,
+                            double h);
 
 /* ---- motion.c: filtered differences over time stamps, in the device's frame */
 
 typedef struct device_motion {
-    bool placed, moving;     /* there was a position; a velocity */
-    bool oriented, spinning; /* an orientation; a spin */
+    bool has_position, has_velocity; /* there was a position; a velocity */
+    bool has_orientation, has_spin;  /* an orientation; a spin */
     double time;
     vec3 position, velocity, spin;
     quat orientation;
 } device_motion;
-void vbss_device_forget_motion(device_motion *m);
+void vbss_device_reset_motion(device_motion *m);
 /* `orientation` NULL: not known. */
-void vbss_device_follow(device_motion *m, double filter_time, double time, vec3 position,
-                        const quat *orientation);
+void vbss_device_update_motion(device_motion *m, double filter_time, double time, vec3 position,
+                               const quat *orientation);
 
 /* ---- adapter.c: the host's functions, and what they are handed */
 
-enum { DEVICE_SOURCES = 2, DEVICE_ROOM = 4096, DEVICE_NAME = 32, DEVICE_TEXT = 128 };
+enum {
+    DEVICE_SOURCES = 2,
+    DEVICE_BUFFER_BYTES = 4096,
+    DEVICE_NAME_BYTES = 32,
+    DEVICE_TEXT_BYTES = 128
+};
 
 typedef struct device_source {
     vbss_device_adapter adapter;
-    char name[DEVICE_NAME], text[DEVICE_TEXT];
-    vbss_result failed; /* what it returned last that was not VBSS_OK */
+    char name[DEVICE_NAME_BYTES], text[DEVICE_TEXT_BYTES];
+    vbss_result last_failure; /* what it returned last that was not VBSS_OK */
     vbss_device_capabilities capabilities;
-    uint64_t *room; /* DEVICE_ROOM bytes for a struct of any version */
+    uint64_t *buffer; /* DEVICE_BUFFER_BYTES bytes for a struct of any version */
     /* state */
-    bool lost, fault, mute,
-        timed;          /* mute: the last read failed; timed: `time` is the last sample's */
-    double time, heard; /* heard: the host's time then */
+    bool is_lost, has_fault, read_failed,
+        has_time;             /* mute: the last read failed; timed: `time` is the last sample's */
+    double time, received_at; /* heard: the host's time then */
 } device_source;
 
 /* A table of this library's functions for a host. */
-vbss_result vbss_device_give_adapter(vbss_context *context, const vbss_device_adapter *own,
-                                     vbss_device_adapter *adapter);
+vbss_result vbss_device_export_adapter(vbss_context *context, const vbss_device_adapter *own,
+                                       vbss_device_adapter *adapter);
 /* As much as there is room for. */
-void vbss_device_keep_text(char *to, size_t room, const char *from);
+void vbss_device_copy_text(char *to, size_t capacity, const char *from);
 vbss_result vbss_device_check_adapter(vbss_context *context, const vbss_device_adapter *a,
                                       bool first);
 /* VBSS_ERROR_DEVICE, told, and the adapter is closed; capabilities are checked. */
@@ -119,51 +126,52 @@ void vbss_device_close_source(vbss_context *context, device_source *s);
 vbss_result vbss_device_read_source(vbss_context *context, device_source *s, double now,
                                     const vbss_device_sample **sample);
 /* Keeps what the adapter returned, and what it says of that. */
-void vbss_device_note_failure(vbss_context *context, device_source *s, vbss_result result);
+void vbss_device_record_failure(vbss_context *context, device_source *s, vbss_result result);
 /* Only what the adapter has; true when there was nothing to write. `coupling` NULL: there is none. */
 bool vbss_device_write_source(vbss_context *context, device_source *s, double now,
                               const vbss_output_result *output,
                               const vbss_device_coupling *coupling, uint32_t outputs);
 
-/* ---- judge.c: what is wrong with a sample, first to last */
+/* ---- sample_check.c: what is wrong with a sample, first to last */
 
-typedef enum device_verdict {
-    DEVICE_TAKEN,
-    DEVICE_REPEATED,
-    DEVICE_OUT_OF_ORDER,
-    DEVICE_NOT_FINITE,
-    DEVICE_OUT_OF_RANGE,
-    DEVICE_NOT_UNIT
-} device_verdict;
+typedef enum device_sample_status {
+    DEVICE_SAMPLE_ACCEPTED,
+    DEVICE_SAMPLE_REPEATED,
+    DEVICE_SAMPLE_OUT_OF_ORDER,
+    DEVICE_SAMPLE_NOT_FINITE,
+    DEVICE_SAMPLE_OUT_OF_RANGE,
+    DEVICE_SAMPLE_NOT_UNIT
+} device_sample_status;
 /* Of the parts in `valid`. `restarted` of one that is taken: older than the last, it is the begin of a new time. */
-device_verdict vbss_device_judge(const device_source *s, const vbss_device_sample *sample,
-                                 uint32_t valid, double now, const vbss_device_config *config,
-                                 bool *restarted);
+device_sample_status vbss_device_check_sample(const device_source *s,
+                                              const vbss_device_sample *sample, uint32_t valid,
+                                              double now, const vbss_device_config *config,
+                                              bool *restarted);
 
-/* ---- stage.c and solenoid.c: what may go out. No handles, no context. */
+/* ---- output_limiter.c and solenoid.c: what may go out. No handles, no context. */
 
 /* Older than anything. */
 #define OUTPUT_NEVER 1e9
 /* The longest step that forces may rise for, s. */
-#define OUTPUT_LONGEST 0.01
+#define OUTPUT_MAX_RISE_TIME 0.01
 
 typedef struct output_demand {
     vec3 force, torque;
     double age, input_age, temperature;
-    bool solenoid, fault;
-    bool held_off; /* the solenoid must be off; not kept */
+    bool solenoid, has_fault;
+    bool block_solenoid; /* the solenoid must be off; not kept */
 } output_demand;
 
 typedef struct output_solenoid {
-    bool on, spent; /* spent: wanted for too long, and wanted still */
-    double left;    /* s that it may be on */
+    bool is_on, is_exhausted; /* spent: wanted for too long, and wanted still */
+    double time_left;         /* s that it may be on */
 } output_solenoid;
 
 typedef struct output_state {
     vec3 force, torque;             /* that went out last */
     double force_load, torque_load; /* mean squares, N^2, N^2 m^2 */
-    output_demand last;             /* the last command */
-    bool stopped, ramping;
+    output_demand last_demand;      /* the last command */
+    bool is_stopped, is_ramping;
     double ramp_force, ramp_torque; /* where the ramp began, N, N m */
     output_solenoid solenoid;
     vbss_output_statistics statistics;
@@ -171,25 +179,25 @@ typedef struct output_state {
 
 vbss_result vbss_output_check_config(vbss_context *context, const vbss_output_config *c);
 vbss_result vbss_output_check_command(vbss_context *context, const vbss_output_command *c);
-void vbss_output_begin(const vbss_output_config *c, output_state *s);
+void vbss_output_init_state(const vbss_output_config *c, output_state *s);
 /* What a step without a new command goes by: the last, older by h. */
-output_demand vbss_output_again(const output_state *s, double h);
+output_demand vbss_output_repeat_demand(const output_state *s, double h);
 /* Keeps a command for such steps, with numbers that can be saved. */
-void vbss_output_keep(output_state *s, const output_demand *demand);
+void vbss_output_store_demand(output_state *s, const output_demand *demand);
 /* Bits of what was done; the results stand in the state. */
 uint32_t vbss_output_advance(const vbss_output_config *c, output_state *s, double h,
                              const output_demand *demand);
 /* Zeros at once, and for good. */
-void vbss_output_latch(output_state *s);
-void vbss_output_tell(const vbss_output_config *c, const output_state *s, uint32_t flags,
-                      vbss_output_result *result);
-output_demand vbss_output_demand_of(const vbss_output_command *command);
-uint32_t vbss_output_switch(const vbss_output_config *c, output_solenoid *s, double h, bool wanted,
-                            bool blocked, vbss_output_statistics *statistics);
+void vbss_output_latch_stop(output_state *s);
+void vbss_output_fill_result(const vbss_output_config *c, const output_state *s, uint32_t flags,
+                             vbss_output_result *result);
+output_demand vbss_output_make_demand(const vbss_output_command *command);
+uint32_t vbss_output_switch_solenoid(const vbss_output_config *c, output_solenoid *s, double h,
+                                     bool wanted, bool blocked, vbss_output_statistics *statistics);
 extern const vbss_kind vbss_output_kind;
 /* In both handles' states. */
 void vbss_output_visit_config(vbss_stream *stream, const vbss_output_config *c);
-void vbss_output_visit(vbss_stream *stream, const vbss_output_config *c, output_state *s);
+void vbss_output_visit_state(vbss_stream *stream, const vbss_output_config *c, output_state *s);
 
 /* ---- coupling.c */
 vbss_result vbss_device_check_coupling(vbss_context *context, const vbss_device_coupling *c);
@@ -199,10 +207,10 @@ vec3 vbss_device_coupling_force(const vbss_device_coupling *c, vec3 position, ve
 /* ---- device.c */
 
 /* A value that grows old. */
-typedef struct device_part {
-    bool known, stale;
-    double time, heard, age; /* by the adapter's clock; by the host's; s */
-} device_part;
+typedef struct device_reading {
+    bool is_known, is_stale;
+    double time, received_at, age; /* by the adapter's clock; by the host's; s */
+} device_reading;
 
 typedef struct device_object {
     vbss_context *context;
@@ -214,10 +222,10 @@ typedef struct device_object {
     uint32_t source_count;
     device_source sources[DEVICE_SOURCES];
     /* state */
-    bool begun, written; /* there was a call; a write */
+    bool has_time, has_written; /* there was a call; a write */
     double now, read_at, written_at;
-    uint32_t known; /* VBSS_DEVICE_HAS_ bits */
-    device_part pose, opening;
+    uint32_t known_signals; /* VBSS_DEVICE_HAS_ bits */
+    device_reading pose_reading, opening_reading;
     vec3 position, velocity, spin; /* last sample, device frame */
     quat orientation;
     device_motion motion;
@@ -225,11 +233,11 @@ typedef struct device_object {
     double jaw_raw, temperature;
     uint32_t buttons;
     vbss_device_tool tool;
-    bool clutched, unwritten; /* unwritten: the last write failed */
-    vec3 shift;               /* of clutch and re-centring */
-    quat turn;
-    pose held, shown; /* held by the clutch; as the last read told it */
-    uint32_t events;  /* of the read that goes on; no state */
+    bool is_clutched, write_failed; /* unwritten: the last write failed */
+    vec3 position_offset;           /* of clutch and re-centring */
+    quat orientation_offset;
+    pose clutch_pose, reported_pose; /* held by the clutch; as the last read told it */
+    uint32_t events;                 /* of the read that goes on; no state */
     output_state output;
     vbss_device_statistics statistics;
 } device_object;
@@ -240,22 +248,22 @@ vbss_result vbss_device_edit(vbss_device *handle, device_object **device);
 /* Finite, and not before the last. */
 vbss_result vbss_device_check_now(const device_object *d, double now);
 /* Which signals a source is asked for, and which outputs it is given. */
-uint32_t vbss_device_routed(const device_object *d, uint32_t source);
-uint32_t vbss_device_driven(const device_object *d, uint32_t source);
+uint32_t vbss_device_routed_signals(const device_object *d, uint32_t source);
+uint32_t vbss_device_driven_outputs(const device_object *d, uint32_t source);
 
-/* ---- ask.c, input.c, write.c, control.c, state.c */
+/* ---- poll.c, read.c, write.c, control.c, snapshot.c */
 
 /* Reads one adapter, if it can be read. */
-void vbss_device_ask(device_object *d, uint32_t source, double now);
+void vbss_device_poll(device_object *d, uint32_t source, double now);
 /* The pose that the last sample stands for, before clutch and re-centring. */
-pose vbss_device_calibrated(const device_object *d);
+pose vbss_device_calibrated_pose(const device_object *d);
 /* Writes to the adapters what they have of it; VBSS_OUTPUT_NOT_WRITTEN when one did not take it. `coupling`
  * in the device's frame, NULL: there is none. */
 uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
                           const vbss_device_coupling *coupling);
 /* Latches the emergency stop and writes zeros at once. */
-void vbss_device_latch(device_object *d);
-void vbss_device_visit(vbss_stream *stream, void *object);
+void vbss_device_latch_stop(device_object *d);
+void vbss_device_serialise(vbss_stream *stream, void *object);
 void vbss_device_visit_bool(vbss_stream *stream, uint16_t tag, bool *value);
 
 #endif

@@ -40,7 +40,7 @@ void *vbss_device_load_library(const char *name, char *text, size_t room)
     void *library = dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
     if (library == NULL) {
         const char *reason = dlerror();
-        vbss_device_keep_text(text, room, reason != NULL ? reason : "no reason is given");
+        vbss_device_copy_text(text, room, reason != NULL ? reason : "no reason is given");
     }
     return library;
 }

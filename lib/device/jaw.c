@@ -2,44 +2,45 @@
 #include "device/device.h"
 
 /* 0 at the closed end, 1 at the open one, and beyond. */
-static double part_of_range(const vbss_device_calibration *c, double raw)
+static double range_fraction(const vbss_device_calibration *c, double raw)
 {
     return (raw - c->jaw_closed) / (c->jaw_open - c->jaw_closed);
 }
 
-bool vbss_device_believes_raw(const vbss_device_calibration *c, double raw)
+bool vbss_device_is_plausible_raw(const vbss_device_calibration *c, double raw)
 {
-    double part = part_of_range(c, raw);
-    return part >= -c->jaw_margin && part <= 1.0 + c->jaw_margin;
+    double fraction = range_fraction(c, raw);
+    return fraction >= -c->jaw_margin && fraction <= 1.0 + c->jaw_margin;
 }
 
-double vbss_device_opening_of(const vbss_device_calibration *c, double raw)
+double vbss_device_opening_from_raw(const vbss_device_calibration *c, double raw)
 {
-    return vbss_min(vbss_max(part_of_range(c, raw), 0.0), 1.0);
+    return vbss_min(vbss_max(range_fraction(c, raw), 0.0), 1.0);
 }
 
 /* The opening goes through both ends although the play swallows half of itself at each. */
-static double stretched(double play, double half)
+static double compensate_play(double play, double half)
 {
     return vbss_min(vbss_max((play - half) / (1.0 - 2.0 * half), 0.0), 1.0);
 }
 
-void vbss_device_move_jaw(device_jaw *jaw, const vbss_device_calibration *c, double opening,
-                          double h)
+void vbss_device_update_jaw(device_jaw *jaw, const vbss_device_calibration *c, double opening,
+                            double h)
 {
     double half = 0.5 * c->jaw_play;
-    if (!jaw->known) { /* from where it is, not from closed */
-        jaw->known = true;
+    if (!jaw->is_known) { /* from where it is, not from closed */
+        jaw->is_known = true;
         jaw->filtered = opening;
-        jaw->play = half + (1.0 - 2.0 * half) * opening;
+        jaw->after_play = half + (1.0 - 2.0 * half) * opening;
     } else {
-        jaw->filtered += device_share(h, c->jaw_time) * (opening - jaw->filtered);
+        jaw->filtered += device_smoothing_factor(h, c->jaw_time) * (opening - jaw->filtered);
     }
-    jaw->play = vbss_min(vbss_max(jaw->play, jaw->filtered - half), jaw->filtered + half);
-    jaw->opening = stretched(jaw->play, half);
+    jaw->after_play =
+        vbss_min(vbss_max(jaw->after_play, jaw->filtered - half), jaw->filtered + half);
+    jaw->opening = compensate_play(jaw->after_play, half);
     if (jaw->opening <= c->jaw_close_at) {
-        jaw->closed = true;
+        jaw->is_closed = true;
     } else if (jaw->opening >= c->jaw_open_at) {
-        jaw->closed = false;
+        jaw->is_closed = false;
     }
 }

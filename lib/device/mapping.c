@@ -42,8 +42,9 @@ static vbss_result check_axes(const vbss_mapping_config *c)
     VBSS_TRY(vbss_check_finite(NULL, c->right, 3, "right"));
     VBSS_TRY(vbss_check_finite(NULL, c->up, 3, "up"));
     vec3 right = vec3_load(c->right), up = vec3_load(c->up);
-    double off[] = {vec3_dot(right, right) - 1.0, vec3_dot(up, up) - 1.0, vec3_dot(right, up)};
-    return vbss_max_abs(off, 3) <= 2e-6 ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE;
+    double deviations[] = {vec3_dot(right, right) - 1.0, vec3_dot(up, up) - 1.0,
+                           vec3_dot(right, up)};
+    return vbss_max_abs(deviations, 3) <= 2e-6 ? VBSS_OK : VBSS_ERROR_OUT_OF_RANGE;
 }
 
 static vbss_result check_config(const vbss_mapping_config *c)
@@ -78,9 +79,9 @@ static vbss_result check_sample(const vbss_device_sample *s)
 }
 
 /* What all three begin with. */
-static vbss_result begin(const vbss_mapping_config *config, const double *motion, int count,
-                         double most, double h, const vbss_device_sample *sample,
-                         vbss_mapping_config *c, vbss_device_sample *s)
+static vbss_result begin_mapping(const vbss_mapping_config *config, const double *motion, int count,
+                                 double limit, double h, const vbss_device_sample *sample,
+                                 vbss_mapping_config *c, vbss_device_sample *s)
 {
     VBSS_TRY(vbss_config_init(&layout, c, sizeof *c));
     if (config != NULL) {
@@ -89,7 +90,7 @@ static vbss_result begin(const vbss_mapping_config *config, const double *motion
     VBSS_TRY(check_config(c));
     VBSS_TRY(vbss_check_pointer(NULL, motion, "motion"));
     VBSS_TRY(vbss_check_finite(NULL, motion, (size_t)count, "motion"));
-    VBSS_TRY(vbss_check_range(NULL, vbss_max_abs(motion, (size_t)count), 0.0, most, "motion"));
+    VBSS_TRY(vbss_check_range(NULL, vbss_max_abs(motion, (size_t)count), 0.0, limit, "motion"));
     VBSS_TRY(vbss_check_range(NULL, h, 0.0, 10.0, "h"));
     VBSS_TRY(vbss_config_read(NULL, &vbss_device_sample_layout, sample, s));
     return check_sample(s);
@@ -98,14 +99,14 @@ static vbss_result begin(const vbss_mapping_config *config, const double *motion
 /* ---- moving a sample */
 
 /* Along right, up and towards the user. */
-static vec3 in_frame(const vbss_mapping_config *c, double right, double up, double towards)
+static vec3 view_vector(const vbss_mapping_config *c, double right, double up, double towards)
 {
     vec3 x = vec3_load(c->right), y = vec3_load(c->up);
     return vec3_add_scaled(vec3_add(vec3_scale(x, right), vec3_scale(y, up)), towards,
                            vec3_cross(x, y));
 }
 
-static void shift(const vbss_mapping_config *c, vec3 by, vbss_device_sample *s)
+static void translate_sample(const vbss_mapping_config *c, vec3 by, vbss_device_sample *s)
 {
     double x[3];
     vec3_store(x, vec3_add(vec3_load(s->position), by));
@@ -115,7 +116,7 @@ static void shift(const vbss_mapping_config *c, vec3 by, vbss_device_sample *s)
 }
 
 /* By whole turns less where a thousand presses come at once. */
-static void turn(vec3 by, vbss_device_sample *s)
+static void rotate_sample(vec3 by, vbss_device_sample *s)
 {
     quat q = quat_make(s->orientation[0], s->orientation[1], s->orientation[2], s->orientation[3]);
     q = quat_unit(quat_mul(vbss_quat_from_rotation_vector(by), q));
@@ -129,7 +130,7 @@ static void open_jaw(double by, vbss_device_sample *s)
 }
 
 /* Hands it back as far as the caller knows it. */
-static void end(double h, const vbss_device_sample *s, vbss_device_sample *sample)
+static void finish_mapping(double h, const vbss_device_sample *s, vbss_device_sample *sample)
 {
     vbss_device_sample own = *s;
     own.struct_size = sample->struct_size;
@@ -145,20 +146,20 @@ vbss_result vbss_mapping_mouse(const vbss_mapping_config *config, const double m
 {
     vbss_mapping_config c;
     vbss_device_sample s;
-    VBSS_TRY(begin(config, motion, 3, 1e6, h, sample, &c, &s));
+    VBSS_TRY(begin_mapping(config, motion, 3, 1e6, h, sample, &c, &s));
     VBSS_TRY(vbss_check_range(NULL, buttons, 0.0, 3.0, "buttons"));
     if ((buttons & VBSS_MAPPING_MOUSE_TURN) != 0) {
-        turn(in_frame(&c, -c.mouse_radians * motion[1], c.mouse_radians * motion[0],
-                      c.mouse_roll * motion[2]),
-             &s);
+        rotate_sample(view_vector(&c, -c.mouse_radians * motion[1], c.mouse_radians * motion[0],
+                                  c.mouse_roll * motion[2]),
+                      &s);
     } else {
-        shift(&c,
-              in_frame(&c, c.mouse_metres * motion[0], c.mouse_metres * motion[1],
-                       -c.mouse_depth * motion[2]),
-              &s);
+        translate_sample(&c,
+                         view_vector(&c, c.mouse_metres * motion[0], c.mouse_metres * motion[1],
+                                     -c.mouse_depth * motion[2]),
+                         &s);
     }
     open_jaw((buttons & VBSS_MAPPING_MOUSE_CLOSE) != 0 ? -c.jaw_rate * h : c.jaw_rate * h, &s);
-    end(h, &s, sample);
+    finish_mapping(h, &s, sample);
     return VBSS_OK;
 }
 
@@ -167,21 +168,23 @@ vbss_result vbss_mapping_keyboard(const vbss_mapping_config *config, const doubl
 {
     vbss_mapping_config c;
     vbss_device_sample s;
-    VBSS_TRY(begin(config, presses, 7, 1e6, h, sample, &c, &s));
-    shift(&c, vec3_scale(in_frame(&c, presses[0], presses[1], presses[2]), c.key_metres), &s);
-    turn(vec3_scale(in_frame(&c, presses[3], presses[4], presses[5]), c.key_radians), &s);
+    VBSS_TRY(begin_mapping(config, presses, 7, 1e6, h, sample, &c, &s));
+    translate_sample(
+        &c, vec3_scale(view_vector(&c, presses[0], presses[1], presses[2]), c.key_metres), &s);
+    rotate_sample(vec3_scale(view_vector(&c, presses[3], presses[4], presses[5]), c.key_radians),
+                  &s);
     open_jaw(c.key_jaw * presses[6], &s);
-    end(h, &s, sample);
+    finish_mapping(h, &s, sample);
     return VBSS_OK;
 }
 
 /* Nothing within the dead zone, all at full deflection, in between a power of what is left. */
-static double deflected(const vbss_mapping_config *c, double axis)
+static double shape_deflection(const vbss_mapping_config *c, double axis)
 {
-    double part = (vbss_min(fabs(axis), 1.0) - c->pad_dead) / (1.0 - c->pad_dead);
-    double rate = part > 0.0 ? part : 0.0;
+    double fraction = (vbss_min(fabs(axis), 1.0) - c->pad_dead) / (1.0 - c->pad_dead);
+    double rate = fraction > 0.0 ? fraction : 0.0;
     for (uint32_t i = 1; i < c->pad_curve && rate > 0.0; i++) {
-        rate *= part;
+        rate *= fraction;
     }
     return axis < 0.0 ? -rate : rate;
 }
@@ -192,14 +195,15 @@ vbss_result vbss_mapping_gamepad(const vbss_mapping_config *config, const double
     vbss_mapping_config c;
     vbss_device_sample s;
     double rate[6];
-    VBSS_TRY(begin(config, axes, 6, 1e6, h, sample, &c, &s));
+    VBSS_TRY(begin_mapping(config, axes, 6, 1e6, h, sample, &c, &s));
     VBSS_TRY(vbss_check_range(NULL, opening, 0.0, 1.0, "opening"));
     for (int i = 0; i < 6; i++) {
-        rate[i] = deflected(&c, axes[i]);
+        rate[i] = shape_deflection(&c, axes[i]);
     }
-    shift(&c, vec3_scale(in_frame(&c, rate[0], rate[1], rate[2]), c.pad_speed * h), &s);
-    turn(vec3_scale(in_frame(&c, rate[3], rate[4], rate[5]), c.pad_turning * h), &s);
+    translate_sample(&c, vec3_scale(view_vector(&c, rate[0], rate[1], rate[2]), c.pad_speed * h),
+                     &s);
+    rotate_sample(vec3_scale(view_vector(&c, rate[3], rate[4], rate[5]), c.pad_turning * h), &s);
     s.jaw = opening;
-    end(h, &s, sample);
+    finish_mapping(h, &s, sample);
     return VBSS_OK;
 }

@@ -19,7 +19,7 @@ static const uint32_t statistics_sizes[] = {40, 0};
 static const vbss_layout statistics_layout = {"vbss_mock_statistics", NULL, statistics_sizes};
 
 /* About a haptic arm with three driven axes; its continuous force stays unknown. */
-static const vbss_device_capabilities arm = {
+static const vbss_device_capabilities default_capabilities = {
     .struct_size = sizeof(vbss_device_capabilities),
     .signals = DEVICE_SIGNALS,
     .outputs = DEVICE_OUTPUTS,
@@ -44,7 +44,8 @@ static void free_mock(vbss_context *context, void *object)
 {
     mock_object *m = object;
     vbss_release(context, m->faults, m->config.fault_capacity, sizeof *m->faults);
-    vbss_release(context, m->rows, (size_t)MOCK_ROW * m->config.row_capacity, sizeof *m->rows);
+    vbss_release(context, m->rows, (size_t)MOCK_ROW_NUMBERS * m->config.row_capacity,
+                 sizeof *m->rows);
     vbss_release(context, m, 1, sizeof *m);
 }
 
@@ -58,7 +59,8 @@ static void visit_mock(vbss_stream *stream, void *object)
 
 static const vbss_kind kind = {"mock", VBSS_CODE('M', 'O', 'C', 'K'), 1, free_mock, visit_mock};
 
-static vbss_result make(vbss_context *context, const mock_object *wanted, mock_object **mock)
+static vbss_result allocate_mock(vbss_context *context, const mock_object *wanted,
+                                 mock_object **mock)
 {
     mock_object *m = vbss_allocate(context, 1, sizeof *m, "mock");
     if (m == NULL) {
@@ -67,7 +69,7 @@ static vbss_result make(vbss_context *context, const mock_object *wanted, mock_o
     *m = *wanted;
     const vbss_array arrays[] = {
         {&m->faults, m->config.fault_capacity, sizeof *m->faults},
-        {&m->rows, (size_t)MOCK_ROW * m->config.row_capacity, sizeof *m->rows}};
+        {&m->rows, (size_t)MOCK_ROW_NUMBERS * m->config.row_capacity, sizeof *m->rows}};
     vbss_result result = vbss_allocate_arrays(context, arrays, 2, "mock");
     if (result != VBSS_OK) {
         free_mock(context, m);
@@ -81,7 +83,7 @@ static vbss_result read_config(mock_object *wanted, const vbss_mock_config *conf
 {
     vbss_context *context = wanted->context;
     wanted->config = config_defaults;
-    wanted->capabilities = arm;
+    wanted->capabilities = default_capabilities;
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &config_layout, config, &wanted->config));
     }
@@ -112,7 +114,7 @@ vbss_result vbss_mock_create(vbss_context *context, const vbss_mock_config *conf
     mock_object wanted = {.context = context}, *m = NULL;
     vbss_slot *slot = NULL;
     VBSS_TRY(read_config(&wanted, config));
-    VBSS_TRY(make(context, &wanted, &m));
+    VBSS_TRY(allocate_mock(context, &wanted, &m));
     vbss_result result = vbss_slot_create(context, &kind, m, &slot);
     if (result != VBSS_OK) {
         free_mock(context, m);
@@ -135,7 +137,7 @@ static vbss_result open_mock(const void *handle, mock_object **mock)
     return VBSS_OK;
 }
 
-static vbss_result edit(vbss_mock *handle, mock_object **mock)
+static vbss_result edit_mock(vbss_mock *handle, mock_object **mock)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(handle, &kind, &slot));
@@ -184,24 +186,24 @@ static vbss_result mock_read(void *user, double now, vbss_device_sample *sample)
     }
     m->statistics.reads++;
     if (m->config.measure != NULL) {
-        sample->time = vbss_mock_time(m, now);
+        sample->time = vbss_mock_sample_time(m, now);
         bool outer = vbss_callback_begin(m->context); /* a host may read the adapter itself */
         m->config.measure(m->config.user, sample->time, sample);
         vbss_callback_end(m->context, outer);
     } else {
         *sample = m->sample;
     }
-    vbss_mock_spoil(m, now, sample);
+    vbss_mock_apply_faults(m, now, sample);
     return vbss_mock_fails(m, now, true) ? VBSS_ERROR_DEVICE : VBSS_OK;
 }
 
-static void keep_row(mock_object *m, double now, const vbss_output_result *output)
+static void append_row(mock_object *m, double now, const vbss_output_result *output)
 {
     if (m->row_count == m->config.row_capacity) {
         m->statistics.rows_lost++;
         return;
     }
-    double *row = m->rows + (size_t)MOCK_ROW * m->row_count++;
+    double *row = m->rows + (size_t)MOCK_ROW_NUMBERS * m->row_count++;
     row[0] = now;
     memcpy(row + 1, output->force, sizeof output->force);
     memcpy(row + 4, output->torque, sizeof output->torque);
@@ -217,7 +219,7 @@ static vbss_result mock_write(void *user, double now, const vbss_output_result *
     if (vbss_mock_fails(m, now, false)) {
         return VBSS_ERROR_DEVICE;
     }
-    keep_row(m, now, output);
+    append_row(m, now, output);
     return VBSS_OK;
 }
 
@@ -246,7 +248,7 @@ vbss_result vbss_mock_get_adapter(vbss_mock *mock, vbss_device_adapter *adapter)
         .write = mock_write,
         .explain = mock_explain,
     };
-    return vbss_device_give_adapter(m->context, &own, adapter);
+    return vbss_device_export_adapter(m->context, &own, adapter);
 }
 
 /* ---- what hosts do with it */
@@ -255,7 +257,7 @@ vbss_result vbss_mock_set_sample(vbss_mock *mock, const vbss_device_sample *samp
 {
     mock_object *m;
     vbss_device_sample own;
-    VBSS_TRY(edit(mock, &m));
+    VBSS_TRY(edit_mock(mock, &m));
     VBSS_TRY(vbss_config_read(m->context, &vbss_device_sample_layout, sample, &own));
     m->sample = own;
     return VBSS_OK;
@@ -266,7 +268,7 @@ vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double f
 {
     mock_object *m;
     const mock_fault own = {fault, from, until, value};
-    VBSS_TRY(edit(mock, &m));
+    VBSS_TRY(edit_mock(mock, &m));
     VBSS_TRY(vbss_mock_check_fault(m->context, &own));
     if (m->config.measure == NULL && vbss_mock_needs_function(fault)) {
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "fault %d needs a function of time",
@@ -282,7 +284,7 @@ vbss_result vbss_mock_add_fault(vbss_mock *mock, vbss_mock_fault fault, double f
 vbss_result vbss_mock_clear_faults(vbss_mock *mock)
 {
     mock_object *m;
-    VBSS_TRY(edit(mock, &m));
+    VBSS_TRY(edit_mock(mock, &m));
     m->fault_count = 0;
     return VBSS_OK;
 }
@@ -290,7 +292,7 @@ vbss_result vbss_mock_clear_faults(vbss_mock *mock)
 vbss_result vbss_mock_clear_rows(vbss_mock *mock)
 {
     mock_object *m;
-    VBSS_TRY(edit(mock, &m));
+    VBSS_TRY(edit_mock(mock, &m));
     m->row_count = 0;
     m->generation++;
     return VBSS_OK;
@@ -306,8 +308,8 @@ vbss_result vbss_mock_get_view(vbss_mock *mock, vbss_mock_field field, vbss_view
     }
     const vbss_view own = {0,
                            VBSS_TYPE_F64,
-                           MOCK_ROW,
-                           MOCK_ROW * sizeof(double),
+                           MOCK_ROW_NUMBERS,
+                           MOCK_ROW_NUMBERS * sizeof(double),
                            m->row_count,
                            m->rows,
                            m->generation + m->statistics.writes};

@@ -10,7 +10,7 @@ typedef struct mock_fault {
 } mock_fault;
 
 /* now, force, torque, solenoid, flags */
-enum { MOCK_ROW = 9 };
+enum { MOCK_ROW_NUMBERS = 9 };
 
 typedef struct mock_object {
     vbss_context *context;
@@ -29,8 +29,8 @@ typedef struct mock_object {
 bool vbss_mock_needs_function(vbss_mock_fault fault);
 vbss_result vbss_mock_check_fault(vbss_context *context, const mock_fault *f);
 /* The time that a sample read now is of. */
-double vbss_mock_time(const mock_object *m, double now);
-void vbss_mock_spoil(const mock_object *m, double now, vbss_device_sample *sample);
+double vbss_mock_sample_time(const mock_object *m, double now);
+void vbss_mock_apply_faults(const mock_object *m, double now, vbss_device_sample *sample);
 /* Whether a read or write fails now. */
 bool vbss_mock_fails(mock_object *m, double now, bool reads);
 

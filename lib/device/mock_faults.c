@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "device/mock.h"
 
-static bool acts(const mock_fault *f, double now)
+static bool is_active(const mock_fault *f, double now)
 {
     return now >= f->from && now < f->until;
 }
@@ -39,7 +39,7 @@ static double intervals_since(const mock_fault *f, double time)
     return floor((time - f->from) / f->value);
 }
 
-static double moved_time(const mock_fault *f, double time)
+static double faulted_time(const mock_fault *f, double time)
 {
     double intervals;
     switch (f->kind) {
@@ -57,12 +57,12 @@ static double moved_time(const mock_fault *f, double time)
     }
 }
 
-double vbss_mock_time(const mock_object *m, double now)
+double vbss_mock_sample_time(const mock_object *m, double now)
 {
     double time = now;
     for (uint32_t i = 0; i < m->fault_count; i++) {
-        if (acts(&m->faults[i], now) && vbss_mock_needs_function(m->faults[i].kind)) {
-            time = moved_time(&m->faults[i], time);
+        if (is_active(&m->faults[i], now) && vbss_mock_needs_function(m->faults[i].kind)) {
+            time = faulted_time(&m->faults[i], time);
         }
     }
     return time;
@@ -72,15 +72,15 @@ double vbss_mock_time(const mock_object *m, double now)
 
 static void put_nan(double which, vbss_device_sample *sample)
 {
-    double *const places[] = {sample->position, sample->orientation, sample->velocity,
-                              &sample->jaw_raw, &sample->time};
-    *places[(int)which] = (double)NAN;
+    double *const targets[] = {sample->position, sample->orientation, sample->velocity,
+                               &sample->jaw_raw, &sample->time};
+    *targets[(int)which] = (double)NAN;
     if (which == 3.0) {
         sample->jaw = (double)NAN;
     }
 }
 
-static void spoil(const mock_fault *f, vbss_device_sample *sample)
+static void apply_fault(const mock_fault *f, vbss_device_sample *sample)
 {
     switch (f->kind) {
     case VBSS_MOCK_NAN:
@@ -115,11 +115,11 @@ static void spoil(const mock_fault *f, vbss_device_sample *sample)
     }
 }
 
-void vbss_mock_spoil(const mock_object *m, double now, vbss_device_sample *sample)
+void vbss_mock_apply_faults(const mock_object *m, double now, vbss_device_sample *sample)
 {
     for (uint32_t i = 0; i < m->fault_count; i++) {
-        if (acts(&m->faults[i], now)) {
-            spoil(&m->faults[i], sample);
+        if (is_active(&m->faults[i], now)) {
+            apply_fault(&m->faults[i], sample);
         }
     }
 }
@@ -130,7 +130,7 @@ bool vbss_mock_fails(mock_object *m, double now, bool reads)
     bool fails = false;
     for (uint32_t i = 0; i < m->fault_count; i++) {
         const mock_fault *f = &m->faults[i];
-        if (acts(f, now) && (f->kind == own || f->kind == VBSS_MOCK_DISCONNECT)) {
+        if (is_active(f, now) && (f->kind == own || f->kind == VBSS_MOCK_DISCONNECT)) {
             m->failure = f->kind == VBSS_MOCK_DISCONNECT ? "unplugged by a fault of the mock"
                          : reads                         ? "a read fails by a fault of the mock"
                                                          : "a write fails by a fault of the mock";

@@ -6,44 +6,44 @@
 #include "base/rotation.h"
 #include "device/device.h"
 
-void vbss_device_forget_motion(device_motion *m)
+void vbss_device_reset_motion(device_motion *m)
 {
     *m = (device_motion){.orientation = quat_identity()};
 }
 
-static vec3 filtered(vec3 before, vec3 now, bool again, double share)
+static vec3 low_pass(vec3 previous, vec3 current, bool has_previous, double factor)
 {
-    return again ? vec3_add_scaled(before, share, vec3_sub(now, before)) : now;
+    return has_previous ? vec3_add_scaled(previous, factor, vec3_sub(current, previous)) : current;
 }
 
-static void follow_turn(device_motion *m, double per_second, double share, const quat *orientation)
+static void update_spin(device_motion *m, double per_second, double factor, const quat *orientation)
 {
-    if (m->oriented) {
+    if (m->has_orientation) {
         quat turned = quat_mul(*orientation, quat_conjugate(m->orientation));
         vec3 spin = vec3_scale(vbss_quat_to_rotation_vector(turned), per_second);
-        m->spin = filtered(m->spin, spin, m->spinning, share);
-        m->spinning = true;
+        m->spin = low_pass(m->spin, spin, m->has_spin, factor);
+        m->has_spin = true;
     }
 }
 
-void vbss_device_follow(device_motion *m, double filter_time, double time, vec3 position,
-                        const quat *orientation)
+void vbss_device_update_motion(device_motion *m, double filter_time, double time, vec3 position,
+                               const quat *orientation)
 {
     double h = time - m->time;
-    if (m->placed && h > 0.5 * DEVICE_LEAST_ADVANCE) {
-        double share = device_share(h, filter_time);
+    if (m->has_position && h > 0.5 * DEVICE_MIN_SAMPLE_SPACING) {
+        double factor = device_smoothing_factor(h, filter_time);
         vec3 velocity = vec3_scale(vec3_sub(position, m->position), 1.0 / h);
-        m->velocity = filtered(m->velocity, velocity, m->moving, share);
-        m->moving = true;
+        m->velocity = low_pass(m->velocity, velocity, m->has_velocity, factor);
+        m->has_velocity = true;
         if (orientation != NULL) {
-            follow_turn(m, 1.0 / h, share, orientation);
+            update_spin(m, 1.0 / h, factor, orientation);
         }
     }
-    m->placed = true;
+    m->has_position = true;
     m->time = time;
     m->position = position;
     if (orientation != NULL) {
-        m->oriented = true;
+        m->has_orientation = true;
         m->orientation = *orientation;
     }
 }

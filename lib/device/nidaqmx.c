@@ -49,42 +49,42 @@ static void end_task(const daq_functions *daq, daq_task task)
 
 static void close_lines(nidaqmx_object *o)
 {
-    if (o->threaded) {
-        atomic_store_explicit(&o->ending, true, memory_order_release);
+    if (o->has_thread) {
+        atomic_store_explicit(&o->stop_requested, true, memory_order_release);
         vbss_device_join_thread(&o->thread);
     }
-    if (o->driving) {
-        vbss_nidaqmx_put_off(o);
+    if (o->lines_open) {
+        vbss_nidaqmx_switch_off(o);
     }
     end_task(&o->daq, o->analog);
     end_task(&o->daq, o->digital);
     vbss_device_unload_library(o->daq.library);
 }
 
-static void free_object(vbss_context *context, void *object)
+static void free_lines(vbss_context *context, void *object)
 {
     nidaqmx_object *o = object;
     close_lines(o);
-    for (uint32_t i = 0; i < HANDLES; i++) { /* devices that are left behind find them lost */
-        if (o->handles[i].seated) {
-            vbss_slot_empty(o->handles[i].seat);
+    for (uint32_t i = 0; i < DAQ_HANDLES; i++) { /* devices that are left behind find them lost */
+        if (o->handles[i].is_slot_filled) {
+            vbss_slot_empty(o->handles[i].slot);
         }
     }
     vbss_release(context, o, 1, sizeof *o);
 }
 
 /* Lines are the world outside, which does not go back. */
-static void visit_object(vbss_stream *stream, void *object)
+static void visit_lines(vbss_stream *stream, void *object)
 {
     const nidaqmx_object *o = object;
     vbss_stream_expect(stream, 1, o->handle_count);
 }
 
-static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_object,
-                               visit_object};
+static const vbss_kind kind = {"handle lines", VBSS_CODE('D', 'A', 'Q', 'S'), 1, free_lines,
+                               visit_lines};
 
 /* A handle's own handle, for adapters; it ends with the lines. */
-static void leave_handle(vbss_context *context, void *object)
+static void release_nothing(vbss_context *context, void *object)
 {
     (void)context;
     (void)object;
@@ -92,30 +92,30 @@ static void leave_handle(vbss_context *context, void *object)
 
 static void visit_handle(vbss_stream *stream, void *object)
 {
-    const handle *h = object;
-    vbss_stream_expect(stream, 1, h->which);
+    const daq_handle *h = object;
+    vbss_stream_expect(stream, 1, h->handle_index);
 }
 
-static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1, leave_handle,
-                                      visit_handle};
+static const vbss_kind handle_kind = {"handle line", VBSS_CODE('D', 'A', 'Q', '1'), 1,
+                                      release_nothing, visit_handle};
 
 /* ---- the begin */
 
 static vbss_result read_name(vbss_context *context, const char *from, char *to, const char *what)
 {
     VBSS_TRY(vbss_check_pointer(context, from, what));
-    VBSS_TRY(vbss_check_range(context, (double)strlen(from), 1.0, DAQ_NAME - 1.0, what));
-    vbss_device_keep_text(to, DAQ_NAME, from);
+    VBSS_TRY(vbss_check_range(context, (double)strlen(from), 1.0, DAQ_NAME_BYTES - 1.0, what));
+    vbss_device_copy_text(to, DAQ_NAME_BYTES, from);
     return VBSS_OK;
 }
 
 static vbss_result read_names(nidaqmx_object *o)
 {
     const vbss_nidaqmx_config *c = &o->config;
-    const char *const inputs[HANDLES] = {c->first_input, c->second_input};
-    const char *const lines[HANDLES] = {c->first_line, c->second_line};
+    const char *const inputs[DAQ_HANDLES] = {c->first_input, c->second_input};
+    const char *const lines[DAQ_HANDLES] = {c->first_line, c->second_line};
     o->handle_count = c->handle_count;
-    for (uint32_t i = 0; i < o->handle_count && i < HANDLES; i++) {
+    for (uint32_t i = 0; i < o->handle_count && i < DAQ_HANDLES; i++) {
         VBSS_TRY(read_name(o->context, inputs[i], o->inputs[i], "name of an input"));
         if (lines[i] != NULL) {
             VBSS_TRY(read_name(o->context, lines[i], o->lines[i], "name of a line"));
@@ -133,7 +133,7 @@ static vbss_result read_config(nidaqmx_object *o, const vbss_nidaqmx_config *con
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &config_layout, config, c));
     }
-    VBSS_TRY(vbss_check_range(context, c->handle_count, 1.0, HANDLES, "handle_count"));
+    VBSS_TRY(vbss_check_range(context, c->handle_count, 1.0, DAQ_HANDLES, "handle_count"));
     VBSS_TRY(vbss_check_range(context, c->terminal, VBSS_NIDAQMX_SINGLE_ENDED,
                               VBSS_NIDAQMX_DIFFERENTIAL, "terminal"));
     VBSS_TRY(vbss_check_range(context, c->active_low, 0.0, 1.0, "active_low"));
@@ -164,7 +164,7 @@ static vbss_result open_inputs(nidaqmx_object *o)
 /* One channel of all lines; off at once. */
 static vbss_result open_lines(nidaqmx_object *o)
 {
-    char names[2 * DAQ_NAME] = "";
+    char names[2 * DAQ_NAME_BYTES] = "";
     if (!o->has_lines) {
         return VBSS_OK;
     }
@@ -178,8 +178,8 @@ static vbss_result open_lines(nidaqmx_object *o)
     VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, "lines"));
     code = o->daq.create_digital_output(o->digital, names, "", DAQ_CHANNEL_FOR_ALL_LINES);
     VBSS_TRY(vbss_nidaqmx_check(o->context, &o->daq, code, names));
-    o->driving = true;
-    return vbss_nidaqmx_check(o->context, &o->daq, vbss_nidaqmx_put_off(o), names);
+    o->lines_open = true;
+    return vbss_nidaqmx_check(o->context, &o->daq, vbss_nidaqmx_switch_off(o), names);
 }
 
 static vbss_result open_all(nidaqmx_object *o)
@@ -191,30 +191,30 @@ static vbss_result open_all(nidaqmx_object *o)
         return VBSS_OK;
     }
     o->thread = (device_thread){.run = vbss_nidaqmx_run, .user = o};
-    o->threaded = vbss_device_start_thread(&o->thread);
-    return o->threaded ? VBSS_OK
-                       : vbss_fail(o->context, VBSS_ERROR_DEVICE, "NI-DAQmx: no thread for it");
+    o->has_thread = vbss_device_start_thread(&o->thread);
+    return o->has_thread ? VBSS_OK
+                         : vbss_fail(o->context, VBSS_ERROR_DEVICE, "NI-DAQmx: no thread for it");
 }
 
-static void begin_exchanges(nidaqmx_object *o)
+static void init_buffers(nidaqmx_object *o)
 {
-    atomic_init(&o->ending, false);
-    device_exchange_begin(&o->to_host);
-    o->seen.status.struct_size = sizeof o->seen.status;
+    atomic_init(&o->stop_requested, false);
+    device_triple_buffer_init(&o->to_host);
+    o->report.status.struct_size = sizeof o->report.status;
     for (int i = 0; i < 3; i++) {
-        o->reports[i] = o->seen;
+        o->reports[i] = o->report;
     }
-    for (uint32_t i = 0; i < HANDLES; i++) {
-        o->handles[i].lines = o;
-        o->handles[i].which = i;
-        device_exchange_begin(&o->handles[i].to_round);
+    for (uint32_t i = 0; i < DAQ_HANDLES; i++) {
+        o->handles[i].owner = o;
+        o->handles[i].handle_index = i;
+        device_triple_buffer_init(&o->handles[i].to_cycle);
     }
 }
 
 static vbss_result reserve_slots(nidaqmx_object *o, vbss_slot **slot)
 {
     for (uint32_t i = 0; i < o->handle_count; i++) {
-        VBSS_TRY(vbss_slot_reserve(o->context, &handle_kind, &o->handles[i].seat));
+        VBSS_TRY(vbss_slot_reserve(o->context, &handle_kind, &o->handles[i].slot));
     }
     /* after those of the handles, so that a context that ends ends it first */
     return vbss_slot_reserve(o->context, &kind, slot);
@@ -235,17 +235,17 @@ vbss_result vbss_nidaqmx_create(vbss_context *context, const vbss_nidaqmx_config
     }
     vbss_slot *slot = NULL;
     o->context = context;
-    begin_exchanges(o);
+    init_buffers(o);
     vbss_result result = read_config(o, config);
     result = result == VBSS_OK ? reserve_slots(o, &slot) : result;
     result = result == VBSS_OK ? open_all(o) : result; /* last, as it touches the world outside */
     if (result != VBSS_OK) {
-        free_object(context, o);
+        free_lines(context, o);
         return result;
     }
     for (uint32_t i = 0; i < o->handle_count; i++) {
-        vbss_slot_fill(o->handles[i].seat, &o->handles[i]);
-        o->handles[i].seated = true;
+        vbss_slot_fill(o->handles[i].slot, &o->handles[i]);
+        o->handles[i].is_slot_filled = true;
     }
     vbss_slot_fill(slot, o);
     *nidaqmx = (vbss_nidaqmx *)slot;
@@ -257,7 +257,7 @@ vbss_result vbss_nidaqmx_destroy(vbss_nidaqmx *nidaqmx)
     return vbss_slot_destroy(nidaqmx, &kind);
 }
 
-static vbss_result open_object(const void *user, nidaqmx_object **o)
+static vbss_result open_daq(const void *user, nidaqmx_object **o)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(user, &kind, &slot));
@@ -267,13 +267,13 @@ static vbss_result open_object(const void *user, nidaqmx_object **o)
 
 /* ---- the adapters. `user` is the handle's own, which outlives it: a device may be left behind. */
 
-static const daq_report *newest(nidaqmx_object *o)
+static const daq_report *newest_report(nidaqmx_object *o)
 {
-    device_exchange_take(&o->to_host);
+    device_triple_buffer_fetch(&o->to_host);
     return &o->reports[o->to_host.reader];
 }
 
-static vbss_result open_seat(void *user, handle **h)
+static vbss_result open_handle(void *user, daq_handle **h)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(user, &handle_kind, &slot));
@@ -281,95 +281,96 @@ static vbss_result open_seat(void *user, handle **h)
     return VBSS_OK;
 }
 
-static void order(handle *h, bool on, double expires)
+static void send_command(daq_handle *h, bool on, double expires)
 {
-    h->orders[h->to_round.writer] = (handle_order){on, expires};
-    device_exchange_publish(&h->to_round);
+    h->commands[h->to_cycle.writer] = (handle_command){on, expires};
+    device_triple_buffer_publish(&h->to_cycle);
 }
 
 static vbss_result handle_open(void *user)
 {
-    handle *h;
-    VBSS_TRY(open_seat(user, &h));
-    if (h->attached) {
-        vbss_device_keep_text(h->text, sizeof h->text, "another device stands on this handle");
+    daq_handle *h;
+    VBSS_TRY(open_handle(user, &h));
+    if (h->is_attached) {
+        vbss_device_copy_text(h->text, sizeof h->text, "another device stands on this handle");
         return VBSS_ERROR_DEVICE;
     }
-    h->attached = true;
+    h->is_attached = true;
     return VBSS_OK;
 }
 
 static void handle_close(void *user)
 {
-    handle *h;
-    if (open_seat(user, &h) == VBSS_OK) {
-        order(h, false, 0.0);
-        h->attached = false;
+    daq_handle *h;
+    if (open_handle(user, &h) == VBSS_OK) {
+        send_command(h, false, 0.0);
+        h->is_attached = false;
     }
 }
 
 static vbss_result handle_describe(void *user, vbss_device_capabilities *capabilities)
 {
-    handle *h;
-    VBSS_TRY(open_seat(user, &h));
+    daq_handle *h;
+    VBSS_TRY(open_handle(user, &h));
     capabilities->signals = VBSS_DEVICE_HAS_JAW_RAW;
-    capabilities->outputs = h->lines->lines[h->which][0] != '\0' ? VBSS_DEVICE_OUT_SOLENOID : 0u;
+    capabilities->outputs =
+        h->owner->lines[h->handle_index][0] != '\0' ? VBSS_DEVICE_OUT_SOLENOID : 0u;
     capabilities->input_dof = 1;
-    capabilities->update_rate = 1.0 / h->lines->config.period;
+    capabilities->update_rate = 1.0 / h->owner->config.period;
     return VBSS_OK;
 }
 
 static vbss_result handle_read(void *user, double now, vbss_device_sample *sample)
 {
-    handle *h;
+    daq_handle *h;
     (void)now;
-    if (open_seat(user, &h) != VBSS_OK) {
+    if (open_handle(user, &h) != VBSS_OK) {
         sample->flags = VBSS_DEVICE_FLAG_LOST;
         return VBSS_ERROR_DEVICE;
     }
-    const daq_report *r = newest(h->lines);
+    const daq_report *r = newest_report(h->owner);
     sample->valid = VBSS_DEVICE_HAS_JAW_RAW;
     sample->time = r->time;
-    sample->jaw_raw = r->volts[h->which];
+    sample->jaw_raw = r->volts[h->handle_index];
     sample->flags = r->status.state == VBSS_HARDWARE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
     if (r->status.state == VBSS_HARDWARE_RUNNING) {
         return VBSS_OK;
     }
     snprintf(h->text, sizeof h->text, "%s (%d)",
-             r->measured || r->status.error != 0 ? vbss_nidaqmx_error_name(r->status.error)
-                                                 : "nothing was measured yet",
+             r->has_sample || r->status.error != 0 ? vbss_nidaqmx_error_name(r->status.error)
+                                                   : "nothing was measured yet",
              r->status.error);
     return VBSS_ERROR_DEVICE;
 }
 
 static vbss_result handle_write(void *user, double now, const vbss_output_result *output)
 {
-    handle *h;
+    daq_handle *h;
     (void)now;
-    VBSS_TRY(open_seat(user, &h));
-    order(h, output->solenoid != 0, output->expires);
+    VBSS_TRY(open_handle(user, &h));
+    send_command(h, output->solenoid != 0, output->expires);
     return VBSS_OK;
 }
 
 static void handle_explain(void *user, char *text, uint32_t bytes)
 {
-    handle *h;
-    bool there = open_seat(user, &h) == VBSS_OK;
-    vbss_device_keep_text(text, bytes, there ? h->text : "the lines were closed");
+    daq_handle *h;
+    bool is_open = open_handle(user, &h) == VBSS_OK;
+    vbss_device_copy_text(text, bytes, is_open ? h->text : "the lines were closed");
 }
 
 vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
                                      vbss_device_adapter *adapter)
 {
     nidaqmx_object *o;
-    VBSS_TRY(open_object(nidaqmx, &o));
+    VBSS_TRY(open_daq(nidaqmx, &o));
     if (which >= o->handle_count) {
         return vbss_fail(o->context, VBSS_ERROR_OUT_OF_RANGE, "there is no handle %u", which);
     }
     const vbss_device_adapter own = {
         .struct_size = sizeof own,
         .name = "handle",
-        .user = o->handles[which].seat,
+        .user = o->handles[which].slot,
         .open = handle_open,
         .close = handle_close,
         .describe = handle_describe,
@@ -377,7 +378,7 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
         .write = handle_write,
         .explain = handle_explain,
     };
-    return vbss_device_give_adapter(o->context, &own, adapter);
+    return vbss_device_export_adapter(o->context, &own, adapter);
 }
 
 /* ---- the host's */
@@ -385,14 +386,14 @@ vbss_result vbss_nidaqmx_get_adapter(vbss_nidaqmx *nidaqmx, uint32_t which,
 vbss_result vbss_nidaqmx_pump(vbss_nidaqmx *nidaqmx, double now)
 {
     nidaqmx_object *o;
-    VBSS_TRY(open_object(nidaqmx, &o));
+    VBSS_TRY(open_daq(nidaqmx, &o));
     if (!isfinite(now)) {
         return VBSS_ERROR_NOT_FINITE;
     }
-    if (o->threaded || fabs(now) > 1e9) {
+    if (o->has_thread || fabs(now) > 1e9) {
         return VBSS_ERROR_OUT_OF_RANGE;
     }
-    vbss_nidaqmx_round(o, now);
+    vbss_nidaqmx_cycle(o, now);
     return VBSS_OK;
 }
 
@@ -400,6 +401,7 @@ vbss_result vbss_nidaqmx_get_status(vbss_nidaqmx *nidaqmx, vbss_nidaqmx_status *
                                     uint32_t struct_size)
 {
     nidaqmx_object *o;
-    VBSS_TRY(open_object(nidaqmx, &o));
-    return vbss_struct_write(o->context, &status_layout, &newest(o)->status, status, struct_size);
+    VBSS_TRY(open_daq(nidaqmx, &o));
+    return vbss_struct_write(o->context, &status_layout, &newest_report(o)->status, status,
+                             struct_size);
 }

@@ -1,5 +1,5 @@
 /* The inside of handles and solenoids by NI-DAQmx: the vendor's functions and numbers (nidaqmx_library.c, nidaqmx_list.c), a round of
- * write and read (nidaqmx_round.c) in a thread of its own or the host's, and life and adapters on the host's side
+ * write and read (nidaqmx_cycle.c) in a thread of its own or the host's, and life and adapters on the host's side
  * (nidaqmx.c).
  *
  * Types and numbers are facts of the vendor's documentation, written down anew. */
@@ -63,60 +63,61 @@ vbss_result vbss_nidaqmx_check(vbss_context *context, const daq_functions *daq, 
 
 /* ---- what goes between the host and the rounds */
 
-enum { HANDLES = 2, DAQ_NAME = 128 };
+enum { DAQ_HANDLES = 2, DAQ_NAME_BYTES = 128 };
 
-typedef struct handle_order {
-    bool on;
+typedef struct handle_command {
+    bool is_on;
     double expires; /* s */
-} handle_order;
+} handle_command;
 
 typedef struct daq_report {
-    bool measured;
-    double time, volts[HANDLES];
+    bool has_sample;
+    double time, volts[DAQ_HANDLES];
     vbss_nidaqmx_status status;
 } daq_report;
 
 typedef struct nidaqmx_object nidaqmx_object;
 
 /* One handle as the host sees it. */
-typedef struct handle {
-    device_exchange to_round;
-    nidaqmx_object *lines;
-    vbss_slot *seat; /* handle of its own, for adapters */
-    uint32_t which;
-    bool seated, attached; /* attached: a device stands on it */
-    char text[DEVICE_TEXT];
-    handle_order orders[3];
+typedef struct daq_handle {
+    device_triple_buffer to_cycle;
+    nidaqmx_object *owner;
+    vbss_slot *slot; /* handle of its own, for adapters */
+    uint32_t handle_index;
+    bool is_slot_filled, is_attached; /* attached: a device stands on it */
+    char text[DEVICE_TEXT_BYTES];
+    handle_command commands[3];
     /* the round's alone */
-    double ordered_at;
-} handle;
+    double commanded_at;
+} daq_handle;
 
 struct nidaqmx_object {
-    device_exchange to_host;
-    handle handles[HANDLES];
+    device_triple_buffer to_host;
+    daq_handle handles[DAQ_HANDLES];
     vbss_context *context;
     daq_functions daq;
     vbss_nidaqmx_config config;
-    char inputs[HANDLES][DAQ_NAME], lines[HANDLES][DAQ_NAME]; /* line empty: there is no solenoid */
+    char inputs[DAQ_HANDLES][DAQ_NAME_BYTES],
+        lines[DAQ_HANDLES][DAQ_NAME_BYTES]; /* line empty: there is no solenoid */
     uint32_t handle_count;
-    bool has_lines, driving; /* driving: the lines are open */
+    bool has_lines, lines_open; /* driving: the lines are open */
     daq_task analog, digital;
     device_thread thread;
-    bool threaded;
-    atomic_bool ending;
+    bool has_thread;
+    atomic_bool stop_requested;
     daq_report reports[3];
     /* the round's alone */
-    bool written, failing,
-        lost; /* written: `out` is what the lines have; failing: the last read did */
-    uint8_t out[HANDLES];
-    double begun_at, spacing; /* s; spacing: from the round before, a period at least */
-    daq_report seen;
+    bool levels_written, read_failed,
+        is_lost; /* written: `out` is what the lines have; failing: the last read did */
+    uint8_t levels[DAQ_HANDLES];
+    double cycle_start, cycle_interval; /* s; spacing: from the round before, a period at least */
+    daq_report report;
 };
 
-/* ---- nidaqmx_round.c */
-void vbss_nidaqmx_round(nidaqmx_object *o, double now);
+/* ---- nidaqmx_cycle.c */
+void vbss_nidaqmx_cycle(nidaqmx_object *o, double now);
 /* Solenoids off. */
-int32_t vbss_nidaqmx_put_off(nidaqmx_object *o);
+int32_t vbss_nidaqmx_switch_off(nidaqmx_object *o);
 void vbss_nidaqmx_run(void *user);
 
 #endif

@@ -23,7 +23,7 @@ vbss_result vbss_nidaqmx_load(vbss_context *context, const char *name, daq_funct
         {"DAQmxGetSysDevNames", &daq->get_device_names},
         {"DAQmxGetDevProductType", &daq->get_product},
     };
-    char text[DEVICE_TEXT] = "";
+    char text[DEVICE_TEXT_BYTES] = "";
     name = name != NULL ? name : USUAL_NAME;
     daq->library = vbss_device_load_library(name, text, sizeof text);
     if (daq->library == NULL) {

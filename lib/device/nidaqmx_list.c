@@ -9,12 +9,13 @@
 static void append(char *text, uint32_t bytes, const char *more)
 {
     size_t used = strlen(text);
-    vbss_device_keep_text(text + used, bytes - used, more);
+    vbss_device_copy_text(text + used, bytes - used, more);
 }
 
-static vbss_result list(vbss_context *context, const daq_functions *daq, char *text, uint32_t bytes)
+static vbss_result list_devices(vbss_context *context, const daq_functions *daq, char *text,
+                                uint32_t bytes)
 {
-    char names[1024] = "", product[DAQ_NAME];
+    char names[1024] = "", product[DAQ_NAME_BYTES];
     int32_t code = daq->get_device_names(names, sizeof names);
     VBSS_TRY(vbss_nidaqmx_check(context, daq, code, "devices"));
     names[sizeof names - 1] = '\0';
@@ -51,7 +52,7 @@ vbss_result vbss_nidaqmx_list(vbss_context *context, const char *library, char *
     VBSS_TRY(vbss_check_range(context, bytes, 1.0, 4294967295.0, "bytes"));
     text[0] = '\0';
     vbss_result result = vbss_nidaqmx_load(context, library, &daq);
-    result = result == VBSS_OK ? list(context, &daq, text, bytes) : result;
+    result = result == VBSS_OK ? list_devices(context, &daq, text, bytes) : result;
     vbss_device_unload_library(daq.library);
     return result;
 }

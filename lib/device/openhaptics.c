@@ -36,18 +36,18 @@ vbss_result vbss_openhaptics_config_init(vbss_openhaptics_config *config, uint32
 
 static void end_servo(openhaptics_object *o)
 {
-    atomic_store_explicit(&o->ending, true, memory_order_release);
-    for (int i = 0; o->started && i < PATIENCE; i++) {
-        if (atomic_load_explicit(&o->ended, memory_order_acquire)) {
+    atomic_store_explicit(&o->stop_requested, true, memory_order_release);
+    for (int i = 0; o->is_started && i < PATIENCE; i++) {
+        if (atomic_load_explicit(&o->has_stopped, memory_order_acquire)) {
             break;
         }
         o->hd.wait_for_completion(o->callback, HD_CHECK_STATUS);
         vbss_device_sleep(1e-3);
     }
-    if (o->started) {
+    if (o->is_started) {
         o->hd.stop_scheduler();
     }
-    if (o->scheduled) {
+    if (o->is_scheduled) {
         o->hd.unschedule(o->callback);
     }
 }
@@ -56,8 +56,8 @@ static void close_arms(openhaptics_object *o)
 {
     end_servo(o);
     for (uint32_t i = o->arm_count; i > 0; i--) {
-        arm *a = &o->arms[i - 1];
-        if (a->opened) {
+        haptic_arm *a = &o->arms[i - 1];
+        if (a->is_open) {
             o->hd.make_current_device(a->device);
             o->hd.disable(HD_FORCE_OUTPUT);
             o->hd.disable_device(a->device);
@@ -70,30 +70,31 @@ static void close_arms(openhaptics_object *o)
     vbss_device_unload_library(o->hd.library);
 }
 
-static void free_object(vbss_context *context, void *object)
+static void free_arms(vbss_context *context, void *object)
 {
     openhaptics_object *o = object;
     close_arms(o);
-    for (uint32_t i = 0; i < ARMS; i++) { /* devices that are left behind find them lost */
-        if (o->arms[i].seated) {
-            vbss_slot_empty(o->arms[i].seat);
+    for (uint32_t i = 0; i < OPENHAPTICS_ARMS;
+         i++) { /* devices that are left behind find them lost */
+        if (o->arms[i].is_slot_filled) {
+            vbss_slot_empty(o->arms[i].slot);
         }
     }
     vbss_release(context, object, 1, sizeof(openhaptics_object));
 }
 
 /* Arms are the world outside, which does not go back. */
-static void visit_object(vbss_stream *stream, void *object)
+static void visit_arms(vbss_stream *stream, void *object)
 {
     openhaptics_object *o = object;
     vbss_stream_expect(stream, 1, o->arm_count);
 }
 
-static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_object,
-                               visit_object};
+static const vbss_kind kind = {"haptic arms", VBSS_CODE('H', 'A', 'R', 'M'), 1, free_arms,
+                               visit_arms};
 
 /* An arm's own handle, for adapters; it ends with the arms. */
-static void leave_arm(vbss_context *context, void *object)
+static void release_nothing(vbss_context *context, void *object)
 {
     (void)context;
     (void)object;
@@ -101,44 +102,44 @@ static void leave_arm(vbss_context *context, void *object)
 
 static void visit_arm(vbss_stream *stream, void *object)
 {
-    const arm *a = object;
+    const haptic_arm *a = object;
     vbss_stream_expect(stream, 1, a->device);
 }
 
-static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, leave_arm,
+static const vbss_kind arm_kind = {"haptic arm", VBSS_CODE('H', 'A', 'R', '1'), 1, release_nothing,
                                    visit_arm};
 
 /* ---- the begin */
 
 static void copy_text(char *to, const char *from)
 {
-    vbss_device_keep_text(to, ARM_NAME, from != NULL ? from : "");
+    vbss_device_copy_text(to, ARM_NAME_BYTES, from != NULL ? from : "");
 }
 
-static double positive(double value, double most)
+static double positive_or_zero(double value, double limit)
 {
-    return isfinite(value) && value > 0.0 ? vbss_min(value, most) : 0.0;
+    return isfinite(value) && value > 0.0 ? vbss_min(value, limit) : 0.0;
 }
 
 /* What the arm says of itself; what makes no sense is not known. */
-static void describe(openhaptics_object *o, arm *a)
+static void describe_arm(openhaptics_object *o, haptic_arm *a)
 {
-    double force = 0.0, lasting = 0.0, box[6] = {0.0};
+    double max_force = 0.0, continuous_force = 0.0, workspace_mm[6] = {0.0};
     int32_t input = 0, output = 0;
-    o->hd.get_doubles(HD_NOMINAL_MAX_FORCE, &force);
-    o->hd.get_doubles(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &lasting);
-    o->hd.get_doubles(HD_MAX_WORKSPACE_DIMENSIONS, box);
-    o->hd.get_integers(HD_INPUT_DOF, &input);
-    o->hd.get_integers(HD_OUTPUT_DOF, &output);
-    o->hd.get_integers(HD_CALIBRATION_STYLE, &a->style);
+    o->hd.get_doublev(HD_NOMINAL_MAX_FORCE, &max_force);
+    o->hd.get_doublev(HD_NOMINAL_MAX_CONTINUOUS_FORCE, &continuous_force);
+    o->hd.get_doublev(HD_MAX_WORKSPACE_DIMENSIONS, workspace_mm);
+    o->hd.get_integerv(HD_INPUT_DOF, &input);
+    o->hd.get_integerv(HD_OUTPUT_DOF, &output);
+    o->hd.get_integerv(HD_CALIBRATION_STYLE, &a->calibration_style);
     const char *model = o->hd.get_string(HD_DEVICE_MODEL_TYPE);
     copy_text(a->model, model);
     const char *serial = o->hd.get_string(HD_DEVICE_SERIAL_NUMBER);
     copy_text(a->serial, serial);
-    const uint32_t styles = (uint32_t)a->style;
-    a->style = (styles & HD_STYLE_INKWELL) != 0 ? HD_STYLE_INKWELL
-               : (styles & HD_STYLE_AUTO) != 0  ? HD_STYLE_AUTO
-                                                : HD_STYLE_ENCODER_RESET;
+    const uint32_t styles = (uint32_t)a->calibration_style;
+    a->calibration_style = (styles & HD_STYLE_INKWELL) != 0 ? HD_STYLE_INKWELL
+                           : (styles & HD_STYLE_AUTO) != 0  ? HD_STYLE_AUTO
+                                                            : HD_STYLE_ENCODER_RESET;
     a->capabilities = (vbss_device_capabilities){
         .struct_size = sizeof a->capabilities,
         .signals = DEVICE_POSE_SIGNALS | DEVICE_MOTION_SIGNALS | VBSS_DEVICE_HAS_BUTTONS |
@@ -146,14 +147,15 @@ static void describe(openhaptics_object *o, arm *a)
         .outputs = VBSS_DEVICE_OUT_FORCE,
         .input_dof = (uint32_t)(input > 0 ? input : 0),
         .output_dof = (uint32_t)(output > 0 ? output : 0),
-        .max_force = positive(force, 1e3),
-        .max_continuous_force = positive(lasting, 1e3),
+        .max_force = positive_or_zero(max_force, 1e3),
+        .max_continuous_force = positive_or_zero(continuous_force, 1e3),
         .update_rate = o->config.rate,
     };
     for (int i = 0; i < 3; i++) {
-        if (fabs(box[i]) < 1e5 && box[i + 3] > box[i] && box[i + 3] < 1e5) {
-            a->capabilities.workspace_low[i] = 1e-3 * box[i];
-            a->capabilities.workspace_high[i] = 1e-3 * box[i + 3];
+        if (fabs(workspace_mm[i]) < 1e5 && workspace_mm[i + 3] > workspace_mm[i] &&
+            workspace_mm[i + 3] < 1e5) {
+            a->capabilities.workspace_low[i] = 1e-3 * workspace_mm[i];
+            a->capabilities.workspace_high[i] = 1e-3 * workspace_mm[i + 3];
         }
     }
     const vbss_device_capabilities *c = &a->capabilities;
@@ -164,10 +166,10 @@ static void describe(openhaptics_object *o, arm *a)
                               : l->continuous_force;
 }
 
-static void begin_arm(arm *a)
+static void init_arm(haptic_arm *a)
 {
-    device_exchange_begin(&a->to_servo);
-    device_exchange_begin(&a->to_host);
+    device_triple_buffer_init(&a->to_servo);
+    device_triple_buffer_init(&a->to_host);
     (void)vbss_device_sample_init(&a->sample, sizeof a->sample);
     a->sample.valid = a->capabilities.signals;
     for (int i = 0; i < 3; i++) {
@@ -175,32 +177,32 @@ static void begin_arm(arm *a)
         a->reports[i].status.struct_size = sizeof a->status;
     }
     a->status.struct_size = sizeof a->status;
-    vbss_output_begin(&a->limits, &a->stage);
+    vbss_output_init_state(&a->limits, &a->output);
 }
 
-static vbss_result open_arm(openhaptics_object *o, arm *a, const char *name)
+static vbss_result open_arm(openhaptics_object *o, haptic_arm *a, const char *name)
 {
-    char what[DEVICE_TEXT];
+    char what[DEVICE_TEXT_BYTES];
     snprintf(what, sizeof what, "device '%.80s'", name != NULL ? name : "default");
     a->device = o->hd.init_device(name);
-    a->opened = a->device != HD_NO_DEVICE;
+    a->is_open = a->device != HD_NO_DEVICE;
     VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, what));
-    if (!a->opened) {
+    if (!a->is_open) {
         return vbss_fail(o->context, VBSS_ERROR_DEVICE, "OpenHaptics: %s is not there", what);
     }
     o->hd.make_current_device(a->device);
     o->hd.enable(HD_FORCE_OUTPUT);
-    describe(o, a);
-    begin_arm(a);
+    describe_arm(o, a);
+    init_arm(a);
     return vbss_openhaptics_check(o->context, &o->hd, what);
 }
 
 /* All arms, then the callback, then the scheduler that serves them. */
 static vbss_result open_arms(openhaptics_object *o)
 {
-    const char *const names[ARMS] = {o->config.first_name, o->config.second_name};
+    const char *const names[OPENHAPTICS_ARMS] = {o->config.first_name, o->config.second_name};
     VBSS_TRY(vbss_openhaptics_load(o->context, o->config.library, &o->hd));
-    for (uint32_t i = 0; i < o->config.device_count && i < ARMS; i++) {
+    for (uint32_t i = 0; i < o->config.device_count && i < OPENHAPTICS_ARMS; i++) {
         o->arm_count++;
         VBSS_TRY(open_arm(o, &o->arms[i], names[i]));
     }
@@ -208,9 +210,9 @@ static vbss_result open_arms(openhaptics_object *o)
     VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, "rate of the servo"));
     o->callback = o->hd.schedule(vbss_openhaptics_tick, o, HD_MAX_PRIORITY);
     VBSS_TRY(vbss_openhaptics_check(o->context, &o->hd, "a place in the servo"));
-    o->scheduled = true;
+    o->is_scheduled = true;
     o->hd.start_scheduler();
-    o->started = true;
+    o->is_started = true;
     return vbss_openhaptics_check(o->context, &o->hd, "begin of the servo");
 }
 
@@ -222,7 +224,8 @@ static vbss_result read_config(openhaptics_object *wanted, const vbss_openhaptic
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &config_layout, config, &wanted->config));
     }
-    VBSS_TRY(vbss_check_range(context, wanted->config.device_count, 1.0, ARMS, "device_count"));
+    VBSS_TRY(vbss_check_range(context, wanted->config.device_count, 1.0, OPENHAPTICS_ARMS,
+                              "device_count"));
     VBSS_TRY(vbss_check_range(context, wanted->config.rate, 100.0, 8000.0, "rate"));
     VBSS_TRY(vbss_check_range(context, wanted->config.reserved, 0.0, 0.0, "reserved"));
     VBSS_TRY(vbss_output_config_init(&limits, sizeof limits));
@@ -231,7 +234,7 @@ static vbss_result read_config(openhaptics_object *wanted, const vbss_openhaptic
             vbss_config_read(context, &vbss_output_config_layout, wanted->config.output, &limits));
     }
     VBSS_TRY(vbss_output_check_config(context, &limits));
-    for (int i = 0; i < ARMS; i++) {
+    for (int i = 0; i < OPENHAPTICS_ARMS; i++) {
         wanted->arms[i].limits = limits;
     }
     return VBSS_OK;
@@ -251,12 +254,13 @@ vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptic
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
     o->context = context;
-    atomic_init(&o->ending, false);
-    atomic_init(&o->ended, false);
+    atomic_init(&o->stop_requested, false);
+    atomic_init(&o->has_stopped, false);
     vbss_slot *slot = NULL;
     vbss_result result = read_config(o, config);
-    for (uint32_t i = 0; result == VBSS_OK && i < o->config.device_count && i < ARMS; i++) {
-        result = vbss_slot_reserve(context, &arm_kind, &o->arms[i].seat);
+    for (uint32_t i = 0; result == VBSS_OK && i < o->config.device_count && i < OPENHAPTICS_ARMS;
+         i++) {
+        result = vbss_slot_reserve(context, &arm_kind, &o->arms[i].slot);
     }
     if (result ==
         VBSS_OK) { /* after those of the arms, so that a context that ends ends it first */
@@ -269,12 +273,12 @@ vbss_result vbss_openhaptics_create(vbss_context *context, const vbss_openhaptic
     o->config.library = o->config.first_name = o->config.second_name = NULL;
     o->config.output = NULL;
     if (result != VBSS_OK) {
-        free_object(context, o);
+        free_arms(context, o);
         return result;
     }
     for (uint32_t i = 0; i < o->arm_count; i++) {
-        vbss_slot_fill(o->arms[i].seat, &o->arms[i]);
-        o->arms[i].seated = true;
+        vbss_slot_fill(o->arms[i].slot, &o->arms[i]);
+        o->arms[i].is_slot_filled = true;
     }
     vbss_slot_fill(slot, o);
     *openhaptics = (vbss_openhaptics *)slot;
@@ -286,7 +290,8 @@ vbss_result vbss_openhaptics_destroy(vbss_openhaptics *openhaptics)
     return vbss_slot_destroy(openhaptics, &kind);
 }
 
-static vbss_result open_which(const void *handle, uint32_t which, openhaptics_object **o, arm **a)
+static vbss_result open_arm_at(const void *handle, uint32_t which, openhaptics_object **o,
+                               haptic_arm **a)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
@@ -301,13 +306,13 @@ static vbss_result open_which(const void *handle, uint32_t which, openhaptics_ob
 
 /* ---- the adapters. `user` is the arm's own handle, which outlives it: a device may be left behind. */
 
-static const arm_report *newest(arm *a)
+static const arm_report *newest_report(haptic_arm *a)
 {
-    device_exchange_take(&a->to_host);
+    device_triple_buffer_fetch(&a->to_host);
     return &a->reports[a->to_host.reader];
 }
 
-static vbss_result open_seat(void *user, arm **a)
+static vbss_result open_arm_handle(void *user, haptic_arm **a)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(user, &arm_kind, &slot));
@@ -315,53 +320,53 @@ static vbss_result open_seat(void *user, arm **a)
     return VBSS_OK;
 }
 
-static void explain_failure(arm *a, const char *text)
+static void set_failure_text(haptic_arm *a, const char *text)
 {
-    vbss_device_keep_text(a->text, sizeof a->text, text);
+    vbss_device_copy_text(a->text, sizeof a->text, text);
 }
 
-static void order(arm *a, const arm_order *wanted)
+static void send_command(haptic_arm *a, const arm_command *wanted)
 {
-    a->orders[a->to_servo.writer] = *wanted;
-    device_exchange_publish(&a->to_servo);
+    a->commands[a->to_servo.writer] = *wanted;
+    device_triple_buffer_publish(&a->to_servo);
 }
 
 static vbss_result arm_open(void *user)
 {
-    arm *a;
-    VBSS_TRY(open_seat(user, &a));
-    if (a->attached) {
-        explain_failure(a, "another device stands on this arm");
+    haptic_arm *a;
+    VBSS_TRY(open_arm_handle(user, &a));
+    if (a->is_attached) {
+        set_failure_text(a, "another device stands on this arm");
         return VBSS_ERROR_DEVICE;
     }
-    a->attached = true;
+    a->is_attached = true;
     return VBSS_OK;
 }
 
 static void arm_close(void *user)
 {
-    arm *a;
-    if (open_seat(user, &a) == VBSS_OK) {
-        order(a, &(arm_order){.given = true});
-        a->attached = false;
+    haptic_arm *a;
+    if (open_arm_handle(user, &a) == VBSS_OK) {
+        send_command(a, &(arm_command){.is_given = true});
+        a->is_attached = false;
     }
 }
 
 static vbss_result arm_describe(void *user, vbss_device_capabilities *capabilities)
 {
-    arm *a;
-    VBSS_TRY(open_seat(user, &a));
+    haptic_arm *a;
+    VBSS_TRY(open_arm_handle(user, &a));
     *capabilities = a->capabilities;
     return VBSS_OK;
 }
 
 /* What somebody must do, or what the vendor's library said last. */
-static void explain_status(arm *a, const vbss_openhaptics_status *s)
+static void explain_status(haptic_arm *a, const vbss_openhaptics_status *s)
 {
     if (s->ticks == 0) {
-        explain_failure(a, "the servo has not begun yet");
+        set_failure_text(a, "the servo has not begun yet");
     } else if (s->state == VBSS_HARDWARE_UNCALIBRATED) {
-        explain_failure(a, "not calibrated: put the stylus into the inkwell");
+        set_failure_text(a, "not calibrated: put the stylus into the inkwell");
     } else if (s->error != 0) {
         snprintf(a->text, sizeof a->text, "%s (0x%04x, %d)", vbss_openhaptics_error_name(s->error),
                  s->error, s->internal_error);
@@ -370,13 +375,13 @@ static void explain_status(arm *a, const vbss_openhaptics_status *s)
 
 static vbss_result arm_read(void *user, double now, vbss_device_sample *sample)
 {
-    arm *a;
+    haptic_arm *a;
     (void)now;
-    if (open_seat(user, &a) != VBSS_OK) {
+    if (open_arm_handle(user, &a) != VBSS_OK) {
         sample->flags = VBSS_DEVICE_FLAG_LOST;
         return VBSS_ERROR_DEVICE;
     }
-    const arm_report *r = newest(a);
+    const arm_report *r = newest_report(a);
     explain_status(a, &r->status);
     *sample = r->sample;
     return r->status.ticks == 0 || r->status.state == VBSS_HARDWARE_LOST ? VBSS_ERROR_DEVICE
@@ -385,40 +390,40 @@ static vbss_result arm_read(void *user, double now, vbss_device_sample *sample)
 
 static vbss_result arm_write(void *user, double now, const vbss_output_result *output)
 {
-    arm *a;
+    haptic_arm *a;
     (void)now;
-    VBSS_TRY(open_seat(user, &a));
-    order(a, &(arm_order){.given = true, .force = vec3_load(output->force)});
+    VBSS_TRY(open_arm_handle(user, &a));
+    send_command(a, &(arm_command){.is_given = true, .force = vec3_load(output->force)});
     return VBSS_OK;
 }
 
 static vbss_result arm_couple(void *user, double now, const vbss_output_result *output,
                               const vbss_device_coupling *coupling)
 {
-    arm *a;
+    haptic_arm *a;
     (void)now;
-    VBSS_TRY(open_seat(user, &a));
-    order(a, &(arm_order){true, true, vec3_load(output->force), *coupling});
+    VBSS_TRY(open_arm_handle(user, &a));
+    send_command(a, &(arm_command){true, true, vec3_load(output->force), *coupling});
     return VBSS_OK;
 }
 
 static void arm_explain(void *user, char *text, uint32_t bytes)
 {
-    arm *a;
-    bool there = open_seat(user, &a) == VBSS_OK;
-    vbss_device_keep_text(text, bytes, there ? a->text : "the arms were closed");
+    haptic_arm *a;
+    bool is_open = open_arm_handle(user, &a) == VBSS_OK;
+    vbss_device_copy_text(text, bytes, is_open ? a->text : "the arms were closed");
 }
 
 vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t which,
                                          vbss_device_adapter *adapter)
 {
     openhaptics_object *o;
-    arm *a;
-    VBSS_TRY(open_which(openhaptics, which, &o, &a));
+    haptic_arm *a;
+    VBSS_TRY(open_arm_at(openhaptics, which, &o, &a));
     const vbss_device_adapter own = {
         .struct_size = sizeof own,
         .name = "haptic arm",
-        .user = a->seat,
+        .user = a->slot,
         .open = arm_open,
         .close = arm_close,
         .describe = arm_describe,
@@ -427,7 +432,7 @@ vbss_result vbss_openhaptics_get_adapter(vbss_openhaptics *openhaptics, uint32_t
         .explain = arm_explain,
         .couple = arm_couple,
     };
-    return vbss_device_give_adapter(o->context, &own, adapter);
+    return vbss_device_export_adapter(o->context, &own, adapter);
 }
 
 /* ---- looking at arms */
@@ -436,17 +441,18 @@ vbss_result vbss_openhaptics_get_status(vbss_openhaptics *openhaptics, uint32_t 
                                         vbss_openhaptics_status *status, uint32_t struct_size)
 {
     openhaptics_object *o;
-    arm *a;
-    VBSS_TRY(open_which(openhaptics, which, &o, &a));
-    return vbss_struct_write(o->context, &status_layout, &newest(a)->status, status, struct_size);
+    haptic_arm *a;
+    VBSS_TRY(open_arm_at(openhaptics, which, &o, &a));
+    return vbss_struct_write(o->context, &status_layout, &newest_report(a)->status, status,
+                             struct_size);
 }
 
 vbss_result vbss_openhaptics_get_identity(vbss_openhaptics *openhaptics, uint32_t which,
                                           const char **model, const char **serial)
 {
     openhaptics_object *o;
-    arm *a;
-    VBSS_TRY(open_which(openhaptics, which, &o, &a));
+    haptic_arm *a;
+    VBSS_TRY(open_arm_at(openhaptics, which, &o, &a));
     if (model != NULL) {
         *model = a->model;
     }

@@ -68,9 +68,9 @@ typedef struct hd_functions {
     hd_error(HD_CALL *get_error)(void);
     void(HD_CALL *enable)(uint32_t capability);
     void(HD_CALL *disable)(uint32_t capability);
-    void(HD_CALL *get_doubles)(uint32_t name, double *values);
-    void(HD_CALL *get_integers)(uint32_t name, int32_t *values);
-    void(HD_CALL *set_doubles)(uint32_t name, const double *values);
+    void(HD_CALL *get_doublev)(uint32_t name, double *values);
+    void(HD_CALL *get_integerv)(uint32_t name, int32_t *values);
+    void(HD_CALL *set_doublev)(uint32_t name, const double *values);
     const char *(HD_CALL *get_string)(uint32_t name);
     void(HD_CALL *start_scheduler)(void);
     void(HD_CALL *stop_scheduler)(void);
@@ -91,49 +91,49 @@ vbss_result vbss_openhaptics_check(vbss_context *context, const hd_functions *hd
 
 /* ---- what goes between the host and the servo */
 
-typedef struct arm_order {
-    bool given, coupled;
+typedef struct arm_command {
+    bool is_given, is_coupled;
     vec3 force;
     vbss_device_coupling coupling; /* device's frame */
-} arm_order;
+} arm_command;
 
 typedef struct arm_report {
     vbss_device_sample sample;
     vbss_openhaptics_status status;
 } arm_report;
 
-enum { ARMS = 2, ARM_NAME = 64 };
+enum { OPENHAPTICS_ARMS = 2, ARM_NAME_BYTES = 64 };
 
-typedef struct arm {
-    device_exchange to_servo, to_host;
-    vbss_slot *seat; /* handle of its own, for adapters */
+typedef struct haptic_arm {
+    device_triple_buffer to_servo, to_host;
+    vbss_slot *slot; /* handle of its own, for adapters */
     uint32_t device;
-    bool seated, opened, attached; /* attached: a device stands on it */
-    int32_t style;                 /* of calibration */
-    char model[ARM_NAME], serial[ARM_NAME];
-    char text[DEVICE_TEXT]; /* what failed last, on the host's side */
+    bool is_slot_filled, is_open, is_attached; /* attached: a device stands on it */
+    int32_t calibration_style;                 /* of calibration */
+    char model[ARM_NAME_BYTES], serial[ARM_NAME_BYTES];
+    char text[DEVICE_TEXT_BYTES]; /* what failed last, on the host's side */
     vbss_device_capabilities capabilities;
     vbss_output_config limits; /* of the stage in the servo */
-    arm_order orders[3];
+    arm_command commands[3];
     arm_report reports[3];
     /* the servo's alone */
-    output_state stage;
+    output_state output;
     vbss_device_sample sample;
     vbss_openhaptics_status status;
-    uint64_t ordered_at, failed_at, lost_until, refused_until; /* ticks, from 1 on */
-    bool calibrated;
-} arm;
+    uint64_t command_tick, failed_tick, lost_until_tick, refused_until_tick; /* ticks, from 1 on */
+    bool is_calibrated;
+} haptic_arm;
 
 typedef struct openhaptics_object {
     vbss_context *context;
     hd_functions hd;
     vbss_openhaptics_config config;
     uint32_t arm_count;
-    arm arms[ARMS];
+    haptic_arm arms[OPENHAPTICS_ARMS];
     unsigned long callback;
-    bool scheduled, started;
+    bool is_scheduled, is_started;
     uint64_t tick; /* the servo's */
-    atomic_bool ending, ended;
+    atomic_bool stop_requested, has_stopped;
 } openhaptics_object;
 
 /* ---- openhaptics_servo.c: in the vendor's thread */

@@ -21,9 +21,9 @@ vbss_result vbss_openhaptics_load(vbss_context *context, const char *name, hd_fu
         {"hdGetError", &hd->get_error},
         {"hdEnable", &hd->enable},
         {"hdDisable", &hd->disable},
-        {"hdGetDoublev", &hd->get_doubles},
-        {"hdGetIntegerv", &hd->get_integers},
-        {"hdSetDoublev", &hd->set_doubles},
+        {"hdGetDoublev", &hd->get_doublev},
+        {"hdGetIntegerv", &hd->get_integerv},
+        {"hdSetDoublev", &hd->set_doublev},
         {"hdGetString", &hd->get_string},
         {"hdStartScheduler", &hd->start_scheduler},
         {"hdStopScheduler", &hd->stop_scheduler},
@@ -35,7 +35,7 @@ vbss_result vbss_openhaptics_load(vbss_context *context, const char *name, hd_fu
         {"hdCheckCalibration", &hd->check_calibration},
         {"hdUpdateCalibration", &hd->update_calibration},
     };
-    char text[DEVICE_TEXT] = "";
+    char text[DEVICE_TEXT_BYTES] = "";
     name = name != NULL ? name : USUAL_NAME;
     hd->library = vbss_device_load_library(name, text, sizeof text);
     if (hd->library == NULL) {

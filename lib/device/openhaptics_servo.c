@@ -8,7 +8,7 @@
 #include "device/openhaptics.h"
 
 /* Ticks between two looks at what changes slowly. */
-#define SELDOM 100
+#define SLOW_POLL_TICKS 100
 /* An arm that fails is lost for so long at least, and one that refuses forces gets none, s. */
 #define LOST_TIME 0.1
 #define REFUSED_TIME 1.0
@@ -21,7 +21,7 @@ static uint64_t ticks_of(const openhaptics_object *o, double seconds)
 }
 
 /* Whose error it is: the vendor has one stack for all arms. */
-static arm *owner_of(openhaptics_object *o, arm *current, uint32_t device)
+static haptic_arm *owner_of(openhaptics_object *o, haptic_arm *current, uint32_t device)
 {
     for (uint32_t i = 0; i < o->arm_count; i++) {
         if (o->arms[i].device == device) {
@@ -31,36 +31,36 @@ static arm *owner_of(openhaptics_object *o, arm *current, uint32_t device)
     return current;
 }
 
-static void heed(openhaptics_object *o, arm *a, const hd_error *error)
+static void record_error(openhaptics_object *o, haptic_arm *a, const hd_error *error)
 {
     a->status.errors++;
     a->status.error = error->code;
     a->status.internal_error = error->internal;
     if (error->code >= HD_WARM_MOTORS && error->code <= HD_FORCE_ERROR) {
-        a->refused_until = o->tick + ticks_of(o, REFUSED_TIME);
+        a->refused_until_tick = o->tick + ticks_of(o, REFUSED_TIME);
     } else { /* the device's, or ours: neither goes on */
-        a->lost_until = o->tick + ticks_of(o, LOST_TIME);
-        a->failed_at = o->tick;
+        a->lost_until_tick = o->tick + ticks_of(o, LOST_TIME);
+        a->failed_tick = o->tick;
     }
 }
 
 /* True when what was measured in this tick is not to be believed. */
-static bool heed_errors(openhaptics_object *o, arm *a)
+static bool collect_errors(openhaptics_object *o, haptic_arm *a)
 {
     for (int i = 0; i < 64; i++) { /* a stack without an end is no reason to stay here */
         hd_error error = o->hd.get_error();
         if (error.code == 0) {
             break;
         }
-        heed(o, owner_of(o, a, error.device), &error);
+        record_error(o, owner_of(o, a, error.device), &error);
     }
-    return a->failed_at == o->tick;
+    return a->failed_tick == o->tick;
 }
 
 /* ---- what is measured */
 
 /* A rotation by its columns; of the four forms the one with the largest divisor (Shepperd 1978). */
-static quat orientation_of(const double m[16])
+static quat quat_from_matrix(const double m[16])
 {
     const double xx = m[0], yy = m[5], zz = m[10], trace = xx + yy + zz;
     quat q;
@@ -77,17 +77,17 @@ static quat orientation_of(const double m[16])
 }
 
 /* Of another length where the matrix was no rotation, so that this is told. */
-static void keep_orientation(const double m[16], double orientation[4])
+static void store_orientation(const double m[16], double orientation[4])
 {
-    const quat q = orientation_of(m), unit = quat_unit(q);
+    const quat q = quat_from_matrix(m), unit = quat_unit(q);
     const mat3 turn = quat_to_mat3(unit);
     const double columns[9] = {m[0], m[4], m[8], m[1], m[5], m[9], m[2], m[6], m[10]};
-    double rows[9], worst = 0.0;
+    double rows[9], max_error = 0.0;
     memcpy(rows, &turn, sizeof rows);
     for (int i = 0; i < 9; i++) {
-        worst = vbss_max(worst, fabs(rows[i] - columns[i]));
+        max_error = vbss_max(max_error, fabs(rows[i] - columns[i]));
     }
-    const double length = 1.0 + worst; /* a matrix that is not finite has no unit either */
+    const double length = 1.0 + max_error; /* a matrix that is not finite has no unit either */
     orientation[0] = length * unit.w;
     orientation[1] = length * unit.x;
     orientation[2] = length * unit.y;
@@ -95,17 +95,17 @@ static void keep_orientation(const double m[16], double orientation[4])
 }
 
 /* mm into m. */
-static void keep_metres(const double from[3], double to[3])
+static void millimetres_to_metres(const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
         to[i] = 1e-3 * from[i];
     }
 }
 
-static void look_at_slow_things(openhaptics_object *o, arm *a)
+static void read_slow_signals(openhaptics_object *o, haptic_arm *a)
 {
     double motors[8] = {0.0};
-    o->hd.get_doubles(HD_MOTOR_TEMPERATURE, motors);
+    o->hd.get_doublev(HD_MOTOR_TEMPERATURE, motors);
     double hottest = 0.0;
     for (int i = 0; i < 8; i++) {
         hottest = vbss_max_or_nan(hottest, motors[i]); /* one that is no number is told */
@@ -113,85 +113,86 @@ static void look_at_slow_things(openhaptics_object *o, arm *a)
     a->sample.temperature = hottest;
     uint32_t calibration = o->hd.check_calibration();
     if (calibration == HD_CALIBRATION_NEEDS_UPDATE) {
-        o->hd.update_calibration((uint32_t)a->style);
+        o->hd.update_calibration((uint32_t)a->calibration_style);
     }
-    a->calibrated = calibration == HD_CALIBRATION_OK;
+    a->is_calibrated = calibration == HD_CALIBRATION_OK;
 }
 
-static void measure(openhaptics_object *o, arm *a)
+static void measure_arm(openhaptics_object *o, haptic_arm *a)
 {
     double transform[16] = {0.0}, velocity[3] = {0.0};
     int32_t buttons = 0;
     vbss_device_sample *s = &a->sample;
-    o->hd.get_doubles(HD_CURRENT_TRANSFORM, transform);
-    o->hd.get_doubles(HD_CURRENT_VELOCITY, velocity);
-    o->hd.get_doubles(HD_CURRENT_ANGULAR_VELOCITY, s->angular_velocity);
-    o->hd.get_integers(HD_CURRENT_BUTTONS, &buttons);
-    keep_metres(transform + 12, s->position);
-    keep_metres(velocity, s->velocity);
-    keep_orientation(transform, s->orientation);
+    o->hd.get_doublev(HD_CURRENT_TRANSFORM, transform);
+    o->hd.get_doublev(HD_CURRENT_VELOCITY, velocity);
+    o->hd.get_doublev(HD_CURRENT_ANGULAR_VELOCITY, s->angular_velocity);
+    o->hd.get_integerv(HD_CURRENT_BUTTONS, &buttons);
+    millimetres_to_metres(transform + 12, s->position);
+    millimetres_to_metres(velocity, s->velocity);
+    store_orientation(transform, s->orientation);
     s->buttons = (uint32_t)buttons;
-    if (o->tick % SELDOM == 1) {
-        look_at_slow_things(o, a);
+    if (o->tick % SLOW_POLL_TICKS == 1) {
+        read_slow_signals(o, a);
     }
 }
 
 /* ---- what goes out */
 
-static vbss_hardware_state state_of(const openhaptics_object *o, const arm *a)
+static vbss_hardware_state hardware_state(const openhaptics_object *o, const haptic_arm *a)
 {
-    if (o->tick < a->lost_until) {
+    if (o->tick < a->lost_until_tick) {
         return VBSS_HARDWARE_LOST;
     }
-    if (!a->calibrated) {
+    if (!a->is_calibrated) {
         return VBSS_HARDWARE_UNCALIBRATED;
     }
-    return o->tick < a->refused_until ? VBSS_HARDWARE_REFUSING : VBSS_HARDWARE_RUNNING;
+    return o->tick < a->refused_until_tick ? VBSS_HARDWARE_REFUSING : VBSS_HARDWARE_RUNNING;
 }
 
 /* The tool moves on while its next place is not known. */
-static vec3 coupled_force(const arm *a, const arm_order *order, double age)
+static vec3 coupled_force(const haptic_arm *a, const arm_command *command, double age)
 {
-    vbss_device_coupling c = order->coupling;
+    vbss_device_coupling c = command->coupling;
     vec3 position = vec3_add_scaled(vec3_load(c.position), age, vec3_load(c.velocity));
     vec3_store(c.position, position);
     return vbss_device_coupling_force(&c, vec3_load(a->sample.position),
                                       vec3_load(a->sample.velocity));
 }
 
-static vec3 force_now(openhaptics_object *o, arm *a)
+static vec3 compute_force(openhaptics_object *o, haptic_arm *a)
 {
     const double h = 1.0 / o->config.rate;
-    if (device_exchange_take(&a->to_servo)) {
-        a->ordered_at = o->tick;
+    if (device_triple_buffer_fetch(&a->to_servo)) {
+        a->command_tick = o->tick;
         a->status.orders++;
     }
-    const arm_order *order = &a->orders[a->to_servo.reader];
-    const double age = (double)(o->tick - a->ordered_at) * h;
+    const arm_command *command = &a->commands[a->to_servo.reader];
+    const double age = (double)(o->tick - a->command_tick) * h;
     /* the watchdog counts from the tick before: so old it may have been when it was found */
-    output_demand demand = {.age = order->given ? age + h : OUTPUT_NEVER,
+    output_demand demand = {.age = command->is_given ? age + h : OUTPUT_NEVER,
                             .temperature = a->sample.temperature,
-                            .fault = a->status.state != VBSS_HARDWARE_RUNNING ||
-                                     atomic_load_explicit(&o->ending, memory_order_acquire)};
-    if (order->given) {
-        demand.force = order->coupled ? coupled_force(a, order, age) : order->force;
+                            .has_fault =
+                                a->status.state != VBSS_HARDWARE_RUNNING ||
+                                atomic_load_explicit(&o->stop_requested, memory_order_acquire)};
+    if (command->is_given) {
+        demand.force = command->is_coupled ? coupled_force(a, command, age) : command->force;
     }
     if (!vec3_is_finite(vec3_load(a->sample.position))) { /* whatever was ordered */
-        demand.fault = true;
+        demand.has_fault = true;
     }
-    uint32_t flags = vbss_output_advance(&a->limits, &a->stage, h, &demand);
-    if (order->given && (flags & VBSS_OUTPUT_COMMAND_STALE) != 0) {
+    uint32_t flags = vbss_output_advance(&a->limits, &a->output, h, &demand);
+    if (command->is_given && (flags & VBSS_OUTPUT_COMMAND_STALE) != 0) {
         a->status.silent_ticks++;
     }
-    return a->stage.force;
+    return a->output.force;
 }
 
 /* ---- a tick */
 
-static void report(const openhaptics_object *o, arm *a, bool measured)
+static void publish_report(const openhaptics_object *o, haptic_arm *a, bool measured)
 {
     vbss_device_sample *s = &a->sample;
-    a->status.state = state_of(o, a);
+    a->status.state = hardware_state(o, a);
     a->status.temperature = s->temperature;
     a->status.ticks = o->tick;
     s->flags = a->status.state == VBSS_HARDWARE_LOST ? VBSS_DEVICE_FLAG_LOST : 0u;
@@ -205,49 +206,49 @@ static void report(const openhaptics_object *o, arm *a, bool measured)
     arm_report *out = &a->reports[a->to_host.writer];
     out->sample = *s;
     out->status = a->status;
-    device_exchange_publish(&a->to_host);
+    device_triple_buffer_publish(&a->to_host);
 }
 
-static void tick_arm(openhaptics_object *o, arm *a)
+static void tick_arm(openhaptics_object *o, haptic_arm *a)
 {
-    const double nothing[3] = {0.0, 0.0, 0.0};
+    const double zeros[3] = {0.0, 0.0, 0.0};
     o->hd.begin_frame(a->device);
-    measure(o, a);
-    bool failed = heed_errors(o, a);
-    a->status.state = state_of(o, a);
-    vec3_store(a->status.force, force_now(o, a));
-    o->hd.set_doubles(HD_CURRENT_FORCE, failed ? nothing : a->status.force);
+    measure_arm(o, a);
+    bool failed = collect_errors(o, a);
+    a->status.state = hardware_state(o, a);
+    vec3_store(a->status.force, compute_force(o, a));
+    o->hd.set_doublev(HD_CURRENT_FORCE, failed ? zeros : a->status.force);
     o->hd.end_frame(a->device);
-    failed = heed_errors(o, a);
+    failed = collect_errors(o, a);
     a->status.failed_ticks += failed;
-    report(o, a, !failed);
+    publish_report(o, a, !failed);
 }
 
-static void time_tick(openhaptics_object *o)
+static void record_tick_time(openhaptics_object *o)
 {
-    double taken = o->hd.get_time_stamp();
+    double duration = o->hd.get_time_stamp();
     for (uint32_t i = 0; i < o->arm_count; i++) {
         vbss_openhaptics_status *s = &o->arms[i].status;
-        s->late_ticks += taken * o->config.rate > 1.0;
-        s->longest_tick = vbss_max(s->longest_tick, taken);
+        s->late_ticks += duration * o->config.rate > 1.0;
+        s->longest_tick = vbss_max(s->longest_tick, duration);
     }
 }
 
 uint32_t HD_CALL vbss_openhaptics_tick(void *user)
 {
     openhaptics_object *o = user;
-    const bool ending = atomic_load_explicit(&o->ending, memory_order_acquire);
+    const bool ending = atomic_load_explicit(&o->stop_requested, memory_order_acquire);
     o->tick++;
     for (uint32_t i = 0; i < o->arm_count; i++) {
         tick_arm(o, &o->arms[i]);
     }
     if (ending) { /* zeros have gone out */
-        atomic_store_explicit(&o->ended, true, memory_order_release);
+        atomic_store_explicit(&o->has_stopped, true, memory_order_release);
         return HD_DONE;
     }
     if (o->config.tick != NULL) {
         o->config.tick(o->config.user, (double)o->tick / o->config.rate);
     }
-    time_tick(o);
+    record_tick_time(o);
     return HD_CONTINUE;
 }

@@ -103,7 +103,7 @@ void vbss_output_visit_config(vbss_stream *stream, const vbss_output_config *c)
     }
 }
 
-static void visit_last(vbss_stream *stream, output_demand *d)
+static void visit_demand(vbss_stream *stream, output_demand *d)
 {
     vbss_stream_f64(stream, 2, &d->force.x, 3);
     vbss_stream_f64(stream, 3, &d->torque.x, 3);
@@ -111,7 +111,7 @@ static void visit_last(vbss_stream *stream, output_demand *d)
     vbss_stream_f64(stream, 5, &d->input_age, 1);
     vbss_stream_f64(stream, 6, &d->temperature, 1);
     vbss_device_visit_bool(stream, 7, &d->solenoid);
-    vbss_device_visit_bool(stream, 8, &d->fault);
+    vbss_device_visit_bool(stream, 8, &d->has_fault);
 }
 
 static void visit_statistics(vbss_stream *stream, vbss_output_statistics *f)
@@ -129,34 +129,35 @@ static void visit_statistics(vbss_stream *stream, vbss_output_statistics *f)
 }
 
 /* Numbers that no stage has: it would put out what its limits forbid. */
-static bool is_sound(const vbss_output_config *c, const output_state *s)
+static bool is_valid_state(const vbss_output_config *c, const output_state *s)
 {
-    const double about = 1.0 + 1e-9;
-    return vec3_norm(s->force) <= about * c->max_force &&
-           vec3_norm(s->torque) <= about * c->max_torque && s->force_load >= 0.0 &&
+    const double slack = 1.0 + 1e-9;
+    return vec3_norm(s->force) <= slack * c->max_force &&
+           vec3_norm(s->torque) <= slack * c->max_torque && s->force_load >= 0.0 &&
            s->torque_load >= 0.0 && s->force_load <= 1e7 && s->torque_load <= 1e7 &&
-           s->last.age >= 0.0 && s->last.age <= OUTPUT_NEVER && s->last.input_age >= 0.0 &&
-           s->last.input_age <= OUTPUT_NEVER && s->solenoid.left >= 0.0 &&
-           s->solenoid.left <= c->solenoid_time && s->ramp_force >= 0.0 && s->ramp_torque >= 0.0 &&
-           !(s->solenoid.on && s->solenoid.spent);
+           s->last_demand.age >= 0.0 && s->last_demand.age <= OUTPUT_NEVER &&
+           s->last_demand.input_age >= 0.0 && s->last_demand.input_age <= OUTPUT_NEVER &&
+           s->solenoid.time_left >= 0.0 && s->solenoid.time_left <= c->solenoid_time &&
+           s->ramp_force >= 0.0 && s->ramp_torque >= 0.0 &&
+           !(s->solenoid.is_on && s->solenoid.is_exhausted);
 }
 
-void vbss_output_visit(vbss_stream *stream, const vbss_output_config *c, output_state *s)
+void vbss_output_visit_state(vbss_stream *stream, const vbss_output_config *c, output_state *s)
 {
-    visit_last(stream, &s->last);
+    visit_demand(stream, &s->last_demand);
     vbss_stream_f64(stream, 10, &s->force.x, 3);
     vbss_stream_f64(stream, 11, &s->torque.x, 3);
     vbss_stream_f64(stream, 12, &s->force_load, 1);
     vbss_stream_f64(stream, 13, &s->torque_load, 1);
-    vbss_device_visit_bool(stream, 14, &s->stopped);
-    vbss_device_visit_bool(stream, 15, &s->ramping);
+    vbss_device_visit_bool(stream, 14, &s->is_stopped);
+    vbss_device_visit_bool(stream, 15, &s->is_ramping);
     vbss_stream_f64(stream, 16, &s->ramp_force, 1);
     vbss_stream_f64(stream, 17, &s->ramp_torque, 1);
-    vbss_device_visit_bool(stream, 18, &s->solenoid.on);
-    vbss_device_visit_bool(stream, 19, &s->solenoid.spent);
-    vbss_stream_f64(stream, 20, &s->solenoid.left, 1);
+    vbss_device_visit_bool(stream, 18, &s->solenoid.is_on);
+    vbss_device_visit_bool(stream, 19, &s->solenoid.is_exhausted);
+    vbss_stream_f64(stream, 20, &s->solenoid.time_left, 1);
     visit_statistics(stream, &s->statistics);
-    if (!is_sound(c, s)) {
+    if (!is_valid_state(c, s)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no output stage is like this");
     }
 }
@@ -178,7 +179,7 @@ static void visit_output(vbss_stream *stream, void *object)
 {
     output_object *o = object;
     vbss_output_visit_config(stream, &o->config);
-    vbss_output_visit(stream, &o->config, &o->state);
+    vbss_output_visit_state(stream, &o->config, &o->state);
 }
 
 const vbss_kind vbss_output_kind = {"output stage", VBSS_CODE('O', 'U', 'T', 'S'), 1, free_output,
@@ -205,7 +206,7 @@ vbss_result vbss_output_create(vbss_context *context, const vbss_output_config *
     }
     o->context = context;
     o->config = own;
-    vbss_output_begin(&o->config, &o->state);
+    vbss_output_init_state(&o->config, &o->state);
     vbss_result result = vbss_slot_create(context, &vbss_output_kind, o, &slot);
     if (result != VBSS_OK) {
         free_output(context, o);
@@ -220,7 +221,7 @@ vbss_result vbss_output_destroy(vbss_output *output)
     return vbss_slot_destroy(output, &vbss_output_kind);
 }
 
-static vbss_result edit(vbss_output *handle, output_object **output)
+static vbss_result edit_output(vbss_output *handle, output_object **output)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_edit(handle, &vbss_output_kind, &slot));
@@ -233,36 +234,36 @@ vbss_result vbss_output_step(vbss_output *output, double h, const vbss_output_co
 {
     output_object *o;
     vbss_output_result own = {.struct_size = sizeof own};
-    VBSS_TRY(edit(output, &o));
+    VBSS_TRY(edit_output(output, &o));
     VBSS_TRY(vbss_check_arithmetic(o->context));
     VBSS_TRY(vbss_check_range(o->context, h, 0.0, 1e6, "h"));
-    output_demand demand = vbss_output_again(&o->state, h);
+    output_demand demand = vbss_output_repeat_demand(&o->state, h);
     if (command != NULL) {
         vbss_output_command given;
         VBSS_TRY(vbss_config_read(o->context, &vbss_output_command_layout, command, &given));
         VBSS_TRY(vbss_output_check_command(o->context, &given));
-        demand = vbss_output_demand_of(&given);
+        demand = vbss_output_make_demand(&given);
     }
     VBSS_TRY(vbss_struct_write(o->context, &vbss_output_result_layout, &own, result, struct_size));
-    vbss_output_keep(&o->state, &demand);
+    vbss_output_store_demand(&o->state, &demand);
     uint32_t flags = vbss_output_advance(&o->config, &o->state, h, &demand);
-    vbss_output_tell(&o->config, &o->state, flags, &own);
+    vbss_output_fill_result(&o->config, &o->state, flags, &own);
     return vbss_struct_write(o->context, &vbss_output_result_layout, &own, result, struct_size);
 }
 
 vbss_result vbss_output_stop(vbss_output *output)
 {
     output_object *o;
-    VBSS_TRY(edit(output, &o));
-    vbss_output_latch(&o->state);
+    VBSS_TRY(edit_output(output, &o));
+    vbss_output_latch_stop(&o->state);
     return VBSS_OK;
 }
 
 vbss_result vbss_output_release(vbss_output *output)
 {
     output_object *o;
-    VBSS_TRY(edit(output, &o));
-    o->state.stopped = false;
+    VBSS_TRY(edit_output(output, &o));
+    o->state.is_stopped = false;
     return VBSS_OK;
 }
 

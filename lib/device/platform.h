@@ -48,36 +48,36 @@ double vbss_device_time(void);
 /* ---- the newest value from one thread to another, without waits on either side: of three copies the writer has one,
  * the reader one, and the third is swapped with theirs. Which copy is whose is all that is kept here. */
 
-#define EXCHANGE_NEW 4u
+#define DEVICE_TRIPLE_BUFFER_NEW 4u
 
-typedef struct device_exchange {
-    _Alignas(64) atomic_uint between; /* index, and EXCHANGE_NEW until it was taken */
+typedef struct device_triple_buffer {
+    _Alignas(64) atomic_uint shared; /* index, and DEVICE_TRIPLE_BUFFER_NEW until it was taken */
     _Alignas(64) uint32_t writer;
     _Alignas(64) uint32_t reader;
-} device_exchange;
+} device_triple_buffer;
 
-static inline void device_exchange_begin(device_exchange *e)
+static inline void device_triple_buffer_init(device_triple_buffer *e)
 {
     e->writer = 0;
     e->reader = 1;
-    atomic_init(&e->between, 2u);
+    atomic_init(&e->shared, 2u);
 }
 
 /* The writer's copy is the newest from now on; it goes on with another one. */
-static inline void device_exchange_publish(device_exchange *e)
+static inline void device_triple_buffer_publish(device_triple_buffer *e)
 {
-    unsigned was =
-        atomic_exchange_explicit(&e->between, e->writer | EXCHANGE_NEW, memory_order_acq_rel);
+    unsigned was = atomic_exchange_explicit(&e->shared, e->writer | DEVICE_TRIPLE_BUFFER_NEW,
+                                            memory_order_acq_rel);
     e->writer = was & 3u;
 }
 
 /* True when the reader's copy is another than before. */
-static inline bool device_exchange_take(device_exchange *e)
+static inline bool device_triple_buffer_fetch(device_triple_buffer *e)
 {
-    if ((atomic_load_explicit(&e->between, memory_order_relaxed) & EXCHANGE_NEW) == 0) {
+    if ((atomic_load_explicit(&e->shared, memory_order_relaxed) & DEVICE_TRIPLE_BUFFER_NEW) == 0) {
         return false;
     }
-    unsigned was = atomic_exchange_explicit(&e->between, e->reader, memory_order_acq_rel);
+    unsigned was = atomic_exchange_explicit(&e->shared, e->reader, memory_order_acq_rel);
     e->reader = was & 3u;
     return true;
 }

@@ -5,25 +5,25 @@
  * and stays off until it is not wanted for a moment. */
 #include "device/device.h"
 
-static void account(const vbss_output_config *c, output_solenoid *s, double h,
-                    vbss_output_statistics *statistics)
+static void update_time_left(const vbss_output_config *c, output_solenoid *s, double h,
+                             vbss_output_statistics *statistics)
 {
-    if (s->on) {
-        s->left -= h;
+    if (s->is_on) {
+        s->time_left -= h;
         statistics->solenoid_on += h;
     } else {
-        s->left += h * (c->solenoid_duty / (1.0 - c->solenoid_duty));
+        s->time_left += h * (c->solenoid_duty / (1.0 - c->solenoid_duty));
     }
-    s->left = vbss_min(vbss_max(s->left, 0.0), c->solenoid_time);
+    s->time_left = vbss_min(vbss_max(s->time_left, 0.0), c->solenoid_time);
 }
 
-uint32_t vbss_output_switch(const vbss_output_config *c, output_solenoid *s, double h, bool wanted,
-                            bool blocked, vbss_output_statistics *statistics)
+uint32_t vbss_output_switch_solenoid(const vbss_output_config *c, output_solenoid *s, double h,
+                                     bool wanted, bool blocked, vbss_output_statistics *statistics)
 {
-    account(c, s, h, statistics);
-    s->spent = s->spent && wanted;
-    bool was = s->on;
-    s->on = false;
+    update_time_left(c, s, h, statistics);
+    s->is_exhausted = s->is_exhausted && wanted;
+    bool was_on = s->is_on;
+    s->is_on = false;
     if (!wanted) {
         return 0;
     }
@@ -31,11 +31,12 @@ uint32_t vbss_output_switch(const vbss_output_config *c, output_solenoid *s, dou
         return VBSS_OUTPUT_SOLENOID_OFF;
     }
     /* The next step will be about as long as this one. */
-    if (s->spent || !(s->left > 0.0 && s->left >= vbss_min(h, OUTPUT_LONGEST))) {
-        s->spent = true;
+    if (s->is_exhausted ||
+        !(s->time_left > 0.0 && s->time_left >= vbss_min(h, OUTPUT_MAX_RISE_TIME))) {
+        s->is_exhausted = true;
         return VBSS_OUTPUT_SOLENOID_SPENT;
     }
-    s->on = true;
-    statistics->pulses += was ? 0 : 1;
+    s->is_on = true;
+    statistics->pulses += was_on ? 0 : 1;
     return 0;
 }

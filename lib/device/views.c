@@ -7,14 +7,14 @@ static const uint32_t statistics_sizes[] = {256, 0};
 static const vbss_layout statistics_layout = {"vbss_device_statistics", NULL, statistics_sizes};
 
 /* Both together: signals from where they are taken, the rest within the limits in force. */
-static vbss_device_capabilities merged(const device_object *d)
+static vbss_device_capabilities merge_capabilities(const device_object *d)
 {
     vbss_device_capabilities all = d->sources[0].capabilities;
     const vbss_output_config *l = &d->limits;
     all.signals = all.outputs = 0;
     for (uint32_t i = 0; i < d->source_count; i++) {
-        all.signals |= d->sources[i].capabilities.signals & vbss_device_routed(d, i);
-        all.outputs |= vbss_device_driven(d, i);
+        all.signals |= d->sources[i].capabilities.signals & vbss_device_routed_signals(d, i);
+        all.outputs |= vbss_device_driven_outputs(d, i);
     }
     all.max_force = l->max_force;
     all.max_continuous_force = l->continuous_force;
@@ -38,7 +38,8 @@ vbss_result vbss_device_get_capabilities(vbss_device *device, uint32_t which,
         return vbss_fail(d->context, VBSS_ERROR_OUT_OF_RANGE, "adapter %u of %u", which,
                          d->source_count);
     }
-    vbss_device_capabilities own = which == 2 ? merged(d) : d->sources[which].capabilities;
+    vbss_device_capabilities own =
+        which == 2 ? merge_capabilities(d) : d->sources[which].capabilities;
     return vbss_struct_write(d->context, &vbss_device_capabilities_layout, &own, capabilities,
                              struct_size);
 }
@@ -53,7 +54,7 @@ vbss_result vbss_device_get_error(vbss_device *device, uint32_t which, vbss_resu
                          d->source_count);
     }
     if (result != NULL) {
-        *result = d->sources[which].failed;
+        *result = d->sources[which].last_failure;
     }
     if (text != NULL) {
         *text = d->sources[which].text;

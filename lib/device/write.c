@@ -8,24 +8,24 @@
 uint32_t vbss_device_send(device_object *d, const vbss_output_result *result,
                           const vbss_device_coupling *coupling)
 {
-    d->unwritten = false;
+    d->write_failed = false;
     for (uint32_t i = 0; i < d->source_count; i++) {
         device_source *s = &d->sources[i];
         if (!vbss_device_write_source(d->context, s, d->now, result, coupling,
-                                      vbss_device_driven(d, i))) {
+                                      vbss_device_driven_outputs(d, i))) {
             d->statistics.failed_writes[i]++;
-            d->unwritten = true;
+            d->write_failed = true;
         }
     }
-    return d->unwritten ? VBSS_OUTPUT_NOT_WRITTEN : 0;
+    return d->write_failed ? VBSS_OUTPUT_NOT_WRITTEN : 0;
 }
 
-void vbss_device_latch(device_object *d)
+void vbss_device_latch_stop(device_object *d)
 {
-    vbss_output_result nothing;
-    vbss_output_latch(&d->output);
-    vbss_output_tell(&d->limits, &d->output, VBSS_OUTPUT_STOPPED, &nothing);
-    vbss_device_send(d, &nothing, NULL);
+    vbss_output_result zeros;
+    vbss_output_latch_stop(&d->output);
+    vbss_output_fill_result(&d->limits, &d->output, VBSS_OUTPUT_STOPPED, &zeros);
+    vbss_device_send(d, &zeros, NULL);
 }
 
 /* ---- what is wanted */
@@ -37,42 +37,44 @@ static bool has_output(const device_object *d, uint32_t output)
 }
 
 /* A faulty sensor or line, or an opening nobody knows: then the solenoid is off. */
-static bool is_doubtful(const device_object *d)
+static bool must_block_solenoid(const device_object *d)
 {
-    return d->sources[0].mute || d->sources[1].mute || d->unwritten || d->opening.stale ||
-           d->sources[0].lost || d->sources[1].lost || d->clutched;
+    return d->sources[0].read_failed || d->sources[1].read_failed || d->write_failed ||
+           d->opening_reading.is_stale || d->sources[0].is_lost || d->sources[1].is_lost ||
+           d->is_clutched;
 }
 
 /* What the device knows itself, added to what the command says. */
-static output_demand completed(const device_object *d, output_demand demand)
+static output_demand complete_demand(const device_object *d, output_demand demand)
 {
-    double age = d->pose.known ? d->pose.age + (d->now - d->read_at) : OUTPUT_NEVER;
+    double age =
+        d->pose_reading.is_known ? d->pose_reading.age + (d->now - d->read_at) : OUTPUT_NEVER;
     demand.input_age =
         demand.input_age > age || demand.input_age != demand.input_age ? demand.input_age : age;
     demand.temperature = vbss_max_or_nan(demand.temperature, d->temperature);
-    demand.fault = demand.fault || d->sources[0].fault || d->sources[1].fault;
-    demand.held_off = is_doubtful(d);
-    if (d->clutched || !has_output(d, VBSS_DEVICE_OUT_FORCE)) {
+    demand.has_fault = demand.has_fault || d->sources[0].has_fault || d->sources[1].has_fault;
+    demand.block_solenoid = must_block_solenoid(d);
+    if (d->is_clutched || !has_output(d, VBSS_DEVICE_OUT_FORCE)) {
         demand.force = vec3_zero();
     }
-    if (d->clutched || !has_output(d, VBSS_DEVICE_OUT_TORQUE)) {
+    if (d->is_clutched || !has_output(d, VBSS_DEVICE_OUT_TORQUE)) {
         demand.torque = vec3_zero();
     }
     return demand;
 }
 
-static vbss_result demand_of(const device_object *d, double h, const vbss_output_command *command,
-                             output_demand *demand)
+static vbss_result read_demand(const device_object *d, double h, const vbss_output_command *command,
+                               output_demand *demand)
 {
     if (command == NULL) { /* in the device's frame already */
-        *demand = vbss_output_again(&d->output, h);
+        *demand = vbss_output_repeat_demand(&d->output, h);
         demand->input_age = 0.0; /* the device knows better */
         return VBSS_OK;
     }
     vbss_output_command own;
     VBSS_TRY(vbss_config_read(d->context, &vbss_output_command_layout, command, &own));
     VBSS_TRY(vbss_output_check_command(d->context, &own));
-    *demand = vbss_output_demand_of(&own);
+    *demand = vbss_output_make_demand(&own);
     demand->force = vbss_device_force_to_device(&d->calibration, &d->frame, demand->force);
     demand->torque = vbss_device_torque_to_device(&d->calibration, &d->frame, demand->torque);
     return VBSS_OK;
@@ -81,53 +83,55 @@ static vbss_result demand_of(const device_object *d, double h, const vbss_output
 /* ---- the coupling */
 
 /* What stands against a force of the servo's own. */
-#define OFF                                                                                       \
+#define COUPLING_OFF_FLAGS                                                                        \
     (VBSS_OUTPUT_NOT_FINITE | VBSS_OUTPUT_FAULT | VBSS_OUTPUT_STOPPED | VBSS_OUTPUT_INPUT_STALE | \
      VBSS_OUTPUT_COMMAND_STALE)
 
 /* From the world to the device, where the hand is as it was read last: what clutch, re-centring and workspace do to
  * the pose does not stretch the spring. Its force joins the demand's. */
-static void couple(const device_object *d, vbss_device_coupling *c, output_demand *demand)
+static void couple_demand(const device_object *d, vbss_device_coupling *c, output_demand *demand)
 {
     const vbss_device_calibration *k = &d->calibration;
-    vec3 away = vec3_sub(vec3_load(c->position), d->shown.position);
+    vec3 away = vec3_sub(vec3_load(c->position), d->reported_pose.position);
     vec3 force = vbss_device_force_to_device(k, &d->frame, vec3_load(c->force));
-    vec3 velocity = vbss_device_way_to_device(k, &d->frame, vec3_load(c->velocity));
-    away = vbss_device_way_to_device(k, &d->frame, away);
+    vec3 velocity = vbss_device_displacement_to_device(k, &d->frame, vec3_load(c->velocity));
+    away = vbss_device_displacement_to_device(k, &d->frame, away);
     vec3_store(c->position, vec3_add(d->position, away));
     vec3_store(c->velocity, velocity);
     vec3_store(c->force, vec3_add(force, demand->force));
     c->stiffness *= k->scale * k->force_scale;
     c->damping *= k->scale * k->force_scale;
-    demand->force = d->pose.known ? vbss_device_coupling_force(c, d->position, d->velocity)
-                                  : vec3_load(c->force);
+    demand->force = d->pose_reading.is_known
+                        ? vbss_device_coupling_force(c, d->position, d->velocity)
+                        : vec3_load(c->force);
 }
 
-static vbss_result put_out(device_object *d, double now, const vbss_output_command *command,
-                           vbss_device_coupling *coupling, vbss_output_result *result,
-                           uint32_t struct_size)
+static vbss_result write_output(device_object *d, double now, const vbss_output_command *command,
+                                vbss_device_coupling *coupling, vbss_output_result *result,
+                                uint32_t struct_size)
 {
     output_demand demand;
     vbss_output_result own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_check_arithmetic(d->context));
     VBSS_TRY(vbss_device_check_now(d, now));
-    double h = d->written ? now - d->written_at : 0.0;
-    VBSS_TRY(demand_of(d, h, command, &demand));
+    double h = d->has_written ? now - d->written_at : 0.0;
+    VBSS_TRY(read_demand(d, h, command, &demand));
     if (result != NULL) {
         VBSS_TRY(
             vbss_struct_write(d->context, &vbss_output_result_layout, &own, result, struct_size));
     }
     if (coupling != NULL) {
-        couple(d, coupling, &demand);
+        couple_demand(d, coupling, &demand);
     }
-    d->begun = d->written = true;
+    d->has_time = d->has_written = true;
     d->now = d->written_at = now;
     d->statistics.writes++;
-    vbss_output_keep(&d->output, &demand);
-    demand = completed(d, demand);
+    vbss_output_store_demand(&d->output, &demand);
+    demand = complete_demand(d, demand);
     uint32_t flags = vbss_output_advance(&d->limits, &d->output, h, &demand);
-    vbss_output_tell(&d->limits, &d->output, flags, &own);
-    bool coupled = coupling != NULL && (flags & OFF) == 0 && !d->clutched && d->pose.known;
+    vbss_output_fill_result(&d->limits, &d->output, flags, &own);
+    bool coupled = coupling != NULL && (flags & COUPLING_OFF_FLAGS) == 0 && !d->is_clutched &&
+                   d->pose_reading.is_known;
     own.flags |= vbss_device_send(d, &own, coupled ? coupling : NULL);
     return result == NULL ? VBSS_OK
                           : vbss_struct_write(d->context, &vbss_output_result_layout, &own, result,
@@ -139,7 +143,7 @@ vbss_result vbss_device_write(vbss_device *device, double now, const vbss_output
 {
     device_object *d;
     VBSS_TRY(vbss_device_edit(device, &d));
-    return put_out(d, now, command, NULL, result, struct_size);
+    return write_output(d, now, command, NULL, result, struct_size);
 }
 
 vbss_result vbss_device_write_coupled(vbss_device *device, double now,
@@ -154,5 +158,5 @@ vbss_result vbss_device_write_coupled(vbss_device *device, double now,
     VBSS_TRY(vbss_check_pointer(d->context, coupling, "coupling"));
     VBSS_TRY(vbss_config_read(d->context, &vbss_device_coupling_layout, coupling, &own));
     VBSS_TRY(vbss_device_check_coupling(d->context, &own));
-    return put_out(d, now, command, &own, result, struct_size);
+    return write_output(d, now, command, &own, result, struct_size);
 }

@@ -35,7 +35,7 @@ vbss_result vbss_metrics_config_init(vbss_metrics_config *config, uint32_t struc
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
-static vbss_result check(vbss_context *context, const vbss_metrics_config *c)
+static vbss_result check_config(vbss_context *context, const vbss_metrics_config *c)
 {
     const struct {
         const char *name;
@@ -81,5 +81,5 @@ vbss_result vbss_metrics_read_config(vbss_context *context, const vbss_metrics_c
         return VBSS_OK;
     }
     VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
-    return check(context, own);
+    return check_config(context, own);
 }

@@ -19,7 +19,7 @@ vbss_result vbss_metrics_event_init(vbss_metrics_event *event, uint32_t struct_s
 
 /* ---- what an event may say */
 
-static bool is_fact(vbss_metrics_event_kind kind, metrics_fact *fact)
+static bool find_fact(vbss_metrics_event_kind kind, metrics_fact *fact)
 {
     switch (kind) {
     case VBSS_METRICS_EVENT_NEEDLE_APPEARS:
@@ -35,7 +35,7 @@ static bool is_fact(vbss_metrics_event_kind kind, metrics_fact *fact)
         *fact = METRICS_CUT;
         return true;
     case VBSS_METRICS_EVENT_GAP:
-        *fact = METRICS_GAPES;
+        *fact = METRICS_GAP;
         return true;
     case VBSS_METRICS_EVENT_AVULSED:
         *fact = METRICS_AVULSED;
@@ -48,7 +48,7 @@ static bool is_fact(vbss_metrics_event_kind kind, metrics_fact *fact)
     }
 }
 
-static double largest_number(vbss_metrics_event_kind kind)
+static double max_number(vbss_metrics_event_kind kind)
 {
     switch (kind) {
     case VBSS_METRICS_EVENT_PUNCTURE:
@@ -62,7 +62,7 @@ static double largest_number(vbss_metrics_event_kind kind)
     }
 }
 
-static vbss_result check_numbers(const metrics_object *m, const vbss_metrics_event *e)
+static vbss_result check_event(const metrics_object *m, const vbss_metrics_event *e)
 {
     vbss_context *context = m->context;
     const struct {
@@ -71,21 +71,21 @@ static vbss_result check_numbers(const metrics_object *m, const vbss_metrics_eve
     } ranges[] = {
         {"kind", e->kind, VBSS_METRICS_EVENT_NEEDLE_APPEARS, VBSS_METRICS_EVENT_BROKEN},
         {"tool", e->tool, VBSS_METRICS_LEFT, VBSS_METRICS_NO_TOOL},
-        {"number", e->number, 0.0, largest_number(e->kind)},
+        {"number", e->number, 0.0, max_number(e->kind)},
         {"undone", e->undone, 0.0, e->kind == VBSS_METRICS_EVENT_PHASE ? 0.0 : 1.0},
         {"wraps", e->wraps, 0.0, 64.0},
         {"handedness", e->handedness, -1.0, 1.0},
         {"relation", e->relation, VBSS_METRICS_RELATION_UNKNOWN, VBSS_METRICS_RELATION_GRANNY},
         {"angle", e->angle, -3.15, 3.15},
-        {"axial", e->axial, -METRICS_LARGEST_PLACE, METRICS_LARGEST_PLACE},
+        {"axial", e->axial, -METRICS_LARGEST_POSITION, METRICS_LARGEST_POSITION},
         {"amount", e->amount, 0.0, 1e6},
     };
     for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
         VBSS_TRY(vbss_check_range(context, ranges[i].value, ranges[i].low, ranges[i].high,
                                   ranges[i].name));
     }
-    VBSS_TRY(vbss_check_vector(context, e->position, METRICS_LARGEST_PLACE, "position"));
-    VBSS_TRY(vbss_check_vector(context, e->other, METRICS_LARGEST_PLACE, "other"));
+    VBSS_TRY(vbss_check_vector(context, e->position, METRICS_LARGEST_POSITION, "position"));
+    VBSS_TRY(vbss_check_vector(context, e->other, METRICS_LARGEST_POSITION, "other"));
     VBSS_TRY(vbss_check_vector(context, e->force, METRICS_LARGEST_FORCE, "force"));
     return vbss_metrics_check_time(m, e->time);
 }
@@ -99,129 +99,129 @@ static double deviation_mm(const vbss_metrics_config *c, const vbss_metrics_even
     return MILLIMETRES * sqrt(arc * arc + e->axial * e->axial);
 }
 
-static metrics_note note_of(const metrics_object *m, const vbss_metrics_event *e)
+static metrics_entry make_entry(const metrics_object *m, const vbss_metrics_event *e)
 {
-    metrics_note note = {.kind = e->kind,
-                         .number = e->number,
-                         .standing = 1,
-                         .tool = e->tool,
-                         .wraps = e->wraps,
-                         .handedness = e->handedness,
-                         .relation = e->relation,
-                         .step = e->step,
-                         .time = e->time,
-                         .position = vec3_load(e->position),
-                         .force = vec3_load(e->force)};
-    note.value[0] = e->amount;
+    metrics_entry entry = {.kind = e->kind,
+                           .number = e->number,
+                           .standing = 1,
+                           .tool = e->tool,
+                           .wraps = e->wraps,
+                           .handedness = e->handedness,
+                           .relation = e->relation,
+                           .step = e->step,
+                           .time = e->time,
+                           .position = vec3_load(e->position),
+                           .force = vec3_load(e->force)};
+    entry.value[0] = e->amount;
     if (e->kind == VBSS_METRICS_EVENT_PUNCTURE) {
-        note.value[0] = deviation_mm(&m->config, e);
+        entry.value[0] = deviation_mm(&m->config, e);
     } else if (e->kind == VBSS_METRICS_EVENT_GAP) {
-        note.value[0] = MILLIMETRES * vec3_distance(note.position, vec3_load(e->other));
-        note.value[1] = vbss_max(note.value[0], MILLIMETRES * e->amount);
+        entry.value[0] = MILLIMETRES * vec3_distance(entry.position, vec3_load(e->other));
+        entry.value[1] = vbss_max(entry.value[0], MILLIMETRES * e->amount);
     }
-    return note;
+    return entry;
 }
 
 /* ---- keeping it */
 
-static vbss_result full(const metrics_object *m, const char *what, uint32_t capacity)
+static vbss_result fail_full(const metrics_object *m, const char *what, uint32_t capacity)
 {
     return vbss_fail(m->context, VBSS_ERROR_CAPACITY, "there is room for %u %s", capacity, what);
 }
 
-static vbss_result not_there(const metrics_object *m, const vbss_metrics_event *e)
+static vbss_result fail_not_standing(const metrics_object *m, const vbss_metrics_event *e)
 {
     return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
                      "event %d with number %u is undone, but does not stand", e->kind, e->number);
 }
 
-static vbss_result add_incident(metrics_object *m, const metrics_note *note)
+static vbss_result add_incident(metrics_object *m, const metrics_entry *entry)
 {
     if (m->incident_count == m->config.incident_capacity) {
-        return full(m, "incidents", m->incident_count);
+        return fail_full(m, "incidents", m->incident_count);
     }
-    m->incidents[m->incident_count++] = *note;
+    m->incidents[m->incident_count++] = *entry;
     return VBSS_OK;
 }
 
 static vbss_result set_fact(metrics_object *m, metrics_fact first, const vbss_metrics_event *e)
 {
-    bool many = largest_number(e->kind) == 1.0;
-    metrics_note *fact = &m->facts[first + (many ? e->number : 0u)];
-    metrics_note note = note_of(m, e);
+    bool is_numbered = max_number(e->kind) == 1.0;
+    metrics_entry *fact = &m->facts[first + (is_numbered ? e->number : 0u)];
+    metrics_entry entry = make_entry(m, e);
     if (e->undone == 0) {
-        *fact = note;
+        *fact = entry;
         return VBSS_OK;
     }
     if (!fact->standing) {
-        return not_there(m, e);
+        return fail_not_standing(m, e);
     }
     if (e->kind == VBSS_METRICS_EVENT_PUNCTURE) {
-        note.value[0] = fact->value[0]; /* of the attempt */
-        VBSS_TRY(add_incident(m, &note));
+        entry.value[0] = fact->value[0]; /* of the attempt */
+        VBSS_TRY(add_incident(m, &entry));
     }
     fact->standing = 0;
     return VBSS_OK;
 }
 
 /* The youngest that stands; NULL: none. */
-static metrics_note *find(metrics_note *notes, uint32_t count, vbss_metrics_event_kind kind,
-                          uint32_t number)
+static metrics_entry *find_standing(metrics_entry *entries, uint32_t count,
+                                    vbss_metrics_event_kind kind, uint32_t number)
 {
     for (uint32_t i = count; i-- > 0;) {
-        metrics_note *note = &notes[i];
-        if (note->standing && note->kind == kind && note->number == number) {
-            return note;
+        metrics_entry *entry = &entries[i];
+        if (entry->standing && entry->kind == kind && entry->number == number) {
+            return entry;
         }
     }
     return NULL;
 }
 
-static vbss_result take_back(const metrics_object *m, metrics_note *note,
-                             const vbss_metrics_event *e)
+static vbss_result undo_entry(const metrics_object *m, metrics_entry *entry,
+                              const vbss_metrics_event *e)
 {
-    if (note == NULL) {
-        return not_there(m, e);
+    if (entry == NULL) {
+        return fail_not_standing(m, e);
     }
-    note->standing = 0;
-    note->undone_time = e->time;
+    entry->standing = 0;
+    entry->undone_time = e->time;
     return VBSS_OK;
 }
 
 /* One that stands and is told again is known better; it was tied when it was told first. */
 static vbss_result set_throw(metrics_object *m, const vbss_metrics_event *e)
 {
-    metrics_note *old = find(m->throws, m->throw_count, e->kind, e->number);
+    metrics_entry *existing = find_standing(m->throws, m->throw_count, e->kind, e->number);
     if (e->undone != 0) {
-        return take_back(m, old, e);
+        return undo_entry(m, existing, e);
     }
-    metrics_note note = note_of(m, e);
-    if (old != NULL) {
-        note.step = old->step;
-        note.time = old->time;
-        *old = note;
+    metrics_entry entry = make_entry(m, e);
+    if (existing != NULL) {
+        entry.step = existing->step;
+        entry.time = existing->time;
+        *existing = entry;
         return VBSS_OK;
     }
     if (m->throw_count == m->config.throw_capacity) {
-        return full(m, "throws", m->throw_count);
+        return fail_full(m, "throws", m->throw_count);
     }
-    m->throws[m->throw_count++] = note;
+    m->throws[m->throw_count++] = entry;
     return VBSS_OK;
 }
 
 static vbss_result begin_phase(metrics_object *m, const vbss_metrics_event *e)
 {
     if (m->phase_count == m->config.phase_capacity) {
-        return full(m, "phases", m->phase_count);
+        return fail_full(m, "phases", m->phase_count);
     }
     m->phases[m->phase_count++] = (metrics_phase){e->number, e->step, e->time};
     return VBSS_OK;
 }
 
-static vbss_result keep(metrics_object *m, const vbss_metrics_event *e)
+static vbss_result store_event(metrics_object *m, const vbss_metrics_event *e)
 {
     metrics_fact fact;
-    if (is_fact(e->kind, &fact)) {
+    if (find_fact(e->kind, &fact)) {
         return set_fact(m, fact, e);
     }
     if (e->kind == VBSS_METRICS_EVENT_PHASE) {
@@ -231,10 +231,10 @@ static vbss_result keep(metrics_object *m, const vbss_metrics_event *e)
         return set_throw(m, e);
     }
     if (e->undone != 0) {
-        return take_back(m, find(m->incidents, m->incident_count, e->kind, e->number), e);
+        return undo_entry(m, find_standing(m->incidents, m->incident_count, e->kind, e->number), e);
     }
-    metrics_note note = note_of(m, e);
-    return add_incident(m, &note);
+    metrics_entry entry = make_entry(m, e);
+    return add_incident(m, &entry);
 }
 
 vbss_result vbss_metrics_add_event(vbss_metrics *metrics, const vbss_metrics_event *event)
@@ -243,8 +243,8 @@ vbss_result vbss_metrics_add_event(vbss_metrics *metrics, const vbss_metrics_eve
     vbss_metrics_event e;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));
     VBSS_TRY(vbss_config_read(m->context, &layout, event, &e));
-    VBSS_TRY(check_numbers(m, &e));
-    VBSS_TRY(keep(m, &e));
-    vbss_metrics_tell_time(m, e.time, e.step);
+    VBSS_TRY(check_event(m, &e));
+    VBSS_TRY(store_event(m, &e));
+    vbss_metrics_advance_clock(m, e.time, e.step);
     return VBSS_OK;
 }

@@ -20,33 +20,33 @@ static const vbss_layout penalty_layout = {"vbss_metrics_penalty", NULL, penalty
 
 /* ---- the clock of the task: from the needle's appearing until both tails are cut, or until now */
 
-bool vbss_metrics_stopped(const metrics_object *m)
+bool vbss_metrics_is_stopped(const metrics_object *m)
 {
     return m->facts[METRICS_CUT].standing && m->facts[METRICS_CUT + 1].standing;
 }
 
 double vbss_metrics_stop_time(const metrics_object *m)
 {
-    return vbss_metrics_stopped(m)
+    return vbss_metrics_is_stopped(m)
                ? vbss_max(m->facts[METRICS_CUT].time, m->facts[METRICS_CUT + 1].time)
-               : m->now;
+               : m->last_time;
 }
 
-double vbss_metrics_time(const metrics_object *m)
+double vbss_metrics_task_time(const metrics_object *m)
 {
-    const metrics_note *appeared = &m->facts[METRICS_APPEARED];
+    const metrics_entry *appeared = &m->facts[METRICS_APPEARED];
     return appeared->standing ? vbss_max(vbss_metrics_stop_time(m) - appeared->time, 0.0) : 0.0;
 }
 
 /* ---- the report */
 
-static void show_facts(const metrics_object *m, vbss_metrics_report *r)
+static void report_facts(const metrics_object *m, vbss_metrics_report *r)
 {
     static const struct {
         metrics_fact fact;
         uint32_t flag;
     } known[] = {{METRICS_APPEARED, VBSS_METRICS_STARTED},
-                 {METRICS_GAPES, VBSS_METRICS_GAP},
+                 {METRICS_GAP, VBSS_METRICS_GAP},
                  {METRICS_AVULSED, VBSS_METRICS_AVULSED},
                  {METRICS_BROKEN, VBSS_METRICS_BROKEN}};
     static const uint32_t puncture[2] = {VBSS_METRICS_PUNCTURE_0, VBSS_METRICS_PUNCTURE_1};
@@ -55,8 +55,8 @@ static void show_facts(const metrics_object *m, vbss_metrics_report *r)
         r->flags |= m->facts[known[i].fact].standing ? known[i].flag : 0u;
     }
     for (int i = 0; i < 2; i++) {
-        const metrics_note *cut = &m->facts[METRICS_CUT + i],
-                           *length = cut->standing ? cut : &m->facts[METRICS_TAIL + i];
+        const metrics_entry *cut = &m->facts[METRICS_CUT + i],
+                            *length = cut->standing ? cut : &m->facts[METRICS_TAIL + i];
         if (m->facts[METRICS_PUNCTURE + i].standing) {
             r->flags |= puncture[i];
             r->deviation_mm[i] = m->facts[METRICS_PUNCTURE + i].value[0];
@@ -66,16 +66,16 @@ static void show_facts(const metrics_object *m, vbss_metrics_report *r)
             r->tail_mm[i] = MILLIMETRES * length->value[0];
         }
     }
-    if (m->facts[METRICS_GAPES].standing) {
-        r->gap_mm = m->facts[METRICS_GAPES].value[0];
-        r->gap_largest_mm = m->facts[METRICS_GAPES].value[1];
+    if (m->facts[METRICS_GAP].standing) {
+        r->gap_mm = m->facts[METRICS_GAP].value[0];
+        r->gap_largest_mm = m->facts[METRICS_GAP].value[1];
     }
 }
 
 static void count_throws(const metrics_object *m, vbss_metrics_report *r)
 {
     for (uint32_t i = 0; i < m->throw_count; i++) {
-        const metrics_note *tied = &m->throws[i];
+        const metrics_entry *tied = &m->throws[i];
         if (tied->standing) {
             r->throw_count++;
             r->square_count += tied->relation == VBSS_METRICS_RELATION_SQUARE;
@@ -88,21 +88,21 @@ static void count_throws(const metrics_object *m, vbss_metrics_report *r)
 static void count_incidents(const metrics_object *m, vbss_metrics_report *r)
 {
     for (uint32_t i = 0; i < m->incident_count; i++) {
-        const metrics_note *note = &m->incidents[i];
-        if (!note->standing) {
+        const metrics_entry *entry = &m->incidents[i];
+        if (!entry->standing) {
             continue;
         }
-        if (note->kind == VBSS_METRICS_EVENT_PUNCTURE) {
-            r->attempts[note->number]++;
+        if (entry->kind == VBSS_METRICS_EVENT_PUNCTURE) {
+            r->attempts[entry->number]++;
         }
-        r->transfers += note->kind == VBSS_METRICS_EVENT_TRANSFER;
-        r->transfers_missed += note->kind == VBSS_METRICS_EVENT_TRANSFER_MISSED;
-        r->drops += note->kind == VBSS_METRICS_EVENT_DROP;
-        r->host_penalties += note->kind == VBSS_METRICS_EVENT_HOST;
+        r->transfers += entry->kind == VBSS_METRICS_EVENT_TRANSFER;
+        r->transfers_missed += entry->kind == VBSS_METRICS_EVENT_TRANSFER_MISSED;
+        r->drops += entry->kind == VBSS_METRICS_EVENT_DROP;
+        r->host_penalties += entry->kind == VBSS_METRICS_EVENT_HOST;
     }
 }
 
-static void show_motion(const metrics_object *m, vbss_metrics_report *r)
+static void report_motion(const metrics_object *m, vbss_metrics_report *r)
 {
     const metrics_hand *a = &m->hands[0], *b = &m->hands[1];
     r->samples = m->samples;
@@ -116,26 +116,26 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     vbss_metrics_report r = {.struct_size = sizeof r};
-    metrics_score judged = vbss_metrics_judge(m, 0, NULL);
-    show_facts(m, &r);
+    metrics_score score = vbss_metrics_compute_score(m, 0, NULL);
+    report_facts(m, &r);
     count_throws(m, &r);
     count_incidents(m, &r);
-    show_motion(m, &r);
+    report_motion(m, &r);
     r.tightness_ours = vbss_metrics_tightness_ours(&m->pull);
     r.tightness_paper = vbss_metrics_tightness_paper(&m->pull);
-    r.pull_held = m->pull.held;
+    r.pull_held = m->pull.longest_hold;
     r.pull_strain = m->pull.strain;
     r.drawn_in_mm = MILLIMETRES * m->pull.drawn_in;
     r.throw_records = m->throw_count;
     r.phase_count = m->phase_count;
-    r.penalty_count = judged.count;
-    r.time = vbss_metrics_time(m);
-    r.score = judged.score;
-    r.penalties = judged.penalties;
-    r.flags |= vbss_metrics_stopped(m) ? VBSS_METRICS_STOPPED : 0;
-    r.flags |= m->finished ? VBSS_METRICS_FINISHED : 0;
+    r.penalty_count = score.count;
+    r.time = vbss_metrics_task_time(m);
+    r.score = score.score;
+    r.penalties = score.penalties;
+    r.flags |= vbss_metrics_is_stopped(m) ? VBSS_METRICS_STOPPED : 0;
+    r.flags |= m->is_finished ? VBSS_METRICS_FINISHED : 0;
     r.flags |= r.time >= m->config.max_time ? VBSS_METRICS_TIMEOUT : 0;
-    r.flags |= judged.final ? VBSS_METRICS_FINAL : 0;
+    r.flags |= score.is_final ? VBSS_METRICS_FINAL : 0;
     return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
 }
 
@@ -155,19 +155,19 @@ vbss_result vbss_metrics_get_throw(vbss_metrics *metrics, uint32_t index,
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     VBSS_TRY(check_index(m, "throw", index, m->throw_count));
-    const metrics_note *note = &m->throws[index];
+    const metrics_entry *entry = &m->throws[index];
     vbss_metrics_throw own = {.struct_size = sizeof own,
-                              .number = note->number,
-                              .standing = note->standing,
-                              .tool = note->tool,
-                              .wraps = note->wraps,
-                              .handedness = note->handedness,
-                              .relation = note->relation,
-                              .step = note->step,
-                              .time = note->time,
-                              .undone_time = note->undone_time};
-    vec3_store(own.position, note->position);
-    vec3_store(own.force, note->force);
+                              .number = entry->number,
+                              .standing = entry->standing,
+                              .tool = entry->tool,
+                              .wraps = entry->wraps,
+                              .handedness = entry->handedness,
+                              .relation = entry->relation,
+                              .step = entry->step,
+                              .time = entry->time,
+                              .undone_time = entry->undone_time};
+    vec3_store(own.position, entry->position);
+    vec3_store(own.force, entry->force);
     return vbss_struct_write(m->context, &throw_layout, &own, record, struct_size);
 }
 
@@ -177,14 +177,14 @@ vbss_result vbss_metrics_get_phase(vbss_metrics *metrics, uint32_t index, vbss_m
     metrics_object *m;
     VBSS_TRY(vbss_metrics_open(metrics, &m));
     VBSS_TRY(check_index(m, "phase", index, m->phase_count));
-    const metrics_phase *visit = &m->phases[index];
+    const metrics_phase *entry = &m->phases[index];
     bool ended = index + 1 < m->phase_count;
     vbss_metrics_phase own = {.struct_size = sizeof own,
-                              .number = visit->number,
+                              .number = entry->number,
                               .ended = ended,
-                              .step = visit->step,
-                              .begin = visit->begin};
-    own.end = ended ? visit[1].begin : vbss_max(vbss_metrics_stop_time(m), visit->begin);
+                              .step = entry->step,
+                              .begin = entry->start_time};
+    own.end = ended ? entry[1].start_time : vbss_max(vbss_metrics_stop_time(m), entry->start_time);
     return vbss_struct_write(m->context, &phase_layout, &own, phase, struct_size);
 }
 
@@ -194,8 +194,8 @@ vbss_result vbss_metrics_get_penalty(vbss_metrics *metrics, uint32_t index,
     metrics_object *m;
     vbss_metrics_penalty own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_metrics_open(metrics, &m));
-    metrics_score judged = vbss_metrics_judge(m, index, &own);
-    VBSS_TRY(check_index(m, "penalty", index, judged.count));
+    metrics_score score = vbss_metrics_compute_score(m, index, &own);
+    VBSS_TRY(check_index(m, "penalty", index, score.count));
     return vbss_struct_write(m->context, &penalty_layout, &own, penalty, struct_size);
 }
 
@@ -210,12 +210,12 @@ vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field fiel
     const metrics_hand *h = &m->hands[field % METRICS_HANDS];
     const double *const arrays[] = {h->speed, h->jerk, h->peak};
     const uint32_t counts[] = {h->tick_count, h->tick_count, h->force_count};
-    int which = field / METRICS_HANDS;
+    int quantity = field / METRICS_HANDS;
     const vbss_view own = {.type = VBSS_TYPE_F64,
                            .components = 1,
                            .stride_bytes = sizeof(double),
-                           .count = counts[which],
-                           .data = arrays[which],
+                           .count = counts[quantity],
+                           .data = arrays[quantity],
                            .generation = m->generation};
     return vbss_struct_write(m->context, &vbss_view_layout, &own, view, struct_size);
 }
@@ -228,7 +228,7 @@ vbss_result vbss_metrics_offset(const double axis[3], const double centre[3], co
     const double *const given[] = {axis, centre, mark, place};
     for (size_t i = 0; i < sizeof given / sizeof given[0]; i++) {
         VBSS_TRY(vbss_check_pointer(NULL, given[i], "point"));
-        VBSS_TRY(vbss_check_vector(NULL, given[i], METRICS_LARGEST_PLACE, "point"));
+        VBSS_TRY(vbss_check_vector(NULL, given[i], METRICS_LARGEST_POSITION, "point"));
     }
     VBSS_TRY(vbss_check_pointer(NULL, angle, "angle"));
     VBSS_TRY(vbss_check_pointer(NULL, axial, "axial"));

@@ -20,46 +20,47 @@ vbss_result vbss_metrics_check_time(const metrics_object *m, double time)
 {
     VBSS_TRY(
         vbss_check_range(m->context, time, -METRICS_LARGEST_TIME, METRICS_LARGEST_TIME, "time"));
-    if (m->begun && time < m->now) {
+    if (m->has_time && time < m->last_time) {
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE, "time is %.9g, after %.9g", time,
-                         m->now);
+                         m->last_time);
     }
     return VBSS_OK;
 }
 
-void vbss_metrics_tell_time(metrics_object *m, double time, uint64_t step)
+void vbss_metrics_advance_clock(metrics_object *m, double time, uint64_t step)
 {
-    m->begun = 1;
-    m->now = time;
-    m->step = step;
+    m->has_time = 1;
+    m->last_time = time;
+    m->last_step = step;
     m->generation++;
 }
 
 /* ---- samples */
 
-static const uint32_t has_place[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT, VBSS_METRICS_HAS_RIGHT};
-static const uint32_t has_force[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT_FORCE,
-                                                  VBSS_METRICS_HAS_RIGHT_FORCE};
+static const uint32_t position_flags[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT,
+                                                       VBSS_METRICS_HAS_RIGHT};
+static const uint32_t force_flags[METRICS_HANDS] = {VBSS_METRICS_HAS_LEFT_FORCE,
+                                                    VBSS_METRICS_HAS_RIGHT_FORCE};
 
-static vbss_result check(const metrics_object *m, const vbss_metrics_sample *s)
+static vbss_result check_sample(const metrics_object *m, const vbss_metrics_sample *s)
 {
-    if (m->finished) {
+    if (m->is_finished) {
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
                          "a sample at %.9g: the measurement is finished", s->time);
     }
     VBSS_TRY(vbss_check_range(m->context, s->valid, 0.0, 15.0, "valid"));
     VBSS_TRY(vbss_metrics_check_time(m, s->time));
-    if (m->sampled && s->time <= m->sample_time) {
+    if (m->has_sample && s->time <= m->sample_time) {
         return vbss_fail(m->context, VBSS_ERROR_OUT_OF_RANGE,
                          "time of the sample is %.9g, that of the last is %.9g", s->time,
                          m->sample_time);
     }
     for (int i = 0; i < METRICS_HANDS; i++) {
-        if ((s->valid & has_place[i]) != 0) {
-            VBSS_TRY(
-                vbss_check_vector(m->context, s->position[i], METRICS_LARGEST_PLACE, "position"));
+        if ((s->valid & position_flags[i]) != 0) {
+            VBSS_TRY(vbss_check_vector(m->context, s->position[i], METRICS_LARGEST_POSITION,
+                                       "position"));
         }
-        if ((s->valid & has_force[i]) != 0) {
+        if ((s->valid & force_flags[i]) != 0) {
             VBSS_TRY(vbss_check_vector(m->context, s->force[i], METRICS_LARGEST_FORCE, "force"));
         }
     }
@@ -72,22 +73,22 @@ vbss_result vbss_metrics_add_sample(vbss_metrics *metrics, const vbss_metrics_sa
     vbss_metrics_sample s;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));
     VBSS_TRY(vbss_config_read(m->context, &layout, sample, &s));
-    VBSS_TRY(check(m, &s));
-    if (!m->sampled) {
-        m->sampled = 1;
-        m->origin = s.time;
+    VBSS_TRY(check_sample(m, &s));
+    if (!m->has_sample) {
+        m->has_sample = 1;
+        m->origin_time = s.time;
     }
     for (uint32_t i = 0; i < METRICS_HANDS; i++) {
-        if ((s.valid & has_place[i]) != 0) {
-            vbss_metrics_move_hand(m, i, s.time, vec3_load(s.position[i]));
+        if ((s.valid & position_flags[i]) != 0) {
+            vbss_metrics_track_position(m, i, s.time, vec3_load(s.position[i]));
         }
-        if ((s.valid & has_force[i]) != 0) {
-            vbss_metrics_load_hand(m, i, s.time, vec3_norm(vec3_load(s.force[i])));
+        if ((s.valid & force_flags[i]) != 0) {
+            vbss_metrics_track_force(m, i, s.time, vec3_norm(vec3_load(s.force[i])));
         }
     }
     m->samples++;
     m->sample_time = s.time;
-    vbss_metrics_tell_time(m, s.time, s.step);
+    vbss_metrics_advance_clock(m, s.time, s.step);
     return VBSS_OK;
 }
 
@@ -95,13 +96,13 @@ vbss_result vbss_metrics_finish(vbss_metrics *metrics)
 {
     metrics_object *m;
     VBSS_TRY(vbss_metrics_edit(metrics, &m));
-    if (m->finished) {
+    if (m->is_finished) {
         return VBSS_OK;
     }
     for (uint32_t i = 0; i < METRICS_HANDS; i++) {
-        vbss_metrics_end_hand(m, i);
+        vbss_metrics_finish_track(m, i);
     }
-    m->finished = 1;
+    m->is_finished = 1;
     m->generation++;
     return VBSS_OK;
 }

@@ -4,34 +4,35 @@
 #include "metrics/metrics.h"
 
 #define PI 3.14159265358979323846
-#define CUT 10.0 /* Hz: half of the amplitude passes */
+#define CUTOFF_FREQUENCY 10.0 /* Hz: half of the amplitude passes */
 
 /* ---- the filter: an ideal low-pass of that cut in a Blackman window of +-0.25 s. At the window's ends the sine of
  * the ideal one is zero, so that its third derivative is bounded. */
 
-static double tap(int i)
+static double filter_tap(int i)
 {
-    double t = i / METRICS_FINE_RATE, turn = PI * i / METRICS_HALF;
-    if (i < -METRICS_HALF || i > METRICS_HALF) {
+    double t = i / METRICS_FINE_RATE, phase = PI * i / METRICS_FILTER_HALF_WIDTH;
+    if (i < -METRICS_FILTER_HALF_WIDTH || i > METRICS_FILTER_HALF_WIDTH) {
         return 0.0;
     }
-    double ideal = i == 0 ? 2.0 * CUT : vbss_sin(2.0 * PI * CUT * t) / (PI * t);
-    return ideal * (0.42 + 0.5 * vbss_cos(turn) + 0.08 * vbss_cos(2.0 * turn));
+    double ideal =
+        i == 0 ? 2.0 * CUTOFF_FREQUENCY : vbss_sin(2.0 * PI * CUTOFF_FREQUENCY * t) / (PI * t);
+    return ideal * (0.42 + 0.5 * vbss_cos(phase) + 0.08 * vbss_cos(2.0 * phase));
 }
 
 void vbss_metrics_make_kernel(metrics_kernel *kernel)
 {
-    /* by number + METRICS_REACH + 2, so that differences need no bounds */
-    double taps[2 * METRICS_REACH + 5];
-    double *h = taps + METRICS_REACH + 2, sum = 0.0;
-    for (int i = -METRICS_REACH - 2; i <= METRICS_REACH + 2; i++) {
-        h[i] = tap(i);
+    /* by number + METRICS_KERNEL_HALF_WIDTH + 2, so that differences need no bounds */
+    double taps[2 * METRICS_KERNEL_HALF_WIDTH + 5];
+    double *h = taps + METRICS_KERNEL_HALF_WIDTH + 2, sum = 0.0;
+    for (int i = -METRICS_KERNEL_HALF_WIDTH - 2; i <= METRICS_KERNEL_HALF_WIDTH + 2; i++) {
+        h[i] = filter_tap(i);
         sum += h[i];
     }
     double first = 0.5 * METRICS_FINE_RATE / sum;
     double third = first * METRICS_FINE_RATE * METRICS_FINE_RATE;
     kernel->first[0] = kernel->third[0] = 0.0;
-    for (int i = 1; i <= METRICS_REACH; i++) {
+    for (int i = 1; i <= METRICS_KERNEL_HALF_WIDTH; i++) {
         kernel->first[i] = first * (h[i - 1] - h[i + 1]);
         kernel->third[i] = third * (h[i - 2] - 2.0 * h[i - 1] + 2.0 * h[i + 1] - h[i + 2]);
     }
@@ -41,8 +42,9 @@ void vbss_metrics_differentiate(const metrics_kernel *kernel, const vec3 *ring, 
                                 double *speed, double *jerk)
 {
     vec3 v = vec3_zero(), j = vec3_zero();
-    for (uint64_t i = 1; i <= METRICS_REACH; i++) {
-        vec3 pair = vec3_sub(ring[(centre + i) % METRICS_RING], ring[(centre - i) % METRICS_RING]);
+    for (uint64_t i = 1; i <= METRICS_KERNEL_HALF_WIDTH; i++) {
+        vec3 pair = vec3_sub(ring[(centre + i) % METRICS_RING_SIZE],
+                             ring[(centre - i) % METRICS_RING_SIZE]);
         v = vec3_add_scaled(v, kernel->first[i], pair);
         j = vec3_add_scaled(j, kernel->third[i], pair);
     }
@@ -54,22 +56,23 @@ void vbss_metrics_differentiate(const metrics_kernel *kernel, const vec3 *ring, 
 
 /* Of the parabola through all three; where one stands much nearer than the other, whose error would count most, of the
  * chord. */
-vec3 vbss_metrics_slope(const double time[3], const vec3 at[3])
+vec3 vbss_metrics_middle_velocity(const double time[3], const vec3 position[3])
 {
     double before = time[1] - time[0], after = time[2] - time[1], both = time[2] - time[0];
     if (before > 4.0 * after || after > 4.0 * before) {
-        return vec3_scale(vec3_sub(at[2], at[0]), 1.0 / both);
+        return vec3_scale(vec3_sub(position[2], position[0]), 1.0 / both);
     }
-    vec3 earlier = vec3_scale(vec3_sub(at[1], at[0]), after / (before * both));
-    vec3 later = vec3_scale(vec3_sub(at[2], at[1]), before / (after * both));
-    return vec3_add(earlier, later);
+    vec3 before_part = vec3_scale(vec3_sub(position[1], position[0]), after / (before * both));
+    vec3 later = vec3_scale(vec3_sub(position[2], position[1]), before / (after * both));
+    return vec3_add(before_part, later);
 }
 
-vec3 vbss_metrics_cell_at(const metrics_cell *cell, double time)
+vec3 vbss_metrics_segment_at(const metrics_segment *segment, double time)
 {
-    double length = cell->end - cell->begin, s = (time - cell->begin) / length, r = 1.0 - s;
-    vec3 p = vec3_scale(cell->from, r * r * (1.0 + 2.0 * s));
-    p = vec3_add_scaled(p, s * s * (1.0 + 2.0 * r), cell->to);
-    p = vec3_add_scaled(p, length * s * r * r, cell->from_slope);
-    return vec3_add_scaled(p, -length * s * s * r, cell->to_slope);
+    double length = segment->end_time - segment->start_time,
+           s = (time - segment->start_time) / length, r = 1.0 - s;
+    vec3 p = vec3_scale(segment->start, r * r * (1.0 + 2.0 * s));
+    p = vec3_add_scaled(p, s * s * (1.0 + 2.0 * r), segment->end);
+    p = vec3_add_scaled(p, length * s * r * r, segment->start_velocity);
+    return vec3_add_scaled(p, -length * s * s * r, segment->end_velocity);
 }

@@ -3,20 +3,20 @@
 #include "base/elementary.h"
 #include "metrics/metrics.h"
 
-#define TURN 6.283185307179586476925286766559
-#define HIGHEST 20.0 /* Hz */
+#define TWO_PI 6.283185307179586476925286766559
+#define MAX_FREQUENCY 20.0 /* Hz */
 /* Of the amplitude at 0 Hz: above the last frequency that has it nothing counts. */
-#define LEAST 0.05
+#define AMPLITUDE_THRESHOLD 0.05
 
 /* ---- discrete Fourier transform: `size` complex numbers, a power of two, decimation in frequency; the result is in
  * bit-reversed order */
 
-static void transform(double *x, uint32_t size)
+static void fourier_transform(double *x, uint32_t size)
 {
     for (uint32_t half = size / 2; half >= 1; half /= 2) {
         for (uint32_t k = 0; k < half; k++) {
             double sine, cosine;
-            vbss_sincos(-TURN * (double)k / (2.0 * (double)half), &sine, &cosine);
+            vbss_sincos(-TWO_PI * (double)k / (2.0 * (double)half), &sine, &cosine);
             for (uint32_t i = k; i < size; i += 2 * half) {
                 double *a = x + 2 * (size_t)i, *b = x + 2 * ((size_t)i + half);
                 double re = a[0] - b[0], im = a[1] - b[1];
@@ -29,7 +29,7 @@ static void transform(double *x, uint32_t size)
     }
 }
 
-static uint32_t reversed(uint32_t number, uint32_t size)
+static uint32_t bit_reversed(uint32_t number, uint32_t size)
 {
     uint32_t result = 0;
     for (uint32_t bit = 1; bit < size; bit *= 2) {
@@ -41,35 +41,35 @@ static uint32_t reversed(uint32_t number, uint32_t size)
 
 static double amplitude(const double *x, uint32_t number, uint32_t size)
 {
-    const double *value = x + 2 * (size_t)reversed(number, size);
+    const double *value = x + 2 * (size_t)bit_reversed(number, size);
     return sqrt(value[0] * value[0] + value[1] * value[1]);
 }
 
 /* ---- the curve */
 
-bool vbss_metrics_sparc(const double *speed, uint32_t count, double *room, double *sparc)
+bool vbss_metrics_sparc(const double *speed, uint32_t count, double *buffer, double *sparc)
 {
     uint32_t size = METRICS_SPECTRUM_PADDING;
     while (size < METRICS_SPECTRUM_PADDING * count) {
         size *= 2;
     }
     for (uint32_t i = 0; i < size; i++) {
-        room[2 * (size_t)i] = i < count ? speed[i] : 0.0;
-        room[2 * (size_t)i + 1] = 0.0;
+        buffer[2 * (size_t)i] = i < count ? speed[i] : 0.0;
+        buffer[2 * (size_t)i + 1] = 0.0;
     }
-    transform(room, size);
-    double whole = amplitude(room, 0, size), length = 0.0, before = 1.0;
-    if (!(whole > 0.0)) {
+    fourier_transform(buffer, size);
+    double dc_amplitude = amplitude(buffer, 0, size), length = 0.0, previous = 1.0;
+    if (!(dc_amplitude > 0.0)) {
         return false;
     }
-    uint32_t last = (uint32_t)(HIGHEST * (double)size / METRICS_TICK_RATE);
-    while (last > 1 && amplitude(room, last, size) < LEAST * whole) {
+    uint32_t last = (uint32_t)(MAX_FREQUENCY * (double)size / METRICS_TICK_RATE);
+    while (last > 1 && amplitude(buffer, last, size) < AMPLITUDE_THRESHOLD * dc_amplitude) {
         last--;
     }
     for (uint32_t k = 1; k <= last; k++) {
-        double now = amplitude(room, k, size) / whole, step = 1.0 / (double)last;
-        length += sqrt(step * step + (now - before) * (now - before));
-        before = now;
+        double current = amplitude(buffer, k, size) / dc_amplitude, step = 1.0 / (double)last;
+        length += sqrt(step * step + (current - previous) * (current - previous));
+        previous = current;
     }
     *sparc = -length;
     return true;

@@ -11,31 +11,31 @@ _Static_assert(sizeof(vbss_log_report) == 232, "published size");
 static const uint32_t report_sizes[] = {232, 0};
 static const vbss_layout report_layout = {"vbss_log_report", NULL, report_sizes};
 
-enum { FAULTS = sizeof((vbss_log_report *)0)->fault_positions / sizeof(uint64_t) };
+enum { MAX_FAULTS = sizeof((vbss_log_report *)0)->fault_positions / sizeof(uint64_t) };
 
-static void note(vbss_log_report *report, const log_fault *fault)
+static void add_fault(vbss_log_report *report, const log_fault *fault)
 {
     uint32_t n = report->fault_count++;
     if (n == 0) {
         report->result = fault->result;
     }
-    if (n < FAULTS) {
-        report->fault_positions[n] = fault->at;
+    if (n < MAX_FAULTS) {
+        report->fault_positions[n] = fault->position;
         report->fault_results[n] = fault->result;
         report->fault_problems[n] = fault->problem;
     }
 }
 
 /* Everything up to the end, or to the first fault. */
-static vbss_result read_good(replay_object *p, vbss_log_report *report)
+static vbss_result read_intact_records(replay_object *p, vbss_log_report *report)
 {
-    VBSS_TRY(vbss_log_read_begin(p));
+    VBSS_TRY(vbss_replay_open_log(p));
     report->snapshots = 1;
-    report->good_bytes = p->log.at;
+    report->good_bytes = p->log.position;
     while (report->ended == 0) {
-        log_found found;
+        log_record found;
         log_snapshot snapshot;
-        VBSS_TRY(vbss_log_read(&p->log, report->steps, &p->step, &snapshot, &found));
+        VBSS_TRY(vbss_log_read_record(&p->log, report->steps, &p->step, &snapshot, &found));
         report->ended = found.code == LOG_END;
         report->snapshots += found.code == LOG_SNAPSHOT;
         if (found.code == LOG_STEP) {
@@ -44,41 +44,41 @@ static vbss_result read_good(replay_object *p, vbss_log_report *report)
             report->events += p->step.event_count;
             report->time += p->step.h;
         }
-        report->good_bytes = p->log.at;
+        report->good_bytes = p->log.position;
     }
     return VBSS_OK;
 }
 
 /* The record with a fault tells the checksum that the next one covers, if that was not what was hit. */
-static void read_rest(log_reader *log, log_fault *fault, vbss_log_report *report)
+static void find_more_faults(log_reader *log, log_fault *fault, vbss_log_report *report)
 {
-    log_found found;
+    log_record found;
     for (;;) {
-        while (log->at <= fault->at) {
-            if (!vbss_log_skip(log)) {
+        while (log->position <= fault->position) {
+            if (!vbss_log_skip_record(log)) {
                 return;
             }
         }
         do {
-            if (log->at == log->count) {
+            if (log->position == log->count) {
                 return;
             }
         } while (vbss_log_next(log, &found) == VBSS_OK);
-        note(report, fault);
+        add_fault(report, fault);
     }
 }
 
-static vbss_result check(replay_object *p, vbss_log_report *report)
+static vbss_result check_records(replay_object *p, vbss_log_report *report)
 {
     log_fault fault = {VBSS_OK, 0, NULL};
     p->log.fault = &fault;
-    vbss_result result = read_good(p, report);
+    vbss_result result = read_intact_records(p, report);
     if (fault.result == VBSS_OK || fault.result == VBSS_ERROR_OUT_OF_MEMORY) {
         return result;
     }
-    note(report, &fault);
-    if (p->log.at >= LOG_FRONT) {
-        read_rest(&p->log, &fault, report);
+    add_fault(report, &fault);
+    if (p->log.position >= LOG_PREAMBLE_BYTES) {
+        find_more_faults(&p->log, &fault, report);
     }
     return VBSS_OK;
 }
@@ -99,11 +99,11 @@ vbss_result vbss_log_check(vbss_context *context, const uint8_t *bytes, uint64_t
     if (p == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    p->context = p->head.context = p->log.context = context;
+    p->context = p->header.context = p->log.context = context;
     p->log.bytes = bytes;
     p->log.count = (size_t)count;
-    vbss_result result = check(p, &own);
-    vbss_log_free_begin(p);
+    vbss_result result = check_records(p, &own);
+    vbss_replay_close_log(p);
     vbss_release(context, p, 1, sizeof *p);
     VBSS_TRY(result);
     return vbss_struct_write(context, &report_layout, &own, report, struct_size);

@@ -4,7 +4,7 @@
 
 _Static_assert(sizeof(vbss_thread_attachment) == 112, "new fields must be inputs too");
 
-const log_input_shape vbss_log_input_shapes[INPUT_KINDS] = {
+const log_input_shape vbss_log_input_shapes[LOG_INPUT_KINDS] = {
     [VBSS_INPUT_MOVE_RIGID] = {2, 7},   [VBSS_INPUT_PIN] = {4, 3},
     [VBSS_INPUT_UNPIN] = {1, 0},        [VBSS_INPUT_ATTACH] = {3, 12},
     [VBSS_INPUT_MOVE] = {3, 6},         [VBSS_INPUT_DETACH] = {2, 0},
@@ -55,14 +55,14 @@ static vbss_result attach(vbss_thread *thread, const vbss_log_input *input, uint
     return vbss_thread_attach(thread, &a, id);
 }
 
-vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
-                          uint32_t *id)
+vbss_result vbss_log_apply_input(vbss_scene *scene, uint8_t kind, const vbss_log_input *input,
+                                 uint32_t *id)
 {
     const uint32_t *w = input->words;
     const double *n = input->numbers;
     vbss_thread *thread = NULL;
     vbss_grasper *grasper = NULL;
-    uint32_t unwanted, *name = id != NULL ? id : &unwanted;
+    uint32_t ignored, *new_id = id != NULL ? id : &ignored;
     if (kind >= VBSS_INPUT_ATTACH && kind <= VBSS_INPUT_DETACH) {
         VBSS_TRY(vbss_log_find_thread(scene, w[0], &thread));
     }
@@ -73,17 +73,17 @@ vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const vbss_log_input 
     case VBSS_INPUT_MOVE_RIGID:
         return vbss_scene_move_rigid(scene, w[0], n, w[1] != 0 ? n + 3 : NULL);
     case VBSS_INPUT_PIN:
-        return vbss_scene_pin_thread(scene, w[0], w[1], w[2], w[3] != 0 ? n : NULL, name);
+        return vbss_scene_pin_thread(scene, w[0], w[1], w[2], w[3] != 0 ? n : NULL, new_id);
     case VBSS_INPUT_UNPIN:
         return vbss_scene_unpin_thread(scene, w[0]);
     case VBSS_INPUT_ATTACH:
-        return attach(thread, input, name);
+        return attach(thread, input, new_id);
     case VBSS_INPUT_MOVE:
         return vbss_thread_move(thread, w[1], n, w[2] != 0 ? n + 3 : NULL);
     case VBSS_INPUT_DETACH:
         return vbss_thread_detach(thread, w[1]);
     case VBSS_INPUT_CUT:
-        return vbss_scene_cut_thread(scene, w[0], n[0], name);
+        return vbss_scene_cut_thread(scene, w[0], n[0], new_id);
     case VBSS_INPUT_MOVE_GRASPER:
         return vbss_grasper_move(grasper, n, w[1] != 0 ? n + 3 : NULL);
     case VBSS_INPUT_SET_OPENING:
@@ -93,10 +93,10 @@ vbss_result vbss_log_tell(vbss_scene *scene, uint8_t kind, const vbss_log_input 
     }
 }
 
-log_edits vbss_log_edits_of(const scene_object *s)
+log_edit_counts vbss_log_count_edits(const scene_object *s)
 {
     /* All of them only grow, and bodies come and go with a change of the scene's own. */
-    log_edits edits = {s->generation, 0, 0, 0};
+    log_edit_counts edits = {s->generation, 0, 0, 0};
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             edits.threads += s->bodies[i].thread.thread->generation;

@@ -1,7 +1,7 @@
 /* Writing: how records begin, what a step appends, and how they end. */
 #include <string.h>
 
-#include "record/coded.h"
+#include "record/step_codec.h"
 
 #include "base/check.h"
 #include "base/error.h"
@@ -24,7 +24,7 @@ vbss_result vbss_record_config_init(vbss_record_config *config, uint32_t struct_
     return vbss_config_init(&config_layout, config, struct_size);
 }
 
-static vbss_result check(vbss_context *context, const vbss_record_config *c)
+static vbss_result check_record_config(vbss_context *context, const vbss_record_config *c)
 {
     VBSS_TRY(vbss_check_range(context, c->hash_interval, 1.0, 1e9, "hash_interval"));
     VBSS_TRY(vbss_check_range(context, c->input_capacity, 0.0, 65536.0, "input_capacity"));
@@ -42,43 +42,44 @@ vbss_result vbss_record_read_config(vbss_context *context, const vbss_record_con
     if (config != NULL) {
         VBSS_TRY(vbss_config_read(context, &config_layout, config, own));
     }
-    return check(context, own);
+    return check_record_config(context, own);
 }
 
 /* ---- the begin of a log */
 
-static vbss_result fill_head(const scene_object *s, const vbss_record_config *c, log_head *head)
+static vbss_result fill_header(const scene_object *s, const vbss_record_config *c,
+                               log_header *header)
 {
     const char *build_info = vbss_build_info();
-    head->library_version = vbss_version();
-    head->hash_interval = c->hash_interval;
-    head->input_capacity = c->input_capacity;
-    head->scene = s->config;
-    VBSS_TRY(vbss_log_make_blob(s->context, &head->build_info, build_info, strlen(build_info)));
-    return vbss_log_make_blob(s->context, &head->note, c->note, c->note_bytes);
+    header->library_version = vbss_version();
+    header->hash_interval = c->hash_interval;
+    header->input_capacity = c->input_capacity;
+    header->scene = s->config;
+    VBSS_TRY(vbss_log_make_blob(s->context, &header->build_info, build_info, strlen(build_info)));
+    return vbss_log_make_blob(s->context, &header->note, c->note, c->note_bytes);
 }
 
-static size_t measure_head(log_head *head)
+static size_t measure_header(log_header *header)
 {
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
-    vbss_log_visit_head(&stream, head);
-    return LOG_FRONT + log_record_bytes(&stream);
+    vbss_log_visit_header(&stream, header);
+    return LOG_PREAMBLE_BYTES + log_record_bytes(&stream);
 }
 
-static vbss_result write_head(log_writer *log, log_head *head)
+static vbss_result write_header(log_writer *log, log_header *header)
 {
     vbss_stream stream;
-    vbss_log_begin(log);
-    vbss_log_open(log, &stream);
-    vbss_log_visit_head(&stream, head);
-    return vbss_log_seal(log, &stream);
+    vbss_log_write_preamble(log);
+    vbss_log_begin_record(log, &stream);
+    vbss_log_visit_header(&stream, header);
+    return vbss_log_end_record(log, &stream);
 }
 
 static vbss_result write_snapshot(record_object *r, size_t count)
 {
-    VBSS_TRY(vbss_log_put_snapshot(r, LOG_SNAPSHOT, (const vbss_slot *)r->scene, count));
-    vbss_log_restart_coder(r->coder);
+    VBSS_TRY(vbss_log_write_snapshot(r, LOG_SNAPSHOT, (const vbss_slot *)r->scene, count));
+    vbss_log_reset_coder(r->coder);
     r->snapshot_is_last = true;
     return VBSS_OK;
 }
@@ -93,7 +94,7 @@ static size_t measure_end(log_step *step)
 
 /* ---- life */
 
-static void free_object(vbss_context *context, void *object)
+static void free_record(vbss_context *context, void *object)
 {
     record_object *r = object;
     vbss_log_free_inputs(context, &r->step);
@@ -109,7 +110,7 @@ static void visit_record(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 1, &r->step.number, 1);
 }
 
-static const vbss_kind kind = {"record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_object,
+static const vbss_kind kind = {"record", VBSS_CODE('R', 'E', 'C', 'O'), 1, free_record,
                                visit_record};
 
 vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t input_capacity,
@@ -127,72 +128,73 @@ vbss_result vbss_record_make(vbss_scene *scene, uint32_t hash_interval, uint32_t
     r->hash_interval = hash_interval;
     r->step.input_capacity = input_capacity;
     r->step.event_capacity = s->config.event_capacity;
-    r->event_bytes = (size_t)s->config.event_capacity * LOG_EVENT_MOST;
-    r->seen = vbss_log_edits_of(s);
+    r->max_event_bytes = (size_t)s->config.event_capacity * LOG_MAX_EVENT_BYTES;
+    r->known_edits = vbss_log_count_edits(s);
     VBSS_TRY(vbss_log_make_coder(r->context, input_capacity, &r->coder));
-    return vbss_log_make_inputs(r->context, &r->step);
+    return vbss_log_allocate_inputs(r->context, &r->step);
 }
 
-vbss_result vbss_record_make_room(record_object *r, size_t begin_bytes, size_t snapshot_bytes,
-                                  const vbss_record_config *c)
+vbss_result vbss_record_allocate_log(record_object *r, size_t start_bytes, size_t snapshot_bytes,
+                                     const vbss_record_config *c)
 {
     r->end_bytes = measure_end(&r->step);
     r->snapshot_interval = c->snapshot_interval;
     /* states grow: twice the first is room that spares others nearly always */
-    r->log.capacity = begin_bytes + (size_t)c->buffer_bytes + r->end_bytes + r->event_bytes +
-                      (c->snapshot_interval > 0 ? 2 * vbss_log_snapshot_bytes(snapshot_bytes) : 0);
+    r->log.capacity =
+        start_bytes + (size_t)c->buffer_bytes + r->end_bytes + r->max_event_bytes +
+        (c->snapshot_interval > 0 ? 2 * vbss_log_max_snapshot_bytes(snapshot_bytes) : 0);
     r->log.bytes = vbss_allocate(r->context, r->log.capacity, 1, "log");
     return r->log.bytes == NULL ? VBSS_ERROR_OUT_OF_MEMORY : VBSS_OK;
 }
 
-vbss_result vbss_record_hand_out(record_object *r, vbss_result result, vbss_record **record)
+vbss_result vbss_record_create_handle(record_object *r, vbss_result result, vbss_record **record)
 {
     vbss_slot *slot = NULL;
     if (result == VBSS_OK) {
         result = vbss_slot_create(r->context, &kind, r, &slot);
     }
     if (result != VBSS_OK && r != NULL) {
-        free_object(r->context, r);
+        free_record(r->context, r);
     }
     *record = (vbss_record *)slot;
     return result;
 }
 
-static vbss_result begin(record_object *r, const vbss_record_config *c, log_head *head)
+static vbss_result begin_log(record_object *r, const vbss_record_config *c, log_header *header)
 {
     const vbss_slot *scene = (const vbss_slot *)r->scene;
     size_t snapshot = 0;
-    VBSS_TRY(fill_head(scene->object, c, head));
+    VBSS_TRY(fill_header(scene->object, c, header));
     VBSS_TRY(vbss_snapshot_size(scene, &snapshot));
-    if (snapshot > LOG_SNAPSHOT_MOST) {
+    if (snapshot > LOG_MAX_SNAPSHOT_BYTES) {
         return vbss_fail(r->context, VBSS_ERROR_CAPACITY, "the scene's state is too large");
     }
-    VBSS_TRY(vbss_record_make_room(r, measure_head(head) + vbss_log_snapshot_bytes(snapshot),
-                                   snapshot, c));
-    VBSS_TRY(write_head(&r->log, head));
+    VBSS_TRY(vbss_record_allocate_log(
+        r, measure_header(header) + vbss_log_max_snapshot_bytes(snapshot), snapshot, c));
+    VBSS_TRY(write_header(&r->log, header));
     return write_snapshot(r, snapshot);
 }
 
 vbss_result vbss_record_create(vbss_scene *scene, const vbss_record_config *config,
                                vbss_record **record)
 {
-    vbss_slot *from;
+    vbss_slot *scene_slot;
     vbss_record_config own;
     record_object *r = NULL;
     if (record == NULL) {
-        VBSS_TRY(vbss_slot_open(scene, &vbss_scene_kind, &from));
-        return vbss_check_pointer(from->context, record, "record");
+        VBSS_TRY(vbss_slot_open(scene, &vbss_scene_kind, &scene_slot));
+        return vbss_check_pointer(scene_slot->context, record, "record");
     }
     *record = NULL;
-    VBSS_TRY(vbss_slot_edit(scene, &vbss_scene_kind, &from));
-    VBSS_TRY(vbss_record_read_config(from->context, config, &own));
+    VBSS_TRY(vbss_slot_edit(scene, &vbss_scene_kind, &scene_slot));
+    VBSS_TRY(vbss_record_read_config(scene_slot->context, config, &own));
     vbss_result result = vbss_record_make(scene, own.hash_interval, own.input_capacity, &r);
     if (result == VBSS_OK) {
-        log_head head = {.context = from->context};
-        result = begin(r, &own, &head);
-        vbss_log_free_head(&head);
+        log_header header = {.context = scene_slot->context};
+        result = begin_log(r, &own, &header);
+        vbss_log_free_header(&header);
     }
-    return vbss_record_hand_out(r, result, record);
+    return vbss_record_create_handle(r, result, record);
 }
 
 vbss_result vbss_record_destroy(vbss_record *record)
@@ -210,77 +212,78 @@ vbss_result vbss_record_edit(vbss_record *handle, record_object **record)
 
 /* ---- growing */
 
-static bool knows_all(const record_object *r, const scene_object *s)
+static bool knows_all_edits(const record_object *r, const scene_object *s)
 {
-    log_edits now = vbss_log_edits_of(s);
-    return now.scene == r->seen.scene && now.threads == r->seen.threads &&
-           now.graspers == r->seen.graspers && now.drains == r->seen.drains;
+    log_edit_counts now = vbss_log_count_edits(s);
+    return now.scene == r->known_edits.scene && now.threads == r->known_edits.threads &&
+           now.graspers == r->known_edits.graspers && now.drains == r->known_edits.drains;
 }
 
-vbss_result vbss_record_ready(const record_object *r, scene_object **scene)
+vbss_result vbss_record_check_ready(const record_object *r, scene_object **scene)
 {
     if (r->ended) {
         return vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE, "the record has ended");
     }
     VBSS_TRY(vbss_scene_open(r->scene, scene));
-    return knows_all(r, *scene) ? VBSS_OK
-                                : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
-                                            "the scene was changed past the record after step %llu",
-                                            (unsigned long long)r->step.number);
+    return knows_all_edits(r, *scene)
+               ? VBSS_OK
+               : vbss_fail(r->context, VBSS_ERROR_OUT_OF_RANGE,
+                           "the scene was changed past the record after step %llu",
+                           (unsigned long long)r->step.number);
 }
 
 /* A large step is written as fields, and so are the steps of logs that older libraries began. */
-static bool is_coded(const record_object *r, const log_step *step, size_t *most)
+static bool fits_coded(const record_object *r, const log_step *step, size_t *max_bytes)
 {
-    *most = vbss_log_coded_most(step, step->event_count);
-    return r->log.format >= FORMAT_PACKED && *most <= LOG_CODED_MOST;
+    *max_bytes = vbss_log_max_coded_bytes(step, step->event_count);
+    return r->log.format >= LOG_FORMAT_COMPRESSED && *max_bytes <= LOG_MAX_CODED_BYTES;
 }
 
 /* In either form, as its events decide between them; these come on top. */
-static size_t most_step_bytes(log_step *step)
+static size_t max_step_bytes(log_step *step)
 {
     enum { EVENTS_HEADER = 8 };
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
     vbss_log_visit_step(&stream, step);
     size_t plain = log_record_bytes(&stream) + EVENTS_HEADER;
-    size_t coded = LOG_BEFORE_CODED + vbss_log_coded_most(step, 0) + LOG_AFTER;
+    size_t coded = LOG_CODED_PREFIX_BYTES + vbss_log_max_coded_bytes(step, 0) + LOG_CHECKSUM_BYTES;
     return plain > coded ? plain : coded;
 }
 
 static vbss_result write_step(record_object *r, log_step *step)
 {
-    size_t most;
+    size_t max_bytes;
     vbss_stream stream;
-    if (is_coded(r, step, &most)) {
-        uint8_t *bytes = vbss_log_open_coded(&r->log);
-        vbss_log_seal_coded(&r->log, vbss_log_encode(r->coder, step, bytes, most));
+    if (fits_coded(r, step, &max_bytes)) {
+        uint8_t *bytes = vbss_log_begin_coded_step(&r->log);
+        vbss_log_end_coded_step(&r->log, vbss_log_encode(r->coder, step, bytes, max_bytes));
         return VBSS_OK;
     }
-    vbss_log_open(&r->log, &stream);
+    vbss_log_begin_record(&r->log, &stream);
     vbss_log_visit_step(&stream, step);
-    vbss_log_restart_coder(r->coder);
-    return vbss_log_seal(&r->log, &stream);
+    vbss_log_reset_coder(r->coder);
+    return vbss_log_end_record(&r->log, &stream);
 }
 
-static vbss_result check_room(const record_object *r, log_step *next)
+static vbss_result check_capacity(const record_object *r, log_step *next)
 {
-    size_t need = most_step_bytes(next) + r->event_bytes + r->end_bytes;
-    return need <= vbss_log_room(&r->log)
+    size_t need = max_step_bytes(next) + r->max_event_bytes + r->end_bytes;
+    return need <= vbss_log_free_bytes(&r->log)
                ? VBSS_OK
                : vbss_fail(
                      r->context, VBSS_ERROR_CAPACITY,
                      "the log has room for %llu bytes more, the step needs %llu: take it first",
-                     (unsigned long long)vbss_log_room(&r->log), (unsigned long long)need);
+                     (unsigned long long)vbss_log_free_bytes(&r->log), (unsigned long long)need);
 }
 
 /* A snapshot that is due and finds no room waits until after a later step. */
-static void note_snapshot(record_object *r)
+static void write_due_snapshot(record_object *r)
 {
     size_t need = 0;
     if (vbss_snapshot_size((const vbss_slot *)r->scene, &need) == VBSS_OK &&
-        need <= LOG_SNAPSHOT_MOST &&
-        vbss_log_snapshot_bytes(need) + r->end_bytes <= vbss_log_room(&r->log)) {
+        need <= LOG_MAX_SNAPSHOT_BYTES &&
+        vbss_log_max_snapshot_bytes(need) + r->end_bytes <= vbss_log_free_bytes(&r->log)) {
         r->snapshot_due = write_snapshot(r, need) != VBSS_OK;
     }
 }
@@ -290,22 +293,22 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     record_object *r;
     scene_object *s = NULL;
     VBSS_TRY(vbss_record_edit(record, &r));
-    VBSS_TRY(vbss_record_ready(r, &s));
+    VBSS_TRY(vbss_record_check_ready(r, &s));
     log_step next = r->step;
     next.number++;
     next.h = h;
-    VBSS_TRY(check_room(r, &next));
+    VBSS_TRY(check_capacity(r, &next));
     vbss_result result = vbss_scene_step(r->scene, h);
-    r->seen = vbss_log_edits_of(s); /* a step that was undone may have left its mark */
+    r->known_edits = vbss_log_count_edits(s); /* a step that was undone may have left its mark */
     if (result != VBSS_OK) {
         return result;
     }
-    next.hashed = next.number % r->hash_interval == 0;
+    next.has_hash = next.number % r->hash_interval == 0;
     next.hash = 0;
-    if (next.hashed) {
+    if (next.has_hash) {
         VBSS_TRY(vbss_scene_get_hash(r->scene, &next.hash));
     }
-    vbss_log_note_events(&next, s);
+    vbss_log_borrow_events(&next, s);
     VBSS_TRY(write_step(r, &next));
     next.input_count = next.event_count = 0;
     next.events = NULL; /* the scene may end before the record */
@@ -313,7 +316,7 @@ vbss_result vbss_record_step(vbss_record *record, double h)
     r->snapshot_is_last = false;
     r->snapshot_due |= r->snapshot_interval > 0 && next.number % r->snapshot_interval == 0;
     if (r->snapshot_due) {
-        note_snapshot(r);
+        write_due_snapshot(r);
     }
     return VBSS_OK;
 }
@@ -329,14 +332,15 @@ vbss_result vbss_record_end(vbss_record *record)
     const vbss_slot *scene = (const vbss_slot *)r->scene;
     log_step last = r->step;
     last.hash = 0;
-    last.hashed = scene->object != NULL && last.input_count == 0 && knows_all(r, scene->object);
-    if (last.hashed) {
+    last.has_hash =
+        scene->object != NULL && last.input_count == 0 && knows_all_edits(r, scene->object);
+    if (last.has_hash) {
         VBSS_TRY(vbss_snapshot_hash(scene, &last.hash));
     }
     vbss_stream stream;
-    vbss_log_open(&r->log, &stream);
+    vbss_log_begin_record(&r->log, &stream);
     vbss_log_visit_end(&stream, &last);
-    VBSS_TRY(vbss_log_seal(&r->log, &stream));
+    VBSS_TRY(vbss_log_end_record(&r->log, &stream));
     r->ended = true;
     return VBSS_OK;
 }
@@ -348,7 +352,7 @@ vbss_result vbss_record_take(vbss_record *record, const uint8_t **bytes, uint64_
     VBSS_TRY(vbss_check_pointer(r->context, bytes, "bytes"));
     VBSS_TRY(vbss_check_pointer(r->context, count, "count"));
     *bytes = r->log.bytes;
-    *count = r->log.taken ? 0 : r->log.used;
-    r->log.taken = true;
+    *count = r->log.is_handed_out ? 0 : r->log.used;
+    r->log.is_handed_out = true;
     return VBSS_OK;
 }

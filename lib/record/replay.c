@@ -18,28 +18,29 @@ vbss_result vbss_replay_begin(vbss_replay *replay, vbss_scene *scene)
         return vbss_fail(p->context, VBSS_ERROR_INVALID_HANDLE,
                          "the scene belongs to another context");
     }
-    VBSS_TRY(vbss_log_compare_config(&p->head, s));
-    VBSS_TRY(vbss_log_restore_scene(p->context, scene, &p->first));
-    if (p->head.library_version != vbss_version()) {
+    VBSS_TRY(vbss_log_compare_config(&p->header, s));
+    VBSS_TRY(vbss_log_restore_scene(p->context, scene, &p->first_snapshot));
+    if (p->header.library_version != vbss_version()) {
         vbss_message(p->context, VBSS_LOG_WARNING,
                      "the log is of library version %u, this is %u: other bits are no surprise",
-                     p->head.library_version, vbss_version());
+                     p->header.library_version, vbss_version());
     }
     p->scene = scene;
-    p->log = vbss_log_reader_at(&p->begin, p->log.coder);
-    p->stopped = VBSS_OK;
-    const vbss_replay_report fresh = {.outcome = VBSS_REPLAY_STEPPED, .position = p->begin.at};
-    p->report = fresh;
+    p->log = vbss_log_reader_at(&p->start, p->log.coder);
+    p->stop_result = VBSS_OK;
+    const vbss_replay_report initial = {.outcome = VBSS_REPLAY_STEPPED,
+                                        .position = p->start.position};
+    p->report = initial;
     return VBSS_OK;
 }
 
 /* ---- a step */
 
-static vbss_result compare(replay_object *p)
+static vbss_result compare_hash(replay_object *p)
 {
     vbss_replay_report *report = &p->report;
     report->recorded_hash = report->found_hash = 0;
-    if (p->step.hashed == 0) {
+    if (p->step.has_hash == 0) {
         return VBSS_OK;
     }
     report->recorded_hash = p->step.hash;
@@ -52,42 +53,42 @@ static vbss_result compare(replay_object *p)
     return VBSS_OK;
 }
 
-static vbss_result make_step(replay_object *p)
+static vbss_result replay_step(replay_object *p)
 {
     const log_step *step = &p->step;
     for (uint32_t i = 0; i < step->input_count; i++) {
-        VBSS_TRY(vbss_log_tell(p->scene, step->kinds[i], &step->inputs[i], NULL));
+        VBSS_TRY(vbss_log_apply_input(p->scene, step->kinds[i], &step->inputs[i], NULL));
     }
     VBSS_TRY(vbss_scene_step(p->scene, step->h));
     p->report.step++;
-    return compare(p);
+    return compare_hash(p);
 }
 
-static vbss_result go_on(replay_object *p)
+static vbss_result replay_next(replay_object *p)
 {
     bool end = false;
     VBSS_TRY(vbss_check_arithmetic(p->context));
     VBSS_TRY(vbss_log_read_step(&p->log, p->report.step, &p->step, &end));
-    p->report.position = p->log.at;
+    p->report.position = p->log.position;
     if (!end) {
-        return make_step(p);
+        return replay_step(p);
     }
     p->report.outcome = VBSS_REPLAY_ENDED;
-    return compare(p);
+    return compare_hash(p);
 }
 
 /* What becomes of a call that has gone on. */
-static vbss_result told(replay_object *p, vbss_result result)
+static vbss_result set_outcome(replay_object *p, vbss_result result)
 {
-    p->stopped = result;
+    p->stop_result = result;
     if (result != VBSS_OK) {
         p->report.outcome = VBSS_REPLAY_STOPPED;
     }
     return result;
 }
 
-static vbss_result open_begun(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size,
-                              replay_object **opened)
+static vbss_result open_started(vbss_replay *replay, vbss_replay_report *report,
+                                uint32_t struct_size, replay_object **opened)
 {
     replay_object *p;
     VBSS_TRY(vbss_replay_edit(replay, &p));
@@ -101,108 +102,109 @@ static vbss_result open_begun(vbss_replay *replay, vbss_replay_report *report, u
 vbss_result vbss_replay_step(vbss_replay *replay, vbss_replay_report *report, uint32_t struct_size)
 {
     replay_object *p;
-    VBSS_TRY(open_begun(replay, report, struct_size, &p));
+    VBSS_TRY(open_started(replay, report, struct_size, &p));
     if (p->report.outcome == VBSS_REPLAY_STEPPED) {
-        (void)told(p, go_on(p));
+        (void)set_outcome(p, replay_next(p));
         (void)vbss_struct_write(p->context, &report_layout, &p->report, report, struct_size);
     }
-    return p->stopped;
+    return p->stop_result;
 }
 
 /* ---- to a step */
 
 /* A place of the log with a snapshot, and the hash that was recorded with the step before it. */
 typedef struct location {
-    log_reader after;
+    log_reader reader;
     log_snapshot snapshot;
-    uint64_t hashed, hash;
+    uint64_t has_hash, hash;
 } place;
 
 /* The newest snapshot at or before that step, once the step itself has been found. */
-static vbss_result find_place(replay_object *p, uint64_t step, place *found)
+static vbss_result find_seek_point(replay_object *p, uint64_t step, place *found)
 {
-    log_reader log = vbss_log_reader_at(&p->begin, p->scan);
+    log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
     uint64_t number = 0;
-    const place begin = {.after = log, .snapshot = p->first};
-    *found = begin;
+    const place start = {.reader = log, .snapshot = p->first_snapshot};
+    *found = start;
     while (number < step) {
-        place next = {.hashed = p->step.hashed, .hash = p->step.hash};
-        log_found record;
-        VBSS_TRY(vbss_log_read(&log, number, &p->step, &next.snapshot, &record));
+        place next = {.has_hash = p->step.has_hash, .hash = p->step.hash};
+        log_record record;
+        VBSS_TRY(vbss_log_read_record(&log, number, &p->step, &next.snapshot, &record));
         if (record.code == LOG_END) {
             return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
                              (unsigned long long)step);
         }
         if (record.code == LOG_SNAPSHOT) {
-            next.after = log;
+            next.reader = log;
             *found = next;
         }
         number += record.code == LOG_STEP;
     }
     /* the snapshot of the step itself stands behind it; what else stands there is read when it is its turn */
-    log_reader quiet = log;
-    log_fault unwanted;
-    quiet.fault = &unwanted;
-    place last = {.hashed = p->step.hashed, .hash = p->step.hash};
-    log_found record;
-    if (step > 0 && vbss_log_read(&quiet, number, &p->step, &last.snapshot, &record) == VBSS_OK &&
+    log_reader probe = log;
+    log_fault ignored;
+    probe.fault = &ignored;
+    place last = {.has_hash = p->step.has_hash, .hash = p->step.hash};
+    log_record record;
+    if (step > 0 &&
+        vbss_log_read_record(&probe, number, &p->step, &last.snapshot, &record) == VBSS_OK &&
         record.code == LOG_SNAPSHOT) {
-        last.after = quiet;
-        last.after.fault = NULL;
+        last.reader = probe;
+        last.reader.fault = NULL;
         *found = last;
     }
     return VBSS_OK;
 }
 
-static vbss_result go_from(replay_object *p, const place *from, uint64_t step)
+static vbss_result replay_from(replay_object *p, const place *from, uint64_t step)
 {
     const uint64_t number = from->snapshot.number;
-    const vbss_replay_report fresh = {.outcome = VBSS_REPLAY_STEPPED,
-                                      .step = number,
-                                      .agreed_step = number,
-                                      .position = from->after.at};
-    p->log = vbss_log_reader_at(&from->after, p->log.coder);
-    p->report = fresh;
-    p->step.hashed = number > 0 ? from->hashed : 0;
+    const vbss_replay_report initial = {.outcome = VBSS_REPLAY_STEPPED,
+                                        .step = number,
+                                        .agreed_step = number,
+                                        .position = from->reader.position};
+    p->log = vbss_log_reader_at(&from->reader, p->log.coder);
+    p->report = initial;
+    p->step.has_hash = number > 0 ? from->has_hash : 0;
     p->step.hash = from->hash;
-    VBSS_TRY(compare(p));
+    VBSS_TRY(compare_hash(p));
     while (p->report.step < step && p->report.outcome == VBSS_REPLAY_STEPPED) {
-        VBSS_TRY(go_on(p));
+        VBSS_TRY(replay_next(p));
     }
     return VBSS_OK;
 }
 
-vbss_result vbss_replay_go_to(replay_object *p, uint64_t step)
+vbss_result vbss_replay_seek_step(replay_object *p, uint64_t step)
 {
     place from;
     VBSS_TRY(vbss_check_arithmetic(p->context));
-    VBSS_TRY(find_place(p, step, &from));
+    VBSS_TRY(find_seek_point(p, step, &from));
     VBSS_TRY(vbss_log_restore_scene(p->context, p->scene, &from.snapshot));
-    return told(p, go_from(p, &from, step));
+    return set_outcome(p, replay_from(p, &from, step));
 }
 
-void vbss_replay_go_back(replay_object *p, const replay_object *before)
+void vbss_replay_roll_back(replay_object *p, const replay_object *before)
 {
-    log_reader log = vbss_log_reader_at(&p->begin, p->log.coder);
-    log_snapshot passed;
-    log_found found;
+    log_reader log = vbss_log_reader_at(&p->start, p->log.coder);
+    log_snapshot skipped;
+    log_record found;
     uint64_t number = 0;
     /* the coder learns once more what stands before that place, which has all been read before */
-    while (log.at < before->log.at &&
-           vbss_log_read(&log, number, &p->step, &passed, &found) == VBSS_OK) {
+    while (log.position < before->log.position &&
+           vbss_log_read_record(&log, number, &p->step, &skipped, &found) == VBSS_OK) {
         number += found.code == LOG_STEP;
     }
     p->log = before->log;
     p->report = before->report;
-    p->stopped = before->stopped;
+    p->stop_result = before->stop_result;
 }
 
 vbss_result vbss_replay_seek(vbss_replay *replay, uint64_t step, vbss_replay_report *report,
                              uint32_t struct_size)
 {
     replay_object *p;
-    VBSS_TRY(open_begun(replay, report, struct_size, &p));
-    vbss_result result = vbss_replay_go_to(p, step);
+    VBSS_TRY(open_started(replay, report, struct_size, &p));
+    vbss_result result = vbss_replay_seek_step(p, step);
     (void)vbss_struct_write(p->context, &report_layout, &p->report, report, struct_size);
     return result;
 }

@@ -4,11 +4,11 @@
 #include "record/record.h"
 
 /* The last complete step, and the reader where the next one would begin. */
-static vbss_result find_end(replay_object *p, uint64_t *steps, log_reader *end)
+static vbss_result find_last_step(replay_object *p, uint64_t *steps, log_reader *end)
 {
-    log_found found = {.code = LOG_STEP};
+    log_record found = {.code = LOG_STEP};
     log_snapshot snapshot;
-    log_reader log = vbss_log_reader_at(&p->begin, p->scan);
+    log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
     log_fault fault;
     vbss_result result = VBSS_OK;
     log.fault = &fault;
@@ -16,33 +16,33 @@ static vbss_result find_end(replay_object *p, uint64_t *steps, log_reader *end)
     *end = log;
     while (result == VBSS_OK && found.code != LOG_END) {
         *end = log;
-        result = vbss_log_read(&log, *steps, &p->step, &snapshot, &found);
+        result = vbss_log_read_record(&log, *steps, &p->step, &snapshot, &found);
         *steps += result == VBSS_OK && found.code == LOG_STEP;
     }
     return result == VBSS_OK || result == VBSS_ERROR_TRUNCATED
                ? VBSS_OK
                : vbss_fail(p->context, result, "log, byte %llu of %llu: %s",
-                           (unsigned long long)fault.at, (unsigned long long)log.count,
+                           (unsigned long long)fault.position, (unsigned long long)log.count,
                            fault.problem);
 }
 
-static vbss_result check_fit(const replay_object *p, const scene_object *s)
+static vbss_result check_compatible(const replay_object *p, const scene_object *s)
 {
-    if (p->head.library_version != vbss_version()) {
+    if (p->header.library_version != vbss_version()) {
         return vbss_fail(p->context, VBSS_ERROR_DATA_VERSION,
-                         "the log is of library version %u, this is %u", p->head.library_version,
+                         "the log is of library version %u, this is %u", p->header.library_version,
                          vbss_version());
     }
-    return s->config.event_capacity <= p->head.scene.event_capacity
+    return s->config.event_capacity <= p->header.scene.event_capacity
                ? VBSS_OK
                : vbss_fail(p->context, VBSS_ERROR_CAPACITY,
                            "the scene keeps %u events of a step, the log has room for %u",
-                           s->config.event_capacity, p->head.scene.event_capacity);
+                           s->config.event_capacity, p->header.scene.event_capacity);
 }
 
-static vbss_result bring_to_end(replay_object *p, uint64_t steps)
+static vbss_result replay_to_end(replay_object *p, uint64_t steps)
 {
-    VBSS_TRY(vbss_replay_go_to(p, steps));
+    VBSS_TRY(vbss_replay_seek_step(p, steps));
     return p->report.outcome == VBSS_REPLAY_STEPPED
                ? VBSS_OK
                : vbss_fail(p->context, VBSS_ERROR_CORRUPT,
@@ -50,12 +50,12 @@ static vbss_result bring_to_end(replay_object *p, uint64_t steps)
                            (unsigned long long)p->report.step);
 }
 
-static vbss_result make_room(record_object *r, const replay_object *p, uint64_t steps,
-                             const log_reader *end, const vbss_record_config *c)
+static vbss_result allocate_log(record_object *r, const replay_object *p, uint64_t steps,
+                                const log_reader *end, const vbss_record_config *c)
 {
     r->step.number = steps;
-    VBSS_TRY(vbss_record_make_room(r, 0, p->first.count, c));
-    r->log.chain = end->chain;
+    VBSS_TRY(vbss_record_allocate_log(r, 0, p->first_snapshot.count, c));
+    r->log.checksum = end->checksum;
     r->log.format = end->format;
     return VBSS_OK;
 }
@@ -78,15 +78,15 @@ vbss_result vbss_record_resume(vbss_replay *replay, const vbss_record_config *co
         return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the replay has not begun");
     }
     VBSS_TRY(vbss_scene_open_mutable(p->scene, &s));
-    VBSS_TRY(check_fit(p, s));
+    VBSS_TRY(check_compatible(p, s));
     VBSS_TRY(vbss_check_arithmetic(p->context));
-    VBSS_TRY(find_end(p, &steps, &end));
-    VBSS_TRY(bring_to_end(p, steps));
+    VBSS_TRY(find_last_step(p, &steps, &end));
+    VBSS_TRY(replay_to_end(p, steps));
     vbss_result result =
-        vbss_record_make(p->scene, p->head.hash_interval, p->head.input_capacity, &r);
+        vbss_record_make(p->scene, p->header.hash_interval, p->header.input_capacity, &r);
     if (result == VBSS_OK) {
-        result = make_room(r, p, steps, &end, &own);
+        result = allocate_log(r, p, steps, &end, &own);
     }
-    *position = end.at;
-    return vbss_record_hand_out(r, result, record);
+    *position = end.position;
+    return vbss_record_create_handle(r, result, record);
 }

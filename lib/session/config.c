@@ -6,10 +6,10 @@
 #include "metrics/metrics.h"
 #include "session/session.h"
 
-#define BEFORE_GAP_MEASURE offsetof(vbss_session_config, gap_measure)
+#define SIZE_BEFORE_GAP_MEASURE offsetof(vbss_session_config, gap_measure)
 
 _Static_assert(sizeof(vbss_session_config) == 144 + 8 * sizeof(void *), "published size");
-_Static_assert(BEFORE_GAP_MEASURE == 136 + 8 * sizeof(void *), "published size");
+_Static_assert(SIZE_BEFORE_GAP_MEASURE == 136 + 8 * sizeof(void *), "published size");
 
 static const vbss_session_config defaults = {
     .struct_size = sizeof(vbss_session_config),
@@ -28,7 +28,7 @@ static const vbss_session_config defaults = {
     .seat_force = 0.5,
     .avulsed_share = 0.5,
 };
-static const uint32_t sizes[] = {BEFORE_GAP_MEASURE, sizeof(vbss_session_config), 0};
+static const uint32_t sizes[] = {SIZE_BEFORE_GAP_MEASURE, sizeof(vbss_session_config), 0};
 static const vbss_layout layout = {"vbss_session_config", &defaults, sizes};
 
 vbss_result vbss_session_config_init(vbss_session_config *config, uint32_t struct_size)

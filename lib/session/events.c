@@ -12,8 +12,8 @@ vbss_session_event *vbss_session_event_at(const session_object *s, uint64_t inde
     return &s->events[index % s->config.event_capacity];
 }
 
-vbss_session_event *vbss_session_tell(session_object *s, vbss_session_event_kind kind,
-                                      uint32_t number, uint32_t undone, uint32_t tool)
+vbss_session_event *vbss_session_emit_event(session_object *s, vbss_session_event_kind kind,
+                                            uint32_t number, uint32_t undone, uint32_t tool)
 {
     vbss_session_event *e = vbss_session_event_at(s, s->event_count);
     *e = (vbss_session_event){.struct_size = sizeof *e,
@@ -26,26 +26,26 @@ vbss_session_event *vbss_session_tell(session_object *s, vbss_session_event_kind
                               .step = s->steps,
                               .time = s->time};
     if (tool < SESSION_HANDS) {
-        vec3_store(e->position, s->look.tools[tool].tip);
-        vec3_store(e->force, s->look.tools[tool].force);
+        vec3_store(e->position, s->observation.tools[tool].tip);
+        vec3_store(e->force, s->observation.tools[tool].force);
     }
     return e;
 }
 
 /* With more in a step than there is room for, the first of them are lost. */
-static uint64_t first_of_step(const session_object *s)
+static uint64_t first_event_of_step(const session_object *s)
 {
     uint64_t capacity = s->config.event_capacity;
-    uint64_t kept = s->event_count > capacity ? s->event_count - capacity : 0;
-    return s->step_events > kept ? s->step_events : kept;
+    uint64_t oldest = s->event_count > capacity ? s->event_count - capacity : 0;
+    return s->events_before_step > oldest ? s->events_before_step : oldest;
 }
 
-void vbss_session_announce(session_object *s)
+void vbss_session_dispatch_events(session_object *s)
 {
     if (s->config.listen == NULL) {
         return;
     }
-    for (uint64_t i = first_of_step(s); i < s->event_count; i++) {
+    for (uint64_t i = first_event_of_step(s); i < s->event_count; i++) {
         const vbss_session_event e = *vbss_session_event_at(s, i);
         bool outer = vbss_callback_begin(s->context);
         s->config.listen(s->config.user, &e);

@@ -14,26 +14,25 @@ static vbss_result check_scene(const session_object *s, const replay_object *p)
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
 }
 
-static vbss_result restore(const vbss_slot *slot, const session_object *s, replay_object *p,
-                           const log_snapshot *state)
+static vbss_result restore_snapshot(const vbss_slot *slot, const session_object *s,
+                                    replay_object *p, const log_snapshot *snapshot)
 {
-    VBSS_TRY(vbss_replay_go_to(p, state->number));
+    VBSS_TRY(vbss_replay_seek_step(p, snapshot->number));
     if (p->report.outcome != VBSS_REPLAY_STEPPED) {
         return vbss_fail(s->context, VBSS_ERROR_CORRUPT,
                          "the scene after step %llu is not the recorded one",
-                         (unsigned long long)state->number);
+                         (unsigned long long)snapshot->number);
     }
-    log_unpacked unpacked;
-    VBSS_TRY(vbss_log_unpack_snapshot(s->context, state, &unpacked));
-    vbss_result result =
-        vbss_object_restore(slot, &vbss_session_kind, unpacked.bytes, unpacked.count);
-    vbss_log_release_snapshot(s->context, &unpacked);
+    log_snapshot_data data;
+    VBSS_TRY(vbss_log_decompress_snapshot(s->context, snapshot, &data));
+    vbss_result result = vbss_object_restore(slot, &vbss_session_kind, data.bytes, data.count);
+    vbss_log_release_snapshot(s->context, &data);
     return result;
 }
 
 /* A state with the right checksum may be refused all the same, when the scene has been restored: there is a way back. */
-static vbss_result restore_or_stay(const vbss_slot *slot, const session_object *s, replay_object *p,
-                                   const log_snapshot *state)
+static vbss_result restore_or_roll_back(const vbss_slot *slot, const session_object *s,
+                                        replay_object *p, const log_snapshot *snapshot)
 {
     const replay_object before = *p;
     size_t count = 0, written = 0;
@@ -44,9 +43,9 @@ static vbss_result restore_or_stay(const vbss_slot *slot, const session_object *
     }
     vbss_result result = vbss_snapshot_save((const vbss_slot *)s->scene, bytes, count, &written);
     if (result == VBSS_OK) {
-        result = restore(slot, s, p, state);
+        result = restore_snapshot(slot, s, p, snapshot);
         if (result != VBSS_OK) {
-            vbss_replay_go_back(p, &before);
+            vbss_replay_roll_back(p, &before);
             (void)vbss_scene_restore(s->scene, bytes, count); /* its own state of a moment ago */
         }
     }
@@ -59,7 +58,7 @@ vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
     const vbss_slot *slot = (const vbss_slot *)session;
     session_object *s;
     replay_object *p;
-    log_snapshot state;
+    log_snapshot snapshot;
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_check_arithmetic(s->context));
     if (s->config.replay == NULL) {
@@ -67,15 +66,15 @@ vbss_result vbss_session_seek(vbss_session *session, uint64_t step)
     }
     VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
     VBSS_TRY(check_scene(s, p));
-    VBSS_TRY(vbss_log_find_state(p, step, &state));
-    if (state.bytes == NULL) {
+    VBSS_TRY(vbss_log_find_session_snapshot(p, step, &snapshot));
+    if (snapshot.bytes == NULL) {
         return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
                          "the log has no state of a session before step %llu",
                          (unsigned long long)step);
     }
-    VBSS_TRY(restore_or_stay(slot, s, p, &state));
+    VBSS_TRY(restore_or_roll_back(slot, s, p, &snapshot));
     while (p->report.step < step) {
-        VBSS_TRY(vbss_session_make_step(slot, s, 0.0, 0.0));
+        VBSS_TRY(vbss_session_advance(slot, s, 0.0, 0.0));
     }
     return VBSS_OK;
 }

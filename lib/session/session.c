@@ -14,7 +14,7 @@ static const vbss_layout status_layout = {"vbss_session_status", NULL, status_si
 
 /* ---- memory */
 
-static vbss_array events_of(session_object *s)
+static vbss_array event_array(session_object *s)
 {
     return (vbss_array){&s->events, s->config.event_capacity, sizeof *s->events};
 }
@@ -22,7 +22,7 @@ static vbss_array events_of(session_object *s)
 static void free_session(vbss_context *context, void *object)
 {
     session_object *s = object;
-    const vbss_array events = events_of(s);
+    const vbss_array events = event_array(s);
     vbss_release_arrays(context, &events, 1);
     vbss_release(context, s, 1, sizeof *s);
 }
@@ -48,18 +48,19 @@ vbss_result vbss_session_edit(vbss_session *handle, session_object **session)
 
 /* ---- what it is made over */
 
-static vbss_result check_body(const scene_object *scene, uint32_t number, bool is, const char *name)
+static vbss_result require_body(const scene_object *scene, uint32_t number, bool is_valid,
+                                const char *name)
 {
-    return is ? VBSS_OK
-              : vbss_fail(scene->context, VBSS_ERROR_OUT_OF_RANGE, "%s: body %u is none", name,
-                          number);
+    return is_valid ? VBSS_OK
+                    : vbss_fail(scene->context, VBSS_ERROR_OUT_OF_RANGE, "%s: body %u is none",
+                                name, number);
 }
 
 static vbss_result check_tool(const scene_object *scene, uint32_t number, const char *name)
 {
     const scene_body *b = number > 0 ? vbss_scene_body(scene, number) : NULL;
-    return check_body(scene, number,
-                      b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL, name);
+    return require_body(scene, number,
+                        b != NULL && b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL, name);
 }
 
 static vbss_result check_bodies(const scene_object *scene, const vbss_session_config *c)
@@ -67,20 +68,21 @@ static vbss_result check_bodies(const scene_object *scene, const vbss_session_co
     const scene_body *thread = c->thread > 0 ? vbss_scene_body(scene, c->thread) : NULL;
     const scene_body *needle = c->needle > 0 ? vbss_scene_body(scene, c->needle) : NULL;
     const scene_body *drain = c->drain > 0 ? vbss_scene_body(scene, c->drain) : NULL;
-    VBSS_TRY(check_body(scene, c->thread, thread != NULL && thread->kind == SCENE_BODY_THREAD,
-                        "thread"));
-    VBSS_TRY(check_body(scene, c->needle,
-                        needle != NULL && needle->kind == SCENE_BODY_RIGID &&
-                            needle->rigid.needle != NULL,
-                        "needle"));
+    VBSS_TRY(require_body(scene, c->thread, thread != NULL && thread->kind == SCENE_BODY_THREAD,
+                          "thread"));
+    VBSS_TRY(require_body(scene, c->needle,
+                          needle != NULL && needle->kind == SCENE_BODY_RIGID &&
+                              needle->rigid.needle != NULL,
+                          "needle"));
     VBSS_TRY(
-        check_body(scene, c->drain, drain != NULL && drain->kind == SCENE_BODY_DRAIN, "drain"));
+        require_body(scene, c->drain, drain != NULL && drain->kind == SCENE_BODY_DRAIN, "drain"));
     VBSS_TRY(check_tool(scene, c->tools[0], "left tool"));
     VBSS_TRY(check_tool(scene, c->tools[1], "right tool"));
     VBSS_TRY(c->shears == 0 ? VBSS_OK : check_tool(scene, c->shears, "shears"));
-    bool twice = c->tools[0] == c->tools[1] || c->shears == c->tools[0] || c->shears == c->tools[1];
-    return twice ? vbss_fail(scene->context, VBSS_ERROR_OUT_OF_RANGE, "a tool is given twice")
-                 : VBSS_OK;
+    bool is_repeated =
+        c->tools[0] == c->tools[1] || c->shears == c->tools[0] || c->shears == c->tools[1];
+    return is_repeated ? vbss_fail(scene->context, VBSS_ERROR_OUT_OF_RANGE, "a tool is given twice")
+                       : VBSS_OK;
 }
 
 static vbss_result check_context(const session_object *s, const void *handle, const char *name)
@@ -116,7 +118,7 @@ static vbss_result check_replay(const session_object *s)
                : vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the replay is of another scene");
 }
 
-static vbss_result check_parts(const session_object *s, const scene_object *scene)
+static vbss_result check_components(const session_object *s, const scene_object *scene)
 {
     const vbss_session_config *c = &s->config;
     for (int i = 0; i < SESSION_HANDS; i++) {
@@ -135,8 +137,8 @@ static vbss_result check_parts(const session_object *s, const scene_object *scen
 
 /* ---- life */
 
-static vbss_result make(vbss_context *context, const vbss_session_config *config,
-                        session_object **session)
+static vbss_result allocate_session(vbss_context *context, const vbss_session_config *config,
+                                    session_object **session)
 {
     session_object *s = vbss_allocate(context, 1, sizeof *s, "session");
     if (s == NULL) {
@@ -145,8 +147,8 @@ static vbss_result make(vbss_context *context, const vbss_session_config *config
     s->context = context;
     s->config = *config;
     s->thread = config->thread;
-    s->holder = VBSS_METRICS_NO_TOOL;
-    const vbss_array events = events_of(s);
+    s->last_holder = VBSS_METRICS_NO_TOOL;
+    const vbss_array events = event_array(s);
     vbss_result result = vbss_allocate_arrays(context, &events, 1, "events of a session");
     if (result != VBSS_OK) {
         free_session(context, s);
@@ -171,10 +173,10 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
     VBSS_TRY(vbss_scene_open_mutable(scene, &opened));
     VBSS_TRY(vbss_session_read_config(opened->context, config, &own));
     VBSS_TRY(check_bodies(opened, &own));
-    VBSS_TRY(make(opened->context, &own, &s));
+    VBSS_TRY(allocate_session(opened->context, &own, &s));
     s->scene = scene;
     s->scene_steps = opened->statistics.steps;
-    vbss_result result = check_parts(s, opened);
+    vbss_result result = check_components(s, opened);
     if (result == VBSS_OK) {
         result = vbss_slot_create(s->context, &vbss_session_kind, s, &slot);
     }
@@ -182,7 +184,7 @@ vbss_result vbss_session_create(vbss_scene *scene, const vbss_session_config *co
         free_session(s->context, s);
         return result;
     }
-    result = vbss_session_put_state(slot, own.record);
+    result = vbss_session_record_snapshot(slot, own.record);
     if (result != VBSS_OK) {
         (void)vbss_session_destroy((vbss_session *)slot);
         return result;
@@ -201,7 +203,7 @@ vbss_result vbss_session_set_record(vbss_session *session, vbss_record *record)
     session_object *s;
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_session_check_record(s, record));
-    VBSS_TRY(vbss_session_put_state((const vbss_slot *)session, record));
+    VBSS_TRY(vbss_session_record_snapshot((const vbss_slot *)session, record));
     s->config.record = record;
     s->config.replay = NULL;
     return VBSS_OK;
@@ -223,26 +225,26 @@ vbss_result vbss_session_get_status(vbss_session *session, vbss_session_status *
     vbss_session_status own = {
         .struct_size = sizeof own,
         .phase = s->phase,
-        .stage = (vbss_session_stage)(s->stage.value % 8),
+        .stage = (vbss_session_stage)(s->throw_stage.value % 8),
         .failure = s->failure,
-        .holder = s->held.value == 0          ? VBSS_METRICS_NO_TOOL
-                  : (s->held.value & 1u) != 0 ? VBSS_METRICS_LEFT
-                                              : VBSS_METRICS_RIGHT,
-        .tail_set = s->tail.value,
+        .holder = s->holding_tools.value == 0          ? VBSS_METRICS_NO_TOOL
+                  : (s->holding_tools.value & 1u) != 0 ? VBSS_METRICS_LEFT
+                                                       : VBSS_METRICS_RIGHT,
+        .tail_set = s->tail_set.value,
         .throws = s->throw_count,
-        .seated = s->seated,
+        .seated = s->seated_count,
         .transfers = count_bits(s->transferred),
-        .cut = s->cut,
-        .faults = s->faults.value,
+        .cut = s->cut_limbs,
+        .faults = s->knot_faults.value,
         .metrics_lost = s->metrics_lost,
         .steps = s->steps,
         .first_event = s->event_count > capacity ? s->event_count - capacity : 0,
         .event_count = s->event_count,
-        .time = vbss_session_is_over(s) ? s->end : s->time,
+        .time = vbss_session_is_over(s) ? s->end_time : s->time,
         .tail = s->tail_length,
         .gap = s->gap,
     };
-    for (uint32_t k = 0; k < SESSION_MARKS; k++) {
+    for (uint32_t k = 0; k < SESSION_SIDES; k++) {
         const session_hole *hole = &s->holes[k];
         own.punctured |= (uint32_t)(hole->id != 0) << k;
         own.threaded |= hole->threaded << k;

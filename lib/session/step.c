@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "session/session.h"
 
-static vbss_result check_begin(const session_object *s)
+static vbss_result check_scene_step(const session_object *s)
 {
     scene_object *scene;
     VBSS_TRY(vbss_scene_open(s->scene, &scene));
@@ -24,33 +24,33 @@ static void count_step(session_object *s)
     s->scene_steps = scene->statistics.steps;
     s->time += s->steps > 0 ? s->h : 0.0;
     s->steps++;
-    s->step_events = s->event_count;
+    s->events_before_step = s->event_count;
 }
 
 /* What the task can see of the step, with the knot; and what that comes to. */
-static vbss_result knots(session_object *s)
+static vbss_result observe_and_update(session_object *s)
 {
-    vbss_session_look(s, &s->look);
-    vbss_result result = vbss_session_look_at_knot(s, &s->look);
-    vbss_session_judge(s, &s->look);
+    vbss_session_observe(s, &s->observation);
+    vbss_result result = vbss_session_observe_knot(s, &s->observation);
+    vbss_session_update_progress(s, &s->observation);
     return result;
 }
 
-static void keep_first(vbss_result *kept, vbss_result result)
+static void keep_first_error(vbss_result *first, vbss_result result)
 {
-    *kept = *kept == VBSS_OK ? result : *kept;
+    *first = *first == VBSS_OK ? result : *first;
 }
 
-vbss_result vbss_session_make_step(const vbss_slot *slot, session_object *s, double now, double h)
+vbss_result vbss_session_advance(const vbss_slot *slot, session_object *s, double now, double h)
 {
-    VBSS_TRY(check_begin(s));
-    VBSS_TRY(vbss_session_read_hands(s, now));
+    VBSS_TRY(check_scene_step(s));
+    VBSS_TRY(vbss_session_read_devices(s, now));
     VBSS_TRY(vbss_session_step_scene(s, h));
     count_step(s);
-    vbss_result result = knots(s);
-    keep_first(&result, vbss_session_measure(s, &s->look));
-    keep_first(&result, vbss_session_write_hands(s, now));
-    keep_first(&result, vbss_session_mark(slot, s));
+    vbss_result result = observe_and_update(s);
+    keep_first_error(&result, vbss_session_feed_metrics(s, &s->observation));
+    keep_first_error(&result, vbss_session_write_devices(s, now));
+    keep_first_error(&result, vbss_session_sync_log(slot, s));
     return result;
 }
 
@@ -60,9 +60,9 @@ vbss_result vbss_session_step(vbss_session *session, double now, double h)
     VBSS_TRY(vbss_session_edit(session, &s));
     VBSS_TRY(vbss_check_arithmetic(s->context));
     uint64_t steps = s->steps;
-    vbss_result result = vbss_session_make_step((const vbss_slot *)session, s, now, h);
+    vbss_result result = vbss_session_advance((const vbss_slot *)session, s, now, h);
     if (s->steps > steps) {
-        vbss_session_announce(s);
+        vbss_session_dispatch_events(s);
     }
     return result;
 }

@@ -8,94 +8,98 @@
                 VBSS_KNOT_FAULT_GRANNY | VBSS_KNOT_FAULT_STRAY | VBSS_KNOT_FAULT_HITCH | \
                 VBSS_KNOT_FAULT_TYPE))
 
-static void tell_at_knot(session_object *s, const session_look *look, vbss_session_event_kind kind,
-                         uint32_t number, uint32_t undone)
+static void emit_knot_event(session_object *s, const session_observation *observed,
+                            vbss_session_event_kind kind, uint32_t number, uint32_t undone)
 {
-    vbss_session_event *e = vbss_session_tell(s, kind, number, undone, s->holder);
-    vec3_store(e->position, vec3_lerp(look->lips[0], look->lips[1], 0.5));
-    e->amount = kind == VBSS_SESSION_EVENT_SEATED ? look->gap : 0.0;
+    vbss_session_event *e = vbss_session_emit_event(s, kind, number, undone, s->last_holder);
+    vec3_store(e->position, vec3_lerp(observed->lips[0], observed->lips[1], 0.5));
+    e->amount = kind == VBSS_SESSION_EVENT_SEATED ? observed->gap : 0.0;
 }
 
 /* ---- tied, and untied */
 
-static bool is_same(const session_throw_look *a, const session_throw_look *b)
+static bool is_same_throw(const session_throw_observation *a, const session_throw_observation *b)
 {
     return a->wraps == b->wraps && a->handedness == b->handedness && a->relation == b->relation;
 }
 
-static void tell_throw(session_object *s, const session_look *look, uint32_t number,
-                       const session_throw_look *what, uint32_t undone)
+static void emit_throw_event(session_object *s, const session_observation *observed,
+                             uint32_t number, const session_throw_observation *details,
+                             uint32_t undone)
 {
-    tell_at_knot(s, look, VBSS_SESSION_EVENT_THROW, number, undone);
+    emit_knot_event(s, observed, VBSS_SESSION_EVENT_THROW, number, undone);
     vbss_session_event *e = vbss_session_event_at(s, s->event_count - 1);
-    e->wraps = what->wraps;
-    e->handedness = what->handedness;
-    e->relation = what->relation;
+    e->wraps = details->wraps;
+    e->handedness = details->handedness;
+    e->relation = details->relation;
 }
 
 /* Whether the needle has changed hands after that throw. */
-static void set_transferred(session_object *s, uint32_t number, bool is)
+static void set_transferred(session_object *s, uint32_t number, bool is_transferred)
 {
     uint32_t bit = 1u << number;
-    if (((s->transferred & bit) != 0) != is) {
+    if (((s->transferred & bit) != 0) != is_transferred) {
         s->transferred ^= bit;
-        (void)vbss_session_tell(s, VBSS_SESSION_EVENT_TRANSFER, number, !is, s->holder);
+        (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_TRANSFER, number, !is_transferred,
+                                      s->last_holder);
     }
 }
 
-static void tie(session_object *s, const session_look *look, uint32_t number)
+static void add_throw(session_object *s, const session_observation *observed, uint32_t number)
 {
-    tell_throw(s, look, number, &s->throws[number].is, 0);
+    emit_throw_event(s, observed, number, &s->throws[number].value, 0);
     if (number < s->throw_count) {
         return; /* known better */
     }
     s->throw_count = number + 1;
-    s->tied_by[number] = s->holder;
-    s->seat = (session_latch){.since = s->time};
+    s->tied_by[number] = s->last_holder;
+    s->newest_seated = (session_debounced_value){.since = s->time};
     if (number >= 1 && number <= SESSION_TRANSFERS && (s->transferred >> (number - 1) & 1u) == 0) {
-        s->missed |= 1u << number;
-        tell_at_knot(s, look, VBSS_SESSION_EVENT_TRANSFER_MISSED, number, 0);
+        s->missed_transfers |= 1u << number;
+        emit_knot_event(s, observed, VBSS_SESSION_EVENT_TRANSFER_MISSED, number, 0);
     }
 }
 
 /* That below had been seated, or this one would not have been laid on it. */
-static void untie(session_object *s, const session_look *look, uint32_t number,
-                  const session_throw_look *was)
+static void remove_throw(session_object *s, const session_observation *observed, uint32_t number,
+                         const session_throw_observation *was)
 {
     set_transferred(s, number, false);
-    if ((s->missed >> number & 1u) != 0) {
-        s->missed &= ~(1u << number);
-        tell_at_knot(s, look, VBSS_SESSION_EVENT_TRANSFER_MISSED, number, 1);
+    if ((s->missed_transfers >> number & 1u) != 0) {
+        s->missed_transfers &= ~(1u << number);
+        emit_knot_event(s, observed, VBSS_SESSION_EVENT_TRANSFER_MISSED, number, 1);
     }
-    tell_throw(s, look, number, was, 1);
+    emit_throw_event(s, observed, number, was, 1);
     s->throw_count = number;
-    s->seat = (session_latch){.value = number > 0, .seen = number > 0, .since = s->time};
+    s->newest_seated =
+        (session_debounced_value){.value = number > 0, .candidate = number > 0, .since = s->time};
 }
 
-static void judge_throws(session_object *s, const session_look *look)
+static void debounce_throws(session_object *s, const session_observation *observed)
 {
-    session_throw_look before[SESSION_THROWS];
-    for (uint32_t i = 0; i < SESSION_THROWS; i++) {
+    session_throw_observation before[SESSION_MAX_THROWS];
+    for (uint32_t i = 0; i < SESSION_MAX_THROWS; i++) {
         session_throw *own = &s->throws[i];
-        const session_throw_look none = {0};
-        const session_throw_look *seen = i < look->knot.count ? &look->knot.throws[i] : &none;
-        before[i] = own->is;
-        if (!is_same(seen, &own->seen)) {
-            own->seen = *seen;
+        const session_throw_observation none = {0};
+        const session_throw_observation *seen =
+            i < observed->knot.throw_count ? &observed->knot.throws[i] : &none;
+        before[i] = own->value;
+        if (!is_same_throw(seen, &own->candidate)) {
+            own->candidate = *seen;
             own->since = s->time;
         }
         if (s->time - own->since >= s->config.throw_dwell) {
-            own->is = own->seen;
+            own->value = own->candidate;
         }
     }
-    for (uint32_t i = SESSION_THROWS; i-- > 0;) {
-        if (before[i].wraps != 0 && s->throws[i].is.wraps == 0) {
-            untie(s, look, i, &before[i]);
+    for (uint32_t i = SESSION_MAX_THROWS; i-- > 0;) {
+        if (before[i].wraps != 0 && s->throws[i].value.wraps == 0) {
+            remove_throw(s, observed, i, &before[i]);
         }
     }
-    for (uint32_t i = 0; i < SESSION_THROWS; i++) {
-        if (s->throws[i].is.wraps != 0 && !is_same(&before[i], &s->throws[i].is)) {
-            tie(s, look, i);
+    for (uint32_t i = 0; i < SESSION_MAX_THROWS; i++) {
+        if (s->throws[i].value.wraps != 0 && !is_same_throw(&before[i], &s->throws[i].value)) {
+            add_throw(s, observed, i);
         }
     }
 }
@@ -103,87 +107,91 @@ static void judge_throws(session_object *s, const session_look *look)
 /* ---- seated */
 
 /* By tension and a closed slit; it stays so while the slit stays closed. All below the newest are. */
-static void judge_seat(session_object *s, const session_look *look)
+static void update_seat(session_object *s, const session_observation *observed)
 {
     const vbss_session_config *c = &s->config;
     uint32_t seated = 0;
     if (s->throw_count > 0) {
-        bool pulled = vbss_min(look->tension[0], look->tension[1]) >= c->seat_force;
-        bool is =
-            s->seat.value != 0 ? look->open < c->seat_release : look->open <= c->seat_gap && pulled;
-        (void)vbss_session_settle(&s->seat, is, s->time, c->dwell);
-        seated = s->throw_count - 1 + s->seat.value;
+        bool is_tensioned = vbss_min(observed->tension[0], observed->tension[1]) >= c->seat_force;
+        bool is_seated = s->newest_seated.value != 0
+                             ? observed->signed_gap < c->seat_release
+                             : observed->signed_gap <= c->seat_gap && is_tensioned;
+        (void)vbss_session_debounce(&s->newest_seated, is_seated, s->time, c->dwell);
+        seated = s->throw_count - 1 + s->newest_seated.value;
     }
-    while (s->seated > seated) {
-        tell_at_knot(s, look, VBSS_SESSION_EVENT_SEATED, --s->seated, 1);
+    while (s->seated_count > seated) {
+        emit_knot_event(s, observed, VBSS_SESSION_EVENT_SEATED, --s->seated_count, 1);
     }
-    while (s->seated < seated) {
-        tell_at_knot(s, look, VBSS_SESSION_EVENT_SEATED, s->seated++, 0);
+    while (s->seated_count < seated) {
+        emit_knot_event(s, observed, VBSS_SESSION_EVENT_SEATED, s->seated_count++, 0);
     }
 }
 
-static void judge_transfer(session_object *s)
+static void update_transfer(session_object *s)
 {
     uint32_t newest = s->throw_count - 1;
     if (s->throw_count == 0 || newest >= SESSION_TRANSFERS) {
         return;
     }
     uint32_t *tied_by = &s->tied_by[newest];
-    *tied_by = *tied_by == VBSS_METRICS_NO_TOOL ? s->holder : *tied_by;
-    set_transferred(s, newest, s->holder != *tied_by);
+    *tied_by = *tied_by == VBSS_METRICS_NO_TOOL ? s->last_holder : *tied_by;
+    set_transferred(s, newest, s->last_holder != *tied_by);
 }
 
 /* ---- under way */
 
-static uint32_t stage_of(const session_object *s, const session_look *look)
+static uint32_t current_stage(const session_object *s, const session_observation *observed)
 {
     uint32_t next = 8 * s->throw_count;
-    if (s->throw_count > s->seated) {
+    if (s->throw_count > s->seated_count) {
         return next - 8 + VBSS_SESSION_STAGE_SEATING;
     }
-    if (look->knot.next == VBSS_KNOT_VERDICT_PASSED) {
+    if (observed->knot.next_throw == VBSS_KNOT_VERDICT_PASSED) {
         return next + VBSS_SESSION_STAGE_PASSED;
     }
-    if (look->knot.next == VBSS_KNOT_VERDICT_WRAPPING) {
+    if (observed->knot.next_throw == VBSS_KNOT_VERDICT_WRAPPING) {
         bool grasped = false;
         for (int i = 0; i < SESSION_HANDS; i++) {
-            grasped |= look->tools[i].has_tail;
+            grasped |= observed->tools[i].has_tail;
         }
         return next + (grasped ? VBSS_SESSION_STAGE_GRASPED : VBSS_SESSION_STAGE_WRAP);
     }
     return s->throw_count > 0 ? next - 8 + VBSS_SESSION_STAGE_SEATED : VBSS_SESSION_STAGE_NONE;
 }
 
-static void judge_stage(session_object *s, const session_look *look)
+static void update_stage(session_object *s, const session_observation *observed)
 {
-    if (vbss_session_settle(&s->stage, stage_of(s, look), s->time, s->config.dwell)) {
-        tell_at_knot(s, look, VBSS_SESSION_EVENT_STAGE, s->stage.value / 8, 0);
+    if (vbss_session_debounce(&s->throw_stage, current_stage(s, observed), s->time,
+                              s->config.dwell)) {
+        emit_knot_event(s, observed, VBSS_SESSION_EVENT_STAGE, s->throw_stage.value / 8, 0);
         vbss_session_event_at(s, s->event_count - 1)->stage =
-            (vbss_session_stage)(s->stage.value % 8);
+            (vbss_session_stage)(s->throw_stage.value % 8);
     }
 }
 
-static void judge_faults(session_object *s, const session_look *look)
+static void update_faults(session_object *s, const session_observation *observed)
 {
-    uint32_t before = s->faults.value;
-    uint32_t seen = look->knot.faults & (look->knot.count > 0 ? FAULTS : VBSS_KNOT_FAULT_STRAY);
-    (void)vbss_session_settle(&s->faults, seen, s->time, s->config.throw_dwell);
+    uint32_t before = s->knot_faults.value;
+    uint32_t seen =
+        observed->knot.faults & (observed->knot.throw_count > 0 ? FAULTS : VBSS_KNOT_FAULT_STRAY);
+    (void)vbss_session_debounce(&s->knot_faults, seen, s->time, s->config.throw_dwell);
     for (uint32_t bit = 1; bit <= FAULTS; bit <<= 1) {
-        if (((s->faults.value ^ before) & bit) != 0) {
-            tell_at_knot(s, look, VBSS_SESSION_EVENT_FAULT, bit, (s->faults.value & bit) == 0);
+        if (((s->knot_faults.value ^ before) & bit) != 0) {
+            emit_knot_event(s, observed, VBSS_SESSION_EVENT_FAULT, bit,
+                            (s->knot_faults.value & bit) == 0);
         }
     }
 }
 
 /* Once a tail is cut the knot is what it was. */
-void vbss_session_judge_throws(session_object *s, const session_look *look)
+void vbss_session_update_throws(session_object *s, const session_observation *observed)
 {
-    if (s->cut != 0) {
+    if (s->cut_limbs != 0) {
         return;
     }
-    judge_throws(s, look);
-    judge_seat(s, look);
-    judge_transfer(s);
-    judge_stage(s, look);
-    judge_faults(s, look);
+    debounce_throws(s, observed);
+    update_seat(s, observed);
+    update_transfer(s);
+    update_stage(s, observed);
+    update_faults(s, observed);
 }

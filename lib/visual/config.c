@@ -41,7 +41,7 @@ static vbss_result check(vbss_context *context, const vbss_visual_config *c)
         {"triangle_capacity", c->triangle_capacity, 16.0, 16777216.0},
         {"spot_capacity", c->spot_capacity, 0.0, 4096.0},
         {"node_capacity", c->node_capacity, 2.0, 65537.0},
-        {"side_limit", c->side_limit, 6.0, VISUAL_SIDES},
+        {"side_limit", c->side_limit, 6.0, VISUAL_MAX_SIDES},
         {"division_limit", c->division_limit, 1.0, 32.0},
         {"reserved", c->reserved, 0.0, 0.0},
         {"tube_tolerance", c->tube_tolerance, 1e-8, 1.0},

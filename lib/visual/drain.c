@@ -9,13 +9,14 @@ typedef struct wall {
     const drain_object *drain;
     const vec3 *normals; /* at nodes */
     uint32_t divisions;
-    uint32_t first, face; /* vertex of node 0 on the outer face; from there to the inner one */
-    double half;          /* of the wall, m */
+    uint32_t first_vertex,
+        inner_face_offset; /* vertex of node 0 on the outer face; from there to the inner one */
+    double half_thickness; /* of the wall, m */
 } wall;
 
 /* Mean of the normals of a node's triangles with weights by which nodes on a sphere get its normals exactly: sin(angle) /
  * (|a| |b|) of the sides there (Max 1999). */
-static void find_normals(const drain_object *d, vec3 *normals)
+static void compute_normals(const drain_object *d, vec3 *normals)
 {
     const drain_mesh *m = &d->mesh;
     for (uint32_t i = 0; i < m->node_count; i++) {
@@ -39,45 +40,46 @@ static void find_normals(const drain_object *d, vec3 *normals)
     }
 }
 
-static visual_side side_between(const wall *w, uint32_t a, uint32_t b)
+static visual_edge edge_between(const wall *w, uint32_t a, uint32_t b)
 {
     const vec3 *x = w->drain->x;
     const vec3 ends[2] = {x[a], x[b]}, normals[2] = {w->normals[a], w->normals[b]};
-    return vbss_visual_side(ends, normals);
+    return vbss_visual_make_edge(ends, normals);
 }
 
 /* As many as the side needs that is bent most. */
-static uint32_t divisions_of(const wall *w)
+static uint32_t count_divisions(const wall *w)
 {
-    double rise = 0.0;
+    double chord_error = 0.0;
     for (uint32_t i = 0; i < w->drain->mesh.edge_count; i++) {
         const uint32_t *node = w->drain->mesh.edges[i].nodes;
-        const visual_side side = side_between(w, node[0], node[1]);
-        rise = vbss_max(rise, vbss_visual_side_rise(&side));
+        const visual_edge edge = edge_between(w, node[0], node[1]);
+        chord_error = vbss_max(chord_error, vbss_visual_edge_chord_error(&edge));
     }
-    double divisions = sqrt(rise / w->v->config.surface_tolerance);
+    double divisions = sqrt(chord_error / w->v->config.surface_tolerance);
     return (uint32_t)vbss_max(vbss_min(divisions, w->v->config.division_limit) + 0.999, 1.0);
 }
 
 /* ---- vertices */
 
 /* What a node has beside its place. */
-typedef struct matter {
+typedef struct vertex_attributes {
     vec3 rest;
     double texture[2];
-} matter;
+} vertex_attributes;
 
-static matter matter_at(const wall *w, uint32_t node)
+static vertex_attributes attributes_at(const wall *w, uint32_t node)
 {
     const drain_mesh *m = &w->drain->mesh;
-    const matter at = {m->rest[node],
-                       {m->material_coordinates[node][1], fabs(m->material_coordinates[node][0])}};
-    return at;
+    const vertex_attributes attributes = {
+        m->rest[node], {m->material_coordinates[node][1], fabs(m->material_coordinates[node][0])}};
+    return attributes;
 }
 
-static matter mixed(const matter *of, const double *weights, int count)
+static vertex_attributes interpolate_attributes(const vertex_attributes *of, const double *weights,
+                                                int count)
 {
-    matter sum = {vec3_zero(), {0.0, 0.0}};
+    vertex_attributes sum = {vec3_zero(), {0.0, 0.0}};
     for (int k = 0; k < count; k++) {
         sum.rest = vec3_add_scaled(sum.rest, weights[k], of[k].rest);
         sum.texture[0] += weights[k] * of[k].texture[0];
@@ -86,72 +88,73 @@ static matter mixed(const matter *of, const double *weights, int count)
     return sum;
 }
 
-static void put_faces(const wall *w, uint32_t index, vec3 middle, vec3 normal, const matter *m)
+static void put_face_vertices(const wall *w, uint32_t index, vec3 middle, vec3 normal,
+                              const vertex_attributes *m)
 {
-    visual_point p = {vec3_add_scaled(middle, w->half, normal),
+    visual_point p = {vec3_add_scaled(middle, w->half_thickness, normal),
                       normal,
                       {m->texture[0], m->texture[1]},
                       m->rest,
                       1.0};
-    visual_put(w->v, w->frame, w->first + index, &p);
-    p.position = vec3_add_scaled(middle, -w->half, normal);
+    visual_set_vertex(w->v, w->frame, w->first_vertex + index, &p);
+    p.position = vec3_add_scaled(middle, -w->half_thickness, normal);
     p.normal = vec3_neg(normal);
     p.value = -1.0;
-    visual_put(w->v, w->frame, w->first + w->face + index, &p);
+    visual_set_vertex(w->v, w->frame, w->first_vertex + w->inner_face_offset + index, &p);
 }
 
-static void put_nodes(const wall *w)
+static void put_node_vertices(const wall *w)
 {
     for (uint32_t i = 0; i < w->drain->mesh.node_count; i++) {
-        const matter m = matter_at(w, i);
-        put_faces(w, i, w->drain->x[i], w->normals[i], &m);
+        const vertex_attributes m = attributes_at(w, i);
+        put_face_vertices(w, i, w->drain->x[i], w->normals[i], &m);
     }
 }
 
-static void put_sides(const wall *w)
+static void put_edge_vertices(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
     const uint32_t inner = w->divisions - 1;
     for (uint32_t i = 0; i < m->edge_count; i++) {
         const uint32_t *node = m->edges[i].nodes;
-        const visual_side side = side_between(w, node[0], node[1]);
-        const matter ends[2] = {matter_at(w, node[0]), matter_at(w, node[1])};
+        const visual_edge edge = edge_between(w, node[0], node[1]);
+        const vertex_attributes ends[2] = {attributes_at(w, node[0]), attributes_at(w, node[1])};
         for (uint32_t k = 0; k < inner; k++) {
-            double share = (double)(k + 1) / (double)w->divisions;
-            const double weights[2] = {1.0 - share, share};
-            vec3 normal, x = vbss_visual_side_point(&side, share, &normal);
-            const matter at = mixed(ends, weights, 2);
-            put_faces(w, m->node_count + i * inner + k, x, normal, &at);
+            double fraction = (double)(k + 1) / (double)w->divisions;
+            const double weights[2] = {1.0 - fraction, fraction};
+            vec3 normal, x = vbss_visual_edge_point(&edge, fraction, &normal);
+            const vertex_attributes attributes = interpolate_attributes(ends, weights, 2);
+            put_face_vertices(w, m->node_count + i * inner + k, x, normal, &attributes);
         }
     }
 }
 
 /* Vertices strictly inside of a divided triangle. */
-static uint32_t inside_count(uint32_t divisions)
+static uint32_t interior_vertex_count(uint32_t divisions)
 {
     return divisions < 3 ? 0 : (divisions - 1) * (divisions - 2) / 2;
 }
 
-static void put_inside(const wall *w)
+static void put_interior_vertices(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
     const uint32_t n = w->divisions;
     uint32_t index = m->node_count + m->edge_count * (n - 1);
     for (uint32_t t = 0; t < m->triangle_count && n > 2; t++) {
         const uint32_t *node = m->triangles[t];
-        const visual_side sides[3] = {side_between(w, node[0], node[1]),
-                                      side_between(w, node[1], node[2]),
-                                      side_between(w, node[2], node[0])};
-        const visual_patch patch = vbss_visual_patch(sides);
-        const matter corners[3] = {matter_at(w, node[0]), matter_at(w, node[1]),
-                                   matter_at(w, node[2])};
+        const visual_edge edges[3] = {edge_between(w, node[0], node[1]),
+                                      edge_between(w, node[1], node[2]),
+                                      edge_between(w, node[2], node[0])};
+        const visual_patch patch = vbss_visual_make_patch(edges);
+        const vertex_attributes corners[3] = {attributes_at(w, node[0]), attributes_at(w, node[1]),
+                                              attributes_at(w, node[2])};
         for (uint32_t i = 1; i + 1 < n; i++) {
             for (uint32_t k = 1; i + k < n; k++) {
                 const double weights[3] = {(double)(n - i - k) / (double)n, (double)i / (double)n,
                                            (double)k / (double)n};
                 vec3 normal, x = vbss_visual_patch_point(&patch, weights, &normal);
-                const matter at = mixed(corners, weights, 3);
-                put_faces(w, index++, x, normal, &at);
+                const vertex_attributes attributes = interpolate_attributes(corners, weights, 3);
+                put_face_vertices(w, index++, x, normal, &attributes);
             }
         }
     }
@@ -159,31 +162,31 @@ static void put_inside(const wall *w)
 
 /* ---- triangles */
 
-static uint32_t side_of(const drain_mesh *m, uint32_t a, uint32_t b)
+static uint32_t find_edge(const drain_mesh *m, uint32_t a, uint32_t b)
 {
     const uint32_t low = a < b ? a : b, high = a < b ? b : a;
-    uint32_t side = m->first_edge[low];
-    while (m->edges[side].nodes[0] + m->edges[side].nodes[1] != low + high) {
-        side = m->next_edge[side];
+    uint32_t edge = m->first_edge[low];
+    while (m->edges[edge].nodes[0] + m->edges[edge].nodes[1] != low + high) {
+        edge = m->next_edge[edge];
     }
-    return side;
+    return edge;
 }
 
 /* The vertex k divisions from a toward b. */
-static uint32_t on_side(const wall *w, uint32_t side, uint32_t a, uint32_t b, uint32_t k)
+static uint32_t vertex_on_edge(const wall *w, uint32_t edge, uint32_t a, uint32_t b, uint32_t k)
 {
     const drain_mesh *m = &w->drain->mesh;
     if (k == 0 || k == w->divisions) {
         return k == 0 ? a : b;
     }
-    uint32_t from_first = m->edges[side].nodes[0] == a ? k : w->divisions - k;
-    return m->node_count + side * (w->divisions - 1) + from_first - 1;
+    uint32_t from_first = m->edges[edge].nodes[0] == a ? k : w->divisions - k;
+    return m->node_count + edge * (w->divisions - 1) + from_first - 1;
 }
 
 /* Of a triangle: its nodes, sides, and first vertex inside. */
 typedef struct lattice {
     const uint32_t *node;
-    uint32_t side[3], inside;
+    uint32_t edge[3], first_interior;
 } lattice;
 
 /* The vertex i divisions toward the second corner and k toward the third. */
@@ -191,26 +194,26 @@ static uint32_t vertex_at(const wall *w, const lattice *l, uint32_t i, uint32_t 
 {
     const uint32_t n = w->divisions, *node = l->node;
     if (k == 0) {
-        return on_side(w, l->side[0], node[0], node[1], i);
+        return vertex_on_edge(w, l->edge[0], node[0], node[1], i);
     }
     if (i == 0) {
-        return on_side(w, l->side[2], node[0], node[2], k);
+        return vertex_on_edge(w, l->edge[2], node[0], node[2], k);
     }
     if (i + k == n) {
-        return on_side(w, l->side[1], node[1], node[2], k);
+        return vertex_on_edge(w, l->edge[1], node[1], node[2], k);
     }
     /* Rows 1 to i - 1 have n - 2, n - 3, ... vertices inside. */
-    return l->inside + (i - 1) * (2 * n - 2 - i) / 2 + k - 1;
+    return l->first_interior + (i - 1) * (2 * n - 2 - i) / 2 + k - 1;
 }
 
-static void join_faces(const wall *w, uint32_t a, uint32_t b, uint32_t c)
+static void add_face_triangles(const wall *w, uint32_t a, uint32_t b, uint32_t c)
 {
-    const uint32_t outer = w->first, inner = w->first + w->face;
-    visual_join(w->v, w->frame, outer + a, outer + b, outer + c);
-    visual_join(w->v, w->frame, inner + a, inner + c, inner + b);
+    const uint32_t outer = w->first_vertex, inner = w->first_vertex + w->inner_face_offset;
+    visual_add_triangle(w->v, w->frame, outer + a, outer + b, outer + c);
+    visual_add_triangle(w->v, w->frame, inner + a, inner + c, inner + b);
 }
 
-static void join_triangles(const wall *w)
+static void add_triangles(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
     const uint32_t n = w->divisions;
@@ -218,38 +221,39 @@ static void join_triangles(const wall *w)
     for (uint32_t t = 0; t < m->triangle_count; t++) {
         l.node = m->triangles[t];
         for (int k = 0; k < 3; k++) {
-            l.side[k] = side_of(m, l.node[k], l.node[(k + 1) % 3]);
+            l.edge[k] = find_edge(m, l.node[k], l.node[(k + 1) % 3]);
         }
         for (uint32_t i = 0; i < n; i++) {
             for (uint32_t k = 0; i + k < n; k++) {
                 uint32_t b = vertex_at(w, &l, i + 1, k), c = vertex_at(w, &l, i, k + 1);
-                join_faces(w, vertex_at(w, &l, i, k), b, c);
+                add_face_triangles(w, vertex_at(w, &l, i, k), b, c);
                 if (i + k + 1 < n) {
-                    join_faces(w, b, vertex_at(w, &l, i + 1, k + 1), c);
+                    add_face_triangles(w, b, vertex_at(w, &l, i + 1, k + 1), c);
                 }
             }
         }
-        l.inside += inside_count(n);
+        l.first_interior += interior_vertex_count(n);
     }
 }
 
 /* ---- rims: flat strips from face to face, with vertices of their own, as what is cut has sharp edges */
 
-static void put_rim(const wall *w, const visual_side *side, double share, const matter *at)
+static void put_rim_vertices(const wall *w, const visual_edge *edge, double fraction,
+                             const vertex_attributes *attributes)
 {
     const uint32_t first = w->frame->vertex_count;
-    vec3 normal, middle = vbss_visual_side_point(side, share, &normal);
-    vec3 chord = vec3_sub(side->corner[1], side->corner[0]);
+    vec3 normal, middle = vbss_visual_edge_point(edge, fraction, &normal);
+    vec3 chord = vec3_sub(edge->corner[1], edge->corner[0]);
     vec3 out = vec3_cross(chord, normal);
-    visual_point p = {vec3_add_scaled(middle, w->half, normal),
+    visual_point p = {vec3_add_scaled(middle, w->half_thickness, normal),
                       vec3_unit_or(out, normal),
-                      {at->texture[0], at->texture[1]},
-                      at->rest,
+                      {attributes->texture[0], attributes->texture[1]},
+                      attributes->rest,
                       0.0};
     w->frame->vertex_count += 2;
-    visual_put(w->v, w->frame, first, &p);
-    p.position = vec3_add_scaled(middle, -w->half, normal);
-    visual_put(w->v, w->frame, first + 1, &p);
+    visual_set_vertex(w->v, w->frame, first, &p);
+    p.position = vec3_add_scaled(middle, -w->half_thickness, normal);
+    visual_set_vertex(w->v, w->frame, first + 1, &p);
 }
 
 static void draw_rims(const wall *w)
@@ -260,17 +264,17 @@ static void draw_rims(const wall *w)
         if (m->edges[i].triangles[1] != DRAIN_NONE) {
             continue;
         }
-        const visual_side side = side_between(w, node[0], node[1]);
-        const matter ends[2] = {matter_at(w, node[0]), matter_at(w, node[1])};
+        const visual_edge edge = edge_between(w, node[0], node[1]);
+        const vertex_attributes ends[2] = {attributes_at(w, node[0]), attributes_at(w, node[1])};
         for (uint32_t k = 0; k <= w->divisions; k++) {
-            double share = (double)k / (double)w->divisions;
-            const double weights[2] = {1.0 - share, share};
-            const matter at = mixed(ends, weights, 2);
-            put_rim(w, &side, share, &at);
+            double fraction = (double)k / (double)w->divisions;
+            const double weights[2] = {1.0 - fraction, fraction};
+            const vertex_attributes attributes = interpolate_attributes(ends, weights, 2);
+            put_rim_vertices(w, &edge, fraction, &attributes);
             if (k > 0) {
-                uint32_t here = w->frame->vertex_count - 2, before = here - 2;
-                visual_join(w->v, w->frame, before, before + 1, here);
-                visual_join(w->v, w->frame, before + 1, here + 1, here);
+                uint32_t current = w->frame->vertex_count - 2, previous = current - 2;
+                visual_add_triangle(w->v, w->frame, previous, previous + 1, current);
+                visual_add_triangle(w->v, w->frame, previous + 1, current + 1, current);
             }
         }
     }
@@ -278,13 +282,13 @@ static void draw_rims(const wall *w)
 
 /* ---- marks */
 
-static void add_marks(const wall *w)
+static void add_mark_decals(const wall *w)
 {
     const drain_mesh *m = &w->drain->mesh;
-    for (int side = 0; side < 2; side++) {
-        if (m->marks[side] != DRAIN_NONE) {
-            vbss_visual_add_spot(w->v, w->frame, VBSS_SPOT_MARK, m->rest[m->marks[side]],
-                                 w->v->config.mark_radius);
+    for (int k = 0; k < 2; k++) {
+        if (m->marks[k] != DRAIN_NONE) {
+            vbss_visual_add_decal(w->v, w->frame, VBSS_SPOT_MARK, m->rest[m->marks[k]],
+                                  w->v->config.mark_radius);
         }
     }
 }
@@ -292,16 +296,16 @@ static void add_marks(const wall *w)
 void vbss_visual_draw_drain(visual_object *v, visual_frame *f, const drain_object *d)
 {
     const drain_mesh *m = &d->mesh;
-    wall w = {v, f, d, v->bends, 1, f->vertex_count, 0, 0.5 * d->config.thickness};
-    find_normals(d, v->bends);
-    w.divisions = divisions_of(&w);
-    w.face = m->node_count + m->edge_count * (w.divisions - 1) +
-             m->triangle_count * inside_count(w.divisions);
-    f->vertex_count += 2 * w.face;
-    put_nodes(&w);
-    put_sides(&w);
-    put_inside(&w);
-    join_triangles(&w);
+    wall w = {v, f, d, v->node_vectors, 1, f->vertex_count, 0, 0.5 * d->config.thickness};
+    compute_normals(d, v->node_vectors);
+    w.divisions = count_divisions(&w);
+    w.inner_face_offset = m->node_count + m->edge_count * (w.divisions - 1) +
+                          m->triangle_count * interior_vertex_count(w.divisions);
+    f->vertex_count += 2 * w.inner_face_offset;
+    put_node_vertices(&w);
+    put_edge_vertices(&w);
+    put_interior_vertices(&w);
+    add_triangles(&w);
     draw_rims(&w);
-    add_marks(&w);
+    add_mark_decals(&w);
 }

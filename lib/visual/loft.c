@@ -5,55 +5,56 @@
 /* ---- sections */
 
 /* Between a circle and the polygon in it there are r (1 - cos(pi / n)) <= r (pi / n)^2 / 2. */
-static uint32_t sides_of(const visual_object *v, double radius)
+static uint32_t count_sides(const visual_object *v, double radius)
 {
     double sides = VISUAL_PI * sqrt(0.5 * radius / v->config.tube_tolerance);
     double limited = vbss_min(vbss_max(sides, 6.0), v->config.side_limit);
     return (uint32_t)(limited + 0.999);
 }
 
-static void add_point(visual_section *s, double u, double v, double nu, double nv, double around)
+static void add_point(visual_section *s, double u, double v, double nu, double nv,
+                      double perimeter_fraction)
 {
-    s->at[s->count][0] = u;
-    s->at[s->count][1] = v;
+    s->position[s->count][0] = u;
+    s->position[s->count][1] = v;
     s->normal[s->count][0] = nu;
     s->normal[s->count][1] = nv;
-    s->around[s->count] = around;
-    s->joined[s->count++] = true;
+    s->perimeter_fraction[s->count] = perimeter_fraction;
+    s->joins_next[s->count++] = true;
 }
 
 void vbss_visual_round_section(const visual_object *v, double radius, visual_section *section)
 {
-    const uint32_t sides = sides_of(v, radius);
+    const uint32_t sides = count_sides(v, radius);
     section->count = 0;
-    section->dome = (sides + 3) / 4 < 2 ? 2 : (sides + 3) / 4;
+    section->dome_rings = (sides + 3) / 4 < 2 ? 2 : (sides + 3) / 4;
     for (uint32_t i = 0; i <= sides; i++) {
-        double share = (double)i / (double)sides, sine, cosine;
-        vbss_sincos(i == sides ? 0.0 : 2.0 * VISUAL_PI * share, &sine, &cosine);
-        add_point(section, cosine, sine, cosine, sine, share); /* the seam is a point twice */
+        double fraction = (double)i / (double)sides, sine, cosine;
+        vbss_sincos(i == sides ? 0.0 : 2.0 * VISUAL_PI * fraction, &sine, &cosine);
+        add_point(section, cosine, sine, cosine, sine, fraction); /* the seam is a point twice */
     }
-    section->joined[sides] = false;
+    section->joins_next[sides] = false;
 }
 
 void vbss_visual_jaw_section(const visual_object *v, double radius, visual_section *section)
 {
-    const uint32_t sides = (sides_of(v, radius) + 1) / 2;
+    const uint32_t sides = (count_sides(v, radius) + 1) / 2;
     section->count = 0;
-    section->dome = (sides + 1) / 2 < 2 ? 2 : (sides + 1) / 2;
+    section->dome_rings = (sides + 1) / 2 < 2 ? 2 : (sides + 1) / 2;
     add_point(section, -1.0, -1.0, 0.0, -1.0, 0.0);
     for (uint32_t i = 0; i <= sides; i++) {
-        double share = (double)i / (double)sides, sine, cosine;
-        vbss_sincos(VISUAL_PI * (share - 0.5), &sine, &cosine);
-        add_point(section, cosine, sine, cosine, sine, 0.15 + 0.4 * share);
+        double fraction = (double)i / (double)sides, sine, cosine;
+        vbss_sincos(VISUAL_PI * (fraction - 0.5), &sine, &cosine);
+        add_point(section, cosine, sine, cosine, sine, 0.15 + 0.4 * fraction);
     }
     add_point(section, -1.0, 1.0, 0.0, 1.0, 0.7);
-    section->joined[section->count - 1] = false;
+    section->joins_next[section->count - 1] = false;
     add_point(section, -1.0, 1.0, -1.0, 0.0, 0.7);
     add_point(section, -1.0, -1.0, -1.0, 0.0, 1.0);
-    section->joined[section->count - 1] = false;
+    section->joins_next[section->count - 1] = false;
 }
 
-double vbss_visual_chord(double curvature, double tolerance)
+double vbss_visual_max_chord(double curvature, double tolerance)
 {
     return sqrt(8.0 * tolerance / vbss_max(curvature, 1e-12));
 }
@@ -67,24 +68,24 @@ visual_loft vbss_visual_begin_loft(const visual_object *v, visual_frame *f,
     return loft;
 }
 
-static void join_rings(const visual_loft *l, uint32_t ring)
+static void connect_rings(const visual_loft *l, uint32_t ring)
 {
     for (uint32_t i = 0; i + 1 < l->section->count; i++) {
-        if (l->section->joined[i]) {
-            uint32_t a = l->before + i, b = ring + i;
-            visual_join(l->v, l->frame, a, a + 1, b);
-            visual_join(l->v, l->frame, a + 1, b + 1, b);
+        if (l->section->joins_next[i]) {
+            uint32_t a = l->previous + i, b = ring + i;
+            visual_add_triangle(l->v, l->frame, a, a + 1, b);
+            visual_add_triangle(l->v, l->frame, a + 1, b + 1, b);
         }
     }
 }
 
 /* The ring comes behind the pole, or before it. */
-static void join_pole(const visual_loft *l, uint32_t pole, uint32_t ring, bool behind)
+static void connect_pole(const visual_loft *l, uint32_t pole, uint32_t ring, bool ring_is_last)
 {
     for (uint32_t i = 0; i + 1 < l->section->count; i++) {
-        if (l->section->joined[i]) {
+        if (l->section->joins_next[i]) {
             uint32_t a = ring + i, b = ring + i + 1;
-            visual_join(l->v, l->frame, pole, behind ? b : a, behind ? a : b);
+            visual_add_triangle(l->v, l->frame, pole, ring_is_last ? b : a, ring_is_last ? a : b);
         }
     }
 }
@@ -96,61 +97,65 @@ void vbss_visual_add_ring(visual_loft *loft, const visual_ring *ring)
     const vec3 second = vec3_cross(ring->tangent, ring->normal);
     loft->frame->vertex_count += s->count;
     for (uint32_t i = 0; i < s->count; i++) {
-        vec3 across = vec3_add_scaled(vec3_scale(ring->normal, s->at[i][0]), s->at[i][1], second);
+        vec3 across =
+            vec3_add_scaled(vec3_scale(ring->normal, s->position[i][0]), s->position[i][1], second);
         vec3 out =
             vec3_add_scaled(vec3_scale(ring->normal, s->normal[i][0]), s->normal[i][1], second);
         out = vec3_add_scaled(vec3_scale(out, ring->radial), ring->axial, ring->tangent);
-        visual_point p = {
-            vec3_add_scaled(ring->centre, ring->radius, across),
-            out,
-            {s->around[i], ring->along},
-            vec3_make(ring->along, ring->radius * s->at[i][0], ring->radius * s->at[i][1]),
-            ring->value};
-        visual_put(loft->v, loft->frame, first + i, &p);
+        visual_point p = {vec3_add_scaled(ring->centre, ring->radius, across),
+                          out,
+                          {s->perimeter_fraction[i], ring->arc_length},
+                          vec3_make(ring->arc_length, ring->radius * s->position[i][0],
+                                    ring->radius * s->position[i][1]),
+                          ring->value};
+        visual_set_vertex(loft->v, loft->frame, first + i, &p);
     }
-    if (loft->begun && loft->pole) {
-        join_pole(loft, loft->before, first, true);
-    } else if (loft->begun) {
-        join_rings(loft, first);
+    if (loft->has_previous && loft->previous_is_pole) {
+        connect_pole(loft, loft->previous, first, true);
+    } else if (loft->has_previous) {
+        connect_rings(loft, first);
     }
-    loft->before = first;
-    loft->begun = true;
-    loft->pole = false;
+    loft->previous = first;
+    loft->has_previous = true;
+    loft->previous_is_pole = false;
 }
 
 void vbss_visual_add_pole(visual_loft *loft, const visual_ring *ring)
 {
     const uint32_t index = loft->frame->vertex_count++;
-    vec3 out = vec3_scale(ring->tangent, loft->begun ? 1.0 : -1.0);
-    visual_point p = {
-        ring->centre, out, {0.5, ring->along}, vec3_make(ring->along, 0.0, 0.0), ring->value};
-    visual_put(loft->v, loft->frame, index, &p);
-    if (loft->begun) {
-        join_pole(loft, index, loft->before, false);
+    vec3 out = vec3_scale(ring->tangent, loft->has_previous ? 1.0 : -1.0);
+    visual_point p = {ring->centre,
+                      out,
+                      {0.5, ring->arc_length},
+                      vec3_make(ring->arc_length, 0.0, 0.0),
+                      ring->value};
+    visual_set_vertex(loft->v, loft->frame, index, &p);
+    if (loft->has_previous) {
+        connect_pole(loft, index, loft->previous, false);
     }
-    loft->before = index;
-    loft->begun = loft->pole = true;
+    loft->previous = index;
+    loft->has_previous = loft->previous_is_pole = true;
 }
 
-void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool before)
+void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool at_start)
 {
-    const uint32_t rings = loft->section->dome;
-    const double way = before ? -1.0 : 1.0;
+    const uint32_t rings = loft->section->dome_rings;
+    const double sign = at_start ? -1.0 : 1.0;
     visual_ring r = *ring;
     for (uint32_t k = 0; k <= rings; k++) {
         /* From the pole to the ring, or the other way; the ring itself is its maker's. */
-        uint32_t step = before ? rings - k : k;
+        uint32_t step = at_start ? rings - k : k;
         double sine, cosine;
         vbss_sincos(0.5 * VISUAL_PI * ((double)step / (double)rings), &sine, &cosine);
         if (step == 0) {
             continue;
         }
-        double beyond = way * ring->radius * sine;
-        r.centre = vec3_add_scaled(ring->centre, beyond, ring->tangent);
-        r.along = ring->along + beyond;
+        double offset = sign * ring->radius * sine;
+        r.centre = vec3_add_scaled(ring->centre, offset, ring->tangent);
+        r.arc_length = ring->arc_length + offset;
         r.radius = ring->radius * cosine;
         r.radial = cosine;
-        r.axial = way * sine;
+        r.axial = sign * sine;
         if (step == rings) {
             vbss_visual_add_pole(loft, &r);
         } else {
@@ -162,19 +167,19 @@ void vbss_visual_add_dome(visual_loft *loft, const visual_ring *ring, bool befor
 void vbss_visual_add_capsule(const visual_object *v, visual_frame *f, const visual_section *section,
                              const visual_capsule *c)
 {
-    const double length = vec3_dot(vec3_sub(c->end, c->begin), c->tangent);
+    const double length = vec3_dot(vec3_sub(c->end, c->start), c->tangent);
     visual_loft loft = vbss_visual_begin_loft(v, f, section);
-    visual_ring ring = {c->begin, c->tangent, c->normal, c->radius, 1.0, 0.0, 0.0, c->value};
+    visual_ring ring = {c->start, c->tangent, c->normal, c->radius, 1.0, 0.0, 0.0, c->value};
     vbss_visual_add_dome(&loft, &ring, true);
     /* Where it becomes thinner, normals lean forward. */
-    double lean = length > 0.0 ? (c->radius - c->end_radius) / length : 0.0;
-    double scale = 1.0 / sqrt(1.0 + lean * lean);
+    double taper = length > 0.0 ? (c->radius - c->end_radius) / length : 0.0;
+    double scale = 1.0 / sqrt(1.0 + taper * taper);
     ring.radial = scale;
-    ring.axial = lean * scale;
+    ring.axial = taper * scale;
     vbss_visual_add_ring(&loft, &ring);
     if (length > 0.0) {
         ring.centre = c->end;
-        ring.along = length;
+        ring.arc_length = length;
         ring.radius = c->end_radius;
         vbss_visual_add_ring(&loft, &ring);
     }

@@ -3,11 +3,11 @@
  * moves evenly with the nodes. */
 #include "visual/visual.h"
 
-void vbss_visual_spline(const vec3 *x, const double *lengths, uint32_t node_count, vec3 *bends,
-                        double *ratios)
+void vbss_visual_solve_spline(const vec3 *x, const double *lengths, uint32_t node_count,
+                              vec3 *second_derivatives, double *ratios)
 {
     const uint32_t last = node_count - 1;
-    bends[0] = bends[last] = vec3_zero();
+    second_derivatives[0] = second_derivatives[last] = vec3_zero();
     ratios[0] = 0.0;
     if (last < 2) {
         return;
@@ -18,27 +18,28 @@ void vbss_visual_spline(const vec3 *x, const double *lengths, uint32_t node_coun
         vec3 right = vec3_scale(vec3_sub(next, chord), 6.0);
         double pivot = 2.0 * (lengths[i - 1] + lengths[i]) - lengths[i - 1] * ratios[i - 1];
         ratios[i] = lengths[i] / pivot;
-        right = vec3_add_scaled(right, -lengths[i - 1], bends[i - 1]);
-        bends[i] = vec3_scale(right, 1.0 / pivot);
+        right = vec3_add_scaled(right, -lengths[i - 1], second_derivatives[i - 1]);
+        second_derivatives[i] = vec3_scale(right, 1.0 / pivot);
         chord = next;
     }
     for (uint32_t i = last - 1; i > 0; i--) {
-        bends[i] = vec3_add_scaled(bends[i], -ratios[i], bends[i + 1]);
+        second_derivatives[i] =
+            vec3_add_scaled(second_derivatives[i], -ratios[i], second_derivatives[i + 1]);
     }
 }
 
-vec3 vbss_visual_segment_point(const visual_segment *s, double share)
+vec3 vbss_visual_segment_point(const visual_segment *s, double fraction)
 {
-    double b = share, a = 1.0 - share, sixth = s->length * s->length / 6.0;
-    vec3 point = vec3_lerp(s->begin, s->end, share);
-    point = vec3_add_scaled(point, (a * a * a - a) * sixth, s->bend_begin);
-    return vec3_add_scaled(point, (b * b * b - b) * sixth, s->bend_end);
+    double b = fraction, a = 1.0 - fraction, sixth = s->length * s->length / 6.0;
+    vec3 point = vec3_lerp(s->start, s->end, fraction);
+    point = vec3_add_scaled(point, (a * a * a - a) * sixth, s->start_second_derivative);
+    return vec3_add_scaled(point, (b * b * b - b) * sixth, s->end_second_derivative);
 }
 
-vec3 vbss_visual_segment_slope(const visual_segment *s, double share)
+vec3 vbss_visual_segment_derivative(const visual_segment *s, double fraction)
 {
-    double b = share, a = 1.0 - share, sixth = s->length / 6.0;
-    vec3 slope = vec3_scale(vec3_sub(s->end, s->begin), 1.0 / s->length);
-    slope = vec3_add_scaled(slope, (1.0 - 3.0 * a * a) * sixth, s->bend_begin);
-    return vec3_add_scaled(slope, (3.0 * b * b - 1.0) * sixth, s->bend_end);
+    double b = fraction, a = 1.0 - fraction, sixth = s->length / 6.0;
+    vec3 slope = vec3_scale(vec3_sub(s->end, s->start), 1.0 / s->length);
+    slope = vec3_add_scaled(slope, (1.0 - 3.0 * a * a) * sixth, s->start_second_derivative);
+    return vec3_add_scaled(slope, (3.0 * b * b - 1.0) * sixth, s->end_second_derivative);
 }

@@ -3,13 +3,15 @@
 
 /* Double reflection (Wang, Juettler, Zheng and Liu 2008, Table I): in the plane between the two places, then in the one
  * between the tangents; of fourth order in the distance. */
-vec3 vbss_visual_carry(vec3 from, vec3 tangent, vec3 normal, vec3 to, vec3 tangent_there)
+vec3 vbss_visual_transport_normal(vec3 from, vec3 tangent, vec3 normal, vec3 to, vec3 tangent_there)
 {
-    vec3 way = vec3_sub(to, from), mirrored = normal, mirrored_tangent = tangent;
-    double length = vec3_norm_squared(way);
+    vec3 displacement = vec3_sub(to, from), mirrored = normal, mirrored_tangent = tangent;
+    double length = vec3_norm_squared(displacement);
     if (length > 0.0) {
-        mirrored = vec3_add_scaled(normal, -2.0 * vec3_dot(way, normal) / length, way);
-        mirrored_tangent = vec3_add_scaled(tangent, -2.0 * vec3_dot(way, tangent) / length, way);
+        mirrored =
+            vec3_add_scaled(normal, -2.0 * vec3_dot(displacement, normal) / length, displacement);
+        mirrored_tangent =
+            vec3_add_scaled(tangent, -2.0 * vec3_dot(displacement, tangent) / length, displacement);
     }
     vec3 turn = vec3_sub(tangent_there, mirrored_tangent);
     double turned = vec3_norm_squared(turn);
@@ -22,13 +24,13 @@ vec3 vbss_visual_carry(vec3 from, vec3 tangent, vec3 normal, vec3 to, vec3 tange
 }
 
 /* The first section is turned from frame to frame as little as can be. */
-static vec3 begin_normal(const visual_object *v, const vbss_slot *slot, vec3 tangent)
+static vec3 first_normal(const visual_object *v, const vbss_slot *slot, vec3 tangent)
 {
     const visual_frame *shown = &v->frames[v->front];
-    for (uint32_t i = 0; i < shown->trunk_count; i++) {
-        const visual_trunk *trunk = &shown->trunks[i];
-        if (trunk->thread == slot) {
-            vec3 turned = quat_rotate(quat_between(trunk->tangent, tangent), trunk->normal);
+    for (uint32_t i = 0; i < shown->tube_start_count; i++) {
+        const visual_tube_start *start = &shown->tube_starts[i];
+        if (start->thread == slot) {
+            vec3 turned = quat_rotate(quat_between(start->tangent, tangent), start->normal);
             turned = vec3_add_scaled(turned, -vec3_dot(turned, tangent), tangent);
             return vec3_unit_or(turned, vec3_any_normal(tangent));
         }
@@ -36,11 +38,13 @@ static vec3 begin_normal(const visual_object *v, const vbss_slot *slot, vec3 tan
     return vec3_any_normal(tangent);
 }
 
-static uint32_t divisions_of(const visual_object *v, const visual_segment *s, double radius)
+static uint32_t count_divisions(const visual_object *v, const visual_segment *s, double radius)
 {
-    double bend = sqrt(vbss_max(vec3_norm_squared(s->bend_begin), vec3_norm_squared(s->bend_end)));
+    double curvature = sqrt(vbss_max(vec3_norm_squared(s->start_second_derivative),
+                                     vec3_norm_squared(s->end_second_derivative)));
     /* Outside, the tube bends with a longer chord than its line. */
-    double chord = vbss_visual_chord(bend * (1.0 + bend * radius), v->config.tube_tolerance);
+    double chord =
+        vbss_visual_max_chord(curvature * (1.0 + curvature * radius), v->config.tube_tolerance);
     double divisions = vbss_min(s->length / chord, v->config.division_limit);
     return (uint32_t)vbss_max(divisions + 0.999, 1.0);
 }
@@ -54,28 +58,29 @@ static double tension_at(const thread_object *t, uint32_t node)
     return 0.5 * (tension[node - 1] + tension[node]);
 }
 
-typedef struct walk {
+typedef struct tube {
     visual_loft loft;
     visual_ring ring; /* the last one */
-    bool begun;
-} walk;
+    bool has_ring;
+} tube;
 
-static void go_to(walk *w, visual_object *v, visual_frame *f, const vbss_slot *slot, vec3 centre,
-                  vec3 slope)
+static void add_section(tube *w, visual_object *v, visual_frame *f, const vbss_slot *slot,
+                        vec3 centre, vec3 slope)
 {
     visual_ring *r = &w->ring;
-    vec3 fallback = w->begun ? r->tangent : vec3_make(1.0, 0.0, 0.0);
+    vec3 fallback = w->has_ring ? r->tangent : vec3_make(1.0, 0.0, 0.0);
     vec3 tangent = vec3_unit_or(slope, fallback);
-    r->normal = w->begun ? vbss_visual_carry(r->centre, r->tangent, r->normal, centre, tangent)
-                         : begin_normal(v, slot, tangent);
+    r->normal = w->has_ring ? vbss_visual_transport_normal(r->centre, r->tangent, r->normal, centre,
+                                                           tangent)
+                            : first_normal(v, slot, tangent);
     r->centre = centre;
     r->tangent = tangent;
-    if (!w->begun) {
-        if (f->trunk_count < v->config.part_capacity) {
-            f->trunks[f->trunk_count++] = (visual_trunk){slot, tangent, r->normal};
+    if (!w->has_ring) {
+        if (f->tube_start_count < v->config.part_capacity) {
+            f->tube_starts[f->tube_start_count++] = (visual_tube_start){slot, tangent, r->normal};
         }
         vbss_visual_add_dome(&w->loft, r, true);
-        w->begun = true;
+        w->has_ring = true;
     }
     vbss_visual_add_ring(&w->loft, r);
 }
@@ -87,20 +92,21 @@ void vbss_visual_draw_thread(visual_object *v, visual_frame *f, const vbss_slot 
     const double radius = t->config.radius;
     visual_section section;
     vbss_visual_round_section(v, radius, &section);
-    vbss_visual_spline(t->now.x, t->rest, t->node_count, v->bends, v->ratios);
-    walk w = {vbss_visual_begin_loft(v, f, &section), {.radius = radius, .radial = 1.0}, false};
+    vbss_visual_solve_spline(t->now.x, t->rest, t->node_count, v->node_vectors,
+                             v->elimination_ratios);
+    tube w = {vbss_visual_begin_loft(v, f, &section), {.radius = radius, .radial = 1.0}, false};
     double arc = 0.0;
     for (uint32_t i = 0; i < segments; i++) {
-        const visual_segment s = {t->now.x[i], t->now.x[i + 1], v->bends[i], v->bends[i + 1],
-                                  t->rest[i]};
-        const uint32_t divisions = divisions_of(v, &s, radius);
-        const double begin = tension_at(t, i), end = tension_at(t, i + 1);
+        const visual_segment s = {t->now.x[i], t->now.x[i + 1], v->node_vectors[i],
+                                  v->node_vectors[i + 1], t->rest[i]};
+        const uint32_t divisions = count_divisions(v, &s, radius);
+        const double start_tension = tension_at(t, i), end_tension = tension_at(t, i + 1);
         for (uint32_t k = 0; k < divisions + (i + 1 == segments); k++) {
-            double share = (double)k / (double)divisions;
-            w.ring.along = arc + share * s.length;
-            w.ring.value = begin + share * (end - begin);
-            go_to(&w, v, f, slot, vbss_visual_segment_point(&s, share),
-                  vbss_visual_segment_slope(&s, share));
+            double fraction = (double)k / (double)divisions;
+            w.ring.arc_length = arc + fraction * s.length;
+            w.ring.value = start_tension + fraction * (end_tension - start_tension);
+            add_section(&w, v, f, slot, vbss_visual_segment_point(&s, fraction),
+                        vbss_visual_segment_derivative(&s, fraction));
         }
         arc += s.length;
     }

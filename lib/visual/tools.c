@@ -3,26 +3,26 @@
 
 /* ---- needles: a wire from the swage to the tip, which becomes thin like an ogive */
 
-static visual_ring wire_at(const needle_object *n, pose at, double arc_length)
+static visual_ring wire_ring(const needle_object *n, pose body_pose, double arc_length)
 {
     vec3 point = vbss_needle_point(n, arc_length);
     visual_ring ring = {
-        .centre = pose_apply(at, point),
-        .tangent = quat_rotate(at.orientation, vbss_needle_direction(n, arc_length)),
-        .normal = quat_rotate(at.orientation, vec3_unit_or(point, vec3_make(1.0, 0.0, 0.0))),
+        .centre = pose_apply(body_pose, point),
+        .tangent = quat_rotate(body_pose.orientation, vbss_needle_direction(n, arc_length)),
+        .normal = quat_rotate(body_pose.orientation, vec3_unit_or(point, vec3_make(1.0, 0.0, 0.0))),
         .radius = n->config.wire_radius,
         .radial = 1.0,
-        .along = -arc_length};
+        .arc_length = -arc_length};
     return ring;
 }
 
 /* r = wire (1 - (1 - u)^2) at the share u of the tip's length: round at the tip, smooth where the wire begins. */
-static visual_ring tip_at(const needle_object *n, pose at, double tip, double share)
+static visual_ring tip_ring(const needle_object *n, pose body_pose, double tip, double fraction)
 {
-    visual_ring ring = wire_at(n, at, share * tip);
-    double left = 1.0 - share, slope = 2.0 * ring.radius * left / tip;
+    visual_ring ring = wire_ring(n, body_pose, fraction * tip);
+    double remaining = 1.0 - fraction, slope = 2.0 * ring.radius * remaining / tip;
     double scale = 1.0 / sqrt(1.0 + slope * slope);
-    ring.radius *= 1.0 - left * left;
+    ring.radius *= 1.0 - remaining * remaining;
     ring.radial = scale;
     ring.axial = slope * scale;
     return ring;
@@ -36,16 +36,16 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const need
     const bool thin = tip > c->wire_radius;
     const double body = thin ? length - tip : length;
     const double outside = (1.0 + c->wire_radius / c->radius) / c->radius;
-    const double chord = vbss_visual_chord(outside, v->config.tube_tolerance);
+    const double chord = vbss_visual_max_chord(outside, v->config.tube_tolerance);
     const uint32_t rings = (uint32_t)vbss_min(body / chord + 1.0, 1024.0);
-    const pose at = vbss_needle_pose(n);
+    const pose body_pose = vbss_needle_pose(n);
     visual_section section;
     vbss_visual_round_section(v, c->wire_radius, &section);
     visual_loft loft = vbss_visual_begin_loft(v, f, &section);
-    visual_ring ring = wire_at(n, at, length);
+    visual_ring ring = wire_ring(n, body_pose, length);
     vbss_visual_add_dome(&loft, &ring, true);
     for (uint32_t i = 0; i <= rings; i++) {
-        ring = wire_at(n, at, length - body * ((double)i / (double)rings));
+        ring = wire_ring(n, body_pose, length - body * ((double)i / (double)rings));
         vbss_visual_add_ring(&loft, &ring);
     }
     if (!thin) {
@@ -53,8 +53,8 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const need
         return;
     }
     for (int i = 1; i <= TIP_RINGS; i++) { /* closer where the tip is rounder */
-        double left = 1.0 - (double)i / (double)TIP_RINGS;
-        ring = tip_at(n, at, tip, left * (0.4 + 0.6 * left));
+        double remaining = 1.0 - (double)i / (double)TIP_RINGS;
+        ring = tip_ring(n, body_pose, tip, remaining * (0.4 + 0.6 * remaining));
         if (i == TIP_RINGS) {
             vbss_visual_add_pole(&loft, &ring);
         } else {
@@ -68,19 +68,19 @@ void vbss_visual_draw_needle(const visual_object *v, visual_frame *f, const need
 enum { PIECE_SHAFT = 0, PIECE_NECK = 1, PIECE_JAW = 2 };
 
 /* What is round: shaft and neck. Both lie across the tool's x. */
-static void draw_round(const visual_object *v, visual_frame *f, const grasper_object *g,
-                       const grasper_capsule *c, double value)
+static void draw_cylinder(const visual_object *v, visual_frame *f, const grasper_object *g,
+                          const grasper_capsule *c, double value)
 {
-    const pose at = g->tool_pose;
+    const pose body_pose = g->tool_pose;
     vec3 axis = vec3_sub(c->axis[0], c->axis[1]); /* toward the jaws */
     vec3 forward = vec3_unit_or(
         axis, quat_rotate(vbss_grasper_jaw_frame(g).orientation, vec3_make(0.0, 0.0, -1.0)));
     visual_section section;
     vbss_visual_round_section(v, c->radius, &section);
-    const visual_capsule capsule = {pose_apply(at, c->axis[1]),
-                                    pose_apply(at, c->axis[0]),
-                                    quat_rotate(at.orientation, forward),
-                                    quat_rotate(at.orientation, vec3_make(1.0, 0.0, 0.0)),
+    const visual_capsule capsule = {pose_apply(body_pose, c->axis[1]),
+                                    pose_apply(body_pose, c->axis[0]),
+                                    quat_rotate(body_pose.orientation, forward),
+                                    quat_rotate(body_pose.orientation, vec3_make(1.0, 0.0, 0.0)),
                                     c->radius,
                                     c->radius,
                                     value};
@@ -91,17 +91,17 @@ static void draw_round(const visual_object *v, visual_frame *f, const grasper_ob
 static void draw_jaw(const visual_object *v, visual_frame *f, const grasper_object *g,
                      const grasper_capsule *c, double side)
 {
-    const pose at = g->tool_pose;
+    const pose body_pose = g->tool_pose;
     vec3 forward = vec3_unit_or(vec3_sub(c->axis[1], c->axis[0]), vec3_make(0.0, 0.0, -1.0));
     vec3 opening = vec3_make(side, 0.0, 0.0); /* the jaws' x is the tool's */
     vec3 outward = vec3_add_scaled(opening, -vec3_dot(opening, forward), forward);
     visual_section section;
     vbss_visual_jaw_section(v, c->radius, &section);
     const visual_capsule capsule = {
-        pose_apply(at, c->axis[0]),
-        pose_apply(at, c->axis[1]),
-        quat_rotate(at.orientation, forward),
-        quat_rotate(at.orientation, vec3_unit_or(outward, vec3_make(0.0, 1.0, 0.0))),
+        pose_apply(body_pose, c->axis[0]),
+        pose_apply(body_pose, c->axis[1]),
+        quat_rotate(body_pose.orientation, forward),
+        quat_rotate(body_pose.orientation, vec3_unit_or(outward, vec3_make(0.0, 1.0, 0.0))),
         c->radius,
         g->kind == VBSS_GRASPER_SHEARS ? 0.4 * c->radius : c->radius,
         PIECE_JAW};
@@ -112,8 +112,8 @@ void vbss_visual_draw_grasper(const visual_object *v, visual_frame *f, const gra
 {
     grasper_capsule capsules[GRASPER_CAPSULES];
     vbss_grasper_compute_capsules(g, g->jaw_angle, capsules);
-    draw_round(v, f, g, &capsules[GRASPER_SHAFT], PIECE_SHAFT);
-    draw_round(v, f, g, &capsules[GRASPER_NECK], PIECE_NECK);
+    draw_cylinder(v, f, g, &capsules[GRASPER_SHAFT], PIECE_SHAFT);
+    draw_cylinder(v, f, g, &capsules[GRASPER_NECK], PIECE_NECK);
     draw_jaw(v, f, g, &capsules[GRASPER_JAW], 1.0);
     draw_jaw(v, f, g, &capsules[GRASPER_JAW + 1], -1.0);
 }

@@ -29,29 +29,29 @@ void vbss_visual_begin_part(const visual_object *v, visual_frame *f, vbss_visual
     f->part_count++;
 }
 
-void vbss_visual_add_spot(const visual_object *v, visual_frame *f, vbss_spot_kind kind,
-                          vec3 material, double radius)
+void vbss_visual_add_decal(const visual_object *v, visual_frame *f, vbss_spot_kind kind,
+                           vec3 material, double radius)
 {
-    if (f->spot_count < v->config.spot_capacity) {
-        visual_spot *spot = &f->spots[f->spot_count];
-        spot->part = (float)(f->part_count - 1);
-        spot->kind = (float)kind;
-        visual_store(spot->material, material);
-        spot->radius = visual_float(radius);
+    if (f->decal_count < v->config.spot_capacity) {
+        visual_decal *decal = &f->decals[f->decal_count];
+        decal->part = (float)(f->part_count - 1);
+        decal->kind = (float)kind;
+        visual_store(decal->material, material);
+        decal->radius = visual_to_float(radius);
     }
-    f->spot_count++;
+    f->decal_count++;
 }
 
 bool vbss_visual_fits(const visual_object *v, const visual_frame *f)
 {
     return f->vertex_count <= v->config.vertex_capacity &&
            f->triangle_count <= v->config.triangle_capacity &&
-           f->part_count <= v->config.part_capacity && f->spot_count <= v->config.spot_capacity;
+           f->part_count <= v->config.part_capacity && f->decal_count <= v->config.spot_capacity;
 }
 
 /* ---- bodies */
 
-static vbss_result check_nodes(const visual_object *v, uint32_t count, const char *what)
+static vbss_result check_node_count(const visual_object *v, uint32_t count, const char *what)
 {
     if (count > v->config.node_capacity) {
         return vbss_fail(v->context, VBSS_ERROR_CAPACITY,
@@ -65,7 +65,7 @@ static vbss_result draw_thread(visual_object *v, visual_frame *f, uint32_t sourc
                                const vbss_slot *slot)
 {
     const thread_object *t = slot->object;
-    VBSS_TRY(check_nodes(v, t->node_count, "thread"));
+    VBSS_TRY(check_node_count(v, t->node_count, "thread"));
     vbss_visual_begin_part(v, f, VBSS_VISUAL_THREAD, source, body);
     vbss_visual_draw_thread(v, f, slot);
     return VBSS_OK;
@@ -74,7 +74,7 @@ static vbss_result draw_thread(visual_object *v, visual_frame *f, uint32_t sourc
 static vbss_result draw_drain(visual_object *v, visual_frame *f, uint32_t source, uint32_t body,
                               const drain_object *d)
 {
-    VBSS_TRY(check_nodes(v, d->mesh.node_count, "drain"));
+    VBSS_TRY(check_node_count(v, d->mesh.node_count, "drain"));
     vbss_visual_begin_part(v, f, VBSS_VISUAL_DRAIN, source, body);
     vbss_visual_draw_drain(v, f, d);
     return VBSS_OK;
@@ -107,11 +107,12 @@ static void add_holes(const visual_object *v, visual_frame *f, const scene_objec
         if (hole->id == 0 || hole->drain != body->number) {
             continue;
         }
-        const scene_body *in = vbss_scene_body(s, hole->needle != 0 ? hole->needle : hole->thread);
-        if (in != NULL) {
-            double radius = hole->needle != 0 ? in->rigid.needle->config.wire_radius
-                                              : in->thread.thread->config.radius;
-            vbss_visual_add_spot(
+        const scene_body *occupant =
+            vbss_scene_body(s, hole->needle != 0 ? hole->needle : hole->thread);
+        if (occupant != NULL) {
+            double radius = hole->needle != 0 ? occupant->rigid.needle->config.wire_radius
+                                              : occupant->thread.thread->config.radius;
+            vbss_visual_add_decal(
                 v, f, VBSS_SPOT_HOLE,
                 vbss_drain_point(d, d->mesh.rest, hole->triangle, hole->barycentric), radius);
         }
@@ -151,8 +152,8 @@ static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
     const double corners[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
     const vec3 up = s->floor_normal;
     const vec3 across = vec3_any_normal(up), along = vec3_cross(up, across);
-    double above = vec3_dot(v->origin, up) - s->config.floor_height;
-    const vec3 centre = vec3_add_scaled(v->origin, -above, up);
+    double height = vec3_dot(v->origin, up) - s->config.floor_height;
+    const vec3 centre = vec3_add_scaled(v->origin, -height, up);
     vbss_visual_begin_part(v, f, VBSS_VISUAL_FLOOR, source, 0);
     const uint32_t first = f->vertex_count;
     f->vertex_count += 4;
@@ -163,10 +164,10 @@ static void draw_floor(const visual_object *v, visual_frame *f, uint32_t source,
                           {a, b},
                           vec3_make(a, b, 0.0),
                           0.0};
-        visual_put(v, f, first + i, &p);
+        visual_set_vertex(v, f, first + i, &p);
     }
-    visual_join(v, f, first, first + 1, first + 2);
-    visual_join(v, f, first, first + 2, first + 3);
+    visual_add_triangle(v, f, first, first + 1, first + 2);
+    visual_add_triangle(v, f, first, first + 2, first + 3);
 }
 
 static vbss_result draw_scene(visual_object *v, visual_frame *f, uint32_t source, scene_object *s)
@@ -206,12 +207,12 @@ static vbss_result draw_source(visual_object *v, visual_frame *f, const visual_s
     return VBSS_OK;
 }
 
-static vbss_result refuse(const visual_object *v, const visual_frame *f)
+static vbss_result fail_capacity(const visual_object *v, const visual_frame *f)
 {
     return vbss_fail(v->context, VBSS_ERROR_CAPACITY,
                      "what is drawn does not fit: at least %u vertices, %u triangles, %u parts, %u "
                      "spots",
-                     f->vertex_count, f->triangle_count, f->part_count, f->spot_count);
+                     f->vertex_count, f->triangle_count, f->part_count, f->decal_count);
 }
 
 vbss_result vbss_visual_update(vbss_visual *visual)
@@ -221,13 +222,13 @@ vbss_result vbss_visual_update(vbss_visual *visual)
     visual_object *v = slot->object;
     VBSS_TRY(vbss_check_arithmetic(v->context));
     visual_frame *f = &v->frames[1 - v->front];
-    f->vertex_count = f->triangle_count = f->part_count = f->spot_count = f->trunk_count = 0;
+    f->vertex_count = f->triangle_count = f->part_count = f->decal_count = f->tube_start_count = 0;
     for (uint32_t i = 0; i < v->config.source_capacity && vbss_visual_fits(v, f); i++) {
         VBSS_TRY(draw_source(v, f, &v->sources[i]));
     }
     end_part(v, f);
     if (!vbss_visual_fits(v, f)) {
-        return refuse(v, f);
+        return fail_capacity(v, f);
     }
     v->front = 1 - v->front;
     v->generation++;

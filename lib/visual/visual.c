@@ -6,7 +6,7 @@
 #include "base/stream.h"
 
 _Static_assert(sizeof(visual_vertex) == 48, "floats side by side");
-_Static_assert(sizeof(visual_spot) == 24, "floats side by side");
+_Static_assert(sizeof(visual_decal) == 24, "floats side by side");
 _Static_assert(sizeof(visual_part) == 32, "numbers side by side");
 _Static_assert(sizeof(vbss_visual_statistics) == 32, "published size");
 
@@ -15,9 +15,9 @@ static const vbss_layout statistics_layout = {"vbss_visual_statistics", NULL, st
 
 /* ---- life */
 
-enum { ARRAYS_OF_FRAME = 5, ARRAYS = 2 * ARRAYS_OF_FRAME + 3 };
+enum { ARRAYS_PER_FRAME = 5, ARRAY_COUNT = 2 * ARRAYS_PER_FRAME + 3 };
 
-static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAYS])
+static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAY_COUNT])
 {
     const vbss_visual_config *c = &v->config;
     uint32_t n = 0;
@@ -26,19 +26,20 @@ static uint32_t list_arrays(visual_object *v, vbss_array arrays[ARRAYS])
         arrays[n++] = (vbss_array){&f->vertices, c->vertex_capacity, sizeof *f->vertices};
         arrays[n++] = (vbss_array){&f->triangles, c->triangle_capacity, sizeof *f->triangles};
         arrays[n++] = (vbss_array){&f->parts, c->part_capacity, sizeof *f->parts};
-        arrays[n++] = (vbss_array){&f->spots, c->spot_capacity, sizeof *f->spots};
-        arrays[n++] = (vbss_array){&f->trunks, c->part_capacity, sizeof *f->trunks};
+        arrays[n++] = (vbss_array){&f->decals, c->spot_capacity, sizeof *f->decals};
+        arrays[n++] = (vbss_array){&f->tube_starts, c->part_capacity, sizeof *f->tube_starts};
     }
     arrays[n++] = (vbss_array){&v->sources, c->source_capacity, sizeof *v->sources};
-    arrays[n++] = (vbss_array){&v->bends, c->node_capacity, sizeof *v->bends};
-    arrays[n++] = (vbss_array){&v->ratios, c->node_capacity, sizeof *v->ratios};
+    arrays[n++] = (vbss_array){&v->node_vectors, c->node_capacity, sizeof *v->node_vectors};
+    arrays[n++] =
+        (vbss_array){&v->elimination_ratios, c->node_capacity, sizeof *v->elimination_ratios};
     return n;
 }
 
 static void free_visual(vbss_context *context, void *object)
 {
     visual_object *v = object;
-    vbss_array arrays[ARRAYS];
+    vbss_array arrays[ARRAY_COUNT];
     vbss_release_arrays(context, arrays, list_arrays(v, arrays));
     vbss_release(context, v, 1, sizeof *v);
 }
@@ -53,10 +54,10 @@ static void visit_nothing(vbss_stream *stream, void *object)
 const vbss_kind vbss_visual_kind_of_slot = {"visual", VBSS_CODE('V', 'I', 'S', 'U'), 1, free_visual,
                                             visit_nothing};
 
-static vbss_result allocate(vbss_context *context, const vbss_visual_config *config,
-                            visual_object **visual)
+static vbss_result allocate_visual(vbss_context *context, const vbss_visual_config *config,
+                                   visual_object **visual)
 {
-    vbss_array arrays[ARRAYS];
+    vbss_array arrays[ARRAY_COUNT];
     visual_object *v = vbss_allocate(context, 1, sizeof *v, "visual");
     if (v == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -87,7 +88,7 @@ vbss_result vbss_visual_create(vbss_context *context, const vbss_visual_config *
     visual_object *v;
     vbss_slot *slot;
     VBSS_TRY(vbss_visual_read_config(context, config, &own));
-    VBSS_TRY(allocate(context, &own, &v));
+    VBSS_TRY(allocate_visual(context, &own, &v));
     vbss_result result = vbss_slot_create(context, &vbss_visual_kind_of_slot, v, &slot);
     if (result != VBSS_OK) {
         free_visual(context, v);
@@ -104,8 +105,8 @@ vbss_result vbss_visual_destroy(vbss_visual *visual)
 
 /* ---- what it shows */
 
-static vbss_result add(vbss_visual *visual, const void *handle, const vbss_kind *kind,
-                       uint32_t *number)
+static vbss_result add_source(vbss_visual *visual, const void *handle, const vbss_kind *kind,
+                              uint32_t *number)
 {
     vbss_slot *slot, *shown;
     VBSS_TRY(vbss_slot_edit(visual, &vbss_visual_kind_of_slot, &slot));
@@ -131,27 +132,27 @@ static vbss_result add(vbss_visual *visual, const void *handle, const vbss_kind 
 
 vbss_result vbss_visual_add_scene(vbss_visual *visual, vbss_scene *scene, uint32_t *source)
 {
-    return add(visual, scene, &vbss_scene_kind, source);
+    return add_source(visual, scene, &vbss_scene_kind, source);
 }
 
 vbss_result vbss_visual_add_thread(vbss_visual *visual, vbss_thread *thread, uint32_t *source)
 {
-    return add(visual, thread, &vbss_thread_kind, source);
+    return add_source(visual, thread, &vbss_thread_kind, source);
 }
 
 vbss_result vbss_visual_add_drain(vbss_visual *visual, vbss_drain *drain, uint32_t *source)
 {
-    return add(visual, drain, &vbss_drain_kind, source);
+    return add_source(visual, drain, &vbss_drain_kind, source);
 }
 
 vbss_result vbss_visual_add_needle(vbss_visual *visual, vbss_needle *needle, uint32_t *source)
 {
-    return add(visual, needle, &vbss_needle_kind, source);
+    return add_source(visual, needle, &vbss_needle_kind, source);
 }
 
 vbss_result vbss_visual_add_grasper(vbss_visual *visual, vbss_grasper *grasper, uint32_t *source)
 {
-    return add(visual, grasper, &vbss_grasper_kind_of_slot, source);
+    return add_source(visual, grasper, &vbss_grasper_kind_of_slot, source);
 }
 
 vbss_result vbss_visual_remove(vbss_visual *visual, uint32_t source)
@@ -201,9 +202,9 @@ vbss_result vbss_visual_get_view(vbss_visual *visual, vbss_visual_field field, v
         break;
     case VBSS_VISUAL_VIEW_SPOTS:
         own.components = 6;
-        own.stride_bytes = sizeof *f->spots;
-        own.count = f->spot_count;
-        own.data = f->spots;
+        own.stride_bytes = sizeof *f->decals;
+        own.count = f->decal_count;
+        own.data = f->decals;
         break;
     default:
         return vbss_fail(v->context, VBSS_ERROR_OUT_OF_RANGE, "a visual has no field %d", field);
@@ -222,7 +223,7 @@ vbss_result vbss_visual_get_statistics(vbss_visual *visual, vbss_visual_statisti
                                   .parts = f->part_count,
                                   .vertices = f->vertex_count,
                                   .triangles = f->triangle_count,
-                                  .spots = f->spot_count,
+                                  .spots = f->decal_count,
                                   .updates = v->updates};
     for (uint32_t i = 0; i < v->config.source_capacity; i++) {
         own.sources += v->sources[i].number != 0;

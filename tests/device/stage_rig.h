@@ -15,7 +15,7 @@ typedef struct stage_rig {
 static inline void stage_rig_begin(stage_rig *r)
 {
     expect_ok(vbss_output_check_config(NULL, &r->config));
-    vbss_output_begin(&r->config, &r->state);
+    vbss_output_init_state(&r->config, &r->state);
     r->demand = (output_demand){.age = 0.0};
     r->flags = 0;
 }

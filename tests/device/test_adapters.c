@@ -266,7 +266,7 @@ static void what_failed_is_told_in_the_adapters_words(void **state)
     device_rig_steps(&r, 1);
     expect_ok(vbss_device_get_error(r.device, 0, &result, &text));
     assert_int_equal(result, VBSS_ERROR_DEVICE);
-    assert_int_equal(strlen(text), DEVICE_TEXT - 1);
+    assert_int_equal(strlen(text), DEVICE_TEXT_BYTES - 1);
     d.flags = 0;
     device_rig_steps(&r, 1);
     d.flags = VBSS_DEVICE_FLAG_LOST;

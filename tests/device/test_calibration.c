@@ -38,7 +38,7 @@ static void the_default_changes_nothing(void **state)
 {
     (void)state;
     vbss_device_calibration c = fresh();
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     vec3 p = vec3_make(0.011, -0.02, 0.033);
     quat q = vbss_quat_from_rotation_vector(vec3_make(0.3, -0.4, 0.5));
     expect_vec3(p, vbss_device_position_to_world(&c, &f, p), 0.0);
@@ -57,7 +57,7 @@ static void axes_are_exchanged_as_told(void **state)
     c.axes[0] = 3;
     c.axes[1] = 1;
     c.axes[2] = 2;
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     expect_vec3(vec3_make(3.0, 1.0, 2.0),
                 vbss_device_position_to_world(&c, &f, vec3_make(1.0, 2.0, 3.0)), 0.0);
     /* Turned about its y, it turns about the world's z. */
@@ -65,7 +65,7 @@ static void axes_are_exchanged_as_told(void **state)
     expect_quat(vbss_quat_from_rotation_vector(vec3_make(0.0, 0.0, 0.7)),
                 vbss_device_orientation_to_world(&f, q), 1e-15);
     c.axes[1] = -1;
-    f = vbss_device_frame_of(&c);
+    f = vbss_device_make_frame(&c);
     expect_vec3(vec3_make(3.0, -1.0, 2.0),
                 vbss_device_position_to_world(&c, &f, vec3_make(1.0, 2.0, 3.0)), 0.0);
 }
@@ -76,7 +76,7 @@ static void a_mirror_turns_turns_over(void **state)
     (void)state;
     vbss_device_calibration c = fresh();
     c.axes[0] = -1;
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     assert_true(f.parity == -1.0);
     quat about_x = vbss_quat_from_rotation_vector(vec3_make(0.4, 0.0, 0.0));
     quat about_y = vbss_quat_from_rotation_vector(vec3_make(0.0, 0.4, 0.0));
@@ -98,7 +98,7 @@ static void the_handle_at_rest_holds_the_tool_as_mounted(void **state)
     quat mount = vbss_quat_from_rotation_vector(vec3_make(1.0, 0.1, 0.0));
     const double twice[4] = {2.0 * mount.w, 2.0 * mount.x, 2.0 * mount.y, 2.0 * mount.z};
     memcpy(c.mount, twice, sizeof twice);
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     expect_quat(mount, vbss_device_orientation_to_world(&f, quat_identity()), 1e-15);
 }
 
@@ -109,9 +109,9 @@ static void the_workspace_holds_what_is_outside(void **state)
     c.workspace_low[1] = -0.02;
     c.workspace_high[2] = 0.01;
     vec3 p = vec3_make(0.5, -0.03, 0.02);
-    assert_int_equal(vbss_device_keep_inside(&c, &p), 6);
+    assert_int_equal(vbss_device_clamp_to_workspace(&c, &p), 6);
     expect_vec3(vec3_make(0.5, -0.02, 0.01), p, 0.0);
-    assert_int_equal(vbss_device_keep_inside(&c, &p), 0); /* on the wall is inside */
+    assert_int_equal(vbss_device_clamp_to_workspace(&c, &p), 0); /* on the wall is inside */
 }
 
 /* ---- there and back, for any calibration */
@@ -141,7 +141,7 @@ static void power_agrees(harness_source *source, void *user)
     (void)user;
     vbss_device_calibration c = any(source);
     expect_ok(vbss_device_check_calibration(NULL, &c));
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     vec3 v = harness_draw_vec3(source, -1.0, 1.0), force = harness_draw_vec3(source, -3.0, 3.0);
     double world = vec3_dot(vbss_device_velocity_to_world(&c, &f, v), force);
     double device = vec3_dot(v, vbss_device_force_to_device(&c, &f, force));
@@ -156,7 +156,7 @@ static void spins_agree_with_orientations(harness_source *source, void *user)
 {
     (void)user;
     vbss_device_calibration c = any(source);
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     quat q = harness_draw_unit_quat(source);
     vec3 spin = harness_draw_vec3(source, -1.0, 1.0);
     const double h = 1e-3;
@@ -170,10 +170,10 @@ static void positions_come_back(harness_source *source, void *user)
 {
     (void)user;
     vbss_device_calibration c = any(source);
-    device_frame f = vbss_device_frame_of(&c);
+    device_frame f = vbss_device_make_frame(&c);
     vec3 p = harness_draw_vec3(source, -0.2, 0.2);
     vec3 world = vbss_device_position_to_world(&c, &f, p);
-    vec3 back = mat3_transpose_mul_vec3(f.turn, vec3_sub(world, vec3_load(c.offset)));
+    vec3 back = mat3_transpose_mul_vec3(f.rotation, vec3_sub(world, vec3_load(c.offset)));
     expect_vec3(p, vec3_scale(back, 1.0 / c.scale), 1e-13);
 }
 
@@ -195,8 +195,8 @@ static void a_rotation_that_is_nearly_right_is_made_right(void **state)
         c.rotation[i] = floor(c.rotation[i] * 1e7) / 1e7;
     }
     expect_ok(vbss_device_check_calibration(NULL, &c));
-    device_frame f = vbss_device_frame_of(&c);
-    mat3 off = mat3_sub(mat3_mul(f.turn, mat3_transpose(f.turn)), mat3_identity());
+    device_frame f = vbss_device_make_frame(&c);
+    mat3 off = mat3_sub(mat3_mul(f.rotation, mat3_transpose(f.rotation)), mat3_identity());
     expect_near(0.0, vbss_max_abs(&off.m[0][0], 9), 1e-15);
 }
 

@@ -44,7 +44,7 @@ static void servo_lines_and_host_share_only_the_newest(void **state)
 enum { VALUES = 200000 };
 
 typedef struct shared {
-    device_exchange exchange;
+    device_triple_buffer exchange;
     uint64_t copies[3][8];
 } shared;
 
@@ -56,7 +56,7 @@ static void write_values(void *user)
         for (int i = 0; i < 8; i++) {
             copy[i] = k * (uint64_t)(i + 1);
         }
-        device_exchange_publish(&s->exchange);
+        device_triple_buffer_publish(&s->exchange);
     }
 }
 
@@ -66,11 +66,11 @@ static void the_newest_value_is_whole_and_never_older(void **state)
     static shared s;
     device_thread writer = {.run = write_values, .user = &s};
     uint64_t last = 0;
-    device_exchange_begin(&s.exchange);
-    assert_false(device_exchange_take(&s.exchange));
+    device_triple_buffer_init(&s.exchange);
+    assert_false(device_triple_buffer_fetch(&s.exchange));
     assert_true(vbss_device_start_thread(&writer));
     while (last < VALUES) {
-        if (device_exchange_take(&s.exchange)) {
+        if (device_triple_buffer_fetch(&s.exchange)) {
             const uint64_t *copy = s.copies[s.exchange.reader];
             assert_true(copy[0] > last);
             last = copy[0];
@@ -80,7 +80,7 @@ static void the_newest_value_is_whole_and_never_older(void **state)
         }
     }
     vbss_device_join_thread(&writer);
-    assert_false(device_exchange_take(&s.exchange));
+    assert_false(device_triple_buffer_fetch(&s.exchange));
 }
 
 int test_hardware_threads(void)

@@ -18,11 +18,11 @@ static void the_range_goes_either_way(void **state)
     vbss_device_calibration up = range(1.5, 2.0), down = range(2.0, 1.5);
     for (int i = 0; i <= 8; i++) {
         double raw = 1.5 + 0.0625 * i;
-        expect_near(i / 8.0, vbss_device_opening_of(&up, raw), 1e-15);
-        expect_near(1.0 - i / 8.0, vbss_device_opening_of(&down, raw), 1e-15);
+        expect_near(i / 8.0, vbss_device_opening_from_raw(&up, raw), 1e-15);
+        expect_near(1.0 - i / 8.0, vbss_device_opening_from_raw(&down, raw), 1e-15);
     }
-    expect_near(0.0, vbss_device_opening_of(&up, 1.4), 0.0);
-    expect_near(1.0, vbss_device_opening_of(&up, 2.1), 0.0);
+    expect_near(0.0, vbss_device_opening_from_raw(&up, 1.4), 0.0);
+    expect_near(1.0, vbss_device_opening_from_raw(&up, 2.1), 0.0);
 }
 
 static void a_broken_wire_is_not_believed(void **state)
@@ -30,11 +30,11 @@ static void a_broken_wire_is_not_believed(void **state)
     (void)state;
     vbss_device_calibration c = range(2.0, 1.0);
     c.jaw_margin = 0.25;
-    assert_true(vbss_device_believes_raw(&c, 2.25));
-    assert_true(vbss_device_believes_raw(&c, 0.75));
-    assert_false(vbss_device_believes_raw(&c, 2.26));
-    assert_false(vbss_device_believes_raw(&c, 0.0));
-    assert_false(vbss_device_believes_raw(&c, (double)NAN));
+    assert_true(vbss_device_is_plausible_raw(&c, 2.25));
+    assert_true(vbss_device_is_plausible_raw(&c, 0.75));
+    assert_false(vbss_device_is_plausible_raw(&c, 2.26));
+    assert_false(vbss_device_is_plausible_raw(&c, 0.0));
+    assert_false(vbss_device_is_plausible_raw(&c, (double)NAN));
 }
 
 /* A step from 0 to 1 after n samples: 1 - exp(-n h / T), whatever the steps are. */
@@ -43,13 +43,13 @@ static void the_filter_follows_the_exponential(void **state)
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
     c.jaw_time = 0.02;
-    device_jaw jaw = {.known = false};
-    vbss_device_move_jaw(&jaw, &c, 0.0, 0.0);
+    device_jaw jaw = {.is_known = false};
+    vbss_device_update_jaw(&jaw, &c, 0.0, 0.0);
     double time = 0.0;
     for (int i = 0; i < 40; i++) {
         double h = i % 3 == 0 ? 0.004 : 0.001;
         time += h;
-        vbss_device_move_jaw(&jaw, &c, 1.0, h);
+        vbss_device_update_jaw(&jaw, &c, 1.0, h);
         expect_near(1.0 - vbss_exp(-time / 0.02), jaw.opening, 1e-14);
     }
 }
@@ -61,8 +61,8 @@ static void the_first_sample_is_taken_as_it_is(void **state)
     c.jaw_time = 1.0;
     c.jaw_play = 0.1;
     for (int i = 0; i <= 10; i++) {
-        device_jaw jaw = {.known = false, .filtered = 7.0};
-        vbss_device_move_jaw(&jaw, &c, i / 10.0, 1e-3);
+        device_jaw jaw = {.is_known = false, .filtered = 7.0};
+        vbss_device_update_jaw(&jaw, &c, i / 10.0, 1e-3);
         expect_near(i / 10.0, jaw.opening, 1e-15);
     }
 }
@@ -73,20 +73,20 @@ static void noise_within_the_play_is_not_seen(void **state)
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
     c.jaw_play = 0.05;
-    device_jaw jaw = {.known = false};
-    vbss_device_move_jaw(&jaw, &c, 0.5, 0.0);
-    vbss_device_move_jaw(&jaw, &c, 0.52, 1e-3);
+    device_jaw jaw = {.is_known = false};
+    vbss_device_update_jaw(&jaw, &c, 0.5, 0.0);
+    vbss_device_update_jaw(&jaw, &c, 0.52, 1e-3);
     double rest = jaw.opening;
     for (int i = 0; i < 100; i++) {
-        vbss_device_move_jaw(&jaw, &c, 0.52 - (i % 2) * 0.02, 1e-3);
+        vbss_device_update_jaw(&jaw, &c, 0.52 - (i % 2) * 0.02, 1e-3);
         expect_same_bits(rest, jaw.opening);
     }
-    vbss_device_move_jaw(&jaw, &c, 0.6, 1e-3);
+    vbss_device_update_jaw(&jaw, &c, 0.6, 1e-3);
     assert_true(jaw.opening > rest + 0.05);
     double open = jaw.opening;
-    vbss_device_move_jaw(&jaw, &c, 0.551, 1e-3);
+    vbss_device_update_jaw(&jaw, &c, 0.551, 1e-3);
     expect_same_bits(open, jaw.opening);
-    vbss_device_move_jaw(&jaw, &c, 0.549, 1e-3);
+    vbss_device_update_jaw(&jaw, &c, 0.549, 1e-3);
     assert_true(jaw.opening < open);
 }
 
@@ -95,14 +95,14 @@ static void the_play_keeps_both_ends(void **state)
     (void)state;
     vbss_device_calibration c = range(0.0, 1.0);
     c.jaw_play = 0.1;
-    device_jaw jaw = {.known = false};
-    vbss_device_move_jaw(&jaw, &c, 0.3, 0.0);
+    device_jaw jaw = {.is_known = false};
+    vbss_device_update_jaw(&jaw, &c, 0.3, 0.0);
     for (int i = 0; i < 5; i++) {
-        vbss_device_move_jaw(&jaw, &c, 1.0, 1e-3);
+        vbss_device_update_jaw(&jaw, &c, 1.0, 1e-3);
         expect_near(1.0, jaw.opening, 1e-15);
-        vbss_device_move_jaw(&jaw, &c, 0.0, 1e-3);
+        vbss_device_update_jaw(&jaw, &c, 0.0, 1e-3);
         expect_near(0.0, jaw.opening, 1e-15);
-        assert_true(jaw.closed);
+        assert_true(jaw.is_closed);
     }
 }
 
@@ -114,10 +114,10 @@ static void jaws_close_and_open_at_different_openings(void **state)
     c.jaw_open_at = 0.3;
     const double way[] = {0.5, 0.25, 0.2, 0.25, 0.29, 0.3, 0.25, 0.21, 0.19};
     const bool closed[] = {false, false, true, true, true, false, false, false, true};
-    device_jaw jaw = {.known = false};
+    device_jaw jaw = {.is_known = false};
     for (size_t i = 0; i < sizeof way / sizeof way[0]; i++) {
-        vbss_device_move_jaw(&jaw, &c, way[i], 1e-3);
-        assert_int_equal(jaw.closed, closed[i]);
+        vbss_device_update_jaw(&jaw, &c, way[i], 1e-3);
+        assert_int_equal(jaw.is_closed, closed[i]);
     }
 }
 

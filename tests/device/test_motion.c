@@ -8,7 +8,7 @@ static const double filter_time = 0.005;
 static device_motion fresh(void)
 {
     device_motion m;
-    vbss_device_forget_motion(&m);
+    vbss_device_reset_motion(&m);
     return m;
 }
 
@@ -27,10 +27,10 @@ static void a_constant_velocity_is_told_from_the_second_sample_on(void **state)
     for (int i = 0; i < 200; i++) {
         double t = time_of(i) - 1e4;
         quat q = vbss_quat_from_rotation_vector(vec3_scale(spin, t));
-        vbss_device_follow(&m, filter_time, time_of(i), vec3_add_scaled(from, t, v), &q);
+        vbss_device_update_motion(&m, filter_time, time_of(i), vec3_add_scaled(from, t, v), &q);
         if (i == 0) {
             assert_true(vec3_norm(m.velocity) == 0.0 && vec3_norm(m.spin) == 0.0);
-            assert_false(m.moving);
+            assert_false(m.has_velocity);
             continue;
         }
         /* What the times lose to rounding: 2e-12 of 6e-4 s. */
@@ -46,13 +46,13 @@ static void a_constant_velocity_is_told_to_rounding(void **state)
     device_motion m = fresh();
     for (int i = 0; i < 200; i++) {
         double t = i / 1024.0;
-        vbss_device_follow(&m, filter_time, t, vec3_make(0.25 * t, 0.0, -t), NULL);
+        vbss_device_update_motion(&m, filter_time, t, vec3_make(0.25 * t, 0.0, -t), NULL);
         if (i > 0) {
             expect_near(0.25, m.velocity.x, 1e-15);
             expect_near(-1.0, m.velocity.z, 1e-15);
         }
     }
-    assert_false(m.spinning);
+    assert_false(m.has_spin);
 }
 
 /* A jump of the velocity is answered by 1 - exp(-t/T). */
@@ -61,15 +61,15 @@ static void a_new_velocity_comes_with_the_exponential(void **state)
     (void)state;
     device_motion m = fresh();
     double x = 0.0, t = 0.0;
-    vbss_device_follow(&m, filter_time, t, vec3_zero(), NULL);
+    vbss_device_update_motion(&m, filter_time, t, vec3_zero(), NULL);
     t += 1e-3;
-    vbss_device_follow(&m, filter_time, t, vec3_zero(), NULL);
+    vbss_device_update_motion(&m, filter_time, t, vec3_zero(), NULL);
     double begin = t;
     for (int i = 0; i < 50; i++) {
         double h = 1e-3 + 5e-4 * (i % 2);
         t += h;
         x += 0.3 * h;
-        vbss_device_follow(&m, filter_time, t, vec3_make(x, 0.0, 0.0), NULL);
+        vbss_device_update_motion(&m, filter_time, t, vec3_make(x, 0.0, 0.0), NULL);
         expect_near(0.3 * (1.0 - vbss_exp(-(t - begin) / filter_time)), m.velocity.x, 1e-11);
     }
 }
@@ -78,10 +78,10 @@ static void without_a_filter_each_difference_stands(void **state)
 {
     (void)state;
     device_motion m = fresh();
-    vbss_device_follow(&m, 0.0, 0.0, vec3_zero(), NULL);
-    vbss_device_follow(&m, 0.0, 0.5, vec3_make(1.0, 0.0, 0.0), NULL);
+    vbss_device_update_motion(&m, 0.0, 0.0, vec3_zero(), NULL);
+    vbss_device_update_motion(&m, 0.0, 0.5, vec3_make(1.0, 0.0, 0.0), NULL);
     expect_near(2.0, m.velocity.x, 0.0);
-    vbss_device_follow(&m, 0.0, 0.75, vec3_make(0.0, 0.0, 0.0), NULL);
+    vbss_device_update_motion(&m, 0.0, 0.75, vec3_make(0.0, 0.0, 0.0), NULL);
     expect_near(-4.0, m.velocity.x, 1e-15);
 }
 
@@ -95,7 +95,7 @@ static void the_sign_of_an_orientation_does_not_matter(void **state)
         if (i % 2 == 1) {
             q = quat_make(-q.w, -q.x, -q.y, -q.z);
         }
-        vbss_device_follow(&m, filter_time, i / 1024.0, vec3_zero(), &q);
+        vbss_device_update_motion(&m, filter_time, i / 1024.0, vec3_zero(), &q);
         if (i > 0) {
             expect_near(2.0, m.spin.z, 1e-12);
         }
@@ -108,12 +108,12 @@ static void an_orientation_that_comes_later_is_no_turn(void **state)
     (void)state;
     device_motion m = fresh();
     quat q = vbss_quat_from_rotation_vector(vec3_make(1.0, 0.0, 0.0));
-    vbss_device_follow(&m, filter_time, 0.0, vec3_zero(), NULL);
-    vbss_device_follow(&m, filter_time, 0.001, vec3_zero(), &q);
+    vbss_device_update_motion(&m, filter_time, 0.0, vec3_zero(), NULL);
+    vbss_device_update_motion(&m, filter_time, 0.001, vec3_zero(), &q);
     assert_true(vec3_norm(m.spin) == 0.0);
-    vbss_device_follow(&m, filter_time, 0.002, vec3_zero(), &q);
+    vbss_device_update_motion(&m, filter_time, 0.002, vec3_zero(), &q);
     assert_true(vec3_norm(m.spin) == 0.0);
-    assert_true(m.spinning);
+    assert_true(m.has_spin);
 }
 
 /* No state that a restore could bring makes a division by zero. */
@@ -121,9 +121,9 @@ static void equal_times_are_no_movement(void **state)
 {
     (void)state;
     device_motion m = fresh();
-    vbss_device_follow(&m, filter_time, 1.0, vec3_zero(), NULL);
-    vbss_device_follow(&m, filter_time, 1.0, vec3_make(1.0, 0.0, 0.0), NULL);
-    vbss_device_follow(&m, filter_time, 0.5, vec3_make(2.0, 0.0, 0.0), NULL);
+    vbss_device_update_motion(&m, filter_time, 1.0, vec3_zero(), NULL);
+    vbss_device_update_motion(&m, filter_time, 1.0, vec3_make(1.0, 0.0, 0.0), NULL);
+    vbss_device_update_motion(&m, filter_time, 0.5, vec3_make(2.0, 0.0, 0.0), NULL);
     assert_true(m.velocity.x == 0.0);
 }
 

@@ -72,7 +72,7 @@ static void what_is_not_finite_puts_all_off(void **state)
             r.demand = (output_demand){.torque = {1.0, 1.0, 1.0}, .solenoid = true};
             stage_rig_step(&r, h, vec3_make(1.0, 1.0, 1.0));
             assert_int_equal(r.flags, 0);
-            assert_true(r.state.solenoid.on);
+            assert_true(r.state.solenoid.is_on);
             vec3 bad = vec3_make(1.0, 1.0, 1.0);
             double *const places[] = {&bad.x,
                                       &bad.y,
@@ -87,7 +87,7 @@ static void what_is_not_finite_puts_all_off(void **state)
             assert_true((r.flags & VBSS_OUTPUT_NOT_FINITE) != 0);
             assert_true((r.flags & VBSS_OUTPUT_SOLENOID_OFF) != 0);
             assert_true(vec3_norm(out) == 0.0 && vec3_norm(r.state.torque) == 0.0);
-            assert_false(r.state.solenoid.on);
+            assert_false(r.state.solenoid.is_on);
         }
     }
     assert_int_equal(r.state.statistics.not_finite, 20);
@@ -98,10 +98,10 @@ static void a_device_that_refuses_forces_gets_none(void **state)
     (void)state;
     stage_rig r = stage_rig_wide();
     stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0));
-    r.demand.fault = true;
+    r.demand.has_fault = true;
     assert_true(vec3_norm(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0))) == 0.0);
     assert_int_equal(r.flags, VBSS_OUTPUT_FAULT);
-    r.demand.fault = false;
+    r.demand.has_fault = false;
     assert_true(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0)).x == 1.0);
     assert_int_equal(r.state.statistics.faults, 1);
 }
@@ -182,7 +182,7 @@ static void never_more(harness_source *source, void *user)
         r.demand.input_age =
             harness_draw_below(source, 4) == 0 ? harness_draw_any_double(source) : 0.0;
         r.demand.temperature = harness_draw_real(source, 0.0, 1.1);
-        r.demand.fault = harness_draw_below(source, 20) == 0;
+        r.demand.has_fault = harness_draw_below(source, 20) == 0;
         r.demand.solenoid = harness_draw_below(source, 2) == 0;
         vec3 out = stage_rig_step(&r, step, wanted);
         double most = 3.0;

@@ -81,7 +81,7 @@ static void peaks_are_allowed_and_lowered_in_time(void **state)
     assert_int_equal(r.flags, VBSS_OUTPUT_CONTINUOUS);
     assert_int_equal(r.state.statistics.continuous, 20000 - free_steps);
     vbss_output_result result;
-    vbss_output_tell(&r.config, &r.state, r.flags, &result);
+    vbss_output_fill_result(&r.config, &r.state, r.flags, &result);
     expect_near(1.0, result.force_load, 1e-5);
     /* Rested for long enough, the peak is there again. */
     for (int i = 0; i < 1000; i++) {
@@ -135,7 +135,7 @@ static void a_motor_without_continuous_force_gets_none(void **state)
     r.config.continuous_force = 0.0;
     assert_true(vec3_norm(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0))) == 0.0);
     vbss_output_result result;
-    vbss_output_tell(&r.config, &r.state, r.flags, &result);
+    vbss_output_fill_result(&r.config, &r.state, r.flags, &result);
     assert_true(isfinite(result.force_load));
 }
 

@@ -90,11 +90,12 @@ static void what_was_never_wanted_is_old(void **state)
 {
     (void)state;
     stage_rig r = stage_rig_wide();
-    output_demand none = vbss_output_again(&r.state, h);
+    output_demand none = vbss_output_repeat_demand(&r.state, h);
     uint32_t flags = vbss_output_advance(&r.config, &r.state, h, &none);
     assert_int_equal(flags & stale, stale);
-    vbss_output_keep(&r.state, &none); /* cannot grow older than that */
-    assert_true(r.state.last.age == OUTPUT_NEVER && r.state.last.input_age == OUTPUT_NEVER);
+    vbss_output_store_demand(&r.state, &none); /* cannot grow older than that */
+    assert_true(r.state.last_demand.age == OUTPUT_NEVER &&
+                r.state.last_demand.input_age == OUTPUT_NEVER);
 }
 
 static void torques_are_ramped_alike(void **state)
@@ -133,16 +134,16 @@ static void a_stop_is_at_once_and_for_good(void **state)
     r.demand.solenoid = true;
     r.demand.torque = vec3_make(0.0, 1.0, 0.0);
     stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0));
-    vbss_output_latch(&r.state);
+    vbss_output_latch_stop(&r.state);
     assert_true(vec3_norm(r.state.force) == 0.0 && vec3_norm(r.state.torque) == 0.0);
-    assert_false(r.state.solenoid.on);
+    assert_false(r.state.solenoid.is_on);
     for (int i = 0; i < 100; i++) {
         assert_true(vec3_norm(stage_rig_step(&r, h, vec3_make(1.0, 0.0, 0.0))) == 0.0);
         assert_true(vec3_norm(r.state.torque) == 0.0);
-        assert_false(r.state.solenoid.on);
+        assert_false(r.state.solenoid.is_on);
         assert_int_equal(r.flags, VBSS_OUTPUT_STOPPED | VBSS_OUTPUT_SOLENOID_OFF);
     }
-    vbss_output_latch(&r.state);
+    vbss_output_latch_stop(&r.state);
     assert_int_equal(r.state.statistics.stops, 1);
     assert_int_equal(r.state.statistics.stopped, 100);
 }
@@ -155,9 +156,9 @@ static void after_a_release_the_force_rises_from_zero(void **state)
     for (int i = 0; i < 6; i++) {
         stage_rig_step(&r, h, vec3_make(3.0, 0.0, 0.0));
     }
-    vbss_output_latch(&r.state);
+    vbss_output_latch_stop(&r.state);
     stage_rig_step(&r, h, vec3_make(3.0, 0.0, 0.0));
-    r.state.stopped = false;
+    r.state.is_stopped = false;
     expect_near(0.5, stage_rig_step(&r, h, vec3_make(3.0, 0.0, 0.0)).x, 1e-15);
 }
 

@@ -7,7 +7,7 @@ static bool stays_on(stage_rig *r, bool wanted)
 {
     r->demand.solenoid = wanted;
     stage_rig_step(r, h, vec3_zero());
-    return r->state.solenoid.on;
+    return r->state.solenoid.is_on;
 }
 
 static stage_rig fresh(void)
@@ -61,7 +61,7 @@ static void never_too_much(harness_source *source, void *user)
         if (harness_draw_below(source, 8) == 0) {
             wanted = harness_draw_below(source, 10) > 0;
         }
-        r.demand.fault = harness_draw_below(source, 50) == 0;
+        r.demand.has_fault = harness_draw_below(source, 50) == 0;
         on[i + 1] = on[i] + (stays_on(&r, wanted) ? h : 0.0);
     }
     /* The store fills by 0.25 s a second of rest: all of it counts in any stretch. */
@@ -79,7 +79,7 @@ static void its_part_of_the_time_is_limited(void **state)
     harness_property("never_too_much", 60, never_too_much, NULL);
     stage_rig r = fresh();
     for (int i = 0; i < 60000; i++) { /* asked for as cleverly as can be */
-        stays_on(&r, !r.state.solenoid.spent);
+        stays_on(&r, !r.state.solenoid.is_exhausted);
     }
     expect_near(0.2 * 60.0, r.state.statistics.solenoid_on, 0.02 * 60.0);
 }
@@ -90,17 +90,17 @@ static void every_reason_puts_it_off(void **state)
     for (int reason = 0; reason < 5; reason++) {
         stage_rig r = fresh();
         assert_true(stays_on(&r, true));
-        r.demand.fault = reason == 0;
-        r.demand.held_off = reason == 1;
+        r.demand.has_fault = reason == 0;
+        r.demand.block_solenoid = reason == 1;
         r.demand.age = reason == 2 ? 0.006 : 0.0;
         r.demand.input_age = reason == 3 ? 0.006 : 0.0;
         if (reason == 4) {
-            vbss_output_latch(&r.state);
+            vbss_output_latch_stop(&r.state);
         }
         assert_false(stays_on(&r, true));
         assert_true((r.flags & VBSS_OUTPUT_SOLENOID_OFF) != 0);
         assert_int_equal(r.state.statistics.solenoid_off, 1);
-        r.demand.fault = r.demand.held_off = r.state.stopped = false;
+        r.demand.has_fault = r.demand.block_solenoid = r.state.is_stopped = false;
         r.demand.age = r.demand.input_age = 0.0;
         assert_true(stays_on(&r, true));
     }
@@ -122,7 +122,7 @@ static void one_that_may_not_be_on_never_is(void **state)
         stays_on(&r, i % 100 > 0);
     }
     assert_true(r.state.statistics.solenoid_on <= 1.0 + 1e-12);
-    assert_false(r.state.solenoid.on);
+    assert_false(r.state.solenoid.is_on);
 }
 
 int test_solenoid(void)

@@ -116,17 +116,17 @@ static void what_no_device_is_like_is_refused(void **state)
         size_t at;
         double value;
     } numbers[] = {NUMBER(orientation.w, 0.5),
-                   NUMBER(turn.w, 0.5),
-                   NUMBER(held.orientation.x, 1.0),
-                   NUMBER(shown.orientation.y, 1.0),
+                   NUMBER(orientation_offset.w, 0.5),
+                   NUMBER(clutch_pose.orientation.x, 1.0),
+                   NUMBER(reported_pose.orientation.y, 1.0),
                    NUMBER(motion.orientation.z, 2.0),
                    NUMBER(position.y, -1001.0),
                    NUMBER(motion.position.x, 1001.0),
-                   NUMBER(shown.position.z, 1e4),
-                   NUMBER(held.position.z, 1e4),
+                   NUMBER(reported_pose.position.z, 1e4),
+                   NUMBER(clutch_pose.position.z, 1e4),
                    NUMBER(velocity.x, 1e11),
                    NUMBER(spin.x, 1e11),
-                   NUMBER(shift.x, 1e8),
+                   NUMBER(position_offset.x, 1e8),
                    NUMBER(jaw.opening, 1.1),
                    NUMBER(jaw.opening, -0.1),
                    NUMBER(written_at, 1.0),
@@ -138,12 +138,12 @@ static void what_no_device_is_like_is_refused(void **state)
                    NUMBER(output.torque_load, -1.0),
                    NUMBER(output.force_load, 1e8),
                    NUMBER(output.torque_load, 1e8),
-                   NUMBER(output.last.age, -1.0),
-                   NUMBER(output.last.age, 2e9),
-                   NUMBER(output.last.input_age, -1.0),
-                   NUMBER(output.last.input_age, 2e9),
-                   NUMBER(output.solenoid.left, 1.0),
-                   NUMBER(output.solenoid.left, -1.0),
+                   NUMBER(output.last_demand.age, -1.0),
+                   NUMBER(output.last_demand.age, 2e9),
+                   NUMBER(output.last_demand.input_age, -1.0),
+                   NUMBER(output.last_demand.input_age, 2e9),
+                   NUMBER(output.solenoid.time_left, 1.0),
+                   NUMBER(output.solenoid.time_left, -1.0),
                    NUMBER(output.ramp_force, -1.0),
                    NUMBER(output.ramp_torque, -1.0)};
     harness_memory memory;
@@ -164,7 +164,7 @@ static void what_no_device_is_like_is_refused(void **state)
     expect_unsaved(run.device, d, &good);
     d->tool = -1;
     expect_unsaved(run.device, d, &good);
-    d->output.solenoid.on = d->output.solenoid.spent = true;
+    d->output.solenoid.is_on = d->output.solenoid.is_exhausted = true;
     expect_unsaved(run.device, d, &good);
     harness_context_end(context, &memory);
 }

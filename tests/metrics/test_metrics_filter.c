@@ -2,16 +2,17 @@
 #include "fixture.h"
 
 static metrics_kernel kernel;
-static vec3 ring[METRICS_RING];
+static vec3 ring[METRICS_RING_SIZE];
 
 /* What becomes of x(t) at t = 0, along x. */
 static void filtered(double (*x)(double), double *speed, double *jerk)
 {
     vbss_metrics_make_kernel(&kernel);
-    for (int i = -METRICS_REACH; i <= METRICS_REACH; i++) {
-        ring[(uint64_t)(METRICS_RING + i) % METRICS_RING] = vec3_make(x(i / 1000.0), 0.0, 0.0);
+    for (int i = -METRICS_KERNEL_HALF_WIDTH; i <= METRICS_KERNEL_HALF_WIDTH; i++) {
+        ring[(uint64_t)(METRICS_RING_SIZE + i) % METRICS_RING_SIZE] =
+            vec3_make(x(i / 1000.0), 0.0, 0.0);
     }
-    vbss_metrics_differentiate(&kernel, ring, METRICS_RING, speed, jerk);
+    vbss_metrics_differentiate(&kernel, ring, METRICS_RING_SIZE, speed, jerk);
 }
 
 static double cubic(double t)
@@ -81,15 +82,15 @@ static void parabolas_are_met_at_uneven_times(void **state)
     for (int i = 0; i < 4; i++) {
         at[i] = parabola(times[i]);
     }
-    const metrics_cell cell = {times[1],
-                               times[2],
-                               at[1],
-                               at[2],
-                               vbss_metrics_slope(times, at),
-                               vbss_metrics_slope(times + 1, at + 1)};
+    const metrics_segment cell = {times[1],
+                                  times[2],
+                                  at[1],
+                                  at[2],
+                                  vbss_metrics_middle_velocity(times, at),
+                                  vbss_metrics_middle_velocity(times + 1, at + 1)};
     for (int i = 0; i <= 10; i++) {
         double t = times[1] + 0.002 * i;
-        expect_near(0.0, vec3_distance(parabola(t), vbss_metrics_cell_at(&cell, t)), 1e-15);
+        expect_near(0.0, vec3_distance(parabola(t), vbss_metrics_segment_at(&cell, t)), 1e-15);
     }
 }
 

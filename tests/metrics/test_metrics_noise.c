@@ -24,7 +24,7 @@ static double foretold(double rate, double deviation)
     for (int i = 1; i < 600; i++) {
         double w = 2.0 * PI * step * i;
         bends = 0.0;
-        for (int k = 1; k <= METRICS_REACH; k++) {
+        for (int k = 1; k <= METRICS_KERNEL_HALF_WIDTH; k++) {
             bends += 2.0 * kernel.third[k] * sin(w * k / 1000.0);
         }
         sum += bends * bends * step;

@@ -3,7 +3,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/little_endian.h"
-#include "record/coded.h"
+#include "record/step_codec.h"
 
 enum { NODES = 31 };
 
@@ -303,20 +303,20 @@ static void append_plain_snapshot(vbss_context *context, log_bytes *log, const u
                                   size_t count)
 {
     log_snapshot snapshot = {.number = 0};
-    log_unpacked raw;
+    log_snapshot_data raw;
     vbss_stream stream;
     vbss_stream_begin_read(&stream, section, count);
     vbss_log_visit_snapshot(&stream, &snapshot);
     expect_ok(stream.result);
-    expect_ok(vbss_log_unpack_snapshot(context, &snapshot, &raw));
+    expect_ok(vbss_log_decompress_snapshot(context, &snapshot, &raw));
     const size_t room = (size_t)snapshot.count + 1024;
     uint8_t *plain = malloc(room);
     assert_non_null(plain);
-    snapshot.packed_count = 0;
+    snapshot.compressed_bytes = 0;
     vbss_stream_begin_write(&stream, plain, room);
     vbss_log_visit_snapshot(&stream, &snapshot);
     expect_ok(stream.result);
-    memcpy(snapshot.place, raw.bytes, raw.count);
+    memcpy(snapshot.destination, raw.bytes, raw.count);
     append_section(log, plain, stream.position);
     free(plain);
     vbss_log_release_snapshot(context, &raw);
@@ -335,8 +335,8 @@ void log_to_format_2(log_bytes *log)
     uint64_t steps = 0;
     assert_non_null(old.bytes);
     store_little_endian(old.bytes, (uint64_t)2 << 32 | VBSS_CODE('V', 'B', 'S', 'L'), 8);
-    expect_ok(vbss_log_make_inputs(context, &step));
-    expect_ok(vbss_log_make_events(context, &step, INPUTS));
+    expect_ok(vbss_log_allocate_inputs(context, &step));
+    expect_ok(vbss_log_allocate_events(context, &step, INPUTS));
     expect_ok(vbss_log_make_coder(context, INPUTS, &coder));
     while (log_next_place(log, &place)) {
         const uint8_t *payload = log->bytes + place.at + (place.coded ? 4 : 8);

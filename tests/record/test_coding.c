@@ -5,8 +5,8 @@
 
 #include "base/elementary.h"
 #include "fixture.h"
-#include "record/coded.h"
-#include "record/pack.h"
+#include "record/step_codec.h"
+#include "record/compression.h"
 
 enum { ROOM = 1 << 16, INPUTS = 40 };
 
@@ -15,21 +15,21 @@ enum { ROOM = 1 << 16, INPUTS = 40 };
 static void expect_numbers_back(const double *numbers, uint32_t count, size_t most_bytes)
 {
     static uint8_t bytes[ROOM];
-    log_past written = {.known = 0}, read = {.known = 0};
+    log_predictor written = {.order_count = 0}, read = {.order_count = 0};
     log_bits out = {.out = bytes, .count = sizeof bytes};
     for (uint32_t i = 0; i < count; i++) {
         vbss_log_put_number(&out, &written, numbers[i]);
-        vbss_log_push_number(&written, numbers[i]);
+        vbss_log_update_predictor(&written, numbers[i]);
     }
-    assert_false(out.beyond);
+    assert_false(out.overrun);
     assert_true(log_bits_bytes(&out) <= most_bytes);
     log_bits in = {.in = bytes, .count = log_bits_bytes(&out)};
     for (uint32_t i = 0; i < count; i++) {
         double x = vbss_log_get_number(&in, &read);
         assert_memory_equal(&x, &numbers[i], sizeof x);
-        vbss_log_push_number(&read, x);
+        vbss_log_update_predictor(&read, x);
     }
-    assert_true(vbss_log_bits_end(&in));
+    assert_true(vbss_log_bits_are_complete(&in));
 }
 
 static void hard_numbers_come_back_to_the_bit(void **state)
@@ -41,7 +41,7 @@ static void hard_numbers_come_back_to_the_bit(void **state)
         0x1p-1074, -0x1p-1074, 0x1.8p-1060, 1.0,      -1.0,    0x1.fffffffffffffp0,
         2.0,       1e300,      -1e-300,     1e300,    5e-324,  0.1};
     const uint32_t count = sizeof hard / sizeof hard[0];
-    expect_numbers_back(hard, count, (size_t)count * LOG_NUMBER_BITS / 8 + 1);
+    expect_numbers_back(hard, count, (size_t)count * LOG_MAX_NUMBER_BITS / 8 + 1);
 }
 
 static void smooth_numbers_take_less_than_three_bytes(void **state)
@@ -71,8 +71,8 @@ typedef struct book {
 static void make_step(vbss_context *context, log_step *step)
 {
     step->input_capacity = INPUTS;
-    expect_ok(vbss_log_make_inputs(context, step));
-    expect_ok(vbss_log_make_events(context, step, INPUTS));
+    expect_ok(vbss_log_allocate_inputs(context, step));
+    expect_ok(vbss_log_allocate_events(context, step, INPUTS));
 }
 
 static void book_begin(book *b)
@@ -108,12 +108,12 @@ static void draw_step(harness_source *source, log_step *step)
 {
     step->number++;
     step->h = harness_draw_below(source, 3) == 0 ? draw_number(source) : step->h;
-    step->hashed = harness_draw_below(source, 2);
-    step->hash = step->hashed != 0 ? 0x123456789abcdef0u * step->number : 0;
+    step->has_hash = harness_draw_below(source, 2);
+    step->hash = step->has_hash != 0 ? 0x123456789abcdef0u * step->number : 0;
     if (harness_draw_below(source, 3) == 0) {
         step->input_count = harness_draw_below(source, INPUTS + 1);
         for (uint32_t i = 0; i < step->input_count; i++) {
-            step->kinds[i] = (uint8_t)(1 + harness_draw_below(source, INPUT_KINDS - 1));
+            step->kinds[i] = (uint8_t)(1 + harness_draw_below(source, LOG_INPUT_KINDS - 1));
             step->inputs[i] = (vbss_log_input){.kind = step->kinds[i]};
             for (uint32_t n = 0; n < vbss_log_input_shapes[step->kinds[i]].words; n++) {
                 step->inputs[i].words[n] = harness_draw_below(source, 8) == 0
@@ -137,7 +137,7 @@ static void draw_step(harness_source *source, log_step *step)
 static void expect_same_step(const log_step *a, const log_step *b)
 {
     assert_int_equal(a->number, b->number);
-    assert_int_equal(a->hashed, b->hashed);
+    assert_int_equal(a->has_hash, b->has_hash);
     assert_true(a->hash == b->hash);
     assert_memory_equal(&a->h, &b->h, sizeof a->h);
     assert_int_equal(a->input_count, b->input_count);
@@ -162,9 +162,9 @@ static void code_steps(harness_source *source, void *user)
     book_begin(&b);
     for (uint32_t i = 0; i < 12; i++) {
         draw_step(source, &b.step);
-        const size_t most = vbss_log_coded_most(&b.step, b.step.event_count);
+        const size_t most = vbss_log_max_coded_bytes(&b.step, b.step.event_count);
         if (harness_draw_below(source, 5) == 0) {
-            vbss_log_restart_coder(b.writer);
+            vbss_log_reset_coder(b.writer);
         }
         const size_t count = vbss_log_encode(b.writer, &b.step, bytes, sizeof bytes);
         assert_true(count > 0 && count <= most);
@@ -200,7 +200,7 @@ static void a_step_that_must_stand_alone_and_does_not_is_refused(void **state)
         const char *problem = vbss_log_decode(b.reader, b.step.number - 1, bytes, count, &b.found);
         if (b.step.number == 1) {
             assert_null(problem);
-            vbss_log_restart_coder(b.reader);
+            vbss_log_reset_coder(b.reader);
         } else {
             assert_non_null(strstr(problem, "alone"));
         }
@@ -243,7 +243,7 @@ static void any_bits_are_a_step_or_refused(void **state)
 static void pack_and_unpack(harness_source *source, void *user)
 {
     enum { MOST = 3000 };
-    static uint32_t table[LOG_PACK_PLACES];
+    static uint32_t table[LOG_HASH_TABLE_SIZE];
     uint8_t raw[MOST], packed[2 * MOST], back[MOST];
     const uint32_t count = harness_draw_below(source, MOST),
                    kinds = 1 + harness_draw_below(source, 4);
@@ -252,19 +252,19 @@ static void pack_and_unpack(harness_source *source, void *user)
         raw[i] = (uint8_t)(harness_draw_below(source, 8) == 0 ? harness_draw_below(source, 256)
                                                               : i / 4 % kinds);
     }
-    const size_t size = vbss_log_pack(table, raw, count, packed, sizeof packed);
+    const size_t size = vbss_log_compress(table, raw, count, packed, sizeof packed);
     assert_true(count == 0 || size > 0);
-    assert_true(vbss_log_unpack(packed, size, NULL, count));
-    assert_true(vbss_log_unpack(packed, size, back, count));
+    assert_true(vbss_log_decompress(packed, size, NULL, count));
+    assert_true(vbss_log_decompress(packed, size, back, count));
     assert_memory_equal(raw, back, count);
     if (size > 0) {
-        assert_int_equal(vbss_log_pack(table, raw, count, packed, size - 1), 0);
-        assert_int_equal(vbss_log_pack(table, raw, count, packed, size), size);
-        assert_false(vbss_log_unpack(packed, size - 1, back, count));
-        assert_false(vbss_log_unpack(packed, size, back, count + 4));
+        assert_int_equal(vbss_log_compress(table, raw, count, packed, size - 1), 0);
+        assert_int_equal(vbss_log_compress(table, raw, count, packed, size), size);
+        assert_false(vbss_log_decompress(packed, size - 1, back, count));
+        assert_false(vbss_log_decompress(packed, size, back, count + 4));
         packed[harness_draw_below(source, (uint32_t)size)] ^=
             (uint8_t)(1 + harness_draw_below(source, 255));
-        (void)vbss_log_unpack(packed, size, back, count); /* any bytes do no harm */
+        (void)vbss_log_decompress(packed, size, back, count); /* any bytes do no harm */
     }
 }
 
@@ -277,11 +277,11 @@ static void packed_bytes_come_back(void **state)
 static void long_runs_take_little(void **state)
 {
     (void)state;
-    static uint32_t table[LOG_PACK_PLACES];
+    static uint32_t table[LOG_HASH_TABLE_SIZE];
     static uint8_t raw[400000], packed[8000], back[400000];
-    const size_t size = vbss_log_pack(table, raw, sizeof raw, packed, sizeof packed);
+    const size_t size = vbss_log_compress(table, raw, sizeof raw, packed, sizeof packed);
     assert_true(size > 0 && size < 500);
-    assert_true(vbss_log_unpack(packed, size, back, sizeof back));
+    assert_true(vbss_log_decompress(packed, size, back, sizeof back));
     assert_memory_equal(raw, back, sizeof back);
 }
 

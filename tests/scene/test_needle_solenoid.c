@@ -4,7 +4,7 @@
 
 #include "scene/needles_rig.h"
 
-typedef struct handle {
+typedef struct daq_handle {
     needles_rig rig;
     vbss_output *output;
     uint32_t on;

@@ -4,7 +4,7 @@
 
 static void find(const char *library, const device_symbol *symbol)
 {
-    char text[DEVICE_TEXT];
+    char text[DEVICE_TEXT_BYTES];
     void *handle = vbss_device_load_library(library, text, sizeof text);
     if (handle != NULL) {
         (void)vbss_device_find_symbols(handle, symbol, 1);

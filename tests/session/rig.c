@@ -18,9 +18,9 @@ void rig_make(rig *r)
     expect_ok(vbss_metrics_create(r->context, &c, &r->metrics));
     r->scene.config.metrics = r->metrics;
     r->look.thread = r->scene.config.thread;
-    r->look.length = LENGTH;
-    r->look.gap = r->look.gap_most = r->look.open = 3e-3;
-    r->look.radius = 6.5e-3;
+    r->look.thread_length = LENGTH;
+    r->look.gap = r->look.max_gap = r->look.signed_gap = 3e-3;
+    r->look.drain_radius = 6.5e-3;
 }
 
 void rig_start(rig *r)
@@ -51,10 +51,10 @@ void rig_run(rig *r, double seconds)
     for (uint32_t n = (uint32_t)(seconds / RIG_STEP + 0.5); n > 0; n--) {
         s->time += s->steps > 0 ? RIG_STEP : 0.0;
         s->steps++;
-        s->step_events = s->event_count;
-        s->look = r->look;
-        vbss_session_judge(s, &s->look);
-        expect_ok(vbss_session_measure(s, &s->look));
+        s->events_before_step = s->event_count;
+        s->observation = r->look;
+        vbss_session_update_progress(s, &s->observation);
+        expect_ok(vbss_session_feed_metrics(s, &s->observation));
     }
 }
 
@@ -105,7 +105,7 @@ void rig_drop(rig *r, uint32_t tool)
     r->look.tools[tool].has_needle = false;
 }
 
-static session_hole_look *find(rig *r, uint32_t id)
+static session_hole_observation *find(rig *r, uint32_t id)
 {
     for (uint32_t i = 0; i < r->look.hole_count; i++) {
         if (r->look.holes[i].id == id) {
@@ -118,36 +118,36 @@ static session_hole_look *find(rig *r, uint32_t id)
 
 void rig_pierce(rig *r, uint32_t id, uint32_t mark, double axial)
 {
-    session_hole_look *hole = &r->look.holes[r->look.hole_count++];
-    *hole = (session_hole_look){.id = id, .mark = mark, .way = 1e-3};
+    session_hole_observation *hole = &r->look.holes[r->look.hole_count++];
+    *hole = (session_hole_observation){.id = id, .mark = mark, .distance_from_tip = 1e-3};
     hole->axial[mark] = axial;
 }
 
 void rig_thread_through(rig *r, uint32_t id, double arc)
 {
-    session_hole_look *hole = find(r, id);
+    session_hole_observation *hole = find(r, id);
     hole->thread = r->look.thread;
     hole->arc = arc;
 }
 
 void rig_leave(rig *r, uint32_t id)
 {
-    session_hole_look *hole = find(r, id);
+    session_hole_observation *hole = find(r, id);
     *hole = r->look.holes[--r->look.hole_count];
 }
 
 void rig_set_throw(rig *r, uint32_t number, int32_t wraps, int32_t handedness,
                    vbss_metrics_relation relation)
 {
-    session_knot_look *knot = &r->look.knot;
-    knot->throws[number] = (session_throw_look){wraps, handedness, relation};
-    knot->count = wraps > 0 ? number + 1 : number;
+    session_knot_observation *knot = &r->look.knot;
+    knot->throws[number] = (session_throw_observation){wraps, handedness, relation};
+    knot->throw_count = wraps > 0 ? number + 1 : number;
 }
 
 void rig_pull(rig *r, double force, double gap)
 {
     r->look.tension[0] = r->look.tension[1] = force;
-    r->look.gap = r->look.gap_most = r->look.open = gap;
+    r->look.gap = r->look.max_gap = r->look.signed_gap = gap;
 }
 
 /* ---- from the begin to there */
@@ -166,18 +166,18 @@ void rig_to_tail(rig *r)
     rig_to_approach(r);
     rig_pierce(r, RIG_ENTRY, 1, 0.5e-3);
     rig_run(r, 0.1);
-    rig_expect(r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 0);
+    rig_expect(r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 0);
     rig_expect_phase(r, VBSS_SESSION_PHASE_IN_DRAIN, 0);
     rig_pierce(r, RIG_EXIT, 0, -1e-3);
     rig_run(r, 0.1);
-    rig_expect(r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 0);
+    rig_expect(r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 0);
     rig_expect_phase(r, VBSS_SESSION_PHASE_PULL_THROUGH, 0);
     rig_thread_through(r, RIG_ENTRY, 0.02);
     rig_run(r, 0.1);
-    rig_expect(r, VBSS_SESSION_EVENT_THREADED, SESSION_IN, 0);
+    rig_expect(r, VBSS_SESSION_EVENT_THREADED, SESSION_ENTRY, 0);
     rig_thread_through(r, RIG_EXIT, 0.01);
     rig_run(r, 0.1);
-    rig_expect(r, VBSS_SESSION_EVENT_THREADED, SESSION_OUT, 0);
+    rig_expect(r, VBSS_SESSION_EVENT_THREADED, SESSION_EXIT, 0);
     rig_thread_through(r, RIG_EXIT, LENGTH - TAIL - 12e-3);
     rig_thread_through(r, RIG_ENTRY, LENGTH - TAIL);
     rig_run(r, 0.1);
@@ -206,17 +206,17 @@ void rig_expect_stage(rig *r, uint32_t number, vbss_session_stage stage)
 
 void rig_tie(rig *r, uint32_t number)
 {
-    r->look.knot.next = VBSS_KNOT_VERDICT_WRAPPING;
+    r->look.knot.next_throw = VBSS_KNOT_VERDICT_WRAPPING;
     rig_run(r, 0.1);
     rig_expect_stage(r, number, VBSS_SESSION_STAGE_WRAP);
-    r->look.knot.next = VBSS_KNOT_VERDICT_PASSED;
+    r->look.knot.next_throw = VBSS_KNOT_VERDICT_PASSED;
     rig_run(r, 0.1);
     rig_expect_stage(r, number, VBSS_SESSION_STAGE_PASSED);
     rig_set_throw(r, number, number == 0 ? 2 : 1, number % 2 == 0 ? 1 : -1,
                   number == 0 ? VBSS_METRICS_RELATION_FIRST : VBSS_METRICS_RELATION_SQUARE);
     rig_run(r, 0.12);
     rig_expect(r, VBSS_SESSION_EVENT_THROW, number, 0);
-    r->look.knot.next = VBSS_KNOT_VERDICT_NONE;
+    r->look.knot.next_throw = VBSS_KNOT_VERDICT_NONE;
     rig_run(r, 0.1);
     rig_expect_stage(r, number, VBSS_SESSION_STAGE_SEATING);
 }

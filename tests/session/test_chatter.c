@@ -98,7 +98,7 @@ static void a_knot_with_flickering_limits_tells_pairs_at_most(void **state)
         for (uint32_t k = 0; k < 3; k++) {
             rig_set_throw(&r, k, k < count ? 1 : 0, 1, VBSS_METRICS_RELATION_UNKNOWN);
         }
-        r.look.knot.count = count;
+        r.look.knot.throw_count = count;
         rig_pull(&r, vbss_random_uniform(&random), 2e-3 * vbss_random_uniform(&random));
         rig_run(&r, 0.3 * vbss_random_uniform(&random));
         for (; r.read < r.s->event_count; r.read++) { /* each undone what was, and no other */

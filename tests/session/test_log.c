@@ -110,7 +110,7 @@ static void another_task_is_told(void **state)
     }
     session_object *s;
     expect_ok(vbss_session_open(t.session, &s));
-    s->tail.since += 1e-3;                               /* as a fault in the task would */
+    s->tail_set.since += 1e-3;                           /* as a fault in the task would */
     assert_int_equal(replay(&t, VBSS_ERROR_CORRUPT), 4); /* at the next mark, of step 60 */
     (void)end(&t);
     free(log.bytes);

@@ -23,17 +23,17 @@ static void a_needle_goes_in_and_out_and_back(void **state)
     }
     rig_expect(&r, VBSS_SESSION_EVENT_APPEARED, 0, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_LOADING, 0);
-    const vbss_session_event *e = rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 0);
+    const vbss_session_event *e = rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 0);
     assert_true(e->amount < 0.5); /* it was aimed at the mark, mm */
     rig_expect_phase(&r, VBSS_SESSION_PHASE_IN_DRAIN, 0);
-    e = rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 0);
+    e = rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 0);
     assert_true(e->amount >
                 0.5); /* a circle through one mark square to the wall misses the other */
     assert_int_equal(e->phase, VBSS_SESSION_PHASE_PULL_THROUGH);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_PULL_THROUGH, 0);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_IN_DRAIN, 1);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_LOADING, 1);
     rig_expect_quiet(&r);
     rig_end(&r);

@@ -102,20 +102,21 @@ static vbss_result create_alone(vbss_context *context, void *user, void **handle
 
 static void see(session_object *s)
 {
-    session_look *look = &s->look;
-    *look = (session_look){.thread = s->config.thread, .length = 0.15, .radius = 6.5e-3};
+    session_observation *look = &s->observation;
+    *look = (session_observation){
+        .thread = s->config.thread, .thread_length = 0.15, .drain_radius = 6.5e-3};
     look->tools[RIG_LEFT].has_needle = s->steps % 2 == 0;
     look->hole_count = 2;
     for (uint32_t k = 0; k < 2; k++) {
-        look->holes[k] = (session_hole_look){.id = k + 1,
-                                             .mark = k,
-                                             .thread = look->thread,
-                                             .way = 0.2 - 0.02 * k,
-                                             .arc = 0.133 - 0.02 * k,
-                                             .axial = {1e-3, 2e-3}};
+        look->holes[k] = (session_hole_observation){.id = k + 1,
+                                                    .mark = k,
+                                                    .thread = look->thread,
+                                                    .distance_from_tip = 0.2 - 0.02 * k,
+                                                    .arc = 0.133 - 0.02 * k,
+                                                    .axial = {1e-3, 2e-3}};
     }
-    look->knot.count = 1;
-    look->knot.throws[0] = (session_throw_look){2, 1, VBSS_METRICS_RELATION_FIRST};
+    look->knot.throw_count = 1;
+    look->knot.throws[0] = (session_throw_observation){2, 1, VBSS_METRICS_RELATION_FIRST};
     look->tension[0] = look->tension[1] = 1.0;
     s->knot = look->knot;
 }
@@ -126,10 +127,10 @@ static vbss_result step_alone(void *handle)
     VBSS_TRY(vbss_session_open(handle, &s));
     s->time += RIG_STEP;
     s->steps++;
-    s->step_events = s->event_count;
+    s->events_before_step = s->event_count;
     see(s);
-    vbss_session_judge(s, &s->look);
-    return vbss_session_measure(s, &s->look);
+    vbss_session_update_progress(s, &s->observation);
+    return vbss_session_feed_metrics(s, &s->observation);
 }
 
 static vbss_result destroy_alone(void *handle)

@@ -5,15 +5,15 @@
 static void cut(rig *r, uint32_t limb, double left)
 {
     double lost;
-    if (limb == SESSION_IN) {
-        lost = r->look.length - r->look.holes[0].arc - left;
-        r->look.length -= lost;
+    if (limb == SESSION_ENTRY) {
+        lost = r->look.thread_length - r->look.holes[0].arc - left;
+        r->look.thread_length -= lost;
         return;
     }
     /* what goes through the drain is a new piece */
     lost = r->look.holes[1].arc - left;
     r->look.thread = 40;
-    r->look.length -= lost;
+    r->look.thread_length -= lost;
     rig_thread_through(r, RIG_ENTRY, r->look.holes[0].arc - lost);
     rig_thread_through(r, RIG_EXIT, left);
 }
@@ -31,13 +31,13 @@ static void the_task_is_done_phase_by_phase(void **state)
     assert_int_equal(status.seated, 3);
     assert_int_equal(status.transfers, 2);
     assert_int_equal(status.faults, 0);
-    cut(&r, SESSION_OUT, 4e-3);
+    cut(&r, SESSION_EXIT, 4e-3);
     rig_run(&r, 0.5);
-    expect_near(4e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_OUT, 0)->amount, 1e-12);
+    expect_near(4e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_EXIT, 0)->amount, 1e-12);
     rig_expect_quiet(&r);
-    cut(&r, SESSION_IN, 5e-3);
+    cut(&r, SESSION_ENTRY, 5e-3);
     rig_run(&r, 0.5);
-    expect_near(5e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_IN, 0)->amount, 1e-12);
+    expect_near(5e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_ENTRY, 0)->amount, 1e-12);
     rig_expect(&r, VBSS_SESSION_EVENT_DONE, 0, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_DONE, 0);
     rig_expect_quiet(&r);
@@ -69,16 +69,16 @@ static void the_order_of_the_cuts_is_free(void **state)
     rig r;
     rig_begin(&r);
     rig_to_cut(&r);
-    cut(&r, SESSION_IN, 5e-3);
+    cut(&r, SESSION_ENTRY, 5e-3);
     rig_run(&r, 0.1);
-    rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_IN, 0);
-    cut(&r, SESSION_IN, 3e-3); /* once more, shorter */
+    rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_ENTRY, 0);
+    cut(&r, SESSION_ENTRY, 3e-3); /* once more, shorter */
     rig_run(&r, 0.1);
-    expect_near(3e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_IN, 0)->amount, 1e-12);
+    expect_near(3e-3, rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_ENTRY, 0)->amount, 1e-12);
     assert_int_equal(rig_status(&r).phase, VBSS_SESSION_PHASE_CUT);
-    cut(&r, SESSION_OUT, 3e-3);
+    cut(&r, SESSION_EXIT, 3e-3);
     rig_run(&r, 0.1);
-    rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_OUT, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_CUT, SESSION_EXIT, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_DONE, 0, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_DONE, 0);
     rig_end(&r);
@@ -90,15 +90,15 @@ static void what_is_done_stays_done(void **state)
     rig r;
     rig_begin(&r);
     rig_to_cut(&r);
-    cut(&r, SESSION_IN, 5e-3);
+    cut(&r, SESSION_ENTRY, 5e-3);
     rig_run(&r, RIG_STEP);
-    cut(&r, SESSION_OUT, 5e-3);
+    cut(&r, SESSION_EXIT, 5e-3);
     rig_run(&r, RIG_STEP);
     r.read = r.s->event_count;
     const double time = rig_status(&r).time;
     r.look.hole_count = 0;
-    r.look.torn = 1.0;
-    r.look.length = 0.01;
+    r.look.torn_fraction = 1.0;
+    r.look.thread_length = 0.01;
     rig_set_throw(&r, 0, 0, 0, 0);
     rig_run(&r, 7.0);
     rig_expect_quiet(&r);
@@ -114,14 +114,14 @@ static void a_hole_at_either_mark_may_be_the_one_in(void **state)
     rig_to_approach(&r);
     rig_pierce(&r, 3, 0, 0.0);
     rig_run(&r, RIG_STEP);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_IN_DRAIN, 0);
     rig_pierce(&r, 4, 0, 2e-3); /* the same side again */
     rig_run(&r, RIG_STEP);
     rig_expect(&r, VBSS_SESSION_EVENT_STRAY, 4, 0);
     rig_pierce(&r, 5, 1, 0.0);
     rig_run(&r, RIG_STEP);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_PULL_THROUGH, 0);
     rig_leave(&r, 4);
     rig_run(&r, RIG_STEP);
@@ -140,18 +140,18 @@ static void a_stitch_that_is_there_at_once_is_read_from_its_tail(void **state)
     rig_pierce(&r, 2, 1, 2e-3);
     rig_thread_through(&r, 1, 0.121);
     rig_thread_through(&r, 2, 0.133);
-    r.look.holes[0].way = 0.154;
-    r.look.holes[1].way = 0.166;
+    r.look.holes[0].distance_from_tip = 0.154;
+    r.look.holes[1].distance_from_tip = 0.166;
     rig_run(&r, 0.1);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 0);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 0);
-    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_IN, 0);
-    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_OUT, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_ENTRY, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_EXIT, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_PULL_THROUGH, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_TAIL, 0, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_THROW_1, 0);
     expect_near(17e-3, rig_status(&r).tail, 1e-12);
-    expect_near(2.0, rig_status(&r).deviation_mm[SESSION_IN], 1e-9);
+    expect_near(2.0, rig_status(&r).deviation_mm[SESSION_ENTRY], 1e-9);
     rig_end(&r);
 }
 

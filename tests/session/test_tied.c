@@ -152,7 +152,7 @@ static void a_thread_that_is_cut_early_fails(void **state)
     rig_begin(&r);
     expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
     expect_ok(vbss_scene_cut_thread(r.scene.scene, r.scene.config.thread, 0.1, &piece));
-    r.s->length = 0.15;
+    r.s->thread_length = 0.15;
     expect_ok(vbss_session_step(r.session, 0.0, 1e-3));
     assert_int_equal(rig_status(&r).failure, VBSS_SESSION_FAILURE_CUT_EARLY);
     rig_end(&r);

@@ -50,16 +50,16 @@ static void a_needle_that_is_withdrawn_is_an_attempt(void **state)
     r.read += 4;
     rig_leave(&r, RIG_EXIT);
     rig_run(&r, RIG_STEP);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_IN_DRAIN, 1);
     rig_leave(&r, RIG_ENTRY);
     rig_run(&r, RIG_STEP);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_APPROACH, 1);
     rig_expect_quiet(&r);
     rig_pierce(&r, 11, 1, 1e-3);
     rig_run(&r, RIG_STEP);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 0);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 0);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_IN_DRAIN, 0);
     expect_ok(vbss_metrics_get_report(r.metrics, &report, sizeof report));
     assert_int_equal(report.attempts[0], 1);
@@ -76,7 +76,7 @@ static void a_swage_that_comes_back_unthreads_its_hole(void **state)
     rig_to_tail(&r);
     r.look.holes[1].thread = 0; /* the needle is in it again */
     rig_run(&r, 0.1);
-    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_OUT, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_EXIT, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_PULL_THROUGH, 1);
     rig_expect(&r, VBSS_SESSION_EVENT_TAIL, 0, 1);
     rig_expect_quiet(&r);
@@ -91,14 +91,14 @@ static void a_stitch_that_is_pulled_out_begins_anew(void **state)
     rig_to_tail(&r);
     rig_leave(&r, RIG_ENTRY);
     rig_run(&r, 0.1);
-    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_IN, 1);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_IN, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_ENTRY, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_ENTRY, 1);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_APPROACH, 1);
     rig_expect(&r, VBSS_SESSION_EVENT_TAIL, 0, 1);
     rig_leave(&r, RIG_EXIT);
     rig_run(&r, 0.1);
-    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_OUT, 1);
-    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_OUT, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_THREADED, SESSION_EXIT, 1);
+    rig_expect(&r, VBSS_SESSION_EVENT_PUNCTURE, SESSION_EXIT, 1);
     rig_expect_quiet(&r);
     rig_end(&r);
 }
@@ -189,7 +189,7 @@ static void a_transfer_that_was_missed_is_told_and_blocks_nothing(void **state)
     rig_begin(&r);
     rig_to_tail(&r);
     rig_to_throw(&r, 0, RIG_RIGHT);
-    r.look.knot.next = VBSS_KNOT_VERDICT_WRAPPING;
+    r.look.knot.next_throw = VBSS_KNOT_VERDICT_WRAPPING;
     rig_run(&r, 0.1);
     rig_expect_stage(&r, 1, VBSS_SESSION_STAGE_WRAP);
     rig_expect_phase(&r, VBSS_SESSION_PHASE_THROW_2, 0);
@@ -199,7 +199,7 @@ static void a_transfer_that_was_missed_is_told_and_blocks_nothing(void **state)
     rig_expect(&r, VBSS_SESSION_EVENT_THROW, 1, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_TRANSFER_MISSED, 1, 0);
     rig_expect(&r, VBSS_SESSION_EVENT_FAULT, VBSS_KNOT_FAULT_GRANNY, 0);
-    r.look.knot.next = VBSS_KNOT_VERDICT_NONE;
+    r.look.knot.next_throw = VBSS_KNOT_VERDICT_NONE;
     r.look.knot.faults = 0;
     rig_set_throw(&r, 1, 0, 0, 0);
     rig_run(&r, 0.3);

@@ -12,7 +12,7 @@ static const char *const names[STAND_IN_ARMS] = {"Left", "Device2"};
 
 static arm *arm_of(uint32_t device)
 {
-    return device < STAND_IN_ARMS && world.arms[device].opened ? &world.arms[device] : NULL;
+    return device < STAND_IN_ARMS && world.arms[device].is_open ? &world.arms[device] : NULL;
 }
 
 /* The current device, of which the state may be asked in its frame only. */
@@ -45,14 +45,14 @@ uint32_t STAND_IN_CALL hdInitDevice(const char *name)
     }
     if (found == NOBODY) {
         push(BAD_HANDLE, NOBODY);
-    } else if (world.arms[found].opened) {
+    } else if (world.arms[found].is_open) {
         refuse("hdInitDevice", "twice", ALREADY_INITIATED);
         found = NOBODY;
     } else if (world.arms[found].faults[STAND_IN_UNPLUGGED]) {
         push(COMM_ERROR, NOBODY);
         found = NOBODY;
     } else {
-        world.arms[found].opened = true;
+        world.arms[found].is_open = true;
         world.current = found;
     }
     leave();
@@ -76,7 +76,7 @@ void STAND_IN_CALL hdDisableDevice(uint32_t device)
             }
             a->now.force[i] = 0.0;
         }
-        a->opened = a->enabled = false;
+        a->is_open = a->enabled = false;
     }
     leave();
 }

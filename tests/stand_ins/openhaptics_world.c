@@ -133,7 +133,7 @@ static void after_callback(uint32_t code, double cpu)
             refuse("callback", "it returned inside a frame", FRAME_ERROR);
             a->in_frame = false;
         }
-        if (a->opened) {
+        if (a->is_open) {
             a->now.cpu_worst = fmax(a->now.cpu_worst, cpu);
             move(a, 1.0 / (double)world.rate);
         }
@@ -155,7 +155,7 @@ void tick_once(void)
                !world.callback_done;
     if (!due) { /* the hands go on */
         for (int i = 0; world.running && i < STAND_IN_ARMS; i++) {
-            if (world.arms[i].opened) {
+            if (world.arms[i].is_open) {
                 move(&world.arms[i], 1.0 / (double)world.rate);
             }
         }
@@ -265,7 +265,7 @@ static int illegal(const char **first)
 {
     enter();
     for (int i = 0; i < STAND_IN_ARMS; i++) {
-        if (world.arms[i].opened) {
+        if (world.arms[i].is_open) {
             referee_refuse(&world.judge, "end", "an arm was left open");
         }
     }

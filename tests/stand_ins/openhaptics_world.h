@@ -34,8 +34,8 @@ enum {
     INVALID_LICENCE = 0x0600
 };
 
-typedef struct arm {
-    bool opened, in_frame, enabled, faults[STAND_IN_HD_FAULTS];
+typedef struct haptic_arm {
+    bool is_open, in_frame, enabled, faults[STAND_IN_HD_FAULTS];
     uint64_t framed_at; /* tick of the last frame */
     double staged[3];   /* N, until the frame ends */
     stand_in_hand hand;

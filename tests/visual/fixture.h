@@ -41,7 +41,7 @@ typedef struct drawn {
     const visual_vertex *vertices;
     const triangle *triangles;
     const visual_part *parts;
-    const visual_spot *spots;
+    const visual_decal *spots;
     uint32_t vertex_count, triangle_count, part_count, spot_count;
 } drawn;
 /* Updates, and looks. */

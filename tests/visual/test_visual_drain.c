@@ -111,15 +111,15 @@ static double deviation(const drawn *d, const drain_object *drain)
         const uint32_t *node = m->edges[i].nodes;
         const vec3 x[2] = {drain->x[node[0]], drain->x[node[1]]};
         const vec3 normals[2] = {normal_of(d, node[0]), normal_of(d, node[1])};
-        const visual_side side = vbss_visual_side(x, normals);
+        const visual_edge side = vbss_visual_make_edge(x, normals);
         for (uint32_t k = 0; k < 20 * n; k++) {
             vec3 normal;
             const uint32_t part = k / 20;
             double share = (double)k / (20.0 * n), step = 1.0 / n, from = step * part;
-            vec3 a = vbss_visual_side_point(&side, from, &normal);
-            vec3 b = vbss_visual_side_point(&side, from + step, &normal);
+            vec3 a = vbss_visual_edge_point(&side, from, &normal);
+            vec3 b = vbss_visual_edge_point(&side, from + step, &normal);
             vec3 chord = vec3_lerp(a, b, (share - from) / step);
-            vec3 curve = vbss_visual_side_point(&side, share, &normal);
+            vec3 curve = vbss_visual_edge_point(&side, share, &normal);
             worst = vbss_max(worst, vec3_distance(chord, curve));
         }
     }
@@ -203,7 +203,7 @@ static void material_is_where_nodes_rest(void **state)
     }
     assert_int_equal(d.spot_count, 2);
     for (int side = 0; side < 2; side++) {
-        const visual_spot *s = &d.spots[side];
+        const visual_decal *s = &d.spots[side];
         vec3 at = vec3_make((double)s->material[0], (double)s->material[1], (double)s->material[2]);
         assert_true((double)s->kind == VBSS_SPOT_MARK && (double)s->part == 0.0);
         assert_true(vec3_distance(at, m->rest[m->marks[side]]) < 1e-9);

@@ -73,7 +73,7 @@ static void holes_are_spots_of_their_drain(void **state)
     const drawn d = draw(&f);
     uint32_t holes = 0;
     for (uint32_t i = 0; i < d.spot_count; i++) {
-        const visual_spot *s = &d.spots[i];
+        const visual_decal *s = &d.spots[i];
         const visual_part *part = &d.parts[(uint32_t)s->part];
         assert_int_equal(part->kind, VBSS_VISUAL_DRAIN);
         if ((double)s->kind < VBSS_SPOT_HOLE - 0.5) {

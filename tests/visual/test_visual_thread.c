@@ -187,7 +187,7 @@ static double error_of_carrying(int steps)
         vec3 at = vec3_make(radius * cosine, radius * sine, up * 2.0 * VISUAL_PI * i / steps);
         vec3 tangent = vec3_scale(vec3_make(-radius * sine, radius * cosine, up), 1.0 / speed);
         vec3 inward = vec3_make(-cosine, -sine, 0.0);
-        normal = i == 0 ? inward : vbss_visual_carry(before, along, normal, at, tangent);
+        normal = i == 0 ? inward : vbss_visual_transport_normal(before, along, normal, at, tangent);
         angle = vbss_atan2(vec3_dot(normal, vec3_cross(tangent, inward)), vec3_dot(normal, inward));
         before = at;
         along = tangent;

@@ -1,7 +1,7 @@
 /* Reading: a log is opened, tells about itself, and is read from step to step without a scene. */
 #include "base/check.h"
 #include "base/error.h"
-#include "record/coded.h"
+#include "record/step_codec.h"
 
 _Static_assert(sizeof(vbss_replay_info) == 48, "published size");
 
@@ -15,10 +15,10 @@ static const vbss_layout scene_config_layout = {"vbss_scene_config", NULL, scene
 
 /* ---- life */
 
-static void free_object(vbss_context *context, void *object)
+static void free_replay(vbss_context *context, void *object)
 {
     replay_object *p = object;
-    vbss_log_free_begin(p);
+    vbss_replay_close_log(p);
     vbss_release(context, p, 1, sizeof *p);
 }
 
@@ -29,64 +29,65 @@ static void visit_replay(vbss_stream *stream, void *object)
     vbss_stream_u64(stream, 1, &p->report.step, 1);
 }
 
-static const vbss_kind kind = {"replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_object,
+static const vbss_kind kind = {"replay", VBSS_CODE('R', 'E', 'P', 'L'), 1, free_replay,
                                visit_replay};
 
 /* The next record, to be visited. */
-static vbss_result begin_record(log_reader *log, log_found *found, vbss_stream *stream)
+static vbss_result next_record(log_reader *log, log_record *found, vbss_stream *stream)
 {
     VBSS_TRY(vbss_log_next(log, found));
     vbss_stream_begin_read(stream, found->payload, found->length);
     return VBSS_OK;
 }
 
-void vbss_log_free_begin(replay_object *p)
+void vbss_replay_close_log(replay_object *p)
 {
-    vbss_log_free_head(&p->head);
+    vbss_log_free_header(&p->header);
     vbss_log_free_inputs(p->context, &p->step);
     vbss_log_free_events(p->context, &p->step);
     vbss_log_free_coder(p->context, p->log.coder);
-    vbss_log_free_coder(p->context, p->look.coder);
-    vbss_log_free_coder(p->context, p->scan);
+    vbss_log_free_coder(p->context, p->inspection.coder);
+    vbss_log_free_coder(p->context, p->scan_coder);
 }
 
-vbss_result vbss_log_read_begin(replay_object *p)
+vbss_result vbss_replay_open_log(replay_object *p)
 {
-    log_found found;
+    log_record found;
     vbss_stream stream;
-    VBSS_TRY(vbss_log_read_front(&p->log));
-    VBSS_TRY(begin_record(&p->log, &found, &stream));
-    vbss_log_visit_head(&stream, &p->head);
-    VBSS_TRY(vbss_log_read_all(&p->log, &found, &stream));
-    VBSS_TRY(begin_record(&p->log, &found, &stream));
-    vbss_log_visit_snapshot(&stream, &p->first);
-    VBSS_TRY(vbss_log_read_all(&p->log, &found, &stream));
-    if (p->first.number != 0) {
-        return vbss_log_corrupt(&p->log, found.at, "the scene at the begin was expected");
+    VBSS_TRY(vbss_log_read_preamble(&p->log));
+    VBSS_TRY(next_record(&p->log, &found, &stream));
+    vbss_log_visit_header(&stream, &p->header);
+    VBSS_TRY(vbss_log_check_all_read(&p->log, &found, &stream));
+    VBSS_TRY(next_record(&p->log, &found, &stream));
+    vbss_log_visit_snapshot(&stream, &p->first_snapshot);
+    VBSS_TRY(vbss_log_check_all_read(&p->log, &found, &stream));
+    if (p->first_snapshot.number != 0) {
+        return vbss_log_fail_corrupt(&p->log, found.position,
+                                     "the scene at the begin was expected");
     }
-    p->begin = p->look = p->log;
-    VBSS_TRY(vbss_log_make_coder(p->context, p->head.input_capacity, &p->log.coder));
-    VBSS_TRY(vbss_log_make_coder(p->context, p->head.input_capacity, &p->look.coder));
-    VBSS_TRY(vbss_log_make_coder(p->context, p->head.input_capacity, &p->scan));
-    p->report.position = p->log.at;
-    p->step.input_capacity = p->head.input_capacity;
-    VBSS_TRY(vbss_log_make_inputs(p->context, &p->step));
-    return vbss_log_make_events(p->context, &p->step, p->head.scene.event_capacity);
+    p->start = p->inspection = p->log;
+    VBSS_TRY(vbss_log_make_coder(p->context, p->header.input_capacity, &p->log.coder));
+    VBSS_TRY(vbss_log_make_coder(p->context, p->header.input_capacity, &p->inspection.coder));
+    VBSS_TRY(vbss_log_make_coder(p->context, p->header.input_capacity, &p->scan_coder));
+    p->report.position = p->log.position;
+    p->step.input_capacity = p->header.input_capacity;
+    VBSS_TRY(vbss_log_allocate_inputs(p->context, &p->step));
+    return vbss_log_allocate_events(p->context, &p->step, p->header.scene.event_capacity);
 }
 
-static vbss_result open_log(vbss_context *context, const uint8_t *bytes, size_t count,
-                            replay_object **replay)
+static vbss_result create_replay(vbss_context *context, const uint8_t *bytes, size_t count,
+                                 replay_object **replay)
 {
     replay_object *p = vbss_allocate(context, 1, sizeof *p, "replay");
     if (p == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
     }
-    p->context = p->head.context = p->log.context = context;
+    p->context = p->header.context = p->log.context = context;
     p->log.bytes = bytes;
     p->log.count = count;
-    vbss_result result = vbss_log_read_begin(p);
+    vbss_result result = vbss_replay_open_log(p);
     if (result != VBSS_OK) {
-        free_object(context, p);
+        free_replay(context, p);
         return result;
     }
     *replay = p;
@@ -109,10 +110,10 @@ vbss_result vbss_replay_create(vbss_context *context, const uint8_t *bytes, uint
     if (count > SIZE_MAX) {
         return vbss_fail(context, VBSS_ERROR_CORRUPT, "the log is larger than any memory");
     }
-    VBSS_TRY(open_log(context, bytes, (size_t)count, &p));
+    VBSS_TRY(create_replay(context, bytes, (size_t)count, &p));
     vbss_result result = vbss_slot_create(context, &kind, p, &slot);
     if (result != VBSS_OK) {
-        free_object(context, p);
+        free_replay(context, p);
         return result;
     }
     *replay = (vbss_replay *)slot;
@@ -124,7 +125,7 @@ vbss_result vbss_replay_destroy(vbss_replay *replay)
     return vbss_slot_destroy(replay, &kind);
 }
 
-static vbss_result open_handle(const vbss_replay *handle, replay_object **replay)
+static vbss_result open_replay(const vbss_replay *handle, replay_object **replay)
 {
     vbss_slot *slot;
     VBSS_TRY(vbss_slot_open(handle, &kind, &slot));
@@ -145,16 +146,16 @@ vbss_result vbss_replay_edit(vbss_replay *handle, replay_object **replay)
 vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, uint32_t struct_size)
 {
     replay_object *p;
-    VBSS_TRY(open_handle(replay, &p));
+    VBSS_TRY(open_replay(replay, &p));
     const vbss_replay_info own = {
         .struct_size = sizeof own,
-        .library_version = p->head.library_version,
-        .hash_interval = p->head.hash_interval,
-        .note_bytes = p->head.note.count,
-        .snapshot_bytes = p->first.count,
+        .library_version = p->header.library_version,
+        .hash_interval = p->header.hash_interval,
+        .note_bytes = p->header.note.count,
+        .snapshot_bytes = p->first_snapshot.count,
         .log_bytes = p->log.count,
-        .build_info = (const char *)p->head.build_info.bytes,
-        .note = p->head.note.bytes,
+        .build_info = (const char *)p->header.build_info.bytes,
+        .note = p->header.note.bytes,
     };
     return vbss_struct_write(p->context, &info_layout, &own, info, struct_size);
 }
@@ -162,61 +163,61 @@ vbss_result vbss_replay_get_info(vbss_replay *replay, vbss_replay_info *info, ui
 vbss_result vbss_replay_get_scene_config(vbss_replay *replay, vbss_scene_config *config)
 {
     replay_object *p;
-    VBSS_TRY(open_handle(replay, &p));
+    VBSS_TRY(open_replay(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, config, "config"));
-    vbss_scene_config own = p->head.scene;
+    vbss_scene_config own = p->header.scene;
     own.struct_size = sizeof own;
     return vbss_struct_write(p->context, &scene_config_layout, &own, config, config->struct_size);
 }
 
 /* ---- from step to step */
 
-log_reader vbss_log_reader_at(const log_reader *place, log_coder *coder)
+log_reader vbss_log_reader_at(const log_reader *start, log_coder *coder)
 {
-    log_reader reader = *place;
+    log_reader reader = *start;
     reader.coder = coder;
-    vbss_log_restart_coder(coder);
+    vbss_log_reset_coder(coder);
     return reader;
 }
 
-static vbss_result read_step(const log_reader *log, const log_found *found, uint64_t steps_before,
-                             vbss_stream *stream, log_step *step)
+static vbss_result decode_step(const log_reader *log, const log_record *found,
+                               uint64_t steps_before, vbss_stream *stream, log_step *step)
 {
-    if (!found->coded) {
+    if (!found->is_coded) {
         vbss_log_visit_step(stream, step);
-        vbss_log_restart_coder(log->coder);
-        return vbss_log_read_all(log, found, stream);
+        vbss_log_reset_coder(log->coder);
+        return vbss_log_check_all_read(log, found, stream);
     }
     const char *problem =
         vbss_log_decode(log->coder, steps_before, found->payload, found->length, step);
-    return problem == NULL ? VBSS_OK : vbss_log_corrupt(log, found->at, problem);
+    return problem == NULL ? VBSS_OK : vbss_log_fail_corrupt(log, found->position, problem);
 }
 
-vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step,
-                          log_snapshot *snapshot, log_found *found)
+vbss_result vbss_log_read_record(log_reader *log, uint64_t steps_before, log_step *step,
+                                 log_snapshot *snapshot, log_record *found)
 {
     log_reader next = *log;
     vbss_stream stream;
     uint64_t number = steps_before;
-    VBSS_TRY(begin_record(&next, found, &stream));
+    VBSS_TRY(next_record(&next, found, &stream));
     if (found->code == LOG_SNAPSHOT) {
         vbss_log_visit_snapshot(&stream, snapshot);
-        VBSS_TRY(vbss_log_read_all(log, found, &stream));
-        vbss_log_restart_coder(log->coder);
+        VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
+        vbss_log_reset_coder(log->coder);
         number = snapshot->number;
     } else if (found->code == LOG_END) {
         vbss_log_visit_end(&stream, step);
-        VBSS_TRY(vbss_log_read_all(log, found, &stream));
+        VBSS_TRY(vbss_log_check_all_read(log, found, &stream));
         number = step->number;
     } else {
-        VBSS_TRY(read_step(log, found, steps_before, &stream, step));
+        VBSS_TRY(decode_step(log, found, steps_before, &stream, step));
         number = step->number - 1;
     }
     if (number != steps_before) {
-        return vbss_log_corrupt(log, found->at, "another step was expected");
+        return vbss_log_fail_corrupt(log, found->position, "another step was expected");
     }
-    if (found->code == LOG_END && next.at != next.count) {
-        return vbss_log_corrupt(log, next.at, "data follow the end");
+    if (found->code == LOG_END && next.position != next.count) {
+        return vbss_log_fail_corrupt(log, next.position, "data follow the end");
     }
     *log = next;
     return VBSS_OK;
@@ -225,10 +226,10 @@ vbss_result vbss_log_read(log_reader *log, uint64_t steps_before, log_step *step
 vbss_result vbss_log_read_step(log_reader *log, uint64_t steps_before, log_step *step, bool *end)
 {
     log_reader next = *log;
-    log_snapshot passed;
-    log_found found;
+    log_snapshot skipped;
+    log_record found;
     do {
-        VBSS_TRY(vbss_log_read(&next, steps_before, step, &passed, &found));
+        VBSS_TRY(vbss_log_read_record(&next, steps_before, step, &skipped, &found));
     } while (found.code == LOG_SNAPSHOT);
     *end = found.code == LOG_END;
     *log = next;
@@ -241,7 +242,7 @@ vbss_result vbss_replay_check(vbss_replay *replay, uint64_t *steps)
     VBSS_TRY(vbss_replay_edit(replay, &p));
     VBSS_TRY(vbss_check_pointer(p->context, steps, "steps"));
     VBSS_TRY(vbss_check_arithmetic(p->context));
-    log_reader log = vbss_log_reader_at(&p->begin, p->scan);
+    log_reader log = vbss_log_reader_at(&p->start, p->scan_coder);
     log_step step = p->step;
     bool end = false;
     *steps = 0;
@@ -261,31 +262,31 @@ vbss_result vbss_replay_read(vbss_replay *replay, uint64_t number, vbss_log_step
     vbss_log_step own = {.struct_size = sizeof own};
     VBSS_TRY(vbss_struct_write(p->context, &step_layout, &own, step, struct_size));
     VBSS_TRY(vbss_check_arithmetic(p->context));
-    if (number <= p->looked) {
-        p->look = vbss_log_reader_at(&p->begin, p->look.coder);
-        p->looked = 0;
-        p->looked_time = 0.0;
+    if (number <= p->inspected_steps) {
+        p->inspection = vbss_log_reader_at(&p->start, p->inspection.coder);
+        p->inspected_steps = 0;
+        p->inspected_time = 0.0;
     }
-    while (number > p->looked) {
-        log_reader next = p->look;
-        VBSS_TRY(vbss_log_read_step(&next, p->looked, &p->step, &end));
+    while (number > p->inspected_steps) {
+        log_reader next = p->inspection;
+        VBSS_TRY(vbss_log_read_step(&next, p->inspected_steps, &p->step, &end));
         if (end) {
             break;
         }
-        p->look = next;
-        p->looked++;
-        p->looked_time += p->step.h;
+        p->inspection = next;
+        p->inspected_steps++;
+        p->inspected_time += p->step.h;
     }
     if (end || number == 0) {
         return vbss_fail(p->context, VBSS_ERROR_OUT_OF_RANGE, "the log has no step %llu",
                          (unsigned long long)number);
     }
-    own.position = p->look.at;
+    own.position = p->inspection.position;
     own.number = number;
-    own.hashed = (uint32_t)p->step.hashed;
+    own.hashed = (uint32_t)p->step.has_hash;
     own.hash = p->step.hash;
     own.h = p->step.h;
-    own.time = p->looked_time;
+    own.time = p->inspected_time;
     own.input_count = p->step.input_count;
     own.event_count = p->step.event_count;
     own.inputs = p->step.inputs;

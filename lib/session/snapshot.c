@@ -20,10 +20,10 @@ static void visit_below(vbss_stream *stream, uint16_t tag, uint32_t *value, uint
     refuse(stream, *value >= end);
 }
 
-static void visit_bounded(vbss_stream *stream, uint16_t tag, double *value, double most)
+static void visit_bounded(vbss_stream *stream, uint16_t tag, double *value, double bound)
 {
     vbss_stream_f64(stream, tag, value, 1);
-    refuse(stream, !(fabs(*value) <= most));
+    refuse(stream, !(fabs(*value) <= bound));
 }
 
 static void visit_choice(vbss_stream *stream, uint16_t tag, int32_t *value, int32_t last)
@@ -54,16 +54,16 @@ static void visit_config(vbss_stream *stream, const vbss_session_config *c)
 
 /* ---- the task */
 
-static void visit_latch(vbss_stream *stream, session_latch *latch, uint32_t end)
+static void visit_debounced(vbss_stream *stream, session_debounced_value *debounced, uint32_t end)
 {
-    visit_below(stream, 10, &latch->value, end);
-    visit_below(stream, 11, &latch->seen, end);
-    visit_bounded(stream, 12, &latch->since, LARGEST_TIME);
+    visit_below(stream, 10, &debounced->value, end);
+    visit_below(stream, 11, &debounced->candidate, end);
+    visit_bounded(stream, 12, &debounced->since, LARGEST_TIME);
 }
 
 static void visit_holes(vbss_stream *stream, session_object *s)
 {
-    for (int k = 0; k < SESSION_MARKS; k++) {
+    for (int k = 0; k < SESSION_SIDES; k++) {
         session_hole *hole = &s->holes[k];
         vbss_stream_u32(stream, 20, &hole->id, 1);
         visit_below(stream, 21, &hole->threaded, 2);
@@ -73,10 +73,10 @@ static void visit_holes(vbss_stream *stream, session_object *s)
         visit_bounded(stream, 25, &hole->deviation_mm, LARGEST_LENGTH);
     }
     vbss_stream_u32(stream, 26, &s->newest_hole, 1);
-    vbss_stream_u32(stream, 27, s->strays, SESSION_STRAYS);
+    vbss_stream_u32(stream, 27, s->stray_holes, SESSION_MAX_STRAYS);
 }
 
-static void visit_throw_look(vbss_stream *stream, session_throw_look *t)
+static void visit_throw_observation(vbss_stream *stream, session_throw_observation *t)
 {
     vbss_stream_i32(stream, 30, &t->wraps, 1);
     vbss_stream_i32(stream, 31, &t->handedness, 1);
@@ -84,37 +84,37 @@ static void visit_throw_look(vbss_stream *stream, session_throw_look *t)
     refuse(stream, t->wraps < 0 || t->handedness < -1 || t->handedness > 1);
 }
 
-static void visit_knot(vbss_stream *stream, session_knot_look *knot)
+static void visit_knot(vbss_stream *stream, session_knot_observation *knot)
 {
-    uint32_t located = knot->located;
-    visit_below(stream, 33, &knot->count, SESSION_THROWS + 1);
-    for (int i = 0; i < SESSION_THROWS; i++) {
-        visit_throw_look(stream, &knot->throws[i]);
+    uint32_t located = knot->is_located;
+    visit_below(stream, 33, &knot->throw_count, SESSION_MAX_THROWS + 1);
+    for (int i = 0; i < SESSION_MAX_THROWS; i++) {
+        visit_throw_observation(stream, &knot->throws[i]);
     }
-    visit_choice(stream, 34, &knot->next, VBSS_KNOT_VERDICT_UNCERTAIN);
+    visit_choice(stream, 34, &knot->next_throw, VBSS_KNOT_VERDICT_UNCERTAIN);
     vbss_stream_u32(stream, 35, &knot->faults, 1);
     visit_below(stream, 36, &located, 2);
-    visit_bounded(stream, 37, &knot->ends[0], LARGEST_LENGTH);
-    visit_bounded(stream, 37, &knot->ends[1], LARGEST_LENGTH);
-    knot->located = located != 0;
+    visit_bounded(stream, 37, &knot->end_arcs[0], LARGEST_LENGTH);
+    visit_bounded(stream, 37, &knot->end_arcs[1], LARGEST_LENGTH);
+    knot->is_located = located != 0;
 }
 
 static void visit_throws(vbss_stream *stream, session_object *s)
 {
     uint32_t tied = 0;
-    for (uint32_t i = 0; i < SESSION_THROWS; i++) {
+    for (uint32_t i = 0; i < SESSION_MAX_THROWS; i++) {
         session_throw *t = &s->throws[i];
-        visit_throw_look(stream, &t->is);
-        visit_throw_look(stream, &t->seen);
+        visit_throw_observation(stream, &t->value);
+        visit_throw_observation(stream, &t->candidate);
         visit_bounded(stream, 38, &t->since, LARGEST_TIME);
         visit_below(stream, 39, &s->tied_by[i], VBSS_METRICS_NO_TOOL + 1);
-        tied += tied == i && t->is.wraps != 0;
+        tied += tied == i && t->value.wraps != 0;
     }
-    visit_below(stream, 40, &s->throw_count, SESSION_THROWS + 1);
-    visit_below(stream, 41, &s->seated, SESSION_THROWS + 1);
-    visit_below(stream, 42, &s->missed, 1u << SESSION_THROWS);
+    visit_below(stream, 40, &s->throw_count, SESSION_MAX_THROWS + 1);
+    visit_below(stream, 41, &s->seated_count, SESSION_MAX_THROWS + 1);
+    visit_below(stream, 42, &s->missed_transfers, 1u << SESSION_MAX_THROWS);
     visit_below(stream, 43, &s->transferred, 1u << SESSION_TRANSFERS);
-    refuse(stream, s->throw_count != tied || s->seated > s->throw_count);
+    refuse(stream, s->throw_count != tied || s->seated_count > s->throw_count);
     visit_knot(stream, &s->knot);
 }
 
@@ -122,21 +122,21 @@ static void visit_task(vbss_stream *stream, session_object *s)
 {
     vbss_stream_u64(stream, 3, &s->steps, 1);
     visit_bounded(stream, 4, &s->time, LARGEST_TIME);
-    visit_bounded(stream, 5, &s->end, LARGEST_TIME);
+    visit_bounded(stream, 5, &s->end_time, LARGEST_TIME);
     vbss_stream_u32(stream, 6, &s->thread, 1);
-    visit_bounded(stream, 7, &s->length, LARGEST_LENGTH);
+    visit_bounded(stream, 7, &s->thread_length, LARGEST_LENGTH);
     visit_choice(stream, 8, &s->phase, VBSS_SESSION_PHASE_FAILED);
     visit_choice(stream, 9, &s->failure, VBSS_SESSION_FAILURE_LOST);
     visit_holes(stream, s);
-    visit_latch(stream, &s->held, 4);
-    visit_below(stream, 13, &s->holder, VBSS_METRICS_NO_TOOL + 1);
-    visit_latch(stream, &s->tail, 2);
-    visit_latch(stream, &s->stage, 8 * (SESSION_THROWS + 1));
-    visit_latch(stream, &s->seat, 2);
-    visit_latch(stream, &s->faults, 1u << 16);
-    visit_latch(stream, &s->broken, 2);
+    visit_debounced(stream, &s->holding_tools, 4);
+    visit_below(stream, 13, &s->last_holder, VBSS_METRICS_NO_TOOL + 1);
+    visit_debounced(stream, &s->tail_set, 2);
+    visit_debounced(stream, &s->throw_stage, 8 * (SESSION_MAX_THROWS + 1));
+    visit_debounced(stream, &s->newest_seated, 2);
+    visit_debounced(stream, &s->knot_faults, 1u << 16);
+    visit_debounced(stream, &s->broken, 2);
     visit_throws(stream, s);
-    visit_below(stream, 50, &s->cut, 4);
+    visit_below(stream, 50, &s->cut_limbs, 4);
     visit_bounded(stream, 51, &s->tail_length, LARGEST_LENGTH);
     visit_bounded(stream, 52, &s->gap, LARGEST_LENGTH);
     visit_bounded(stream, 53, &s->tension[0], LARGEST_TIME);
@@ -178,20 +178,21 @@ static void visit_events(vbss_stream *stream, session_object *s)
     uint64_t capacity = s->config.event_capacity;
     vbss_stream_u64(stream, 69, &s->event_count, 1);
     vbss_stream_expect(stream, 70, capacity);
-    uint64_t kept = s->event_count < capacity ? s->event_count : capacity;
-    for (uint64_t i = s->event_count - kept; i < s->event_count && stream->result == VBSS_OK; i++) {
+    uint64_t stored = s->event_count < capacity ? s->event_count : capacity;
+    for (uint64_t i = s->event_count - stored; i < s->event_count && stream->result == VBSS_OK;
+         i++) {
         vbss_session_event *e = vbss_session_event_at(s, i);
         visit_event(stream, e);
         refuse(stream, e->ordinal != i);
     }
-    s->step_events = s->event_count;
+    s->events_before_step = s->event_count;
 }
 
 /* ---- its parts */
 
 /* NULL: there is none, or none to visit. */
-static void *open_part(vbss_stream *stream, void *handle, const vbss_kind *kind,
-                       vbss_section *outer)
+static void *open_component(vbss_stream *stream, void *handle, const vbss_kind *kind,
+                            vbss_section *outer)
 {
     vbss_slot *slot;
     if (handle == NULL || stream->result != VBSS_OK) {
@@ -205,15 +206,15 @@ static void *open_part(vbss_stream *stream, void *handle, const vbss_kind *kind,
     return slot->object;
 }
 
-static void visit_parts(vbss_stream *stream, const session_object *s)
+static void visit_components(vbss_stream *stream, const session_object *s)
 {
     vbss_section outer;
-    void *knots = open_part(stream, s->config.knots, &vbss_knot_kind, &outer);
+    void *knots = open_component(stream, s->config.knots, &vbss_knot_kind, &outer);
     if (knots != NULL) {
         vbss_knot_serialise(stream, knots);
         vbss_stream_close(stream, outer);
     }
-    void *metrics = open_part(stream, s->config.metrics, &vbss_metrics_kind, &outer);
+    void *metrics = open_component(stream, s->config.metrics, &vbss_metrics_kind, &outer);
     if (metrics != NULL) {
         vbss_metrics_serialise(stream, metrics);
         vbss_stream_close(stream, outer);
@@ -221,7 +222,7 @@ static void visit_parts(vbss_stream *stream, const session_object *s)
 }
 
 /* What the detector told in its last step is no longer of the thread that it knows. */
-static void forget_knot_events(const session_object *s)
+static void clear_knot_events(const session_object *s)
 {
     knot_detector *d;
     if (s->config.knots != NULL && vbss_knot_open(s->config.knots, &d) == VBSS_OK) {
@@ -252,8 +253,8 @@ void vbss_session_serialise(vbss_stream *stream, void *object)
     visit_scene(stream, s);
     visit_task(stream, s);
     visit_events(stream, s);
-    visit_parts(stream, s);
+    visit_components(stream, s);
     if (stream->mode == VBSS_STREAM_READ) {
-        forget_knot_events(s);
+        clear_knot_events(s);
     }
 }

@@ -23,12 +23,12 @@ static void visit_quat(vbss_stream *stream, uint16_t tag, quat *q)
 }
 
 /* At most so large: what is computed from it stays finite. */
-static void visit_vec3(vbss_stream *stream, uint16_t tag, vec3 *v, double most)
+static void visit_vec3(vbss_stream *stream, uint16_t tag, vec3 *v, double bound)
 {
     double x[3];
     vbss_stream_f64(stream, tag, &v->x, 3);
     vec3_store(x, *v);
-    if (!(vbss_max_abs(x, 3) <= most)) {
+    if (!(vbss_max_abs(x, 3) <= bound)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "a vector is too long");
     }
 }
@@ -77,36 +77,36 @@ static void visit_calibration(vbss_stream *stream, device_object *d)
         return;
     }
     d->calibration = c;
-    d->frame = vbss_device_frame_of(&c);
+    d->frame = vbss_device_make_frame(&c);
 }
 
 /* ---- what came in */
 
 static void visit_source(vbss_stream *stream, device_source *s)
 {
-    vbss_device_visit_bool(stream, 20, &s->lost);
-    vbss_device_visit_bool(stream, 21, &s->fault);
-    vbss_device_visit_bool(stream, 22, &s->mute);
-    vbss_device_visit_bool(stream, 23, &s->timed);
+    vbss_device_visit_bool(stream, 20, &s->is_lost);
+    vbss_device_visit_bool(stream, 21, &s->has_fault);
+    vbss_device_visit_bool(stream, 22, &s->read_failed);
+    vbss_device_visit_bool(stream, 23, &s->has_time);
     vbss_stream_f64(stream, 24, &s->time, 1);
-    vbss_stream_f64(stream, 25, &s->heard, 1);
+    vbss_stream_f64(stream, 25, &s->received_at, 1);
 }
 
-static void visit_part(vbss_stream *stream, device_part *part)
+static void visit_reading(vbss_stream *stream, device_reading *reading)
 {
-    vbss_device_visit_bool(stream, 30, &part->known);
-    vbss_device_visit_bool(stream, 31, &part->stale);
-    vbss_stream_f64(stream, 32, &part->time, 1);
-    vbss_stream_f64(stream, 33, &part->heard, 1);
-    vbss_stream_f64(stream, 34, &part->age, 1);
+    vbss_device_visit_bool(stream, 30, &reading->is_known);
+    vbss_device_visit_bool(stream, 31, &reading->is_stale);
+    vbss_stream_f64(stream, 32, &reading->time, 1);
+    vbss_stream_f64(stream, 33, &reading->received_at, 1);
+    vbss_stream_f64(stream, 34, &reading->age, 1);
 }
 
 static void visit_motion(vbss_stream *stream, device_motion *m)
 {
-    vbss_device_visit_bool(stream, 40, &m->placed);
-    vbss_device_visit_bool(stream, 41, &m->moving);
-    vbss_device_visit_bool(stream, 42, &m->oriented);
-    vbss_device_visit_bool(stream, 43, &m->spinning);
+    vbss_device_visit_bool(stream, 40, &m->has_position);
+    vbss_device_visit_bool(stream, 41, &m->has_velocity);
+    vbss_device_visit_bool(stream, 42, &m->has_orientation);
+    vbss_device_visit_bool(stream, 43, &m->has_spin);
     vbss_stream_f64(stream, 44, &m->time, 1);
     visit_vec3(stream, 45, &m->position, 1e3);
     visit_vec3(stream, 46, &m->velocity, 1e10);
@@ -116,10 +116,10 @@ static void visit_motion(vbss_stream *stream, device_motion *m)
 
 static void visit_jaw(vbss_stream *stream, device_jaw *jaw)
 {
-    vbss_device_visit_bool(stream, 50, &jaw->known);
-    vbss_device_visit_bool(stream, 51, &jaw->closed);
+    vbss_device_visit_bool(stream, 50, &jaw->is_known);
+    vbss_device_visit_bool(stream, 51, &jaw->is_closed);
     vbss_stream_f64(stream, 52, &jaw->filtered, 1);
-    vbss_stream_f64(stream, 53, &jaw->play, 1);
+    vbss_stream_f64(stream, 53, &jaw->after_play, 1);
     vbss_stream_f64(stream, 54, &jaw->opening, 1);
     if (!(jaw->opening >= 0.0 && jaw->opening <= 1.0)) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no jaws are that open");
@@ -128,7 +128,7 @@ static void visit_jaw(vbss_stream *stream, device_jaw *jaw)
 
 static void visit_sample(vbss_stream *stream, device_object *d)
 {
-    vbss_stream_u32(stream, 60, &d->known, 1);
+    vbss_stream_u32(stream, 60, &d->known_signals, 1);
     visit_vec3(stream, 61, &d->position, 1e3);
     visit_vec3(stream, 62, &d->velocity, 1e10);
     visit_vec3(stream, 63, &d->spin, 1e10);
@@ -137,14 +137,14 @@ static void visit_sample(vbss_stream *stream, device_object *d)
     vbss_stream_f64(stream, 66, &d->temperature, 1);
     vbss_stream_u32(stream, 67, &d->buttons, 1);
     vbss_stream_i32(stream, 68, &d->tool, 1);
-    vbss_device_visit_bool(stream, 69, &d->clutched);
-    vbss_device_visit_bool(stream, 70, &d->unwritten);
-    visit_vec3(stream, 71, &d->shift, 1e7);
-    visit_quat(stream, 72, &d->turn);
-    visit_vec3(stream, 73, &d->held.position, 1e3);
-    visit_quat(stream, 74, &d->held.orientation);
-    visit_vec3(stream, 75, &d->shown.position, 1e3);
-    visit_quat(stream, 76, &d->shown.orientation);
+    vbss_device_visit_bool(stream, 69, &d->is_clutched);
+    vbss_device_visit_bool(stream, 70, &d->write_failed);
+    visit_vec3(stream, 71, &d->position_offset, 1e7);
+    visit_quat(stream, 72, &d->orientation_offset);
+    visit_vec3(stream, 73, &d->clutch_pose.position, 1e3);
+    visit_quat(stream, 74, &d->clutch_pose.orientation);
+    visit_vec3(stream, 75, &d->reported_pose.position, 1e3);
+    visit_quat(stream, 76, &d->reported_pose.orientation);
     if (d->tool < VBSS_DEVICE_TOOL_NONE || d->tool > VBSS_DEVICE_TOOL_SHEARS) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "there is no such tool");
     }
@@ -169,13 +169,13 @@ static void visit_figures(vbss_stream *stream, vbss_device_statistics *f)
     vbss_stream_f64(stream, 82, &f->oldest_pose, 1);
 }
 
-void vbss_device_visit(vbss_stream *stream, void *object)
+void vbss_device_serialise(vbss_stream *stream, void *object)
 {
     device_object *d = object;
     visit_config(stream, d);
     visit_calibration(stream, d);
-    vbss_device_visit_bool(stream, 4, &d->begun);
-    vbss_device_visit_bool(stream, 5, &d->written);
+    vbss_device_visit_bool(stream, 4, &d->has_time);
+    vbss_device_visit_bool(stream, 5, &d->has_written);
     vbss_stream_f64(stream, 6, &d->now, 1);
     vbss_stream_f64(stream, 7, &d->read_at, 1);
     vbss_stream_f64(stream, 8, &d->written_at, 1);
@@ -186,12 +186,12 @@ void vbss_device_visit(vbss_stream *stream, void *object)
     for (uint32_t i = 0; i < d->source_count; i++) {
         visit_source(stream, &d->sources[i]);
     }
-    visit_part(stream, &d->pose);
-    visit_part(stream, &d->opening);
+    visit_reading(stream, &d->pose_reading);
+    visit_reading(stream, &d->opening_reading);
     visit_motion(stream, &d->motion);
     visit_jaw(stream, &d->jaw);
     visit_sample(stream, d);
-    vbss_output_visit(stream, &d->limits, &d->output);
+    vbss_output_visit_state(stream, &d->limits, &d->output);
     visit_figures(stream, &d->statistics);
 }
 

@@ -16,7 +16,7 @@ vbss_result vbss_session_check_record(const session_object *s, vbss_record *reco
 
 /* ---- the scene's step */
 
-static vbss_result replay_scene(session_object *s)
+static vbss_result replay_scene_step(session_object *s)
 {
     vbss_replay_report report;
     replay_object *p;
@@ -39,7 +39,7 @@ static vbss_result replay_scene(session_object *s)
 vbss_result vbss_session_step_scene(session_object *s, double h)
 {
     if (s->config.replay != NULL) {
-        return replay_scene(s);
+        return replay_scene_step(s);
     }
     VBSS_TRY(s->config.record != NULL ? vbss_record_step(s->config.record, h)
                                       : vbss_scene_step(s->scene, h));
@@ -49,50 +49,50 @@ vbss_result vbss_session_step_scene(session_object *s, double h)
 
 /* ---- marks and states */
 
-static vbss_result compare(session_object *s)
+static vbss_result compare_log_hash(session_object *s)
 {
     replay_object *p;
-    log_mark mark;
+    log_session_hash entry;
     VBSS_TRY(vbss_replay_edit(s->config.replay, &p));
-    if (!vbss_log_find_mark(p, &mark)) {
+    if (!vbss_log_find_session_hash(p, &entry)) {
         return VBSS_OK;
     }
-    return mark.events == s->event_count && mark.hash == vbss_session_task_hash(s)
+    return entry.events == s->event_count && entry.hash == vbss_session_task_hash(s)
                ? VBSS_OK
                : vbss_fail(s->context, VBSS_ERROR_CORRUPT,
                            "the session after step %llu of the log is not the recorded one",
-                           (unsigned long long)mark.number);
+                           (unsigned long long)entry.number);
 }
 
 /* After steps in which something happened, and at intervals. */
-vbss_result vbss_session_put_state(const vbss_slot *slot, vbss_record *record)
+vbss_result vbss_session_record_snapshot(const vbss_slot *slot, vbss_record *record)
 {
     record_object *r;
     if (record == NULL) {
         return VBSS_OK;
     }
     VBSS_TRY(vbss_record_edit(record, &r));
-    return vbss_log_put_state(r, slot);
+    return vbss_log_write_session_snapshot(r, slot);
 }
 
-static vbss_result write_mark(session_object *s)
+static vbss_result write_log_hash(session_object *s)
 {
     record_object *r;
     if (s->config.record == NULL ||
-        (s->event_count == s->step_events && s->steps % s->config.hash_interval != 0)) {
+        (s->event_count == s->events_before_step && s->steps % s->config.hash_interval != 0)) {
         return VBSS_OK;
     }
     VBSS_TRY(vbss_record_edit(s->config.record, &r));
-    log_mark mark = {
+    log_session_hash entry = {
         .number = r->step.number, .hash = vbss_session_task_hash(s), .events = s->event_count};
-    return vbss_log_put_mark(r, &mark);
+    return vbss_log_write_session_hash(r, &entry);
 }
 
-vbss_result vbss_session_mark(const vbss_slot *slot, session_object *s)
+vbss_result vbss_session_sync_log(const vbss_slot *slot, session_object *s)
 {
     if (s->config.replay != NULL) {
-        return compare(s);
+        return compare_log_hash(s);
     }
-    VBSS_TRY(write_mark(s));
-    return vbss_session_put_state(slot, s->config.record);
+    VBSS_TRY(write_log_hash(s));
+    return vbss_session_record_snapshot(slot, s->config.record);
 }

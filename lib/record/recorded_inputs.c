@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "record/record.h"
 
-static vbss_result check_room(const record_object *r)
+static vbss_result check_input_capacity(const record_object *r)
 {
     return r->step.input_count < r->step.input_capacity
                ? VBSS_OK
@@ -13,27 +13,29 @@ static vbss_result check_room(const record_object *r)
                            r->step.input_capacity);
 }
 
-static void note(record_object *r, const scene_object *s, uint8_t kind, const vbss_log_input *input)
+static void record_input(record_object *r, const scene_object *s, uint8_t kind,
+                         const vbss_log_input *input)
 {
-    uint32_t place = r->step.input_count++;
-    r->step.kinds[place] = kind;
-    r->step.inputs[place] = *input;
-    r->step.inputs[place].kind = kind;
-    r->seen = vbss_log_edits_of(s);
+    uint32_t next = r->step.input_count++;
+    r->step.kinds[next] = kind;
+    r->step.inputs[next] = *input;
+    r->step.inputs[next].kind = kind;
+    r->known_edits = vbss_log_count_edits(s);
 }
 
-static vbss_result tell(record_object *r, uint8_t kind, const vbss_log_input *input, uint32_t *id)
+static vbss_result apply_and_record(record_object *r, uint8_t kind, const vbss_log_input *input,
+                                    uint32_t *id)
 {
     scene_object *s;
-    VBSS_TRY(vbss_record_ready(r, &s));
-    VBSS_TRY(check_room(r));
-    VBSS_TRY(vbss_log_tell(r->scene, kind, input, id));
-    note(r, s, kind, input);
+    VBSS_TRY(vbss_record_check_ready(r, &s));
+    VBSS_TRY(check_input_capacity(r));
+    VBSS_TRY(vbss_log_apply_input(r->scene, kind, input, id));
+    record_input(r, s, kind, input);
     return VBSS_OK;
 }
 
-static vbss_result move(vbss_record *record, uint8_t kind, uint32_t body, const double position[3],
-                        const double *orientation)
+static vbss_result move_body(vbss_record *record, uint8_t kind, uint32_t body,
+                             const double position[3], const double *orientation)
 {
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
@@ -43,13 +45,13 @@ static vbss_result move(vbss_record *record, uint8_t kind, uint32_t body, const 
     if (orientation != NULL) {
         memcpy(input.numbers + 3, orientation, 4 * sizeof(double));
     }
-    return tell(r, kind, &input, NULL);
+    return apply_and_record(r, kind, &input, NULL);
 }
 
 vbss_result vbss_record_move_rigid(vbss_record *record, uint32_t body, const double position[3],
                                    const double *orientation)
 {
-    return move(record, VBSS_INPUT_MOVE_RIGID, body, position, orientation);
+    return move_body(record, VBSS_INPUT_MOVE_RIGID, body, position, orientation);
 }
 
 vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_t node,
@@ -62,7 +64,7 @@ vbss_result vbss_record_pin_thread(vbss_record *record, uint32_t thread, uint32_
     if (point != NULL) {
         memcpy(input.numbers, point, 3 * sizeof(double));
     }
-    return tell(r, VBSS_INPUT_PIN, &input, pin);
+    return apply_and_record(r, VBSS_INPUT_PIN, &input, pin);
 }
 
 vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
@@ -70,7 +72,7 @@ vbss_result vbss_record_unpin_thread(vbss_record *record, uint32_t pin)
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {pin}};
-    return tell(r, VBSS_INPUT_UNPIN, &input, NULL);
+    return apply_and_record(r, VBSS_INPUT_UNPIN, &input, NULL);
 }
 
 vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double arc_length,
@@ -80,7 +82,7 @@ vbss_result vbss_record_cut_thread(vbss_record *record, uint32_t thread, double 
     VBSS_TRY(vbss_record_edit(record, &r));
     VBSS_TRY(vbss_check_pointer(r->context, piece, "piece"));
     const vbss_log_input input = {.words = {thread}, .numbers = {arc_length}};
-    return tell(r, VBSS_INPUT_CUT, &input, piece);
+    return apply_and_record(r, VBSS_INPUT_CUT, &input, piece);
 }
 
 /* The thread reads the struct, as it may be one of another version. */
@@ -91,8 +93,8 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
     scene_object *s;
     vbss_thread *handle;
     VBSS_TRY(vbss_record_edit(record, &r));
-    VBSS_TRY(vbss_record_ready(r, &s));
-    VBSS_TRY(check_room(r));
+    VBSS_TRY(vbss_record_check_ready(r, &s));
+    VBSS_TRY(check_input_capacity(r));
     VBSS_TRY(vbss_log_find_thread(r->scene, thread, &handle));
     VBSS_TRY(vbss_thread_attach(handle, attachment, id));
     vbss_log_input input = {.words = {thread, (uint32_t)attachment->kind, attachment->node}};
@@ -102,7 +104,7 @@ vbss_result vbss_record_attach(vbss_record *record, uint32_t thread,
     input.numbers[9] = attachment->stiffness;
     input.numbers[10] = attachment->damping;
     input.numbers[11] = attachment->mass;
-    note(r, s, VBSS_INPUT_ATTACH, &input);
+    record_input(r, s, VBSS_INPUT_ATTACH, &input);
     return VBSS_OK;
 }
 
@@ -117,7 +119,7 @@ vbss_result vbss_record_move_attachment(vbss_record *record, uint32_t thread, ui
     if (direction != NULL) {
         memcpy(input.numbers + 3, direction, 3 * sizeof(double));
     }
-    return tell(r, VBSS_INPUT_MOVE, &input, NULL);
+    return apply_and_record(r, VBSS_INPUT_MOVE, &input, NULL);
 }
 
 vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id)
@@ -125,13 +127,13 @@ vbss_result vbss_record_detach(vbss_record *record, uint32_t thread, uint32_t id
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {thread, id}};
-    return tell(r, VBSS_INPUT_DETACH, &input, NULL);
+    return apply_and_record(r, VBSS_INPUT_DETACH, &input, NULL);
 }
 
 vbss_result vbss_record_move_grasper(vbss_record *record, uint32_t body, const double position[3],
                                      const double *orientation)
 {
-    return move(record, VBSS_INPUT_MOVE_GRASPER, body, position, orientation);
+    return move_body(record, VBSS_INPUT_MOVE_GRASPER, body, position, orientation);
 }
 
 vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double opening)
@@ -139,7 +141,7 @@ vbss_result vbss_record_set_opening(vbss_record *record, uint32_t body, double o
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {body}, .numbers = {opening}};
-    return tell(r, VBSS_INPUT_SET_OPENING, &input, NULL);
+    return apply_and_record(r, VBSS_INPUT_SET_OPENING, &input, NULL);
 }
 
 vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_grasper_kind kind)
@@ -147,5 +149,5 @@ vbss_result vbss_record_exchange(vbss_record *record, uint32_t body, vbss_graspe
     record_object *r;
     VBSS_TRY(vbss_record_edit(record, &r));
     const vbss_log_input input = {.words = {body, (uint32_t)kind}};
-    return tell(r, VBSS_INPUT_EXCHANGE, &input, NULL);
+    return apply_and_record(r, VBSS_INPUT_EXCHANGE, &input, NULL);
 }

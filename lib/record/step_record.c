@@ -2,7 +2,7 @@
 #include "record/record.h"
 
 /* Inputs follow one another as they were told; tags of words from 16 on, of numbers from 32. */
-enum { WORDS = 16, NUMBERS = 32 };
+enum { WORD_TAGS = 16, NUMBER_TAGS = 32 };
 
 static void visit_inputs(vbss_stream *stream, log_step *step)
 {
@@ -11,7 +11,7 @@ static void visit_inputs(vbss_stream *stream, log_step *step)
     for (uint32_t i = 0; i < step->input_count && stream->result == VBSS_OK; i++) {
         uint8_t kind = step->kinds[i];
         vbss_log_input *input = &step->inputs[i];
-        if (kind == 0 || kind >= INPUT_KINDS) {
+        if (kind == 0 || kind >= LOG_INPUT_KINDS) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such input");
             return;
         }
@@ -19,9 +19,9 @@ static void visit_inputs(vbss_stream *stream, log_step *step)
         input->kind = kind;
         input->word_count = shape.words;
         input->number_count = shape.numbers;
-        vbss_stream_u32(stream, (uint16_t)(WORDS + kind), input->words, shape.words);
+        vbss_stream_u32(stream, (uint16_t)(WORD_TAGS + kind), input->words, shape.words);
         if (shape.numbers > 0) {
-            vbss_stream_f64(stream, (uint16_t)(NUMBERS + kind), input->numbers, shape.numbers);
+            vbss_stream_f64(stream, (uint16_t)(NUMBER_TAGS + kind), input->numbers, shape.numbers);
         }
     }
 }
@@ -36,12 +36,12 @@ static void visit_events(vbss_stream *stream, log_step *step)
 
 static void visit_hash(vbss_stream *stream, log_step *step)
 {
-    uint64_t words[3] = {step->number, step->hashed, step->hash};
+    uint64_t words[3] = {step->number, step->has_hash, step->hash};
     vbss_stream_u64(stream, 1, words, 3);
     step->number = words[0];
-    step->hashed = words[1];
+    step->has_hash = words[1];
     step->hash = words[2];
-    if (step->hashed > 1) {
+    if (step->has_hash > 1) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such flag");
     }
 }
@@ -65,13 +65,13 @@ void vbss_log_visit_end(vbss_stream *stream, log_step *step)
 
 /* ---- memory */
 
-void vbss_log_note_events(log_step *step, const scene_object *s)
+void vbss_log_borrow_events(log_step *step, const scene_object *s)
 {
     step->event_count = s->event_count;
     step->events = s->events;
 }
 
-vbss_result vbss_log_make_events(vbss_context *context, log_step *step, uint32_t capacity)
+vbss_result vbss_log_allocate_events(vbss_context *context, log_step *step, uint32_t capacity)
 {
     step->events = vbss_allocate(context, capacity, sizeof *step->events, "events of a log");
     step->event_capacity = capacity;
@@ -83,22 +83,22 @@ void vbss_log_free_events(vbss_context *context, log_step *step)
     vbss_release(context, step->events, step->event_capacity, sizeof *step->events);
 }
 
-static void list(log_step *step, vbss_array arrays[2])
+static void list_input_arrays(log_step *step, vbss_array arrays[2])
 {
     arrays[0] = (vbss_array){&step->kinds, step->input_capacity, sizeof *step->kinds};
     arrays[1] = (vbss_array){&step->inputs, step->input_capacity, sizeof *step->inputs};
 }
 
-vbss_result vbss_log_make_inputs(vbss_context *context, log_step *step)
+vbss_result vbss_log_allocate_inputs(vbss_context *context, log_step *step)
 {
     vbss_array arrays[2];
-    list(step, arrays);
+    list_input_arrays(step, arrays);
     return vbss_allocate_arrays(context, arrays, 2, "inputs of a log");
 }
 
 void vbss_log_free_inputs(vbss_context *context, log_step *step)
 {
     vbss_array arrays[2];
-    list(step, arrays);
+    list_input_arrays(step, arrays);
     vbss_release_arrays(context, arrays, 2);
 }

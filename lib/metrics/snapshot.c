@@ -55,7 +55,7 @@ static void visit_figures(vbss_stream *stream, uint16_t tag, double *values, uin
     }
 }
 
-static void visit_seen(vbss_stream *stream, uint16_t tag, uint8_t *seen, uint32_t count)
+static void visit_flag_bytes(vbss_stream *stream, uint16_t tag, uint8_t *seen, uint32_t count)
 {
     vbss_stream_u8(stream, tag, seen, count);
     for (uint32_t i = 0; i < count; i++) {
@@ -64,51 +64,52 @@ static void visit_seen(vbss_stream *stream, uint16_t tag, uint8_t *seen, uint32_
 }
 
 /* Between the ticks that are known and the fine samples there is just what a tick waits for. */
-static bool in_step(const metrics_object *m, const metrics_hand *h)
+static bool is_tick_count_consistent(const metrics_object *m, const metrics_hand *h)
 {
     uint64_t known = (uint64_t)h->tick_count * METRICS_FINE_PER_TICK;
-    return h->tick_count >= m->tick_capacity
-               ? h->fine <= known + METRICS_REACH + 1
-               : h->fine <= known + METRICS_REACH && h->fine + METRICS_FINE_PER_TICK > known;
+    return h->tick_count >= m->tick_capacity ? h->next_fine <= known + METRICS_KERNEL_HALF_WIDTH + 1
+                                             : h->next_fine <= known + METRICS_KERNEL_HALF_WIDTH &&
+                                                   h->next_fine + METRICS_FINE_PER_TICK > known;
 }
 
 static void visit_hand(vbss_stream *stream, const metrics_object *m, metrics_hand *h)
 {
     uint32_t capacity = (uint32_t)m->tick_capacity;
-    vbss_stream_count(stream, 10, &h->points, 3);
+    vbss_stream_count(stream, 10, &h->point_count, 3);
     vbss_stream_count(stream, 11, &h->tick_count, capacity);
     vbss_stream_count(stream, 12, &h->force_count, capacity);
     if (stream->result != VBSS_OK) {
         return;
     }
     visit_bounded(stream, 13, h->time, 3, METRICS_LARGEST_TIME);
-    for (uint32_t i = 1; i < h->points; i++) {
+    for (uint32_t i = 1; i < h->point_count; i++) {
         refuse(stream, !(h->time[i] > h->time[i - 1]));
     }
     for (int i = 0; i < 3; i++) {
-        visit_bounded(stream, 14, &h->at[i].x, 3, LARGEST_FIGURE);
+        visit_bounded(stream, 14, &h->position[i].x, 3, LARGEST_FIGURE);
     }
-    visit_bounded(stream, 15, &h->shift.x, 3, LARGEST_FIGURE);
-    vbss_stream_u64(stream, 16, &h->fine, 1);
-    vbss_stream_count(stream, 17, &h->still, METRICS_RING);
-    for (int i = 0; i < METRICS_RING; i++) {
+    visit_bounded(stream, 15, &h->offset.x, 3, LARGEST_FIGURE);
+    vbss_stream_u64(stream, 16, &h->next_fine, 1);
+    vbss_stream_count(stream, 17, &h->still_count, METRICS_RING_SIZE);
+    for (int i = 0; i < METRICS_RING_SIZE; i++) {
         visit_bounded(stream, 18, &h->ring[i].x, 3, LARGEST_FIGURE);
     }
-    visit_seen(stream, 19, h->was_seen, METRICS_RING);
-    visit_flag(stream, 20, &h->force_known);
+    visit_flag_bytes(stream, 19, h->ring_seen, METRICS_RING_SIZE);
+    visit_flag(stream, 20, &h->has_force);
     visit_bounded(stream, 21, &h->force_time, 1, METRICS_LARGEST_TIME);
     visit_figures(stream, 22, &h->force, 1);
     visit_figures(stream, 23, h->speed, h->tick_count);
     visit_figures(stream, 24, h->jerk, h->tick_count);
-    visit_seen(stream, 25, h->seen, h->tick_count);
+    visit_flag_bytes(stream, 25, h->seen, h->tick_count);
     visit_figures(stream, 26, h->impulse, h->force_count);
     visit_figures(stream, 27, h->peak, h->force_count);
-    refuse(stream, h->points == 0 ? h->fine != 0 || h->tick_count != 0 : !in_step(m, h));
+    refuse(stream, h->point_count == 0 ? h->next_fine != 0 || h->tick_count != 0
+                                       : !is_tick_count_consistent(m, h));
 }
 
 /* ---- what was told */
 
-static void visit_note(vbss_stream *stream, metrics_note *n)
+static void visit_entry(vbss_stream *stream, metrics_entry *n)
 {
     int32_t words[] = {n->kind, n->tool, n->wraps, n->handedness, n->relation};
     double numbers[] = {n->time, n->undone_time, n->value[0], n->value[1]};
@@ -117,7 +118,7 @@ static void visit_note(vbss_stream *stream, metrics_note *n)
     visit_flag(stream, 42, &n->standing);
     vbss_stream_u64(stream, 43, &n->step, 1);
     visit_bounded(stream, 44, numbers, 4, LARGEST_FIGURE);
-    visit_bounded(stream, 45, &n->position.x, 3, METRICS_LARGEST_PLACE);
+    visit_bounded(stream, 45, &n->position.x, 3, METRICS_LARGEST_POSITION);
     visit_bounded(stream, 46, &n->force.x, 3, METRICS_LARGEST_FORCE);
     n->kind = words[0];
     n->tool = words[1];
@@ -140,36 +141,36 @@ static void visit_told(vbss_stream *stream, metrics_object *m)
     if (stream->result != VBSS_OK) {
         return;
     }
-    for (int i = 0; i < METRICS_FACTS; i++) {
-        visit_note(stream, &m->facts[i]);
+    for (int i = 0; i < METRICS_FACT_COUNT; i++) {
+        visit_entry(stream, &m->facts[i]);
     }
     for (uint32_t i = 0; i < m->throw_count; i++) {
-        visit_note(stream, &m->throws[i]);
+        visit_entry(stream, &m->throws[i]);
     }
     for (uint32_t i = 0; i < m->incident_count; i++) {
-        visit_note(stream, &m->incidents[i]);
+        visit_entry(stream, &m->incidents[i]);
     }
     for (uint32_t i = 0; i < m->phase_count; i++) {
         metrics_phase *phase = &m->phases[i];
         vbss_stream_u32(stream, 53, &phase->number, 1);
         vbss_stream_u64(stream, 54, &phase->step, 1);
-        visit_bounded(stream, 55, &phase->begin, 1, METRICS_LARGEST_TIME);
-        refuse(stream, i > 0 && phase->begin < phase[-1].begin);
+        visit_bounded(stream, 55, &phase->start_time, 1, METRICS_LARGEST_TIME);
+        refuse(stream, i > 0 && phase->start_time < phase[-1].start_time);
     }
 }
 
 static void visit_pull(vbss_stream *stream, metrics_pull *p)
 {
-    uint32_t *const flags[] = {&p->pulled, &p->tight,    &p->slipped,
-                               &p->untied, &p->strained, &p->holding};
-    double *const numbers[] = {&p->hold_began, &p->held, &p->strain, &p->drawn_in};
+    uint32_t *const flags[] = {&p->has_readings, &p->is_tight,           &p->has_slipped,
+                               &p->is_untied,    &p->has_reached_strain, &p->is_holding};
+    double *const numbers[] = {&p->hold_start, &p->longest_hold, &p->strain, &p->drawn_in};
     for (size_t i = 0; i < sizeof flags / sizeof flags[0]; i++) {
         visit_flag(stream, 60, flags[i]);
     }
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         visit_bounded(stream, 61, numbers[i], 1, LARGEST_FIGURE);
     }
-    visit_note(stream, &p->last);
+    visit_entry(stream, &p->last_change);
 }
 
 void vbss_metrics_serialise(vbss_stream *stream, void *object)
@@ -177,13 +178,13 @@ void vbss_metrics_serialise(vbss_stream *stream, void *object)
     metrics_object *m = object;
     visit_config(stream, &m->config);
     vbss_stream_u64(stream, 3, &m->samples, 1);
-    visit_flag(stream, 4, &m->begun);
-    visit_flag(stream, 5, &m->sampled);
-    visit_flag(stream, 6, &m->finished);
-    visit_bounded(stream, 7, &m->origin, 1, METRICS_LARGEST_TIME);
+    visit_flag(stream, 4, &m->has_time);
+    visit_flag(stream, 5, &m->has_sample);
+    visit_flag(stream, 6, &m->is_finished);
+    visit_bounded(stream, 7, &m->origin_time, 1, METRICS_LARGEST_TIME);
     visit_bounded(stream, 8, &m->sample_time, 1, METRICS_LARGEST_TIME);
-    visit_bounded(stream, 9, &m->now, 1, METRICS_LARGEST_TIME);
-    vbss_stream_u64(stream, 30, &m->step, 1);
+    visit_bounded(stream, 9, &m->last_time, 1, METRICS_LARGEST_TIME);
+    vbss_stream_u64(stream, 30, &m->last_step, 1);
     for (int i = 0; i < METRICS_HANDS; i++) {
         visit_hand(stream, m, &m->hands[i]);
     }

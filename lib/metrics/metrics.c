@@ -7,52 +7,54 @@
 
 /* ---- memory: one table says what there is */
 
-enum { HAND_PARTS = 7, PARTS = METRICS_HANDS * HAND_PARTS + 5 };
+enum { HAND_ARRAYS = 7, ARRAY_COUNT = METRICS_HANDS * HAND_ARRAYS + 5 };
 
-static void list_hand(metrics_hand *h, size_t ticks, vbss_array *parts)
+static void list_hand_arrays(metrics_hand *h, size_t ticks, vbss_array *arrays)
 {
-    const vbss_array own[HAND_PARTS] = {{&h->ring, METRICS_RING, sizeof *h->ring},
-                                        {&h->was_seen, METRICS_RING, sizeof *h->was_seen},
-                                        {&h->speed, ticks, sizeof *h->speed},
-                                        {&h->jerk, ticks, sizeof *h->jerk},
-                                        {&h->seen, ticks, sizeof *h->seen},
-                                        {&h->impulse, ticks, sizeof *h->impulse},
-                                        {&h->peak, ticks, sizeof *h->peak}};
-    for (int i = 0; i < HAND_PARTS; i++) {
-        parts[i] = own[i];
+    const vbss_array own[HAND_ARRAYS] = {{&h->ring, METRICS_RING_SIZE, sizeof *h->ring},
+                                         {&h->ring_seen, METRICS_RING_SIZE, sizeof *h->ring_seen},
+                                         {&h->speed, ticks, sizeof *h->speed},
+                                         {&h->jerk, ticks, sizeof *h->jerk},
+                                         {&h->seen, ticks, sizeof *h->seen},
+                                         {&h->impulse, ticks, sizeof *h->impulse},
+                                         {&h->peak, ticks, sizeof *h->peak}};
+    for (int i = 0; i < HAND_ARRAYS; i++) {
+        arrays[i] = own[i];
     }
 }
 
-static void list_parts(metrics_object *m, vbss_array parts[PARTS])
+static void list_arrays(metrics_object *m, vbss_array arrays[ARRAY_COUNT])
 {
     const vbss_metrics_config *c = &m->config;
     for (int i = 0; i < METRICS_HANDS; i++) {
-        list_hand(&m->hands[i], (size_t)m->tick_capacity, parts + (size_t)HAND_PARTS * (size_t)i);
+        list_hand_arrays(&m->hands[i], (size_t)m->tick_capacity,
+                         arrays + (size_t)HAND_ARRAYS * (size_t)i);
     }
-    vbss_array *rest = parts + (size_t)METRICS_HANDS * HAND_PARTS;
-    rest[0] = (vbss_array){&m->kernel, 1, sizeof *m->kernel};
-    rest[1] = (vbss_array){&m->throws, c->throw_capacity, sizeof *m->throws};
-    rest[2] = (vbss_array){&m->incidents, c->incident_capacity, sizeof *m->incidents};
-    rest[3] = (vbss_array){&m->phases, c->phase_capacity, sizeof *m->phases};
-    rest[4] = (vbss_array){&m->spectrum, METRICS_SPECTRUM_ROOM, sizeof *m->spectrum};
+    vbss_array *others = arrays + (size_t)METRICS_HANDS * HAND_ARRAYS;
+    others[0] = (vbss_array){&m->kernel, 1, sizeof *m->kernel};
+    others[1] = (vbss_array){&m->throws, c->throw_capacity, sizeof *m->throws};
+    others[2] = (vbss_array){&m->incidents, c->incident_capacity, sizeof *m->incidents};
+    others[3] = (vbss_array){&m->phases, c->phase_capacity, sizeof *m->phases};
+    others[4] = (vbss_array){&m->spectrum_buffer, METRICS_SPECTRUM_BUFFER_LENGTH,
+                             sizeof *m->spectrum_buffer};
 }
 
 static void free_metrics(vbss_context *context, void *object)
 {
     metrics_object *m = object;
-    vbss_array parts[PARTS];
-    list_parts(m, parts);
-    vbss_release_arrays(context, parts, PARTS);
+    vbss_array arrays[ARRAY_COUNT];
+    list_arrays(m, arrays);
+    vbss_release_arrays(context, arrays, ARRAY_COUNT);
     vbss_release(context, m, 1, sizeof *m);
 }
 
 const vbss_kind vbss_metrics_kind = {"metrics", VBSS_CODE('M', 'E', 'T', 'R'), 1, free_metrics,
                                      vbss_metrics_serialise};
 
-static vbss_result make(vbss_context *context, const vbss_metrics_config *config,
-                        metrics_object **metrics)
+static vbss_result allocate_metrics(vbss_context *context, const vbss_metrics_config *config,
+                                    metrics_object **metrics)
 {
-    vbss_array parts[PARTS];
+    vbss_array arrays[ARRAY_COUNT];
     metrics_object *m = vbss_allocate(context, 1, sizeof *m, "metrics");
     if (m == NULL) {
         return VBSS_ERROR_OUT_OF_MEMORY;
@@ -60,8 +62,8 @@ static vbss_result make(vbss_context *context, const vbss_metrics_config *config
     m->context = context;
     m->config = *config;
     m->tick_capacity = (uint64_t)ceil(config->duration * METRICS_TICK_RATE);
-    list_parts(m, parts);
-    vbss_result result = vbss_allocate_arrays(context, parts, PARTS, "metrics");
+    list_arrays(m, arrays);
+    vbss_result result = vbss_allocate_arrays(context, arrays, ARRAY_COUNT, "metrics");
     if (result != VBSS_OK) {
         free_metrics(context, m);
         return result;
@@ -86,7 +88,7 @@ vbss_result vbss_metrics_create(vbss_context *context, const vbss_metrics_config
     metrics_object *m = NULL;
     vbss_slot *slot = NULL;
     VBSS_TRY(vbss_metrics_read_config(context, config, &own));
-    VBSS_TRY(make(context, &own, &m));
+    VBSS_TRY(allocate_metrics(context, &own, &m));
     vbss_result result = vbss_slot_create(context, &vbss_metrics_kind, m, &slot);
     if (result != VBSS_OK) {
         free_metrics(context, m);

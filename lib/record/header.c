@@ -10,14 +10,14 @@
 
 _Static_assert(sizeof(vbss_scene_config) == 176, "new fields must be listed, with a new version");
 
-typedef enum field_type { FIELD_U32, FIELD_F64 } field_type;
-typedef struct field {
+typedef enum config_field_type { FIELD_U32, FIELD_F64 } config_field_type;
+typedef struct config_field {
     const char *name;
     size_t offset;
-    field_type type;
+    config_field_type type;
     uint32_t count;
-    bool room; /* only sizes memory: may differ in a replay */
-} field;
+    bool is_capacity; /* only sizes memory: may differ in a replay */
+} config_field;
 
 #define WORD(name)                                                    \
     {                                                                 \
@@ -33,7 +33,7 @@ typedef struct field {
     }
 
 /* The place in the table is the tag: new fields are appended. */
-static const field fields[] = {
+static const config_field fields[] = {
     WORD(method),
     WORD(mode),
     ROOM(thread_capacity),
@@ -78,16 +78,16 @@ enum {
     HOLES_3 = 16
 };
 
-static uint32_t fields_of_version(uint32_t version)
+static uint32_t field_count(uint32_t version)
 {
     static const uint32_t before[] = {FIELDS_1, FIELDS_1, FIELDS_2, FIELDS_3, FIELDS_4};
     return version < 5 ? before[version] : FIELDS;
 }
 
-static void visit_config(vbss_stream *stream, vbss_scene_config *config)
+static void visit_scene_config(vbss_stream *stream, vbss_scene_config *config)
 {
     vbss_section outer = vbss_stream_open(stream, CONFIG, 5);
-    uint32_t count = fields_of_version(stream->version);
+    uint32_t count = field_count(stream->version);
     config->grasp_capacity = stream->version >= 2 ? config->grasp_capacity : GRASPS_1;
     config->work_limit = stream->version >= 3 ? config->work_limit : 0;
     config->drain_capacity = stream->version >= 4 ? config->drain_capacity : DRAINS_3;
@@ -105,13 +105,13 @@ static void visit_config(vbss_stream *stream, vbss_scene_config *config)
     vbss_stream_close(stream, outer);
 }
 
-vbss_result vbss_log_compare_config(const log_head *head, const scene_object *s)
+vbss_result vbss_log_compare_config(const log_header *header, const scene_object *s)
 {
     for (size_t i = 0; i < FIELDS; i++) {
-        const char *wanted = (const char *)&head->scene + fields[i].offset;
+        const char *wanted = (const char *)&header->scene + fields[i].offset;
         const char *found = (const char *)&s->config + fields[i].offset;
         size_t size = fields[i].type == FIELD_U32 ? sizeof(uint32_t) : sizeof(double);
-        if (!fields[i].room && memcmp(wanted, found, size * fields[i].count) != 0) {
+        if (!fields[i].is_capacity && memcmp(wanted, found, size * fields[i].count) != 0) {
             return vbss_fail(s->context, VBSS_ERROR_CORRUPT,
                              "the scene's %s is not that of the log", fields[i].name);
         }
@@ -143,12 +143,12 @@ static void free_blob(vbss_context *context, log_blob *blob)
 
 static void visit_blob(vbss_stream *stream, uint16_t tag, vbss_context *context, log_blob *blob)
 {
-    uint32_t count = blob->count, most = UINT32_MAX;
+    uint32_t count = blob->count, max_count = UINT32_MAX;
     bool reading = stream->mode == VBSS_STREAM_READ;
-    if (reading && stream->capacity - stream->position < most) {
-        most = (uint32_t)(stream->capacity - stream->position);
+    if (reading && stream->capacity - stream->position < max_count) {
+        max_count = (uint32_t)(stream->capacity - stream->position);
     }
-    vbss_stream_count(stream, tag, &count, most);
+    vbss_stream_count(stream, tag, &count, max_count);
     if (reading && stream->result == VBSS_OK &&
         vbss_log_make_blob(context, blob, NULL, count) != VBSS_OK) {
         vbss_stream_refuse(stream, VBSS_ERROR_OUT_OF_MEMORY, "no memory for a part of the log");
@@ -158,26 +158,26 @@ static void visit_blob(vbss_stream *stream, uint16_t tag, vbss_context *context,
 
 /* ---- records */
 
-void vbss_log_visit_head(vbss_stream *stream, log_head *head)
+void vbss_log_visit_header(vbss_stream *stream, log_header *header)
 {
-    vbss_section outer = vbss_stream_open(stream, LOG_HEAD, 1);
-    vbss_stream_u32(stream, 1, &head->library_version, 1);
-    visit_blob(stream, 2, head->context, &head->build_info);
-    vbss_stream_u32(stream, 4, &head->hash_interval, 1);
-    if (head->hash_interval == 0) {
+    vbss_section outer = vbss_stream_open(stream, LOG_HEADER, 1);
+    vbss_stream_u32(stream, 1, &header->library_version, 1);
+    visit_blob(stream, 2, header->context, &header->build_info);
+    vbss_stream_u32(stream, 4, &header->hash_interval, 1);
+    if (header->hash_interval == 0) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such interval");
     }
-    vbss_stream_count(stream, 5, &head->input_capacity, 65536);
-    visit_blob(stream, 6, head->context, &head->note);
-    visit_config(stream, &head->scene);
-    if (head->scene.event_capacity > 65536) { /* for which a reader needs room */
+    vbss_stream_count(stream, 5, &header->input_capacity, 65536);
+    visit_blob(stream, 6, header->context, &header->note);
+    visit_scene_config(stream, &header->scene);
+    if (header->scene.event_capacity > 65536) { /* for which a reader needs room */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no scene keeps so many events");
     }
     vbss_stream_close(stream, outer);
 }
 
-void vbss_log_free_head(log_head *head)
+void vbss_log_free_header(log_header *header)
 {
-    free_blob(head->context, &head->build_info);
-    free_blob(head->context, &head->note);
+    free_blob(header->context, &header->build_info);
+    free_blob(header->context, &header->note);
 }

@@ -6,7 +6,7 @@
 /* So long every sample is older than the last: the adapter's clock has begun anew, s. */
 #define PATIENCE 0.1
 /* A shared clock may be that far ahead: a sample is measured while the host goes on, s. */
-#define AHEAD 0.1
+#define MAX_CLOCK_LEAD 0.1
 
 static bool are_finite(const double *values, int count)
 {
@@ -50,31 +50,33 @@ static bool is_unit(const double q[4], double tolerance)
     return fabs(length - 1.0) <= tolerance;
 }
 
-device_verdict vbss_device_judge(const device_source *s, const vbss_device_sample *sample,
-                                 uint32_t valid, double now, const vbss_device_config *config,
-                                 bool *restarted)
+device_sample_status vbss_device_check_sample(const device_source *s,
+                                              const vbss_device_sample *sample, uint32_t valid,
+                                              double now, const vbss_device_config *config,
+                                              bool *restarted)
 {
     if (!isfinite(sample->time)) {
-        return DEVICE_NOT_FINITE;
+        return DEVICE_SAMPLE_NOT_FINITE;
     }
-    if (s->timed && sample->time >= s->time && sample->time < s->time + DEVICE_LEAST_ADVANCE) {
-        return DEVICE_REPEATED;
+    if (s->has_time && sample->time >= s->time &&
+        sample->time < s->time + DEVICE_MIN_SAMPLE_SPACING) {
+        return DEVICE_SAMPLE_REPEATED;
     }
-    bool older = s->timed && sample->time < s->time;
-    if (older && now - s->heard <= PATIENCE) {
-        return DEVICE_OUT_OF_ORDER;
+    bool older = s->has_time && sample->time < s->time;
+    if (older && now - s->received_at <= PATIENCE) {
+        return DEVICE_SAMPLE_OUT_OF_ORDER;
     }
     if (!is_finite(sample, valid)) {
-        return DEVICE_NOT_FINITE;
+        return DEVICE_SAMPLE_NOT_FINITE;
     }
     if (fabs(sample->time) > 1e9 || !is_in_range(sample, valid) ||
-        (config->clock == VBSS_DEVICE_CLOCK_SHARED && sample->time > now + AHEAD)) {
-        return DEVICE_OUT_OF_RANGE;
+        (config->clock == VBSS_DEVICE_CLOCK_SHARED && sample->time > now + MAX_CLOCK_LEAD)) {
+        return DEVICE_SAMPLE_OUT_OF_RANGE;
     }
     if ((valid & VBSS_DEVICE_HAS_ORIENTATION) != 0 &&
         !is_unit(sample->orientation, config->norm_tolerance)) {
-        return DEVICE_NOT_UNIT;
+        return DEVICE_SAMPLE_NOT_UNIT;
     }
     *restarted = older;
-    return DEVICE_TAKEN;
+    return DEVICE_SAMPLE_ACCEPTED;
 }

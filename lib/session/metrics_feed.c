@@ -3,7 +3,7 @@
 #include "session/session.h"
 
 /* The metrics' kind of event; 0: none of theirs. */
-static vbss_metrics_event_kind kind_of(const vbss_session_event *e)
+static vbss_metrics_event_kind metrics_kind(const vbss_session_event *e)
 {
     switch (e->kind) {
     case VBSS_SESSION_EVENT_APPEARED:
@@ -32,7 +32,7 @@ static vbss_metrics_event_kind kind_of(const vbss_session_event *e)
 }
 
 /* Of failures the metrics see the lack of time themselves. */
-static vbss_metrics_event_kind kind_of_failure(uint32_t failure)
+static vbss_metrics_event_kind metrics_kind_of_failure(uint32_t failure)
 {
     switch (failure) {
     case VBSS_SESSION_FAILURE_AVULSED:
@@ -46,8 +46,8 @@ static vbss_metrics_event_kind kind_of_failure(uint32_t failure)
     }
 }
 
-static void fill(const session_object *s, const session_look *look, const vbss_session_event *e,
-                 vbss_metrics_event *m)
+static void fill_metrics_event(const session_object *s, const session_observation *observed,
+                               const vbss_session_event *e, vbss_metrics_event *m)
 {
     m->tool = e->tool;
     m->number = e->number;
@@ -71,34 +71,35 @@ static void fill(const session_object *s, const session_look *look, const vbss_s
         m->undone = 0; /* the metrics just enter another one */
     } else if (e->kind == VBSS_SESSION_EVENT_SEATED) {
         m->number = 0;
-        m->amount = look->gap_most;
-        vec3_store(m->position, look->lips[0]);
-        vec3_store(m->other, look->lips[1]);
+        m->amount = observed->max_gap;
+        vec3_store(m->position, observed->lips[0]);
+        vec3_store(m->other, observed->lips[1]);
     }
 }
 
 /* Whether the metrics hear of it: what gapes when a seat is lost is told when the next one is found. */
-static bool is_told(const vbss_session_event *e, vbss_metrics_event_kind *kind)
+static bool is_for_metrics(const vbss_session_event *e, vbss_metrics_event_kind *kind)
 {
-    *kind = e->kind == VBSS_SESSION_EVENT_FAILED ? kind_of_failure(e->number) : kind_of(e);
+    *kind =
+        e->kind == VBSS_SESSION_EVENT_FAILED ? metrics_kind_of_failure(e->number) : metrics_kind(e);
     return *kind != 0 && !(e->kind == VBSS_SESSION_EVENT_SEATED && e->undone != 0);
 }
 
-static vbss_result tell_event(session_object *s, const session_look *look,
+static vbss_result feed_event(session_object *s, const session_observation *observed,
                               const vbss_session_event *e)
 {
     vbss_metrics_event_kind kind;
     vbss_metrics_event m;
-    if (!is_told(e, &kind)) {
+    if (!is_for_metrics(e, &kind)) {
         return VBSS_OK;
     }
     VBSS_TRY(vbss_metrics_event_init(&m, sizeof m));
     m.kind = kind;
-    fill(s, look, e, &m);
+    fill_metrics_event(s, observed, e, &m);
     return vbss_metrics_add_event(s->config.metrics, &m);
 }
 
-static vbss_result tell_sample(const session_object *s, const session_look *look)
+static vbss_result feed_sample(const session_object *s, const session_observation *observed)
 {
     vbss_metrics_sample sample;
     VBSS_TRY(vbss_metrics_sample_init(&sample, sizeof sample));
@@ -107,21 +108,21 @@ static vbss_result tell_sample(const session_object *s, const session_look *look
     sample.step = s->steps;
     sample.time = s->time;
     for (int i = 0; i < SESSION_HANDS; i++) {
-        vec3_store(sample.position[i], look->tools[i].tip);
-        vec3_store(sample.force[i], look->tools[i].force);
+        vec3_store(sample.position[i], observed->tools[i].tip);
+        vec3_store(sample.force[i], observed->tools[i].force);
     }
     return vbss_metrics_add_sample(s->config.metrics, &sample);
 }
 
 /* An event for which the metrics have no room is counted; the task goes on. */
-static vbss_result tell_events(session_object *s, const session_look *look)
+static vbss_result feed_events(session_object *s, const session_observation *observed)
 {
     uint64_t capacity = s->config.event_capacity;
-    for (uint64_t i = s->step_events; i < s->event_count; i++) {
+    for (uint64_t i = s->events_before_step; i < s->event_count; i++) {
         if (s->event_count - i > capacity) {
             continue;
         }
-        vbss_result result = tell_event(s, look, vbss_session_event_at(s, i));
+        vbss_result result = feed_event(s, observed, vbss_session_event_at(s, i));
         if (result == VBSS_ERROR_CAPACITY || result == VBSS_ERROR_OUT_OF_RANGE) {
             s->metrics_lost++;
         } else {
@@ -132,15 +133,15 @@ static vbss_result tell_events(session_object *s, const session_look *look)
 }
 
 /* The last sample is that of the step in which the task ends. */
-vbss_result vbss_session_measure(session_object *s, const session_look *look)
+vbss_result vbss_session_feed_metrics(session_object *s, const session_observation *observed)
 {
-    bool ends = s->event_count > s->step_events;
-    if (s->config.metrics == NULL || (vbss_session_is_over(s) && !ends)) {
+    bool has_events = s->event_count > s->events_before_step;
+    if (s->config.metrics == NULL || (vbss_session_is_over(s) && !has_events)) {
         return VBSS_OK;
     }
-    if (!look->lost) {
-        VBSS_TRY(tell_sample(s, look));
+    if (!observed->has_lost_body) {
+        VBSS_TRY(feed_sample(s, observed));
     }
-    VBSS_TRY(tell_events(s, look));
+    VBSS_TRY(feed_events(s, observed));
     return vbss_session_is_over(s) ? vbss_metrics_finish(s->config.metrics) : VBSS_OK;
 }

@@ -1,0 +1,174 @@
+/* The thread and the tools as the knot detector wants them, and what it says. */
+#include "base/error.h"
+#include "knot/knot.h"
+#include "session/session.h"
+
+/* ---- places on the thread's polyline, whose first point is at the needle */
+
+static double polyline_parameter(const thread_object *t, double arc)
+{
+    double segment_start = 0.0;
+    uint32_t last = t->node_count - 2;
+    for (uint32_t i = 0; i < last; i++) {
+        if (segment_start + t->rest[i] >= arc) {
+            return i + vbss_max((arc - segment_start) / t->rest[i], 0.0);
+        }
+        segment_start += t->rest[i];
+    }
+    return last + vbss_min(vbss_max((arc - segment_start) / t->rest[last], 0.0), 1.0);
+}
+
+static double arc_length_at(const thread_object *t, double parameter)
+{
+    uint32_t i = (uint32_t)vbss_max(parameter, 0.0);
+    i = i > t->node_count - 2 ? t->node_count - 2 : i;
+    return vbss_thread_arc_length(t, i) + (parameter - i) * t->rest[i];
+}
+
+/* ---- what is shown */
+
+static vbss_knot_tool describe_tool(const thread_object *t, const grasper_object *g,
+                                    const session_tool_observation *observed)
+{
+    vbss_knot_tool tool = {.point_count = 3, .held = VBSS_KNOT_HELD_NOTHING};
+    for (int k = 0; k < 3; k++) {
+        tool.axis[0][k] = g->view_capsules[GRASPER_SHAFT][3 + k];
+        tool.axis[1][k] = g->view_capsules[GRASPER_NECK][3 + k]; /* the bend */
+    }
+    vec3_store(tool.axis[2], observed->tip);
+    tool.radius[0] = g->config.shaft_radius;
+    tool.radius[1] = g->config.neck_radius;
+    if (observed->has_needle) {
+        tool.held = VBSS_KNOT_HELD_NEEDLE;
+    } else if (observed->held_arc >= 0.0) {
+        tool.held = VBSS_KNOT_HELD_THREAD;
+        tool.held_place = polyline_parameter(t, observed->held_arc);
+    }
+    return tool;
+}
+
+static uint32_t describe_tools(const session_object *s, const scene_object *scene,
+                               const thread_object *t, const session_observation *observed,
+                               vbss_knot_tool tools[SESSION_TOOLS])
+{
+    const uint32_t numbers[SESSION_TOOLS] = {s->config.tools[0], s->config.tools[1],
+                                             s->config.shears};
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < SESSION_TOOLS; i++) {
+        if (numbers[i] != 0) {
+            const scene_body *b = vbss_scene_body(scene, numbers[i]);
+            tools[count++] = describe_tool(t, b->rigid.grasper, &observed->tools[i]);
+        }
+    }
+    return count;
+}
+
+/* The needle's limb comes first, so the polyline is told from its other end. */
+static void fill_knot_input(const session_object *s, const session_observation *observed,
+                            const thread_object *t, vbss_knot_input *input)
+{
+    (void)vbss_knot_input_init(input, sizeof *input);
+    input->points = &t->now.x[0].x;
+    input->stride_bytes = sizeof *t->now.x;
+    input->point_count = t->node_count;
+    input->reversed = 1;
+    input->hole_count = SESSION_SIDES;
+    for (int k = 0; k < SESSION_SIDES; k++) {
+        const session_hole_observation *hole = vbss_session_find_hole(observed, s->holes[k].id);
+        if (hole == NULL || hole->thread != observed->thread) {
+            input->hole_count = 0; /* it has just left the hole */
+            continue;
+        }
+        vec3_store(input->holes[k], hole->position);
+        input->hole_places[k] = polyline_parameter(t, hole->arc);
+    }
+    vec3_store(input->away, observed->into_tissue);
+    input->may_have_passed = t->config.method == VBSS_METHOD_PAPER; /* it has no guard */
+}
+
+/* ---- what it says */
+
+static vbss_metrics_relation relation_of(const vbss_knot_throw *t, uint32_t number)
+{
+    if (number == 0) {
+        return VBSS_METRICS_RELATION_FIRST;
+    }
+    if ((t->flags & (uint32_t)VBSS_KNOT_THROW_ORDERED) == 0) {
+        return VBSS_METRICS_RELATION_UNKNOWN;
+    }
+    return (t->flags & (uint32_t)VBSS_KNOT_THROW_GRANNY) != 0 ? VBSS_METRICS_RELATION_GRANNY
+                                                              : VBSS_METRICS_RELATION_SQUARE;
+}
+
+static void extend_knot(session_knot_observation *knot, const thread_object *thread,
+                        const vbss_knot_throw *t)
+{
+    double tail = arc_length_at(thread, vbss_max(t->tail_places[0], t->tail_places[1]));
+    double limb = arc_length_at(thread, vbss_min(t->long_places[0], t->long_places[1]));
+    knot->end_arcs[SESSION_ENTRY] =
+        knot->is_located ? vbss_max(knot->end_arcs[SESSION_ENTRY], tail) : tail;
+    knot->end_arcs[SESSION_EXIT] =
+        knot->is_located ? vbss_min(knot->end_arcs[SESSION_EXIT], limb) : limb;
+    knot->is_located = true;
+}
+
+static vbss_result read_throws(vbss_knot_detector *detector, const thread_object *thread,
+                               uint32_t count, session_knot_observation *knot)
+{
+    knot->throw_count = 0;
+    knot->is_located = false;
+    for (uint32_t i = 0; i < count && knot->throw_count < SESSION_MAX_THROWS; i++) {
+        vbss_knot_throw t;
+        VBSS_TRY(vbss_knot_detector_get_throw(detector, i, &t, sizeof t));
+        if ((t.flags & (uint32_t)VBSS_KNOT_THROW_STRAY) != 0) {
+            continue;
+        }
+        knot->throws[knot->throw_count] =
+            (session_throw_observation){t.wraps, t.handedness, relation_of(&t, knot->throw_count)};
+        knot->throw_count++;
+        if ((t.flags & (uint32_t)VBSS_KNOT_THROW_LOCATED) != 0) {
+            extend_knot(knot, thread, &t);
+        }
+    }
+    return VBSS_OK;
+}
+
+/* A reading that is uncertain changes nothing that was known. */
+static vbss_result read_knot(const session_object *s, const thread_object *thread,
+                             session_knot_observation *knot)
+{
+    vbss_knot_state state;
+    VBSS_TRY(vbss_knot_detector_get_state(s->config.knots, &state, sizeof state));
+    knot->next_throw = state.next_verdict;
+    if (state.verdict == VBSS_KNOT_VERDICT_UNCERTAIN) {
+        return VBSS_OK;
+    }
+    knot->faults = state.faults;
+    return read_throws(s->config.knots, thread, state.throw_count, knot);
+}
+
+vbss_result vbss_session_observe_knot(session_object *s, session_observation *observed)
+{
+    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
+    if (s->config.knots == NULL || observed->has_lost_body || s->cut_limbs != 0 ||
+        vbss_session_is_over(s)) {
+        return VBSS_OK;
+    }
+    if (!vbss_session_is_threaded(s)) {
+        observed->knot = s->knot = (session_knot_observation){0};
+        return VBSS_OK;
+    }
+    if (s->steps % s->config.knot_interval != 0) {
+        return VBSS_OK;
+    }
+    const thread_object *t = vbss_scene_body(scene, observed->thread)->thread.thread;
+    vbss_knot_tool tools[SESSION_TOOLS];
+    vbss_knot_input input;
+    fill_knot_input(s, observed, t, &input);
+    input.tool_count = describe_tools(s, scene, t, observed, tools);
+    input.tools = tools;
+    VBSS_TRY(vbss_knot_detector_step(s->config.knots, &input));
+    VBSS_TRY(read_knot(s, t, &s->knot));
+    observed->knot = s->knot;
+    return VBSS_OK;
+}

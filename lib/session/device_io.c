@@ -1,0 +1,100 @@
+/* Devices: what hands do goes to the tools before the step, what tools feel goes back after it. */
+#include "base/error.h"
+#include "session/session.h"
+
+_Static_assert((int)VBSS_DEVICE_TOOL_NEEDLE_DRIVER == (int)VBSS_GRASPER_NEEDLE_DRIVER &&
+                   (int)VBSS_DEVICE_TOOL_SHEARS == (int)VBSS_GRASPER_SHEARS,
+               "tools of devices and of scenes have the same numbers");
+
+/* Steps after which a tool that has refused to be exchanged is told again. */
+enum { EXCHANGE_RETRY_STEPS = 250 };
+
+static scene_body *tool_body(const session_object *s, uint32_t hand)
+{
+    const scene_object *scene = ((const vbss_slot *)s->scene)->object;
+    scene_body *b = vbss_scene_body(scene, s->config.tools[hand]);
+    return b != NULL && b->kind == SCENE_BODY_RIGID ? b : NULL;
+}
+
+static vbss_result move_tool(const session_object *s, uint32_t hand, const vbss_device_input *input)
+{
+    const double *orientation =
+        (input->valid & (uint32_t)VBSS_DEVICE_HAS_ORIENTATION) != 0 ? input->orientation : NULL;
+    uint32_t body = s->config.tools[hand];
+    if ((input->valid & (uint32_t)VBSS_DEVICE_HAS_POSITION) == 0) {
+        return VBSS_OK;
+    }
+    return s->config.record != NULL
+               ? vbss_record_move_grasper(s->config.record, body, input->position, orientation)
+               : vbss_grasper_move((vbss_grasper *)tool_body(s, hand)->rigid.slot, input->position,
+                                   orientation);
+}
+
+static vbss_result set_tool_opening(const session_object *s, uint32_t hand,
+                                    const vbss_device_input *input)
+{
+    uint32_t jaw_signals = (uint32_t)(VBSS_DEVICE_HAS_JAW | VBSS_DEVICE_HAS_JAW_RAW);
+    if ((input->valid & jaw_signals) == 0) {
+        return VBSS_OK;
+    }
+    return s->config.record != NULL
+               ? vbss_record_set_opening(s->config.record, s->config.tools[hand], input->jaw)
+               : vbss_grasper_set_opening((vbss_grasper *)tool_body(s, hand)->rigid.slot,
+                                          input->jaw);
+}
+
+/* The hand has taken another tool; one that refused to be exchanged is told again. */
+static vbss_result exchange_tool(const session_object *s, uint32_t hand,
+                                 const vbss_device_input *input)
+{
+    const scene_body *b = tool_body(s, hand);
+    bool is_due = (input->events & (uint32_t)VBSS_DEVICE_EVENT_TOOL) != 0 ||
+                  s->steps % EXCHANGE_RETRY_STEPS == 0;
+    if (!is_due || input->tool == VBSS_DEVICE_TOOL_NONE || b->rigid.grasper->kind == input->tool) {
+        return VBSS_OK;
+    }
+    return s->config.record != NULL
+               ? vbss_record_exchange(s->config.record, s->config.tools[hand], input->tool)
+               : vbss_grasper_exchange((vbss_grasper *)b->rigid.slot, input->tool);
+}
+
+static bool has_device(const session_object *s, uint32_t hand)
+{
+    return s->config.devices[hand] != NULL && s->config.replay == NULL &&
+           tool_body(s, hand) != NULL;
+}
+
+vbss_result vbss_session_read_devices(const session_object *s, double now)
+{
+    for (uint32_t i = 0; i < SESSION_HANDS; i++) {
+        vbss_device_input input;
+        if (!has_device(s, i)) {
+            continue;
+        }
+        VBSS_TRY(vbss_device_read(s->config.devices[i], now, &input, sizeof input));
+        if (input.status != VBSS_DEVICE_WAITING) {
+            VBSS_TRY(move_tool(s, i, &input));
+            VBSS_TRY(set_tool_opening(s, i, &input));
+            VBSS_TRY(exchange_tool(s, i, &input));
+        }
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_session_write_devices(const session_object *s, double now)
+{
+    for (uint32_t i = 0; i < SESSION_HANDS; i++) {
+        vbss_output_command command;
+        if (!has_device(s, i)) {
+            continue;
+        }
+        const grasper_object *g = tool_body(s, i)->rigid.grasper;
+        VBSS_TRY(vbss_output_command_init(&command, sizeof command));
+        vec3_store(command.force, g->hand_force);
+        vec3_store(command.torque, g->hand_torque);
+        command.solenoid = g->solenoid;
+        VBSS_TRY(vbss_device_write(s->config.devices[i], now, &command, NULL,
+                                   sizeof(vbss_output_result)));
+    }
+    return VBSS_OK;
+}

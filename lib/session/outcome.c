@@ -1,0 +1,111 @@
+/* How the task ends: both tails are cut, or it has failed. */
+#include "session/session.h"
+
+/* Less than this a thread does not lose in a cut, m: blades do not slice off less than it is thick. */
+#define MIN_CUT_LENGTH 1e-6
+
+void vbss_session_fail(session_object *s, vbss_session_failure failure)
+{
+    if (s->failure == VBSS_SESSION_FAILURE_NONE) {
+        s->failure = failure;
+        (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_FAILED, (uint32_t)failure, 0,
+                                      VBSS_METRICS_NO_TOOL);
+    }
+}
+
+/* ---- cuts */
+
+/* The hand whose blades are nearest to where it was cut. */
+static uint32_t find_cutting_tool(const session_observation *observed, vec3 cut_position)
+{
+    uint32_t nearest = VBSS_METRICS_NO_TOOL;
+    double min_distance = 0.0;
+    for (uint32_t i = 0; i < SESSION_TOOLS; i++) {
+        double distance = vec3_distance(observed->tools[i].tip, cut_position);
+        if (observed->tools[i].is_shears &&
+            (nearest == VBSS_METRICS_NO_TOOL || distance < min_distance)) {
+            nearest = i;
+            min_distance = distance;
+        }
+    }
+    return nearest < SESSION_HANDS ? nearest : VBSS_METRICS_NO_TOOL;
+}
+
+/* Where each limb begins at the knot, or at its hole while no knot is known, on the thread before the cut, which is
+ * `shift` longer at its begin. */
+static double limb_root(const session_object *s, const session_observation *observed, uint32_t limb,
+                        double shift)
+{
+    if (s->knot.is_located) {
+        return s->knot.end_arcs[limb];
+    }
+    const session_hole_observation *hole = vbss_session_find_hole(observed, s->holes[limb].id);
+    return hole != NULL ? hole->arc + shift : 0.0;
+}
+
+/* A cut that divides the stitch leaves its holes on two pieces. */
+static bool is_stitch_divided(const session_object *s, const session_observation *observed)
+{
+    const session_hole_observation *in =
+        vbss_session_find_hole(observed, s->holes[SESSION_ENTRY].id);
+    const session_hole_observation *out =
+        vbss_session_find_hole(observed, s->holes[SESSION_EXIT].id);
+    return in != NULL && out != NULL && in->thread != 0 && out->thread != 0 &&
+           in->thread != out->thread;
+}
+
+/* The tail is cut when the thread has lost its end, the needle's limb when what goes through the drain is a new piece. */
+void vbss_session_update_cuts(session_object *s, const session_observation *observed)
+{
+    double lost_length = s->thread_length - observed->thread_length;
+    bool is_new = observed->thread != s->thread, is_length_known = s->thread_length > 0.0;
+    s->thread_length = observed->thread_length;
+    if (!is_length_known || (!is_new && lost_length < MIN_CUT_LENGTH)) {
+        return;
+    }
+    uint32_t limb = is_new ? SESSION_EXIT : SESSION_ENTRY;
+    double shift = is_new ? lost_length : 0.0;
+    double root = limb_root(s, observed, limb, shift);
+    double remaining = is_new ? root - lost_length : observed->thread_length - root;
+    s->thread = observed->thread;
+    s->knot.end_arcs[SESSION_ENTRY] -= shift;
+    s->knot.end_arcs[SESSION_EXIT] -= shift;
+    if (s->phase < VBSS_SESSION_PHASE_CUT) {
+        vbss_session_fail(s, VBSS_SESSION_FAILURE_CUT_EARLY);
+    } else if (remaining < 0.0 || is_stitch_divided(s, observed)) {
+        vbss_session_fail(s, VBSS_SESSION_FAILURE_CUT_KNOT);
+    } else {
+        vec3 position = observed->thread_ends[limb];
+        vbss_session_event *e = vbss_session_emit_event(s, VBSS_SESSION_EVENT_CUT, limb, 0,
+                                                        find_cutting_tool(observed, position));
+        vec3_store(e->position, position);
+        e->amount = remaining;
+        s->cut_limbs |= 1u << limb;
+        if (s->cut_limbs == 3) {
+            (void)vbss_session_emit_event(s, VBSS_SESSION_EVENT_DONE, 0, 0, VBSS_METRICS_NO_TOOL);
+        }
+    }
+}
+
+/* ---- failures */
+
+void vbss_session_update_failures(session_object *s, const session_observation *observed)
+{
+    const vbss_session_config *c = &s->config;
+    bool is_overloaded = c->break_force > 0.0 && observed->max_tension > c->break_force;
+    (void)vbss_session_debounce(&s->broken, is_overloaded, s->time, c->dwell);
+    for (int k = 0; k < SESSION_SIDES; k++) {
+        s->tension[k] = observed->tension[k];
+    }
+    s->gap = observed->gap;
+    if (s->cut_limbs == 3) {
+        return; /* complete, in the same step */
+    }
+    if (s->broken.value != 0) {
+        vbss_session_fail(s, VBSS_SESSION_FAILURE_BROKEN);
+    } else if (observed->torn_fraction > 0.0 && observed->torn_fraction >= c->avulsed_share) {
+        vbss_session_fail(s, VBSS_SESSION_FAILURE_AVULSED);
+    } else if (s->time >= c->time_limit) {
+        vbss_session_fail(s, VBSS_SESSION_FAILURE_TIMEOUT);
+    }
+}
