@@ -203,6 +203,20 @@ static void note_hands(scene_object *s)
     }
 }
 
+static void update_tools(scene_object *s, double h)
+{
+    vbss_scene_paper_settle_needles(s, h);
+    vbss_scene_paper_settle_grasps(s);
+    vbss_scene_make_cuts(s);
+    vbss_scene_publish_tools(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL) {
+            b->rigid.grasper->hand_force = vbss_scene_paper_hand_force(s, b);
+        }
+    }
+}
+
 vbss_result vbss_scene_paper_step(scene_object *s, double h)
 {
     const scene_substep whole = {
@@ -232,6 +246,6 @@ vbss_result vbss_scene_paper_step(scene_object *s, double h)
     vbss_scene_collect_forces(s);
     note_hands(s);
     vbss_scene_paper_settle_holes(s);
-    vbss_scene_update_tools(s, h);
+    update_tools(s, h);
     return VBSS_OK;
 }

@@ -5,7 +5,6 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/events.h"
-#include "scene/paper.h"
 #include "scene/pins.h"
 #include "scene/scene.h"
 #include "scene/tools.h"
@@ -61,7 +60,8 @@ static void publish_grasper(scene_object *s, scene_body *b)
     g->tool_pose = tool;
     g->velocity = vec3_add(r->body.now.v, vec3_cross(r->body.now.w, arm));
     g->angular_velocity = r->body.now.w;
-    g->hand_force = driven ? vbss_scene_paper_hand_force(s, b) : vec3_neg(r->coupling_wrench.force);
+    /* The baseline sets its own. */
+    g->hand_force = driven ? vec3_zero() : vec3_neg(r->coupling_wrench.force);
     g->hand_torque =
         driven ? torque : vec3_sub(torque, vec3_cross(arm, g->hand_force)); /* about the tip */
     g->grasp_count = vbss_scene_count_grasps(s, b->number);
@@ -318,14 +318,9 @@ void vbss_scene_set_capsule_trials(scene_object *s, const scene_substep *substep
 
 void vbss_scene_update_tools(scene_object *s, double h)
 {
-    if (s->config.method == VBSS_METHOD_PAPER) {
-        vbss_scene_paper_settle_needles(s, h);
-        vbss_scene_paper_settle_grasps(s);
-    } else {
-        vbss_scene_update_thread_grasps(s, h);
-        vbss_scene_update_needle_grasps(s, h);
-        vbss_scene_update_wall_grasps(s, h);
-    }
+    vbss_scene_update_thread_grasps(s, h);
+    vbss_scene_update_needle_grasps(s, h);
+    vbss_scene_update_wall_grasps(s, h);
     vbss_scene_make_cuts(s);
     vbss_scene_publish_tools(s);
 }
