@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "collision/closest.h"
-#include "scene/scene.h"
+#include "scene/world/scene_data.h"
 
 #define LOAD_N 2.0
 #define LOAD_REACHED_N 1.99

@@ -5,8 +5,9 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "bench_device.h"
-#include "scene/scene.h"
-#include "scene/tools.h"
+#include "scene/api/api.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
 #include "tool_rig.h"
 
 enum { STEPS = 600, SETTLED = 300 };

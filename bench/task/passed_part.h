@@ -2,7 +2,8 @@
 #ifndef VBSS_BENCH_TASK_PASSED_PART_H
 #define VBSS_BENCH_TASK_PASSED_PART_H
 
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 #include "task/passed.h"
 
 enum { MOST_CHAINS = 64, MOST_HOLES = 32, MOST_GRASPS = 16 };

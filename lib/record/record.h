@@ -12,7 +12,8 @@
 
 #include "base/stream.h"
 #include "record/compression.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 /* ---- format.c: a front, then records, each with its length, one section and a checksum, which covers
  * the checksum before it: no record can be changed, lost or moved unseen. */

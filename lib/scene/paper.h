@@ -2,7 +2,8 @@
 #ifndef VBSS_SCENE_PAPER_H
 #define VBSS_SCENE_PAPER_H
 
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 /* paper_holes.c: particles at holes follow their needle at the end of a pass; whether a needle's capsule and a side of a drain
  * are so near to a hole that they do not touch; where a contact of a hole is shown; after a step, who leaves a hole and who
@@ -34,5 +35,8 @@ vbss_result vbss_scene_paper_note_hit(scene_object *s, const contact_key *key, v
                                       vec3 push);
 /* A response of less than this share of D is rounding. */
 #define SCENE_NO_DEPTH 1e-9
+
+/* A step of the baseline method. */
+vbss_result vbss_scene_paper_step(scene_object *s, double h);
 
 #endif

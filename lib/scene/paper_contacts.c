@@ -2,10 +2,10 @@
  * far as responses have moved the end by now (algorithm 1), and what hits is moved at once (algorithm 2).
  * What the paper leaves open and how it was chosen: docs/paper-scene.md. */
 #include "base/error.h"
-#include "scene/cuts.h"
+#include "scene/contacts/contacts.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
 #include "scene/paper.h"
-#include "scene/pins.h"
-#include "scene/scene.h"
 
 #include "collision/closest.h"
 

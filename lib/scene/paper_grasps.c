@@ -1,11 +1,9 @@
 /* Grasping by method PAPER: jaws that have just closed near a thread carry its nearest node exactly, and
  * the first tool that has one leads; another waits until it is let go. The force to the hand is that of the
  * springs of the two sections beside the node: docs/paper-scene.md. */
-#include "scene/events.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
 #include "scene/paper.h"
-#include "scene/pins.h"
-#include "scene/scene.h"
-#include "scene/tools.h"
 
 /* The grasp of a node that leads; NULL: nobody's. */
 static const scene_thread_grasp *leader_of(const scene_object *s, uint32_t thread, uint32_t node)

@@ -1,10 +1,9 @@
 /* Holes by method PAPER: where algorithm 3 has seen a needle go through a wall, the particles of the triangle follow the needle
  * by their weights, as responses to contacts do, and the wall round it does not touch it: docs/paper-needle.md. */
 #include "base/error.h"
-#include "scene/holes.h"
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
 #include "scene/paper.h"
-#include "scene/scene.h"
-#include "scene/tools.h"
 
 /* ---- carrying */
 

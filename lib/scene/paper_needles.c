@@ -1,11 +1,8 @@
 /* Needles by method PAPER: one follows the first tool whose jaws have closed on it, exactly; another that closes on it changes
  * nothing until the first lets go, and leads from then on. A free one flies, comes down on the floor, and stays in the walls
  * that it goes through: docs/paper-needle.md. */
-#include "scene/events.h"
+#include "scene/world/world.h"
 #include "scene/paper.h"
-#include "scene/pins.h"
-#include "scene/scene.h"
-#include "scene/tools.h"
 
 #include "collision/closest.h"
 

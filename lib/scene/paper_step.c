@@ -3,14 +3,13 @@
  *   until nothing hits -> events -> tool forces
  * Rigid bodies go where they are told, whatever is in their way; needles follow tools, or fly. No friction, no guard. */
 #include "base/error.h"
-#include "scene/substep.h"
-#include "scene/cuts.h"
-#include "scene/events.h"
-#include "scene/holes.h"
+#include "scene/solve/solve.h"
+#include "scene/step/step.h"
+#include "scene/tissue/tissue.h"
+#include "scene/tools/tools.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
 #include "scene/paper.h"
-#include "scene/scene.h"
-#include "scene/step.h"
-#include "scene/tools.h"
 
 /* ---- as it was, if the step fails */
 

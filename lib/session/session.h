@@ -12,7 +12,8 @@
 #include <vblast_ss/session.h>
 
 #include "record/record.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 enum { SESSION_HANDS = 2, SESSION_TOOLS = 3, SESSION_MAX_THROWS = 8, SESSION_MAX_STRAYS = 16 };
 /* Throws of the knot; transfers between them. */

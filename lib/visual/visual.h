@@ -12,7 +12,8 @@
 
 #include "base/linear.h"
 #include "base/slot.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 /* Sides of a section; points of one, where a seam or creases double some. */
 enum { VISUAL_MAX_SIDES = 64, VISUAL_MAX_SECTION_POINTS = VISUAL_MAX_SIDES + 8 };

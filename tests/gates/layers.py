@@ -9,9 +9,9 @@ import gate
 LAYERS = [["base"], ["collision"], ["solver"], ["thread", "drain", "needle", "grasper"], ["contact"],
           ["suture"], ["scene"], ["knot", "metrics", "device", "record", "visual"], ["session"]]
 LEVEL = {folder: level for level, row in enumerate(LAYERS) for folder in row}
-# Folders inside a folder of lib/, in their order: each includes, and calls (gate.structure), only those before it. Empty as
-# long as the folder is flat. Files beside the sub-folders may include all of them, and be included by all.
-SUBFOLDERS = {"scene": []}
+# Folders inside a folder of lib/, in their order: each includes, and calls (gate.structure), only those before it.
+# Files beside the sub-folders may include all of them, and be included by all.
+SUBFOLDERS = {"scene": ["world", "tools", "tissue", "topology", "contacts", "solve", "ccd", "step", "snapshot", "api"]}
 # Contact works on features of any body and so must know none; metrics are fed by any simulator.
 ONLY = {"contact": {"base", "collision", "solver"}, "metrics": {"base"}}
 STANDARD = {"float.h", "inttypes.h", "limits.h", "math.h", "stdarg.h", "stdatomic.h", "stdbool.h", "stddef.h",

@@ -1,6 +1,7 @@
 /* Sessions with graspers: recorded, replayed to the bit; what is told past the record is found out. */
 #include "fixture.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 #include "scenes/tool_scenes.h"
 
 /* The context must not move: the memory it watches is in the stage. */

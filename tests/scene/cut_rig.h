@@ -2,7 +2,8 @@
 #ifndef VBSS_TESTS_SCENE_CUT_RIG_H
 #define VBSS_TESTS_SCENE_CUT_RIG_H
 
-#include "scene/pins.h"
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
 #include "scene/small.h"
 
 /* The number of the new piece; its handle is left out if NULL. */

@@ -3,7 +3,8 @@
 #define VBSS_TESTS_SCENE_DRAIN_WATCH_H
 
 #include "oracle/surface.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 enum { DRAIN_WATCH_DRAINS = 2, DRAIN_WATCH_NODES = 256 };
 

@@ -4,7 +4,9 @@
 #define VBSS_TESTS_SCENE_MESH_RIG_H
 
 #include "scene/cut_rig.h"
-#include "scene/remeshing.h"
+#include "scene/api/api.h"
+#include "scene/topology/topology.h"
+#include "thread/remesh.h"
 
 static inline thread_object *mesh_thread(vbss_thread *handle)
 {

@@ -1,5 +1,5 @@
 #include "scene/needles_rig.h"
-#include "scene/tools.h"
+#include "scene/world/world.h"
 
 void needles_begin(needles_rig *r)
 {

@@ -7,7 +7,8 @@
 
 #include "collision/closest.h"
 #include "harness/harness.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 #define FRAME (1.0 / 150.0) /* of the paper, s */
 #define RADIUS 0.125e-3

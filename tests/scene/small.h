@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "harness/harness.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 typedef struct small {
     harness_memory memory;

@@ -1,8 +1,7 @@
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"
-#include "scene/substep.h"
-#include "scene/scene.h"
+#include "scene/solve/solve.h"
 #include "thread/thread.h"
 
 /* Below this no gain is looked at, J. */

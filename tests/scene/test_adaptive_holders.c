@@ -4,7 +4,9 @@
 
 #include "scene/cut_contacts.h"
 #include "scene/mesh_rig.h"
-#include "scene/remeshing.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+#include "thread/remesh.h"
 #include "scene/tools_rig.h"
 
 /* ---- contacts */

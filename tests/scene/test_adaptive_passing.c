@@ -6,7 +6,9 @@
 #include "oracle/passing.h"
 #include "oracle/knot_type.h"
 #include "scene/mesh_rig.h"
-#include "scene/remeshing.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+#include "thread/remesh.h"
 #include "scene/watch.h"
 #include "scenes/contact_scenes.h"
 

@@ -1,6 +1,7 @@
 /* What a search that was stopped has led to is taken only if nobody gains by it what nothing has done. */
-#include "scene/substep.h"
-#include "scene/events.h"
+#include "scene/solve/solve.h"
+#include "scene/step/step.h"
+#include "scene/world/world.h"
 #include "scene/stitch_case.h"
 
 static stitch_case c;

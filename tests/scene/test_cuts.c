@@ -1,6 +1,7 @@
 /* Cutting a thread where it lies: what becomes of its nodes and of what holds them, and how the ends move. */
 #include "scene/cut_rig.h"
-#include "scene/cuts.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
 
 /* A straight thread of 20 segments of 1 mm. */
 static uint32_t line(small *s, uint32_t cuts, vbss_thread **thread)

@@ -2,7 +2,8 @@
  * through anything in any part of any step, decided exactly; but for the two ends at a cut until they are apart. */
 #include "oracle/passing.h"
 #include "scene/cut_contacts.h"
-#include "scene/cuts.h"
+#include "scene/api/api.h"
+#include "scene/topology/topology.h"
 
 enum { THREADS = 8, CUTS = 7 };
 

@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "scene/separation_cache.h"
+#include "scene/api/api.h"
+#include "scene/contacts/contacts.h"
 #include "scene/drains_rig.h"
-#include "scene/contacts.h"
 
 enum { CASES = 30, MOVES = 3 };
 

@@ -1,6 +1,6 @@
 /* A pair of a drain's sides that begins deeper than what it bore is let off slowly: in a fold other pairs become the nearest ones,
  * and what was never pressed in would push with tens of newtons. */
-#include "scene/contacts.h"
+#include "scene/contacts/contacts.h"
 #include "scene/stitch_case.h"
 
 /* What a part lets off at most: 20 mm/s. */

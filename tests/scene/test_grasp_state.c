@@ -2,7 +2,9 @@
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "scene/tools.h"
+#include "scene/api/api.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
 #include "scene/tools_rig.h"
 #include "scenes/tool_scenes.h"
 

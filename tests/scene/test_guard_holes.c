@@ -1,7 +1,9 @@
 /* The guard beside holes: what slides through its hole goes on, what begins near it and goes through the wall elsewhere does
  * not, however fast both are. */
-#include "scene/substep.h"
-#include "scene/contacts.h"
+#include "scene/ccd/ccd.h"
+#include "scene/contacts/contacts.h"
+#include "scene/solve/solve.h"
+#include "scene/world/world.h"
 #include "scene/stitch_case.h"
 
 #include "drain/drain.h"

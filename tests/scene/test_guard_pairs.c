@@ -1,8 +1,8 @@
 /* The guard asks the pairs that the search for rows has listed, if nothing left the boxes in which that looked; else it
  * searches itself. Either way it finds the same. */
 #include "base/elementary.h"
-#include "scene/substep.h"
-#include "scene/contacts.h"
+#include "scene/ccd/ccd.h"
+#include "scene/contacts/contacts.h"
 #include "scene/small.h"
 
 enum { CASES = 400, NODES = 25 };

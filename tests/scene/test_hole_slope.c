@@ -1,10 +1,10 @@
 /* What a hole's row says of the needle and of the nodes behind it, as its place slides on and as they move: against difference
  * quotients, of places on the curve and of rows that are laid anew. On the needle, over the swage and behind it. */
 #include "base/rotation.h"
-#include "scene/substep.h"
-#include "scene/holes.h"
+#include "scene/contacts/contacts.h"
+#include "scene/solve/solve.h"
+#include "scene/world/world.h"
 #include "scene/small.h"
-#include "scene/tools.h"
 
 enum { SEGMENTS = 8, NODES = SEGMENTS + 1 };
 

@@ -1,6 +1,8 @@
 /* What is cut is flat, what is not is round: a lip that slides over another wall and off its lip is nowhere suddenly nearer. */
 #include "scene/drains_rig.h"
-#include "scene/contacts.h"
+#include "scene/api/api.h"
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
 
 /* How far it slides, in steps, m; and by how much its gap is another after one: which wall it is above is asked where the
  * middle of the lip is, not where it touches. */

@@ -3,7 +3,9 @@
 
 #include "base/error.h"
 #include "scene/needles_rig.h"
-#include "scene/tools.h"
+#include "scene/api/api.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
 #include "scenes/needle_scenes.h"
 
 /* ---- as a body of the harness */

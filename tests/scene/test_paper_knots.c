@@ -4,7 +4,7 @@
 #include "collision/closest.h"
 #include "harness/harness.h"
 #include "oracle/knot_type.h"
-#include "scene/scene.h"
+#include "scene/world/scene_data.h"
 #include "scenes/knots.h"
 
 #define FRAME (1.0 / 150.0) /* of the paper, s */

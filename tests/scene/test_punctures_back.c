@@ -1,6 +1,7 @@
 /* A needle that leaves a hole, the way it came or through it, and comes again; tremor at the wall. */
-#include "scene/hole_exclusion.h"
-#include "scene/holes.h"
+#include "scene/contacts/contacts.h"
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
 #include "scene/needle_case.h"
 
 static needle_case c;

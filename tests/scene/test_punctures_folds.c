@@ -1,5 +1,6 @@
 /* A needle that goes through both sides of a fold beside the hole that it enters: here two triangles that meet at an angle. */
-#include "scene/holes.h"
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
 #include "scene/needle_case.h"
 
 static needle_case c;

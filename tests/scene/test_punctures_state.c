@@ -1,7 +1,7 @@
 /* Scenes with a needle in a drain: saved, restored and gone on with; damaged; without memory; without room for holes. */
 #include "base/error.h"
 #include "harness/harness.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
 #include "scenes/puncture_scenes.h"
 
 #define STEP_S 1e-3

@@ -1,5 +1,6 @@
 /* What must not jump in a stitch: what a segment feels as it comes out of a hole, and where a hole is when the mesh changes. */
-#include "scene/hole_exclusion.h"
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
 #include "scene/stitch_case.h"
 
 static stitch_case c;

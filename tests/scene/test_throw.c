@@ -3,7 +3,8 @@
 #include <stdlib.h>
 
 #include "harness/harness.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 #include "scenes/throw_scenes.h"
 
 enum { MOST_STEPS = 20000 };

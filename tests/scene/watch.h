@@ -5,7 +5,8 @@
 #define VBSS_TESTS_SCENE_WATCH_H
 
 #include "oracle/passing.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 enum { WATCH_CHAINS = 32, WATCH_NODES = 4096 };
 

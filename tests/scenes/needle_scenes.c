@@ -2,7 +2,8 @@
 
 #include "base/error.h"
 #include "base/rotation.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 enum { SEGMENTS = 40, TOOLS = 2 };
 #define GRAVITY 9.81

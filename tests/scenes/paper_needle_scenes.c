@@ -3,7 +3,8 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/rotation.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 enum { SEGMENTS = 12, TOOLS = 2 };
 #define GRAVITY 9.81

@@ -5,7 +5,8 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/rotation.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 /* How stiffly the hand holds it, and where it begins, before the middle of the wall. */
 static const vbss_rigid_coupling hand = {2e4, 20.0, 5.0, 0.02};

@@ -4,7 +4,8 @@
 
 #include "base/error.h"
 #include "harness/harness.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 #include "scenes/scene_scenes.h"
 
 static inline vbss_result scene_body_create(vbss_context *context, void *user, void **handle)

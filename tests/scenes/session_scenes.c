@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 #include "scenes/needle_scenes.h"
 #include "scenes/puncture_scenes.h"
 

@@ -1,7 +1,8 @@
 #include "scenes/tool_scenes.h"
 
 #include "base/error.h"
-#include "scene/scene.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
 
 enum { SEGMENTS = 48, TOOLS = 2, FIRST_TOOL = 2 };
 

@@ -1,0 +1,116 @@
+/* Adds a drain to a scene. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/solve/solve.h"
+#include "scene/world/world.h"
+
+/* Beyond this along the surface, in walls, a drain touches itself: nearer it is only bent. */
+#define MIN_SELF_CONTACT_ARC_RATIO 3.0
+
+static vbss_result check_drain(const scene_object *s, const vbss_slot *slot, const uint32_t *number)
+{
+    const drain_object *d = slot->object;
+    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
+    if (slot->context != s->context) {
+        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
+                         "drain %llu belongs to another context",
+                         (unsigned long long)slot->ordinal);
+    }
+    if (d->config.method != s->config.method) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the drain's method is not the scene's");
+    }
+    return VBSS_OK;
+}
+
+static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *shape)
+{
+    const drain_mesh *m = &d->mesh;
+    double wall = d->config.thickness;
+    VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
+                                     m->triangle_count, 0.5 * wall, shape));
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        /* Edges alone, against those of others: docs/paper-scene.md. */
+        s->collision->shapes[*shape]->is_rigid = true;
+        s->collision->shapes[*shape]->edges_only = true;
+        return VBSS_OK;
+    }
+    vbss_result result = vbss_collision_exclude_near(s->collision, *shape, m->rest,
+                                                     MIN_SELF_CONTACT_ARC_RATIO * wall);
+    if (result != VBSS_OK) {
+        (void)vbss_collision_remove(scene_collision(s), *shape);
+    }
+    return result;
+}
+
+static uint32_t find_edge(const collision_shape *shape, uint32_t p, uint32_t q)
+{
+    uint32_t i = 0;
+    while ((shape->edges[i][0] != p || shape->edges[i][1] != q) &&
+           (shape->edges[i][0] != q || shape->edges[i][1] != p)) {
+        i++;
+    }
+    return i;
+}
+
+static void find_lips(scene_drain *b, const collision_shape *shape)
+{
+    const drain_mesh *m = &b->drain->mesh;
+    for (uint32_t i = 0; i < shape->edge_count; i++) {
+        b->lip_of_side[i] = SCENE_NO_FACE;
+    }
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        b->lip_of_node[i] = SCENE_NO_FACE;
+    }
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
+        for (int k = 0; k < 3; k++) {
+            uint32_t p = m->triangles[t][(k + 1) % 3], q = m->triangles[t][(k + 2) % 3];
+            if (m->opposite_node[t][k] == DRAIN_NONE) {
+                b->lip_of_side[find_edge(shape, p, q)] = t;
+                b->lip_of_node[p] = b->lip_of_node[q] = t;
+            }
+        }
+    }
+}
+
+static vbss_result create_drain_data(scene_object *s, scene_drain *b, uint32_t *shape)
+{
+    vbss_array arrays[SCENE_DRAIN_ARRAYS];
+    vbss_scene_list_drain_arrays(b, b->drain->mesh.node_count, arrays);
+    VBSS_TRY(vbss_allocate_arrays(s->context, arrays, SCENE_DRAIN_ARRAYS, "drain in a scene"));
+    VBSS_TRY(add_shape(s, b->drain, shape));
+    find_lips(b, s->collision->shapes[*shape]);
+    vbss_result result =
+        s->config.method == VBSS_METHOD_OURS ? vbss_scene_create_system(s, b->drain) : VBSS_OK;
+    if (result != VBSS_OK) {
+        (void)vbss_collision_remove(scene_collision(s), *shape);
+    }
+    return result;
+}
+
+vbss_result vbss_scene_add_drain(vbss_scene *scene, vbss_drain *drain, uint32_t *body)
+{
+    scene_object *s;
+    vbss_slot *slot;
+    uint32_t shape = 0;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_edit_unowned(drain, &vbss_drain_kind, &slot));
+    VBSS_TRY(check_drain(s, slot, body));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_DRAIN);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    scene_drain own = {.slot = slot, .drain = slot->object};
+    vbss_result result = create_drain_data(s, &own, &shape);
+    if (result != VBSS_OK) {
+        vbss_array arrays[SCENE_DRAIN_ARRAYS];
+        vbss_scene_list_drain_arrays(&own, own.drain->mesh.node_count, arrays);
+        vbss_release_arrays(s->context, arrays, SCENE_DRAIN_ARRAYS);
+        return result;
+    }
+    *b = (scene_body){.drain = own};
+    slot->owner = s;
+    vbss_scene_register_body(s, b, SCENE_BODY_DRAIN, shape, body);
+    return VBSS_OK;
+}

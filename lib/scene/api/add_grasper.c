@@ -1,0 +1,100 @@
+/* Adds a grasper to a scene. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
+
+static void init_rigid(scene_rigid *r, const grasper_object *g, vbss_slot *slot,
+                       const vbss_rigid_mass *mass, pose target)
+{
+    const vbss_grasper_config *c = &g->config;
+    pose at = pose_mul(target, mass->frame);
+    bool paper = c->method == VBSS_METHOD_PAPER; /* its tools are where the hand is */
+    *r = (scene_rigid){.kind = paper ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED,
+                       .frame = mass->frame,
+                       .friction = c->friction,
+                       .slot = slot,
+                       .grasper = slot->object};
+    r->body.mass = mass->mass;
+    r->body.inertia = mass->inertia;
+    r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
+    if (!paper) {
+        const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
+                                              c->turning_damping};
+        r->body.coupling = coupling;
+    }
+}
+
+static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
+                                 const uint32_t *number)
+{
+    const grasper_object *g = slot->object;
+    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
+    if (slot->context != s->context) {
+        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
+                         "grasper %llu belongs to another context",
+                         (unsigned long long)slot->ordinal);
+    }
+    if (g->config.method != s->config.method) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the grasper's method is not the scene's");
+    }
+    if (GRASPER_CAPSULES > s->config.capsule_capacity - s->capsule_count) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
+                         s->config.capsule_capacity);
+    }
+    return VBSS_OK;
+}
+
+/* Radius of gyration about the tip, m: about that of what works there. */
+#define GYRATION_RADIUS 0.03
+
+/* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */
+static vbss_rigid_mass proxy_mass(const grasper_object *g)
+{
+    double moment = g->config.mass * GYRATION_RADIUS * GYRATION_RADIUS;
+    const vbss_rigid_mass mass = {
+        g->config.mass, {moment, moment, moment}, pose_make(vec3_zero(), quat_identity())};
+    return mass;
+}
+
+vbss_result vbss_scene_add_grasper(vbss_scene *scene, vbss_grasper *grasper, uint32_t *body)
+{
+    scene_object *s;
+    vbss_slot *slot;
+    pose target;
+    uint32_t shape = 0;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_edit_unowned(grasper, &vbss_grasper_kind_of_slot, &slot));
+    VBSS_TRY(check_grasper(s, slot, body));
+    grasper_object *g = slot->object;
+    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the trocar is nearer to the tip than the jaws reach aside");
+    }
+    const vbss_rigid_mass mass = proxy_mass(g);
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    VBSS_TRY(vbss_collision_add_capsules(
+        scene_collision(s), GRASPER_CAPSULES,
+        vbss_max(g->config.shaft_radius,
+                 vbss_max(g->config.driver_radius, g->config.shears_radius)),
+        &shape));
+    s->collision->shapes[shape]->is_rigid = true;
+    *b = (scene_body){0};
+    init_rigid(&b->rigid, g, slot, &mass, target);
+    b->rigid.first_capsule = s->capsule_count;
+    b->rigid.capsule_count = GRASPER_CAPSULES;
+    s->capsule_count += GRASPER_CAPSULES;
+    vbss_scene_set_capsule_targets(s, &b->rigid, g->jaw_angle);
+    for (uint32_t i = 0; i < GRASPER_CAPSULES; i++) {
+        vbss_scene_snap_capsule_to_target(&s->capsules[b->rigid.first_capsule + i]);
+    }
+    slot->owner = s;
+    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    vbss_scene_publish_grasper(s, b);
+    return VBSS_OK;
+}

@@ -1,0 +1,75 @@
+/* Adds a needle to a scene. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
+
+static vbss_result check_needle(const scene_object *s, const vbss_slot *slot,
+                                const uint32_t *number)
+{
+    const needle_object *n = slot->object;
+    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
+    if (slot->context != s->context) {
+        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
+                         "needle %llu belongs to another context",
+                         (unsigned long long)slot->ordinal);
+    }
+    if (n->config.method != s->config.method) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the needle's method is not the scene's");
+    }
+    if (n->config.segment_count > s->config.capsule_capacity - s->capsule_count) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
+                         s->config.capsule_capacity);
+    }
+    return VBSS_OK;
+}
+
+static void add_capsules(scene_object *s, scene_rigid *r)
+{
+    const needle_object *n = r->needle;
+    r->first_capsule = s->capsule_count;
+    r->capsule_count = n->config.segment_count;
+    for (uint32_t i = 0; i < r->capsule_count; i++) {
+        scene_capsule *to = &s->capsules[s->capsule_count++];
+        for (uint32_t k = 0; k < 2; k++) {
+            vec3 corner = vbss_needle_point(n, vbss_needle_vertex_arc(n, i + k));
+            to->local_end[k] = pose_apply_inverse(r->frame, corner);
+        }
+        vbss_scene_snap_capsule_to_target(to);
+        to->radius = n->config.wire_radius;
+        vbss_scene_transform_capsule(to, r->body.now.pose, to->now);
+    }
+}
+
+vbss_result vbss_scene_add_needle(vbss_scene *scene, vbss_needle *needle, uint32_t *body)
+{
+    scene_object *s;
+    vbss_slot *slot;
+    uint32_t shape = 0;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_edit_unowned(needle, &vbss_needle_kind, &slot));
+    VBSS_TRY(check_needle(s, slot, body));
+    needle_object *n = slot->object;
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), n->config.segment_count,
+                                         n->config.wire_radius, &shape));
+    s->collision->shapes[shape]->is_rigid = true;
+    *b = (scene_body){.rigid = {.kind = VBSS_RIGID_FREE,
+                                .body = n->body,
+                                .frame = n->body_frame,
+                                .friction = n->config.friction,
+                                .trial = n->body.now.pose,
+                                .slot = slot,
+                                .needle = n}};
+    b->rigid.body.target_start = b->rigid.body.target_end = n->body.now.pose;
+    add_capsules(s, &b->rigid);
+    slot->owner = s;
+    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    vbss_scene_publish_needle(b);
+    return VBSS_OK;
+}

@@ -1,0 +1,147 @@
+/* Adds a rigid body to a scene. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
+
+_Static_assert(sizeof(vbss_rigid_config) == 200, "published size");
+_Static_assert(sizeof(vbss_capsule) == 56, "published size");
+
+static const vbss_rigid_config rigid_defaults = {
+    .struct_size = sizeof(vbss_rigid_config),
+    .kind = VBSS_RIGID_DRIVEN,
+    .orientation = {1.0, 0.0, 0.0, 0.0},
+    .mass = 0.02,
+    .friction = 0.15,
+    .stiffness = 2000.0,
+    .damping = 5.0,
+    .turning_stiffness = 2.0,
+    .turning_damping = 0.005,
+};
+static const uint32_t rigid_sizes[] = {200, 0};
+static const vbss_layout rigid_layout = {"vbss_rigid_config", &rigid_defaults, rigid_sizes};
+
+vbss_result vbss_rigid_config_init(vbss_rigid_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&rigid_layout, config, struct_size);
+}
+
+static vbss_result check_capsule(vbss_context *context, const vbss_capsule *c)
+{
+    VBSS_TRY(vbss_check_finite(context, c->begin, 3, "begin of a capsule"));
+    VBSS_TRY(vbss_check_finite(context, c->end, 3, "end of a capsule"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->begin, 3), 0.0, 1e3, "begin of a capsule"));
+    VBSS_TRY(vbss_check_range(context, vbss_max_abs(c->end, 3), 0.0, 1e3, "end of a capsule"));
+    return vbss_check_range(context, c->radius, 1e-6, 1.0, "radius of a capsule");
+}
+
+static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c)
+{
+    vbss_context *context = s->context;
+    VBSS_TRY(vbss_check_range(context, c->kind, VBSS_RIGID_DRIVEN, VBSS_RIGID_FREE, "kind"));
+    VBSS_TRY(vbss_check_range(context, c->capsule_count, 1.0, 256.0, "capsule_count"));
+    VBSS_TRY(vbss_check_range(context, c->reserved, 0.0, 0.0, "reserved"));
+    VBSS_TRY(vbss_check_pointer(context, c->capsules, "capsules"));
+    VBSS_TRY(vbss_check_vector(context, c->position, 1e3, "position"));
+    VBSS_TRY(vbss_check_vector(context, c->velocity, 1e5, "velocity"));
+    VBSS_TRY(vbss_check_vector(context, c->angular_velocity, 1e6, "angular_velocity"));
+    VBSS_TRY(vbss_check_vector(context, c->gravity, 1e6, "gravity"));
+    VBSS_TRY(vbss_check_range(context, c->mass, 1e-9, 1e3, "mass"));
+    VBSS_TRY(vbss_check_range(context, c->friction, 0.0, 10.0, "friction"));
+    VBSS_TRY(vbss_check_range(context, c->stiffness, 0.0, 1e9, "stiffness"));
+    VBSS_TRY(vbss_check_range(context, c->damping, 0.0, 1e6, "damping"));
+    VBSS_TRY(vbss_check_range(context, c->turning_stiffness, 0.0, 1e9, "turning_stiffness"));
+    VBSS_TRY(vbss_check_range(context, c->turning_damping, 0.0, 1e6, "turning_damping"));
+    for (uint32_t i = 0; i < c->capsule_count; i++) {
+        VBSS_TRY(check_capsule(context, &c->capsules[i]));
+    }
+    if (c->capsule_count > s->config.capsule_capacity - s->capsule_count) {
+        return vbss_fail(context, VBSS_ERROR_CAPACITY, "the scene has room for %u capsules",
+                         s->config.capsule_capacity);
+    }
+    return VBSS_OK;
+}
+
+/* Capsules as if solid and of one material. */
+static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_config *c,
+                                   vbss_rigid_mass *mass)
+{
+    for (uint32_t i = 0; i < c->capsule_count; i++) {
+        const vbss_capsule *from = &c->capsules[i];
+        s->mass_capsules[i] = (vbss_rigid_capsule){vec3_load(from->begin), vec3_load(from->end),
+                                                   from->radius, 1000.0};
+    }
+    if (!vbss_rigid_mass_of_capsules(s->mass_capsules, c->capsule_count, mass)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the capsules have no mass");
+    }
+    mass->inertia = vec3_scale(mass->inertia, c->mass / mass->mass);
+    mass->mass = c->mass;
+    return VBSS_OK;
+}
+
+static void init_rigid(scene_rigid *r, const vbss_rigid_config *c, const vbss_rigid_mass *mass,
+                       quat orientation)
+{
+    pose at = pose_mul(pose_make(vec3_load(c->position), orientation), mass->frame);
+    vec3 w = vec3_load(c->angular_velocity);
+    vec3 arm = quat_rotate(orientation, mass->frame.position);
+    *r = (scene_rigid){.kind = c->kind, .frame = mass->frame, .friction = c->friction};
+    r->body.mass = mass->mass;
+    r->body.inertia = mass->inertia;
+    r->body.gravity = vec3_load(c->gravity);
+    r->body.now.pose = r->body.target_start = r->body.target_end = r->trial = at;
+    if (c->kind == VBSS_RIGID_COUPLED) {
+        const vbss_rigid_coupling coupling = {c->stiffness, c->damping, c->turning_stiffness,
+                                              c->turning_damping};
+        r->body.coupling = coupling;
+    }
+    if (c->kind != VBSS_RIGID_DRIVEN) {
+        r->body.now.v = vec3_add(vec3_load(c->velocity), vec3_cross(w, arm));
+        r->body.now.w = w;
+    }
+}
+
+static void add_capsules(scene_object *s, scene_body *b, const vbss_rigid_config *c)
+{
+    scene_rigid *r = &b->rigid;
+    r->first_capsule = s->capsule_count;
+    r->capsule_count = c->capsule_count;
+    for (uint32_t i = 0; i < c->capsule_count; i++) {
+        scene_capsule *to = &s->capsules[s->capsule_count++];
+        to->local_end[0] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].begin));
+        to->local_end[1] = pose_apply_inverse(r->frame, vec3_load(c->capsules[i].end));
+        vbss_scene_snap_capsule_to_target(to);
+        to->radius = c->capsules[i].radius;
+        vbss_scene_transform_capsule(to, r->body.now.pose, to->now);
+    }
+}
+
+vbss_result vbss_scene_add_rigid(vbss_scene *scene, const vbss_rigid_config *config, uint32_t *body)
+{
+    scene_object *s;
+    vbss_rigid_config own;
+    vbss_rigid_mass mass;
+    quat orientation;
+    uint32_t shape = 0;
+    double radius = 0.0;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, body, "body"));
+    VBSS_TRY(vbss_config_read(s->context, &rigid_layout, config, &own));
+    VBSS_TRY(check_rigid(s, &own));
+    VBSS_TRY(vbss_read_orientation(s->context, own.orientation, &orientation));
+    VBSS_TRY(distribute_mass(s, &own, &mass));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_RIGID);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    for (uint32_t i = 0; i < own.capsule_count; i++) {
+        radius = vbss_max(own.capsules[i].radius, radius);
+    }
+    VBSS_TRY(vbss_collision_add_capsules(scene_collision(s), own.capsule_count, radius, &shape));
+    s->collision->shapes[shape]->is_rigid = true;
+    *b = (scene_body){0};
+    init_rigid(&b->rigid, &own, &mass, orientation);
+    add_capsules(s, b, &own);
+    vbss_scene_register_body(s, b, SCENE_BODY_RIGID, shape, body);
+    return VBSS_OK;
+}

@@ -1,0 +1,60 @@
+/* Adds a thread to a scene. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+
+static vbss_result check_thread(const scene_object *s, const vbss_slot *slot, uint32_t *number)
+{
+    const thread_object *t = slot->object;
+    VBSS_TRY(vbss_check_pointer(s->context, number, "body"));
+    if (slot->context != s->context) {
+        return vbss_fail(s->context, VBSS_ERROR_INVALID_HANDLE,
+                         "thread %llu belongs to another context",
+                         (unsigned long long)slot->ordinal);
+    }
+    if (t->config.method != s->config.method) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the thread's method is not the scene's");
+    }
+    return vbss_scene_check_thread_capacity(s, t);
+}
+
+/* One that a mesh can grow in. */
+static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *shape)
+{
+    if (t->config.mesh == VBSS_MESH_FIXED) {
+        return vbss_collision_add_chain(scene_collision(s), t->node_count, t->rest,
+                                        t->config.radius, shape);
+    }
+    VBSS_TRY(
+        vbss_collision_add_disabled_chain(s->collision, t->node_capacity, t->config.radius, shape));
+    vbss_collision_resize_chain(s->collision, *shape, t->node_count, t->rest);
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_add_thread(vbss_scene *scene, vbss_thread *thread, uint32_t *body)
+{
+    scene_object *s;
+    vbss_slot *slot;
+    uint32_t shape = 0;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_slot_edit_unowned(thread, &vbss_thread_kind, &slot));
+    VBSS_TRY(check_thread(s, slot, body));
+    scene_body *b = vbss_scene_find_free_body(s, SCENE_BODY_THREAD);
+    if (b == NULL) {
+        return VBSS_ERROR_CAPACITY;
+    }
+    thread_object *t = slot->object;
+    VBSS_TRY(add_shape(s, t, &shape));
+    VBSS_TRY(vbss_scene_create_piece_shapes(s, t, shape));
+    *b = (scene_body){0};
+    b->thread.slot = slot;
+    b->thread.thread = t;
+    slot->owner = s;
+    vbss_scene_register_body(s, b, SCENE_BODY_THREAD, shape, body);
+    vbss_scene_add_spares(s, t, shape + 1);
+    vbss_scene_number_nodes(s);
+    return VBSS_OK;
+}

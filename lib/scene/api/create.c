@@ -1,0 +1,240 @@
+/* How scenes begin and end. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/stream.h"
+#include "scene/api/api.h"
+#include "scene/snapshot/snapshot.h"
+#include "scene/solve/solve.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+
+#include <string.h>
+
+_Static_assert(sizeof(vbss_scene_config) == 176, "published size");
+_Static_assert(sizeof(vbss_scene_statistics) == 248, "published size");
+
+static const vbss_scene_config defaults = {
+    .struct_size = sizeof(vbss_scene_config),
+    .method = VBSS_METHOD_OURS,
+    .mode = VBSS_MODE_REAL_TIME,
+    .thread_capacity = 4,
+    .node_capacity = 1024,
+    .rigid_capacity = 4,
+    .capsule_capacity = 16,
+    .pin_capacity = 8,
+    .contact_capacity = 1024,
+    .candidate_capacity = 16384,
+    .event_capacity = 256,
+    .grasp_capacity = 8,
+    .floor_normal = {0.0, 1.0, 0.0},
+    .floor_friction = 0.3,
+    .thread_friction = 0.3,
+    .contact_stiffness = 2e5,
+    .contact_margin = 3e-5,
+    .stretch_tolerance = 1e-3,
+    .penetration_tolerance = 0.1,
+    .linearisation_limit = 12,
+    .state_limit = 36,
+    .halving_limit = 5,
+    .attempt_limit = 3,
+    .paper_pass_limit = 4,
+    .work_limit = 250000,
+    .slot_limit = 210000,
+    .drain_capacity = 1,
+    .hole_capacity = 16,
+};
+static const uint32_t config_sizes[] = {160, 168, 176, 0};
+static const vbss_layout config_layout = {"vbss_scene_config", &defaults, config_sizes};
+
+vbss_result vbss_scene_config_init(vbss_scene_config *config, uint32_t struct_size)
+{
+    return vbss_config_init(&config_layout, config, struct_size);
+}
+
+typedef struct range {
+    const char *name;
+    double value, low, high;
+} range;
+
+static vbss_result check_config(vbss_context *context, const vbss_scene_config *c)
+{
+    const range ranges[] = {
+        {"method", c->method, VBSS_METHOD_OURS, VBSS_METHOD_PAPER},
+        {"mode", c->mode, VBSS_MODE_REAL_TIME, VBSS_MODE_OFFLINE},
+        {"thread_capacity", c->thread_capacity, 0.0, SCENE_MAX_THREADS},
+        {"node_capacity", c->node_capacity, 0.0, 8192.0},
+        {"rigid_capacity", c->rigid_capacity, 0.0, 256.0},
+        {"capsule_capacity", c->capsule_capacity, 0.0, 4096.0},
+        {"pin_capacity", c->pin_capacity, 0.0, 256.0},
+        {"contact_capacity", c->contact_capacity, 0.0, 65536.0},
+        {"candidate_capacity", c->candidate_capacity, 0.0, 1e7},
+        {"event_capacity", c->event_capacity, 0.0, 65536.0},
+        {"floor", c->floor, 0.0, 1.0},
+        {"floor_height", c->floor_height, -1e3, 1e3},
+        {"floor_friction", c->floor_friction, 0.0, 10.0},
+        {"thread_friction", c->thread_friction, 0.0, 10.0},
+        {"contact_stiffness", c->contact_stiffness, 1e3, 1e9},
+        {"contact_margin", c->contact_margin, 0.0, 0.1},
+        {"stretch_tolerance", c->stretch_tolerance, 1e-9, 0.1},
+        {"penetration_tolerance", c->penetration_tolerance, 1e-3, 0.5},
+        {"linearisation_limit", c->linearisation_limit, 1.0, 100.0},
+        {"state_limit", c->state_limit, 1.0, 1000.0},
+        {"halving_limit", c->halving_limit, 0.0, 10.0},
+        {"attempt_limit", c->attempt_limit, 1.0, 1000.0},
+        {"drain_capacity", c->drain_capacity, 0.0, 16.0},
+        {"grasp_capacity", c->grasp_capacity, 0.0, 256.0},
+        {"hole_capacity", c->hole_capacity, 0.0, 256.0},
+        {"paper_pass_limit", c->paper_pass_limit, 1.0, 1000.0},
+        {"paper_thickness", c->paper_thickness, 0.0, 1e-2},
+    };
+    for (size_t i = 0; i < sizeof ranges / sizeof ranges[0]; i++) {
+        const range *r = &ranges[i];
+        VBSS_TRY(vbss_check_range(context, r->value, r->low, r->high, r->name));
+    }
+    VBSS_TRY(vbss_check_finite(context, c->floor_normal, 3, "floor_normal"));
+    return vbss_check_range(context, vec3_norm(vec3_load(c->floor_normal)), 1e-100, 1e100,
+                            "length of floor_normal");
+}
+
+/* ---- memory */
+
+enum { ARRAY_COUNT = 25 };
+
+static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
+{
+    size_t nodes = s->node_capacity, capsules = s->config.capsule_capacity;
+    size_t vertices = nodes > 2 * capsules ? nodes : 2 * capsules;
+    size_t contacts = s->config.contact_capacity;
+    size_t baseline_contacts = s->config.method == VBSS_METHOD_PAPER ? contacts : 0;
+    const vbss_array all[] = {
+        {&s->bodies, s->body_capacity, sizeof *s->bodies},
+        {&s->capsules, capsules, sizeof *s->capsules},
+        {&s->pins, s->config.pin_capacity, sizeof *s->pins},
+        {&s->thread_grasps, s->config.grasp_capacity, sizeof *s->thread_grasps},
+        {&s->checkpoint_thread_grasps, s->config.grasp_capacity,
+         sizeof *s->checkpoint_thread_grasps},
+        {&s->holes, s->config.hole_capacity, sizeof *s->holes},
+        {&s->checkpoint_holes, s->config.hole_capacity, sizeof *s->checkpoint_holes},
+        {&s->previous_holes, s->config.hole_capacity, sizeof *s->previous_holes},
+        {&s->is_separator, nodes, sizeof *s->is_separator},
+        {&s->expected_displacements, nodes + 2 * capsules, sizeof *s->expected_displacements},
+        {&s->vertices, 2 * vertices, sizeof *s->vertices},
+        {&s->welds, s->config.pin_capacity, sizeof *s->welds},
+        {&s->ccd_batch, 1, sizeof *s->ccd_batch},
+        {&s->mass_capsules, capsules, sizeof *s->mass_capsules},
+        {&s->baseline_contacts, baseline_contacts, sizeof *s->baseline_contacts},
+        {&s->touching_pairs, contacts, sizeof *s->touching_pairs},
+        {&s->previous_touching_pairs, contacts, sizeof *s->previous_touching_pairs},
+        {&s->events, s->config.event_capacity, sizeof *s->events},
+        {&s->contact_features, contacts, sizeof *s->contact_features},
+        {&s->contact_points, contacts, sizeof *s->contact_points},
+        {&s->contact_normals, contacts, sizeof *s->contact_normals},
+        {&s->contact_forces, contacts, sizeof *s->contact_forces},
+        {&s->contact_gaps, contacts, sizeof *s->contact_gaps},
+        {&s->body_of_shape, SCENE_MAX_SHAPES, sizeof *s->body_of_shape},
+        {&s->near_features, vertices, sizeof *s->near_features},
+    };
+    _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");
+    memcpy(arrays, all, sizeof all);
+    return sizeof all / sizeof all[0];
+}
+
+static void free_object(vbss_context *context, void *object)
+{
+    scene_object *s = object;
+    vbss_array arrays[ARRAY_COUNT];
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            vbss_scene_disown_thread(&s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_RIGID && s->bodies[i].rigid.grasper != NULL) {
+            vbss_scene_disown_grasper(&s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_RIGID && s->bodies[i].rigid.needle != NULL) {
+            vbss_scene_disown_needle(&s->bodies[i]);
+        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            vbss_scene_disown_drain(s, &s->bodies[i]);
+        } else if (s->bodies[i].is_reserved) {
+            vbss_scene_return_spare(&s->bodies[i]);
+        }
+    }
+    if (s->collision != NULL) {
+        vbss_collision_free(context, s->collision);
+    }
+    vbss_contact_destroy(context, s->contacts);
+    vbss_system_destroy(context, s->system);
+    vbss_release_arrays(context, arrays, list_arrays(s, arrays));
+    vbss_release(context, s, 1, sizeof *s);
+}
+
+const vbss_kind vbss_scene_kind = {"scene", VBSS_CODE('S', 'C', 'E', 'N'), 6, free_object,
+                                   vbss_scene_serialise};
+
+static vbss_result make_collision(scene_object *s)
+{
+    vbss_collision_config c;
+    VBSS_TRY(vbss_collision_config_init(&c, sizeof c));
+    c.shape_capacity = SCENE_MAX_SHAPES;
+    c.pair_capacity = s->config.candidate_capacity;
+    c.impact_capacity = 0; /* nobody asks for them: ccd.c and paper_contacts.c ask themselves */
+    c.margin = s->config.contact_margin;
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        c.method = VBSS_COLLISION_PAPER;
+        c.thickness = s->config.paper_thickness;
+        c.margin = 0.0;
+    }
+    bool has_separation_cache = s->config.method != VBSS_METHOD_PAPER;
+    VBSS_TRY(vbss_collision_allocate(s->context, &c, has_separation_cache, &s->collision));
+    s->collision_slot = vbss_slot_inside(s->context, &vbss_collision_kind, s->collision);
+    return VBSS_OK;
+}
+
+static vbss_result create_members(scene_object *s)
+{
+    vbss_array arrays[ARRAY_COUNT];
+    VBSS_TRY(vbss_allocate_arrays(s->context, arrays, list_arrays(s, arrays), "scene"));
+    VBSS_TRY(make_collision(s));
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_contact_create(s->context, s->config.contact_capacity, &s->contacts));
+    return vbss_scene_create_system(s, NULL);
+}
+
+/* ---- life */
+
+vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
+                              vbss_scene **scene)
+{
+    if (scene == NULL) {
+        VBSS_TRY(vbss_context_open(context));
+        return vbss_check_pointer(context, scene, "scene");
+    }
+    *scene = NULL;
+    VBSS_TRY(vbss_context_open(context));
+    VBSS_TRY(vbss_context_edit(context));
+    vbss_scene_config own = defaults;
+    if (config != NULL) {
+        VBSS_TRY(vbss_config_read(context, &config_layout, config, &own));
+    }
+    VBSS_TRY(check_config(context, &own));
+    scene_object *s = vbss_allocate(context, 1, sizeof *s, "scene");
+    if (s == NULL) {
+        return VBSS_ERROR_OUT_OF_MEMORY;
+    }
+    s->context = context;
+    s->config = own;
+    s->next_initial_size = 1.0;
+    s->floor_normal = vec3_unit_or(vec3_load(own.floor_normal), vec3_make(0.0, 1.0, 0.0));
+    s->node_capacity = own.node_capacity;
+    s->body_capacity = own.thread_capacity + own.rigid_capacity + own.drain_capacity;
+    vbss_slot *slot = NULL;
+    vbss_result result = create_members(s);
+    if (result == VBSS_OK) {
+        result = vbss_slot_create(context, &vbss_scene_kind, s, &slot);
+    }
+    if (result != VBSS_OK) {
+        free_object(context, s);
+        return result;
+    }
+    *scene = (vbss_scene *)slot;
+    return VBSS_OK;
+}

@@ -1,0 +1,43 @@
+/* Opens scene handles, for reading or for editing; destroys scenes. */
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/step/step.h"
+#include "scene/world/world.h"
+
+vbss_result vbss_scene_destroy(vbss_scene *scene)
+{
+    scene_object *s;
+    if (scene == NULL) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    /* Threads leave without pins, as when they are removed. */
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            vbss_scene_remove_pins_of(s, s->bodies[i].number);
+        }
+    }
+    return vbss_slot_destroy(scene, &vbss_scene_kind);
+}
+
+vbss_result vbss_scene_open(const vbss_scene *handle, scene_object **scene)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_open(handle, &vbss_scene_kind, &slot));
+    *scene = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_open_mutable(vbss_scene *handle, scene_object **scene)
+{
+    vbss_slot *slot;
+    VBSS_TRY(vbss_slot_edit(handle, &vbss_scene_kind, &slot));
+    *scene = slot->object;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_open_for_edit(vbss_scene *handle, scene_object **scene)
+{
+    VBSS_TRY(vbss_scene_open_mutable(handle, scene));
+    return vbss_scene_abandon_suspended_step(*scene);
+}

@@ -1,0 +1,145 @@
+/* Holes of a scene: made by hosts, read by hosts. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
+
+#include <string.h>
+
+/* Of the sum of weights. */
+#define WEIGHT_ROUNDING 1e-9
+
+static vbss_result check_weights(vbss_context *context, const double *weights)
+{
+    double sum = 0.0;
+    VBSS_TRY(vbss_check_pointer(context, weights, "weights"));
+    VBSS_TRY(vbss_check_finite(context, weights, 3, "weights"));
+    for (int k = 0; k < 3; k++) {
+        VBSS_TRY(vbss_check_range(context, weights[k], 0.0, 1.0, "weights"));
+        sum += weights[k];
+    }
+    return vbss_check_range(context, sum, 1.0 - WEIGHT_ROUNDING, 1.0 + WEIGHT_ROUNDING,
+                            "the sum of weights");
+}
+
+static vbss_result check_suture(const scene_object *s, const scene_body *suture, uint32_t body,
+                                double arc_length)
+{
+    if (suture == NULL || !vbss_scene_is_suture(suture)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no needle or thread",
+                         body);
+    }
+    bool thread = suture->kind == SCENE_BODY_THREAD;
+    const thread_object *t = suture->thread.thread;
+    if (thread && !suture_is_curve(t)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "a thread of two nodes has no curve");
+    }
+    double length = thread ? vbss_thread_arc_length(t, t->node_count - 1)
+                           : vbss_needle_length(suture->rigid.needle);
+    VBSS_TRY(vbss_check_finite(s->context, &arc_length, 1, "arc_length"));
+    return vbss_check_range(s->context, arc_length, 0.0, length, "arc_length");
+}
+
+static double suture_radius(const scene_body *suture)
+{
+    return suture->kind == SCENE_BODY_THREAD ? suture->thread.thread->config.radius
+                                             : suture->rigid.needle->config.wire_radius;
+}
+
+/* The suture shall be at the place already: no nearer to the wall than where it would touch. */
+static vbss_result init_hole(const scene_object *s, suture_hole *hole, const scene_body *suture)
+{
+    const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
+    const drain_object *d = p.drain->drain;
+    const vec3 point = vbss_hole_point(hole, d, d->x);
+    const suture_curve_point curve_point = vbss_suture_nearest_point(&p.now, p.arc, point);
+    double offset = vec3_distance(curve_point.position, point);
+    double max_offset = suture_radius(suture) + 0.5 * d->config.thickness;
+    if (!(offset <= max_offset)) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "the hole is %g m from what shall be in it: at most %g", offset,
+                         max_offset);
+    }
+    hole->is_outward = vbss_suture_is_outward(d, hole->triangle, curve_point.tangent);
+    vbss_scene_move_hole_to(hole, &p, curve_point.arc);
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_length,
+                                 uint32_t drain, uint32_t triangle, const double *weights,
+                                 uint32_t *id)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    const scene_body *suture = vbss_scene_body(s, body);
+    const scene_body *d = vbss_scene_require_body(s, drain, SCENE_BODY_DRAIN);
+    if (s->config.method == VBSS_METHOD_PAPER) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "holes are made by hosts in scenes of method OURS");
+    }
+    VBSS_TRY(check_suture(s, suture, body, arc_length));
+    if (d == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    VBSS_TRY(vbss_check_range(s->context, triangle, 0.0, d->drain.drain->mesh.triangle_count - 1.0,
+                              "triangle"));
+    VBSS_TRY(check_weights(s->context, weights));
+    suture_hole *hole = vbss_scene_find_free_hole(s);
+    if (hole == NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_CAPACITY, "more than %u holes",
+                         s->config.hole_capacity);
+    }
+    suture_hole made = {
+        .id = s->last_hole_id + 1, .drain = drain, .triangle = triangle, .arc = arc_length};
+    made.needle = suture->kind == SCENE_BODY_RIGID ? body : 0;
+    made.thread = suture->kind == SCENE_BODY_THREAD ? body : 0;
+    memcpy(made.barycentric, weights, sizeof made.barycentric);
+    VBSS_TRY(init_hole(s, &made, suture));
+    made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* it is open */
+    *hole = made;
+    s->last_hole_id = made.id;
+    s->generation++;
+    if (id != NULL) {
+        *id = made.id;
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_get_hole(vbss_scene *scene, uint32_t index, vbss_hole *hole,
+                                uint32_t struct_size)
+{
+    static const uint32_t sizes[] = {168, sizeof(vbss_hole), 0};
+    static const vbss_layout layout = {"vbss_hole", NULL, sizes};
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    uint32_t left = index;
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *h = &s->holes[i];
+        if (h->id == 0 || left-- > 0) {
+            continue;
+        }
+        const scene_hole_context p = vbss_scene_get_hole_context(s, h);
+        const drain_object *d = p.drain->drain;
+        const suture_curve_point curve_point = vbss_scene_hole_curve_point(&p, h);
+        vbss_hole own = {.struct_size = sizeof own,
+                         .id = h->id,
+                         .needle = h->needle,
+                         .drain = h->drain,
+                         .triangle = h->triangle,
+                         .outward = h->is_outward,
+                         .arc_length = h->arc,
+                         .friction = h->friction_force,
+                         .thread = h->thread};
+        for (int k = 0; k < 3; k++) {
+            own.weights[k] = h->barycentric[k];
+        }
+        vec3_store(own.position, vbss_hole_point(h, d, d->x));
+        vec3_store(own.rest_position, vbss_hole_point(h, d, d->mesh.rest));
+        vec3_store(own.direction, curve_point.tangent);
+        vec3_store(own.force,
+                   vec3_add_scaled(h->transverse_force, h->friction_force, curve_point.tangent));
+        return vbss_struct_write(s->context, &layout, &own, hole, struct_size);
+    }
+    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no %u holes", index + 1);
+}

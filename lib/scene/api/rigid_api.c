@@ -1,0 +1,76 @@
+/* Targets and states of rigid bodies. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/world/world.h"
+
+_Static_assert(sizeof(vbss_rigid_state) == 264, "published size");
+
+static const uint32_t state_sizes[] = {264, 0};
+static const vbss_layout state_layout = {"vbss_rigid_state", NULL, state_sizes};
+
+static scene_body *find_rigid(const scene_object *s, uint32_t number)
+{
+    return vbss_scene_require_body(s, number, SCENE_BODY_RIGID);
+}
+
+vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double position[3],
+                                  const double *orientation)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, position, "position"));
+    scene_body *b = find_rigid(s, body);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    scene_rigid *r = &b->rigid;
+    pose previous = r->has_pending_target ? r->pending_target : r->body.target_end,
+         target = pose_mul(previous, pose_inverse(r->frame));
+    if (r->grasper != NULL) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE,
+                         "body %u is a grasper: it goes where vbss_grasper_move says", body);
+    }
+    if (r->kind == VBSS_RIGID_FREE) {
+        return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is free", body);
+    }
+    VBSS_TRY(vbss_check_vector(s->context, position, 1e3, "position"));
+    if (orientation != NULL) {
+        VBSS_TRY(vbss_read_orientation(s->context, orientation, &target.orientation));
+    }
+    target.position = vec3_load(position);
+    target = pose_mul(target, r->frame);
+    if (orientation == NULL) { /* to the bit: rounding would turn it */
+        target.orientation = previous.orientation;
+    }
+    vbss_scene_set_rigid_target(s, r, target);
+    s->generation++;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_get_rigid(vbss_scene *scene, uint32_t body, vbss_rigid_state *state,
+                                 uint32_t struct_size)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    const scene_body *b = find_rigid(s, body);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    const scene_rigid *r = &b->rigid;
+    vbss_rigid_state own = {.struct_size = sizeof own, .kind = r->kind};
+    pose back = pose_inverse(r->frame), at = pose_mul(r->body.now.pose, back);
+    vec3 to_centre = vec3_sub(r->body.now.pose.position, at.position);
+    vec3 hand = r->kind == VBSS_RIGID_DRIVEN ? r->force : vec3_neg(r->coupling_wrench.force);
+    vec3 turn = r->kind == VBSS_RIGID_DRIVEN ? r->torque : vec3_neg(r->coupling_wrench.torque);
+    pose_store(at, own.position, own.orientation);
+    pose_store(pose_mul(r->has_pending_target ? r->pending_target : r->body.target_end, back),
+               own.target_position, own.target_orientation);
+    vec3_store(own.velocity, vec3_sub(r->body.now.v, vec3_cross(r->body.now.w, to_centre)));
+    vec3_store(own.angular_velocity, r->body.now.w);
+    vec3_store(own.hand_force, hand);
+    vec3_store(own.hand_torque, vec3_add(turn, vec3_cross(to_centre, hand)));
+    vec3_store(own.contact_force, r->force);
+    vec3_store(own.contact_torque, vec3_add(r->torque, vec3_cross(to_centre, r->force)));
+    return vbss_struct_write(s->context, &state_layout, &own, state, struct_size);
+}

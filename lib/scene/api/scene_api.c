@@ -1,0 +1,49 @@
+/* A step, statistics and snapshots of a scene. */
+#include "base/check.h"
+#include "base/error.h"
+#include "base/snapshot.h"
+#include "scene/api/api.h"
+#include "scene/paper.h"
+#include "scene/step/step.h"
+
+static const uint32_t statistics_sizes[] = {200, 232, 248, 0};
+static const vbss_layout statistics_layout = {"vbss_scene_statistics", NULL, statistics_sizes};
+
+vbss_result vbss_scene_get_statistics(vbss_scene *scene, vbss_scene_statistics *statistics,
+                                      uint32_t struct_size)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    vbss_scene_statistics own = s->statistics;
+    own.struct_size = sizeof own;
+    return vbss_struct_write(s->context, &statistics_layout, &own, statistics, struct_size);
+}
+
+vbss_result vbss_scene_step(vbss_scene *scene, double h)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_mutable(scene, &s));
+    VBSS_TRY(vbss_check_range(s->context, h, 1e-7, 0.1, "h"));
+    VBSS_TRY(vbss_check_arithmetic(s->context));
+    VBSS_TRY(s->config.method == VBSS_METHOD_PAPER ? vbss_scene_paper_step(s, h)
+                                                   : vbss_scene_ours_step(s, h));
+    s->generation++;
+    s->statistics.steps++;
+    s->statistics.time += h;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_save(vbss_scene *scene, uint8_t *bytes, uint64_t capacity, uint64_t *written)
+{
+    return vbss_object_save(scene, &vbss_scene_kind, bytes, capacity, written);
+}
+
+vbss_result vbss_scene_restore(vbss_scene *scene, const uint8_t *bytes, uint64_t count)
+{
+    return vbss_object_restore(scene, &vbss_scene_kind, bytes, count);
+}
+
+vbss_result vbss_scene_get_hash(vbss_scene *scene, uint64_t *hash)
+{
+    return vbss_object_hash(scene, &vbss_scene_kind, hash);
+}

@@ -1,0 +1,63 @@
+/* Pins and cuts of a scene's threads. */
+#include "base/check.h"
+#include "base/error.h"
+#include "scene/api/api.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+
+vbss_result vbss_scene_pin_thread(vbss_scene *scene, uint32_t thread, uint32_t node, uint32_t body,
+                                  const double *point, uint32_t *pin)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, pin, "pin"));
+    return vbss_scene_pin_node(s, thread, node, body, point, pin);
+}
+
+vbss_result vbss_scene_unpin_thread(vbss_scene *scene, uint32_t pin)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    if (vbss_scene_unpin_node(s, pin)) {
+        return VBSS_OK;
+    }
+    return vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "the scene has no pin %u", pin);
+}
+
+vbss_result vbss_scene_cut_thread(vbss_scene *scene, uint32_t thread, double arc_length,
+                                  uint32_t *piece)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open_for_edit(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, piece, "piece"));
+    scene_body *b = vbss_scene_require_body(s, thread, SCENE_BODY_THREAD), *new_piece;
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    const thread_object *t = b->thread.thread;
+    VBSS_TRY(vbss_check_range(s->context, arc_length, 0.0,
+                              vbss_thread_arc_length(t, t->node_count - 1), "arc_length"));
+    vbss_result result = vbss_scene_apply_cut(s, b, arc_length, &new_piece);
+    if (result == VBSS_ERROR_CAPACITY) {
+        return vbss_fail(s->context, result, "all cuts of body %u are made", thread);
+    }
+    if (result != VBSS_OK) {
+        return vbss_fail(s->context, result, "a cut at %g m is at an end", arc_length);
+    }
+    *piece = new_piece->number;
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_get_thread(vbss_scene *scene, uint32_t body, vbss_thread **thread)
+{
+    scene_object *s;
+    VBSS_TRY(vbss_scene_open(scene, &s));
+    VBSS_TRY(vbss_check_pointer(s->context, thread, "thread"));
+    *thread = NULL;
+    const scene_body *b = vbss_scene_require_body(s, body, SCENE_BODY_THREAD);
+    if (b == NULL) {
+        return VBSS_ERROR_OUT_OF_RANGE;
+    }
+    *thread = (vbss_thread *)b->thread.slot;
+    return VBSS_OK;
+}

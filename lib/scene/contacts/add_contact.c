@@ -1,0 +1,170 @@
+/* Adds a contact constraint of two features that may touch in the substep. */
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+#include <string.h>
+
+/* Normals turn while features pass: share of their way across it that may come along it. */
+#define LATERAL_RATIO 0.1
+/* What is above the floor by so many times what it may come down has no row: by more than rounding. */
+#define FLOOR_REACH_RATIO 1.01
+
+static bool is_feature_prescribed(const scene_object *s, const scene_body *b, uint32_t kind,
+                                  bool is_b, uint32_t feature)
+{
+    if (b == NULL || b->kind == SCENE_BODY_RIGID) {
+        return b == NULL || b->rigid.kind == VBSS_RIGID_DRIVEN;
+    }
+    if (b->kind == SCENE_BODY_DRAIN) {
+        uint32_t nodes[3], count = vbss_scene_drain_feature_nodes(s, b, kind, is_b, feature, nodes);
+        bool prescribed = true;
+        for (uint32_t k = 0; k < count; k++) {
+            prescribed = prescribed && b->drain.drain->anchored[nodes[k]] != 0;
+        }
+        return prescribed;
+    }
+    const thread_object *t = b->thread.thread;
+    bool is_point = kind == VBSS_CONTACT_NODE_FLOOR || kind == VBSS_CONTACT_POINT_FACE,
+         smooth = kind == VBSS_CONTACT_NODE_CAPSULE;
+    uint32_t first = smooth && feature > 0 ? feature - 1 : feature;
+    uint32_t end = feature + (is_point ? 1u : 2u);
+    for (uint32_t k = first; k < end && k < t->node_count; k++) {
+        if (t->prescribed_by[k] == 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The largest approach of any point of one feature to any of the other is that of two vertices: in any direction, and
+ * along one. */
+static double largest_relative_motion(const scene_contact_pair *m)
+{
+    double largest = 0.0;
+    for (uint32_t i = 0; i < m->count_a; i++) {
+        for (uint32_t k = 0; k < m->count_b; k++) {
+            vec3 displacement = vec3_sub(m->displacements_a[i], m->displacements_b[k]);
+            largest = vbss_max_or_nan(vec3_norm_squared(displacement), largest);
+        }
+    }
+    return SCENE_EXTRAPOLATION_RATIO * sqrt(largest);
+}
+
+static double largest_approach(const scene_contact_pair *m, vec3 normal)
+{
+    double largest = 0.0;
+    for (uint32_t i = 0; i < m->count_a; i++) {
+        for (uint32_t k = 0; k < m->count_b; k++) {
+            vec3 displacement = vec3_sub(m->displacements_a[i], m->displacements_b[k]);
+            largest = vbss_max_or_nan(-vec3_dot(normal, displacement), largest);
+        }
+    }
+    return SCENE_EXTRAPOLATION_RATIO * largest;
+}
+
+/* Of a wall, which swings the line through it farther than its middle goes. */
+static bool is_lip(const scene_body *b, const contact_key *key, bool is_b)
+{
+    const uint32_t feature = is_b ? key->feature_b : key->feature_a;
+    return key->kind == VBSS_CONTACT_SIDES
+               ? b->drain.lip_of_side[feature] != SCENE_NO_FACE
+               : !is_b && b->drain.lip_of_node[feature] != SCENE_NO_FACE;
+}
+
+static bool has_swinging_lip(const scene_contact_pair *m, const contact_key *key)
+{
+    return m->a->kind == SCENE_BODY_DRAIN && m->b->kind == SCENE_BODY_DRAIN &&
+           (is_lip(m->a, key, false) || is_lip(m->b, key, true));
+}
+
+/* Laid, and whether it is near enough to touch. */
+static bool compute_geometry(const scene_object *s, contact_constraint *constraint,
+                             const scene_contact_pair *m)
+{
+    uint32_t kind = constraint->key.kind;
+    double margin = s->config.contact_margin, reach = largest_relative_motion(m);
+    bool near = vbss_scene_run_narrow_phase(s, constraint, m->a, m->b, reach + margin);
+    bool is_directional = kind == VBSS_CONTACT_SEGMENTS || (scene_is_surface_contact(kind) &&
+                                                            !has_swinging_lip(m, &constraint->key));
+    if (near && is_directional) {
+        near = constraint->start_gap <
+               largest_approach(m, constraint->normal) + LATERAL_RATIO * reach + margin;
+    }
+    return near;
+}
+
+/* Where a needle is nearest to a side it is in its hole: the rest of it, before and behind, may touch that side elsewhere. A
+ * pair has one row, of the nearest piece. */
+static bool compute_geometry_beside_holes(const scene_object *s, contact_constraint *constraint,
+                                          const scene_contact_pair *m)
+{
+    const double reach = SCENE_EXCLUSION_ARC_RATIO * constraint->contact_distance;
+    scene_axis_interval interval = {.started = false}, nearest = interval;
+    double min_gap = (double)INFINITY;
+    while (vbss_scene_next_axis_interval(s, m->a, constraint->key.feature_a, m->b,
+                                         constraint->key.feature_b, reach, &interval)) {
+        memcpy(constraint->axis_interval, interval.bounds, sizeof interval.bounds);
+        if (compute_geometry(s, constraint, m) && constraint->start_gap < min_gap) {
+            min_gap = constraint->start_gap;
+            nearest = interval;
+        }
+    }
+    if (!nearest.started) {
+        return false;
+    }
+    memcpy(constraint->axis_interval, nearest.bounds, sizeof nearest.bounds);
+    return compute_geometry(s, constraint, m);
+}
+
+static bool is_needle_at_drain(const contact_constraint *constraint, const scene_contact_pair *m)
+{
+    return constraint->key.kind == VBSS_CONTACT_SIDES && m->a->kind == SCENE_BODY_RIGID &&
+           m->a->rigid.needle != NULL;
+}
+
+bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene_contact_pair *m)
+{
+    if (is_feature_prescribed(s, m->a, key->kind, false, key->feature_a) &&
+        is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
+        s->has_unlisted_pairs =
+            s->has_unlisted_pairs || m->b != NULL; /* the floor is not the guard's pair */
+        return true;
+    }
+    contact_constraint *constraint = vbss_contact_add(s->contacts, key);
+    if (constraint == NULL) {
+        return false;
+    }
+    bool near = compute_geometry(s, constraint, m);
+    if (m->candidate !=
+        NULL) { /* from the line through a lip it is no farther than from its middle */
+        vbss_collision_store_separation(s->collision, m->candidate,
+                                        constraint->start_gap + constraint->contact_distance);
+    }
+    double scale = near && scene_is_surface_contact(key->kind)
+                       ? vbss_scene_contact_scale_of(s, constraint)
+                       : 1.0;
+    if (scale == 0.0 && is_needle_at_drain(constraint, m)) {
+        scale = compute_geometry_beside_holes(s, constraint, m) ? 1.0 : 0.0;
+    }
+    constraint->overlap_allowance = (1.0 - scale) * constraint->contact_distance;
+    constraint->start_gap += constraint->overlap_allowance;
+    if (!near || scale == 0.0) {
+        s->contacts->count--;
+    }
+    return true;
+}
+
+bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const scene_body *b,
+                                  vec3 x, double radius, vec3 displacement)
+{
+    static const vec3 floor_displacement;
+    /* Only what comes down can meet it. */
+    double down = vbss_min(vec3_dot(displacement, s->floor_normal), 0.0);
+    double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
+    if (gap - s->config.contact_margin > -FLOOR_REACH_RATIO * SCENE_EXTRAPOLATION_RATIO * down) {
+        return true;
+    }
+    vec3 downward = vec3_scale(s->floor_normal, down);
+    const scene_contact_pair m = {b, NULL, &downward, &floor_displacement, 1, 1, NULL};
+    return vbss_scene_add_contact(s, key, &m);
+}

@@ -1,0 +1,59 @@
+/* Broad phase: pairs of features whose swept bounding boxes meet. */
+#include "base/error.h"
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+#include <string.h>
+
+static vbss_result sweep_shape(scene_object *s, const scene_body *b)
+{
+    uint32_t count = 0;
+    const vec3 *displacements = s->expected_displacements;
+    vec3 *start = s->vertices;
+    if (b->kind == SCENE_BODY_THREAD) {
+        const thread_object *t = b->thread.thread;
+        count = t->node_count;
+        displacements += b->thread.first_node;
+        memcpy(start, t->now.x, count * sizeof *start);
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        count = b->drain.drain->mesh.node_count;
+        displacements = b->drain.expected_displacements;
+        start = b->drain.vertices;
+        memcpy(start, b->drain.drain->x, count * sizeof *start);
+    } else {
+        const scene_rigid *r = &b->rigid;
+        count = 2 * r->capsule_count;
+        displacements += s->config.node_capacity + 2 * (size_t)r->first_capsule;
+        for (uint32_t i = 0; i < count; i++) {
+            start[i] = s->capsules[r->first_capsule + i / 2].now[i % 2];
+        }
+    }
+    vec3 *end = start + count;
+    for (uint32_t i = 0; i < count; i++) {
+        end[i] = vec3_add_scaled(start[i], SCENE_EXTRAPOLATION_RATIO, displacements[i]);
+    }
+    VBSS_TRY(vbss_collision_move(scene_collision(s), b->shape, &start->x, &end->x, count));
+    vbss_collision_update_displacements(s->collision->shapes[b->shape]);
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_run_broad_phase(scene_object *s)
+{
+    VBSS_TRY(vbss_collision_find_candidates(scene_collision(s)));
+    s->edge_pair_count = s->collision->candidate_count;
+    while (s->edge_pair_count > 0 &&
+           s->collision->candidates[s->edge_pair_count - 1].kind != VBSS_PAIR_EDGE_EDGE) {
+        s->edge_pair_count--;
+    }
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_find_candidates(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind != SCENE_BODY_NONE) {
+            VBSS_TRY(sweep_shape(s, &s->bodies[i]));
+        }
+    }
+    return vbss_scene_run_broad_phase(s);
+}

@@ -1,0 +1,225 @@
+/* What might touch in a part of a step: pairs of features that are near, as far as they may move.
+ *
+ * The search lists pairs whose swept boxes come near; of these, those become rows that are nearer than the
+ * distance of touching, the margin, and what they may approach each other. How far things may move is
+ * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
+#include "scene/contacts/contacts.h"
+#include "scene/tools/tools.h"
+#include "scene/topology/topology.h"
+#include "scene/world/world.h"
+
+/* ---- rows */
+
+static const vec3 *node_displacements(const scene_object *s, const scene_body *b, uint32_t node)
+{
+    return s->expected_displacements + b->thread.first_node + node;
+}
+
+static const vec3 *capsule_displacements(const scene_object *s, const scene_body *b,
+                                         uint32_t capsule)
+{
+    return s->expected_displacements + s->config.node_capacity +
+           2 * (size_t)(b->rigid.first_capsule + capsule);
+}
+
+/* Where the thread is fine against the capsule, its smoothed nodes touch; else its segments. */
+static bool is_fine(const thread_object *t, uint32_t segment, double radius)
+{
+    return t->rest[segment] <= radius;
+}
+
+static bool is_listed(const scene_object *s, const collision_candidate *like, uint32_t a)
+{
+    const collision_object *c = s->collision;
+    uint32_t low = 0, high = s->edge_pair_count;
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        const collision_candidate *q = &c->candidates[middle];
+        bool before = q->shape_a != like->shape_a   ? q->shape_a < like->shape_a
+                      : q->a != a                   ? q->a < a
+                      : q->shape_b != like->shape_b ? q->shape_b < like->shape_b
+                                                    : q->b < like->b;
+        low = before ? middle + 1 : low;
+        high = before ? high : middle;
+    }
+    const collision_candidate *q = &c->candidates[low];
+    return low < s->edge_pair_count && q->shape_a == like->shape_a && q->a == a &&
+           q->shape_b == like->shape_b && q->b == like->b;
+}
+
+typedef struct thread_capsule_pair {
+    const scene_body *thread, *rigid;
+    uint32_t segment, capsule;
+} thread_capsule_pair;
+
+static bool add_node_contact(scene_object *s, const thread_capsule_pair *m, uint32_t node)
+{
+    const contact_key key = {VBSS_CONTACT_NODE_CAPSULE, m->thread->number, node, m->rigid->number,
+                             m->capsule};
+    uint32_t last = m->thread->thread.thread->node_count - 1;
+    uint32_t first = node > 0 ? node - 1 : 0, end = node < last ? node + 1 : last;
+    const scene_contact_pair w = {m->thread,
+                                  m->rigid,
+                                  node_displacements(s, m->thread, first),
+                                  capsule_displacements(s, m->rigid, m->capsule),
+                                  end - first + 1,
+                                  2,
+                                  NULL};
+    return vbss_scene_add_contact(s, &key, &w);
+}
+
+/* Nodes come with the segment before them, unless that is not near or does not touch: so each comes once. */
+static bool add_thread_contacts(scene_object *s, const collision_candidate *q,
+                                const thread_capsule_pair *m, bool thread_first)
+{
+    const thread_object *t = m->thread->thread.thread;
+    double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
+    double contact_distance = radius + t->config.radius;
+    bool fine = is_fine(t, m->segment, radius); /* what is smoothed may be nearer than the pair */
+    if (!fine && scene_is_known_apart(s, q, s->config.contact_margin)) {
+        return true;
+    }
+    if (vbss_scene_is_excluded_at_pin(s, m->thread, m->segment, m->rigid, m->capsule,
+                                      contact_distance)) {
+        return true;
+    }
+    if (!fine) {
+        const contact_key key = {VBSS_CONTACT_SEGMENT_CAPSULE, m->thread->number, m->segment,
+                                 m->rigid->number, m->capsule};
+        const scene_contact_pair w = {m->thread,
+                                      m->rigid,
+                                      node_displacements(s, m->thread, m->segment),
+                                      capsule_displacements(s, m->rigid, m->capsule),
+                                      2,
+                                      2,
+                                      q};
+        return vbss_scene_add_contact(s, &key, &w);
+    }
+    bool before = m->segment > 0 && is_fine(t, m->segment - 1, radius) &&
+                  !vbss_scene_is_excluded_at_pin(s, m->thread, m->segment - 1, m->rigid, m->capsule,
+                                                 contact_distance);
+    if (before) {
+        collision_candidate like = *q;
+        if (thread_first) {
+            before = is_listed(s, &like, m->segment - 1);
+        } else {
+            like.b = m->segment - 1;
+            before = is_listed(s, &like, q->a);
+        }
+    }
+    return (before || add_node_contact(s, m, m->segment)) && add_node_contact(s, m, m->segment + 1);
+}
+
+static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
+    const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
+    if (a->kind == b->kind || a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {
+        if (scene_is_known_apart(s, q, s->config.contact_margin)) {
+            return true;
+        }
+    }
+    if (a->kind == SCENE_BODY_DRAIN || b->kind == SCENE_BODY_DRAIN) {
+        return vbss_scene_add_surface_contact(s, q);
+    }
+    if (a->kind == SCENE_BODY_THREAD && b->kind == SCENE_BODY_THREAD) {
+        if (vbss_scene_is_excluded_across_cut(s, a, q->a, b, q->b)) {
+            return true;
+        }
+        const contact_key key = {VBSS_CONTACT_SEGMENTS, a->number, q->a, b->number, q->b};
+        const scene_contact_pair w = {
+            a, b, node_displacements(s, a, q->a), node_displacements(s, b, q->b), 2, 2, q};
+        return vbss_scene_add_contact(s, &key, &w);
+    }
+    if (a->kind == SCENE_BODY_RIGID && b->kind == SCENE_BODY_RIGID) {
+        if (vbss_scene_is_needle_in_grasp(s, a, q->a, b, q->b) ||
+            vbss_scene_is_needle_in_grasp(s, b, q->b, a, q->a)) {
+            return true;
+        }
+        const contact_key key = {VBSS_CONTACT_CAPSULES, a->number, q->a, b->number, q->b};
+        const scene_contact_pair w = {
+            a, b, capsule_displacements(s, a, q->a), capsule_displacements(s, b, q->b), 2, 2, q};
+        return vbss_scene_add_contact(s, &key, &w);
+    }
+    bool first = a->kind == SCENE_BODY_THREAD;
+    const thread_capsule_pair m = {first ? a : b, first ? b : a, first ? q->a : q->b,
+                                   first ? q->b : q->a};
+    return add_thread_contacts(s, q, &m, first);
+}
+
+/* ---- the floor */
+
+static bool add_floor_contacts(scene_object *s, const scene_body *b)
+{
+    if (b->kind == SCENE_BODY_DRAIN) {
+        return vbss_scene_add_drain_floor_contacts(s, b);
+    }
+    bool thread = b->kind == SCENE_BODY_THREAD;
+    uint32_t count = thread ? b->thread.thread->node_count : 2 * b->rigid.capsule_count;
+    for (uint32_t i = 0; i < count; i++) {
+        const contact_key key = {thread ? VBSS_CONTACT_NODE_FLOOR : VBSS_CONTACT_CAPSULE_FLOOR,
+                                 b->number, i, 0, 0};
+        const vec3 *displacement =
+            thread ? node_displacements(s, b, i) : capsule_displacements(s, b, i / 2) + i % 2;
+        const scene_capsule *c = thread ? NULL : &s->capsules[b->rigid.first_capsule + i / 2];
+        vec3 x = thread ? b->thread.thread->now.x[i] : c->now[i % 2];
+        double radius = thread ? b->thread.thread->config.radius : c->radius;
+        if (!vbss_scene_add_floor_contact(s, &key, b, x, radius, *displacement)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- all of it */
+
+static void set_contact_flags(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        s->bodies[i].thread.has_contacts = s->bodies[i].thread.is_welded = false;
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->constraints[i].key;
+        scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
+        a->thread.has_contacts = true;
+        if (b != NULL) {
+            b->thread.has_contacts = true;
+        }
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        if (s->pins[i].id != 0 && s->pins[i].attachment == 0) {
+            vbss_scene_body(s, s->pins[i].thread)->thread.is_welded = true;
+        }
+    }
+}
+
+bool vbss_scene_create_contacts(scene_object *s, const scene_substep *substep)
+{
+    contact_set *set = s->contacts;
+    vbss_scene_set_capsule_trials(s, substep);
+    vbss_scene_set_motion_bounds(s, substep);
+    if (vbss_scene_find_candidates(s) != VBSS_OK) {
+        return false;
+    }
+    vbss_contact_clear(set);
+    s->has_unlisted_pairs = false;
+    for (uint32_t i = 0; i < s->collision->candidate_count; i++) {
+        if (!add_pair_contacts(s, &s->collision->candidates[i])) {
+            return false;
+        }
+    }
+    for (uint32_t i = 0; s->config.floor != 0 && i < s->body_count; i++) {
+        if (s->bodies[i].kind != SCENE_BODY_NONE && !add_floor_contacts(s, &s->bodies[i])) {
+            return false;
+        }
+    }
+    if (!vbss_scene_add_thread_grasp_constraints(s) ||
+        !vbss_scene_add_needle_grasp_constraints(s) || !vbss_scene_add_wall_grasp_constraints(s) ||
+        !vbss_scene_add_hole_constraints(s)) {
+        return false;
+    }
+    vbss_contact_sort(set);
+    vbss_scene_remove_duplicate_contacts(s);
+    set_contact_flags(s);
+    return true;
+}

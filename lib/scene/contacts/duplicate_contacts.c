@@ -1,0 +1,107 @@
+/* Contacts that are there twice: where segments of a thread or sides of a drain meet, each of them has a row about the
+ * same point. */
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+/* ---- segments of threads: the end of one is the begin of the next, whose row stays */
+
+static bool is_repeated_by_next_segment(const contact_set *set,
+                                        const contact_constraint *constraint)
+{
+    contact_key key = constraint->key;
+    double at[2] = {constraint->barycentric[0], constraint->barycentric[1]};
+    bool a = at[0] == 1.0, b = key.kind == VBSS_CONTACT_SEGMENTS && at[1] == 1.0;
+    key.feature_a += a;
+    key.feature_b += b;
+    at[0] = a ? 0.0 : at[0];
+    at[1] = b ? 0.0 : at[1];
+    uint32_t other = a || b ? vbss_contact_find(set, &key) : UINT32_MAX;
+    return other != UINT32_MAX && fabs(set->constraints[other].barycentric[0] - at[0]) < 1e-9 &&
+           fabs(set->constraints[other].barycentric[1] - at[1]) < 1e-9;
+}
+
+/* ---- sides of drains: more than two meet, and not all that do have rows; the last of those that have stays */
+
+/* A node of a thread or a drain, or a feature that is touched between its ends: odd. */
+static uint32_t contact_point_id(const scene_object *s, uint32_t number, uint32_t feature,
+                                 double at)
+{
+    const scene_body *b = vbss_scene_body(s, number);
+    bool at_start = at == 0.0, at_end = at == 1.0;
+    if (b->kind == SCENE_BODY_DRAIN && (at_start || at_end)) {
+        return 2 * s->collision->shapes[b->shape]->edges[feature][at_end ? 1 : 0];
+    }
+    if (b->kind == SCENE_BODY_THREAD && (at_start || at_end)) {
+        return 2 * (feature + (at_end ? 1 : 0));
+    }
+    return 2 * feature + 1; /* after the end of a capsule nothing follows */
+}
+
+static void set_contact_points(const scene_object *s, contact_constraint *constraint)
+{
+    const contact_key *key = &constraint->key;
+    constraint->dedup_points[0] =
+        contact_point_id(s, key->body_a, key->feature_a, constraint->barycentric[0]);
+    constraint->dedup_points[1] =
+        contact_point_id(s, key->body_b, key->feature_b, constraint->barycentric[1]);
+    if (key->body_a == key->body_b && constraint->dedup_points[0] > constraint->dedup_points[1]) {
+        uint32_t first = constraint->dedup_points[0];
+        constraint->dedup_points[0] = constraint->dedup_points[1];
+        constraint->dedup_points[1] = first;
+    }
+}
+
+static bool has_same_points(const contact_constraint *a, const contact_constraint *b)
+{
+    return a->dedup_points[0] == b->dedup_points[0] && a->dedup_points[1] == b->dedup_points[1] &&
+           a->key.kind == b->key.kind && a->key.body_a == b->key.body_a &&
+           a->key.body_b == b->key.body_b;
+}
+
+/* Rows by their points. */
+enum { BUCKETS = 256 };
+static uint32_t bucket_of(const contact_constraint *constraint)
+{
+    return (constraint->dedup_points[0] * 31u + constraint->dedup_points[1]) % BUCKETS;
+}
+
+static bool is_duplicate(contact_set *set, uint32_t last[BUCKETS], uint32_t i)
+{
+    contact_constraint *constraint = &set->constraints[i];
+    uint32_t *bucket = &last[bucket_of(constraint)], k = *bucket;
+    while (k != UINT32_MAX && !has_same_points(constraint, &set->constraints[k])) {
+        k = set->constraints[k].dedup_next;
+    }
+    constraint->dedup_next = *bucket;
+    *bucket = k == UINT32_MAX ? i : *bucket;
+    return k != UINT32_MAX;
+}
+
+void vbss_scene_remove_duplicate_contacts(scene_object *s)
+{
+    contact_set *set = s->contacts;
+    uint32_t last[BUCKETS], count = 0;
+    for (uint32_t i = 0; i < BUCKETS; i++) {
+        last[i] = UINT32_MAX;
+    }
+    for (uint32_t i = set->count; i > 0; i--) {
+        contact_constraint *constraint = &set->constraints[i - 1];
+        uint32_t kind = constraint->key.kind;
+        set->scratch_flags[i - 1] = 0;
+        if (kind == VBSS_CONTACT_SIDES) {
+            set_contact_points(s, constraint);
+            set->scratch_flags[i - 1] = is_duplicate(set, last, i - 1);
+        } else if (scene_is_segment_contact(kind)) {
+            set->scratch_flags[i - 1] = is_repeated_by_next_segment(set, constraint);
+        }
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        if (set->scratch_flags[i] == 0) {
+            if (count < i) {
+                set->constraints[count] = set->constraints[i];
+            }
+            count++;
+        }
+    }
+    set->count = count;
+}

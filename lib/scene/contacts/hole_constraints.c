@@ -1,0 +1,138 @@
+/* The bilateral constraint of a suture in a hole, which may slide along it. */
+#include "scene/contacts/contacts.h"
+#include "scene/tissue/tissue.h"
+
+/* Where the swage may pass in a part, nodes of both sides take part; m. */
+#define NEAR_SWAGE 2e-3
+
+bool vbss_scene_add_hole_constraints(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id == 0) {
+            continue;
+        }
+        const contact_key key = {VBSS_CONTACT_HOLE, hole->needle != 0 ? hole->needle : hole->thread,
+                                 i, hole->drain, 0};
+        contact_constraint *constraint = vbss_scene_add_bilateral_constraint(s, &key);
+        if (constraint == NULL) {
+            return false;
+        }
+        constraint->is_sleeve = true;
+    }
+    return true;
+}
+
+/* What a place has of a node. */
+static double node_value(const suture_curve_point *curve_point,
+                         const double values[SUTURE_SPAN_NODES], uint32_t node)
+{
+    bool own = curve_point->span != SUTURE_ON_NEEDLE && node >= curve_point->first_node &&
+               node < curve_point->first_node + SUTURE_SPAN_NODES;
+    return own ? values[node - curve_point->first_node] : 0.0;
+}
+
+/* Needle and the node that is the swage's move as one: weights and points add up. What nodes behind it lose as the place
+ * slides on, the needle gains. */
+static void add_needle_jacobian(contact_constraint *constraint, const scene_hole_context *p,
+                                const suture_curve_point *curve_point)
+{
+    const suture_curve *line = &p->trial;
+    const double of_end = node_value(curve_point, curve_point->weights, 0);
+    const double weight = curve_point->needle_weight + of_end;
+    const vec3 end = line->needle->swage;
+    vec3 point = vec3_scale(curve_point->needle_point, curve_point->needle_weight);
+    point = vec3_add_scaled(point, of_end, end);
+    point = weight > 0.0 ? vec3_scale(point, 1.0 / weight) : end;
+    vbss_scene_add_rigid_jacobian(constraint, &p->needle->rigid,
+                                  pose_apply(line->needle_pose, point), weight);
+    contact_jacobian_block *translation =
+                               &constraint->jacobian[constraint->jacobian_block_count - 2],
+                           *rotation = translation + 1;
+    if (curve_point->span == SUTURE_ON_NEEDLE) {
+        rotation->weighted_arm_derivative =
+            vec3_neg(curve_point->tangent); /* toward the tip, from which the arc is counted */
+    } else if (curve_point->first_node == 0) {
+        const vec3 centre = p->needle->rigid.trial.position;
+        const double end_gains = curve_point->weight_derivatives[0];
+        for (uint32_t i = 1; i < SUTURE_SPAN_NODES; i++) {
+            translation->weight_derivative -= curve_point->weight_derivatives[i];
+        }
+        rotation->weighted_arm_derivative =
+            vec3_scale(vec3_sub(pose_apply(line->needle_pose, end), centre), end_gains);
+        rotation->weighted_arm_derivative = vec3_add_scaled(
+            rotation->weighted_arm_derivative, translation->weight_derivative - end_gains,
+            vec3_sub(pose_apply(line->needle_pose, curve_point->needle_point), centre));
+    }
+}
+
+/* The nodes of a span and of those beside it, with what the place weighs them: it may slide on to those. */
+static void add_thread_jacobian(const scene_object *s, contact_constraint *constraint,
+                                const scene_hole_context *p, const suture_curve_point *curve_point,
+                                uint32_t span)
+{
+    const thread_object *t = p->thread->thread.thread;
+    uint32_t first = span > 2 ? span - 2 : 0, last = t->node_count - 1;
+    last = span + 3 < last ? span + 3 : last;
+    first = p->needle != NULL && first == 0 ? 1 : first; /* the swage is the needle's */
+    for (uint32_t i = first; i <= last; i++) {
+        uint32_t needed = t->welded[i] != 0 ? 2 : 1;
+        if (constraint->jacobian_block_count + needed >
+            CONTACT_MAX_JACOBIAN_BLOCKS - 3) { /* welds beside each other */
+            break;
+        }
+        const uint32_t from = constraint->jacobian_block_count;
+        vbss_scene_add_node_jacobian(s, constraint, p->thread, i,
+                                     node_value(curve_point, curve_point->weights, i));
+        for (uint32_t k = from; k < constraint->jacobian_block_count; k++) {
+            contact_jacobian_block *term = &constraint->jacobian[k];
+            term->weight_derivative = node_value(curve_point, curve_point->weight_derivatives, i);
+            term->weighted_arm_derivative = vec3_scale(term->arm, term->weight_derivative);
+        }
+    }
+}
+
+/* Which span it may slide on from in this part: its pattern is made once. */
+static uint32_t choose_span(const scene_hole_context *p, double arc)
+{
+    bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - NEAR_SWAGE);
+    return far ? SUTURE_ON_NEEDLE : vbss_suture_span_at(&p->trial, arc);
+}
+
+void vbss_scene_update_hole_constraint(scene_object *s, contact_constraint *constraint)
+{
+    const suture_hole *hole = &s->holes[constraint->key.feature_a];
+    const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
+    const drain_object *d = p.drain->drain;
+    const vec3 point = vbss_hole_point(hole, d, d->trial);
+    if (constraint->jacobian_block_count == 0) {
+        const suture_curve_point before = vbss_scene_hole_curve_point(&p, hole);
+        constraint->start_arc_length = before.arc;
+        constraint->span = choose_span(&p, vbss_suture_nearest_point(&p.trial, p.arc, point).arc);
+        constraint->solution.status = CONTACT_STICK;
+        const hole_yield_limit bound = vbss_hole_yield_limit(hole, &d->config, &p.now, &before);
+        constraint->yield_force = bound.force;
+        constraint->yield_friction[0] = bound.friction[0];
+        constraint->yield_friction[1] = bound.friction[1];
+    }
+    uint32_t span = constraint->span;
+    suture_curve line = p.trial;
+    line.thread = span == SUTURE_ON_NEEDLE ? NULL : line.thread;
+    const suture_curve_point now =
+        span == SUTURE_ON_NEEDLE ? vbss_suture_nearest_point(&line, p.arc, point)
+                                 : vbss_suture_nearest_point_around_span(&line, span, p.arc, point);
+    vbss_hole_set_constraint(hole, &d->config, &now, point, s->substep_length, constraint);
+    constraint->jacobian_block_count = 0;
+    if (p.needle != NULL && (span == SUTURE_ON_NEEDLE || span <= 2)) {
+        add_needle_jacobian(constraint, &p, &now);
+    }
+    if (span != SUTURE_ON_NEEDLE) {
+        add_thread_jacobian(s, constraint, &p, &now, span);
+    }
+    for (uint32_t k = 0; k < 3; k++) {
+        uint32_t node = d->mesh.triangles[hole->triangle][k];
+        constraint->jacobian[constraint->jacobian_block_count++] =
+            (contact_jacobian_block){.block = p.drain->first_block + d->order.block_index[node],
+                                     .weight = -hole->barycentric[k]};
+    }
+}

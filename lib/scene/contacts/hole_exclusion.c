@@ -1,0 +1,238 @@
+/* What does not touch: suture and wall round a hole, wall and the jaws that hold it. */
+#include "scene/contacts/contacts.h"
+#include "scene/tissue/tissue.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
+
+/* Of a needle's reach. */
+#define THREAD_REACH_RATIO (1.5 / SCENE_EXCLUSION_ARC_RATIO)
+/* What comes out of a hole at a small angle is in the wall still where it is no longer left out: over so many times that way
+ * more it touches at a distance that grows from nothing to the whole, and is not felt all at once. */
+#define EXIT_RAMP_RATIO 1.0
+
+/* Who enters aslant still has, beside its tip, the wall that it has pressed on. */
+static double exclusion_reach(const suture_hole *hole, const scene_body *suture, double arc,
+                              double reach)
+{
+    bool at_mouth = hole->needle != 0 && hole->arc < 0.0 && suture->kind == SCENE_BODY_RIGID &&
+                    vbss_scene_is_at_tip(suture, arc);
+    return at_mouth ? vbss_max(reach, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc) : reach;
+}
+
+/* Within which of a hole a suture touches nothing: a thread, which turns at once, less far than a needle. */
+static double suture_reach(const scene_body *suture, double reach)
+{
+    return suture->kind == SCENE_BODY_THREAD ? THREAD_REACH_RATIO * reach : reach;
+}
+
+/* Along the suture, across the swage too; INFINITY: of another. */
+static double arc_from_hole(const scene_object *s, const suture_hole *hole,
+                            const scene_body *suture, double arc, double time)
+{
+    bool thread = suture->kind == SCENE_BODY_THREAD;
+    const double hole_arc = hole->arc + time * hole->trial_slide;
+    if (suture->number == (thread ? hole->thread : hole->needle)) {
+        return fabs(hole_arc - arc);
+    }
+    uint32_t number = thread ? hole->needle : hole->thread;
+    const scene_body *other =
+        thread ? vbss_scene_swaged_needle(s, suture) : vbss_scene_swaged_thread(s, suture);
+    if (number == 0 || other == NULL || other->number != number) {
+        return (double)INFINITY;
+    }
+    const scene_body *needle = thread ? other : suture;
+    double length = vbss_needle_length(needle->rigid.needle);
+    return fabs(thread ? length + arc - hole_arc : length + hole_arc - arc);
+}
+
+/* Within that reach of its swage a thread is as thick as its needle: what is left of one there touches no more than the other. */
+static double reach_at_swage(const scene_object *s, const scene_body *suture, uint32_t segment,
+                             const scene_body *drain, double reach)
+{
+    if (suture->kind != SCENE_BODY_THREAD) {
+        return reach;
+    }
+    const scene_body *needle = vbss_scene_swaged_needle(s, suture);
+    const vbss_drain_config *wall = &drain->drain.drain->config;
+    if (needle == NULL) {
+        return reach;
+    }
+    double wire = needle->rigid.needle->config.wire_radius;
+    double contact_distance = SCENE_EXCLUSION_ARC_RATIO * (wire + 0.5 * wall->thickness);
+    double arc = vbss_scene_suture_arc_length(suture, segment, 0.0);
+    double more = SCENE_EXCLUSION_ARC_RATIO * (wire - suture->thread.thread->config.radius);
+    return arc < contact_distance ? reach + vbss_max(more, 0.0) : reach;
+}
+
+/* The share of the distance of touching at which a place touches that is so many reaches from a hole. */
+static double scale_beside_hole(const scene_body *suture, double reaches)
+{
+    double ramp_length = suture->kind == SCENE_BODY_THREAD ? EXIT_RAMP_RATIO : 0.0;
+    if (reaches < 1.0) {
+        return 0.0;
+    }
+    return reaches < 1.0 + ramp_length ? (reaches - 1.0) / ramp_length : 1.0;
+}
+
+static vec3 hole_point_at(const suture_hole *hole, const drain_object *d, double time)
+{
+    const vec3 start = vbss_hole_point(hole, d, d->x);
+    return time > 0.0 ? vec3_lerp(start, vbss_hole_point(hole, d, d->trial), time) : start;
+}
+
+/* Two walls that lie on each other are near, but not along the wall. */
+static double scale_in_holes(const scene_object *s, const scene_body *suture, uint32_t segment,
+                             double fraction, const scene_body *drain,
+                             const scene_wall_point *wall_point, double reach)
+{
+    const drain_object *d = drain->drain.drain;
+    const double own = reach_at_swage(s, suture, segment, drain, suture_reach(suture, reach));
+    double scale = 1.0;
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id == 0 || hole->drain != drain->number) {
+            continue;
+        }
+        double now = vec3_distance(wall_point->now, hole_point_at(hole, d, wall_point->time));
+        double rest = vec3_distance(wall_point->rest, vbss_hole_point(hole, d, d->mesh.rest));
+        double max_reach = vbss_max(own, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
+        if (!(vbss_max(now, rest) < (1.0 + EXIT_RAMP_RATIO) * max_reach)) {
+            continue;
+        }
+        double arc = vbss_scene_suture_arc_length(suture, segment, fraction);
+        double hole_reach = exclusion_reach(hole, suture, arc, own);
+        double distance =
+            vbss_max(vbss_max(now, rest), arc_from_hole(s, hole, suture, arc, wall_point->time));
+        scale = vbss_min(scale, scale_beside_hole(suture, distance / hole_reach));
+    }
+    return scale;
+}
+
+double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body, bool is_point,
+                                   uint32_t feature, double fraction, const scene_body *drain,
+                                   const scene_wall_point *wall_point, double reach)
+{
+    if (body->kind == SCENE_BODY_RIGID && is_point) { /* the ends of capsules stand two by two */
+        fraction = feature % 2;
+        feature /= 2;
+    }
+    if (body->kind == SCENE_BODY_RIGID &&
+        vbss_scene_is_wall_in_grasp(s, drain, wall_point->now, body, feature)) {
+        return 0.0;
+    }
+    bool node = is_point && body->kind == SCENE_BODY_THREAD;
+    return vbss_scene_is_suture(body)
+               ? scale_in_holes(s, body, feature, node ? 0.0 : fraction, drain, wall_point, reach)
+               : 1.0;
+}
+
+/* Moves `from` on to where a hole ends that is at `arc` of the needle, if it is at that; else `to` back to where it begins. True:
+ * it was at it. */
+static bool pass_hole(const suture_hole *hole, double arc, const scene_body *needle, double reach,
+                      double *from, double *to)
+{
+    double start = arc - reach, end = arc + reach;
+    double mouth = arc + exclusion_reach(hole, needle, 0.0, reach);
+    end = vbss_max(
+        end, vbss_min(SCENE_TIP_LENGTH_RATIO * needle->rigid.needle->config.wire_radius, mouth));
+    bool is_inside = start <= *from && *from < end;
+    *from = is_inside ? end : *from;
+    *to = start > *from ? vbss_min(*to, start) : *to;
+    return is_inside;
+}
+
+/* From and to which arc length the next piece of a capsule's axis goes; false: there is none. */
+static bool find_interval(const scene_object *s, const scene_body *needle, const scene_body *drain,
+                          double reach, double *from, double *to)
+{
+    const double end = *to, length = vbss_needle_length(needle->rigid.needle);
+    const scene_body *thread = vbss_scene_swaged_thread(s, needle);
+    bool moved = true;
+    while (moved) { /* behind one hole may be another that was looked at before */
+        moved = false;
+        *to = end;
+        for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+            const suture_hole *h = &s->holes[i];
+            bool behind = thread != NULL && h->thread == thread->number; /* in its thread */
+            bool own = h->id != 0 && (behind || h->needle == needle->number);
+            double arc = behind ? length + h->arc : h->arc;
+            moved =
+                (own && h->drain == drain->number && pass_hole(h, arc, needle, reach, from, to)) ||
+                moved;
+        }
+    }
+    return *from < *to;
+}
+
+/* What of a side lies on that way of a plane across `along`; false: nothing. */
+static bool clip_edge(const vec3 edge[2], vec3 point, vec3 along, double fractions[2])
+{
+    double start = vec3_dot(vec3_sub(edge[0], point), along);
+    double end = vec3_dot(vec3_sub(edge[1], point), along);
+    if (start < 0.0 && end < 0.0) {
+        return false;
+    }
+    double cut = start != end ? start / (start - end) : 0.0;
+    fractions[0] = start < 0.0 ? vbss_max(fractions[0], cut) : fractions[0];
+    fractions[1] = end < 0.0 ? vbss_min(fractions[1], cut) : fractions[1];
+    return fractions[0] < fractions[1];
+}
+
+static bool clip_to_interval(const vec3 axis[2], const vec3 edge[2], double at[2][2])
+{
+    vec3 along = vec3_sub(axis[1], axis[0]);
+    at[1][0] = 0.0;
+    at[1][1] = 1.0;
+    return (at[0][0] <= 0.0 ||
+            clip_edge(edge, vec3_lerp(axis[0], axis[1], at[0][0]), along, at[1])) &&
+           (at[0][1] >= 1.0 ||
+            clip_edge(edge, vec3_lerp(axis[0], axis[1], at[0][1]), vec3_neg(along), at[1]));
+}
+
+bool vbss_scene_next_axis_interval(const scene_object *s, const scene_body *needle,
+                                   uint32_t capsule, const scene_body *drain, uint32_t edge,
+                                   double reach, scene_axis_interval *interval)
+{
+    const uint32_t *node = s->collision->shapes[drain->shape]->edges[edge];
+    const vec3 *x = drain->drain.drain->x, edge_points[2] = {x[node[0]], x[node[1]]};
+    const vec3 *axis = s->capsules[needle->rigid.first_capsule + capsule].now;
+    const double start = vbss_scene_suture_arc_length(needle, capsule, 0.0);
+    const double end = vbss_scene_suture_arc_length(needle, capsule, 1.0);
+    double from = interval->started ? interval->end_arc : start, to = end;
+    while (find_interval(s, needle, drain, reach, &from, &to)) {
+        *interval = (scene_axis_interval){true, to, {{(from - start) / (end - start)}}};
+        interval->bounds[0][1] = to < end ? (to - start) / (end - start) : 1.0;
+        if (clip_to_interval(axis, edge_points, interval->bounds)) {
+            return true;
+        }
+        from = to;
+        to = end;
+    }
+    return false;
+}
+
+static scene_wall_point wall_point_of(const scene_object *s, const scene_body *drain,
+                                      const contact_constraint *constraint)
+{
+    const double weights[3] = {1.0 - constraint->barycentric[0] - constraint->barycentric[1],
+                               constraint->barycentric[0], constraint->barycentric[1]};
+    if (constraint->key.kind == VBSS_CONTACT_POINT_FACE) {
+        return vbss_scene_wall_point(drain, constraint->key.feature_b, weights);
+    }
+    const uint32_t *edge = s->collision->shapes[drain->shape]->edges[constraint->key.feature_b];
+    return vbss_scene_wall_point_on_edge(drain, edge, constraint->barycentric[1]);
+}
+
+double vbss_scene_contact_scale_of(const scene_object *s, const contact_constraint *constraint)
+{
+    const scene_body *a = vbss_scene_body(s, constraint->key.body_a);
+    const scene_body *b = vbss_scene_body(s, constraint->key.body_b);
+    if (a->kind == SCENE_BODY_DRAIN || b == NULL || b->kind != SCENE_BODY_DRAIN) {
+        return 1.0;
+    }
+    const scene_wall_point wall_point = wall_point_of(s, b, constraint);
+    return vbss_scene_contact_scale_at(s, a, constraint->key.kind == VBSS_CONTACT_POINT_FACE,
+                                       constraint->key.feature_a, constraint->barycentric[0], b,
+                                       &wall_point,
+                                       SCENE_EXCLUSION_ARC_RATIO * constraint->contact_distance);
+}

@@ -1,0 +1,80 @@
+/* How far each vertex may move in a substep: an estimate from velocities and targets, or the motion
+ * of the rejected attempt before. */
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+static void set_thread_displacements(scene_object *s, const scene_thread *b,
+                                     const scene_substep *substep)
+{
+    const thread_object *t = b->thread;
+    vec3 *displacements = s->expected_displacements + b->first_node;
+    for (uint32_t i = 0; i < t->node_count; i++) {
+        displacements[i] = substep->uses_trial_motion ? vec3_sub(t->trial[i], t->now.x[i])
+                                                      : vec3_scale(t->now.v[i], substep->h);
+    }
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
+        if (a->id != 0 && vbss_thread_prescribes_motion(a->kind)) {
+            vec3 target = vbss_thread_attachment_position(a, substep->end_fraction);
+            displacements[a->node] = vec3_sub(target, t->now.x[a->node]);
+        }
+    }
+}
+
+static void set_capsule_displacements(scene_object *s, const scene_rigid *r,
+                                      const scene_substep *substep)
+{
+    const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
+                                  substep->end_fraction};
+    vbss_rigid_motion next_motion;
+    if (r->kind == VBSS_RIGID_DRIVEN) {
+        next_motion = vbss_rigid_target_motion(&r->body, &p);
+    } else {
+        vbss_rigid_predict(&r->body, &p, &next_motion);
+    }
+    for (uint32_t i = r->first_capsule; i < r->first_capsule + r->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[i];
+        vec3 *displacements = s->expected_displacements + s->config.node_capacity + 2 * (size_t)i;
+        vbss_scene_transform_capsule(c, r->body.now.pose, c->now);
+        for (int k = 0; k < 2; k++) {
+            vec3 target = substep->uses_trial_motion
+                              ? c->trial[k]
+                              : pose_apply(next_motion.pose, c->local_trial[k]);
+            displacements[k] = vec3_sub(target, c->now[k]);
+        }
+    }
+}
+
+static void set_drain_displacements(scene_drain *b, const scene_substep *substep)
+{
+    const drain_object *d = b->drain;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        b->expected_displacements[i] = substep->uses_trial_motion ? vec3_sub(d->trial[i], d->x[i])
+                                                                  : vec3_scale(d->v[i], substep->h);
+    }
+    for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
+        const drain_attachment *a = &d->attachments[k];
+        if (a->id != 0 && a->kind == VBSS_DRAIN_ATTACHMENT_PIN) {
+            vec3 target = vbss_drain_attachment_position(a, substep->end_fraction);
+            b->expected_displacements[a->node] = vec3_sub(target, d->x[a->node]);
+        }
+    }
+    double max_squared = 0.0;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        max_squared = vbss_max_or_nan(vec3_norm_squared(b->expected_displacements[i]), max_squared);
+    }
+    b->max_displacement = sqrt(max_squared);
+}
+
+void vbss_scene_set_motion_bounds(scene_object *s, const scene_substep *substep)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            set_thread_displacements(s, &s->bodies[i].thread, substep);
+        } else if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            set_capsule_displacements(s, &s->bodies[i].rigid, substep);
+        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            set_drain_displacements(&s->bodies[i].drain, substep);
+        }
+    }
+}

@@ -1,0 +1,580 @@
+/* How the two features of a row lie: normal, gap, terms, how far they have slid.
+ *
+ * A side of a row is a point that moves with its body: a mean of nodes, or a point of a rigid body's
+ * surface. Where it was when the part began is known too, which is what friction is about. */
+#include "collision/closest.h"
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+/* Weights of a node and its neighbours that make the point of a smooth curve: on a polygon round a circle they
+ * give Coulomb friction the law of the rope to second order of the turn between segments. */
+#define SMOOTH_NODE (11.0 / 12.0)
+#define SMOOTH_NEIGHBOUR (1.0 / 24.0)
+/* r of the law, N/m: of rows that nodes take part in. Larger by a thousand, states cycle. */
+#define NODE_AUGMENTATION 3.0
+/* A node of a thread that lies on the floor presses it by its weight alone, some uN: it would be held within 2 pm, and bear
+ * alone what pulls along the thread; they would let go one after the other, a solve each. m */
+#define FLOOR_ELASTIC_SLIP_LIMIT 1e-7
+/* The same of rigid bodies alone, as a share of mass / h^2: well below the inertia that a point of them has, or
+ * slip one way and the other way follow each other. */
+#define RIGID_AUGMENTATION 0.01
+/* A normal that turns by more than 60 degrees in one part belongs to another side. */
+#define MIN_NORMAL_COSINE 0.5
+/* Share of the distance of touching below which axes may be about to pass. */
+#define MIN_PREDICTED_RATIO 0.5
+/* Axes nearer than this have no direction, m. */
+#define NO_DISTANCE 1e-12
+
+/* One of the two features of a row, and its corners: of a point one, of the axis of a segment two, of a face three. */
+typedef struct side {
+    const scene_body *body;
+    const scene_capsule *capsule; /* of a rigid body */
+    uint32_t feature, vertex_count;
+    uint32_t nodes[3]; /* of a drain */
+    uint32_t
+        lip; /* of a free edge of a drain, or a node there: a triangle beside it; else SCENE_NO_FACE */
+    bool smooth; /* a node: of the curve that is smoothed there */
+    double radius;
+} side;
+
+typedef enum moment { AT_START, AT_PREDICTED, AT_TRIAL } moment; /* ahead: where it may go */
+
+/* ---- what a feature is */
+
+/* Rows come by bodies, so it is mostly the last one. */
+static const scene_body *body_of(const scene_object *s, uint32_t number, const scene_body *last)
+{
+    return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
+}
+
+static inline side side_of(const scene_object *s, const contact_constraint *constraint,
+                           const scene_body *b, int which)
+{
+    uint32_t kind = constraint->key.kind,
+             feature = which == 0 ? constraint->key.feature_a : constraint->key.feature_b;
+    side d; /* its nodes are looked at where they are set */
+    d.body = b;
+    d.capsule = NULL;
+    d.feature = feature;
+    d.lip = SCENE_NO_FACE;
+    d.smooth = false;
+    bool point = which == 0 && (scene_is_node_contact(kind) || kind == VBSS_CONTACT_CAPSULE_FLOOR);
+    d.vertex_count = point ? 1 : 2;
+    if (b->kind == SCENE_BODY_DRAIN) {
+        d.vertex_count = vbss_scene_drain_feature_nodes(s, b, kind, which == 1, feature, d.nodes);
+        d.radius = 0.5 * b->drain.drain->config.thickness;
+        if (kind == VBSS_CONTACT_SIDES) {
+            d.lip = b->drain.lip_of_side[feature];
+        } else if (kind == VBSS_CONTACT_POINT_FACE && which == 0) {
+            d.lip = b->drain.lip_of_node[feature];
+        }
+        return d;
+    }
+    if (b->kind == SCENE_BODY_THREAD) {
+        /* ends of the thread alone are as they are */
+        d.smooth = kind == VBSS_CONTACT_NODE_CAPSULE && feature > 0 &&
+                   feature + 1 < b->thread.thread->node_count;
+        d.radius = b->thread.thread->config.radius;
+        return d;
+    }
+    d.capsule = &s->capsules[b->rigid.first_capsule + (point ? feature / 2 : feature)];
+    d.radius = d.capsule->radius;
+    return d;
+}
+
+static vec3 smooth_point(const vec3 *x)
+{
+    return vec3_add_scaled(vec3_scale(x[0], SMOOTH_NODE), SMOOTH_NEIGHBOUR, vec3_add(x[-1], x[1]));
+}
+
+static void get_thread_vertices(const side *d, const vec3 *x, vec3 vertices[3])
+{
+    x += d->feature;
+    vertices[0] = d->smooth ? smooth_point(x) : x[0];
+    vertices[1] = d->vertex_count > 1 ? x[1] : vertices[0];
+}
+
+static void get_capsule_vertices(const side *d, const vec3 ends[2], vec3 vertices[3])
+{
+    vertices[0] = ends[d->vertex_count > 1 ? 0 : d->feature % 2];
+    vertices[1] = ends[1];
+}
+
+static void get_drain_vertices(const side *d, const vec3 *x, vec3 vertices[3])
+{
+    vertices[1] = x[d->nodes[0]]; /* of a point too, which has no other */
+    for (uint32_t k = 0; k < d->vertex_count; k++) {
+        vertices[k] = x[d->nodes[k]];
+    }
+}
+
+/* Of a thread or a capsule: rows of drains keep their normals, and look at nothing ahead. */
+static void add_displacement(const scene_object *s, const side *d, vec3 vertices[3])
+{
+    vec3 displacement[3];
+    if (d->capsule == NULL) {
+        get_thread_vertices(d, s->expected_displacements + d->body->thread.first_node,
+                            displacement);
+    } else {
+        size_t number = (size_t)(d->capsule - s->capsules);
+        get_capsule_vertices(d, s->expected_displacements + s->config.node_capacity + 2 * number,
+                             displacement);
+    }
+    vertices[0] = vec3_add(vertices[0], displacement[0]);
+    vertices[1] = vec3_add(vertices[1], displacement[1]); /* of a point nobody looks at it */
+}
+
+static void get_vertices(const scene_object *s, const side *d, moment when, vec3 vertices[3])
+{
+    const scene_body *b = d->body;
+    bool trial = when == AT_TRIAL;
+    if (b->kind == SCENE_BODY_THREAD) {
+        const thread_object *t = b->thread.thread;
+        get_thread_vertices(d, trial ? t->trial : t->now.x, vertices);
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        const drain_object *own = b->drain.drain;
+        get_drain_vertices(d, trial ? own->trial : own->x, vertices);
+    } else {
+        get_capsule_vertices(d, trial ? d->capsule->trial : d->capsule->now, vertices);
+    }
+    if (when == AT_PREDICTED) {
+        add_displacement(s, d, vertices);
+    }
+}
+
+/* From b to a between the closest points of both features. Where these are: of two segments, the share of each; of a point and
+ * a segment, the second; of a point and a face, the weights of its last two corners. */
+static inline vec3 closest_separation(const side *d, const side *e, const vec3 a[3],
+                                      const vec3 b[3], double at[2])
+{
+    if (e->vertex_count == 3) {
+        double weights[3];
+        const vec3 corners[3] = {vec3_sub(b[0], a[0]), vec3_sub(b[1], a[0]), vec3_sub(b[2], a[0])};
+        vec3 to = closest_on_triangle(corners, weights);
+        at[0] = weights[1];
+        at[1] = weights[2];
+        return vec3_neg(to);
+    }
+    vec3 along = vec3_sub(b[1], b[0]);
+    if (d->vertex_count == 1) {
+        vec3 to = vec3_sub(a[0], b[0]);
+        at[0] = 0.0;
+        at[1] = closest_on_edge(along, to);
+        return vec3_add_scaled(to, -at[1], along);
+    }
+    return vec3_neg(
+        closest_between_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
+}
+
+/* ---- lips: what is cut is flat, as high as the wall. Against another wall, a lip is a line through its own. */
+
+static bool is_flat(const side *d, const side *e)
+{
+    return d->lip != SCENE_NO_FACE && e->body->kind == SCENE_BODY_DRAIN;
+}
+
+/* From the middle of a wall, or the line through it. */
+static double radius_against(const side *d, const side *e)
+{
+    return is_flat(d, e) ? 2.0 * SCENE_LIP_RADIUS_RATIO * d->radius : d->radius;
+}
+
+static double contact_distance_of(const side *d, const side *e)
+{
+    return radius_against(d, e) + radius_against(e, d);
+}
+
+/* A side that ends at a lip is round, and that lip, which ends there too, sees the same. */
+static bool ends_at_lip(const side *d, double at)
+{
+    bool end = at == 0.0 || at == 1.0;
+    return d->vertex_count == 2 && d->lip == SCENE_NO_FACE && end &&
+           d->body->drain.lip_of_node[d->nodes[at == 1.0 ? 1 : 0]] != SCENE_NO_FACE;
+}
+
+static bool is_covered_by_lips(const side *d, const side *e, const contact_constraint *constraint)
+{
+    return d->body->kind == SCENE_BODY_DRAIN && e->body->kind == SCENE_BODY_DRAIN &&
+           (ends_at_lip(d, constraint->barycentric[0]) ||
+            ends_at_lip(e, constraint->barycentric[1]));
+}
+
+static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
+{
+    const uint32_t *nodes = s->collision->shapes[d->body->shape]->triangles[d->lip];
+    const side face = {.body = d->body, .vertex_count = 3, .nodes = {nodes[0], nodes[1], nodes[2]}};
+    vec3 x[3];
+    get_vertices(s, &face, when, x);
+    return vec3_unit_or(vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0])), vec3_zero());
+}
+
+/* From one rounded end to the other; of what is round itself, nothing. */
+static vec3 line_through_lip(const scene_object *s, const side *d, const side *e, moment when)
+{
+    const double height = 2.0 * (1.0 - 2.0 * SCENE_LIP_RADIUS_RATIO) * d->radius;
+    return is_flat(d, e) ? vec3_scale(normal_of_lip(s, d, when), height) : vec3_zero();
+}
+
+/* From the line through the wall of e to that of d, where the middles are `middles` apart; and what of that is wall. */
+static vec3 lip_separation(const scene_object *s, const side *d, const side *e, moment when,
+                           vec3 mid_separation, double *lip_thickness)
+{
+    double at[2];
+    vec3 one = line_through_lip(s, d, e, when), other = line_through_lip(s, e, d, when);
+    vec3 offset = vec3_sub(vec3_scale(vec3_sub(one, other), 0.5), mid_separation);
+    vec3 separation_vector = vec3_neg(closest_between_edges(one, other, offset, &at[0], &at[1]));
+    double distance = vec3_norm(separation_vector);
+    *lip_thickness =
+        vec3_dot(separation_vector, mid_separation) / vbss_max(distance, DBL_MIN) - distance;
+    return separation_vector;
+}
+
+/* Beside a hole. */
+static bool is_clipped(const contact_constraint *constraint)
+{
+    return constraint->axis_interval[0][0] > 0.0 || constraint->axis_interval[0][1] < 1.0;
+}
+
+/* From b to a between the surfaces' middles where they are nearest: where that is on both, and what of it is wall. */
+static inline vec3 separation_of(const scene_object *s, const contact_constraint *constraint,
+                                 const side *d, const side *e, moment when, double at[2],
+                                 double *lip_thickness)
+{
+    vec3 one[3], other[3];
+    get_vertices(s, d, when, one);
+    get_vertices(s, e, when, other);
+    bool clipped = is_clipped(constraint);
+    if (clipped) {
+        scene_clip_axis(one, constraint->axis_interval[0]);
+        scene_clip_axis(other, constraint->axis_interval[1]);
+    }
+    vec3 separation_vector = closest_separation(d, e, one, other, at);
+    for (int k = 0; clipped && k < 2; k++) {
+        at[k] = constraint->axis_interval[k][0] +
+                at[k] * (constraint->axis_interval[k][1] - constraint->axis_interval[k][0]);
+    }
+    *lip_thickness = 0.0;
+    return is_flat(d, e) || is_flat(e, d)
+               ? lip_separation(s, d, e, when, separation_vector, lip_thickness)
+               : separation_vector;
+}
+
+/* The share of each corner in the point that the row is about. */
+static inline void compute_weights(const side *d, const contact_constraint *constraint, int which,
+                                   double weights[3])
+{
+    weights[0] = 1.0;
+    weights[1] = weights[2] = 0.0;
+    if (d->vertex_count == 2) {
+        weights[0] = 1.0 - constraint->barycentric[which];
+        weights[1] = constraint->barycentric[which];
+    } else if (d->vertex_count == 3) {
+        weights[0] = 1.0 - constraint->barycentric[0] - constraint->barycentric[1];
+        weights[1] = constraint->barycentric[0];
+        weights[2] = constraint->barycentric[1];
+    }
+}
+
+static inline vec3 point_of(const side *d, const vec3 vertices[3], const double weights[3])
+{
+    if (d->vertex_count == 2) {
+        return vec3_lerp(vertices[0], vertices[1], weights[1]);
+    }
+    if (d->vertex_count == 1) {
+        return vertices[0];
+    }
+    vec3 point = vec3_add_scaled(vec3_scale(vertices[0], weights[0]), weights[1], vertices[1]);
+    return vec3_add_scaled(point, weights[2], vertices[2]);
+}
+
+/* ---- terms */
+
+/* The terms that move `point` of the surface. */
+static void add_jacobian(const scene_object *s, contact_constraint *constraint, const side *d,
+                         const double weights[3], vec3 point, double sign)
+{
+    const scene_body *b = d->body;
+    if (d->capsule != NULL) {
+        vbss_scene_add_rigid_jacobian(constraint, &b->rigid, point, sign);
+    } else if (b->kind == SCENE_BODY_DRAIN) {
+        for (uint32_t k = 0; k < d->vertex_count && k < 3; k++) {
+            uint32_t order_index = b->drain.drain->order.block_index[d->nodes[k]];
+            vbss_scene_add_jacobian_block(constraint, b->drain.first_block + order_index,
+                                          sign * weights[k]);
+        }
+    } else if (d->vertex_count > 1) {
+        vbss_scene_add_node_jacobian(s, constraint, b, d->feature, sign * weights[0]);
+        vbss_scene_add_node_jacobian(s, constraint, b, d->feature + 1, sign * weights[1]);
+    } else {
+        vbss_scene_add_node_jacobian(s, constraint, b, d->feature,
+                                     sign * (d->smooth ? SMOOTH_NODE : 1.0));
+        if (d->smooth) {
+            vbss_scene_add_node_jacobian(s, constraint, b, d->feature - 1, sign * SMOOTH_NEIGHBOUR);
+            vbss_scene_add_node_jacobian(s, constraint, b, d->feature + 1, sign * SMOOTH_NEIGHBOUR);
+        }
+    }
+}
+
+/* Where that point was when the part began: of a rigid body's surface, which turns beyond what its axis shows. */
+static vec3 point_at_start(const side *d, double at, vec3 point)
+{
+    const scene_rigid *r = &d->body->rigid;
+    const scene_capsule *c = d->capsule;
+    uint32_t first = d->vertex_count == 1 ? d->feature % 2 : 0,
+             last = d->vertex_count == 1 ? first : 1;
+    /* a jaw's axis goes against its body */
+    vec3 moved = vec3_lerp(vec3_sub(c->local_trial[first], c->local[first]),
+                           vec3_sub(c->local_trial[last], c->local[last]), at);
+    return pose_apply(r->body.now.pose, vec3_sub(pose_apply_inverse(r->trial, point), moved));
+}
+
+/* ---- rows */
+
+/* What it says of all others. */
+static double body_friction(const scene_object *s, const scene_body *b)
+{
+    return b == NULL                      ? s->config.floor_friction
+           : b->kind == SCENE_BODY_THREAD ? s->config.thread_friction
+           : b->kind == SCENE_BODY_RIGID  ? b->rigid.friction
+                                          : b->drain.drain->config.friction;
+}
+
+static bool is_thread(const scene_body *b)
+{
+    return b != NULL && b->kind == SCENE_BODY_THREAD;
+}
+
+/* What a thread rubs on says how; of two others the geometric mean counts. */
+static double pair_friction(const scene_object *s, const scene_body *a, const scene_body *b)
+{
+    if (is_thread(a) || is_thread(b)) {
+        return body_friction(s, is_thread(a) ? b : a);
+    }
+    return sqrt(body_friction(s, a) * body_friction(s, b));
+}
+
+/* Rigid bodies resist by their inertia: of the lighter one. */
+static double augmentation_of(const scene_body *a, const scene_body *b, double h)
+{
+    if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID)) {
+        return NODE_AUGMENTATION;
+    }
+    double mass = a->rigid.body.mass;
+    if (b != NULL && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+        mass = vbss_min(mass, b->rigid.body.mass);
+    }
+    return RIGID_AUGMENTATION * mass / (h * h);
+}
+
+/* One side of a row, once normal and places are known: its terms, how far its point has come since the part began,
+ * and where that is. `out` is from the axis, or the middle of a wall, to the surface. */
+static vec3 update_side(const scene_object *s, contact_constraint *constraint, const side *d,
+                        int which, vec3 out, double sign)
+{
+    vec3 vertices[3], start_vertices[3], start_point;
+    double weights[3];
+    vertices[2] = start_vertices[2] = vec3_zero(); /* of a face alone it is another */
+    compute_weights(d, constraint, which, weights);
+    get_vertices(s, d, AT_TRIAL, vertices);
+    vec3 centre = point_of(d, vertices, weights), point = vec3_add(centre, out);
+    add_jacobian(s, constraint, d, weights, point, sign);
+    if (d->capsule != NULL) {
+        start_point =
+            point_at_start(d, d->vertex_count > 1 ? constraint->barycentric[which] : 0.0, point);
+        constraint->relative_displacement =
+            vec3_add_scaled(constraint->relative_displacement, sign, vec3_sub(point, start_point));
+    } else {
+        get_vertices(s, d, AT_START, start_vertices);
+        start_point = point_of(d, start_vertices, weights);
+        constraint->relative_displacement =
+            vec3_add_scaled(constraint->relative_displacement, sign, vec3_sub(centre, start_point));
+    }
+    return centre;
+}
+
+static void update_geometry(const scene_object *s, contact_constraint *constraint, const side *d,
+                            const side *e)
+{
+    const vec3 n = constraint->normal;
+    constraint->jacobian_block_count = 0;
+    constraint->relative_displacement = vec3_zero();
+    vec3 out = vec3_scale(n, -d->radius), centre_a = update_side(s, constraint, d, 0, out, 1.0);
+    if (e == NULL) {
+        constraint->gap = vec3_dot(n, centre_a) - s->config.floor_height - d->radius;
+    } else {
+        vec3 centre_b = update_side(s, constraint, e, 1, vec3_scale(n, e->radius), -1.0);
+        constraint->gap = vec3_dot(n, vec3_sub(centre_a, centre_b)) - contact_distance_of(d, e) -
+                          constraint->lip_thickness + constraint->overlap_allowance;
+    }
+    constraint->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
+}
+
+/* Whether normals of the begin will do: those of segments jump, or turn fast as their radius is small; velocities
+ * that are a little wrong would make them worse, and tight knots tremble. */
+static bool keeps_start_normal(const contact_constraint *constraint)
+{
+    return constraint->key.kind == VBSS_CONTACT_SEGMENTS ||
+           constraint->key.kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
+           constraint->key.kind == VBSS_CONTACT_SIDES ||
+           constraint->key.kind == VBSS_CONTACT_POINT_FACE;
+}
+
+/* Within the face, not on a side of it. */
+static bool is_inside_face(const contact_constraint *constraint)
+{
+    return constraint->barycentric[0] > 0.0 && constraint->barycentric[1] > 0.0 &&
+           constraint->barycentric[0] + constraint->barycentric[1] < 1.0;
+}
+
+/* Features that meet: as good as any direction that is across both. */
+static vec3 fallback_normal(const scene_object *s, const side *d, const side *e)
+{
+    vec3 one[3], other[3];
+    get_vertices(s, d, AT_START, one);
+    get_vertices(s, e, AT_START, other);
+    vec3 from = e->vertex_count == 3 ? vec3_sub(other[2], other[0]) : vec3_sub(one[1], one[0]);
+    vec3 normal = vec3_cross(from, vec3_sub(other[1], other[0]));
+    return vec3_unit_or(normal, vec3_make(0.0, 1.0, 0.0));
+}
+
+bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *constraint,
+                                 const scene_body *a, const scene_body *b, double reach)
+{
+    const side d = side_of(s, constraint, a, 0);
+    if (b == NULL) {
+        vec3 one[3];
+        get_vertices(s, &d, AT_START, one);
+        constraint->normal = s->floor_normal;
+        constraint->barycentric[0] = constraint->barycentric[1] = 0.0;
+        constraint->thickness = 2.0 * d.radius;
+        constraint->contact_distance = d.radius;
+        constraint->start_gap =
+            vec3_dot(constraint->normal, one[0]) - s->config.floor_height - d.radius;
+        return constraint->start_gap < reach;
+    }
+    const side e = side_of(s, constraint, b, 1);
+    vec3 separation_vector = separation_of(s, constraint, &d, &e, AT_START, constraint->barycentric,
+                                           &constraint->lip_thickness);
+    double distance = vec3_norm(separation_vector), contact_distance = contact_distance_of(&d, &e);
+    constraint->thickness = 2.0 * vbss_min(d.radius, e.radius); /* of lips too: they are soft */
+    constraint->contact_distance = contact_distance;
+    constraint->start_gap = distance - contact_distance;
+    if (!(constraint->start_gap < reach) || (e.vertex_count == 3 && !is_inside_face(constraint)) ||
+        is_covered_by_lips(&d, &e, constraint)) {
+        return false;
+    }
+    constraint->normal = distance > NO_DISTANCE ? vec3_scale(separation_vector, 1.0 / distance)
+                                                : fallback_normal(s, &d, &e);
+    if (keeps_start_normal(constraint)) {
+        return true;
+    }
+    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. */
+    double at[2], lip_thickness;
+    vec3 predicted = separation_of(s, constraint, &d, &e, AT_PREDICTED, at, &lip_thickness);
+    double predicted_distance = vec3_norm(predicted);
+    if (predicted_distance > MIN_PREDICTED_RATIO * contact_distance &&
+        vec3_dot(predicted, constraint->normal) > MIN_NORMAL_COSINE * predicted_distance) {
+        constraint->normal = vec3_scale(predicted, 1.0 / predicted_distance);
+        constraint->barycentric[0] = at[0];
+        constraint->barycentric[1] = at[1];
+        constraint->lip_thickness = lip_thickness;
+    }
+    return true;
+}
+
+typedef enum geometry_update {
+    INIT_CONTACT,
+    REFRESH_GEOMETRY,
+    REFRESH_NORMAL,
+    MEASURE_GAP
+} geometry_update;
+
+static void refresh_normal(const scene_object *s, contact_constraint *constraint, const side *d,
+                           const side *e)
+{
+    constraint->normal =
+        vec3_unit_or(separation_of(s, constraint, d, e, AT_TRIAL, constraint->barycentric,
+                                   &constraint->lip_thickness),
+                     constraint->normal);
+    constraint->previous_force =
+        vbss_contact_rotate_to_tangent_plane(constraint->previous_force, constraint->normal);
+    constraint->solution.slip_direction =
+        vec3_unit_or(vbss_contact_rotate_to_tangent_plane(constraint->solution.slip_direction,
+                                                          constraint->normal),
+                     constraint->solution.slip_direction);
+}
+
+static void measure_gap(const scene_object *s, contact_constraint *constraint, const side *d,
+                        const side *e)
+{
+    double at[2], lip_thickness;
+    constraint->gap = vec3_norm(separation_of(s, constraint, d, e, AT_TRIAL, at, &lip_thickness)) -
+                      contact_distance_of(d, e) + constraint->overlap_allowance;
+}
+
+static void update_contact(const scene_object *s, contact_constraint *constraint, const side *d,
+                           const side *e, geometry_update update)
+{
+    if (update == MEASURE_GAP && e != NULL) {
+        measure_gap(s, constraint, d, e);
+    }
+    if (update == REFRESH_NORMAL && e != NULL) {
+        refresh_normal(s, constraint, d, e);
+    }
+    if (update != MEASURE_GAP) {
+        update_geometry(s, constraint, d, e);
+    }
+}
+
+static void update_contacts(scene_object *s, geometry_update update, double h)
+{
+    const scene_body *a = NULL, *b = NULL;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_constraint *constraint = &s->contacts->constraints[i];
+        if (constraint->is_bilateral) {
+            if (update != MEASURE_GAP) {
+                vbss_scene_update_bilateral_constraint(s, constraint);
+            }
+            continue;
+        }
+        a = body_of(s, constraint->key.body_a, a);
+        b = constraint->key.body_b == 0 ? NULL : body_of(s, constraint->key.body_b, b);
+        if (update == INIT_CONTACT) {
+            constraint->friction = pair_friction(s, a, b);
+            constraint->stiffness = s->config.contact_stiffness;
+            constraint->augmentation = augmentation_of(a, b, h);
+            constraint->elastic_slip_limit =
+                constraint->key.kind == VBSS_CONTACT_NODE_FLOOR ? FLOOR_ELASTIC_SLIP_LIMIT : 0.0;
+        }
+        const side d = side_of(s, constraint, a, 0);
+        if (b == NULL) {
+            update_contact(s, constraint, &d, NULL, update);
+        } else {
+            const side e = side_of(s, constraint, b, 1);
+            update_contact(s, constraint, &d, &e, update);
+        }
+    }
+}
+
+/* What rows are beside where they lie; the first look at their trial state is along the normal that they
+ * had when the part began. */
+void vbss_scene_init_contacts(scene_object *s, const scene_substep *substep)
+{
+    s->substep_length = substep->h;
+    update_contacts(s, INIT_CONTACT, substep->h);
+}
+
+void vbss_scene_refresh_contacts(scene_object *s)
+{
+    update_contacts(s, REFRESH_GEOMETRY, 0.0);
+}
+
+void vbss_scene_refresh_normals(scene_object *s)
+{
+    update_contacts(s, REFRESH_NORMAL, 0.0);
+}
+
+void vbss_scene_measure_gaps(scene_object *s)
+{
+    update_contacts(s, MEASURE_GAP, 0.0);
+}

@@ -1,0 +1,66 @@
+/* Rows of what is near a drain: a point of whatever it is and a triangle, two sides, a node and the floor.
+ *
+ * A point touches a triangle where its closest point is within; where that is on a side, the side's own rows see it. */
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+/* The ways of a feature's vertices: of a drain gathered into room. */
+static const vec3 *feature_displacements(const scene_object *s, const scene_body *b,
+                                         const contact_key *key, bool is_b, vec3 buffer[3],
+                                         uint32_t *count)
+{
+    uint32_t feature = is_b ? key->feature_b : key->feature_a, nodes[3];
+    bool is_edge = key->kind == VBSS_CONTACT_SIDES;
+    if (b->kind == SCENE_BODY_DRAIN) {
+        *count = vbss_scene_drain_feature_nodes(s, b, key->kind, is_b, feature, nodes);
+        for (uint32_t k = 0; k < *count; k++) {
+            buffer[k] = b->drain.expected_displacements[nodes[k]];
+        }
+        return buffer;
+    }
+    *count = is_edge ? 2 : 1;
+    if (b->kind == SCENE_BODY_THREAD) {
+        return s->expected_displacements + b->thread.first_node + feature;
+    }
+    const vec3 *first =
+        s->expected_displacements + s->config.node_capacity + 2 * (size_t)b->rigid.first_capsule;
+    return first + (is_edge ? 2 * (size_t)feature : feature); /* ends stand two by two */
+}
+
+static bool add_contact(scene_object *s, const contact_key *key, const scene_body *a,
+                        const scene_body *b, const collision_candidate *q)
+{
+    vec3 buffer_a[3], buffer_b[3];
+    scene_contact_pair m = {.a = a, .b = b, .candidate = q};
+    m.displacements_a = feature_displacements(s, a, key, false, buffer_a, &m.count_a);
+    m.displacements_b = feature_displacements(s, b, key, true, buffer_b, &m.count_b);
+    return vbss_scene_add_contact(s, key, &m);
+}
+
+bool vbss_scene_add_surface_contact(scene_object *s, const collision_candidate *q)
+{
+    const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
+    const scene_body *b = &s->bodies[s->body_of_shape[q->shape_b]];
+    if (q->kind == VBSS_PAIR_POINT_TRIANGLE) {
+        const contact_key key = {VBSS_CONTACT_POINT_FACE, a->number, q->a, b->number, q->b};
+        return add_contact(s, &key, a, b, q);
+    }
+    bool swapped = b->kind != SCENE_BODY_DRAIN;
+    const contact_key key = {VBSS_CONTACT_SIDES, swapped ? b->number : a->number,
+                             swapped ? q->b : q->a, swapped ? a->number : b->number,
+                             swapped ? q->a : q->b};
+    return add_contact(s, &key, swapped ? b : a, swapped ? a : b, q);
+}
+
+bool vbss_scene_add_drain_floor_contacts(scene_object *s, const scene_body *b)
+{
+    const drain_object *d = b->drain.drain;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        const contact_key key = {VBSS_CONTACT_DRAIN_FLOOR, b->number, i, 0, 0};
+        if (!vbss_scene_add_floor_contact(s, &key, b, d->x[i], 0.5 * d->config.thickness,
+                                          b->drain.expected_displacements[i])) {
+            return false;
+        }
+    }
+    return true;
+}

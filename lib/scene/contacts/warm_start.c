@@ -1,0 +1,101 @@
+/* What contacts remember from part to part, also when they have slid on to other features: along a thread to the next
+ * number, on a drain to a side or triangle that has a node in common. */
+#include "scene/contacts/contacts.h"
+#include "scene/world/world.h"
+
+static bool have_common_node(const scene_object *s, const scene_body *b, const contact_key *x,
+                             const contact_key *y, bool is_b)
+{
+    uint32_t p[3], q[3];
+    uint32_t count =
+        vbss_scene_drain_feature_nodes(s, b, x->kind, is_b, is_b ? x->feature_b : x->feature_a, p);
+    uint32_t others =
+        vbss_scene_drain_feature_nodes(s, b, y->kind, is_b, is_b ? y->feature_b : y->feature_a, q);
+    bool shared = false;
+    for (uint32_t i = 0; i < count; i++) {
+        for (uint32_t k = 0; k < others; k++) {
+            shared = shared || p[i] == q[k];
+        }
+    }
+    return shared;
+}
+
+/* Feature a of a key: of a thread node or segment, which are beside each other by number; of a rigid body a capsule. */
+static bool are_adjacent(const scene_object *s, const scene_body *a, const contact_key *x,
+                         const contact_key *y)
+{
+    if (a->kind == SCENE_BODY_DRAIN) {
+        return have_common_node(s, a, x, y, false);
+    }
+    if (a->kind == SCENE_BODY_THREAD) {
+        return x->feature_a + 1 >= y->feature_a && y->feature_a + 1 >= x->feature_a;
+    }
+    uint32_t one = x->kind == VBSS_CONTACT_POINT_FACE ? x->feature_a / 2 : x->feature_a;
+    return one == (y->kind == VBSS_CONTACT_POINT_FACE ? y->feature_a / 2 : y->feature_a);
+}
+
+/* The nearest row beside it that has no other memory yet, or UINT32_MAX. */
+static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *key)
+{
+    const contact_set *set = s->contacts;
+    const scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
+    uint32_t best = UINT32_MAX;
+    for (uint32_t i = 0; a != NULL && b != NULL && i < set->count; i++) {
+        const contact_constraint *constraint = &set->constraints[i];
+        if (scene_is_surface_contact(constraint->key.kind) &&
+            constraint->solution.status == CONTACT_OPEN && constraint->key.body_a == key->body_a &&
+            constraint->key.body_b == key->body_b &&
+            (best == UINT32_MAX || constraint->start_gap < set->constraints[best].start_gap) &&
+            are_adjacent(s, a, key, &constraint->key) &&
+            have_common_node(s, b, key, &constraint->key, true)) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Of a fold that is too deep, m/s: it opens at leisure. */
+#define FOLD_OPENING_SPEED 0.02
+
+/* A fold knows no inside: as its sides turn, other pairs are nearest, and those may begin far deeper than what they bear. What
+ * they have not been pressed in by nobody has done: they are let off by no more than they open. In real time parts leave
+ * overlaps that no force knows of; let be, these would grow from part to part. */
+static void absorb_fold_overlap(scene_object *s, double h)
+{
+    for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
+        contact_constraint *constraint = &s->contacts->constraints[i];
+        bool is_fold = scene_is_surface_contact(constraint->key.kind) &&
+                       constraint->key.body_a == constraint->key.body_b;
+        double force_overlap = constraint->solution.status == CONTACT_OPEN
+                                   ? 0.0
+                                   : constraint->solution.normal_force / constraint->stiffness;
+        double excess = -constraint->start_gap - vbss_max(force_overlap, FOLD_OPENING_SPEED * h);
+        if (is_fold && excess > 0.0) {
+            constraint->fold_allowance = excess;
+            constraint->overlap_allowance += excess;
+            constraint->start_gap += excess;
+            constraint->gap += excess;
+        }
+    }
+}
+
+void vbss_scene_warm_start_contacts(scene_object *s, const scene_substep *substep)
+{
+    contact_set *set = s->contacts;
+    vbss_contact_warm_start(set);
+    for (uint32_t m = 0; m < set->warm_start_count; m++) {
+        const contact_key *key = &set->warm_start[m].key;
+        if (set->scratch_flags[m] != 0) {
+            continue;
+        }
+        if (!scene_is_surface_contact(key->kind)) {
+            vbss_contact_warm_start_neighbour(set, m);
+            continue;
+        }
+        uint32_t adjacent = find_adjacent_contact(s, key);
+        if (adjacent != UINT32_MAX) {
+            vbss_contact_warm_start_one(set, m, adjacent);
+        }
+    }
+    absorb_fold_overlap(s, substep->h);
+}

@@ -1,0 +1,132 @@
+/* The state of a scene's step that waits (time_slice.c): where it is, not what has been found. */
+#include "base/stream.h"
+#include "scene/snapshot/snapshot.h"
+#include "scene/step/step.h"
+#include "scene/world/world.h"
+
+static bool is_valid_cursor(const scene_object *s, const scene_step_cursor *cursor)
+{
+    const scene_substep *substep = &cursor->substep;
+    return substep->step_length >= 1e-7 && substep->step_length <= 0.1 &&
+           substep->start_fraction >= 0.0 && vbss_scene_is_substep_size(s, cursor->initial_size) &&
+           vbss_scene_is_substep_size(s, cursor->size) &&
+           substep->start_fraction + cursor->size <= 1.0 &&
+           cursor->operations_at_attempt <= cursor->operations &&
+           cursor->operations < UINT64_MAX / 2;
+}
+
+static bool is_valid_target(vec3 target, vec3 force)
+{
+    return vec3_is_finite(target) && vec3_is_finite(force);
+}
+
+/* Where attachments go in a step that waits. */
+static void visit_targets(vbss_stream *stream, scene_object *s)
+{
+    bool is_valid = true;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        thread_object *t = b->kind == SCENE_BODY_THREAD ? b->thread.thread : NULL;
+        drain_object *d = b->kind == SCENE_BODY_DRAIN ? b->drain.drain : NULL;
+        for (uint32_t k = 0; t != NULL && k < t->config.attachment_capacity; k++) {
+            thread_attachment *a = &t->attachments[k];
+            vbss_stream_f64(stream, 156, &a->alternate_target.x, 3);
+            vbss_stream_f64(stream, 156, &a->alternate_direction.x, 3);
+            vbss_stream_f64(stream, 156, &a->alternate_force.x, 3);
+            bool unit = a->id == 0 || fabs(vec3_norm(a->alternate_direction) - 1.0) < 1e-6;
+            is_valid = is_valid && unit && is_valid_target(a->alternate_target, a->alternate_force);
+        }
+        for (uint32_t k = 0; d != NULL && k < d->config.attachment_capacity; k++) {
+            drain_attachment *a = &d->attachments[k];
+            vbss_stream_f64(stream, 157, &a->alternate_target.x, 3);
+            vbss_stream_f64(stream, 157, &a->alternate_force.x, 3);
+            is_valid = is_valid && is_valid_target(a->alternate_target, a->alternate_force);
+        }
+    }
+    if (stream->mode == VBSS_STREAM_READ && !is_valid) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such place of an attachment");
+    }
+}
+
+/* A step that waits: where it is, and how far the attempt was that is to be made again. */
+static void visit_suspended_step(vbss_stream *stream, scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    uint32_t words[] = {cursor->attempts,
+                        cursor->is_attempt_suspended,
+                        cursor->checks_passed,
+                        cursor->substep.has_fixed_normals,
+                        cursor->substep.has_search_budget,
+                        s->is_behind_targets,
+                        s->cut_count};
+    double *numbers[] = {&cursor->substep.step_length, &cursor->substep.start_fraction,
+                         &cursor->initial_size, &cursor->size};
+    uint64_t *operations[] = {&cursor->operations_at_attempt, &cursor->operations};
+    vbss_stream_u32(stream, 151, words, sizeof words / sizeof words[0]);
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        vbss_stream_f64(stream, 152, numbers[i], 1);
+    }
+    for (size_t i = 0; i < sizeof operations / sizeof operations[0]; i++) {
+        vbss_stream_u64(stream, 153, operations[i], 1);
+    }
+    if (words[1] > 1 || words[3] > 1 || words[4] > 1 || words[5] > 1 || words[6] > SCENE_MAX_CUTS) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
+        words[6] = 0;
+    }
+    cursor->attempts = words[0];
+    cursor->is_attempt_suspended = words[1] != 0;
+    cursor->checks_passed = words[2];
+    cursor->substep.has_fixed_normals = words[3] != 0;
+    cursor->substep.has_search_budget = words[4] != 0;
+    s->is_behind_targets = words[5] != 0;
+    s->cut_count = words[6];
+    for (uint32_t i = 0; i < s->cut_count; i++) {
+        scene_cut *cut = &s->cuts[i];
+        vbss_stream_u32(stream, 154, &cut->thread, 1);
+        vbss_stream_f64(stream, 155, &cut->arc_length, 1);
+        const scene_body *b = vbss_scene_body(s, cut->thread);
+        if (stream->mode == VBSS_STREAM_READ &&
+            (b == NULL || b->kind != SCENE_BODY_THREAD || !isfinite(cut->arc_length))) {
+            vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such cut");
+        }
+    }
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        vbss_stream_u32(stream, 158, &s->previous_holes[i].id, 1);
+        vbss_stream_u32(stream, 158, &s->previous_holes[i].needle, 1);
+    }
+    visit_targets(stream, s);
+    if (stream->mode == VBSS_STREAM_READ && !stream->trusted && !is_valid_cursor(s, cursor)) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
+    }
+}
+
+void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const bool reads = stream->mode == VBSS_STREAM_READ;
+    uint32_t words[] = {cursor->is_suspended, cursor->steps_behind, cursor->unsliced_steps_left};
+    if (stream->version >= 6) {
+        vbss_stream_u32(stream, 150, words, sizeof words / sizeof words[0]);
+    } else {
+        words[0] = words[1] = words[2] = 0;
+    }
+    bool is_allowed =
+        !reads || s->contacts != NULL || (words[0] == 0 && words[1] == 0); /* PAPER never waits */
+    if (!is_allowed || words[0] > 1 || words[1] > 2 || words[1] + words[0] > 2) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
+        words[0] = words[1] = 0;
+    }
+    if (reads) {
+        *cursor = (scene_step_cursor){.is_suspended = words[0] != 0,
+                                      .steps_behind = words[1],
+                                      .unsliced_steps_left = words[2]};
+    }
+    if (cursor->is_suspended) {
+        visit_suspended_step(stream, s);
+    }
+    if (reads) {
+        vbss_scene_set_substep_limits(s);
+        s->has_pending_events = false;
+        cursor->edit_count = vbss_scene_count_edits(s);
+    }
+}

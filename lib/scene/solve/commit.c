@@ -1,0 +1,68 @@
+/* The trial state of a part becomes the state. */
+#include "scene/solve/solve.h"
+#include "scene/tissue/tissue.h"
+
+/* A motion that needs halving is not smooth: so many steps more are damped. */
+enum { DAMPED_STEPS = 2 };
+
+static void commit_thread(scene_thread *b, double h)
+{
+    thread_object *t = b->thread;
+    vbss_thread_commit(t, &b->integration);
+    t->statistics.first_order += b->is_damped;
+    t->previous_h = h;
+    t->is_acceleration_unknown = false;
+}
+
+void vbss_scene_notify_substep(const scene_object *s)
+{
+    if (s->on_substep != NULL) {
+        s->on_substep(s->on_substep_data, s);
+    }
+}
+
+void vbss_scene_commit_capsules(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[i];
+        c->local[0] = c->local_trial[0];
+        c->local[1] = c->local_trial[1];
+    }
+}
+
+void vbss_scene_commit(scene_object *s, const scene_substep *substep)
+{
+    const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
+                                  substep->end_fraction};
+    vbss_scene_notify_substep(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            commit_thread(&b->thread, substep->h);
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            scene_rigid *r = &b->rigid;
+            if (r->kind == VBSS_RIGID_DRIVEN) {
+                r->body.now = r->predicted;
+            } else {
+                vbss_rigid_commit(&r->body, &p, &r->predicted, &r->trial);
+                r->coupling_wrench = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
+            }
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            vbss_drain_commit(b->drain.drain, substep->h);
+        }
+    }
+    vbss_scene_commit_capsules(s);
+    vbss_scene_commit_holes(s);
+    vbss_scene_advance_holes(s);
+    vbss_contact_store_warm_start(s->contacts);
+    s->statistics.parts++;
+}
+
+void vbss_scene_request_damping(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            s->bodies[i].thread.thread->damped_steps_left = DAMPED_STEPS + 1;
+        }
+    }
+}

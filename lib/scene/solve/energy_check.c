@@ -1,0 +1,217 @@
+/* Whether what a search has led to may be taken. Where it was stopped, its forces are not those of the law, and lengths were put
+ * right before shapes: both may put energy into threads and drains that nothing has done the work for. */
+#include "scene/solve/solve.h"
+#include "scene/world/world.h"
+
+/* Of each in a part, J. A knot alone rubs away what it was given: it may have what a quick hand does in a millisecond, with
+ * 2 N at 0.5 m/s, or it waits too often. A wall keeps it: slits were drawn shut, and opened, by what nobody had done. */
+#define ENERGY_TOLERANCE_WITHOUT_WALLS 1e-3
+#define ENERGY_TOLERANCE_WITH_WALLS 2e-5
+/* What is above so many times that, further linearisations do not make good: 120 of 683, with 4.4 of them each (docs/contact.md). */
+#define HOPELESS_ENERGY_RATIO 3.0
+
+static vec3 node_displacement(const thread_object *t, uint32_t node)
+{
+    return vec3_sub(t->trial[node], t->now.x[node]);
+}
+
+scene_body_kind vbss_scene_find_block_displacement(const scene_object *s, uint32_t block_index,
+                                                   vec3 *displacement)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        const drain_object *d = b->drain.drain;
+        if (b->kind == SCENE_BODY_THREAD && block_index >= b->thread.first_block &&
+            block_index - b->thread.first_block < b->thread.thread->node_count) {
+            *displacement =
+                node_displacement(b->thread.thread, block_index - b->thread.first_block);
+            return SCENE_BODY_THREAD;
+        }
+        if (b->kind == SCENE_BODY_DRAIN && block_index >= b->drain.first_block &&
+            block_index - b->drain.first_block < d->mesh.node_count) {
+            uint32_t node = d->order.node[block_index - b->drain.first_block];
+            *displacement = vec3_sub(d->trial[node], d->x[node]);
+            return SCENE_BODY_DRAIN;
+        }
+    }
+    return SCENE_BODY_NONE;
+}
+
+/* Of each in a part, J: what nobody has done the work for, if it is above 0. */
+typedef struct energy_gains {
+    double threads, drains, beyond_law;
+} energy_gains;
+
+/* What a hole gives to both, and stores, above what it had stored. Its law is no measure: where a search was stopped that may
+ * itself say 2.7 N along the way that both have gone. */
+static double energy_from_hole(const scene_object *s, const contact_constraint *constraint,
+                               vec3 force, double work)
+{
+    const suture_hole *hole = &s->holes[constraint->key.feature_a];
+    double stored_before =
+        hole->friction_force * hole->friction_force + vec3_norm_squared(hole->transverse_force);
+    double stored_increase =
+        0.5 * (vec3_norm_squared(force) - stored_before) / constraint->stiffness;
+    return vbss_max(work + stored_increase, 0.0);
+}
+
+/* What a contact does to threads and drains: with the force of which the blocks balance. */
+static void subtract_work_of_constraint(const scene_object *s, const contact_constraint *constraint,
+                                        vec3 force, energy_gains *g)
+{
+    double on_threads = 0.0, on_drains = 0.0;
+    bool is_known = true; /* what a needle was done is not */
+    for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
+        const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
+        vec3 displacement;
+        scene_body_kind kind =
+            jacobian_block->is_rotation
+                ? SCENE_BODY_NONE
+                : vbss_scene_find_block_displacement(s, jacobian_block->block, &displacement);
+        is_known = is_known && kind != SCENE_BODY_NONE;
+        if (kind == SCENE_BODY_THREAD) {
+            on_threads += jacobian_block->weight * vec3_dot(force, displacement);
+        } else if (kind == SCENE_BODY_DRAIN) {
+            on_drains += jacobian_block->weight * vec3_dot(force, displacement);
+        }
+    }
+    g->threads -= on_threads;
+    g->drains -= on_drains;
+    if (constraint->is_sleeve && is_known) {
+        g->beyond_law += energy_from_hole(s, constraint, force, on_threads + on_drains);
+    }
+}
+
+/* ---- forces that the law does not know */
+
+static double stored_energy(const contact_constraint *constraint, double gap)
+{
+    return gap < 0.0 ? 0.5 * constraint->stiffness * gap * gap : 0.0;
+}
+
+/* More than the law would have put in. */
+static double excess_work(double work, double law_work)
+{
+    return vbss_max(work - vbss_max(law_work, 0.0), 0.0);
+}
+
+/* What a force has put in, up to the trial state, that the law would not have; what others have taken out does not make up for
+ * it. What threads gain is known; what drains do is not, so at a wall counts what the law would have taken out, too. */
+static double work_beyond_law(const scene_object *s, const contact_constraint *constraint,
+                              vec3 force)
+{
+    const scene_body *b = vbss_scene_body(s, constraint->key.body_b);
+    bool at_wall = b != NULL && b->kind == SCENE_BODY_DRAIN;
+    vec3 law_force = vbss_contact_force(constraint, vec3_zero()),
+         displacement = constraint->relative_displacement;
+    if (constraint->is_sleeve) {
+        return vbss_max(vec3_dot(vec3_sub(force, law_force), displacement), 0.0);
+    }
+    double normal_displacement = vec3_dot(constraint->normal, displacement),
+           normal_work = normal_displacement * vec3_dot(force, constraint->normal);
+    double released_energy = stored_energy(constraint, constraint->start_gap) -
+                             stored_energy(constraint, constraint->gap);
+    vec3 tangential_displacement =
+        vec3_add_scaled(displacement, -normal_displacement, constraint->normal);
+    double friction_work = vec3_dot(force, tangential_displacement),
+           law_friction_work = vec3_dot(law_force, tangential_displacement);
+    return at_wall ? vbss_max(normal_work - released_energy, 0.0) +
+                         vbss_max(friction_work - law_friction_work, 0.0)
+                   : excess_work(normal_work, released_energy) +
+                         excess_work(friction_work, law_friction_work);
+}
+
+/* ---- what threads gain */
+
+/* At most: what is held is drawn by the tension beside it. */
+static double max_work_at_node(const thread_object *t, uint32_t node)
+{
+    double tension = 0.0;
+    for (uint32_t k = node > 0 ? node - 1 : 0; k <= node && k + 1 < t->node_count; k++) {
+        tension = vbss_max(tension, vbss_max(fabs(t->trial_tension[k]), fabs(t->now.tension[k])));
+    }
+    return tension * vec3_norm(node_displacement(t, node));
+}
+
+static double max_work_of_attachments(const thread_object *t)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
+        const thread_attachment *a = &t->attachments[i];
+        sum += a->id != 0 ? max_work_at_node(t, a->node) : 0.0;
+    }
+    return sum;
+}
+
+static double max_work_of_welds(const scene_object *s)
+{
+    double sum = 0.0;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            sum += max_work_at_node(vbss_scene_body(s, p->thread)->thread.thread, p->node);
+        }
+    }
+    return sum;
+}
+
+/* Of a thread only: a wall that is pressed alone comes to rest whatever it was given, and trembles if its parts wait. And
+ * what was found is asked about only where walls are and smaller parts cost no deadline: they fold, and what presses in a fold
+ * changes its direction at once. */
+static bool needs_energy_check(const scene_object *s, const scene_substep *substep)
+{
+    bool has_time = s->step_budget == 0 && !substep->is_min_size;
+    return vbss_scene_has_body_kind(s, SCENE_BODY_THREAD) &&
+           (s->contacts->is_stopped_early ||
+            (has_time && vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)));
+}
+
+static energy_gains compute_energy_gains(const scene_object *s, const scene_substep *substep)
+{
+    const contact_set *set = s->contacts;
+    energy_gains g = {.threads = -max_work_of_welds(s)};
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            const thread_object *t = s->bodies[i].thread.thread;
+            g.threads += vbss_thread_energy_change(t, substep->h) - max_work_of_attachments(t);
+        } else if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            g.drains += vbss_drain_energy_change(s->bodies[i].drain.drain, substep->h);
+        }
+    }
+    for (uint32_t i = 0; i < set->count; i++) {
+        const contact_constraint *constraint = &set->constraints[i];
+        subtract_work_of_constraint(s, constraint, set->current[i].force, &g);
+        if (!constraint->is_bilateral ||
+            constraint->is_sleeve) { /* the others' law is linear: they miss nothing */
+            g.beyond_law += work_beyond_law(s, constraint, set->current[i].force);
+        }
+    }
+    return g;
+}
+
+static bool are_within_tolerance(const energy_gains *g, double tolerance)
+{
+    return g->threads <= tolerance && g->drains <= tolerance && g->beyond_law <= tolerance;
+}
+
+bool vbss_scene_passes_energy_check(const scene_object *s, const scene_substep *substep)
+{
+    if (!needs_energy_check(s, substep)) {
+        return true;
+    }
+    const energy_gains g = compute_energy_gains(s, substep);
+    return are_within_tolerance(&g, vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
+                                        ? ENERGY_TOLERANCE_WITH_WALLS
+                                        : ENERGY_TOLERANCE_WITHOUT_WALLS);
+}
+
+bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep *substep)
+{
+    bool is_stopped_early = s->contacts->is_stopped_early && !substep->is_min_size;
+    if (!is_stopped_early || !vbss_scene_has_body_kind(s, SCENE_BODY_THREAD) ||
+        !vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)) {
+        return true;
+    }
+    const energy_gains g = compute_energy_gains(s, substep);
+    return are_within_tolerance(&g, HOPELESS_ENERGY_RATIO * ENERGY_TOLERANCE_WITH_WALLS);
+}

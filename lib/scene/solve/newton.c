@@ -1,0 +1,521 @@
+/* Bodies and contacts, one system: linearised until threads have their lengths.
+ *
+ *   assemble bodies -> condense -> states of the contacts -> all increments -> trial state -> rows
+ *
+ * Where drains have moved, it looks once more at the forces, with the factor that it has. */
+#include "scene/contacts/contacts.h"
+#include "scene/solve/solve.h"
+#include "scene/world/world.h"
+
+/* What misses the law of contact by less is none; and what may be left where states cycle, after some tries:
+ * contact_active_set_options tells the units. */
+#define RELATIVE_FORCE_TOLERANCE 1e-3
+#define ABSOLUTE_FORCE_TOLERANCE 1e-7
+#define OVERLAP_TOLERANCE 1e-4
+#define MAX_STALLED_SOLVES 6u
+#define LOOSE_FORCE_TOLERANCE 0.05
+#define LOOSE_OVERLAP_TOLERANCE 0.02
+/* So many linearisations follow when no more work may be done, with a solve each: lengths come before contacts. */
+enum { MAX_OVER_BUDGET_LINEARISATIONS = 4 };
+/* Lengths that are missed by more than this share, and not by half as much as before, will not be found in time. */
+#define DIVERGING_STRETCH 0.1
+/* Of a linearisation, in products of blocks; and of a further look. */
+enum { COST_OF_NODE = 60, COST_OF_CONSTRAINT = 60, COST_OF_TRIANGLE = 40, COST_OF_CORRECTION = 12 };
+/* Rows keep the normals with which the part began, which is right where things slide by little. Where what has
+ * slid far is too near, it goes on with new ones, so often. */
+enum { MAX_NORMAL_UPDATES = 3 };
+/* Where a needle in a hole turns farther in a linearisation, rad, another follows, so often, and then the part is halved: its
+ * stiff rows would store what a straight way misses of the arc as energy that nobody has put in, and throw the needle. */
+#define MAX_NEEDLE_ROTATION 0.05
+enum { MAX_NEEDLE_LINEARISATIONS = 4 };
+/* Numbers beyond this are no motion. */
+#define DIVERGENCE_LIMIT 1e100
+
+/* ---- one linearisation */
+
+/* What is new in an assembly: all; all but the matrix of drains; right-hand sides, and what else is set is not looked at. */
+typedef enum assembly_scope {
+    ASSEMBLE_ALL,
+    ASSEMBLE_ALL_BUT_DRAIN_MATRIX,
+    ASSEMBLE_RHS
+} assembly_scope;
+
+static void clear_system(scene_object *s, bool reuses_drain_matrix)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            vbss_system_reuse_factor(s->system, s->bodies[i].drain.first_block,
+                                     reuses_drain_matrix);
+        }
+    }
+    vbss_system_clear(s->system);
+}
+
+static void assemble(scene_object *s, const scene_substep *substep, assembly_scope scope)
+{
+    const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
+                                  substep->end_fraction};
+    vbss_system *system = s->system;
+    if (scope != ASSEMBLE_RHS) {
+        clear_system(s, scope == ASSEMBLE_ALL_BUT_DRAIN_MATRIX);
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            VBSS_WIDE_CALL(system->wide, vbss_thread_assemble, b->thread.thread, &b->thread.substep,
+                           system, b->thread.first_block);
+        } else if (b->kind == SCENE_BODY_RIGID && b->rigid.kind != VBSS_RIGID_DRIVEN) {
+            vbss_rigid_assemble(&b->rigid.body, &p, &b->rigid.predicted, &b->rigid.trial, system,
+                                &b->rigid.blocks);
+        } else if (b->kind == SCENE_BODY_DRAIN && scope != ASSEMBLE_ALL) {
+            vbss_drain_assemble_rhs(b->drain.drain, &b->drain.substep, system,
+                                    b->drain.first_block);
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            vbss_drain_assemble(b->drain.drain, &b->drain.substep, system, b->drain.first_block);
+        }
+    }
+}
+
+/* A short end that is bent carries less compression than a straight thread: if a pivot says so, the stiffness takes in
+ * none. False: it takes in none already. */
+static bool drop_compression_stiffness(scene_object *s)
+{
+    bool has_dropped = false;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_thread *b = &s->bodies[i].thread;
+        if (s->bodies[i].kind == SCENE_BODY_THREAD && b->substep.min_tension < 0.0) {
+            b->substep.min_tension = 0.0;
+            b->thread->statistics.softened++;
+            has_dropped = true;
+        }
+    }
+    return has_dropped;
+}
+
+static uint32_t cost(const scene_object *s, uint32_t triangle_cost)
+{
+    uint32_t sum = COST_OF_NODE * s->node_count + COST_OF_CONSTRAINT * s->contacts->count;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            sum += triangle_cost * s->bodies[i].drain.drain->mesh.triangle_count;
+        }
+    }
+    return sum;
+}
+
+uint32_t vbss_scene_linearisation_cost(const scene_object *s)
+{
+    return cost(s, COST_OF_TRIANGLE);
+}
+
+/* What is left but for a further linearisation and a solve, which is half as much. */
+static uint64_t find_search_budget(const scene_object *s)
+{
+    uint64_t next_linearisation_cost = (uint64_t)vbss_scene_linearisation_cost(s) * 3 / 2;
+    return s->step_budget == 0                        ? 0
+           : next_linearisation_cost < s->step_budget ? s->step_budget - next_linearisation_cost
+                                                      : 1;
+}
+
+/* States of the contacts and increments of everything, for what is condensed. */
+static scene_substep_outcome solve_active_set(scene_object *s)
+{
+    scene_newton_state *newton = &s->newton;
+    const contact_active_set_options search = {.system = s->system,
+                                               .welds = s->welds,
+                                               .weld_count = s->weld_count,
+                                               .max_solves = s->config.state_limit,
+                                               .relative_force_tolerance = RELATIVE_FORCE_TOLERANCE,
+                                               .absolute_force_tolerance = ABSOLUTE_FORCE_TOLERANCE,
+                                               .overlap_tolerance = OVERLAP_TOLERANCE,
+                                               .max_stalled_solves = MAX_STALLED_SOLVES,
+                                               .loose_force_tolerance = LOOSE_FORCE_TOLERANCE,
+                                               .loose_overlap_tolerance = LOOSE_OVERLAP_TOLERANCE,
+                                               .operation_limit = newton->search_budget,
+                                               .starts_from_current = newton->starts_from_current &&
+                                                                      s->step_budget > 0,
+                                               .is_resumed = newton->is_suspended};
+    contact_outcome outcome = vbss_contact_solve_active_set(s->contacts, &search);
+    newton->is_suspended = outcome == CONTACT_SUSPENDED;
+    if (outcome == CONTACT_SUSPENDED) {
+        return SCENE_SUBSTEP_SUSPENDED;
+    }
+    if (outcome == CONTACT_SINGULAR) {
+        return SCENE_SUBSTEP_SINGULAR;
+    }
+    for (uint32_t i = 0; i < s->weld_count; i++) {
+        s->system->solution[s->welds[i].node] =
+            vbss_contact_weld_increment(&s->welds[i], s->system);
+    }
+    vbss_system_back_substitute(s->system);
+    return outcome == CONTACT_NOT_CONVERGED ? SCENE_SUBSTEP_NO_ACTIVE_SET : SCENE_SUBSTEP_ACCEPTED;
+}
+
+/* Where no more work may be done drains keep their matrix from the linearisation before, in which they have moved by little: of
+ * their equations the search solves the forces anew. */
+static scene_substep_outcome linearise(scene_object *s, const scene_substep *substep)
+{
+    scene_newton_state *newton = &s->newton;
+    assembly_scope scope =
+        newton->over_budget_linearisations > 0 ? ASSEMBLE_ALL_BUT_DRAIN_MATRIX : ASSEMBLE_ALL;
+    newton->search_budget = find_search_budget(s);
+    newton->starts_from_current = newton->linearisations > 0;
+    vbss_scene_charge_budget(
+        s, cost(s, newton->over_budget_linearisations > 0 ? COST_OF_CORRECTION : COST_OF_TRIANGLE));
+    assemble(s, substep, scope);
+    vbss_scene_set_weld_arms(s);
+    s->statistics.linearisations++;
+    while (!vbss_system_condense(s->system)) {
+        if (!drop_compression_stiffness(s)) {
+            return SCENE_SUBSTEP_SINGULAR;
+        }
+        assemble(s, substep, scope);
+        vbss_scene_set_weld_arms(s);
+    }
+    return SCENE_SUBSTEP_ACCEPTED;
+}
+
+/* ---- the trial state moves on */
+
+static void advance_rigid(scene_object *s, scene_rigid *r)
+{
+    if (r->kind != VBSS_RIGID_DRIVEN) {
+        vbss_rigid_apply_increment(&r->trial, s->system->solution[r->blocks.first],
+                                   s->system->solution[r->blocks.first + 1]);
+        for (uint32_t c = 0; c < r->capsule_count; c++) {
+            vbss_scene_transform_trial_capsule(&s->capsules[r->first_capsule + c], r->trial);
+        }
+    }
+}
+
+static void set_welded_nodes(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+            const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
+            t->trial[p->node] = pose_apply(r->trial, p->point);
+        }
+    }
+}
+
+static void advance_trial(scene_object *s)
+{
+    scene_newton_state *newton = &s->newton;
+    newton->is_finite = newton->is_converged = true;
+    newton->stretch = 0.0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            b->thread.residual_displacement = vbss_thread_apply_increment(
+                b->thread.thread, &b->thread.substep, s->system->solution + b->thread.first_block);
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            advance_rigid(s, &b->rigid);
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            vbss_drain_apply_increment(b->drain.drain, s->system, b->drain.first_block);
+        }
+    }
+    set_welded_nodes(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind != SCENE_BODY_THREAD) {
+            continue;
+        }
+        thread_object *t = b->thread.thread;
+        vbss_thread_compute_strains(t, t->trial, t->strains);
+        double stretch = vbss_thread_record_stretch(t, t->trial_tension),
+               residual_displacement = b->thread.residual_displacement;
+        bool has_contacts = b->thread.has_contacts;
+        /* What contact holds is not free to go where the estimate says, nor is it worth so much. */
+        bool is_balanced = has_contacts || residual_displacement <= t->config.position_tolerance;
+        double tolerance = has_contacts ? s->config.stretch_tolerance : t->config.stretch_tolerance;
+        newton->is_finite = newton->is_finite && stretch < DIVERGENCE_LIMIT;
+        newton->is_converged = newton->is_converged && is_balanced && stretch <= tolerance;
+        newton->stretch = vbss_max_or_nan(stretch, newton->stretch);
+    }
+}
+
+/* ---- how far drains go */
+
+typedef struct drain_moves {
+    bool is_finite, needs_correction, is_too_far; /* worth a further look; halves of the part */
+} drain_moves;
+
+static drain_moves measure_drain_moves(scene_object *s)
+{
+    drain_moves m = {true, false, false};
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            const vbss_drain_config *c = &b->drain->config;
+            b->max_increment = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
+            b->drain->statistics.linearisations++;
+            m.is_finite = m.is_finite && b->max_increment < DIVERGENCE_LIMIT;
+            m.needs_correction = m.needs_correction || b->max_increment > c->position_tolerance;
+            m.is_too_far = m.is_too_far || b->max_increment > DRAIN_MAX_MOVE_RATIO * c->move_limit;
+        }
+    }
+    return m;
+}
+
+/* A needle in a hole. */
+static bool has_needle_turned_far(const scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        const scene_body *b = hole->id != 0 ? vbss_scene_body(s, hole->needle) : NULL;
+        if (b != NULL &&
+            vec3_norm(s->system->solution[b->rigid.blocks.first + 1]) > MAX_NEEDLE_ROTATION) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void count_forced(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            b->drain->statistics.forced +=
+                b->max_increment > DRAIN_MAX_MOVE_RATIO * b->drain->config.move_limit;
+        }
+    }
+}
+
+/* Whether what the further look found is to be believed: of all drains, and of threads, which its old factor may send
+ * anywhere when their segments have turned. */
+static bool is_correction_acceptable(scene_object *s)
+{
+    bool all = true;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            const scene_thread *a = &s->bodies[i].thread;
+            double missed =
+                vbss_thread_linearisation_error(a->thread, s->system->solution + a->first_block);
+            all = all && missed <= s->config.stretch_tolerance;
+        }
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            double correction = vbss_drain_largest_increment(b->drain, s->system, b->first_block);
+            bool small = correction < DRAIN_MAX_CORRECTION_RATIO * b->max_increment ||
+                         correction <= b->drain->config.position_tolerance;
+            b->drain->statistics.last_correction = correction;
+            b->drain->statistics.corrections_dropped += !small;
+            all = all && small;
+        }
+    }
+    return all;
+}
+
+/* Whether one of them has gone so far that one more linearisation follows. */
+static bool has_drain_moved_far(const scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_drain *b = &s->bodies[i].drain;
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN &&
+            b->max_increment > b->drain->config.move_limit) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Forces of where a linearisation has led to, to be solved for with its factor. */
+static void begin_correction(scene_object *s, const scene_substep *substep)
+{
+    s->newton.search_budget = find_search_budget(s);
+    s->newton.starts_from_current = s->newton.has_correction = true;
+    vbss_scene_charge_budget(s, cost(s, COST_OF_CORRECTION));
+    vbss_contact_save_solution(s->contacts);
+    assemble(s, substep, ASSEMBLE_RHS);
+    vbss_scene_set_weld_arms(s);
+    vbss_system_condense_rhs(s->system);
+}
+
+/* What is not believed is left. */
+static scene_substep_outcome end_correction(scene_object *s, scene_substep_outcome outcome)
+{
+    if (outcome != SCENE_SUBSTEP_ACCEPTED || !is_correction_acceptable(s)) {
+        vbss_contact_restore_solution(s->contacts);
+        return SCENE_SUBSTEP_ACCEPTED;
+    }
+    advance_trial(s);
+    vbss_scene_refresh_contacts(s);
+    return s->newton.is_finite ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_SINGULAR;
+}
+
+/* ---- the shape */
+
+/* Only where no more than a last search may follow, and not in the smallest part, which must be found. */
+static bool is_diverging(const scene_object *s, const scene_substep *substep,
+                         double previous_stretch)
+{
+    double stretch = s->newton.stretch;
+    bool is_last_search =
+        s->step_budget > 0 && s->contacts->counters.operations >= find_search_budget(s);
+    return is_last_search && !substep->is_min_size && stretch > DIVERGING_STRETCH &&
+           stretch > 0.5 * previous_stretch;
+}
+
+/* The trial state goes where a search has led to; and whether a further look shall follow. */
+static scene_substep_outcome apply_increments(scene_object *s, const scene_substep *substep,
+                                              bool *needs_correction)
+{
+    scene_newton_state *newton = &s->newton;
+    drain_moves moves = measure_drain_moves(s);
+    double previous_stretch = newton->stretch;
+    bool has_needle_turned = has_needle_turned_far(s);
+    advance_trial(s);
+    if (!newton->is_finite || !moves.is_finite) {
+        return SCENE_SUBSTEP_SINGULAR;
+    }
+    vbss_scene_refresh_contacts(s);
+    bool is_too_far = moves.is_too_far || (has_needle_turned && newton->needle_linearisations ==
+                                                                    MAX_NEEDLE_LINEARISATIONS);
+    if ((is_too_far && !substep->is_min_size) || is_diverging(s, substep, previous_stretch)) {
+        return SCENE_SUBSTEP_NOT_CONVERGED;
+    }
+    if (!vbss_scene_may_pass_energy_check(s, substep)) {
+        return SCENE_SUBSTEP_NO_ACTIVE_SET;
+    }
+    if (has_needle_turned && newton->needle_linearisations < MAX_NEEDLE_LINEARISATIONS) {
+        newton->is_converged = false;
+        newton->needle_linearisations++;
+    }
+    *needs_correction = newton->is_converged && moves.needs_correction && !newton->has_correction;
+    return SCENE_SUBSTEP_ACCEPTED;
+}
+
+/* One linearisation with its searches; or what is left of it. */
+static scene_substep_outcome run_newton_iteration(scene_object *s, const scene_substep *substep)
+{
+    scene_newton_state *newton = &s->newton;
+    scene_substep_outcome outcome;
+    if (newton->phase == SCENE_NEWTON_LINEARISE) {
+        if (vbss_contact_must_suspend(s->contacts, vbss_scene_linearisation_cost(s))) {
+            return SCENE_SUBSTEP_SUSPENDED;
+        }
+        outcome = linearise(s, substep);
+        if (outcome != SCENE_SUBSTEP_ACCEPTED) {
+            return outcome;
+        }
+        newton->phase = SCENE_NEWTON_ACTIVE_SET;
+    }
+    if (newton->phase == SCENE_NEWTON_ACTIVE_SET) {
+        bool needs_correction = false;
+        outcome = solve_active_set(s);
+        outcome = outcome == SCENE_SUBSTEP_ACCEPTED
+                      ? apply_increments(s, substep, &needs_correction)
+                      : outcome;
+        if (outcome != SCENE_SUBSTEP_ACCEPTED) {
+            return outcome;
+        }
+        if (needs_correction) {
+            begin_correction(s, substep);
+            newton->phase = SCENE_NEWTON_CORRECT;
+        }
+    }
+    if (newton->phase == SCENE_NEWTON_CORRECT) {
+        outcome = solve_active_set(s);
+        outcome = outcome == SCENE_SUBSTEP_SUSPENDED ? outcome : end_correction(s, outcome);
+        if (outcome != SCENE_SUBSTEP_ACCEPTED) {
+            return outcome;
+        }
+    }
+    if (newton->is_converged && has_drain_moved_far(s) &&
+        !newton->has_extra_linearisation) { /* one more, with a further look */
+        newton->is_converged = newton->has_correction = false;
+        newton->has_extra_linearisation = true;
+    }
+    newton->phase = SCENE_NEWTON_LINEARISE;
+    newton->linearisations++;
+    newton->over_budget_linearisations += vbss_scene_is_over_budget(s);
+    return SCENE_SUBSTEP_ACCEPTED;
+}
+
+static void reset_newton(scene_newton_state *newton)
+{
+    newton->phase = SCENE_NEWTON_LINEARISE;
+    newton->needle_linearisations = newton->over_budget_linearisations = 0;
+    newton->is_suspended = newton->has_correction = newton->has_extra_linearisation =
+        newton->is_converged = false;
+    newton->stretch = (double)INFINITY;
+}
+
+/* Linearises until threads have their lengths. */
+static scene_substep_outcome run_newton(scene_object *s, const scene_substep *substep)
+{
+    scene_newton_state *newton = &s->newton;
+    while (newton->linearisations < s->config.linearisation_limit && !newton->is_converged &&
+           newton->over_budget_linearisations < MAX_OVER_BUDGET_LINEARISATIONS) {
+        scene_substep_outcome outcome = run_newton_iteration(s, substep);
+        if (outcome != SCENE_SUBSTEP_ACCEPTED) {
+            return outcome;
+        }
+    }
+    count_forced(s);
+    if (!vbss_scene_passes_energy_check(s, substep)) {
+        return SCENE_SUBSTEP_NO_ACTIVE_SET;
+    }
+    bool is_converged = newton->is_converged || newton->stretch <= s->config.stretch_tolerance;
+    return is_converged ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_NOT_CONVERGED;
+}
+
+static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
+                                                            const scene_substep *substep)
+{
+    scene_newton_state *newton = &s->newton;
+    for (;;) {
+        scene_substep_outcome outcome = run_newton(s, substep);
+        if (outcome != SCENE_SUBSTEP_ACCEPTED) {
+            s->has_updated_normals =
+                outcome != SCENE_SUBSTEP_SUSPENDED && newton->normal_updates > 0;
+            return outcome;
+        }
+        bool was_penetration_allowed = vbss_contact_penetration_is_allowed(s->contacts);
+        vbss_scene_measure_gaps(s);
+        if (vbss_contact_penetration_is_allowed(s->contacts)) {
+            return SCENE_SUBSTEP_ACCEPTED;
+        }
+        if (newton->normal_updates ==
+                (substep->has_fixed_normals ? 0u : (uint32_t)MAX_NORMAL_UPDATES) ||
+            vbss_scene_is_over_budget(s) ||
+            newton->linearisations >= s->config.linearisation_limit) {
+            /* The next part pushes apart what has slid so far; and counts as recovering. */
+            s->has_updated_normals = !substep->has_fixed_normals;
+            return was_penetration_allowed && substep->has_fixed_normals
+                       ? SCENE_SUBSTEP_ACCEPTED
+                       : SCENE_SUBSTEP_PENETRATION;
+        }
+        vbss_scene_refresh_normals(s);
+        newton->normal_updates++;
+        reset_newton(newton);
+    }
+}
+
+scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *substep)
+{
+    s->newton.linearisations = s->newton.normal_updates = 0;
+    s->has_updated_normals = false;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD &&
+            s->bodies[i].thread.thread->config.rest_curvature > 0.0) {
+            vbss_thread_update_rest_curvature_forces(s->bodies[i].thread.thread);
+        }
+    }
+    reset_newton(&s->newton);
+    return run_newton_with_normal_updates(s, substep);
+}
+
+scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) { /* views measure there, too */
+            thread_object *t = s->bodies[i].thread.thread;
+            vbss_thread_compute_strains(t, t->trial, t->strains);
+        }
+    }
+    return run_newton_with_normal_updates(s, substep);
+}

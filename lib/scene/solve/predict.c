@@ -1,0 +1,74 @@
+/* Where everything would go, and how: what the part of a step starts from. */
+#include "scene/solve/solve.h"
+#include "scene/world/world.h"
+
+/* Steps after the last neighbour has gone that are still made by backward Euler, which damps what contact
+ * has stirred. */
+enum { DAMPED_STEPS_AFTER_CONTACT = 3 };
+
+static bool needs_damping(const scene_thread *b, double h)
+{
+    const thread_object *t = b->thread;
+    double previous_h = t->previous_h;
+    /* Accelerations carried over from a part of quite another length would gain energy. */
+    bool has_h_changed = previous_h > 0.0 && !(h < 2.1 * previous_h && previous_h < 2.1 * h);
+    return t->is_acceleration_unknown || t->damped_steps_left > 0 || b->has_contacts ||
+           b->is_welded || b->contact_free_steps < DAMPED_STEPS_AFTER_CONTACT || has_h_changed;
+}
+
+static void predict_thread(scene_thread *b, const scene_substep *substep)
+{
+    thread_object *t = b->thread;
+    thread_substep *inputs = &b->substep;
+    *inputs = (thread_substep){.integration = &b->integration,
+                               .step_length = substep->step_length,
+                               .end_fraction = substep->end_fraction};
+    b->is_damped = needs_damping(b, substep->h);
+    if (!b->is_damped) {
+        b->integration = vbss_integration_generalised_alpha(substep->h, t->config.spectral_radius);
+        b->is_damped = !vbss_thread_predict(t, inputs);
+    }
+    if (b->is_damped) {
+        b->integration = vbss_integration_backward_euler(substep->h);
+        (void)vbss_thread_predict(t, inputs);
+    }
+    if (b->has_contacts ||
+        b->is_welded) { /* gaps are known where the part begins, and what lies behind a gap is not */
+        vbss_thread_reset_trial(t);
+        vbss_thread_compute_strains(t, t->trial, t->strains);
+    }
+    inputs->buckling_load = vbss_thread_buckling_load(t, b->integration.inertia);
+    inputs->min_tension = -0.9 * inputs->buckling_load;
+}
+
+static void predict_rigid(scene_object *s, scene_rigid *r, const scene_substep *substep)
+{
+    const vbss_rigid_substep p = {substep->step_length, substep->start_fraction,
+                                  substep->end_fraction};
+    if (r->kind == VBSS_RIGID_DRIVEN) {
+        r->predicted = vbss_rigid_target_motion(&r->body, &p);
+        r->trial = r->predicted.pose;
+    } else {
+        vbss_rigid_predict(&r->body, &p, &r->predicted);
+        r->trial = r->body.now.pose;
+    }
+    for (uint32_t c = 0; c < r->capsule_count; c++) {
+        vbss_scene_transform_trial_capsule(&s->capsules[r->first_capsule + c], r->trial);
+    }
+}
+
+void vbss_scene_predict(scene_object *s, const scene_substep *substep)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            predict_thread(&b->thread, substep);
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            predict_rigid(s, &b->rigid, substep);
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            b->drain.substep = (drain_substep){substep->h, substep->end_fraction};
+            b->drain.max_increment = b->drain.drain->statistics.last_correction = 0.0;
+            vbss_drain_reset_trial(b->drain.drain);
+        }
+    }
+}

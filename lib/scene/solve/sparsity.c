@@ -1,0 +1,395 @@
+/* Which blocks are separators, and the pattern of the system: made anew only when it is another, and of that as little
+ * as is another. */
+#include "base/error.h"
+#include "scene/solve/solve.h"
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
+
+#include <string.h>
+
+enum { NODE_INTERIOR, NODE_SEPARATOR };
+
+/* ---- marks */
+
+static void add_separator(scene_object *s, const scene_body *b, uint32_t node)
+{
+    s->is_separator[b->thread.first_node + node] = NODE_SEPARATOR;
+}
+
+static void add_separator_range(scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
+{
+    uint32_t last = b->thread.thread->node_count - 1;
+    for (uint32_t i = low; i <= high && i <= last; i++) {
+        add_separator(s, b, i);
+    }
+}
+
+static void add_drain_separators(const scene_object *s, const scene_body *b, const contact_key *key,
+                                 bool is_b)
+{
+    uint32_t nodes[3];
+    uint32_t count = vbss_scene_drain_feature_nodes(s, b, key->kind, is_b,
+                                                    is_b ? key->feature_b : key->feature_a, nodes);
+    for (uint32_t k = 0; k < count; k++) {
+        b->drain.is_separator[nodes[k]] = NODE_SEPARATOR;
+    }
+}
+
+static void add_side_separators(scene_object *s, const contact_key *key, bool is_b)
+{
+    uint32_t number = is_b ? key->body_b : key->body_a,
+             feature = is_b ? key->feature_b : key->feature_a;
+    const scene_body *b = vbss_scene_body(s, number);
+    if (b != NULL && b->kind == SCENE_BODY_DRAIN) {
+        add_drain_separators(s, b, key, is_b);
+        return;
+    }
+    if (b == NULL || b->kind != SCENE_BODY_THREAD) {
+        return;
+    }
+    switch (key->kind) {
+    case VBSS_CONTACT_NODE_CAPSULE:
+        add_separator_range(s, b, feature > 0 ? feature - 1 : 0, feature + 1);
+        break;
+    case VBSS_CONTACT_NODE_FLOOR:
+    case VBSS_CONTACT_POINT_FACE:
+        add_separator(s, b, feature);
+        break;
+    default:
+        add_separator_range(s, b, feature, feature + 1);
+    }
+}
+
+static void add_wall_grasp_separators(const scene_object *s, const contact_constraint *constraint)
+{
+    const scene_drain *b = &vbss_scene_body(s, constraint->key.body_a)->drain;
+    const scene_wall_grasp *p = &vbss_scene_body(s, constraint->key.body_b)->rigid.wall_grasp;
+    for (uint32_t i = 0; i < 3; i++) {
+        b->is_separator[b->drain->mesh.triangles[p->triangle[constraint->key.feature_a]][i]] = 1;
+    }
+}
+
+/* Nodes that a grasp holds between. */
+static void add_bilateral_separators(scene_object *s, const contact_constraint *constraint)
+{
+    const scene_body *b = vbss_scene_body(s, constraint->key.body_a);
+    if (b->kind == SCENE_BODY_DRAIN) {
+        add_wall_grasp_separators(s, constraint);
+        return;
+    }
+    if (b->kind == SCENE_BODY_RIGID) { /* whose blocks are separators anyway */
+        return;
+    }
+    const thread_object *t = b->thread.thread;
+    for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
+        uint32_t node = constraint->jacobian[k].block - b->thread.first_block;
+        if (constraint->jacobian[k].block >= b->thread.first_block && node < t->node_count) {
+            add_separator(s, b, node);
+        }
+    }
+}
+
+static void add_weld_separators(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            const scene_body *b = vbss_scene_body(s, p->thread);
+            uint32_t reach = vbss_thread_bandwidth(b->thread.thread);
+            add_separator_range(s, b, p->node > reach ? p->node - reach : 0, p->node + reach);
+        }
+    }
+}
+
+/* Groups must be as wide as the reach, and a shorter run between two is not worth its fill. */
+static void widen_separators(const thread_object *t, uint8_t *is_separator)
+{
+    uint32_t n = t->node_count, reach = vbss_thread_bandwidth(t), run_length = reach + 1;
+    for (uint32_t i = 0; i < n; i++) {
+        if (is_separator[i] != NODE_INTERIOR) {
+            for (uint32_t k = 1; run_length <= reach && k <= run_length; k++) {
+                is_separator[i - k] = NODE_SEPARATOR;
+            }
+            run_length = 0;
+        } else {
+            run_length += run_length <= reach;
+        }
+    }
+    uint32_t width = 0;
+    for (uint32_t i = 0; i < n; i++) {
+        if (is_separator[i] != NODE_INTERIOR) {
+            width++;
+        } else if (width > 0 && width < reach) {
+            is_separator[i] = NODE_SEPARATOR;
+            width++;
+        } else {
+            width = 0;
+        }
+    }
+    for (; width > 0 && width < reach && width < n; width++) {
+        is_separator[n - 1 - width] = NODE_SEPARATOR; /* at the end it grows backward */
+    }
+}
+
+static void add_hole_separators(const scene_object *s, const contact_constraint *constraint)
+{
+    const suture_hole *hole = &s->holes[constraint->key.feature_a];
+    const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
+    for (uint32_t k = 0; k < 3; k++) {
+        p.drain->is_separator[p.drain->drain->mesh.triangles[hole->triangle][k]] = 1;
+    }
+    for (uint32_t k = 0; p.thread != NULL && k < constraint->jacobian_block_count; k++) {
+        uint32_t node = constraint->jacobian[k].block - p.thread->thread.first_block;
+        if (constraint->jacobian[k].block >= p.thread->thread.first_block &&
+            node < p.now.thread->node_count) {
+            s->is_separator[p.thread->thread.first_node + node] = 1;
+        }
+    }
+}
+
+static void choose_separators(scene_object *s)
+{
+    memset(s->is_separator, NODE_INTERIOR, s->node_count);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            scene_drain *b = &s->bodies[i].drain;
+            memset(b->is_separator, NODE_INTERIOR,
+                   b->drain->mesh.node_count * sizeof *b->is_separator);
+        }
+    }
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_key *key = &s->contacts->constraints[i].key;
+        if (key->kind == VBSS_CONTACT_HOLE) {
+            add_hole_separators(s, &s->contacts->constraints[i]);
+            continue;
+        }
+        if (s->contacts->constraints[i].is_bilateral) {
+            add_bilateral_separators(s, &s->contacts->constraints[i]);
+            continue;
+        }
+        add_side_separators(s, key, false);
+        add_side_separators(s, key, true);
+    }
+    add_weld_separators(s);
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            const thread_object *t = s->bodies[i].thread.thread;
+            widen_separators(t, s->is_separator + s->bodies[i].thread.first_node);
+        }
+    }
+}
+
+/* ---- welds */
+
+/* Neighbours that earlier welds have eliminated: their bodies have taken over. */
+static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
+{
+    uint32_t count = w->neighbour_count;
+    for (const contact_weld *earlier = s->welds; earlier < w; earlier++) {
+        for (uint32_t k = 0; k < count; k++) {
+            if (w->neighbours[k] == earlier->node) {
+                w->neighbours[w->neighbour_count++] = earlier->translation;
+                w->neighbours[w->neighbour_count++] = earlier->rotation;
+            }
+        }
+    }
+}
+
+static void list_welds(scene_object *s)
+{
+    s->weld_count = 0;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id == 0 || p->attachment != 0) {
+            continue;
+        }
+        const scene_body *t = vbss_scene_body(s, p->thread), *b = vbss_scene_body(s, p->body);
+        uint32_t first = t->thread.first_block, n = t->thread.thread->node_count;
+        uint32_t reach = vbss_thread_bandwidth(t->thread.thread);
+        contact_weld *w = &s->welds[s->weld_count++];
+        *w = (contact_weld){.node = first + p->node,
+                            .translation = b->rigid.blocks.first,
+                            .rotation = b->rigid.blocks.first + 1};
+        for (uint32_t k = 1; k <= reach; k++) {
+            if (p->node >= k) {
+                w->neighbours[w->neighbour_count++] = first + p->node - k;
+            }
+            if (p->node + k < n) {
+                w->neighbours[w->neighbour_count++] = first + p->node + k;
+            }
+        }
+        add_bodies_of_neighbours(s, w);
+    }
+}
+
+void vbss_scene_set_weld_arms(scene_object *s)
+{
+    uint32_t w = 0;
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->id != 0 && p->attachment == 0) {
+            const scene_rigid *r = &vbss_scene_body(s, p->body)->rigid;
+            s->welds[w++].arm = quat_rotate(r->trial.orientation, p->point);
+        }
+    }
+}
+
+/* ---- the pattern */
+
+/* Not the hash of states: nobody outside sees this one, and it is taken in every attempt. */
+static uint64_t mix(uint64_t hash, uint64_t word)
+{
+    hash = (hash ^ word) * UINT64_C(0x9e3779b97f4a7c15);
+    return hash ^ hash >> 29;
+}
+
+static uint64_t mix_two(uint64_t hash, uint32_t a, uint32_t b)
+{
+    return mix(hash, (uint64_t)a << 32 | b);
+}
+
+static uint64_t mix_flags(uint64_t hash, const uint8_t *flags, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; i += 64) {
+        uint64_t bits = 0;
+        for (uint32_t k = 0; k < 64 && i + k < count; k++) {
+            bits |= (uint64_t)(flags[i + k] != NODE_INTERIOR) << k;
+        }
+        hash = mix(hash, bits);
+    }
+    return hash;
+}
+
+static uint64_t mix_constraint(uint64_t hash, const contact_constraint *constraint)
+{
+    hash = mix_two(hash, constraint->key.kind, constraint->key.feature_a);
+    hash = mix_two(hash, constraint->key.body_a, constraint->key.body_b);
+    hash = mix_two(hash, constraint->key.feature_b, constraint->jacobian_block_count);
+    for (uint32_t k = 0; constraint->is_bilateral && k < constraint->jacobian_block_count;
+         k++) { /* they slide on */
+        hash = mix(hash, constraint->jacobian[k].block);
+    }
+    return hash;
+}
+
+static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
+{
+    for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
+        const thread_attachment *a = &t->attachments[k];
+        hash = mix(mix_two(hash, a->id, (uint32_t)a->kind), a->node);
+    }
+    return hash;
+}
+
+/* Bodies, roles, and welds: what register_bodies and list_welds go by. */
+static uint64_t hash_bodies(const scene_object *s)
+{
+    uint64_t hash = mix_flags(s->node_count, s->is_separator, s->node_count);
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        hash = mix_two(mix_two(hash, p->id, p->thread), p->node, p->body);
+        hash = mix(hash, p->attachment);
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        hash = mix_two(hash, (uint32_t)b->kind, b->number);
+        if (b->kind == SCENE_BODY_THREAD) {
+            hash = mix_attachments(hash, b->thread.thread);
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            uint32_t nodes = b->drain.drain->mesh.node_count;
+            hash = mix_flags(hash, b->drain.is_separator, nodes);
+            hash = mix_flags(hash, b->drain.drain->anchored, nodes);
+        }
+    }
+    return hash;
+}
+
+/* Then the rows. */
+static uint64_t hash_pattern(const scene_object *s, uint64_t body_hash)
+{
+    uint64_t hash = body_hash;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        hash = mix_constraint(hash, &s->contacts->constraints[i]);
+    }
+    return hash | 1u;
+}
+
+static vbss_result register_bodies(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            VBSS_TRY(vbss_thread_add_to_system(b->thread.thread, s->system,
+                                               s->is_separator + b->thread.first_node,
+                                               &b->thread.first_block));
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            vbss_role role =
+                b->rigid.kind == VBSS_RIGID_DRIVEN ? VBSS_ROLE_PRESCRIBED : VBSS_ROLE_SEPARATOR;
+            VBSS_TRY(vbss_rigid_register(s->system, role, &b->rigid.blocks));
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            VBSS_TRY(vbss_drain_add_to_system(b->drain.drain, s->system, b->drain.is_separator,
+                                              &b->drain.first_block));
+        }
+    }
+    return VBSS_OK;
+}
+
+/* Blocks by body, in the order in which they are registered; rows need them before the pattern. */
+void vbss_scene_number_blocks(scene_object *s)
+{
+    uint32_t first = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            b->thread.first_block = first;
+            first += b->thread.thread->node_count;
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            b->rigid.blocks.first = first;
+            first += 2;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            b->drain.first_block = first;
+            first += b->drain.drain->mesh.node_count;
+        }
+    }
+}
+
+/* Bodies are registered anew only when they, or what is a separator, are others. */
+static vbss_result begin_pattern(scene_object *s, bool same_bodies)
+{
+    if (same_bodies) {
+        vbss_system_reset_separator_couplings(s->system);
+        return VBSS_OK;
+    }
+    vbss_system_begin_pattern(s->system);
+    VBSS_TRY(register_bodies(s));
+    list_welds(s);
+    return VBSS_OK;
+}
+
+vbss_result vbss_scene_build_sparsity_pattern(scene_object *s)
+{
+    choose_separators(s);
+    uint64_t body_hash = hash_bodies(s), pattern_hash = hash_pattern(s, body_hash);
+    if (pattern_hash == s->pattern_hash) {
+        vbss_contact_assign_schur_offsets(s->contacts);
+        return VBSS_OK;
+    }
+    bool same_bodies = s->pattern_hash != 0 && body_hash == s->body_pattern_hash;
+    s->pattern_hash = 0;
+    s->body_pattern_hash = body_hash;
+    s->statistics.patterns++;
+    VBSS_TRY(begin_pattern(s, same_bodies));
+    for (uint32_t i = 0; i < s->weld_count; i++) {
+        VBSS_TRY(vbss_contact_register_weld(&s->welds[i], s->system));
+    }
+    VBSS_TRY(vbss_contact_register(s->contacts, s->system));
+    VBSS_TRY(vbss_system_analyse(s->system));
+    vbss_contact_find_schur_indices(s->contacts, s->system);
+    for (uint32_t i = 0; !same_bodies && i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
+            vbss_drain_set_assembly_map(s->bodies[i].drain.drain, s->system);
+        }
+    }
+    s->pattern_hash = pattern_hash;
+    return VBSS_OK;
+}

@@ -1,0 +1,66 @@
+/* One attempt at a substep: contacts, prediction, sparsity, Newton, CCD. */
+#include "scene/ccd/ccd.h"
+#include "scene/contacts/contacts.h"
+#include "scene/solve/solve.h"
+#include "scene/step/step.h"
+#include "scene/world/world.h"
+
+/* Share of what is allowed by which a part may go deeper that begins too deep, or is about to be: a load may need a
+ * hair more, and on the way out too. */
+#define ALLOWED_DEEPENING 0.1
+
+static void set_allowed_penetrations(scene_object *s)
+{
+    s->is_recovering = false;
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        contact_constraint *constraint = &s->contacts->constraints[i];
+        double allowed_penetration = s->config.penetration_tolerance * constraint->thickness;
+        constraint->allowed_penetration = vbss_max(
+            allowed_penetration, ALLOWED_DEEPENING * allowed_penetration - constraint->start_gap);
+        s->is_recovering = s->is_recovering ||
+                           constraint->fold_allowance - constraint->start_gap > allowed_penetration;
+    }
+}
+
+static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep *substep)
+{
+    s->statistics.attempts++;
+    s->has_accepted_contacts = false;
+    if (!vbss_scene_create_contacts(s, substep)) {
+        return SCENE_SUBSTEP_OUT_OF_CAPACITY;
+    }
+    vbss_scene_charge_budget(s, vbss_scene_attempt_cost(s));
+    vbss_scene_predict(s, substep);
+    vbss_scene_number_blocks(s);
+    vbss_scene_init_contacts(s, substep);
+    vbss_scene_warm_start_contacts(s, substep);
+    set_allowed_penetrations(s);
+    if (vbss_scene_build_sparsity_pattern(s) != VBSS_OK) {
+        return SCENE_SUBSTEP_OUT_OF_CAPACITY;
+    }
+    s->contacts->call_budget.has_progress = true;
+    return vbss_scene_solve(s, substep);
+}
+
+scene_substep_outcome vbss_scene_run_attempt(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    scene_substep_outcome outcome = cursor->is_attempt_in_memory
+                                        ? vbss_scene_resume_solve(s, &cursor->substep)
+                                        : begin_attempt(s, &cursor->substep);
+    cursor->is_attempt_suspended = cursor->is_attempt_in_memory =
+        outcome == SCENE_SUBSTEP_SUSPENDED;
+    cursor->checks_passed = s->contacts->call_budget.checks_passed;
+    return outcome == SCENE_SUBSTEP_ACCEPTED ? vbss_scene_run_ccd(s) : outcome;
+}
+
+void vbss_scene_count_rejection(scene_object *s, scene_substep_outcome outcome)
+{
+    vbss_scene_statistics *c = &s->statistics;
+    c->rejected_states += outcome == SCENE_SUBSTEP_NO_ACTIVE_SET;
+    c->rejected_stretch += outcome == SCENE_SUBSTEP_NOT_CONVERGED;
+    c->rejected_depth += outcome == SCENE_SUBSTEP_PENETRATION;
+    c->rejected_guard += outcome == SCENE_SUBSTEP_CCD_HIT;
+    c->rejected_singular += outcome == SCENE_SUBSTEP_SINGULAR;
+    c->rejected_full += outcome == SCENE_SUBSTEP_OUT_OF_CAPACITY;
+}

@@ -1,0 +1,155 @@
+/* As everything was before a step, if it fails. */
+#include "base/error.h"
+#include "scene/step/step.h"
+#include "scene/tools/tools.h"
+
+#include <string.h>
+
+vbss_result vbss_scene_checkpoint(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            VBSS_TRY(vbss_thread_update_derived(t));
+            vbss_thread_copy_state(t, &t->saved, &t->now);
+            b->thread.checkpoint_statistics = t->statistics;
+            b->thread.checkpoint_needs_start_substep = t->is_acceleration_unknown;
+            b->thread.checkpoint_damped_steps_left = t->damped_steps_left;
+            b->thread.checkpoint_previous_h = t->previous_h;
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            b->rigid.checkpoint_motion = b->rigid.body.now;
+            b->rigid.checkpoint_coupling_wrench = b->rigid.coupling_wrench;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            vbss_scene_checkpoint_drain(&b->drain);
+        }
+    }
+    vbss_scene_checkpoint_tools(s);
+    s->checkpoint_statistics = s->statistics;
+    s->checkpoint_next_initial_size = s->next_initial_size;
+    s->checkpoint_event_count = s->event_count;
+    s->checkpoint_lost_events = s->lost_events;
+    s->checkpoint_cursor = s->cursor;
+    vbss_contact_checkpoint(s->contacts);
+    return VBSS_OK;
+}
+
+void vbss_scene_rollback_statistics(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            b->thread.thread->statistics = b->thread.checkpoint_statistics;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            b->drain.drain->statistics = b->drain.checkpoint_statistics;
+        }
+    }
+    s->statistics = s->checkpoint_statistics;
+}
+
+void vbss_scene_rollback(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            thread_object *t = b->thread.thread;
+            vbss_thread_copy_state(t, &t->now, &t->saved);
+            t->is_acceleration_unknown = b->thread.checkpoint_needs_start_substep;
+            t->damped_steps_left = b->thread.checkpoint_damped_steps_left;
+            t->previous_h = b->thread.checkpoint_previous_h;
+        } else if (b->kind == SCENE_BODY_RIGID) {
+            b->rigid.body.now = b->rigid.checkpoint_motion;
+            b->rigid.coupling_wrench = b->rigid.checkpoint_coupling_wrench;
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            vbss_scene_rollback_drain(&b->drain);
+        }
+    }
+    vbss_scene_rollback_tools(s);
+    vbss_scene_rollback_statistics(s);
+    s->next_initial_size = s->checkpoint_next_initial_size;
+    s->cursor = s->checkpoint_cursor;
+    s->cursor.is_attempt_in_memory = false;
+    vbss_contact_rollback(s->contacts);
+    s->event_count = s->checkpoint_event_count;
+    s->lost_events = s->checkpoint_lost_events;
+    s->generation++;
+}
+
+void vbss_scene_checkpoint_drain(scene_drain *b)
+{
+    drain_object *d = b->drain;
+    size_t bytes = d->mesh.node_count * sizeof *d->x;
+    memcpy(d->saved_x, d->x, bytes);
+    memcpy(d->saved_v, d->v, bytes);
+    memcpy(d->v_substep_start, d->v, bytes); /* if it waits all of the step */
+    b->checkpoint_statistics = d->statistics;
+}
+
+void vbss_scene_rollback_drain(scene_drain *b)
+{
+    drain_object *d = b->drain;
+    size_t bytes = d->mesh.node_count * sizeof *d->x;
+    memcpy(d->x, d->saved_x, bytes);
+    memcpy(d->v, d->saved_v, bytes);
+    d->statistics = b->checkpoint_statistics;
+}
+
+void vbss_scene_checkpoint_tools(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[i];
+        c->checkpoint_local[0] = c->local[0];
+        c->checkpoint_local[1] = c->local[1];
+        c->checkpoint_local_end[0] =
+            c->local_end[0]; /* elsewhere after a step that was cut short */
+        c->checkpoint_local_end[1] = c->local_end[1];
+        c->checkpoint_radius = c->radius;
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
+            const grasper_object *g = r->grasper;
+            r->checkpoint_end = r->body.target_end;
+            r->checkpoint_needle_grasp = r->needle_grasp;
+            r->checkpoint_wall_grasp = r->wall_grasp;
+            r->checkpoint_jaws = (struct scene_checkpoint_jaws){g->kind, g->commanded_kind,
+                                                                g->jaw_angle, g->jaw_force};
+        }
+    }
+    memcpy(s->checkpoint_thread_grasps, s->thread_grasps,
+           s->config.grasp_capacity * sizeof *s->thread_grasps);
+    s->checkpoint_last_grasp_id = s->last_grasp_id;
+    memcpy(s->checkpoint_holes, s->holes, s->config.hole_capacity * sizeof *s->holes);
+    s->checkpoint_last_hole_id = s->last_hole_id;
+}
+
+void vbss_scene_rollback_tools(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->capsule_count; i++) {
+        scene_capsule *c = &s->capsules[i];
+        c->local[0] = c->checkpoint_local[0];
+        c->local[1] = c->checkpoint_local[1];
+        c->local_end[0] = c->checkpoint_local_end[0];
+        c->local_end[1] = c->checkpoint_local_end[1];
+        c->radius = c->checkpoint_radius;
+    }
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->grasper != NULL) {
+            grasper_object *g = r->grasper;
+            r->body.target_end = r->checkpoint_end;
+            r->needle_grasp = r->checkpoint_needle_grasp;
+            r->wall_grasp = r->checkpoint_wall_grasp;
+            g->kind = r->checkpoint_jaws.kind;
+            g->commanded_kind = r->checkpoint_jaws.target_kind;
+            g->jaw_angle = r->checkpoint_jaws.angle;
+            g->jaw_force = r->checkpoint_jaws.pressure;
+        }
+    }
+    memcpy(s->thread_grasps, s->checkpoint_thread_grasps,
+           s->config.grasp_capacity * sizeof *s->thread_grasps);
+    s->last_grasp_id = s->checkpoint_last_grasp_id;
+    memcpy(s->holes, s->checkpoint_holes, s->config.hole_capacity * sizeof *s->holes);
+    s->last_hole_id = s->checkpoint_last_hole_id;
+    vbss_scene_set_carried_targets(s);
+}

@@ -1,0 +1,129 @@
+/* What contacts and pins do to the rigid bodies, and what is shown of contacts. */
+#include "scene/step/step.h"
+#include "scene/world/world.h"
+
+static void add_force(scene_body *b, vec3 point, vec3 force)
+{
+    if (b != NULL && b->kind == SCENE_BODY_RIGID) {
+        scene_rigid *r = &b->rigid;
+        vec3 arm = vec3_sub(point, r->body.now.pose.position);
+        r->force = vec3_add(r->force, force);
+        r->torque = vec3_add(r->torque, vec3_cross(arm, force));
+    }
+}
+
+static void publish_contact(scene_object *s, const scene_contact_record *contact)
+{
+    uint32_t i = s->contact_count++;
+    const contact_key *key = &contact->key;
+    const uint32_t features[5] = {key->kind, key->body_a, key->feature_a, key->body_b,
+                                  key->feature_b};
+    for (int k = 0; k < 5; k++) {
+        s->contact_features[i][k] = features[k];
+    }
+    s->contact_points[i] = contact->point;
+    s->contact_normals[i] = contact->normal;
+    s->contact_forces[i] = contact->force;
+    s->contact_gaps[i] = contact->gap;
+}
+
+/* The body that a block moves, or that holds it: a rigid one, by its translation or by a pin. */
+static scene_body *rigid_body_of_block(scene_object *s, uint32_t block_index)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *body = &s->bodies[i];
+        if (body->kind == SCENE_BODY_RIGID && body->rigid.blocks.first == block_index) {
+            return body;
+        }
+    }
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        if (p->attachment != 0 && vbss_scene_pin_holds(s, p) &&
+            vbss_scene_body(s, p->thread)->thread.first_block + p->node == block_index) {
+            return vbss_scene_body(s, p->body);
+        }
+    }
+    return NULL;
+}
+
+bool vbss_scene_find_contact_force(const contact_set *set, uint32_t i, vec3 *force)
+{
+    const contact_constraint *constraint = &set->constraints[i];
+    contact_solution solution = constraint->solution;
+    if (set->is_stopped_early &&
+        !constraint->is_bilateral) { /* what the law says of where that is nothing has felt */
+        *force = set->current[i].force;
+        return vec3_norm_squared(*force) > 0.0;
+    }
+    if (constraint
+            ->is_bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
+        (void)vbss_contact_update_solution(constraint, vec3_zero(), &solution);
+    }
+    *force = vec3_add_scaled(solution.tangential_force, solution.normal_force, constraint->normal);
+    return constraint->solution.status != CONTACT_OPEN;
+}
+
+static void add_contact_forces(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_constraint *constraint = &s->contacts->constraints[i];
+        vec3 force;
+        if (!vbss_scene_find_contact_force(s->contacts, i, &force)) {
+            continue;
+        }
+        const double gap = constraint->gap - constraint->fold_allowance;
+        const scene_contact_record contact = {constraint->key, constraint->normal, force,
+                                              constraint->point, gap};
+        publish_contact(s, &contact);
+        for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
+            const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
+            if (!jacobian_block->is_rotation) {
+                add_force(rigid_body_of_block(s, jacobian_block->block), constraint->point,
+                          vec3_scale(force, jacobian_block->weight));
+            }
+        }
+    }
+}
+
+/* PAPER */
+static void add_baseline_forces(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
+        const scene_contact_record *contact = &s->baseline_contacts[i];
+        publish_contact(s, contact);
+        add_force(vbss_scene_body(s, contact->key.body_a), contact->point, contact->force);
+        add_force(vbss_scene_body(s, contact->key.body_b), contact->point,
+                  vec3_neg(contact->force));
+    }
+}
+
+/* The body holds the node against what the thread and its inertia do. */
+static void add_pin_forces(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
+        const scene_pin *p = &s->pins[i];
+        scene_body *b = vbss_scene_body(s, p->body);
+        if (b == NULL || !vbss_scene_pin_holds(s, p)) {
+            continue;
+        }
+        const thread_object *t = vbss_scene_body(s, p->thread)->thread.thread;
+        vec3 constraint_force = s->config.method == VBSS_METHOD_PAPER
+                                    ? vbss_thread_paper_force(t, p->node)
+                                    : vbss_thread_implicit_constraint_force(t, p->node);
+        add_force(b, t->now.x[p->node], vec3_neg(constraint_force));
+    }
+}
+
+void vbss_scene_collect_forces(scene_object *s)
+{
+    s->contact_count = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
+    }
+    if (s->contacts != NULL) {
+        add_contact_forces(s);
+    }
+    add_baseline_forces(s);
+    add_pin_forces(s);
+    s->statistics.contacts = s->contact_count;
+}

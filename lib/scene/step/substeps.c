@@ -1,0 +1,312 @@
+/* A step of method OURS:
+ *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
+ * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
+ * made again, in halves; after the last the step is cut short where it would harm. In real time a call does no more
+ * than so much of it, and the next goes on (time_slice.c). */
+#include "base/error.h"
+#include "scene/ccd/ccd.h"
+#include "scene/solve/solve.h"
+#include "scene/step/step.h"
+#include "scene/world/world.h"
+
+/* ---- work */
+
+static double find_min_size(const scene_object *s)
+{
+    double size = 1.0;
+    for (uint32_t k = 0; k < s->config.halving_limit; k++) {
+        size *= 0.5;
+    }
+    return size;
+}
+
+/* What takes too much work as the smallest part is halved further, so many times: what snaps over takes a hundred solves in a 32nd of a
+ * millisecond, and few in a 256th. Not without walls, where each part may give 1 mJ (energy_check.c): a knot that is cut flew apart with 38
+ * m/s, where 5 N let go of give 30. */
+#define HARD_MIN_SIZE_RATIO 0.125
+
+bool vbss_scene_is_substep_size(const scene_object *s, double size)
+{
+    double valid_size = 1.0, min_size = HARD_MIN_SIZE_RATIO * find_min_size(s);
+    while (valid_size > min_size && valid_size != size) {
+        valid_size *= 0.5;
+    }
+    return valid_size == size;
+}
+
+/* The least part is finished whatever it takes, or nothing might ever move again; where states cycle, what a search has led
+ * to by a limit of its own must do. */
+static void set_step_budget(scene_object *s, const scene_substep *substep, bool is_hard_min_size)
+{
+    uint64_t operations_before = substep->has_search_budget ? s->contacts->counters.operations : 0;
+    bool is_limited =
+        vbss_scene_has_step_budget(s) && (substep->has_search_budget || !is_hard_min_size);
+    s->step_budget = is_limited ? operations_before + s->config.work_limit : 0;
+}
+
+/* ---- parts */
+
+static void record_errors(scene_object *s)
+{
+    double stretch = 0.0, depth = 0.0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            const thread_object *t = s->bodies[i].thread.thread;
+            stretch = vbss_max(t->statistics.last_stretch_error, stretch);
+        }
+    }
+    depth = vbss_contact_max_penetration(s->contacts);
+    s->statistics.last_stretch_error = stretch;
+    s->statistics.stretch_error = vbss_max(stretch, s->statistics.stretch_error);
+    s->statistics.last_penetration = depth;
+    s->statistics.penetration = vbss_max(depth, s->statistics.penetration);
+    s->statistics.loose_stretch += stretch > s->config.stretch_tolerance;
+    s->statistics.last_residual = s->contacts->residual;
+}
+
+/* Whether no more may be begun in the step: there is no room for it. */
+static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cursor)
+{
+    uint64_t next_attempt_cost = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
+    bool is_over_budget =
+        s->contacts->counters.operations + next_attempt_cost >= s->config.work_limit;
+    return vbss_scene_has_step_budget(s) &&
+           (cursor->attempts >= s->config.attempt_limit || is_over_budget);
+}
+
+/* Whether the part is to be tried again: with the ways that are known now, or in halves. */
+static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome)
+{
+    bool has_attempt_limit = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
+    bool is_over_limit = has_attempt_limit && outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY &&
+                         cursor->attempts >= s->config.attempt_limit;
+    bool is_min_size = cursor->size <= cursor->min_size;
+    if (outcome == SCENE_SUBSTEP_CCD_HIT && !cursor->substep.uses_trial_motion && !is_over_limit) {
+        cursor->substep.uses_trial_motion = true;
+        return true;
+    }
+    if (outcome == SCENE_SUBSTEP_NO_ACTIVE_SET && is_min_size && vbss_scene_has_step_budget(s) &&
+        !cursor->substep.has_search_budget) {
+        cursor->substep.has_search_budget = true;
+        return true;
+    }
+    /* What is deep already is no better for being halved. */
+    if (s->has_updated_normals && !cursor->substep.has_fixed_normals &&
+        (is_min_size || is_over_limit || s->is_recovering)) {
+        cursor->substep.has_fixed_normals = true;
+        return true;
+    }
+    cursor->substep.uses_trial_motion = cursor->substep.has_fixed_normals =
+        cursor->substep.has_search_budget = false;
+    if (!is_min_size && !is_over_limit) {
+        vbss_scene_request_damping(s);
+        cursor->size *= 0.5;
+        return true;
+    }
+    return false;
+}
+
+/* What is too much for the rooms, or no state at all, is no better for waiting. */
+static bool is_deferrable(scene_substep_outcome outcome)
+{
+    return outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY && outcome != SCENE_SUBSTEP_SINGULAR;
+}
+
+/* Hands feel how far their tools are left behind. */
+static void update_coupling_wrenches(scene_object *s, const scene_substep *substep)
+{
+    const vbss_rigid_substep p = {substep->step_length, substep->start_fraction, 1.0};
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_rigid *r = &s->bodies[i].rigid;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            r->coupling_wrench = vbss_rigid_coupling_wrench(&r->body, &p, &r->body.now);
+        }
+    }
+}
+
+/* The rest of the step is left out: everything rests where it is, and goes on in the next step, in parts of the
+ * size at first. */
+static void pause_step(scene_object *s, const scene_step_cursor *cursor, double size)
+{
+    double fraction_left = 1.0 - cursor->substep.start_fraction;
+    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * fraction_left));
+    s->statistics.paused++;
+    s->statistics.time_paused += fraction_left * cursor->substep.step_length;
+    s->next_initial_size = size;
+    s->is_behind_targets = true;
+    update_coupling_wrenches(s, &cursor->substep);
+}
+
+/* Whether a part that failed may be tried in the next step; and of which size. The smallest is halved further only for the work it took, and
+ * if it was there for all of it. */
+static bool can_defer_to_next_step(const scene_object *s, const scene_step_cursor *cursor,
+                                   double *size)
+{
+    bool is_min_size = cursor->size <= cursor->min_size;
+    bool is_over_budget = s->contacts->is_stopped_early || vbss_scene_is_over_budget(s);
+    *size = is_min_size && cursor->size < cursor->initial_size ? cursor->size : 0.5 * cursor->size;
+    return is_step_exhausted(s, cursor) &&
+           (!is_min_size || (is_over_budget && cursor->size > cursor->hard_min_size));
+}
+
+static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
+                             scene_substep_outcome outcome)
+{
+    double lost_fraction = 1.0 - vbss_scene_truncate_substep(s, outcome, &cursor->substep);
+    double lost_of_step =
+        lost_fraction * (cursor->substep.end_fraction - cursor->substep.start_fraction);
+    vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, (uint32_t)(65536.0 * lost_of_step));
+    vbss_scene_request_damping(s);
+    s->is_behind_targets = true;
+}
+
+static void advance_cursor(scene_object *s, scene_step_cursor *cursor)
+{
+    record_errors(s);
+    cursor->substep.uses_trial_motion = cursor->substep.has_fixed_normals =
+        cursor->substep.has_search_budget = false;
+    cursor->substep.start_fraction = cursor->substep.end_fraction;
+    double pairs = cursor->substep.start_fraction / (2.0 * cursor->size);
+    if (cursor->size < 1.0 && floor(pairs) == pairs) {
+        cursor->size *= 2.0;
+    }
+}
+
+static void set_substep_end(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    cursor->substep.end_fraction = cursor->substep.start_fraction + cursor->size;
+    cursor->substep.h = cursor->substep.step_length * cursor->size;
+    cursor->substep.is_min_size = cursor->size <= cursor->min_size;
+    set_step_budget(s, &cursor->substep, cursor->size <= cursor->hard_min_size);
+}
+
+/* An attempt begins, or goes on. */
+static scene_substep_outcome run_or_resume_attempt(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    contact_call_budget *call_budget = &s->contacts->call_budget;
+    if (!cursor->is_attempt_suspended) {
+        set_substep_end(s);
+        cursor->operations_at_attempt = s->contacts->counters.operations;
+        call_budget->checks_passed = 0;
+    }
+    /* With the ways of the attempt before it nobody else could make it once more. */
+    const uint64_t end = call_budget->operation_limit;
+    call_budget->operation_limit = cursor->substep.uses_trial_motion ? 0 : end;
+    scene_substep_outcome outcome = vbss_scene_run_attempt(s);
+    call_budget->operation_limit = end;
+    return outcome;
+}
+
+/* Makes an attempt once more that waits and is not at hand: nothing of it is in a saved state but how far it was. */
+static void replay_attempt(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    contact_call_budget *call_budget = &s->contacts->call_budget;
+    const contact_counters counters = s->contacts->counters;
+    s->contacts->counters.operations = cursor->operations_at_attempt;
+    set_substep_end(s);
+    *call_budget = (contact_call_budget){.operation_limit = call_budget->operation_limit,
+                                         .is_replay = true,
+                                         .replay_checks = cursor->checks_passed};
+    (void)vbss_scene_run_attempt(s);
+    call_budget->is_replay = call_budget->has_progress = false;
+    s->contacts->counters = counters;
+    vbss_scene_rollback_statistics(s);
+}
+
+static void accept_substep(scene_object *s)
+{
+    vbss_scene_commit(s, &s->cursor.substep);
+    s->statistics.recovering += s->is_recovering;
+    s->is_behind_targets = false;
+    s->has_accepted_contacts = true;
+}
+
+/* What is left of the step waits where the slot has no room for another attempt. */
+static bool must_suspend(const scene_object *s)
+{
+    const contact_call_budget *call_budget = &s->contacts->call_budget;
+    uint64_t operations = s->contacts->counters.operations + vbss_scene_attempt_cost(s);
+    return !s->cursor.is_attempt_suspended && !s->cursor.substep.uses_trial_motion &&
+           call_budget->operation_limit > 0 && call_budget->has_progress &&
+           operations > call_budget->operation_limit;
+}
+
+vbss_result vbss_scene_run_substeps(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    scene_substep *substep = &cursor->substep;
+    if (cursor->is_attempt_suspended && !cursor->is_attempt_in_memory) {
+        replay_attempt(s);
+    }
+    cursor->is_suspended = true;
+    while (substep->start_fraction < 1.0) {
+        if (must_suspend(s)) {
+            return VBSS_OK;
+        }
+        scene_substep_outcome outcome = run_or_resume_attempt(s);
+        if (outcome == SCENE_SUBSTEP_SUSPENDED) {
+            return VBSS_OK;
+        }
+        cursor->attempts++;
+        if (outcome == SCENE_SUBSTEP_ACCEPTED) {
+            accept_substep(s);
+        } else {
+            double next_size;
+            vbss_scene_count_rejection(s, outcome);
+            if (can_defer_to_next_step(s, cursor, &next_size) && is_deferrable(outcome)) {
+                vbss_scene_request_damping(s);
+                vbss_scene_reject_substep(s);
+                pause_step(s, cursor, next_size);
+                break;
+            }
+            if (prepare_retry(s, cursor, outcome)) {
+                continue;
+            }
+            if (outcome ==
+                SCENE_SUBSTEP_OUT_OF_CAPACITY) { /* nothing is known of what would be met */
+                return vbss_fail(
+                    s->context, VBSS_ERROR_CAPACITY,
+                    "scene step: more is near than candidate_capacity %u or contact_capacity %u",
+                    s->config.candidate_capacity, s->config.contact_capacity);
+            }
+            truncate_substep(s, cursor, outcome);
+        }
+        advance_cursor(s, cursor);
+        if (substep->start_fraction < 1.0 && is_step_exhausted(s, cursor)) {
+            pause_step(s, cursor, vbss_min(2.0 * cursor->size, 1.0)); /* this one did */
+            break;
+        }
+    }
+    cursor->is_suspended = false;
+    return VBSS_OK;
+}
+
+void vbss_scene_abandon_step(scene_object *s)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    if (!cursor
+             ->is_attempt_suspended) { /* between two parts: rows are those of the next, as no saved state has any */
+        cursor->operations_at_attempt = cursor->operations;
+        cursor->checks_passed = 0;
+    }
+    if (!cursor->is_attempt_in_memory) {
+        replay_attempt(s);
+    }
+    vbss_scene_request_damping(s);
+    vbss_scene_reject_substep(s);
+    pause_step(s, cursor, cursor->size);
+    cursor->is_suspended = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
+}
+
+/* ---- the step */
+
+void vbss_scene_set_substep_limits(scene_object *s)
+{
+    s->cursor.min_size = find_min_size(s);
+    s->cursor.hard_min_size = vbss_scene_has_body_kind(s, SCENE_BODY_DRAIN)
+                                  ? HARD_MIN_SIZE_RATIO * s->cursor.min_size
+                                  : s->cursor.min_size;
+}

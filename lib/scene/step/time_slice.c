@@ -1,0 +1,174 @@
+/* What a call of vbss_scene_step does. Without a limit of work a step, all of it. Else operations in a call have a limit, too: a step
+ * that takes more waits where it is, and the next call goes on with it as if nothing had been. What a call has left then is for
+ * the next step. So a host's slot is kept, and no work is lost: time is, only when steps have fallen too far behind.
+ *
+ *   the step that waits -> (its end -> the next step) while there is room -> what is too far behind is left out
+ *
+ * A saved state knows how far an attempt was, which is made again up to there. Hosts that change bodies meanwhile end the step. */
+#include "base/error.h"
+#include "scene/solve/solve.h"
+#include "scene/step/step.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
+
+/* More steps than these are not made up for: hands would be felt that much late. */
+enum { MAX_STEPS_BEHIND = 2 };
+/* After a step was given up so many follow that do not wait: a host that changes bodies before each would get nowhere. */
+enum { UNSLICED_STEPS = 1000 };
+
+uint64_t vbss_scene_count_edits(const scene_object *s)
+{
+    uint64_t sum = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        const scene_body *b = &s->bodies[i];
+        sum += b->kind == SCENE_BODY_THREAD  ? b->thread.thread->edit_generation
+               : b->kind == SCENE_BODY_DRAIN ? b->drain.drain->edit_generation
+                                             : 0;
+    }
+    return sum;
+}
+
+/* Where attachments go: in the step that waits, and as hosts have it. */
+static void for_each_deformable(scene_object *s, void (*on_thread)(thread_object *t),
+                                void (*on_drain)(drain_object *d))
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_THREAD) {
+            on_thread(b->thread.thread);
+        } else if (b->kind == SCENE_BODY_DRAIN) {
+            on_drain(b->drain.drain);
+        }
+    }
+}
+
+static void swap_targets(scene_object *s)
+{
+    for_each_deformable(s, vbss_thread_swap_targets, vbss_drain_swap_targets);
+}
+
+vbss_result vbss_scene_abandon_suspended_step(scene_object *s)
+{
+    if (!s->cursor.is_suspended) {
+        return VBSS_OK;
+    }
+    VBSS_TRY(vbss_scene_checkpoint(s));
+    swap_targets(s);
+    s->contacts->counters.operations = s->cursor.operations;
+    vbss_scene_abandon_step(s);
+    vbss_scene_finish_step(s);
+    swap_targets(s);
+    s->has_pending_events = true;
+    s->cursor.unsliced_steps_left = UNSLICED_STEPS;
+    return VBSS_OK;
+}
+
+/* The guard, and what follows at the end of a step. */
+static uint64_t step_end_cost(const scene_object *s)
+{
+    return vbss_scene_attempt_cost(s) / 2;
+}
+
+/* Not only to look for what is near. */
+static bool can_begin_step(const scene_object *s, bool is_sliced)
+{
+    uint64_t min_operations =
+        (uint64_t)vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
+    return is_sliced && s->cursor.operations_left >= min_operations;
+}
+
+static void charge_call_budget(scene_step_cursor *cursor, uint64_t operations)
+{
+    cursor->operations_left -=
+        operations < cursor->operations_left ? operations : cursor->operations_left;
+}
+
+/* Goes on with the step that waits, or begins one, as far as the call has room. */
+static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    const bool was_suspended = cursor->is_suspended;
+    if (was_suspended) {
+        s->contacts->counters.operations = cursor->operations;
+        swap_targets(s);
+    } else {
+        cursor->steps_behind--;
+        cursor->unsliced_steps_left -= cursor->unsliced_steps_left > 0;
+        vbss_scene_begin_step(s, h);
+    }
+    const uint64_t operations_before = s->contacts->counters.operations;
+    s->contacts->call_budget.operation_limit =
+        is_sliced ? operations_before + cursor->operations_left : 0;
+    vbss_result result = vbss_scene_run_substeps(s);
+    cursor->operations = s->contacts->counters.operations;
+    charge_call_budget(cursor, cursor->operations - operations_before);
+    if (result == VBSS_OK && !cursor->is_suspended) {
+        vbss_scene_finish_step(s);
+        charge_call_budget(cursor, step_end_cost(s));
+    }
+    if (was_suspended) {
+        swap_targets(s);
+    } else if (result == VBSS_OK && cursor->is_suspended) {
+        for_each_deformable(s, vbss_thread_save_targets, vbss_drain_save_targets);
+    }
+    return result;
+}
+
+/* The same; if it fails nothing of it is done. */
+static vbss_result run_slice_or_rollback(scene_object *s, double h, bool is_sliced)
+{
+    VBSS_TRY(vbss_scene_checkpoint(s));
+    vbss_result result = run_slice(s, h, is_sliced);
+    if (result != VBSS_OK) {
+        vbss_scene_rollback(s);
+    }
+    return result;
+}
+
+static void drop_overdue_steps(scene_object *s, double h)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    vbss_scene_statistics *c = &s->statistics;
+    c->deferred += cursor->is_suspended || cursor->steps_behind > 0;
+    while (cursor->steps_behind > 0 &&
+           cursor->steps_behind + cursor->is_suspended > MAX_STEPS_BEHIND) {
+        cursor->steps_behind--;
+        vbss_scene_add_event(s, VBSS_EVENT_CLAMPED, 0, 0, 65536);
+        c->paused++;
+        c->time_paused += h;
+    }
+    c->behind = cursor->steps_behind + cursor->is_suspended;
+}
+
+vbss_result vbss_scene_ours_step(scene_object *s, double h)
+{
+    scene_step_cursor *cursor = &s->cursor;
+    if (!s->has_pending_events) {
+        vbss_scene_clear_events(s);
+    }
+    if (cursor->is_suspended && vbss_scene_count_edits(s) != cursor->edit_count) {
+        VBSS_TRY(vbss_scene_abandon_suspended_step(s));
+    }
+    const bool is_sliced = vbss_scene_has_step_budget(s) && s->config.slot_limit > 0 &&
+                           cursor->unsliced_steps_left == 0;
+    s->contacts->call_budget.has_progress = false;
+    cursor->operations_left = s->config.slot_limit;
+    cursor->steps_behind++;
+    vbss_result result = run_slice_or_rollback(s, h, is_sliced);
+    if (result != VBSS_OK) {
+        cursor->steps_behind--;
+        return result;
+    }
+    while (result == VBSS_OK && !cursor->is_suspended && cursor->steps_behind > 0 &&
+           can_begin_step(s, is_sliced)) {
+        result =
+            run_slice_or_rollback(s, h, is_sliced); /* the next call tells, which begins there */
+    }
+    if (cursor->is_suspended) {
+        vbss_scene_publish_tools(s); /* what has been let go as it began */
+    }
+    drop_overdue_steps(s, h);
+    cursor->edit_count = vbss_scene_count_edits(s);
+    s->has_pending_events = false;
+    return VBSS_OK;
+}

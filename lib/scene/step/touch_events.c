@@ -1,0 +1,65 @@
+/* Events of bodies that begin or cease to touch. */
+#include "scene/step/step.h"
+#include "scene/world/world.h"
+
+#include <string.h>
+
+static bool precedes(scene_touching_pair x, scene_touching_pair y)
+{
+    return x.body_a != y.body_a ? x.body_a < y.body_a : x.body_b < y.body_b;
+}
+
+/* Few pairs of bodies: inserted in order, each once. */
+static void insert_pair(scene_object *s, scene_touching_pair touching_pair)
+{
+    uint32_t position = s->touching_pair_count;
+    while (position > 0 && precedes(touching_pair, s->touching_pairs[position - 1])) {
+        position--;
+    }
+    if (position > 0 && !precedes(s->touching_pairs[position - 1], touching_pair)) {
+        return;
+    }
+    memmove(&s->touching_pairs[position + 1], &s->touching_pairs[position],
+            (s->touching_pair_count - position) * sizeof *s->touching_pairs);
+    s->touching_pairs[position] = touching_pair;
+    s->touching_pair_count++;
+}
+
+static void list_touching_pairs(scene_object *s)
+{
+    s->touching_pair_count = 0;
+    for (uint32_t i = 0; s->contacts != NULL && i < s->contacts->warm_start_count; i++) {
+        const contact_key *key = &s->contacts->warm_start[i].key;
+        const scene_touching_pair touching_pair = {key->body_a, key->body_b};
+        insert_pair(s, touching_pair);
+    }
+    for (uint32_t i = 0; i < s->baseline_contact_count; i++) { /* PAPER */
+        const scene_touching_pair touching_pair = {s->baseline_contacts[i].key.body_a,
+                                                   s->baseline_contacts[i].key.body_b};
+        insert_pair(s, touching_pair);
+    }
+}
+
+void vbss_scene_update_touching_pairs(scene_object *s)
+{
+    uint32_t count = s->touching_pair_count;
+    scene_touching_pair *previous = s->touching_pairs;
+    s->touching_pairs = s->previous_touching_pairs;
+    s->previous_touching_pairs = previous;
+    list_touching_pairs(s);
+    uint32_t o = 0, n = 0;
+    while (o < count || n < s->touching_pair_count) {
+        bool has_ended = n == s->touching_pair_count ||
+                         (o < count && precedes(previous[o], s->touching_pairs[n]));
+        bool has_begun = !has_ended && (o == count || precedes(s->touching_pairs[n], previous[o]));
+        if (has_ended) {
+            vbss_scene_add_event(s, VBSS_EVENT_PART, previous[o].body_a, previous[o].body_b, 0);
+        } else if (has_begun) {
+            vbss_scene_add_event(s, VBSS_EVENT_TOUCH, s->touching_pairs[n].body_a,
+                                 s->touching_pairs[n].body_b, 0);
+        }
+        o += !has_begun;
+        n += !has_ended;
+    }
+    vbss_scene_write_lost_event(s);
+}

@@ -1,0 +1,112 @@
+/* Needles that come through both sides of a fold at once.
+ *
+ * Who enters aslant still has, beside its tip, the wall that it has pressed on, and is let through there. Where that lies in
+ * a fold, the axis may go through both of its sides before the tip is past the hole. A hole is one of these places; the other
+ * is another hole, or the needle would go on along the wall in what is no hole at all. */
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
+
+/* Where an axis goes through a wall; no more of them are looked at. */
+enum { CROSSINGS = 8 };
+typedef struct crossing {
+    suture_hole at;       /* triangle and weights */
+    double arc, distance; /* of the needle, from its tip; from the hole, m */
+} crossing;
+
+static double distance_from_hole(const suture_hole *hole, const scene_body *drain,
+                                 const suture_hole *at)
+{
+    const drain_object *d = drain->drain.drain;
+    const scene_wall_point wall_point = vbss_scene_wall_point(drain, at->triangle, at->barycentric);
+    return vbss_max(vec3_distance(wall_point.now, vbss_hole_point(hole, d, d->x)),
+                    vec3_distance(wall_point.rest, vbss_hole_point(hole, d, d->mesh.rest)));
+}
+
+/* What is left of a capsule's axis from an arc length on. */
+static void remaining_axis(const scene_body *needle, uint32_t capsule, double from, vec3 axis[2])
+{
+    const needle_object *n = needle->rigid.needle;
+    const pose at = vbss_scene_needle_frame(&needle->rigid, needle->rigid.body.now.pose);
+    const double start = vbss_needle_vertex_arc(n, capsule),
+                 end = vbss_needle_vertex_arc(n, capsule + 1);
+    const vec3 first = pose_apply(at, vbss_needle_point(n, start));
+    axis[1] = pose_apply(at, vbss_needle_point(n, end));
+    axis[0] = vec3_lerp(first, axis[1], (from - start) / (end - start));
+}
+
+/* From the tip to an arc length. Places that are nearer to each other than the wire's radius are one: a side of two triangles
+ * has one in each. */
+static uint32_t list_crossings(const scene_body *needle, const scene_body *drain, double to,
+                               crossing *list)
+{
+    const needle_object *n = needle->rigid.needle;
+    uint32_t count = 0;
+    double from = 0.0, fraction;
+    for (uint32_t i = 0; i < n->config.segment_count && from < to; i++) {
+        const double end = vbss_needle_vertex_arc(n, i + 1);
+        for (bool more = true; more && from < end && count < CROSSINGS;) {
+            vec3 axis[2];
+            remaining_axis(needle, i, from, axis);
+            more = vbss_suture_find_wall_crossing(drain->drain.drain, axis, &list[count].at,
+                                                  &fraction);
+            if (more) {
+                list[count].arc = from + fraction * (end - from);
+                from = list[count++].arc + n->config.wire_radius;
+            }
+        }
+        from = vbss_max(from, end);
+    }
+    return count;
+}
+
+static void pierce(scene_object *s, const scene_body *needle, const scene_body *drain,
+                   const crossing *c)
+{
+    const drain_object *d = drain->drain.drain;
+    const pose at = vbss_scene_needle_frame(&needle->rigid, needle->rigid.body.now.pose);
+    const vec3 direction =
+        quat_rotate(at.orientation, vbss_needle_direction(needle->rigid.needle, c->arc));
+    suture_hole made = c->at;
+    made.needle = needle->number;
+    made.drain = drain->number;
+    made.is_outward = vbss_suture_is_outward(d, c->at.triangle, direction);
+    made.arc = c->arc;
+    made.max_arc = vbss_max(c->arc, d->config.tip_length); /* it is open */
+    vbss_scene_add_hole(s, &made);
+}
+
+/* The place nearest to the hole is its own. */
+static void add_punctures_beside(scene_object *s, const suture_hole *hole)
+{
+    const scene_body *needle = vbss_scene_body(s, hole->needle);
+    const scene_body *drain = vbss_scene_body(s, hole->drain);
+    const double wire = needle->rigid.needle->config.wire_radius;
+    const double reach =
+        SCENE_EXCLUSION_ARC_RATIO * (wire + 0.5 * drain->drain.drain->config.thickness);
+    const double mouth = vbss_max(reach, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc);
+    crossing list[CROSSINGS] = {0};
+    const uint32_t count = list_crossings(needle, drain, hole->arc + mouth, list);
+    uint32_t own = 0;
+    for (uint32_t i = 0; i < count; i++) {
+        list[i].distance = distance_from_hole(hole, drain, &list[i].at);
+        own = list[i].distance < list[own].distance ? i : own;
+    }
+    for (uint32_t i = 0; i < count; i++) {
+        if (i != own && list[i].distance < mouth &&
+            !vbss_scene_is_in_other_hole(s, hole, list[i].arc)) {
+            pierce(s, needle, drain, &list[i]);
+        }
+    }
+}
+
+void vbss_scene_find_fold_punctures(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        bool enters = hole->id != 0 && hole->needle != 0 && hole->arc >= 0.0 &&
+                      hole->arc < -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc;
+        if (enters) {
+            add_punctures_beside(s, hole);
+        }
+    }
+}

@@ -1,0 +1,87 @@
+/* Tips that enter walls. */
+#include "scene/tissue/tissue.h"
+#include "scene/world/world.h"
+
+/* Where on the needle a row is about. */
+static double contact_arc(const scene_body *needle, const contact_constraint *constraint)
+{
+    bool point = constraint->key.kind == VBSS_CONTACT_POINT_FACE;
+    return point ? vbss_scene_suture_arc_length(needle, constraint->key.feature_a / 2,
+                                                constraint->key.feature_a % 2)
+                 : vbss_scene_suture_arc_length(needle, constraint->key.feature_a,
+                                                constraint->barycentric[0]);
+}
+
+/* What a drain does to the tip of a needle. */
+static bool find_tip_load(const scene_object *s, const scene_body *needle, const scene_body *drain,
+                          suture_tip *tip)
+{
+    const scene_rigid *r = &needle->rigid;
+    pose at = vbss_scene_needle_frame(r, r->body.now.pose);
+    vec3 normal = vec3_zero();
+    *tip = (suture_tip){.position = pose_apply(at, vbss_needle_point(r->needle, 0.0)),
+                        .direction =
+                            quat_rotate(at.orientation, vbss_needle_direction(r->needle, 0.0))};
+    for (uint32_t i = 0; i < s->contacts->count; i++) {
+        const contact_constraint *constraint = &s->contacts->constraints[i];
+        if (constraint->key.body_a == needle->number && constraint->key.body_b == drain->number &&
+            constraint->key.kind != VBSS_CONTACT_HOLE &&
+            constraint->solution.status != CONTACT_OPEN &&
+            vbss_scene_is_at_tip(needle, contact_arc(needle, constraint))) {
+            normal = vec3_add_scaled(normal, constraint->solution.normal_force, constraint->normal);
+            tip->force = vec3_add(tip->force, constraint->solution.tangential_force);
+        }
+    }
+    tip->force = vec3_add(tip->force, normal);
+    tip->normal = vec3_unit_or(normal, vec3_zero());
+    return vec3_norm_squared(normal) > 0.0;
+}
+
+/* A tip that is on its way into a wall enters no other place of it: what presses on it there is the wall round the hole. */
+static bool is_entering(const scene_object *s, const scene_body *needle, const scene_body *drain)
+{
+    for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
+        const suture_hole *hole = &s->holes[i];
+        if (hole->id != 0 && hole->needle == needle->number && hole->drain == drain->number &&
+            hole->arc < 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void puncture_wall(scene_object *s, const scene_body *needle, const scene_body *drain)
+{
+    suture_tip tip;
+    suture_hole made;
+    const drain_object *d = drain->drain.drain;
+    double wire = needle->rigid.needle->config.wire_radius;
+    /* Farther on than a flat wall lies that it may enter, it does not go into that on which it presses. */
+    double reach = (wire + 0.5 * d->config.thickness) / SUTURE_MIN_ENTRY_COSINE;
+    if (is_entering(s, needle, drain) || !find_tip_load(s, needle, drain, &tip) ||
+        !vbss_suture_tip_punctures(&d->config, &tip) ||
+        !vbss_suture_make_hole(d, &tip, reach, wire, &made)) {
+        return;
+    }
+    made.needle = needle->number;
+    made.drain = drain->number;
+    vbss_scene_add_hole(s, &made);
+}
+
+void vbss_scene_update_holes(scene_object *s)
+{
+    vbss_scene_close_exited_holes(s);
+    vbss_scene_find_fold_punctures(s);
+    /* What presses where a part was thrown away says nothing of what the wall bears, nor what does where a search was stopped. */
+    bool forces_known = s->has_accepted_contacts && !s->contacts->is_stopped_early;
+    for (uint32_t i = 0; forces_known && i < s->body_count; i++) {
+        const scene_body *needle = &s->bodies[i];
+        for (uint32_t k = 0;
+             needle->kind == SCENE_BODY_RIGID && needle->rigid.needle != NULL && k < s->body_count;
+             k++) {
+            if (s->bodies[k].kind == SCENE_BODY_DRAIN) {
+                puncture_wall(s, needle, &s->bodies[k]);
+            }
+        }
+    }
+}

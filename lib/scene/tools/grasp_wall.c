@@ -1,0 +1,322 @@
+/* Walls of drains in the jaws of graspers: taken by jaws that would touch them from both sides, held at up to three points
+ * along the jaws, let go as they were. Between two steps what was pulled too hard slides. */
+#include "collision/closest.h"
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
+
+/* The jaws are looked at in so many places along their length. */
+enum { JAW_SECTIONS = 16 };
+/* As a share of touching: what was let go is still between the jaws. */
+#define RELEASE_CLEARANCE_RATIO 0.5
+
+/* ---- where walls are between jaws */
+
+typedef struct crossing {
+    uint32_t triangle;
+    double weights[3], x; /* along the way the jaws open, from their middle */
+} crossing;
+
+/* A place of the jaws, so far from the pivot, from one jaw to the other; the walls across it, of which the nearest to the
+ * middle is kept. */
+typedef struct jaw_section {
+    double depth, width;
+    uint32_t layers;
+    crossing nearest;
+} jaw_section;
+
+/* Where a straight line from one jaw to the other meets a triangle, all in the jaws' frame, y = 0, z = -depth. */
+static bool crosses_triangle(const vec3 corner[3], double depth, crossing *found)
+{
+    /* Seen along x: weights of the corners by areas. */
+    double area[3], sum = 0.0;
+    for (int k = 0; k < 3; k++) {
+        vec3 p = corner[(k + 1) % 3], q = corner[(k + 2) % 3];
+        area[k] = p.y * (q.z + depth) - q.y * (p.z + depth);
+        sum += area[k];
+    }
+    if (sum == 0.0) { /* it is seen as a line */
+        return false;
+    }
+    found->x = 0.0;
+    for (int k = 0; k < 3; k++) {
+        found->weights[k] = area[k] / sum;
+        found->x += found->weights[k] * corner[k].x;
+    }
+    return found->weights[0] >= 0.0 && found->weights[1] >= 0.0 && found->weights[2] >= 0.0;
+}
+
+/* The jaws' middle plane goes through it. */
+static bool crosses_middle_plane(const vec3 corner[3])
+{
+    bool one = corner[0].y > 0.0 || corner[1].y > 0.0 || corner[2].y > 0.0;
+    bool other = corner[0].y < 0.0 || corner[1].y < 0.0 || corner[2].y < 0.0;
+    return one && other;
+}
+
+static void find_crossings(const scene_drain *b, pose jaws, jaw_section sections[JAW_SECTIONS])
+{
+    const drain_mesh *m = &b->drain->mesh;
+    vec3 *x = b->vertices; /* room that a search has left */
+    for (uint32_t i = 0; i < m->node_count; i++) {
+        x[i] = pose_apply_inverse(jaws, b->drain->x[i]);
+    }
+    for (uint32_t t = 0; t < m->triangle_count; t++) {
+        crossing found = {.triangle = t};
+        const vec3 corner[3] = {x[m->triangles[t][0]], x[m->triangles[t][1]],
+                                x[m->triangles[t][2]]};
+        for (uint32_t i = 0; crosses_middle_plane(corner) && i < JAW_SECTIONS; i++) {
+            jaw_section *g = &sections[i];
+            if (crosses_triangle(corner, g->depth, &found) && fabs(found.x) <= 0.5 * g->width) {
+                bool nearer = g->layers == 0 || fabs(found.x) < fabs(g->nearest.x);
+                g->nearest = nearer ? found : g->nearest;
+                g->layers++;
+            }
+        }
+    }
+}
+
+static bool is_near(const drain_object *d, pose jaws, double length)
+{
+    const double reach = 1.5 * length;
+    for (uint32_t i = 0; i < d->mesh.node_count; i++) {
+        if (vec3_norm_squared(vec3_sub(d->x[i], jaws.position)) < reach * reach) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void set_grasp_point(scene_wall_grasp *p, uint32_t k, const jaw_section *at)
+{
+    p->triangle[k] = at->nearest.triangle;
+    p->points_in_jaws[k] = vec3_make(at->nearest.x, 0.0, -at->depth);
+    for (int i = 0; i < 3; i++) {
+        p->weights[k][i] = at->nearest.weights[i];
+    }
+}
+
+/* The first, the last and the middle of the places that have wall between the jaws. */
+static void find_wall_grasp(const scene_body *tool, const scene_body *b, scene_wall_grasp *found)
+{
+    const grasper_object *g = tool->rigid.grasper;
+    pose jaws = vbss_scene_jaw_frame(&tool->rigid, tool->rigid.body.now.pose);
+    double length = vbss_grasper_current_jaws(g)->length, wall = b->drain.drain->config.thickness;
+    jaw_section sections[JAW_SECTIONS];
+    uint32_t count = 0;
+    *found = (scene_wall_grasp){0};
+    if (!is_near(b->drain.drain, jaws, length)) {
+        return;
+    }
+    for (uint32_t i = 0; i < JAW_SECTIONS; i++) {
+        double depth = length * (i + 1) / JAW_SECTIONS;
+        sections[i] =
+            (jaw_section){.depth = depth, .width = vbss_grasper_jaw_distance(g->jaw_angle, depth)};
+    }
+    find_crossings(&b->drain, jaws, sections);
+    for (uint32_t i = 0; i < JAW_SECTIONS; i++) {
+        double thick = sections[i].layers * wall;
+        /* Nearer to the pivot than it is thick it stands in the corner of the mouth, and stops nothing. */
+        if (sections[i].layers > 0 && sections[i].depth > thick) {
+            found->angle =
+                vbss_max(vbss_grasper_touching_angle(thick, sections[i].depth), found->angle);
+            sections[count++] = sections[i];
+        }
+    }
+    if (count > 0) {
+        found->drain = b->number;
+        found->point_count = count < SCENE_WALL_GRASP_POINTS ? count : SCENE_WALL_GRASP_POINTS;
+        for (uint32_t k = 0; k < found->point_count; k++) {
+            set_grasp_point(
+                found, k,
+                &sections[found->point_count > 1 ? k * (count - 1) / (found->point_count - 1) : 0]);
+        }
+    }
+}
+
+bool vbss_scene_find_wall_in_jaws(const scene_object *s, const scene_body *tool,
+                                  scene_wall_grasp *found)
+{
+    const scene_wall_grasp *before = &tool->rigid.wall_grasp;
+    *found = (scene_wall_grasp){0};
+    for (uint32_t i = 0; i < s->body_count && found->drain == 0; i++) {
+        const scene_body *b = &s->bodies[i];
+        bool torn =
+            before->drain == b->number && before->needs_reopening; /* not before they have opened */
+        if (b->kind == SCENE_BODY_DRAIN && !torn) {
+            find_wall_grasp(tool, b, found);
+        }
+    }
+    return found->drain != 0;
+}
+
+/* ---- taking and letting go */
+
+static void emit_wall_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)
+{
+    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
+    vbss_scene_add_event(s, kind, p->drain, tool->number, p->triangle[p->point_count / 2]);
+}
+
+void vbss_scene_grasp_wall(scene_object *s, scene_body *tool, const scene_wall_grasp *found)
+{
+    tool->rigid.wall_grasp = *found;
+    emit_wall_grasp_event(s, VBSS_EVENT_GRASP, tool);
+}
+
+vec3 vbss_scene_wall_grasp_point(const scene_wall_grasp *p, const drain_object *d, const vec3 *x,
+                                 uint32_t k)
+{
+    return vbss_drain_point(d, x, p->triangle[k], p->weights[k]);
+}
+
+static const drain_object *held_drain(const scene_object *s, const scene_wall_grasp *p)
+{
+    return vbss_scene_body(s, p->drain)->drain.drain;
+}
+
+/* Whether the axes of both jaws are that share of touching away from what was held. */
+static bool is_wall_clear(const scene_object *s, const scene_body *tool, double fraction)
+{
+    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
+    const drain_object *d = held_drain(s, p);
+    for (uint32_t j = GRASPER_JAW; j < GRASPER_NECK; j++) {
+        const scene_capsule *jaw = &s->capsules[tool->rigid.first_capsule + j];
+        double min_distance = fraction * (jaw->radius + 0.5 * d->config.thickness);
+        vec3 axis[2];
+        vbss_scene_transform_capsule(jaw, tool->rigid.body.now.pose, axis);
+        for (uint32_t k = 0; k < p->point_count; k++) {
+            vec3 along = vec3_sub(axis[1], axis[0]);
+            vec3 to = vec3_sub(vbss_scene_wall_grasp_point(p, d, d->x, k), axis[0]);
+            if (vec3_norm(vec3_add_scaled(to, -closest_on_edge(along, to), along)) < min_distance) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+void vbss_scene_release_wall_grasp(scene_object *s, scene_body *tool)
+{
+    scene_wall_grasp *p = &tool->rigid.wall_grasp;
+    if (p->drain == 0 || !(vbss_grasper_commanded_angle(tool->rigid.grasper) > p->angle)) {
+        return;
+    }
+    p->needs_reopening = false;
+    if (!p->is_released) {
+        emit_wall_grasp_event(s, VBSS_EVENT_RELEASE, tool);
+        p->is_released = true;
+        p->force = vec3_zero();
+        if (is_wall_clear(s, tool, RELEASE_CLEARANCE_RATIO)) {
+            *p = (scene_wall_grasp){0};
+        }
+    }
+}
+
+void vbss_scene_remove_wall_grasps_of(scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_wall_grasp *p = &s->bodies[i].rigid.wall_grasp;
+        if (s->bodies[i].kind == SCENE_BODY_RIGID &&
+            (s->bodies[i].number == number || p->drain == number)) {
+            *p = (scene_wall_grasp){0};
+        }
+    }
+}
+
+/* ---- what does not touch */
+
+bool vbss_scene_is_wall_in_grasp(const scene_object *s, const scene_body *drain, vec3 point,
+                                 const scene_body *tool, uint32_t capsule)
+{
+    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
+    bool jaw = capsule != GRASPER_SHAFT && capsule != GRASPER_NECK;
+    if (tool->rigid.grasper == NULL || !jaw || p->drain != drain->number) {
+        return false;
+    }
+    const drain_object *d = drain->drain.drain;
+    double contact_distance =
+        s->capsules[tool->rigid.first_capsule + capsule].radius + 0.5 * d->config.thickness;
+    double spacing = vbss_grasper_current_jaws(tool->rigid.grasper)->length / JAW_SECTIONS;
+    for (uint32_t k = 0; k < p->point_count; k++) {
+        vec3 current = vbss_scene_wall_grasp_point(p, d, d->x, k);
+        vec3 next = vbss_scene_wall_grasp_point(p, d, d->x, k + 1 < p->point_count ? k + 1 : k);
+        vec3 along = vec3_sub(next, current), to = vec3_sub(point, current);
+        vec3 separation_vector = vec3_add_scaled(to, -closest_on_edge(along, to), along);
+        if (vec3_norm(separation_vector) < SCENE_EXCLUSION_ARC_RATIO * contact_distance + spacing) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* ---- rows */
+
+double vbss_scene_wall_grasp_stiffness(const grasper_object *g, const scene_wall_grasp *p)
+{
+    return g->config.needle_stiffness / p->point_count;
+}
+
+/* ---- after a step */
+
+static void update_wall_grasp(scene_object *s, scene_body *tool, double h)
+{
+    scene_rigid *r = &tool->rigid;
+    scene_wall_grasp *p = &r->wall_grasp;
+    const drain_object *d = held_drain(s, p);
+    pose jaws = vbss_scene_jaw_frame(r, r->body.now.pose);
+    grasper_needle_load load = {.h = h};
+    vec3 middle = vec3_zero();
+    for (uint32_t k = 0; k < p->point_count; k++) {
+        vec3 current = pose_apply_inverse(jaws, vbss_scene_wall_grasp_point(p, d, d->x, k));
+        load.force = vec3_add_scaled(load.force, vbss_scene_wall_grasp_stiffness(r->grasper, p),
+                                     vec3_sub(p->points_in_jaws[k], current));
+        middle = vec3_add_scaled(middle, 1.0 / p->point_count, p->points_in_jaws[k]);
+    }
+    load.jaw_force = r->grasper->jaw_force / vbss_scene_count_grasps(s, tool->number);
+    p->force = quat_rotate(jaws.orientation, load.force);
+    p->limit = vbss_grasper_friction_limit(r->grasper, load.jaw_force);
+    pose held = pose_make(middle, quat_identity());
+    grasper_needle_slip change = vbss_grasper_yield_needle(r->grasper, &held, &p->age, &load);
+    for (uint32_t k = 0; k < p->point_count; k++) {
+        p->points_in_jaws[k] = vec3_add(p->points_in_jaws[k], vec3_sub(held.position, middle));
+    }
+    if (change.slip > 0.0 && !p->is_sliding) {
+        emit_wall_grasp_event(s, VBSS_EVENT_SLIP, tool);
+    }
+    p->is_sliding = change.slip > 0.0;
+    p->slid += change.slip;
+    if (change.has_escaped) {
+        emit_wall_grasp_event(s, VBSS_EVENT_TORN, tool);
+        p->is_released = p->needs_reopening = true;
+        p->force = vec3_zero();
+    }
+}
+
+void vbss_scene_update_wall_grasps(scene_object *s, double h)
+{
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind != SCENE_BODY_RIGID || b->rigid.wall_grasp.drain == 0) {
+            continue;
+        }
+        if (!b->rigid.wall_grasp.is_released) {
+            update_wall_grasp(s, b, h);
+        } else if (is_wall_clear(s, b, 1.0)) {
+            b->rigid.wall_grasp = (scene_wall_grasp){0};
+        }
+    }
+}
+
+/* ---- looking */
+
+void vbss_scene_describe_wall_grasp(const scene_object *s, const scene_body *tool,
+                                    vbss_grasp *grasp)
+{
+    const scene_wall_grasp *p = &tool->rigid.wall_grasp;
+    const drain_object *d = held_drain(s, p);
+    grasp->thread = p->drain;
+    grasp->limit = p->limit;
+    grasp->slid = p->slid;
+    vec3_store(grasp->position, vbss_scene_wall_grasp_point(p, d, d->x, p->point_count / 2));
+    vec3_store(grasp->force, p->force);
+}

@@ -1,0 +1,78 @@
+/* Applies the targets of tools before a step: exchange, pose, jaw angle. */
+#include "scene/tools/tools.h"
+#include "scene/world/world.h"
+
+void vbss_scene_set_carried_targets(scene_object *s)
+{
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
+        if (s->thread_grasps[i].id != 0 && s->thread_grasps[i].pin != 0) {
+            vbss_scene_set_pin_targets(s);
+            return;
+        }
+    }
+}
+
+static void exchange_instrument(scene_object *s, scene_body *b)
+{
+    grasper_object *g = b->rigid.grasper;
+    const vbss_grasper_config *c = &g->config;
+    if (g->commanded_kind == g->kind) {
+        return;
+    }
+    pose tool = pose_mul(b->rigid.body.now.pose, pose_inverse(b->rigid.frame));
+    double far = vec3_distance(tool.position, vec3_load(c->exchange_centre));
+    bool allowed = vbss_scene_count_grasps(s, b->number) == 0 && far >= c->exchange_distance;
+    vbss_grasper_kind before = g->kind, wanted = g->commanded_kind;
+    pose target;
+    g->kind = allowed ? wanted : before;
+    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) { /* jaws of another bend */
+        g->kind = before;
+        allowed = false;
+    }
+    g->commanded_kind = g->kind;
+    if (allowed) { /* nor does it wait for anything any more */
+        vbss_scene_remove_thread_grasps_of(s, b->number);
+        vbss_scene_remove_needle_grasps_of(s, b->number);
+        vbss_scene_remove_wall_grasps_of(s, b->number);
+    }
+    vbss_scene_add_event(s, allowed ? VBSS_EVENT_EXCHANGED : VBSS_EVENT_NOT_EXCHANGED, b->number, 0,
+                         (uint32_t)wanted);
+}
+
+static void apply_target(scene_object *s, scene_body *b, double h)
+{
+    scene_rigid *r = &b->rigid;
+    grasper_object *g = r->grasper;
+    pose target;
+    exchange_instrument(s, b);
+    if (vbss_grasper_apply_trocar(g, g->commanded_pose,
+                                  &target)) { /* it was asked when it was told */
+        r->body.target_end = pose_mul(target, r->frame);
+    }
+    double before = g->jaw_angle;
+    if (s->config.method == VBSS_METHOD_PAPER && g->kind == VBSS_GRASPER_NEEDLE_DRIVER) {
+        g->jaw_angle = vbss_grasper_next_angle(g, h, 0.0);
+    } else {
+        vbss_scene_release_thread_grasps(s, b);
+        vbss_scene_release_needle_grasp(s, b);
+        vbss_scene_release_wall_grasp(s, b);
+        g->jaw_angle = vbss_scene_close_jaws(s, b, h);
+    }
+    r->has_closed_jaws = before > 0.0 && g->jaw_angle == 0.0;
+    g->jaw_force = vbss_scene_count_grasps(s, b->number) > 0
+                       ? vbss_grasper_jaw_force_at(g, g->jaw_angle)
+                       : 0.0;
+    vbss_scene_set_capsule_targets(s, r, g->jaw_angle);
+}
+
+void vbss_scene_apply_tool_targets(scene_object *s, double h)
+{
+    s->cut_count = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        scene_body *b = &s->bodies[i];
+        if (b->kind == SCENE_BODY_RIGID && b->rigid.grasper != NULL) {
+            apply_target(s, b, h);
+        }
+    }
+    vbss_scene_set_carried_targets(s);
+}

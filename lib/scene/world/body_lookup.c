@@ -1,0 +1,83 @@
+/* Bodies by number; places for new bodies; node numbers over all threads. */
+#include "base/error.h"
+#include "scene/world/world.h"
+
+scene_body *vbss_scene_body(const scene_object *s, uint32_t number)
+{
+    for (uint32_t i = 0; number != 0 && i < s->body_count; i++) {
+        if (s->bodies[i].kind != SCENE_BODY_NONE && s->bodies[i].number == number) {
+            return &s->bodies[i];
+        }
+    }
+    return NULL;
+}
+
+bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind)
+{
+    bool any = false;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        any = any || s->bodies[i].kind == kind;
+    }
+    return any;
+}
+
+scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind)
+{
+    scene_body *b = vbss_scene_body(s, number);
+    if (b == NULL || b->kind != kind) {
+        static const char *const names[] = {[SCENE_BODY_NONE] = "body",
+                                            [SCENE_BODY_THREAD] = "thread",
+                                            [SCENE_BODY_RIGID] = "rigid body",
+                                            [SCENE_BODY_DRAIN] = "drain"};
+        vbss_fail(s->context, VBSS_ERROR_OUT_OF_RANGE, "body %u is no %s of this scene", number,
+                  names[kind]);
+        return NULL;
+    }
+    return b;
+}
+
+/* A place for one more body of that kind; NULL, told. */
+scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind)
+{
+    const uint32_t capacities[] = {[SCENE_BODY_THREAD] = s->config.thread_capacity,
+                                   [SCENE_BODY_RIGID] = s->config.rigid_capacity,
+                                   [SCENE_BODY_DRAIN] = s->config.drain_capacity};
+    const uint32_t capacity = capacities[kind];
+    uint32_t alive = 0, body_index = s->body_count;
+    for (uint32_t i = s->body_count; i > 0; i--) {
+        const scene_body *b = &s->bodies[i - 1];
+        alive += b->kind == kind ||
+                 (b->is_reserved && b->kind == SCENE_BODY_NONE && kind == SCENE_BODY_THREAD);
+        body_index = b->kind == SCENE_BODY_NONE && !b->is_reserved ? i - 1 : body_index;
+    }
+    if (alive == capacity || s->last_body_number == UINT32_MAX) {
+        vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u such bodies",
+                  capacity);
+        return NULL;
+    }
+    return &s->bodies[body_index];
+}
+
+void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind kind, uint32_t shape,
+                              uint32_t *number)
+{
+    uint32_t body_index = (uint32_t)(b - s->bodies);
+    b->kind = kind;
+    b->shape = shape;
+    b->number = *number = ++s->last_body_number;
+    s->body_of_shape[shape] = body_index;
+    s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
+    s->pattern_hash = 0;
+    s->generation++;
+}
+
+void vbss_scene_number_nodes(scene_object *s)
+{
+    s->node_count = 0;
+    for (uint32_t i = 0; i < s->body_count; i++) {
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            s->bodies[i].thread.first_node = s->node_count;
+            s->node_count += s->bodies[i].thread.thread->node_count;
+        }
+    }
+}

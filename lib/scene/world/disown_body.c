@@ -1,0 +1,62 @@
+/* Returns the handle of a body to its owner when the body leaves the scene. */
+#include "scene/world/world.h"
+
+#include <string.h>
+
+void vbss_scene_disown_thread(scene_body *b)
+{
+    thread_object *t = b->thread.thread;
+    b->thread.slot->owner = NULL;
+    if (b->thread.slot->object == t) { /* it may have ended with the context */
+        t->is_sparsity_valid = false;
+        memset(t->welded, 0, t->node_count * sizeof *t->welded);
+    }
+}
+
+void vbss_scene_disown_grasper(scene_body *b)
+{
+    grasper_object *g = b->rigid.slot->object;
+    b->rigid.slot->owner = NULL;
+    if (g != NULL) { /* it may have ended with the context */
+        vbss_grasper_detach(g);
+    }
+}
+
+void vbss_scene_disown_needle(scene_body *b)
+{
+    needle_object *n = b->rigid.slot->object;
+    b->rigid.slot->owner = NULL;
+    if (n != NULL) { /* it may have ended with the context */
+        vbss_needle_set_motion(n, &b->rigid.body.now, 0);
+    }
+}
+
+/* Of a surface: most sides of triangles a node. */
+#define EDGES_PER_NODE 3u
+
+void vbss_scene_list_drain_arrays(scene_drain *b, uint32_t nodes,
+                                  vbss_array arrays[SCENE_DRAIN_ARRAYS])
+{
+    const vbss_array all[SCENE_DRAIN_ARRAYS] = {
+        {&b->is_separator, nodes, sizeof *b->is_separator},
+        {&b->expected_displacements, nodes, sizeof *b->expected_displacements},
+        {&b->vertices, 2 * (size_t)nodes, sizeof *b->vertices},
+        {&b->lip_of_side, EDGES_PER_NODE * (size_t)nodes, sizeof *b->lip_of_side},
+        {&b->lip_of_node, nodes, sizeof *b->lip_of_node},
+        {&b->near_features, EDGES_PER_NODE * (size_t)nodes, sizeof *b->near_features}};
+    memcpy(arrays, all, sizeof all);
+}
+
+void vbss_scene_disown_drain(scene_object *s, scene_body *b)
+{
+    vbss_array arrays[SCENE_DRAIN_ARRAYS];
+    scene_drain *own = &b->drain;
+    uint32_t nodes = s->collision->shapes[b->shape]->node_count;
+    own->slot->owner = NULL;
+    if (own->slot->object == own->drain) { /* it may have ended with the context */
+        own->drain->is_sparsity_valid = false;
+        memset(own->drain->contact_forces, 0, nodes * sizeof *own->drain->contact_forces);
+    }
+    vbss_scene_list_drain_arrays(own, nodes, arrays);
+    vbss_release_arrays(s->context, arrays, SCENE_DRAIN_ARRAYS);
+}

@@ -1,0 +1,27 @@
+/* The work budget of a step, counted in operations. */
+#include "scene/world/world.h"
+
+/* Of an attempt, in products of blocks. Rows are found and laid as candidates are looked at. */
+enum { COST_OF_CANDIDATE = 60, COST_OF_NODE = 20 };
+
+uint32_t vbss_scene_attempt_cost(const scene_object *s)
+{
+    return COST_OF_CANDIDATE * s->collision->candidate_count + COST_OF_NODE * s->node_count;
+}
+
+void vbss_scene_charge_budget(scene_object *s, uint32_t operations)
+{
+    s->contacts->counters.operations += operations;
+}
+
+bool vbss_scene_is_over_budget(const scene_object *s)
+{
+    return s->step_budget > 0 && s->contacts->counters.operations >= s->step_budget;
+}
+
+/* The first step of a scene is not: what a host has laid out may overlap. */
+bool vbss_scene_has_step_budget(const scene_object *s)
+{
+    return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&
+           s->statistics.steps > 0;
+}
