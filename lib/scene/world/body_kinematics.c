@@ -1,5 +1,5 @@
-/* Frames and capsules of rigid bodies: needle frame, jaw frame, axes of capsules now and in the
- * trial state. */
+/* Poses and capsules of rigid bodies: frames of needles and jaws, and axes of capsules now and
+ * in the trial state. */
 #include "scene/world/world.h"
 
 void vbss_scene_transform_capsule(const scene_capsule *capsule, pose at, vec3 axis[2])

@@ -1,4 +1,4 @@
-/* Bodies by number; places for new bodies; node numbers over all threads. */
+/* The table of bodies: look-up by number, free entries, and node numbers over all threads. */
 #include "base/error.h"
 #include "scene/world/world.h"
 
@@ -36,7 +36,6 @@ scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scen
     return b;
 }
 
-/* A place for one more body of that kind; NULL, told. */
 scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind)
 {
     const uint32_t capacities[] = {[SCENE_BODY_THREAD] = s->config.thread_capacity,

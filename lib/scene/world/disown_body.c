@@ -1,4 +1,4 @@
-/* Returns the handle of a body to its owner when the body leaves the scene. */
+/* Gives the handle of a body back to the host when the body leaves the scene. */
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -7,7 +7,7 @@ void vbss_scene_disown_thread(scene_body *b)
 {
     thread_object *t = b->thread.thread;
     b->thread.slot->owner = NULL;
-    if (b->thread.slot->object == t) { /* it may have ended with the context */
+    if (b->thread.slot->object == t) { /* the context may have destroyed it */
         t->is_sparsity_valid = false;
         memset(t->welded, 0, t->node_count * sizeof *t->welded);
     }
@@ -17,7 +17,7 @@ void vbss_scene_disown_grasper(scene_body *b)
 {
     grasper_object *g = b->rigid.slot->object;
     b->rigid.slot->owner = NULL;
-    if (g != NULL) { /* it may have ended with the context */
+    if (g != NULL) { /* the context may have destroyed it */
         vbss_grasper_detach(g);
     }
 }
@@ -26,7 +26,7 @@ void vbss_scene_disown_needle(scene_body *b)
 {
     needle_object *n = b->rigid.slot->object;
     b->rigid.slot->owner = NULL;
-    if (n != NULL) { /* it may have ended with the context */
+    if (n != NULL) { /* the context may have destroyed it */
         vbss_needle_set_motion(n, &b->rigid.body.now, 0);
     }
 }
@@ -53,7 +53,7 @@ void vbss_scene_disown_drain(scene_object *s, scene_body *b)
     scene_drain *own = &b->drain;
     uint32_t nodes = s->collision->shapes[b->shape]->node_count;
     own->slot->owner = NULL;
-    if (own->slot->object == own->drain) { /* it may have ended with the context */
+    if (own->slot->object == own->drain) { /* the context may have destroyed it */
         own->drain->is_sparsity_valid = false;
         memset(own->drain->contact_forces, 0, nodes * sizeof *own->drain->contact_forces);
     }

@@ -22,7 +22,7 @@ void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uin
 
 void vbss_scene_write_lost_event(scene_object *s)
 {
-    if (s->lost_events > 0 && s->config.event_capacity > 0) { /* in the place of the last */
+    if (s->lost_events > 0 && s->config.event_capacity > 0) { /* replaces the last event */
         uint32_t *last = s->events[s->config.event_capacity - 1];
         last[0] = VBSS_EVENT_LOST;
         last[1] = last[2] = 0;

@@ -1,5 +1,5 @@
-/* Features of bodies: the axis of a segment, capsule or side; the nodes of a drain's feature; arc
- * lengths along a suture. */
+/* Features of bodies: the axis of a segment, capsule or side, the nodes of a drain's feature,
+ * and arc lengths along a suture. */
 #include "scene/world/world.h"
 
 #include <string.h>
@@ -54,7 +54,7 @@ double vbss_scene_suture_arc_length(const scene_body *suture, uint32_t segment, 
     if (suture->kind == SCENE_BODY_THREAD) {
         const thread_object *t = suture->thread.thread;
         double along =
-            fraction > 0.0 ? fraction * t->rest[segment] : 0.0; /* the last node has none */
+            fraction > 0.0 ? fraction * t->rest[segment] : 0.0; /* the last node has no segment */
         return vbss_thread_arc_length(t, segment) + along;
     }
     const needle_object *n = suture->rigid.needle;

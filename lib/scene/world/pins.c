@@ -1,7 +1,8 @@
-/* Nodes of threads that are points of bodies.
+/* Nodes of threads that are fixed to bodies.
  *
- * On the world and on driven bodies a pin is an attachment of the thread that is moved along; on others it
- * is a weld: lib/contact eliminates the node's motion in favour of the body's. */
+ * A pin on the world or on a driven body is an attachment of the thread, whose target moves with
+ * the body. A pin on any other body is a weld: lib/contact eliminates the node's motion in
+ * favour of the body's. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/world/world.h"
@@ -33,7 +34,7 @@ static scene_pin *find_free_pin(const scene_object *s)
     return NULL;
 }
 
-/* NULL when the host has detached it. */
+/* Returns NULL if the host has detached the attachment. */
 static thread_attachment *find_attachment(const scene_body *thread, uint32_t id)
 {
     thread_object *t = thread->thread.thread;
@@ -54,7 +55,7 @@ bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin)
     return thread != NULL && find_attachment(thread, pin->attachment) != NULL;
 }
 
-/* Where the pinned point will be at the end of the next step. */
+/* Position of the pinned point at the end of the next step. `b` is NULL for the world. */
 static vec3 pin_target(const scene_body *b, vec3 point)
 {
     return b == NULL ? point : pose_apply(b->rigid.body.target_end, point);

@@ -1,5 +1,16 @@
-/* What a scene is made of: bodies, capsules, pins, grasps, the cursor of a step, and the scene
- * itself. Every folder of lib/scene includes this; it declares no function. */
+/* The data of a scene: bodies, capsules, pins, grasps, the cursor of a step, and the scene itself.
+ *
+ * All folders of lib/scene share these types; this header declares no function. Units are SI.
+ * Points and vectors are in world coordinates unless the comment names another frame. A body
+ * number is the number that hosts use, from 1 on; 0 means the world or no body.
+ *
+ * Every field has one of these lifetimes. A comment such as "Substep." starts a group of fields.
+ *   persistent  the state, which snapshots save, and data that follow from it until the next edit
+ *   step        set when a step begins and valid to its end, also while the step is suspended
+ *   substep     rebuilt by each attempt at a substep
+ *   checkpoint  copies from before the step, which a rollback restores
+ *   report      results of the last step for hosts
+ *   scratch     meaningless outside the function that fills them */
 #ifndef VBSS_SCENE_SCENE_DATA_H
 #define VBSS_SCENE_SCENE_DATA_H
 
@@ -32,324 +43,384 @@ enum { SCENE_MAX_STRANDS = 8, SCENE_MAX_CUTS = 8 };
 typedef enum scene_body_kind {
     SCENE_BODY_NONE,
     SCENE_BODY_THREAD,
-    SCENE_BODY_RIGID,
+    SCENE_BODY_RIGID, /* graspers and needles as well */
     SCENE_BODY_DRAIN
 } scene_body_kind;
 
+/* A thread as a body of a scene. */
 typedef struct scene_thread {
-    vbss_slot *slot; /* of the thread's handle */
+    /* Persistent. */
+    vbss_slot *slot; /* slot of the thread's handle */
     thread_object *thread;
-    uint32_t first_block;        /* in the system */
-    uint32_t first_node;         /* in arrays over the nodes of all threads */
-    uint32_t contact_free_steps; /* steps since something was near it, up to a few */
-    bool has_contacts;           /* something is, in this part */
-    bool is_welded;              /* a node of it to a body that moves as forces say */
-    bool is_damped;              /* this part is made by backward Euler */
+    /* Substep. */
+    uint32_t first_block; /* block of the thread's first node in the linear system */
+    /* Persistent. */
+    uint32_t first_node;         /* its first node in arrays over the nodes of all threads */
+    uint32_t contact_free_steps; /* consecutive steps without contact constraints, 0 to 16 */
+    /* Substep. */
+    bool has_contacts; /* the thread takes part in a contact constraint */
+    bool is_welded;    /* one of its nodes is welded to a rigid body that is not driven */
+    bool is_damped;    /* integrated by backward Euler; otherwise by generalised-alpha */
     vbss_integration integration;
     thread_substep substep;
-    double residual_displacement; /* how far forces left out of balance would move a node, m */
-    uint32_t cut_from; /* a piece: the body that it was cut from, until they are apart; else 0 */
-    bool has_split_segment; /* that cut went through a segment, of which both have a part */
-    /* before the step */
+    double residual_displacement; /* estimate of how far the residual would still move a node, m */
+    /* Persistent; used by pieces only. */
+    uint32_t cut_from;      /* number of the body it was cut from; 0 once the ends are apart */
+    bool has_split_segment; /* the cut divided a segment, of which both bodies keep a part */
+    /* Checkpoint. */
     vbss_thread_statistics checkpoint_statistics;
-    double checkpoint_previous_h;
+    double checkpoint_previous_h; /* length of the last substep, s; 0: there was none */
     uint32_t checkpoint_damped_steps_left;
-    bool checkpoint_needs_start_substep;
+    bool checkpoint_needs_start_substep; /* the accelerations were unknown */
 } scene_thread;
 
+/* A drain as a body of a scene. */
 typedef struct scene_drain {
-    vbss_slot *slot; /* of the drain's handle */
+    /* Persistent. */
+    vbss_slot *slot; /* slot of the drain's handle */
     drain_object *drain;
-    uint32_t first_block;         /* in the system */
-    uint8_t *is_separator;        /* per node: separators */
-    vec3 *expected_displacements; /* per node: how far it may move */
-    double max_displacement;      /* of them, m */
-    vec3 *vertices;               /* start and end, for the search */
-    /* Of a lip, which is a free edge, per side, and of a node there: a triangle beside it; else SCENE_NO_FACE. */
+    /* Substep. */
+    uint32_t first_block;         /* block of the drain's first node in the linear system */
+    uint8_t *is_separator;        /* per node: nonzero if its block is a separator */
+    vec3 *expected_displacements; /* per node: displacement that the broad phase allows for, m */
+    double max_displacement;      /* largest norm of the expected displacements, m */
+    /* Scratch. */
+    vec3 *vertices; /* two per node: positions at the start and end of the substep, m */
+    /* Persistent. Per side: a triangle beside it if it is a free edge. Per node: a triangle with
+     * a free edge that ends there. SCENE_NO_FACE: no free edge. */
     uint32_t *lip_of_side, *lip_of_node;
-    uint32_t *near_features; /* remeshing.c: sides or triangles that a search has found */
+    /* Scratch of remeshing.c. */
+    uint32_t *near_features; /* sides or triangles whose boxes overlap that of a probe */
+    /* Substep. */
     drain_substep substep;
-    double max_increment; /* by the last linearisation of the part, its farthest node, m */
-    vbss_drain_statistics checkpoint_statistics; /* before the step */
+    double max_increment; /* largest displacement of a node in the last linearisation, m */
+    /* Checkpoint. */
+    vbss_drain_statistics checkpoint_statistics;
 } scene_drain;
 
-/* A needle in the jaws of a grasper. PAPER: jaws have closed on it; which tool it follows, it knows itself. */
+/* The needle that a grasper grasps. In the baseline method its jaws have closed on the needle;
+ * the needle then follows the tool that scene_rigid::leader names. Persistent. */
 typedef struct scene_needle_grasp {
-    uint32_t needle; /* number; 0: none */
-    double arc;      /* length, of the middle of what is held, m from the tip */
-    double angle;    /* at which the jaws touch it; PAPER: 0, they are closed */
-    pose
-        pose_in_jaws; /* where that place is held, outward, toward the tip, across, in the jaws' frame; PAPER: the needle's
-              * principal frame, in the tool's */
-    double age;       /* s since it was taken */
+    uint32_t needle; /* body number; 0: no needle */
+    double arc;      /* arc length from the tip to the grasped point, m */
+    double angle;    /* jaw angle at which both jaws touch the needle, rad; baseline method: 0 */
+    /* Pose of the needle's frame at the grasped point (x outward, y toward the tip, z along the
+     * axis of the arc) in the jaws' frame. Baseline method: principal frame of the needle in
+     * that of the tool. */
+    pose pose_in_jaws;
+    double age; /* time since the needle was grasped, s */
+    /* Total slip (m) and rotation (rad) since then; limit of the jaws' friction force, N. */
     double slid, turned, limit;
-    vec3 force, torque;   /* on the needle about that place, after the last step */
-    bool is_sliding;      /* it slid or turned in the last step */
-    bool is_released;     /* not held any more, but not clear of the jaws yet */
-    bool needs_reopening; /* nor taken again before the handle has been opened, or it is clear */
+    vec3 force, torque;   /* last step: on the needle, about the grasped point, N and N m */
+    bool is_sliding;      /* the needle slid or turned in the last step */
+    bool is_released;     /* the jaws have released the needle but still overlap it */
+    bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
 } scene_needle_grasp;
 
-/* A wall of a drain in the jaws of a grasper. */
 enum { SCENE_WALL_GRASP_POINTS = 3 };
+/* The drain's wall that a grasper grasps, at up to three points along its jaws. Persistent. */
 typedef struct scene_wall_grasp {
-    uint32_t drain;       /* number; 0: none */
-    uint32_t point_count; /* of points */
+    uint32_t drain;       /* body number; 0: no wall */
+    uint32_t point_count; /* 1 to SCENE_WALL_GRASP_POINTS */
     uint32_t triangle[SCENE_WALL_GRASP_POINTS];
-    double weights[SCENE_WALL_GRASP_POINTS][3];   /* of its corners in a point */
-    vec3 points_in_jaws[SCENE_WALL_GRASP_POINTS]; /* where that is held, in the jaws' frame */
-    double angle;                                 /* at which the jaws touch it */
-    double age;                                   /* s since it was taken */
+    double weights[SCENE_WALL_GRASP_POINTS][3];   /* barycentric coordinates in the triangle */
+    vec3 points_in_jaws[SCENE_WALL_GRASP_POINTS]; /* where the jaws hold them, in their frame, m */
+    double angle; /* jaw angle at which both jaws touch the wall, rad */
+    double age;   /* time since the wall was grasped, s */
+    /* Total slip since then, m; limit of the jaws' friction force, N. */
     double slid, limit;
-    vec3 force;           /* on the drain after the last step */
-    bool is_sliding;      /* it slid in the last step */
-    bool is_released;     /* not held any more, but not clear of the jaws yet */
-    bool needs_reopening; /* nor taken again before the handle has been opened, or it is clear */
+    vec3 force;           /* last step: on the drain, N */
+    bool is_sliding;      /* the wall slid in the last step */
+    bool is_released;     /* the jaws have released the wall but still overlap it */
+    bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
 } scene_wall_grasp;
 
+/* A rigid body, grasper or needle as a body of a scene. Its principal frame has the centre of
+ * mass as its origin and the principal axes as its axes. */
 typedef struct scene_rigid {
+    /* Persistent. */
     vbss_rigid_kind kind;
-    vbss_rigid body;         /* its begin and end: the target, crossed evenly in a step */
-    pose pending_target;     /* and the one of the next, if it */
-    bool has_pending_target; /* was told while a step waited */
-    pose frame;              /* of centre of mass and principal axes, in the frame the host sees */
-    double friction;
-    uint32_t first_capsule, capsule_count;
-    vbss_rigid_blocks blocks;
-    vbss_rigid_motion predicted;
-    pose trial;
-    vec3 force, torque; /* of contacts and pins in the last part; about the centre of mass */
-    vbss_rigid_wrench coupling_wrench;   /* of the coupling in the last part */
-    vbss_rigid_motion checkpoint_motion; /* before the step */
+    vbss_rigid body;     /* motion, mass, and the target poses at the start and end of the step */
+    pose pending_target; /* target pose for the next step, if has_pending_target; principal frame */
+    bool has_pending_target;               /* the host set a target that no step has used yet */
+    pose frame;                            /* principal frame in the frame that hosts see */
+    double friction;                       /* coefficient */
+    uint32_t first_capsule, capsule_count; /* its capsules in scene_object::capsules */
+    /* Substep. */
+    vbss_rigid_blocks blocks;    /* its blocks in the linear system */
+    vbss_rigid_motion predicted; /* at the end of the substep, without contact */
+    pose trial;                  /* at the end of the substep: the iterate; principal frame */
+    /* Report; snapshots save it. */
+    vec3 force, torque; /* sum of contacts and pins, about the centre of mass, N and N m */
+    vbss_rigid_wrench coupling_wrench; /* by the virtual coupling in the last substep */
+    /* Checkpoint. */
+    vbss_rigid_motion checkpoint_motion;
     vbss_rigid_wrench checkpoint_coupling_wrench;
-    vbss_slot *slot;       /* of the handle of a grasper or a needle; else NULL */
-    needle_object *needle; /* of a needle; else NULL */
-    uint32_t leader;       /* PAPER: number of the tool that the needle follows; 0: it is free */
-    suture_toggle toggles[SUTURE_TOGGLES]; /* PAPER: where its tip is on its way through a wall */
-    /* of a tool; else NULL */
-    grasper_object *grasper;
+    /* Persistent. */
+    vbss_slot *slot;       /* slot of the handle of a grasper or needle; NULL for other bodies */
+    needle_object *needle; /* NULL unless the body is a needle */
+    /* Persistent; baseline method only, for needles. */
+    uint32_t leader; /* number of the tool that the needle follows; 0: it is free */
+    suture_toggle toggles[SUTURE_TOGGLES]; /* walls that the tip has begun to pass */
+    /* Persistent; for graspers only. Checkpoint where the name says so. */
+    grasper_object *grasper; /* NULL unless the body is a grasper */
     scene_needle_grasp needle_grasp, checkpoint_needle_grasp;
     scene_wall_grasp wall_grasp, checkpoint_wall_grasp;
-    bool has_closed_jaws; /* PAPER: the jaws, in this step */
-    pose checkpoint_end;
+    bool has_closed_jaws; /* step, baseline method only: the jaws have just closed completely */
+    pose checkpoint_end;  /* target pose at the end of the step: body.target_end */
     struct scene_checkpoint_jaws {
         vbss_grasper_kind kind, target_kind;
-        double angle, pressure;
+        double angle, pressure; /* jaw angle, rad; jaw force, N */
     } checkpoint_jaws;
 } scene_rigid;
 
+/* An entry in the table of bodies. `kind` says which of its last three members is in use. */
 typedef struct scene_body {
+    /* Persistent. */
     scene_body_kind kind;
-    uint32_t number; /* in the scene */
-    uint32_t shape;  /* name in the collision object */
-    double
-        max_displacement; /* by its farthest node or end of a capsule, in the attempt that the guard looks at, m */
-    bool
-        is_reserved; /* for a piece: of kind SCENE_BODY_NONE, but with shape and thread, until that is cut */
+    uint32_t number; /* body number; no other body of the scene ever has it */
+    uint32_t shape;  /* shape in the collision object */
+    /* Substep. */
+    double max_displacement; /* largest displacement of a vertex that the CCD tests, m */
+    /* Persistent. The entry is for a piece of a thread. Until the cut its kind is SCENE_BODY_NONE,
+     * but it has a shape and a spare thread. */
+    bool is_reserved;
     scene_thread thread;
     scene_rigid rigid;
     scene_drain drain;
 } scene_body;
 
-/* In the principal frame of its body; and where its axis is. */
+/* A capsule of a rigid body. Ends of its axis: [0] and [1]; all `local` fields are in the
+ * principal frame of the body, m. Jaws move in that frame; all other capsules are at rest in it. */
 typedef struct scene_capsule {
-    vec3 local[2];       /* where it is in the body; jaws move against it */
-    vec3 local_end[2];   /* where it shall be at the end of the step */
-    vec3 local_trial[2]; /* at the end of the part under way */
-    vec3 checkpoint_local[2], checkpoint_local_end[2]; /* before the step */
-    double radius, checkpoint_radius;
-    vec3 now[2], trial[2];
+    vec3 local[2];                                     /* persistent: now */
+    vec3 local_end[2];                                 /* step: at the end of the step */
+    vec3 local_trial[2];                               /* substep: at the end of the substep */
+    vec3 checkpoint_local[2], checkpoint_local_end[2]; /* checkpoint */
+    double radius, checkpoint_radius;                  /* persistent and checkpoint, m */
+    vec3 now[2], trial[2]; /* substep: in the world, at its start and in the trial state, m */
 } scene_capsule;
 
+/* A node of a thread that is fixed to a body or to the world. Persistent. */
 typedef struct scene_pin {
-    uint32_t id;                 /* 0: the place is free */
+    uint32_t id;                 /* 0: unused entry */
     uint32_t thread, node, body; /* numbers; body 0: the world */
-    uint32_t attachment;         /* of the thread, for driven bodies and the world; 0: a weld */
-    vec3 point;                  /* in the principal frame of the body, or in the world */
+    uint32_t attachment;         /* id of the thread's attachment that moves the node; 0: a weld */
+    vec3 point;                  /* position of the node in the principal frame of the body, m */
 } scene_pin;
 
-/* A place of a thread in the jaws of a grasper. */
+/* A strand of thread between the jaws of a grasper. Persistent. Shears record a strand that they
+ * cannot cut as one that was torn out, so that it does not touch their blades. */
 typedef struct scene_thread_grasp {
-    uint32_t id;           /* 0: free */
-    uint32_t thread, tool; /* numbers */
-    uint32_t segment;      /* of the middle of what is held; */
-    double segment_offset; /* so far from the begin of that, unstretched, m */
-    double angle;          /* at which the jaws touch it */
-    double point_spacing;  /* of the points of the grip, m */
+    uint32_t id;           /* 0: unused entry */
+    uint32_t thread, tool; /* body numbers */
+    uint32_t segment;      /* segment with the middle of the grasp; baseline method: grasped node */
+    double segment_offset; /* arc length from the start of that segment to the middle, at rest, m */
+    double angle;          /* jaw angle at which both jaws touch the strand, rad */
+    double point_spacing;  /* arc length between grip points, m; baseline method: 0 */
     grasper_thread_clamp grip;
+    /* Total slip since the thread was grasped, m; limit of the jaws' friction force, N. */
     double slid, limit;
-    vec3 force;           /* on the thread, after the last step */
-    bool is_sliding;      /* it slid in the last step */
-    bool is_released;     /* not held any more, but not clear of the jaws yet */
-    bool needs_reopening; /* nor taken again before the handle has been opened */
-    uint32_t pin;         /* PAPER: of the node `segment`; 0: another tool leads */
+    vec3 force;           /* last step: on the thread, N */
+    bool is_sliding;      /* the thread slid in the last step */
+    bool is_released;     /* the jaws have released the thread but still overlap it */
+    bool needs_reopening; /* torn out: no new grasp before the handle opens or the jaws are clear */
+    uint32_t pin;         /* baseline method: pin of the node; 0: another tool holds the node */
 } scene_thread_grasp;
 
-/* A place of a thread between jaws. */
+/* A point of a thread between jaws. Scratch. */
 typedef struct scene_strand {
     const scene_body *thread;
     uint32_t segment;
-    double fraction; /* of it */
+    double fraction; /* position on the segment, 0 to 1 */
 } scene_strand;
 
-/* A hole before a step: its id, and the needle that was in it. */
+/* What a hole was before a step. Step. */
 typedef struct scene_previous_hole {
-    uint32_t id, needle;
+    uint32_t id, needle; /* needle: body number; 0: a thread was in the hole */
 } scene_previous_hole;
 
-/* What shears close on in this step. */
+/* A cut that shears make at the end of the step. Step. */
 typedef struct scene_cut {
-    uint32_t thread;
-    double arc_length;
+    uint32_t thread;   /* body number */
+    double arc_length; /* from the first node, at rest, m */
 } scene_cut;
 
+/* Two bodies that touch, by number, or a body that touches itself; body_b 0: the floor. */
 typedef struct scene_touching_pair {
     uint32_t body_a, body_b;
 } scene_touching_pair;
 
-/* PAPER: a pair that was responded to in the step under way. */
+/* A contact as the views show it. The baseline method keeps a list of them during a step. */
 typedef struct scene_contact_record {
     contact_key key;
     vec3 normal; /* unit, from b to a */
-    vec3 force;  /* of b on a, N; while there are passes mass times displacement */
-    vec3 point;  /* between the surfaces */
-    double gap;
+    vec3 force;  /* on a by b, N; in passes of the baseline method mass times displacement */
+    vec3 point;  /* between the surfaces, m */
+    double gap;  /* between the surfaces, m; negative where they overlap */
 } scene_contact_record;
 
-/* ---- a part of a step */
+/* ---- substeps */
 
-/* What becomes of an attempt. */
+/* Result of an attempt at a substep. */
 typedef enum scene_substep_outcome {
     SCENE_SUBSTEP_ACCEPTED,
-    SCENE_SUBSTEP_NO_ACTIVE_SET,   /* of the contacts were not found */
-    SCENE_SUBSTEP_NOT_CONVERGED,   /* a thread's shape was not */
-    SCENE_SUBSTEP_PENETRATION,     /* too much penetration */
-    SCENE_SUBSTEP_CCD_HIT,         /* something would pass */
-    SCENE_SUBSTEP_SINGULAR,        /* not even numbers */
-    SCENE_SUBSTEP_OUT_OF_CAPACITY, /* no room: the step fails */
-    SCENE_SUBSTEP_SUSPENDED        /* none yet: it goes on in the next call */
+    SCENE_SUBSTEP_NO_ACTIVE_SET, /* the search for the active set did not converge */
+    SCENE_SUBSTEP_NOT_CONVERGED, /* the Newton iterations did not converge */
+    SCENE_SUBSTEP_PENETRATION,   /* more penetration than is allowed */
+    SCENE_SUBSTEP_CCD_HIT,       /* two features would pass through each other, or come too near */
+    SCENE_SUBSTEP_SINGULAR,      /* a pivot was too small, or a number is not finite */
+    SCENE_SUBSTEP_OUT_OF_CAPACITY, /* too many candidates or contacts: the step fails */
+    SCENE_SUBSTEP_SUSPENDED        /* the budget of the call is exhausted; the next call resumes */
 } scene_substep_outcome;
 
+/* The present substep, and how the next attempt at it differs from the first. Substep. */
 typedef struct scene_substep {
     double step_length;                  /* length of the whole step, s */
-    double start_fraction, end_fraction; /* shares of it */
-    double h;                            /* length of the part, s */
-    bool has_fixed_normals; /* rows keep their normals: with new ones no shape was found */
-    bool uses_trial_motion; /* ways are those of the attempt before */
-    bool is_min_size;       /* it is not halved any more */
-    bool has_search_budget; /* and its searches stop: states were not found */
+    double start_fraction, end_fraction; /* fractions of the step, 0 to 1 */
+    double h;                            /* length of the substep, s */
+    bool has_fixed_normals; /* contacts keep their normals; an attempt with updated ones failed */
+    bool uses_trial_motion; /* expected displacements are those of the rejected attempt */
+    bool is_min_size;       /* the substep is not halved any more */
+    bool has_search_budget; /* the search failed without a limit; the next one stops early */
 } scene_substep;
 
-/* How far the trial state of a part is from a shape. */
+/* State of the Newton iterations of an attempt. Substep; it outlives the call if the attempt is
+ * suspended. */
 typedef struct scene_newton_state {
+    /* The part of an iteration that is due next. */
     enum { SCENE_NEWTON_LINEARISE, SCENE_NEWTON_ACTIVE_SET, SCENE_NEWTON_CORRECT } phase;
-    bool is_suspended;       /* for the search under way to go on */
-    uint32_t linearisations; /* so far */
-    uint32_t normal_updates; /* that are new, so often */
-    uint32_t needle_linearisations,
-        over_budget_linearisations; /* linearisations for a needle that turns; after all work was spent */
+    bool is_suspended;       /* the active-set search is suspended and resumes where it stopped */
+    uint32_t linearisations; /* in this attempt */
+    uint32_t normal_updates; /* how often the contact normals were updated in this attempt */
+    /* Extra linearisations because a needle in a hole turned far; linearisations over budget. */
+    uint32_t needle_linearisations, over_budget_linearisations;
+    /* A correction was made or is under way; a drain moved far, so that one more linearisation
+     * follows; the search starts from the current active set. */
     bool has_correction, has_extra_linearisation, starts_from_current;
-    uint64_t search_budget; /* of the search */
-    bool is_finite, is_converged;
-    double stretch;
+    uint64_t search_budget; /* operations of the step at which the search stops; 0: no limit */
+    bool is_finite, is_converged; /* the trial state */
+    double stretch;               /* largest stretch error of the trial state, relative */
 } scene_newton_state;
 
-/* Where a step is. What of it is too much for a call of vbss_scene_step goes on in the next (step.c). */
+/* Position within a step. If a step exceeds the budget of a call of vbss_scene_step, the call
+ * suspends it and the next call resumes it (step/time_slice.c). Persistent: snapshots save it. */
 typedef struct scene_step_cursor {
     scene_substep substep;
-    double initial_size, size, min_size,
-        hard_min_size; /* shares of the step; dyadic, so that parts sum to 1 exactly */
-    uint32_t attempts;
-    bool is_suspended;              /* the step is not at its end */
-    bool is_attempt_suspended;      /* and an attempt is under way, */
-    bool is_attempt_in_memory;      /* as it was left: it is not made once more */
-    uint32_t checks_passed;         /* and has been let go on so often (contact_call_budget) */
-    uint64_t operations_at_attempt; /* work of the step, in operations: when the attempt began; */
-    uint64_t operations;            /* so far */
-    uint64_t operations_left;       /* of the call, in operations */
-    uint32_t steps_behind;          /* steps that have been asked for and not begun */
-    uint32_t
-        unsliced_steps_left; /* so many follow that do not wait: hosts have changed what waited */
-    uint64_t edit_count;     /* of the bodies when it was left: what hosts change is seen by that */
+    /* Sizes of substeps as fractions of the step: the first size, the present one, the smallest,
+     * and the smallest for a scene with drains whose operation budget is exhausted. They are
+     * powers of two, so that substeps add up to exactly 1. */
+    double initial_size, size, min_size, hard_min_size;
+    uint32_t attempts;              /* in this step */
+    bool is_suspended;              /* the step has begun and is not complete */
+    bool is_attempt_suspended;      /* its attempt was suspended and is not complete */
+    bool is_attempt_in_memory;      /* memory holds that attempt; otherwise a replay restores it */
+    uint32_t checks_passed;         /* suspension checks that the attempt has passed */
+    uint64_t operations_at_attempt; /* operations of the step when the attempt began */
+    uint64_t operations;            /* operations of the step so far */
+    uint64_t operations_left;       /* operations that the present call may still use */
+    uint32_t steps_behind;          /* steps that hosts have asked for and that have not begun */
+    uint32_t unsliced_steps_left;   /* steps that must not be suspended, after an edit */
+    uint64_t edit_count;            /* edits of all bodies when the last call ended */
 } scene_step_cursor;
+
+/* ---- the scene */
 
 typedef struct scene_object scene_object;
 struct scene_object {
+    /* Persistent. */
     vbss_context *context;
     vbss_scene_config config;
-    vec3 floor_normal;
+    vec3 floor_normal; /* unit */
 
-    /* what is in it */
+    /* ---- contents. Persistent; checkpoint where the name says so */
+
     scene_body *bodies;
-    scene_capsule *capsules;
-    scene_pin *pins;
+    scene_capsule *capsules; /* those of one rigid body are contiguous */
+    scene_pin *pins;         /* config.pin_capacity entries */
+    /* config.grasp_capacity grasps and config.hole_capacity holes; unused entries have id 0. */
     scene_thread_grasp *thread_grasps, *checkpoint_thread_grasps;
     suture_hole *holes, *checkpoint_holes;
-    scene_previous_hole *previous_holes; /* in the same places, when the step began */
-    uint32_t body_count, body_capacity;  /* places used so far; of bodies that may be gone */
-    uint32_t node_count, node_capacity;  /* of all threads */
+    scene_previous_hole *previous_holes; /* step: id and needle of each hole when the step began */
+    uint32_t body_count, body_capacity;  /* entries used so far, free ones included; all */
+    uint32_t node_count, node_capacity;  /* nodes of all threads */
     uint32_t capsule_count;
-    uint32_t last_body_number, last_pin_id, last_grasp_id,
-        last_hole_id; /* the last that was given away */
+    /* The last of each number and id that the scene has assigned; 0: none yet. */
+    uint32_t last_body_number, last_pin_id, last_grasp_id, last_hole_id;
     uint32_t checkpoint_last_grasp_id, checkpoint_last_hole_id;
-    scene_cut cuts[SCENE_MAX_CUTS]; /* of the step under way */
-    uint32_t cut_count;
-    uint32_t contact_count; /* in the views */
+    scene_cut cuts[SCENE_MAX_CUTS]; /* step: in descending order of arc length */
+    uint32_t cut_count;             /* step */
+    uint32_t contact_count;         /* report: entries of the contact views */
 
-    /* what a part works with: nothing here outlives it, but for what can be made again */
-    collision_object *collision;
-    vbss_slot collision_slot; /* its handle, nobody else's */
-    uint32_t *body_of_shape;  /* of the body of each shape */
+    /* ---- solver. Substep, unless the comment names another lifetime */
+
+    collision_object *collision; /* persistent shapes; candidates of the substep */
+    vbss_slot collision_slot;    /* persistent: private handle of the collision object */
+    uint32_t *body_of_shape;     /* persistent: index in `bodies` for each shape */
+    /* Contact constraints of the substep, and the persistent warm start; the linear system. Both
+     * are NULL in the baseline method. */
     contact_set *contacts;
     vbss_system *system;
-    uint64_t pattern_hash;      /* hash of what the system's pattern was made for; 0: of nothing */
-    uint64_t body_pattern_hash; /* the same without rows; while there is a pattern */
-    uint8_t *is_separator;      /* of all nodes: separators */
-    vec3 *
-        expected_displacements; /* of all nodes, then of both ends of all capsules: how far they may move */
-    vec3 *vertices;             /* of one shape, start and end */
-    uint32_t *near_features; /* remeshing.c: features that a search has found */
-    contact_weld *welds;
+    /* Hash of the system's sparsity pattern, 0 if there is none, and hash of the part that bodies
+     * determine. Both last until the pattern is rebuilt. */
+    uint64_t pattern_hash;
+    uint64_t body_pattern_hash;
+    uint8_t *is_separator; /* per node of all threads: nonzero if its block is a separator */
+    /* Displacements that the broad phase allows for, m: per node, node_capacity entries, then
+     * two per capsule for its ends. */
+    vec3 *expected_displacements;
+    vec3 *vertices;          /* scratch: start and end positions of the vertices of one body, m */
+    uint32_t *near_features; /* scratch of remeshing.c: features near a probe */
+    contact_weld *welds;     /* kept until the sparsity pattern of the bodies changes */
     uint32_t weld_count;
-    uint32_t
-        edge_pair_count; /* candidates of two edges, which come first; then a point and a triangle */
-    collision_block *ccd_batch;
-    vbss_rigid_capsule *mass_capsules; /* to weigh a new body */
-    bool is_recovering;                /* the part began with more penetration than is allowed */
-    double substep_length;             /* of the part under way, s */
-    double next_initial_size,
-        checkpoint_next_initial_size; /* share of a step with which the next one begins; dyadic */
-    uint64_t step_budget; /* of the step, in operations: nothing is begun beyond it; 0: no limit */
+    uint32_t edge_pair_count;          /* candidates of two edges, which come first */
+    collision_block *ccd_batch;        /* scratch: queries of the CCD */
+    vbss_rigid_capsule *mass_capsules; /* scratch: for the inertia of a new body */
+    bool is_recovering;                /* the substep began with more penetration than is allowed */
+    double substep_length;             /* s */
+    /* Persistent: size of the first substep of the next step, a power of two, as a fraction. */
+    double next_initial_size, checkpoint_next_initial_size;
+    uint64_t step_budget; /* operations of the step at which work stops; 0: no limit */
+    /* Persistent. */
     scene_step_cursor cursor, checkpoint_cursor;
-    bool has_pending_events;   /* those there were made between two calls */
-    scene_newton_state newton; /* of the attempt under way */
-    bool has_updated_normals;  /* the last attempt failed with new normals */
-    bool
-        has_accepted_contacts; /* rows are those of a part that was taken, not of one thrown away */
-    bool is_behind_targets;    /* the last part was cut short: what is driven is behind */
-    bool can_skip_slow_pairs;  /* what moves little passes nothing */
-    bool
-        has_unlisted_pairs; /* some pairs that are near are no rows, as both sides go where they are told */
-    double time_of_impact; /* share of the part after which something would pass; 1: nothing does */
+    bool has_pending_events; /* events were emitted after the last call; the next keeps them */
+    /* Substep. */
+    scene_newton_state newton;
+    bool has_updated_normals;   /* the attempt failed after an update of contact normals */
+    bool has_accepted_contacts; /* step: `contacts` are those of the last accepted substep */
+    bool is_behind_targets;     /* step: driven bodies lag behind, after a truncated substep */
+    bool can_skip_slow_pairs;   /* the CCD may skip pairs that move by little */
+    /* Some near pairs have no contact constraint, as both features have prescribed motion. */
+    bool has_unlisted_pairs;
+    double time_of_impact; /* fraction of the substep until the first CCD hit; 1: there is no hit */
 
-    /* Tests look at every part that is taken, while its begin and its end are both there. */
+    /* Persistent. Tests set this hook; it is called after an accepted substep is solved and
+     * before it is committed, so that start and trial states are both available. NULL: none. */
     void (*on_substep)(void *data, const struct scene_object *scene);
     void *on_substep_data;
 
-    scene_contact_record *baseline_contacts; /* PAPER, ascending keys */
+    /* Step, baseline method only: contacts in ascending order of keys, and responses in the last
+     * pass. */
+    scene_contact_record *baseline_contacts;
     uint32_t baseline_contact_count, baseline_responses_in_pass;
 
-    /* what is left of the last step */
-    scene_touching_pair *touching_pairs, *previous_touching_pairs; /* ascending */
-    uint32_t touching_pair_count;
-    uint32_t (*events)[4];
-    uint32_t event_count, lost_events, checkpoint_event_count, checkpoint_lost_events;
-    uint64_t generation;
-    vbss_scene_statistics statistics, checkpoint_statistics; /* kept: before the step */
+    /* ---- report of the last step; checkpoint where the name says so */
 
-    /* views */
-    uint32_t (*contact_features)[5];
+    /* In ascending order. The first list is persistent: the next step compares its own pairs
+     * with it. */
+    scene_touching_pair *touching_pairs, *previous_touching_pairs;
+    uint32_t touching_pair_count;
+    uint32_t (*events)[4]; /* vbss_event_kind, two bodies, a number that depends on the kind */
+    /* Events in the list; events beyond config.event_capacity. */
+    uint32_t event_count, lost_events, checkpoint_event_count, checkpoint_lost_events;
+    uint64_t generation; /* grows with every change that views show */
+    vbss_scene_statistics statistics, checkpoint_statistics; /* persistent */
+
+    /* The contact views: contact_count entries, in the order of the features. */
+    uint32_t (*contact_features)[5]; /* vbss_contact_kind, body a, feature a, body b, feature b */
+    /* Points between the surfaces, m; unit, from b to a; on a by b, N. */
     vec3 *contact_points, *contact_normals, *contact_forces;
-    double *contact_gaps;
+    double *contact_gaps; /* m; negative where surfaces overlap */
 };
 
 #endif

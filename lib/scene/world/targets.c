@@ -1,4 +1,5 @@
-/* Target poses of rigid bodies. While a step is suspended, a new target waits for the next step. */
+/* Target poses of rigid bodies. While a step is suspended, new targets stay pending until the
+ * next step. */
 #include "scene/world/world.h"
 
 void vbss_scene_apply_rigid_targets(scene_object *s)
@@ -22,6 +23,7 @@ void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target)
     r->pending_target = target;
     r->has_pending_target = true;
     if (!s->cursor.is_suspended) {
-        vbss_scene_apply_rigid_targets(s); /* a step that fails shall find nothing to undo */
+        /* now, so that a failed step leaves no pending target to undo */
+        vbss_scene_apply_rigid_targets(s);
     }
 }

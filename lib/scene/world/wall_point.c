@@ -1,4 +1,4 @@
-/* Points of a drain's wall: where they are, at rest and at a time within the substep. */
+/* Points of a drain's wall: their positions at rest, now, and at a time within the substep. */
 #include "scene/world/world.h"
 
 scene_wall_point vbss_scene_wall_point(const scene_body *drain, uint32_t triangle,

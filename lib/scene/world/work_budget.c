@@ -1,4 +1,4 @@
-/* The work budget of a step, counted in operations. */
+/* The operation budget of a step. */
 #include "scene/world/world.h"
 
 /* Of an attempt, in products of blocks. Rows are found and laid as candidates are looked at. */
@@ -19,7 +19,7 @@ bool vbss_scene_is_over_budget(const scene_object *s)
     return s->step_budget > 0 && s->contacts->counters.operations >= s->step_budget;
 }
 
-/* The first step of a scene is not: what a host has laid out may overlap. */
+/* The first step has no budget, because bodies may overlap as the host has placed them. */
 bool vbss_scene_has_step_budget(const scene_object *s)
 {
     return s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit > 0 &&

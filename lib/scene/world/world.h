@@ -1,5 +1,5 @@
-/* The bodies of a scene: look-up by number, poses and features, points of walls, pins, targets,
- * events, the work budget. */
+/* The bodies of a scene: look-up by number, poses, features, points of walls, pins, targets, events
+ * and the work budget. */
 #ifndef VBSS_SCENE_WORLD_H
 #define VBSS_SCENE_WORLD_H
 
@@ -8,34 +8,37 @@
 /* A tip touches within so many radii of the wire from its end. */
 #define SCENE_TIP_LENGTH_RATIO 1.0
 
-/* Arrays that a scene allocates for a drain. */
+/* Number of arrays that a scene allocates for each drain. */
 enum { SCENE_DRAIN_ARRAYS = 6 };
 
-/* A point of a drain's wall, now and at rest. */
+/* A material point of a drain's wall, in the middle of its thickness. */
 typedef struct scene_wall_point {
-    vec3 now, rest;
-    double time; /* of the part: 0, its begin */
+    vec3 now, rest; /* position at `time`, and in the undeformed drain, m */
+    double time;    /* 0 to 1 within the substep; 0: its start */
 } scene_wall_point;
 
-/* Contacts whose feature a, if it is of a thread, is a node; a segment. */
+/* Whether feature a of contacts of this kind is a point: a node of a thread or drain, or an end
+ * of a capsule. */
 static inline bool scene_is_node_contact(uint32_t kind)
 {
     return kind == VBSS_CONTACT_NODE_CAPSULE || kind == VBSS_CONTACT_NODE_FLOOR ||
            kind == VBSS_CONTACT_POINT_FACE;
 }
 
+/* Whether feature b of contacts of this kind is a triangle or a side of a drain. */
 static inline bool scene_is_surface_contact(uint32_t kind)
 {
     return kind == VBSS_CONTACT_POINT_FACE || kind == VBSS_CONTACT_SIDES;
 }
 
+/* Whether feature a of contacts of this kind is a line: a segment, a capsule or a side. */
 static inline bool scene_is_segment_contact(uint32_t kind)
 {
     return kind == VBSS_CONTACT_SEGMENTS || kind == VBSS_CONTACT_SEGMENT_CAPSULE ||
            kind == VBSS_CONTACT_SIDES;
 }
 
-/* The scene's own collision object, by its handle. */
+/* The handle of the scene's collision object, for functions of the public interface. */
 static inline vbss_collision *scene_collision(scene_object *s)
 {
     return (vbss_collision *)&s->collision_slot;
@@ -43,42 +46,51 @@ static inline vbss_collision *scene_collision(scene_object *s)
 
 /* ---- body_lookup.c */
 
-/* The living body of a number; NULL and VBSS_ERROR_OUT_OF_RANGE, told. The thread of a number; the
- * rigid body. */
+/* Returns the body with a number if it is of this kind. Otherwise returns NULL and sets the error
+ * VBSS_ERROR_OUT_OF_RANGE. */
 scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scene_body_kind kind);
 
-/* The same, untold. */
+/* Returns the body with a number, of any kind, or NULL. Sets no error. */
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
 
-/* Whether there is one of that kind. */
+/* Whether the scene has a body of this kind. */
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind);
 
-/* A place for one more body of that kind, or NULL, told; which then gets its number. */
+/* Returns a free entry for a body of this kind. Returns NULL and sets the error VBSS_ERROR_CAPACITY
+ * if the scene has as many as its configuration allows, pieces of threads that may yet be cut
+ * included. */
 scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind);
+
+/* Makes the entry `b` a body of this kind with a new number, which is stored in `number` as well.
+ * `shape` is its shape in the collision object. */
 void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind kind, uint32_t shape,
                               uint32_t *number);
 
-/* Nodes of threads stand one behind the other in the order of their places. */
+/* Numbers the nodes of all threads consecutively, in the order of the bodies: sets first_node of
+ * each thread and node_count of the scene. */
 void vbss_scene_number_nodes(scene_object *s);
 
 /* ---- body_kinematics.c */
 
-/* Where the axis of a capsule is when its body is there; and at the end of the part. */
+/* Computes the ends of a capsule's axis in the world for a pose of its body's principal frame. */
 void vbss_scene_transform_capsule(const scene_capsule *capsule, pose at, vec3 axis[2]);
+
+/* Sets the trial ends of a capsule's axis for a trial pose of its body's principal frame. */
 void vbss_scene_transform_trial_capsule(scene_capsule *capsule, pose at);
 
-/* Moves a capsule to its position at the end of the step, in the frame of its body. */
+/* Moves a capsule within its body's frame to its position at the end of the step. */
 void vbss_scene_snap_capsule_to_target(scene_capsule *capsule);
 
-/* The frame of a needle that hosts see, from the pose of its principal axes. */
+/* Returns the pose of a needle that hosts see, from the pose of its principal frame. */
 pose vbss_scene_needle_frame(const scene_rigid *r, pose principal);
 
-/* The frame of a grasper's jaws in the world, from the pose of its principal axes. */
+/* Returns the pose of a grasper's jaws in the world, from the pose of its principal frame. */
 pose vbss_scene_jaw_frame(const scene_rigid *r, pose principal);
 
 /* ---- features.c */
 
-/* Nodes of a feature of a drain; returns how many. */
+/* Lists the nodes of a drain's feature and returns their number, 1 to 3. The feature is on side
+ * b of a contact of this kind if is_b, otherwise on side a. */
 uint32_t vbss_scene_drain_feature_nodes(const scene_object *s, const scene_body *drain,
                                         uint32_t kind, bool is_b, uint32_t feature,
                                         uint32_t nodes[3]);
@@ -86,108 +98,134 @@ uint32_t vbss_scene_drain_feature_nodes(const scene_object *s, const scene_body 
 /* Whether the body is a thread or a needle. */
 bool vbss_scene_is_suture(const scene_body *b);
 
-/* The arc length of a place on a segment of a thread or a capsule of a needle; whether that is its tip. */
+/* Returns the arc length of a point, m. It begins at the first node of a thread, at rest, or at the
+ * tip of a needle. `segment` is a segment of the thread or a capsule of the needle; `fraction` is
+ * the position on it, 0 to 1. */
 double vbss_scene_suture_arc_length(const scene_body *suture, uint32_t segment, double fraction);
+
+/* Whether a point at this arc length, m from the tip, belongs to the tip of the needle. */
 bool vbss_scene_is_at_tip(const scene_body *needle, double arc);
 
-/* Where a segment of a thread, the axis of a capsule or a side of a drain is; false: there is no such body. */
+/* Finds the ends of a segment of a thread, of the axis of a capsule, or of a side of a drain, at
+ * the start of the substep. `number` is the body number. Returns false if there is no such body. */
 bool vbss_scene_feature_segment(const scene_object *s, uint32_t number, uint32_t feature,
                                 vec3 axis[2]);
 
 /* ---- wall_point.c */
 
-/* A point of a drain's wall, at the start of the substep: in a triangle, by the weights of its
- * corners. */
+/* Returns a point in a triangle of a drain at the start of the substep. `weights` are its
+ * barycentric coordinates. */
 scene_wall_point vbss_scene_wall_point(const scene_body *drain, uint32_t triangle,
                                        const double weights[3]);
 
-/* A point of a drain's wall, at the start of the substep: on a side, by a fraction 0..1 from its
- * first node. */
+/* Returns a point on a side of a drain at the start of the substep. `fraction` is the position
+ * between its two nodes, 0 to 1. */
 scene_wall_point vbss_scene_wall_point_on_edge(const scene_body *drain, const uint32_t node[2],
                                                double fraction);
 
-/* The same point of a triangle at a time 0..1 within the substep. */
+/* Returns a point in a triangle of a drain at a time within the substep, 0 to 1. `weights` are its
+ * barycentric coordinates. The nodes move along straight lines to the trial state. */
 scene_wall_point vbss_scene_wall_point_at_time(const scene_body *drain, uint32_t triangle,
                                                const double weights[3], double time);
 
-/* The same point of a side at a time 0..1 within the substep. */
+/* Returns a point on a side of a drain at a time within the substep, 0 to 1. `fraction` is the
+ * position between its two nodes, 0 to 1. The nodes move along straight lines to the trial
+ * state. */
 scene_wall_point vbss_scene_wall_point_on_edge_at_time(const scene_body *drain,
                                                        const uint32_t node[2], double fraction,
                                                        double time);
 
 /* ---- pins.c */
 
-/* Pins a node where it is, within a step. */
+/* Pins a node of a thread to a body where the node is now. Stores the id in `pin`. Errors are those
+ * of vbss_scene_pin_node. */
 vbss_result vbss_scene_pin_in_step(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
                                    uint32_t *pin);
+
+/* Removes a pin within a step. Does nothing if a host has removed it already. */
 void vbss_scene_unpin_in_step(scene_object *s, uint32_t pin);
+
+/* Removes all pins of a thread or rigid body, given by its number. */
 void vbss_scene_remove_pins_of(scene_object *s, uint32_t number);
 
-/* Whether it still holds its node: the host may have detached the attachment. */
+/* Whether a pin still constrains its node. It does not if the host has detached its attachment. */
 bool vbss_scene_pin_holds(const scene_object *s, const scene_pin *pin);
 
-/* The weld of a node, or NULL. */
+/* Returns the weld of a thread's node, or NULL. */
 const scene_pin *vbss_scene_find_weld(const scene_object *s, uint32_t thread, uint32_t node);
 
-/* Attached nodes shall be where their driven bodies will be. */
+/* Sets the targets of all pinned nodes that are attachments to where their bodies will be at the
+ * end of the step. */
 void vbss_scene_set_pin_targets(scene_object *s);
 
-/* Pins a node to a body (number; 0: the world). `point`: in the frame of the body that hosts see,
+/* Pins a node to a body (number; 0: the world). `point` is in the frame of the body that hosts see;
  * NULL: where the node is. Checks all arguments and sets the error text; on failure nothing
  * changes. */
 vbss_result vbss_scene_pin_node(scene_object *s, uint32_t thread, uint32_t node, uint32_t body,
                                 const double *point, uint32_t *pin);
 
-/* False: there is no such pin. */
+/* Removes a pin by its id. Returns false if there is no such pin. */
 bool vbss_scene_unpin_node(scene_object *s, uint32_t pin);
 
 /* ---- targets.c */
 
-/* Where a rigid body, its principal frame, shall be after the next step; while a step waits that is kept until the next begins. */
+/* Sets the target pose of a rigid body, in its principal frame, for the end of the next step.
+ * While a step is suspended, the target stays pending until the next step begins. */
 void vbss_scene_set_rigid_target(scene_object *s, scene_rigid *r, pose target);
+
+/* Makes all pending targets the targets of the step, together with those of pinned nodes. */
 void vbss_scene_apply_rigid_targets(scene_object *s);
 
 /* ---- events.c */
 
-/* Adds the event of a cut. `piece` NULL: the thread was not cut. */
+/* Adds VBSS_EVENT_CUT at an arc length of a thread, m from its first node. `piece` is the body that
+ * was cut off; NULL: the thread was not cut, as no piece was left. */
 void vbss_scene_emit_cut_event(scene_object *s, const scene_body *thread, const scene_body *piece,
                                double arc_length);
 
 /* Clears the list of events. */
 void vbss_scene_clear_events(scene_object *s);
 
-/* Adds an event; where there is no room it is counted as lost. */
+/* Adds an event with two body numbers and a number that depends on the kind. If the list is
+ * full, the event is counted as lost. */
 void vbss_scene_add_event(scene_object *s, vbss_event_kind kind, uint32_t a, uint32_t b,
                           uint32_t number);
 
-/* Replaces the last event by one that says how many were lost, if any were. */
+/* If events were lost, replaces the last event by VBSS_EVENT_LOST with their number. */
 void vbss_scene_write_lost_event(scene_object *s);
 
 /* ---- work_budget.c */
 
-/* What an attempt costs before it is solved, as the last one did; whether steps have a limit of work. */
+/* Estimates the operations of an attempt before its first linearisation, from the candidates of the
+ * last attempt. */
 uint32_t vbss_scene_attempt_cost(const scene_object *s);
+
+/* Whether this step has an operation budget. The first step of a scene has none. */
 bool vbss_scene_has_step_budget(const scene_object *s);
 
-/* Work that is done, in products of blocks; whether no more may be. */
+/* Counts operations of the present step. An operation costs about as much as a product of two
+ * blocks. */
 void vbss_scene_charge_budget(scene_object *s, uint32_t operations);
+
+/* Whether the operation budget of the step is exhausted. */
 bool vbss_scene_is_over_budget(const scene_object *s);
 
 /* ---- disown_body.c */
 
-/* The thread's handle is free again. */
+/* Gives the handle of a thread back to the host. The body entry stays as it is. */
 void vbss_scene_disown_thread(scene_body *body);
 
-/* The drain's handle is free again, and the scene's arrays for it are released. */
+/* Gives the handle of a drain back to the host and releases the scene's arrays for it. */
 void vbss_scene_disown_drain(scene_object *s, scene_body *b);
 
-/* The grasper's handle is free again. */
+/* Gives the handle of a grasper back to the host. The body entry stays as it is. */
 void vbss_scene_disown_grasper(scene_body *b);
 
-/* The needle's handle is free again. */
+/* Gives the handle of a needle back to the host. The body entry stays as it is. */
 void vbss_scene_disown_needle(scene_body *b);
 
-/* The arrays that a scene allocates for a drain of so many nodes. */
+/* Lists the arrays of a scene for a drain with this number of nodes, to allocate or release
+ * them. */
 void vbss_scene_list_drain_arrays(scene_drain *b, uint32_t nodes,
                                   vbss_array arrays[SCENE_DRAIN_ARRAYS]);
 
