@@ -1,5 +1,8 @@
-/* Needles in the jaws of graspers: taken by jaws that touch them from both sides, held by three rows, let go as they were.
- * Between two steps what was pulled or turned too hard slides. */
+/* Needles in the jaws of graspers: found, grasped, released and sliding.
+ *
+ * Jaws grasp a needle that they touch from both sides, in the pose that it has. Three bilateral
+ * constraints hold it (contacts/grasp_constraints.c). After a step the needle slides and turns
+ * in the jaws if the load exceeds their friction limit. */
 #include "base/elementary.h"
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
@@ -19,7 +22,8 @@ enum { ARC_SAMPLES = 4 };
 
 /* ---- frames */
 
-/* Of a place on the arc, in the needle's frame: outward, toward the tip, along its axis. */
+/* Frame of a point of the arc, in the needle's frame: x outward, y toward the tip, z along the
+ * axis of the arc. */
 static pose arc_frame(const needle_object *n, double arc)
 {
     double sine, cosine;
@@ -39,9 +43,10 @@ static void emit_needle_grasp_event(scene_object *s, vbss_event_kind kind, const
     vbss_scene_add_event(s, kind, grasp->needle, tool->number, (uint32_t)(1e6 * grasp->arc));
 }
 
-/* ---- taking */
+/* ---- grasping */
 
-/* The angle at which round jaws touch a wire that goes that way between them. */
+/* Jaw angle at which round jaws touch a wire between them, rad. `direction` is that of the wire
+ * in the jaws' frame, unit. Returns 0 if the wire is too steep to be grasped. */
 static double touching_angle(const grasper_object *g, double wire, vec3 direction,
                              double from_pivot)
 {
@@ -92,7 +97,7 @@ bool vbss_scene_find_needle_in_jaws(const scene_object *s, const scene_body *too
     for (uint32_t i = 0; i < s->body_count; i++) {
         const scene_body *b = &s->bodies[i];
         bool torn = before->needle == b->number &&
-                    before->needs_reopening; /* not before they have opened */
+                    before->needs_reopening; /* not before the jaws have opened */
         if (b->kind == SCENE_BODY_RIGID && b->rigid.needle != NULL && !torn) {
             find_grasp_on_needle(tool, b, found, &beside);
         }
@@ -106,7 +111,7 @@ void vbss_scene_grasp_needle(scene_object *s, scene_body *tool, const scene_need
     emit_needle_grasp_event(s, VBSS_EVENT_GRASP, tool);
 }
 
-/* ---- what does not touch */
+/* ---- exclusion from contact */
 
 bool vbss_scene_is_needle_in_grasp(const scene_object *s, const scene_body *needle,
                                    uint32_t segment, const scene_body *tool, uint32_t capsule)
@@ -124,9 +129,10 @@ bool vbss_scene_is_needle_in_grasp(const scene_object *s, const scene_body *need
            grasp->arc < vbss_needle_vertex_arc(n, segment + 1) + reach;
 }
 
-/* ---- letting go */
+/* ---- releasing */
 
-/* Whether the axes of both jaws are that share of touching away from what was let go. */
+/* Whether the axes of both jaws are at least this fraction of the contact distance away from the
+ * part of the needle that is excluded from contact. */
 static bool is_needle_clear(const scene_object *s, const scene_body *tool, double fraction)
 {
     const scene_body *b = vbss_scene_body(s, tool->rigid.needle_grasp.needle);
@@ -175,13 +181,13 @@ void vbss_scene_remove_needle_grasps_of(scene_object *s, uint32_t number)
             (s->bodies[i].number == number || r->needle_grasp.needle == number)) {
             r->needle_grasp = (scene_needle_grasp){0};
         }
-        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->leader == number) { /* PAPER */
+        if (s->bodies[i].kind == SCENE_BODY_RIGID && r->leader == number) { /* baseline method */
             r->leader = 0;
         }
     }
 }
 
-/* ---- rows */
+/* ---- the clamp */
 
 scene_clamp_corner vbss_scene_clamp_corner(const scene_rigid *needle, pose needle_principal,
                                            const scene_rigid *tool, pose tool_principal, uint32_t k)
@@ -196,7 +202,7 @@ scene_clamp_corner vbss_scene_clamp_corner(const scene_rigid *needle, pose needl
 
 /* ---- after a step */
 
-/* Force and torque about the middle of what is held. */
+/* Force and torque of the clamp on the needle about the grasped point, in the jaws' frame. */
 static grasper_needle_load clamp_load(const scene_rigid *needle, const scene_rigid *tool)
 {
     const scene_needle_grasp *grasp = &tool->needle_grasp;
@@ -218,8 +224,9 @@ static grasper_needle_load clamp_load(const scene_rigid *needle, const scene_rig
     return load;
 }
 
-/* What has slid aside is held by another place of its arc, by the one that is in the middle of the jaws; false: it has no
- * such place any more, or has gone aside without one. */
+/* Grasps the needle at the point of its arc that is in the middle of the jaws, if it has slid
+ * sideways. Returns false if the arc ends before that point, or if the needle has left the jaws
+ * sideways. */
 static bool recentre_grasp(const needle_object *n, const grasper_object *g,
                            scene_needle_grasp *grasp)
 {
@@ -280,7 +287,7 @@ void vbss_scene_update_needle_grasps(scene_object *s, double h)
     }
 }
 
-/* ---- looking */
+/* ---- description for hosts */
 
 void vbss_scene_describe_needle_grasp(const scene_object *s, const scene_body *tool,
                                       vbss_grasp *grasp)

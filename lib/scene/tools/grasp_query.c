@@ -1,4 +1,4 @@
-/* What a tool grasps: threads, a needle, a wall. */
+/* Queries about the grasps of a tool: threads, a needle, a wall. */
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
@@ -39,7 +39,7 @@ bool vbss_scene_has_needle_grasp(const scene_object *s, uint32_t tool)
         b->rigid.needle_grasp.is_released) {
         return false;
     }
-    /* By method PAPER another tool may lead. */
+    /* in the baseline method the needle may follow another tool */
     return s->config.method == VBSS_METHOD_OURS ||
            vbss_scene_held_needle(s, &b->rigid.needle_grasp)->leader == tool;
 }

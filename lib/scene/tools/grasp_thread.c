@@ -1,7 +1,8 @@
-/* Threads in the jaws: found between them, grasped, released, sliding.
+/* Threads in the jaws of graspers: found, grasped, released and sliding.
  *
- * What graspers hold: taken by jaws that touch it from both sides, held by rows (grasp_constraints.c), let go as
- * it was. Between two steps what was pulled too hard slides. */
+ * Jaws grasp a strand that they touch from both sides, in the position that it has. Bilateral
+ * constraints hold three of its points (contacts/grasp_constraints.c). After a step the strand
+ * slides in the jaws if the load exceeds their friction limit. */
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
@@ -9,13 +10,14 @@
 /* As a share of touching: what was let go is still between the jaws. */
 #define RELEASE_CLEARANCE_RATIO 0.5
 
-/* ---- who holds what */
+/* ---- the list of grasps */
 
 void vbss_scene_remove_thread_grasps_of(scene_object *s, uint32_t number)
 {
     for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *g = &s->thread_grasps[i];
-        if (g->id != 0 && (g->thread == number || g->tool == number)) { /* pins are gone already */
+        /* its pins have been removed before */
+        if (g->id != 0 && (g->thread == number || g->tool == number)) {
             *g = (scene_thread_grasp){0};
         }
     }
@@ -33,13 +35,15 @@ void vbss_scene_emit_grasp_event(scene_object *s, vbss_event_kind kind, const sc
     vbss_scene_add_event(s, kind, g->thread, g->tool, (uint32_t)vbss_max(arc, 0.0));
 }
 
-/* ---- taking */
+/* ---- grasping */
 
-/* What has just been torn out is not held again because it is still there, nor is cut what was let through. */
+/* Whether a segment belongs to a strand that must not be grasped, because it was just torn out,
+ * or cut, because the shears cannot cut it. */
 static bool is_torn(const scene_object *s, const scene_jaw_query *m, const scene_body *b,
                     uint32_t segment)
 {
-    bool is_shears = m->grasper->kind == VBSS_GRASPER_SHEARS; /* also further on */
+    /* shears exclude a longer stretch of the thread */
+    bool is_shears = m->grasper->kind == VBSS_GRASPER_SHEARS;
     double radius = vbss_grasper_current_jaws(m->grasper)->radius;
     double reach =
         is_shears ? GRASPER_MAX_OFFSET_RATIO * radius : radius + b->thread.thread->config.radius;
@@ -57,8 +61,8 @@ static void find_strands_of_thread(const scene_object *s, const scene_body *b, s
 {
     const thread_object *t = b->thread.thread;
     const double length = vbss_grasper_current_jaws(m->grasper)->length;
-    scene_strand_candidate *last =
-        NULL; /* of a run of segments that all lie between: the one nearest to the middle */
+    /* in a run of segments between the jaws: the one nearest to their middle */
+    scene_strand_candidate *last = NULL;
     bool is_torn_run = false;
     for (uint32_t i = 0; i + 1 < t->node_count; i++) {
         vec3 off = vec3_sub(t->now.x[i], m->jaws.position);
@@ -87,7 +91,8 @@ static void find_strands_of_thread(const scene_object *s, const scene_body *b, s
     }
 }
 
-/* Strands side by side between the same places of the jaws are pressed on one another. */
+/* Strands that lie side by side at the same distance from the pivot are pressed together, so the
+ * jaws touch the whole stack. */
 static void stack_strands(scene_jaw_query *m)
 {
     for (uint32_t i = 0; i < m->count; i++) {
@@ -121,7 +126,8 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
                              const scene_strand_candidate *found)
 {
     const thread_object *t = found->thread->thread.thread;
-    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) { /* held again before it had left */
+    /* grasped again before the jaws were clear */
+    for (uint32_t i = 0; i < s->config.grasp_capacity; i++) {
         scene_thread_grasp *old = &s->thread_grasps[i];
         if (old->is_released && old->thread == found->thread->number && old->tool == tool->number) {
             *old = (scene_thread_grasp){0};
@@ -146,9 +152,10 @@ void vbss_scene_grasp_strand(scene_object *s, const scene_body *tool, const scen
     vbss_scene_emit_grasp_event(s, VBSS_EVENT_GRASP, g);
 }
 
-/* ---- letting go */
+/* ---- releasing */
 
-/* Whether the axes of both jaws are that share of touching away from what was let go. */
+/* Whether the axes of both jaws are at least this fraction of the contact distance away from the
+ * part of the thread that is excluded from contact. */
 static bool is_strand_clear(const scene_object *s, const scene_thread_grasp *g, double fraction)
 {
     const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
@@ -190,8 +197,9 @@ bool vbss_scene_is_segment_in_grasp(const scene_object *s, const scene_thread_gr
     return arc < max_arc;
 }
 
-/* What is let go lies between the jaws, which touch it from now on. What was pulled into one of them, as the
- * clamp gives way, is not touched before it has been clear of both: it might come out on the wrong side. */
+/* A released strand lies between the jaws and touches them from now on. If the clamp has pulled
+ * it into a jaw, it stays excluded from contact until it is clear of both: contact could push it
+ * out on the wrong side. */
 void vbss_scene_release_thread_grasps(scene_object *s, const scene_body *tool)
 {
     double target_angle = vbss_grasper_commanded_angle(tool->rigid.grasper);
@@ -232,14 +240,15 @@ static void slide_grasp(scene_object *s, scene_thread_grasp *g, double slip)
     g->is_sliding = sliding;
 }
 
-/* Over the end of the thread. */
+/* Whether the grasp has slid over an end of the thread. */
 static bool is_past_end(const scene_object *s, const scene_thread_grasp *g)
 {
     const thread_object *t = vbss_scene_body(s, g->thread)->thread.thread;
     return g->segment_offset < 0.0 || g->segment_offset > t->rest[g->segment];
 }
 
-/* Arc length that is held on one side of the middle: to the thread's end at most. */
+/* Arc length between the middle of the grasp and its last point on one side, or the end of the
+ * thread. */
 static double held_arc(const thread_object *t, const scene_thread_grasp *g, bool forward)
 {
     uint32_t i = g->segment;

@@ -1,5 +1,8 @@
-/* Walls of drains in the jaws of graspers: taken by jaws that would touch them from both sides, held at up to three points
- * along the jaws, let go as they were. Between two steps what was pulled too hard slides. */
+/* Walls of drains in the jaws of graspers: found, grasped, released and sliding.
+ *
+ * Jaws grasp a wall that they would touch from both sides, at up to three points along their
+ * length. Bilateral constraints hold these points (contacts/grasp_constraints.c). After a step
+ * the wall slides in the jaws if the load exceeds their friction limit. */
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
@@ -9,32 +12,33 @@ enum { JAW_SECTIONS = 16 };
 /* As a share of touching: what was let go is still between the jaws. */
 #define RELEASE_CLEARANCE_RATIO 0.5
 
-/* ---- where walls are between jaws */
+/* ---- walls between the jaws */
 
 typedef struct crossing {
     uint32_t triangle;
-    double weights[3], x; /* along the way the jaws open, from their middle */
+    double weights[3], x; /* barycentric coordinates; x: in the jaws' frame, m */
 } crossing;
 
-/* A place of the jaws, so far from the pivot, from one jaw to the other; the walls across it, of which the nearest to the
- * middle is kept. */
+/* A line across the jaws, from one to the other: its depth below the pivot, the distance of the
+ * jaws there, the number of walls between them, and the crossing nearest to the middle. */
 typedef struct jaw_section {
     double depth, width;
     uint32_t layers;
     crossing nearest;
 } jaw_section;
 
-/* Where a straight line from one jaw to the other meets a triangle, all in the jaws' frame, y = 0, z = -depth. */
+/* Finds the point at which a line across the jaws meets a triangle. The corners are in the jaws'
+ * frame; the line is at y = 0 and z = -depth. */
 static bool crosses_triangle(const vec3 corner[3], double depth, crossing *found)
 {
-    /* Seen along x: weights of the corners by areas. */
+    /* In the projection along x, areas give the barycentric coordinates. */
     double area[3], sum = 0.0;
     for (int k = 0; k < 3; k++) {
         vec3 p = corner[(k + 1) % 3], q = corner[(k + 2) % 3];
         area[k] = p.y * (q.z + depth) - q.y * (p.z + depth);
         sum += area[k];
     }
-    if (sum == 0.0) { /* it is seen as a line */
+    if (sum == 0.0) { /* the projection is a line */
         return false;
     }
     found->x = 0.0;
@@ -45,7 +49,7 @@ static bool crosses_triangle(const vec3 corner[3], double depth, crossing *found
     return found->weights[0] >= 0.0 && found->weights[1] >= 0.0 && found->weights[2] >= 0.0;
 }
 
-/* The jaws' middle plane goes through it. */
+/* Whether a triangle crosses the middle plane of the jaws, y = 0. */
 static bool crosses_middle_plane(const vec3 corner[3])
 {
     bool one = corner[0].y > 0.0 || corner[1].y > 0.0 || corner[2].y > 0.0;
@@ -56,7 +60,7 @@ static bool crosses_middle_plane(const vec3 corner[3])
 static void find_crossings(const scene_drain *b, pose jaws, jaw_section sections[JAW_SECTIONS])
 {
     const drain_mesh *m = &b->drain->mesh;
-    vec3 *x = b->vertices; /* room that a search has left */
+    vec3 *x = b->vertices; /* scratch */
     for (uint32_t i = 0; i < m->node_count; i++) {
         x[i] = pose_apply_inverse(jaws, b->drain->x[i]);
     }
@@ -95,7 +99,7 @@ static void set_grasp_point(scene_wall_grasp *p, uint32_t k, const jaw_section *
     }
 }
 
-/* The first, the last and the middle of the places that have wall between the jaws. */
+/* Finds a grasp at the first, the middle and the last section that has a wall between the jaws. */
 static void find_wall_grasp(const scene_body *tool, const scene_body *b, scene_wall_grasp *found)
 {
     const grasper_object *g = tool->rigid.grasper;
@@ -115,7 +119,8 @@ static void find_wall_grasp(const scene_body *tool, const scene_body *b, scene_w
     find_crossings(&b->drain, jaws, sections);
     for (uint32_t i = 0; i < JAW_SECTIONS; i++) {
         double thick = sections[i].layers * wall;
-        /* Nearer to the pivot than it is thick it stands in the corner of the mouth, and stops nothing. */
+        /* A wall nearer to the pivot than its thickness lies in the corner of the jaws and does
+         * not stop them. */
         if (sections[i].layers > 0 && sections[i].depth > thick) {
             found->angle =
                 vbss_max(vbss_grasper_touching_angle(thick, sections[i].depth), found->angle);
@@ -140,8 +145,8 @@ bool vbss_scene_find_wall_in_jaws(const scene_object *s, const scene_body *tool,
     *found = (scene_wall_grasp){0};
     for (uint32_t i = 0; i < s->body_count && found->drain == 0; i++) {
         const scene_body *b = &s->bodies[i];
-        bool torn =
-            before->drain == b->number && before->needs_reopening; /* not before they have opened */
+        /* not before the jaws have opened */
+        bool torn = before->drain == b->number && before->needs_reopening;
         if (b->kind == SCENE_BODY_DRAIN && !torn) {
             find_wall_grasp(tool, b, found);
         }
@@ -149,7 +154,7 @@ bool vbss_scene_find_wall_in_jaws(const scene_object *s, const scene_body *tool,
     return found->drain != 0;
 }
 
-/* ---- taking and letting go */
+/* ---- grasping and releasing */
 
 static void emit_wall_grasp_event(scene_object *s, vbss_event_kind kind, const scene_body *tool)
 {
@@ -174,7 +179,8 @@ static const drain_object *held_drain(const scene_object *s, const scene_wall_gr
     return vbss_scene_body(s, p->drain)->drain.drain;
 }
 
-/* Whether the axes of both jaws are that share of touching away from what was held. */
+/* Whether the axes of both jaws are at least this fraction of the contact distance away from the
+ * grasped points. */
 static bool is_wall_clear(const scene_object *s, const scene_body *tool, double fraction)
 {
     const scene_wall_grasp *p = &tool->rigid.wall_grasp;
@@ -223,7 +229,7 @@ void vbss_scene_remove_wall_grasps_of(scene_object *s, uint32_t number)
     }
 }
 
-/* ---- what does not touch */
+/* ---- exclusion from contact */
 
 bool vbss_scene_is_wall_in_grasp(const scene_object *s, const scene_body *drain, vec3 point,
                                  const scene_body *tool, uint32_t capsule)
@@ -249,7 +255,7 @@ bool vbss_scene_is_wall_in_grasp(const scene_object *s, const scene_body *drain,
     return false;
 }
 
-/* ---- rows */
+/* ---- the clamp */
 
 double vbss_scene_wall_grasp_stiffness(const grasper_object *g, const scene_wall_grasp *p)
 {
@@ -307,7 +313,7 @@ void vbss_scene_update_wall_grasps(scene_object *s, double h)
     }
 }
 
-/* ---- looking */
+/* ---- description for hosts */
 
 void vbss_scene_describe_wall_grasp(const scene_object *s, const scene_body *tool,
                                     vbss_grasp *grasp)

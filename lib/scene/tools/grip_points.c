@@ -1,7 +1,8 @@
 /* Points of a grasped thread between the jaws. */
 #include "scene/tools/tools.h"
 
-/* From the segment of the grasp's middle, which is at hand. */
+/* Finds the point at an offset in arc length from the middle of the grasp, in m. The search
+ * starts at the segment of that middle. */
 static scene_grip_location location_on_thread(const thread_object *t, const scene_thread_grasp *g,
                                               double offset)
 {
@@ -15,7 +16,7 @@ static scene_grip_location location_on_thread(const thread_object *t, const scen
     p.fraction /= t->rest[p.segment];
     p.fraction = p.fraction < 0.0   ? 0.0
                  : p.fraction > 1.0 ? 1.0
-                                    : p.fraction; /* the thread ends before */
+                                    : p.fraction; /* beyond an end of the thread */
     return p;
 }
 

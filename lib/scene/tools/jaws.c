@@ -1,10 +1,10 @@
-/* Jaws close until what lies between them stops them; then they grasp or cut it. */
+/* Closing of jaws: objects between them stop them and are then grasped or cut. */
 #include "scene/tools/tools.h"
 
 /* Jaws give: a strand that they would touch within this angle of the one that stops them is held as well, rad. */
 #define JAW_COMPLIANCE_ANGLE 0.02
 
-/* The angle below which the jaws cannot close, for what is held. */
+/* Smallest angle to which the jaws can close around the objects that they grasp, rad. */
 static double held_angle(const scene_object *s, const scene_body *tool)
 {
     const scene_needle_grasp *needle_grasp = &tool->rigid.needle_grasp;
@@ -20,7 +20,8 @@ static double held_angle(const scene_object *s, const scene_body *tool)
     return angle;
 }
 
-/* Of what the blades reach, what they cannot cut does not stop them. */
+/* Removes the strands that the shears cannot cut from the query, so that they do not stop the
+ * blades. */
 static void exclude_uncuttable_strands(scene_object *s, scene_jaw_query *m, double next)
 {
     uint32_t count = 0;
@@ -58,7 +59,8 @@ double vbss_scene_close_jaws(scene_object *s, scene_body *tool, double h)
     if (stop_angle < next) {
         return next;
     }
-    next = vbss_min(stop_angle, g->jaw_angle); /* as it is, if it is squeezed a little already */
+    /* the present angle, if the jaws squeeze the object already */
+    next = vbss_min(stop_angle, g->jaw_angle);
     if (needle.needle != 0 && needle.angle >= stop_angle - JAW_COMPLIANCE_ANGLE &&
         g->kind != VBSS_GRASPER_SHEARS) {
         vbss_scene_grasp_needle(s, tool, &needle);
@@ -95,7 +97,7 @@ void vbss_scene_set_capsule_targets(scene_object *s, const scene_rigid *r, doubl
     }
 }
 
-/* ---- in a part: capsules cover the same share of what is left of their way as their body does */
+/* ---- trial positions of capsules */
 
 void vbss_scene_set_capsule_trials(scene_object *s, const scene_substep *substep)
 {

@@ -1,4 +1,4 @@
-/* Shows hosts where graspers and needles are and what they hold. */
+/* Publishes the states of graspers and needles to the handles that hosts read. */
 #include "scene/tools/tools.h"
 
 void vbss_scene_publish_grasper(scene_object *s, scene_body *b)
@@ -6,14 +6,15 @@ void vbss_scene_publish_grasper(scene_object *s, scene_body *b)
     const scene_rigid *r = &b->rigid;
     grasper_object *g = r->grasper;
     pose tool = pose_mul(r->body.now.pose, pose_inverse(r->frame));
-    vec3 arm = vec3_sub(tool.position, r->body.now.pose.position); /* to the tip */
+    /* from the centre of mass to the tip */
+    vec3 arm = vec3_sub(tool.position, r->body.now.pose.position);
     bool driven = r->kind == VBSS_RIGID_DRIVEN;
     vec3 torque = driven ? vec3_zero() : vec3_neg(r->coupling_wrench.torque);
     g->body_id = b->number;
     g->tool_pose = tool;
     g->velocity = vec3_add(r->body.now.v, vec3_cross(r->body.now.w, arm));
     g->angular_velocity = r->body.now.w;
-    /* The baseline sets its own. */
+    /* The baseline method sets its own hand force. */
     g->hand_force = driven ? vec3_zero() : vec3_neg(r->coupling_wrench.force);
     g->hand_torque =
         driven ? torque : vec3_sub(torque, vec3_cross(arm, g->hand_force)); /* about the tip */

@@ -1,5 +1,5 @@
-/* What shears close on is cut when the step is made: threads keep their nodes while it lasts. What they cannot cut
- * does not hold them: they close as if they had let it go. */
+/* Cuts of shears. They are scheduled before the step and made at its end, so that threads keep
+ * their nodes during the step. A strand that shears cannot cut does not stop the blades. */
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
@@ -17,7 +17,8 @@ bool vbss_scene_is_at_thread_end(const thread_object *t, double arc)
            !vbss_thread_locate_cut(t, arc, &cut);
 }
 
-/* Beside those that will be made in this step. */
+/* Whether the pool of pieces has one left, in addition to those of the cuts that are already
+ * scheduled. */
 static bool has_cuts_left(const scene_object *s, const thread_piece_pool *family)
 {
     uint32_t left = 0, scheduled = 0;
@@ -60,11 +61,12 @@ bool vbss_scene_exclude_uncuttable(scene_object *s, uint32_t tool, const scene_s
 void vbss_scene_schedule_cut(scene_object *s, const scene_strand *at)
 {
     if (s->cut_count == SCENE_MAX_CUTS) {
-        return; /* what still lies between the blades is cut in the next step */
+        return; /* a strand that is still between the blades is cut in the next step */
     }
     double arc = strand_arc(at);
-    uint32_t to =
-        s->cut_count++; /* from the end of a thread on: what is left keeps its arc lengths */
+    /* in descending order of arc length, so that a cut does not change the arc lengths of later
+     * ones */
+    uint32_t to = s->cut_count++;
     while (to > 0 && s->cuts[to - 1].arc_length < arc) {
         s->cuts[to] = s->cuts[to - 1];
         to--;

@@ -1,4 +1,4 @@
-/* Applies the targets of tools before a step: exchange, pose, jaw angle. */
+/* Applies the targets of tools before a step: exchange of instruments, pose, jaw angle. */
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
 
@@ -25,12 +25,13 @@ static void exchange_instrument(scene_object *s, scene_body *b)
     vbss_grasper_kind before = g->kind, wanted = g->commanded_kind;
     pose target;
     g->kind = allowed ? wanted : before;
-    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) { /* jaws of another bend */
+    /* the new jaws may have another bend */
+    if (!vbss_grasper_apply_trocar(g, g->commanded_pose, &target)) {
         g->kind = before;
         allowed = false;
     }
     g->commanded_kind = g->kind;
-    if (allowed) { /* nor does it wait for anything any more */
+    if (allowed) { /* the grasps of released objects belong to the old jaws */
         vbss_scene_remove_thread_grasps_of(s, b->number);
         vbss_scene_remove_needle_grasps_of(s, b->number);
         vbss_scene_remove_wall_grasps_of(s, b->number);
@@ -46,7 +47,7 @@ static void apply_target(scene_object *s, scene_body *b, double h)
     pose target;
     exchange_instrument(s, b);
     if (vbss_grasper_apply_trocar(g, g->commanded_pose,
-                                  &target)) { /* it was asked when it was told */
+                                  &target)) { /* cannot fail: checked when the host set it */
         r->body.target_end = pose_mul(target, r->frame);
     }
     double before = g->jaw_angle;
