@@ -1,16 +1,17 @@
-/* Needles that come through both sides of a fold at once.
+/* Needles that pass through both sides of a fold at once.
  *
- * Who enters aslant still has, beside its tip, the wall that it has pressed on, and is let through there. Where that lies in
- * a fold, the axis may go through both of its sides before the tip is past the hole. A hole is one of these places; the other
- * is another hole, or the needle would go on along the wall in what is no hole at all. */
+ * A needle that enters a wall at an oblique angle is excluded from contact with the wall beside
+ * its tip. Where the wall is folded there, the axis may cross both sides of the fold before the
+ * tip has passed the hole. The hole is one of the two crossings; the other becomes a second
+ * hole. Otherwise the needle would continue along the wall and pass through it without a hole. */
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
 /* Where an axis goes through a wall; no more of them are looked at. */
 enum { CROSSINGS = 8 };
 typedef struct crossing {
-    suture_hole at;       /* triangle and weights */
-    double arc, distance; /* of the needle, from its tip; from the hole, m */
+    suture_hole at;       /* triangle and barycentric coordinates */
+    double arc, distance; /* arc length from the tip of the needle; distance from the hole, m */
 } crossing;
 
 static double distance_from_hole(const suture_hole *hole, const scene_body *drain,
@@ -22,7 +23,7 @@ static double distance_from_hole(const suture_hole *hole, const scene_body *drai
                     vec3_distance(wall_point.rest, vbss_hole_point(hole, d, d->mesh.rest)));
 }
 
-/* What is left of a capsule's axis from an arc length on. */
+/* Part of a capsule's axis beyond an arc length. */
 static void remaining_axis(const scene_body *needle, uint32_t capsule, double from, vec3 axis[2])
 {
     const needle_object *n = needle->rigid.needle;
@@ -34,8 +35,8 @@ static void remaining_axis(const scene_body *needle, uint32_t capsule, double fr
     axis[0] = vec3_lerp(first, axis[1], (from - start) / (end - start));
 }
 
-/* From the tip to an arc length. Places that are nearer to each other than the wire's radius are one: a side of two triangles
- * has one in each. */
+/* Lists the crossings of a needle with a wall, from the tip to an arc length. Crossings nearer
+ * to each other than the wire's radius count as one: a side of two triangles has one in each. */
 static uint32_t list_crossings(const scene_body *needle, const scene_body *drain, double to,
                                crossing *list)
 {
@@ -71,11 +72,11 @@ static void pierce(scene_object *s, const scene_body *needle, const scene_body *
     made.drain = drain->number;
     made.is_outward = vbss_suture_is_outward(d, c->at.triangle, direction);
     made.arc = c->arc;
-    made.max_arc = vbss_max(c->arc, d->config.tip_length); /* it is open */
+    made.max_arc = vbss_max(c->arc, d->config.tip_length); /* the hole is open */
     vbss_scene_add_hole(s, &made);
 }
 
-/* The place nearest to the hole is its own. */
+/* The crossing nearest to the hole is that of the hole itself. */
 static void add_punctures_beside(scene_object *s, const suture_hole *hole)
 {
     const scene_body *needle = vbss_scene_body(s, hole->needle);

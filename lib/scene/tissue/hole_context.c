@@ -1,8 +1,8 @@
-/* The needle and thread that pass through a hole, and where along them the hole is. */
+/* The suture that passes through a hole, and the arc length of the hole along it. */
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
-/* The weld of a thread's begin to the end of a needle. */
+/* Whether a pin is the weld of a thread's first node to the end of a needle. */
 static bool is_swage(const scene_object *s, const scene_pin *p)
 {
     if (p->id == 0 || p->attachment != 0 || p->node != 0) {

@@ -1,6 +1,4 @@
-/* The holes of a scene: made, moved to a cut-off piece, left and closed.
- *
- * Holes in a scene, and the suture that slides through. */
+/* The list of holes: adding, closing, and moving them to a piece that was cut off. */
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
@@ -27,7 +25,7 @@ static void emit_swage_event(scene_object *s, const scene_previous_hole *before,
     }
 }
 
-/* How it is left, or 0. */
+/* Returns the event with which the suture has left the hole, or 0 if it is still in it. */
 static vbss_event_kind exit_event(const scene_hole_context *p, const suture_hole *hole)
 {
     const thread_object *t = p->now.thread;
@@ -59,8 +57,9 @@ bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole,
     return false;
 }
 
-/* A tip that has entered aslant may go through beside its hole and be withdrawn from that only: the hole is then where the
- * needle is in the wall. */
+/* Moves a hole that the needle has left to where the needle passes through the wall now. A tip
+ * that enters at an oblique angle may pass through beside its hole and be withdrawn from the
+ * hole only. */
 static bool relocate_hole(const scene_object *s, const scene_hole_context *p, suture_hole *hole)
 {
     if (s->config.method != VBSS_METHOD_OURS || hole->needle == 0) {
@@ -103,7 +102,8 @@ void vbss_scene_close_exited_holes(scene_object *s)
     }
 }
 
-/* Moves a cut to where an end has left; true: it was in the hole. */
+/* Moves a cut beside a hole, beyond the distance at which an end counts as out of it. Returns
+ * true if the cut was in the hole. */
 static bool move_cut_out_of_hole(const suture_hole *hole, double *arc_length)
 {
     double beyond = *arc_length - hole->arc;
@@ -118,7 +118,7 @@ double vbss_scene_move_cut_out_of_holes(const scene_object *s, uint32_t thread, 
 {
     bool moved = true;
     for (uint32_t times = 0; moved && times < s->config.hole_capacity; times++) {
-        moved = false; /* beside one hole may be another that was looked at before */
+        moved = false; /* it may now be in a hole that was tested before */
         for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
             const suture_hole *hole = &s->holes[i];
             bool own = hole->id != 0 && hole->thread == thread;

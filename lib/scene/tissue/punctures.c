@@ -1,8 +1,8 @@
-/* Tips that enter walls. */
+/* Punctures: needles whose tips enter walls. */
 #include "scene/tissue/tissue.h"
 #include "scene/world/world.h"
 
-/* Where on the needle a row is about. */
+/* Arc length of a contact on a needle, from its tip, m. */
 static double contact_arc(const scene_body *needle, const contact_constraint *constraint)
 {
     bool point = constraint->key.kind == VBSS_CONTACT_POINT_FACE;
@@ -12,7 +12,7 @@ static double contact_arc(const scene_body *needle, const contact_constraint *co
                                                 constraint->barycentric[0]);
 }
 
-/* What a drain does to the tip of a needle. */
+/* Finds the load of a drain on the tip of a needle. Returns false if they are not in contact. */
 static bool find_tip_load(const scene_object *s, const scene_body *needle, const scene_body *drain,
                           suture_tip *tip)
 {
@@ -37,7 +37,8 @@ static bool find_tip_load(const scene_object *s, const scene_body *needle, const
     return vec3_norm_squared(normal) > 0.0;
 }
 
-/* A tip that is on its way into a wall enters no other place of it: what presses on it there is the wall round the hole. */
+/* Whether the needle's tip is entering the drain already. It then makes no second hole, because
+ * the force on it comes from the wall around the first. */
 static bool is_entering(const scene_object *s, const scene_body *needle, const scene_body *drain)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
@@ -56,7 +57,8 @@ static void puncture_wall(scene_object *s, const scene_body *needle, const scene
     suture_hole made;
     const drain_object *d = drain->drain.drain;
     double wire = needle->rigid.needle->config.wire_radius;
-    /* Farther on than a flat wall lies that it may enter, it does not go into that on which it presses. */
+    /* Distance along the tip to a flat wall in contact with it, at the most oblique angle of
+     * entry. A hole farther ahead would not be in the wall that the tip presses on. */
     double reach = (wire + 0.5 * d->config.thickness) / SUTURE_MIN_ENTRY_COSINE;
     if (is_entering(s, needle, drain) || !find_tip_load(s, needle, drain, &tip) ||
         !vbss_suture_tip_punctures(&d->config, &tip) ||
@@ -72,7 +74,8 @@ void vbss_scene_update_holes(scene_object *s)
 {
     vbss_scene_close_exited_holes(s);
     vbss_scene_find_fold_punctures(s);
-    /* What presses where a part was thrown away says nothing of what the wall bears, nor what does where a search was stopped. */
+    /* Forces of a rejected attempt, or of an active-set search that was stopped early, are not
+     * the load on the wall. */
     bool forces_known = s->has_accepted_contacts && !s->contacts->is_stopped_early;
     for (uint32_t i = 0; forces_known && i < s->body_count; i++) {
         const scene_body *needle = &s->bodies[i];

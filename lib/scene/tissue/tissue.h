@@ -1,4 +1,5 @@
-/* Holes in walls and the suture in them. */
+/* Holes in the walls of drains: how needles make them, and the sutures that slide through them.
+ * A suture is a needle, a thread, or a needle with a thread swaged to its end. */
 #ifndef VBSS_SCENE_TISSUE_H
 #define VBSS_SCENE_TISSUE_H
 
@@ -8,72 +9,87 @@
  * suture, and the swage changes sides. m. */
 #define SCENE_HOLE_EXIT_DISTANCE 0.2e-3
 
+/* The drain of a hole and the suture that passes through it. */
 typedef struct scene_hole_context {
-    const scene_body *needle, *thread; /* NULL: none */
+    const scene_body *needle, *thread; /* parts of the suture; NULL: it has no such part */
     const scene_drain *drain;
-    suture_curve now, trial;
-    double arc; /* of the hole, along the line */
+    suture_curve now, trial; /* centre line of the suture, now and in the trial state */
+    double arc;              /* arc length of the hole along that curve, m */
 } scene_hole_context;
 
 /* ---- hole_context.c */
 
-/* Stores the friction of each hole when a substep is accepted. */
+/* Stores the forces of all holes when a substep is committed. */
 void vbss_scene_commit_holes(scene_object *s);
 
-/* The next part has other places in them. */
+/* After a substep: moves each hole to the point of its suture that now passes through it. */
 void vbss_scene_advance_holes(scene_object *s);
 
-/* How far the suture has slid through them in the trial state. */
+/* Sets trial_slide of all holes: how far their sutures slide through them by the trial state, m. */
 void vbss_scene_find_trial_slides(scene_object *s);
 
-/* The thread whose begin is swaged to a needle; the needle; or NULL. */
+/* Returns the thread whose first node is swaged to the end of a needle, or NULL. */
 const scene_body *vbss_scene_swaged_thread(const scene_object *s, const scene_body *needle);
+
+/* Returns the needle to whose end the first node of a thread is swaged, or NULL. */
 const scene_body *vbss_scene_swaged_needle(const scene_object *s, const scene_body *thread);
 
-/* What passes through a hole: needle, thread, and the line of both, now and in the trial state. */
+/* Returns the drain of a hole and the suture in it. */
 scene_hole_context vbss_scene_get_hole_context(const scene_object *s, const suture_hole *hole);
 
-/* The point of the suture that is in the hole now. */
+/* Returns the point of the suture that is in the hole now: the nearest one downhill from its arc
+ * length. */
 suture_curve_point vbss_scene_hole_curve_point(const scene_hole_context *p,
                                                const suture_hole *hole);
 
-/* Sets where along the suture a hole is, and whether needle or thread is in it. Near the swage it
- * keeps the one that was in it, with hysteresis. */
+/* Moves a hole to an arc length along its suture, m from the tip, and sets whether the needle or
+ * the thread is in it. At the swage that changes with a hysteresis of SCENE_HOLE_EXIT_DISTANCE. */
 void vbss_scene_move_hole_to(suture_hole *hole, const scene_hole_context *p, double arc);
 
 /* ---- holes.c */
 
-/* How holes are as a step begins; at its end, who has left them. */
+/* Records id and needle of each hole when a step begins. */
 void vbss_scene_record_holes_before_step(scene_object *s);
+
+/* After a step: removes the holes that their sutures have left, and adds the events. Also adds the
+ * events of needles that have passed through a hole or returned into it. */
 void vbss_scene_close_exited_holes(scene_object *s);
 
-/* Whether that place of a hole's needle, an arc length from the tip, is in another hole of the same wall. */
+/* Whether a point of a hole's needle, given by its arc length from the tip in m, is in another
+ * hole of the same drain. */
 bool vbss_scene_is_in_other_hole(const scene_object *s, const suture_hole *hole, double arc);
 
-/* One that has been made, if there is room for it, and the event. */
+/* Adds a hole and its event. Sets the id of `made`. If the list is full, adds
+ * VBSS_EVENT_HOLE_LOST and no hole. */
 void vbss_scene_add_hole(scene_object *s, suture_hole *made);
+
+/* Removes all holes of a needle, thread or drain, given by its number. Adds no event. */
 void vbss_scene_remove_holes_of(scene_object *s, uint32_t number);
 
-/* Where a thread is cut that is to be cut there: not in a hole, in which only one of the two ends could be. */
+/* Returns the arc length of a cut, m, moved out of all holes: only one of its two ends could be
+ * in one. */
 double vbss_scene_move_cut_out_of_holes(const scene_object *s, uint32_t thread, double arc_length);
 
-/* Of a thread that was cut there. */
+/* After a cut of a thread at this arc length: gives the holes beyond it to the piece. */
 void vbss_scene_divide_holes(scene_object *s, uint32_t thread, uint32_t piece, double arc_length);
 
-/* What is left of a thread is no curve any more: after cuts, and changes of meshes. */
+/* After cuts and mesh changes: closes the holes of threads with fewer than three nodes, which
+ * have no curve, and adds the events. */
 void vbss_scene_close_holes_of_short_threads(scene_object *s);
 
-/* An unused entry in the list of holes, or NULL. */
+/* Returns an unused entry in the list of holes, or NULL. */
 suture_hole *vbss_scene_find_free_hole(scene_object *s);
 
 /* ---- fold_punctures.c */
 
-/* Makes holes of what goes through beside those that needles are entering. */
+/* After a step: adds a hole where a needle that is entering a hole passes through the wall a second
+ * time beside it. */
 void vbss_scene_find_fold_punctures(scene_object *s);
 
 /* ---- punctures.c */
 
-/* After a step: who has left holes, who makes one. */
+/* After a step: closes the holes that sutures have left, and makes a hole where the tip of a needle
+ * presses on a wall hard enough. */
 void vbss_scene_update_holes(scene_object *s);
 
 #endif
