@@ -3,8 +3,9 @@
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
-/* The arc from the end of one segment to the begin of the other across cuts; -1: they are not connected so,
- * or by more than `most`. Both parts of a divided segment count as if each were all of it. */
+/* Arc length from the end of one segment to the start of the other across cuts, m. Returns -1 if
+ * no cut connects them, or if it exceeds max_arc. Both parts of a divided segment count as the
+ * whole segment. */
 static double arc_across(const scene_object *s, const scene_body *a, uint32_t segment_a,
                          const scene_body *b, uint32_t segment_b, double max_arc)
 {
@@ -66,7 +67,8 @@ static double segment_distance(const thread_object *t, uint32_t i, const thread_
                                            vec3_sub(y[0], x[0]), &at[0], &at[1]));
 }
 
-/* Whether some of the one that adjoins the other is nearer than touching. */
+/* Whether a segment of `b` is nearer than the contact distance to one of `a` that is excluded
+ * across the cut. */
 static bool do_ends_overlap(const scene_object *s, const scene_body *a, const scene_body *b)
 {
     const thread_object *t = a->thread.thread, *u = b->thread.thread;
@@ -80,7 +82,7 @@ static bool do_ends_overlap(const scene_object *s, const scene_body *a, const sc
             }
         }
         if (i == first) {
-            return false; /* all that follow are further still */
+            return false; /* later segments are farther away still */
         }
     }
     return false;

@@ -1,5 +1,5 @@
-/* Cutting a thread in a scene: its part beyond the cut becomes a body of its own, with all that held it, and
- * what contact remembers goes with the features that it is about. */
+/* Cuts of threads in a scene. The part beyond the cut becomes a body of its own, together with
+ * its pins, grasps and holes; the warm start of contacts follows the features. */
 #include "collision/closest.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
@@ -9,7 +9,7 @@
 /* A cut is no smooth motion: so many steps are damped. */
 enum { DAMPED_STEPS = 3 };
 
-/* ---- what contact remembers */
+/* ---- warm start */
 
 typedef struct renumbering {
     const scene_body *old, *piece;
@@ -21,7 +21,8 @@ static bool is_cut_segment(const renumbering *r, uint32_t number, uint32_t featu
     return number == r->old->number && feature == r->cut.segment && r->cut.fraction < 1.0;
 }
 
-/* Which sides, by bits, lie on the cut segment beyond the cut. */
+/* Sides of a contact that lie on the cut segment beyond the cut: bit 0 for side a, bit 1 for
+ * side b. */
 static uint8_t sides_beyond(const scene_object *s, const renumbering *r, const contact_key *key)
 {
     bool segments = key->kind == VBSS_CONTACT_SEGMENTS;
@@ -51,7 +52,7 @@ static void renumber_side(const renumbering *r, bool node, bool beyond, uint32_t
     }
 }
 
-/* Shapes found first are side a. */
+/* Side a of a contact of two segments is the shape with the lower number. */
 static void order_sides(const scene_object *s, contact_warm_start_entry *m)
 {
     contact_key *k = &m->key;
@@ -62,7 +63,7 @@ static void order_sides(const scene_object *s, contact_warm_start_entry *m)
     }
 }
 
-/* Ascending keys: Shell's gaps, as a whole run may have moved. */
+/* Shell sort by keys, because a whole run of entries may have moved. */
 static void sort_warm_start(contact_set *set)
 {
     uint32_t n = set->warm_start_count, stride = 1;
@@ -112,14 +113,14 @@ static void renumber_warm_start(scene_object *s, const renumbering *r)
     }
 }
 
-/* ---- what holds it */
+/* ---- grasps, holes and pins */
 
-/* Where the middle of what is held lies, both jaws keep all of it. */
+/* The body that has the middle of the grasp keeps the whole grasp. */
 static void move_grasp(scene_thread_grasp *g, const scene_body *old, const scene_body *piece,
                        const thread_cut *cut)
 {
-    bool paper = g->point_spacing == 0.0;                   /* of a node */
-    double before = old->thread.thread->rest[cut->segment]; /* what is left of the segment */
+    bool paper = g->point_spacing == 0.0;                   /* `segment` is a node */
+    double before = old->thread.thread->rest[cut->segment]; /* part of the segment that stays */
     bool on_cut = !paper && g->segment == cut->segment && cut->fraction < 1.0;
     bool beyond = paper ? g->segment >= cut->first_piece_node
                         : g->segment > cut->segment || (on_cut && g->segment_offset > before);
@@ -166,7 +167,8 @@ static void divide_thread(scene_object *s, scene_body *old, scene_body *piece,
     vbss_thread_apply_cut(t, u, cut);
     vbss_scene_activate_piece(s, piece);
     piece->number = ++s->last_body_number;
-    for (uint32_t i = 0; i < s->body_count; i++) { /* what adjoined its end adjoins the piece's */
+    /* a piece whose first node was next to the end of `old` is now next to that of the new piece */
+    for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
         b->thread.cut_from = b->thread.cut_from == old->number ? piece->number : b->thread.cut_from;
     }
@@ -211,8 +213,8 @@ void vbss_scene_make_cuts(scene_object *s)
 {
     for (uint32_t i = 0; i < s->cut_count; i++) {
         scene_body *thread = vbss_scene_body(s, s->cuts[i].thread), *piece;
-        if (!vbss_scene_is_at_thread_end(thread->thread.thread,
-                                         s->cuts[i].arc_length)) { /* by now */
+        /* another cut may have made it an end */
+        if (!vbss_scene_is_at_thread_end(thread->thread.thread, s->cuts[i].arc_length)) {
             (void)vbss_scene_apply_cut(s, thread, s->cuts[i].arc_length, &piece);
         }
     }

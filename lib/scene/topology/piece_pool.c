@@ -1,6 +1,9 @@
-/* Pieces that may yet be cut from a thread: what a cut needs is taken when the thread is added, a place among the
- * bodies, a shape and a spare thread each, so that a cut neither allocates nor finds no room. A place keeps what
- * it has: a state from before a cut is restored by undoing the cut, one from after it by making the piece. */
+/* The pool of pieces that may yet be cut from threads.
+ *
+ * When a thread is added, each of its possible pieces gets a body entry, a shape and a spare
+ * thread, so that a cut never allocates and never fails for lack of room. An entry keeps its
+ * shape and thread. A restore of a snapshot from before a cut deactivates the piece; one from
+ * after it activates the piece. */
 #include "base/error.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
@@ -10,7 +13,7 @@ bool vbss_scene_is_spare_piece(const scene_body *b)
     return b->is_reserved && b->kind == SCENE_BODY_NONE;
 }
 
-/* ---- taken with a thread */
+/* ---- reserved with a thread */
 
 vbss_result vbss_scene_check_thread_capacity(const scene_object *s, const thread_object *t)
 {
@@ -39,7 +42,7 @@ vbss_result vbss_scene_create_piece_shapes(scene_object *s, const thread_object 
     uint32_t last = shape;
     vbss_result result = VBSS_OK;
     for (uint32_t i = 0; result == VBSS_OK && i < t->piece_pool->available; i++) {
-        /* as large as any of the family is, which may come later */
+        /* as large as any thread of the family, because any of them may need it */
         result = vbss_collision_add_disabled_chain(s->collision, t->node_capacity, t->config.radius,
                                                    &last);
     }
@@ -96,7 +99,7 @@ void vbss_scene_return_spares(scene_object *s, const thread_piece_pool *family)
     }
 }
 
-/* ---- pieces come to be, and cease */
+/* ---- pieces become bodies and spares again */
 
 scene_body *vbss_scene_find_spare(const scene_object *s, const scene_body *thread)
 {

@@ -1,6 +1,8 @@
-/* After a step: where adaptive threads are bent or near something they get nodes, where they are straight and alone
- * they lose them. All changes of a step are found before the first is made, far enough from each other that none
- * has to know of the rest; trees that the guard has left find what is near. */
+/* Adaptive meshes. After a step, threads get nodes where they are bent or near an obstacle, and
+ * lose nodes where they are straight and alone.
+ *
+ * All changes of a step are planned before the first is made, far enough apart to be
+ * independent. The bounding volume hierarchies of the last CCD find near features. */
 #include "collision/closest.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
@@ -20,19 +22,19 @@ enum { MIN_NODES_BETWEEN = 10, MAX_CHANGES = 64 };
 /* Nodes at the ends of a cut that has not come apart. */
 enum { CUT_END_NODES = 4 };
 
-/* ---- what is near */
+/* ---- near features */
 
-/* A piece of an axis, and the segments of its own thread that do not count. */
+/* A part of a thread's axis, and the range of segments of the same thread to ignore. */
 typedef struct probe {
     const scene_body *body;
     vec3 axis[2];
-    uint32_t first, end; /* of these segments; after their last */
-    bool any;            /* one strand is enough to know */
+    uint32_t first, end; /* first segment to ignore, and the one after the last */
+    bool any;            /* any strand within reach ends the query */
 } probe;
 
 typedef struct surroundings {
-    double strand, tool, floor; /* gaps, m; INFINITY: none within */
-    double preferred_length;    /* least length that the tools within would like, m */
+    double strand, tool, floor; /* smallest gaps, m; INFINITY: none within reach */
+    double preferred_length;    /* smallest segment length that these tools ask for, m */
 } surroundings;
 
 static bool boxes_overlap(const collision_aabb *a, const collision_aabb *b)
@@ -62,7 +64,7 @@ static double segment_distance(const vec3 *a, const vec3 *b)
                                            vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
-/* A strand that was cut off is not near the other end of the cut. */
+/* Also ignores segments across a cut that has not come apart. */
 static bool is_ignored(const scene_object *s, const probe *p, const scene_body *b, uint32_t feature)
 {
     if (b == p->body) {
@@ -72,7 +74,8 @@ static bool is_ignored(const scene_object *s, const probe *p, const scene_body *
            vbss_scene_is_excluded_across_cut(s, p->body, p->first, b, feature);
 }
 
-/* The surface of a drain leaves room as a tool does, and bends a thread no more than its radius, which is large. */
+/* Records the gap to a wall as that to a tool. A wall asks for no segment length, because its
+ * radius of curvature is large. */
 static void record_wall_gap(const probe *p, const drain_object *d, double distance, double within,
                             surroundings *found)
 {
@@ -125,7 +128,8 @@ static void record_feature(const scene_object *s, const probe *p, const scene_bo
     }
 }
 
-/* What is nearer than that. Boxes are those of the last part, which hold all that is there now. */
+/* Finds the gaps below `within`, m. The bounding boxes are those of the last substep and contain
+ * the present positions. */
 static surroundings find_surroundings(scene_object *s, const probe *p, double within)
 {
     collision_object *c = s->collision;
@@ -165,7 +169,8 @@ static surroundings find_surroundings(scene_object *s, const probe *p, double wi
     return found;
 }
 
-/* Nodes low and high with what is between them left out, and what is nearer than an arc along the thread. */
+/* Probe from node `low` to node `high`. It ignores the segments between them and those within an
+ * arc length on either side. */
 static probe make_probe(const scene_body *b, uint32_t low, uint32_t high, double arc)
 {
     const thread_object *t = b->thread.thread;
@@ -188,8 +193,8 @@ static surroundings find_surroundings_of_segments(scene_object *s, const scene_b
     return find_surroundings(s, &p, within);
 }
 
-/* How far the nodes beside a change may be moved: a share of the least gap of any segment there. What is nearer
- * along the thread than it may touch itself does not count. */
+/* Largest displacement allowed for nodes beside a change, m: a fraction of the smallest gap of
+ * any segment there. Segments of the same thread that are excluded from contact do not count. */
 static double max_shift_among(scene_object *s, const scene_body *b, uint32_t low, uint32_t high,
                               double limit)
 {
@@ -205,7 +210,7 @@ static double max_shift_among(scene_object *s, const scene_body *b, uint32_t low
     return vbss_max(GAP_RATIO * min_gap, 0.0);
 }
 
-/* ---- where nothing changes */
+/* ---- where the mesh must not change */
 
 static bool is_cut_end(const scene_object *s, const scene_body *b, uint32_t low, uint32_t high)
 {
@@ -244,8 +249,8 @@ static bool is_held(const scene_object *s, const scene_body *b, uint32_t low, ui
 typedef struct plan {
     scene_body *body;
     uint32_t count, added_nodes, max_changes;
-    mesh_change
-        changes[MAX_CHANGES]; /* from the end of the thread on: those before keep their numbers */
+    /* in descending order of position, so that a change does not renumber those after it */
+    mesh_change changes[MAX_CHANGES];
 } plan;
 
 static bool is_apart(const plan *p, uint32_t at)
@@ -292,7 +297,7 @@ static bool has_node_capacity(const scene_object *s, const thread_object *t, uin
         spares += s->bodies[i].is_reserved && s->bodies[i].kind == SCENE_BODY_NONE;
     }
     return added_nodes < t->node_capacity - t->node_count &&
-           s->node_count + added_nodes + 2 * spares < s->node_capacity; /* two for each cut */
+           s->node_count + added_nodes + 2 * spares < s->node_capacity; /* two nodes for each cut */
 }
 
 static void plan_division(scene_object *s, plan *p, uint32_t segment)
@@ -356,7 +361,8 @@ static void make_changes(scene_object *s, const plan *p)
     s->generation++;
 }
 
-/* Shapes that the last part has not moved: what a cut has left. False: no place for a shape. */
+/* Updates the boxes of shapes that the last substep has not moved, as those after a cut. Returns
+ * false if a position is invalid. */
 static bool update_shape_boxes(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {

@@ -1,5 +1,6 @@
-/* A node of a thread comes or goes, and all that names nodes and segments by their numbers goes on to mean the same
- * places: what contact remembers, pins, grasps, contacts in the views. Attachments are the thread's own. */
+/* Renumbering after a mesh change. References to nodes and segments follow the insertion or
+ * removal of a node: warm start, pins, grasps and contact views. The thread renumbers its
+ * attachments itself. */
 #include "collision/closest.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
@@ -7,16 +8,16 @@
 
 #include <string.h>
 
-/* A contact that is not there any more: no kind has this number. */
+/* Marks a contact of a removed node; no contact kind has this number. */
 #define REMOVED UINT32_MAX
 
 typedef struct renumbering {
     const scene_body *body;
     mesh_change change;
-    double before; /* rest length on this side of the node, m */
+    double before; /* rest length from the start of the segment to the node, m */
 } renumbering;
 
-/* ---- names */
+/* ---- nodes and segments */
 
 static uint32_t renumber_node(const mesh_change *c, uint32_t node)
 {
@@ -26,7 +27,7 @@ static uint32_t renumber_node(const mesh_change *c, uint32_t node)
     return node > c->at ? node + 1 : node;
 }
 
-/* `beyond`: what is meant lies beyond the new node. */
+/* `beyond`: the reference is to the part beyond the new node. */
 static uint32_t renumber_segment(const mesh_change *c, uint32_t segment, bool beyond)
 {
     if (c->removes) {
@@ -40,9 +41,10 @@ static bool is_divided(const renumbering *r, uint32_t number, uint32_t segment)
     return !r->change.removes && number == r->body->number && segment == r->change.at;
 }
 
-/* ---- what contact remembers */
+/* ---- warm start */
 
-/* Where the closest points are on the sides that are divided: share of the segment, or -1. */
+/* Positions of the closest points on the segments that are divided, 0 to 1; -1 for the other
+ * sides. */
 static void split_fractions(const scene_object *s, const renumbering *r, const contact_key *k,
                             double fraction[2])
 {
@@ -61,7 +63,7 @@ static void split_fractions(const scene_object *s, const renumbering *r, const c
     }
 }
 
-/* Halves may be so fine that their nodes touch the capsule. */
+/* The halves may be so fine that their nodes, not segments, make contact with the capsule. */
 static void convert_to_node_contact(const scene_object *s, const renumbering *r, contact_key *k,
                                     double fraction)
 {
@@ -96,7 +98,7 @@ static void renumber_contact(const scene_object *s, const renumbering *r,
     }
 }
 
-/* Keys ascending, each once: of two contacts that have become one the first is remembered. */
+/* The first of two contacts that have become one stays. */
 void vbss_scene_sort_warm_start(scene_object *s)
 {
     contact_set *set = s->contacts;
@@ -119,11 +121,11 @@ void vbss_scene_sort_warm_start(scene_object *s)
     set->warm_start_count = count;
 }
 
-/* ---- views of contacts, which say where they are */
+/* ---- contact views */
 
 static uint32_t renumber_view(const renumbering *r, bool node, uint32_t feature, vec3 point)
 {
-    if (node) { /* a node that went: the one before it */
+    if (node) { /* a removed node becomes the node before it */
         uint32_t renumbered = renumber_node(&r->change, feature);
         return renumbered == REMOVED ? feature - 1 : renumbered;
     }
@@ -153,9 +155,9 @@ static void renumber_views(scene_object *s, const renumbering *r)
     }
 }
 
-/* ---- what holds it */
+/* ---- pins and grasps */
 
-/* Nodes of pins stay: nothing changes beside them. */
+/* Pinned nodes are never removed, as the mesh does not change beside them. */
 static void renumber_holders(scene_object *s, const renumbering *r)
 {
     const mesh_change *c = &r->change;
@@ -197,7 +199,7 @@ bool vbss_scene_apply_mesh_change(scene_object *s, const scene_body *thread,
             return false;
         }
         renumber_all(s, &r);
-    } else { /* contacts are where the whole segment was */
+    } else { /* before the split, because contacts refer to positions on the whole segment */
         r.before = 0.5 * t->rest[change->at];
         renumber_all(s, &r);
         vbss_thread_split_segment(t, change->at, change->max_shift);
