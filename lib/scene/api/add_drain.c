@@ -1,4 +1,4 @@
-/* Adds a drain to a scene. */
+/* Adds a drain to a scene: its collision shape, its free edges, and its arrays. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -31,7 +31,7 @@ static vbss_result add_shape(scene_object *s, const drain_object *d, uint32_t *s
     VBSS_TRY(vbss_collision_add_mesh(scene_collision(s), m->node_count, m->triangles[0],
                                      m->triangle_count, 0.5 * wall, shape));
     if (s->config.method == VBSS_METHOD_PAPER) {
-        /* Edges alone, against those of others: docs/paper-scene.md. */
+        /* Only edges take part, and only against those of other bodies: docs/paper-scene.md. */
         s->collision->shapes[*shape]->is_rigid = true;
         s->collision->shapes[*shape]->edges_only = true;
         return VBSS_OK;

@@ -1,4 +1,4 @@
-/* Adds a grasper to a scene. */
+/* Adds a grasper to a scene, as a rigid body with four capsules. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -10,7 +10,8 @@ static void init_rigid(scene_rigid *r, const grasper_object *g, vbss_slot *slot,
 {
     const vbss_grasper_config *c = &g->config;
     pose at = pose_mul(target, mass->frame);
-    bool paper = c->method == VBSS_METHOD_PAPER; /* its tools are where the hand is */
+    /* tools of the baseline method follow the hand exactly */
+    bool paper = c->method == VBSS_METHOD_PAPER;
     *r = (scene_rigid){.kind = paper ? VBSS_RIGID_DRIVEN : VBSS_RIGID_COUPLED,
                        .frame = mass->frame,
                        .friction = c->friction,
@@ -50,7 +51,8 @@ static vbss_result check_grasper(const scene_object *s, const vbss_slot *slot,
 /* Radius of gyration about the tip, m: about that of what works there. */
 #define GYRATION_RADIUS 0.03
 
-/* A proxy has the mass that its coupling needs, at the tip, where the hand is to feel what acts. */
+/* Mass of the grasper's proxy. It is at the tip, so that the hand feels the forces that act
+ * there. */
 static vbss_rigid_mass proxy_mass(const grasper_object *g)
 {
     double moment = g->config.mass * GYRATION_RADIUS * GYRATION_RADIUS;

@@ -1,4 +1,4 @@
-/* Adds a needle to a scene. */
+/* Adds a needle to a scene, as a free rigid body. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"

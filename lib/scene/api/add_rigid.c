@@ -1,4 +1,4 @@
-/* Adds a rigid body to a scene. */
+/* Adds a rigid body to a scene, with its mass spread over its capsules. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -62,7 +62,7 @@ static vbss_result check_rigid(const scene_object *s, const vbss_rigid_config *c
     return VBSS_OK;
 }
 
-/* Capsules as if solid and of one material. */
+/* Computes mass and inertia as if the capsules were solid and of one material. */
 static vbss_result distribute_mass(const scene_object *s, const vbss_rigid_config *c,
                                    vbss_rigid_mass *mass)
 {

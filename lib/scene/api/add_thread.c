@@ -1,4 +1,4 @@
-/* Adds a thread to a scene. */
+/* Adds a thread to a scene, with room for all pieces that may be cut from it. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -21,7 +21,7 @@ static vbss_result check_thread(const scene_object *s, const vbss_slot *slot, ui
     return vbss_scene_check_thread_capacity(s, t);
 }
 
-/* One that a mesh can grow in. */
+/* The shape of an adaptive thread has room for all nodes that its mesh may get. */
 static vbss_result add_shape(scene_object *s, const thread_object *t, uint32_t *shape)
 {
     if (t->config.mesh == VBSS_MESH_FIXED) {

@@ -1,4 +1,4 @@
-/* How scenes begin and end. */
+/* Creates scenes: default configuration, checks of the configuration, and memory. */
 #include "base/check.h"
 #include "base/error.h"
 #include "base/stream.h"
@@ -174,7 +174,7 @@ static vbss_result make_collision(scene_object *s)
     VBSS_TRY(vbss_collision_config_init(&c, sizeof c));
     c.shape_capacity = SCENE_MAX_SHAPES;
     c.pair_capacity = s->config.candidate_capacity;
-    c.impact_capacity = 0; /* nobody asks for them: ccd.c and paper_contacts.c ask themselves */
+    c.impact_capacity = 0; /* unused: the CCD and the baseline method run their own tests */
     c.margin = s->config.contact_margin;
     if (s->config.method == VBSS_METHOD_PAPER) {
         c.method = VBSS_COLLISION_PAPER;
@@ -199,7 +199,7 @@ static vbss_result create_members(scene_object *s)
     return vbss_scene_create_system(s, NULL);
 }
 
-/* ---- life */
+/* ---- creation */
 
 vbss_result vbss_scene_create(vbss_context *context, const vbss_scene_config *config,
                               vbss_scene **scene)

@@ -1,4 +1,4 @@
-/* What a tool grasps, for hosts. */
+/* Describes the grasps of a tool to hosts. */
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/tools/tools.h"

@@ -1,4 +1,4 @@
-/* Opens scene handles, for reading or for editing; destroys scenes. */
+/* Opens scene handles for reading or editing, and destroys scenes. */
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/step/step.h"
@@ -11,7 +11,7 @@ vbss_result vbss_scene_destroy(vbss_scene *scene)
         return VBSS_OK;
     }
     VBSS_TRY(vbss_scene_open_mutable(scene, &s));
-    /* Threads leave without pins, as when they are removed. */
+    /* Threads lose their pins, as when a thread is removed from a scene. */
     for (uint32_t i = 0; i < s->body_count; i++) {
         if (s->bodies[i].kind == SCENE_BODY_THREAD) {
             vbss_scene_remove_pins_of(s, s->bodies[i].number);

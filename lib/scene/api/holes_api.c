@@ -1,4 +1,4 @@
-/* Holes of a scene: made by hosts, read by hosts. */
+/* Makes holes for hosts, and describes the holes of a scene to them. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -47,7 +47,8 @@ static double suture_radius(const scene_body *suture)
                                              : suture->rigid.needle->config.wire_radius;
 }
 
-/* The suture shall be at the place already: no nearer to the wall than where it would touch. */
+/* The suture must pass through the hole already: no farther from it than the contact distance to
+ * the wall. */
 static vbss_result init_hole(const scene_object *s, suture_hole *hole, const scene_body *suture)
 {
     const scene_hole_context p = vbss_scene_get_hole_context(s, hole);
@@ -96,7 +97,7 @@ vbss_result vbss_scene_make_hole(vbss_scene *scene, uint32_t body, double arc_le
     made.thread = suture->kind == SCENE_BODY_THREAD ? body : 0;
     memcpy(made.barycentric, weights, sizeof made.barycentric);
     VBSS_TRY(init_hole(s, &made, suture));
-    made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* it is open */
+    made.max_arc = vbss_max(made.max_arc, d->drain.drain->config.tip_length); /* the hole is open */
     *hole = made;
     s->last_hole_id = made.id;
     s->generation++;

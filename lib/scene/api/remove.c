@@ -1,4 +1,4 @@
-/* Removes a body from a scene. */
+/* Removes a body from a scene, with its pins, grasps and holes. */
 #include "base/error.h"
 #include "scene/api/api.h"
 #include "scene/paper.h"

@@ -1,4 +1,4 @@
-/* Targets and states of rigid bodies. */
+/* Sets targets of rigid bodies and describes their states. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"
@@ -40,7 +40,7 @@ vbss_result vbss_scene_move_rigid(vbss_scene *scene, uint32_t body, const double
     }
     target.position = vec3_load(position);
     target = pose_mul(target, r->frame);
-    if (orientation == NULL) { /* to the bit: rounding would turn it */
+    if (orientation == NULL) { /* keeps the same bits; rounding would turn the body */
         target.orientation = previous.orientation;
     }
     vbss_scene_set_rigid_target(s, r, target);

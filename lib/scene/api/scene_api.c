@@ -1,4 +1,4 @@
-/* A step, statistics and snapshots of a scene. */
+/* Steps a scene; statistics, snapshots and hash of a scene. */
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"

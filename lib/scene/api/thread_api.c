@@ -1,4 +1,4 @@
-/* Pins and cuts of a scene's threads. */
+/* Pins and cuts the threads of a scene. */
 #include "base/check.h"
 #include "base/error.h"
 #include "scene/api/api.h"

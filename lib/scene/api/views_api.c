@@ -1,4 +1,4 @@
-/* Looks at a scene's arrays. */
+/* Views of a scene's contacts and events. */
 #include "base/error.h"
 #include "scene/api/api.h"
 
