@@ -1,4 +1,5 @@
-/* The state of a scene and all its bodies: saved, hashed and restored. */
+/* Saves, hashes and restores a scene with all its bodies. One visitor does all three; it checks
+ * what it reads. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
 #include "scene/step/step.h"
@@ -70,7 +71,8 @@ static bool is_valid_needle_grasp(const scene_object *s, const scene_needle_gras
         return false;
     }
     quat q = grasp->pose_in_jaws.orientation;
-    bool closed = s->config.method == VBSS_METHOD_PAPER; /* whatever is between them */
+    /* jaws of the baseline method close completely */
+    bool closed = s->config.method == VBSS_METHOD_PAPER;
     return grasp->arc >= 0.0 && grasp->arc <= vbss_needle_length(b->rigid.needle) &&
            (closed ? grasp->angle == 0.0 : grasp->angle > 0.0) && grasp->angle <= 1.6 &&
            grasp->age >= 0.0 && isfinite(grasp->age) && isfinite(grasp->slid) &&
@@ -127,7 +129,8 @@ static bool is_valid_wall_grasp(const scene_object *s, const scene_wall_grasp *p
     return is_valid;
 }
 
-/* PAPER: it follows a tool that has closed on it; its tip is in walls that there are. */
+/* Baseline method: whether the needle follows a tool that has closed on it, and its tip passes
+ * through walls that exist. */
 static bool is_valid_lead(const scene_object *s, const scene_body *needle)
 {
     const scene_rigid *r = &needle->rigid;
@@ -144,7 +147,7 @@ static bool is_valid_lead(const scene_object *s, const scene_body *needle)
     return is_valid;
 }
 
-/* When all bodies are read. */
+/* Checks grasps after all bodies have been read, because they refer to other bodies. */
 static void check_jaw_grasps(vbss_stream *stream, const scene_object *s)
 {
     for (uint32_t i = 0; stream->mode == VBSS_STREAM_READ && i < s->body_count; i++) {
@@ -157,7 +160,7 @@ static void check_jaw_grasps(vbss_stream *stream, const scene_object *s)
     }
 }
 
-/* Its jaws may lag behind where they shall be. */
+/* The positions of jaws are part of the state, because jaws may lag behind their target. */
 static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigid *r)
 {
     vbss_section outer =
@@ -184,7 +187,8 @@ static void visit_grasper(vbss_stream *stream, const scene_object *s, scene_rigi
     }
 }
 
-/* PAPER, whose scenes of older versions had no needles. */
+/* State of a needle in the baseline method. Needles need no version check: older versions of
+ * such scenes had none. */
 static void visit_lead(vbss_stream *stream, scene_rigid *r)
 {
     vbss_stream_u32(stream, 142, &r->leader, 1);
@@ -234,7 +238,7 @@ static void visit_rigid(vbss_stream *stream, const scene_object *s, scene_rigid 
 {
     vbss_stream_expect(stream, 20, (uint64_t)r->kind);
     vbss_stream_expect(stream, 21, r->capsule_count);
-    if (stream->version >= 2 || r->grasper != NULL) { /* before there were none */
+    if (stream->version >= 2 || r->grasper != NULL) { /* older versions had no graspers */
         vbss_stream_expect(stream, 29, r->grasper != NULL);
     }
     if (stream->version >= 4 || r->needle != NULL) {
@@ -271,7 +275,7 @@ static void visit_thread(vbss_stream *stream, scene_thread *b)
     vbss_thread_serialise(stream, b->thread);
     vbss_stream_close(stream, outer);
     if (!scene_thread_resizes(b->thread) &&
-        b->thread->node_count != nodes) { /* the scene's arrays are numbered for these */
+        b->thread->node_count != nodes) { /* the scene has numbered its nodes for this count */
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "another number of nodes");
     }
 }
@@ -335,7 +339,8 @@ static void visit_bodies(vbss_stream *stream, scene_object *s)
     check_jaw_grasps(stream, s);
 }
 
-/* A weld is to a body that moves as forces say, of a node that nothing else holds. */
+/* Whether a pin is an attachment or a valid weld. A weld fixes a node that nothing else holds to
+ * a body that is not driven. */
 static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const scene_body *body,
                                 const thread_object *t)
 {
@@ -350,7 +355,7 @@ static bool is_weld_or_attached(const scene_object *s, const scene_pin *p, const
     }
     return s->config.method == VBSS_METHOD_OURS && body != NULL &&
            body->rigid.kind != VBSS_RIGID_DRIVEN &&
-           vbss_scene_find_weld(s, p->thread, p->node) == p; /* those before it are read */
+           vbss_scene_find_weld(s, p->thread, p->node) == p; /* all earlier pins have been read */
 }
 
 static void visit_pins(vbss_stream *stream, scene_object *s)
@@ -422,8 +427,8 @@ static bool is_valid_thread_grasp(const scene_object *s, const scene_thread_gras
         return false;
     }
     const thread_object *thread = t->thread.thread;
-    bool paper =
-        s->config.method == VBSS_METHOD_PAPER && !g->is_released; /* holds a node, by a pin */
+    /* the grasp holds a node by a pin */
+    bool paper = s->config.method == VBSS_METHOD_PAPER && !g->is_released;
     bool is_valid = g->segment + (paper ? 0 : 1) < thread->node_count &&
                     isfinite(g->segment_offset) && fabs(g->segment_offset) <= 1e3 &&
                     isfinite(g->angle) && isfinite(g->slid) && isfinite(g->limit) &&
@@ -492,7 +497,7 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
 {
     vbss_stream_u32(stream, 80, &s->contacts, 3); /* contacts, rows, separators */
     vbss_stream_u64(stream, 81, &s->steps, 5);    /* steps .. state_solves */
-    /* Not patterns, which depends on what is still known of the last one. */
+    /* `patterns` is left out, because it depends on whether a sparsity pattern is in memory. */
     vbss_stream_u64(stream, 83, &s->rejected_states, 11); /* .. guard_pairs */
     vbss_stream_f64(stream, 82, &s->last_penetration, 6); /* .. time */
     if (stream->version >= 3) {
@@ -505,7 +510,7 @@ static void visit_statistics(vbss_stream *stream, vbss_scene_statistics *s)
     }
 }
 
-/* With which the next step begins; none was ever left unfinished before version 3. */
+/* Size of the first substep of the next step. Before version 3 a step was never left incomplete. */
 static void visit_next_initial_size(vbss_stream *stream, scene_object *s)
 {
     if (stream->version >= 3) {
@@ -520,7 +525,7 @@ static void visit_next_initial_size(vbss_stream *stream, scene_object *s)
     }
 }
 
-/* So that nobody else holds those nodes. */
+/* Marks welded nodes in their threads, so that hosts cannot attach them. */
 static void set_welded_flags(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -533,7 +538,7 @@ static void set_welded_flags(scene_object *s)
         const scene_pin *p = &s->pins[i];
         const scene_body *t = vbss_scene_body(s, p->thread);
         if (p->id != 0 && p->attachment == 0 && t != NULL && t->kind == SCENE_BODY_THREAD &&
-            p->node < t->thread.thread->node_count) { /* it may be refused yet */
+            p->node < t->thread.thread->node_count) { /* the stream may be refused for it later */
             t->thread.thread->welded[p->node] = 1;
         }
     }

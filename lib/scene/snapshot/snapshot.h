@@ -1,4 +1,6 @@
-/* Saving, hashing and restoring a scene. */
+/* Saves, hashes and restores a scene. A stream visits the state field by field: depending on its
+ * mode it writes, hashes or reads them. If it reads an invalid value, it is refused with
+ * VBSS_ERROR_CORRUPT, and the caller returns the scene to the state before. */
 #ifndef VBSS_SCENE_SNAPSHOT_H
 #define VBSS_SCENE_SNAPSHOT_H
 
@@ -6,17 +8,22 @@
 
 /* ---- snapshot_suspended.c */
 
+/* Visits the cursor, and the rest of a suspended step if there is one. */
 void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s);
 
 /* ---- snapshot_pieces.c */
 
-/* State: whether there is a piece, and what only pieces have; then, when all bodies are read, what follows from
- * their numbers of nodes. */
+/* Visits whether an entry that is reserved for a piece has one, and the fields that only pieces
+ * have. Reading activates or deactivates the piece accordingly. */
 void vbss_scene_serialise_piece(vbss_stream *stream, scene_object *s, scene_body *b);
+
+/* After all bodies have been read: checks that they fit into the scene, resizes the shapes of
+ * threads, and numbers the nodes. */
 void vbss_scene_restore_pieces(vbss_stream *stream, scene_object *s);
 
 /* ---- snapshot.c */
 
+/* Visits the whole state of a scene. `object` is a scene_object. */
 void vbss_scene_serialise(vbss_stream *stream, void *object);
 
 #endif

@@ -1,4 +1,4 @@
-/* Snapshot of the pieces that were cut off threads. */
+/* Saves and restores the pieces that were cut off threads. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
 #include "scene/topology/topology.h"
@@ -30,7 +30,8 @@ void vbss_scene_serialise_piece(vbss_stream *stream, scene_object *s, scene_body
     }
 }
 
-/* Each number once, each thread within its shape, and all of them within the scene, however they are cut. */
+/* Whether all numbers are unique, each thread fits into its shape, and all threads fit into the
+ * scene, even after all cuts that are left. */
 static bool do_pieces_fit(const scene_object *s)
 {
     uint32_t nodes = 0;

@@ -1,4 +1,7 @@
-/* The state of a scene's step that waits (time_slice.c): where it is, not what has been found. */
+/* Saves and restores a suspended step (step/time_slice.c).
+ *
+ * A snapshot holds the position within the step, not the iterate of the attempt. After a restore
+ * the attempt is replayed up to the check at which it was suspended. */
 #include "base/stream.h"
 #include "scene/snapshot/snapshot.h"
 #include "scene/step/step.h"
@@ -20,7 +23,7 @@ static bool is_valid_target(vec3 target, vec3 force)
     return vec3_is_finite(target) && vec3_is_finite(force);
 }
 
-/* Where attachments go in a step that waits. */
+/* Visits the targets of attachments in the suspended step; hosts may have set others since. */
 static void visit_targets(vbss_stream *stream, scene_object *s)
 {
     bool is_valid = true;
@@ -48,7 +51,7 @@ static void visit_targets(vbss_stream *stream, scene_object *s)
     }
 }
 
-/* A step that waits: where it is, and how far the attempt was that is to be made again. */
+/* Visits the cursor of a suspended step, and how far its attempt had progressed for the replay. */
 static void visit_suspended_step(vbss_stream *stream, scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -110,8 +113,8 @@ void vbss_scene_visit_cursor(vbss_stream *stream, scene_object *s)
     } else {
         words[0] = words[1] = words[2] = 0;
     }
-    bool is_allowed =
-        !reads || s->contacts != NULL || (words[0] == 0 && words[1] == 0); /* PAPER never waits */
+    /* the baseline method never suspends a step */
+    bool is_allowed = !reads || s->contacts != NULL || (words[0] == 0 && words[1] == 0);
     if (!is_allowed || words[0] > 1 || words[1] > 2 || words[1] + words[0] > 2) {
         vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such step");
         words[0] = words[1] = 0;
