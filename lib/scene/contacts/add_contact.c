@@ -1,4 +1,4 @@
-/* Adds a contact constraint of two features that may touch in the substep. */
+/* Adds a contact constraint if two features may touch in the substep. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
@@ -9,6 +9,7 @@
 /* What is above the floor by so many times what it may come down has no row: by more than rounding. */
 #define FLOOR_REACH_RATIO 1.01
 
+/* Whether the motion of all nodes of a feature is prescribed. */
 static bool is_feature_prescribed(const scene_object *s, const scene_body *b, uint32_t kind,
                                   bool is_b, uint32_t feature)
 {
@@ -36,8 +37,8 @@ static bool is_feature_prescribed(const scene_object *s, const scene_body *b, ui
     return true;
 }
 
-/* The largest approach of any point of one feature to any of the other is that of two vertices: in any direction, and
- * along one. */
+/* Bounds the relative motion of any two points of the features. The maximum over pairs of vertices
+ * is enough, as points are averages of vertices. */
 static double largest_relative_motion(const scene_contact_pair *m)
 {
     double largest = 0.0;
@@ -50,6 +51,7 @@ static double largest_relative_motion(const scene_contact_pair *m)
     return SCENE_EXTRAPOLATION_RATIO * sqrt(largest);
 }
 
+/* Bounds how far the features approach each other along the normal. */
 static double largest_approach(const scene_contact_pair *m, vec3 normal)
 {
     double largest = 0.0;
@@ -62,7 +64,8 @@ static double largest_approach(const scene_contact_pair *m, vec3 normal)
     return SCENE_EXTRAPOLATION_RATIO * largest;
 }
 
-/* Of a wall, which swings the line through it farther than its middle goes. */
+/* Whether a drain's feature is a lip. The line through a lip swings farther than its middle moves,
+ * so motions of vertices do not bound its approach along the normal. */
 static bool is_lip(const scene_body *b, const contact_key *key, bool is_b)
 {
     const uint32_t feature = is_b ? key->feature_b : key->feature_a;
@@ -77,7 +80,7 @@ static bool has_swinging_lip(const scene_contact_pair *m, const contact_key *key
            (is_lip(m->a, key, false) || is_lip(m->b, key, true));
 }
 
-/* Laid, and whether it is near enough to touch. */
+/* Runs the narrow phase; returns whether the features may touch in the substep. */
 static bool compute_geometry(const scene_object *s, contact_constraint *constraint,
                              const scene_contact_pair *m)
 {
@@ -93,8 +96,9 @@ static bool compute_geometry(const scene_object *s, contact_constraint *constrai
     return near;
 }
 
-/* Where a needle is nearest to a side it is in its hole: the rest of it, before and behind, may touch that side elsewhere. A
- * pair has one row, of the nearest piece. */
+/* A needle is nearest to an edge inside its hole, where it does not touch. Its axis before
+ * and behind the hole may still touch that edge. A pair has one constraint: that of the
+ * nearest interval. */
 static bool compute_geometry_beside_holes(const scene_object *s, contact_constraint *constraint,
                                           const scene_contact_pair *m)
 {
@@ -126,8 +130,8 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
 {
     if (is_feature_prescribed(s, m->a, key->kind, false, key->feature_a) &&
         is_feature_prescribed(s, m->b, key->kind, true, key->feature_b)) {
-        s->has_unlisted_pairs =
-            s->has_unlisted_pairs || m->b != NULL; /* the floor is not the guard's pair */
+        /* CCD does not test the floor. */
+        s->has_unlisted_pairs = s->has_unlisted_pairs || m->b != NULL;
         return true;
     }
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);
@@ -135,8 +139,9 @@ bool vbss_scene_add_contact(scene_object *s, const contact_key *key, const scene
         return false;
     }
     bool near = compute_geometry(s, constraint, m);
-    if (m->candidate !=
-        NULL) { /* from the line through a lip it is no farther than from its middle */
+    /* The line through a lip is never farther than its middle, so this is a lower bound of
+     * the separation. */
+    if (m->candidate != NULL) {
         vbss_collision_store_separation(s->collision, m->candidate,
                                         constraint->start_gap + constraint->contact_distance);
     }
@@ -158,7 +163,7 @@ bool vbss_scene_add_floor_contact(scene_object *s, const contact_key *key, const
                                   vec3 x, double radius, vec3 displacement)
 {
     static const vec3 floor_displacement;
-    /* Only what comes down can meet it. */
+    /* Only a downward motion can reach the floor. */
     double down = vbss_min(vec3_dot(displacement, s->floor_normal), 0.0);
     double gap = vec3_dot(s->floor_normal, x) - s->config.floor_height - radius;
     if (gap - s->config.contact_margin > -FLOOR_REACH_RATIO * SCENE_EXTRAPOLATION_RATIO * down) {

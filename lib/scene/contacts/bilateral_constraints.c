@@ -1,4 +1,4 @@
-/* Bilateral constraints: what grasps and holes have in common. */
+/* Bilateral constraints: the part that grasps and holes have in common. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
@@ -11,7 +11,7 @@ void vbss_scene_set_spring_geometry(contact_constraint *constraint, const scene_
     constraint->gap = vec3_dot(constraint->normal, constraint->relative_displacement);
     constraint->point = target;
     constraint->jacobian_block_count = 0;
-    constraint->friction = 1.0; /* it has a stiffness along the plane too */
+    constraint->friction = 1.0; /* nonzero: the spring acts in the tangent plane, too */
     constraint->previous_force = constraint->solution.tangential_force = vec3_zero();
     constraint->solution.status = CONTACT_STICK;
 }
@@ -21,7 +21,7 @@ contact_constraint *vbss_scene_add_bilateral_constraint(scene_object *s, const c
     contact_constraint *constraint = vbss_contact_add(s->contacts, key);
     if (constraint != NULL) {
         constraint->is_bilateral = true;
-        constraint->thickness = 1.0; /* it overlaps nothing */
+        constraint->thickness = 1.0; /* nonzero: a divisor of the overlap tolerance */
     }
     return constraint;
 }

@@ -1,4 +1,4 @@
-/* Broad phase: pairs of features whose swept bounding boxes meet. */
+/* Broad phase: finds pairs of features whose swept bounding boxes overlap. */
 #include "base/error.h"
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"

@@ -1,14 +1,14 @@
-/* What might touch in a part of a step: pairs of features that are near, as far as they may move.
+/* Creates the contact constraints of a substep from the candidates of the broad phase.
  *
- * The search lists pairs whose swept boxes come near; of these, those become rows that are nearer than the
- * distance of touching, the margin, and what they may approach each other. How far things may move is
- * a guess from their velocities, after a rejected attempt what that attempt did: the guard finds out. */
+ * A candidate becomes a contact if its gap is below the contact margin plus the distance by which
+ * its features may approach each other. That distance is an estimate from motion bounds, so CCD
+ * checks the result of the substep. */
 #include "scene/contacts/contacts.h"
 #include "scene/tools/tools.h"
 #include "scene/topology/topology.h"
 #include "scene/world/world.h"
 
-/* ---- rows */
+/* ---- contacts of two bodies */
 
 static const vec3 *node_displacements(const scene_object *s, const scene_body *b, uint32_t node)
 {
@@ -22,12 +22,15 @@ static const vec3 *capsule_displacements(const scene_object *s, const scene_body
            2 * (size_t)(b->rigid.first_capsule + capsule);
 }
 
-/* Where the thread is fine against the capsule, its smoothed nodes touch; else its segments. */
+/* A thread with short segments touches a capsule by its smoothed nodes, other threads by
+ * their segments. */
 static bool is_fine(const thread_object *t, uint32_t segment, double radius)
 {
     return t->rest[segment] <= radius;
 }
 
+/* Whether the broad phase lists the pair `like` with `a` in place of its own feature a. Candidates
+ * of edges are sorted. */
 static bool is_listed(const scene_object *s, const collision_candidate *like, uint32_t a)
 {
     const collision_object *c = s->collision;
@@ -68,14 +71,15 @@ static bool add_node_contact(scene_object *s, const thread_capsule_pair *m, uint
     return vbss_scene_add_contact(s, &key, &w);
 }
 
-/* Nodes come with the segment before them, unless that is not near or does not touch: so each comes once. */
+/* A segment adds its second node. It adds its first node only if the segment before it does not: so
+ * each node is added once. */
 static bool add_thread_contacts(scene_object *s, const collision_candidate *q,
                                 const thread_capsule_pair *m, bool thread_first)
 {
     const thread_object *t = m->thread->thread.thread;
     double radius = s->capsules[m->rigid->rigid.first_capsule + m->capsule].radius;
     double contact_distance = radius + t->config.radius;
-    bool fine = is_fine(t, m->segment, radius); /* what is smoothed may be nearer than the pair */
+    bool fine = is_fine(t, m->segment, radius); /* a smoothed node may be nearer than the segment */
     if (!fine && scene_is_known_apart(s, q, s->config.contact_margin)) {
         return true;
     }
@@ -147,7 +151,7 @@ static bool add_pair_contacts(scene_object *s, const collision_candidate *q)
     return add_thread_contacts(s, q, &m, first);
 }
 
-/* ---- the floor */
+/* ---- contacts with the floor */
 
 static bool add_floor_contacts(scene_object *s, const scene_body *b)
 {
@@ -171,7 +175,7 @@ static bool add_floor_contacts(scene_object *s, const scene_body *b)
     return true;
 }
 
-/* ---- all of it */
+/* ---- all constraints */
 
 static void set_contact_flags(scene_object *s)
 {

@@ -1,9 +1,9 @@
-/* Contacts that are there twice: where segments of a thread or sides of a drain meet, each of them has a row about the
- * same point. */
+/* Removes duplicate contacts. Where segments of a thread or edges of a drain meet, each of them has
+ * a contact about the same point. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
-/* ---- segments of threads: the end of one is the begin of the next, whose row stays */
+/* ---- segments of threads: of two that share a node, the contact of the next stays */
 
 static bool is_repeated_by_next_segment(const contact_set *set,
                                         const contact_constraint *constraint)
@@ -20,9 +20,10 @@ static bool is_repeated_by_next_segment(const contact_set *set,
            fabs(set->constraints[other].barycentric[1] - at[1]) < 1e-9;
 }
 
-/* ---- sides of drains: more than two meet, and not all that do have rows; the last of those that have stays */
+/* ---- edges of drains: more than two may share a node; the contact of the last stays */
 
-/* A node of a thread or a drain, or a feature that is touched between its ends: odd. */
+/* Identifies the point where a feature is touched: an even number for a node, an odd one for the
+ * interior of a feature. */
 static uint32_t contact_point_id(const scene_object *s, uint32_t number, uint32_t feature,
                                  double at)
 {
@@ -34,7 +35,7 @@ static uint32_t contact_point_id(const scene_object *s, uint32_t number, uint32_
     if (b->kind == SCENE_BODY_THREAD && (at_start || at_end)) {
         return 2 * (feature + (at_end ? 1 : 0));
     }
-    return 2 * feature + 1; /* after the end of a capsule nothing follows */
+    return 2 * feature + 1; /* also at a capsule's end, which no other capsule shares */
 }
 
 static void set_contact_points(const scene_object *s, contact_constraint *constraint)

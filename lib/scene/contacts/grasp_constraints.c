@@ -1,7 +1,8 @@
-/* Rows that hold threads in the jaws of graspers: three springs a grasp, the same in all directions.
+/* Bilateral constraints that hold threads, needles and walls in the jaws of graspers.
  *
- * A row is bilateral: its gap and what it has slid are where the thread's point is, seen from where it is
- * held, so that nothing of it is remembered but what the grasp itself knows. */
+ * Each is a spring from a point of the grasped body to its target in the jaws. Gap and tangential
+ * displacement are measured from the target, so the constraint has no memory: only the grasp itself
+ * has state. */
 #include "scene/contacts/contacts.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"
@@ -35,7 +36,7 @@ static void update_needle_grasp_constraint(scene_object *s, contact_constraint *
                                                          constraint->key.feature_a);
     vbss_scene_set_spring_geometry(constraint, tool, c.needle_point, c.jaw_point);
     constraint->stiffness = vbss_grasper_needle_clamp_stiffness(tool->grasper);
-    constraint->tangential_stiffness_ratio = 0.0; /* the same in all directions */
+    constraint->tangential_stiffness_ratio = 0.0; /* isotropic */
     vbss_scene_add_rigid_jacobian(constraint, needle, c.needle_point, 1.0);
     vbss_scene_add_rigid_jacobian(constraint, tool, c.jaw_point, -1.0);
 }
@@ -51,7 +52,7 @@ static void update_wall_grasp_constraint(scene_object *s, contact_constraint *co
     vbss_scene_set_spring_geometry(constraint, tool, vbss_scene_wall_grasp_point(p, d, d->trial, k),
                                    target);
     constraint->stiffness = vbss_scene_wall_grasp_stiffness(tool->grasper, p);
-    constraint->tangential_stiffness_ratio = 0.0; /* the same in all directions */
+    constraint->tangential_stiffness_ratio = 0.0; /* isotropic */
     for (uint32_t i = 0; i < 3; i++) {
         uint32_t order_index = d->order.block_index[d->mesh.triangles[p->triangle[k]][i]];
         constraint->jacobian[constraint->jacobian_block_count++] = (contact_jacobian_block){

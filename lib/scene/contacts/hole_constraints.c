@@ -1,4 +1,4 @@
-/* The bilateral constraint of a suture in a hole, which may slide along it. */
+/* Bilateral constraints of holes: the suture is held across its curve and slides along it. */
 #include "scene/contacts/contacts.h"
 #include "scene/tissue/tissue.h"
 
@@ -23,7 +23,7 @@ bool vbss_scene_add_hole_constraints(scene_object *s)
     return true;
 }
 
-/* What a place has of a node. */
+/* Value of a node at a point of the curve; 0 outside its span. */
 static double node_value(const suture_curve_point *curve_point,
                          const double values[SUTURE_SPAN_NODES], uint32_t node)
 {
@@ -32,8 +32,8 @@ static double node_value(const suture_curve_point *curve_point,
     return own ? values[node - curve_point->first_node] : 0.0;
 }
 
-/* Needle and the node that is the swage's move as one: weights and points add up. What nodes behind it lose as the place
- * slides on, the needle gains. */
+/* The swage's node moves with the needle, so their weights add up. The weight that nodes behind it
+ * lose as the hole slides on goes to the needle. */
 static void add_needle_jacobian(contact_constraint *constraint, const scene_hole_context *p,
                                 const suture_curve_point *curve_point)
 {
@@ -50,8 +50,8 @@ static void add_needle_jacobian(contact_constraint *constraint, const scene_hole
                                &constraint->jacobian[constraint->jacobian_block_count - 2],
                            *rotation = translation + 1;
     if (curve_point->span == SUTURE_ON_NEEDLE) {
-        rotation->weighted_arm_derivative =
-            vec3_neg(curve_point->tangent); /* toward the tip, from which the arc is counted */
+        /* The arc length counts from the tip, and the tangent points to the tip. */
+        rotation->weighted_arm_derivative = vec3_neg(curve_point->tangent);
     } else if (curve_point->first_node == 0) {
         const vec3 centre = p->needle->rigid.trial.position;
         const double end_gains = curve_point->weight_derivatives[0];
@@ -66,7 +66,8 @@ static void add_needle_jacobian(contact_constraint *constraint, const scene_hole
     }
 }
 
-/* The nodes of a span and of those beside it, with what the place weighs them: it may slide on to those. */
+/* Adds nodes of a span and of the spans beside it, as the hole may slide on to these. The
+ * Jacobian's blocks stay the same for the whole substep. */
 static void add_thread_jacobian(const scene_object *s, contact_constraint *constraint,
                                 const scene_hole_context *p, const suture_curve_point *curve_point,
                                 uint32_t span)
@@ -74,11 +75,12 @@ static void add_thread_jacobian(const scene_object *s, contact_constraint *const
     const thread_object *t = p->thread->thread.thread;
     uint32_t first = span > 2 ? span - 2 : 0, last = t->node_count - 1;
     last = span + 3 < last ? span + 3 : last;
-    first = p->needle != NULL && first == 0 ? 1 : first; /* the swage is the needle's */
+    /* The swage's node counts with the needle. */
+    first = p->needle != NULL && first == 0 ? 1 : first;
     for (uint32_t i = first; i <= last; i++) {
         uint32_t needed = t->welded[i] != 0 ? 2 : 1;
-        if (constraint->jacobian_block_count + needed >
-            CONTACT_MAX_JACOBIAN_BLOCKS - 3) { /* welds beside each other */
+        /* A welded node takes two blocks. The wall needs the last three. */
+        if (constraint->jacobian_block_count + needed > CONTACT_MAX_JACOBIAN_BLOCKS - 3) {
             break;
         }
         const uint32_t from = constraint->jacobian_block_count;
@@ -92,7 +94,8 @@ static void add_thread_jacobian(const scene_object *s, contact_constraint *const
     }
 }
 
-/* Which span it may slide on from in this part: its pattern is made once. */
+/* The span from which the hole may slide to either side in this substep. It is chosen once, as the
+ * sparsity pattern is fixed. */
 static uint32_t choose_span(const scene_hole_context *p, double arc)
 {
     bool far = p->thread == NULL || (p->needle != NULL && arc < p->now.swage_arc - NEAR_SWAGE);

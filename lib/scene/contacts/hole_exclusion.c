@@ -1,4 +1,5 @@
-/* What does not touch: suture and wall round a hole, wall and the jaws that hold it. */
+/* Excludes contact of the suture with the wall around a hole, and of jaws with the wall that
+ * they grasp. */
 #include "scene/contacts/contacts.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
@@ -10,7 +11,9 @@
  * more it touches at a distance that grows from nothing to the whole, and is not felt all at once. */
 #define EXIT_RAMP_RATIO 1.0
 
-/* Who enters aslant still has, beside its tip, the wall that it has pressed on. */
+/* Exclusion radius of a hole for a point of the suture, m. A needle that enters at a small angle
+ * has pressed down the wall beside its tip. There the radius is larger until the tip has passed
+ * the hole. */
 static double exclusion_reach(const suture_hole *hole, const scene_body *suture, double arc,
                               double reach)
 {
@@ -19,13 +22,15 @@ static double exclusion_reach(const suture_hole *hole, const scene_body *suture,
     return at_mouth ? vbss_max(reach, -SCENE_EXCLUSION_ARC_RATIO * hole->entry_arc) : reach;
 }
 
-/* Within which of a hole a suture touches nothing: a thread, which turns at once, less far than a needle. */
+/* Radius within which a suture does not touch the wall, m. A thread bends at once, so its radius is
+ * smaller than a needle's. */
 static double suture_reach(const scene_body *suture, double reach)
 {
     return suture->kind == SCENE_BODY_THREAD ? THREAD_REACH_RATIO * reach : reach;
 }
 
-/* Along the suture, across the swage too; INFINITY: of another. */
+/* Distance from a hole along the suture, across the swage too, m. INFINITY if another suture is in
+ * the hole. */
 static double arc_from_hole(const scene_object *s, const suture_hole *hole,
                             const scene_body *suture, double arc, double time)
 {
@@ -45,7 +50,8 @@ static double arc_from_hole(const scene_object *s, const suture_hole *hole,
     return fabs(thread ? length + arc - hole_arc : length + hole_arc - arc);
 }
 
-/* Within that reach of its swage a thread is as thick as its needle: what is left of one there touches no more than the other. */
+/* Near its swage a thread has the exclusion radius of its needle: the contact scale does not jump
+ * as the swage passes. */
 static double reach_at_swage(const scene_object *s, const scene_body *suture, uint32_t segment,
                              const scene_body *drain, double reach)
 {
@@ -64,7 +70,7 @@ static double reach_at_swage(const scene_object *s, const scene_body *suture, ui
     return arc < contact_distance ? reach + vbss_max(more, 0.0) : reach;
 }
 
-/* The share of the distance of touching at which a place touches that is so many reaches from a hole. */
+/* Contact scale at a distance from a hole, given in exclusion radii. */
 static double scale_beside_hole(const scene_body *suture, double reaches)
 {
     double ramp_length = suture->kind == SCENE_BODY_THREAD ? EXIT_RAMP_RATIO : 0.0;
@@ -74,13 +80,15 @@ static double scale_beside_hole(const scene_body *suture, double reaches)
     return reaches < 1.0 + ramp_length ? (reaches - 1.0) / ramp_length : 1.0;
 }
 
+/* Position of a hole at a time 0..1 within the substep. */
 static vec3 hole_point_at(const suture_hole *hole, const drain_object *d, double time)
 {
     const vec3 start = vbss_hole_point(hole, d, d->x);
     return time > 0.0 ? vec3_lerp(start, vbss_hole_point(hole, d, d->trial), time) : start;
 }
 
-/* Two walls that lie on each other are near, but not along the wall. */
+/* Smallest contact scale over all holes. The distance counts along the suture, in the current and
+ * in the rest shape: walls that lie on each other are near now, but not at rest. */
 static double scale_in_holes(const scene_object *s, const scene_body *suture, uint32_t segment,
                              double fraction, const scene_body *drain,
                              const scene_wall_point *wall_point, double reach)
@@ -112,7 +120,7 @@ double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body
                                    uint32_t feature, double fraction, const scene_body *drain,
                                    const scene_wall_point *wall_point, double reach)
 {
-    if (body->kind == SCENE_BODY_RIGID && is_point) { /* the ends of capsules stand two by two */
+    if (body->kind == SCENE_BODY_RIGID && is_point) { /* the two ends of a capsule are adjacent */
         fraction = feature % 2;
         feature /= 2;
     }
@@ -126,8 +134,9 @@ double vbss_scene_contact_scale_at(const scene_object *s, const scene_body *body
                : 1.0;
 }
 
-/* Moves `from` on to where a hole ends that is at `arc` of the needle, if it is at that; else `to` back to where it begins. True:
- * it was at it. */
+/* Moves `from` to the end of a hole's exclusion interval if it is inside, and returns true.
+ * Otherwise moves `to` back to the start of that interval. `arc`: place of the hole along the
+ * needle, m. */
 static bool pass_hole(const suture_hole *hole, double arc, const scene_body *needle, double reach,
                       double *from, double *to)
 {
@@ -141,19 +150,21 @@ static bool pass_hole(const suture_hole *hole, double arc, const scene_body *nee
     return is_inside;
 }
 
-/* From and to which arc length the next piece of a capsule's axis goes; false: there is none. */
+/* Finds the next interval of arc lengths from..to outside all holes. False: the capsule has no
+ * further one. */
 static bool find_interval(const scene_object *s, const scene_body *needle, const scene_body *drain,
                           double reach, double *from, double *to)
 {
     const double end = *to, length = vbss_needle_length(needle->rigid.needle);
     const scene_body *thread = vbss_scene_swaged_thread(s, needle);
     bool moved = true;
-    while (moved) { /* behind one hole may be another that was looked at before */
+    while (moved) { /* where one hole's interval ends, another may start */
         moved = false;
         *to = end;
         for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
             const suture_hole *h = &s->holes[i];
-            bool behind = thread != NULL && h->thread == thread->number; /* in its thread */
+            /* The hole is in the swaged thread. */
+            bool behind = thread != NULL && h->thread == thread->number;
             bool own = h->id != 0 && (behind || h->needle == needle->number);
             double arc = behind ? length + h->arc : h->arc;
             moved =
@@ -164,7 +175,7 @@ static bool find_interval(const scene_object *s, const scene_body *needle, const
     return *from < *to;
 }
 
-/* What of a side lies on that way of a plane across `along`; false: nothing. */
+/* Clips an edge to the half space beyond `point` in direction `along`. False: nothing is left. */
 static bool clip_edge(const vec3 edge[2], vec3 point, vec3 along, double fractions[2])
 {
     double start = vec3_dot(vec3_sub(edge[0], point), along);
@@ -178,6 +189,8 @@ static bool clip_edge(const vec3 edge[2], vec3 point, vec3 along, double fractio
     return fractions[0] < fractions[1];
 }
 
+/* Clips the edge by the planes across the ends of an axis interval, except at ends of the
+ * capsule. */
 static bool clip_to_interval(const vec3 axis[2], const vec3 edge[2], double at[2][2])
 {
     vec3 along = vec3_sub(axis[1], axis[0]);

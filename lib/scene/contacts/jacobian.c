@@ -20,7 +20,6 @@ void vbss_scene_add_rigid_jacobian(contact_constraint *constraint, const scene_r
     constraint->jacobian_block_count++;
 }
 
-/* A node that is welded to a body moves as that does. */
 void vbss_scene_add_node_jacobian(const scene_object *s, contact_constraint *constraint,
                                   const scene_body *b, uint32_t node, double weight)
 {

@@ -1,5 +1,5 @@
-/* How far each vertex may move in a substep: an estimate from velocities and targets, or the motion
- * of the rejected attempt before. */
+/* Motion bounds: the expected displacement of each node and capsule end in a substep. It is an
+ * estimate from velocities and targets, or the motion of the rejected attempt before. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 

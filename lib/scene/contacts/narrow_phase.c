@@ -1,7 +1,8 @@
-/* How the two features of a row lie: normal, gap, terms, how far they have slid.
+/* Narrow phase: closest points, normal, gap and contact distance of two features; then Jacobian and
+ * tangential displacement of their contact.
  *
- * A side of a row is a point that moves with its body: a mean of nodes, or a point of a rigid body's
- * surface. Where it was when the part began is known too, which is what friction is about. */
+ * A side of a contact is a point that moves with its body: a weighted mean of nodes, or a point of
+ * a rigid body's surface. Friction needs its displacement since the start of the substep. */
 #include "collision/closest.h"
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
@@ -25,23 +26,25 @@
 /* Axes nearer than this have no direction, m. */
 #define NO_DISTANCE 1e-12
 
-/* One of the two features of a row, and its corners: of a point one, of the axis of a segment two, of a face three. */
+/* One of the two features of a contact. It has one vertex if it is a point, two if a segment or
+ * edge, three if a triangle. */
 typedef struct side {
     const scene_body *body;
-    const scene_capsule *capsule; /* of a rigid body */
+    const scene_capsule *capsule; /* NULL unless the body is rigid */
     uint32_t feature, vertex_count;
-    uint32_t nodes[3]; /* of a drain */
-    uint32_t
-        lip; /* of a free edge of a drain, or a node there: a triangle beside it; else SCENE_NO_FACE */
-    bool smooth; /* a node: of the curve that is smoothed there */
+    uint32_t nodes[3]; /* set only if the body is a drain */
+    /* a triangle beside a drain's free edge, or beside a node of one; SCENE_NO_FACE: no lip */
+    uint32_t lip;
+    bool smooth; /* a node, at the point of the smoothed curve there */
     double radius;
 } side;
 
-typedef enum moment { AT_START, AT_PREDICTED, AT_TRIAL } moment; /* ahead: where it may go */
+/* AT_PREDICTED: start plus expected displacement */
+typedef enum moment { AT_START, AT_PREDICTED, AT_TRIAL } moment;
 
-/* ---- what a feature is */
+/* ---- sides */
 
-/* Rows come by bodies, so it is mostly the last one. */
+/* Finds a body by its number. Constraints are sorted by body, so it is mostly the last one. */
 static const scene_body *body_of(const scene_object *s, uint32_t number, const scene_body *last)
 {
     return last != NULL && last->number == number ? last : vbss_scene_body(s, number);
@@ -52,7 +55,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
 {
     uint32_t kind = constraint->key.kind,
              feature = which == 0 ? constraint->key.feature_a : constraint->key.feature_b;
-    side d; /* its nodes are looked at where they are set */
+    side d; /* `nodes` stay unset unless the body is a drain */
     d.body = b;
     d.capsule = NULL;
     d.feature = feature;
@@ -71,7 +74,7 @@ static inline side side_of(const scene_object *s, const contact_constraint *cons
         return d;
     }
     if (b->kind == SCENE_BODY_THREAD) {
-        /* ends of the thread alone are as they are */
+        /* end nodes of a thread are not smoothed */
         d.smooth = kind == VBSS_CONTACT_NODE_CAPSULE && feature > 0 &&
                    feature + 1 < b->thread.thread->node_count;
         d.radius = b->thread.thread->config.radius;
@@ -102,13 +105,14 @@ static void get_capsule_vertices(const side *d, const vec3 ends[2], vec3 vertice
 
 static void get_drain_vertices(const side *d, const vec3 *x, vec3 vertices[3])
 {
-    vertices[1] = x[d->nodes[0]]; /* of a point too, which has no other */
+    vertices[1] = x[d->nodes[0]]; /* also for a point, which has no second vertex */
     for (uint32_t k = 0; k < d->vertex_count; k++) {
         vertices[k] = x[d->nodes[k]];
     }
 }
 
-/* Of a thread or a capsule: rows of drains keep their normals, and look at nothing ahead. */
+/* For threads and capsules only: contacts of drains keep the normal of the start, and need
+ * no prediction. */
 static void add_displacement(const scene_object *s, const side *d, vec3 vertices[3])
 {
     vec3 displacement[3];
@@ -121,7 +125,7 @@ static void add_displacement(const scene_object *s, const side *d, vec3 vertices
                              displacement);
     }
     vertices[0] = vec3_add(vertices[0], displacement[0]);
-    vertices[1] = vec3_add(vertices[1], displacement[1]); /* of a point nobody looks at it */
+    vertices[1] = vec3_add(vertices[1], displacement[1]); /* unused for a point */
 }
 
 static void get_vertices(const scene_object *s, const side *d, moment when, vec3 vertices[3])
@@ -142,8 +146,9 @@ static void get_vertices(const scene_object *s, const side *d, moment when, vec3
     }
 }
 
-/* From b to a between the closest points of both features. Where these are: of two segments, the share of each; of a point and
- * a segment, the second; of a point and a face, the weights of its last two corners. */
+/* Vector from the closest point of b to that of a. `at` gets the place of both: for two segments,
+ * the fraction on each; for a point and a segment, 0 and the fraction; for a point and a triangle,
+ * the weights of its second and third corner. */
 static inline vec3 closest_separation(const side *d, const side *e, const vec3 a[3],
                                       const vec3 b[3], double at[2])
 {
@@ -166,14 +171,14 @@ static inline vec3 closest_separation(const side *d, const side *e, const vec3 a
         closest_between_edges(vec3_sub(a[1], a[0]), along, vec3_sub(b[0], a[0]), &at[0], &at[1]));
 }
 
-/* ---- lips: what is cut is flat, as high as the wall. Against another wall, a lip is a line through its own. */
+/* ---- lips: against another wall, the flat face of a cut is a line across its own wall */
 
 static bool is_flat(const side *d, const side *e)
 {
     return d->lip != SCENE_NO_FACE && e->body->kind == SCENE_BODY_DRAIN;
 }
 
-/* From the middle of a wall, or the line through it. */
+/* Distance of the surface from the wall's middle, or from the line of a lip, m. */
 static double radius_against(const side *d, const side *e)
 {
     return is_flat(d, e) ? 2.0 * SCENE_LIP_RADIUS_RATIO * d->radius : d->radius;
@@ -184,7 +189,8 @@ static double contact_distance_of(const side *d, const side *e)
     return radius_against(d, e) + radius_against(e, d);
 }
 
-/* A side that ends at a lip is round, and that lip, which ends there too, sees the same. */
+/* An edge that ends at a lip is round there. The lip ends in the same node, and its contact has the
+ * same point. */
 static bool ends_at_lip(const side *d, double at)
 {
     bool end = at == 0.0 || at == 1.0;
@@ -192,6 +198,7 @@ static bool ends_at_lip(const side *d, double at)
            d->body->drain.lip_of_node[d->nodes[at == 1.0 ? 1 : 0]] != SCENE_NO_FACE;
 }
 
+/* Whether the contact of a lip has the same point. */
 static bool is_covered_by_lips(const side *d, const side *e, const contact_constraint *constraint)
 {
     return d->body->kind == SCENE_BODY_DRAIN && e->body->kind == SCENE_BODY_DRAIN &&
@@ -208,14 +215,15 @@ static vec3 normal_of_lip(const scene_object *s, const side *d, moment when)
     return vec3_unit_or(vec3_cross(vec3_sub(x[1], x[0]), vec3_sub(x[2], x[0])), vec3_zero());
 }
 
-/* From one rounded end to the other; of what is round itself, nothing. */
+/* Vector along the line of a lip, from one rounded end to the other; zero for a round feature. */
 static vec3 line_through_lip(const scene_object *s, const side *d, const side *e, moment when)
 {
     const double height = 2.0 * (1.0 - 2.0 * SCENE_LIP_RADIUS_RATIO) * d->radius;
     return is_flat(d, e) ? vec3_scale(normal_of_lip(s, d, when), height) : vec3_zero();
 }
 
-/* From the line through the wall of e to that of d, where the middles are `middles` apart; and what of that is wall. */
+/* Separation of two walls of which at least one is a lip: from the line of e to the line of d.
+ * `mid_separation` is that of their middles. `lip_thickness`: the part of it that is wall, m. */
 static vec3 lip_separation(const scene_object *s, const side *d, const side *e, moment when,
                            vec3 mid_separation, double *lip_thickness)
 {
@@ -229,13 +237,14 @@ static vec3 lip_separation(const scene_object *s, const side *d, const side *e, 
     return separation_vector;
 }
 
-/* Beside a hole. */
+/* Whether only an interval of the axis is tested, beside a hole. */
 static bool is_clipped(const contact_constraint *constraint)
 {
     return constraint->axis_interval[0][0] > 0.0 || constraint->axis_interval[0][1] < 1.0;
 }
 
-/* From b to a between the surfaces' middles where they are nearest: where that is on both, and what of it is wall. */
+/* Separation of two features, from b to a, between their axes, middle surfaces, or lines of lips.
+ * `at`: places of the closest points. `lip_thickness`: as for two lips, else 0. */
 static inline vec3 separation_of(const scene_object *s, const contact_constraint *constraint,
                                  const side *d, const side *e, moment when, double at[2],
                                  double *lip_thickness)
@@ -259,7 +268,7 @@ static inline vec3 separation_of(const scene_object *s, const contact_constraint
                : separation_vector;
 }
 
-/* The share of each corner in the point that the row is about. */
+/* Barycentric weights of a side's vertices in the contact point. */
 static inline void compute_weights(const side *d, const contact_constraint *constraint, int which,
                                    double weights[3])
 {
@@ -287,9 +296,10 @@ static inline vec3 point_of(const side *d, const vec3 vertices[3], const double 
     return vec3_add_scaled(point, weights[2], vertices[2]);
 }
 
-/* ---- terms */
+/* ---- Jacobian */
 
-/* The terms that move `point` of the surface. */
+/* Adds the Jacobian blocks of `point` on the surface of one side. `sign`: 1 for side a, -1 for
+ * side b. */
 static void add_jacobian(const scene_object *s, contact_constraint *constraint, const side *d,
                          const double weights[3], vec3 point, double sign)
 {
@@ -315,22 +325,22 @@ static void add_jacobian(const scene_object *s, contact_constraint *constraint, 
     }
 }
 
-/* Where that point was when the part began: of a rigid body's surface, which turns beyond what its axis shows. */
+/* Position at the start of the substep of a point on a rigid body's surface. The point turns with
+ * the body, also about the capsule's own axis. */
 static vec3 point_at_start(const side *d, double at, vec3 point)
 {
     const scene_rigid *r = &d->body->rigid;
     const scene_capsule *c = d->capsule;
     uint32_t first = d->vertex_count == 1 ? d->feature % 2 : 0,
              last = d->vertex_count == 1 ? first : 1;
-    /* a jaw's axis goes against its body */
+    /* motion of a jaw relative to its body */
     vec3 moved = vec3_lerp(vec3_sub(c->local_trial[first], c->local[first]),
                            vec3_sub(c->local_trial[last], c->local[last]), at);
     return pose_apply(r->body.now.pose, vec3_sub(pose_apply_inverse(r->trial, point), moved));
 }
 
-/* ---- rows */
+/* ---- contacts */
 
-/* What it says of all others. */
 static double body_friction(const scene_object *s, const scene_body *b)
 {
     return b == NULL                      ? s->config.floor_friction
@@ -344,7 +354,7 @@ static bool is_thread(const scene_body *b)
     return b != NULL && b->kind == SCENE_BODY_THREAD;
 }
 
-/* What a thread rubs on says how; of two others the geometric mean counts. */
+/* With a thread, the friction of the other body counts; else the geometric mean. */
 static double pair_friction(const scene_object *s, const scene_body *a, const scene_body *b)
 {
     if (is_thread(a) || is_thread(b)) {
@@ -353,7 +363,7 @@ static double pair_friction(const scene_object *s, const scene_body *a, const sc
     return sqrt(body_friction(s, a) * body_friction(s, b));
 }
 
-/* Rigid bodies resist by their inertia: of the lighter one. */
+/* Augmentation r, N/m. Contacts of rigid bodies only scale it with the mass of the lighter one. */
 static double augmentation_of(const scene_body *a, const scene_body *b, double h)
 {
     if (a->kind != SCENE_BODY_RIGID || (b != NULL && b->kind != SCENE_BODY_RIGID)) {
@@ -366,14 +376,15 @@ static double augmentation_of(const scene_body *a, const scene_body *b, double h
     return RIGID_AUGMENTATION * mass / (h * h);
 }
 
-/* One side of a row, once normal and places are known: its terms, how far its point has come since the part began,
- * and where that is. `out` is from the axis, or the middle of a wall, to the surface. */
+/* Updates one side of a contact whose normal and closest points are known: its Jacobian and its
+ * part of the displacement. `out` points from the axis, or the middle of a wall, to the surface.
+ * Returns the point on the axis or middle surface. */
 static vec3 update_side(const scene_object *s, contact_constraint *constraint, const side *d,
                         int which, vec3 out, double sign)
 {
     vec3 vertices[3], start_vertices[3], start_point;
     double weights[3];
-    vertices[2] = start_vertices[2] = vec3_zero(); /* of a face alone it is another */
+    vertices[2] = start_vertices[2] = vec3_zero(); /* only a triangle has a third vertex */
     compute_weights(d, constraint, which, weights);
     get_vertices(s, d, AT_TRIAL, vertices);
     vec3 centre = point_of(d, vertices, weights), point = vec3_add(centre, out);
@@ -409,8 +420,9 @@ static void update_geometry(const scene_object *s, contact_constraint *constrain
     constraint->point = vec3_add_scaled(vec3_add(centre_a, out), -0.5 * constraint->gap, n);
 }
 
-/* Whether normals of the begin will do: those of segments jump, or turn fast as their radius is small; velocities
- * that are a little wrong would make them worse, and tight knots tremble. */
+/* Whether a contact keeps the normal of the start of the substep. Normals of segments jump, or turn
+ * fast because the radius is small. A prediction from inexact velocities makes them worse, and
+ * tight knots tremble. */
 static bool keeps_start_normal(const contact_constraint *constraint)
 {
     return constraint->key.kind == VBSS_CONTACT_SEGMENTS ||
@@ -419,14 +431,14 @@ static bool keeps_start_normal(const contact_constraint *constraint)
            constraint->key.kind == VBSS_CONTACT_POINT_FACE;
 }
 
-/* Within the face, not on a side of it. */
+/* Whether the closest point is inside the triangle, not on one of its edges. */
 static bool is_inside_face(const contact_constraint *constraint)
 {
     return constraint->barycentric[0] > 0.0 && constraint->barycentric[1] > 0.0 &&
            constraint->barycentric[0] + constraint->barycentric[1] < 1.0;
 }
 
-/* Features that meet: as good as any direction that is across both. */
+/* Normal of features that intersect: any direction across both will do. */
 static vec3 fallback_normal(const scene_object *s, const side *d, const side *e)
 {
     vec3 one[3], other[3];
@@ -456,7 +468,7 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     vec3 separation_vector = separation_of(s, constraint, &d, &e, AT_START, constraint->barycentric,
                                            &constraint->lip_thickness);
     double distance = vec3_norm(separation_vector), contact_distance = contact_distance_of(&d, &e);
-    constraint->thickness = 2.0 * vbss_min(d.radius, e.radius); /* of lips too: they are soft */
+    constraint->thickness = 2.0 * vbss_min(d.radius, e.radius); /* lips too, as they are soft */
     constraint->contact_distance = contact_distance;
     constraint->start_gap = distance - contact_distance;
     if (!(constraint->start_gap < reach) || (e.vertex_count == 3 && !is_inside_face(constraint)) ||
@@ -468,7 +480,8 @@ bool vbss_scene_run_narrow_phase(const scene_object *s, contact_constraint *cons
     if (keeps_start_normal(constraint)) {
         return true;
     }
-    /* The force acts where they will be: a normal of the begin leans back, and brakes by v h / R. */
+    /* The force acts at the end of the substep. The normal of the start would lean back and brake
+     * by v h / R. */
     double at[2], lip_thickness;
     vec3 predicted = separation_of(s, constraint, &d, &e, AT_PREDICTED, at, &lip_thickness);
     double predicted_distance = vec3_norm(predicted);
@@ -512,6 +525,7 @@ static void measure_gap(const scene_object *s, contact_constraint *constraint, c
                       contact_distance_of(d, e) + constraint->overlap_allowance;
 }
 
+/* `e` is NULL for the floor, whose normal is constant. */
 static void update_contact(const scene_object *s, contact_constraint *constraint, const side *d,
                            const side *e, geometry_update update)
 {
@@ -556,8 +570,7 @@ static void update_contacts(scene_object *s, geometry_update update, double h)
     }
 }
 
-/* What rows are beside where they lie; the first look at their trial state is along the normal that they
- * had when the part began. */
+/* The first solve evaluates gaps along the normals of the start of the substep. */
 void vbss_scene_init_contacts(scene_object *s, const scene_substep *substep)
 {
     s->substep_length = substep->h;

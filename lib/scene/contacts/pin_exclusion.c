@@ -1,4 +1,5 @@
-/* A thread does not touch a body next to its pin on it, nor the jaws that grasp it. */
+/* Excludes contact of a thread with a body beside its pin on that body, and with the jaws that
+ * grasp it. */
 #include "scene/contacts/contacts.h"
 #include "scene/tools/tools.h"
 #include "scene/world/world.h"

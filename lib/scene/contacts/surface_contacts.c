@@ -1,10 +1,11 @@
-/* Rows of what is near a drain: a point of whatever it is and a triangle, two sides, a node and the floor.
+/* Contacts with drains: a point and a triangle, two edges, a node and the floor.
  *
- * A point touches a triangle where its closest point is within; where that is on a side, the side's own rows see it. */
+ * A point touches a triangle only if the closest point is in the triangle's interior. If it is on
+ * an edge, the contacts of that edge account for it. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
-/* The ways of a feature's vertices: of a drain gathered into room. */
+/* Expected displacements of a feature's vertices. Those of a drain are gathered into `buffer`. */
 static const vec3 *feature_displacements(const scene_object *s, const scene_body *b,
                                          const contact_key *key, bool is_b, vec3 buffer[3],
                                          uint32_t *count)
@@ -24,7 +25,8 @@ static const vec3 *feature_displacements(const scene_object *s, const scene_body
     }
     const vec3 *first =
         s->expected_displacements + s->config.node_capacity + 2 * (size_t)b->rigid.first_capsule;
-    return first + (is_edge ? 2 * (size_t)feature : feature); /* ends stand two by two */
+    /* The two ends of a capsule are adjacent. */
+    return first + (is_edge ? 2 * (size_t)feature : feature);
 }
 
 static bool add_contact(scene_object *s, const contact_key *key, const scene_body *a,

@@ -1,5 +1,6 @@
-/* What contacts remember from part to part, also when they have slid on to other features: along a thread to the next
- * number, on a drain to a side or triangle that has a node in common. */
+/* Warm start: contacts begin with status and forces of the last substep, also after they slid to an
+ * adjacent feature. Adjacent are neighbouring nodes or segments of a thread, and edges or triangles
+ * of a drain that share a node. */
 #include "scene/contacts/contacts.h"
 #include "scene/world/world.h"
 
@@ -20,7 +21,7 @@ static bool have_common_node(const scene_object *s, const scene_body *b, const c
     return shared;
 }
 
-/* Feature a of a key: of a thread node or segment, which are beside each other by number; of a rigid body a capsule. */
+/* Whether the features a of two keys are adjacent or equal. */
 static bool are_adjacent(const scene_object *s, const scene_body *a, const contact_key *x,
                          const contact_key *y)
 {
@@ -34,7 +35,7 @@ static bool are_adjacent(const scene_object *s, const scene_body *a, const conta
     return one == (y->kind == VBSS_CONTACT_POINT_FACE ? y->feature_a / 2 : y->feature_a);
 }
 
-/* The nearest row beside it that has no other memory yet, or UINT32_MAX. */
+/* Index of the nearest adjacent contact that has no warm start yet, or UINT32_MAX. */
 static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *key)
 {
     const contact_set *set = s->contacts;
@@ -57,9 +58,10 @@ static uint32_t find_adjacent_contact(const scene_object *s, const contact_key *
 /* Of a fold that is too deep, m/s: it opens at leisure. */
 #define FOLD_OPENING_SPEED 0.02
 
-/* A fold knows no inside: as its sides turn, other pairs are nearest, and those may begin far deeper than what they bear. What
- * they have not been pressed in by nobody has done: they are let off by no more than they open. In real time parts leave
- * overlaps that no force knows of; let be, these would grow from part to part. */
+/* A fold has no inside. As its walls turn, other pairs become nearest, and these may start far
+ * deeper than their force explains. The allowance absorbs such overlap, except for as much as may
+ * open in this substep. In real time, inexact substeps leave overlap without force; absorbing it
+ * would let it grow from substep to substep. */
 static void absorb_fold_overlap(scene_object *s, double h)
 {
     for (uint32_t i = 0; s->config.mode == VBSS_MODE_OFFLINE && i < s->contacts->count; i++) {
