@@ -1,4 +1,4 @@
-/* The trial state of a part becomes the state. */
+/* Commit: the trial state of a substep becomes the state. */
 #include "scene/solve/solve.h"
 #include "scene/tissue/tissue.h"
 

@@ -1,5 +1,8 @@
-/* Whether what a search has led to may be taken. Where it was stopped, its forces are not those of the law, and lengths were put
- * right before shapes: both may put energy into threads and drains that nothing has done the work for. */
+/* Energy check: decides whether a substep adds energy that no work accounts for.
+ *
+ * A search that was stopped early leaves forces that do not obey the contact law, and Newton
+ * iterations correct lengths before shapes. Both may put energy into threads and drains. Such a
+ * substep is rejected. */
 #include "scene/solve/solve.h"
 #include "scene/world/world.h"
 
@@ -37,13 +40,15 @@ scene_body_kind vbss_scene_find_block_displacement(const scene_object *s, uint32
     return SCENE_BODY_NONE;
 }
 
-/* Of each in a part, J: what nobody has done the work for, if it is above 0. */
+/* Energy gained in a substep without work that accounts for it, J; `beyond_law` is the work of
+ * contact forces beyond the contact law. */
 typedef struct energy_gains {
     double threads, drains, beyond_law;
 } energy_gains;
 
-/* What a hole gives to both, and stores, above what it had stored. Its law is no measure: where a search was stopped that may
- * itself say 2.7 N along the way that both have gone. */
+/* Energy that a hole gives to suture and drain, plus the increase of the energy that it stores, J.
+ * The law of the hole cannot be the measure: after a search that was stopped, it may give 2.7 N
+ * along their displacement. */
 static double energy_from_hole(const scene_object *s, const contact_constraint *constraint,
                                vec3 force, double work)
 {
@@ -55,12 +60,13 @@ static double energy_from_hole(const scene_object *s, const contact_constraint *
     return vbss_max(work + stored_increase, 0.0);
 }
 
-/* What a contact does to threads and drains: with the force of which the blocks balance. */
+/* Subtracts the work of a contact on threads and drains, with the force for which the system
+ * is balanced. */
 static void subtract_work_of_constraint(const scene_object *s, const contact_constraint *constraint,
                                         vec3 force, energy_gains *g)
 {
     double on_threads = 0.0, on_drains = 0.0;
-    bool is_known = true; /* what a needle was done is not */
+    bool is_known = true; /* false if the work on a needle is missing */
     for (uint32_t k = 0; k < constraint->jacobian_block_count; k++) {
         const contact_jacobian_block *jacobian_block = &constraint->jacobian[k];
         vec3 displacement;
@@ -82,21 +88,24 @@ static void subtract_work_of_constraint(const scene_object *s, const contact_con
     }
 }
 
-/* ---- forces that the law does not know */
+/* ---- work of forces that differ from the contact law */
 
+/* Elastic energy of a contact at a gap, J. */
 static double stored_energy(const contact_constraint *constraint, double gap)
 {
     return gap < 0.0 ? 0.5 * constraint->stiffness * gap * gap : 0.0;
 }
 
-/* More than the law would have put in. */
+/* Work beyond that of the law, J. A law that takes out energy counts as 0. */
 static double excess_work(double work, double law_work)
 {
     return vbss_max(work - vbss_max(law_work, 0.0), 0.0);
 }
 
-/* What a force has put in, up to the trial state, that the law would not have; what others have taken out does not make up for
- * it. What threads gain is known; what drains do is not, so at a wall counts what the law would have taken out, too. */
+/* Work of a constraint's force up to the trial state that its law would not do, J. Normal and
+ * tangential parts are counted apart, so that one cannot make up for the other. The energy change
+ * of threads is known exactly, that of drains is not. So at a wall the energy that the law would
+ * take out counts, too. */
 static double work_beyond_law(const scene_object *s, const contact_constraint *constraint,
                               vec3 force)
 {
@@ -121,9 +130,10 @@ static double work_beyond_law(const scene_object *s, const contact_constraint *c
                          excess_work(friction_work, law_friction_work);
 }
 
-/* ---- what threads gain */
+/* ---- energy change of threads */
 
-/* At most: what is held is drawn by the tension beside it. */
+/* Upper bound of the work on a held node, J: the largest tension beside it pulls along
+ * its displacement. */
 static double max_work_at_node(const thread_object *t, uint32_t node)
 {
     double tension = 0.0;
@@ -155,9 +165,10 @@ static double max_work_of_welds(const scene_object *s)
     return sum;
 }
 
-/* Of a thread only: a wall that is pressed alone comes to rest whatever it was given, and trembles if its parts wait. And
- * what was found is asked about only where walls are and smaller parts cost no deadline: they fold, and what presses in a fold
- * changes its direction at once. */
+/* Whether a substep is checked. A wall without threads settles whatever energy it gains, and
+ * trembles if its substeps are rejected. A converged active set is checked only with drains and
+ * while there is time for smaller substeps: the contact force in a fold may change its direction
+ * at once. */
 static bool needs_energy_check(const scene_object *s, const scene_substep *substep)
 {
     bool has_time = s->step_budget == 0 && !substep->is_min_size;
@@ -181,8 +192,8 @@ static energy_gains compute_energy_gains(const scene_object *s, const scene_subs
     for (uint32_t i = 0; i < set->count; i++) {
         const contact_constraint *constraint = &set->constraints[i];
         subtract_work_of_constraint(s, constraint, set->current[i].force, &g);
-        if (!constraint->is_bilateral ||
-            constraint->is_sleeve) { /* the others' law is linear: they miss nothing */
+        /* Other bilateral constraints are linear and miss nothing. */
+        if (!constraint->is_bilateral || constraint->is_sleeve) {
             g.beyond_law += work_beyond_law(s, constraint, set->current[i].force);
         }
     }

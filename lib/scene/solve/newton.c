@@ -1,8 +1,9 @@
-/* Bodies and contacts, one system: linearised until threads have their lengths.
+/* Newton iterations on one system of all bodies and contacts, until threads have their lengths.
  *
- *   assemble bodies -> condense -> states of the contacts -> all increments -> trial state -> rows
+ *   assemble bodies -> condense -> active set -> back-substitute -> trial state -> contacts
  *
- * Where drains have moved, it looks once more at the forces, with the factor that it has. */
+ * Where drains have moved, a correction follows: new right-hand sides, solved with the old
+ * factor. */
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
 #include "scene/world/world.h"
@@ -33,7 +34,7 @@ enum { MAX_NEEDLE_LINEARISATIONS = 4 };
 
 /* ---- one linearisation */
 
-/* What is new in an assembly: all; all but the matrix of drains; right-hand sides, and what else is set is not looked at. */
+/* Parts of the system that an assembly computes. With ASSEMBLE_RHS the matrix is not read. */
 typedef enum assembly_scope {
     ASSEMBLE_ALL,
     ASSEMBLE_ALL_BUT_DRAIN_MATRIX,
@@ -76,8 +77,8 @@ static void assemble(scene_object *s, const scene_substep *substep, assembly_sco
     }
 }
 
-/* A short end that is bent carries less compression than a straight thread: if a pivot says so, the stiffness takes in
- * none. False: it takes in none already. */
+/* Removes stiffness of compression from threads after a negative pivot: a short bent end carries
+ * less compression than a straight thread. False: no thread has such stiffness left. */
 static bool drop_compression_stiffness(scene_object *s)
 {
     bool has_dropped = false;
@@ -108,7 +109,8 @@ uint32_t vbss_scene_linearisation_cost(const scene_object *s)
     return cost(s, COST_OF_TRIANGLE);
 }
 
-/* What is left but for a further linearisation and a solve, which is half as much. */
+/* Operations that a search may use: the step budget minus one more linearisation with a solve,
+ * which costs half as much. */
 static uint64_t find_search_budget(const scene_object *s)
 {
     uint64_t next_linearisation_cost = (uint64_t)vbss_scene_linearisation_cost(s) * 3 / 2;
@@ -117,7 +119,7 @@ static uint64_t find_search_budget(const scene_object *s)
                                                       : 1;
 }
 
-/* States of the contacts and increments of everything, for what is condensed. */
+/* Finds the active set of the condensed system, then the increments of all blocks. */
 static scene_substep_outcome solve_active_set(scene_object *s)
 {
     scene_newton_state *newton = &s->newton;
@@ -151,8 +153,8 @@ static scene_substep_outcome solve_active_set(scene_object *s)
     return outcome == CONTACT_NOT_CONVERGED ? SCENE_SUBSTEP_NO_ACTIVE_SET : SCENE_SUBSTEP_ACCEPTED;
 }
 
-/* Where no more work may be done drains keep their matrix from the linearisation before, in which they have moved by little: of
- * their equations the search solves the forces anew. */
+/* Assembles and condenses the system. Over budget, drains keep their matrix of the linearisation
+ * before, as they have moved little since; only their right-hand sides are new. */
 static scene_substep_outcome linearise(scene_object *s, const scene_substep *substep)
 {
     scene_newton_state *newton = &s->newton;
@@ -175,7 +177,7 @@ static scene_substep_outcome linearise(scene_object *s, const scene_substep *sub
     return SCENE_SUBSTEP_ACCEPTED;
 }
 
-/* ---- the trial state moves on */
+/* ---- trial state */
 
 static void advance_rigid(scene_object *s, scene_rigid *r)
 {
@@ -227,7 +229,8 @@ static void advance_trial(scene_object *s)
         double stretch = vbss_thread_record_stretch(t, t->trial_tension),
                residual_displacement = b->thread.residual_displacement;
         bool has_contacts = b->thread.has_contacts;
-        /* What contact holds is not free to go where the estimate says, nor is it worth so much. */
+        /* The residual displacement assumes that a node is free to move, so it says nothing about a
+         * thread in contact. */
         bool is_balanced = has_contacts || residual_displacement <= t->config.position_tolerance;
         double tolerance = has_contacts ? s->config.stretch_tolerance : t->config.stretch_tolerance;
         newton->is_finite = newton->is_finite && stretch < DIVERGENCE_LIMIT;
@@ -236,10 +239,12 @@ static void advance_trial(scene_object *s)
     }
 }
 
-/* ---- how far drains go */
+/* ---- displacements of drains */
 
 typedef struct drain_moves {
-    bool is_finite, needs_correction, is_too_far; /* worth a further look; halves of the part */
+    /* `needs_correction`: some node moved beyond the tolerance; `is_too_far`: so far that the
+     * substep is halved. */
+    bool is_finite, needs_correction, is_too_far;
 } drain_moves;
 
 static drain_moves measure_drain_moves(scene_object *s)
@@ -259,7 +264,7 @@ static drain_moves measure_drain_moves(scene_object *s)
     return m;
 }
 
-/* A needle in a hole. */
+/* Whether a needle in a hole has turned too far for one linearisation. */
 static bool has_needle_turned_far(const scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.hole_capacity; i++) {
@@ -273,6 +278,7 @@ static bool has_needle_turned_far(const scene_object *s)
     return false;
 }
 
+/* Counts drains that moved too far in a substep that cannot be halved. */
 static void count_forced(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -284,8 +290,8 @@ static void count_forced(scene_object *s)
     }
 }
 
-/* Whether what the further look found is to be believed: of all drains, and of threads, which its old factor may send
- * anywhere when their segments have turned. */
+/* Whether the correction is small enough for all drains and threads. The old factor may send a
+ * thread anywhere once its segments have turned. */
 static bool is_correction_acceptable(scene_object *s)
 {
     bool all = true;
@@ -309,7 +315,7 @@ static bool is_correction_acceptable(scene_object *s)
     return all;
 }
 
-/* Whether one of them has gone so far that one more linearisation follows. */
+/* Whether some drain moved so far that one more linearisation follows. */
 static bool has_drain_moved_far(const scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -322,7 +328,8 @@ static bool has_drain_moved_far(const scene_object *s)
     return false;
 }
 
-/* Forces of where a linearisation has led to, to be solved for with its factor. */
+/* Starts a correction: forces at the trial state become right-hand sides for the factor of the
+ * last linearisation. */
 static void begin_correction(scene_object *s, const scene_substep *substep)
 {
     s->newton.search_budget = find_search_budget(s);
@@ -334,7 +341,7 @@ static void begin_correction(scene_object *s, const scene_substep *substep)
     vbss_system_condense_rhs(s->system);
 }
 
-/* What is not believed is left. */
+/* Applies the correction, or drops it if it is not acceptable. */
 static scene_substep_outcome end_correction(scene_object *s, scene_substep_outcome outcome)
 {
     if (outcome != SCENE_SUBSTEP_ACCEPTED || !is_correction_acceptable(s)) {
@@ -346,9 +353,10 @@ static scene_substep_outcome end_correction(scene_object *s, scene_substep_outco
     return s->newton.is_finite ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_SINGULAR;
 }
 
-/* ---- the shape */
+/* ---- convergence */
 
-/* Only where no more than a last search may follow, and not in the smallest part, which must be found. */
+/* Whether lengths will not converge in time. Asked only if at most one more search fits into the
+ * budget, and never for a substep of minimum size, which has to converge. */
 static bool is_diverging(const scene_object *s, const scene_substep *substep,
                          double previous_stretch)
 {
@@ -359,7 +367,8 @@ static bool is_diverging(const scene_object *s, const scene_substep *substep,
            stretch > 0.5 * previous_stretch;
 }
 
-/* The trial state goes where a search has led to; and whether a further look shall follow. */
+/* Applies the increments of a search to the trial state. `needs_correction`: whether a
+ * correction follows. */
 static scene_substep_outcome apply_increments(scene_object *s, const scene_substep *substep,
                                               bool *needs_correction)
 {
@@ -388,7 +397,7 @@ static scene_substep_outcome apply_increments(scene_object *s, const scene_subst
     return SCENE_SUBSTEP_ACCEPTED;
 }
 
-/* One linearisation with its searches; or what is left of it. */
+/* Runs one linearisation with its searches, or the rest of one that was suspended. */
 static scene_substep_outcome run_newton_iteration(scene_object *s, const scene_substep *substep)
 {
     scene_newton_state *newton = &s->newton;
@@ -424,8 +433,8 @@ static scene_substep_outcome run_newton_iteration(scene_object *s, const scene_s
             return outcome;
         }
     }
-    if (newton->is_converged && has_drain_moved_far(s) &&
-        !newton->has_extra_linearisation) { /* one more, with a further look */
+    /* One more linearisation, with a correction. */
+    if (newton->is_converged && has_drain_moved_far(s) && !newton->has_extra_linearisation) {
         newton->is_converged = newton->has_correction = false;
         newton->has_extra_linearisation = true;
     }
@@ -444,7 +453,7 @@ static void reset_newton(scene_newton_state *newton)
     newton->stretch = (double)INFINITY;
 }
 
-/* Linearises until threads have their lengths. */
+/* Iterates until threads have their lengths, then checks the energy. */
 static scene_substep_outcome run_newton(scene_object *s, const scene_substep *substep)
 {
     scene_newton_state *newton = &s->newton;
@@ -463,6 +472,7 @@ static scene_substep_outcome run_newton(scene_object *s, const scene_substep *su
     return is_converged ? SCENE_SUBSTEP_ACCEPTED : SCENE_SUBSTEP_NOT_CONVERGED;
 }
 
+/* Iterates again with updated normals while penetration is too deep. */
 static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
                                                             const scene_substep *substep)
 {
@@ -483,7 +493,8 @@ static scene_substep_outcome run_newton_with_normal_updates(scene_object *s,
                 (substep->has_fixed_normals ? 0u : (uint32_t)MAX_NORMAL_UPDATES) ||
             vbss_scene_is_over_budget(s) ||
             newton->linearisations >= s->config.linearisation_limit) {
-            /* The next part pushes apart what has slid so far; and counts as recovering. */
+            /* The next substep counts as recovering and removes the penetration that slip
+             * has left. */
             s->has_updated_normals = !substep->has_fixed_normals;
             return was_penetration_allowed && substep->has_fixed_normals
                        ? SCENE_SUBSTEP_ACCEPTED
@@ -512,7 +523,7 @@ scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *sub
 scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        if (s->bodies[i].kind == SCENE_BODY_THREAD) { /* views measure there, too */
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) { /* views use these strains, too */
             thread_object *t = s->bodies[i].thread.thread;
             vbss_thread_compute_strains(t, t->trial, t->strains);
         }

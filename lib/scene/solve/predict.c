@@ -1,4 +1,4 @@
-/* Where everything would go, and how: what the part of a step starts from. */
+/* Prediction: trial state and integration scheme that a substep starts from. */
 #include "scene/solve/solve.h"
 #include "scene/world/world.h"
 
@@ -10,7 +10,7 @@ static bool needs_damping(const scene_thread *b, double h)
 {
     const thread_object *t = b->thread;
     double previous_h = t->previous_h;
-    /* Accelerations carried over from a part of quite another length would gain energy. */
+    /* Accelerations of a substep of very different length would gain energy. */
     bool has_h_changed = previous_h > 0.0 && !(h < 2.1 * previous_h && previous_h < 2.1 * h);
     return t->is_acceleration_unknown || t->damped_steps_left > 0 || b->has_contacts ||
            b->is_welded || b->contact_free_steps < DAMPED_STEPS_AFTER_CONTACT || has_h_changed;
@@ -32,8 +32,9 @@ static void predict_thread(scene_thread *b, const scene_substep *substep)
         b->integration = vbss_integration_backward_euler(substep->h);
         (void)vbss_thread_predict(t, inputs);
     }
-    if (b->has_contacts ||
-        b->is_welded) { /* gaps are known where the part begins, and what lies behind a gap is not */
+    /* A thread in contact starts from the committed state. Gaps are measured there, and a predicted
+     * node might already be on the other side. */
+    if (b->has_contacts || b->is_welded) {
         vbss_thread_reset_trial(t);
         vbss_thread_compute_strains(t, t->trial, t->strains);
     }

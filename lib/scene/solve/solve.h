@@ -1,5 +1,5 @@
-/* One substep without collision checks: prediction, sparsity, Newton iterations, energy check,
- * commit. */
+/* Solution of one substep: system capacity, prediction, sparsity, Newton iterations, energy check,
+ * commit. Contacts must be created before, and CCD follows before the commit. */
 #ifndef VBSS_SCENE_SOLVE_H
 #define VBSS_SCENE_SOLVE_H
 
@@ -7,48 +7,70 @@
 
 /* ---- system_capacity.c */
 
-/* The system of a scene with one more drain, or none; what it had room for goes. */
+/* Replaces the system by one with capacity for all drains of the scene and `added` (NULL: no
+ * further drain). The next substep builds the pattern again. VBSS_ERROR_OUT_OF_MEMORY:
+ * nothing changes. */
 vbss_result vbss_scene_create_system(scene_object *s, const drain_object *added);
 
 /* ---- predict.c */
 
-/* Trial states, from where the part begins. */
+/* Sets integration scheme and trial state of every body for the substep. Threads without
+ * contacts start from a prediction, driven bodies from their targets, all others from the
+ * committed state. */
 void vbss_scene_predict(scene_object *s, const scene_substep *substep);
 
 /* ---- sparsity.c */
 
-/* Which blocks are separators, and the system's pattern. */
+/* Assigns system blocks to bodies in the order in which they are registered. Constraints need the
+ * numbers before the pattern is built. */
 void vbss_scene_number_blocks(scene_object *s);
+
+/* Chooses separators and builds the system's sparsity pattern if it has changed since the last
+ * substep. Fails if the system's capacity is exceeded. */
 vbss_result vbss_scene_build_sparsity_pattern(scene_object *s);
+
+/* Sets the arms of welds to the orientations of the trial state. */
 void vbss_scene_set_weld_arms(scene_object *s);
 
 /* ---- energy_check.c */
 
-/* Whether what a search that was stopped has led to may be taken. */
+/* Whether a substep's energy gain is within tolerance. True if no check is needed. */
 bool vbss_scene_passes_energy_check(const scene_object *s, const scene_substep *substep);
 
-/* Whether it might be, after further linearisations. */
+/* Whether further linearisations may still bring the energy gain within tolerance. */
 bool vbss_scene_may_pass_energy_check(const scene_object *s, const scene_substep *substep);
 
-/* By which a block has moved in the trial state, and what it is a node of: a thread, a drain, or neither (SCENE_BODY_NONE). */
+/* Finds the displacement of a system block since the start of the substep, m. Returns the kind of
+ * its body: thread or drain. SCENE_BODY_NONE: another block, and `displacement` is not set. */
 scene_body_kind vbss_scene_find_block_displacement(const scene_object *s, uint32_t block_index,
                                                    vec3 *displacement);
 
 /* ---- newton.c */
 
-/* Bodies and contacts, one system; what a linearisation costs. */
+/* Cost of one linearisation, in operations. */
 uint32_t vbss_scene_linearisation_cost(const scene_object *s);
+
+/* Solves a substep by Newton iterations from the predicted trial state. Returns ACCEPTED,
+ * NO_ACTIVE_SET, NOT_CONVERGED, PENETRATION, SINGULAR or SUSPENDED. */
 scene_substep_outcome vbss_scene_solve(scene_object *s, const scene_substep *substep);
 
-/* Goes on where that has waited; hosts may have looked at bodies meanwhile, no more. */
+/* Resumes a solve that was suspended. Between the calls hosts may have read from bodies, but not
+ * edited them. Returns one of the outcomes of vbss_scene_solve. */
 scene_substep_outcome vbss_scene_resume_solve(scene_object *s, const scene_substep *substep);
 
 /* ---- commit.c */
 
-/* Shows the part to whoever watches; the trial state becomes the state; and what says that motion is not smooth. */
+/* Calls the observer of substeps, if there is one; trial state and committed state are
+ * still apart. */
 void vbss_scene_notify_substep(const scene_object *s);
+
+/* Makes the trial state of all bodies, holes and contacts the state. Calls the observer first. */
 void vbss_scene_commit(scene_object *s, const scene_substep *substep);
+
+/* Makes the trial positions of capsules in their bodies the current ones. */
 void vbss_scene_commit_capsules(scene_object *s);
+
+/* Integrates all threads by backward Euler for a few steps, after a substep had to be halved. */
 void vbss_scene_request_damping(scene_object *s);
 
 #endif

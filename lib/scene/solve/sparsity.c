@@ -1,5 +1,5 @@
-/* Which blocks are separators, and the pattern of the system: made anew only when it is another, and of that as little
- * as is another. */
+/* Sparsity: chooses separators and builds the system's sparsity pattern. Only the part that has
+ * changed is built again. */
 #include "base/error.h"
 #include "scene/solve/solve.h"
 #include "scene/tissue/tissue.h"
@@ -9,7 +9,7 @@
 
 enum { NODE_INTERIOR, NODE_SEPARATOR };
 
-/* ---- marks */
+/* ---- separators */
 
 static void add_separator(scene_object *s, const scene_body *b, uint32_t node)
 {
@@ -69,7 +69,7 @@ static void add_wall_grasp_separators(const scene_object *s, const contact_const
     }
 }
 
-/* Nodes that a grasp holds between. */
+/* Nodes of a grasped wall or thread become separators. */
 static void add_bilateral_separators(scene_object *s, const contact_constraint *constraint)
 {
     const scene_body *b = vbss_scene_body(s, constraint->key.body_a);
@@ -77,7 +77,7 @@ static void add_bilateral_separators(scene_object *s, const contact_constraint *
         add_wall_grasp_separators(s, constraint);
         return;
     }
-    if (b->kind == SCENE_BODY_RIGID) { /* whose blocks are separators anyway */
+    if (b->kind == SCENE_BODY_RIGID) { /* blocks of rigid bodies are separators already */
         return;
     }
     const thread_object *t = b->thread.thread;
@@ -101,7 +101,8 @@ static void add_weld_separators(scene_object *s)
     }
 }
 
-/* Groups must be as wide as the reach, and a shorter run between two is not worth its fill. */
+/* Widens groups of separators to the bandwidth, and joins groups if the run between them is too
+ * short to be worth its fill-in. */
 static void widen_separators(const thread_object *t, uint8_t *is_separator)
 {
     uint32_t n = t->node_count, reach = vbss_thread_bandwidth(t), run_length = reach + 1;
@@ -127,7 +128,7 @@ static void widen_separators(const thread_object *t, uint8_t *is_separator)
         }
     }
     for (; width > 0 && width < reach && width < n; width++) {
-        is_separator[n - 1 - width] = NODE_SEPARATOR; /* at the end it grows backward */
+        is_separator[n - 1 - width] = NODE_SEPARATOR; /* a group at the end grows backward */
     }
 }
 
@@ -181,7 +182,8 @@ static void choose_separators(scene_object *s)
 
 /* ---- welds */
 
-/* Neighbours that earlier welds have eliminated: their bodies have taken over. */
+/* Adds bodies of neighbours that earlier welds have eliminated, as these bodies take their
+ * place. */
 static void add_bodies_of_neighbours(const scene_object *s, contact_weld *w)
 {
     uint32_t count = w->neighbour_count;
@@ -234,9 +236,10 @@ void vbss_scene_set_weld_arms(scene_object *s)
     }
 }
 
-/* ---- the pattern */
+/* ---- sparsity pattern */
 
-/* Not the hash of states: nobody outside sees this one, and it is taken in every attempt. */
+/* A faster hash than that of snapshots. It is computed in each attempt and never leaves
+ * the scene. */
 static uint64_t mix(uint64_t hash, uint64_t word)
 {
     hash = (hash ^ word) * UINT64_C(0x9e3779b97f4a7c15);
@@ -265,8 +268,8 @@ static uint64_t mix_constraint(uint64_t hash, const contact_constraint *constrai
     hash = mix_two(hash, constraint->key.kind, constraint->key.feature_a);
     hash = mix_two(hash, constraint->key.body_a, constraint->key.body_b);
     hash = mix_two(hash, constraint->key.feature_b, constraint->jacobian_block_count);
-    for (uint32_t k = 0; constraint->is_bilateral && k < constraint->jacobian_block_count;
-         k++) { /* they slide on */
+    /* Bilateral constraints slide to other blocks. */
+    for (uint32_t k = 0; constraint->is_bilateral && k < constraint->jacobian_block_count; k++) {
         hash = mix(hash, constraint->jacobian[k].block);
     }
     return hash;
@@ -281,7 +284,8 @@ static uint64_t mix_attachments(uint64_t hash, const thread_object *t)
     return hash;
 }
 
-/* Bodies, roles, and welds: what register_bodies and list_welds go by. */
+/* Hash of all that register_bodies and list_welds depend on: bodies, separators,
+ * attachments, pins. */
 static uint64_t hash_bodies(const scene_object *s)
 {
     uint64_t hash = mix_flags(s->node_count, s->is_separator, s->node_count);
@@ -304,7 +308,7 @@ static uint64_t hash_bodies(const scene_object *s)
     return hash;
 }
 
-/* Then the rows. */
+/* Hash of bodies and constraints; never 0. */
 static uint64_t hash_pattern(const scene_object *s, uint64_t body_hash)
 {
     uint64_t hash = body_hash;
@@ -334,7 +338,6 @@ static vbss_result register_bodies(scene_object *s)
     return VBSS_OK;
 }
 
-/* Blocks by body, in the order in which they are registered; rows need them before the pattern. */
 void vbss_scene_number_blocks(scene_object *s)
 {
     uint32_t first = 0;
@@ -353,7 +356,8 @@ void vbss_scene_number_blocks(scene_object *s)
     }
 }
 
-/* Bodies are registered anew only when they, or what is a separator, are others. */
+/* Registers bodies only if they or their separators have changed; else drops the couplings
+ * of contacts. */
 static vbss_result begin_pattern(scene_object *s, bool same_bodies)
 {
     if (same_bodies) {

@@ -1,4 +1,4 @@
-/* Capacity of the linear system of a scene. */
+/* Capacity of the linear system of a scene, from its configuration and its drains. */
 #include "base/error.h"
 #include "scene/solve/solve.h"
 
