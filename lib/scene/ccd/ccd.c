@@ -1,8 +1,9 @@
-/* The guard: whether anything would pass through anything between begin and trial state of a part.
+/* CCD: tests whether any two features pass through each other between start and trial state of a
+ * substep. The public statistics call it the guard.
  *
- * Axes are kept at half the distance of touching by one-sided continuous tests: a miss is a proof. Contacts
- * rest near the whole distance, so the guard sleeps unless something goes wrong. Pairs that begin nearer than
- * half must not come much nearer still, so that a bad state can be left. */
+ * One-sided continuous tests keep axes at half the contact distance: a miss is a proof. Contacts
+ * rest near the whole distance, so CCD finds nothing unless something goes wrong. Pairs that start
+ * nearer than half the distance must not come much nearer, so that a bad state can be left. */
 #include "collision/closest.h"
 #include "scene/ccd/ccd.h"
 #include "scene/contacts/contacts.h"
@@ -29,7 +30,7 @@ enum { MAX_EVALUATIONS = 8, MAX_HOLE_QUERIES = 80 };
 #define DEEP_RATIO 0.2
 #define SLOW_MOTION_RATIO 0.2
 
-/* ---- where things go */
+/* ---- motion of vertices */
 
 typedef struct vertex_motion {
     uint32_t count;
@@ -59,8 +60,9 @@ static vertex_motion vertex_motion_of(scene_object *s, const scene_body *b)
     return (vertex_motion){count, start, expected, end};
 }
 
-/* The search for rows has listed all pairs whose boxes meet, boxes round the ways that it expected. Who leaves the
- * box by less than half of the margin with which those are made meets nobody else. */
+/* Whether all vertices stay within their motion bounds, up to half of the contact margin. The broad
+ * phase has swept its boxes over these bounds and enlarged them by the margin. So a vertex within
+ * them meets only features of listed pairs. */
 static bool is_inside_motion_bounds(const scene_object *s, const vertex_motion *m)
 {
     const double margin = BROAD_PHASE_MARGIN_RATIO * s->config.contact_margin;
@@ -73,15 +75,15 @@ static bool is_inside_motion_bounds(const scene_object *s, const vertex_motion *
                       displacement.y <= vbss_max(0.0, expected.y) + margin &&
                       displacement.z >= vbss_min(0.0, expected.z) - margin &&
                       displacement.z <= vbss_max(0.0, expected.z) + margin;
-        if (!inside) { /* nor is what is not a number */
+        if (!inside) { /* also for NaN */
             return false;
         }
     }
     return true;
 }
 
-/* Whether all pairs begin about as far apart as they touch: rows say so of those that are near. Those of a thread and what it
- * is pinned to, or at a cut, are none of the guard's. */
+/* Whether all pairs start at about their contact distance: contacts show it for pairs that are
+ * near. Pairs excluded at pins and cuts need no CCD. */
 static bool do_pairs_start_apart(const scene_object *s)
 {
     bool is_apart = !s->has_unlisted_pairs;
@@ -104,7 +106,8 @@ static double find_max_displacement(const vertex_motion *m)
     return sqrt(largest);
 }
 
-/* All pairs that may meet on the way to the trial state are listed. */
+/* Lists all pairs that may meet on the way to the trial state. The list of the broad phase is used
+ * again if all vertices stay within their motion bounds. */
 static scene_substep_outcome list_ccd_pairs(scene_object *s)
 {
     bool is_expected = true;
@@ -112,8 +115,8 @@ static scene_substep_outcome list_ccd_pairs(scene_object *s)
         if (s->bodies[i].kind != SCENE_BODY_NONE) {
             const vertex_motion m = vertex_motion_of(s, &s->bodies[i]);
             is_expected = is_expected && is_inside_motion_bounds(s, &m);
-            s->bodies[i].max_displacement =
-                find_max_displacement(&m); /* of all: pairs at holes ask, expected or not */
+            /* Pairs at holes use it in either case. */
+            s->bodies[i].max_displacement = find_max_displacement(&m);
         }
     }
     s->can_skip_slow_pairs = is_expected && do_pairs_start_apart(s);
@@ -127,7 +130,7 @@ static scene_substep_outcome list_ccd_pairs(scene_object *s)
             vbss_collision_set_end_positions(s->collision->shapes[b->shape], m.end);
         } else if (vbss_collision_move(scene_collision(s), b->shape, &m.start->x, &m.end->x,
                                        m.count) != VBSS_OK) {
-            return SCENE_SUBSTEP_SINGULAR; /* coordinates that are no place */
+            return SCENE_SUBSTEP_SINGULAR; /* not finite, or out of range */
         }
         vbss_collision_update_displacements(s->collision->shapes[b->shape]);
     }
@@ -137,7 +140,7 @@ static scene_substep_outcome list_ccd_pairs(scene_object *s)
     return SCENE_SUBSTEP_ACCEPTED;
 }
 
-/* ---- pairs, in blocks of rows */
+/* ---- tests of pairs, in batches */
 
 static void set_batch_vertex(collision_block *batch, size_t vertex, uint32_t lane, vec3 start,
                              vec3 end)
@@ -150,7 +153,7 @@ static void set_batch_vertex(collision_block *batch, size_t vertex, uint32_t lan
     batch->end[3 * vertex + 2][lane] = end.z;
 }
 
-/* Two vertices of either edge; a point and the corners of a triangle. */
+/* Vertices of a pair: two of each edge, or a point and the corners of a triangle. */
 static void vertices_of(const scene_object *s, const collision_candidate *q,
                         const collision_shape *shapes[4], uint32_t vertices[4])
 {
@@ -165,7 +168,7 @@ static void vertices_of(const scene_object *s, const collision_candidate *q,
     }
 }
 
-/* What reaches the free edge of a drain may come nearer to a wall than walls do. */
+/* Whether a feature touches a lip. It may come nearer to a wall than other features do. */
 static bool is_on_lip(const scene_object *s, const collision_candidate *q, bool is_b)
 {
     const collision_shape *shapes[4];
@@ -195,19 +198,20 @@ static double contact_distance_of(const scene_object *s, const collision_candida
     return radius_of(s, q, false) + radius_of(s, q, true);
 }
 
-/* Of the thinner one. */
+/* Twice the smaller radius of a pair, m. */
 static double thickness_of(const scene_object *s, const collision_candidate *q)
 {
     return 2.0 * vbss_min(radius_of(s, q, false), radius_of(s, q, true));
 }
 
-/* As near as contact may let them come. */
+/* Smallest distance that the penetration tolerance of contacts permits, m. */
 static double min_contact_distance(const scene_object *s, const collision_candidate *q)
 {
     return contact_distance_of(s, q) - s->config.penetration_tolerance * thickness_of(s, q);
 }
 
-/* A pair of features, of which pieces of both (NULL: of all of it), from which share of the part on. */
+/* A pair of features, restricted to an interval of both (NULL: whole features), from a fraction of
+ * the substep on. */
 typedef struct ccd_query {
     const collision_candidate *candidate;
     const scene_axis_interval *interval;
@@ -246,11 +250,12 @@ static void set_batch_query(scene_object *s, const ccd_query *query, uint32_t la
     for (uint32_t k = 0; k < 4; k++) {
         set_batch_vertex(s->ccd_batch, k, lane, c.start[k], c.end[k]);
     }
-    /* What contact has looked at is seldom nearer. */
+    /* Contacts seldom let a pair come nearer. */
     s->ccd_batch->thickness[lane] = min_contact_distance(s, query->candidate);
 }
 
-/* How far apart they begin, and where: shares of two edges; weights of a triangle's corners. */
+/* Distance of a query's pair at its start, m, and where the closest points are: fractions on two
+ * edges, or weights of a triangle's corners. */
 static double distance_at_start(const scene_object *s, const ccd_query *query,
                                 double coordinates[3])
 {
@@ -265,7 +270,8 @@ static double distance_at_start(const scene_object *s, const ccd_query *query,
                                            vec3_sub(x[2], x[0]), &coordinates[0], &coordinates[1]));
 }
 
-/* Where the wall is nearest then, and where on the other one that is: a share of its edge. */
+/* Closest point of the drain at the start of the query, and the fraction of the closest point on
+ * the other feature. */
 static scene_wall_point find_nearest_wall_point(const scene_object *s, const ccd_query *query,
                                                 bool first, const scene_body *drain,
                                                 double *fraction)
@@ -294,8 +300,8 @@ static scene_wall_point find_nearest_wall_point(const scene_object *s, const ccd
     return wall_point;
 }
 
-/* A suture and the wall round a hole that it is in; jaws and the wall that they hold. `more`: as if the hole were so much
- * larger. */
+/* Contact scale of a pair at the start of the query: below 1 for a suture beside its hole, and for
+ * jaws that hold the wall. `extra_reach` enlarges the exclusion radius, m. */
 static double contact_scale_at_wall(const scene_object *s, const ccd_query *query,
                                     double contact_distance, double extra_reach)
 {
@@ -317,7 +323,8 @@ static double contact_scale_at_wall(const scene_object *s, const ccd_query *quer
                                        SCENE_EXCLUSION_ARC_RATIO * contact_distance + extra_reach);
 }
 
-/* The thread and the body that it is pinned to; the two ends at a cut; a needle and the jaws that hold it: none. */
+/* Contact scale of a pair over the whole substep: 0 for pairs excluded at a pin, at a cut, or
+ * in jaws. */
 static double contact_scale_of_pair(const scene_object *s, const collision_candidate *q,
                                     double contact_distance)
 {
@@ -344,7 +351,8 @@ static double contact_scale_of_pair(const scene_object *s, const collision_candi
 
 static double min_radius(const scene_object *s, const scene_body *b, uint32_t shape)
 {
-    double smallest = s->collision->shapes[shape]->radius; /* of rigid bodies the largest */
+    /* The radius of a rigid shape is that of its thickest capsule. */
+    double smallest = s->collision->shapes[shape]->radius;
     if (b->kind == SCENE_BODY_DRAIN) {
         return 2.0 * SCENE_LIP_RADIUS_RATIO * smallest;
     }
@@ -354,7 +362,8 @@ static double min_radius(const scene_object *s, const scene_body *b, uint32_t sh
     return smallest;
 }
 
-/* Who moves that little meets nobody who was not near. */
+/* Whether the features of a pair move too little to pass through each other. This needs all pairs
+ * to start apart. */
 static bool is_slow_pair(const scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
@@ -363,7 +372,8 @@ static bool is_slow_pair(const scene_object *s, const collision_candidate *q)
                                          SLOW_MOTION_RATIO * contact_distance_of(s, q);
 }
 
-/* The same of all that follow of the same two shapes; returns the first of others. */
+/* Skips all pairs of the same two shapes if none of them moves enough. Returns the index of the
+ * first pair of other shapes. */
 static uint32_t skip_slow_pairs(const scene_object *s, uint32_t first)
 {
     const collision_object *c = s->collision;
@@ -398,7 +408,8 @@ static void run_ccd_batch(scene_object *s, uint32_t kind, uint32_t count)
                                  &s->collision->counters);
 }
 
-/* When they come so near, as a share of the part; 1: they do not. */
+/* Time at which a query's pair comes as near as `thickness`, as a fraction of the substep; 1 if it
+ * does not. */
 static double time_of_approach(scene_object *s, const ccd_query *query, double thickness)
 {
     set_batch_query(s, query, 0);
@@ -409,15 +420,16 @@ static double time_of_approach(scene_object *s, const ccd_query *query, double t
                : 1.0;
 }
 
-/* Shares of the distance of touching: at which features touch when the part begins; and anywhere on their way, if they may come
- * into a hole on it. `leaves`: they begin in one, where they may be as near as they like. */
+/* Contact scales of a query: at its start, and the smallest during its motion, which may lead into
+ * a hole. `leaves_hole`: it starts in a hole, where no distance is too small. */
 typedef struct contact_scales {
     double at_start, during_motion;
     bool leaves_hole;
 } contact_scales;
 
-/* Share of the part after which a pair that hit comes too near; 1: it does not. What begins near is a row, and
- * contact has seen to it; what comes from further away may be none. */
+/* Time of impact of a pair that hit, as a fraction of the substep; 1 if it does not come too near.
+ * A pair that starts near has a contact that keeps it apart. One that starts farther away may have
+ * none, so it has to keep the contact distance. */
 static double time_of_impact(scene_object *s, const ccd_query *query, contact_scales scales)
 {
     double coordinates[3], contact_distance = contact_distance_of(s, query->candidate),
@@ -436,8 +448,9 @@ static double time_of_impact(scene_object *s, const ccd_query *query, contact_sc
                : hit;
 }
 
-/* The same of a suture and a wall, of which what is at a hole touches less or nothing: where they hit they are looked at again,
- * and what leaves the hole is asked about from when it was last seen in it. */
+/* Time of impact of a suture and a wall near holes. The contact scale changes on the way, so it is
+ * evaluated again at each hit. A point that leaves its hole is tested from the last sample inside
+ * the hole. */
 static double time_of_impact_at_holes(scene_object *s, const collision_candidate *q,
                                       const scene_axis_interval *interval)
 {
@@ -477,7 +490,8 @@ static double time_of_impact_at_holes(scene_object *s, const collision_candidate
     return query.start_fraction;
 }
 
-/* Of a needle and a side that touch nowhere where they are nearest, at a hole: what is left of the needle beside its holes. */
+/* Time of impact of a needle and an edge whose closest points are excluded at a hole: tests the
+ * needle's axis outside its holes. */
 static double time_of_impact_beside_holes(scene_object *s, const collision_candidate *q)
 {
     const scene_body *a = &s->bodies[s->body_of_shape[q->shape_a]];
@@ -518,8 +532,8 @@ static bool is_of_needle_and_wall(const scene_object *s, const collision_candida
            (b->kind == SCENE_BODY_DRAIN && a->kind == SCENE_BODY_RIGID && a->rigid.needle != NULL);
 }
 
-/* Whether a pair that began near stays beyond the guarded share of the whole distance of touching, and so of any less: most that
- * hit do. A needle at a wall is looked at in pieces, which may begin farther away. */
+/* Whether a pair that starts near stays beyond half the contact distance, as most that hit do.
+ * Needles at walls are excepted: they are tested by intervals, which may start farther away. */
 static bool stays_beyond_ccd_distance(scene_object *s, const ccd_query *query)
 {
     double coordinates[3], distance = distance_at_start(s, query, coordinates),
@@ -532,7 +546,7 @@ static bool stays_beyond_ccd_distance(scene_object *s, const ccd_query *query)
            !is_of_needle_and_wall(s, query->candidate);
 }
 
-/* Of a pair that comes nearer than contact lets it. */
+/* Time of impact of a pair that came nearer than contacts let it. */
 static double refine_time_of_impact(scene_object *s, const collision_candidate *q, double time)
 {
     const ccd_query query = {q, NULL, 0.0};
@@ -553,7 +567,8 @@ static double refine_time_of_impact(scene_object *s, const collision_candidate *
                : time_of_impact(s, &query, (contact_scales){scale, scale, false});
 }
 
-/* The next pairs of one kind that have to be asked about, from *next on; returns how many, and which. */
+/* Gathers the next candidates of one kind that need a test, from `*next` on. Returns their number,
+ * and their indices. */
 static uint32_t gather_batch(scene_object *s, uint32_t *next,
                              uint32_t indices[COLLISION_BLOCK_SIZE])
 {
@@ -590,7 +605,7 @@ static double find_first_impact(scene_object *s)
         double time[COLLISION_BLOCK_SIZE];
         bool hit[COLLISION_BLOCK_SIZE];
         run_ccd_batch(s, c->candidates[indices[0]].kind, count);
-        for (uint32_t i = 0; i < count; i++) { /* asking again overwrites the block */
+        for (uint32_t i = 0; i < count; i++) { /* the tests below overwrite the batch */
             hit[i] = s->ccd_batch->hit[i] != 0;
             time[i] = s->ccd_batch->time[i];
         }
@@ -604,14 +619,14 @@ static double find_first_impact(scene_object *s)
     return earliest;
 }
 
-/* ---- the floor */
+/* ---- floor */
 
 static double time_of_floor_impact(const scene_object *s, vec3 start, vec3 end, double radius)
 {
     double start_height = vec3_dot(start, s->floor_normal) - s->config.floor_height;
     double end_height = vec3_dot(end, s->floor_normal) - s->config.floor_height;
     double min_height = CCD_FLOOR_RATIO * radius;
-    if (start_height < min_height) { /* it began there */
+    if (start_height < min_height) { /* started too low already */
         min_height = start_height - (1.0 - CCD_RATIO_WHEN_NEARER) * fabs(start_height);
     }
     return end_height >= min_height ? 1.0

@@ -1,7 +1,9 @@
-/* The last resort: when no attempt is accepted, as much of the trial state as does no harm is taken.
+/* Truncation, the last resort: if no attempt is accepted, the safe fraction of the trial state
+ * becomes the state.
  *
- * Everything moves the same share of its way, tools as well: so nothing is torn, and the path is a prefix of
- * one that the guard has looked at. What was fast is slow afterwards. Counted, with the share lost. */
+ * All bodies move by the same fraction of their displacement, tools as well. So nothing is torn,
+ * and the path is the first part of one that CCD has tested. Bodies lose most of their velocity.
+ * Statistics count truncations and the time that was lost. */
 #include "base/rotation.h"
 #include "scene/ccd/ccd.h"
 #include "scene/contacts/contacts.h"
@@ -17,8 +19,9 @@ enum { MAX_TRUNCATIONS = 4 };
 /* A trial state that is longer than this is no state to go to. */
 #define MAX_TRIAL_STRETCH 0.05
 
-/* Whether the trial state is one to go to at least in part, and how far. What is stretched less than now is: what was
- * stretched by an earlier cut would stay so for ever. */
+/* Fraction of the trial displacement that is safe; 0 if the trial state is unusable. Threads whose
+ * tension decreases are not asked for their stretch: one that an earlier truncation has stretched
+ * could never recover. */
 static double find_safe_fraction(scene_object *s, scene_substep_outcome outcome)
 {
     double stretch = 0.0;
@@ -34,17 +37,17 @@ static double find_safe_fraction(scene_object *s, scene_substep_outcome outcome)
     }
     scene_substep_outcome ccd_outcome = vbss_scene_run_ccd(s);
     if (ccd_outcome != SCENE_SUBSTEP_ACCEPTED && ccd_outcome != SCENE_SUBSTEP_CCD_HIT) {
-        return 0.0; /* nobody has looked at all of it */
+        return 0.0; /* not all of the motion was tested */
     }
     return s->time_of_impact < 1.0 ? SAFE_FRACTION * s->time_of_impact : 1.0;
 }
 
-/* ---- the trial state becomes the share of itself */
+/* ---- truncation of the trial state */
 
 static void truncate_thread(thread_object *t, double fraction)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
-        /* At 0 it may be no state at all, not even finite. */
+        /* With fraction 0 the trial state may not even be finite. */
         vec3 displacement = fraction > 0.0 ? vec3_sub(t->trial[i], t->now.x[i]) : vec3_zero();
         t->trial[i] = vec3_add_scaled(t->now.x[i], fraction, displacement);
     }
@@ -72,7 +75,7 @@ static void truncate_rigid(scene_object *s, scene_rigid *r, double fraction)
     }
 }
 
-/* ---- and the state */
+/* ---- commit of the truncated state */
 
 static void commit_truncated_thread(thread_object *t, double h)
 {
@@ -116,7 +119,7 @@ static void truncate_drain(scene_drain *b, double fraction)
 {
     drain_object *d = b->drain;
     for (uint32_t i = 0; i < d->mesh.node_count; i++) {
-        /* At 0 it may be no state at all, not even finite. */
+        /* With fraction 0 the trial state may not even be finite. */
         vec3 displacement = fraction > 0.0 ? vec3_sub(d->trial[i], d->x[i]) : vec3_zero();
         d->trial[i] = vec3_add_scaled(d->x[i], fraction, displacement);
     }
@@ -135,7 +138,8 @@ static void truncate_bodies(scene_object *s, double fraction)
     }
 }
 
-/* Bodies that turn do not shorten along the straight ways that the guard has looked at: it looks again. */
+/* CCD has tested straight paths, but a shorter rotation does not stay on them: so it tests the
+ * truncated state, too. */
 static double truncate_until_safe(scene_object *s, double fraction)
 {
     truncate_bodies(s, fraction);
@@ -150,11 +154,11 @@ static double truncate_until_safe(scene_object *s, double fraction)
     return 0.0;
 }
 
-/* Rows say what contact does where things are now, not what the attempt that is thrown away would have done. */
+/* Sets contact forces from the state as it is, not from the rejected attempt. */
 static void rebuild_contacts(scene_object *s)
 {
     vbss_scene_refresh_normals(s);
-    s->contacts->is_stopped_early = false; /* nothing of the search is left in them */
+    s->contacts->is_stopped_early = false; /* the forces below are not those of a search */
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         contact_constraint *constraint = &s->contacts->constraints[i];
         if (constraint->is_bilateral) {
