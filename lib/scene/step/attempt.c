@@ -1,4 +1,6 @@
-/* One attempt at a substep: contacts, prediction, sparsity, Newton, CCD. */
+/* One attempt at a substep:
+ *
+ *   motion bounds -> broad phase -> contacts -> predict -> warm start -> Newton -> CCD */
 #include "scene/ccd/ccd.h"
 #include "scene/contacts/contacts.h"
 #include "scene/solve/solve.h"
@@ -26,6 +28,7 @@ static scene_substep_outcome begin_attempt(scene_object *s, const scene_substep 
 {
     s->statistics.attempts++;
     s->has_accepted_contacts = false;
+    /* Motion bounds, broad phase, narrow phase. */
     if (!vbss_scene_create_contacts(s, substep)) {
         return SCENE_SUBSTEP_OUT_OF_CAPACITY;
     }

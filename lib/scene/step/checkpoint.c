@@ -1,4 +1,4 @@
-/* As everything was before a step, if it fails. */
+/* Checkpoint: copies of all state before a step, and rollback if the step fails. */
 #include "base/error.h"
 #include "scene/step/step.h"
 #include "scene/tools/tools.h"
@@ -81,7 +81,7 @@ void vbss_scene_checkpoint_drain(scene_drain *b)
     size_t bytes = d->mesh.node_count * sizeof *d->x;
     memcpy(d->saved_x, d->x, bytes);
     memcpy(d->saved_v, d->v, bytes);
-    memcpy(d->v_substep_start, d->v, bytes); /* if it waits all of the step */
+    memcpy(d->v_substep_start, d->v, bytes); /* in case all of its substeps are rejected */
     b->checkpoint_statistics = d->statistics;
 }
 
@@ -100,8 +100,8 @@ void vbss_scene_checkpoint_tools(scene_object *s)
         scene_capsule *c = &s->capsules[i];
         c->checkpoint_local[0] = c->local[0];
         c->checkpoint_local[1] = c->local[1];
-        c->checkpoint_local_end[0] =
-            c->local_end[0]; /* elsewhere after a step that was cut short */
+        /* A truncated step leaves it elsewhere than `local`. */
+        c->checkpoint_local_end[0] = c->local_end[0];
         c->checkpoint_local_end[1] = c->local_end[1];
         c->checkpoint_radius = c->radius;
     }

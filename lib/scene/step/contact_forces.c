@@ -1,4 +1,4 @@
-/* What contacts and pins do to the rigid bodies, and what is shown of contacts. */
+/* Forces of contacts and pins on rigid bodies, and the published views of contacts. */
 #include "scene/step/step.h"
 #include "scene/world/world.h"
 
@@ -27,7 +27,8 @@ static void publish_contact(scene_object *s, const scene_contact_record *contact
     s->contact_gaps[i] = contact->gap;
 }
 
-/* The body that a block moves, or that holds it: a rigid one, by its translation or by a pin. */
+/* The rigid body that a block belongs to: by its translation block, or by a pin that holds
+ * the node. */
 static scene_body *rigid_body_of_block(scene_object *s, uint32_t block_index)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
@@ -50,13 +51,14 @@ bool vbss_scene_find_contact_force(const contact_set *set, uint32_t i, vec3 *for
 {
     const contact_constraint *constraint = &set->constraints[i];
     contact_solution solution = constraint->solution;
-    if (set->is_stopped_early &&
-        !constraint->is_bilateral) { /* what the law says of where that is nothing has felt */
+    /* After a search that was stopped, bodies are balanced with this force, not with that of the
+     * contact law. */
+    if (set->is_stopped_early && !constraint->is_bilateral) {
         *force = set->current[i].force;
         return vec3_norm_squared(*force) > 0.0;
     }
-    if (constraint
-            ->is_bilateral) { /* of the state itself: laid again, it knows nothing of what it held */
+    /* Its force follows from the current geometry, which may be newer than the stored solution. */
+    if (constraint->is_bilateral) {
         (void)vbss_contact_update_solution(constraint, vec3_zero(), &solution);
     }
     *force = vec3_add_scaled(solution.tangential_force, solution.normal_force, constraint->normal);
@@ -85,7 +87,6 @@ static void add_contact_forces(scene_object *s)
     }
 }
 
-/* PAPER */
 static void add_baseline_forces(scene_object *s)
 {
     for (uint32_t i = 0; i < s->baseline_contact_count; i++) {
@@ -97,7 +98,7 @@ static void add_baseline_forces(scene_object *s)
     }
 }
 
-/* The body holds the node against what the thread and its inertia do. */
+/* The body holds the node against the forces of the thread and its inertia. */
 static void add_pin_forces(scene_object *s)
 {
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {

@@ -1,4 +1,5 @@
-/* What comes before the first substep of a step and after the last. */
+/* Begin and end of a step: targets and tools before the first substep; forces, events, holes,
+ * tools, cuts and meshes after the last. */
 #include "scene/step/step.h"
 #include "scene/tissue/tissue.h"
 #include "scene/tools/tools.h"
@@ -53,7 +54,8 @@ static void finish_motion(scene_object *s, double h)
             for (uint32_t k = 0; s->is_behind_targets && k < t->config.attachment_capacity; k++) {
                 thread_attachment *a = &t->attachments[k];
                 if (a->id != 0 && vbss_thread_prescribes_motion(a->kind)) {
-                    a->position = t->now.x[a->node]; /* held back; it goes on from here */
+                    /* The node lags behind; the next step starts from here. */
+                    a->position = t->now.x[a->node];
                 }
             }
         } else if (b->kind == SCENE_BODY_RIGID) {
@@ -65,6 +67,7 @@ static void finish_motion(scene_object *s, double h)
     }
 }
 
+/* Slips, tears and releases grasps, makes cuts, and publishes the tools. */
 static void update_tools(scene_object *s, double h)
 {
     vbss_scene_update_thread_grasps(s, h);
@@ -74,7 +77,7 @@ static void update_tools(scene_object *s, double h)
     vbss_scene_publish_tools(s);
 }
 
-/* What contacts do to the drains, by node. */
+/* Sums the contact forces on each node of a drain, N. */
 static void accumulate_contact_forces(scene_object *s, scene_drain *b)
 {
     drain_object *d = b->drain;
@@ -95,7 +98,7 @@ static void accumulate_contact_forces(scene_object *s, scene_drain *b)
     }
 }
 
-/* What was held back goes on from where it is. */
+/* Pins that lag behind their targets start the next step from where they are. */
 static void restart_pins_here(drain_object *d)
 {
     for (uint32_t k = 0; k < d->config.attachment_capacity; k++) {
@@ -112,7 +115,7 @@ static void finish_drains(scene_object *s, double h)
         scene_drain *b = &s->bodies[i].drain;
         if (s->bodies[i].kind == SCENE_BODY_DRAIN) {
             accumulate_contact_forces(s, b);
-            if (s->is_behind_targets) { /* not those of an attempt that was thrown away */
+            if (s->is_behind_targets) { /* the last forces are those of a rejected attempt */
                 vbss_drain_compute_internal_forces(b->drain, b->drain->x);
             }
             vbss_drain_finish_substeps(b->drain, b->substep.h);

@@ -1,4 +1,12 @@
-/* A step: substeps, time slices, checkpoint, and what follows its last substep. */
+/* Runs a step, in time slices if it has a budget:
+ *
+ *   apply tool targets
+ *   -> [motion bounds -> broad phase -> contacts -> predict -> warm start -> Newton -> CCD -> commit]
+ *      per substep
+ *   -> events, forces
+ *
+ * step.c begins and finishes a step, substeps.c repeats or truncates rejected substeps, attempt.c
+ * is one attempt at a substep. */
 #ifndef VBSS_SCENE_STEP_H
 #define VBSS_SCENE_STEP_H
 
@@ -6,78 +14,93 @@
 
 /* ---- checkpoint.c */
 
-/* Takes down how everything is, goes back there; counters alone. */
+/* Copies all state that a step changes. Fails only if a thread's derived data cannot be computed;
+ * then the step must not run. */
 vbss_result vbss_scene_checkpoint(scene_object *s);
+
+/* Restores the state of the last checkpoint after a step failed. */
 void vbss_scene_rollback(scene_object *s);
+
+/* Restores the statistics of the last checkpoint, nothing else. */
 void vbss_scene_rollback_statistics(scene_object *s);
 
-/* Stores a drain's state in the checkpoint. */
+/* Copies positions, velocities and statistics of a drain to its checkpoint. */
 void vbss_scene_checkpoint_drain(scene_drain *b);
 
-/* Restores a drain's state from the checkpoint. */
+/* Restores positions, velocities and statistics of a drain from its checkpoint. */
 void vbss_scene_rollback_drain(scene_drain *b);
 
-/* Stores the state of tools, grasps and holes in the checkpoint. */
+/* Copies capsules, jaws, grasps and holes to the checkpoint. */
 void vbss_scene_checkpoint_tools(scene_object *s);
 
-/* Restores the state of tools, grasps and holes from the checkpoint. */
+/* Restores capsules, jaws, grasps and holes from the checkpoint. */
 void vbss_scene_rollback_tools(scene_object *s);
 
 /* ---- attempt.c */
 
-/* Attempts the substep of the cursor, or resumes the attempt that was suspended. */
+/* Attempts the cursor's substep, or resumes the attempt that was suspended. Returns any outcome;
+ * with ACCEPTED the trial state is ready to commit. */
 scene_substep_outcome vbss_scene_run_attempt(scene_object *s);
 
-/* Counts why an attempt was rejected. */
+/* Counts a rejected attempt by its outcome. */
 void vbss_scene_count_rejection(scene_object *s, scene_substep_outcome outcome);
 
 /* ---- substeps.c */
 
-/* Runs the substeps of a step, to its end or until it is suspended (scene_way::waits). */
+/* Runs substeps to the end of the step, or until the step is suspended (`cursor.is_suspended`).
+ * VBSS_ERROR_CAPACITY: candidates or contacts exceed their capacity; the caller rolls back. */
 vbss_result vbss_scene_run_substeps(scene_object *s);
 
-/* The rest of a step that waits is left out: its end may follow. */
+/* Abandons the rest of a suspended step: all bodies stay where they are. vbss_scene_finish_step
+ * may follow. */
 void vbss_scene_abandon_step(scene_object *s);
 
-/* How small parts of its steps may be. */
+/* Sets the minimum substep sizes of the cursor, as fractions of a step. */
 void vbss_scene_set_substep_limits(scene_object *s);
 
-/* Whether a step may be made of parts of that size. */
+/* Whether `size`, a fraction of a step, is one that a substep can have: a power of 1/2, not below
+ * the minimum. */
 bool vbss_scene_is_substep_size(const scene_object *s, double size);
 
 /* ---- touch_events.c */
 
-/* Events of pairs of bodies that began or ceased to touch in the step. */
+/* Emits an event for each pair of bodies that began or ceased to touch in the step. */
 void vbss_scene_update_touching_pairs(scene_object *s);
 
 /* ---- contact_forces.c */
 
-/* The force of a row on its first side, N, with which all balances, and whether it bears any; what contacts and pins do to
- * the rigid bodies; views of contacts. */
+/* Finds the force of constraint `i` on its side a, N. It is the force for which the bodies are
+ * balanced. Returns false if the constraint is open. */
 bool vbss_scene_find_contact_force(const contact_set *set, uint32_t i, vec3 *force);
+
+/* Sums the forces and torques of contacts and pins on rigid bodies, and publishes the views
+ * of contacts. */
 void vbss_scene_collect_forces(scene_object *s);
 
 /* ---- step.c */
 
-/* Begins a step: targets of bodies and tools, counters, the size of the first substep. */
+/* Begins a step of length `h` (s): sets the cursor, targets of bodies and tools, and counters. */
 void vbss_scene_begin_step(scene_object *s, double h);
 
-/* What follows the last substep: forces, events, holes, tools, cuts, meshes, counters. */
+/* Finishes a step after its last substep: forces, events, holes, grasps, cuts, meshes,
+ * statistics. */
 void vbss_scene_finish_step(scene_object *s);
 
-/* The end of a step for a drain of the baseline method. */
+/* Finishes a step of a drain in the baseline method; `h`: length of the step, s. */
 void vbss_scene_paper_arrive_drain(scene_drain *b, double h);
 
 /* ---- time_slice.c */
 
-/* Ends the step that waits, if one does, without what is left of it. */
+/* Abandons the suspended step, if there is one, and finishes it. Fails only if the checkpoint
+ * fails; then nothing changes. */
 vbss_result vbss_scene_abandon_suspended_step(scene_object *s);
 
-/* A number that grows whenever a host changes a thread or drain. */
+/* Sum of the edit generations of all threads and drains: it grows with each edit by a host. */
 uint64_t vbss_scene_count_edits(const scene_object *s);
 
-/* One call of vbss_scene_step by the implicit method: the suspended step first, then the next, as
- * far as the budget of a call allows. */
+/* One call of vbss_scene_step by the implicit method, `h` in s. Resumes the suspended step first,
+ * then begins further steps as far as the budget of a call allows. On failure the step that failed
+ * is rolled back. */
 vbss_result vbss_scene_ours_step(scene_object *s, double h);
 
 #endif

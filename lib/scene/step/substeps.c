@@ -1,15 +1,15 @@
-/* A step of method OURS:
- *   tool poses -> candidates -> predict -> solve -> guard -> events -> tool forces
- * The middle of it is an attempt at a part of the step, the whole of it at first. One that is not accepted is
- * made again, in halves; after the last the step is cut short where it would harm. In real time a call does no more
- * than so much of it, and the next goes on (time_slice.c). */
+/* Substeps: attempts, retries and truncation, from the start of a step to its end.
+ *
+ * The first attempt is at the whole step. A rejected attempt is repeated, mostly at half the size.
+ * At the minimum size the substep is truncated, or in real time deferred to the next step. A call
+ * may suspend the step between two attempts or within one (time_slice.c). */
 #include "base/error.h"
 #include "scene/ccd/ccd.h"
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
 #include "scene/world/world.h"
 
-/* ---- work */
+/* ---- sizes and budget */
 
 static double find_min_size(const scene_object *s)
 {
@@ -34,8 +34,8 @@ bool vbss_scene_is_substep_size(const scene_object *s, double size)
     return valid_size == size;
 }
 
-/* The least part is finished whatever it takes, or nothing might ever move again; where states cycle, what a search has led
- * to by a limit of its own must do. */
+/* A substep of hard minimum size has no budget, or nothing might ever move again. If its active set
+ * cycles, it is repeated with a budget for searches, and the best iterate has to do. */
 static void set_step_budget(scene_object *s, const scene_substep *substep, bool is_hard_min_size)
 {
     uint64_t operations_before = substep->has_search_budget ? s->contacts->counters.operations : 0;
@@ -44,7 +44,7 @@ static void set_step_budget(scene_object *s, const scene_substep *substep, bool 
     s->step_budget = is_limited ? operations_before + s->config.work_limit : 0;
 }
 
-/* ---- parts */
+/* ---- substeps */
 
 static void record_errors(scene_object *s)
 {
@@ -64,7 +64,7 @@ static void record_errors(scene_object *s)
     s->statistics.last_residual = s->contacts->residual;
 }
 
-/* Whether no more may be begun in the step: there is no room for it. */
+/* Whether attempts or operations of the step are used up. */
 static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cursor)
 {
     uint64_t next_attempt_cost = vbss_scene_attempt_cost(s) + vbss_scene_linearisation_cost(s);
@@ -74,7 +74,8 @@ static bool is_step_exhausted(const scene_object *s, const scene_step_cursor *cu
            (cursor->attempts >= s->config.attempt_limit || is_over_budget);
 }
 
-/* Whether the part is to be tried again: with the ways that are known now, or in halves. */
+/* Whether the substep is attempted again: with the displacements that are known now, with a search
+ * budget, with fixed normals, or at half the size. */
 static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_substep_outcome outcome)
 {
     bool has_attempt_limit = s->config.mode == VBSS_MODE_REAL_TIME && s->config.work_limit == 0;
@@ -90,7 +91,7 @@ static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_subs
         cursor->substep.has_search_budget = true;
         return true;
     }
-    /* What is deep already is no better for being halved. */
+    /* Half the size does not help where penetration is deep already. */
     if (s->has_updated_normals && !cursor->substep.has_fixed_normals &&
         (is_min_size || is_over_limit || s->is_recovering)) {
         cursor->substep.has_fixed_normals = true;
@@ -106,13 +107,14 @@ static bool prepare_retry(scene_object *s, scene_step_cursor *cursor, scene_subs
     return false;
 }
 
-/* What is too much for the rooms, or no state at all, is no better for waiting. */
+/* Waiting helps neither against lack of capacity nor against a singular system. */
 static bool is_deferrable(scene_substep_outcome outcome)
 {
     return outcome != SCENE_SUBSTEP_OUT_OF_CAPACITY && outcome != SCENE_SUBSTEP_SINGULAR;
 }
 
-/* Hands feel how far their tools are left behind. */
+/* Sets coupling wrenches from the full targets of the step, so that hands feel how far their tools
+ * lag behind. */
 static void update_coupling_wrenches(scene_object *s, const scene_substep *substep)
 {
     const vbss_rigid_substep p = {substep->step_length, substep->start_fraction, 1.0};
@@ -124,8 +126,8 @@ static void update_coupling_wrenches(scene_object *s, const scene_substep *subst
     }
 }
 
-/* The rest of the step is left out: everything rests where it is, and goes on in the next step, in parts of the
- * size at first. */
+/* Leaves out the rest of the step. Bodies stay where they are; the next step begins with substeps
+ * of `size`, a fraction of a step. */
 static void pause_step(scene_object *s, const scene_step_cursor *cursor, double size)
 {
     double fraction_left = 1.0 - cursor->substep.start_fraction;
@@ -137,8 +139,9 @@ static void pause_step(scene_object *s, const scene_step_cursor *cursor, double 
     update_coupling_wrenches(s, &cursor->substep);
 }
 
-/* Whether a part that failed may be tried in the next step; and of which size. The smallest is halved further only for the work it took, and
- * if it was there for all of it. */
+/* Whether the motion of a failed substep is deferred to the next step, and the size of the
+ * first substep there. A substep of minimum size is halved further only if it used up the
+ * whole budget. */
 static bool can_defer_to_next_step(const scene_object *s, const scene_step_cursor *cursor,
                                    double *size)
 {
@@ -160,6 +163,7 @@ static void truncate_substep(scene_object *s, scene_step_cursor *cursor,
     s->is_behind_targets = true;
 }
 
+/* Moves the cursor to the next substep, and doubles its size where a larger one may begin. */
 static void advance_cursor(scene_object *s, scene_step_cursor *cursor)
 {
     record_errors(s);
@@ -181,7 +185,7 @@ static void set_substep_end(scene_object *s)
     set_step_budget(s, &cursor->substep, cursor->size <= cursor->hard_min_size);
 }
 
-/* An attempt begins, or goes on. */
+/* Begins an attempt, or resumes the suspended one. */
 static scene_substep_outcome run_or_resume_attempt(scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -191,7 +195,8 @@ static scene_substep_outcome run_or_resume_attempt(scene_object *s)
         cursor->operations_at_attempt = s->contacts->counters.operations;
         call_budget->checks_passed = 0;
     }
-    /* With the ways of the attempt before it nobody else could make it once more. */
+    /* An attempt that uses the displacements of the one before cannot be replayed, so it is
+     * never suspended. */
     const uint64_t end = call_budget->operation_limit;
     call_budget->operation_limit = cursor->substep.uses_trial_motion ? 0 : end;
     scene_substep_outcome outcome = vbss_scene_run_attempt(s);
@@ -199,7 +204,8 @@ static scene_substep_outcome run_or_resume_attempt(scene_object *s)
     return outcome;
 }
 
-/* Makes an attempt once more that waits and is not at hand: nothing of it is in a saved state but how far it was. */
+/* Repeats a suspended attempt that is not in memory, up to the check where it was suspended. A
+ * snapshot stores only the number of checks. */
 static void replay_attempt(scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -224,7 +230,8 @@ static void accept_substep(scene_object *s)
     s->has_accepted_contacts = true;
 }
 
-/* What is left of the step waits where the slot has no room for another attempt. */
+/* Whether the rest of the step is suspended because the budget of the call has no room for
+ * another attempt. */
 static bool must_suspend(const scene_object *s)
 {
     const contact_call_budget *call_budget = &s->contacts->call_budget;
@@ -265,8 +272,8 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
             if (prepare_retry(s, cursor, outcome)) {
                 continue;
             }
-            if (outcome ==
-                SCENE_SUBSTEP_OUT_OF_CAPACITY) { /* nothing is known of what would be met */
+            /* Pairs may be missing, so there is no safe fraction to truncate to. */
+            if (outcome == SCENE_SUBSTEP_OUT_OF_CAPACITY) {
                 return vbss_fail(
                     s->context, VBSS_ERROR_CAPACITY,
                     "scene step: more is near than candidate_capacity %u or contact_capacity %u",
@@ -276,7 +283,7 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
         }
         advance_cursor(s, cursor);
         if (substep->start_fraction < 1.0 && is_step_exhausted(s, cursor)) {
-            pause_step(s, cursor, vbss_min(2.0 * cursor->size, 1.0)); /* this one did */
+            pause_step(s, cursor, vbss_min(2.0 * cursor->size, 1.0)); /* this size was accepted */
             break;
         }
     }
@@ -287,8 +294,9 @@ vbss_result vbss_scene_run_substeps(scene_object *s)
 void vbss_scene_abandon_step(scene_object *s)
 {
     scene_step_cursor *cursor = &s->cursor;
-    if (!cursor
-             ->is_attempt_suspended) { /* between two parts: rows are those of the next, as no saved state has any */
+    /* Suspended between two substeps: contacts of the next are created. A restored snapshot has
+     * none, and both must give the same bits. */
+    if (!cursor->is_attempt_suspended) {
         cursor->operations_at_attempt = cursor->operations;
         cursor->checks_passed = 0;
     }
@@ -301,7 +309,7 @@ void vbss_scene_abandon_step(scene_object *s)
     cursor->is_suspended = cursor->is_attempt_suspended = cursor->is_attempt_in_memory = false;
 }
 
-/* ---- the step */
+/* ---- limits */
 
 void vbss_scene_set_substep_limits(scene_object *s)
 {

@@ -1,10 +1,14 @@
-/* What a call of vbss_scene_step does. Without a limit of work a step, all of it. Else operations in a call have a limit, too: a step
- * that takes more waits where it is, and the next call goes on with it as if nothing had been. What a call has left then is for
- * the next step. So a host's slot is kept, and no work is lost: time is, only when steps have fallen too far behind.
+/* Time slices: one call of vbss_scene_step.
  *
- *   the step that waits -> (its end -> the next step) while there is room -> what is too far behind is left out
+ * Without a budget a call runs one whole step. With a budget a call has a limit of operations. A
+ * step that exceeds it is suspended, and the next call resumes it with the same bits. Operations
+ * left over go to the next step. So calls stay within their time and no work is lost. Only steps
+ * that are too far behind are dropped.
  *
- * A saved state knows how far an attempt was, which is made again up to there. Hosts that change bodies meanwhile end the step. */
+ *   resume suspended step -> (finish it -> begin the next) within the budget -> drop overdue steps
+ *
+ * A snapshot stores how far an attempt was, and a restored scene replays it up to there. A host
+ * that edits bodies in between ends the suspended step. */
 #include "base/error.h"
 #include "scene/solve/solve.h"
 #include "scene/step/step.h"
@@ -28,7 +32,6 @@ uint64_t vbss_scene_count_edits(const scene_object *s)
     return sum;
 }
 
-/* Where attachments go: in the step that waits, and as hosts have it. */
 static void for_each_deformable(scene_object *s, void (*on_thread)(thread_object *t),
                                 void (*on_drain)(drain_object *d))
 {
@@ -42,6 +45,8 @@ static void for_each_deformable(scene_object *s, void (*on_thread)(thread_object
     }
 }
 
+/* Swaps attachment targets between those of the suspended step and those that hosts have
+ * set since. */
 static void swap_targets(scene_object *s)
 {
     for_each_deformable(s, vbss_thread_swap_targets, vbss_drain_swap_targets);
@@ -63,13 +68,13 @@ vbss_result vbss_scene_abandon_suspended_step(scene_object *s)
     return VBSS_OK;
 }
 
-/* The guard, and what follows at the end of a step. */
+/* Cost of CCD and of the end of a step. */
 static uint64_t step_end_cost(const scene_object *s)
 {
     return vbss_scene_attempt_cost(s) / 2;
 }
 
-/* Not only to look for what is near. */
+/* Whether the budget lasts for one linearisation, not only for finding contacts. */
 static bool can_begin_step(const scene_object *s, bool is_sliced)
 {
     uint64_t min_operations =
@@ -83,7 +88,7 @@ static void charge_call_budget(scene_step_cursor *cursor, uint64_t operations)
         operations < cursor->operations_left ? operations : cursor->operations_left;
 }
 
-/* Goes on with the step that waits, or begins one, as far as the call has room. */
+/* Resumes the suspended step or begins the next, as far as the budget of the call allows. */
 static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
 {
     scene_step_cursor *cursor = &s->cursor;
@@ -114,7 +119,7 @@ static vbss_result run_slice(scene_object *s, double h, bool is_sliced)
     return result;
 }
 
-/* The same; if it fails nothing of it is done. */
+/* Runs a slice; on failure the scene is rolled back. */
 static vbss_result run_slice_or_rollback(scene_object *s, double h, bool is_sliced)
 {
     VBSS_TRY(vbss_scene_checkpoint(s));
@@ -161,11 +166,11 @@ vbss_result vbss_scene_ours_step(scene_object *s, double h)
     }
     while (result == VBSS_OK && !cursor->is_suspended && cursor->steps_behind > 0 &&
            can_begin_step(s, is_sliced)) {
-        result =
-            run_slice_or_rollback(s, h, is_sliced); /* the next call tells, which begins there */
+        /* If it fails, the next call fails in this step and returns the error. */
+        result = run_slice_or_rollback(s, h, is_sliced);
     }
     if (cursor->is_suspended) {
-        vbss_scene_publish_tools(s); /* what has been let go as it began */
+        vbss_scene_publish_tools(s); /* grasps may have been released when the step began */
     }
     drop_overdue_steps(s, h);
     cursor->edit_count = vbss_scene_count_edits(s);

@@ -1,4 +1,4 @@
-/* Events of bodies that begin or cease to touch. */
+/* Touch events: pairs of bodies that started or ceased to touch in a step. */
 #include "scene/step/step.h"
 #include "scene/world/world.h"
 
@@ -9,7 +9,7 @@ static bool precedes(scene_touching_pair x, scene_touching_pair y)
     return x.body_a != y.body_a ? x.body_a < y.body_a : x.body_b < y.body_b;
 }
 
-/* Few pairs of bodies: inserted in order, each once. */
+/* Inserts a pair in order unless it is listed. Linear search is enough for few pairs. */
 static void insert_pair(scene_object *s, scene_touching_pair touching_pair)
 {
     uint32_t position = s->touching_pair_count;
@@ -33,7 +33,7 @@ static void list_touching_pairs(scene_object *s)
         const scene_touching_pair touching_pair = {key->body_a, key->body_b};
         insert_pair(s, touching_pair);
     }
-    for (uint32_t i = 0; i < s->baseline_contact_count; i++) { /* PAPER */
+    for (uint32_t i = 0; i < s->baseline_contact_count; i++) { /* baseline method */
         const scene_touching_pair touching_pair = {s->baseline_contacts[i].key.body_a,
                                                    s->baseline_contacts[i].key.body_b};
         insert_pair(s, touching_pair);
