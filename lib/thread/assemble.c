@@ -1,21 +1,27 @@
-/* Method OURS: forces and stiffness of a thread in a trial state, as its part of the system.
+/* Assembly: forces and stiffness of a thread at the trial state, as its part of the system.
  *
- * The system solves for the increment u of the trial positions x:
- *   (inertia m + stiffness) u = forces(x) - inertia m (x - x_predicted).
- * Stiffness is exact but for four things: tension in its geometric part is that of the last solve and at
- * least `least_pull`, and in the arcs' part not negative; what turning takes from the stiffness along a
- * chord is taken from the whole slope; the slope of rest curvature is left out. What is kept is positive
- * unless compression is large. */
+ * The system is solved for the increment u of the trial positions x:
+ *
+ *   (inertia m + stiffness) u = forces(x) - inertia m (x - x_predicted)
+ *
+ * The stiffness is exact except for four approximations. Geometric stiffness uses the tension of
+ * the last solve, at least min_tension; arcs use it only if it is positive. The reduction of
+ * axial stiffness by geometric stiffness applies to the whole gradient of the length, not only to
+ * the chord. Stiffness of rest curvature is left out. The result is positive unless compression
+ * is large. */
 #include "thread/thread.h"
 
-/* ---- what one segment does to the nodes around it */
+/* ---- one segment */
 
-/* The slope of the segment's length at its four nodes, segment - 1 .. segment + 2: +-tangent at the
- * ends of the chord, and what bends the arc. The segment's part of the stiffness is
- * stiffness slope slope^T + bent (factor factor^T) + turning (chord), of the forces -tension slope. */
+/* Gradient of a segment's length with its four nodes, segment - 1 .. segment + 2: the tangent at
+ * the ends of the chord, and a part from the curvature of the arc. The segment's force is -tension
+ * gradient. Its stiffness is
+ *
+ *   stiffness gradient gradient^T + curvature_stiffness coefficient coefficient^T
+ *   + geometric_stiffness (chord) */
 typedef struct segment_terms {
-    lanes gradient[4], scaled_gradient[4]; /* stiff: times the stiffness along the segment */
-    double coefficient[4];                 /* of the nodes in the arc's curvature */
+    lanes gradient[4], scaled_gradient[4]; /* times the axial stiffness */
+    double coefficient[4];                 /* coefficients of the nodes in the arc's curvature */
     double tension, curvature_stiffness, geometric_stiffness;
 } segment_terms;
 
@@ -30,8 +36,8 @@ static void set_segment_terms(const thread_object *t, uint32_t i, double min_ten
     lanes tangent = lanes_from(s->tangent), curvature = lanes_from(s->curvature);
     p->tension = stiffness * s->elongation;
     p->curvature_stiffness = bounded_tension > 0.0 ? curvature_coefficient * bounded_tension : 0.0;
-    /* A chord turns against pull / chord; its length then does not: less stiffness along it, which
-     * is put on the whole slope, as it is small against EA / l. */
+    /* A chord that turns has the geometric stiffness tension / chord across it, not along it. So
+     * that much is taken off along the whole gradient, as it is small against EA / l. */
     p->geometric_stiffness = s->chord > 0.0 ? bounded_tension / s->chord : 0.0;
     stiffness -= p->geometric_stiffness;
     for (uint32_t a = 0; a < 4; a++) {
@@ -45,7 +51,7 @@ static void set_segment_terms(const thread_object *t, uint32_t i, double min_ten
     }
 }
 
-static const segment_terms no_segment; /* of segments beyond the ends */
+static const segment_terms no_segment; /* for segments beyond the ends */
 
 /* ---- blocks */
 
@@ -63,12 +69,12 @@ static inline void add_outer(block *b, const lanes *row, const lanes *column)
     b->column[2] = lanes_add(b->column[2], lanes_scale(lanes_at(*column, 2), *row));
 }
 
-/* The parts of four neighbouring segments, by segment modulo 4: those that meet at a node. */
+/* Four neighbouring segments, those that meet at a node. The index is the segment modulo 4. */
 typedef struct segment_ring {
     segment_terms at[4];
 } segment_ring;
 
-/* Node i and node i + k: the segments i + k - 2 .. i + 1 see both. */
+/* Block of nodes i and i + k: segments i + k - 2 .. i + 1 depend on both. */
 static block pair_block(const segment_ring *p, uint32_t i, uint32_t k, double scalar, bool flipped)
 {
     for (uint32_t a = 0; a + k < 4; a++) { /* segment i + 1 - a */
@@ -78,7 +84,7 @@ static block pair_block(const segment_ring *p, uint32_t i, uint32_t k, double sc
     block b = scalar_block(scalar);
     for (uint32_t a = 0; a + k < 4; a++) {
         const segment_terms *s = &p->at[(i + 1 - a) & 3u];
-        /* Rows belong to the node that is eliminated later. */
+        /* rows belong to the node that is eliminated later */
         add_outer(&b, &s->gradient[flipped ? a : a + k], &s->scaled_gradient[flipped ? a + k : a]);
     }
     return b;
@@ -101,7 +107,7 @@ static lanes node_force(const thread_object *t, const vbss_integration *in, uint
     return lanes_scale(t->mass[i], force);
 }
 
-/* From differences, which are opposite for the two nodes of a pair: so the forces are, to the bit. */
+/* Differences are exactly opposite for the two nodes of a pair, and so are the forces. */
 static lanes bending_force(const thread_object *t, uint32_t i)
 {
     lanes here = load(&t->trial[i]), force = lanes_make(0.0, 0.0, 0.0);
@@ -157,9 +163,7 @@ static void set_nodes(const thread_object *t, const thread_substep *substep, vbs
     }
 }
 
-/* ---- clamps */
-
-/* Pairs further apart than the reach: one of the two is the node of a clamp. */
+/* Adds forces of pairs beyond the bandwidth, of which one node has a clamp. */
 static void add_far_pairs(const thread_object *t, uint32_t clamp, vec3 *rhs)
 {
     uint32_t node = t->clamps[clamp].node;
@@ -197,7 +201,7 @@ static void add_attachments(const thread_object *t, const thread_substep *subste
                             vbss_system *system, uint32_t first)
 {
     const vbss_integration *in = substep->integration;
-    double inverse_step = 1.0 / substep->step_length; /* of the way to go, in 1/s */
+    double inverse_step = 1.0 / substep->step_length; /* 1/s */
     for (uint32_t k = 0; k < t->config.attachment_capacity; k++) {
         const thread_attachment *a = &t->attachments[k];
         if (a->id == 0) {

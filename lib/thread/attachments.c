@@ -1,4 +1,4 @@
-/* What acts on single nodes. */
+/* Attachments: pins, clamps, springs, forces and masses on single nodes. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -60,7 +60,7 @@ static vbss_result check_attachment(const thread_object *t, const vbss_thread_at
     return VBSS_OK;
 }
 
-/* ---- attaching and moving */
+/* ---- attach, move, detach */
 
 thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id)
 {
@@ -78,7 +78,7 @@ static vec3 load_unit(const double v[3])
     return vec3_unit_or(vec3_load(v), vec3_make(1.0, 0.0, 0.0));
 }
 
-/* Of the thread at a node. */
+/* Direction of the thread at a node. */
 static vec3 chord_direction(const thread_object *t, uint32_t node, vec3 fallback)
 {
     uint32_t low = node > 0 ? node - 1 : 0;
@@ -114,8 +114,8 @@ vbss_result vbss_thread_attach(vbss_thread *thread, const vbss_thread_attachment
     a->kind = own.kind;
     a->node = own.node;
     a->target = vec3_load(own.position);
-    /* A held node is taken to its place within the next step, and a moving thread is turned in it; a
-     * spring's end is there at once. */
+    /* A prescribed node moves to its target during the next step, and a clamp turns the thread
+     * during it. The end of a spring is at its target at once. */
     a->position = vbss_thread_prescribes_motion(own.kind) ? t->now.x[own.node] : a->target;
     a->target_direction = load_unit(own.direction);
     a->direction =
@@ -166,7 +166,7 @@ vbss_result vbss_thread_detach(vbss_thread *thread, uint32_t id)
     return VBSS_OK;
 }
 
-/* ---- where they are */
+/* ---- positions and targets */
 
 vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction)
 {
@@ -175,7 +175,7 @@ vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction
 
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fraction)
 {
-    /* Opposite directions: it stays in the first half and is turned over in the second. */
+    /* Opposite directions: the old one in the first half of the step, the new one in the second. */
     return vec3_unit_or(vec3_lerp(a->direction, a->target_direction, fraction),
                         fraction < 0.5 ? a->direction : a->target_direction);
 }

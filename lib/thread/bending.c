@@ -1,25 +1,29 @@
-/* The bending energy of method OURS, as factors that stay while rest lengths and clamps stay.
+/* Bending energy of the implicit method: coefficients that are constant while rest lengths and
+ * clamps are.
  *
- * Between clamps and ends, let d be the turn of the chords' directions at each node, and A the matrix
- * of hat functions along the thread (A_ii = (l_{i-1} + l_i) / 3, A_i,i+1 = l_i / 6). The cubic spline
- * through the nodes has second derivatives M with A M = d and the energy EI/2 d^T A^-1 d. A clamp adds
- * the turn between its direction and the first chord; a free end has M = 0. The inverse is full;
- * what is used is
- *   - exact at clamps: the first two M there are eliminated, where curvature is steepest, and the third
- *     with an estimate of the fourth;
- *   - one term of Neumann's series elsewhere: with A = W - L, W the row sums with the neighbours'
- *     part moved to the diagonal, A^-1 ~ W^-1 + W^-1 L W^-1, which is
- *       EI/2 (sum W_i |d_i / W_i|^2 + sum l_i / 6 |d_{i+1} / W_{i+1} - d_i / W_i|^2):
- *     positive, local, and of fourth order.
- * BENDING_LOCAL stops before the last sum. Both are quadratic in the positions: constant factors. */
+ * Let d be the turn of the chords' directions at each node between two clamps or free ends, and A
+ * the matrix of hat functions along the thread: A_ii = (l_{i-1} + l_i) / 3, A_i,i+1 = l_i / 6. The
+ * cubic spline through the nodes has second derivatives M with A M = d, and the energy EI/2 d^T
+ * A^-1 d. A clamp adds the turn between its direction and the first chord; a free end has M = 0.
+ * The inverse is full, so it is approximated:
+ *
+ *   - exact at clamps, where curvature is steepest: the first two M are eliminated,
+ *     and the third with an estimate of the fourth;
+ *   - one term of Neumann's series elsewhere: with A = W - L, where W has the row sums,
+ *     A^-1 ~ W^-1 + W^-1 L W^-1, which gives
+ *       EI/2 (sum W_i |d_i / W_i|^2 + sum l_i / 6 |d_{i+1} / W_{i+1} - d_i / W_i|^2).
+ *     This is positive, local, and of fourth order.
+ *
+ * VBSS_BENDING_LOCAL leaves out the last sum. Both are quadratic in the positions, so coefficients
+ * are constant. */
 #include "thread/thread.h"
 
 #include <string.h>
 
-/* A stretch between clamps or free ends. */
+/* The part of a thread between two clamps or free ends. */
 typedef struct clamp_interval {
-    uint32_t low, high;      /* nodes */
-    thread_clamp *clamps[2]; /* at its ends, NULL: free */
+    uint32_t low, high;      /* its first and last node */
+    thread_clamp *clamps[2]; /* at its two ends; NULL: a free end */
 } clamp_interval;
 
 static double reciprocal_rest(const thread_object *t, uint32_t segment)
@@ -27,7 +31,7 @@ static double reciprocal_rest(const thread_object *t, uint32_t segment)
     return 1.0 / t->rest[segment];
 }
 
-/* The turn at a node of the stretch. */
+/* Turn of the thread at a node. */
 static thread_linear_form turn_at(const thread_object *t, const clamp_interval *s, uint32_t node)
 {
     thread_linear_form f = {node > s->low ? node - 1 : node, {0.0}, {0.0, 0.0}};
@@ -47,7 +51,7 @@ static thread_linear_form turn_at(const thread_object *t, const clamp_interval *
     return f;
 }
 
-/* a + factor b; the result's window begins at the lower of the two. */
+/* a + factor b. The result starts at the lower of the two first nodes. */
 static thread_linear_form add_forms(thread_linear_form a, double factor,
                                     const thread_linear_form *b)
 {
@@ -67,7 +71,7 @@ static thread_linear_form add_forms(thread_linear_form a, double factor,
     return r;
 }
 
-/* Adds weight/2 |form|^2 to the energy's factors. */
+/* Adds weight/2 |form|^2 to the coefficients of the energy. */
 static void add_square(thread_object *t, const clamp_interval *s, double weight,
                        const thread_linear_form *f)
 {
@@ -97,7 +101,7 @@ static void add_square(thread_object *t, const clamp_interval *s, double weight,
     }
 }
 
-/* ---- one stretch: elimination at the clamps, then Neumann's term */
+/* ---- one clamp interval: elimination at the clamps, then Neumann's series */
 
 static void set_moment(const thread_object *t, const clamp_interval *s, uint32_t node,
                        thread_spline_moment *m)
@@ -109,7 +113,8 @@ static void set_moment(const thread_object *t, const clamp_interval *s, uint32_t
     m->off_diagonal = after / 6.0;
 }
 
-/* Adds the energy of a moment that is eliminated exactly, and what it leaves for the other, if any. */
+/* Eliminates a moment exactly: adds its energy, and updates the row of its neighbour `other`,
+ * if any. */
 static void eliminate(thread_object *t, const clamp_interval *s, const thread_spline_moment *m,
                       double coupling, thread_spline_moment *other)
 {
@@ -121,8 +126,8 @@ static void eliminate(thread_object *t, const clamp_interval *s, const thread_sp
     }
 }
 
-/* A moment beside those that were eliminated is eliminated as well, with the next one taken as its
- * turn over its row sum: then the energy is exact for a curvature that is linear there. */
+/* Eliminates the moment beside those that were eliminated exactly. The next moment is estimated as
+ * its turn over its row sum, so the energy is exact for a curvature that is linear there. */
 static void eliminate_with_estimate(thread_object *t, const clamp_interval *s,
                                     const thread_spline_moment *m, double coupling,
                                     const thread_spline_moment *next)
@@ -132,13 +137,14 @@ static void eliminate_with_estimate(thread_object *t, const clamp_interval *s,
     add_square(t, s, coupling / (next->row_sum * next->row_sum), &next->turn);
 }
 
-/* The moments low .. high - 1 of `count`, which stand at the nodes from `begin` on. */
+/* Adds the energy of moments `low` .. `high` - 1 of `count` by one term of Neumann's series. Moment
+ * 0 is at `first_node`. */
 static void add_neumann(thread_object *t, const clamp_interval *s, uint32_t first_node,
                         uint32_t count, uint32_t low, uint32_t high)
 {
     bool spline = t->config.bending == VBSS_BENDING_SPLINE;
     thread_spline_moment *m = t->spline_moments;
-    /* A free end is a neighbour with the moment zero; what was eliminated is none. */
+    /* A free end counts as a neighbour whose moment is zero. Eliminated moments do not count. */
     bool free_low = s->clamps[0] == NULL, free_high = s->clamps[1] == NULL;
     double first_link = low == 0 && free_low && high > 0 ? t->rest[first_node - 1] / 6.0 : 0.0;
     for (uint32_t k = low; k < high; k++) {
@@ -161,7 +167,8 @@ static void add_neumann(thread_object *t, const clamp_interval *s, uint32_t firs
         add_square(t, s, weight, &m[k].turn);
         double end_links = (k == 0 ? first_link : 0.0);
         end_links += k + 1 == count && free_high ? m[k].off_diagonal : 0.0;
-        /* What is curved at rest is so at a free end: there the moment is the neighbour's. */
+        /* With rest curvature a free end is curved, too: its moment equals that of its
+         * neighbour. */
         if (spline && end_links > 0.0 && t->config.rest_curvature == 0.0) {
             add_square(t, s, end_links * weight * weight, &m[k].turn);
         }
@@ -178,11 +185,11 @@ static void add_interval(thread_object *t, const clamp_interval *s)
 {
     bool spline = t->config.bending == VBSS_BENDING_SPLINE;
     bool both = s->clamps[0] != NULL && s->clamps[1] != NULL;
-    /* Moments stand at all nodes but free ends. */
+    /* All nodes except free ends have a moment. */
     uint32_t first_node = s->low + (s->clamps[0] == NULL), end = s->high + (s->clamps[1] != NULL);
     uint32_t count = end > first_node ? end - first_node : 0;
-    /* Moments eliminated exactly at a clamp. With five segments between two clamps the closures of both
-     * would reach too far. */
+    /* Number of moments eliminated exactly at a clamp. With five segments between two clamps, two
+     * at each would reach too far. */
     uint32_t exact_count = spline && !(both && count == 6) ? 2 : 1;
     thread_spline_moment *m = t->spline_moments;
     for (uint32_t k = 0; k < count; k++) {
@@ -200,9 +207,9 @@ static void add_interval(thread_object *t, const clamp_interval *s)
     add_neumann(t, s, first_node, count, low, high);
 }
 
-/* ---- arcs of the segments */
+/* ---- arcs of segments */
 
-/* Curvature inside the stretch; none at its ends. */
+/* Curvature at an inner node; zero at the ends. */
 static thread_linear_form inner_curvature(const thread_object *t, const clamp_interval *s,
                                           uint32_t node)
 {
@@ -215,8 +222,8 @@ static thread_linear_form inner_curvature(const thread_object *t, const clamp_in
     return add_forms(none, 2.0 / (t->rest[node - 1] + t->rest[node]), &turn);
 }
 
-/* Curvature at any node of the stretch. At a clamp: the line through the mean over the first segment,
- * which stands a third of it away, and the next node. */
+/* Curvature at any node. At a clamp it is extrapolated from the mean over the first segment,
+ * located at a third of it, and the next node. */
 static thread_linear_form curvature_at(const thread_object *t, const clamp_interval *s,
                                        uint32_t node)
 {
@@ -227,7 +234,8 @@ static thread_linear_form curvature_at(const thread_object *t, const clamp_inter
     }
     thread_linear_form turn = turn_at(t, s, node), none = {turn.first_node, {0.0}, {0.0, 0.0}};
     if (s->high == s->low + 1 && s->clamps[0] != NULL && s->clamps[1] != NULL) {
-        return add_forms(none, 2.0 / t->rest[s->low], &turn); /* no inner node: that of a circle */
+        /* No inner node: the curvature of a circle. */
+        return add_forms(none, 2.0 / t->rest[s->low], &turn);
     }
     thread_linear_form next = inner_curvature(t, s, low ? node + 1 : node - 1);
     turn = add_forms(none, 3.0 / t->rest[low ? node : node - 1], &turn);
@@ -256,7 +264,7 @@ static void add_arcs(thread_object *t, const clamp_interval *s)
     }
 }
 
-/* ---- all of it */
+/* ---- the whole thread */
 
 static void find_clamps(thread_object *t)
 {
@@ -310,7 +318,7 @@ void vbss_thread_set_clamp_directions(thread_object *t, double fraction)
             vbss_thread_attachment_direction(&t->attachments[clamp->attachment_index], fraction);
     }
     for (uint32_t c = 0; c < t->clamp_count; c++) {
-        /* Only the two segments next to a clamp on either side see its direction. */
+        /* Only the two segments on either side of a clamp depend on its direction. */
         uint32_t node = t->clamps[c].node, end = node + 2 < segments ? node + 2 : segments;
         for (uint32_t i = node < 2 ? 0 : node - 2; i < end; i++) {
             set_clamp_curvature(t, &t->arcs[i]);
@@ -325,7 +333,7 @@ vec3 vbss_thread_clamp_direction(const thread_object *t, uint32_t node)
             return t->clamps[c].direction;
         }
     }
-    return t->attachments[t->prescribed_by[node] - 1].direction; /* method PAPER */
+    return t->attachments[t->prescribed_by[node] - 1].direction; /* baseline method */
 }
 
 vec3 vbss_thread_curvature(const thread_object *t, const vec3 *x, uint32_t node)

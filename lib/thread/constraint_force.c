@@ -1,5 +1,5 @@
-/* Method OURS: the force that holds a node, mass times acceleration less all other forces, at the end
- * of the last step. */
+/* Constraint force of a prescribed node at the end of the last step (implicit method): mass times
+ * acceleration minus all other forces. */
 #include "thread/thread.h"
 
 static vec3 bending_force(const thread_object *t, uint32_t node)
@@ -25,7 +25,7 @@ static vec3 bending_force(const thread_object *t, uint32_t node)
     return force;
 }
 
-/* Of the segments whose length depends on the node. */
+/* Force of all segments whose length depends on the node. */
 static vec3 stretching_force(const thread_object *t, uint32_t node)
 {
     vec3 force = vec3_zero();
@@ -44,7 +44,7 @@ static vec3 stretching_force(const thread_object *t, uint32_t node)
 
 vec3 vbss_thread_implicit_constraint_force(const thread_object *t, uint32_t node)
 {
-    /* From the tensions, which are more exact than EA times a strain. */
+    /* Tensions are more exact than EA times strain. */
     vec3 internal_force = vec3_add(bending_force(t, node), stretching_force(t, node));
     internal_force = vec3_add(internal_force, vbss_thread_rest_curvature_force(t, node));
     vec3 drag = vec3_scale(t->now.v[node], -t->config.drag);

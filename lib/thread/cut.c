@@ -1,4 +1,4 @@
-/* Cutting a thread in two. */
+/* Cuts: divides a thread into two. */
 #include "base/check.h"
 #include "base/error.h"
 #include "thread/thread.h"
@@ -34,7 +34,7 @@ bool vbss_thread_locate_cut(const thread_object *t, double arc_length, thread_cu
     return !(doubled && i + 1 == segments);
 }
 
-/* Copies nodes from .. last of a thread to the front of its piece. */
+/* Copies nodes from `from` on to the piece, starting at its node `to`. */
 static void copy_nodes(thread_object *piece, uint32_t to, const thread_object *t, uint32_t from)
 {
     uint32_t count = t->node_count - from;
@@ -73,7 +73,7 @@ static void split_nodes(thread_object *t, thread_object *piece, const thread_cut
     t->node_count = end + 1;
 }
 
-/* What holds a node goes with it. */
+/* Attachments and welds move with their nodes. */
 static void split_attachments(thread_object *t, thread_object *piece, const thread_cut *cut,
                               uint32_t nodes_before)
 {
@@ -110,7 +110,7 @@ void vbss_thread_apply_cut(thread_object *t, thread_object *piece, const thread_
     vbss_thread_invalidate(piece);
 }
 
-/* ---- spares */
+/* ---- piece pool */
 
 thread_object *vbss_thread_acquire_piece(thread_object *t, vbss_slot **slot)
 {
@@ -136,7 +136,7 @@ void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot)
     vbss_thread_release_piece_pool(piece->context, pool);
 }
 
-/* ---- a thread alone */
+/* ---- cut of a thread outside a scene */
 
 vbss_result vbss_thread_cut(vbss_thread *thread, double arc_length, vbss_thread **piece)
 {

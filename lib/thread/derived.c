@@ -1,4 +1,5 @@
-/* What follows from rest lengths and attachments, worked out when one of them has changed. */
+/* Derived data: functions of rest lengths and attachments, computed again after one of them
+ * has changed. */
 #include "base/error.h"
 #include "thread/thread.h"
 
@@ -16,14 +17,10 @@ double vbss_thread_arc_length(const thread_object *t, uint32_t node)
     return arc_length;
 }
 
-/* ---- masses
- *
- * Half of each neighbouring segment, with the end corrections of the trapezoidal rule: sums over the
- * nodes of what varies smoothly are then integrals up to fourth order (Gregory's weights 3/8, 7/6,
- * 23/24, 1, ...; for unequal lengths the terms of Euler and Maclaurin at each node). */
+/* ---- masses */
 
-/* Moves mass from one node to another, at most half of what the giver has: where a cut leaves a sliver
- * beside a long segment the correction would make masses negative. */
+/* Moves mass between two nodes, at most half of what the donor has. Without the limit a short
+ * segment beside a long one, as a cut leaves it, would get negative masses. */
 static void shift_mass(thread_object *t, uint32_t from, uint32_t to, double mass)
 {
     double half = 0.5 * (mass > 0.0 ? t->mass[from] : t->mass[to]);
@@ -32,7 +29,8 @@ static void shift_mass(thread_object *t, uint32_t from, uint32_t to, double mass
     t->mass[to] += mass;
 }
 
-/* l^2/12 times the slope at an end, from the differences over the first two segments. */
+/* End correction: l^2/12 times the slope at the end, from differences over the first two
+ * segments. */
 static void correct_end(thread_object *t, uint32_t end, uint32_t next, uint32_t third, double l,
                         double l_next)
 {
@@ -47,6 +45,10 @@ bool vbss_thread_is_clamped(const thread_object *t, uint32_t node)
     return prescribed_by != 0 && t->attachments[prescribed_by - 1].kind == VBSS_ATTACHMENT_CLAMP;
 }
 
+/* A node has half the mass of its neighbouring segments, with the end corrections of the
+ * trapezoidal rule. So sums over the nodes are integrals up to fourth order if the integrand is
+ * smooth. For equal lengths the weights are Gregory's: 3/8, 7/6, 23/24, 1, ...; for unequal lengths
+ * each node has the terms of Euler and Maclaurin. */
 static void lump_mass(thread_object *t)
 {
     uint32_t n = t->node_count;
@@ -64,7 +66,7 @@ static void lump_mass(thread_object *t)
     if (n < 3 || t->config.method != VBSS_METHOD_OURS) {
         return;
     }
-    /* At a clamp the motion's slope along the thread is zero, and so is the correction. */
+    /* At a clamp the slope along the thread is zero, so there is no correction. */
     if (!vbss_thread_is_clamped(t, 0)) {
         correct_end(t, 0, 1, 2, t->rest[0], t->rest[1]);
     }
@@ -111,14 +113,15 @@ static void find_sections(thread_object *t)
     }
 }
 
-/* ---- the thread's chain in a system: held nodes are given; a node on a spring and its neighbours are a
- * group of separators, as wide as the bending reaches */
+/* ---- chain of blocks in a system */
 
 uint32_t vbss_thread_bandwidth(const thread_object *t)
 {
     return t->config.bending == VBSS_BENDING_SPLINE ? THREAD_BANDWIDTH : THREAD_BANDWIDTH - 1;
 }
 
+/* Prescribed nodes have no unknowns. A node with a spring and its neighbours are separators, in a
+ * group as wide as the bandwidth. */
 static void set_roles(const thread_object *t, vbss_system *s, uint32_t first,
                       const uint8_t *separators)
 {

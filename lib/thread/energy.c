@@ -1,7 +1,7 @@
-/* The bending energy of method OURS, from the factors of bending.c. */
+/* Bending energy, and change of energy over a substep, of the implicit method. */
 #include "thread/thread.h"
 
-/* 1/2 x^T K x = -1/2 sum over pairs of K_ij |x_i - x_j|^2, as the rows of K sum to zero. */
+/* 1/2 x^T K x = -1/2 sum of K_ij |x_i - x_j|^2 over all pairs, as the rows of K sum to zero. */
 double vbss_thread_bending_energy(const thread_object *t)
 {
     if (t->config.method == VBSS_METHOD_PAPER) {

@@ -1,12 +1,12 @@
-/* Rest lengths that are fine at one place and grow away from it. */
+/* Graded mesh: rest lengths that are finest at one point and grow away from it. */
 #include "base/check.h"
 #include "base/error.h"
 #include "thread/thread.h"
 
 enum { MAX_SEGMENTS = 65536 };
 
-/* Segments from the centre outward over a distance: finest * ratio^k, at most the coarsest, times the
- * scale. */
+/* Segments on one side of the centre. Their lengths are finest * ratio^k, at most the coarsest,
+ * times the scale. */
 typedef struct side {
     double distance, ratio, scale;
     uint32_t count;
@@ -27,8 +27,9 @@ static double total_length(uint32_t count, double finest, double coarsest, doubl
     return sum;
 }
 
-/* The fewest segments that reach far enough with the ratio allowed; then a smaller ratio with which
- * they fit, and if they are too long even when equal, a scale. False: too many. */
+/* Finds the smallest number of segments that covers the distance with the given ratio, then a
+ * smaller ratio with which they fit. If they are too long even with ratio 1, they are scaled.
+ * False: too many segments. */
 static bool fit_segments(side *s, double finest, double coarsest, double ratio)
 {
     double sum = 0.0, l = finest;
@@ -64,7 +65,7 @@ vbss_result vbss_thread_grade(double length, double centre, double finest, doubl
     VBSS_TRY(vbss_check_range(NULL, coarsest, 2e-7, length, "coarsest"));
     VBSS_TRY(vbss_check_range(NULL, finest, 2e-7, coarsest, "finest"));
     VBSS_TRY(vbss_check_range(NULL, ratio, 1.0, 2.0, "ratio"));
-    /* A sliver at an end would be a segment much finer than the finest. */
+    /* A centre very close to an end counts as that end, or a much finer segment would remain. */
     double low_end = centre < 0.5 * finest ? 0.0 : centre;
     double split = length - low_end < 0.5 * finest ? length : low_end;
     side low = {split, 1.0, 1.0, 0}, high = {length - split, 1.0, 1.0, 0};

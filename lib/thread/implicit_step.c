@@ -1,9 +1,10 @@
-/* Method OURS, one step: predict -> (measure -> assemble -> solve) until good -> commit.
+/* Implicit step of a thread on its own: predict -> [strains -> assemble -> solve] until converged
+ * -> commit.
  *
- * The prediction is inertial, so the first linearisation starts close and one is enough while the
- * motion is smooth. Where a motion starts (a new thread, a changed attachment), a very short step of
- * backward Euler finds the accelerations first. A try that does not converge is undone and made again
- * in halves, by backward Euler. */
+ * The prediction is inertial, so one linearisation is enough while the motion is smooth. Where a
+ * motion starts, as after creation or an edit, a very short substep of backward Euler finds the
+ * accelerations first. A substep that does not converge is undone and repeated at half its size by
+ * backward Euler. */
 #include "base/error.h"
 #include "thread/thread.h"
 
@@ -19,7 +20,7 @@ enum { REST_CURVATURE_UPDATES = 30 };
 /* More compression than any thread carries. */
 #define UNLIMITED_COMPRESSION (-1e30)
 
-/* ---- one try */
+/* ---- one substep */
 
 typedef enum newton_result { CONVERGED, NOT_CONVERGED, DIVERGED } newton_result;
 
@@ -34,9 +35,9 @@ static bool solve(thread_object *t, const thread_substep *substep)
     return vbss_system_solve(t->system);
 }
 
-/* With all of the compression convergence is quadratic; where the stiffness is not positive then, with
- * what a straight thread carries inside, at a free end (a tenth less, as lengths and bends differ), and
- * with none. */
+/* The next smaller amount of compression in the stiffness, after a negative pivot. With all
+ * compression convergence is quadratic. Then follow the buckling load inside a straight thread,
+ * that of a free end (each reduced by a tenth, as lengths and bends differ), and none. */
 static double raise_min_tension(const thread_substep *substep)
 {
     double inside = -1.8 * substep->buckling_load, at_end = -0.9 * substep->buckling_load;
@@ -54,8 +55,8 @@ static double largest_increment(const thread_object *t)
 
 static newton_result run_newton(thread_object *t, thread_substep *substep)
 {
-    /* Where a thread is nearly straight the direction of that pull may flip for ever, so it stays after some
-     * linearisations. */
+    /* The direction of rest curvature may flip for ever where a thread is nearly straight. So its
+     * forces are constant after some linearisations. */
     const bool curved = t->config.rest_curvature > 0.0;
     if (curved) {
         vbss_thread_update_rest_curvature_forces(t);
@@ -72,10 +73,11 @@ static newton_result run_newton(thread_object *t, thread_substep *substep)
         }
         double residual = vbss_thread_apply_increment(t, substep, t->system->solution);
         if (curved && k < REST_CURVATURE_UPDATES) {
-            /* The pull follows the shape late: nothing is known until the shape stands. */
+            /* These forces lag behind the shape, so convergence needs small increments, too. */
             residual = vbss_max_or_nan(largest_increment(t), residual);
             vbss_thread_update_rest_curvature_forces(t);
-            t->statistics.softened += k + 1 == REST_CURVATURE_UPDATES; /* from now on it stays */
+            /* The forces are constant from now on. */
+            t->statistics.softened += k + 1 == REST_CURVATURE_UPDATES;
         }
         vbss_thread_compute_strains(t, t->trial, t->strains);
         double error = vbss_thread_record_stretch(t, t->trial_tension);
@@ -89,12 +91,12 @@ static newton_result run_newton(thread_object *t, thread_substep *substep)
     return NOT_CONVERGED;
 }
 
-/* ---- the step: parts, which attachments cross evenly */
+/* ---- the step: substeps with attachments at evenly spaced targets */
 
 typedef struct substep_attempt {
     vbss_integration integration;
-    bool is_damped;     /* by backward Euler */
-    bool is_acceptable; /* not far from where the try started */
+    bool is_damped;     /* uses backward Euler */
+    bool is_acceptable; /* not far from the start of the substep */
     newton_result result;
 } substep_attempt;
 
@@ -102,7 +104,7 @@ static substep_attempt try_substep(thread_object *t, double h, double start, dou
 {
     substep_attempt a;
     double length = h * (end - start), previous_h = t->previous_h;
-    /* Accelerations carried over from a step of quite another length would gain energy. */
+    /* Accelerations of a substep of very different length would gain energy. */
     bool has_new_length =
         previous_h > 0.0 && !(length < 2.1 * previous_h && previous_h < 2.1 * length);
     thread_substep substep = {&a.integration, h, end, UNLIMITED_COMPRESSION, 0.0, 0.0};
@@ -132,7 +134,8 @@ static double min_substep_fraction(const thread_object *t)
     return fraction;
 }
 
-/* The parts are dyadic, so they sum to 1 exactly. False: no finite state was found. */
+/* Runs substeps to the end of the step. Their sizes are powers of 1/2, so they sum to 1 exactly.
+ * False: no finite state was found. */
 static bool run_substeps(thread_object *t, double h)
 {
     const double min_fraction = min_substep_fraction(t);
@@ -164,9 +167,8 @@ static bool run_substeps(thread_object *t, double h)
         vbss_thread_commit(t, &a.integration);
         t->statistics.first_order += a.is_damped;
         fraction = t->is_acceleration_unknown ? 1.0 : fraction;
-        t->previous_h = t->is_acceleration_unknown
-                            ? 0.0
-                            : a.integration.h; /* a start says nothing of lengths */
+        /* A start tells nothing about the usual length. */
+        t->previous_h = t->is_acceleration_unknown ? 0.0 : a.integration.h;
         t->is_acceleration_unknown = false;
         start = end;
     }

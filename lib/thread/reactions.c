@@ -1,4 +1,4 @@
-/* What attachments do to the thread: worked out at the end of each step, kept until the next. */
+/* Reactions: forces and torques of attachments on the thread, computed at the end of each step. */
 #include "base/config.h"
 #include "base/error.h"
 #include "thread/thread.h"
@@ -8,7 +8,8 @@ _Static_assert(sizeof(vbss_thread_reaction) == 56, "published size");
 static const uint32_t reaction_sizes[] = {56, 0};
 static const vbss_layout reaction_layout = {"vbss_thread_reaction", NULL, reaction_sizes};
 
-/* A stretched arc pulls at the direction it ends in. */
+/* Gradient of the stretching energy with a clamp's direction, on which the length of its
+ * arcs depends. */
 static vec3 arc_gradient(const thread_object *t, uint32_t clamp)
 {
     uint32_t node = t->clamps[clamp].node, segments = t->node_count - 1;
@@ -30,7 +31,7 @@ static vec3 arc_gradient(const thread_object *t, uint32_t clamp)
 static vec3 clamp_torque(const thread_object *t, uint32_t c)
 {
     const thread_clamp *clamp = &t->clamps[c];
-    /* The energy's slope with the direction; the torque turns the direction against it. */
+    /* Gradient of the energy with the direction. The torque is the direction times the gradient. */
     vec3 gradient =
         vec3_add(arc_gradient(t, c), vbss_thread_rest_curvature_gradient(t, clamp->node));
     gradient = vec3_add_scaled(gradient, clamp->own_coefficient, clamp->direction);
@@ -67,7 +68,7 @@ static vec3 spring_force(const thread_object *t, const thread_attachment *a)
     return vec3_add_scaled(vec3_scale(extension, a->stiffness), a->damping, relative_velocity);
 }
 
-/* What forces and springs do at a node that something else holds. */
+/* Forces of loads and springs at a node that another attachment prescribes. */
 static vec3 other_forces(const thread_object *t, uint32_t node)
 {
     vec3 sum = vec3_zero();
@@ -87,10 +88,10 @@ static void update_reaction(const thread_object *t, thread_attachment *a)
     bool paper = t->config.method == VBSS_METHOD_PAPER;
     a->reaction_torque = vec3_zero();
     if (vbss_thread_prescribes_motion(a->kind)) {
-        a->reaction = paper
-                          ? vbss_thread_paper_force(t, a->node) /* without what else pulls there */
-                          : vec3_sub(vbss_thread_implicit_constraint_force(t, a->node),
-                                     other_forces(t, a->node));
+        /* Without loads and springs at the node. */
+        a->reaction = paper ? vbss_thread_paper_force(t, a->node)
+                            : vec3_sub(vbss_thread_implicit_constraint_force(t, a->node),
+                                       other_forces(t, a->node));
         a->reaction_torque = paper ? vbss_thread_paper_torque(t, a->node) : torque_at(t, a->node);
     } else if (a->kind == VBSS_ATTACHMENT_FORCE) {
         a->reaction = a->force;

@@ -1,4 +1,5 @@
-/* A node comes or goes. What is not smooth about it stands here: numbers, momentum; remesh_window.c moves its neighbours. */
+/* Remeshing: inserts and removes nodes. This file renumbers and keeps momentum; remesh_window.c
+ * moves the neighbours. */
 #include "thread/remesh.h"
 
 #include <string.h>
@@ -9,7 +10,7 @@ enum { MOVABLE_SIDE = 2 };
 /* ---- momentum */
 
 typedef struct momentum_sum {
-    vec3 linear, angular; /* about a point */
+    vec3 linear, angular; /* about a given point */
 } momentum_sum;
 
 static momentum_sum sum_momentum(const thread_object *t, vec3 about)
@@ -28,8 +29,7 @@ static void apply_impulse(thread_object *t, uint32_t node, vec3 impulse)
     t->now.v[node] = vec3_add_scaled(t->now.v[node], 1.0 / t->mass[node], impulse);
 }
 
-/* A couple at two nodes that gives the thread the angular momentum it had, but for what is along the line through
- * them. */
+/* Restores the angular momentum by a couple on two nodes, except along the line through them. */
 static void restore_angular_momentum(thread_object *t, uint32_t a, uint32_t b,
                                      const momentum_sum *before, vec3 about)
 {
@@ -44,7 +44,7 @@ static void restore_angular_momentum(thread_object *t, uint32_t a, uint32_t b,
     }
 }
 
-/* ---- numbers */
+/* ---- renumbering */
 
 static void shift(void *array, size_t size, uint32_t from, uint32_t to, uint32_t count)
 {
@@ -52,7 +52,7 @@ static void shift(void *array, size_t size, uint32_t from, uint32_t to, uint32_t
     memmove(bytes + to * size, bytes + from * size, count * size);
 }
 
-/* Nodes from there on move up or down, with the segments that begin at them. */
+/* Moves nodes from `from` on to `to`, with the segments that start at them. */
 static void shift_nodes(thread_object *t, uint32_t from, uint32_t to)
 {
     uint32_t count = t->node_count - from;
@@ -78,14 +78,15 @@ static void finish_remesh(thread_object *t)
     t->generation++;
 }
 
-/* ---- the window */
+/* ---- window */
 
 static void store_positions(thread_object *t, const remesh_window *w)
 {
     memcpy(t->now.x + w->first_node, w->x, w->count * sizeof *w->x);
 }
 
-/* Nodes low .. high of the window, but not the ends that it was cut out at. */
+/* Marks nodes low .. high as movable, except the two at each end of the window that is not an end
+ * of the thread. */
 static void set_movable(remesh_window *w, uint32_t low, uint32_t high)
 {
     for (uint32_t k = low; k <= high && k < w->count; k++) {
@@ -94,7 +95,8 @@ static void set_movable(remesh_window *w, uint32_t low, uint32_t high)
     }
 }
 
-/* On the arc between two nodes: from its middle to that of the chord, by the curvatures at both ends. */
+/* Vector from the middle of a segment's arc to that of its chord, from the curvatures at
+ * both ends. */
 static vec3 sagitta_vector(const thread_object *t, uint32_t segment)
 {
     double l = t->rest[segment];
@@ -103,7 +105,7 @@ static vec3 sagitta_vector(const thread_object *t, uint32_t segment)
     return vec3_scale(curvature_sum, l * l / 16.0);
 }
 
-/* ---- a node comes */
+/* ---- insertion */
 
 static void insert_window_node(remesh_window *w, uint32_t at, vec3 x)
 {
@@ -120,7 +122,8 @@ static void insert_window_node(remesh_window *w, uint32_t at, vec3 x)
     w->count++;
 }
 
-/* Lays the new node on the arc and settles it; false: that takes more than the room. */
+/* Moves the new node to the arc and projects the window. False: nodes would move farther
+ * than `max_displacement`. */
 static bool move_to_arc(const thread_object *t, uint32_t segment, double max_displacement,
                         remesh_window *w)
 {
@@ -165,7 +168,7 @@ void vbss_thread_split_segment(thread_object *t, uint32_t segment, double max_di
     finish_remesh(t);
 }
 
-/* ---- a node goes */
+/* ---- removal */
 
 static void remove_window_node(remesh_window *w, uint32_t at)
 {

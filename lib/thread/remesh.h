@@ -1,5 +1,6 @@
-/* A mesh that adapts itself, shared by remesh_criteria.c (what is wanted where), remesh.c (a node comes or goes),
- * remesh_window.c (what its neighbours do then) and by scenes, which know what is near. docs/adaptive.md. */
+/* Adaptive remeshing of a thread. remesh_criteria.c decides where nodes are inserted or removed,
+ * remesh.c does it, and remesh_window.c moves the neighbours of the node. Scenes use it with
+ * criteria of their own. See docs/adaptive.md. */
 #ifndef VBSS_THREAD_REMESH_H
 #define VBSS_THREAD_REMESH_H
 
@@ -10,7 +11,7 @@ static inline bool thread_is_adaptive(const thread_object *t)
     return t->config.mesh == VBSS_MESH_ADAPTIVE;
 }
 
-/* ---- what is wanted (remesh_criteria.c) */
+/* ---- criteria (remesh_criteria.c) */
 
 /* Segments that are looked at after a step. */
 enum { REMESH_CHECKS_PER_STEP = 32 };
@@ -19,58 +20,78 @@ enum { REMESH_CHECKS_PER_STEP = 32 };
 /* Up to so much longer than wanted is good enough: halves of what is a little too long would be twice too fine. */
 #define REMESH_LENGTH_TOLERANCE 1.25
 
-/* |curvature| at a node; 0 at free ends. */
+/* Magnitude of the curvature at a node, 1/m; 0 at free ends. */
 double vbss_thread_node_curvature(const thread_object *t, uint32_t node);
+
+/* Largest distance of a segment's arc from its chord, m. */
 double vbss_thread_sagitta(const thread_object *t, uint32_t segment);
-/* Whether the thread is too bent for the length of the segment, and it may be divided; straight enough for
- * the node to go. */
+
+/* Whether a segment may be split and is too long for its curvature. */
 bool vbss_thread_needs_refinement(const thread_object *t, uint32_t segment);
+
+/* Whether the thread is straight enough for the node to be removed. */
 bool vbss_thread_is_straight(const thread_object *t, uint32_t node);
-/* The segment to divide so that this one can be later: that itself, or a longer one beside it. */
+
+/* The segment to split so that `segment` can be split later: `segment` itself, or a
+ * longer neighbour. */
 uint32_t vbss_thread_first_segment_to_split(const thread_object *t, uint32_t segment);
-/* Whether lengths allow it: the longest, and the ratio of neighbours. */
+
+/* Whether the lengths allow removal of the node: neither maximum length nor the ratio of neighbours
+ * is exceeded. */
 bool vbss_thread_can_coarsen(const thread_object *t, uint32_t node);
-/* Whether a node among these is attached or welded. */
+
+/* Whether a node from `low` to `high` is attached or welded. */
 bool vbss_thread_has_attached_node(const thread_object *t, uint32_t low, uint32_t high);
-/* The next segment to look at; they come round. */
+
+/* The next segment to check; after the last comes segment 0. */
 uint32_t vbss_thread_next_segment_to_check(thread_object *t);
+
+/* Records the largest number of nodes in the statistics. */
 void vbss_thread_record_node_count(thread_object *t);
-/* After a step of a thread alone. */
+
+/* Remeshes a thread that is stepped on its own, after a step. */
 void vbss_thread_adapt_mesh(thread_object *t);
 
-/* ---- what is done (remesh.c). Numbers of nodes, segments and attachments change; the layout is unknown then.
+/* ---- changes (remesh.c) */
+
+/* A change renumbers nodes, segments and attachments, and invalidates derived data. It keeps
+ * rest lengths, mass, momentum, the strain of each segment, and angular momentum except along
+ * the segment.
  *
- * Kept: rest lengths and mass, momentum, the strain of each segment; angular momentum but for its part along the
- * segment; what else there is at nodes and segments goes to the new ones. */
+ * Nodes that a window has on either side of the change. */
 
 /* Nodes around the change that may be looked at, on either side. */
 enum { REMESH_WINDOW_SIDE = 6, REMESH_WINDOW_NODES = 2 * REMESH_WINDOW_SIDE + 2 };
 
-/* The new node is `segment` + 1. `room`: how far nodes may be moved, m; without it the new one lies on the
- * chord and all others stay. */
+/* Splits a segment at its middle; the new node is `segment` + 1. `max_displacement`: how far nodes
+ * may move, m. If that is too little, the new node lies on the chord and all others stay. */
 void vbss_thread_split_segment(thread_object *t, uint32_t segment, double max_displacement);
-/* The segments at the node become one. False: it takes more room. */
+
+/* Removes a node. False: that would move nodes farther than `max_displacement` (m);
+ * nothing changes. */
 bool vbss_thread_remove_node(thread_object *t, uint32_t node, double max_displacement);
 
-/* ---- a window (remesh_window.c): nodes around a change, as they are and shall be */
+/* ---- window (remesh_window.c): a copy of the nodes around a change */
 
 typedef struct remesh_window {
-    bool has_arcs;                         /* lengths are those of arcs */
-    uint32_t first_node;                   /* the thread's node that is the first here */
-    uint32_t count;                        /* nodes */
-    bool has_thread_start, has_thread_end; /* the thread does, with the window */
+    bool has_arcs;                         /* segments are arcs, not chords */
+    uint32_t first_node;                   /* the thread's number of the first node */
+    uint32_t count;                        /* number of nodes */
+    bool has_thread_start, has_thread_end; /* the window contains that end of the thread */
     vec3 x[REMESH_WINDOW_NODES];
-    bool is_movable[REMESH_WINDOW_NODES]; /* it may be moved */
+    bool is_movable[REMESH_WINDOW_NODES];
     double rest[REMESH_WINDOW_NODES];
-    double elongation
-        [REMESH_WINDOW_NODES]; /* length - rest length that a segment shall have; NAN where that is not known */
+    /* target elongation of each segment, m; NAN: unknown */
+    double elongation[REMESH_WINDOW_NODES];
 } remesh_window;
 
-/* Around a node. */
+/* Copies the nodes around a node to a window. */
 void vbss_remesh_extract_window(const thread_object *t, uint32_t node, remesh_window *w);
-/* Sets the excess of each segment to what it is. */
+
+/* Sets the target elongations to the current ones. */
 void vbss_remesh_measure_window(remesh_window *w);
-/* Moves nodes until segments have the excess that they shall have; returns the longest way, m. */
+
+/* Moves nodes until segments have their target elongations. Returns the largest displacement, m. */
 double vbss_remesh_project_window(remesh_window *w);
 
 #endif

@@ -1,4 +1,4 @@
-/* What a mesh that adapts itself wants where, by lengths and curvature. */
+/* Criteria of remeshing: where a thread needs nodes, by lengths and curvature. */
 #include "thread/remesh.h"
 
 /* ---- shape */
@@ -76,7 +76,7 @@ bool vbss_thread_has_attached_node(const thread_object *t, uint32_t low, uint32_
     return false;
 }
 
-/* ---- after a step */
+/* ---- remeshing after a step */
 
 uint32_t vbss_thread_next_segment_to_check(thread_object *t)
 {

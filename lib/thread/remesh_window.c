@@ -1,5 +1,5 @@
-/* A window of a mesh: nodes around one that comes or goes are moved until each segment has the strain that it had.
- * The moves are the smallest, each weighed with its node's mass. */
+/* Window of a mesh: moves the nodes around a change until each segment has its strain again. The
+ * displacements are the smallest in the norm of the nodes' masses. */
 #include "thread/remesh.h"
 
 #include <string.h>
@@ -9,14 +9,14 @@ enum { PROJECTION_PASSES = 3 };
 /* As a share of the largest pivot: lengths that only large moves across could change are left as they are. */
 #define REGULARISATION 1e-3
 
-/* ---- geometry: as bending.c and strain.c have it, for a few segments */
+/* ---- geometry of a few segments, by the formulas of bending.c and strain.c */
 
 static bool is_end(const remesh_window *w, uint32_t k)
 {
     return (k == 0 && w->has_thread_start) || (k + 1 == w->count && w->has_thread_end);
 }
 
-/* Of the four nodes segment - 1 .. segment + 2 in the mean curvature of a segment's arc. */
+/* Coefficients of nodes segment - 1 .. segment + 2 in the mean curvature of a segment's arc. */
 static void arc_coefficients(const remesh_window *w, uint32_t segment, double coefficient[4])
 {
     memset(coefficient, 0, 4 * sizeof *coefficient);
@@ -26,14 +26,14 @@ static void arc_coefficients(const remesh_window *w, uint32_t segment, double co
             continue;
         }
         double before = 1.0 / w->rest[k - 1], after = 1.0 / w->rest[k];
-        double inverse_sum = 1.0 / (w->rest[k - 1] + w->rest[k]); /* half of each of two */
+        double inverse_sum = 1.0 / (w->rest[k - 1] + w->rest[k]); /* half of each of two nodes */
         coefficient[end] += inverse_sum * before;
         coefficient[end + 1] -= inverse_sum * (before + after);
         coefficient[end + 2] += inverse_sum * after;
     }
 }
 
-/* Whether all that its length depends on is in the window. */
+/* Whether all nodes that its length depends on are in the window. */
 static bool has_known_length(const remesh_window *w, uint32_t segment)
 {
     if (!w->has_arcs) {
@@ -42,7 +42,7 @@ static bool has_known_length(const remesh_window *w, uint32_t segment)
     return (segment > 0 || w->has_thread_start) && (segment + 2 < w->count || w->has_thread_end);
 }
 
-/* A segment's length beyond its rest length, and how it changes with its four nodes. */
+/* Elongation of a segment, m, and its gradient with the segment's four nodes. */
 static double elongation_of(const remesh_window *w, uint32_t segment, vec3 gradient[4])
 {
     vec3 e = vec3_sub(w->x[segment + 1], w->x[segment]), tangent = vec3_unit_or(e, vec3_zero());
@@ -76,7 +76,7 @@ void vbss_remesh_measure_window(remesh_window *w)
     }
 }
 
-/* ---- looking */
+/* ---- extraction */
 
 void vbss_remesh_extract_window(const thread_object *t, uint32_t node, remesh_window *w)
 {
@@ -92,12 +92,12 @@ void vbss_remesh_extract_window(const thread_object *t, uint32_t node, remesh_wi
     memcpy(w->rest, t->rest + low, (w->count - 1) * sizeof *w->rest);
 }
 
-/* ---- settling */
+/* ---- projection */
 
 typedef struct length_constraint {
     uint32_t segment;
     vec3 gradient[4];
-    double multiplier; /* of the excess, to be taken off; then the multiplier */
+    double multiplier; /* excess elongation, m; after the solve the multiplier */
 } length_constraint;
 
 enum { MAX_CONSTRAINTS = REMESH_WINDOW_NODES };
@@ -128,13 +128,14 @@ static uint32_t list_constraints(const remesh_window *w,
     return count;
 }
 
-/* slope a . slope b over the nodes that both see, weighed by how easily these move. */
+/* gradient_a . gradient_b over the nodes of both, weighted by their inverse masses. */
 static double constraint_product(const remesh_window *w, const length_constraint *a,
                                  const length_constraint *b)
 {
     double sum = 0.0;
     for (uint32_t i = 0; i < 4; i++) {
-        uint32_t node = a->segment + i, k = node - b->segment; /* both one too many */
+        /* Node + 1 and index + 1, as unsigned numbers. */
+        uint32_t node = a->segment + i, k = node - b->segment;
         if (node > 0 && node <= w->count && k < 4) {
             sum += inverse_mass(w, node - 1) * vec3_dot(a->gradient[i], b->gradient[k]);
         }
@@ -142,7 +143,8 @@ static double constraint_product(const remesh_window *w, const length_constraint
     return sum;
 }
 
-/* The multipliers, by elimination without pivots: the matrix is positive. */
+/* Solves for the multipliers by elimination without pivoting, as the matrix is positive
+ * definite. */
 static void solve_multipliers(const remesh_window *w, length_constraint *constraints,
                               uint32_t count)
 {
@@ -186,7 +188,7 @@ double vbss_remesh_project_window(remesh_window *w)
         solve_multipliers(w, constraints, count);
         for (uint32_t i = 0; i < count; i++) {
             for (uint32_t a = 0; a < 4; a++) {
-                uint32_t node = constraints[i].segment + a; /* one too many */
+                uint32_t node = constraints[i].segment + a; /* node + 1 */
                 if (node > 0 && node <= w->count) {
                     w->x[node - 1] = vec3_add_scaled(
                         w->x[node - 1], -constraints[i].multiplier * inverse_mass(w, node - 1),

@@ -1,14 +1,16 @@
-/* Method OURS: a thread that is curved at rest, in no plane of its own.
+/* Rest curvature of the implicit method: a thread that is curved at rest, in no particular
+ * plane.
  *
- * EI/2 (|curvature| - k)^2 l is EI/2 |curvature|^2 l, which bending.c knows, and beyond that
- * EI k (k/2 - |curvature|) l, which stands here: over a cell around each node, two half cells at a clamp.
- * The norm is smoothed below a thousandth of k: a straight thread has no plane to bend in. */
+ * The energy EI/2 (|curvature| - k)^2 l is EI/2 |curvature|^2 l, which bending.c covers, plus EI k
+ * (k/2 - |curvature|) l, which this file adds. It sums over a cell around each node, or two half
+ * cells at a clamp. The norm is smoothed below a thousandth of k, as a straight thread has no plane
+ * to bend in. */
 #include "thread/thread.h"
 
 #include <string.h>
 
-/* A cell: its curvature is the turn from one chord to the next, or to a clamp's direction, over its
- * length; of the chords before and behind the node those that take part. */
+/* A cell. Its curvature is the turn from one chord to the next, or to a clamp's direction, over its
+ * length. `before` and `after`: whether the chords on either side of the node take part. */
 typedef struct cell {
     vec3 turn;
     double length;
@@ -20,7 +22,7 @@ static vec3 chord(const thread_object *t, const vec3 *x, uint32_t segment)
     return vec3_scale(vec3_sub(x[segment + 1], x[segment]), t->inverse_rest[segment]);
 }
 
-/* Up to two cells at a node; how many. */
+/* Fills in the cells of a node, at most two; returns their number. */
 static int cells_at(const thread_object *t, const vec3 *x, uint32_t node, cell cells[2])
 {
     bool before = node > 0, after = node + 1 < t->node_count;
@@ -61,12 +63,12 @@ double vbss_thread_rest_curvature_energy(const thread_object *t)
     return energy;
 }
 
-/* The moment with which a cell wants to turn further. */
+/* Moment with which rest curvature turns a cell further, N m. */
 static vec3 moment_of(const thread_object *t, const cell *c)
 {
     double k = t->config.rest_curvature;
     double turn_norm = smooth_norm(c->turn, k * c->length);
-    /* 0: there is no turn, and a curvature whose square is no number. */
+    /* 0 if the thread is straight and k^2 underflows */
     double strength = turn_norm > 0.0 ? t->config.bending_stiffness * k / turn_norm : 0.0;
     return vec3_scale(c->turn, strength);
 }
@@ -113,7 +115,8 @@ vec3 vbss_thread_rest_curvature_gradient(const thread_object *t, uint32_t node)
     cell cells[2];
     if (t->config.rest_curvature > 0.0) {
         for (int c = cells_at(t, t->now.x, node, cells) - 1; c >= 0; c--) {
-            /* A turn toward the direction grows with it, one away from it shrinks. */
+            /* The gradient points along the turn if the cell is after the clamp, against it
+             * if before. */
             double sign = cells[c].after ? 1.0 : -1.0;
             gradient = vec3_add_scaled(gradient, sign, moment_of(t, &cells[c]));
         }

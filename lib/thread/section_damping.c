@@ -1,4 +1,4 @@
-/* Damping of what sections do beyond moving as rigid bodies. */
+/* Damping of motion relative to the rigid motion of each section. */
 #include "thread/thread.h"
 
 void vbss_thread_damp_sections(thread_object *t, double fraction)
@@ -7,8 +7,8 @@ void vbss_thread_damp_sections(thread_object *t, double fraction)
         uint32_t first = t->sections[s];
         uint32_t last = s + 1 < t->section_count ? t->sections[s + 1] : t->node_count - 1;
         first += t->prescribed_by[first] != 0;
-        last -= t->prescribed_by[last] !=
-                0; /* a section has two nodes, so this stays at or above zero */
+        /* A section has at least two nodes, so this does not underflow. */
+        last -= t->prescribed_by[last] != 0;
         if (first < last) {
             vbss_damp_relative_motion(t->mass, t->now.x, t->now.v, first, last, fraction);
         }

@@ -1,11 +1,11 @@
-/* The state of a thread: what is saved, hashed and restored. */
+/* Snapshot of a thread: one visitor that saves, hashes and restores its state. */
 #include "base/snapshot.h"
 #include "base/stream.h"
 #include "thread/remesh.h"
 
 #include <string.h>
 
-/* The configuration that must be the same; what only sizes memory may differ. */
+/* The configuration that has to be equal on restore. Capacities may differ. */
 static void visit_config(vbss_stream *stream, const thread_object *t)
 {
     const vbss_thread_config *c = &t->config;
@@ -39,7 +39,7 @@ static void visit_config(vbss_stream *stream, const thread_object *t)
     }
 }
 
-/* What only a mesh that adapts itself has: the choices, and where it stands. */
+/* Adaptive mesh only: its configuration and the state of remeshing. */
 static void visit_mesh(vbss_stream *stream, thread_object *t)
 {
     const vbss_thread_config *c = &t->config;
@@ -51,7 +51,7 @@ static void visit_mesh(vbss_stream *stream, thread_object *t)
     }
     vbss_stream_expect(stream, 61, c->mesh_operations);
     vbss_stream_u32(stream, 62, &t->next_segment_to_check, 1);
-    vbss_stream_u64(stream, 63, &s->refined, 6); /* .. refused_near */
+    vbss_stream_u64(stream, 63, &s->refined, 6); /* refined .. refused_near */
     vbss_stream_u32(stream, 64, &s->most_nodes, 1);
 }
 
@@ -60,7 +60,7 @@ static bool is_unit(vec3 v)
     return fabs(vec3_norm_squared(v) - 1.0) < 1e-6;
 }
 
-/* No node is held twice. */
+/* Refuses a snapshot in which two attachments prescribe one node. */
 static void check_prescribed_nodes(vbss_stream *stream, const thread_object *t)
 {
     for (uint32_t i = 0; i < t->config.attachment_capacity; i++) {
@@ -186,7 +186,7 @@ void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thre
     memcpy(to->tension, from->tension, t->node_count * sizeof(double));
 }
 
-/* ---- saving from outside */
+/* ---- public functions */
 
 vbss_result vbss_thread_save(vbss_thread *thread, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)

@@ -1,7 +1,7 @@
-/* Geometry of the segments: chords, arcs, how far they are from their rest lengths. */
+/* Strains: chord, arc, curvature and elongation of all segments. */
 #include "thread/thread.h"
 
-/* The mean curvature of a segment's arc; nodes beyond the ends have zero factors. */
+/* Mean curvature of a segment's arc, 1/m. Nodes beyond the ends have zero coefficients. */
 static vec3 arc_curvature(const thread_object *t, const vec3 *x, uint32_t segment)
 {
     const thread_arc *arc = &t->arcs[segment];
@@ -21,7 +21,7 @@ void vbss_thread_compute_strains(const thread_object *t, const vec3 *x, thread_s
         thread_strain *s = &strains[i];
         vec3 e = vec3_sub(x[i + 1], x[i]);
         s->chord = vec3_norm(e);
-        /* Nodes that coincide have no direction: any will do, and the stretch pushes them apart. */
+        /* Nodes that coincide have no direction. Any will do, as the stretch pushes them apart. */
         s->tangent = s->chord > 1e-150 ? vec3_scale(e, 1.0 / s->chord) : vec3_make(1.0, 0.0, 0.0);
         s->elongation = s->chord - t->rest[i];
         s->curvature = vec3_zero();

@@ -1,5 +1,5 @@
-/* Method OURS: the trial state of a part of a step, for a thread alone as in a scene: predicted, moved by
- * the increments that a system has found, and taken over. */
+/* Trial state of a substep, for a thread on its own or in a scene: prediction, increments,
+ * commit. */
 #include "thread/thread.h"
 
 #include <string.h>
@@ -11,7 +11,8 @@
 /* Strain from which a prediction is no start for the iteration. */
 #define MAX_PREDICTION_STRAIN 0.5
 
-/* A segment that is turned over at the start of the iteration stays so: a fold that nothing made. */
+/* Whether the prediction reverses a segment. It would stay reversed as a fold that no force
+ * has made. */
 static bool flips_segment(const thread_object *t)
 {
     const vec3 *x = t->now.x, *y = t->trial;
@@ -30,7 +31,6 @@ void vbss_thread_reset_trial(thread_object *t)
     }
 }
 
-/* The largest strain of the trial state beyond that of the tensions. */
 double vbss_thread_strain_beyond_tension(const thread_object *t)
 {
     double largest = 0.0, compliance = 1.0 / t->config.axial_stiffness;
@@ -52,9 +52,8 @@ bool vbss_thread_max_tension_decreased(const thread_object *t)
     return trial * t->config.axial_stiffness < now;
 }
 
-/* False: this is no smooth motion. A taut thread is let go, an end jerks: accelerations of the past are
- * worth nothing then, and would feed energy. A prediction that is no start at all is replaced by the old
- * positions. */
+/* If a taut thread is released or an end jerks, past accelerations are useless and would add
+ * energy. The old positions replace a prediction that would be a bad start. */
 bool vbss_thread_predict(thread_object *t, thread_substep *substep)
 {
     vbss_integration_predict(substep->integration, 3 * (size_t)t->node_count, &t->now.x->x,
@@ -82,8 +81,6 @@ bool vbss_thread_predict(thread_object *t, thread_substep *substep)
     return !is_rejected && strain <= (t->previous_h == 0.0 ? STARTING_STRAIN : SMOOTH_STRAIN);
 }
 
-/* Moves the trial state by the solution. Returns the largest distance that forces left out of balance
- * would move a node: what a further linearisation could change. */
 double vbss_thread_apply_increment(thread_object *t, const thread_substep *substep, const vec3 *u)
 {
     const vbss_integration *in = substep->integration;
@@ -111,7 +108,7 @@ double vbss_thread_apply_increment(thread_object *t, const thread_substep *subst
         double bounded_tension = old > substep->min_tension ? old : substep->min_tension;
         vec3 across = vec3_add_scaled(e, -along, s->tangent);
         double rotation = vec3_norm(across) * inverse_rest;
-        /* The tension's turn was taken with the old tension, and to first order. */
+        /* The geometric stiffness used the old tension, and is of first order. */
         double residual =
             rotation * (fabs(tension - bounded_tension) + 0.5 * fabs(tension) * rotation);
         residual *= mobility * inverse_rest;
@@ -124,8 +121,6 @@ double vbss_thread_apply_increment(thread_object *t, const thread_substep *subst
     return largest;
 }
 
-/* What lengths would miss of the tensions with which increments were found if the trial state moved by them, as a
- * share of the rest length: they were taken to first order. */
 double vbss_thread_linearisation_error(const thread_object *t, const vec3 *u)
 {
     double largest = 0.0;
@@ -139,8 +134,6 @@ double vbss_thread_linearisation_error(const thread_object *t, const vec3 *u)
     return largest;
 }
 
-/* Where the last try found nothing sound: all free nodes stop where they are; counted with `forced`.
- * False: not even that is finite. */
 bool vbss_thread_freeze_trial(thread_object *t)
 {
     vbss_thread_reset_trial(t);
@@ -158,8 +151,8 @@ bool vbss_thread_freeze_trial(thread_object *t)
     return largest < 1e100;
 }
 
-/* A held node has the speed at which it was taken along. The recursion of the integration would make
- * it ring: it is driven here, not driving. */
+/* The velocity of a prescribed node is its displacement over the substep. With the recursion of the
+ * integrator it would ring. */
 static void set_prescribed_motion(thread_object *t, const vbss_integration *in)
 {
     for (uint32_t i = 0; i < t->node_count; i++) {
@@ -184,7 +177,7 @@ void vbss_thread_commit(thread_object *t, const vbss_integration *in)
                              &t->v_predicted->x, &t->a_predicted->x, &t->now.v->x, &t->now.a->x,
                              &t->now.q->x);
     if (t->config.damping > 0.0) {
-        /* Implicit in the rate: stable for any of them. */
+        /* implicit, so any damping rate is stable */
         double damping_fraction = t->config.damping * in->h / (1.0 + t->config.damping * in->h);
         vbss_thread_damp_sections(t, damping_fraction);
     }
@@ -194,13 +187,13 @@ void vbss_thread_commit(thread_object *t, const vbss_integration *in)
         s->last_stretch_error > s->stretch_error ? s->last_stretch_error : s->stretch_error;
 }
 
-/* The compression under which a straight thread with its inertia as foundation buckles at a free end:
- * sqrt(EI k), k = inertia * linear density; twice that inside. Less where that wave would be shorter
- * than two segments. */
+/* sqrt(EI k) at a free end, with k = inertia * linear density; twice that inside. Less if the
+ * buckling wave would be shorter than two segments. */
 double vbss_thread_buckling_load(const thread_object *t, double inertia)
 {
     double foundation = inertia * t->config.linear_density, bending = t->config.bending_stiffness;
-    double l = t->min_rest_length, shortest_wave = 4.0 / (l * l); /* square of its number */
+    /* Its squared wave number, 1/m^2. */
+    double l = t->min_rest_length, shortest_wave = 4.0 / (l * l);
     double load = sqrt(bending * foundation);
     if (foundation > bending * shortest_wave * shortest_wave) {
         load = 0.5 * (bending * shortest_wave + foundation / shortest_wave);

@@ -1,4 +1,4 @@
-/* How threads begin and end. */
+/* Creation, configuration, memory and handles of threads. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -58,7 +58,7 @@ vbss_result vbss_thread_config_init(vbss_thread_config *config, uint32_t struct_
 
 vbss_result vbss_thread_config_preset(vbss_thread_config *config, vbss_thread_preset preset)
 {
-    vbss_thread_config own; /* only to know the size for one of ours */
+    vbss_thread_config own; /* only to check struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     switch (preset) {
     case VBSS_PRESET_SILK_2_0:
@@ -123,7 +123,7 @@ static vbss_result check_choices(vbss_context *context, const vbss_thread_config
     return check_ranges(context, ranges, sizeof ranges / sizeof ranges[0]);
 }
 
-/* Those of a fixed mesh must be in their ranges too. */
+/* A fixed mesh needs valid ranges, too. */
 static vbss_result check_mesh(vbss_context *context, const vbss_thread_config *c)
 {
     const double nodes = c->segment_count + 1.0;
@@ -170,7 +170,7 @@ static vbss_result check_shape(vbss_context *context, const vbss_thread_config *
     return VBSS_OK;
 }
 
-/* ---- memory: one table says what there is */
+/* ---- memory: the table of arrays */
 
 enum { ARRAY_COUNT = 35 };
 
@@ -237,7 +237,8 @@ vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config
     size_t count = list_arrays(t, arrays);
     vbss_result result = vbss_allocate_arrays(context, arrays, count, "thread");
     if (result == VBSS_OK && config->method == VBSS_METHOD_OURS) {
-        /* A spring makes a group of separators, which is coupled with the next on either side. */
+        /* A spring needs a group of separators, which is coupled with the next group on
+         * either side. */
         uint32_t separators = THREAD_BANDWIDTH * config->attachment_capacity;
         result = vbss_system_create(context, node_capacity, THREAD_BANDWIDTH, separators,
                                     3 * THREAD_BANDWIDTH * separators, &t->system);
@@ -284,7 +285,7 @@ void vbss_thread_free(vbss_context *context, void *object)
 const vbss_kind vbss_thread_kind = {"thread", VBSS_CODE('T', 'H', 'R', 'D'), 1, vbss_thread_free,
                                     vbss_thread_serialise};
 
-/* Threads and handles for the pieces of later cuts. */
+/* Allocates threads and handles for the pieces of later cuts. */
 static vbss_result create_piece_pool(thread_object *t)
 {
     vbss_context *context = t->context;
@@ -308,7 +309,7 @@ static vbss_result create_piece_pool(thread_object *t)
     return VBSS_OK;
 }
 
-/* ---- life */
+/* ---- creation, state, step */
 
 static void init_nodes(thread_object *t, const vbss_thread_config *c)
 {

@@ -1,8 +1,11 @@
-/* The inside of a suture thread, shared by the files of lib/thread.
+/* A suture thread: data and functions that the files of lib/thread share.
  *
- * Nodes 0 .. n-1, segments 0 .. n-2. thread.c makes and ends threads; derived.c works out what follows
- * from attachments and rest lengths; a step is implicit_step.c (method OURS: predict, measure,
- * assemble, solve, commit) or paper_step.c (method PAPER). */
+ * A thread has nodes 0 .. n - 1 and segments 0 .. n - 2. A step of the implicit method:
+ *
+ *   predict -> [strains -> assemble -> solve -> apply increment] until converged -> commit
+ *
+ * implicit_step.c does this for a thread on its own. A scene makes these calls in each substep,
+ * with all bodies in one system. */
 #ifndef VBSS_THREAD_THREAD_H
 #define VBSS_THREAD_THREAD_H
 
@@ -20,70 +23,76 @@ enum {
 };
 
 typedef struct thread_attachment {
-    uint32_t id; /* 0: the place is free */
+    uint32_t id; /* 0: unused */
     vbss_attachment_kind kind;
     uint32_t node;
-    vec3 position, target;            /* PIN, CLAMP, SPRING: now, and after the next step */
-    vec3 direction, target_direction; /* CLAMP: the same, unit */
-    vec3 velocity;                    /* at which it came to position in the last step */
-    vec3 force;                       /* FORCE */
-    double stiffness, damping;        /* SPRING */
-    double mass;                      /* MASS */
-    vec3 reaction, reaction_torque;   /* of the last step, on the thread */
-    /* Of a step of its scene that waits, while it waits; else of the host: see vbss_thread_swap_targets. */
+    vec3 position, target;            /* PIN, CLAMP, SPRING: current, and after the next step, m */
+    vec3 direction, target_direction; /* CLAMP: unit, current, and after the next step */
+    vec3 velocity;                    /* m/s, in the last step */
+    vec3 force;                       /* FORCE: N */
+    double stiffness, damping;        /* SPRING: N/m, N s/m */
+    double mass;                      /* MASS: kg */
+    vec3 reaction, reaction_torque;   /* on the thread in the last step, N and N m */
+    /* While a step of the scene is suspended, its target, direction and force; while it runs, those
+     * of the host. See vbss_thread_swap_targets. */
     vec3 alternate_target, alternate_direction, alternate_force;
 } thread_attachment;
 
-/* What moves in a step. n of each, n - 1 tensions. */
+/* Motion of a thread: an entry of x, v, a, q for each node, a tension for each segment. */
 typedef struct thread_state {
     vec3 *x, *v;
-    vec3 *a; /* OURS: accelerations as the integration carries them on */
-    vec3 *q; /* OURS: accelerations that balanced the forces at the end of the step */
-    double *tension;
+    vec3 *a;         /* accelerations that the integrator carries on, m/s^2 (implicit method) */
+    vec3 *q;         /* accelerations from forces at the end of the step, m/s^2 (implicit method) */
+    double *tension; /* N */
 } thread_state;
 
-/* A clamp as the bending energy knows it: 1/2 own t.t + sum factor x.t + next t.t' with the direction
- * t, the nodes around it and the next clamp's direction t'. */
+/* Part of a clamp in the bending energy:
+ *
+ *   1/2 own_coefficient t.t + sum coefficient[k] x_k.t + next_coefficient t.t'
+ *
+ * where t is its direction, t' that of the next clamp, and x_k are the nodes around it. */
 typedef struct thread_clamp {
-    uint32_t attachment_index; /* of its attachment */
+    uint32_t attachment_index; /* index of its attachment */
     uint32_t node;
-    double coefficient[2 * THREAD_CLAMP_BANDWIDTH + 1]; /* of nodes node - 4 .. node + 4 */
+    /* coefficients of nodes `node` - THREAD_CLAMP_BANDWIDTH .. `node` + THREAD_CLAMP_BANDWIDTH */
+    double coefficient[2 * THREAD_CLAMP_BANDWIDTH + 1];
     double own_coefficient, next_coefficient;
-    vec3 direction; /* at the end of the substep under way, else now */
+    vec3 direction; /* unit, at the end of the current substep; between steps the current one */
 } thread_clamp;
 
-/* A segment's arc: length of the chord plus share |sum factor x + clamped|^2. */
+/* Arc of a segment. Its length is that of the chord plus length_coefficient |curvature|^2. */
 typedef struct thread_arc {
-    double coefficient
-        [4]; /* of nodes segment - 1 .. segment + 2; the sum is the mean curvature, 1/m */
-    double length_coefficient; /* rest length^3 / 24; 0: chords are lengths */
-    vec3 clamp_curvature;      /* what directions of clamps contribute */
-    double clamp_coefficient
-        [2]; /* factors of the directions of the clamps at the ends of its stretch */
-    uint32_t clamp_index[2]; /* which those are */
+    /* Coefficients of nodes segment - 1 .. segment + 2. With clamp_curvature they give the mean
+     * curvature, 1/m. */
+    double coefficient[4];
+    double length_coefficient;   /* rest length^3 / 24, m^3; 0: the length is that of the chord */
+    vec3 clamp_curvature;        /* part of the curvature from directions of clamps, 1/m */
+    double clamp_coefficient[2]; /* coefficients of the clamps at both ends */
+    uint32_t clamp_index[2];     /* indices of these clamps */
 } thread_arc;
 
-/* A turn of the thread as a linear form: of nodes first .. first + 4 and of the directions of the
- * clamps at the two ends of its stretch. */
+/* Turn of the thread as a linear form of nodes first_node .. first_node + 4 and of the directions
+ * of the clamps at both ends of its clamp interval. */
 typedef struct thread_linear_form {
     uint32_t first_node;
     double node[THREAD_STENCIL_NODES];
     double clamp[2];
 } thread_linear_form;
 
-/* A second derivative of the spline: its equation while the bending energy is worked out. */
+/* A spline moment (second derivative at a node) as one row of the spline's equations, while the
+ * bending energy is built. */
 typedef struct thread_spline_moment {
     thread_linear_form turn;
-    double diagonal, off_diagonal; /* factors of itself and of the next */
-    double row_sum;                /* of the factors of those that are left */
+    double diagonal, off_diagonal; /* coefficients of this moment and of the next */
+    double row_sum;                /* sum of the coefficients that are left after elimination */
 } thread_spline_moment;
 
 /* Geometry of a segment in a trial state. */
 typedef struct thread_strain {
-    vec3 tangent; /* of the chord */
-    double chord;
-    vec3 curvature;    /* mean of the arc */
-    double elongation; /* length - rest length */
+    vec3 tangent;      /* unit, of the chord */
+    double chord;      /* length of the chord, m */
+    vec3 curvature;    /* mean over the arc, 1/m */
+    double elongation; /* length minus rest length, m */
 } thread_strain;
 
 /* Method PAPER: what a step knows of node i and of segment i. */
@@ -99,8 +108,9 @@ typedef struct thread_paper_row {
         ratio; /* of the tridiagonal system: right-hand side, then solution; elimination */
 } thread_paper_row;
 
-/* Spare threads for the pieces of a family of cuts; the last user gives it back: the threads of the family, and
- * the spares that a scene has taken. */
+/* Spare threads and handles for the pieces that later cuts create. A thread and its pieces share
+ * one pool, which is freed with the last reference: threads of the family, and spares that a scene
+ * has reserved. */
 typedef struct thread_piece_pool {
     uint32_t reference_count, available, capacity;
     struct thread_object **pieces;
@@ -109,199 +119,315 @@ typedef struct thread_piece_pool {
 
 typedef struct thread_object {
     vbss_context *context;
-    vbss_thread_config config; /* with its pointers NULL; the same for all pieces */
+    vbss_thread_config config; /* pointers are NULL; equal for all pieces */
     uint32_t node_capacity, node_count;
     uint64_t generation;
-    uint64_t edit_generation; /* by hosts, of anything but where attachments go */
+    uint64_t edit_generation; /* counts edits by hosts, except new targets */
     vec3 gravity;
     thread_piece_pool *piece_pool;
 
-    /* the state */
-    double *rest; /* rest lengths */
+    /* state */
+    double *rest; /* rest lengths, m */
     thread_state now;
-    thread_attachment *attachments; /* config.attachment_capacity places */
+    thread_attachment *attachments; /* config.attachment_capacity entries */
     uint32_t last_id;
-    bool is_acceleration_unknown; /* OURS: nothing is known of accelerations */
-    bool is_in_setup; /* being set up: no step since it was created or its state was set */
-    uint32_t damped_steps_left;     /* OURS: steps still to be made by backward Euler */
-    double previous_h;              /* OURS: length of the last part of a step, s; 0 when fresh */
-    uint32_t next_segment_to_check; /* of an adaptive mesh: the segment that is looked at next */
+    bool is_acceleration_unknown; /* after creation or an edit (implicit method) */
+    bool is_in_setup;             /* no step since creation or since the state was set */
+    uint32_t damped_steps_left;   /* steps that still use backward Euler (implicit method) */
+    double previous_h;            /* length of the last substep, s; 0: unknown (implicit method) */
+    /* adaptive mesh: the first segment to check after the next step */
+    uint32_t next_segment_to_check;
     vbss_thread_statistics statistics;
 
-    /* what follows from rest lengths and attachments (derived.c) */
-    bool is_derived_valid, is_sparsity_valid; /* pattern: of its own system */
-    uint32_t *prescribed_by;                  /* per node: 1 + place of its PIN or CLAMP, or 0 */
-    uint8_t *welded;                          /* per node: a body of its scene holds it */
-    double *mass;                             /* per node, attached masses included */
-    double *inverse_rest;                     /* per segment, 1/m */
-    double *rest_arc_length;                  /* per node: arc length from the begin, at rest, m */
-    double min_rest_length;                   /* m */
-    uint32_t *sections; /* first node of each section: held nodes and both ends divide */
+    /* derived data: functions of rest lengths and attachments (derived.c) */
+    bool is_derived_valid, is_sparsity_valid; /* sparsity of the thread's own system */
+    uint32_t *prescribed_by; /* per node: 1 + index of its PIN or CLAMP; 0: the node is free */
+    uint8_t *welded;         /* per node: 1 if a body of the scene moves it */
+    double *mass;            /* per node, with attached masses, kg */
+    double *inverse_rest;    /* per segment, 1/m */
+    double *rest_arc_length; /* per node: arc length from node 0 at rest, m */
+    double min_rest_length;  /* m */
+    /* first node of each section; prescribed nodes divide a thread into sections */
+    uint32_t *sections;
     uint32_t section_count;
-    double (
-        *bending_matrix)[THREAD_STENCIL_NODES]; /* OURS: row i, factors of x[i] .. x[i + 4], N/m */
-    thread_spline_moment *spline_moments;       /* OURS: scratch of bending.c */
-    thread_arc *arcs;                           /* OURS */
-    thread_clamp *clamps;                       /* OURS, by node */
+    /* row i: coefficients of x[i] .. x[i + 4], N/m (implicit method) */
+    double (*bending_matrix)[THREAD_STENCIL_NODES];
+    thread_spline_moment *spline_moments; /* scratch of bending.c (implicit method) */
+    thread_arc *arcs;                     /* implicit method */
+    thread_clamp *clamps;                 /* in the order of their nodes (implicit method) */
     uint32_t clamp_count;
-    uint32_t (*couplings)[THREAD_BANDWIDTH]; /* OURS: of block i with i + 1 .. i + 3 */
-    vbss_system *system; /* OURS: the system of a thread that is stepped alone */
+    /* coupling of block i with i + 1 .. i + 3 (implicit method) */
+    uint32_t (*couplings)[THREAD_BANDWIDTH];
+    vbss_system *system; /* system of a thread that is stepped on its own (implicit method) */
 
-    /* room for a step: nothing here outlives it */
-    thread_state saved; /* the state before the step, once its first part has been committed */
-    vec3 *trial;        /* positions */
+    /* step data, which does not outlive a step */
+    thread_state saved; /* the state before the step, once its first substep is committed */
+    vec3 *trial;        /* positions, m */
     vec3 *x_predicted, *v_predicted, *a_predicted;
     double *trial_tension;
-    vec3 *rest_curvature_forces; /* OURS: forces of rest curvature */
+    vec3 *rest_curvature_forces; /* N (implicit method) */
     thread_strain *strains;
     thread_paper_row *paper_rows; /* PAPER */
 
-    /* views that are worked out when asked for */
+    /* views, computed when a host asks */
     double *lengths, *sagittas;
     vec3 *curvatures;
 } thread_object;
 
 extern const vbss_kind vbss_thread_kind;
 
-/* thread.c: memory of a thread of that size, without a handle; and its end. */
+/* ---- thread.c */
+
+/* Allocates a thread without a handle. VBSS_ERROR_OUT_OF_MEMORY: `*thread` is NULL. */
 vbss_result vbss_thread_allocate(vbss_context *context, const vbss_thread_config *config,
                                  uint32_t node_capacity, thread_object **thread);
+
+/* Frees a thread, and its reference to the piece pool. */
 void vbss_thread_free(vbss_context *context, void *object);
-/* One user less. */
+
+/* Drops one reference to a piece pool, and frees the pool with the last. */
 void vbss_thread_release_piece_pool(vbss_context *context, thread_piece_pool *pool);
-/* The living thread of a handle, to look at or to change. */
+
+/* Finds the thread of a handle, for reading. Fails if the handle is invalid. */
 vbss_result vbss_thread_open(const vbss_thread *handle, thread_object **thread);
+
+/* Finds the thread of a handle, for edits that are allowed inside a scene, too. */
 vbss_result vbss_thread_edit(vbss_thread *handle, thread_object **thread);
-/* The same for what is a scene's business while the thread belongs to one. */
+
+/* Finds the thread of a handle, for edits that are refused while it belongs to a scene. */
 vbss_result vbss_thread_edit_unowned(vbss_thread *handle, thread_object **thread);
-/* cut.c: where a cut would be, which changes nothing. */
+
+/* ---- cut.c */
+
+/* A place where a thread can be cut. */
 typedef struct thread_cut {
-    uint32_t segment;          /* that is divided, or before the node that is doubled */
-    double fraction;           /* of the segment that stays; 1: its end node is doubled */
-    uint32_t first_piece_node; /* the first that goes to the piece */
-    uint32_t node_shift;       /* by which its number is less there */
+    uint32_t segment; /* the segment that is divided, or that ends at the node to be doubled */
+    double fraction;  /* fraction of the segment that stays; 1: its end node is doubled */
+    uint32_t first_piece_node; /* first node that moves to the piece */
+    uint32_t node_shift;       /* node of the thread minus node of the piece */
 } thread_cut;
-/* From the begin to a node, at rest, m. */
+
+/* Arc length from node 0 to a node at rest, m. */
 double vbss_thread_arc_length(const thread_object *t, uint32_t node);
-/* False: at an end, where nothing is cut. */
+
+/* Finds where a cut at an arc length (m) goes; changes nothing. False: at an end of the thread,
+ * which cannot be cut. */
 bool vbss_thread_locate_cut(const thread_object *t, double arc_length, thread_cut *cut);
-/* Nodes and attachments beyond the cut go to a spare thread of the same reserve. */
+
+/* Moves nodes and attachments beyond the cut to `piece`, a thread from the same pool. */
 void vbss_thread_apply_cut(thread_object *t, thread_object *piece, const thread_cut *cut);
-/* Takes a spare from the reserve of a thread, with the slot of its handle; NULL: none is left. Whoever takes one
- * keeps it as a piece, or gives it back; the reserve lives as long as anybody has one. */
+
+/* Takes a spare thread and its handle slot from the pool of `t`; NULL: the pool is empty. The
+ * caller keeps it as a piece or returns it. */
 thread_object *vbss_thread_acquire_piece(thread_object *t, vbss_slot **slot);
+
+/* Returns a spare thread and its handle slot to the pool. */
 void vbss_thread_return_piece(thread_object *piece, vbss_slot *slot);
 
-/* The end of a step of h seconds, alone or in a scene. */
+/* ---- thread.c: end of a step */
+
+/* Finishes a step of `h` seconds, alone or in a scene: attachments, reactions, statistics. */
 void vbss_thread_finish_step(thread_object *t, double h);
-/* After every change that is not a step: views are old, accelerations unknown. */
+
+/* Marks derived data, views and accelerations as invalid, after any change that is not a step. */
 void vbss_thread_invalidate(thread_object *t);
 
-/* snapshot.c */
+/* ---- snapshot.c */
+
+/* Saves, hashes or restores the thread. */
 void vbss_thread_serialise(vbss_stream *stream, void *object);
+
+/* Copies positions, velocities, accelerations and tensions of all nodes. */
 void vbss_thread_copy_state(const thread_object *t, thread_state *to, const thread_state *from);
 
-/* attachments.c */
+/* ---- attachments.c */
+
+/* Whether attachments of this kind prescribe the motion of their node: pins and clamps. */
 bool vbss_thread_prescribes_motion(vbss_attachment_kind kind);
+
+/* Finds an attachment by its id. NULL: there is no such attachment; sets the error text. */
 thread_attachment *vbss_thread_find_attachment(thread_object *t, uint32_t id);
-/* Where an attachment is after a part of the step, from 0 to 1. */
+
+/* Position of an attachment at a fraction 0..1 of the step, m. */
 vec3 vbss_thread_attachment_position(const thread_attachment *a, double fraction);
+
+/* Direction of a clamp at a fraction 0..1 of the step, unit. */
 vec3 vbss_thread_attachment_direction(const thread_attachment *a, double fraction);
-/* A step of its scene may wait while hosts say where attachments go in the next. At its begin both are the same; then they change
- * places whenever the step goes on, and whenever it waits or ends. */
+
+/* A step of a scene may be suspended while hosts set targets for the next step. Copies the targets,
+ * so that the suspended step keeps its own. */
 void vbss_thread_save_targets(thread_object *t);
+
+/* Swaps the targets of the suspended step and those of the host: before the step is resumed, and
+ * after it is suspended or finished. */
 void vbss_thread_swap_targets(thread_object *t);
-/* At the end of a step: what was to move has arrived. */
+
+/* Moves attachments to their targets at the end of a step of `h` seconds. */
 void vbss_thread_commit_attachments(thread_object *t, double h);
 
-/* reactions.c: at the end of a step, when attachments have arrived. */
+/* ---- reactions.c */
+
+/* Computes the reactions of all attachments at the end of a step, after
+ * vbss_thread_commit_attachments. */
 void vbss_thread_update_reactions(thread_object *t);
 
-/* derived.c: what follows from rest lengths and attachments; with the pattern of its own system; and for
- * looking, with clamps where they are now. */
+/* ---- derived.c */
+
+/* Computes derived data if it is invalid. */
 vbss_result vbss_thread_update_derived(thread_object *t);
-/* Which nodes are held, and the masses alone. */
+
+/* Computes masses and prescribed nodes only. */
 void vbss_thread_compute_masses(thread_object *t);
+
+/* Computes derived data and the sparsity of the thread's own system if they are invalid. Fails if
+ * the system's capacity is exceeded. */
 vbss_result vbss_thread_update_sparsity(thread_object *t);
+
+/* Computes derived data if it is invalid, and sets clamps to their current directions, for queries
+ * between steps. */
 vbss_result vbss_thread_prepare_query(thread_object *t);
+
+/* Whether a clamp prescribes the node. */
 bool vbss_thread_is_clamped(const thread_object *t, uint32_t node);
-/* Neighbours on either side that a node is coupled with. */
+
+/* Number of neighbours on either side that a node is coupled with. */
 uint32_t vbss_thread_bandwidth(const thread_object *t);
-/* The thread's chain in a system: a block a node, from `first` on. `separators` marks nodes in which
- * others take part, in groups as wide as the reach; may be NULL. */
+
+/* Adds the thread to a system as a chain of blocks, one for each node; `*first` gets the first
+ * block. `separators` (one flag a node, NULL: none) marks nodes that other constraints couple, in
+ * groups as wide as the bandwidth. Fails if the system's capacity is exceeded. */
 vbss_result vbss_thread_add_to_system(thread_object *t, vbss_system *s, const uint8_t *separators,
                                       uint32_t *first);
-/* bending.c: fills bending, clamps, arcs of method OURS. */
+
+/* ---- bending.c */
+
+/* Builds bending_matrix, clamps and arcs from rest lengths and attachments. */
 void vbss_thread_build_bending(thread_object *t);
-/* energy.c: of bending, rest curvature included; method PAPER has its own. */
+
+/* ---- energy.c */
+
+/* Bending energy with rest curvature, J. */
 double vbss_thread_bending_energy(const thread_object *t);
-/* What it has more in the trial state, h after the state, of stretch and of motion; method OURS. */
+
+/* Increase of stretching and kinetic energy from the state to the trial state, J, for a substep of
+ * `h` seconds. */
 double vbss_thread_energy_change(const thread_object *t, double h);
 double vbss_thread_paper_bending_energy(const thread_object *t);
-/* bending.c: curvature vector at a node: turn of the chord's direction over the mean rest length; at a clamp the
- * curvature of the side toward higher nodes, else the other; zero at free ends. */
+
+/* ---- bending.c: curvature and clamps */
+
+/* Curvature vector at a node, 1/m: turn of the chord's direction over the mean rest length. At a
+ * clamp it is that of the side toward higher nodes, or of the other side at the last node. Zero at
+ * free ends. */
 vec3 vbss_thread_curvature(const thread_object *t, const vec3 *x, uint32_t node);
-/* Directions of the clamps after a part of the step, into clamps and arcs. */
+
+/* Sets the directions of clamps at a fraction 0..1 of the step, with the curvature that they give
+ * to arcs. */
 void vbss_thread_set_clamp_directions(thread_object *t, double fraction);
-/* Of the clamp that holds the node. */
+
+/* Direction of the clamp that prescribes the node, unit. */
 vec3 vbss_thread_clamp_direction(const thread_object *t, uint32_t node);
 
-/* rest_curvature.c: what rest curvature adds; the slope is of the energy with a clamp's direction. */
+/* ---- rest_curvature.c */
+
+/* Part of the bending energy that rest curvature adds, J. */
 double vbss_thread_rest_curvature_energy(const thread_object *t);
+
+/* Gradient of that energy with the direction of the clamp at a node, N m. */
 vec3 vbss_thread_rest_curvature_gradient(const thread_object *t, uint32_t node);
+
+/* Adds the forces of rest curvature with the nodes at `x` to `forces`, N. */
 void vbss_thread_add_rest_curvature_forces(const thread_object *t, const vec3 *x, vec3 *forces);
+
+/* Force of rest curvature on one node in the current state, N. */
 vec3 vbss_thread_rest_curvature_force(const thread_object *t, uint32_t node);
 
-/* strain.c: geometry of the segments; and of what was measured the largest stretch and stretch error,
- * for the statistics of the last step. */
+/* ---- strain.c */
+
+/* Computes tangent, chord, curvature and elongation of all segments with the nodes at `x`. */
 void vbss_thread_compute_strains(const thread_object *t, const vec3 *x, thread_strain *strains);
+
+/* Records the largest stretch of `strains` in the statistics. Returns the largest stretch error:
+ * the difference to the stretch that `tension` (N) gives. */
 double vbss_thread_record_stretch(thread_object *t, const double *tension);
 
-/* assemble.c, both copies: the thread's part of the system at the trial state. */
+/* ---- assemble.c */
+
+/* One substep of a thread. */
 typedef struct thread_substep {
     const vbss_integration *integration;
-    double step_length;   /* length of the whole step, s */
-    double end_fraction;  /* of the step, where attachments are then */
-    double min_tension;   /* N, not positive: most compression that the stiffness takes in */
-    double buckling_load; /* N, positive: compression that surely leaves the stiffness positive */
-    double
-        max_acceptable_strain; /* beyond the tensions', up to which an unconverged state may be taken */
+    double step_length;   /* s, of the whole step */
+    double end_fraction;  /* end of the substep, as a fraction of the step */
+    double min_tension;   /* N, <= 0: compression beyond it does not reduce the stiffness */
+    double buckling_load; /* N, > 0: see vbss_thread_buckling_load */
+    /* Largest strain beyond that of the tensions with which an unconverged trial state
+     * is acceptable. */
+    double max_acceptable_strain;
 } thread_substep;
+
+/* Assembles the thread's part of matrix and right-hand side at the trial state, from strains and
+ * trial tensions. One copy of the function for each instruction set. */
 void vbss_thread_assemble_plain(const thread_object *t, const thread_substep *substep,
                                 vbss_system *system, uint32_t first_block);
 void vbss_thread_assemble_wide(const thread_object *t, const thread_substep *substep,
                                vbss_system *system, uint32_t first_block);
 
-/* substep.c: the trial state of a part of a step. Predict fills it, with held nodes at the end of the part;
- * false says that this is no smooth motion. Strains are those of the trial state. */
+/* ---- substep.c */
+
+/* Predicts the trial state: prescribed nodes are at their targets, strains are computed. False: the
+ * motion is not smooth, and backward Euler has to be used. */
 bool vbss_thread_predict(thread_object *t, thread_substep *substep);
-/* Free nodes go back to where the part began; strains are not measured. */
+
+/* Resets the free nodes of the trial state to the start of the substep. Strains are not updated. */
 void vbss_thread_reset_trial(thread_object *t);
-/* Moves the trial state by the increments u of the nodes. Returns the largest distance that forces left out
- * of balance would move a node: what a further linearisation could change. */
+
+/* Moves the trial state by the increments `u` of the nodes, m, and sets the trial tensions. Returns
+ * the residual displacement: the largest distance that unbalanced forces would move a node, m. */
 double vbss_thread_apply_increment(thread_object *t, const thread_substep *substep, const vec3 *u);
+
+/* Largest error of the linearised lengths if the trial state moved by `u`, as a strain. */
 double vbss_thread_linearisation_error(const thread_object *t, const vec3 *u);
-/* Where nothing sound was found: all free nodes stop where they are. False: not even that is finite. */
+
+/* Freezes all free nodes where they are, after a substep found no acceptable state. False: even
+ * that state is not finite. */
 bool vbss_thread_freeze_trial(thread_object *t);
-/* The trial state becomes the state. */
+
+/* Makes the trial state the state. */
 void vbss_thread_commit(thread_object *t, const vbss_integration *in);
-/* The largest strain of the trial state beyond that of the tensions. */
+
+/* Largest strain of the trial state beyond that of the tensions. */
 double vbss_thread_strain_beyond_tension(const thread_object *t);
-/* Whether the trial state is strained less than now, by the largest strains of either sign. */
+
+/* Whether the largest tension or compression is smaller in the trial state than in the
+ * current one. */
 bool vbss_thread_max_tension_decreased(const thread_object *t);
-/* The compression under which a straight thread with its inertia as foundation buckles at a free end. */
+
+/* Buckling load, N: compression below which a straight thread keeps a positive stiffness. The
+ * inertia of the integration scheme (`inertia`, 1/s^2) supports it like an elastic foundation. */
 double vbss_thread_buckling_load(const thread_object *t, double inertia);
-/* rest_curvature.c: what rest curvature pulls in the trial state. */
+
+/* ---- rest_curvature.c: forces of a substep */
+
+/* Computes rest_curvature_forces from the trial state. */
 void vbss_thread_update_rest_curvature_forces(thread_object *t);
 
-/* section_damping.c: takes that share of what the free nodes of each section do beyond its rigid motion. */
+/* ---- section_damping.c */
+
+/* Takes a fraction 0..1 from the velocities of free nodes relative to the rigid motion of
+ * their section. */
 void vbss_thread_damp_sections(thread_object *t, double fraction);
 
-/* implicit_step.c, paper_step.c */
+/* ---- implicit_step.c, paper_step.c */
+
+/* Steps a thread on its own by `h` seconds. VBSS_ERROR_NOT_FINITE: there is no finite state;
+ * nothing changes. */
 vbss_result vbss_thread_implicit_step(thread_object *t, double h);
 vbss_result vbss_thread_paper_step(thread_object *t, double h);
-/* The force that holds a held node at the end of the last step; constraint_force.c, paper_step.c. OURS
- * reads the strains of that step. */
+
+/* ---- constraint_force.c, paper_step.c */
+
+/* Force that holds a prescribed node at the end of the last step, N. The implicit method uses the
+ * strains of that step. */
 vec3 vbss_thread_implicit_constraint_force(const thread_object *t, uint32_t node);
 vec3 vbss_thread_paper_force(const thread_object *t, uint32_t node);
 vec3 vbss_thread_paper_torque(const thread_object *t, uint32_t node);

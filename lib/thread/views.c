@@ -1,4 +1,4 @@
-/* Looking at a thread: arrays, energies, momentum, counters. */
+/* Views of a thread: arrays, energies, momentum, statistics. */
 #include "base/config.h"
 #include "base/error.h"
 #include "thread/remesh.h"
