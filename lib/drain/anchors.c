@@ -1,4 +1,4 @@
-/* What holds a drain on its block: the nodes of its bottom strip do not move until they tear off, for ever. */
+/* Anchors: nodes of the bottom strip that are fixed to the block until they tear off. */
 #include "drain/drain.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@ void vbss_drain_update_anchored(drain_object *d)
     }
 }
 
-/* What does not move is in balance. */
+/* An anchored node is in static balance. */
 vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 *forces)
 {
     uint32_t node = d->mesh.anchors[anchor];
@@ -21,7 +21,8 @@ vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 
     return vec3_neg(vec3_add_scaled(forces[node], d->mass[node], d->gravity));
 }
 
-/* One a step: its neighbours take over what it bore, and whether they bear that is known only then. */
+/* At most one anchor tears in a step. Its neighbours take over its load, and only the next step
+ * shows whether they hold. */
 void vbss_drain_tear_anchor(drain_object *d, const vec3 *forces)
 {
     uint32_t worst = UINT32_MAX;

@@ -1,5 +1,5 @@
-/* Areas and widths at rest. Triangles of both sides are summed in the same order, so those that mirror each other
- * have the same bits. */
+/* Node areas and angular widths at rest. Both halves are summed in the same order, so that mirrored
+ * triangles have the same bits. */
 #include "drain/mesh.h"
 
 static double area_of(const drain_mesh *m, const uint32_t triangle[3])
@@ -9,7 +9,7 @@ static double area_of(const drain_mesh *m, const uint32_t triangle[3])
     return 0.5 * vec3_norm(vec3_cross(u, v));
 }
 
-/* No triangle reaches over the top or the bottom, so that absolute angles do. */
+/* No triangle crosses the top or the bottom line, so absolute angles are enough. */
 static double width_of(const drain_mesh *m, const uint32_t triangle[3])
 {
     double low = DRAIN_PI, high = 0.0;

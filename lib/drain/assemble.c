@@ -1,6 +1,9 @@
-/* The drain's part of a system: backward Euler about the trial state,
- *   (M (1 + drag h) / h^2 + K) u = f + M (g + v / h) - M (1 + drag h) / h^2 (trial - x),
- * with the shell's forces f and its positive semi-definite tangent K, u what the trial state is moved by. */
+/* Assembly: the drain's part of a system, backward Euler about the trial state,
+ *
+ *   (M (1 + drag h) / h^2 + K) u = f + M (g + v / h) - M (1 + drag h) / h^2 (trial - x)
+ *
+ * with the shell's forces f, its positive semi-definite tangent K, and the increment u of the
+ * trial state. */
 #include "drain/drain.h"
 
 #include <string.h>

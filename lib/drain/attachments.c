@@ -1,4 +1,4 @@
-/* What a host attaches to single nodes. */
+/* Attachments: pins, forces and springs on single nodes. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -48,7 +48,7 @@ static vbss_result check(const drain_object *d, const vbss_drain_attachment *a)
     return VBSS_OK;
 }
 
-/* ---- attaching and moving */
+/* ---- attach, move, detach */
 
 static drain_attachment *find_attachment(drain_object *d, uint32_t id)
 {
@@ -84,7 +84,8 @@ vbss_result vbss_drain_attach(vbss_drain *drain, const vbss_drain_attachment *at
                             .target = vec3_load(own.position),
                             .force = vec3_load(own.force),
                             .stiffness = own.stiffness};
-    /* A node is taken to its place within the next step; a spring's end is there at once. */
+    /* A pinned node moves to its target during the next step. The end of a spring is there
+     * at once. */
     a->position = own.kind == VBSS_DRAIN_ATTACHMENT_PIN ? d->x[own.node] : a->target;
     a->alternate_target = a->target;
     a->alternate_force = a->force;
@@ -122,7 +123,7 @@ vbss_result vbss_drain_detach(vbss_drain *drain, uint32_t id)
     return VBSS_OK;
 }
 
-/* ---- in a step */
+/* ---- positions and targets */
 
 vec3 vbss_drain_attachment_position(const drain_attachment *a, double fraction)
 {

@@ -1,4 +1,4 @@
-/* What a host may ask for. */
+/* Configuration of a drain: defaults and checks. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -106,7 +106,6 @@ static vbss_result check(vbss_context *context, const vbss_drain_config *c)
     return vbss_check_range(context, vbss_max_abs(c->position, 3), 0.0, 1e3, "position");
 }
 
-/* The mesh checks lengths of its own. */
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
                                    vbss_drain_config *own)
 {

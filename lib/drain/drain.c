@@ -1,4 +1,4 @@
-/* How drains begin and end. */
+/* Creation, memory, handles and steps of drains. */
 #include "drain/drain.h"
 
 #include "base/check.h"
@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-/* ---- memory: one table says what there is */
+/* ---- memory: the table of arrays */
 
 enum { ARRAY_COUNT = 23 };
 
@@ -61,9 +61,9 @@ static void free_drain(vbss_context *context, void *object)
 const vbss_kind vbss_drain_kind = {"drain", VBSS_CODE('D', 'R', 'A', 'N'), 1, free_drain,
                                    vbss_drain_serialise};
 
-/* ---- making one */
+/* ---- creation */
 
-/* Method PAPER measures and weighs with it. */
+/* The baseline method uses the shell for masses and strains only. */
 static vbss_result create_shell(drain_object *d)
 {
     const drain_mesh *m = &d->mesh;
@@ -110,7 +110,7 @@ static void init_positions(drain_object *d)
     vbss_drain_update_anchored(d);
 }
 
-/* All that can fail, into an empty object that is freed by whoever asked. */
+/* Does all that can fail. On failure the caller frees the object. */
 static vbss_result build_drain(drain_object *d, const vbss_drain_config *config)
 {
     quat orientation;
@@ -195,9 +195,9 @@ vbss_result vbss_drain_edit_unowned(vbss_drain *handle, drain_object **drain)
     return VBSS_OK;
 }
 
-/* ---- what a host does with it */
+/* ---- step and state */
 
-/* All or nothing. */
+/* Runs a step; on failure nothing changes. */
 static vbss_result run_step(drain_object *d, double h)
 {
     const vbss_drain_statistics before = d->statistics;

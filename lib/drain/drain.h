@@ -1,8 +1,10 @@
-/* The inside of a drain: what the files of lib/drain share beside the mesh (mesh.h) and the shell (shell.h).
+/* A drain: data and functions that the files of lib/drain share, except the mesh (mesh.h) and the
+ * shell (shell.h). A step of the implicit method:
  *
- * drain.c makes and ends drains; elimination_order.c works out, once, in which order a system eliminates their nodes; sparsity.c
- * registers them in a system, assemble.c gives it their numbers; step.c is a step of a drain that is alone. paper_step.c is
- * the paper's method, which needs no system. */
+ *   [assemble -> solve -> apply increment -> correction] -> commit
+ *
+ * step.c does this for a drain on its own. A scene makes these calls in each substep, with all
+ * bodies in one system. */
 #ifndef VBSS_DRAIN_DRAIN_H
 #define VBSS_DRAIN_DRAIN_H
 
@@ -15,36 +17,40 @@
 #include "solver/solver.h"
 
 typedef struct drain_attachment {
-    uint32_t id; /* 0: the place is free */
+    uint32_t id; /* 0: unused */
     vbss_drain_attachment_kind kind;
     uint32_t node;
-    vec3 position, target; /* PIN, SPRING: now, and after the next step */
-    vec3 force;            /* FORCE */
-    double stiffness;      /* SPRING */
-    vec3 reaction;         /* of the last step, on the drain */
-    /* Of a step of its scene that waits, while it waits; else of the host: see vbss_drain_swap_targets. */
+    vec3 position, target; /* PIN, SPRING: current, and after the next step, m */
+    vec3 force;            /* FORCE: N */
+    double stiffness;      /* SPRING: N/m */
+    vec3 reaction;         /* on the drain in the last step, N */
+    /* While a step of the scene is suspended, its target and force; while it runs, those of the
+     * host. See vbss_drain_swap_targets. */
     vec3 alternate_target, alternate_force;
 } drain_attachment;
 
-/* Two nodes of a patch: a block of the system's matrix. By their places in the order, high > low. */
+/* Two nodes that a patch couples, by their positions in the elimination order (high > low). They
+ * have one block of the matrix. */
 typedef struct drain_pair {
     uint32_t high, low;
-    uint32_t coupling; /* in the system that knows the pattern */
+    uint32_t coupling; /* in the system whose sparsity is valid */
 } drain_pair;
 
-/* The graph of the nodes that patches couple, and the order in which it is eliminated. */
+/* The nodes in the order of elimination, and the pairs that patches couple. */
 typedef struct drain_elimination_order {
-    uint32_t *block_index; /* node -> place in the order; anchored nodes come last */
-    uint32_t *node;        /* place -> node */
+    uint32_t *block_index; /* node -> position in the order; anchored nodes come last */
+    uint32_t *node;        /* position -> node */
     drain_pair *pairs;
-    /* Of a triangle's pairs of nodes: twice its number in pairs, 1 more if the first node is the lower one; twice
-     * pair_count beyond a free side. */
+    /* Per triangle and pair of its patch: twice the index in `pairs`, plus 1 if the first node is
+     * eliminated earlier. Twice pair_count if the pair reaches beyond a free edge. */
     uint32_t (*pair_codes)[SHELL_PAIRS];
-    uint32_t *
-        block_codes; /* per pair, and then of none: where its block goes, for vbss_shell_set_assembly_map */
-    uint32_t pair_count, factor_entries,
-        factor_products; /* the last two: of the factor, if nothing is anchored */
-    uint32_t first_coupling, coupling_count; /* of pairs, in the system that knows the pattern */
+    /* Per pair, and one for missing pairs: the block that it is added to, for
+     * vbss_shell_set_assembly_map. */
+    uint32_t *block_codes;
+    /* number of pairs; entries and products of the factor if no node is anchored */
+    uint32_t pair_count, factor_entries, factor_products;
+    /* couplings of the pairs in the system whose sparsity is valid */
+    uint32_t first_coupling, coupling_count;
 } drain_elimination_order;
 
 typedef struct drain_object {
@@ -53,99 +59,151 @@ typedef struct drain_object {
     pose frame;
     vec3 gravity;
     uint64_t generation;
-    uint64_t edit_generation; /* by hosts, of anything but where attachments go */
+    uint64_t edit_generation; /* counts edits by hosts, except new targets */
     drain_mesh mesh;
     vbss_shell shell;
     vbss_shell_group *groups;
-    double *mass;            /* per node */
+    double *mass;            /* per node, kg */
     double *anchor_strength; /* per anchor, N */
     drain_elimination_order order;
-    vec3 *ties; /* method PAPER, per node: where its spring holds it */
+    vec3 *ties; /* per node: end of its spring at rest (baseline method) */
 
-    /* the state */
+    /* state */
     vec3 *x, *v;
-    uint8_t *torn; /* per anchor */
+    uint8_t *torn; /* per anchor: 1 once it has torn */
     drain_attachment *attachments;
     uint32_t last_id;
-    vec3 *contact_forces; /* per node: of contacts in the last step; zero when it is alone */
+    vec3 *contact_forces; /* per node: contact force in the last step, N; zero outside a scene */
     vbss_drain_statistics statistics;
 
-    /* what follows from it */
+    /* derived data */
     bool is_sparsity_valid;
-    uint8_t *anchored;   /* per node */
-    vbss_system *system; /* of a drain that is stepped alone */
+    uint8_t *anchored;   /* per node: 1 if it is an anchor that has not torn */
+    vbss_system *system; /* system of a drain that is stepped on its own */
 
-    /* room for a step: nothing here outlives it */
-    vec3 *trial, *internal_forces, *v_substep_start; /* v_before: the part under way */
-    vec3 *saved_x, *saved_v;                         /* before the step */
+    /* step data, which does not outlive a step */
+    /* v_substep_start: before the current substep, m/s */
+    vec3 *trial, *internal_forces, *v_substep_start;
+    vec3 *saved_x, *saved_v; /* at the start of the step */
     block *diagonal;
-    /* Method PAPER, per node: mass, and what an impulse is multiplied with; zero where it is pinned. */
+    /* Per node, for the baseline method: mass, and the factor of an impulse; zero if the node
+     * is pinned. */
     double *free_mass, *mobility;
 
-    /* views that are worked out when asked for */
+    /* views, computed when a host asks */
     vec3 *anchor_forces;
-    vec3 *view_forces; /* per node: of the shell, not those of a step that may be under way */
+    vec3 *view_forces; /* per node: shell force in the current state, N */
     double (*strains)[3], (*curvatures)[3];
     vbss_shell_response *shell_responses;
 } drain_object;
 
 extern const vbss_kind vbss_drain_kind;
 
-/* ---- drain.c: the living drain of a handle, to look at or to change; and while nobody else has it */
+/* ---- drain.c */
+
+/* Finds the drain of a handle, for reading. Fails if the handle is invalid. */
 vbss_result vbss_drain_open(const vbss_drain *handle, drain_object **drain);
+
+/* Finds the drain of a handle, for edits that are allowed inside a scene, too. */
 vbss_result vbss_drain_edit(vbss_drain *handle, drain_object **drain);
+
+/* Finds the drain of a handle, for edits that are refused while it belongs to a scene. */
 vbss_result vbss_drain_edit_unowned(vbss_drain *handle, drain_object **drain);
 
-/* ---- config.c: a configuration with defaults for what the host's does not have, checked; and of that the mesh */
+/* ---- config.c */
+
+/* Reads a configuration of any known size, fills in defaults and checks ranges. Lengths of the mesh
+ * are checked by vbss_drain_mesh_plan. */
 vbss_result vbss_drain_read_config(vbss_context *context, const vbss_drain_config *config,
                                    vbss_drain_config *own);
+
+/* Options of the mesh for a configuration. */
 drain_mesh_options vbss_drain_mesh_options_of(const vbss_drain_config *config);
 
-/* ---- elimination_order.c: by minimum degree, made at creation */
+/* ---- elimination_order.c */
+
+/* Computes an elimination order by minimum degree, with anchored nodes last.
+ * VBSS_ERROR_OUT_OF_MEMORY: the caller destroys what there is. */
 vbss_result vbss_drain_create_elimination_order(vbss_context *context, const drain_mesh *mesh,
                                                 const vbss_shell *shell,
                                                 drain_elimination_order *order);
+
+/* Frees the arrays of an elimination order, complete or not. */
 void vbss_drain_destroy_elimination_order(vbss_context *context, const drain_mesh *mesh,
                                           drain_elimination_order *order);
 
-/* ---- anchors.c: which nodes are anchored, from what has torn; the force of one in a state whose inner forces are known; tears
- * the one that is overloaded most, if any is */
+/* ---- anchors.c */
+
+/* Sets `anchored` from `torn`. */
 void vbss_drain_update_anchored(drain_object *d);
+
+/* Force of an anchor on its node, N, for given internal forces of all nodes; zero once it
+ * has torn. */
 vec3 vbss_drain_anchor_force(const drain_object *d, uint32_t anchor, const vec3 *forces);
+
+/* Tears the anchor with the largest overload, if any is overloaded. */
 void vbss_drain_tear_anchor(drain_object *d, const vec3 *forces);
 
 /* ---- attachments.c */
+
+/* Position of an attachment at a fraction 0..1 of the step, m. */
 vec3 vbss_drain_attachment_position(const drain_attachment *a, double fraction);
+
+/* The pin of a node, or NULL. */
 const drain_attachment *vbss_drain_find_pin(const drain_object *d, uint32_t node);
+
+/* Moves attachments to their targets at the end of a step. */
 void vbss_drain_commit_attachments(drain_object *d);
-/* A step of its scene may wait while hosts say where attachments go in the next. At its begin both are the same; then they change
- * places whenever the step goes on, and whenever it waits or ends. */
+
+/* A step of a scene may be suspended while hosts set targets for the next step. Copies the targets,
+ * so that the suspended step keeps its own. */
 void vbss_drain_save_targets(drain_object *d);
+
+/* Swaps the targets of the suspended step and those of the host: before the step is resumed, and
+ * after it is suspended or finished. */
 void vbss_drain_swap_targets(drain_object *d);
 
-/* ---- sparsity.c: the drain's chain in a system, a block a node in the order of elimination, those marked (NULL: none) as
- * separators; and, when that has been analysed, where the shell's blocks go: whoever registers aims after the analyse that
- * follows, but need not after vbss_system_reset_separator_couplings and another one, as couplings stay what they are */
+/* ---- sparsity.c */
+
+/* Adds the drain to a system as a chain of blocks, one for each node in the order of elimination;
+ * `*first` gets the first block. `separators`: one flag a node, NULL: none. Fails if the system's
+ * capacity is exceeded. */
 vbss_result vbss_drain_add_to_system(drain_object *d, vbss_system *s, const uint8_t *separators,
                                      uint32_t *first);
+
+/* Sets the block of the system that each pair of nodes is added to. Call it after the system was
+ * analysed. The map stays valid after vbss_system_reset_separator_couplings and another analysis,
+ * as couplings keep their numbers. */
 void vbss_drain_set_assembly_map(drain_object *d, const vbss_system *s);
 
-/* ---- assemble.c: the drain's part of a system at the trial state. Backward Euler: see docs/drain.md. */
+/* ---- assemble.c: backward Euler, see docs/drain.md */
+
+/* One substep of a drain. */
 typedef struct drain_substep {
-    double h;            /* of the part, s */
-    double end_fraction; /* of the step, where attachments are then */
+    double h;            /* s */
+    double end_fraction; /* end of the substep, as a fraction of the step */
 } drain_substep;
-/* Inner forces there, into d->forces. */
+
+/* Computes internal_forces for nodes at `x`, N. */
 void vbss_drain_compute_internal_forces(drain_object *d, const vec3 *x);
-/* Matrix and right-hand side; the right-hand side alone. Inner forces of the trial state are left in d->forces. */
+
+/* Assembles matrix and right-hand side at the trial state. Leaves its internal forces in
+ * internal_forces. `first`: first block of the drain. */
 void vbss_drain_assemble(drain_object *d, const drain_substep *substep, vbss_system *s,
                          uint32_t first);
+
+/* Assembles the right-hand side alone. Leaves the internal forces of the trial state
+ * in internal_forces. */
 void vbss_drain_assemble_rhs(drain_object *d, const drain_substep *substep, vbss_system *s,
                              uint32_t first);
 
-/* ---- reactions.c: of all attachments at the end of a step, whose last part had this length. Pins need the inner forces that
- * this part was made with in d->forces. */
+/* ---- reactions.c */
+
+/* Whether any node is pinned. */
 bool vbss_drain_has_pins(const drain_object *d);
+
+/* Computes the reactions of all attachments at the end of a step; `h`: length of its last substep,
+ * s. For pins, internal_forces must be those of the current state. */
 void vbss_drain_update_reactions(drain_object *d, double h);
 
 /* ---- substep.c: a part of a step, whose blocks in a system begin with `first`. A correction that moves nothing farther than
@@ -153,32 +211,51 @@ void vbss_drain_update_reactions(drain_object *d, double h);
  * beyond one it gets another linearisation. */
 #define DRAIN_MAX_CORRECTION_RATIO 0.5
 #define DRAIN_MAX_MOVE_RATIO 4.0
+
+/* Resets the trial state to the start of the substep. */
 void vbss_drain_reset_trial(drain_object *d);
+
+/* Largest increment of a node in the system's solution, m. `first`: first block of the drain. */
 double vbss_drain_largest_increment(const drain_object *d, const vbss_system *s, uint32_t first);
+
+/* Moves the trial state by the increments in the system's solution. */
 void vbss_drain_apply_increment(drain_object *d, const vbss_system *s, uint32_t first);
+
+/* Makes the trial state the state, after a substep of `h` seconds. */
 void vbss_drain_commit(drain_object *d, double h);
-/* drain.c: a host has changed more than where attachments go. */
+
+/* ---- drain.c, substep.c: edits, end of a step */
+
+/* Counts an edit by a host other than a new target, and marks views as old. */
 void vbss_drain_invalidate(drain_object *d);
-/* At the end of a step, whose last part had this length: attachments arrive, reactions are noted, an anchor may tear. */
+
+/* Finishes the substeps of a step, the last of which took `h` seconds: moves attachments, computes
+ * reactions, tears an anchor. */
 void vbss_drain_finish_substeps(drain_object *d, double h);
-/* A whole step of this length is done, by either method: it is counted, and views are of another state. */
+
+/* Finishes a step of `h` seconds, by either method: statistics and generation. */
 void vbss_drain_finish_step(drain_object *d, double h);
 
-/* ---- step.c, paper_step.c: a step of a drain that is alone, by method. Whoever asks keeps what was before, and gives it back
- * when it fails. */
+/* ---- step.c, paper_step.c */
+
+/* Steps a drain on its own by `h` seconds. VBSS_ERROR_NOT_FINITE: there is no finite state. On
+ * failure the caller restores the state. */
 vbss_result vbss_drain_implicit_step(drain_object *d, double h);
 vbss_result vbss_drain_paper_step(drain_object *d, double h);
+
 /* The same in two: all that may fail, which tells the length of its explicit steps; and what is noted at the end, where
  * contacts may have moved nodes that no pin holds. */
 vbss_result vbss_drain_paper_move(drain_object *d, double h, double *part);
 void vbss_drain_paper_arrive(drain_object *d, double part);
 double vbss_drain_paper_energy(const drain_object *d);
 
-/* ---- energy.c: what it has more in the trial state, h after the state, of shape, motion and height, less the most that its
- * attachments have done; method OURS */
+/* ---- energy.c */
+
+/* Increase of elastic, kinetic and potential energy from the state to the trial state, J, minus the
+ * largest work that attachments may have done. `h`: length of the substep, s. */
 double vbss_drain_energy_change(const drain_object *d, double h);
 
-/* Speeds that are as good as none are none. */
+/* Replaces components of a velocity below VBSS_FLUSH_THRESHOLD by 0. */
 static inline vec3 vbss_drain_flush_velocity(vec3 v)
 {
     return vec3_make(fabs(v.x) < VBSS_FLUSH_THRESHOLD ? 0.0 : v.x,
@@ -186,7 +263,7 @@ static inline vec3 vbss_drain_flush_velocity(vec3 v)
                      fabs(v.z) < VBSS_FLUSH_THRESHOLD ? 0.0 : v.z);
 }
 
-/* A point of a triangle, where nodes are at x. */
+/* Point of a triangle with given barycentric coordinates, with the nodes at `x`. */
 static inline vec3 vbss_drain_point(const drain_object *d, const vec3 *x, uint32_t triangle,
                                     const double barycentric[3])
 {
@@ -197,6 +274,8 @@ static inline vec3 vbss_drain_point(const drain_object *d, const vec3 *x, uint32
 }
 
 /* ---- snapshot.c */
+
+/* Saves, hashes or restores the drain. */
 void vbss_drain_serialise(vbss_stream *stream, void *object);
 
 #endif

@@ -1,12 +1,12 @@
-/* In which order a system eliminates the nodes of a drain: next comes the one with the fewest neighbours left, of equals
- * the first. A tube has no ends to begin at, so it knows no better (docs/drain.md). Anchored nodes have no equation and
- * come last: when they tear off they are there, at the cost of some fill. */
+/* Elimination order of a drain's nodes: minimum degree, and of equals the first node. A tube has no
+ * end to begin at, so no natural order is better (docs/drain.md). Anchored nodes have no equation
+ * and come last. When they tear off they have their place, at the cost of some fill-in. */
 #include "base/error.h"
 #include "drain/drain.h"
 
 #include <string.h>
 
-/* Who is coupled with whom, as rows of bits. */
+/* Adjacency of nodes, as rows of bits. */
 typedef struct graph {
     uint32_t nodes, words;
     uint64_t *bits;
@@ -51,7 +51,7 @@ static void destroy_graph(vbss_context *context, graph *g)
     vbss_release(context, g->left, g->nodes, sizeof *g->left);
 }
 
-/* Of the nodes that are left. */
+/* Connects the remaining nodes of each patch. */
 static void connect_patches(graph *g, const drain_mesh *mesh, const vbss_shell *shell)
 {
     memset(g->bits, 0, (size_t)g->nodes * g->words * sizeof *g->bits);
@@ -66,7 +66,7 @@ static void connect_patches(graph *g, const drain_mesh *mesh, const vbss_shell *
     }
 }
 
-/* The neighbours of a node that goes become neighbours of each other. */
+/* Eliminates a node: its neighbours become neighbours of each other. */
 static void eliminate(graph *g, uint32_t node)
 {
     const uint64_t *gone = row_of(g, node);
@@ -118,7 +118,7 @@ static void order_nodes(graph *g, const drain_mesh *mesh, const vbss_shell *shel
     }
 }
 
-/* What the factor is when all anchors have torn. */
+/* Counts the entries of the factor when all anchors have torn. */
 static void count_fill(graph *g, const drain_mesh *mesh, const vbss_shell *shell,
                        drain_elimination_order *order)
 {
@@ -133,7 +133,7 @@ static void count_fill(graph *g, const drain_mesh *mesh, const vbss_shell *shell
     }
 }
 
-/* ---- pairs, each once */
+/* ---- pairs of nodes */
 
 static uint32_t count_pairs(const graph *g)
 {
@@ -144,7 +144,7 @@ static uint32_t count_pairs(const graph *g)
     return sum / 2;
 }
 
-/* By the lower place, then the higher: found by halving. */
+/* Bisects the list, which is sorted by the lower position, then the higher. */
 static uint32_t find_pair(const drain_elimination_order *order, uint32_t high, uint32_t low)
 {
     uint32_t from = 0, to = order->pair_count;
@@ -186,7 +186,7 @@ static void find_pairs_of_patches(const drain_mesh *mesh, const vbss_shell *shel
     }
 }
 
-/* ---- all of it */
+/* ---- the whole order */
 
 static vbss_result build_order(vbss_context *context, const drain_mesh *mesh,
                                const vbss_shell *shell, graph *g, drain_elimination_order *order)
@@ -212,7 +212,8 @@ static vbss_result build_order(vbss_context *context, const drain_mesh *mesh,
     order_nodes(g, mesh, shell, order);
     count_fill(g, mesh, shell, order);
     memset(g->left, 1, nodes);
-    connect_patches(g, mesh, shell); /* elimination has filled it in */
+    /* The elimination above has added fill-in. */
+    connect_patches(g, mesh, shell);
     list_pairs(g, order);
     find_pairs_of_patches(mesh, shell, order);
     return VBSS_OK;

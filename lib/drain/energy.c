@@ -1,7 +1,7 @@
-/* What a drain stores, and what it has more in the trial state. */
+/* Change of energy of a drain over a substep. */
 #include "drain/drain.h"
 
-/* At most: of a pin the force is known of the last look only. */
+/* Upper bound: the force of a pin is known only for the last assembly. */
 static double max_attachment_work(const drain_object *d)
 {
     double sum = 0.0;

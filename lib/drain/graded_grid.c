@@ -1,11 +1,11 @@
-/* Rows and columns of the graded meshes, fine where the slit is. */
+/* Graded grids: rows and columns of meshes that are fine near the slit. */
 #include "drain/mesh.h"
 
-/* Half a mesh, for the usual drain: columns in degrees from the top, rows in mm from mid-length. Other drains
- * stretch them between the lines that have a meaning. */
+/* One half of a grid, for a drain of default size: columns in degrees from the top, rows in mm from
+ * mid-length. Other drains stretch it between the lines that have a meaning. */
 typedef struct half_grid {
     uint32_t columns, rows; /* cells */
-    uint32_t mark_column;   /* column */
+    uint32_t mark_column;   /* column of the mark */
     double degrees[11], mm[6];
 } half_grid;
 
@@ -42,7 +42,7 @@ static const half_grid half_grids[] = {
                       {0.0, 1.7, 3.4, LISTED_TIP, 9.0, LISTED_END}},
 };
 
-/* Entry k of a list whose cells are divided. */
+/* Line k of a list whose cells are divided. */
 static double interpolate_lines(const double *list, uint32_t k, uint32_t divisions)
 {
     uint32_t cell = k / divisions, subdivision = k % divisions;
@@ -51,7 +51,7 @@ static double interpolate_lines(const double *list, uint32_t k, uint32_t divisio
                : list[cell] + (list[cell + 1] - list[cell]) * subdivision / (double)divisions;
 }
 
-/* Exact at both ends. */
+/* Linear map, exact at both ends. */
 static double remap(double value, const double from[2], const double to[2])
 {
     double t = (value - from[0]) / (from[1] - from[0]);

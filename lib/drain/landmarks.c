@@ -1,4 +1,4 @@
-/* Nodes that somebody asks for: marks, the middle of the slit, the strip that does not move. */
+/* Landmarks: nodes at the marks, at the middle of the slit, and in the fixed strip. */
 #include "drain/mesh.h"
 
 void vbss_drain_find_landmarks(drain_mesh *m)
@@ -12,8 +12,9 @@ void vbss_drain_find_landmarks(drain_mesh *m)
     }
 }
 
-/* By a column of either side; a line that should be where the strip begins is. The paper's drain has no strip: its
- * particles are tied to their rest positions, all alike. */
+/* Columns count from the top on either side. The tolerance keeps the column at the edge of
+ * the strip. The baseline's drain has no strip, as springs tie all of its particles to their
+ * rest positions. */
 bool vbss_drain_is_anchor_column(const drain_mesh *m, uint32_t column)
 {
     return m->options.kind != DRAIN_MESH_PAPER &&

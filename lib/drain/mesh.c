@@ -1,4 +1,4 @@
-/* From options to a mesh. */
+/* Mesh of a drain: options, checks, counts and arrays. */
 #include "drain/mesh.h"
 
 #include "base/check.h"
@@ -21,7 +21,8 @@ void vbss_drain_mesh_defaults(drain_mesh_options *o)
     *o = defaults;
 }
 
-/* ---- checking: within these limits no triangle folds, and no angle of a graded mesh is below 2.5 degrees */
+/* ---- checks: within these limits no triangle folds, and no angle of a graded mesh is below
+ * 2.5 degrees */
 
 static vbss_result check_slit(vbss_context *context, const drain_mesh_options *o)
 {
@@ -47,14 +48,14 @@ static vbss_result check_options(vbss_context *context, const drain_mesh_options
     return check_slit(context, o);
 }
 
-/* ---- counting */
+/* ---- counts */
 
 static void count_entities(drain_mesh *m)
 {
     const drain_grid *g = &m->grid;
     vbss_drain_count_nodes(m);
     m->triangle_count = 2 * g->axial_cells * g->round_cells;
-    /* Euler: a tube has nodes - sides + triangles = 0, a hole in it takes one. */
+    /* Euler's formula: nodes - edges + triangles = 0 for a tube, and 1 less with a hole. */
     m->edge_count = m->node_count + m->triangle_count + (g->tip_rows > 0);
     uint32_t columns = 0;
     for (uint32_t j = 0; j < g->round_cells; j++) {
@@ -81,7 +82,7 @@ vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options
 void vbss_drain_mesh_arrays(drain_mesh *m, vbss_array arrays[DRAIN_MESH_ARRAYS])
 {
     size_t nodes = m->node_count, triangles = m->triangle_count, edges = m->edge_count;
-    size_t lip_edges = m->slit_count > 0 ? m->slit_count - 1 : 0; /* of a lip */
+    size_t lip_edges = m->slit_count > 0 ? m->slit_count - 1 : 0; /* edges of one lip */
     const vbss_array all[] = {
         {&m->rest, nodes, sizeof *m->rest},
         {&m->angle, nodes, sizeof *m->angle},

@@ -1,17 +1,18 @@
-/* The mesh of the drain: a rubber tube with a longitudinal slit, as triangles of its middle surface.
+/* Mesh of a drain: a rubber tube with a longitudinal slit, as triangles of its middle surface.
  *
- * The tube lies along x, centred at the origin. Angles go round the axis from the top (+y) towards +z, which is
- * the right side for who looks along +x. The slit is on top, the bottom rests on a strip that does not move.
- * Seen flat, the mesh is a grid: rows are lines across the axis, columns lines along it, and each cell has one
- * diagonal, all in one direction on the right side and mirrored on the left. Alternating diagonals would get
- * twist wrong.
+ * The tube lies along x, centred at the origin. Angles are measured about the axis from the top
+ * (+y) toward +z, the right side for an observer who looks along +x. The slit is on top; the bottom
+ * rests on a fixed strip. Unrolled, the mesh is a grid. Rows are lines across the axis, columns
+ * lines along it. Each cell has one diagonal: all have one direction on the right side, and the
+ * mirrored one on the left. Alternating diagonals would give a wrong twist.
  *
- * The slit is a lens: its edges form an ellipse on the tube, material is missing, nothing is under stress. Nodes
- * have material coordinates, their places on the tube before it was opened, where the slit is a plain cut; the
- * opening then moves them round the axis. Inner nodes of the slit are doubled, one a side; its two tips are
- * single.
+ * The slit is a lens: its edges form an ellipse on the tube, where material is missing, and nothing
+ * is stressed. Nodes have material coordinates: their positions on the tube before it was opened,
+ * where the slit is a plain cut. The opening then moves them around the axis. Inner nodes of the
+ * slit exist twice, once for each side; its two tips exist once.
  *
- * Rooms for the arrays: plan says what is needed, whoever owns the mesh gets it, fill writes it. */
+ * vbss_drain_mesh_plan computes the sizes of arrays, the owner allocates them, and
+ * vbss_drain_mesh_fill computes their contents. */
 #ifndef VBSS_DRAIN_MESH_H
 #define VBSS_DRAIN_MESH_H
 
@@ -23,43 +24,45 @@
 /* From the top to where the fixed strip begins; the strip is 25 degrees to either side of the bottom. */
 #define DRAIN_STRIP_ANGLE (155.0 / 180.0 * DRAIN_PI)
 
-/* The graded ones, N to R, are fine where the slit is; graded_grid.c lists them. */
+/* N, D, S and R are graded: fine near the slit, see graded_grid.c. */
 typedef enum drain_mesh_kind {
     DRAIN_MESH_N,       /* 137 nodes, 240 triangles; the default */
     DRAIN_MESH_D,       /* 159 nodes, 280 triangles */
     DRAIN_MESH_S,       /* 181 nodes, 320 triangles */
     DRAIN_MESH_R,       /* 225 nodes, 400 triangles */
-    DRAIN_MESH_UNIFORM, /* equal cells, with a slit or without */
-    DRAIN_MESH_PAPER, /* VBLaST-SS: 6 x 12 equal cells; tips, marks at the nearest lines; no fixed strip */
+    DRAIN_MESH_UNIFORM, /* equal cells, with or without a slit */
+    /* VBLaST-SS: 6 x 12 equal cells, tips and marks on the nearest lines, no fixed strip */
+    DRAIN_MESH_PAPER,
     DRAIN_MESH_KINDS
 } drain_mesh_kind;
 
 /* Lengths in m. */
 typedef struct drain_mesh_options {
     drain_mesh_kind kind;
-    uint32_t divisions; /* N, D, S, R: into so many each way a cell is divided, 1 to 4 */
-    uint32_t axial_cells, round_cells; /* UNIFORM: 1 to 512, even with a slit; 6 to 1024, even */
-    double radius;                     /* of the middle surface */
+    uint32_t divisions; /* graded: cells are divided into this many in each direction, 1..4 */
+    /* UNIFORM: 1..512, an even number with a slit; 6..1024, even */
+    uint32_t axial_cells, round_cells;
+    double radius; /* middle surface */
     double length;
-    double slit_length; /* UNIFORM: 0 for a plain tube, which reads nothing below */
+    double slit_length; /* UNIFORM: 0 for a plain tube, which does not use the fields below */
     double opening;     /* at the middle of the slit, along the surface; 0: a plain cut */
-    /* From the slit to each of the two marks, at mid-length, before the opening, which moves the usual
-     * 4.5 mm to 5.12 mm. */
+    /* Arc from the slit to each of the two marks, at mid-length, before the opening. The opening
+     * moves the default 4.5 mm to 5.12 mm. */
     double mark_arc;
 } drain_mesh_options;
 
-/* Both index what comes in pairs. */
+/* Sides of the slit, as index. */
 enum { DRAIN_LEFT, DRAIN_RIGHT };
 
-/* An edge of triangles. The first triangle runs along it from nodes[0] to nodes[1], the second, DRAIN_NONE at
- * a free edge, back. */
+/* An edge. nodes[0] to nodes[1] is counter-clockwise in the first triangle, clockwise in the
+ * second, which is DRAIN_NONE at a free edge. */
 typedef struct drain_edge {
     uint32_t nodes[2], triangles[2];
 } drain_edge;
 
-/* Lines of the grid: equal cells, or those that graded_grid.c lists. */
+/* Counts of the grid, graded or of equal cells. */
 typedef struct drain_grid {
-    uint32_t axial_cells, round_cells; /* one row more than cells; as many columns as cells */
+    uint32_t axial_cells, round_cells; /* rows: one more than cells; columns: as many as cells */
     uint32_t tip_rows;                 /* rows from mid-length to a tip of the slit; 0: no slit */
     uint32_t mark_column;              /* columns from the top to a mark; 0: no marks */
 } drain_grid;
@@ -68,69 +71,115 @@ typedef struct drain_mesh {
     drain_mesh_options options;
     drain_grid grid;
     uint32_t node_count, triangle_count, edge_count, slit_count, anchor_count;
-    uint32_t marks[2];       /* nodes, left and right, or DRAIN_NONE */
-    uint32_t slit_middle[2]; /* of the slit's edges */
+    uint32_t marks[2];       /* nodes of the left and the right mark, or DRAIN_NONE */
+    uint32_t slit_middle[2]; /* middle nodes of both edges of the slit */
 
-    /* a node; nodes of rows in order, then those that double the slit on its left */
+    /* per node: nodes of rows in order, then the second nodes of the slit, on its left */
     vec3 *rest;
-    double *angle;                     /* at rest, over -pi to pi */
-    double (*material_coordinates)[2]; /* arc from the top and x, before the opening */
-    double *node_area;                 /* a third of that of its triangles */
+    double *angle;                     /* at rest, -pi to pi */
+    double (*material_coordinates)[2]; /* arc from the top and x, before the opening, m */
+    double *node_area;                 /* a third of the area of its triangles, m^2 */
 
-    /* a triangle; the left half of them in the order of the right half that they mirror */
-    uint32_t (*triangles)[3];     /* counter-clockwise seen from outside */
-    uint32_t (*opposite_node)[3]; /* beyond the side opposite to each node, or DRAIN_NONE */
-    double *angular_width;        /* angle round the axis between its outermost nodes at rest */
+    /* per triangle: the right half first, then the left half in mirrored order */
+    uint32_t (*triangles)[3];     /* counter-clockwise from outside */
+    uint32_t (*opposite_node)[3]; /* node beyond the edge opposite to each corner, or DRAIN_NONE */
+    double *angular_width; /* angle about the axis between its outermost nodes at rest, rad */
 
-    drain_edge *edges;                /* each once */
-    uint32_t *first_edge, *next_edge; /* of a node, after a side: those whose lesser node it is */
+    drain_edge *edges; /* every edge once */
+    /* linked list of the edges whose lower node it is: first of a node, next of an edge */
+    uint32_t *first_edge, *next_edge;
 
-    uint32_t *slit_nodes[2];    /* nodes of either edge with both tips, along x */
-    uint32_t *lip_triangles[2]; /* the triangles between them, one less */
-    uint32_t *anchors;          /* nodes of the strip */
+    uint32_t *slit_nodes[2];    /* nodes of either edge of the slit, with both tips, along x */
+    uint32_t *lip_triangles[2]; /* triangle beside each segment of these edges */
+    uint32_t *anchors;          /* nodes of the fixed strip */
 } drain_mesh;
 
-/* ---- making one (mesh.c) */
+/* ---- mesh.c */
+
+/* Sets the options to their defaults. */
 void vbss_drain_mesh_defaults(drain_mesh_options *options);
-/* Checks the options and counts; the arrays are NULL. */
+
+/* Checks the options and computes counts; the arrays are NULL. VBSS_ERROR_OUT_OF_RANGE: invalid
+ * options, with error text. */
 vbss_result vbss_drain_mesh_plan(vbss_context *context, const drain_mesh_options *options,
                                  drain_mesh *mesh);
 enum { DRAIN_MESH_ARRAYS = 15 };
-/* What a planned mesh has room for, to be allocated and released with its owner. */
+/* Lists the arrays of a planned mesh, which its owner allocates and releases. */
 void vbss_drain_mesh_arrays(drain_mesh *mesh, vbss_array arrays[DRAIN_MESH_ARRAYS]);
+
+/* Fills the arrays of a planned mesh. */
 void vbss_drain_mesh_fill(drain_mesh *mesh);
 
-/* ---- lines (graded_grid.c): rows from -x to +x, columns from the top to the bottom, which is column round_cells / 2 */
+/* ---- graded_grid.c: rows go from -x to +x, columns from the top to the bottom, which is column
+ * round_cells / 2 */
+
+/* Sets the counts of a graded grid. */
 void vbss_drain_plan_graded_grid(drain_mesh *mesh);
+
+/* Position of a row along the axis, m, in any grid. */
 double vbss_drain_row_x(const drain_mesh *mesh, uint32_t row);
+
+/* Angle of a column from the top, rad, in any grid. */
 double vbss_drain_column_angle(const drain_mesh *mesh, uint32_t column);
-/* ---- lines of equal cells (uniform_grid.c) */
+
+/* ---- uniform_grid.c */
+
+/* Checks the options of a grid of equal cells and sets its counts. VBSS_ERROR_OUT_OF_RANGE: no line
+ * where a tip or a mark is, or unsuitable counts. */
 vbss_result vbss_drain_plan_uniform_grid(vbss_context *context, drain_mesh *mesh);
+
+/* Position of a row along the axis, m, with equal cells. */
 double vbss_drain_uniform_row_x(const drain_mesh *mesh, uint32_t row);
+
+/* Angle of a column from the top, rad, with equal cells. */
 double vbss_drain_uniform_column_angle(const drain_mesh *mesh, uint32_t column);
 
-/* ---- nodes (nodes.c) */
+/* ---- nodes.c */
+
+/* Sets the numbers of nodes and of slit nodes. */
 void vbss_drain_count_nodes(drain_mesh *mesh);
-/* Columns of both sides begin on top and meet at the bottom. */
+
+/* Node at a row and column of a side. Columns of both sides begin at the top and meet at
+ * the bottom. */
 uint32_t vbss_drain_node_index(const drain_mesh *mesh, uint32_t row, uint32_t column, int side);
+
+/* Computes rest positions, angles and material coordinates of all nodes. */
 void vbss_drain_compute_nodes(drain_mesh *mesh);
 
-/* ---- slit (slit.c) */
-bool vbss_drain_is_slit_row(const drain_mesh *mesh, uint32_t row); /* and no tip */
-/* Arc by which the opening moves a point of the right side away from the top. */
+/* ---- slit.c */
+
+/* Whether the row crosses the slit between its tips. */
+bool vbss_drain_is_slit_row(const drain_mesh *mesh, uint32_t row);
+
+/* Arc by which the opening moves a point of the right side away from the top, m. `x` along the axis
+ * and `arc` from the top, m. */
 double vbss_drain_slit_shift(const drain_mesh *mesh, double x, double arc);
+
+/* Lists nodes and triangles at both edges of the slit. */
 void vbss_drain_list_slit(drain_mesh *mesh);
 
-/* ---- triangles and their neighbours (triangles.c) */
+/* ---- triangles.c */
+
+/* Lists the triangles of all cells. */
 void vbss_drain_list_triangles(drain_mesh *mesh);
+
+/* Lists all edges, and the opposite nodes of all triangles. */
 void vbss_drain_list_edges(drain_mesh *mesh);
 
-/* ---- marks and the fixed strip (landmarks.c) */
+/* ---- landmarks.c */
+
+/* Finds the nodes of the marks and of the middle of the slit. */
 void vbss_drain_find_landmarks(drain_mesh *mesh);
+
+/* Whether the nodes of a column belong to the fixed strip. */
 bool vbss_drain_is_anchor_column(const drain_mesh *mesh, uint32_t column);
+
+/* Lists the nodes of the fixed strip. */
 void vbss_drain_list_anchors(drain_mesh *mesh);
 
-/* ---- areas and widths (areas.c) */
+/* ---- areas.c */
+
+/* Computes areas of nodes and angular widths of triangles. */
 void vbss_drain_compute_areas(drain_mesh *mesh);
 
 #endif

@@ -1,4 +1,4 @@
-/* Nodes of the mesh: their numbers and places. */
+/* Nodes of the mesh: numbering and rest positions. */
 #include "base/elementary.h"
 #include "drain/mesh.h"
 
@@ -23,7 +23,7 @@ uint32_t vbss_drain_node_index(const drain_mesh *m, uint32_t row, uint32_t colum
     return row * g->round_cells + (g->round_cells - column) % g->round_cells;
 }
 
-/* A node of the right side, and what mirrors it; -z as 0 - z, which leaves no negative zeros. */
+/* Sets a node of the right side and its mirror image. 0 - z leaves no negative zeros. */
 static void set_mirrored_nodes(drain_mesh *m, uint32_t row, uint32_t column)
 {
     double radius = m->options.radius, x = vbss_drain_row_x(m, row),

@@ -1,4 +1,4 @@
-/* With which forces attachments act on a drain. */
+/* Reactions: forces of attachments on the drain. */
 #include "drain/drain.h"
 
 static bool is_pin(const drain_attachment *a)
@@ -15,7 +15,7 @@ bool vbss_drain_has_pins(const drain_object *d)
     return any;
 }
 
-/* Beside an attachment others may pull at its node. */
+/* Forces of other attachments at the node of a pin. */
 static vec3 other_forces(const drain_object *d, const drain_attachment *pin)
 {
     vec3 sum = vec3_zero();
@@ -28,7 +28,7 @@ static vec3 other_forces(const drain_object *d, const drain_attachment *pin)
     return sum;
 }
 
-/* What its balance lacks, the node's inertia included. */
+/* Force that is missing in the node's balance, with its inertia, N. */
 static vec3 pin_force(const drain_object *d, double h, const drain_attachment *pin)
 {
     uint32_t node = pin->node;

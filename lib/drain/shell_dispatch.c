@@ -1,4 +1,4 @@
-/* Which copy of the hot loops is run. */
+/* Dispatch: selects the copy of the shell's hot loops. */
 #include "drain/shell.h"
 
 void vbss_shell_add_forces(const vbss_shell *shell, const vec3 *x, vec3 *forces)

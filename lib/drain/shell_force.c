@@ -1,4 +1,4 @@
-/* Forces of a shell, four patches at a time. */
+/* Forces of a shell, in groups of four patches. */
 #include "drain/shell_strain.h"
 
 void VBSS_WIDE_NAME(vbss_shell_add_forces)(const vbss_shell *shell, const vec3 *x, vec3 *forces)

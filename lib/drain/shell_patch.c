@@ -1,4 +1,4 @@
-/* The constants of a patch, worked out once from the positions at rest. */
+/* Constants of patches, computed once from the rest positions. */
 #include "base/check.h"
 #include "base/elementary.h"
 #include "base/error.h"
@@ -8,7 +8,7 @@
 
 #include "drain/shell_strain.h"
 
-/* In the triangle's plane: the origin is corner 0, axis 1 goes to corner 1. */
+/* Vector in the triangle's plane: the origin is corner 0, axis 1 points to corner 1. */
 typedef struct plane_vector {
     double x, y;
 } plane_vector;
@@ -24,10 +24,10 @@ static double plane_cross(plane_vector a, plane_vector b)
     return a.x * b.y - a.y * b.x;
 }
 
-/* A triangle with its neighbours folded flat into its plane. */
+/* A triangle whose neighbours are unfolded into its plane. */
 typedef struct flat_patch {
     plane_vector position[SHELL_NODES];
-    plane_vector gradient[3]; /* of the area coordinates */
+    plane_vector gradient[3]; /* gradients of the barycentric coordinates */
     double area;
     bool is_free[3];
 } flat_patch;
@@ -53,7 +53,7 @@ static bool flatten_triangle(const vec3 corner[3], flat_patch *p)
     return true;
 }
 
-/* Turns the neighbour about the side it shares, until it lies in the plane. */
+/* Turns a neighbour about the shared edge into the plane. */
 static void flatten_neighbour(const vec3 corner[3], vec3 node, int side, flat_patch *p)
 {
     int j = (side + 1) % 3, k = (side + 2) % 3;
@@ -69,10 +69,10 @@ static void flatten_neighbour(const vec3 corner[3], vec3 node, int side, flat_pa
     p->position[3 + side].y = p->position[j].y + along * y - out * x;
 }
 
-/* The gradient at the middle of a side as factors of corners 0 1 2 and the node beyond: of the quadratic
- * through six nodes (Flores, Onate 2005). All its derivatives there are +-1/2, so that it sees
- * only the differences across, p = far - near, and along the side, q = j - k: the gradient is the linear
- * map that has them both. */
+/* Gradient at the middle of an edge, as coefficients of corners 0 1 2 and the opposite node: that
+ * of the quadratic through six nodes (Flores, Onate 2005). All its derivatives there are +-1/2. So
+ * it depends only on the differences across the edge, p = far - near, and along it, q = j - k, and
+ * is the linear map that reproduces both. */
 static void set_gradient(const flat_patch *f, int side, plane_vector gradient[4])
 {
     if (f->is_free[side]) {
@@ -93,7 +93,7 @@ static void set_gradient(const flat_patch *f, int side, plane_vector gradient[4]
 
 /* ---- bending stiffness */
 
-/* (C v) of C = 11 22 33 12 13 23 */
+/* r = C v, with C stored as 11 22 33 12 13 23 */
 static void plate_times(const double c[6], const double v[3], double r[3])
 {
     r[0] = c[0] * v[0] + c[3] * v[1] + c[4] * v[2];
@@ -101,7 +101,7 @@ static void plate_times(const double c[6], const double v[3], double r[3])
     r[2] = c[4] * v[0] + c[5] * v[1] + c[2] * v[2];
 }
 
-/* The curvature across a free side follows, so that no moment is left: C - C N N^T C / (N^T C N). */
+/* The curvature across a free edge follows from zero moment: C - C N N^T C / (N^T C N). */
 static void release_edge(const flat_patch *f, int side, double c[6])
 {
     plane_vector g = f->gradient[side];
@@ -118,8 +118,8 @@ static void release_edge(const flat_patch *f, int side, double c[6])
     c[5] -= moment[1] * moment[2] / own;
 }
 
-/* Along an arc of three nodes `width` apart, second differences see of cos 2 theta
- * 4 (sin width / width)^2 - 1 instead of 3: w'' + w of an ovalling ring, docs/drain-shell.md. */
+/* Second differences along an arc of three nodes `width` apart give 4 (sin width / width)^2 - 1 for
+ * cos 2 theta instead of 3: w'' + w of an ovalling ring, docs/drain-shell.md. */
 static double ovalling_ratio(double width)
 {
     double ratio = width > 0.0 ? vbss_sin(width) / width : 1.0;
@@ -136,7 +136,7 @@ static void set_plate(const vbss_shell_input *in, uint32_t triangle, const flat_
     plate[2] = 0.5 * (1.0 - nu) * d;
     plate[3] = nu * d;
     plate[4] = plate[5] = 0.0;
-    /* with three free sides there are no heights, and nothing to release */
+    /* with three free edges there are no heights, and nothing to release */
     bool has_bending = !f->is_free[0] || !f->is_free[1] || !f->is_free[2];
     for (int s = 0; s < 3 && in->moment_free_edges && has_bending; s++) {
         if (f->is_free[s]) {
@@ -145,7 +145,7 @@ static void set_plate(const vbss_shell_input *in, uint32_t triangle, const flat_
     }
 }
 
-/* ---- into a lane */
+/* ---- lanes */
 
 static void set_lane(lanes *to, int lane, double value)
 {
@@ -205,7 +205,7 @@ static void set_patch(const vbss_shell_input *in, uint32_t triangle, const flat_
     set_curvature_operators(in, triangle, f, across, g, lane);
 }
 
-/* ---- checking */
+/* ---- checks */
 
 static vbss_result check_input(vbss_context *c, const vbss_shell_input *in)
 {
@@ -229,7 +229,7 @@ static vbss_result check_nodes(vbss_context *c, const vbss_shell_input *in, uint
         if (corner[i] >= in->node_count || (exists && far[i] >= in->node_count)) {
             return vbss_fail(c, VBSS_ERROR_OUT_OF_RANGE, "triangle %u: no such node", triangle);
         }
-        /* around a node of three triangles two neighbours end in the same node: no patch of six */
+        /* If only three triangles meet at a node, two neighbours share their opposite node. */
         if (exists && far[i] == far[(i + 1) % 3]) {
             return vbss_fail(c, VBSS_ERROR_OUT_OF_RANGE,
                              "triangle %u has two neighbours with the same far node", triangle);
@@ -242,7 +242,7 @@ static vbss_result check_nodes(vbss_context *c, const vbss_shell_input *in, uint
         }
     }
     if (in->angular_widths != NULL) {
-        /* beyond, even w'' + w of a ring that ovals vanishes */
+        /* beyond this w'' + w of an ovalling ring vanishes */
         VBSS_TRY(vbss_check_range(c, in->angular_widths[triangle], 0.0, 1.6, "width"));
     }
     return VBSS_OK;
@@ -275,7 +275,7 @@ static vbss_result add_patch(vbss_context *c, const vbss_shell_input *in, uint32
     return VBSS_OK;
 }
 
-/* What the operators see at rest, to the bit: any shape is free of stress. */
+/* Uses the operators themselves, so that any rest shape is free of stress to the bit. */
 static void set_rest(const vec3 *rest, vbss_shell_group *g)
 {
     shell_shape shape;
@@ -330,7 +330,7 @@ void vbss_shell_add_masses(const vbss_shell *shell, double *masses)
     }
 }
 
-/* ---- pairs */
+/* ---- pairs of nodes */
 
 static const uint8_t pair_nodes[SHELL_PAIRS][2] = {{0, 1}, {0, 2}, {0, 3}, {0, 4}, {0, 5},
                                                    {1, 2}, {1, 3}, {1, 4}, {1, 5}, {2, 3},
@@ -343,11 +343,11 @@ bool vbss_shell_pair_nodes(const vbss_shell *shell, uint32_t triangle, uint32_t 
     uint32_t lane = triangle % LANES, i = pair_nodes[pair][0], j = pair_nodes[pair][1];
     *row = g->node[i][lane];
     *column = g->node[j][lane];
-    uint32_t missing_nodes = g->free_edges[lane] << 3; /* by node of the patch */
+    uint32_t missing_nodes = g->free_edges[lane] << 3; /* bit per node of the patch */
     return ((missing_nodes >> i | missing_nodes >> j) & 1u) == 0;
 }
 
-/* Lanes that are 1 where a number has a bit. */
+/* The lanes that are set in a number of LANES bits. */
 static const double lanes_of_bits[1 << LANES][LANES] = {
     {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {0, 0, 1, 0}, {1, 0, 1, 0},
     {0, 1, 1, 0}, {1, 1, 1, 0}, {0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}, {1, 1, 0, 1},

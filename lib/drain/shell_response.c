@@ -1,9 +1,9 @@
-/* What a shell bears: strains, stresses, energies, and which triangles are turned over. */
+/* Response of a shell: strains, stresses, energies, and inverted triangles. */
 #include <stddef.h>
 
 #include "drain/shell_strain.h"
 
-/* Stiffness times strain, of 11 22 33 12 13 23. */
+/* Bending moment and energy: stiffness times curvature. */
 static void set_moment(const vbss_shell_group *g, int lane, vbss_shell_response *s)
 {
     static const int symmetric_index[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
@@ -36,10 +36,10 @@ static void set_response(const vbss_shell_group *g, const shell_shape *p, const 
     set_moment(g, lane, s);
 }
 
-/* A triangle alone has no wrong side: only its neighbours tell which way the surface faces. The area
- * spanned by the tangents at the middle of a side is that of both triangles together; where it points
- * against the triangle, the patch has no orientation left, and its strains mean nothing. Of two triangles
- * folded flat onto each other, the smaller one is turned over, or both. */
+/* Only its neighbours tell which way a triangle should face. The tangents at the middle of an edge
+ * span the area of both triangles together. If it points against the triangle, the patch has no
+ * orientation and its strains are meaningless. If two triangles are folded onto each other, at
+ * least the smaller one is inverted. */
 bool vbss_shell_is_inverted(const vbss_shell *shell, uint32_t triangle, const vec3 *x)
 {
     const vbss_shell_group *g = &shell->groups[triangle / LANES];

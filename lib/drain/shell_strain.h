@@ -1,9 +1,9 @@
-/* The shape of four patches and what it stresses: shared by forces, tangent and measuring.
+/* Strain and stress of a group of four patches, shared by forces, tangent and responses.
  *
- * Membrane: the metric is the mean of those at the middles of the sides (Flores, Onate 2005).
- * Bending: the mean second derivative over the triangle by the divergence theorem, along its normal. The
- * corners lie in the plane to which that normal belongs, so only the heights of nodes 3 4 5 over it
- * remain: k = sum curve (height - height at rest). */
+ * Membrane: the metric is the mean of those at the middles of the edges (Flores, Onate 2005).
+ * Bending: the mean second derivative over the triangle by the divergence theorem, along its
+ * normal. The corners lie in the triangle's plane, so only the heights of nodes 3 4 5 above it
+ * remain: k = sum curvature_per_height (height - height at rest). */
 #ifndef VBSS_DRAIN_SHELL_STRAIN_H
 #define VBSS_DRAIN_SHELL_STRAIN_H
 
@@ -11,8 +11,8 @@
 #include "drain/shell.h"
 
 typedef struct shell_shape {
-    vlanes arm[SHELL_NODES]; /* from node 0 */
-    vlanes tangent[3][2];    /* at the middle of each side, over sqrt 3 */
+    vlanes arm[SHELL_NODES]; /* relative to node 0 */
+    vlanes tangent[3][2];    /* at the middle of each edge, over sqrt 3 */
     vlanes normal;
     lanes twice_area;
     lanes metric[3], height[3];
@@ -54,7 +54,7 @@ static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, she
     }
     vlanes area = v_cross(p->arm[1], p->arm[2]);
     p->twice_area = lanes_sqrt(v_dot(area, area));
-    /* a triangle without area has no normal: it does not bend until it has one */
+    /* A triangle without area has no normal, and no bending until it has one. */
     lanes bound = lanes_max(p->twice_area, lanes_splat(1e-100));
     p->normal = v_scale(area, lanes_div(lanes_splat(1.0), bound));
     for (int m = 0; m < 3; m++) {
@@ -62,7 +62,7 @@ static inline void shell_set_shape(const vbss_shell_group *g, const vec3 *x, she
     }
 }
 
-/* Stress times area, 11, 22, 12: the slope of the membrane energy to e11, e22 and 2 e12. */
+/* Stress times area, 11, 22, 12: gradient of the membrane energy with e11, e22 and 2 e12. */
 static inline void shell_set_stress(const vbss_shell_group *g, const shell_shape *p,
                                     lanes stress[3])
 {
@@ -77,7 +77,7 @@ static inline void shell_set_stress(const vbss_shell_group *g, const shell_shape
     stress[2] = lanes_times(shear, lanes_sub(p->metric[2], g->metric[2]));
 }
 
-/* The slope of the bending energy to the heights. */
+/* Gradient of the bending energy with the heights. */
 static inline void shell_set_bending_gradient(const vbss_shell_group *g, const shell_shape *p,
                                               lanes bending_gradient[3])
 {
@@ -97,8 +97,8 @@ static inline void shell_set_bending_gradient(const vbss_shell_group *g, const s
         lanes_times(b[2], height_change[2]));
 }
 
-/* The foot of node 3 + m in the triangle's plane is sum foot[m][i] (corner i): as the corners move along
- * the normal, so does it. */
+/* The foot of node 3 + m in the triangle's plane is sum foot[m][i] (corner i). It moves along the
+ * normal as the corners do. */
 static inline void shell_set_feet(const shell_shape *p, lanes foot[3][3])
 {
     lanes bound = lanes_max(p->twice_area, lanes_splat(1e-100));
@@ -112,7 +112,7 @@ static inline void shell_set_feet(const shell_shape *p, lanes foot[3][3])
     }
 }
 
-/* Forces on the six nodes; node 0 takes what the others need, so that there is no net force. */
+/* Forces on the six nodes. Node 0 gets the opposite of all others, so there is no net force. */
 static inline void shell_set_forces(const vbss_shell_group *g, const shell_shape *p,
                                     const lanes stress[3], const lanes bending_gradient[3],
                                     lanes foot[3][3], vlanes force[SHELL_NODES])
@@ -120,7 +120,7 @@ static inline void shell_set_forces(const vbss_shell_group *g, const shell_shape
     vlanes none = p->arm[0];
     force[1] = force[2] = none;
     for (int s = 0; s < 3; s++) {
-        /* stress times tangents: the slope of the energy to each tangent */
+        /* stress times tangents: gradient of the energy with each tangent */
         const vlanes *t = p->tangent[s];
         vlanes to_1 = v_add_scaled(v_scale(t[0], stress[0]), stress[2], t[1]);
         vlanes to_2 = v_add_scaled(v_scale(t[0], stress[2]), stress[1], t[1]);
@@ -143,7 +143,7 @@ static inline void shell_set_forces(const vbss_shell_group *g, const shell_shape
     }
 }
 
-/* Of the lanes in use: the last group may have some that stand for nothing. */
+/* Number of lanes in use; the last group may have fewer than LANES. */
 static inline int shell_lanes_used(const vbss_shell *shell, uint32_t group)
 {
     uint32_t left = shell->triangle_count - LANES * group;

@@ -1,12 +1,17 @@
-/* Forces and tangent of a shell, four patches at a time.
+/* Forces and tangent of a shell, in groups of four patches.
  *
- * With B the slopes of the strains, S+ the tensile part of the stress and w_i n the slopes of the heights,
- *   K_ij = B_i^T C B_j + sum over sides (slope_i S+ slope_j) I + (w_i bend w_j) n n^T:
- * the exact second derivative less compressive stress and what turns with the normal; each term is
- * positive semi-definite. */
+ * With the gradients B of the strains, the tensile part S+ of the stress, and the gradients w_i n
+ * of the heights,
+ *
+ *   K_ij = B_i^T C B_j + sum over edges (gradient_i S+ gradient_j) I
+ *          + (w_i bending_stiffness w_j) n n^T
+ *
+ * This is the exact second derivative without compressive stress and without the rotation of the
+ * normal. Each term is positive semi-definite. */
 #include "drain/shell_strain.h"
 
-/* The tensile part of a symmetric stress 11, 22, 12: s = q I + (p - q) times a projection, p >= q. */
+/* Tensile part of a symmetric stress 11, 22, 12, which is q I + (p - q) times a projection, with
+ * principal stresses p >= q. */
 static inline void keep_tensile_part(lanes stress[3])
 {
     lanes zero = lanes_splat(0.0), half = lanes_splat(0.5);
@@ -17,7 +22,7 @@ static inline void keep_tensile_part(lanes stress[3])
     lanes low = lanes_sub(mean, radius);
     lanes tensile_high = lanes_max(lanes_add(mean, radius), zero),
           tensile_low = lanes_max(low, zero);
-    /* 1 where both are kept */
+    /* 1 if both principal stresses are kept */
     lanes twice = lanes_max(lanes_add(radius, radius), lanes_splat(1e-150));
     lanes fraction = lanes_div(lanes_sub(tensile_high, tensile_low), twice);
     stress[0] = lanes_add(tensile_low, lanes_times(fraction, lanes_sub(stress[0], low)));
@@ -25,12 +30,13 @@ static inline void keep_tensile_part(lanes stress[3])
     stress[2] = lanes_times(fraction, stress[2]);
 }
 
-/* ---- factors of the blocks: of nodes 1 .. 5, then what is left for node 0 */
+/* ---- factors of the blocks: for nodes 1 .. 5 first, then the remainder for node 0 */
 
 typedef struct patch_factors {
-    vlanes strain[SHELL_NODES][3]; /* slopes of e11 + e22, e11 - e22, 2 e12, times the roots */
-    lanes isotropic[SHELL_NODES][SHELL_NODES]; /* of I, i <= j */
-    lanes bending[SHELL_NODES][SHELL_NODES];   /* of n n^T, i <= j */
+    /* gradients of e11 + e22, e11 - e22, 2 e12, times the square roots */
+    vlanes strain[SHELL_NODES][3];
+    lanes isotropic[SHELL_NODES][SHELL_NODES]; /* coefficients of I, i <= j */
+    lanes bending[SHELL_NODES][SHELL_NODES];   /* coefficients of n n^T, i <= j */
 } patch_factors;
 
 static inline void set_strain_gradients(const vbss_shell_group *g, const shell_shape *p,
@@ -56,7 +62,8 @@ static inline void set_strain_gradients(const vbss_shell_group *g, const shell_s
     }
 }
 
-/* A side joins corners and the node beyond it; nodes beyond different sides do not meet. */
+/* An edge couples the corners and its opposite node. Opposite nodes of different edges are
+ * not coupled. */
 static inline void set_isotropic(const vbss_shell_group *g, const lanes stress[3], patch_factors *f)
 {
     for (int s = 0; s < 3; s++) {
@@ -78,7 +85,7 @@ static inline void set_isotropic(const vbss_shell_group *g, const lanes stress[3
     f->isotropic[3][4] = f->isotropic[3][5] = f->isotropic[4][5] = lanes_splat(0.0);
 }
 
-/* Heights rise by 1 with their own node and by -foot with a corner. */
+/* A height grows by 1 with its own node and by -foot with a corner. */
 static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patch_factors *f)
 {
     static const int symmetric_index[3][3] = {{0, 3, 4}, {3, 1, 5}, {4, 5, 2}};
@@ -106,7 +113,7 @@ static inline void set_bending(const vbss_shell_group *g, lanes foot[3][3], patc
     }
 }
 
-/* Nothing changes when all six nodes move alike. */
+/* Sets row 0 so that a common translation of all six nodes has no effect. */
 static inline void complete_row_sums(lanes of[SHELL_NODES][SHELL_NODES])
 {
     lanes own = lanes_splat(0.0);
@@ -167,7 +174,7 @@ static inline void set_block(const patch_factors *f, const vlanes *normal, int i
     b->at[8] = lanes_add(z.z, f->isotropic[i][j]);
 }
 
-/* On the diagonal, symmetric to the bit. */
+/* A diagonal block is symmetric to the bit. */
 static inline void symmetrise_block(patch_block *b)
 {
     b->at[3] = b->at[1];
@@ -175,7 +182,7 @@ static inline void symmetrise_block(patch_block *b)
     b->at[7] = b->at[5];
 }
 
-/* Adds four blocks, each to where it belongs. */
+/* Adds four blocks, one for each lane. */
 static inline void add_blocks(const patch_block *four, block *const to[LANES])
 {
     for (int c = 0; c < 3; c++) {

@@ -1,4 +1,4 @@
-/* The slit: how far it opens, and the nodes of its edges. */
+/* Slit: its opening, and the nodes and triangles at its edges. */
 #include "drain/mesh.h"
 
 bool vbss_drain_is_slit_row(const drain_mesh *m, uint32_t row)
@@ -7,10 +7,11 @@ bool vbss_drain_is_slit_row(const drain_mesh *m, uint32_t row)
     return row + m->grid.tip_rows > middle && row < middle + m->grid.tip_rows;
 }
 
-/* A cut from -a to a opens to the ellipse b sqrt(1 - (x/a)^2). The shift of all other points is the harmonic one
- * that has these values at the cut, is none on the line beyond the tips, and decays far away: with
- * z = (x + i arc)/a and Joukowski's map 2 z = zeta + 1/zeta, |zeta| >= 1, it is b Im(-1/zeta)
- * = b Im(zeta)/|zeta|^2. A factor, one at the cut, makes it end where the fixed strip begins. */
+/* A cut from -a to a opens to the ellipse b sqrt(1 - (x/a)^2). The shift of all other points is the
+ * harmonic function with these values at the cut, zero on the line beyond the tips, and decay far
+ * away. With z = (x + i arc)/a and Joukowski's map 2 z = zeta + 1/zeta, |zeta| >= 1, it is b
+ * Im(-1/zeta) = b Im(zeta)/|zeta|^2. A factor that is 1 at the cut makes it zero where the fixed
+ * strip begins. */
 double vbss_drain_slit_shift(const drain_mesh *m, double x, double arc)
 {
     double fraction = arc / (DRAIN_STRIP_ANGLE * m->options.radius);
@@ -20,10 +21,11 @@ double vbss_drain_slit_shift(const drain_mesh *m, double x, double arc)
     double a = vbss_drain_row_x(m, m->grid.axial_cells / 2 + m->grid.tip_rows);
     double re = fabs(x) / a, im = arc / a;
 
-    /* zeta = z + sqrt(z^2 - 1), the root in the first quadrant; its smaller part by division, without loss */
+    /* zeta = z + sqrt(z^2 - 1), the root in the first quadrant. Division gives its smaller part
+     * without cancellation. */
     double square = (re - 1.0) * (re + 1.0) - im * im, twice = 2.0 * re * im;
     double larger = sqrt(0.5 * (sqrt(square * square + twice * twice) + fabs(square)));
-    if (larger == 0.0) { /* a tip */
+    if (larger == 0.0) { /* at a tip */
         return 0.0;
     }
     double smaller = re * im / larger;
@@ -32,7 +34,7 @@ double vbss_drain_slit_shift(const drain_mesh *m, double x, double arc)
     return 0.5 * m->options.opening * (im / (re * re + im * im)) * (1.0 - fraction * fraction);
 }
 
-/* It has one. */
+/* The triangle of an edge of the slit, which is a free edge. */
 static uint32_t triangle_of_edge(const drain_mesh *m, uint32_t p, uint32_t q)
 {
     uint32_t s = m->first_edge[p < q ? p : q];

@@ -1,5 +1,5 @@
-/* How far the slit stands open: its edges in the middle of the wall, as the paper measures, and the lips, which are as high
- * as the wall. */
+/* Gap of the slit: between its edges in the middle of the wall, as in the published method, and
+ * between the lips, which are as high as the wall. */
 #include "base/config.h"
 #include "base/error.h"
 #include "collision/closest.h"
@@ -9,7 +9,8 @@ _Static_assert(sizeof(vbss_drain_gap) == 96, "published size");
 static const uint32_t gap_sizes[] = {32, 96, 0};
 static const vbss_layout gap_layout = {"vbss_drain_gap", NULL, gap_sizes};
 
-/* From face to face at a node of an edge: across the triangles beside it. */
+/* Vector from the inner to the outer face at a node of the slit, along the mean normal of the
+ * triangles beside it. */
 static vec3 wall_vector(const drain_object *d, int side, uint32_t i)
 {
     const drain_mesh *m = &d->mesh;
@@ -22,7 +23,7 @@ static vec3 wall_vector(const drain_object *d, int side, uint32_t i)
     return vec3_scale(vec3_unit_or(normal, vec3_zero()), d->config.thickness);
 }
 
-/* Of two opposite nodes' lines through the wall; where they are nearest. */
+/* Distance of the lines through the wall at two opposite nodes, m. `lips`: their closest points. */
 static double opening_at(const drain_object *d, uint32_t i, vec3 lips[2])
 {
     const drain_mesh *m = &d->mesh;

@@ -1,4 +1,4 @@
-/* The state of a drain: what is saved, hashed and restored. */
+/* Snapshot of a drain: one visitor that saves, hashes and restores its state. */
 #include "base/check.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* The configuration that must be the same. */
+/* The configuration that has to be equal on restore. */
 static void visit_config(vbss_stream *stream, const drain_object *d)
 {
     const vbss_drain_config *c = &d->config;
@@ -51,7 +51,7 @@ static bool is_untrusted(const vbss_stream *stream)
     return stream->mode == VBSS_STREAM_READ && !stream->trusted;
 }
 
-/* As hosts can have made it. */
+/* Whether the values are ones that a host can set. */
 static bool is_in_range(const drain_attachment *a)
 {
     return vbss_max_abs(&a->target.x, 3) <= 1e3 && vbss_max_abs(&a->force.x, 3) <= 1e6 &&
@@ -96,7 +96,7 @@ static bool is_at_rest(const drain_object *d, uint32_t node)
     return vec3_distance(d->x[node], rest) == 0.0 && vec3_norm(d->v[node]) == 0.0;
 }
 
-/* Its id is nobody else's; no node is pinned twice, or held beside an anchor. */
+/* Whether the id is unique, and no node is pinned twice or attached while it is anchored. */
 static bool is_valid(const drain_object *d, uint32_t attachment_index)
 {
     const drain_attachment *a = &d->attachments[attachment_index];
@@ -150,7 +150,7 @@ void vbss_drain_serialise(vbss_stream *stream, void *object)
     }
 }
 
-/* ---- saving from outside */
+/* ---- public functions */
 
 vbss_result vbss_drain_save(vbss_drain *drain, uint8_t *bytes, uint64_t capacity, uint64_t *written)
 {

@@ -1,4 +1,4 @@
-/* The drain in a system: a chain whose blocks are the nodes in the order of elimination. */
+/* Sparsity: the drain in a system, as a chain of nodes in the order of elimination. */
 #include "base/error.h"
 #include "drain/drain.h"
 
@@ -24,7 +24,7 @@ vbss_result vbss_drain_add_to_system(drain_object *d, vbss_system *s, const uint
     return VBSS_OK;
 }
 
-/* When the system has been analysed: which block of a pair is eliminated later is known only then. */
+/* Only the analysis of the system decides which block of a pair is eliminated later. */
 void vbss_drain_set_assembly_map(drain_object *d, const vbss_system *s)
 {
     drain_elimination_order *order = &d->order;

@@ -1,9 +1,10 @@
-/* A step of a drain alone: (assemble -> solve -> look again at the forces -> solve) -> commit, in halves where a node
- * would go far.
+/* Implicit step of a drain on its own: [assemble -> solve -> correction] -> commit, at half the
+ * size where a node would move too far.
  *
- * The tangent is made anew in every step: one that is kept fails as soon as the surface has turned by 0.1 to 0.2 rad. The
- * second look at the forces, with the same factor, leaves a tenth of the error; its correction is dropped when it is
- * not small, as after a snap it may point anywhere (docs/drain.md). */
+ * The tangent is assembled in every step, as an old one fails once the surface has turned by
+ * 0.1 to 0.2 rad. The correction solves for new right-hand sides with the old factor and
+ * leaves a tenth of the error. It is dropped if it is not small, as after a snap it may point
+ * anywhere (docs/drain.md). */
 #include "base/error.h"
 #include "drain/drain.h"
 
@@ -14,11 +15,13 @@ static double solve_increment(drain_object *d)
     return solved ? vbss_drain_largest_increment(d, d->system, 0) : (double)INFINITY;
 }
 
-/* Largest increments of the tangent's solve and of the second look. False: there is no solution. */
+/* Largest increments of the first solve and of the correction, m; infinite if there is no
+ * solution. */
 typedef struct increment_sizes {
     double newton, correction;
 } increment_sizes;
 
+/* Assembles and solves once, with a correction if nodes have moved. False: there is no solution. */
 static bool linearise(drain_object *d, const drain_substep *substep, increment_sizes *m)
 {
     *m = (increment_sizes){0.0, 0.0};
@@ -46,11 +49,12 @@ static bool linearise(drain_object *d, const drain_substep *substep, increment_s
     return true;
 }
 
-/* False: no solution. Too far: what has been found is worth nothing if the part can be halved. */
+/* Solves a substep. False: there is no solution. `exceeds_move_limit`: the result is useless if the
+ * substep can be halved. */
 static bool try_substep(drain_object *d, const drain_substep *substep, bool can_halve,
                         bool *exceeds_move_limit)
 {
-    increment_sizes m = {0.0, 0.0}; /* of the last linearisation */
+    increment_sizes m = {0.0, 0.0}; /* those of the last linearisation */
     uint32_t limit = d->config.linearisation_limit;
     *exceeds_move_limit = false;
     vbss_drain_reset_trial(d);
@@ -75,7 +79,7 @@ static bool try_substep(drain_object *d, const drain_substep *substep, bool can_
     return true;
 }
 
-/* The parts are dyadic, so they sum to 1 exactly. */
+/* Runs substeps to the end of the step. Their sizes are powers of 1/2, so they sum to 1 exactly. */
 static bool run_substeps(drain_object *d, double h, drain_substep *substep)
 {
     double start = 0.0, fraction = 1.0, min_fraction = 1.0;
@@ -115,7 +119,7 @@ static vbss_result update_sparsity(drain_object *d)
 
 vbss_result vbss_drain_implicit_step(drain_object *d, double h)
 {
-    drain_substep substep = {h, 1.0}; /* of the last part */
+    drain_substep substep = {h, 1.0}; /* after run_substeps: the last substep */
     VBSS_TRY(update_sparsity(d));
     if (!run_substeps(d, h, &substep)) {
         return VBSS_ERROR_NOT_FINITE;

@@ -1,4 +1,5 @@
-/* How a drain moves in a part of a step, whoever solves for it: from where it is, along increments, to where it is then. */
+/* Substep of a drain, on its own or in a scene: trial state, increments, commit, end of
+ * the step. */
 #include "drain/drain.h"
 
 #include <string.h>
@@ -42,8 +43,8 @@ void vbss_drain_finish_substeps(drain_object *d, double h)
 {
     vbss_drain_commit_attachments(d);
     if (vbss_drain_has_pins(d)) {
-        vbss_drain_compute_internal_forces(d,
-                                           d->x); /* those of the last look are of another state */
+        /* The last assembly was for another state. */
+        vbss_drain_compute_internal_forces(d, d->x);
     }
     vbss_drain_update_reactions(d, h);
     vbss_drain_tear_anchor(d, d->internal_forces);

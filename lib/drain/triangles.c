@@ -1,10 +1,10 @@
-/* Triangles of the grid, their sides, and who lies beyond those. */
+/* Triangles of the grid, their edges, and the opposite nodes of their neighbours. */
 #include "drain/mesh.h"
 
 /* ---- triangles */
 
-/* Two a cell, from its corner that is nearest to the top and to -x. On the left side columns go the other way
- * round: the same triangles with two nodes exchanged. */
+/* Divides a cell into two triangles, from its corner nearest to the top and to -x. On the left side
+ * columns run the other way round, so two nodes are exchanged. */
 static void divide_cell(drain_mesh *m, uint32_t row, uint32_t column, int side, uint32_t first)
 {
     uint32_t corner = vbss_drain_node_index(m, row, column, side);
@@ -32,14 +32,14 @@ void vbss_drain_list_triangles(drain_mesh *m)
     }
 }
 
-/* ---- sides */
+/* ---- edges */
 
 static uint32_t min_node(const uint32_t nodes[2])
 {
     return nodes[0] < nodes[1] ? nodes[0] : nodes[1];
 }
 
-/* The side that a triangle has run along the other way, or a new one. */
+/* Finds the edge that another triangle has with the opposite direction, or adds it. */
 static uint32_t find_edge(drain_mesh *m, uint32_t from, uint32_t to)
 {
     const uint32_t nodes[2] = {from, to};
@@ -57,7 +57,7 @@ static uint32_t find_edge(drain_mesh *m, uint32_t from, uint32_t to)
     return s;
 }
 
-/* Of a triangle, the node that is not on the side: its place. */
+/* Index of the corner that is not on the edge. */
 static int opposite_corner(const uint32_t triangle[3], const drain_edge *edge)
 {
     int vertex = 0;
@@ -79,7 +79,7 @@ static void link_neighbours(drain_mesh *m, const drain_edge *edge)
     }
 }
 
-/* The edges of the slit have nodes of their own, so nobody sees across. */
+/* Both edges of the slit have their own nodes, so no triangle has a neighbour across it. */
 void vbss_drain_list_edges(drain_mesh *m)
 {
     m->edge_count = 0;

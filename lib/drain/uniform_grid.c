@@ -1,4 +1,4 @@
-/* Rows and columns of meshes of equal cells: those for validation, and the paper's. */
+/* Uniform grids: meshes of equal cells, for validation and for the baseline method. */
 #include "base/check.h"
 #include "base/error.h"
 #include "drain/mesh.h"
@@ -12,7 +12,7 @@ enum { PAPER_AXIAL = 6, PAPER_ROUND = 12 };
 /* Flatter cells have no use. */
 #define MAX_CELL_ASPECT 20.0
 
-/* The line nearest to a number of cells, among those that may be taken. */
+/* The nearest line, from 1 to `last`. */
 static uint32_t nearest_line(double cells, uint32_t last)
 {
     double line = floor(cells + 0.5);

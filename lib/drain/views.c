@@ -1,4 +1,4 @@
-/* Looking at a drain: arrays, places, energies, counters. */
+/* Views of a drain: arrays, landmarks, energies, statistics. */
 #include "base/config.h"
 #include "base/error.h"
 #include "drain/drain.h"
@@ -105,7 +105,7 @@ vbss_result vbss_drain_get_view(vbss_drain *drain, vbss_drain_field field, vbss_
     return vbss_struct_write(d->context, &vbss_view_layout, &own, view, struct_size);
 }
 
-/* ---- places */
+/* ---- landmarks */
 
 vbss_result vbss_drain_get_places(vbss_drain *drain, vbss_drain_places *places,
                                   uint32_t struct_size)
