@@ -1,11 +1,12 @@
-/* Rows of bits: sets of numbers, in words. */
+/* Bit sets stored in 64-bit words. */
 #ifndef VBSS_BASE_BITS_H
 #define VBSS_BASE_BITS_H
 
 #include <stdint.h>
 
-enum { BITS_PER_WORD = 64 }; /* of a word */
+enum { BITS_PER_WORD = 64 };
 
+/* Number of set bits. */
 static inline uint32_t count_bits(uint64_t x)
 {
 #if defined(__GNUC__) && defined(__POPCNT__)
@@ -18,6 +19,7 @@ static inline uint32_t count_bits(uint64_t x)
 #endif
 }
 
+/* Index of the lowest set bit; x must not be 0. */
 static inline uint32_t lowest_bit(uint64_t x)
 {
 #if defined(__GNUC__)
@@ -27,6 +29,7 @@ static inline uint32_t lowest_bit(uint64_t x)
 #endif
 }
 
+/* Mask of bit i within its word; i may exceed 63. */
 static inline uint64_t bit_of(uint32_t i)
 {
     return UINT64_C(1) << i % BITS_PER_WORD;

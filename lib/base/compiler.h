@@ -1,4 +1,4 @@
-/* What the compiler must be and what we ask of it. */
+/* Requirements on the compiler, and macros for its extensions. */
 #ifndef VBSS_BASE_COMPILER_H
 #define VBSS_BASE_COMPILER_H
 
@@ -7,22 +7,24 @@
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
 #error "-ffast-math breaks the argument reductions and exact sums of this library"
 #endif
-/* Excess precision (x87: 2) would give other bits. 1 (s390x by default) widens float only, which is
- * not used here. */
+/* Excess precision (x87: 2) changes the bits of results. Mode 1 (s390x by default) widens float
+ * only, and this library does not use float. */
 #if defined(FLT_EVAL_METHOD)
 _Static_assert(FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1, "double must be evaluated in double");
 #endif
 _Static_assert(sizeof(double) == 8 && DBL_MANT_DIG == 53, "double must be IEEE 754 binary64");
 
 #if defined(__GNUC__)
+/* Lets the compiler check a printf format. Both arguments are parameter positions, counted from
+ * 1. */
 #define VBSS_PRINTF(format_index, first_index) \
     __attribute__((format(printf, format_index, first_index)))
 #else
 #define VBSS_PRINTF(format_index, first_index)
 #endif
 
-/* For functions whose constant arguments shall be known inside; and for what shall stay out of the way
- * of what is asked more often. */
+/* VBSS_ALWAYS_INLINE lets the compiler specialise a function for constant arguments.
+ * VBSS_NEVER_INLINE keeps a rare path out of a hot function. */
 #if defined(__GNUC__)
 #define VBSS_ALWAYS_INLINE static inline __attribute__((always_inline))
 #define VBSS_NEVER_INLINE static __attribute__((noinline))

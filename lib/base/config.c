@@ -1,4 +1,4 @@
-/* Arguments and structs from outside: checked before anything is changed. */
+/* Checks of arguments and public structs, done before the library changes anything. */
 #include <string.h>
 
 #include "base/check.h"
@@ -71,7 +71,7 @@ vbss_result vbss_check_arithmetic(vbss_context *context)
                : vbss_fail(context, result, "%s in the calling thread", vbss_result_string(result));
 }
 
-/* ---- structs that cross the border */
+/* ---- public structs */
 
 /* No version of a struct will be longer: a larger struct_size was never initialised. */
 #define MAX_STRUCT_BYTES 4096u
@@ -85,7 +85,8 @@ static uint32_t own_size(const vbss_layout *layout)
     return *size;
 }
 
-/* A size we know, or larger: that of a newer version. One in between would end inside a field. */
+/* A valid size is that of a published version, or larger: a newer version. A size in between would
+ * end inside a field. */
 static vbss_result check_size(vbss_context *context, const vbss_layout *layout,
                               uint32_t struct_size)
 {

@@ -1,4 +1,4 @@
-/* Contexts: what a host creates first and destroys last. */
+/* Creation, destruction and queries of a context. */
 #include <string.h>
 
 #include "base/config.h"
@@ -10,8 +10,8 @@ _Static_assert(offsetof(vbss_context_config, struct_size) == 0, "struct_size com
 _Static_assert(sizeof(vbss_context_config) == 8 + 5 * sizeof(void *), "no hidden padding");
 _Static_assert(sizeof(vbss_context_statistics) == 48, "published size");
 
-/* ---- structs that cross the border, with the sizes of their published versions: numbers, as
- * sizeof grows with the struct */
+/* ---- public structs. The published sizes are literal numbers because sizeof grows with the
+ * struct. */
 
 static const vbss_context_config config_defaults = {
     .struct_size = (uint32_t)sizeof(vbss_context_config),
@@ -23,7 +23,7 @@ static const vbss_layout config_layout = {"vbss_context_config", &config_default
 static const uint32_t statistics_sizes[] = {48, 0};
 static const vbss_layout statistics_layout = {"vbss_context_statistics", NULL, statistics_sizes};
 
-/* ---- life of a context */
+/* ---- creation and destruction */
 
 vbss_result vbss_context_config_init(vbss_context_config *config, uint32_t struct_size)
 {

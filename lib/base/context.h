@@ -1,4 +1,4 @@
-/* The inside of a context, for context.c, memory.c, message.c and slot.c. */
+/* Fields of a context, private to context.c, memory.c, message.c and slot.c. */
 #ifndef VBSS_BASE_CONTEXT_H
 #define VBSS_BASE_CONTEXT_H
 
@@ -6,14 +6,15 @@
 
 #include "base/slot.h"
 
-/* First words of a context and of a slot: a handle of the wrong sort is told by them. */
+/* First word of a context and of a slot; it reveals a handle of the wrong type. */
 #define VBSS_TAG_CONTEXT 0x43534256u /* "VBSC" */
 #define VBSS_TAG_SLOT 0x53534256u    /* "VBSS" */
 
-/* Longest text of an error or message, with its end; longer ones are cut. */
+/* Size of an error or log text with its final 0; longer texts are truncated. */
 #define VBSS_TEXT_BYTES 256
 
 #define VBSS_SLOTS_PER_BLOCK 64
+/* Slots are allocated in blocks, which form a list from newest to oldest. */
 typedef struct slot_block {
     struct slot_block *older;
     uint32_t used;
@@ -25,22 +26,23 @@ struct vbss_context {
     vbss_log_level log_level;
     vbss_allocate_fn allocate;
     vbss_release_fn release;
-    void *allocator_user;
+    void *allocator_user; /* passed to allocate and release */
     vbss_log_fn log;
-    void *log_user;
-    bool in_callback;
+    void *log_user;   /* passed to log */
+    bool in_callback; /* a function of the host is running */
     uint64_t bytes_allocated, bytes_peak, allocation_count;
+    /* last_ordinal belongs to the youngest object; 0 before the first */
     uint64_t objects_alive, last_ordinal;
     slot_block *newest_block;
-    vbss_result last_result;
+    vbss_result last_result; /* status of the last call that failed */
     char last_error[VBSS_TEXT_BYTES];
 };
 
-/* memory.c: the allocator of a config that names none. */
+/* Sets the config's allocator to that of the C library. */
 void vbss_memory_from_libc(vbss_context_config *config);
 
-/* slot.c, for the end of a context: destroys what is alive, youngest first, and gives back the
- * slots. */
+/* Destroys all objects that are alive, youngest first, and frees all slots. Only the destruction of
+ * a context calls this. */
 void vbss_slots_release(vbss_context *context);
 
 #endif

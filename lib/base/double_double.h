@@ -1,12 +1,13 @@
 /* Sums and products with their rounding errors, for the elementary functions.
  *
- * Everything here is plain IEEE 754 double arithmetic in round-to-nearest, in the order written. */
+ * All of this is plain IEEE 754 double arithmetic, rounded to nearest, in the order written. */
 #ifndef VBSS_BASE_DOUBLE_DOUBLE_H
 #define VBSS_BASE_DOUBLE_DOUBLE_H
 
 #include <stdint.h>
 #include <string.h>
 
+/* Bit pattern of x. */
 static inline uint64_t bits_of(double x)
 {
     uint64_t bits;
@@ -14,6 +15,7 @@ static inline uint64_t bits_of(double x)
     return bits;
 }
 
+/* The double with this bit pattern. */
 static inline double double_of(uint64_t bits)
 {
     double x;
@@ -21,20 +23,20 @@ static inline double double_of(uint64_t bits)
     return x;
 }
 
-/* One NaN for all: which NaN an operation makes differs between architectures. */
+/* The only NaN that the library returns: processors differ in the NaN that an operation gives. */
 static inline double canonical_nan(void)
 {
     return double_of(UINT64_C(0x7ff8000000000000));
 }
 
-/* The leading 26 bits of x: two such heads multiply without rounding, x - head has 27 bits. */
+/* x truncated to its leading 26 bits. A product of two heads is exact; x - head has 27 bits. */
 static inline double head_of(double x)
 {
     return double_of(bits_of(x) & ~UINT64_C(0x7ffffff));
 }
 
-/* x + y = result + *error exactly, where x is 0, or |x| >= |y|, or x is a multiple of the last bit
- * of y. */
+/* Sum with its rounding error: x + y = result + *error exactly. Requires x = 0, |x| >= |y|, or x a
+ * multiple of the last bit of y. */
 static inline double two_sum_ordered(double x, double y, double *error)
 {
     double sum = x + y;
@@ -42,7 +44,8 @@ static inline double two_sum_ordered(double x, double y, double *error)
     return sum;
 }
 
-/* x * y = result + *error exactly, by splitting both into 26 bits and a signed rest (Dekker). */
+/* Product with its rounding error: x * y = result + *error exactly. Each factor is split into 26
+ * bits and a signed rest (Dekker). */
 static inline double two_product(double x, double y, double *error)
 {
     double x_big = x * 0x1.0000002p27, y_big = y * 0x1.0000002p27, product = x * y;

@@ -1,6 +1,7 @@
-/* Elementary functions that hosts do not need, beside those of vblast_ss/elementary.h: the same bits
- * everywhere. Errors and methods stand in docs/elementary-functions.md. Special values as in C11
- * Annex F. */
+/* Elementary functions for internal use, beside those of vblast_ss/elementary.h.
+ *
+ * Results have the same bits on every machine. Special values follow C11 Annex F.
+ * docs/elementary-functions.md explains methods and errors. */
 #ifndef VBSS_BASE_ELEMENTARY_H
 #define VBSS_BASE_ELEMENTARY_H
 

@@ -1,11 +1,11 @@
 /* exp and log with the same bits everywhere.
  *
- * exp: x = k ln 2/64 + r, |r| <= ln 2/128; exp x = 2^(k/64) (1 + p(r)), the power from a table of
- * 64 values with their errors. Only r + r^2/2 ... (below 0.0055) is rounded before the last
- * addition.
- * log: x = 2^k z, z in [0.70, 1.40); a table holds 1/c of at most 11 bits for c near z, so that
- * r = z/c - 1, |r| < 0.008, comes as an exact sum, and log x = k ln 2 + log c + log(1 + r). Around
- * 1 the table has c = 1 and log c = 0, so nothing cancels there and no other path is needed.
+ * exp: x = k ln 2/64 + r with |r| <= ln 2/128, and exp x = 2^(k/64) (1 + p(r)). The power comes
+ * from a table of 64 values with their errors. Only r + r^2/2 ... (below 0.0055) is rounded before
+ * the last addition.
+ * log: x = 2^k z with z in [0.70, 1.40). A table holds 1/c with at most 11 bits for c near z. Then
+ * r = z/c - 1, |r| < 0.008, is an exact sum, and log x = k ln 2 + log c + log(1 + r). Around 1 the
+ * table has c = 1 and log c = 0, so nothing cancels there and no other path is needed.
  * Documented maximal errors: exp 0.52 ulp, log 0.52 ulp. Derivation:
  * docs/elementary-functions.md. */
 #include <float.h>
@@ -23,7 +23,7 @@
 #define LN2_HEAD 0x1.62e42fefa38p-1 /* ln 2 as a multiple of 2^-42, the rest */
 #define LN2_TAIL 0x1.ef35793c7673p-45
 
-/* 2^(i/64): nearest double, and the relative error of that. */
+/* 2^(i/64): the nearest double and its relative error */
 /* clang-format off */
 static const double powers[64][2] = {
     {0x1p0, 0.0}, {0x1.02c9a3e778061p0, -0x1.160139cd8dc5dp-56},
@@ -61,7 +61,7 @@ static const double powers[64][2] = {
 };
 /* clang-format on */
 
-/* 1/c, log c as a multiple of 2^-42, its rest. */
+/* 1/c, log c as a multiple of 2^-42, and its rest */
 /* clang-format off */
 static const double logarithms[64][3] = {
     {0x1.6cp0, -0x1.686c81e9b1p-2, -0x1.2bb110af84054p-44},
@@ -131,18 +131,18 @@ static const double logarithms[64][3] = {
 };
 /* clang-format on */
 
-/* (value + value * fraction) 2^exponent near and below the ends of the range, rounded once. */
+/* (value + value * fraction) 2^exponent, rounded once, near and below the ends of the range. */
 static double scaled_slowly(double value, double fraction, int exponent)
 {
     double tail, y = two_sum_ordered(value, value * fraction, &tail);
     if (exponent > 0) {
         return (y + tail) * double_of((uint64_t)(exponent + 1022) << 52) * 2.0;
     }
-    /* 2^exponent = power 2^-100; the smallest normal number is then limit 2^exponent. */
+    /* 2^exponent = power 2^-100, and limit 2^exponent is the smallest normal number. */
     double power = double_of((uint64_t)(exponent + 1123) << 52);
     double limit = double_of((uint64_t)(1 - exponent) << 52);
     if (y < limit) {
-        /* limit + y has its last bit where the smallest subnormal is. */
+        /* The last bit of limit + y has the weight of the smallest subnormal. */
         double error, sum = two_sum_ordered(limit, y, &error);
         y = (sum + (error + tail)) - limit;
     }
@@ -151,7 +151,7 @@ static double scaled_slowly(double value, double fraction, int exponent)
 
 double vbss_exp(double x)
 {
-    bool rare = !(fabs(x) < 700.0); /* beyond, value * fraction below would lose bits */
+    bool rare = !(fabs(x) < 700.0); /* above 700, value * fraction below would lose bits */
     if (rare) {
         if (x != x) {
             return canonical_nan();
@@ -159,14 +159,15 @@ double vbss_exp(double x)
         if (x > 0x1.62e42fefa39efp9) { /* ln of the largest double */
             return (double)INFINITY;
         }
-        if (x < -0x1.74910d52d3052p9) { /* ln 2^-1075: rounds to zero */
+        if (x < -0x1.74910d52d3052p9) { /* ln 2^-1075: the result rounds to zero */
             return 0.0;
         }
     }
     double k = x * STEPS_PER_UNIT + ROUND_TO_INTEGER;
-    uint64_t steps = bits_of(k); /* the integer in its low 32 bits, two's complement */
+    uint64_t steps = bits_of(k); /* the low 32 bits hold the integer in two's complement */
     k -= ROUND_TO_INTEGER;
-    double r = (x - k * STEP_HEAD) - k * STEP_TAIL, r2 = r * r; /* k STEP_HEAD: 17 + 36 bits */
+    /* k STEP_HEAD is exact: 17 + 36 bits */
+    double r = (x - k * STEP_HEAD) - k * STEP_TAIL, r2 = r * r;
     const double *power = powers[steps % 64u];
     double high = (0x1.5555555555188p-5 + r * 0x1.111120b76b116p-7) + r2 * 0x1.6c16d11e43ff8p-10;
     double fraction = (power[1] + r) + r2 * ((0x1p-1 + r * 0x1.5555555554dcdp-3) + r2 * high);
@@ -179,7 +180,7 @@ double vbss_exp(double x)
 
 double vbss_log(double x)
 {
-    /* Cells of z are 1/64 of a binade, centred; the first centre is 45/64. */
+    /* Each cell of z spans 1/64 of a binade about its centre; the first centre is 45/64. */
     const uint64_t first = UINT64_C(0x3fe6800000000000), half_cell = UINT64_C(1) << 45;
     uint64_t bits = bits_of(x);
     double k = 0.0;
@@ -196,7 +197,7 @@ double vbss_log(double x)
         bits = bits_of(x * 0x1p54);
         k = -54.0;
     }
-    /* 1024 binades up, so that the unsigned shift rounds down. */
+    /* The offset of 1024 binades makes the unsigned shift round down. */
     uint64_t from_first = bits - first + half_cell + (UINT64_C(1024) << 52);
     k += (double)(int)(from_first >> 52) - 1024.0;
     uint64_t cell = from_first >> 46 & 63u;
@@ -209,7 +210,7 @@ double vbss_log(double x)
     double series = (0x1.5555555555565p-2 + r * -0x1.000000000000ep-2) +
                     r2 * ((0x1.999999911666fp-3 + r * -0x1.5555554dad847p-3) +
                           r2 * (0x1.2497c98f2816bp-3 + r * -0x1.0004f338975d3p-3));
-    /* k LN2_HEAD + log c is exact: multiples of 2^-42 below 2^10. */
+    /* k LN2_HEAD + log c is exact: both are multiples of 2^-42 below 2^10. */
     double error, sum = two_sum_ordered(k * LN2_HEAD + c[1], r, &error);
     double rest = (error + r_error) + (k * LN2_TAIL + c[2]);
     return sum + (rest + (r2 * (r * series - 0.5)));

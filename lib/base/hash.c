@@ -1,4 +1,4 @@
-/* XXH64, seed 0, written from its published description; 64-bit words are read little-endian. */
+/* XXH64 with seed 0, from its published specification. */
 #include <string.h>
 
 #include "base/hash.h"

@@ -1,12 +1,12 @@
 /* atan2 and acos with the same bits everywhere.
  *
- * Both functions are expanded about c, one of 17 equidistant points next to the argument c + h:
+ * Both functions are expanded about c, the nearest of 17 equidistant points to the argument c + h:
  *     f(c + h) = f(c) + f'(c) h + h^2 Q_c(h).
- * The first two terms are summed with their rounding errors (f' and h are split into 26 bits and a
- * rest, so the leading product is exact); the third is below 2^-9 of the result and is evaluated
- * in plain double.
- * atan2 expands atan of q = b/a <= 1, the quotient taken with its remainder. acos expands asin of
- * |x| up to 1/2, of sqrt((1 - |x|)/2) with the error of the root above.
+ * The first two terms are summed with their rounding errors: f' and h are split into 26 bits and a
+ * rest, so the leading product is exact. The third term is below 2^-9 of the result and is
+ * evaluated in plain double.
+ * atan2 expands atan of q = b/a <= 1 and corrects for the quotient's remainder. acos expands asin
+ * of |x| up to 1/2, and above that asin of sqrt((1 - |x|)/2), corrected for the error of the root.
  * Documented maximal errors: atan2 0.52 ulp, acos 0.51 ulp. Derivation:
  * docs/elementary-functions.md. */
 #include <float.h>
@@ -21,7 +21,7 @@
 #define HALF_PI_HEAD 0x1.921fb54442d18p0
 #define HALF_PI_TAIL 0x1.1a62633145c07p-54
 
-/* f(c) with its rest, f'(c) in 26 bits and its rest, the coefficients of Q_c. */
+/* f(c) with its rest, f'(c) as 26 bits and the rest, and the coefficients of Q_c. */
 typedef struct expansion {
     double value, value_tail, slope, slope_tail, q[9];
 } expansion;
@@ -172,12 +172,12 @@ static const expansion arc_sine[17] = {
 };
 /* clang-format on */
 
-/* An angle is base + sign f, with f in the first octant. */
+/* An angle is head + tail + sign f, where f is in the first octant. */
 typedef struct octant {
     double head, tail, sign;
 } octant;
 
-/* Indexed by (f counts from pi/2) + 2 (beyond pi/2). */
+/* Index: 1 if f counts from pi/2, plus 2 if the angle is beyond pi/2. */
 static const octant octants[4] = {
     {0.0, 0.0, 1.0},
     {HALF_PI_HEAD, HALF_PI_TAIL, -1.0},
@@ -211,11 +211,11 @@ static inline double apply_octant(const octant *base, double sum, double rest)
     return total + (error + (base->tail + base->sign * rest));
 }
 
-/* For 0 < b <= a of moderate exponents: no product below leaves the normal range. */
+/* Angle for 0 < b <= a of moderate exponents, so that no product here leaves the normal range. */
 static inline double angle_of(double b, double a, unsigned octant_index)
 {
     double inverse = 1.0 / a, q = b * inverse;
-    /* b - q a; q is within 2 ulp of b/a, and what rounds here is below 2^-76 b. */
+    /* The remainder b - q a: q is within 2 ulp of b/a, and the roundings here are below 2^-76 b. */
     double q_head = head_of(q), q_rest = q - q_head, a_head = head_of(a), a_rest = a - a_head;
     double left = ((b - q_head * a_head) - q_head * a_rest) - q_rest * a_head - q_rest * a_rest;
     double shifted = q + 0x1.8p48; /* rounds to 1/16 */
@@ -225,7 +225,8 @@ static inline double angle_of(double b, double a, unsigned octant_index)
     return apply_octant(&octants[octant_index], sum, rest + tail_of(f, h, left * inverse));
 }
 
-/* The rest: NaN, zeros, infinities, extreme exponents and ratios. Magnitudes. */
+/* Angle in the remaining cases: NaN, zeros, infinities, extreme exponents and ratios. Both
+ * arguments are magnitudes. */
 static double rare_angle(double y, double x, unsigned octant_index)
 {
     double a = octant_index & 1u ? y : x, b = octant_index & 1u ? x : y;
@@ -233,16 +234,17 @@ static double rare_angle(double y, double x, unsigned octant_index)
         if (a != a || b != b) {
             return canonical_nan();
         }
-        if (a == b) { /* both infinite: 3 pi/4, pi/4 */
+        if (a == b) { /* both infinite: 3 pi/4 or pi/4 */
             return octant_index & 2u ? 0x1.2d97c7f3321d2p1 : 0x1.921fb54442d18p-1;
         }
-        b = 0.0; /* beside an infinity any number is zero */
+        b = 0.0; /* any finite number is zero relative to an infinity */
     }
     if (b == 0.0) {
         return octants[octant_index].head;
     }
     if (b < a * 0x1p-60) {
-        /* b/a is lost beside pi/2 and pi, and else is its own arc tangent. */
+        /* b/a is below the rounding error of pi/2 and pi; in the first octant it is its own arc
+         * tangent. */
         return octant_index ? octants[octant_index].head : b / a;
     }
     double scale = a > 1.0 ? 0x1p-200 : 0x1p300;
@@ -257,7 +259,7 @@ double vbss_atan2(double y, double x)
     uint64_t a_exponent = bits_of(a) >> 52, b_exponent = bits_of(b) >> 52;
     unsigned octant_index = (steep ? 1u : 0u) + (bits_of(x) >> 63 != 0 ? 2u : 0u);
     double angle;
-    /* 2^-900 <= a < 2^900 and b/a > 2^-61: not so for zeros, infinities and NaN. */
+    /* 2^-900 <= a < 2^900 and b/a > 2^-61, which excludes zeros, infinities and NaN. */
     if (a_exponent - 123u < 1800u && a_exponent - b_exponent <= 60u) {
         angle = angle_of(b, a, octant_index);
     } else {
@@ -280,8 +282,8 @@ double vbss_acos(double x)
     if (!(size < 1.0)) {
         return x == 1.0 ? 0.0 : x == -1.0 ? PI_HEAD : canonical_nan();
     }
-    /* acos |x| = 2 asin sqrt z, and z is exact. The root's error is (z - s^2)/(2 s) =
-     * (z - s^2) s/(2 z): so written the division runs beside the root. */
+    /* acos |x| = 2 asin sqrt z, and z is exact. The error of the root s is (z - s^2)/(2 s),
+     * computed as (z - s^2) s/(2 z) so that the division and the root can run at the same time. */
     double z = 0.5 * (1.0 - size), half_inverse = 0.5 / z, s = sqrt(z);
     double s_head = head_of(s), s_rest = s - s_head;
     double left = ((z - s_head * s_head) - 2.0 * s_head * s_rest) - s_rest * s_rest;

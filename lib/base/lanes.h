@@ -1,8 +1,8 @@
-/* Four doubles side by side.
+/* Four doubles in SIMD lanes.
  *
- * Lanes are independent entries, never summed across, so the bits do not depend on how many of them
- * the processor takes at a time: four, two (compilers keep vectors that are wider than a register in
- * memory), or one. */
+ * Lanes are independent entries and are never summed across. The bits therefore do not depend on
+ * how many of them the processor takes at a time: four, two, or one. Two are a struct of two
+ * registers, because compilers keep vectors wider than a register in memory. */
 #ifndef VBSS_BASE_LANES_H
 #define VBSS_BASE_LANES_H
 
@@ -12,7 +12,7 @@
 
 enum { LANES = 4 };
 
-/* ---- what a register holds, and lanes made of it */
+/* ---- types: lanes_part is one register, lanes consists of as many parts as needed */
 
 #if defined(__GNUC__) && defined(__AVX__)
 
@@ -97,12 +97,13 @@ static inline lanes lanes_load(const double *from)
 
 #endif
 
-/* Numbers of two parts in another order, where compilers have it. */
+/* Reorders the entries of two parts, where the compiler has a builtin for it. */
 #if defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 12)
 #define LANES_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #endif
 
-/* ---- operations on a part; operations on lanes take unused arguments twice or thrice */
+/* ---- operations on one part. All macros take three arguments; callers repeat one for those
+ * unused. */
 
 #define LANES_ADD(a, b, unused) ((a) + (b))
 #define LANES_SUB(a, b, unused) ((a) - (b))
@@ -122,7 +123,7 @@ static inline lanes lanes_load(const double *from)
 #define LANES_CHOOSE(mask, a, b) ((mask) != 0 ? (a) : (b))
 #define LANES_ABS(a, unused, unused_too) fabs(a)
 #endif
-/* a > b ? a : b and a < b ? a : b, which processors have as one instruction */
+/* a > b ? a : b and a < b ? a : b, each a single instruction on most processors */
 #if defined(__GNUC__) && defined(__AVX__)
 #define LANES_LARGER(a, b, unused) __builtin_ia32_maxpd256(a, b)
 #define LANES_SMALLER(a, b, unused) __builtin_ia32_minpd256(a, b)
@@ -134,7 +135,7 @@ static inline lanes lanes_load(const double *from)
 #define LANES_SMALLER(a, b, unused) LANES_CHOOSE(LANES_LESS(a, b, b), a, b)
 #endif
 
-/* ---- making */
+/* ---- construction */
 
 static inline lanes lanes_make(double x, double y, double z)
 {
@@ -142,17 +143,20 @@ static inline lanes lanes_make(double x, double y, double z)
     return lanes_load(all);
 }
 
+/* All four lanes are x. */
 static inline lanes lanes_splat(double x)
 {
     double all[LANES] = {x, x, x, x};
     return lanes_load(all);
 }
 
+/* The vector's components in lanes 0 to 2, and 0 in lane 3. */
 static inline lanes lanes_from(vec3 v)
 {
     return lanes_make(v.x, v.y, v.z);
 }
 
+/* Lanes 0 to 2 as a vector. */
 static inline vec3 lanes_vec3(lanes v)
 {
     return vec3_make(lanes_at(v, 0), lanes_at(v, 1), lanes_at(v, 2));
@@ -207,7 +211,7 @@ static inline lanes lanes_sqrt(lanes a)
     return lanes_load(roots);
 }
 
-/* ---- comparing: false where one is NaN */
+/* ---- comparison: false if either entry is NaN */
 
 static inline lanes_mask lanes_less(lanes a, lanes b)
 {
@@ -229,13 +233,13 @@ static inline lanes_mask lanes_not(lanes_mask a)
     LANES_OF(lanes_mask, LANES_NOT, a, a, a);
 }
 
-/* a where the mask is set, else b */
+/* a where the mask is set, otherwise b */
 static inline lanes lanes_select(lanes_mask mask, lanes a, lanes b)
 {
     LANES_OF(lanes, LANES_CHOOSE, mask, a, b);
 }
 
-/* Bit i is set where lane i is. */
+/* Bit i of the result is set if lane i of the mask is set. */
 static inline unsigned lanes_movemask(lanes_mask mask)
 {
 #if defined(__GNUC__) && defined(__AVX__)
@@ -249,7 +253,7 @@ static inline unsigned lanes_movemask(lanes_mask mask)
 #endif
 }
 
-/* to[i] = a_i, b_i, c_i, 0 */
+/* Transposes three rows: to[i] = (a_i, b_i, c_i, 0). */
 static inline void lanes_transpose(lanes a, lanes b, lanes c, lanes to[LANES])
 {
 #if defined(LANES_SHUFFLE) && defined(__AVX__)

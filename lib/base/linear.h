@@ -1,8 +1,9 @@
-/* Vectors, matrices, quaternions, poses: small, by value, inline.
+/* Vectors, matrices, quaternions and poses: small types, passed by value, with inline functions.
  *
- * Every sum is written in one order and evaluated left to right, so results do not depend on the
- * compiler. Quaternions are (w, x, y, z), unit when they stand for an orientation; matrices are
- * row-major; poses map body to world; frames are right-handed. Only sqrt comes from libm. */
+ * Every sum has one written order and is evaluated left to right, so results do not depend on the
+ * compiler. Quaternions are (w, x, y, z); those that represent an orientation have unit length.
+ * Matrices are row-major, poses map body to world, and frames are right-handed. sqrt is the only
+ * function of libm here that rounds. */
 #ifndef VBSS_BASE_LINEAR_H
 #define VBSS_BASE_LINEAR_H
 
@@ -25,24 +26,25 @@ typedef struct quat {
     double w, x, y, z;
 } quat;
 
-/* world = position + orientation * body */
+/* A rigid transformation: world = position + orientation * body. */
 typedef struct pose {
     vec3 position;
     quat orientation;
 } pose;
 
-/* The larger of two, NaN once one of them was: for maxima that must not hide what is broken. */
+/* The larger value, or NaN if either is NaN: for maxima that must not hide a broken state. */
 static inline double vbss_max_or_nan(double a, double b)
 {
     return a > b || a != a ? a : b;
 }
 
-/* The second when one is NaN. */
+/* The smaller value; b if either is NaN. */
 static inline double vbss_min(double a, double b)
 {
     return a < b ? a : b;
 }
 
+/* The larger value; b if either is NaN. */
 static inline double vbss_max(double a, double b)
 {
     return a > b ? a : b;
@@ -99,7 +101,7 @@ static inline vec3 vec3_add_scaled(vec3 a, double s, vec3 b)
     return vec3_make(a.x + s * b.x, a.y + s * b.y, a.z + s * b.z);
 }
 
-/* (1 - t) a + t b: exact at both ends */
+/* (1 - t) a + t b, exact at both ends */
 static inline vec3 vec3_lerp(vec3 a, vec3 b, double t)
 {
     double u = 1.0 - t;
@@ -121,7 +123,7 @@ static inline double vec3_norm_squared(vec3 a)
     return vec3_dot(a, a);
 }
 
-/* Overflows above 1e154 and underflows below 1e-154 m: far outside any scene. */
+/* Overflows above 1e154 m and underflows below 1e-154 m, far outside any scene. */
 static inline double vec3_norm(vec3 a)
 {
     return sqrt(vec3_dot(a, a));
@@ -132,14 +134,14 @@ static inline double vec3_distance(vec3 a, vec3 b)
     return vec3_norm(vec3_sub(a, b));
 }
 
-/* 1/n; NaN for a norm that overflowed or is NaN: a broken state must stay visible. */
+/* 1/n, or NaN for a norm that overflowed or is NaN: a broken state must stay visible. */
 static inline double inverse_norm(double n)
 {
     return n <= DBL_MAX ? 1.0 / n : n - n;
 }
 
-/* The unit vector along a, or `fallback` when a is too short to have a direction; NaN for a norm
- * that is not finite. */
+/* The unit vector along a; `fallback` if a is too short to have a direction; NaN if its norm is not
+ * finite. */
 static inline vec3 vec3_unit_or(vec3 a, vec3 fallback)
 {
     double n = vec3_norm(a);
@@ -151,8 +153,8 @@ static inline bool vec3_is_finite(vec3 a)
     return isfinite(a.x) && isfinite(a.y) && isfinite(a.z);
 }
 
-/* A unit vector normal to the unit vector a, without a branch that jumps for nearby a except across
- * a.z = 0 (construction of Duff et al. 2017, with copysign). */
+/* A unit vector normal to the unit vector a. It varies continuously with a except across a.z = 0
+ * (Duff et al. 2017, with copysign). */
 static inline vec3 vec3_any_normal(vec3 a)
 {
     double sign = copysign(1.0, a.z);
@@ -191,7 +193,7 @@ static inline mat3 mat3_outer(vec3 a, vec3 b)
     return mat3_rows(vec3_scale(b, a.x), vec3_scale(b, a.y), vec3_scale(b, a.z));
 }
 
-/* [a] with [a] b = a x b */
+/* The cross product matrix: mat3_cross(a) b = a x b. */
 static inline mat3 mat3_cross(vec3 a)
 {
     mat3 r = {{{0.0, -a.z, a.y}, {a.z, 0.0, -a.x}, {-a.y, a.x, 0.0}}};
@@ -270,8 +272,9 @@ static inline double mat3_determinant(mat3 a)
            a.m[0][2] * (a.m[1][0] * a.m[2][1] - a.m[1][1] * a.m[2][0]);
 }
 
-/* By cofactors. False, and *inverse untouched, when the rows are dependent as far as double can
- * tell (their volume is below 1e-14 of what their lengths allow) or a result is not finite. */
+/* Inverts by cofactors. Returns false and leaves *inverse unchanged if an entry is not finite or
+ * the rows are dependent in double precision: |determinant| <= 1e-14 times the product of their
+ * lengths. */
 static inline bool mat3_invert(mat3 a, mat3 *inverse)
 {
     double allowed =
@@ -285,7 +288,7 @@ static inline bool mat3_invert(mat3 a, mat3 *inverse)
     bool finite = true;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            /* Cyclic indices give the cofactor with its sign; (j, i) transposes. */
+            /* Cyclic indices give the cofactor with its sign; [j][i] transposes. */
             int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
             result.m[j][i] = s * (a.m[i1][j1] * a.m[i2][j2] - a.m[i1][j2] * a.m[i2][j1]);
             finite = finite && isfinite(result.m[j][i]);
@@ -310,7 +313,7 @@ static inline quat quat_identity(void)
     return quat_make(1.0, 0.0, 0.0, 0.0);
 }
 
-/* First b, then a. */
+/* The rotation by b, then by a. */
 static inline quat quat_mul(quat a, quat b)
 {
     return quat_make(a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
@@ -329,8 +332,8 @@ static inline double quat_dot(quat a, quat b)
     return a.w * b.w + a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/* The unit quaternion along q, the identity when q is too short to have a direction; NaN for a norm
- * that is not finite. */
+/* The unit quaternion along q; the identity if q is too short to have a direction; NaN if its norm
+ * is not finite. */
 static inline quat quat_unit(quat q)
 {
     double n = sqrt(quat_dot(q, q));
@@ -341,7 +344,7 @@ static inline quat quat_unit(quat q)
     return quat_make(q.w * s, q.x * s, q.y * s, q.z * s);
 }
 
-/* v turned by the unit quaternion q, as v + 2 w (u x v) + 2 u x (u x v) with u = (x, y, z). */
+/* Rotates v by the unit quaternion q: v + 2 w (u x v) + 2 u x (u x v) with u = (x, y, z). */
 static inline vec3 quat_rotate(quat q, vec3 v)
 {
     vec3 u = vec3_make(q.x, q.y, q.z);
@@ -349,6 +352,7 @@ static inline vec3 quat_rotate(quat q, vec3 v)
     return vec3_add(vec3_add_scaled(v, q.w, t), vec3_cross(u, t));
 }
 
+/* Rotates v by the inverse of the unit quaternion q. */
 static inline vec3 quat_rotate_back(quat q, vec3 v)
 {
     return quat_rotate(quat_conjugate(q), v);
@@ -365,9 +369,9 @@ static inline mat3 quat_to_mat3(quat q)
     return r;
 }
 
-/* The shortest turn that takes unit vector a to unit vector b, through the vector half way between
- * them. Good to rounding, but nearly opposite vectors are taken to each other to 1e-7 only, and
- * vectors opposite to 1e-8 turn about vec3_any_normal(a). */
+/* The shortest rotation that takes the unit vector a to the unit vector b, by way of the vector
+ * halfway between them. It is accurate to rounding, but only to 1e-7 for nearly opposite vectors.
+ * Vectors opposite to within 1e-8 give a half turn about vec3_any_normal(a). */
 static inline quat quat_between(vec3 a, vec3 b)
 {
     vec3 sum = vec3_add(a, b);
@@ -418,7 +422,7 @@ static inline vec3 pose_apply_inverse(pose p, vec3 world)
     return quat_rotate_back(p.orientation, vec3_sub(world, p.position));
 }
 
-/* First b, then a. */
+/* Transformation by b, then by a. */
 static inline pose pose_mul(pose a, pose b)
 {
     return pose_make(pose_apply(a, b.position), quat_mul(a.orientation, b.orientation));

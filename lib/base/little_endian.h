@@ -1,4 +1,4 @@
-/* Integers as little-endian bytes, whatever the machine's own order. */
+/* Integers as little-endian bytes on any machine. */
 #ifndef VBSS_BASE_LITTLE_ENDIAN_H
 #define VBSS_BASE_LITTLE_ENDIAN_H
 
@@ -12,7 +12,8 @@
 #define VBSS_LITTLE_ENDIAN 0
 #endif
 
-/* The lowest `count` bytes of value, at most 8. Where the machine's order is that one, compilers see one move. */
+/* Stores the lowest `count` bytes of value; count is at most 8. On a little-endian machine with a
+ * constant count this is one move. */
 static inline void store_little_endian(uint8_t *bytes, uint64_t value, size_t count)
 {
 #if VBSS_LITTLE_ENDIAN
@@ -24,6 +25,7 @@ static inline void store_little_endian(uint8_t *bytes, uint64_t value, size_t co
 #endif
 }
 
+/* Reads `count` bytes, at most 8, as an unsigned integer. */
 static inline uint64_t load_little_endian(const uint8_t *bytes, size_t count)
 {
     uint64_t value = 0;

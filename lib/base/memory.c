@@ -1,4 +1,4 @@
-/* Memory, from the host's allocator or the C library's. */
+/* Memory from the host's allocator or from the C library. */
 #include <stdlib.h>
 #include <string.h>
 #if defined(_WIN32)
@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 
-/* ---- the C library as allocator */
+/* ---- the C library as the allocator */
 
 static void *libc_allocate(void *user, uint64_t size, uint64_t alignment)
 {
@@ -17,7 +17,7 @@ static void *libc_allocate(void *user, uint64_t size, uint64_t alignment)
 #if defined(_WIN32)
     return _aligned_malloc((size_t)size, (size_t)alignment);
 #else
-    /* C11 wants a multiple of the alignment. */
+    /* C11 requires a multiple of the alignment. */
     uint64_t rounded = (size + alignment - 1u) / alignment * alignment;
     return rounded > SIZE_MAX ? NULL : aligned_alloc((size_t)alignment, (size_t)rounded);
 #endif
@@ -41,9 +41,9 @@ void vbss_memory_from_libc(vbss_context_config *config)
     config->release = libc_release;
 }
 
-/* ---- for the rest of the library */
+/* ---- arrays for the rest of the library */
 
-/* What the allocator is asked for; an empty array is a block of its own, never NULL. */
+/* Bytes to request. An empty array has a block of one byte and so is never NULL. */
 static uint64_t block_bytes(size_t count, size_t size)
 {
     return count == 0 || size == 0 ? 1u : (uint64_t)count * size;
@@ -56,7 +56,7 @@ static void release(vbss_context *context, void *block, uint64_t bytes)
     vbss_callback_end(context, outer);
 }
 
-/* A block as the rest of the library expects it, or NULL. */
+/* A block with the required alignment, or NULL. */
 static void *call_allocator(vbss_context *context, uint64_t bytes)
 {
     bool outer = vbss_callback_begin(context);
@@ -71,7 +71,7 @@ static void *call_allocator(vbss_context *context, uint64_t bytes)
 
 void *vbss_allocate(vbss_context *context, size_t count, size_t size, const char *what)
 {
-    /* Kept below PTRDIFF_MAX, and by a margin that rounding up to the alignment cannot overflow. */
+    /* The limit keeps sizes below PTRDIFF_MAX and leaves room to round up to the alignment. */
     if (count > 0 && size > (SIZE_MAX / 4) / count) {
         vbss_fail(context, VBSS_ERROR_OUT_OF_MEMORY, "%s: %llu x %llu bytes are too many", what,
                   (unsigned long long)count, (unsigned long long)size);

@@ -1,4 +1,4 @@
-/* What the host hears: the last error, the log, and that nothing is changed while it listens. */
+/* Last error, log messages, and the guard against changes during a callback. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ void vbss_callback_end(vbss_context *context, bool outer)
 static void send_to_log(vbss_context *context, vbss_log_level level, const char *message)
 {
     if (context->log == NULL || level > context->log_level || context->in_callback) {
-        return; /* a message about a call made inside a callback could recurse for ever */
+        return; /* logging a call made inside a callback could recurse without end */
     }
     bool outer = vbss_callback_begin(context);
     context->log(context->log_user, level, message);
@@ -53,7 +53,8 @@ vbss_result vbss_fail(vbss_context *context, vbss_result result, const char *for
         va_start(arguments, format);
         vsnprintf(text, sizeof text, format, arguments);
         va_end(arguments);
-        /* What a callback of the host is refused must not hide why it was called. */
+        /* A call refused inside a callback must not overwrite the error that the callback
+         * reports. */
         if (!context->in_callback) {
             store_error(context, result, text);
         }

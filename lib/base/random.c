@@ -9,7 +9,8 @@
 void vbss_random_seed(vbss_random *random, uint64_t seed, uint64_t sequence)
 {
     random->increment = (sequence << 1) | 1u;
-    random->state = random->increment + seed; /* one step from zero, then the seed */
+    /* the state after one step from zero, plus the seed */
+    random->state = random->increment + seed;
     random->state = random->state * MULTIPLIER + random->increment;
 }
 
@@ -30,7 +31,7 @@ uint64_t vbss_random_u64(vbss_random *random)
 
 uint32_t vbss_random_below(vbss_random *random, uint32_t bound)
 {
-    /* Numbers below 2^32 mod bound would make small results likelier: draw again. */
+    /* Draws below 2^32 mod bound would make small results likelier, so they are rejected. */
     uint32_t surplus = (0u - bound) % bound;
     uint32_t drawn;
     do {
@@ -44,7 +45,8 @@ double vbss_random_uniform(vbss_random *random)
     return (double)(vbss_random_u64(random) >> 11) * 0x1p-53;
 }
 
-/* A uniform point of the open disk or ball without its centre, by rejection. */
+/* A uniform point of the open disk or ball, by rejection. Excludes the centre; returns the squared
+ * radius. */
 static double inside_ball(vbss_random *random, double *coordinates, int dimension)
 {
     double r2;
@@ -60,7 +62,8 @@ static double inside_ball(vbss_random *random, double *coordinates, int dimensio
 
 double vbss_random_normal(vbss_random *random)
 {
-    /* Marsaglia's polar method; the pair's second number is dropped to keep the state small. */
+    /* Marsaglia's polar method. The second number of the pair is dropped to keep the state
+     * small. */
     double p[2];
     double r2 = inside_ball(random, p, 2);
     return p[0] * sqrt(-2.0 * vbss_log(r2) / r2);

@@ -1,4 +1,4 @@
-/* What a status is called, and what this library is. */
+/* Names and texts of statuses, and the library's version and build. */
 #include <vblast_ss/base.h>
 
 const char *vbss_result_name(vbss_result result)

@@ -1,4 +1,4 @@
-/* Rotations that need elementary functions. */
+/* Rotation vectors and the integration of orientations. */
 #include "base/elementary.h"
 #include "base/linear.h"
 #include "base/rotation.h"
@@ -8,7 +8,8 @@ quat vbss_quat_from_rotation_vector(vec3 rotation)
     double angle = vec3_norm(rotation);
     double w, s;
     if (angle < 1e-4) {
-        /* sin(a/2)/a and cos(a/2) to 1e-18 relative, without the division by a small angle. */
+        /* sin(a/2)/a and cos(a/2), accurate to 1e-18 relative, without division by a small
+         * angle. */
         double a2 = angle * angle;
         s = 0.5 - a2 * (1.0 / 48.0);
         w = 1.0 - a2 * (1.0 / 8.0);
@@ -23,11 +24,12 @@ quat vbss_quat_from_rotation_vector(vec3 rotation)
 vec3 vbss_quat_to_rotation_vector(quat q)
 {
     if (q.w < 0.0) {
-        q = quat_make(-q.w, -q.x, -q.y, -q.z); /* the same orientation, by the short way */
+        /* q and -q are the same orientation; this one has the smaller angle */
+        q = quat_make(-q.w, -q.x, -q.y, -q.z);
     }
     vec3 axis = vec3_make(q.x, q.y, q.z);
     double sine = vec3_norm(axis);
-    /* 2 atan2(s, w)/s = 2/w (1 - (s/w)^2/3 + ...) for a small turn. */
+    /* For a small angle: 2 atan2(s, w)/s = 2/w (1 - (s/w)^2/3 + ...). */
     double factor = sine < 1e-5 * q.w ? (2.0 - 2.0 / 3.0 * sine * sine / (q.w * q.w)) / q.w
                                       : 2.0 * vbss_atan2(sine, q.w) / sine;
     return vec3_scale(axis, factor);

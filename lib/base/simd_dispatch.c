@@ -1,11 +1,11 @@
-/* Whether the hot loops can be run with AVX2. */
+/* Detection of AVX2 at run time. */
 #include "base/simd_dispatch.h"
 
 #if defined(VBSS_HAVE_WIDE)
 
 #include <cpuid.h>
 
-/* The processor has AVX2, and the system keeps the wide registers. */
+/* Requires AVX2 in the processor and an operating system that saves the wide registers. */
 bool vbss_wide_is_available(void)
 {
     unsigned a, b, c, d;

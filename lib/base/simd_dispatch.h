@@ -1,7 +1,7 @@
-/* Hot loops that exist twice: for any processor, and with AVX2.
+/* Hot loops compiled twice: for any processor, and with AVX2 (the wide copy).
  *
- * A file of such loops names its functions VBSS_WIDE_NAME(function) and is compiled a second time with
- * VBSS_WIDE defined. Lanes are independent entries, so both give the same bits. */
+ * A file with such loops names its functions VBSS_WIDE_NAME(function), and the build compiles it
+ * again with VBSS_WIDE defined. Lanes are independent, so both copies give the same bits. */
 #ifndef VBSS_BASE_SIMD_DISPATCH_H
 #define VBSS_BASE_SIMD_DISPATCH_H
 
@@ -18,7 +18,7 @@
 #else
 #define VBSS_WIDE_CALL(wide, function, ...) ((void)(wide), function##_plain(__VA_ARGS__))
 #endif
-/* Whether this processor and this build have the wide copies. */
+/* Whether both this processor and this build support the wide copies. */
 bool vbss_wide_is_available(void);
 
 #endif

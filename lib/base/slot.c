@@ -1,9 +1,9 @@
-/* Handles: slots that are handed out once and told apart for as long as the context lives. */
+/* Slots behind handles: each is handed out once in the life of a context. */
 #include "base/context.h"
 #include "base/error.h"
 #include "base/memory.h"
 
-/* Values far from 0 and 1, so that a stray write is seen as neither. */
+/* Values far from 0 and 1, so that a stray write is unlikely to produce one of them. */
 enum { SLOT_ALIVE = 0x11fe, SLOT_DEAD = 0xdead, SLOT_RESERVED = 0x3a17 };
 
 vbss_result vbss_slot_reserve(vbss_context *context, const vbss_kind *kind, vbss_slot **slot)
@@ -50,13 +50,13 @@ vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void 
     return VBSS_OK;
 }
 
-/* The living slot behind a handle, or NULL with the failure told. */
+/* The valid slot behind a handle, or NULL with the failure reported. */
 static vbss_slot *find_slot(const void *handle, const vbss_kind *kind)
 {
-    /* The memory behind a handle is writable: const only says that looking changes nothing. */
+    /* The memory behind a handle is writable; const only promises that the call changes nothing. */
     vbss_slot *slot = (vbss_slot *)handle;
     if (slot == NULL || slot->tag != VBSS_TAG_SLOT) {
-        return NULL; /* no context to keep a text */
+        return NULL; /* there is no context that could store a text */
     }
     if (slot->kind != kind) {
         vbss_fail(slot->context, VBSS_ERROR_INVALID_HANDLE,
@@ -146,7 +146,8 @@ vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind)
 
 void vbss_slots_release(vbss_context *context)
 {
-    /* All objects before the first handle goes: the end of one may look at another's handle. */
+    /* Destroy all objects before freeing any slot, because the destruction of one object may read
+     * the handle of another. */
     for (slot_block *block = context->newest_block; block != NULL; block = block->older) {
         for (uint32_t i = block->used; i > 0; i--) {
             if (block->slots[i - 1].status == SLOT_ALIVE) {

@@ -1,5 +1,7 @@
-/* Handles. A public handle is a slot in disguise. Slots belong to the context and are
- * never used twice, so a destroyed handle is told and never read as something else. */
+/* Public handles.
+ *
+ * A handle is the address of a slot. Slots belong to the context and are never reused, so a
+ * destroyed handle is always detected. */
 #ifndef VBSS_BASE_SLOT_H
 #define VBSS_BASE_SLOT_H
 
@@ -8,10 +10,11 @@
 #include <vblast_ss/base.h>
 
 typedef struct vbss_stream vbss_stream;
+/* A type of object that hosts hold handles of. */
 typedef struct vbss_kind {
-    const char *name; /* for error texts */
+    const char *name; /* type of the object in error texts */
     uint32_t code;    /* four-character code of its section in a snapshot */
-    uint16_t version; /* of that section */
+    uint16_t version; /* current version of that section */
     void (*destroy)(vbss_context *context, void *object);
     void (*serialise)(vbss_stream *stream, void *object); /* visits every field of the state */
 } vbss_kind;
@@ -21,30 +24,39 @@ typedef struct vbss_slot {
     const vbss_kind *kind;
     vbss_context *context;
     void *object;
-    uint64_t ordinal;  /* order of creation in the context: the object's identity in logs */
-    const void *owner; /* the object that has it, which alone may step or end it; NULL: the host */
+    /* order of creation in the context, starting at 1: the object's identity in logs */
+    uint64_t ordinal;
+    /* NULL if the host owns the object; otherwise the owner, which alone may step or destroy it */
+    const void *owner;
 } vbss_slot;
-/* Puts a finished object behind a new handle; on failure the caller still owns the object. */
+/* Creates a handle for a complete object. On failure the caller still owns the object. */
 vbss_result vbss_slot_create(vbss_context *context, const vbss_kind *kind, void *object,
                              vbss_slot **slot);
-/* The same in two parts, for objects that come to life where nothing may be allocated: a reserved
- * slot waits, as no handle of anybody, until it is filled or the context ends. */
+/* Allocates a slot for an object that will be created where allocation is not allowed. The slot is
+ * not a valid handle until vbss_slot_fill. */
 vbss_result vbss_slot_reserve(vbss_context *context, const vbss_kind *kind, vbss_slot **slot);
+/* Makes a reserved slot a valid handle of the object. */
 void vbss_slot_fill(vbss_slot *slot, void *object);
-/* It waits again: the object is still there, but its handle is none until the slot is filled with it. */
+/* Turns a filled slot back into a reserved one without destroying the object. The handle is invalid
+ * until the slot is filled again. */
 void vbss_slot_empty(vbss_slot *slot);
-/* The slot of a living handle of that kind; any other handle is VBSS_ERROR_INVALID_HANDLE. */
+/* Slot of a valid handle of this kind. VBSS_ERROR_INVALID_HANDLE for any other pointer. */
 vbss_result vbss_slot_open(const void *handle, const vbss_kind *kind, vbss_slot **slot);
-/* The same for a call that changes something: VBSS_ERROR_BUSY inside a callback of the context. */
+/* Slot for a call that changes the object. VBSS_ERROR_INVALID_HANDLE, or VBSS_ERROR_BUSY inside a
+ * callback of the context. */
 vbss_result vbss_slot_edit(void *handle, const vbss_kind *kind, vbss_slot **slot);
-/* The same for what only the host may do while nobody else has the object: VBSS_ERROR_IN_SCENE. */
+/* Slot for a call that changes an object that only the host may change while no other object owns
+ * it. VBSS_ERROR_INVALID_HANDLE, VBSS_ERROR_IN_SCENE if it has an owner, or VBSS_ERROR_BUSY inside
+ * a callback. */
 vbss_result vbss_slot_edit_unowned(void *handle, const vbss_kind *kind, vbss_slot **slot);
-/* Destroys the object; the handle is told from then on. NULL is VBSS_OK. */
+/* Destroys the object and makes its handle invalid. VBSS_OK for NULL; VBSS_ERROR_INVALID_HANDLE,
+ * VBSS_ERROR_IN_SCENE or VBSS_ERROR_BUSY on failure. */
 vbss_result vbss_slot_destroy(void *handle, const vbss_kind *kind);
-/* A handle for an object inside another, which uses it by its public functions. The context does not know
- * it: whoever made the object ends it. */
+/* Handle for an object that is part of another and is used through its public functions. The
+ * context does not track it; the owner destroys the object. */
 vbss_slot vbss_slot_inside(vbss_context *context, const vbss_kind *kind, void *object);
-/* A context pointer from the host, to look at or to change what it owns. */
+/* Checks a context pointer from the host: for reading, and for changes. VBSS_ERROR_INVALID_HANDLE,
+ * or VBSS_ERROR_BUSY for a change inside a callback. */
 vbss_result vbss_context_open(const vbss_context *context);
 vbss_result vbss_context_edit(vbss_context *context);
 

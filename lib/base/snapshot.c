@@ -1,4 +1,4 @@
-/* The state of one object in an envelope: "VBSS", format, payload length, payload, XXH64 of all
+/* The envelope of a snapshot: "VBSS", format, payload length, payload, and XXH64 of all bytes
  * before it. */
 #include <string.h>
 
@@ -82,7 +82,7 @@ vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t cap
     return VBSS_OK;
 }
 
-/* Everything that can be told without touching the object; hands out the payload. */
+/* Checks everything that does not need the object, and returns the length of the payload. */
 static vbss_result open_envelope(const vbss_slot *slot, const uint8_t *bytes, size_t count,
                                  size_t *payload)
 {
@@ -126,8 +126,9 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
     VBSS_TRY(vbss_check_pointer(context, bytes, "snapshot"));
     VBSS_TRY(open_envelope(slot, bytes, count, &payload));
 
-    /* A sound envelope may still hold another object's state, found out half way: keep a way back,
-     * to whatever is there now, even what a visitor would refuse. Any NaN comes back as the one
+    /* A valid envelope can still hold the state of another object, which shows only halfway
+     * through. A backup of the present state allows the object to return to it. The backup is
+     * trusted: it may contain values that a visitor would refuse. A NaN returns as the canonical
      * NaN. */
     vbss_stream stream;
     vbss_stream_begin_measure(&stream);
@@ -151,7 +152,7 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
         }
         const vbss_stream found = stream;
         if (found.result != VBSS_OK) {
-            /* Before it is told: a log callback may look at the object. */
+            /* Restore before reporting, because a log callback may read the object. */
             vbss_stream_begin_read(&stream, backup, backup_bytes);
             stream.trusted = true;
             visit(&stream, slot);
@@ -162,7 +163,7 @@ vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t 
     return result;
 }
 
-/* ---- for hosts */
+/* ---- bodies of public functions */
 
 vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t *bytes,
                              uint64_t capacity, uint64_t *written)

@@ -1,4 +1,4 @@
-/* Snapshots: the state of one object as bytes with magic, length and checksum. */
+/* Snapshots: the state of one object as bytes with magic number, length and checksum. */
 #ifndef VBSS_BASE_SNAPSHOT_H
 #define VBSS_BASE_SNAPSHOT_H
 
@@ -9,13 +9,20 @@
 
 #include "base/slot.h"
 
+/* Bytes that vbss_snapshot_save writes in the present state. */
 vbss_result vbss_snapshot_size(const vbss_slot *slot, size_t *bytes);
+/* Writes the state. VBSS_ERROR_CAPACITY if the buffer is too small. */
 vbss_result vbss_snapshot_save(const vbss_slot *slot, uint8_t *bytes, size_t capacity,
                                size_t *written);
-/* All or nothing: on any failure the object is as it was. */
+/* Restores the state from `count` bytes. On any failure the object keeps its state.
+ * VBSS_ERROR_TRUNCATED, VBSS_ERROR_CORRUPT, VBSS_ERROR_DATA_VERSION, VBSS_ERROR_OUT_OF_MEMORY,
+ * VBSS_ERROR_BUSY inside a callback. */
 vbss_result vbss_snapshot_restore(vbss_slot *slot, const uint8_t *bytes, size_t count);
+/* XXH64 of the state, without the envelope. */
 vbss_result vbss_snapshot_hash(const vbss_slot *slot, uint64_t *hash);
-/* The same as hosts ask for them, with their arguments checked: of any kind of object. */
+/* Bodies of the public functions: they check the host's arguments and work for any kind of object.
+ * vbss_object_save sets *written to the bytes needed and returns VBSS_ERROR_CAPACITY if `capacity`
+ * is smaller. vbss_object_restore returns VBSS_ERROR_IN_SCENE for an object that has an owner. */
 vbss_result vbss_object_save(const void *handle, const vbss_kind *kind, uint8_t *bytes,
                              uint64_t capacity, uint64_t *written);
 vbss_result vbss_object_restore(const void *handle, const vbss_kind *kind, const uint8_t *bytes,

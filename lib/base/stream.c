@@ -1,4 +1,4 @@
-/* The one visitor behind snapshot, hash and log: what a visit does depends on the mode only. */
+/* The visitor behind snapshots, hashes and logs; only the mode decides what a visit does. */
 #include <math.h>
 #include <string.h>
 
@@ -15,7 +15,7 @@ enum { TYPE_F64 = 1, TYPE_U64 = 2, TYPE_U32 = 3, TYPE_I32 = 4, TYPE_U8 = 5 };
 /* Values converted at a time on the way to or from little-endian bytes. */
 #define CHUNK 64u
 
-/* ---- beginning and failing */
+/* ---- start and failure */
 
 static void begin(vbss_stream *stream, vbss_stream_mode mode)
 {
@@ -48,7 +48,7 @@ void vbss_stream_begin_read(vbss_stream *stream, const uint8_t *bytes, size_t co
     stream->capacity = count;
 }
 
-/* For the format itself. */
+/* Failures of the format itself, which also apply to a trusted stream. */
 static void stop(vbss_stream *stream, vbss_result result, const char *problem)
 {
     if (stream->result == VBSS_OK) {
@@ -66,7 +66,7 @@ void vbss_stream_refuse(vbss_stream *stream, vbss_result result, const char *pro
 
 /* ---- bytes in and out */
 
-/* What is only measured need not be converted. */
+/* Measuring needs no conversion of the values. */
 static bool measure(vbss_stream *stream, size_t bytes)
 {
     stream->position += stream->mode == VBSS_STREAM_MEASURE ? bytes : 0;
@@ -87,7 +87,7 @@ static void put(vbss_stream *stream, const uint8_t *bytes, size_t count)
     stream->position += count;
 }
 
-/* The next `count` bytes, or NULL with the failure kept. */
+/* The next `count` bytes, or NULL with the failure stored. */
 static const uint8_t *get(vbss_stream *stream, size_t count)
 {
     if (count > stream->capacity - stream->position) {
@@ -138,7 +138,7 @@ vbss_section vbss_stream_open(vbss_stream *stream, uint32_t code, uint16_t versi
 void vbss_stream_close(vbss_stream *stream, vbss_section outer)
 {
     if (stream->result != VBSS_OK) {
-        return; /* keep the section for the error text */
+        return; /* keeps the section for the error text */
     }
     uint8_t end[HEADER_BYTES] = {0};
     store_little_endian(end, TAG_CLOSE, 2);
@@ -225,8 +225,8 @@ void vbss_stream_f64(vbss_stream *stream, uint16_t tag, double *values, size_t c
     }
 }
 
-/* The integer types differ in width only; the values pass through 64 bits. */
-/* NOLINTBEGIN(bugprone-macro-parentheses): a type cannot stand in parentheses */
+/* The integer types differ only in width; the values pass through 64 bits. */
+/* NOLINTBEGIN(bugprone-macro-parentheses): C has no parentheses around a type */
 #define DEFINE_INTEGER_FIELD(name, type_name, type_code)                                   \
     void name(vbss_stream *stream, uint16_t tag, type_name *values, size_t count)          \
     {                                                                                      \
@@ -285,7 +285,7 @@ void vbss_stream_count(vbss_stream *stream, uint16_t tag, uint32_t *value, uint3
 {
     uint32_t count = *value;
     vbss_stream_u32(stream, tag, &count, 1);
-    if (count > capacity) { /* written as well as read: the visitor's next line trusts it */
+    if (count > capacity) { /* checked when writing too: the visitor's next line relies on it */
         stop(stream, VBSS_ERROR_CAPACITY, "the state is larger than the object's capacity");
     }
     if (stream->result == VBSS_OK) {

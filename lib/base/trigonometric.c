@@ -1,11 +1,11 @@
-/* Sine and cosine with the same bits everywhere, right over the whole range of double.
+/* Sine and cosine with the same bits everywhere, accurate over the whole range of double.
  *
  * x = k pi/64 + r, |r| <= pi/128. With S = sin(k pi/64) and C = cos(k pi/64) from one table of the
  * full circle,
- *     sin x = S + C r + [S (cos r - 1) + C (sin r - r)],   cos x the same with k + 32.
- * S, C and r are split into 26 bits and a rest, so the leading product is exact and S + C r is
- * summed with its error. The bracket is below 2^-10 of the result; its few roundings and the
- * polynomials (2^-63) leave little besides the final rounding.
+ *     sin x = S + C r + [S (cos r - 1) + C (sin r - r)],
+ * and cos x is the sine with k + 32. S, C and r are split into 26 bits and a rest, so the leading
+ * product is exact and S + C r is summed with its error. The bracket is below 2^-10 of the result;
+ * its few roundings and the error of the polynomials (2^-63) add little to the final rounding.
  * Documented maximal error: 0.51 ulp. Derivation: docs/elementary-functions.md. */
 #include <float.h>
 #include <math.h>
@@ -14,7 +14,7 @@
 #include "base/double_double.h"
 #include "base/elementary.h"
 
-/* sin(k pi/64): 26 bits and the rest. Odd and even symmetry hold to the bit. */
+/* sin(k pi/64) as 26 bits and the rest. The table is odd and even to the bit. */
 /* clang-format off */
 static const double circle[128][2] = {
     {0.0, 0.0}, {0x1.91f65fp-5, 0x1.0dd813e6ed42fp-33},
@@ -104,26 +104,27 @@ static const uint32_t two_over_pi[39] = {
 #define PI_64_TAIL 0x1.1a62633145c07p-59
 #define TURNS_PER_RADIAN 0x1.45f306dc9c883p4 /* 64/pi */
 #define ROUND_TO_INTEGER 0x1.8p52 /* adding it leaves the nearest integer in the low bits */
-#define QUARTER 32u               /* of a circle, in the table */
+#define QUARTER 32u               /* table entries in a quarter circle */
 
-/* x = index pi/64 + angle + tail, modulo 2 pi. */
+/* Reduced argument: x = index pi/64 + angle + tail, modulo 2 pi. */
 typedef struct reduced_angle {
     double angle, tail;
     uint32_t index;
 } reduced_angle;
 
-/* The slow and always right way, for finite |x| >= 2^-6: integers.
+/* Slow reduction by integers, accurate for all finite |x| >= 2^-6.
  *
- * x 64/pi is the product of the significand and the bits of 2/pi. Leading bits that contribute
- * whole circles are skipped, 192 bits are multiplied modulo 2^192: 7 bits of index, 185 of
- * fraction.
- * What is cut off is below 2^53 2^-185 = 2^-132 steps of pi/64, and no double comes closer than
- * about 2^-62 steps to a multiple of it, so the remainder is right to 2^-70 of itself. */
+ * x 64/pi is the product of the significand and the bits of 2/pi. Leading bits that contribute only
+ * whole circles are skipped. The product of 192 bits is taken modulo 2^192: 7 bits of index and 185
+ * bits of fraction.
+ * The truncation error is below 2^53 2^-185 = 2^-132 steps of pi/64. No double is closer than about
+ * 2^-62 steps to a multiple of pi/64, so the relative error of the remainder is below 2^-70. */
 static reduced_angle reduce_by_integers(double x)
 {
     uint64_t bits = bits_of(x);
     uint64_t significand = (bits & UINT64_C(0xfffffffffffff)) | UINT64_C(0x10000000000000);
-    unsigned first = ((unsigned)(bits >> 52) & 0x7ffu) - 1013u; /* table bit that weighs 64 steps */
+    /* table bit with the weight of 64 steps */
+    unsigned first = ((unsigned)(bits >> 52) & 0x7ffu) - 1013u;
     unsigned word = first / 32u, shift = first % 32u;
     uint32_t window[6], product[6], fraction[6];
     for (unsigned i = 0; i < 6; i++) {
@@ -142,7 +143,8 @@ static reduced_angle reduce_by_integers(double x)
         product[i] = (uint32_t)carry;
         carry >>= 32;
     }
-    /* To the nearest multiple: a fraction from 1/2 on turns negative (~ is off by its last bit). */
+    /* Round to the nearest multiple: a fraction of 1/2 or more becomes negative. The complement ~
+     * differs from the negative by one last bit only. */
     uint32_t negative = product[0] >> 24 & 1u;
     for (unsigned i = 0; i < 6; i++) {
         uint32_t next = i < 5 ? product[i + 1] : 0u;
@@ -169,23 +171,25 @@ static reduced_angle reduce_by_integers(double x)
     return result;
 }
 
-/* For finite x. */
+/* Reduces finite x, by floating point where that is accurate enough. */
 static inline reduced_angle reduce(double x)
 {
     reduced_angle result = {x, 0.0, 0};
-    if (fabs(x) < 0x1.88p-6) { /* below pi/128 k is 0: the same, sooner */
+    if (fabs(x) < 0x1.88p-6) { /* below pi/128, k is 0 */
         return result;
     }
     if (fabs(x) < 0x1p22) {
         double shifted = x * TURNS_PER_RADIAN + ROUND_TO_INTEGER;
         double k = shifted - ROUND_TO_INTEGER;
-        /* |k| < 2^27, so k A and k B are exact, and so is the first difference: where k != 0 it is
-         * a multiple of 2^-58 below 2^-5. It is also a multiple of the last bit of k B. */
+        /* |k| < 2^27, so k A and k B are exact. The first difference is exact too: where k != 0 it
+         * is a multiple of 2^-58 below 2^-5. It is also a multiple of the last bit of k B, as
+         * two_sum_ordered requires. */
         double error, angle = two_sum_ordered(x - k * PI_64_A, -(k * PI_64_B), &error);
         error -= k * PI_64_C;
         result.angle = two_sum_ordered(angle, error, &result.tail);
         result.index = (uint32_t)bits_of(shifted);
-        /* The rounding of k C, 2^-83 at most, is 2^-63 of the angle unless that is tiny. */
+        /* The rounding error of k C is at most 2^-83, that is 2^-63 of the angle unless the angle
+         * is tiny. */
         if (fabs(result.angle) >= 0x1p-20 || k == 0.0) {
             return result;
         }
@@ -193,10 +197,11 @@ static inline reduced_angle reduce(double x)
     return reduce_by_integers(x);
 }
 
-/* The remainder as the kernel wants it. */
+/* The reduced angle r, split for the final sum. */
 typedef struct angle_split {
-    double angle, head, rest; /* head has 26 bits, head + rest is exact to 2^-80, angle rounded */
-    double sine, cosine;      /* sin r - r, cos r - 1 */
+    /* head has 26 bits; head + rest is exact to 2^-80; angle is rounded */
+    double angle, head, rest;
+    double sine, cosine; /* sin r - r and cos r - 1 */
 } angle_split;
 
 static inline angle_split split_angle(reduced_angle t)
@@ -227,7 +232,7 @@ double vbss_sin(double x)
 {
     double magnitude = fabs(x);
     if (magnitude < 0x1p-27) {
-        return x; /* x^3/6 is below 2^-56 x; keeps -0 and subnormals */
+        return x; /* x^3/6 is below 2^-56 x; this also preserves -0 and subnormals */
     }
     if (!(magnitude <= DBL_MAX)) {
         return canonical_nan();

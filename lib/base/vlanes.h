@@ -1,4 +1,4 @@
-/* Four vectors side by side: the operations of vec3 in lanes, in the same order. */
+/* Four vectors in SIMD lanes: the operations of vec3, in the same order of operations. */
 #ifndef VBSS_BASE_VLANES_H
 #define VBSS_BASE_VLANES_H
 
