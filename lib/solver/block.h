@@ -1,11 +1,10 @@
-/* 3x3 blocks of the system, column by column in lanes. */
+/* 3x3 blocks of the linear system, stored by columns in SIMD lanes. */
 #ifndef VBSS_SOLVER_BLOCK_H
 #define VBSS_SOLVER_BLOCK_H
 
 #include "base/lanes.h"
 
-/* A 3x3 matrix as the three lanes of its columns: column[c] holds the rows of column c; the fourth
- * lane is padding and stays zero. */
+/* A 3x3 matrix: column[c] holds the rows of column c. The fourth lane is padding and stays zero. */
 typedef struct block {
     lanes column[3];
 } block;
@@ -28,6 +27,7 @@ static inline void block_set(block *b, mat3 m)
     }
 }
 
+/* *to = *from transposed; they must not be the same block. */
 static inline void block_transpose(block *to, const block *from)
 {
     for (int i = 0; i < 3; i++) {
@@ -36,7 +36,7 @@ static inline void block_transpose(block *to, const block *from)
     }
 }
 
-/* What others add to a block of the separators. */
+/* b += m */
 static inline void block_add(block *b, mat3 m)
 {
     for (int c = 0; c < 3; c++) {
@@ -45,7 +45,7 @@ static inline void block_add(block *b, mat3 m)
     }
 }
 
-/* A block whose every number fills the lanes: m[column][row]. */
+/* A block for products: m[c][r] is entry (r, c) of the block in all four lanes. */
 typedef struct block_broadcast {
     lanes m[3][3];
 } block_broadcast;

@@ -1,4 +1,4 @@
-/* How short the parts of an explicit step are. */
+/* The number of substeps of an explicit step. */
 #include "solver/solver.h"
 
 /* A part is at most this share of the longest that is stable: what is stiff becomes stiffer within a step. */

@@ -1,12 +1,13 @@
-/* Coefficients of the time integration. */
+/* Time integration: coefficients, prediction and correction. */
 #include "solver/solver.h"
 
-/* The family: with q the acceleration that balances the forces,
+/* The family of methods, with q the acceleration that balances the forces:
  *   (1 - am) a1 + am a0 = (1 - af) q1 + af q0,
- *   x1 = x0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),  v1 = v0 + h ((1 - gamma) a0 + gamma a1). */
+ *   x1 = x0 + h v0 + h^2 ((1/2 - beta) a0 + beta a1),
+ *   v1 = v0 + h ((1 - gamma) a0 + gamma a1). */
 static vbss_integration make_integration(double h, double am, double af, double beta, double gamma)
 {
-    double q1_factor = (1.0 - af) / (1.0 - am); /* share of q1 in a1 */
+    double q1_factor = (1.0 - af) / (1.0 - am); /* coefficient of q1 in a1 */
     vbss_integration i;
     i.h = h;
     i.inertia = 1.0 / (h * h * beta * q1_factor);
@@ -32,11 +33,11 @@ vbss_integration vbss_integration_generalised_alpha(double h, double spectral_ra
 vbss_integration vbss_integration_backward_euler(double h)
 {
     vbss_integration i = make_integration(h, 0.0, 0.0, 1.0, 1.0);
-    i.x_a = i.v_a = 0.0; /* exactly: what was known of accelerations is forgotten */
+    i.x_a = i.v_a = 0.0; /* exact zeros, so that the old acceleration has no influence */
     return i;
 }
 
-/* ---- the recursion, in long loops over what is the same for all numbers */
+/* ---- prediction and correction, as long loops over all numbers */
 
 void vbss_integration_predict(const vbss_integration *integration, size_t count, const double *x,
                               const double *v, const double *a, const double *q,

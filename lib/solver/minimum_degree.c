@@ -1,10 +1,10 @@
-/* The order in which separators are eliminated, and what it fills in: symbolic work, done anew when the
- * pattern changes.
+/* Elimination order and fill of the separators: symbolic work, repeated when the pattern changes.
  *
- * Next is always the separator that joins the fewest pairs of others, as far as is known cheaply. Of its
- * d neighbours, d (d - 1) pairs, the l that were joined by the last elimination beside it need not be
- * joined again; a quarter of their l (l - 1) pairs is taken off. Of equals the one with the lowest block.
- * The graph is kept as rows of bits, so that eliminating is a few words or'ed together. */
+ * The next separator is the one whose elimination joins the fewest pairs of neighbours,
+ * approximately. Its d neighbours form d (d - 1) ordered pairs. The last elimination next to it
+ * already joined l of these neighbours; a quarter of their l (l - 1) pairs is subtracted. The
+ * lowest block number breaks ties. The graph is stored as rows of bits, so an elimination is a few
+ * OR operations on words. */
 #include "base/bits.h"
 #include "base/error.h"
 #include "solver/solver.h"
@@ -14,7 +14,7 @@
 /* ---- the graph */
 
 typedef struct graph {
-    uint32_t count, words; /* separators, words a row */
+    uint32_t count, words; /* number of separators, and words per row */
     uint64_t *adjacency;
 } graph;
 
@@ -23,7 +23,8 @@ static uint64_t *row_of(const graph *g, uint32_t i)
     return g->adjacency + (size_t)i * g->words;
 }
 
-/* What a separator would join, then its number: the least key is who is next. */
+/* Pairs that a separator would join, followed by its number: the smallest key is eliminated
+ * next. */
 #define KEY_INDEX_BITS 16
 #define KEY_ELIMINATED INT64_MAX
 
@@ -71,7 +72,7 @@ static graph begin_graph(vbss_system *s)
     return g;
 }
 
-/* ---- pairs: as the graph has them, with the numbers of those that were joined already */
+/* ---- pairs of the graph, with the indices of those that condensation joined */
 
 static uint32_t count_pairs(const vbss_elimination *e, uint32_t separators)
 {
@@ -79,14 +80,15 @@ static uint32_t count_pairs(const vbss_elimination *e, uint32_t separators)
     for (uint32_t i = 0; i < separators; i++) {
         twice += e->degrees[i].neighbours;
     }
-    return (uint32_t)(twice / 2); /* half of 16384 squared at most */
+    return (uint32_t)(twice / 2); /* at most half of 16384 squared */
 }
 
 static vbss_entry *list_column(const vbss_system *s, const graph *g, uint32_t i, vbss_entry *entry)
 {
     const vbss_entry *joined = s->schur_pattern + s->schur_column_start[i],
                      *end = s->schur_pattern + s->schur_column_start[i + 1];
-    uint64_t later = ~UINT64_C(0) << i % BITS_PER_WORD; /* not its own: the diagonal has no bit */
+    /* bits after the diagonal, which has no bit */
+    uint64_t later = ~UINT64_C(0) << i % BITS_PER_WORD;
     for (uint32_t w = i / BITS_PER_WORD; w < g->words; w++, later = ~UINT64_C(0)) {
         for (uint64_t bits = row_of(g, i)[w] & later; bits != 0; bits &= bits - 1) {
             uint32_t j = w * BITS_PER_WORD + lowest_bit(bits);
@@ -139,7 +141,7 @@ static void list_neighbours(const graph *g, uint32_t i, uint32_t *rows)
     }
 }
 
-/* Its neighbours become neighbours of each other. */
+/* Makes all neighbours of the eliminated separator neighbours of each other. */
 static void join_neighbours(vbss_elimination *e, const graph *g, uint32_t eliminated,
                             const uint32_t *rows, uint32_t count)
 {
@@ -189,9 +191,9 @@ static vbss_result find_elimination_order(vbss_system *s, const graph *g)
     return VBSS_OK;
 }
 
-/* ---- the factor by columns and by rows, both ascending: sorted by two passes through buckets */
+/* ---- the factor by columns and by rows, both ascending, sorted by two bucket passes */
 
-/* Turns counts in start[1 ..] into where each begins. */
+/* Turns the counts in start[1 ..] into the start of each bucket. */
 static void prefix_sum(uint32_t *start, uint32_t count)
 {
     start[0] = 0;
@@ -225,7 +227,7 @@ static void sort_entries(vbss_elimination *e, uint32_t count)
     }
 }
 
-/* The column of a pair, by positions; of two separators the lower, and an entry of its column. */
+/* Column (a position) of a pair, given the lower separator and the entry in its column. */
 static uint32_t column_of(const vbss_system *s, const vbss_elimination *e, uint32_t low,
                           uint32_t entry, vbss_pair *pair)
 {

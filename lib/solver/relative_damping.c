@@ -1,9 +1,9 @@
-/* Damping that keeps linear and angular momentum: what bodies of particles do beyond moving as one rigid body dies
- * away (Mueller et al. 2007, as in VBLaST-SS). */
+/* Damping that conserves linear and angular momentum: it reduces the motion of particles relative
+ * to their best rigid motion (Mueller et al. 2007, as in VBLaST-SS). */
 #include "solver/solver.h"
 
-/* The rotation rate w with inertia w = momentum. About an axis on which all mass lies the inertia is
- * zero and any rate serves: none. Elimination with the largest diagonal first. */
+/* The angular velocity w with inertia w = momentum, by elimination with the largest diagonal first.
+ * The inertia is zero about an axis that contains all mass; the component there is set to zero. */
 static vec3 rotation_rate(mat3 inertia, vec3 momentum)
 {
     double a[3][4];
@@ -67,8 +67,8 @@ void vbss_damp_relative_motion(const double *mass, const vec3 *x, vec3 *v, uint3
         momentum = vec3_add_scaled(momentum, mass[i], vec3_cross(r, relative_velocity));
     }
     vec3 rate = rotation_rate(inertia, momentum);
-    /* The centre is rounded; particles nearly on a line may turn fast about it. What that adds to
-     * the momentum is taken out. */
+    /* The centre of mass is rounded, and particles close to a line may rotate fast about it. Remove
+     * the linear momentum that this rounding error adds. */
     vec3 mean_velocity_error = vec3_zero();
     for (uint32_t i = first; i <= last; i++) {
         mean_velocity_error = vec3_add_scaled(mean_velocity_error, mass[i] / total,

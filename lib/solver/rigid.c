@@ -1,4 +1,4 @@
-/* The motion of a rigid body: free flight, its equations in the system, what follows for velocities. */
+/* Motion of a rigid body: free flight, its equations in the system, and its velocities. */
 #include "solver/rigid.h"
 
 #include "base/error.h"
@@ -9,10 +9,11 @@
  * faster spin, met once a part, would look like a slower one, and a stiff coupling would hold it. */
 #define MOST_TURN 1.5707963267948966
 
-/* ---- turning */
+/* ---- rotation */
 
-/* The turn, in the world, that takes one orientation to another the shortest way. Of the difference of
- * the quaternions, so that equal ones give zero to the bit: else a body would wake up by rounding. */
+/* Shortest rotation vector, in the world frame, from one orientation to another. It uses the
+ * difference of the quaternions, so that equal ones give zero to the bit. Otherwise rounding would
+ * set a resting body in motion. */
 static vec3 rotation_between(quat from, quat to)
 {
     quat difference = quat_make(to.w - from.w, to.x - from.x, to.y - from.y, to.z - from.z);
@@ -26,7 +27,7 @@ static quat rotate_orientation(quat orientation, vec3 rotation)
     return quat_mul(vbss_quat_from_rotation_vector(rotation), orientation);
 }
 
-/* About the body's own axis. */
+/* Rotates about one of the body's own axes. */
 static quat rotate_about_body_axis(quat orientation, int axis, double angle)
 {
     vec3 rotation =
@@ -68,8 +69,8 @@ static vec3 apply_inverse_inertia(const vbss_rigid *rigid, quat orientation, vec
     return quat_rotate(orientation, multiply_components(inverse_moments(rigid), body_momentum));
 }
 
-/* With one refinement: a quaternion is unit to rounding only, and always on the same side while a body
- * turns slowly; the angular momentum would fade. */
+/* One step of iterative refinement. A quaternion has unit length only to rounding, always with the
+ * same sign while a body rotates slowly, so without it the angular momentum would drift. */
 static vec3 angular_velocity(const vbss_rigid *rigid, quat orientation, vec3 angular_momentum)
 {
     vbss_rigid_motion motion = {pose_make(vec3_zero(), orientation), vec3_zero(),
@@ -80,16 +81,16 @@ static vec3 angular_velocity(const vbss_rigid *rigid, quat orientation, vec3 ang
 
 /* ---- free flight */
 
-/* The energy is that of a top, with the moments of two axes equal, and what one of the two has beside
- * it. Both parts alone are solved by turns: the first about the angular momentum and the top's axis, the
- * second about the other axis. Half of the second, the first, half of the second: second order, symmetric
- * in time, symplectic; a top is exact. */
+/* Splits the energy into that of a top, with two equal moments, and the rest about one of those two
+ * axes. Both parts have exact solutions: the first rotates about the angular momentum and the top's
+ * axis, the second about the other axis. Half of the second, the first, and half of the second give
+ * a symplectic, time-symmetric method of second order; it is exact for a top. */
 static quat integrate_free_rotation(const vbss_rigid *rigid, quat orientation,
                                     vec3 angular_momentum, double h)
 {
     vec3 inverse = inverse_moments(rigid);
     const double s[3] = {inverse.x, inverse.y, inverse.z};
-    int axis = 0; /* of the top: the other two are most alike */
+    int axis = 0; /* axis of the top: the other two moments are the most similar */
     for (int i = 1; i < 3; i++) {
         double smallest_difference = fabs(s[(axis + 1) % 3] - s[(axis + 2) % 3]);
         axis = fabs(s[(i + 1) % 3] - s[(i + 2) % 3]) < smallest_difference ? i : axis;
@@ -126,8 +127,8 @@ void vbss_rigid_predict(const vbss_rigid *rigid, const vbss_rigid_substep *subst
     predicted->w = angular_velocity(rigid, orientation, angular_momentum);
 }
 
-/* Not of the angular momentum: what a turn of a thin body takes across its axis would come out as a
- * spin about it, larger by the ratio of the moments. */
+/* Does not use the angular momentum. For a thin body, rotation of a component across its axis would
+ * appear as spin about it, magnified by the ratio of the moments. */
 vbss_rigid_motion vbss_rigid_motion_from_pose(const vbss_rigid_substep *substep,
                                               const vbss_rigid_motion *predicted, const pose *trial)
 {
@@ -139,7 +140,7 @@ vbss_rigid_motion vbss_rigid_motion_from_pose(const vbss_rigid_substep *substep,
     return motion;
 }
 
-/* ---- the given pose and the virtual coupling */
+/* ---- the target pose and the virtual coupling */
 
 void vbss_rigid_set_target(vbss_rigid *rigid, pose target)
 {
@@ -180,7 +181,7 @@ vbss_rigid_wrench vbss_rigid_coupling_wrench(const vbss_rigid *rigid,
     return wrench;
 }
 
-/* ---- the step */
+/* ---- the substep */
 
 vbss_result vbss_rigid_register(vbss_system *system, vbss_role role, vbss_rigid_blocks *blocks)
 {
@@ -222,7 +223,8 @@ void vbss_rigid_assemble(const vbss_rigid *rigid, const vbss_rigid_substep *subs
 void vbss_rigid_apply_increment(pose *trial, vec3 dx, vec3 dtheta)
 {
     trial->position = vec3_add(trial->position, dx);
-    if (vec3_norm_squared(dtheta) != 0.0) { /* to the bit: what nothing turns flies on as it was */
+    /* a body without torque keeps its orientation to the bit */
+    if (vec3_norm_squared(dtheta) != 0.0) {
         trial->orientation = quat_unit(rotate_orientation(trial->orientation, dtheta));
     }
 }
@@ -243,7 +245,7 @@ void vbss_rigid_commit(vbss_rigid *rigid, const vbss_rigid_substep *substep,
     rigid->now = motion;
 }
 
-/* ---- the state */
+/* ---- validity and serialisation */
 
 static bool is_positive(double x)
 {
@@ -261,7 +263,7 @@ static bool is_pose(const pose *p)
            fabs(quat_dot(p->orientation, p->orientation) - 1.0) < 1e-6;
 }
 
-/* The moments of any body, to rounding. */
+/* Whether a body can have these moments, to rounding. */
 static bool are_moments(vec3 j)
 {
     double largest = vbss_max(j.x, vbss_max(j.y, j.z));

@@ -3,13 +3,13 @@
 
 #define PI 3.14159265358979323846
 
-/* ---- one capsule: a cylinder, and two half balls that are one ball pulled apart */
+/* ---- one capsule: a cylinder, and two hemispheres that together are a ball */
 
 typedef struct capsule_mass {
     double mass;
     vec3 centre, axis;
-    double axial,
-        transverse; /* moments about the axis, and about any normal to it through the middle */
+    /* moments about the axis, and about any normal to it through the centre */
+    double axial, transverse;
 } capsule_mass;
 
 static capsule_mass mass_of(const vbss_rigid_capsule *c)
@@ -22,20 +22,21 @@ static capsule_mass mass_of(const vbss_rigid_capsule *c)
     m.centre = vec3_lerp(c->a, c->b, 0.5);
     m.axis = vec3_unit_or(axis_vector, vec3_make(1.0, 0.0, 0.0));
     m.axial = r2 * (0.5 * cylinder + 0.4 * ball);
-    /* The centre of a half ball is 3/8 r away from its flat side. */
+    /* The centre of mass of a hemisphere is 3/8 r from its flat side. */
     m.transverse =
         cylinder * (l2 / 12.0 + 0.25 * r2) + ball * (0.4 * r2 + 0.25 * l2 + 0.375 * r * l);
     return m;
 }
 
-/* s (|v|^2 - v v^T): of a mass at v, or of the difference between across and along. */
+/* s (|v|^2 - v v^T): the inertia of a mass s at v, or the difference s between transverse and axial
+ * moments along the unit vector v. */
 static mat3 offset_inertia(vec3 v, double s)
 {
     double square = s * vec3_norm_squared(v);
     return mat3_add_scaled(mat3_diagonal(square, square, square), -s, mat3_outer(v, v));
 }
 
-/* About a point. */
+/* Inertia about a point, in the frame of the capsules. */
 static mat3 inertia_about(const capsule_mass *m, vec3 about)
 {
     mat3 inertia = mat3_diagonal(m->axial, m->axial, m->axial);
@@ -51,7 +52,7 @@ static mat3 inertia_in_axes(mat3 inertia, quat axes)
     return mat3_mul(mat3_transpose(r), mat3_mul(inertia, r));
 }
 
-/* Jacobi: turns about the third axis until the product of inertia of the other two is gone. */
+/* Jacobi rotation about `axis` that removes the product of inertia of the other two axes. */
 static quat jacobi_rotate(mat3 inertia, quat axes, int axis)
 {
     int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -61,17 +62,17 @@ static quat jacobi_rotate(mat3 inertia, quat axes, int axis)
         return axes;
     }
     double cotangent =
-        (rotated.m[j][j] - rotated.m[i][i]) / (2.0 * product); /* of twice the angle */
+        (rotated.m[j][j] - rotated.m[i][i]) / (2.0 * product); /* cotangent of twice the angle */
     double tangent =
         copysign(1.0, cotangent) / (fabs(cotangent) + sqrt(1.0 + cotangent * cotangent));
     double cosine = 1.0 / sqrt(1.0 + tangent * tangent), half = sqrt(0.5 * (1.0 + cosine));
-    double sine = -0.5 * tangent * cosine / half; /* of half the angle */
+    double sine = -0.5 * tangent * cosine / half; /* sine of half the angle */
     return quat_mul(axes, quat_make(half, axis == 0 ? sine : 0.0, axis == 1 ? sine : 0.0,
                                     axis == 2 ? sine : 0.0));
 }
 
-/* Convergence is quadratic: from any start four sweeps are enough; two more cost nothing here. Always as
- * many, so that the bits do not hang on a threshold. */
+/* Convergence is quadratic: four sweeps suffice from any start, and two more cost little here.
+ * Their number is fixed so that the bits do not depend on a threshold. */
 static quat principal_axes(mat3 inertia)
 {
     quat axes = quat_identity();
@@ -84,7 +85,7 @@ static quat principal_axes(mat3 inertia)
     return axes;
 }
 
-/* ---- all of them */
+/* ---- all capsules */
 
 bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t count,
                                  vbss_rigid_mass *mass)
@@ -94,7 +95,7 @@ bool vbss_rigid_mass_of_capsules(const vbss_rigid_capsule *capsules, uint32_t co
     for (uint32_t i = 0; i < count; i++) {
         capsule_mass m = mass_of(&capsules[i]);
         sum += m.mass;
-        /* From the first end: far from the origin digits would be lost. */
+        /* Relative to the first end: far from the origin, digits would be lost. */
         moment = vec3_add_scaled(moment, m.mass, vec3_sub(m.centre, capsules[0].a));
     }
     if (!(sum >= DBL_MIN && sum <= DBL_MAX)) {

@@ -1,16 +1,17 @@
-/* The small system of the separators as others see it: places, and the copy to which they add. */
+/* The Schur complement of the separators: indices of its blocks, its copy for contacts, and the
+ * line search. */
 #include "solver/solver.h"
 
 #include <string.h>
 
-/* ---- places: two for each pair, then the diagonals */
+/* ---- indices: two for each pair, then the diagonals */
 
 static uint32_t diagonal_index(const vbss_system *s, uint32_t separator)
 {
     return 2 * s->pair_count + separator;
 }
 
-/* The entry in a row and a column, both positions; UINT32_MAX when there is none. */
+/* Entry in this row and column, both positions; UINT32_MAX if there is none. */
 static uint32_t find_entry(const vbss_system *s, uint32_t row, uint32_t column)
 {
     uint32_t low = s->column_start[column], end = s->column_start[column + 1], high = end;
@@ -69,7 +70,7 @@ void vbss_system_store_schur_rhs(vbss_system *s)
 
 void vbss_system_store_schur_complement(vbss_system *s)
 {
-    static const block none; /* of pairs that only couple_once coupled */
+    static const block none; /* value of pairs that only vbss_system_couple_separators coupled */
     vbss_system_store_schur_rhs(s);
     for (uint32_t k = s->interior_count; k < s->unknown_count; k++) {
         s->schur_complement[diagonal_index(s, k - s->interior_count)] = s->diagonal[s->order[k]];
@@ -110,7 +111,7 @@ bool vbss_system_solve(vbss_system *s)
     return true;
 }
 
-/* ---- a place between solutions */
+/* ---- line search */
 
 void vbss_system_begin_line_search(vbss_system *s)
 {

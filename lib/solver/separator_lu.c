@@ -1,16 +1,18 @@
-/* The separators' block LU, column by column, each from the working blocks and the columns before it; and
- * the way back. Pivoting inside blocks only. */
+/* Block LU of the separators, and its back substitution.
+ *
+ * The factor is left-looking: each column is computed from its working blocks and the earlier
+ * columns. Pivoting is inside blocks only. */
 #include "solver/solver.h"
 
 /* A pivot below this share of its block's largest number has lost its digits. */
 #define SMALLEST_PIVOT 1e-15
 
-/* ---- 3x3 with row exchanges */
+/* ---- 3x3 LU with row exchanges */
 
 typedef struct pivoted_lu {
     double l10, l20, l21, u01, u02, u12;
-    double inverse[3]; /* of U's diagonal */
-    int row[3];        /* where each row came from */
+    double inverse[3]; /* reciprocals of U's diagonal */
+    int row[3];        /* original index of each row */
 } pivoted_lu;
 
 static inline double largest_of(const block *a)
@@ -22,8 +24,8 @@ static inline double largest_of(const block *a)
     return xy > z ? xy : z;
 }
 
-/* Rows i, j, k: the first is chosen by the first column, the second by what is left of the second. Pivots
- * are compared so that NaN fails. */
+/* Rows i, j, k: the first column selects i, the rest of the second column selects between j and k.
+ * The comparisons fail for NaN. */
 static bool factor_pivot(const block *a, pivoted_lu *p)
 {
     double smallest = SMALLEST_PIVOT * largest_of(a), c0[LANES], c1[LANES], c2[LANES];
@@ -63,7 +65,7 @@ static bool factor_pivot(const block *a, pivoted_lu *p)
     return true;
 }
 
-/* D^-1 of rows, each of them lanes. */
+/* Multiplies the rows of a block by D^-1; each row is one lanes. */
 static inline void solve_rows(const pivoted_lu *p, block *rows)
 {
     lanes y0 = rows->column[p->row[0]];
@@ -92,7 +94,7 @@ static inline lanes solve_vector(const pivoted_lu *p, lanes b)
 
 /* ---- products */
 
-/* column j of to -= sum over i of m[i][j] times column i of from */
+/* to -= from f: column i of from times f->m[i][j] is subtracted from column j of to */
 static inline void subtract_product(block *to, const block *from, const block_broadcast *f)
 {
     lanes a = from->column[0], b = from->column[1], c = from->column[2];
@@ -103,7 +105,7 @@ static inline void subtract_product(block *to, const block *from, const block_br
     }
 }
 
-/* to -= from (column lanes) times a vector */
+/* to -= from v, with from stored by columns */
 static inline lanes minus_times(lanes to, const block *from, lanes v)
 {
     to = lanes_sub(to, lanes_scale(lanes_at(v, 0), from->column[0]));
@@ -113,8 +115,8 @@ static inline lanes minus_times(lanes to, const block *from, lanes v)
 
 /* ---- a column */
 
-/* Lane by lane: whole blocks would be copied in halves of lanes, which the processor then has to put
- * together again. */
+/* Copies lane by lane: compilers copy whole blocks in halves of lanes, and the next load of a whole
+ * lane then has to wait. */
 static inline void copy_block(block *to, const block *from)
 {
     for (int i = 0; i < 3; i++) {
@@ -122,7 +124,7 @@ static inline void copy_block(block *to, const block *from)
     }
 }
 
-/* What stands in the working blocks, and zero where elimination will fill. */
+/* Fills the column with the working blocks, and with zero where elimination will fill. */
 static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
 {
     for (uint32_t f = e->column_start[k]; f < e->column_start[k + 1]; f++) {
@@ -138,8 +140,8 @@ static void load_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
     }
 }
 
-/* Column k of L and row k of U, as far as an earlier column changes them: `from` is the first of that
- * column's entries behind its entry in row k. */
+/* Updates column k of L and row k of U by an earlier column. `from` is that column's first entry
+ * after its entry in row k. */
 static void subtract_column(vbss_elimination *e, uint32_t from, uint32_t end)
 {
     const block_broadcast below = block_make_broadcast(&e->upper[from - 1]);
@@ -177,9 +179,9 @@ static bool factor_column(const vbss_system *s, vbss_elimination *e, uint32_t k)
     return true;
 }
 
-/* ---- the whole */
+/* ---- the whole factor */
 
-/* Sums of products lane by lane; added up in one written order at the end. */
+/* Sums products lane by lane and adds the lanes in one written order at the end. */
 static lanes back_substitute(const vbss_elimination *e, uint32_t k)
 {
     lanes sums[3] = {lanes_splat(0.0), lanes_splat(0.0), lanes_splat(0.0)};

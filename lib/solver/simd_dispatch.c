@@ -1,4 +1,4 @@
-/* Which copy of the hot loops is run. */
+/* Dispatch between the plain and the wide copies of the hot loops. */
 #include "solver/solver.h"
 
 bool vbss_system_condense(vbss_system *system)

@@ -1,17 +1,18 @@
-/* Elimination of the runs by a block LDL^T, and the way back. */
+/* Static condensation: elimination of the interior blocks by a block LDL^T, and back
+ * substitution. */
 #include "solver/solver.h"
 
 /* Within a block, a pivot below this share of its diagonal has lost its digits. Loss across blocks is
  * not looked for: bodies have inertia, which keeps every block away from zero. */
 #define SMALLEST_PIVOT 1e-15
 
-/* L D L^T of a symmetric 3x3 block. */
+/* L D L^T of a symmetric 3x3 block. Returns false if a pivot is too small. */
 static bool factor_pivot(const block *b, vbss_pivot *pivot)
 {
     double m00 = lanes_at(b->column[0], 0), m10 = lanes_at(b->column[0], 1);
     double m20 = lanes_at(b->column[0], 2), m11 = lanes_at(b->column[1], 1);
     double m21 = lanes_at(b->column[1], 2), m22 = lanes_at(b->column[2], 2);
-    /* Written so that NaN fails, and nothing is divided by zero. */
+    /* The comparisons fail for NaN, and no division is by zero. */
     if (!(m00 >= DBL_MIN && m00 <= DBL_MAX)) {
         return false;
     }
@@ -33,7 +34,7 @@ static bool factor_pivot(const block *b, vbss_pivot *pivot)
     return true;
 }
 
-/* a - sum of s_j v_j, from left to right */
+/* a - s0 v0 - s1 v1 - s2 v2, from left to right */
 static inline lanes minus_three(lanes a, lanes s0, lanes v0, lanes s1, lanes v1, lanes s2, lanes v2)
 {
     a = lanes_sub(a, lanes_times(s0, v0));
@@ -41,8 +42,8 @@ static inline lanes minus_three(lanes a, lanes s0, lanes v0, lanes s1, lanes v1,
     return lanes_sub(a, lanes_times(s2, v2));
 }
 
-/* The block at the crossing of two rows: to -= left scaled^T, with left = A L^-T of the one row and
- * scaled = A L^-T D^-1 of the other. */
+/* Updates the block in the row and column of two entries: to -= left scaled^T, with left = A L^-T
+ * of one row and scaled = A L^-T D^-1 of the other. */
 static inline void subtract_product(block *to, const block_broadcast *left, const block *scaled)
 {
     lanes a = scaled->column[0], b = scaled->column[1], c = scaled->column[2];
@@ -73,7 +74,7 @@ static vec3 reduce_rhs(vec3 y, const vbss_pivot *p)
     return y;
 }
 
-/* What eliminating y takes from a later row's right-hand side. */
+/* Subtracts the contribution of the eliminated y from a later right-hand side. */
 static inline void subtract_rhs(vec3 *rhs, const block *scaled, vec3 y)
 {
     lanes r = minus_three(lanes_from(*rhs), lanes_splat(y.x), scaled->column[0], lanes_splat(y.y),
@@ -113,7 +114,7 @@ bool VBSS_WIDE_NAME(vbss_system_condense)(vbss_system *s)
             scale_entry(&s->off_diagonal[e->index], &s->scaled[e->index], pivot);
         }
         for (const vbss_entry *q = begin; q < end; q++) {
-            /* taken once: for all that compilers know, what is subtracted from may be it */
+            /* a copy, because for the compiler the blocks changed below could alias it */
             const block_broadcast left = block_make_broadcast(&s->off_diagonal[q->index]);
             uint32_t row = s->order[q->row];
             const block *z = &s->scaled[q->index];
@@ -139,7 +140,8 @@ static inline double dot_lanes(lanes a, vec3 b)
     return lanes_at(a, 0) * b.x + lanes_at(a, 1) * b.y + lanes_at(a, 2) * b.z;
 }
 
-/* Increments of the run blocks, last eliminated first, once those of the separators stand. */
+/* Increments of the interior blocks in reverse order of elimination; needs those of the
+ * separators. */
 void VBSS_WIDE_NAME(vbss_system_back_substitute_interior)(vbss_system *s)
 {
     for (uint32_t k = s->interior_count; k > 0; k--) {

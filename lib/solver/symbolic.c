@@ -1,8 +1,9 @@
-/* The order of elimination, and what it fills in: symbolic work, done anew when the pattern changes.
+/* Symbolic analysis: elimination order and fill, repeated when the pattern changes.
  *
- * Within a run the elimination goes toward the separators, so that only the last few blocks meet
- * them. A run without any is eliminated from both ends to the middle in turn: two chains of
- * arithmetic that do not wait for each other. Chains that are no lines bring their order. */
+ * A run is a sequence of interior blocks between separators. Its elimination proceeds towards a
+ * separator, so that only the last few blocks are coupled with it. A run without separators is
+ * eliminated from both ends in turn: these are two independent chains of arithmetic, which the
+ * processor can overlap. Chains with natural order keep the order of their numbers. */
 #include "base/bits.h"
 #include "base/error.h"
 #include "solver/solver.h"
@@ -93,25 +94,30 @@ static vbss_result append_separators(vbss_system *s)
     return VBSS_OK;
 }
 
-/* ---- fill: columns one after the other, each from what bodies couple and from the columns that are eliminated
- * before and meet it
+/* ---- fill: each column gets rows from the couplings of bodies and from earlier columns that have
+ * an entry in it
  *
- * The rows of the column at hand are bits, which tell them apart and ascending. A column of a run has those of all that
- * meet it once it has those of its children, the columns that meet it first: what is further down in a column is in its
- * parent too (Liu 1990, The role of elimination trees in sparse factorization). So rows come from few columns, and the
- * many others only ask for numbers. */
+ * The rows of the current column are bits, which removes duplicates and sorts them. An interior
+ * column needs only the rows of its children in the elimination tree. The lower rows of any other
+ * column with an entry here are also rows of that column's parent (Liu 1990, The role of
+ * elimination trees in sparse factorization). So rows come from few columns; all the others only
+ * need the indices of their products. */
 
-/* Numbers are by column, that is by position, but for index. */
+/* State of the analysis. Arrays are indexed by column, that is by position, except `index`. */
 typedef struct symbolic {
-    uint32_t *couplings; /* the first of its list; VBSS_NO_COUPLING at its end */
-    /* Of columns of runs, the first child, counted from 1, and the next of the same parent. */
+    uint32_t *couplings; /* first coupling of each column's list, which VBSS_NO_COUPLING ends */
+    /* Elimination tree of the interior columns: first child, and next child of the same parent.
+     * Columns count from 1 here; 0 ends a list. */
     uint32_t *child, *sibling;
-    /* The same of those that wait here: they are where they have the entry `at`, and what eliminating them changes in
-     * columns from here on goes to `product`. */
+    /* Lists of earlier columns that have their next entry in this column, with the same counting.
+     * next_entry is that entry; the products of eliminating the column from here on are written
+     * from next_product. */
     uint32_t *pending, *next, *next_entry, *next_product;
-    uint32_t *product_source;      /* the column whose products follow there; VBSS_NO_INDEX: none */
-    uint64_t *bits, *coupled_bits; /* rows; of them, those that bodies couple */
-    uint32_t *index;               /* row -> of its numbers */
+    /* column whose rows and products follow there; VBSS_NO_INDEX for none */
+    uint32_t *product_source;
+    /* rows of the current column, and those of them that bodies couple */
+    uint64_t *bits, *coupled_bits;
+    uint32_t *index; /* row -> index of its block */
     uint32_t last_word, fill, products;
 } symbolic;
 
@@ -164,7 +170,7 @@ static void add_coupled(const vbss_system *s, symbolic *y, uint32_t k)
     }
 }
 
-/* Rows of columns in a list, counted from 1, from behind where they are. */
+/* Adds the rows of all columns of a list, below their entry in the current column. */
 static void add_rows_of(const vbss_system *s, symbolic *y, uint32_t first, const uint32_t *next)
 {
     for (uint32_t listed = first; listed != 0; listed = next[listed - 1]) {
@@ -174,12 +180,12 @@ static void add_rows_of(const vbss_system *s, symbolic *y, uint32_t first, const
         for (; e < end; e++) {
             bits[e->row / BITS_PER_WORD] |= bit_of(e->row);
         }
-        extend_to_row(y, end[-1].row); /* they ascend */
+        extend_to_row(y, end[-1].row); /* rows are ascending */
     }
 }
 
-/* Takes the rows ascending, counted from `from`, and gives numbers to fill. Returns how many there were: when more than
- * there is room for, these are not there. */
+/* Lists the rows in ascending order, minus `from`, and numbers the fill. Returns the number of
+ * rows; rows beyond the capacity are not written. */
 static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *entries,
                           uint32_t capacity)
 {
@@ -202,7 +208,7 @@ static uint32_t list_rows(symbolic *y, uint32_t k, uint32_t from, vbss_entry *en
     return count;
 }
 
-/* A column of a run waits where it has its next entry. */
+/* Appends an interior column to the list at the row of its next entry. */
 static void add_to_pending(const vbss_system *s, symbolic *y, uint32_t column)
 {
     uint32_t next_entry = y->next_entry[column];
@@ -213,8 +219,9 @@ static void add_to_pending(const vbss_system *s, symbolic *y, uint32_t column)
     }
 }
 
-/* What the columns that wait at column k change there. Of those whose other rows are all that there are in column k, a
- * run of `rows` rows, the rest is what column k changes: copied when that is known. */
+/* Lists the products of the pending columns in column k. If the remaining rows of a pending column
+ * are exactly the `rows` rows of column k, its remaining products equal those of k. They are copied
+ * later, once k's are complete. */
 static void list_products(vbss_system *s, symbolic *y, uint32_t k, uint32_t rows)
 {
     const uint32_t *index = y->index;
@@ -236,7 +243,8 @@ static void list_products(vbss_system *s, symbolic *y, uint32_t k, uint32_t rows
     }
 }
 
-/* Of columns that are like a later one from somewhere on: those that it is like itself come first. */
+/* Copies the products of columns that continue like a later column. The loop runs backwards, so the
+ * source is complete. */
 static void copy_products(vbss_system *s, const symbolic *y)
 {
     for (uint32_t column = s->interior_count; column > 0; column--) {
@@ -291,7 +299,8 @@ static vbss_result analyse_interior_column(vbss_system *s, symbolic *y, uint32_t
     return VBSS_OK;
 }
 
-/* A separator's column as condensing leaves it: separators are not eliminated here, so all that meet it are asked. */
+/* Analyses a separator's column of the Schur complement. Separators are not eliminated here, so it
+ * has no children: all columns with an entry in it contribute rows. */
 static vbss_result analyse_schur_column(vbss_system *s, symbolic *y, uint32_t separator)
 {
     uint32_t k = s->interior_count + separator;
@@ -308,7 +317,7 @@ static vbss_result analyse_schur_column(vbss_system *s, symbolic *y, uint32_t se
     return VBSS_OK;
 }
 
-/* All that couplings of couple_once do not change. */
+/* Analyses the part of the pattern that does not depend on vbss_system_couple_separators. */
 static vbss_result analyse_bodies(vbss_system *s)
 {
     append_interiors(s);

@@ -1,14 +1,14 @@
-/* The system's life, and what bodies register in it. */
+/* Creation of the system and registration of its pattern. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "solver/solver.h"
 
 #include <string.h>
 
-/* ---- memory: one table says what there is */
+/* ---- memory: one table lists all arrays */
 
 enum { PARTS = 46 };
-#define MAX_SEPARATORS 16384u /* who is coupled with whom takes as many bits, squared */
+#define MAX_SEPARATORS 16384u /* the adjacency matrix takes the square of this in bits */
 
 static void list_arrays(vbss_system *s, vbss_array arrays[PARTS])
 {
@@ -68,7 +68,7 @@ static void list_arrays(vbss_system *s, vbss_array arrays[PARTS])
     memcpy(arrays, all, sizeof all);
 }
 
-/* Half of it stays free. */
+/* Smallest power of two of which at most half is used. */
 static uint32_t hash_capacity(uint32_t couplings)
 {
     uint32_t capacity = 2;
@@ -111,7 +111,8 @@ vbss_result vbss_system_create_with_capacity(vbss_context *context,
 vbss_system_capacity vbss_system_capacity_of_chains(uint32_t blocks, uint32_t half_bandwidth,
                                                     uint32_t separators, uint32_t pairs)
 {
-    uint32_t rows = 2 * half_bandwidth; /* of a run's column: neighbours ahead, separators behind */
+    /* rows of an interior column: neighbours ahead, separators behind */
+    uint32_t rows = 2 * half_bandwidth;
     return (vbss_system_capacity){blocks,        blocks * half_bandwidth,
                                   blocks * rows, blocks * (rows * (rows - 1) / 2),
                                   separators,    pairs};
@@ -144,7 +145,8 @@ static uint32_t first_bucket(const vbss_system *s, uint32_t high, uint32_t low)
     return (uint32_t)(mixed >> 32) & (s->coupling_hash_capacity - 1);
 }
 
-/* The last to come is the first to go, so that no place on the way to another becomes empty: couplings after `last`. */
+/* Removes couplings after `last` from the hash table, newest first, so that no bucket on the probe
+ * path of another coupling becomes free. */
 static void remove_couplings_after(vbss_system *s, uint32_t last)
 {
     while (s->coupling_hash_count > 0 &&
@@ -237,9 +239,9 @@ vbss_result vbss_system_couple(vbss_system *system, uint32_t a, uint32_t b, uint
     return VBSS_OK;
 }
 
-/* ---- couplings by hash: open addressing, which only ever tells whether a pair is there */
+/* ---- couplings by hash: open addressing, used only to find whether a pair is present */
 
-/* Where the coupling of two blocks stands, or could. */
+/* Bucket of the coupling of two blocks, or the free bucket for it. */
 static uint32_t *find_bucket(vbss_system *s, uint32_t high, uint32_t low)
 {
     for (uint32_t bucket = first_bucket(s, high, low);;
@@ -257,7 +259,7 @@ static void insert_coupling(vbss_system *s, uint32_t coupling, uint32_t *bucket)
     s->coupling_hash_buckets[s->coupling_hash_count++] = (uint32_t)(bucket - s->coupling_hash);
 }
 
-/* Only who asks pays; and nobody asks for a coupling of a run. */
+/* Hashing is deferred to the first query. Couplings of interior blocks are never queried. */
 static void hash_new_couplings(vbss_system *s)
 {
     while (s->hashed_coupling_end < s->coupling_count) {
@@ -302,7 +304,7 @@ void vbss_system_reuse_factor(vbss_system *system, uint32_t b, bool reuse)
 
 void vbss_system_clear(vbss_system *system)
 {
-    /* Fill stands behind the couplings of bodies. */
+    /* The fill follows the couplings of bodies. */
     block *fill = system->off_diagonal + system->body_coupling_count + 1;
     for (uint32_t i = 0, begin = 0, end; i < 2 * system->chain_count; i++, begin = end) {
         end = system->fill_ends[i];
