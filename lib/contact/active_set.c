@@ -1,8 +1,9 @@
-/* The states of all rows and the increments of all separators, found together.
+/* Primal-dual active set: finds the status of all constraints and the increments of all separators.
  *
- * A primal-dual active set: solve with the rows in their states, look which states the solution has, and
- * again with those, until they are the same. Nothing is taken that was not looked at after its solve. A solve
- * that leads too far is followed part of the way, and the next goes on from the states there. */
+ * Each iteration solves with the present status of every constraint, evaluates the status that the
+ * solution implies, and repeats until they agree. No solution is accepted without this evaluation.
+ * If a solve overshoots, the line search accepts a fraction of it, and the next solve starts from
+ * there. */
 #include "contact/contact.h"
 
 #include <string.h>
@@ -44,12 +45,12 @@ static vec3 relative_motion(const contact_constraint *constraint, const vbss_sys
     return u;
 }
 
-/* ---- the look after a solve */
+/* ---- residual of a solve */
 
-/* Of an open row, overlap is what misses the law; of a closed one, a force. */
+/* The violation of the contact law: an overlap for open constraints, a force for closed ones. */
 typedef struct active_set_residual {
-    double force, normal_force; /* largest, N */
-    double overlap;             /* largest, as a share of the thickness */
+    double force, normal_force; /* largest values, N */
+    double overlap;             /* largest value, relative to the thickness */
 } active_set_residual;
 
 static bool is_open(const contact_solution *solution)
@@ -69,14 +70,15 @@ static active_set_residual evaluate_residual(contact_set *set,
         set->candidate[i] = (contact_iterate){u, vbss_contact_linearised_force(constraint, u)};
         if (is_open(&constraint->solution)) {
             double overlap = violation / (constraint->stiffness * constraint->thickness);
-            if (overlap <= options->overlap_tolerance) { /* a hair is no reason to close */
+            /* this overlap is too small to close the contact */
+            if (overlap <= options->overlap_tolerance) {
                 *next = constraint->solution;
                 overlap = 0.0;
             }
             residual.overlap = vbss_max_or_nan(overlap, residual.overlap);
         } else {
             residual.force = vbss_max_or_nan(violation, residual.force);
-            /* What a grasp pulls with says nothing of how much a contact matters. */
+            /* The force of a tie does not measure how much a contact matters. */
             residual.normal_force = vbss_max(constraint->is_bilateral ? 0.0 : next->normal_force,
                                              residual.normal_force);
         }
@@ -91,12 +93,12 @@ static void accept_solution(contact_set *set)
     }
 }
 
-/* ---- how far to follow a solve
+/* ---- line search
  *
- * What the last solve led to and what this one leads to both balance, and so does all between them with forces
- * between theirs. What those miss the law by does work along the way: while it is negative the law still
- * drives on, and where it is zero contacts would come to rest. With given bounds of friction, that is
- * where the energy is least along the way. */
+ * The iterates before and after a solve are in equilibrium, and so is every interpolation of both
+ * with interpolated forces. The slope is the work of the residual of such a force along the step.
+ * It is negative as long as the contact law drives the motion on, and zero where the contacts would
+ * come to rest. For fixed friction bounds, the energy along the step is minimal there. */
 
 /* Nothing is cut when the work at the end is no larger than this share of that at the begin; and the place is
  * good enough with such a share of that, or after so many looks. */
@@ -110,16 +112,18 @@ enum { LOOKS = 8, MAX_BISECTION_STEPS = 8 };
 /* Where the law does not drive at all, and what comes is worse. */
 #define DOUBTFUL_STEP_FRACTION 0.5
 
-/* False position; an end that stays twice counts half (Illinois). Where a row closes on the way work rises so sharply that
- * this stays before it, all states would be as they were, and the next solve would lead to the same place: then halves, and
- * what is beyond. */
+/* Finds the fraction of the step with zero slope by false position; an end that is kept twice
+ * counts half (Illinois). The slope rises sharply where a constraint closes. False position then
+ * stays before that point: no status changes, and the next solve leads to the same point. Bisection
+ * follows, and the fraction beyond the rise is accepted. */
 static double line_search(contact_set *set, bool wide, bool softened)
 {
     vbss_contact_begin_line_search(set, wide);
     double low = 0.0, high = 1.0, slope_low = vbss_contact_line_search_slope(set, wide, low),
            slope_high = vbss_contact_line_search_slope(set, wide, high);
     const double initial_descent = -slope_low;
-    if (!(initial_descent > 0.0)) { /* friction alone may drive there, and knows no least energy */
+    /* friction may drive the step alone, and has no energy to minimise */
+    if (!(initial_descent > 0.0)) {
         return slope_high > -initial_descent ? DOUBTFUL_STEP_FRACTION : 1.0;
     }
     if (!(slope_high > FULL_STEP_SLOPE_RATIO * initial_descent)) {
@@ -158,7 +162,8 @@ static double line_search(contact_set *set, bool wide, bool softened)
     return vbss_max(fabs(slope) > SLOPE_TOLERANCE * initial_descent ? high : fraction, SHORTEST);
 }
 
-/* Where the next solve goes on from; before the first there may be nothing. */
+/* Moves to the iterate from which the next solve continues. The first solve has no earlier
+ * iterate. */
 static void advance_iterates(contact_set *set, const contact_active_set_options *options,
                              bool first, bool softened)
 {
@@ -177,7 +182,7 @@ static void advance_iterates(contact_set *set, const contact_active_set_options 
     }
 }
 
-/* ---- the search */
+/* ---- iteration */
 
 /* From this overlap on, as a share of the thickness, rows that close all at once would throw
  * each other about; and after so many solves they do. Then all are softened, and stiffened again in steps as
@@ -189,7 +194,7 @@ enum { DEEP_SOLVES = 2, STUCK_SOLVES = 9, SOFT_SOLVES = 5 };
 /* What is settled while soft. */
 #define SOFT_OVERLAP_TOLERANCE 0.05
 
-/* What comes nearer to the law with each solve is not left before it is there. */
+/* Tracks the residual, so that an iteration that still converges is not stopped early. */
 static void track_convergence(contact_active_set_progress *progress,
                               const contact_active_set_options *options,
                               const active_set_residual *residual, bool first)
@@ -207,8 +212,9 @@ static void track_convergence(contact_active_set_progress *progress,
 static void scale_stiffness(contact_set *set, contact_active_set_progress *progress, double factor)
 {
     for (uint32_t i = 0; i < set->count; i++) {
-        if (!set->constraints[i].is_bilateral) {     /* nothing about those is to be found */
-            set->constraints[i].stiffness *= factor; /* a power of two: exact */
+        if (!set->constraints[i].is_bilateral) { /* the status of a tie is fixed */
+            /* exact, because the factor is a power of two */
+            set->constraints[i].stiffness *= factor;
         }
     }
     progress->stiffness_scale *= factor;
@@ -234,7 +240,7 @@ static void soften_or_stiffen(contact_set *set, contact_active_set_progress *pro
     }
 }
 
-/* What the last solve is worth: a result, or none yet. */
+/* Classifies the last solve: converged, inexact, or not converged. */
 static contact_outcome classify_outcome(const contact_active_set_options *options,
                                         const contact_active_set_progress *progress,
                                         const active_set_residual *residual)
@@ -243,14 +249,14 @@ static contact_outcome classify_outcome(const contact_active_set_options *option
                        options->absolute_force_tolerance;
     double loose_tolerance =
         options->loose_force_tolerance * residual->normal_force + options->absolute_force_tolerance;
-    if (progress->stiffness_scale < 1.0) { /* of another stiffness than the rows' */
+    if (progress->stiffness_scale < 1.0) { /* solved with a reduced stiffness */
         return CONTACT_NOT_CONVERGED;
     }
     if (residual->overlap == 0.0 && residual->force <= tolerance) {
         return CONTACT_CONVERGED;
     }
-    /* States may cycle, where friction and two neighbouring rows contradict each other: what is missed
-     * is small then, and the next part finds it. */
+    /* The status may cycle where friction and two neighbouring constraints contradict each other.
+     * The residual is small then, and the next substep corrects it. */
     bool may_be_inexact =
         progress->has_softened || progress->stalled_solves + 1 >= options->max_stalled_solves;
     bool is_inexact = may_be_inexact && residual->overlap <= options->loose_overlap_tolerance &&
@@ -301,7 +307,7 @@ static contact_outcome iterate_active_set(contact_set *set,
                 set->is_stopped_early = true;
                 outcome = CONTACT_INEXACT;
             }
-        } else { /* from there a further linearisation goes on */
+        } else { /* a further linearisation continues from there */
             memcpy(set->current, set->candidate, set->count * sizeof *set->current);
         }
         accept_solution(set);
@@ -316,7 +322,7 @@ static contact_outcome iterate_active_set(contact_set *set,
     return CONTACT_NOT_CONVERGED;
 }
 
-/* Nothing has moved yet, and forces are what they were. */
+/* Starts with zero displacement and the present forces. */
 static void begin_line_search(contact_set *set, const contact_active_set_options *options)
 {
     vbss_system_begin_line_search(options->system);

@@ -1,4 +1,4 @@
-/* Where rows stand in the system, and what they add there. */
+/* Indices of the constraints' blocks in the system, and assembly of their stiffness and forces. */
 #include "base/error.h"
 #include "contact/contact.h"
 
@@ -53,15 +53,15 @@ void vbss_contact_find_schur_indices(contact_set *set, const vbss_system *system
     }
 }
 
-/* How much u moves along a direction when the term's block changes; and what a force along it does to
- * the block. */
+/* The block's entry of the Jacobian along a direction, and transposed: the force on the block from
+ * a force along it. */
 static vec3 map_to_block(const contact_jacobian_block *term, vec3 direction)
 {
     vec3 v = term->is_rotation ? vec3_cross(term->arm, direction) : direction;
     return vec3_scale(v, term->weight);
 }
 
-/* The same of what its weight gains as the row slides on by a metre. */
+/* Derivative of map_to_block's weights as the suture slides along the normal, per metre. */
 static vec3 map_derivative_to_block(const contact_jacobian_block *term, vec3 direction)
 {
     return term->is_rotation ? vec3_cross(term->weighted_arm_derivative, direction)
@@ -86,13 +86,17 @@ static bool has_rotation(const contact_constraint *constraint)
     return false;
 }
 
-/* What slides along a curve takes its force to other terms, and turns it: without that a bend that runs through would look
- * stiff, as its own tension turns too. And where the curve turns, or has slid on to where it has another direction n, the
- * force f across it does so as well, since it stays across: by -(f . dn) n, which drives along it, as far as it is not held
- * there. Of energy stiffness / 2 |point - hole|^2, least over all points of the curve, this is the second derivative, but for
- * terms that are as small beside it as point - hole is beside a segment. Two things are left out, with which searches found
- * their states less often (docs/stitch.md): that friction turns with n as nodes move, and all that turns f where a needle is
- * in it, as the bend at its swage may be sharper than a segment. */
+/* Stiffness from sliding along a curved suture.
+ *
+ * Sliding transfers the axial force to other nodes and rotates it. Without these terms a bend that
+ * slides through the hole would look stiff, because its own tension rotates too. Where the
+ * direction n of the suture changes, the transverse force f stays transverse and changes by -(f .
+ * dn) n; this drives sliding as far as the hole does not stick.
+ * The sum is the second derivative of the energy stiffness / 2 |point - hole|^2, minimised over all
+ * points of the curve, except for terms of the relative order |point - hole| / segment length. Two
+ * terms are left out because the active set converged less often with them (docs/stitch.md): the
+ * rotation of friction as nodes move, and the rotation of f at a needle, since the bend at the
+ * swage may be sharper than a segment. */
 static void add_sliding_stiffness(const contact_constraint *constraint,
                                   const contact_linearisation *t, const uint32_t *schur_indices,
                                   vbss_system *system)

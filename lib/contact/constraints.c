@@ -1,10 +1,10 @@
-/* Rows of a part of a step, and what is remembered of them until the next. */
+/* The list of constraints of a substep, and their warm start from the substep before. */
 #include "base/memory.h"
 #include "contact/contact.h"
 
 #include <string.h>
 
-/* ---- memory of the set */
+/* ---- creation and destruction */
 
 enum { PARTS = 11 };
 
@@ -83,7 +83,7 @@ contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key)
         return NULL;
     }
     contact_constraint *constraint = &set->constraints[set->count++];
-    constraint->key = *key; /* most of it, the terms, is not looked at until it is set */
+    constraint->key = *key; /* the Jacobian, most of the record, is not read until it is set */
     constraint->jacobian_block_count = 0;
     constraint->is_bilateral = false;
     constraint->is_sleeve = false;
@@ -97,14 +97,14 @@ contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key)
     return constraint;
 }
 
-/* Where the next row belongs among those before, behind its like. */
+/* Position of the next constraint among those before it, after equal keys. */
 static uint32_t find_insertion(const contact_set *set, uint32_t next)
 {
     const contact_key *key = &set->constraints[next].key;
     uint32_t low = 0, high = next;
     if (next == 0 || vbss_contact_compare_keys(
                          &set->constraints[set->sort_permutation[next - 1]].key, key) <= 0) {
-        return next; /* they come in a few sequences, each in order */
+        return next; /* the common case: constraints come in a few sequences, each sorted */
     }
     while (low < high) {
         uint32_t middle = low + (high - low) / 2;
@@ -129,7 +129,8 @@ static bool find_sort_permutation(const contact_set *set)
     return in_order;
 }
 
-/* Rows are large: each goes to its place at once, in rings of which the first waits aside. */
+/* Applies the permutation cycle by cycle with one temporary copy: records are large, so each moves
+ * once. */
 void vbss_contact_sort(contact_set *set)
 {
     if (find_sort_permutation(set)) {
@@ -190,9 +191,9 @@ bool vbss_contact_penetration_is_allowed(const contact_set *set)
     return true;
 }
 
-/* ---- memory from part to part */
+/* ---- warm start */
 
-/* Whoever lays it knows what it held. */
+/* previous_force is already set by the module that created the sleeve. */
 static void warm_start_sleeve(contact_constraint *constraint, const contact_warm_start_entry *entry)
 {
     constraint->solution.tangential_force =
@@ -209,8 +210,9 @@ static double find_tangential_stiffness_ratio(const contact_constraint *constrai
 {
     double max_friction = constraint->friction * normal_force,
            force_at_limit = constraint->stiffness * constraint->elastic_slip_limit;
+    /* 0 means the full stiffness */
     return 0.0 < max_friction && max_friction < force_at_limit ? max_friction / force_at_limit
-                                                               : 0.0; /* 0: all of it */
+                                                               : 0.0;
 }
 
 static void warm_start_constraint(contact_constraint *constraint,
@@ -247,8 +249,8 @@ void vbss_contact_warm_start_neighbour(contact_set *set, uint32_t entry_index)
 {
     const contact_warm_start_entry *entry = &set->warm_start[entry_index];
     for (uint32_t da = 0; da < 3; da++) {
-        contact_key key =
-            entry->key; /* one below the first is the largest number, which nobody has */
+        /* feature 0 minus 1 wraps to a number that no feature has */
+        contact_key key = entry->key;
         key.feature_a += da - 1;
         key.feature_b -= 1;
         for (uint32_t db = 0; db < 3; db++, key.feature_b++) {

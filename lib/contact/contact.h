@@ -1,14 +1,20 @@
-/* Contact: rows that keep features of any bodies apart, rub them against each other, or tie them.
+/* Contact constraints between features of bodies: unilateral contact with friction, and bilateral
+ * ties.
  *
- * A row knows no body: its two sides are a short list of terms, each a block of the system and a map
- * from that block's increment to the motion of the contact point: a weight (a node), or a weight and an
- * arm (the rotation of a rigid body: u = w dtheta x arm). u, of side a relative to side b, is the sum.
+ * A constraint knows no body. Its Jacobian is a short list of blocks of the system, each with the
+ * map from the block's increment to the motion of the contact point: a weight (a node), or a weight
+ * and an arm (the rotation of a rigid body: u = w dtheta x arm). u, the displacement of side a
+ * relative to side b, is the sum.
  *
- *   begin -> add rows -> recall -> register, pattern -> find_places -> (solve) until good -> keep
+ * Order of calls in a substep:
+ *   vbss_contact_clear -> vbss_contact_add -> vbss_contact_sort -> vbss_contact_warm_start
+ *   -> vbss_contact_register -> vbss_contact_find_schur_indices
+ *   -> vbss_contact_solve_active_set until converged -> vbss_contact_store_warm_start
  *
- * constraints.c lists rows and remembers them from step to step; contact_law.c is the law of contact and friction;
- * active_set.c finds their states together with the increments of all blocks, and line_search.c says how far to follow; weld.c
- * eliminates a node that is a point of a rigid body; snapshot.c saves what is remembered. docs/contact.md derives all of it. */
+ * constraints.c lists constraints and warm starts them; contact_law.c is the law of contact and
+ * friction; active_set.c finds their status together with the increments of all blocks;
+ * line_search.c chooses the step length; weld.c eliminates a node that is a point of a rigid body;
+ * snapshot.c saves the warm-start entries. docs/contact.md derives the method. */
 #ifndef VBSS_CONTACT_CONTACT_H
 #define VBSS_CONTACT_CONTACT_H
 
@@ -19,26 +25,29 @@
 
 typedef struct vbss_stream vbss_stream;
 
-/* ---- rows */
+/* ---- constraints */
 
-/* Two features of three terms each; or what is in a hole, which may slide on over the swage: five nodes and a needle that has
- * two, and three of the wall. */
+/* Two features of three blocks each need 6. A hole needs 10: five nodes of the suture and two
+ * blocks of the needle, because the suture may slide on over the swage, and three nodes of the
+ * wall. */
 enum { CONTACT_MAX_JACOBIAN_BLOCKS = 10 };
 
 typedef struct contact_jacobian_block {
     uint32_t block;
-    bool is_rotation; /* the block is a rotation increment */
+    bool is_rotation; /* the block is the increment of a rotation */
     double weight;
-    double
-        weight_derivative; /* of a sleeve: of the weight, as what is in it slides along the normal, 1/m */
-    vec3 arm;              /* turns: from the centre of mass to the contact point */
-    vec3 weighted_arm_derivative; /* turns: of the weighted arm what slope is of the weight */
+    /* sleeve: derivative of the weight as the suture slides along the normal, 1/m */
+    double weight_derivative;
+    vec3 arm; /* rotation: from the centre of mass to the contact point, m */
+    /* rotation of a sleeve: derivative of weight times arm as the suture slides along the normal */
+    vec3 weighted_arm_derivative;
 } contact_jacobian_block;
 
-/* Which features: what the order of the rows, and memory, go by. */
+/* The pair of features: the sort key of constraints and warm-start entries. */
 typedef struct contact_key {
     uint32_t kind, body_a, feature_a, body_b, feature_b;
 } contact_key;
+/* Negative, 0 or positive if x is before, equal to or after y. */
 int vbss_contact_compare_keys(const contact_key *x, const contact_key *y);
 
 typedef enum contact_status { CONTACT_OPEN, CONTACT_STICK, CONTACT_SLIP } contact_status;
@@ -47,59 +56,71 @@ typedef struct contact_solution {
     contact_status status;
     double normal_force;   /* normal force on a, N */
     vec3 tangential_force; /* tangential force on a, N */
-    vec3 slip_direction;   /* SLIP: unit, of the rubbing */
-    double
-        friction_ratio; /* SLIP: friction pressure / |augmented rubbing|; of a sleeve 1 if its force along is along
-                        the normal, 0 if it is against it: its pressure is that force, its rubbing the one across */
+    vec3 slip_direction;   /* SLIP: unit vector of the friction force */
+    /* SLIP: friction bound / |augmented friction force|. Sleeve: 1 if it slides with its axial
+     * force along the normal, 0 if against; its normal_force is the axial force, its
+     * tangential_force the transverse one. */
+    double friction_ratio;
 } contact_solution;
 
 typedef struct contact_constraint {
     contact_key key;
     uint32_t jacobian_block_count;
     contact_jacobian_block jacobian[CONTACT_MAX_JACOBIAN_BLOCKS];
-    bool
-        is_bilateral; /* also pulls: a grasp, a hole; with friction it holds in the plane, without slip */
-    double stiffness;                  /* normal and tangential, N/m */
+    /* a tie that also pulls: a grasp or a hole. With friction it holds in the tangent plane without
+     * slip. */
+    bool is_bilateral;
+    double stiffness;                  /* normal and tangential stiffness, N/m */
     double friction;                   /* coefficient */
-    double tangential_stiffness_ratio; /* share of the stiffness that it has in the plane; 0: all */
-    /* Where little presses it has so much less there that friction is spent after this way, m; 0: all. Not of what ties. */
+    double tangential_stiffness_ratio; /* tangential stiffness / stiffness; 0 for 1 */
+    /* Unilateral: at small normal forces the tangential stiffness is reduced so that the friction
+     * bound is reached after this displacement, m. 0 for none. */
     double elastic_slip_limit;
-    /* Bilateral: what is in it is held across the normal and slides along it. Below `least`, N, and `grip` of what is held
-     * across it sticks: against the normal, along it; either may be below 0, their sum is not. Beyond, it yields with a
-     * damping, as a stiffness of the part, N/m. What it held along is remembered. */
+    /* A bilateral constraint that holds the suture across its axis, the normal, and lets it slide
+     * along it. It sticks below the yield force yield_force + yield_friction[] times the transverse
+     * force, in N; index 0 is for a force against the normal, 1 along it. Either bound may be
+     * negative, but not their sum. Beyond, a damper with the stiffness viscous_stiffness in this
+     * substep, N/m, lets it slide. The axial force is remembered. */
     bool is_sleeve;
     double yield_force, yield_friction[2], viscous_stiffness;
-    vec3 curvature; /* of the normal as it slides along it, 1/m */
-    /* A sleeve's, for whoever makes rows: on which span it has been laid, and from which arc length on. */
+    vec3 curvature; /* derivative of the normal as it slides along the normal, 1/m */
+    /* Sleeve, for the module that creates the constraint: span and arc length, m, of its present
+     * place on the suture. */
     uint32_t span;
     double start_arc_length;
-    double augmentation; /* r of Alart and Curnier, N/m */
-    vec3 normal;         /* unit, from b to a */
+    double augmentation; /* augmentation parameter r of Alart and Curnier, N/m */
+    vec3 normal;         /* unit vector from b to a */
     double gap;          /* at the trial state, m */
-    vec3
-        relative_displacement; /* of a against b from the begin of the part to the trial state, m */
-    double barycentric[2];     /* where on the features: for whoever makes rows */
-    double axis_interval[2]
-                        [2]; /* of a segment a: from and to which share it is looked at: the same */
-    uint32_t dedup_points[2], dedup_next; /* what is there: the same, while they are made */
-    vec3 point;                           /* between the surfaces: the same */
-    double
-        contact_distance; /* m: distance of the features\' middles at which they touch: the same */
-    double
-        lip_thickness; /* m: of two lips, what of their distance along the normal is wall: the same */
-    double overlap_allowance; /* m: how much nearer they may be, beside a hole: the same */
-    double
-        fold_allowance; /* m: of that, by how much more they overlap than the gap says, in a fold */
-    double thickness, start_gap,
-        allowed_penetration; /* m: distance of the axes, begin, end of the part: the same */
+    /* displacement of a relative to b from the start of the substep to the trial state, m */
+    vec3 relative_displacement;
+    /* contact point on the two features; from here to allowed_penetration the scene sets all
+     * fields */
+    double barycentric[2];
+    /* segments: interval of each axis on which contact is possible, as fractions of it */
+    double axis_interval[2][2];
+    /* identity of both contact points and hash list, to remove duplicates */
+    uint32_t dedup_points[2], dedup_next;
+    vec3 point; /* midway between the surfaces, m */
+    /* distance of the axes or centres at contact, m */
+    double contact_distance;
+    /* contact of two lips: thickness of the wall along the normal, m */
+    double lip_thickness;
+    double overlap_allowance; /* overlap that is allowed without a force, beside a hole, m */
+    /* part of it in a fold: overlap at the start of the substep that the contact force does not
+     * explain, m */
+    double fold_allowance;
+    /* diameter of the thinner feature; gap at the start of the substep; largest penetration allowed
+     * at its end; m */
+    double thickness, start_gap, allowed_penetration;
 
-    contact_solution solution; /* found last */
-    vec3 previous_force;       /* rubbing at the begin of the part: what friction remembers */
+    contact_solution solution; /* result of the last solve */
+    vec3 previous_force;       /* tangential force at the start of the substep, N */
 
-    uint32_t schur_offset; /* into the set's places; UINT32_MAX: no term has an equation */
+    /* offset of its indices in schur_indices; UINT32_MAX before they are assigned */
+    uint32_t schur_offset;
 } contact_constraint;
 
-/* In the plane, N/m. */
+/* Stiffness in the tangent plane, N/m. */
 static inline double contact_tangential_stiffness(const contact_constraint *constraint)
 {
     return constraint->tangential_stiffness_ratio > 0.0
@@ -107,8 +128,9 @@ static inline double contact_tangential_stiffness(const contact_constraint *cons
                : constraint->stiffness;
 }
 
-/* Where the search for states stands with a row: its sides have moved by u against each other, and all
- * blocks balance when `force` acts on a, which is what the law says only when the search is over. */
+/* Iterate of a constraint in the active-set iteration. The sides have moved by u, and all blocks
+ * are in equilibrium with `force` acting on a. Only at the solution does this force satisfy the
+ * contact law. */
 typedef struct contact_iterate {
     vec3 u, force;
 } contact_iterate;
@@ -120,18 +142,19 @@ static inline contact_iterate contact_iterate_lerp(const contact_iterate *a,
                              vec3_lerp(a->force, b->force, fraction)};
 }
 
-/* What the law says of four rows on the way from one stand to another. */
+/* Four constraints in SIMD lanes, with the current and the candidate iterate, for the line
+ * search. */
 typedef struct contact_simd_batch {
     double normal[3][LANES], relative_displacement[3][LANES], previous_force[3][LANES];
     double current_u[3][LANES], candidate_u[3][LANES], current_force[3][LANES],
         candidate_force[3][LANES];
-    double gap[LANES], stiffness[LANES], tangential_stiffness[LANES],
-        friction[LANES];     /* as the rows have them */
-    double bilateral[LANES]; /* 1: bilateral */
+    /* copies of the constraint's fields */
+    double gap[LANES], stiffness[LANES], tangential_stiffness[LANES], friction[LANES];
+    double bilateral[LANES]; /* 1.0 if bilateral */
     bool is_sleeve[LANES];
 } contact_simd_batch;
 
-/* What is kept of a row with a force until the next part. */
+/* Status and force of a constraint at the end of a substep: the initial guess in the next. */
 typedef struct contact_warm_start_entry {
     contact_key key;
     uint32_t status;
@@ -139,163 +162,185 @@ typedef struct contact_warm_start_entry {
     vec3 tangential_force;
 } contact_warm_start_entry;
 
-/* How far a search is. */
+/* Progress of the active-set iteration. */
 typedef struct contact_active_set_progress {
-    uint32_t solve_count; /* solves */
+    uint32_t solve_count; /* solves so far */
     double stiffness_scale;
-    uint32_t solves_at_scale; /* with this softness */
-    bool has_softened;        /* it has been, and will not be again */
-    double
-        reference_residual; /* of the law, the larger share, when it was last half of what it had been; */
-    uint32_t stalled_solves; /* solves since */
+    uint32_t solves_at_scale; /* solves with the current stiffness_scale */
+    bool has_softened;        /* the stiffness has been reduced once; it will not be again */
+    /* relative residual when it was last halved */
+    double reference_residual;
+    uint32_t stalled_solves; /* solves since the residual was last halved */
 } contact_active_set_progress;
 
-/* Where work stops for now, between two solves or before a linearisation, to go on with nothing changed. It is asked before
- * each; how often it has let go on tells one place of an attempt from all others. */
+/* The budget of one call. Work may be suspended before a solve or a linearisation, and the next
+ * call resumes it without any change. A check precedes each of them; the number of checks passed
+ * identifies the point in the attempt. */
 typedef struct contact_call_budget {
-    uint64_t operation_limit; /* nothing begins that would take work beyond; 0: there is none */
-    bool has_progress;        /* something has been done in this slot: until then it lets go on */
-    uint32_t checks_passed;   /* so often, in the attempt */
-    bool is_replay;           /* an attempt is made once more: it stops where it has before, */
-    uint32_t replay_checks;   /* after so many */
+    /* in the unit of contact_counters.operations; work that would exceed it is suspended. 0 for no
+     * limit */
+    uint64_t operation_limit;
+    bool has_progress;      /* this call has done some work; until then no check suspends */
+    uint32_t checks_passed; /* checks passed in this attempt */
+    /* the attempt is repeated after a restore: it suspends where it did before */
+    bool is_replay;
+    uint32_t replay_checks; /* checks to pass before it suspends */
 } contact_call_budget;
 
 typedef struct contact_counters {
-    uint64_t solves;  /* of the separators' system */
-    uint64_t inexact; /* states taken with a residual */
-    uint64_t
-        operations; /* operations: what costs as much as a product of blocks; others add theirs */
+    uint64_t solves;  /* solves of the separators' system */
+    uint64_t inexact; /* solutions accepted with a residual */
+    /* products of 3x3 blocks, or work of equal cost, by all modules */
+    uint64_t operations;
 } contact_counters;
 
 typedef struct contact_weld contact_weld;
 
 typedef struct contact_set {
     uint32_t capacity, count, warm_start_count;
-    contact_constraint *constraints;      /* ascending keys */
-    uint32_t *sort_permutation;           /* scratch of sort: where a row comes from */
-    contact_warm_start_entry *warm_start; /* the same */
-    contact_warm_start_entry *checkpoint; /* memory as it was at the last mark */
+    contact_constraint *constraints; /* sorted by ascending keys */
+    /* scratch of the sort: original index of each constraint */
+    uint32_t *sort_permutation;
+    contact_warm_start_entry *warm_start; /* sorted by ascending keys */
+    /* warm-start entries at the last vbss_contact_checkpoint */
+    contact_warm_start_entry *checkpoint;
     uint32_t checkpoint_count;
-    uint8_t *scratch_flags;           /* of the memory: found again */
-    contact_solution *next_solutions; /* of the rows: what the last solve says */
-    contact_solution
-        *saved_solutions; /* what was found before a search whose outcome may be left */
-    contact_iterate *current,
-        *candidate; /* of the rows: where the last solve was left, where this one leads */
-    contact_simd_batch
-        *simd_batches; /* scratch of the way between: the rows, the last with nothing beside it */
-    uint32_t
-        *schur_indices; /* of each row: of its blocks row by row, then of its right-hand sides */
+    /* per warm-start entry: 1 if a constraint with the same key exists */
+    uint8_t *scratch_flags;
+    contact_solution *next_solutions; /* per constraint: solution according to the last solve */
+    /* per constraint: copy by vbss_contact_save_solution */
+    contact_solution *saved_solutions;
+    /* per constraint: current iterate, and candidate of the last solve */
+    contact_iterate *current, *candidate;
+    /* scratch of the line search; the last batch is padded with empty constraints */
+    contact_simd_batch *simd_batches;
+    /* for each constraint of n blocks: n^2 indices of its pairs, row by row, then n indices of its
+     * right-hand sides */
+    uint32_t *schur_indices;
     uint32_t schur_index_count, schur_index_capacity;
-    double residual; /* of the law after the last solve, N */
-    bool
-        is_stopped_early; /* the last search, by its limit of work: what the law says was not found */
-    bool was_stopped_early;               /* with found_before */
-    contact_active_set_progress progress; /* of the search under way */
+    double residual; /* violation of the contact law after the last solve, N */
+    /* the last iteration stopped at its operation limit without a solution of the contact law */
+    bool is_stopped_early;
+    bool was_stopped_early;               /* saved with saved_solutions */
+    contact_active_set_progress progress; /* the iteration in progress */
     contact_call_budget call_budget;
     contact_counters counters;
-    /* the last two at the last mark */
+    /* residual and counters at the last checkpoint */
     double checkpoint_residual;
     contact_counters checkpoint_counters;
 } contact_set;
 
+/* Creates a set of at most `capacity` constraints. VBSS_ERROR_OUT_OF_MEMORY. */
 vbss_result vbss_contact_create(vbss_context *context, uint32_t capacity, contact_set **set);
 void vbss_contact_destroy(vbss_context *context, contact_set *set);
 
-/* constraints.c. A new list, as new rows come; NULL: no more room. Keys come in any order and are sorted. */
+/* The list of constraints (constraints.c). vbss_contact_add returns NULL if the set is full. Keys
+ * may come in any order; vbss_contact_sort sorts them. */
 void vbss_contact_clear(contact_set *set);
 contact_constraint *vbss_contact_add(contact_set *set, const contact_key *key);
 void vbss_contact_sort(contact_set *set);
-/* The row of a key in a list that is sorted, or UINT32_MAX. */
+/* Index of the constraint with this key in a sorted list, or UINT32_MAX. */
 uint32_t vbss_contact_find(const contact_set *set, const contact_key *key);
-/* States and forces of the last part, for rows that were there. What is left of the memory (`recalled` says so) belonged to
- * contacts that are gone or have slid on to other features: to the first beside their own, by number, that has no other
- * yet; or to a row that whoever knows the features names. */
+/* Warm start of the sorted constraints. Each gets status and force of the entry with its key, if
+ * there is one. For an entry without one (scratch_flags is 0) the contact is gone or has slid on to
+ * neighbouring features. vbss_contact_warm_start_neighbour passes it to the first open constraint
+ * within one feature number of its own; vbss_contact_warm_start_one to a given constraint. */
 void vbss_contact_warm_start(contact_set *set);
 void vbss_contact_warm_start_neighbour(contact_set *set, uint32_t entry_index);
 void vbss_contact_warm_start_one(contact_set *set, uint32_t entry_index, uint32_t constraint_index);
-/* Remembers the rows with a force: the part is accepted. */
+/* Stores the constraints that carry a force as warm-start entries, once the substep is accepted. */
 void vbss_contact_store_warm_start(contact_set *set);
-/* What is remembered, to come back to it. */
+/* Copies warm-start entries, residual and counters, and returns to that copy. */
 void vbss_contact_checkpoint(contact_set *set);
 void vbss_contact_rollback(contact_set *set);
-/* Largest overlap over all unilateral rows as gaps are now, m; and whether all are within what is allowed. */
+/* Largest penetration of the unilateral constraints at their present gaps, m; and whether none
+ * exceeds its allowed_penetration. */
 double vbss_contact_max_penetration(const contact_set *set);
 bool vbss_contact_penetration_is_allowed(const contact_set *set);
 
-/* constraint_assembly.c. Couples the blocks of each row, as far as they are separators; then where they stand, or that
- * they stand where those of the last list with the same keys did. */
+/* Constraints in the system (constraint_assembly.c). vbss_contact_register couples the separators
+ * of each constraint; vbss_contact_find_schur_indices finds the indices of their blocks after the
+ * analysis. vbss_contact_assign_schur_offsets is enough if the last list had the same keys: the
+ * indices are then still valid. */
 vbss_result vbss_contact_register(const contact_set *set, vbss_system *system);
 void vbss_contact_find_schur_indices(contact_set *set, const vbss_system *system);
 void vbss_contact_assign_schur_offsets(contact_set *set);
-/* Adds to the separators' system what the rows say in their states: stiffness and forces. */
+/* Adds stiffness and forces of all constraints, linearised in their present status, to the
+ * separators' system. */
 void vbss_contact_assemble(const contact_set *set, vbss_system *system);
 
 /* ---- the law (contact_law.c) */
 
-/* The force of a row in its state, and how it changes with u: the sum over the directions of
- * stiffness * left (right . u) is taken off it. */
+/* Linearised force of a constraint in its present status: force - sum over the directions of
+ * stiffness * left (right . u). */
 typedef struct contact_linearisation {
-    uint32_t count; /* directions */
-    vec3 left[3];   /* force along these */
-    vec3 right[3];  /* when u moves along those */
+    uint32_t count; /* number of directions */
+    vec3 left[3];   /* direction of the force */
+    vec3 right[3];  /* direction of u that changes it */
     double stiffness[3];
-    vec3 force; /* on a, at the trial state */
+    vec3 force; /* on a, at the trial state, N */
 } contact_linearisation;
 void vbss_contact_linearise(const contact_constraint *constraint,
                             contact_linearisation *linearisation);
-/* What the row's state and forces are after its sides moved by u against each other. Returns by how much the
- * law is missed in the state that it is in, N. */
+/* Computes status and forces after a relative displacement u. Returns the violation of the contact
+ * law in the present status, N. */
 double vbss_contact_update_solution(const contact_constraint *constraint, vec3 u,
                                     contact_solution *next);
-/* The force on a after u: as the equations have it in the row's state, and as the law has it. */
+/* Force on a after a relative displacement u, N: by the linearisation in the present status, and by
+ * the contact law. */
 vec3 vbss_contact_linearised_force(const contact_constraint *constraint, vec3 u);
 vec3 vbss_contact_force(const contact_constraint *constraint, vec3 u);
-/* The state to go on with from where the search stands. */
+/* Solution with which the iteration continues from this iterate. */
 void vbss_contact_solution_at(const contact_constraint *constraint, const contact_iterate *iterate,
                               contact_solution *next);
-/* The tangential force that is remembered, turned into a row's tangent plane with its length. */
+/* Rotates a remembered tangential force into the tangent plane of a new normal, with its length. */
 vec3 vbss_contact_rotate_to_tangent_plane(vec3 force, vec3 normal);
 
 /* ---- welds (weld.c): a node that is a point of a rigid body */
 
-/* Three on either side, and the bodies of those of them that are welded too. */
+/* Three nodes on either side, and for those that are welded too, the blocks of their bodies. */
 enum { CONTACT_WELD_MAX_NEIGHBOURS = 18 };
 struct contact_weld {
     uint32_t node, translation, rotation; /* blocks */
-    vec3 arm;                             /* from the centre of mass to the node */
+    vec3 arm;                             /* from the centre of mass to the node, m */
     uint32_t neighbour_count;
-    /* Separators that the node is coupled with; of those that earlier welds have eliminated, the bodies too. */
+    /* Separators that are coupled with the node; for nodes that earlier welds have eliminated, also
+     * the blocks of their bodies. */
     uint32_t neighbours[CONTACT_WELD_MAX_NEIGHBOURS];
 };
-/* Couples the body's blocks with the node's neighbours: after these are registered. */
+/* Couples the body's blocks with the node's neighbours. Requires that the neighbours are
+ * registered. */
 vbss_result vbss_contact_register_weld(const contact_weld *weld, vbss_system *system);
-/* Moves the node's rows and columns in the separators' system to the body; its own equation says that
- * nothing moves. Exact: the body's increments are those of the joined system. */
+/* Moves the node's rows and columns in the separators' system to the body. The node's own equation
+ * becomes trivial, with increment zero. Exact: the body's increments are those of the joined
+ * system. */
 void vbss_contact_eliminate_weld(const contact_weld *weld, vbss_system *system);
-/* The increment of the node that follows from the body's. */
+/* The node's increment that follows from the body's increments, m. */
 vec3 vbss_contact_weld_increment(const contact_weld *weld, const vbss_system *system);
 
-/* ---- states (active_set.c) */
+/* ---- active set (active_set.c) */
 
 typedef struct contact_active_set_options {
-    vbss_system *system; /* condensed */
+    vbss_system *system; /* after vbss_system_condense */
     const contact_weld *welds;
     uint32_t weld_count;
-    uint32_t max_solves; /* solves */
-    /* What is none: a force, as a share of the largest pressure and N added; overlap of an open row, as a share
-     * of the thickness. */
+    uint32_t max_solves; /* limit of solves; CONTACT_NOT_CONVERGED beyond it */
+    /* Tolerances of the contact law: on forces, relative to the largest normal force plus absolute
+     * in N; on penetration of an open constraint, relative to the thickness. */
     double relative_force_tolerance, absolute_force_tolerance, overlap_tolerance;
-    /* What may be left when so many solves have not halved what is missed. */
+    /* Loose tolerances, which accept an inexact solution after max_stalled_solves solves without
+     * halving the residual. */
     uint32_t max_stalled_solves;
     double loose_force_tolerance, loose_overlap_tolerance;
-    /* Beyond this work no solve begins but the first, and the search stops where it stands: all balances there, and
-     * what the law is missed by has become less on the way. 0: no limit. */
+    /* Operations beyond which no solve starts, except the first. The iteration then stops at its
+     * current iterate: forces are in equilibrium, and the line search has reduced the violation. 0
+     * for no limit. */
     uint64_t operation_limit;
-    bool
-        starts_from_current; /* from the rows' forces after an earlier linearisation; with a limit only */
-    bool
-        is_resumed; /* where it has waited for a slot to end: nothing of set and system has changed */
+    /* start from the constraints' forces of an earlier linearisation; only with an operation
+     * limit */
+    bool starts_from_current;
+    /* continue a suspended iteration; set and system must be unchanged */
+    bool is_resumed;
 } contact_active_set_options;
 typedef enum contact_outcome {
     CONTACT_CONVERGED,
@@ -304,27 +349,31 @@ typedef enum contact_outcome {
     CONTACT_SINGULAR,
     CONTACT_SUSPENDED
 } contact_outcome;
-/* States of all rows and increments of all separators: primal-dual active set. */
+/* Finds the status of all constraints and the increments of all separators by a primal-dual active
+ * set. */
 contact_outcome vbss_contact_solve_active_set(contact_set *set,
                                               const contact_active_set_options *options);
-/* Whether what would take so much work is for the next slot. */
+/* Whether work of this many operations must wait for the next call. */
 bool vbss_contact_must_suspend(contact_set *set, uint64_t operations);
 
-/* line_search.c: of the forces between those `here` and `there`, what they miss the law by does work on the way from the one to the
- * other, N m; this after a share of it. begin_work takes down the rows and both ends. */
+/* Line search between the current and the candidate iterates (line_search.c).
+ * vbss_contact_begin_line_search stores constraints and both iterates. The slope at a fraction of
+ * the step is the work of the residual force, the equilibrium force minus that of the contact law,
+ * over the whole step, N m. */
 void vbss_contact_begin_line_search(contact_set *set, bool wide);
 double vbss_contact_line_search_slope(const contact_set *set, bool wide, double fraction);
-/* Both copies. */
+/* Plain and wide copies of line_search.c. */
 void vbss_contact_begin_line_search_plain(contact_set *set);
 void vbss_contact_begin_line_search_wide(contact_set *set);
 double vbss_contact_line_search_slope_plain(const contact_set *set, double fraction);
 double vbss_contact_line_search_slope_wide(const contact_set *set, double fraction);
 
-/* Notes what is found, and goes back to it. */
+/* Copies the present solutions, and returns to that copy. */
 void vbss_contact_save_solution(contact_set *set);
 void vbss_contact_restore_solution(contact_set *set);
 
-/* snapshot.c */
+/* Visits warm-start entries, residual and counters with nine tags from first_tag on
+ * (snapshot.c). */
 void vbss_contact_serialise(vbss_stream *stream, uint16_t first_tag, contact_set *set);
 
 #endif

@@ -1,11 +1,12 @@
-/* The law of a row: unilateral contact with Coulomb friction, both with a stiffness; of what ties, and of what slides
- * in a sleeve.
+/* The contact law: unilateral contact with Coulomb friction, both with a stiffness; ties and
+ * sleeves.
  *
- * Normal: pressure = -stiffness gap, if that presses. Tangential: the slip
- *   v = (slid + u)_t + (rubbing - held) / stiffness
- * is what the motion since the begin of the part leaves when the elastic part is taken off; rubbing lies in
- * the disk of radius friction pressure, and is the projection of rubbing - r v to it (Alart, Curnier
- * 1991). Sticking is v = 0; slipping is linearised exactly, which makes the stiffness unsymmetric. */
+ * Normal: normal force = -stiffness gap if that is positive, otherwise 0. Tangential: the slip
+ *     v = (relative_displacement + u)_t + (tangential_force - previous_force) / stiffness
+ * is the tangential motion since the start of the substep minus its elastic part. The tangential
+ * force lies in the disk of radius friction coefficient times normal force, and is the projection
+ * of (tangential_force - r v) to it (Alart, Curnier 1991). Sticking means v = 0. Slipping is
+ * linearised exactly, which makes the stiffness unsymmetric. */
 #include "contact/contact.h"
 
 /* A row that slips with all of its augmented force sticks across. */
@@ -25,27 +26,29 @@ vec3 vbss_contact_rotate_to_tangent_plane(vec3 force, vec3 normal)
     double before = vec3_norm_squared(force);
     vec3 in_plane = tangential_component(force, normal);
     double after = vec3_norm_squared(in_plane);
-    if (!(after > 1e-12 * before)) { /* it stood on the plane */
+    if (!(after > 1e-12 * before)) { /* the force was normal to the new plane */
         return vec3_zero();
     }
     return vec3_scale(in_plane, sqrt(before / after));
 }
 
-/* SLIP: stiffness across the way. */
+/* SLIP: stiffness in the tangent plane across the slip direction. */
 static double stiffness_across_slip(const contact_constraint *constraint)
 {
     double r = constraint->augmentation, k = contact_tangential_stiffness(constraint);
-    /* 1 / ((1 - share) / (share r) + 1 / k) */
+    /* 1 / ((1 - ratio) / (ratio r) + 1 / k) */
     return constraint->solution.friction_ratio * r * k /
            ((1.0 - constraint->solution.friction_ratio) * k +
             constraint->solution.friction_ratio * r);
 }
 
-/* ---- sleeves: what is held across slides along, with friction that grows with what is held
+/* ---- sleeves: they hold the suture across its axis and let it slide along it with friction
  *
- * Along the normal, tangent of what is in the sleeve, the force is that of a spring up to
- *   most = least + grip |across|,    grip for either way of sliding,
- * beyond which a damper in series with the spring yields: f = most + c v at any speed and any step (Perzyna 1966). */
+ * The force along the normal, the tangent of the suture, is that of a spring up to the yield limit
+ *     limit = yield_force + yield_friction |transverse force|, one limit for each direction of
+ *     sliding.
+ * Beyond it a damper in series with the spring yields: f = limit + c v at any speed and any step
+ * length (Perzyna 1966). */
 
 /* A direction of the force across that is off by so little changes it by its square. */
 #define SLEEVE_TOLERANCE 1e-4
@@ -61,7 +64,8 @@ static double elastic_axial_force(const contact_constraint *constraint, vec3 dis
            constraint->stiffness * vec3_dot(displacement, constraint->normal);
 }
 
-/* Beyond which it slides: `forward`, that force is along the normal; `pressed` is what is held across. */
+/* Signed axial force beyond which the suture slides, along the normal (is_forward) or against
+ * it. */
 static double axial_yield_limit(const contact_constraint *constraint, bool is_forward,
                                 double transverse_force)
 {
@@ -76,7 +80,8 @@ static double viscoplastic_force(const contact_constraint *constraint, double el
            (constraint->viscous_stiffness + constraint->stiffness);
 }
 
-/* In the state and with the direction across that the row has. */
+/* Force by the linearisation: with the status and the transverse direction of the present
+ * solution. */
 static sleeve_force linearised_sleeve_force(const contact_constraint *constraint, vec3 u)
 {
     vec3 displacement = vec3_add(constraint->relative_displacement, u);
@@ -152,7 +157,7 @@ static void linearise_sleeve(const contact_constraint *constraint, contact_linea
     t->force = total_sleeve_force(constraint, linearised_sleeve_force(constraint, vec3_zero()));
 }
 
-/* ---- the others */
+/* ---- contacts and ties */
 
 void vbss_contact_linearise(const contact_constraint *constraint, contact_linearisation *t)
 {
@@ -199,7 +204,7 @@ void vbss_contact_linearise(const contact_constraint *constraint, contact_linear
     t->force = vec3_add_scaled(t->force, -kappa * across_displacement, across);
 }
 
-/* The tangential force by the linear law after u, and the slip that belongs to it. */
+/* Tangential force by the linearisation after u, and the slip that belongs to it. */
 static vec3 linearised_tangential_force(const contact_constraint *constraint,
                                         vec3 tangential_displacement, double normal_force,
                                         vec3 *slip)
@@ -231,7 +236,7 @@ static void set_slipping(const contact_constraint *constraint, vec3 direction, d
         friction_ratio < MAX_FRICTION_RATIO ? friction_ratio : MAX_FRICTION_RATIO;
 }
 
-/* It was open, and is closed now. */
+/* Solution of a constraint that was open and is now closed. */
 static void close_contact(const contact_constraint *constraint, vec3 tangential_displacement,
                           contact_solution *next)
 {
@@ -264,7 +269,8 @@ double vbss_contact_update_solution(const contact_constraint *constraint, vec3 u
         if (constraint->solution.status == CONTACT_OPEN) {
             return 0.0;
         }
-        /* All that it was solved with is missed: little pressure may have gone with much rubbing. */
+        /* The whole linearised force violates the law, since a small normal force may come with a
+         * large friction force. */
         vec3 tangential_force = constraint->friction > 0.0
                                     ? linearised_tangential_force(
                                           constraint, tangential_displacement, normal_force, &slip)
@@ -295,7 +301,7 @@ double vbss_contact_update_solution(const contact_constraint *constraint, vec3 u
     return vec3_distance(next->tangential_force, vec3_scale(direction, max_friction));
 }
 
-/* ---- where the search stands */
+/* ---- forces and solution at an iterate */
 
 vec3 vbss_contact_linearised_force(const contact_constraint *constraint, vec3 u)
 {
@@ -317,7 +323,7 @@ vec3 vbss_contact_linearised_force(const contact_constraint *constraint, vec3 u)
         normal_force, n);
 }
 
-/* Elastic, then cut back to the cone. */
+/* Elastic trial force, then projection to the friction cone. */
 vec3 vbss_contact_force(const contact_constraint *constraint, vec3 u)
 {
     const vec3 n = constraint->normal;
@@ -345,8 +351,8 @@ vec3 vbss_contact_force(const contact_constraint *constraint, vec3 u)
     return vec3_add_scaled(tangential_force, normal_force, n);
 }
 
-/* Whether it is closed is said by u; whether it slips, by the force with which blocks balance, as after a
- * whole solve. */
+/* u decides whether the constraint is closed. As after a complete solve, the equilibrium force
+ * decides whether it slips. */
 void vbss_contact_solution_at(const contact_constraint *constraint, const contact_iterate *iterate,
                               contact_solution *next)
 {

@@ -1,9 +1,9 @@
-/* The work that what balances misses the law by does along the way of a solve, four rows at a time: it is looked at often. Bits
- * are those of vbss_contact_force. */
+/* The slope of the line search, four constraints at a time because it is evaluated often. Forces
+ * have the same bits as those of vbss_contact_force. */
 #include "base/vlanes.h"
 #include "contact/contact.h"
 
-/* ---- rows and both ends of the way, by fours */
+/* ---- constraints and both iterates in batches of four */
 
 static void set_lane(double to[3][LANES], uint32_t lane, vec3 v)
 {
@@ -33,7 +33,7 @@ static void set_constraint(contact_simd_batch *batch, uint32_t lane,
 
 void VBSS_WIDE_NAME(vbss_contact_begin_line_search)(contact_set *set)
 {
-    static const contact_constraint none; /* beside the last */
+    static const contact_constraint none; /* pads the last batch */
     static const contact_iterate rest;
     for (uint32_t first = 0; first < set->count; first += LANES) {
         for (uint32_t lane = 0; lane < LANES; lane++) {
@@ -46,7 +46,7 @@ void VBSS_WIDE_NAME(vbss_contact_begin_line_search)(contact_set *set)
     }
 }
 
-/* ---- the work */
+/* ---- the slope */
 
 static inline vlanes load(const double from[3][LANES])
 {
@@ -64,7 +64,7 @@ static inline vlanes interpolate(vlanes a, vlanes b, double fraction)
     return v_add(v_scale(a, lanes_splat(1.0 - fraction)), v_scale(b, lanes_splat(fraction)));
 }
 
-/* Twin of vbss_contact_force, but for sleeves. */
+/* Contact law of vbss_contact_force in lanes, except for sleeves. */
 static inline vlanes force_of_batch(const contact_simd_batch *batch, vlanes u)
 {
     const lanes zero = lanes_splat(0.0), friction = lanes_load(batch->friction);
@@ -106,7 +106,7 @@ static double slope_of_sleeve(const contact_set *set, uint32_t i, double fractio
     return vec3_dot(residual, vec3_sub(candidate->u, current->u));
 }
 
-/* Added up in the order of the rows. */
+/* The sum runs in the order of the constraints. */
 double VBSS_WIDE_NAME(vbss_contact_line_search_slope)(const contact_set *set, double fraction)
 {
     double sum = 0.0;

@@ -1,4 +1,4 @@
-/* Which copy of the hot loops is run. */
+/* Dispatch between the plain and the wide copies of the line search. */
 #include "contact/contact.h"
 
 void vbss_contact_begin_line_search(contact_set *set, bool wide)

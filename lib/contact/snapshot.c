@@ -1,4 +1,4 @@
-/* What contacts remember: saved, hashed and restored. */
+/* Serialisation of the warm-start entries. */
 #include "base/stream.h"
 #include "contact/contact.h"
 

@@ -1,11 +1,12 @@
-/* A node that is a point of a rigid body: u = dx + dtheta x arm, so its rows and columns go to the body's.
+/* Elimination of a node that is a point of a rigid body.
  *
- * With P the matrix that makes the increments of all from those that are left, the joined system is
- * P^T S P. No penalty: the ratio of masses does not matter. */
+ * u = dx + dtheta x arm, so the node's rows and columns are added to those of the body. If P maps
+ * the remaining increments to all increments, the joined system is P^T S P. There is no penalty, so
+ * the ratio of masses does not matter. */
 #include "base/error.h"
 #include "contact/contact.h"
 
-/* ---- blocks as matrices: there are few welds */
+/* ---- access to blocks as matrices: welds are few */
 
 static mat3 read_block(const vbss_system *system, uint32_t row, uint32_t column)
 {
@@ -32,7 +33,7 @@ vbss_result vbss_contact_register_weld(const contact_weld *weld, vbss_system *sy
     for (uint32_t i = 0; i < weld->neighbour_count; i++) {
         uint32_t neighbour = weld->neighbours[i];
         if (neighbour == weld->translation || neighbour == weld->rotation) {
-            continue; /* coupled by the body */
+            continue; /* the body couples its own blocks */
         }
         VBSS_TRY(vbss_system_couple_separators(system, weld->translation, neighbour));
         VBSS_TRY(vbss_system_couple_separators(system, weld->rotation, neighbour));
