@@ -1,9 +1,10 @@
-/* The suture as one curve: a needle's arc, then the thread behind it, by one arc length.
+/* The suture as one curve with one arc length: the needle's arc, then the thread behind it.
  *
- * A thread is smooth here, or what slides along it would jump at every node: a cubic B-spline with its nodes as control points
- * (docs/stitch.md), continuous up to its curvature. Its span k is that of segment k; its arc length is the same spline of the
- * nodes' arc lengths. Where the thread ends the spline ends in its last node, and the curve goes on straight. At the swage it
- * begins in the needle's end, along the needle. */
+ * The thread must be smooth here, or a hole would jump at every node. It is a cubic B-spline with
+ * its nodes as control points (docs/stitch.md), continuous up to its curvature. Span k belongs to
+ * segment k; its arc length is the same spline of the nodes' arc lengths. At the thread's end the
+ * spline ends in the last node, and the curve continues straight. At the swage it starts at the
+ * needle's end, along the needle. */
 #include "base/elementary.h"
 #include "suture/suture.h"
 
@@ -16,13 +17,13 @@ enum { MAX_ITERATIONS = 24 };
 
 enum { CONTROL_POINTS = SUTURE_SPAN_NODES };
 
-/* Four corners with cubic weights of u from 0 to 1: coefficients of its powers. Without a needle the first is node `first`; with
- * one, over the swage, it is a point of the needle. */
+/* One span: four control points with cubic weights in u from 0 to 1, given by the coefficients of
+ * its powers. The first control point is a node, or over the swage a point of the needle. */
 typedef struct span {
     vec3 control_point[CONTROL_POINTS];
-    double arc[CONTROL_POINTS]; /* arc lengths on the line */
+    double arc[CONTROL_POINTS]; /* arc lengths of the control points */
     double basis[CONTROL_POINTS][4];
-    uint32_t first_node; /* node */
+    uint32_t first_node; /* first of its nodes */
     bool is_at_swage;
 } span;
 
@@ -38,7 +39,8 @@ static void add_scaled(double to[4], double factor, const double of[4])
     }
 }
 
-/* From the needle's end, whence the needle points on, to where the spline is at the first node: Hermite's cubics. */
+/* Basis over the swage, as Hermite cubics: from the needle's end, along the needle, to the spline
+ * at the first node. */
 static void set_swage_basis(span *p)
 {
     static const double h[4][4] = {
@@ -53,7 +55,8 @@ static void set_swage_basis(span *p)
     }
 }
 
-/* Beyond the last node one like the one before, on the other side: there the spline ends in the last. */
+/* Replaces the control point beyond the last node by a reflection of the one before it, so that the
+ * spline ends in the last node. */
 static void end_at_node(span *p, int beyond, int last, int before)
 {
     add_scaled(p->basis[last], 2.0, p->basis[beyond]);
@@ -92,7 +95,7 @@ static span span_of(const suture_curve *curve, uint32_t k)
     return p;
 }
 
-/* Derivatives of the weights: of order 0, 1, 2. */
+/* Weights of the control points, or their derivatives of order 1 or 2. */
 static void evaluate_weights(const span *p, double u, int order, double weights[CONTROL_POINTS])
 {
     for (int i = 0; i < CONTROL_POINTS; i++) {
@@ -124,7 +127,8 @@ static double distance_derivative(const span *p, vec3 to, double u)
     return vec3_dot(vec3_sub(curve_at(p, u, 0), to), curve_at(p, u, 1));
 }
 
-/* The slope is below 0 at 0 and above at 1: false position, with an end that stays counted half (Illinois). */
+/* Parameter of the nearest point, by false position; an end that is kept twice counts half
+ * (Illinois). The derivative of the distance must be negative at 0 and positive at 1. */
 static double nearest_parameter(const span *p, vec3 to)
 {
     double low = 0.0, high = 1.0, at_low = distance_derivative(p, to, low),
@@ -151,7 +155,7 @@ static double nearest_parameter(const span *p, vec3 to)
     return u;
 }
 
-/* ---- places */
+/* ---- points */
 
 static suture_curve_point point_in_span(const suture_curve *curve, uint32_t k, const span *p,
                                         double u)
@@ -181,7 +185,7 @@ static suture_curve_point point_in_span(const suture_curve *curve, uint32_t k, c
     return point;
 }
 
-/* On along the segment at the begin or the end of the thread, or of what is looked at. */
+/* Point on the straight continuation of a span beyond its start or end. */
 static suture_curve_point point_beyond_span(const suture_curve *curve, uint32_t k, const span *p,
                                             bool at_end, vec3 to)
 {
@@ -215,14 +219,14 @@ static suture_curve_point point_on_needle(const suture_curve *curve, double arc)
     return point;
 }
 
-/* ---- the search */
+/* ---- nearest point */
 
 static uint32_t last_span(const suture_curve *curve)
 {
     return curve->thread->node_count - 2;
 }
 
-/* Of a span's begin. */
+/* Arc length at the start of a span; k > 0. */
 static double span_start_arc(const suture_curve *curve, uint32_t k)
 {
     const double *rest = curve->thread->rest;
@@ -239,7 +243,7 @@ uint32_t vbss_suture_span_at(const suture_curve *curve, double arc)
     return k;
 }
 
-/* Downhill from a span to the next place that is nearest, among spans low to high. */
+/* Descends from a span to the nearest local minimum among spans low to high. */
 static suture_curve_point search_thread(const suture_curve *curve, uint32_t from, uint32_t low,
                                         uint32_t high, vec3 to)
 {
@@ -303,9 +307,10 @@ suture_curve_point vbss_suture_nearest_point_around_span(const suture_curve *cur
     return search(curve, from, low, high, to);
 }
 
-/* ---- what friction is worth there */
+/* ---- capstan friction */
 
-/* From a segment's end to its begin, which is on the side of the tip; before the first the needle goes on, or it does. */
+/* Vector from the end of a segment to its start, which is on the tip's side. Before the first
+ * segment it is the needle's direction, or the first segment without a needle. */
 static vec3 segment_vector(const suture_curve *curve, int64_t i)
 {
     const int64_t last = (int64_t)curve->thread->node_count - 2;
@@ -318,8 +323,9 @@ static vec3 segment_vector(const suture_curve *curve, int64_t i)
     return vec3_sub(curve->node_positions[at], curve->node_positions[at + 1]);
 }
 
-/* Where the suture comes from on the side of the tip, and where it goes: beyond the nodes that a place moves. From segment to
- * segment that turns as the place goes on: if it jumped, the suture would be pushed to and fro between two spans. */
+/* Directions of the suture on the tip's side and on the other, beyond the nodes that the point
+ * moves. They change continuously along the curve; a jump would push the suture to and fro between
+ * two spans. */
 static void directions_at(const suture_curve *curve, const suture_curve_point *point,
                           vec3 direction[2])
 {
@@ -335,7 +341,7 @@ static void directions_at(const suture_curve *curve, const suture_curve_point *p
 /* As much bend as this is none: a straight suture rubs as what is pressed across. */
 #define BEND_REGULARISATION 0.01
 
-/* With tensions 1 on one side and exp(mu theta) on the other: the force along over that across. */
+/* Axial over transverse force for tensions of 1 on one side and `ratio` on the other. */
 static double capstan_ratio(vec3 low, vec3 high, vec3 along, double ratio, double friction)
 {
     double along_force = -ratio * vec3_dot(high, along) - vec3_dot(low, along);
@@ -353,11 +359,11 @@ void vbss_suture_capstan_friction(const suture_curve *curve, const suture_curve_
     double theta = vbss_atan2(vec3_norm(vec3_cross(direction[0], direction[1])),
                               -vec3_dot(direction[0], direction[1]));
     double ratio = vbss_exp(friction * theta);
-    /* against the tangent on the suture: it is pulled toward the tip */
+    /* against the tangent, the suture is pulled toward the tip */
     capstan[0] =
         capstan_ratio(direction[1], direction[0], vec3_neg(point->tangent), ratio, friction);
     capstan[1] = capstan_ratio(direction[0], direction[1], point->tangent, ratio, friction);
-    if (capstan[0] + capstan[1] < 0.0) { /* by rounding, or what turns away from both */
+    if (capstan[0] + capstan[1] < 0.0) { /* by rounding, or if both sides bend the same way */
         capstan[1] = 0.5 * (capstan[1] - capstan[0]);
         capstan[0] = -capstan[1];
     }

@@ -1,8 +1,8 @@
-/* What a hole does to the suture in it: bears it across, rubs along. */
+/* The law of a hole: transverse stiffness, and friction along the suture. */
 #include "base/stream.h"
 #include "suture/suture.h"
 
-/* From this version of the stream on threads are in holes. */
+/* First version of the stream in which threads pass through holes. */
 enum { VERSION_WITH_THREADS = 5 };
 
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x)
@@ -10,7 +10,7 @@ vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 
     return vbss_drain_point(d, x, hole->triangle, hole->barycentric);
 }
 
-/* What it took to enter fades while the tip goes through; what was cut once stays cut. */
+/* The puncture force fades while the tip passes through, and does not return. */
 static double needle_yield_force(const suture_hole *hole, const vbss_drain_config *c)
 {
     double depth = hole->max_arc - hole->entry_arc;
@@ -18,7 +18,8 @@ static double needle_yield_force(const suture_hole *hole, const vbss_drain_confi
     return c->hole_force + remaining * vbss_max(c->puncture_force - c->hole_force, 0.0);
 }
 
-/* How far from the needle's to the thread's, over the length of a tip: nothing jumps. */
+/* Fraction of the transition from the needle's law to the thread's, over the length of a tip, so
+ * that nothing jumps. */
 static double thread_fraction(const suture_curve *curve, const vbss_drain_config *config,
                               double distance)
 {
@@ -54,7 +55,7 @@ hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain
     return b;
 }
 
-/* Toward the tip the suture moves when the hole goes on to larger arc lengths. */
+/* A hole at a larger arc length means that the suture has moved toward the tip. */
 void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *config,
                               const suture_curve_point *now, vec3 drain, double h,
                               contact_constraint *constraint)
@@ -69,7 +70,7 @@ void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *
     constraint->previous_force = vec3_scale(now->tangent, hole->friction_force);
     constraint->stiffness = config->hole_stiffness;
     constraint->viscous_stiffness = config->hole_damping / h;
-    constraint->friction = 0.0; /* that of a sleeve */
+    constraint->friction = 0.0; /* a sleeve has its own friction */
 }
 
 void vbss_hole_set_arc(suture_hole *hole, double arc)
@@ -99,7 +100,7 @@ void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *h
         return;
     }
     if (stream->mode == VBSS_STREAM_READ && count == 4) {
-        words[4] = 0; /* what is read into may have been in a thread */
+        words[4] = 0; /* the hole that is overwritten may have been on a thread */
     }
     vbss_stream_u32(stream, first_tag, words, count);
     vbss_stream_f64(stream, first_tag + 1, hole->barycentric, 3);

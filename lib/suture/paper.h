@@ -1,37 +1,43 @@
-/* Method PAPER: algorithm 3 of VBLaST-SS (Qi et al. 2017), by which a needle enters a wall. Two points behind the tip, one and
- * two walls along the needle's first segment, make two short sub-segments. Where the plane of a triangle parts the first one,
- * the tip is on its way through it: a toggle. Where it parts the second one later, it has gone through. No force enters.
- * docs/paper-needle.md tells what the paper leaves open. */
+/* Method PAPER: algorithm 3 of VBLaST-SS (Qi et al. 2017), by which a needle enters a wall.
+ *
+ * Two points behind the tip, one and two wall thicknesses along the needle's first segment, form
+ * two short sub-segments with it. If the plane of a triangle separates the ends of the first one,
+ * the tip is passing through it: a toggle. If the plane later separates the ends of the second one,
+ * the tip has passed through. The method uses no force. docs/paper-needle.md lists the points that
+ * the paper leaves open. */
 #ifndef VBSS_SUTURE_PAPER_H
 #define VBSS_SUTURE_PAPER_H
 
 #include "suture/suture.h"
 
-/* A tip is on its way through so many places at most that are not beside each other. */
+/* Largest number of separate places that one tip passes through at the same time. */
 enum { SUTURE_TOGGLES = 4 };
 
+/* A place that the tip is passing through. */
 typedef struct suture_toggle {
-    uint32_t drain; /* number in the scene; 0: none */
+    uint32_t drain; /* number in the scene; 0 for a free entry */
     uint32_t triangle;
-    bool outward; /* from inside */
+    bool outward; /* from the inside of the drain */
 } suture_toggle;
 
-/* A needle at a drain, after a step, and the holes of its scene. */
+/* A needle and a drain after a step, and the holes of the scene. */
 typedef struct suture_probe {
-    uint32_t needle, drain; /* numbers in the scene */
+    uint32_t needle, drain; /* their numbers in the scene */
     const drain_object *wall;
-    vec3 points[3]; /* the tip; one wall behind it; two */
+    vec3 points[3]; /* the tip, and the points one and two wall thicknesses behind it */
     const suture_hole *holes;
     uint32_t hole_count;
 } suture_probe;
 
-/* The tip, and the points one and two walls behind it along the needle's first segment, straight on beyond its end. */
+/* The tip, and the points one and two wall thicknesses behind it along the needle's first segment,
+ * extended beyond its end. */
 void vbss_paper_probe_points(const needle_object *n, pose needle, double thickness, vec3 points[3]);
-/* A place where the tip has gone through since it was on its way; its toggle goes. The hole has neither an id nor an arc length
- * yet. False: there is none, or no other one. */
+/* Finds a place where the tip has passed through since its toggle was set, and clears that toggle.
+ * The new hole has no id and no arc length yet. Returns false if there is no further place. */
 bool vbss_paper_find_puncture(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES],
                               suture_hole *made);
-/* Toggles of places that neither sub-segment crosses any more go; where the first one crosses, they come. */
+/* Clears toggles of places that neither sub-segment crosses any more, and sets new ones where the
+ * first sub-segment crosses. */
 void vbss_paper_set_toggles(const suture_probe *probe, suture_toggle toggles[SUTURE_TOGGLES]);
 
 #endif

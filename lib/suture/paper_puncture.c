@@ -1,4 +1,4 @@
-/* Algorithm 3 of VBLaST-SS: a tip that goes through a wall, seen at the ends of steps. */
+/* Algorithm 3 of VBLaST-SS: detection of a puncture at the ends of steps. */
 #include "suture/paper.h"
 
 /* A sub-segment on the border of two triangles crosses one of them, however weights are rounded. */
@@ -16,14 +16,15 @@ void vbss_paper_probe_points(const needle_object *n, pose needle, double thickne
     }
 }
 
-/* ---- a sub-segment and a triangle */
+/* ---- crossing of a sub-segment and a triangle */
 
 typedef struct crossing {
     double weights[3];
     bool outward;
 } crossing;
 
-/* A plane parts points of which one is on it and one beside it, or the tip could stop there unseen. */
+/* A plane also separates a point on it from one beside it; otherwise the tip could stop there
+ * unnoticed. */
 static bool crosses(const suture_probe *p, uint32_t t, int first, crossing *c)
 {
     const uint32_t *node = p->wall->mesh.triangles[t];
@@ -38,14 +39,15 @@ static bool crosses(const suture_probe *p, uint32_t t, int first, crossing *c)
     }
     vec3 at = vec3_lerp(p->points[first], p->points[first + 1], ahead / (ahead - behind));
     vec3 off = vec3_sub(at, corner);
-    c->weights[1] = vec3_dot(normal, vec3_cross(off, e2)) / size; /* shares of the area */
+    /* fractions of the triangle's area */
+    c->weights[1] = vec3_dot(normal, vec3_cross(off, e2)) / size;
     c->weights[2] = vec3_dot(normal, vec3_cross(e1, off)) / size;
     c->weights[0] = 1.0 - c->weights[1] - c->weights[2];
     c->outward = behind < 0.0;
     return c->weights[0] >= -ROUNDING && c->weights[1] >= -ROUNDING && c->weights[2] >= -ROUNDING;
 }
 
-/* They are the same or share a corner: a tip goes on from one to the other. */
+/* Whether triangles are equal or share a corner, so that a tip can move from one to the other. */
 static bool are_beside(const drain_object *d, uint32_t a, uint32_t b)
 {
     const uint32_t *one = d->mesh.triangles[a], *other = d->mesh.triangles[b];
@@ -75,7 +77,7 @@ static suture_toggle *find_beside(const suture_probe *p, suture_toggle toggles[S
     return NULL;
 }
 
-/* One that has just made a hole, or is about to leave it, makes no other beside it. */
+/* A tip that has just made a hole, or is about to leave it, makes no other hole beside it. */
 static bool is_at_hole(const suture_probe *p, uint32_t t)
 {
     for (uint32_t i = 0; i < p->hole_count; i++) {

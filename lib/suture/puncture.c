@@ -1,4 +1,4 @@
-/* When and where a tip enters a wall. */
+/* Puncture: when and where a tip enters a wall. */
 #include "suture/suture.h"
 
 #include "collision/closest.h"
@@ -15,7 +15,8 @@ bool vbss_suture_tip_punctures(const vbss_drain_config *config, const suture_tip
     return axial_force >= config->puncture_force && entry_cosine >= SUTURE_MIN_ENTRY_COSINE;
 }
 
-/* Where a line meets a triangle: how far on, and the weights of the corners there. Moeller and Trumbore 1997. */
+/* Intersection of a line and a triangle: distance along the line and barycentric coordinates
+ * (Moeller, Trumbore 1997). */
 static bool intersects_triangle(const vec3 corner[3], vec3 from, vec3 direction, double *distance,
                                 double barycentric[3])
 {
@@ -23,7 +24,8 @@ static bool intersects_triangle(const vec3 corner[3], vec3 from, vec3 direction,
     vec3 across = vec3_cross(direction, e2), off = vec3_sub(from, corner[0]);
     double determinant = vec3_dot(e1, across);
     if (fabs(determinant) <=
-        1e-12 * vec3_norm(e1) * vec3_norm(e2)) { /* in its plane, or no triangle */
+        /* parallel to the plane, or a degenerate triangle */
+        1e-12 * vec3_norm(e1) * vec3_norm(e2)) {
         return false;
     }
     vec3 aside = vec3_cross(off, e1);
@@ -91,7 +93,8 @@ static bool has_node(const drain_object *d, uint32_t t, uint32_t node)
     return own[0] == node || own[1] == node || own[2] == node;
 }
 
-/* Free sides of the triangle, and those that end at its corners: not the other lip that lies over it. */
+/* Checks only the free edges of this triangle and those at its corners, because the other lip may
+ * lie over it. */
 static bool is_at_edge(const drain_object *d, uint32_t t, vec3 point, double min_distance)
 {
     for (uint32_t i = 0; i < d->mesh.edge_count; i++) {
@@ -105,7 +108,7 @@ static bool is_at_edge(const drain_object *d, uint32_t t, vec3 point, double min
     return false;
 }
 
-/* Nothing holds a hole whose corners do not move. */
+/* A hole with three fixed corners has no degree of freedom that could hold it. */
 static bool is_anchored(const drain_object *d, uint32_t t)
 {
     const uint32_t *node = d->mesh.triangles[t];
@@ -125,7 +128,7 @@ bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double 
 {
     double axial_force = vec3_dot(tip->force, tip->direction), nearest = reach;
     vec3 transverse_force = vec3_add_scaled(tip->force, -axial_force, tip->direction);
-    /* So far aside it bears what it has borne across. */
+    /* Start from the offset at which the hole's stiffness bears the transverse force of the tip. */
     vec3 from = vec3_add_scaled(tip->position, 1.0 / d->config.hole_stiffness, transverse_force);
     bool found = false;
     for (uint32_t t = 0; t < d->mesh.triangle_count; t++) {

@@ -1,9 +1,9 @@
-/* What couples needle, thread and drain: where a tip enters a wall, and the hole that it leaves, which slides along the needle
- * and on along the thread behind it.
+/* Coupling of needle, thread and drain: where a tip enters a wall, and the hole that it leaves.
  *
- * A hole is a material point of the drain on the suture's middle line. Across the line it ties the two with a stiffness; along
- * it rubs (docs/puncture.md, docs/stitch.md). puncture.c says when a tip enters and where; curve.c what line that is; hole.c
- * what a hole does. Method PAPER: paper.h. */
+ * A hole is a material point of the drain on the suture's middle line. It slides along the needle
+ * and on along the thread behind it. A stiffness ties both across the line; friction acts along it
+ * (docs/puncture.md, docs/stitch.md). puncture.c decides when and where a tip enters; curve.c is
+ * the suture curve; hole.c is the law of a hole. paper.h is method PAPER. */
 #ifndef VBSS_SUTURE_SUTURE_H
 #define VBSS_SUTURE_SUTURE_H
 
@@ -17,106 +17,124 @@
 typedef struct vbss_stream vbss_stream;
 
 typedef struct suture_hole {
-    uint32_t id;     /* 0: free */
-    uint32_t needle; /* numbers in the scene: of what is in it, the other is 0 */
+    uint32_t id; /* 0 for a free entry */
+    /* numbers in the scene; the hole is on a needle or a thread, and the other is 0 */
+    uint32_t needle;
     uint32_t thread;
     uint32_t drain;
     uint32_t triangle;
-    double barycentric[3]; /* of its corners in the hole */
-    bool is_outward;       /* the needle went through from inside */
-    double
-        entry_arc; /* arc length of the needle that was there when it entered: below 0, before the tip */
-    double arc; /* of the needle or the thread, that is there now; from the tip, from its begin */
-    double
-        trial_slide; /* how much of `arc` it would go on in the trial state of a part; of the guard, which finds it */
-    double max_arc;        /* of the needle, that has been */
-    double friction_force; /* friction on the suture, toward the tip, N */
-    vec3 transverse_force; /* force on the suture across its line, N, in the world */
+    double barycentric[3]; /* weights of the triangle's corners */
+    bool is_outward;       /* the needle passed through from the inside of the drain */
+    /* arc length of the needle at the hole when it entered, m; below 0 means ahead of the tip */
+    double entry_arc;
+    /* present arc length at the hole, m; measured from the needle's tip, or the thread's
+     * start */
+    double arc;
+    /* change of `arc` in the trial state of a substep, m; the CCD guard computes it */
+    double trial_slide;
+    double max_arc;        /* largest arc length of the needle so far, m */
+    double friction_force; /* friction on the suture, positive toward the tip, N */
+    vec3 transverse_force; /* force on the suture across its line, N, in the world frame */
 } suture_hole;
 
-/* ---- curve.c */
+/* ---- the suture curve (curve.c) */
 
-/* A needle, a thread, or a needle with a thread swaged to its end; NULL: it has none. */
+/* A needle, a thread, or a needle with a thread swaged to its end; NULL for the missing one. */
 typedef struct suture_curve {
     const needle_object *needle;
-    pose needle_pose; /* of the needle */
+    pose needle_pose; /* pose of the needle */
     const thread_object *thread;
-    const vec3 *node_positions; /* its nodes */
-    double swage_arc;           /* arc length at which the thread begins, m; 0 without a needle */
+    const vec3 *node_positions; /* positions of the thread's nodes */
+    /* arc length of the swage, where the thread starts, m; 0 without a needle */
+    double swage_arc;
 } suture_curve;
 
+/* Value of suture_curve_point.span for a point of the needle. */
 #define SUTURE_ON_NEEDLE UINT32_MAX
 enum { SUTURE_SPAN_NODES = 4 };
-/* A place on it: moved by the needle, by nodes of the thread, or by both. */
+/* A point of the curve. It moves with the needle, with nodes of the thread, or with both. */
 typedef struct suture_curve_point {
     double arc;
-    vec3 position, tangent; /* tangent: unit, toward the tip */
-    double needle_weight;   /* weight of the needle's point, which is in its frame: */
+    vec3 position, tangent; /* unit tangent toward the tip */
+    double needle_weight;   /* weight of needle_point, which is in the needle's frame */
     vec3 needle_point;
-    uint32_t span, first_node; /* of the thread: which, and the first node */
-    double u;                  /* of the span, from its begin */
+    uint32_t span, first_node; /* span of the thread, and its first node */
+    double u;                  /* parameter in the span, 0 to 1 from its start */
     double weights[SUTURE_SPAN_NODES];
-    double weight_derivatives[SUTURE_SPAN_NODES]; /* of the weights along the curve as it is, 1/m */
-    vec3 curvature;                               /* of the tangent the same, 1/m */
+    /* derivatives of weights by arc length along the present curve, 1/m */
+    double weight_derivatives[SUTURE_SPAN_NODES];
+    vec3 curvature; /* derivative of the tangent by arc length, 1/m */
 } suture_curve_point;
 
-/* Threads of two nodes are no curve. */
+/* A thread of two nodes has no spline. */
 static inline bool suture_is_curve(const thread_object *t)
 {
     return t->node_count > 2;
 }
-/* The nearest place to a point downhill from an arc length; the same, among a span and those beside it. */
+/* The nearest point to a given point, found by descent from the arc length `from`. The second
+ * function searches only centre_span and its two neighbours. */
 suture_curve_point vbss_suture_nearest_point(const suture_curve *curve, double from, vec3 to);
 suture_curve_point vbss_suture_nearest_point_around_span(const suture_curve *curve,
                                                          uint32_t centre_span, double from,
                                                          vec3 to);
+/* Span of the thread at this arc length. */
 uint32_t vbss_suture_span_at(const suture_curve *curve, double arc);
-/* Capstan: what slides along a thread in a hole bears, over what the hole bears across: against the tangent, along it. */
+/* Capstan friction of a thread that slides through a hole: axial friction / transverse force.
+ * capstan[0] is for friction against the tangent, capstan[1] along it. */
 void vbss_suture_capstan_friction(const suture_curve *curve, const suture_curve_point *point,
                                   double friction, double capstan[2]);
 
-/* ---- puncture.c */
+/* ---- puncture (puncture.c) */
 
 typedef struct suture_tip {
-    vec3 position, direction; /* direction: unit, where it points */
-    vec3 force;               /* of the wall on it, N */
-    vec3 normal;              /* of that force without friction: unit, away from the wall */
+    vec3 position, direction; /* unit direction in which the tip points */
+    vec3 force;               /* force of the wall on the tip, N */
+    /* unit direction of that force without friction, away from the wall */
+    vec3 normal;
 } suture_tip;
-/* Along the wall rather than into it: cosine between the tip's way and the inner normal below which it only slides. */
+/* Smallest cosine between the tip's direction and the inward normal; below it the tip slides along
+ * the wall. */
 #define SUTURE_MIN_ENTRY_COSINE 0.3
-/* Whether it is pressed in, and not along, so that the wall gives way. */
+/* Whether the tip presses on the wall hard and steeply enough to puncture it. */
 bool vbss_suture_tip_punctures(const vbss_drain_config *config, const suture_tip *tip);
-/* The hole that it makes: where its line meets the wall within `reach`; false: nowhere, or where the wall ends. */
+/* Makes the hole where the line of the tip meets the wall within `reach`, m. Returns false if it
+ * misses, or meets the wall too near a free edge or where it is fixed. */
 bool vbss_suture_make_hole(const drain_object *d, const suture_tip *tip, double reach,
                            double wire_radius, suture_hole *hole);
-/* Where an axis first goes through the wall: a hole's triangle and weights there, nothing else of it; at which share. */
+/* First point where an axis crosses the wall. Sets only triangle and barycentric coordinates of the
+ * hole; *fraction is the position along the axis, 0 to 1. Returns false if there is none. */
 bool vbss_suture_find_wall_crossing(const drain_object *d, const vec3 axis[2], suture_hole *hole,
                                     double *fraction);
-/* Weights in a triangle, but for rounding: none below 0, all together 1. */
+/* Removes rounding errors from barycentric coordinates: none is negative, and their sum is 1. */
 void vbss_suture_normalise_barycentric(double barycentric[3]);
-/* Whether what goes that way through a triangle of the wall comes from inside. */
+/* Whether a motion in this direction passes through the triangle from the inside of the drain. */
 bool vbss_suture_is_outward(const drain_object *d, uint32_t triangle, vec3 direction);
 
-/* ---- hole.c */
+/* ---- holes (hole.c) */
 
+/* Position of the hole for node positions x of the drain. */
 vec3 vbss_hole_point(const suture_hole *hole, const drain_object *d, const vec3 *x);
-/* What it bears along the suture before that slides: `least`, and `grip` of what it bears across, where it was when the part
- * began. */
+/* Axial force that a hole bears before the suture slides: `force`, N, plus friction[] times the
+ * transverse force. Index 0 is against the tangent, 1 along it. It is evaluated at the start of the
+ * substep. */
 typedef struct hole_yield_limit {
     double force, friction[2];
 } hole_yield_limit;
 hole_yield_limit vbss_hole_yield_limit(const suture_hole *hole, const vbss_drain_config *config,
                                        const suture_curve *curve, const suture_curve_point *point);
-/* Its row, all but the terms and what was known at the begin of the part: `now` and `drain` in the trial state; the part is h
- * long. a is the suture. */
+/* Sets the constraint of a hole, except its Jacobian and the fields known at the start of the
+ * substep. The point `now` of the suture and the hole's position `drain` are in the trial state;
+ * the substep lasts h seconds. Side a is the suture. */
 void vbss_hole_set_constraint(const suture_hole *hole, const vbss_drain_config *config,
                               const suture_curve_point *now, vec3 drain, double h,
                               contact_constraint *constraint);
-/* It has slid to that arc length of the needle. */
+/* Moves the hole to this arc length and updates max_arc. */
 void vbss_hole_set_arc(suture_hole *hole, double arc);
-/* What rows have found becomes its state. */
+/* Stores the forces of the solved constraint in the hole. */
 void vbss_hole_store_forces(suture_hole *hole, const contact_constraint *constraint);
+/* Visits the hole with four tags from first_tag on. */
 void vbss_hole_serialise(vbss_stream *stream, uint16_t first_tag, suture_hole *hole);
+/* Whether a hole that was read can exist. */
 bool vbss_hole_is_valid(const suture_hole *hole);
 
 #endif
