@@ -1,4 +1,4 @@
-/* The shape of a needle and what it weighs. */
+/* Shape, mass and inertia of a needle. */
 #include "base/elementary.h"
 #include "base/rotation.h"
 #include "needle/needle.h"
@@ -17,7 +17,7 @@ double vbss_needle_vertex_arc(const needle_object *n, uint32_t i)
     return vbss_needle_length(n) * ((double)i / (double)n->config.segment_count);
 }
 
-/* Clockwise from the tip; beyond the ends that of the end. */
+/* Clockwise angle from the tip, clamped to the needle. */
 static double angle_at(const needle_object *n, double arc_length)
 {
     return vbss_min(vbss_max(arc_length / n->config.radius, 0.0), n->config.arc);
@@ -34,7 +34,7 @@ vec3 vbss_needle_point(const needle_object *n, double arc_length)
 {
     double sine, cosine, r = n->config.radius;
     vbss_sincos(angle_at(n, arc_length), &sine, &cosine);
-    /* how far behind the swage, or, below zero, before the tip */
+    /* distance behind the swage, or below zero ahead of the tip */
     double overshoot =
         vbss_min(arc_length, 0.0) + vbss_max(arc_length - vbss_needle_length(n), 0.0);
     return vec3_make(r * cosine - overshoot * sine, -r * sine - overshoot * cosine, 0.0);
@@ -43,8 +43,8 @@ vec3 vbss_needle_point(const needle_object *n, double arc_length)
 double vbss_needle_nearest_arc(const needle_object *n, vec3 point)
 {
     double open = 2.0 * PI - n->config.arc, length = vbss_needle_length(n);
-    double angle =
-        vbss_atan2(point.y, point.x); /* of the place, from the tip on into the open side */
+    /* angle of the point, from the tip into the open side */
+    double angle = vbss_atan2(point.y, point.x);
     angle = angle < 0.0 ? angle + 2.0 * PI : angle;
     if (angle >= open) {
         return (2.0 * PI - angle) * n->config.radius;
@@ -55,18 +55,19 @@ double vbss_needle_nearest_arc(const needle_object *n, vec3 point)
     return end - vec3_dot(beyond, vbss_needle_direction(n, end));
 }
 
-/* ---- what it weighs */
+/* ---- mass and inertia */
 
-/* Over an arc of angle a, with theta from its middle: <sin^2 theta>, <cos theta> and the variance of
- * cos theta. The first and the last by their series, all of whose terms are good up to a = 6: from
- * 1/2 + sin(a)/(2 a) - (sin(a/2)/(a/2))^2 a short arc would get its variance, a^4/720, with few digits. */
+/* Means over an arc of angle a, with theta measured from its middle: <sin^2 theta>, <cos theta> and
+ * the variance of cos theta. The first and the last are power series, accurate up to a = 6. The
+ * closed form 1/2 + sin(a)/(2 a) - (sin(a/2)/(a/2))^2 of the variance, about a^4/720, would lose
+ * digits for a short arc. */
 typedef struct arc_means {
     double sine_squared, cosine, cosine_variance;
 } arc_means;
 
 static arc_means means_over(double a)
 {
-    enum { LAST = 24 }; /* at a = 6 what is left out is below 1e-25 */
+    enum { LAST = 24 }; /* at a = 6 the truncation error is below 1e-25 */
     arc_means means = {0.0, vbss_sin(0.5 * a) / (0.5 * a), 0.0};
     double term = 0.5; /* (-a^2)^k / (2 k + 2)! */
     for (int k = 1; k <= LAST; k++) {
@@ -77,9 +78,10 @@ static arc_means means_over(double a)
     return means;
 }
 
-/* docs/needle.md derives it: the volume of a torus lies u du dpsi q dtheta, at the distance
- * q = R + u cos(psi) from the axis and the height z = u sin(psi). Principal axes: middle of the arc,
- * across it in the plane, z. Sums of what is positive only: no digits get lost. */
+/* Mass and principal moments (derived in docs/needle.md). The volume element of a torus is u du
+ * dpsi q dtheta at the distance q = R + u cos(psi) from the axis and the height z = u sin(psi). The
+ * principal axes are the middle of the arc, across it in the plane, and z. All sums have positive
+ * terms only, so no digits are lost. */
 vbss_rigid_mass vbss_needle_mass_properties(const vbss_needle_config *config)
 {
     double big = config->radius, r2 = config->wire_radius * config->wire_radius;
@@ -87,7 +89,7 @@ vbss_rigid_mass vbss_needle_mass_properties(const vbss_needle_config *config)
     const arc_means arc = means_over(config->arc);
     double q = big + 0.25 * r2 / big, q_squared = big * big + 0.75 * r2, z_squared = 0.25 * r2;
     double q_variance = 0.25 * r2 * (1.0 - 0.25 * r2 / (big * big));
-    double along = q_squared * arc.sine_squared; /* second moments in the plane, from the centre */
+    double along = q_squared * arc.sine_squared; /* second moments in the plane, about the centre */
     double across = q_squared * arc.cosine_variance + q_variance * arc.cosine * arc.cosine;
     double sine, cosine;
     vbss_sincos(-0.5 * config->arc, &sine, &cosine);

@@ -1,4 +1,4 @@
-/* How needles begin, end and fly, and what they show. */
+/* Creation, motion and queries of needles. */
 #include "needle/needle.h"
 
 #include "base/check.h"
@@ -16,21 +16,21 @@ static const vbss_layout state_layout = {"vbss_needle_state", NULL, state_sizes}
 static const vbss_layout mass_layout = {"vbss_needle_mass", NULL, mass_sizes};
 static const vbss_layout energies_layout = {"vbss_needle_energies", NULL, energies_sizes};
 
-/* ---- its frame and that of its body */
+/* ---- the needle's frame and that of its rigid body */
 
 pose vbss_needle_pose(const needle_object *n)
 {
     return pose_mul(n->body.now.pose, pose_inverse(n->body_frame));
 }
 
-/* From the origin of its frame to its centre of mass, in the world. */
+/* From the origin of the needle's frame to its centre of mass, in the world frame. */
 static vec3 frame_to_centre(const needle_object *n)
 {
     vec3 in_body = quat_rotate_back(n->body_frame.orientation, n->body_frame.position);
     return quat_rotate(n->body.now.pose.orientation, in_body);
 }
 
-/* The body, turned as it is, gets the place and the velocities of the frame. */
+/* Sets position and velocities of the needle's frame; the orientation stays. */
 static void set_frame_motion(needle_object *n, vec3 position, vec3 velocity, vec3 angular_velocity)
 {
     vec3 arm = frame_to_centre(n);
@@ -50,7 +50,7 @@ void vbss_needle_set_motion(needle_object *n, const vbss_rigid_motion *motion, u
     n->generation++;
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 static void free_needle(vbss_context *context, void *object)
 {
@@ -126,7 +126,7 @@ static vbss_result edit_unowned(vbss_needle *handle, needle_object **needle)
     return VBSS_OK;
 }
 
-/* ---- flight */
+/* ---- motion */
 
 vbss_result vbss_needle_step(vbss_needle *needle, double h)
 {
@@ -174,7 +174,7 @@ vbss_result vbss_needle_set_state(vbss_needle *needle, const double position[3],
     return VBSS_OK;
 }
 
-/* ---- looking at it */
+/* ---- queries */
 
 vbss_result vbss_needle_get_state(vbss_needle *needle, vbss_needle_state *state,
                                   uint32_t struct_size)
@@ -240,7 +240,7 @@ vbss_result vbss_needle_get_energies(vbss_needle *needle, vbss_needle_energies *
     return vbss_struct_write(n->context, &energies_layout, &own, energies, struct_size);
 }
 
-/* Those who do not look do not pay. */
+/* Called only when a view is requested. */
 static void fill_points(needle_object *n)
 {
     pose at = vbss_needle_pose(n);

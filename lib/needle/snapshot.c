@@ -1,9 +1,10 @@
-/* The state of a needle: what is saved, hashed and restored. */
+/* Serialisation of a needle. */
 #include "base/snapshot.h"
 #include "base/stream.h"
 #include "needle/needle.h"
 
-/* Where it began is gone: the state says where it is. Its number belongs to its scene. */
+/* The initial position is omitted, because the state contains the present one; so is the number,
+ * which belongs to the scene. */
 static void visit_config(vbss_stream *stream, const vbss_needle_config *c)
 {
     const double numbers[] = {c->radius, c->wire_radius, c->arc,        c->density,   c->friction,
@@ -34,7 +35,7 @@ void vbss_needle_serialise(vbss_stream *stream, void *object)
     n->generation++;
 }
 
-/* ---- saving from outside */
+/* ---- public functions */
 
 vbss_result vbss_needle_save(vbss_needle *needle, uint8_t *bytes, uint64_t capacity,
                              uint64_t *written)
