@@ -1,4 +1,4 @@
-/* What a grasper can be: defaults, and every number checked. */
+/* Configuration of a grasper: defaults, presets, and range checks. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -48,7 +48,7 @@ vbss_result vbss_grasper_config_init(vbss_grasper_config *config, uint32_t struc
 
 vbss_result vbss_grasper_config_preset(vbss_grasper_config *config, vbss_grasper_preset preset)
 {
-    vbss_grasper_config own; /* only to know the size for one of ours */
+    vbss_grasper_config own; /* only for the check of struct_size */
     VBSS_TRY(vbss_config_read(NULL, &config_layout, config, &own));
     if (preset != VBSS_GRASPER_PRESET_STRAIGHT && preset != VBSS_GRASPER_PRESET_ANGLED) {
         return VBSS_ERROR_OUT_OF_RANGE;

@@ -1,4 +1,4 @@
-/* How graspers begin and end, what they are told, and what they show. */
+/* Creation, commands and queries of graspers. */
 #include "grasper/grasper.h"
 
 #include "base/check.h"
@@ -12,7 +12,7 @@ _Static_assert(sizeof(vbss_grasper_state) == 264, "published size");
 static const uint32_t state_sizes[] = {248, 264, 0};
 static const vbss_layout state_layout = {"vbss_grasper_state", NULL, state_sizes};
 
-/* ---- life */
+/* ---- creation and destruction */
 
 static void free_grasper(vbss_context *context, void *object)
 {
@@ -22,14 +22,15 @@ static void free_grasper(vbss_context *context, void *object)
 const vbss_kind vbss_grasper_kind_of_slot = {"grasper", VBSS_CODE('G', 'R', 'S', 'P'), 2,
                                              free_grasper, vbss_grasper_serialise};
 
-/* Where it shall be; what it was told, where no shaft through the trocar can be so. */
+/* Target pose of the tool. Falls back to the commanded pose if no shaft through the trocar can
+ * reach it. */
 static pose target_pose(const grasper_object *g)
 {
     pose target = g->commanded_pose;
     return vbss_grasper_apply_trocar(g, g->commanded_pose, &target) ? target : g->commanded_pose;
 }
 
-/* Outside a scene nothing keeps it from where it shall be. */
+/* Outside a scene the tool moves to its target at once. */
 static void move_to_target(grasper_object *g)
 {
     if (g->body_id == 0) {
@@ -104,7 +105,7 @@ vbss_result vbss_grasper_open(const vbss_grasper *handle, grasper_object **grasp
     return VBSS_OK;
 }
 
-/* Also while a scene has it: it is told between the steps. */
+/* The host also commands a grasper that is in a scene, between the steps. */
 static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
 {
     vbss_slot *slot;
@@ -113,7 +114,7 @@ static vbss_result edit(vbss_grasper *handle, grasper_object **grasper)
     return VBSS_OK;
 }
 
-/* ---- what it is told */
+/* ---- commands */
 
 vbss_result vbss_grasper_move(vbss_grasper *grasper, const double position[3],
                               const double *orientation)
@@ -157,7 +158,7 @@ vbss_result vbss_grasper_exchange(vbss_grasper *grasper, vbss_grasper_kind kind)
     return VBSS_OK;
 }
 
-/* ---- looking at it */
+/* ---- queries */
 
 vbss_result vbss_grasper_get_state(vbss_grasper *grasper, vbss_grasper_state *state,
                                    uint32_t struct_size)

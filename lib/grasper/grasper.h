@@ -1,10 +1,13 @@
-/* The inside of a grasper, shared by the files of lib/grasper; a scene moves it and lets it hold.
+/* Private interface of graspers, for the files of lib/grasper and the scene that moves them.
  *
- * config.c checks what a grasper shall be; grasper.c makes and ends graspers and is told where they
- * shall go; trocar.c turns the shaft through its trocar; jaws.c says where the jaws are and how hard
- * they close; thread_clamp.c what a held thread does when it is pulled, needle_clamp.c a held needle; snapshot.c saves. Three frames: the world;
- * the tool's (origin the tip, z along the shaft); the jaws'
- * (origin the pivot, x the way they open, z against the way they point: a place between them has z < 0). */
+ * config.c checks configurations; grasper.c creates and destroys graspers and takes the host's
+ * commands; trocar.c turns the shaft through its trocar; jaws.c computes the position of the jaws
+ * and their force; thread_clamp.c and needle_clamp.c let a held thread or needle slip; snapshot.c
+ * saves graspers.
+ *
+ * There are three frames: the world; the tool's (origin at the tip, z along the shaft toward the
+ * handle); and the jaws' (origin at the pivot, x across the faces, z away from the tips: points
+ * between the jaws have z < 0). */
 #ifndef VBSS_GRASPER_GRASPER_H
 #define VBSS_GRASPER_GRASPER_H
 
@@ -13,19 +16,21 @@
 #include "base/linear.h"
 #include "base/slot.h"
 
-/* Shaft, jaw at +x, jaw at -x, neck. */
+/* Capsules of a grasper: shaft, the jaws at +x and -x, neck. */
 enum { GRASPER_CAPSULES = 4, GRASPER_SHAFT = 0, GRASPER_JAW = 1, GRASPER_NECK = 3 };
 
-/* How far beside the middle of the round jaws may lie what they hold or cut, as a share of their radius. */
+/* Largest offset from the middle plane of the round jaws at which they hold or cut, relative to
+ * their radius. */
 #define GRASPER_MAX_OFFSET_RATIO 0.5
 
-/* Of a needle driver or of shears. */
+/* Shape of the jaws of a needle driver or of shears. */
 typedef struct grasper_jaws {
-    double length, radius, bend, opening, neck; /* as the configuration says */
+    /* from the configuration; lengths in m, bend and opening in rad */
+    double length, radius, bend, opening, neck;
 } grasper_jaws;
 
 typedef struct grasper_capsule {
-    vec3 axis[2]; /* in the tool's frame */
+    vec3 axis[2]; /* end points of the axis in the tool's frame, m */
     double radius;
 } grasper_capsule;
 
@@ -35,112 +40,125 @@ typedef struct grasper_object {
     grasper_jaws driver, shears;
     uint64_t generation;
 
-    /* the state: what it was told, what it is */
+    /* the state: commands of the host, and their execution */
     vbss_grasper_kind kind, commanded_kind;
-    pose commanded_pose; /* tool's frame; as the host said it, before the trocar */
-    double opening;      /* of the handle */
-    double jaw_angle;    /* of each jaw from the middle, at the end of the last step */
-    double jaw_force;    /* N; with nothing held 0 */
+    pose commanded_pose; /* pose of the tool's frame that the host asked for, before the trocar */
+    double opening;      /* commanded opening of the handle, 0 to 1 */
+    double jaw_angle;    /* angle of each jaw from the middle at the end of the last step, rad */
+    double jaw_force;    /* N; 0 if nothing is held */
 
-    /* what its scene found in the last step, to be shown */
+    /* results of the last step in the scene, for queries */
     uint32_t body_id, grasp_count, needle, drain, solenoid;
-    pose tool_pose; /* tool's frame */
+    pose tool_pose; /* pose of the tool's frame */
     vec3 velocity, angular_velocity, hand_force, hand_torque;
-    double view_capsules[GRASPER_CAPSULES][7]; /* the view */
+    double view_capsules[GRASPER_CAPSULES][7]; /* data of the public view */
 } grasper_object;
 
-/* grasper.c */
+/* Graspers (grasper.c) */
 extern const vbss_kind vbss_grasper_kind_of_slot;
+/* The grasper behind a handle, or VBSS_ERROR_INVALID_HANDLE. */
 vbss_result vbss_grasper_open(const vbss_grasper *handle, grasper_object **grasper);
-/* Its scene lets it go: nothing moves it or acts on it, and it is where it shall be. */
+/* Called when the grasper leaves its scene: it holds nothing, feels no force, and moves to its
+ * target pose. */
 void vbss_grasper_detach(grasper_object *g);
-/* config.c. The caller's over the defaults, every number checked. */
+/* Fills `own` with the defaults and copies the caller's config over them (config.c).
+ * VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE and the errors of vbss_config_read. */
 vbss_result vbss_grasper_read_config(vbss_context *context, const vbss_grasper_config *config,
                                      vbss_grasper_config *own);
-/* snapshot.c. Visits the state and what is shown, the configuration as what must be the same. */
+/* Visits state and query results; the configuration must equal the saved one (snapshot.c). */
 void vbss_grasper_serialise(vbss_stream *stream, void *object);
 
-/* trocar.c: where the tool's frame shall be; false: the trocar is too near to the tip for bent jaws. */
+/* Turns a commanded pose so that the shaft passes through the trocar (trocar.c). Returns false if
+ * the trocar is too close to the tip for bent jaws. */
 bool vbss_grasper_apply_trocar(const grasper_object *g, pose commanded, pose *target);
 
-/* jaws.c. The jaws that it has as the kind it is. */
+/* Jaws of the present kind (jaws.c, as all functions up to vbss_grasper_update_view). */
 const grasper_jaws *vbss_grasper_current_jaws(const grasper_object *g);
-/* The jaws' frame in the tool's. */
+/* Frame of the jaws in the tool's frame. */
 pose vbss_grasper_jaw_frame(const grasper_object *g);
-/* Where the shaft's axis begins, in the tool's frame. */
+/* Start of the shaft's axis in the tool's frame, m. */
 vec3 vbss_grasper_bend_point(const grasper_object *g);
-/* Capsules in the tool's frame with the jaws at that angle. Closed jaws (0) touch along their length. */
+/* Capsules in the tool's frame for a jaw angle, rad. Closed jaws (0) touch along their length. */
 void vbss_grasper_compute_capsules(const grasper_object *g, double angle,
                                    grasper_capsule capsules[GRASPER_CAPSULES]);
-/* Where the handle would have the jaws, below 0 by up to closing_angle when it is squeezed. */
+/* Jaw angle that the handle commands, rad. A squeezed handle gives negative angles down to
+ * -closing_angle. */
 double vbss_grasper_commanded_angle(const grasper_object *g);
-/* The angle after h seconds: toward the told one, as fast as they go, not below `least`. */
+/* Jaw angle after h seconds: it approaches the commanded angle at jaw_speed at most, but not below
+ * min_angle or 0. */
 double vbss_grasper_next_angle(const grasper_object *g, double h, double min_angle);
-/* Of the jaws on what holds them at an angle, N. */
+/* Force of the jaws on an object that holds them open at this angle, N. */
 double vbss_grasper_jaw_force_at(const grasper_object *g, double angle);
-/* The angle at which jaws touch a round thread at that distance from the pivot from both sides. */
+/* Angle at which both jaws touch a round thread at this distance from the pivot, rad; lengths in
+ * m. */
 double vbss_grasper_touching_angle(double thread_diameter, double from_pivot);
-/* Distance between the facing surfaces of the jaws there. */
+/* Distance between the faces of the jaws at this angle and distance from the pivot, m. */
 double vbss_grasper_jaw_distance(double angle, double from_pivot);
-/* The place between the jaws of what goes straight from begin to end, in the jaws' frame, that is nearest to their middle;
- * false: it is not between them. */
+/* The point of a line segment between the jaws, in their frame, that is closest to their middle
+ * plane. */
 typedef struct grasper_jaw_point {
-    double fraction;   /* of the way from begin to end */
-    double offset;     /* from the middle of the jaws, m */
-    double from_pivot; /* m */
+    double fraction;   /* position on the segment, 0 at its start */
+    double offset;     /* from the middle plane of the jaws, m */
+    double from_pivot; /* distance from the pivot, m */
 } grasper_jaw_point;
+/* Finds that point. Returns false if the segment does not pass between the jaws. */
 bool vbss_grasper_find_between(const grasper_object *g, vec3 start, vec3 end,
                                grasper_jaw_point *point);
-/* For the view: capsules in the world as the tool lies now. */
+/* Updates the data of the view: capsules in the world frame at the present pose. */
 void vbss_grasper_update_view(grasper_object *g);
 
-/* ---- thread_clamp.c: a clamp that holds three points of a thread, half its length apart */
+/* ---- thread_clamp.c: a clamp that holds a thread at three points, half a clamp length apart */
 
 enum { GRASPER_THREAD_POINTS = 3 };
-/* Faces do not give way as what they rub does: the clamp is so much stiffer across them. A power of two. */
+/* Stiffness of the clamp across the faces, relative to that along them, because the faces of the
+ * jaws do not yield. A power of two. */
 #define GRASPER_NORMAL_STIFFNESS_RATIO 64.0
 typedef struct grasper_thread_clamp {
-    vec3 anchor[GRASPER_THREAD_POINTS]; /* where they are held, in the jaws' frame */
-    double age; /* s since it was taken: the points come to the middle of the jaws in time */
+    vec3 anchor[GRASPER_THREAD_POINTS]; /* the three points in the jaws' frame, m */
+    /* time since the grasp, s; in the first moments the points move to the middle of the jaws */
+    double age;
 } grasper_thread_clamp;
 typedef struct grasper_thread_load {
-    vec3 force[GRASPER_THREAD_POINTS]; /* of the clamp on the thread, in the jaws' frame, N */
-    vec3 thread_direction;             /* unit: the way of the thread toward larger arc length */
-    double arc_offset
-        [GRASPER_THREAD_POINTS]; /* of the middle so much arc length, m: less where the thread ends */
-    double jaw_force;            /* of the jaws on this place, N */
-    double h;                    /* length of the step, s */
-    bool is_stacked;             /* others lie between it and the middle of the jaws */
+    vec3 force[GRASPER_THREAD_POINTS]; /* force of the clamp on the thread, in the jaws' frame, N */
+    vec3 thread_direction;             /* unit direction of the thread toward larger arc length */
+    /* arc length of each point from the middle one, m; shorter at an end of the thread */
+    double arc_offset[GRASPER_THREAD_POINTS];
+    double jaw_force; /* force of the jaws on this thread, N */
+    double h;         /* length of the step, s */
+    bool is_stacked;  /* other threads lie between this one and the middle of the jaws */
 } grasper_thread_load;
 typedef struct grasper_thread_slip {
-    double slip;      /* the held place goes on by so much arc length, m */
-    bool has_escaped; /* it has come out between the jaws or over their end */
+    double slip;      /* change of the held arc length, m */
+    bool has_escaped; /* the thread has left the jaws, between them or over their ends */
 } grasper_thread_slip;
-/* What the jaws bear along their faces with that pressure, N. */
+/* Largest friction of both faces at this jaw force, N. */
 double vbss_grasper_friction_limit(const grasper_object *g, double jaw_force);
-/* After a step: what exceeds the limits slides until it does not, and the rest settles into the jaws. */
+/* Post-step update of a clamp. Forces beyond their limits make the thread slip until they equal the
+ * limit; a new grasp also moves toward the middle of the jaws. */
 grasper_thread_slip vbss_grasper_yield_thread(const grasper_object *g, grasper_thread_clamp *clamp,
                                               const grasper_thread_load *load);
 
-/* ---- needle_clamp.c: a clamp that holds a needle, in position and orientation, by three springs at the corners of a triangle in
- * the plane of the faces */
+/* ---- needle_clamp.c: a clamp that holds position and orientation of a needle by three springs at
+ * the corners of a triangle in the plane of the faces */
 
 enum { GRASPER_NEEDLE_POINTS = 3 };
 typedef struct grasper_needle_load {
-    vec3 force,
-        torque; /* of the clamp on the needle, about the middle of what is held, in the jaws' frame */
-    double jaw_force; /* of the jaws on it, N */
+    /* load of the clamp on the needle about the middle of the grasp, in the jaws' frame, N, N m */
+    vec3 force, torque;
+    double jaw_force; /* force of the jaws on the needle, N */
     double h;         /* length of the step, s */
 } grasper_needle_load;
-/* Where a corner is, in the jaws' frame, round what is held there; stiffness of each spring, N/m. */
+/* Corner i of the triangle, in the jaws' frame about the middle of the grasp, m; and the stiffness
+ * of each spring, N/m. */
 vec3 vbss_grasper_needle_clamp_point(const grasper_object *g, vec3 middle, uint32_t i);
 double vbss_grasper_needle_clamp_stiffness(const grasper_object *g);
 typedef struct grasper_needle_slip {
-    double slip, rotation; /* m, rad */
-    bool has_escaped;      /* it has come out between the jaws or over their end */
+    double slip, rotation; /* translation of the needle in the jaws, m, and its rotation, rad */
+    bool has_escaped;      /* the needle has left the jaws, between them or over their ends */
 } grasper_needle_slip;
-/* After a step: what exceeds the limits makes the place where it is held give way until it does not, and for the rest it
- * comes to the middle of the jaws in time. `at` is where it is held, `age` since when. */
+/* Post-step update of a clamp. A force or torque beyond its limit moves or rotates the grasp until
+ * it equals the limit; a new grasp also moves toward the middle of the jaws. `at` is the pose of
+ * the grasp in the jaws' frame, `age` the time since it started, s. */
 grasper_needle_slip vbss_grasper_yield_needle(const grasper_object *g, pose *at, double *age,
                                               const grasper_needle_load *load);
 

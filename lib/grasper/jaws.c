@@ -1,15 +1,15 @@
-/* Where the jaws are, how they follow the handle, how hard they close. */
+/* Position of the jaws, their motion with the handle, and their force. */
 #include "base/elementary.h"
 #include "grasper/grasper.h"
 
-/* ---- where they are */
+/* ---- position */
 
 const grasper_jaws *vbss_grasper_current_jaws(const grasper_object *g)
 {
     return g->kind == VBSS_GRASPER_SHEARS ? &g->shears : &g->driver;
 }
 
-/* About x by as much as they lean: their z goes from the tip to the pivot. */
+/* Rotated about x by the bend; its z axis points from the tip to the pivot. */
 pose vbss_grasper_jaw_frame(const grasper_object *g)
 {
     const grasper_jaws *j = vbss_grasper_current_jaws(g);
@@ -43,14 +43,16 @@ void vbss_grasper_compute_capsules(const grasper_object *g, double angle,
     pose frame = vbss_grasper_jaw_frame(g);
     vec3 bend = vbss_grasper_bend_point(g);
     double length = g->config.shaft_length, radius = g->config.shaft_radius;
-    capsules[GRASPER_SHAFT] = (grasper_capsule){
-        {vec3_add(bend,
-                  vec3_make(0.0, 0.0, vbss_min(radius, length))), /* its cap ends at the bend */
-         vec3_add(bend, vec3_make(0.0, 0.0, length))},
-        radius};
+    capsules[GRASPER_SHAFT] =
+        (grasper_capsule){{vec3_add(bend,
+                                    /* so that its cap ends at the bend */
+                                    vec3_make(0.0, 0.0, vbss_min(radius, length))),
+                           vec3_add(bend, vec3_make(0.0, 0.0, length))},
+                          radius};
     capsules[GRASPER_JAW] = jaw_at(j, frame, angle, 1.0);
     capsules[GRASPER_JAW + 1] = jaw_at(j, frame, angle, -1.0);
-    /* It ends where the jaws begin, but for its cap, which would fill their mouth. */
+    /* The neck ends one radius before the pivot, because its cap would fill the space between the
+     * jaws. */
     vec3 front = pose_apply(frame, vec3_make(0.0, 0.0, vbss_min(g->config.neck_radius, j->neck)));
     capsules[GRASPER_NECK] = (grasper_capsule){{front, bend}, g->config.neck_radius};
 }
@@ -66,16 +68,17 @@ void vbss_grasper_update_view(grasper_object *g)
     }
 }
 
-/* ---- how they follow the handle */
+/* ---- motion with the handle */
 
-/* To the bit where the handle is all open or closed: open jaws at rest shall not move by rounding. */
+/* Exact for a fully open or fully closed handle, so that rounding does not move open jaws at
+ * rest. */
 double vbss_grasper_commanded_angle(const grasper_object *g)
 {
     double t = g->opening;
     return t * vbss_grasper_current_jaws(g)->opening - (1.0 - t) * g->config.closing_angle;
 }
 
-/* What is between them by now holds them open, whatever their speed. */
+/* An object between the jaws holds them open at min_angle, whatever their speed. */
 double vbss_grasper_next_angle(const grasper_object *g, double h, double min_angle)
 {
     double max_change = g->config.jaw_speed * h;
@@ -90,7 +93,7 @@ double vbss_grasper_jaw_force_at(const grasper_object *g, double angle)
     return g->config.closing_force * vbss_max(0.0, vbss_min(fraction, 1.0));
 }
 
-/* ---- what is between them */
+/* ---- objects between the jaws */
 
 double vbss_grasper_touching_angle(double thread_diameter, double from_pivot)
 {

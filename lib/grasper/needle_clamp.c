@@ -1,10 +1,11 @@
-/* What a needle does that the jaws hold: Coulomb friction of their faces, and what torque they bear, for a clamp of three
- * springs at the corners of a triangle.
+/* Slip of a needle in the jaws: Coulomb friction and a torque limit for a clamp of three springs at
+ * the corners of a triangle.
  *
- * Each spring has a third of the stiffness, so that together they give k against sliding, k a^2 against turning about the
- * normal of the faces, and half of that about axes in them: a follows from the stiffness of both. What exceeds a limit
- * gives way by just as much as it exceeds it, at once; the place where it is held gives way only to the force that it
- * exerts, so no yielding stores energy in the springs. */
+ * Each spring has a third of the stiffness k. Together they give k against translation, k a^2
+ * against rotation about the normal of the faces, and half of that about axes in the faces. The arm
+ * a follows from both stiffnesses. A force beyond its limit moves the grasp at once by just its
+ * excess. The grasp yields only to the force that it exerts itself, so yielding never stores energy
+ * in the springs. */
 #include "base/rotation.h"
 #include "grasper/grasper.h"
 
@@ -24,14 +25,14 @@ double vbss_grasper_needle_clamp_stiffness(const grasper_object *g)
     return g->config.needle_stiffness / GRASPER_NEEDLE_POINTS;
 }
 
-/* So much of it is beyond the limit. */
+/* Fraction of a force that is beyond its limit. */
 static double excess_fraction(double size, double limit)
 {
     return size > limit ? (size - limit) / size : 0.0;
 }
 
-/* Pulled from face to face harder than the jaws press, it opens them and moves between them; along the faces it slides
- * beyond their friction. */
+/* A force across the faces that exceeds the jaw force opens the jaws and moves the needle between
+ * them. A force along the faces that exceeds their friction makes it slide. */
 static double slide(const grasper_object *g, pose *at, const grasper_needle_load *load)
 {
     vec3 along = vec3_make(0.0, load->force.y, load->force.z);
@@ -69,7 +70,8 @@ static void centre_in_jaws(pose *at, double *age, double h)
     *age += h;
 }
 
-/* Where the jaws begin it stops; past their end, or out of jaws that are pried open, it is free. */
+/* The needle stops at the pivot. It is free past the end of the jaws, or if the jaws are pried
+ * open. */
 static bool stays_in_jaws(const grasper_object *g, pose *at)
 {
     const grasper_jaws *j = vbss_grasper_current_jaws(g);

@@ -1,4 +1,4 @@
-/* The state of a grasper: what is saved, hashed and restored. */
+/* Serialisation of a grasper. */
 #include "base/check.h"
 #include "base/stream.h"
 #include "grasper/grasper.h"
@@ -37,7 +37,7 @@ static void visit_config(vbss_stream *stream, const grasper_object *g)
     vbss_stream_expect(stream, 2, (uint64_t)c->method);
     vbss_stream_expect(stream, 2, (uint64_t)c->kind);
     vbss_stream_expect(stream, 2, (uint64_t)c->has_trocar);
-    vbss_stream_expect(stream, 3, g->body_id); /* a scene knows it by this number */
+    vbss_stream_expect(stream, 3, g->body_id); /* the scene identifies the grasper by this number */
 }
 
 static bool is_valid_kind(vbss_grasper_kind kind)

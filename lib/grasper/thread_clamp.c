@@ -1,8 +1,9 @@
-/* What a thread does that the jaws hold: Coulomb friction of their faces, for a clamp of three springs.
+/* Slip of a thread in the jaws: Coulomb friction of their faces for a clamp of three springs.
  *
- * The springs are alike, so three anchors that all give way by d take stiffness times d from the force
- * of the clamp. Each limit is met so: by just as much as the force exceeds it, at once. Anchors give way
- * only to the force that they exert, so no yielding stores energy in the springs. */
+ * The springs are equal, so moving all three anchors by d reduces the force of the clamp by three
+ * times their stiffness times d. A force beyond its limit moves the anchors at once by just its
+ * excess. Anchors yield only to the force that they exert themselves, so yielding never stores
+ * energy in the springs. */
 #include "base/elementary.h"
 #include "grasper/grasper.h"
 
@@ -18,8 +19,9 @@ enum { FIRST, MIDDLE, LAST };
 
 typedef struct clamp_springs {
     grasper_thread_clamp *clamp;
-    vec3 force[GRASPER_THREAD_POINTS]; /* of each on the thread, as it is by now */
-    double stiffness;                  /* of each, along the faces */
+    /* force of each spring on the thread, updated as anchors yield */
+    vec3 force[GRASPER_THREAD_POINTS];
+    double stiffness; /* stiffness of each spring along the faces */
 } clamp_springs;
 
 double vbss_grasper_friction_limit(const grasper_object *g, double jaw_force)
@@ -58,9 +60,10 @@ static vec3 total_force(const clamp_springs *c)
     return vec3_add(vec3_add(c->force[FIRST], c->force[MIDDLE]), c->force[LAST]);
 }
 
-/* ---- the force */
+/* ---- force */
 
-/* Pulled from face to face harder than the jaws press, it opens them and moves between them. */
+/* A force across the faces that exceeds the jaw force opens the jaws and moves the thread between
+ * them. */
 static void yield_across(clamp_springs *c, double jaw_force)
 {
     double force = total_force(c).x, excess = fabs(force) - jaw_force;
@@ -72,8 +75,9 @@ static void yield_across(clamp_springs *c, double jaw_force)
     }
 }
 
-/* The force on the thread points to where the thread was held: when the held place goes on that way, the
- * thread runs the other. As it rises between the faces while it runs, so do the anchors. */
+/* The force on the thread points to its earlier position. If the grasp moves along the thread that
+ * way, the thread runs the other way. A thread that is inclined to the faces also moves the anchors
+ * across them. */
 static double slide_through(clamp_springs *c, vec3 *excess, vec3 along)
 {
     double fraction = vec3_norm(in_face_plane(along));
@@ -102,7 +106,7 @@ static double yield_along_faces(clamp_springs *c, double limit, vec3 along)
     return slip;
 }
 
-/* ---- the torque about the normal of the faces */
+/* ---- torque about the normal of the faces */
 
 static void rotate_outer_anchors(grasper_thread_clamp *clamp, double angle)
 {
@@ -116,14 +120,16 @@ static void rotate_outer_anchors(grasper_thread_clamp *clamp, double angle)
     }
 }
 
-/* Of the outer anchors about the middle one. Turned by an angle a it is torque cos(a) - spread sin(a), a
- * sine of the angle from where the springs are at rest: they turn to where that is the limit. */
+/* Torque of the outer anchors about the middle one. Rotated by an angle a it is torque cos(a) -
+ * spread sin(a), a sine of the angle from the rest position of the springs. The anchors rotate to
+ * the angle where the torque equals the limit. */
 static void yield_torque(clamp_springs *c, double limit)
 {
     double torque = 0.0, spread = 0.0;
     for (int i = FIRST; i <= LAST; i += LAST - FIRST) {
         vec3 force = c->force[i], arm = vec3_sub(c->clamp->anchor[i], c->clamp->anchor[MIDDLE]);
-        vec3 from_middle = vec3_add_scaled(force, -c->stiffness, arm); /* were it held there */
+        /* the force if the anchor were at the middle one */
+        vec3 from_middle = vec3_add_scaled(force, -c->stiffness, arm);
         torque += arm.y * force.z - arm.z * force.y;
         spread += arm.y * from_middle.y + arm.z * from_middle.z;
     }
@@ -136,7 +142,7 @@ static void yield_torque(clamp_springs *c, double limit)
     rotate_outer_anchors(c->clamp, vbss_atan2(-torque, -spread) + copysign(at_limit, torque));
 }
 
-/* ---- settling into the jaws */
+/* ---- centring in the jaws */
 
 static void centre_in_jaws(grasper_thread_clamp *clamp, const grasper_thread_load *load)
 {
@@ -157,7 +163,8 @@ static void centre_in_jaws(grasper_thread_clamp *clamp, const grasper_thread_loa
     clamp->age += load->h;
 }
 
-/* Where the thread ends it is held over what there is of it: what is not there pulls at nothing. */
+/* Near an end of the thread, moves the outer anchors to the part that exists, so that they do not
+ * pull on a missing part. */
 static void shorten(grasper_thread_clamp *clamp, const double arc_offset[GRASPER_THREAD_POINTS],
                     double spacing)
 {
@@ -170,7 +177,8 @@ static void shorten(grasper_thread_clamp *clamp, const double arc_offset[GRASPER
     }
 }
 
-/* Where the jaws begin it stops; past their end, aside, or out of jaws that are pried open it is free. */
+/* The thread stops at the pivot. It is free past the end of the jaws, beside them, or if the jaws
+ * are pried open. */
 static bool stays_in_jaws(const grasper_object *g, grasper_thread_clamp *clamp)
 {
     const grasper_jaws *j = vbss_grasper_current_jaws(g);

@@ -1,4 +1,4 @@
-/* A shaft that goes through a trocar: what it is told is turned until it does. */
+/* Rotation of a commanded pose so that the shaft passes through the trocar. */
 #include "grasper/grasper.h"
 
 /* A tip that is in its trocar, m: there is no way from one to the other. */
@@ -16,11 +16,13 @@ bool vbss_grasper_apply_trocar(const grasper_object *g, pose commanded, pose *ta
     if (!(distance > reach * (1.0 + 1e-9)) || !(distance > MIN_TROCAR_DISTANCE)) {
         return false;
     }
-    /* Bent jaws put the shaft's axis beside the tip: where on it, that far from the tip, the trocar is. */
+    /* Bent jaws put the axis of the shaft beside the tip. This is the point of the axis at the
+     * trocar's distance from the tip. */
     double along = sqrt((distance - reach) * (distance + reach));
     vec3 trocar_in_tool = vec3_scale(vec3_make(0.0, aside, along), 1.0 / distance);
     direction = vec3_scale(direction, 1.0 / distance);
-    /* Twice: between nearly opposite directions the first turn is not good to rounding. */
+    /* The second pass corrects the rounding error of a rotation between nearly opposite
+     * directions. */
     for (int i = 0; i < 2; i++) {
         vec3 current = quat_rotate(target->orientation, trocar_in_tool);
         target->orientation =
