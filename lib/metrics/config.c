@@ -1,4 +1,4 @@
-/* How to measure: defaults, and every number checked. */
+/* Configuration of a measurement: defaults and range checks. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"

@@ -1,4 +1,4 @@
-/* Events: checked as a whole, then kept as what stands, or taken back. */
+/* Events: each is checked completely, then stored, or undoes a stored one. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -17,7 +17,7 @@ vbss_result vbss_metrics_event_init(vbss_metrics_event *event, uint32_t struct_s
     return vbss_config_init(&layout, event, struct_size);
 }
 
-/* ---- what an event may say */
+/* ---- range checks */
 
 static bool find_fact(vbss_metrics_event_kind kind, metrics_fact *fact)
 {
@@ -90,9 +90,9 @@ static vbss_result check_event(const metrics_object *m, const vbss_metrics_event
     return vbss_metrics_check_time(m, e->time);
 }
 
-/* ---- what it measures */
+/* ---- measured values */
 
-/* Along the cylinder: sqrt(R^2 theta^2 + x^2), Qi et al. 2017, section 6. */
+/* Distance on the cylinder: sqrt(R^2 theta^2 + x^2), Qi et al. 2017, section 6. */
 static double deviation_mm(const vbss_metrics_config *c, const vbss_metrics_event *e)
 {
     double arc = c->drain_radius * e->angle;
@@ -122,7 +122,7 @@ static metrics_entry make_entry(const metrics_object *m, const vbss_metrics_even
     return entry;
 }
 
-/* ---- keeping it */
+/* ---- storage */
 
 static vbss_result fail_full(const metrics_object *m, const char *what, uint32_t capacity)
 {
@@ -157,14 +157,14 @@ static vbss_result set_fact(metrics_object *m, metrics_fact first, const vbss_me
         return fail_not_standing(m, e);
     }
     if (e->kind == VBSS_METRICS_EVENT_PUNCTURE) {
-        entry.value[0] = fact->value[0]; /* of the attempt */
+        entry.value[0] = fact->value[0]; /* deviation of the attempt */
         VBSS_TRY(add_incident(m, &entry));
     }
     fact->standing = 0;
     return VBSS_OK;
 }
 
-/* The youngest that stands; NULL: none. */
+/* The youngest valid entry, or NULL. */
 static metrics_entry *find_standing(metrics_entry *entries, uint32_t count,
                                     vbss_metrics_event_kind kind, uint32_t number)
 {
@@ -188,7 +188,7 @@ static vbss_result undo_entry(const metrics_object *m, metrics_entry *entry,
     return VBSS_OK;
 }
 
-/* One that stands and is told again is known better; it was tied when it was told first. */
+/* A repeated event for a valid throw updates it; the time of the first event stays. */
 static vbss_result set_throw(metrics_object *m, const vbss_metrics_event *e)
 {
     metrics_entry *existing = find_standing(m->throws, m->throw_count, e->kind, e->number);

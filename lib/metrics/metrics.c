@@ -1,11 +1,11 @@
-/* How measurements begin and end. */
+/* Creation and destruction of measurements. */
 #include "base/check.h"
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/stream.h"
 #include "metrics/metrics.h"
 
-/* ---- memory: one table says what there is */
+/* ---- memory: one table lists all arrays */
 
 enum { HAND_ARRAYS = 7, ARRAY_COUNT = METRICS_HANDS * HAND_ARRAYS + 5 };
 
@@ -73,7 +73,7 @@ static vbss_result allocate_metrics(vbss_context *context, const vbss_metrics_co
     return VBSS_OK;
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 vbss_result vbss_metrics_create(vbss_context *context, const vbss_metrics_config *config,
                                 vbss_metrics **metrics)

@@ -1,8 +1,10 @@
-/* The inside of a measurement, shared by the files of lib/metrics. Knows lib/base only.
+/* Private interface of measurements, for the files of lib/metrics. It depends on lib/base only.
  *
- * config.c checks what is wanted; metrics.c makes and ends; samples.c, events.c and pull_test.c take what is told. Motion goes
- * samples -> smoothing.c (one fine curve, filtered) -> tracks.c (ticks of both tools) -> motion.c and spectrum.c
- * (figures of a window of ticks). penalties.c and report.c say what it comes to; snapshot.c saves. */
+ * config.c checks configurations; metrics.c creates and destroys measurements; samples.c, events.c
+ * and pull_test.c take the host's input. Motion is processed in stages: samples -> smoothing.c (a
+ * finely sampled, filtered curve) -> tracks.c (ticks of both tools) -> motion.c and spectrum.c
+ * (metrics of a window of ticks). penalties.c and report.c compute the results; snapshot.c saves
+ * measurements. */
 #ifndef VBSS_METRICS_METRICS_H
 #define VBSS_METRICS_METRICS_H
 
@@ -15,47 +17,58 @@
 
 enum { METRICS_HANDS = 2 };
 
-/* ---- the grids: fine samples of an interpolated curve, ticks of what is measured */
+/* ---- sampling grids: fine samples of the interpolated curve, and ticks at which motion is
+ * measured */
 #define METRICS_FINE_RATE 1000.0
 #define METRICS_TICK_RATE 100.0
 #define METRICS_TICK_SECONDS 0.01
 enum {
     METRICS_FINE_PER_TICK = 10,
-    METRICS_FILTER_HALF_WIDTH = 250, /* the filter reaches so many fine samples to each side, */
-    METRICS_KERNEL_HALF_WIDTH = METRICS_FILTER_HALF_WIDTH + 2, /* its third difference so many */
-    METRICS_RING_SIZE = 512                                    /* of fine samples that are kept */
+    METRICS_FILTER_HALF_WIDTH = 250, /* half width of the filter, in fine samples */
+    /* half width of the filter's third difference */
+    METRICS_KERNEL_HALF_WIDTH = METRICS_FILTER_HALF_WIDTH + 2,
+    /* number of fine samples that are stored */
+    METRICS_RING_SIZE = 512
 };
-/* What is told is at most so large: all that is computed stays finite. */
+/* Bounds on all input, so that all results are finite: s, m, N. */
 #define METRICS_LARGEST_TIME 1e9
 #define METRICS_LARGEST_POSITION 1e3
 #define METRICS_LARGEST_FORCE 1e6
-/* A tool that was not seen for longer is gone: three samples at 30 Hz. */
+/* A tool without a sample for longer than this, s, is not seen: three samples at 30 Hz. */
 #define METRICS_MAX_SAMPLE_GAP 0.1
 
-/* Differences of the filter's taps: first and third derivative from pairs of samples m apart to both sides. */
+/* Differences of the filter's taps: weights for the first and third derivative, for pairs of
+ * samples i to both sides. */
 typedef struct metrics_kernel {
     double first[METRICS_KERNEL_HALF_WIDTH + 1], third[METRICS_KERNEL_HALF_WIDTH + 1];
 } metrics_kernel;
 
-/* One tool: what it did last, and its ticks. */
+/* One tool: its last samples and its ticks. */
 typedef struct metrics_hand {
-    uint32_t point_count; /* of the last unbroken samples, up to 3, the newest last */
+    /* number of the last uninterrupted samples below, at most 3, the newest last */
+    uint32_t point_count;
     double time[3];
     vec3 position[3];
-    vec3 offset;          /* from where it is to where it would be if it had not moved unseen */
-    uint64_t next_fine;   /* the next fine sample */
-    uint32_t still_count; /* fine samples of one place in a row, up to METRICS_RING_SIZE */
-    vec3 *ring;           /* the last fine samples, by their number modulo the ring's size, */
-    uint8_t *ring_seen;   /* and whether the tool was seen there */
+    /* continuous position minus true position: the sum of the jumps while the tool was not seen,
+     * m */
+    vec3 offset;
+    uint64_t next_fine;   /* index of the next fine sample */
+    uint32_t still_count; /* number of equal fine samples in a row, at most METRICS_RING_SIZE */
+    vec3 *ring;           /* ring buffer of the last fine samples */
+    uint8_t *ring_seen;   /* ring buffer: whether the tool was seen then */
     uint32_t has_force;
-    double force_time, force; /* the last one */
+    double force_time, force; /* time and magnitude of the last force, s and N */
     uint32_t tick_count, force_count;
-    double *speed, *jerk;   /* per tick: |v|, |jerk|^2; 0 where it was not seen */
-    uint8_t *seen;          /* per tick */
-    double *impulse, *peak; /* per tick: of |force| up to the next tick */
+    /* per tick: speed, m/s, and squared jerk, m^2/s^6; 0 if the tool was not seen */
+    double *speed, *jerk;
+    uint8_t *seen; /* per tick */
+    /* per tick: integral and maximum of the force up to the next tick, N s and N */
+    double *impulse, *peak;
 } metrics_hand;
 
-/* ---- what was told in events */
+/* ---- events */
+/* Events of which only the last one counts, as indices of metrics_object.facts. PUNCTURE, TAIL and
+ * CUT have two entries each. */
 typedef enum metrics_fact {
     METRICS_APPEARED,
     METRICS_PUNCTURE,
@@ -67,14 +80,16 @@ typedef enum metrics_fact {
     METRICS_FACT_COUNT
 } metrics_fact;
 
-/* Something that stands or stood. An event that undoes a puncture leaves one of the kind PUNCTURE: an attempt. */
+/* An event that is valid, or was until it was undone. Undoing a puncture leaves an entry of the
+ * kind PUNCTURE among the incidents: an attempt. */
 typedef struct metrics_entry {
     vbss_metrics_event_kind kind;
-    uint32_t number, standing;
+    uint32_t number, standing; /* standing: not undone */
     int32_t tool, wraps, handedness, relation;
     uint64_t step;
     double time, undone_time;
-    double value[2]; /* deviation; length; gap and largest gap; points */
+    /* deviation, mm; tail length, m; gap and largest gap, mm; or penalty points */
+    double value[2];
     vec3 position, force;
 } metrics_entry;
 
@@ -84,14 +99,15 @@ typedef struct metrics_phase {
     double start_time;
 } metrics_phase;
 
-/* What the pull test has found so far. */
+/* State of the pull test. */
 typedef struct metrics_pull {
-    uint32_t has_readings, is_tight, has_slipped,
-        is_untied;               /* 1: so; tight: borne long enough before it slipped */
-    uint32_t has_reached_strain; /* the paper's threshold was reached while it was tied */
+    /* flags; tight means that the knot bore the force long enough before it slipped */
+    uint32_t has_readings, is_tight, has_slipped, is_untied;
+    /* the threshold of the paper was reached while the knot was tied */
+    uint32_t has_reached_strain;
     uint32_t is_holding;
     double hold_start, longest_hold, strain, drawn_in;
-    metrics_entry last_change; /* the reading that changed a verdict last */
+    metrics_entry last_change; /* the reading that last changed the result */
 } metrics_pull;
 
 typedef struct metrics_object {
@@ -101,82 +117,90 @@ typedef struct metrics_object {
     metrics_kernel *kernel;
     metrics_hand hands[METRICS_HANDS];
     uint64_t samples;
-    uint32_t has_time, has_sample,
-        is_finished;               /* anything was told; a sample was; no more will be */
-    double origin_time;            /* time of the first sample */
-    double sample_time, last_time; /* of the last sample; of what was told last */
-    uint64_t last_step;            /* of what was told last */
+    /* flags: any input has arrived; a sample has arrived; no more samples are accepted */
+    uint32_t has_time, has_sample, is_finished;
+    double origin_time;            /* time of the first sample, s */
+    double sample_time, last_time; /* times of the last sample and of the last input, s */
+    uint64_t last_step;            /* step of the last input */
     metrics_entry facts[METRICS_FACT_COUNT];
     metrics_entry *throws, *incidents;
     metrics_phase *phases;
     uint32_t throw_count, incident_count, phase_count;
     metrics_pull pull;
     uint64_t generation;
-    double *spectrum_buffer; /* room for one */
+    double *spectrum_buffer; /* scratch of vbss_metrics_sparc */
 } metrics_object;
 
-/* metrics.c */
+/* Measurements (metrics.c) */
 extern const vbss_kind vbss_metrics_kind;
+/* The measurement behind a handle, for a query or for a change. VBSS_ERROR_INVALID_HANDLE; for a
+ * change also VBSS_ERROR_BUSY and VBSS_ERROR_ARITHMETIC_MODE. */
 vbss_result vbss_metrics_open(const vbss_metrics *handle, metrics_object **metrics);
 vbss_result vbss_metrics_edit(vbss_metrics *handle, metrics_object **metrics);
 
-/* config.c. The caller's over the defaults, every number checked. */
+/* Fills `own` with the defaults and copies the caller's config over them (config.c).
+ * VBSS_ERROR_OUT_OF_RANGE, VBSS_ERROR_NOT_FINITE and the errors of vbss_config_read. */
 vbss_result vbss_metrics_read_config(vbss_context *context, const vbss_metrics_config *config,
                                      vbss_metrics_config *own);
 
-/* samples.c. What is told now is not before what was told last, and not before the last sample. */
+/* The clock of all input (samples.c). VBSS_ERROR_OUT_OF_RANGE if a time is before that of the last
+ * input. */
 vbss_result vbss_metrics_check_time(const metrics_object *m, double time);
 void vbss_metrics_advance_clock(metrics_object *m, double time, uint64_t step);
 
-/* smoothing.c */
+/* Filter and interpolation (smoothing.c) */
 void vbss_metrics_make_kernel(metrics_kernel *kernel);
-/* Speed and squared jerk of the filtered curve at a fine sample that has METRICS_KERNEL_HALF_WIDTH on both sides in the ring. */
+/* Speed, m/s, and squared jerk, m^2/s^6, of the filtered curve at a fine sample. The ring must hold
+ * METRICS_KERNEL_HALF_WIDTH samples on both sides of it. */
 void vbss_metrics_differentiate(const metrics_kernel *kernel, const vec3 *ring, uint64_t centre,
                                 double *speed, double *jerk);
-/* The curve between two samples, with slopes at its ends. */
+/* Cubic between two samples, with given velocities at its ends. */
 typedef struct metrics_segment {
     double start_time, end_time;
     vec3 start, end, start_velocity, end_velocity;
 } metrics_segment;
 vec3 vbss_metrics_segment_at(const metrics_segment *segment, double time);
-/* The slope at the middle of three samples. */
+/* Velocity at the middle one of three samples, m/s. */
 vec3 vbss_metrics_middle_velocity(const double time[3], const vec3 position[3]);
 
-/* tracks.c */
+/* Tracks of the tools (tracks.c) */
 void vbss_metrics_track_position(metrics_object *m, uint32_t hand, double time, vec3 position);
 void vbss_metrics_track_force(metrics_object *m, uint32_t hand, double time, double force);
 void vbss_metrics_finish_track(metrics_object *m, uint32_t hand);
-/* The first tick not before a time, at most the room there is. */
+/* First tick at or after a time, at most the capacity; and the number of ticks beyond the
+ * capacity. */
 uint64_t vbss_metrics_tick_from(const metrics_object *m, double time);
 uint64_t vbss_metrics_ticks_lost(const metrics_object *m);
 
-/* spectrum.c */
+/* Spectrum (spectrum.c) */
 enum { METRICS_SPECTRUM_TICKS = 4096, METRICS_SPECTRUM_PADDING = 16 };
 #define METRICS_SPECTRUM_BUFFER_LENGTH \
     ((size_t)2 * METRICS_SPECTRUM_TICKS * METRICS_SPECTRUM_PADDING)
-/* SPARC of a speed profile of 2 to METRICS_SPECTRUM_TICKS ticks; false: nothing moved. `room` holds
- * METRICS_SPECTRUM_BUFFER_LENGTH numbers. */
+/* SPARC of a speed profile of 2 to METRICS_SPECTRUM_TICKS ticks. `buffer` is scratch of
+ * METRICS_SPECTRUM_BUFFER_LENGTH numbers. Returns false if nothing moved. */
 bool vbss_metrics_sparc(const double *speed, uint32_t count, double *buffer, double *sparc);
 
-/* pull_test.c */
+/* Results of the pull test by both methods (pull_test.c) */
 vbss_metrics_tightness vbss_metrics_tightness_ours(const metrics_pull *pull);
 vbss_metrics_tightness vbss_metrics_tightness_paper(const metrics_pull *pull);
 
-/* report.c */
-double vbss_metrics_stop_time(const metrics_object *m); /* both tails cut, or now */
+/* Clock of the task (report.c) */
+/* time at which both tails were cut, or the time of the last input */
+double vbss_metrics_stop_time(const metrics_object *m);
 bool vbss_metrics_is_stopped(const metrics_object *m);
-double vbss_metrics_task_time(const metrics_object *m); /* of the task, s */
+double vbss_metrics_task_time(const metrics_object *m); /* duration of the task, s */
 
 typedef struct metrics_score {
     double score, penalties;
     uint32_t count;
     bool is_final;
 } metrics_score;
-/* penalties.c. `wanted` receives the penalty with that number if there is one; may be NULL. */
+/* Score and penalties (penalties.c). `wanted` receives the penalty with the index `number`, if it
+ * exists; it may be NULL. */
 metrics_score vbss_metrics_compute_score(const metrics_object *m, uint32_t number,
                                          vbss_metrics_penalty *wanted);
 
-/* snapshot.c */
+/* Visits the state; the configuration must equal the saved one (snapshot.c). */
 void vbss_metrics_serialise(vbss_stream *stream, void *object);
 
 #endif

@@ -1,4 +1,4 @@
-/* Figures of motion in a window of ticks. */
+/* Metrics of motion in a window of ticks. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/elementary.h"
@@ -13,7 +13,7 @@ static const vbss_layout bimanual_layout = {"vbss_metrics_bimanual", NULL, biman
 
 enum { SHORTEST_MOVEMENT = 20 }; /* ticks */
 
-/* ---- windows: ticks from `begin` to before `end` */
+/* ---- windows of ticks; `end` is exclusive */
 
 typedef struct tick_window {
     uint32_t begin, end;
@@ -49,7 +49,7 @@ static tick_window clip_window(tick_window w, uint32_t count)
     return w;
 }
 
-/* ---- rest, with hysteresis; the first tick of a window is a rest if it is slow */
+/* ---- rest, with hysteresis; a window starts at rest if its first tick is slow */
 
 static bool is_resting(const vbss_metrics_config *c, double speed, bool is_rested)
 {
@@ -93,7 +93,8 @@ static void add_kinematics(const metrics_object *m, const metrics_hand *h, tick_
     }
 }
 
-/* Mean over what lies between rests and times of not being seen, if it is long enough to be a movement. */
+/* Mean SPARC of the movements: intervals between rests and gaps in tracking that are long
+ * enough. */
 static void add_movements(const metrics_object *m, const metrics_hand *h, tick_window w,
                           vbss_metrics_motion *out)
 {
@@ -153,7 +154,7 @@ vbss_result vbss_metrics_get_motion(vbss_metrics *metrics, vbss_metrics_tool too
 
 /* ---- both tools */
 
-/* In two passes: what is summed second is small where speeds hardly vary. */
+/* Two passes, which lose no digits where speeds hardly vary. */
 static void correlate(const metrics_object *m, tick_window w, uint32_t seen,
                       vbss_metrics_bimanual *out)
 {

@@ -1,7 +1,7 @@
-/* The score: 600 - t - penalties (Korndorffer et al. 2005), each penalty with its reason. */
+/* The score: 600 - t - penalties (Korndorffer et al. 2005), with a reason for each penalty. */
 #include "metrics/metrics.h"
 
-/* What a penalty says, by its kind. */
+/* Text of each kind of penalty. */
 static const char *const texts[] = {
     "",
     "the needle went through away from its mark",
@@ -19,7 +19,7 @@ static const char *const texts[] = {
     "finished before both tails were cut",
 };
 
-/* All penalties in their order pass through here; one may be wanted. */
+/* Counts and sums the penalties in order; a query may select one of them. */
 typedef struct penalty_tally {
     uint32_t count, number;
     double sum;
@@ -46,7 +46,7 @@ static void add_penalty(penalty_tally *t, vbss_metrics_penalty_kind kind,
     t->sum += amount;
 }
 
-/* ---- what was done */
+/* ---- penalties for the work */
 
 static void add_placement_penalties(const metrics_object *m, penalty_tally *t)
 {
@@ -123,13 +123,13 @@ static void add_incident_penalties(const metrics_object *m, penalty_tally *t)
             add_penalty(t, VBSS_METRICS_PENALTY_HOST, entry, entry->value[0],
                         c->weight_host * entry->value[0]);
             break;
-        default: /* a transfer costs nothing */
+        default: /* a transfer has no penalty */
             break;
         }
     }
 }
 
-/* ---- what takes all that is left */
+/* ---- conditions that take the rest of the score */
 
 static bool add_final_penalties(const metrics_object *m, penalty_tally *t)
 {

@@ -1,4 +1,4 @@
-/* The pull test: whether a knot holds, by ours and as the paper decides it. */
+/* The pull test: whether a knot holds, by our criterion and by that of the paper. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"
@@ -32,7 +32,8 @@ static vbss_result check_pull_reading(const metrics_object *m, const vbss_metric
                             METRICS_LARGEST_POSITION, "drawn_in");
 }
 
-/* Ours: borne for the time, with less than the limit drawn in. Once that is shown, the test is over. */
+/* Our criterion: the knot bears the force for the required time, and less than the limit is drawn
+ * in. The test ends when this is reached. */
 static void update_hold(const vbss_metrics_config *c, metrics_pull *pull,
                         const vbss_metrics_pull *p)
 {
@@ -58,7 +59,8 @@ static void update_hold(const vbss_metrics_config *c, metrics_pull *pull,
     }
 }
 
-/* The paper's: the strain on both sides has reached the threshold (Qi et al. 2017, section 6). */
+/* Criterion of the paper: the strain on both sides has reached the threshold (Qi et al. 2017,
+ * section 6). */
 static void update_strain(const vbss_metrics_config *c, metrics_pull *pull,
                           const vbss_metrics_pull *p)
 {
@@ -93,7 +95,7 @@ vbss_result vbss_metrics_add_pull(vbss_metrics *metrics, const vbss_metrics_pull
     return VBSS_OK;
 }
 
-/* ---- verdicts */
+/* ---- results */
 
 vbss_metrics_tightness vbss_metrics_tightness_ours(const metrics_pull *pull)
 {

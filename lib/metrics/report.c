@@ -1,4 +1,4 @@
-/* What is known of a trial: the report, records of throws, visits of phases, penalties, arrays. */
+/* Queries: the report, throws, phases, penalties, and arrays. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/elementary.h"
@@ -18,7 +18,7 @@ static const vbss_layout penalty_layout = {"vbss_metrics_penalty", NULL, penalty
 
 #define MILLIMETRES 1e3
 
-/* ---- the clock of the task: from the needle's appearing until both tails are cut, or until now */
+/* ---- the clock of the task: from the appearance of the needle until both tails are cut */
 
 bool vbss_metrics_is_stopped(const metrics_object *m)
 {
@@ -139,7 +139,7 @@ vbss_result vbss_metrics_get_report(vbss_metrics *metrics, vbss_metrics_report *
     return vbss_struct_write(m->context, &report_layout, &r, report, struct_size);
 }
 
-/* ---- one of many */
+/* ---- single records */
 
 static vbss_result check_index(const metrics_object *m, const char *what, uint32_t index,
                                uint32_t count)
@@ -220,7 +220,7 @@ vbss_result vbss_metrics_get_view(vbss_metrics *metrics, vbss_metrics_field fiel
     return vbss_struct_write(m->context, &vbss_view_layout, &own, view, struct_size);
 }
 
-/* ---- the way from a mark, for whoever has points and no angles */
+/* ---- offset of a point from a mark, for hosts that have no angles */
 
 vbss_result vbss_metrics_offset(const double axis[3], const double centre[3], const double mark[3],
                                 const double place[3], double *angle, double *axial)

@@ -1,4 +1,4 @@
-/* Samples: checked, then shown to each tool's curve; and the clock on which everything is told. */
+/* Samples of the tools, and the clock of all input. */
 #include "base/check.h"
 #include "base/config.h"
 #include "base/error.h"

@@ -1,13 +1,13 @@
-/* One smooth curve through samples at any times: a cubic between two samples, and a low-pass filter whose derivatives
- * are taken as those of its taps. docs/metrics.md, "Motion". */
+/* A smooth curve through samples at any times: a cubic between two samples, and a low-pass filter.
+ * Derivatives are differences of the filter's taps. docs/metrics.md, "Motion". */
 #include "base/elementary.h"
 #include "metrics/metrics.h"
 
 #define PI 3.14159265358979323846
-#define CUTOFF_FREQUENCY 10.0 /* Hz: half of the amplitude passes */
+#define CUTOFF_FREQUENCY 10.0 /* Hz; half of the amplitude passes here */
 
-/* ---- the filter: an ideal low-pass of that cut in a Blackman window of +-0.25 s. At the window's ends the sine of
- * the ideal one is zero, so that its third derivative is bounded. */
+/* ---- the filter: an ideal low-pass at this cutoff in a Blackman window of +-0.25 s. At the ends
+ * of the window the sine of the ideal filter is zero, which bounds the third derivative. */
 
 static double filter_tap(int i)
 {
@@ -22,7 +22,7 @@ static double filter_tap(int i)
 
 void vbss_metrics_make_kernel(metrics_kernel *kernel)
 {
-    /* by number + METRICS_KERNEL_HALF_WIDTH + 2, so that differences need no bounds */
+    /* the margin of 2 entries makes bounds checks of the differences unnecessary */
     double taps[2 * METRICS_KERNEL_HALF_WIDTH + 5];
     double *h = taps + METRICS_KERNEL_HALF_WIDTH + 2, sum = 0.0;
     for (int i = -METRICS_KERNEL_HALF_WIDTH - 2; i <= METRICS_KERNEL_HALF_WIDTH + 2; i++) {
@@ -54,8 +54,8 @@ void vbss_metrics_differentiate(const metrics_kernel *kernel, const vec3 *ring, 
 
 /* ---- the curve between samples */
 
-/* Of the parabola through all three; where one stands much nearer than the other, whose error would count most, of the
- * chord. */
+/* Slope of the parabola through all three. If one neighbour is much closer than the other, its
+ * error would dominate; the chord is used then. */
 vec3 vbss_metrics_middle_velocity(const double time[3], const vec3 position[3])
 {
     double before = time[1] - time[0], after = time[2] - time[1], both = time[2] - time[0];

@@ -1,4 +1,4 @@
-/* The state of a measurement: what is saved, hashed and restored. */
+/* Serialisation of a measurement. */
 #include "base/check.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
@@ -63,7 +63,7 @@ static void visit_flag_bytes(vbss_stream *stream, uint16_t tag, uint8_t *seen, u
     }
 }
 
-/* Between the ticks that are known and the fine samples there is just what a tick waits for. */
+/* The fine samples after the last tick must be exactly those that the next tick waits for. */
 static bool is_tick_count_consistent(const metrics_object *m, const metrics_hand *h)
 {
     uint64_t known = (uint64_t)h->tick_count * METRICS_FINE_PER_TICK;
@@ -107,7 +107,7 @@ static void visit_hand(vbss_stream *stream, const metrics_object *m, metrics_han
                                        : !is_tick_count_consistent(m, h));
 }
 
-/* ---- what was told */
+/* ---- events, phases and the pull test */
 
 static void visit_entry(vbss_stream *stream, metrics_entry *n)
 {
@@ -195,7 +195,7 @@ void vbss_metrics_serialise(vbss_stream *stream, void *object)
     }
 }
 
-/* ---- saving from outside */
+/* ---- public functions */
 
 vbss_result vbss_metrics_save(vbss_metrics *metrics, uint8_t *bytes, uint64_t capacity,
                               uint64_t *written)

@@ -1,5 +1,6 @@
-/* Spectral arc length (SPARC) of a speed profile: minus the length of its normalised spectrum's curve. Balasubramanian
- * et al., J NeuroEng Rehabil 12:112 (2015); docs/metrics.md says what is not verified. */
+/* Spectral arc length (SPARC) of a speed profile: minus the arc length of its normalised amplitude
+ * spectrum (Balasubramanian et al., J NeuroEng Rehabil 12:112, 2015). docs/metrics.md says which
+ * parts are not verified. */
 #include "base/elementary.h"
 #include "metrics/metrics.h"
 
@@ -8,8 +9,8 @@
 /* Of the amplitude at 0 Hz: above the last frequency that has it nothing counts. */
 #define AMPLITUDE_THRESHOLD 0.05
 
-/* ---- discrete Fourier transform: `size` complex numbers, a power of two, decimation in frequency; the result is in
- * bit-reversed order */
+/* ---- discrete Fourier transform of `size` complex numbers, a power of two: decimation in
+ * frequency, result in bit-reversed order */
 
 static void fourier_transform(double *x, uint32_t size)
 {
@@ -45,7 +46,7 @@ static double amplitude(const double *x, uint32_t number, uint32_t size)
     return sqrt(value[0] * value[0] + value[1] * value[1]);
 }
 
-/* ---- the curve */
+/* ---- arc length */
 
 bool vbss_metrics_sparc(const double *speed, uint32_t count, double *buffer, double *sparc)
 {

@@ -1,8 +1,8 @@
-/* From the samples of one tool to its ticks: fine samples of its curve pass through a ring, and whenever the filter has
- * what it needs on both sides, a tick is known. */
+/* Ticks of one tool from its samples. Fine samples of its curve pass through a ring buffer; a tick
+ * is computed as soon as the filter has enough samples on both sides. */
 #include "metrics/metrics.h"
 
-/* Comparing to the bit is meant: a tool that was held still has no motion at all. */
+/* Compares the bits on purpose: a tool that is held still has exactly no motion. */
 static bool is_same_position(vec3 a, vec3 b)
 {
     return a.x == b.x && a.y == b.y && a.z == b.z;
@@ -13,7 +13,7 @@ static double fine_time(const metrics_object *m, uint64_t fine)
     return m->origin_time + (double)fine / METRICS_FINE_RATE;
 }
 
-/* The first sample of a grid not before a time, at most `most`. */
+/* First index of a grid at or after a time, at most `limit`. */
 static uint64_t first_not_before(const metrics_object *m, double time, double rate, uint64_t limit)
 {
     double grid_index = ceil((time - m->origin_time) * rate);
@@ -65,9 +65,9 @@ static void push_fine_sample(metrics_object *m, metrics_hand *h, vec3 position, 
     }
 }
 
-/* ---- the curve */
+/* ---- curve */
 
-/* Fine samples from where it stands until before a time, in a place where it is not seen. */
+/* Adds fine samples up to a time at the last position, marked as not seen. */
 static void extend_unseen(metrics_object *m, metrics_hand *h, double until)
 {
     vec3 position = h->position[h->point_count - 1];
@@ -88,7 +88,8 @@ static void sample_segment(metrics_object *m, metrics_hand *h, const metrics_seg
     }
 }
 
-/* The stretch between the last two samples; the slope at its end is that to what comes next, or its own. */
+/* Samples the segment between the last two points. Its end velocity is the given one, or that of
+ * the chord. */
 static void sample_last_segment(metrics_object *m, metrics_hand *h, const vec3 *end_velocity)
 {
     uint32_t b = h->point_count - 1, a = b - 1;
@@ -118,7 +119,7 @@ static void push_point(metrics_hand *h, double time, vec3 position)
     h->position[h->point_count++] = position;
 }
 
-/* Before it is seen first it stands where it will be seen. */
+/* Before its first sample, a tool rests at that position and is not seen. */
 static void begin_track(metrics_object *m, metrics_hand *h, double time, vec3 position)
 {
     uint64_t limit = m->tick_capacity * METRICS_FINE_PER_TICK;
@@ -182,7 +183,8 @@ void vbss_metrics_finish_track(metrics_object *m, uint32_t hand)
     }
 }
 
-/* ---- forces: the magnitude is straight between two samples, and is shared out to the ticks it goes through */
+/* ---- forces: the magnitude is linear between two samples, and its integral is distributed to the
+ * ticks */
 
 static void add_force(metrics_hand *h, uint32_t tick, double impulse, double peak)
 {
@@ -194,7 +196,7 @@ static void add_force(metrics_hand *h, uint32_t tick, double impulse, double pea
     h->peak[tick] = vbss_max(h->peak[tick], peak);
 }
 
-/* The tick that a time lies after, or false: there is no room. */
+/* The last tick at or before a time. Returns false if it is beyond the capacity. */
 static bool find_tick(const metrics_object *m, double time, uint32_t *tick)
 {
     double grid_index = floor((time - m->origin_time) * METRICS_TICK_RATE);
