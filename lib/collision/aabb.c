@@ -1,4 +1,4 @@
-/* The boxes of a shape's features, from where its nodes are. */
+/* AABBs of a shape's features, from the positions of its nodes. */
 #include "collision/shapes.h"
 
 void vbss_collision_shape_invalidate(collision_shape *s)
@@ -37,8 +37,8 @@ void vbss_collision_shape_refit_points(collision_shape *s)
     s->point_bvh_valid = true;
 }
 
-/* As rounding keeps the order of numbers, the box around enlarged points is the enlarged box around
- * points, to the bit. */
+/* Rounding preserves the order of numbers, so the box around inflated points equals the inflated
+ * box around the points to the bit. */
 void vbss_collision_shape_refit_edges(collision_shape *s)
 {
     if (s->edge_bvh_valid) {

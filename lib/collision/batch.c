@@ -1,4 +1,4 @@
-/* Tests through an object: one, and many in rows. */
+/* Public tests through an object: one query, or a batch. */
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"

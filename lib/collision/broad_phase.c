@@ -1,16 +1,16 @@
-/* The search for candidates: which shapes to walk together, and putting the pairs in order.
+/* Broad phase: selects the pairs of shapes to traverse, and sorts the candidates.
  *
- * For each shape as b in turn, all shapes a that come near it are walked with it, and the pairs of a walk
- * are sorted by feature b, if they do not come so. Thus the pairs of any feature a are found sorted by
- * shape and feature b, and one counting sort by shape and feature a puts the list in order, however
- * the trees look. */
+ * For each shape b in turn, all shapes a that overlap it are traversed with it. The pairs of a
+ * traversal are sorted by feature b if they do not come in that order. The pairs of any feature a
+ * are then sorted by shape and feature b, and one counting sort by shape and feature a completes
+ * the order. The result does not depend on the trees. */
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"
 
 #include <string.h>
 
-/* ---- boxes of what has moved */
+/* ---- boxes of moved shapes */
 
 static void list_active_shapes(collision_object *c)
 {
@@ -40,7 +40,7 @@ static void refit_shapes(collision_object *c)
     }
 }
 
-/* ---- walks */
+/* ---- traversals */
 
 static uint32_t *edge_offsets_of(collision_shape *s)
 {
@@ -60,7 +60,7 @@ static uint32_t *point_offsets_of(collision_shape *s)
     return s->point_offsets;
 }
 
-/* Turns numbers of candidates into the place of the first, each after the one before. */
+/* Turns counts of candidates into the index of each first one. */
 static uint32_t exclusive_scan(uint32_t *offsets, uint32_t count, uint32_t offset)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -71,7 +71,7 @@ static uint32_t exclusive_scan(uint32_t *offsets, uint32_t count, uint32_t offse
     return offset;
 }
 
-/* ---- pairs of a walk that came in the order of a tree */
+/* ---- sorting the pairs of a traversal in tree order */
 
 #define INSERTION_SORT_LIMIT 24u /* pairs that are sorted faster by inserting */
 
@@ -87,7 +87,7 @@ static void insertion_sort(collision_pair *pairs, uint32_t count)
     }
 }
 
-/* By b, of which there are `features`. The order of pairs with the same b does not matter. */
+/* Sorts by b, which is below `features`. Pairs with equal b may come in any order. */
 static void radix_sort(collision_object *c, uint32_t first, uint32_t features)
 {
     collision_pair *pairs = c->search.pairs + first, *spare = c->sort_buffer;
@@ -110,13 +110,13 @@ static void radix_sort(collision_object *c, uint32_t first, uint32_t features)
     }
 }
 
-/* Notes the run, if it has any candidates. */
+/* Traverses two trees and stores the run if it has candidates. */
 static bool collect_pairs(collision_object *c, const collision_traversal *w, vbss_pair_kind kind,
                           uint32_t a, uint32_t b)
 {
     const collision_run run = {kind, c->active_shapes[a], c->active_shapes[b],
                                c->search.pair_count};
-    c->runs[c->run_count] = run; /* there is room for one more than there can be candidates */
+    c->runs[c->run_count] = run; /* there is room for one run more than there can be candidates */
     if (!VBSS_WIDE_CALL(c->wide, vbss_collision_traverse, &c->search, w)) {
         return false;
     }
@@ -127,7 +127,7 @@ static bool collect_pairs(collision_object *c, const collision_traversal *w, vbs
     return true;
 }
 
-/* For the edges of one shape. */
+/* Rule for the edges of one shape. */
 static collision_pair_rule rule_of_edges(const collision_shape *s)
 {
     return s->kind == COLLISION_SHAPE_CHAIN      ? COLLISION_RULE_CHAIN
@@ -204,7 +204,7 @@ static bool find_pairs(collision_object *c)
     return true;
 }
 
-/* ---- order */
+/* ---- order of the candidates */
 
 static void compute_offsets(collision_object *c)
 {

@@ -1,9 +1,9 @@
-/* Trees of boxes: how places are ordered, how boxes are passed up.
+/* BVHs: order of the features, and update of the boxes.
  *
- * The order only decides how fast a search is. It is made by halving at medians, along the axis in which
- * the features are spread most, so that each group of a level is a compact cluster; and made again
- * when the groups of moved features have become half as large again as they were. Chains need none:
- * their edges are clusters as they come. */
+ * The order affects only the speed of a search. It is built by splitting at medians along the axis
+ * of largest spread, so that each group of a level is a compact cluster. It is rebuilt when the
+ * groups of moved features are half as large again as after the last ordering. Chains need no
+ * order: their edges already form clusters. */
 #include "base/random.h"
 #include "collision/shapes.h"
 
@@ -35,7 +35,7 @@ void vbss_collision_bvh_set_count(collision_bvh *t, uint32_t count)
     }
 }
 
-/* ---- passing boxes up */
+/* ---- update of the boxes */
 
 static double extent(const collision_aabb *box)
 {
@@ -51,8 +51,8 @@ static void set_lane(collision_bvh_group *g, uint32_t lane, const collision_aabb
     }
 }
 
-/* Fills the groups of a level with `count` boxes, in order if there is one. Returns the sum of the
- * extents of these boxes. */
+/* Fills the groups of a level with `count` boxes, in the given order if there is one. Returns the
+ * sum of their extents. */
 static double fill_level(collision_bvh *t, uint32_t level, const collision_aabb *boxes,
                          const uint32_t *order, uint32_t count)
 {
@@ -77,8 +77,9 @@ static double fill_level(collision_bvh *t, uint32_t level, const collision_aabb 
     return sum;
 }
 
-/* Returns how large the lowest groups are, against their features and the whole, so that shapes that
- * move fast or grow do not count as loose; 0 when all boxes are points. */
+/* Updates all levels. Returns the looseness: the size of the lowest groups relative to their
+ * features and the whole tree, so that fast or growing shapes do not count as loose. 0 if all boxes
+ * are points. */
 static double update_levels(collision_bvh *t)
 {
     double features = fill_level(t, 0, t->boxes, t->order, t->count), groups = 0.0;
@@ -91,7 +92,7 @@ static double update_levels(collision_bvh *t)
     return whole > 0.0 ? groups / whole : 0.0;
 }
 
-/* ---- ordering */
+/* ---- order of the features */
 
 static double centre(const collision_bvh *t, uint32_t leaf, int axis)
 {
@@ -125,8 +126,8 @@ static void swap(collision_bvh *t, uint32_t i, uint32_t k)
     t->order[k] = saved;
 }
 
-/* Moves what is lower along the axis to the places before `middle`. Pivots are drawn, so that no
- * arrangement of features is slow by its nature; places of equal keys end the search at once. */
+/* Moves the features with lower centres along the axis to the leaves before `middle`. Random pivots
+ * avoid slow arrangements of features; a range of equal keys ends the search at once. */
 static void partition(collision_bvh *t, uint32_t first, uint32_t middle, uint32_t end, int axis,
                       vbss_random *random)
 {
@@ -153,7 +154,8 @@ static void partition(collision_bvh *t, uint32_t first, uint32_t middle, uint32_
     }
 }
 
-/* Where to divide that many places: at a multiple of the largest group of a level that is smaller. */
+/* Size of the first part of a split: a multiple of the largest group that is smaller than
+ * `size`. */
 static uint32_t split_size(uint32_t size)
 {
     uint32_t unit = COLLISION_BVH_WIDTH;
@@ -165,8 +167,8 @@ static uint32_t split_size(uint32_t size)
 
 static void build_order(collision_bvh *t)
 {
-    /* What is still to be divided: parts after the present one. A group's eight children are parted in
-     * three halvings, so a level leaves at most three waiting. */
+    /* Ranges still to be split. Three halvings separate the eight children of a group, so each
+     * level leaves at most three pending ranges. */
     struct {
         uint32_t first, end;
     } pending[COLLISION_BVH_WIDTH_LOG2 * COLLISION_BVH_LEVELS];

@@ -1,4 +1,4 @@
-/* Two trees walked together: the hot loops of a search, compiled twice.
+/* Traversal of two BVHs: the hot loops of a search, compiled for any processor and for AVX2.
  *
  * Comparisons of doubles are exact, so both copies find the same pairs. */
 #include "base/bits.h"
@@ -8,7 +8,7 @@
 
 #define ALL_LANES ((1u << COLLISION_BVH_WIDTH) - 1u)
 
-/* ---- which boxes of a group overlap a box, a bit each; touching counts */
+/* ---- bit mask of the boxes of a group that overlap a box; touching counts */
 
 #if defined(__GNUC__) && defined(__SSE2__)
 
@@ -67,7 +67,7 @@ static inline unsigned overlapping(const collision_bvh_group *g, const collision
 
 #endif
 
-/* The lanes of a group from place `first` on. */
+/* Mask of the lanes of a group from leaf `first` on. */
 static inline unsigned lanes_from(uint32_t group, uint32_t first)
 {
     uint32_t leaf = group * COLLISION_BVH_WIDTH;
@@ -90,8 +90,9 @@ static inline uint32_t feature_at(const collision_bvh *t, uint32_t leaf)
 
 /* ---- one tree */
 
-/* Groups of level 1, which have up to COLLISION_BVH_WIDTH lowest groups each, that overlap a box: ascending, from
- * group `first` on. The top group is not asked. A tree of one level counts as one group of level 1. */
+/* Lists the groups of level 1 that overlap a box, ascending from group `first` on. Such a group has
+ * up to COLLISION_BVH_WIDTH lowest groups. The top group is not tested. A tree of one level counts
+ * as one group of level 1. */
 static uint32_t list_parents(collision_search *search, const collision_bvh *t,
                              const collision_aabb *box, uint32_t first, uint32_t *list)
 {
@@ -124,7 +125,7 @@ static uint32_t list_parents(collision_search *search, const collision_bvh *t,
     return count;
 }
 
-/* The lowest groups under one of level 1 that overlap a box, from group `first` on, a bit each. */
+/* Mask of the lowest groups in a group of level 1 that overlap a box, from group `first` on. */
 static inline unsigned children(collision_search *search, const collision_bvh *t, uint32_t parent,
                                 const collision_aabb *box, uint32_t first)
 {
@@ -167,7 +168,7 @@ static inline bool no_corner(const collision_shape *shape, uint32_t point, uint3
     return (point != n[0]) & (point != n[1]) & (point != n[2]);
 }
 
-/* Whether a pair whose boxes overlap is a candidate, after what the lanes leave out. */
+/* Whether a pair with overlapping boxes is a candidate, apart from the lanes already excluded. */
 static inline bool allowed(const collision_shape *shape, collision_pair_rule rule, uint32_t a,
                            uint32_t b)
 {
@@ -181,14 +182,14 @@ static inline bool excludes_near(collision_pair_rule rule)
     return rule == COLLISION_RULE_FAR_EDGES || rule == COLLISION_RULE_FAR_POINTS;
 }
 
-/* In a walk over one tree, each pair of places is met once. */
+/* A traversal of one tree with itself visits each pair of leaves once. */
 static inline bool visits_pairs_once(collision_pair_rule rule)
 {
     return rule == COLLISION_RULE_CAPSULES || rule == COLLISION_RULE_MESH_EDGES ||
            rule == COLLISION_RULE_FAR_EDGES;
 }
 
-/* The feature at a place of tree b against a group of tree a. */
+/* Tests the feature at a leaf of tree b against a group of tree a. */
 static inline bool collect_group_pairs(collision_search *search,
                                        const collision_traversal *traversal,
                                        collision_pair_rule rule, uint32_t group, uint32_t leaf_b)
@@ -200,7 +201,7 @@ static inline bool collect_group_pairs(collision_search *search,
     } else if (visits_pairs_once(rule)) {
         lanes &= ~lanes_from(group, leaf_b);
     }
-    if (excludes_near(rule)) { /* most of what overlaps */
+    if (excludes_near(rule)) { /* these are most of the overlapping pairs */
         lanes &= ~(unsigned)traversal->excluded_lanes[(size_t)group * traversal->b->count + leaf_b];
     }
     for (; lanes != 0; lanes &= lanes - 1) {
@@ -217,7 +218,7 @@ static inline bool collect_group_pairs(collision_search *search,
     return count <= search->pair_capacity;
 }
 
-/* The first place in tree b that is met with a group of tree a. */
+/* First leaf of tree b that is paired with a group of tree a. */
 static inline uint32_t first_leaf(const collision_traversal *traversal, collision_pair_rule rule,
                                   uint32_t group)
 {
@@ -226,7 +227,7 @@ static inline uint32_t first_leaf(const collision_traversal *traversal, collisio
                                         : 0;
 }
 
-/* A group of tree a with all that is near it under the listed groups of tree b. */
+/* Pairs a group of tree a with all overlapping leaves of the listed groups of tree b. */
 static inline bool traverse_group(collision_search *search, const collision_traversal *traversal,
                                   collision_pair_rule rule, uint32_t group, uint32_t parents)
 {
@@ -251,7 +252,7 @@ static inline bool traverse_group(collision_search *search, const collision_trav
     return true;
 }
 
-/* Inline, so that there is a loop for each rule. */
+/* Inline, so that the compiler generates one loop for each rule. */
 static inline bool traverse_by(collision_search *search, const collision_traversal *traversal,
                                collision_pair_rule rule)
 {

@@ -1,4 +1,4 @@
-/* The continuous tests as a host calls them: configurations, one question, counters. */
+/* Public CCD of one query: configuration, argument checks, and results. */
 #include "base/check.h"
 #include "base/compiler.h"
 #include "base/error.h"
@@ -104,7 +104,7 @@ vbss_result vbss_collision_check_coordinates(vbss_context *context, const double
                      COLLISION_MAX_COORDINATE);
 }
 
-/* The point of a feature at the time of the answer, from its vertices first .. last. */
+/* The point of a feature at the time of the result; its vertices are first to last. */
 static vec3 point_at(const collision_ccd_query *q, const collision_ccd_result *result, int first,
                      int last)
 {
@@ -147,7 +147,8 @@ void vbss_collision_set_vertices(collision_ccd_query *query, const double start[
     }
 }
 
-/* With memory for exact decisions on the stack; apart, so that nothing else is called on top of it. */
+/* Provides the workspace of the exact predicate on the stack. Not inlined, so that no other call
+ * runs with that stack. */
 VBSS_NEVER_INLINE void run_on_stack(const collision_ccd_options *options,
                                     const collision_ccd_query *query, collision_ccd_result *result)
 {
@@ -159,7 +160,7 @@ VBSS_NEVER_INLINE void run_on_stack(const collision_ccd_options *options,
     vbss_collision_run_ccd(&own, query, result, &counters);
 }
 
-/* Without an object there is nobody to keep an error text. */
+/* Without an object there is no context that could store an error text. */
 static vbss_result run_test(const vbss_collision_config *config, vbss_pair_kind kind,
                             const double *start, const double *end, vbss_impact *impact,
                             uint32_t struct_size)

@@ -1,4 +1,4 @@
-/* Questions in rows: four at a time by the conservative method, one at a time by the others. */
+/* Batches of queries: four at a time for the conservative method, otherwise one at a time. */
 #include "collision/ccd_batch.h"
 
 #include "collision/conservative_advancement.h"
@@ -10,7 +10,7 @@ static inline double thickness_of(const collision_ccd_batch *batch, uint32_t i)
     return batch->thickness != NULL ? batch->thickness[i] : batch->same_thickness;
 }
 
-/* One question, and what it answers, in column i. */
+/* Runs the query in column i and stores its result there. */
 static void run_scalar(const collision_ccd_options *options, const collision_ccd_batch *batch,
                        uint32_t i, collision_counters *counters)
 {
@@ -46,8 +46,9 @@ static void run_scalar(const collision_ccd_options *options, const collision_ccd
 
 /* ---- four at a time
  *
- * First every four neighbours make one pass, which is all that most need. Those that are still open wait
- * in a list, out of which four others are made until it is empty: so no lane waits for another. */
+ * First, every four adjacent queries make one pass, which is enough for most. Pending queries go to
+ * a list. Groups of four are taken from the list until it is empty, so no lane waits for
+ * another. */
 
 /* A block of questions whose list of the open ones stands on the stack. */
 enum { BLOCK = 128 };
@@ -86,7 +87,7 @@ static void store_result(const collision_ccd_batch *batch, uint32_t i,
     }
 }
 
-/* Four columns side by side, the usual case. */
+/* Stores four adjacent columns, the usual case. */
 static void store_four(const collision_ccd_batch *batch, uint32_t i, const collision_ccd_outcome *o)
 {
     for (uint32_t k = 0; k < 4; k++) {
@@ -109,7 +110,8 @@ static void store_four(const collision_ccd_batch *batch, uint32_t i, const colli
     }
 }
 
-/* What came of the lane of a question: its answer is counted, or it waits, or it is asked alone. */
+/* Handles the result of one lane: counts it, adds the query to the list, or runs the scalar
+ * code. */
 static inline void finish_lane(block *b, uint32_t column, const collision_ccd_lanes *four,
                                const collision_ccd_outcome *o, unsigned lane)
 {
@@ -129,7 +131,7 @@ static inline void finish_lane(block *b, uint32_t column, const collision_ccd_la
     }
 }
 
-/* Four questions from wherever they stand. */
+/* Four queries gathered from any columns. */
 typedef struct gathered {
     double start[12 * 4], end[12 * 4], thickness[4];
 } gathered;
@@ -143,7 +145,7 @@ static void gather(const collision_ccd_batch *batch, uint32_t column, size_t lan
     }
 }
 
-/* A first pass of `count` questions from i on. */
+/* First pass of `count` queries from i on. */
 static void run_first_pass(block *b, bool wide, uint32_t i, uint32_t count)
 {
     const collision_ccd_batch *batch = b->rows;
@@ -154,7 +156,7 @@ static void run_first_pass(block *b, bool wide, uint32_t i, uint32_t count)
         batch->stride,    {0.0},          {0}};
     collision_ccd_outcome outcome;
     gathered g;
-    if (count < 4) { /* the last one is repeated */
+    if (count < 4) { /* the last query is repeated */
         for (uint32_t lane = 0; lane < 4; lane++) {
             gather(batch, lane < count ? i + lane : i + count - 1, lane, &g);
         }
@@ -183,7 +185,8 @@ static void run_first_pass(block *b, bool wide, uint32_t i, uint32_t count)
     }
 }
 
-/* Passes for the last four that wait, or as many as there are; those still open wait again. */
+/* Passes for the last four pending queries, or all that are left. Those still pending return to the
+ * list. */
 static void run_next_pass(block *b, bool wide)
 {
     uint32_t count = b->pending_count < 4 ? b->pending_count : 4, columns[4];
@@ -220,7 +223,7 @@ void vbss_collision_run_ccd_batch(const collision_ccd_options *options, bool wid
     block b = {.options = options, .rows = batch, .counters = counters};
     for (uint32_t i = 0; i < batch->count; i += 4) {
         run_first_pass(&b, wide, i, batch->count - i < 4 ? batch->count - i : 4);
-        while (b.pending_count > BLOCK - 4) { /* room for the next four */
+        while (b.pending_count > BLOCK - 4) { /* keeps room for the next four */
             run_next_pass(&b, wide);
         }
     }

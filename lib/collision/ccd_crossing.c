@@ -1,7 +1,8 @@
-/* Whether two interiors cross for certain about some time: in double, with bounds on the rounding.
+/* Certifies in double precision that two interiors cross near a time, with bounds on rounding.
  *
- * Spares most true crossings of zero thickness the exact decision: the volume of the four vertices has
- * opposite signs before and after, and in between the place where they cross stays inside both. */
+ * This avoids the exact predicate for most true crossings at zero thickness. The volume of the four
+ * vertices has opposite signs before and after, and in between the crossing point stays inside both
+ * features. */
 #include "collision/ccd_crossing.h"
 
 /* Half of the span of time that is looked at. */
@@ -12,7 +13,7 @@
 #define AREA_ROUNDING (128.0 * DBL_EPSILON)
 #define VOLUME_SPAN_ROUNDING (1024.0 * DBL_EPSILON)
 
-/* Edges: s a = c + u b. Triangle: c = s a + u b, a and b being edges from corner 0. */
+/* Edges: s a = c + u b. Triangle: c = s a + u b, where a and b are edges from corner 0. */
 typedef struct vectors {
     vec3 a, b, c;
 } vectors;
@@ -45,8 +46,8 @@ static double across(vec3 x, vec3 y, int k)
     return component(x, i) * component(y, j) - component(x, j) * component(y, i);
 }
 
-/* The three Bernstein coefficients, between two times, of component k of the product of vectors that are
- * linear in time. */
+/* The three Bernstein coefficients, between two times, of component k of the cross product of two
+ * vectors linear in time. */
 typedef struct bernstein {
     double c[3];
 } bernstein;
@@ -89,7 +90,7 @@ bool vbss_collision_certifies_crossing(const collision_relative_motion *m, bool 
     }
     int k = largest_component(n_low);
     double sign = component(n_low, k) < 0.0 ? -1.0 : 1.0;
-    /* Differences of two or three products: 4 times the rounding of one. */
+    /* Differences of two or three products: at most 4 times the rounding error of one. */
     double area = 4.0 * AREA_ROUNDING * size * size;
     bernstein n = product(l.a, h.a, l.b, h.b, k), first = product(l.c, h.c, l.b, h.b, k), second;
     if (edges) {

@@ -1,10 +1,12 @@
-/* Method CUBIC: what most engines do, in plain double. The four vertices lie in one plane where
- * p(t) = r.(e x f) is zero, a cubic in time: r leads from a to b, e and f are the two edges, or two
- * sides of the triangle. Each root in [0, 1], in order, is looked at: are the feet inside there? With
- * thickness the distance at the end counts too.
+/* Method CUBIC, the usual method of physics engines, in plain double.
  *
- * Nothing has a tolerance. So it misses where rounding moves a root or a foot across a border, where p
- * is zero at all times, and where edges are parallel at the root. */
+ * The four vertices are coplanar where p(t) = r.(e x f) is zero, a cubic in time: r leads from a to
+ * b, and e and f are the two edges, or two sides of the triangle. For each root in [0, 1], in
+ * order, the method tests whether the closest points are inside the features. With a thickness it
+ * also tests the distance at the end.
+ *
+ * There are no tolerances. The method therefore misses contacts where rounding moves a root or a
+ * point across a border, where p is zero at all times, and where edges are parallel at the root. */
 #include "collision/collision.h"
 
 #include "collision/closest.h"
@@ -26,7 +28,8 @@ static inline spanned spanned_by(vec3 v0, vec3 v1, vec3 v2, vec3 v3, bool edges)
 
 typedef struct cubic {
     double k0, k1, k2, k3;
-    double end; /* p(1) from the vertices there: the sum of the k is less exact */
+    /* p(1) from the vertices at the end: the sum of the coefficients is less accurate */
+    double end;
 } cubic;
 
 static inline cubic cubic_of(const spanned *from, const spanned *to)
@@ -44,7 +47,7 @@ static inline cubic cubic_of(const spanned *from, const spanned *to)
     return c;
 }
 
-/* Bernstein coefficients of one sign: no root. */
+/* All Bernstein coefficients have one sign, so there is no root. */
 static inline bool never_zero(const cubic *c)
 {
     double b1 = c->k0 + c->k1 * (1.0 / 3.0), b2 = c->k0 + (2.0 * c->k1 + c->k2) * (1.0 / 3.0);
@@ -57,7 +60,7 @@ static inline double value(const cubic *c, double t)
     return ((c->k3 * t + c->k2) * t + c->k1) * t + c->k0;
 }
 
-/* Times in (0, 1) at which p turns, ascending: from there to there it is monotone. */
+/* Times in (0, 1) of the extrema of p, ascending; p is monotone between them. */
 static int turning_points(const cubic *c, double at[2])
 {
     double a = 3.0 * c->k3, b = c->k2, d = c->k1; /* p' = a t^2 + 2 b t + d */
@@ -82,8 +85,8 @@ static int turning_points(const cubic *c, double at[2])
     return count;
 }
 
-/* The root of a monotone piece whose ends have different signs: Newton, or half way where that would
- * leave the bracket or is slow. */
+/* Root in a monotone interval whose ends have different signs: Newton's method, with bisection
+ * where it would leave the bracket or converges slowly. */
 static double root_between(const cubic *c, double low, double at_low, double high, double at_high)
 {
     double t = low + (high - low) * (at_low / (at_low - at_high)), last_step = high - low;
@@ -107,10 +110,11 @@ static double root_between(const cubic *c, double low, double at_low, double hig
     return t;
 }
 
-/* ---- the inside test */
+/* ---- inside test */
 
-/* Weights at which the lines meet, or the line along n meets the plane; false: outside the features, or
- * edges parallel. Nothing is divided before the answer is known. */
+/* Weights of the point where the lines meet, or where the line along n meets the plane. Returns
+ * false if it is outside the features, or for parallel edges. Divides only once the result is
+ * known. */
 static inline bool edges_meet(const spanned *s, vec3 n, double weights[4])
 {
     double nn = vec3_norm_squared(n);
@@ -139,7 +143,7 @@ static inline bool point_meets(const spanned *s, vec3 n, double weights[4])
     return true;
 }
 
-/* `side`: the sign of p before this root, or after it where there is no before. */
+/* `side` is the sign of p before this root, or after it for a root at 0. */
 static bool test_root(const collision_ccd_query *q, double t, double side,
                       collision_ccd_result *result)
 {
@@ -188,7 +192,7 @@ static bool test_roots(const collision_ccd_query *q, const cubic *c, collision_c
     return false;
 }
 
-/* ---- the distance at the end */
+/* ---- distance at the end */
 
 static void test_end(const collision_ccd_query *q, collision_ccd_result *result)
 {

@@ -1,8 +1,10 @@
-/* Whether two features of no thickness meet: by integers, so without error.
+/* Exact predicate: whether two features of zero thickness meet, by integer arithmetic without
+ * error.
  *
- * Two kinds of event are enough (proof in docs/collision.md). Crossing: the volume of the four vertices
- * vanishes while the interiors cross. Touching: a vertex comes upon an edge. What crosses the border of
- * an interior, moves within one plane or loses its length or area is a touching, or begins at time 0. */
+ * Two kinds of events suffice (proof in docs/collision.md). A crossing: the volume of the four
+ * vertices vanishes while the interiors cross. A touching: a vertex meets an edge. A contact on the
+ * border of an interior, within one plane, or with vanishing length or area is a touching, or
+ * exists at time 0. */
 #include "collision/ccd_exact.h"
 
 #include "base/double_double.h"
@@ -15,7 +17,7 @@ typedef struct ivec {
     polynomial x, y, z;
 } ivec;
 
-/* ---- from doubles to integers: all times the same power of two */
+/* ---- conversion of doubles to integers, all multiplied by the same power of two */
 
 static int exponent_of(double x)
 {
@@ -39,7 +41,7 @@ static int trailing_zeros(uint64_t x)
     return count;
 }
 
-/* The exponent of the last bit that is set in any of them. */
+/* Exponent of the lowest bit that is set in any coordinate. */
 static int last_exponent(const collision_ccd_query *q)
 {
     int last = 3000;
@@ -68,7 +70,7 @@ static integer to_integer(workspace *w, double x, int last)
     return vbss_integer_make(w, mantissa >> zeros, shift, x < 0.0 ? -1 : 1);
 }
 
-/* from -> to, linear in time */
+/* Vector component from one vertex to another, linear in time. */
 static polynomial difference(workspace *w, double from0, double from1, double to0, double to1,
                              int last)
 {
@@ -134,10 +136,10 @@ static const polynomial *component(const ivec *v, int k)
     return k == 0 ? &v->x : k == 1 ? &v->y : &v->z;
 }
 
-/* ---- times: 0, 1, or a root between them */
+/* ---- instants: 0, 1, or a root between them */
 
 typedef struct instant {
-    const sturm *s; /* NULL: t */
+    const sturm *s; /* NULL for the dyadic time t */
     root *r;
     dyadic t;
 } instant;
@@ -148,7 +150,7 @@ static int32_t sign_at(workspace *w, const polynomial *p, const instant *when)
                            : vbss_polynomial_sign_at(w, p, when->t);
 }
 
-/* ---- touching: a point, c away from the begin of an edge b */
+/* ---- touching: a point at c relative to the start of an edge b */
 
 typedef struct touching {
     ivec b, c, across;                /* across = c x b */
@@ -172,7 +174,7 @@ static bool touches_at(workspace *w, const touching *p, const instant *when)
             return false;
         }
     }
-    if (sign_at(w, &p->bb, when) == 0) { /* the edge is a point then */
+    if (sign_at(w, &p->bb, when) == 0) { /* the edge has zero length at this instant */
         return sign_at(w, &p->cc, when) == 0;
     }
     return sign_at(w, &p->along, when) >= 0 && sign_at(w, &p->beyond, when) >= 0;
@@ -201,10 +203,10 @@ static bool vanishes_between(workspace *w, const ivec *v)
             return false;
         }
     }
-    return false; /* zero all the time: also at time 0 */
+    return false; /* it is zero at all times, so also at time 0 */
 }
 
-/* At time 0, 1, or between. */
+/* Whether point and edge meet at time 0, at time 1, or in between. */
 static bool touches(workspace *w, const touching *p)
 {
     const dyadic ends[2] = {{integer_zero(), 0}, {vbss_integer_make(w, 1, 0, 1), 0}};
@@ -230,13 +232,13 @@ static bool touches(workspace *w, const touching *p)
         }
         return false;
     }
-    /* Point and edge stay on one line: they meet first where the point is at an end of the edge. */
+    /* Point and edge stay on one line. Their first contact is at an end of the edge. */
     ivec from_end = minus(w, &p->c, &p->b);
     return vanishes_between(w, &p->c) || vanishes_between(w, &from_end);
 }
 
-/* ---- crossing: shares first and second of the way are inside when each, and what is left, have the
- * sign of the normal, component by component */
+/* ---- crossing: a point is strictly inside if its weights and their complements have the sign of
+ * the normal, component by component */
 
 typedef struct crossing {
     bool edges;
@@ -254,7 +256,7 @@ static bool inside(workspace *w, const polynomial *weight, const polynomial *who
     return sign_at(w, &left, when) == sign;
 }
 
-/* Strictly inside; `when` is a root of the volume. */
+/* Whether the features cross strictly inside; `when` must be a root of the volume. */
 static bool crosses_at(workspace *w, const crossing *p, const instant *when)
 {
     for (int k = 0; k < 3; k++) {
@@ -271,7 +273,7 @@ static bool crosses_at(workspace *w, const crossing *p, const instant *when)
         return sign_at(w, second, when) == sign && sign_at(w, first, when) == sign &&
                inside(w, &sum, n, sign, when);
     }
-    return false; /* no normal: a touching, if anything */
+    return false; /* no normal: at most a touching */
 }
 
 static bool crosses(workspace *w, const crossing *p)
@@ -285,7 +287,7 @@ static bool crosses(workspace *w, const crossing *p)
     }
     sturm s;
     root r[3];
-    /* Of degree -1: in one plane for all time, where meeting begins with a touching. */
+    /* Degree -1: coplanar at all times, where contact starts with a touching. */
     int32_t count = p->volume.degree < 1 ? 0 : vbss_roots_between(w, &p->volume, &s, r);
     for (int32_t i = 0; i < count; i++) {
         instant when = {.s = &s, .r = &r[i]};
@@ -296,7 +298,7 @@ static bool crosses(workspace *w, const crossing *p)
     return false;
 }
 
-/* ---- the decision */
+/* ---- decision */
 
 static crossing make_crossing(workspace *w, const collision_ccd_query *q, int last)
 {
@@ -319,11 +321,11 @@ static crossing make_crossing(workspace *w, const collision_ccd_query *q, int la
     return p;
 }
 
-/* Point, begin and end of the edge of each way to touch. */
+/* Point, and start and end of the edge, of each possible touching. */
 static const int touchings_of_edges[4][3] = {{0, 2, 3}, {1, 2, 3}, {2, 0, 1}, {3, 0, 1}};
 static const int touchings_of_triangle[3][3] = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}};
 
-/* A touching comes near: whether the point and the edge are proved apart spares most of them. */
+/* Most touchings are ruled out by a proof that point and edge stay apart. */
 static bool may_touch(const collision_ccd_query *q, const int vertices[3])
 {
     collision_ccd_query pair = {.kind = VBSS_PAIR_EDGE_EDGE};

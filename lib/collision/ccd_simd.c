@@ -1,6 +1,8 @@
-/* Conservative advancement of four questions at a time, with the bits of conservative_advancement.c: each function
- * here is the twin of one there or in closest.h, with choices in place of branches. What is rare (parallel
- * edges, directions that prove nothing, exact arithmetic) is left to the scalar code. */
+/* Conservative advancement of four queries in SIMD lanes, with the same bits as
+ * conservative_advancement.c.
+ *
+ * Each function corresponds to one there or in closest.h, with selections in place of branches.
+ * Rare cases (directions that prove nothing, exact arithmetic) are left to the scalar code. */
 #include "base/vlanes.h"
 #include "collision/closest.h"
 #include "collision/conservative_advancement.h"
@@ -11,7 +13,7 @@ static inline lanes clamp_unit_lanes(lanes x)
     return lanes_min(lanes_max(x, lanes_splat(0.0)), lanes_splat(1.0));
 }
 
-/* ---- the questions */
+/* ---- queries */
 
 typedef struct relative_lanes {
     vlanes start[3], end[3];
@@ -85,7 +87,7 @@ static inline void closest_from_lanes(const edge_products_lanes *p, lanes line_s
     *s = lanes_select(beyond, clamp_unit_lanes(again), first);
 }
 
-/* Where `which` says so. */
+/* Replaces the results in the lanes of `which`. */
 static inline void closest_parallel_edges_lanes(lanes_mask which, const edge_products_lanes *p,
                                                 vlanes a, vlanes b, vlanes r, lanes *s, lanes *u,
                                                 vlanes *separation)
@@ -285,7 +287,7 @@ static inline bounds_lanes bounds_of(double tolerance, lanes thickness, lanes si
     return b;
 }
 
-/* The answers, as a miss where not hit. */
+/* Stores the hits; the other lanes get the values of a miss. */
 static inline void store_hits(const closest_points_lanes *now, lanes t, lanes distance,
                               lanes_mask hit, collision_ccd_outcome *outcome)
 {
@@ -344,13 +346,13 @@ static inline void advance(const collision_ccd_options *options, bool edges, boo
             fallback = lanes_or(fallback, lanes_and(pending, lanes_not(onward)));
             pending = lanes_and(lanes_and(pending, onward), lanes_not(to_end));
             pending_bits = lanes_movemask(pending);
-            /* Who is done stays at its time, so that the closest points of a hit are those of the last
-             * look. */
+            /* A finished lane keeps its time, so the closest points of a hit are those of its last
+             * pass. */
             t = lanes_select(pending, until, t);
         }
     } while (!first && (pending_bits & (pending_bits - 1)) != 0 && ++rounds < MAX_ROUNDS);
     lanes distance = lanes_sqrt(now.distance_squared);
-    /* Vectors that are all rounding, and zero thickness, are for the scalar code. */
+    /* Vectors within rounding error, and zero thickness, are left to the scalar code. */
     lanes_mask rounding = lanes_or(lanes_less(now.distance_squared, bounds.rounding_square),
                                    lanes_less(now.distance_squared, lanes_splat(1e-300)));
     lanes_mask difficult = lanes_and(hit, lanes_or(rounding, exact));

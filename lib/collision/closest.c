@@ -1,4 +1,4 @@
-/* Closest points as a host asks for them. */
+/* Public queries of closest points. */
 #include "collision/closest.h"
 
 #include "base/check.h"
@@ -20,7 +20,7 @@ static vec3 vertex(const double *coordinates, int k)
     return vec3_load(coordinates + 3 * (size_t)k);
 }
 
-/* The point with these weights of `count` vertices. */
+/* The weighted sum of `count` vertices. */
 static void store_point(double point[3], const double *vertices, const double *weights, int count)
 {
     vec3 sum = vec3_zero();
@@ -30,7 +30,7 @@ static void store_point(double point[3], const double *vertices, const double *w
     vec3_store(point, sum);
 }
 
-/* A vector from a to b, `scale` times as long as it is. */
+/* The vector from a to b, multiplied by `scale`. */
 typedef struct scaled_separation {
     vec3 separation;
     double scale;
@@ -41,7 +41,7 @@ static double length_of(scaled_separation s)
     return vec3_norm(s.separation) / s.scale;
 }
 
-/* Weights are set; the rest follows. */
+/* Completes the result; its weights must be set. */
 static void fill(vbss_closest *own, const double *a, int vertices_of_a, const double *b,
                  int vertices_of_b, scaled_separation separation)
 {
@@ -60,8 +60,8 @@ static vbss_result write_closest(vbss_closest *own, const double *a, int vertice
     return vbss_struct_write(NULL, &closest_layout, own, closest, struct_size);
 }
 
-/* The power of two that brings the largest coordinate to between 1 and 2: products of four lengths shall
- * not underflow, however small they are. */
+/* The power of two that scales the largest coordinate to [1, 2), so that products of four lengths
+ * do not underflow. */
 static double scale_of(const vec3 *relative, int count)
 {
     uint64_t exponent = 0;
@@ -83,7 +83,7 @@ static double scale_all(vec3 *relative, int count)
     return scale;
 }
 
-/* Shares of the way along two segments. */
+/* Closest points of two segments, as fractions along them. */
 static scaled_separation closest_on_segments(const double a[6], const double b[6], double *s,
                                              double *u)
 {
@@ -139,7 +139,8 @@ vbss_result vbss_closest_point_triangle(const double point[3], const double tria
     return write_closest(&own, point, 1, triangle, 3, separation, closest, struct_size);
 }
 
-/* Where the segment goes through the triangle, if it does: the share of its way, and the weights. */
+/* Whether the segment pierces the triangle; its position along the segment, and the weights of the
+ * corners. */
 static bool segment_pierces_triangle(const double segment[6], const double triangle[9],
                                      double *fraction, double weights[3])
 {

@@ -1,7 +1,8 @@
-/* Closest points, in coordinates relative to the first vertex: inline, as every test starts with them.
+/* Closest points of two features, in coordinates relative to the first vertex. The functions are
+ * inline because every test starts with them.
  *
- * Whatever the weights' accuracy, the vector returned joins two points of the features (up to
- * rounding), so its length is never below their distance. */
+ * The returned vector always joins two points of the features, up to rounding. Its length is
+ * therefore never below their distance, however inaccurate the weights are. */
 #ifndef VBSS_COLLISION_CLOSEST_H
 #define VBSS_COLLISION_CLOSEST_H
 
@@ -11,28 +12,29 @@
 /* Edges whose squared sine is below this are taken for parallel: products of dot products lose digits. */
 #define CLOSEST_PARALLEL 1e-4
 
-/* NaN becomes 0. */
+/* x clamped to [0, 1]; 0 for NaN. */
 static inline double clamp_unit(double x)
 {
     double positive = x > 0.0 ? x : 0.0;
     return positive < 1.0 ? positive : 1.0;
 }
 
-/* Share of the way along e, from its begin, at which it is closest to a point `to` away from there;
- * 0 for an edge without length. */
+/* Position along e, as a fraction from its start, that is closest to the point `to` relative to
+ * that start; 0 for an edge of zero length. */
 static inline double closest_on_edge(vec3 e, vec3 to)
 {
     double ee = vec3_norm_squared(e);
     return ee > 0.0 ? clamp_unit(vec3_dot(e, to) / ee) : 0.0;
 }
 
-/* From point s of edge a to point u of edge b; r leads from the begin of a to that of b. */
+/* Vector from the point s of edge a to the point u of edge b; r leads from the start of a to that
+ * of b. */
 static inline vec3 edge_separation(vec3 a, vec3 b, vec3 r, double s, double u)
 {
     return vec3_sub(vec3_add_scaled(r, u, b), vec3_scale(a, s));
 }
 
-/* What each edge says about itself and the other. */
+/* Dot products of two edges a and b and the vector r between their starts. */
 typedef struct edge_products {
     double aa, bb, ab, ar, br;
 } edge_products;
@@ -44,8 +46,8 @@ VBSS_ALWAYS_INLINE edge_products products_of_edges(vec3 a, vec3 b, vec3 r)
     return p;
 }
 
-/* From where the lines come nearest: u, and where that is beyond an end of b, s again. Divisions do not
- * wait for each other. */
+/* Starts with the closest point s of the lines, then computes u, and s again if u is clamped. The
+ * divisions are independent of each other. */
 VBSS_ALWAYS_INLINE void closest_from(edge_products p, double line_s, double *s, double *u)
 {
     double inverse_aa = 1.0 / p.aa, inverse_bb = 1.0 / p.bb;
@@ -57,14 +59,14 @@ VBSS_ALWAYS_INLINE void closest_from(edge_products p, double line_s, double *s, 
     }
 }
 
-/* The best of where the lines come nearest, by cross products, and of the four ends, each with its
- * closest point on the other edge. */
+/* Parallel edges: the best of the closest points of the lines, by cross products, and of the four
+ * ends with the closest point of the other edge. */
 static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
 {
     vec3 n = vec3_cross(a, b);
     double nn = vec3_norm_squared(n);
     *s = *u = 0.0;
-    if (nn > 0.0) { /* so neither is a point */
+    if (nn > 0.0) { /* so neither edge has zero length */
         closest_from(products_of_edges(a, b, r), vec3_dot(vec3_cross(r, b), n) / nn, s, u);
     }
     vec3 best = edge_separation(a, b, r, *s, *u);
@@ -88,14 +90,14 @@ static inline vec3 closest_parallel_edges(vec3 a, vec3 b, vec3 r, double *s, dou
     return best;
 }
 
-/* Closest points of edge a, which begins at the origin, and edge b, which begins at r: shares s and u of
- * the way along them. Returns the vector from a to b. */
+/* Closest points of edge a, which starts at the origin, and edge b, which starts at r. s and u are
+ * fractions along the edges. Returns the vector from a to b. */
 VBSS_ALWAYS_INLINE vec3 closest_between_edges(vec3 a, vec3 b, vec3 r, double *s, double *u)
 {
     edge_products p = products_of_edges(a, b, r);
     double determinant = p.aa * p.bb - p.ab * p.ab;
-    if (!(determinant > CLOSEST_PARALLEL * p.aa * p.bb)) { /* also when one has no length */
-        double s_best, u_best; /* of their own: s and u stay in registers */
+    if (!(determinant > CLOSEST_PARALLEL * p.aa * p.bb)) { /* also if an edge has zero length */
+        double s_best, u_best; /* local copies, so that s and u stay in registers */
         vec3 separation = closest_parallel_edges(a, b, r, &s_best, &u_best);
         *s = s_best;
         *u = u_best;
@@ -105,9 +107,10 @@ VBSS_ALWAYS_INLINE vec3 closest_between_edges(vec3 a, vec3 b, vec3 r, double *s,
     return edge_separation(a, b, r, *s, *u);
 }
 
-/* Closest point of a triangle, whose corners f are relative to a point, to that point: the corners'
- * weights. Returns the vector to it. Candidates are the foot on the plane, if it lies inside, and the
- * closest point of each edge; a triangle without area has no foot. */
+/* Closest point of a triangle to a point. The corners f are relative to that point; the result is
+ * the vector to the closest point, and the weights of the corners. Candidates are the foot on the
+ * plane if it lies inside, and the closest point of each edge. A triangle without area has no
+ * foot. */
 static inline vec3 closest_on_triangle(const vec3 f[3], double weights[3])
 {
     vec3 best = f[0];

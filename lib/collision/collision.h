@@ -1,13 +1,16 @@
-/* Collision: what two features do to each other, and which features to ask about.
+/* Continuous collision detection of one pair of features.
  *
- * Bottom up: closest points (closest.h, closest.c); one continuous test by one of three methods:
- * conservative_advancement.c, without thickness with ccd_crossing.c and ccd_exact.c on polynomials.c and integers.c; ccd_cubic.c;
- * paper_test.c; ccd.c chooses. The same in rows (ccd_batch.c, ccd_simd.c). Shapes (shapes.c, aabb.c,
- * bvh.c), the search (broad_phase.c, bvh_traversal.c), the tests of what it found (narrow_phase.c), and the object that
- * holds them (object.c, batch.c, views.c, snapshot.c). The paper's response stands alone (paper_response.c).
+ * The files, bottom up: closest points (closest.h, closest.c); CCD by one of three methods:
+ * conservative_advancement.c, which at zero thickness uses ccd_crossing.c and ccd_exact.c with
+ * polynomials.c and integers.c; ccd_cubic.c; and paper_test.c. ccd.c selects the method;
+ * ccd_batch.c and ccd_simd.c run many queries. shapes.h declares shapes (shapes.c, aabb.c, bvh.c),
+ * the broad phase (broad_phase.c, bvh_traversal.c), the narrow phase (narrow_phase.c), and the
+ * object that holds them (object.c, batch.c, views.c, snapshot.c). paper_response.c is the response
+ * of the paper.
  *
- * Vertices: a0 a1 b0 b1 of two edges; the point and b0 b1 b2 of a triangle. They move evenly from
- * start (time 0) to end (time 1). D is the contact distance. */
+ * Vertices: a0 a1 b0 b1 for two edges; the point and b0 b1 b2 for a point and a triangle. They move
+ * at constant velocity from `start` (time 0) to `end` (time 1). D is the contact distance,
+ * `thickness` in the code. */
 #ifndef VBSS_COLLISION_COLLISION_H
 #define VBSS_COLLISION_COLLISION_H
 
@@ -18,24 +21,25 @@
 #include "base/config.h"
 #include "base/linear.h"
 
-/* ---- checking (ccd.c) */
+/* ---- checks of arguments (ccd.c) */
 #define COLLISION_MAX_COORDINATE 1e30 /* coordinates and D, m: products of six stay finite */
 #define COLLISION_MIN_THICKNESS 1e-30 /* D, unless zero */
-/* D: zero, or in its range. */
+/* VBSS_ERROR_OUT_OF_RANGE unless D is zero or in its range. */
 vbss_result vbss_collision_check_thickness(vbss_context *context, double thickness);
-/* Finite and not beyond the farthest. */
+/* VBSS_ERROR_NULL_ARGUMENT, VBSS_ERROR_NOT_FINITE, or VBSS_ERROR_OUT_OF_RANGE beyond
+ * COLLISION_MAX_COORDINATE. */
 vbss_result vbss_collision_check_coordinates(vbss_context *context, const double *values,
                                              size_t count, const char *name);
 
-/* ---- one continuous test */
+/* ---- one query */
 
-/* What a test needs to know, checked. */
+/* Checked options of a test. */
 typedef struct collision_ccd_options {
     vbss_collision_method method;
     uint32_t pass_limit;
-    double tolerance; /* share of D */
+    double tolerance; /* relative to D */
     double paper_parallel, paper_unit;
-    /* Memory of the exact decision: ccd_exact.h. */
+    /* Workspace of the exact predicate: ccd_exact.h. */
     uint32_t *limbs;
     uint32_t limb_count;
 } collision_ccd_options;
@@ -45,11 +49,11 @@ enum { COLLISION_LIMBS = 16384, COLLISION_STACK_LIMBS = 2900 };
 
 typedef struct collision_ccd_query {
     vbss_pair_kind kind;
-    double thickness; /* D */
+    double thickness; /* contact distance D, m */
     vec3 start[4], end[4];
 } collision_ccd_query;
 
-/* As vbss_impact, without the points. All zero but time = 1 for a miss. */
+/* Result as in vbss_impact, without the points. For a miss all fields are zero except time = 1. */
 typedef struct collision_ccd_result {
     int32_t hit;
     vbss_decision decision;
@@ -63,10 +67,11 @@ typedef struct collision_counters {
     uint64_t queries, hits, undecided, exact, passes, sign_tests_ended;
 } collision_counters;
 
-/* By the method of the rules, counted (ccd.c). */
+/* Runs the selected method and counts it (ccd.c). */
 void vbss_collision_run_ccd(const collision_ccd_options *options, const collision_ccd_query *query,
                             collision_ccd_result *result, collision_counters *counters);
-/* One method each; they count passes, exact and sign_tests_ended only. `answer` comes as a miss. */
+/* One method each. They count only passes, exact and sign_tests_ended. *result must be initialised
+ * as a miss. */
 void vbss_collision_run_conservative(const collision_ccd_options *options,
                                      const collision_ccd_query *query, collision_ccd_result *result,
                                      collision_counters *counters);
@@ -87,31 +92,33 @@ static inline void vbss_collision_count_result(collision_counters *counters,
     counters->hits += result->hit != 0;
     counters->undecided += result->decision == VBSS_DECISION_UNDECIDED;
 }
-/* Checks what a configuration says about tests, and hands it on. */
+/* Checks the options of a test in a configuration, and extracts them. */
 vbss_result vbss_collision_check_ccd_options(vbss_context *context,
                                              const vbss_collision_config *config);
 collision_ccd_options vbss_collision_ccd_options_of(const vbss_collision_config *config);
 extern const vbss_layout vbss_collision_config_layout;
 void vbss_collision_set_vertices(collision_ccd_query *query, const double start[12],
                                  const double end[12]);
-/* Hands out an answer with its points; context may be NULL. */
+/* Writes a result with its points to the caller's struct. `context` may be NULL. */
 vbss_result vbss_collision_write_impact(vbss_context *context, const collision_ccd_query *query,
                                         const collision_ccd_result *result, vbss_impact *impact,
                                         uint32_t struct_size);
 
-/* ---- the same in rows (ccd_batch.c): four at a time where the method can, with the bits of _ask */
+/* ---- batches of queries (ccd_batch.c), four at a time if the method allows it, with the same bits
+ * as vbss_collision_run_ccd */
 typedef struct collision_ccd_batch {
     vbss_pair_kind kind;
     uint32_t count;
-    size_t stride;
-    const double *start, *end; /* 12 rows each */
-    const double *thickness;   /* a row, or NULL: `same_thickness` */
+    size_t stride;             /* distance of rows, in numbers */
+    const double *start, *end; /* 12 rows each: the coordinates of the four vertices */
+    const double *thickness;   /* one row; NULL to use same_thickness */
     double same_thickness;
     int32_t *hit;
-    int32_t *decision; /* this and the rest may be NULL */
+    int32_t *decision; /* this and the following fields may be NULL */
     double *time, *distance;
-    double *normal, *weights; /* 3 rows, 4 rows */
+    double *normal, *weights; /* 3 rows and 4 rows */
 } collision_ccd_batch;
+/* Runs all queries of a batch; `wide` selects the AVX2 copy. */
 void vbss_collision_run_ccd_batch(const collision_ccd_options *options, bool wide,
                                   const collision_ccd_batch *batch, collision_counters *counters);
 

@@ -1,9 +1,10 @@
 /* Directional conservative advancement: a continuous test whose misses are proofs.
  *
- * Between two times a fixed direction n separates the features by at least g if it does so at both,
- * because n times the vector between two vertices is linear in time. So: take n along the shortest
- * vector, go on to where n stops separating by more than D, take a new n there. Covered until 1: a
- * miss. Near enough: a hit. docs/collision.md has the proof, rounding included, and the numbers. */
+ * A fixed direction n separates the features by at least g between two times if it does so at both,
+ * because n times the vector between two vertices is linear in time. Each pass takes n along the
+ * shortest vector, advances to the time where n no longer separates by more than D, and takes a new
+ * n there. If time 1 is reached, the result is a miss; if the features are close enough, a hit.
+ * docs/collision.md has the proof, with rounding, and measurements. */
 #include "collision/collision.h"
 
 #include "collision/closest.h"
@@ -11,7 +12,7 @@
 #include "collision/ccd_crossing.h"
 #include "collision/ccd_exact.h"
 
-/* Component by component, in magnitude. */
+/* Componentwise maximum of magnitudes. */
 static inline vec3 larger_magnitudes(vec3 a, vec3 b)
 {
     return vec3_make(vbss_max(fabs(a.x), fabs(b.x)), vbss_max(fabs(a.y), fabs(b.y)),
@@ -30,7 +31,7 @@ static inline void set_relative_start(const collision_ccd_query *q, collision_re
     m->start[2] = vec3_sub(q->start[3], q->start[0]);
 }
 
-/* The rest, after the start. */
+/* Sets the end positions and the size; the start must be set. */
 static inline void set_relative_end(const collision_ccd_query *q, collision_relative_motion *m)
 {
     vec3 largest[3];
@@ -41,14 +42,14 @@ static inline void set_relative_end(const collision_ccd_query *q, collision_rela
     m->size = largest_of(larger_magnitudes(larger_magnitudes(largest[0], largest[1]), largest[2]));
 }
 
-/* The closest points at one time. */
+/* Closest points at one time. */
 typedef struct closest_points {
     vec3 separation; /* from a to b */
     double distance_squared;
     double weights[4];
 } closest_points;
 
-/* Vertices 1, 2, 3 stand at p, q, r. */
+/* Vertices 1, 2 and 3 are at p, q and r. */
 VBSS_ALWAYS_INLINE void closest_at_positions(bool edges, vec3 p, vec3 q, vec3 r,
                                              closest_points *now)
 {
@@ -72,7 +73,8 @@ VBSS_ALWAYS_INLINE void closest_at_time(const collision_relative_motion *m, bool
                          now);
 }
 
-/* ---- certificates: a direction n times the vectors of the vertices, at the start (0) and the end (1) */
+/* ---- certificates: projections of the vertices on a direction n, at the start (0) and the end
+ * (1) */
 
 typedef struct projection {
     double p0, p1, q0, q1, r0, r1;
@@ -85,15 +87,16 @@ static inline projection project(const collision_relative_motion *m, vec3 n)
     return g;
 }
 
-/* The least of the pairs: b's vertices q and r less a's, 0 and p; or the corners p, q, r less the point. */
+/* Smallest gap of all pairs: q and r of b minus 0 and p of a; or the corners p, q and r minus the
+ * point. */
 VBSS_ALWAYS_INLINE double min_pair_gap(bool edges, double p, double q, double r)
 {
     double min_gap = vbss_min(q, r);
     return edges ? min_gap - vbss_max(p, 0.0) : vbss_min(min_gap, p);
 }
 
-/* Whether n, of which |n|^2 is `square`, separates by `clear` from start to end: what most misses are.
- * Needs no root. */
+/* Whether n separates by `clearance` from start to end; `square` is |n|^2. This proves most misses
+ * and needs no square root. */
 VBSS_ALWAYS_INLINE bool separates_throughout(const projection *g, bool edges, double clearance,
                                              double square)
 {
@@ -107,19 +110,20 @@ static inline double projected(double g0, double g1, double t)
     return g0 + t * (g1 - g0);
 }
 
-/* How steeply a pair falls below `clear`: what it lacks at the end over what it has to spare now. The
- * steepest pair is the first. */
+/* Rate at which the gap of a pair falls below `clearance`: its deficit at the end divided by its
+ * surplus now. The pair with the largest rate is the first to fall. */
 static inline double max_slope(double steepest, double now, double end, double clearance)
 {
     double lack = clearance - end, spare = now - clearance;
-    if (spare == 0.0) { /* as a division would have it */
+    if (spare == 0.0) { /* as the division would give */
         return lack > 0.0 ? (double)INFINITY : steepest;
     }
     return vbss_max(lack / spare, steepest);
 }
 
-/* The time until which all pairs are separated by `clear`, from t on: above 1 if to the end; -1 if they are
- * not at t. With `clear` |n| times a distance, n separates by that. */
+/* Time until which all pairs are separated by `clearance`, starting at t: above 1 if until the end,
+ * -1 if they are not separated at t. If `clearance` is |n| times a distance, n separates by that
+ * distance. */
 VBSS_ALWAYS_INLINE double separates_until(const projection *g, bool edges, double t,
                                           double clearance)
 {
@@ -138,8 +142,8 @@ VBSS_ALWAYS_INLINE double separates_until(const projection *g, bool edges, doubl
     return steepest > 0.0 ? t + (1.0 - t) / (1.0 + steepest) : 2.0;
 }
 
-/* Other directions, for when the one along the shortest vector was too inexact: the common normal, and
- * of edges the vector made normal to the longer one. */
+/* Tries other directions if the shortest vector was too inaccurate: the common normal, and for
+ * edges the shortest vector made normal to the longer edge. */
 VBSS_NEVER_INLINE double separates_until_fallback(const collision_relative_motion *m, bool edges,
                                                   const closest_points *now, double t,
                                                   double clearance, vec3 *direction)
@@ -158,7 +162,7 @@ VBSS_NEVER_INLINE double separates_until_fallback(const collision_relative_motio
     }
     for (int k = 0; k < count; k++) {
         double length = vec3_norm(others[k]);
-        if (!(length > 1e-140)) { /* no unit vector comes of squares that underflow */
+        if (!(length > 1e-140)) { /* the square of a shorter vector would underflow */
             continue;
         }
         double sign = vec3_dot(others[k], now->separation) < 0.0 ? -1.0 : 1.0;
@@ -186,8 +190,8 @@ static inline void set_hit(collision_ccd_result *result, vbss_decision decision,
     }
 }
 
-/* The normal of a hit: along the shortest vector, unless that is all rounding; then along the last
- * direction that was certified, if there was one. */
+/* Normal of a hit: along the shortest vector. If that vector is within rounding error, along the
+ * last certified direction, if there was one. */
 static inline vec3 normal_of(const closest_points *now, double distance, double rounding_square,
                              vec3 last)
 {
@@ -198,7 +202,7 @@ static inline vec3 normal_of(const closest_points *now, double distance, double 
     return vec3_scale(now->separation, 1.0 / distance);
 }
 
-/* From the first look on, which has not hit. */
+/* Advances from the start, where the features are not yet a hit. */
 VBSS_ALWAYS_INLINE void advance(const collision_relative_motion *m,
                                 const collision_ccd_options *options, bool edges, uint32_t limit,
                                 double thickness, closest_points *now, collision_ccd_result *result)
@@ -213,7 +217,7 @@ VBSS_ALWAYS_INLINE void advance(const collision_relative_motion *m,
             set_hit(result, VBSS_DECISION_PROVED, t, now, distance, normal);
             return;
         }
-        vec3 n = now->separation; /* not of unit length: that would cost more than the rest */
+        vec3 n = now->separation; /* not normalised, which would cost more than the rest */
         projection g = project(m, n);
         if (separates_throughout(&g, edges, bounds.clearance, now->distance_squared)) {
             return;
@@ -237,7 +241,7 @@ VBSS_ALWAYS_INLINE void advance(const collision_relative_motion *m,
     }
 }
 
-/* Features that are within D and its tolerance at the start have hit, whatever comes. */
+/* Features within D and its tolerance at the start are a hit, whatever follows. */
 VBSS_ALWAYS_INLINE bool hits_at_start(const collision_relative_motion *m,
                                       const collision_ccd_options *options, bool edges,
                                       double thickness, closest_points *now,
@@ -255,7 +259,7 @@ VBSS_ALWAYS_INLINE bool hits_at_start(const collision_relative_motion *m,
     return true;
 }
 
-/* What is not decided at the start: out of the way of what is. */
+/* Not inlined, to keep the common decision at the start small. */
 VBSS_NEVER_INLINE void advance_edges(const collision_relative_motion *m,
                                      const collision_ccd_options *options, uint32_t limit,
                                      double thickness, closest_points *now,
@@ -290,7 +294,7 @@ VBSS_ALWAYS_INLINE void run_test(const collision_ccd_options *options, uint32_t 
     }
 }
 
-/* In at most `limit` passes. */
+/* Runs the test with at most `limit` passes. */
 static void run_test_of_kind(const collision_ccd_options *options, uint32_t limit,
                              const collision_ccd_query *query, collision_ccd_result *result)
 {
@@ -308,14 +312,15 @@ static double largest(vec3 a, vec3 b)
     return largest_of(larger_magnitudes(a, b));
 }
 
-/* The volume of the four vertices is a cubic in time; if all its Bernstein coefficients are on one side of
- * zero by more than their rounding, the vertices never lie in one plane. */
+/* The volume of the four vertices is a cubic in time. If all its Bernstein coefficients are on one
+ * side of zero by more than their rounding error, the vertices are never coplanar. */
 static bool never_coplanar(const collision_relative_motion *m)
 {
     vec3 yz0 = vec3_cross(m->start[1], m->start[2]), yz1 = vec3_cross(m->end[1], m->end[2]);
     vec3 mixed = vec3_add(vec3_cross(m->start[1], m->end[2]), vec3_cross(m->end[1], m->start[2]));
     double first = vec3_dot(m->start[0], yz0), last = vec3_dot(m->end[0], yz1);
-    double second = vec3_dot(m->end[0], yz0) + vec3_dot(m->start[0], mixed); /* three times */
+    /* 3 times the coefficient */
+    double second = vec3_dot(m->end[0], yz0) + vec3_dot(m->start[0], mixed);
     double third = vec3_dot(m->start[0], yz1) + vec3_dot(m->end[0], mixed);
     double bound = largest(m->start[0], m->end[0]) * largest(m->start[1], m->end[1]) *
                    largest(m->start[2], m->end[2]) * VOLUME_ROUNDING;
@@ -334,7 +339,7 @@ bool vbss_collision_proves_separation(const collision_ccd_query *query)
     return result.hit == 0;
 }
 
-/* Features that were not proved apart: whether they meet. */
+/* Decides whether features meet that are not proved to stay apart. */
 static exact_result decide_exactly(const collision_ccd_options *options,
                                    const collision_ccd_query *query,
                                    const collision_relative_motion *m, double t,
@@ -371,13 +376,13 @@ static void run_zero_thickness(const collision_ccd_options *options,
         return;
     }
     if (result->decision == VBSS_DECISION_UNDECIDED && options->pass_limit > limit) {
-        /* It ended on the way: on to the place of contact, if that is not too far. */
+        /* The limit stopped the first run. Continue to the contact if it is not too far. */
         limit =
             options->pass_limit < ZERO_HIT_PASS_LIMIT ? options->pass_limit : ZERO_HIT_PASS_LIMIT;
         *result = vbss_collision_ccd_miss(VBSS_DECISION_PROVED);
         run_test_of_kind(options, limit, query, result);
     }
-    if (result->hit != 0) { /* else more passes have proved a miss of what was unknown */
+    if (result->hit != 0) { /* otherwise further passes have proved a miss */
         result->decision =
             truth == COLLISION_EXACT_HIT ? VBSS_DECISION_EXACT : VBSS_DECISION_UNDECIDED;
     }

@@ -1,13 +1,13 @@
-/* What conservative advancement works with; the same for one question and for rows. */
+/* Bounds and types of conservative advancement, shared by the scalar code and the SIMD code. */
 #ifndef VBSS_COLLISION_CONSERVATIVE_ADVANCEMENT_H
 #define VBSS_COLLISION_CONSERVATIVE_ADVANCEMENT_H
 
 #include "collision/collision.h"
 
-/* Vertices 1, 2, 3 of a question relative to vertex 0. */
+/* Vertices 1, 2 and 3 of a query relative to vertex 0. */
 typedef struct collision_relative_motion {
     vec3 start[3], end[3];
-    double size; /* largest coordinate */
+    double size; /* largest magnitude of a coordinate */
 } collision_relative_motion;
 
 static inline vec3 relative_at(const collision_relative_motion *m, int vertex, double t)
@@ -21,9 +21,10 @@ static inline vec3 relative_at(const collision_relative_motion *m, int vertex, d
 #define VOLUME_UNDERFLOW 1e-290
 
 typedef struct conservative_bounds {
-    double clearance;       /* a direction that separates by this proves more than D */
-    double near_square;     /* features that are within the root of this have hit */
-    double rounding_square; /* vectors shorter than the root of this have no direction */
+    /* a direction that separates the features by this proves a distance above D */
+    double clearance;
+    double near_square;     /* features closer than the root of this are a hit */
+    double rounding_square; /* shorter vectors than the root of this have no direction */
 } conservative_bounds;
 
 /* The least tolerance, as a share of size and D; how much of it a hit may use, a hair less than all, so
@@ -43,15 +44,15 @@ static inline uint32_t conservative_pass_limit(uint32_t limit, double thickness)
     return thickness == 0.0 && limit > ZERO_PASS_LIMIT ? ZERO_PASS_LIMIT : limit;
 }
 
-/* size: the largest coordinate of the question relative to its first vertex. docs/collision.md derives
- * that all rounding is below half of it. */
+/* `size` is the largest coordinate of the query relative to its first vertex. docs/collision.md
+ * proves that all rounding errors stay below half of the tolerance. */
 static inline conservative_bounds conservative_bounds_of(double tolerance, double thickness,
                                                          double size)
 {
     double min_tolerance = MIN_TOLERANCE * (size + thickness), wanted = tolerance * thickness;
     double whole = wanted < min_tolerance ? min_tolerance : wanted;
     double near = thickness + HIT_FRACTION * whole;
-    /* Then nothing is proved, all is left to exact arithmetic. */
+    /* Nothing can be proved at this size; everything is left to exact arithmetic. */
     bool tiny = thickness == 0.0 && size < TINY_SIZE;
     double rounding = ROUNDING_FRACTION * size;
     conservative_bounds bounds = {thickness + 0.5 * whole, tiny ? DBL_MAX : near * near,
@@ -59,7 +60,7 @@ static inline conservative_bounds conservative_bounds_of(double tolerance, doubl
     return bounds;
 }
 
-/* Proved without thickness to be apart all the time; false says nothing. */
+/* Proves that the features never meet, with zero thickness. False means that nothing is known. */
 bool vbss_collision_proves_separation(const collision_ccd_query *query);
 
 #endif

@@ -1,8 +1,10 @@
-/* Which nodes of a mesh are near its edges and triangles along the surface: worked out once, as bits.
+/* Geodesic exclusion: the nodes of a mesh that are close to its edges and triangles along the
+ * surface, computed once and stored as bits.
  *
- * The arc between two nodes is that of the shortest way over edges, so that the sides of a slit are joined
- * only around its tips. Sums are rounded from where a way begins; the least of them does not depend on
- * the order in which ways are tried, as adding keeps the order of numbers. */
+ * The arc between two nodes is the shortest path along edges, so the two sides of a slit are
+ * connected only around its tips. Path lengths are rounded sums from the start of a path. Their
+ * minimum does not depend on the order in which paths are tried, because addition preserves the
+ * order of numbers. */
 #include "base/bits.h"
 #include "base/check.h"
 #include "base/error.h"
@@ -10,16 +12,16 @@
 
 #include <string.h>
 
-/* Edges as seen from nodes, and room to go along them. */
+/* The edges at each node, and scratch to follow them. */
 typedef struct surface {
-    uint32_t *first;              /* neighbour of a node; then where its last one ends */
-    uint32_t *neighbours, *edges; /* and which edge leads there */
-    double *lengths;              /* of the edges to them */
-    double *arcs;                 /* of the nodes that have been reached */
-    uint32_t *queue;              /* nodes to go on from, each once */
+    uint32_t *first;              /* node -> first neighbour; one extra at the end */
+    uint32_t *neighbours, *edges; /* and the edge to each neighbour */
+    double *lengths;              /* length of that edge */
+    double *arcs;                 /* node -> arc length, if reached */
+    uint32_t *queue;              /* nodes still to be expanded, each once */
     bool *queued;
-    uint64_t *near; /* a row for each node */
-    uint32_t words; /* in a row */
+    uint64_t *near; /* one row of bits for each node */
+    uint32_t words; /* words in a row */
 } surface;
 
 enum { SURFACE_ARRAYS = 8 };
@@ -48,7 +50,7 @@ static void list_neighbours(surface *g, const collision_shape *s, const vec3 *at
     for (uint32_t n = 0; n < s->node_count; n++) {
         g->first[n + 2] += g->first[n + 1];
     }
-    /* While they are filled in, the begin of a node's stands one further on. */
+    /* During the loop, the start of a node is one entry further on. */
     for (uint32_t e = 0; e < s->edge_count; e++) {
         const uint32_t *nodes = s->edges[e];
         double length = vec3_norm(vec3_sub(at[nodes[1]], at[nodes[0]]));
@@ -71,7 +73,8 @@ static void set_bit(uint64_t *row, uint32_t node)
     row[node / 64] |= UINT64_C(1) << node % 64;
 }
 
-/* Marks the nodes whose arc from `source` is below `distance`; a node's arc is known once it is marked. */
+/* Marks the nodes whose arc from `source` is below `distance`. The arc of a node is valid once it
+ * is marked. */
 static void find_near(surface *g, uint32_t node_count, uint32_t source, double distance)
 {
     uint64_t *row = row_of(g, source);
@@ -100,7 +103,7 @@ static void find_near(surface *g, uint32_t node_count, uint32_t source, double d
     }
 }
 
-/* There and back may be rounded differently: near one way is near. */
+/* The two directions of a path may round differently: close in one direction counts as close. */
 static void make_symmetric(surface *g, uint32_t node_count)
 {
     for (uint32_t p = 0; p < node_count; p++) {
@@ -113,7 +116,7 @@ static void make_symmetric(surface *g, uint32_t node_count)
     }
 }
 
-/* Near a feature is what is near one of its nodes. */
+/* Nodes close to any of the feature's nodes are close to the feature. */
 static void join_nodes(const surface *g, const uint32_t *nodes, int count, uint64_t *row)
 {
     for (int k = 0; k < count; k++) {
@@ -141,7 +144,7 @@ static void compute_exclusion(surface *g, const collision_shape *s, const vec3 *
     memcpy(exclusion->edges_of, g->edges, 2 * (size_t)s->edge_count * sizeof *g->edges);
 }
 
-/* ---- as walks ask it */
+/* ---- excluded lanes for the traversal */
 
 static void set_leaves(const collision_bvh *t, uint32_t *leaf_of)
 {
@@ -254,7 +257,7 @@ vbss_result vbss_collision_exclude_near(collision_object *c, uint32_t id, const 
         vbss_collision_update_excluded_points(s);
         vbss_collision_update_pair_rules(c, s);
     }
-    /* those before, or new ones that are not all there */
+    /* the previous exclusion after a success, otherwise the incomplete new one */
     vbss_release_arrays(c->context, exclusion_arrays, COLLISION_EXCLUSION_ARRAYS);
     vbss_release_arrays(c->context, arrays, SURFACE_ARRAYS);
     return result;

@@ -1,11 +1,11 @@
-/* Sums and products of integers of any size. */
+/* Arithmetic of integers of any size. */
 #include "collision/integers.h"
 
 #include <stddef.h>
 
 enum { LIMB_BITS = 32 };
 
-/* Not the library's: each of its functions would count with 4 KiB of stack (docs/abi.md). */
+/* Not memset: every library function counts with 4 KiB of stack (docs/abi.md). */
 static void clear_limbs(uint32_t *limbs, uint32_t count)
 {
     for (uint32_t i = 0; i < count; i++) {
@@ -24,7 +24,7 @@ static uint32_t *allocate_limbs(workspace *w, uint32_t count)
     return limbs;
 }
 
-/* The integer in `limbs`, the last thing taken; gives back the zero limbs on top. */
+/* The integer in `limbs`, which must be the last allocation; frees leading zero limbs. */
 static integer normalise(workspace *w, const uint32_t *limbs, uint32_t count, int32_t sign)
 {
     while (count > 0 && limbs[count - 1] == 0) {
@@ -94,7 +94,7 @@ integer vbss_integer_add(workspace *w, integer a, integer b)
     uint64_t carry = 0;
     for (uint32_t i = 0; i < a.count; i++) {
         uint64_t here = of_a[i], other = i < b.count ? of_b[i] : 0;
-        /* Borrowing leaves all upper bits set: the next round takes one away. */
+        /* A borrow sets all upper bits, so the next iteration subtracts one. */
         uint64_t sum = a.sign == b.sign ? here + other + carry : here - other - carry;
         limbs[i] = (uint32_t)sum;
         carry = (sum >> LIMB_BITS) & 1u;
@@ -156,10 +156,10 @@ integer vbss_integer_shift(workspace *w, integer a, uint32_t bits)
 
 void vbss_integers_compact(workspace *w, uint32_t mark, integer *const *live, int count)
 {
-    uint32_t from = mark; /* what lies below stays where it is */
+    uint32_t from = mark; /* limbs below the mark stay in place */
     w->used = mark;
     for (;;) {
-        /* The lowest that has not moved: so nothing is written over before it was read. */
+        /* Move the lowest integer first, so that nothing is overwritten before it is read. */
         const integer *lowest = NULL;
         for (int i = 0; i < count; i++) {
             const integer *a = live[i];
@@ -171,7 +171,7 @@ void vbss_integers_compact(workspace *w, uint32_t mark, integer *const *live, in
             return;
         }
         uint32_t source = lowest->first, size = lowest->count;
-        for (uint32_t i = 0; i < size; i++) { /* downwards, so the places may overlap */
+        for (uint32_t i = 0; i < size; i++) { /* ascending order, so the ranges may overlap */
             w->limbs[w->used + i] = w->limbs[source + i];
         }
         for (int i = 0; i < count; i++) {
@@ -180,6 +180,6 @@ void vbss_integers_compact(workspace *w, uint32_t mark, integer *const *live, in
             }
         }
         w->used += size;
-        from = source + 1; /* above all that have moved */
+        from = source + 1; /* above all integers that have moved */
     }
 }

@@ -1,7 +1,7 @@
-/* Integers of any size and polynomials of them, in memory that the caller gives.
+/* Integers of any size, and polynomials with such coefficients, in memory of the caller.
  *
- * For the exact decision (ccd_exact.c). When the memory is used up, `full` is set and results are zero from
- * then on: look at it before believing anything. */
+ * For the exact predicate (ccd_exact.c). When the memory is exhausted, `full` is set and all
+ * further results are zero. The caller must check it before using any result. */
 #ifndef VBSS_COLLISION_INTEGERS_H
 #define VBSS_COLLISION_INTEGERS_H
 
@@ -14,9 +14,9 @@ typedef struct workspace {
     bool full;
 } workspace;
 
-/* sign is -1, 0 or 1; the magnitude stands in `count` limbs of 32 bits from `first` on, least first, the
- * last not zero. Limbs are never changed once they are made: copies share them. Small, as many stand on
- * the stack. */
+/* sign is -1, 0 or 1. The magnitude consists of `count` limbs of 32 bits from `first` on, least
+ * significant first; the last one is not zero. Limbs never change once they are written, so copies
+ * share them. The struct is small because many of them are on the stack. */
 typedef struct integer {
     uint16_t first, count;
     int32_t sign;
@@ -38,9 +38,9 @@ integer vbss_integer_make(workspace *w, uint64_t magnitude, uint32_t shift, int3
 integer vbss_integer_add(workspace *w, integer a, integer b);
 integer vbss_integer_subtract(workspace *w, integer a, integer b);
 integer vbss_integer_multiply(workspace *w, integer a, integer b);
-integer vbss_integer_shift(workspace *w, integer a, uint32_t bits); /* to the left */
-/* Gives back what was taken since `mark`, a value of w->used, but for these integers, which move down to
- * it. They may share limbs. */
+integer vbss_integer_shift(workspace *w, integer a, uint32_t bits); /* shifted left */
+/* Frees everything allocated since `mark`, a value of w->used, except the given integers, which
+ * move down to it. They may share limbs. */
 void vbss_integers_compact(workspace *w, uint32_t mark, integer *const *live, int count);
 static inline integer vbss_integer_compact(workspace *w, uint32_t mark, integer a)
 {
@@ -49,14 +49,14 @@ static inline integer vbss_integer_compact(workspace *w, uint32_t mark, integer 
     return a;
 }
 
-/* sum of c[k] t^k; degree -1 is zero, else c[degree] is not zero. */
+/* sum of c[k] t^k. Degree -1 is the zero polynomial; otherwise c[degree] is not zero. */
 enum { COLLISION_POLYNOMIAL_DEGREE = 3 };
 typedef struct polynomial {
     int32_t degree;
     integer c[COLLISION_POLYNOMIAL_DEGREE + 1];
 } polynomial;
 
-/* A place on the axis of t: numerator / 2^bits, numerator >= 0. */
+/* A point of the t axis: numerator / 2^bits, numerator >= 0. */
 typedef struct dyadic {
     integer numerator;
     uint32_t bits;
@@ -65,31 +65,32 @@ typedef struct dyadic {
 polynomial vbss_polynomial_multiply(workspace *w, const polynomial *a, const polynomial *b);
 polynomial vbss_polynomial_subtract(workspace *w, const polynomial *a, const polynomial *b);
 polynomial vbss_polynomial_add(workspace *w, const polynomial *a, const polynomial *b);
-/* As vbss_integers_compact. */
+/* Frees everything allocated since `mark` except the coefficients of p. */
 polynomial vbss_polynomial_compact(workspace *w, uint32_t mark, polynomial p);
+/* Sign of p(t): -1, 0 or 1. */
 int32_t vbss_polynomial_sign_at(workspace *w, const polynomial *p, dyadic t);
-/* Sets the degree after coefficients up to `degree` were written. */
+/* Sets the degree once the coefficients up to `degree` are written. */
 void vbss_polynomial_trim(polynomial *p, int32_t degree);
 
-/* p, p', and the signed remainders down to the greatest common divisor of the two. */
+/* Sturm sequence: p, p', and the signed remainders down to the greatest common divisor of both. */
 typedef struct sturm {
     int32_t count;
-    polynomial p[4]; /* of a polynomial of degree 3 */
+    polynomial p[4]; /* enough for a polynomial of degree 3 */
 } sturm;
 sturm vbss_sturm_make(workspace *w, const polynomial *p);
-/* Changes of sign along the sequence; between two places, of which neither is a root, it falls by the
+/* Sign changes along the sequence at t. Between two points that are not roots they decrease by the
  * number of distinct roots between them. */
 int32_t vbss_sturm_changes(workspace *w, const sturm *s, dyadic t);
 
-/* One distinct root of a polynomial, alone between two places which are no roots of it. */
+/* A distinct root of a polynomial, isolated between two points that are not roots. */
 typedef struct root {
     dyadic low, high;
-    int32_t changes_low, changes_high; /* of its sequence */
+    int32_t changes_low, changes_high; /* sign changes of the Sturm sequence at both points */
 } root;
-/* The distinct roots between 0 and 1, both excluded, of a polynomial that is not zero, ascending; at
- * most 3. `s` receives the sequence of the polynomial without its roots at 0 and 1. */
+/* Distinct roots strictly between 0 and 1 of a polynomial that is not zero, ascending; at most 3.
+ * `s` receives the Sturm sequence of the polynomial divided by its roots at 0 and 1. */
 int32_t vbss_roots_between(workspace *w, const polynomial *p, sturm *s, root roots[3]);
-/* The sign of q, of degree 2 at most, at a root of s. Narrows the root. */
+/* Sign of q, of degree 2 at most, at a root of s. Narrows the interval of the root. */
 int32_t vbss_sign_at_root(workspace *w, const polynomial *q, const sturm *s, root *r);
 
 #endif

@@ -1,4 +1,4 @@
-/* Tests of the candidates, a block of rows at a time. */
+/* Narrow phase: tests the candidates in batches. */
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/shapes.h"
@@ -36,7 +36,8 @@ static void load_query(const collision_object *c, uint32_t at, const collision_c
     }
 }
 
-/* Tests the candidates from `first` on, as far as they are of one kind and fit; returns how many. */
+/* Tests candidates from `first` on, as many as have one kind and fit in a block. Returns their
+ * number. */
 static uint32_t test_block(const collision_object *c, uint32_t first, collision_counters *counters)
 {
     collision_block *block = c->block;

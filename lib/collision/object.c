@@ -1,4 +1,4 @@
-/* How collision objects begin and end, and their counters. */
+/* Creation, destruction and counters of collision objects. */
 #include "base/check.h"
 #include "base/error.h"
 #include "base/stream.h"
@@ -20,7 +20,7 @@ static vbss_result check_capacities(vbss_context *context, const vbss_collision_
     return vbss_check_range(context, c->margin, 0.0, 1e3, "margin");
 }
 
-/* ---- memory: one table says what there is */
+/* ---- memory: one table lists all arrays */
 
 enum { ARRAY_COUNT = 25 };
 
@@ -78,7 +78,7 @@ void vbss_collision_free(vbss_context *context, void *object)
 const vbss_kind vbss_collision_kind = {"collision object", VBSS_CODE('C', 'O', 'L', 'L'), 1,
                                        vbss_collision_free, vbss_collision_serialise};
 
-/* Two kinds of pairs of any two shapes, but no more runs than candidates. */
+/* Two kinds of pairs for any two shapes, but no more runs than candidates. */
 static uint32_t max_runs(const vbss_collision_config *config)
 {
     uint64_t shapes = config->shape_capacity, runs = 2 * shapes * shapes;
@@ -112,7 +112,7 @@ vbss_result vbss_collision_allocate(vbss_context *context, const vbss_collision_
     return VBSS_OK;
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 vbss_result vbss_collision_create(vbss_context *context, const vbss_collision_config *config,
                                   vbss_collision **collision)

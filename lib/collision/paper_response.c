@@ -1,5 +1,6 @@
-/* The response of VBLaST-SS (Qi et al. 2017, algorithm 2) with one set of signs, and with rules for
- * what the paper leaves open: docs/paper-collision.md. q and w lead from b to a. */
+/* The response of VBLaST-SS (Qi et al. 2017, algorithm 2), with one consistent set of signs and
+ * with rules for the cases that the paper leaves open: docs/paper-collision.md. q and w lead from b
+ * to a. */
 #include "base/check.h"
 #include "base/error.h"
 #include "collision/collision.h"
@@ -22,20 +23,20 @@ static const vbss_layout impact_layout = {"vbss_impact", &no_impact, impact_size
 
 typedef struct hit_pair {
     vbss_pair_kind kind;
-    int first_of_b; /* vertices before it are a's */
+    int first_of_b; /* vertices before it belong to a */
     vec3 start[4], end[4];
     double inverse_masses[4];
     double thickness;
-    vbss_impact impact; /* all zero: none */
+    vbss_impact impact; /* all zero if there is none */
 } hit_pair;
 
 /* ---- vectors from b to a at one time */
 
 typedef struct separation {
-    vec3 line;         /* w: between lines, or from the plane to the point; zero: there is none */
-    vec3 nearest;      /* between closest points */
-    vec3 across;       /* normal to both features; zero: no one direction */
-    double weights[4]; /* of the closest points */
+    vec3 line;         /* w: between the lines, or from the plane to the point; zero if undefined */
+    vec3 nearest;      /* between the closest points */
+    vec3 across;       /* normal to both features; zero if it is not unique */
+    double weights[4]; /* weights of the closest points */
     double least;      /* shorter vectors have no direction */
 } separation;
 
@@ -52,7 +53,7 @@ static double larger_component(double size, vec3 v)
     return largest > size ? largest : size;
 }
 
-/* Foot of r on the line along n, turned to lead from b to a; zero for an n without length. */
+/* Component of r along n, reversed so that it leads from b to a; zero if n is zero. */
 static vec3 back_along(vec3 n, vec3 r)
 {
     double nn = vec3_norm_squared(n);
@@ -112,8 +113,8 @@ typedef struct correction {
     bool completed;
 } correction;
 
-/* Where features meet, so that the vector between them has no direction. closing: the way of b towards
- * a. */
+/* Direction for features that meet, where the vector between them has none. `closing` is the motion
+ * of b relative to a. */
 static vec3 direction_where_they_meet(const hit_pair *pair, const separation *before,
                                       const separation *after, vec3 closing)
 {
@@ -133,7 +134,8 @@ static vec3 direction_where_they_meet(const hit_pair *pair, const separation *be
     return vec3_unit_or(known, any);
 }
 
-/* As printed. The shortest vector is that of the test's step (i) unless the lines have crossed. */
+/* As printed in the paper. The shortest vector is that of step (i) of the test, unless the lines
+ * have crossed. */
 static correction at_end_of_step(const hit_pair *pair, const separation *before,
                                  const separation *after, vec3 closing)
 {
@@ -151,7 +153,8 @@ static correction at_end_of_step(const hit_pair *pair, const separation *before,
     double sigma = sign < 0.0 ? -1.0 : 1.0, length = vec3_norm(apart);
     c.q = vec3_scale(apart, sigma / length);
     c.depth -= sigma * length;
-    if (c.depth < 0.0) { /* D apart already: nothing to restore, and nothing to draw together */
+    /* already D apart: nothing to correct, and features are not drawn together */
+    if (c.depth < 0.0) {
         c.depth = 0.0;
         c.completed = true;
     }
@@ -169,12 +172,12 @@ static correction at_time_of_impact(const hit_pair *pair, const separation *befo
     return c;
 }
 
-/* ---- who moves */
+/* ---- shares of the correction */
 
 typedef struct side {
-    int first, last; /* vertices */
-    vec3 way;        /* of its contact point over the step */
-    double mobility; /* its motion for a unit of impulse, 1/kg; 0: none */
+    int first, last; /* range of vertices */
+    vec3 way;        /* motion of its contact point over the step */
+    double mobility; /* motion for a unit impulse, 1/kg; 0 if immovable */
     bool rigid;
 } side;
 
@@ -221,7 +224,7 @@ static void displace(const hit_pair *pair, const double weights[4], const side *
 
 static vbss_response respond(const hit_pair *pair, vbss_response_variant variant)
 {
-    /* A hit told of the end has no other time of impact, and its normal may be that after a pass. */
+    /* A hit at time 1 has no other time of impact, and its normal may be that after a crossing. */
     bool end_of_step = variant == VBSS_RESPONSE_END_OF_STEP || pair->impact.time == 1.0;
     separation before = separate(pair, pair->start), after = separate(pair, pair->end);
     const double *weights = end_of_step ? after.weights : pair->impact.weights;
@@ -239,7 +242,7 @@ static vbss_response respond(const hit_pair *pair, vbss_response_variant variant
     return response;
 }
 
-/* ---- checking */
+/* ---- argument checks */
 
 static vbss_result check_masses(const double inverse_masses[4])
 {
@@ -262,7 +265,7 @@ static vbss_result check_sum(const double *weights, int count)
     return vbss_check_range(NULL, sum, 0.999999, 1.000001, "sum of impact->weights");
 }
 
-/* What a test could have told: a hit with weights, and a unit normal or none. */
+/* Accepts impacts that a test can return: a hit with weights, and a unit normal or none. */
 static vbss_result check_impact(const vbss_impact *impact, int first_of_b)
 {
     VBSS_TRY(vbss_check_range(NULL, impact->hit, 1.0, 1.0, "impact->hit"));

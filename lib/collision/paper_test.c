@@ -1,34 +1,34 @@
-/* Method PAPER: the continuous test of VBLaST-SS (Qi et al. 2017, algorithm 1 and its extension to a
- * point and a triangle), with what it misses and invents: docs/paper-collision.md.
+/* Method PAPER: the continuous test of VBLaST-SS (Qi et al. 2017, algorithm 1, extended to a point
+ * and a triangle), including its misses and false hits: docs/paper-collision.md.
  *
- * w leads from b to a: between the lines of two edges, or from the plane of the triangle to the point.
- * Nothing depends on the unit of length but eps_E, below which edges are called parallel, so eps_E is
- * brought to the unit of the coordinates instead of the coordinates to that of the paper. */
+ * w leads from b to a: between the lines of two edges, or from the plane of the triangle to the
+ * point. The unit of length matters only for eps_E, below which edges count as parallel. The code
+ * converts eps_E to the unit of the coordinates. */
 #include "collision/collision.h"
 
 #include "collision/closest.h"
 
-/* w = height n / nn. Neither division nor root is spent before an answer needs it. */
+/* w = height n / nn. Division and square root are deferred until a result needs them. */
 typedef struct shortest {
     vec3 n;
     double height, nn;
 } shortest;
 
-/* From features whose normal is n; r leads from a to b. Where n is zero the paper divides 0 by 0; here the
- * sign test ends it. */
+/* For features with the normal n; r leads from a to b. Where n is zero the paper divides 0 by 0;
+ * here the sign test then ends the method. */
 static inline shortest shortest_along(vec3 n, vec3 r)
 {
     shortest w = {n, -vec3_dot(r, n), vec3_norm_squared(n)};
     return w;
 }
 
-/* From a to b; nn is not zero. */
+/* Vector from a to b; nn must not be zero. */
 static inline vec3 from_a_to_b(const shortest *w)
 {
     return vec3_scale(w->n, -w->height / w->nn);
 }
 
-/* ---- steps (i) and (ii), the same for both kinds */
+/* ---- steps (i) and (ii) of both kinds */
 
 static inline bool near_at_end(vec3 apart, double thickness, collision_ccd_result *answer)
 {
@@ -42,7 +42,7 @@ static inline bool near_at_end(vec3 apart, double thickness, collision_ccd_resul
     return true;
 }
 
-/* Time at which w, taken for linear, is zero; false: its sign says that nothing crosses. */
+/* Time at which w, assumed linear, is zero. Returns false if its signs show no crossing. */
 static inline bool linear_time(const shortest *first, const shortest *last,
                                collision_ccd_result *answer, collision_counters *counters,
                                double *time)
@@ -59,8 +59,8 @@ static inline bool linear_time(const shortest *first, const shortest *last,
     return true;
 }
 
-/* At the collision time a and b are taken to touch, so the side is that of w at the start. n is normal
- * to both features, or zero where that is no one direction. */
+/* Result of a crossing. a and b are assumed to touch at that time, so w at the start gives the
+ * side. n is normal to both features, or zero if it is not unique. */
 static void tell_crossing(collision_ccd_result *answer, double time, double distance, vec3 n,
                           const shortest *first)
 {
@@ -75,7 +75,7 @@ static void tell_crossing(collision_ccd_result *answer, double time, double dist
 /* ---- edges */
 
 typedef struct edge_lines {
-    vec3 a, b, r; /* edges, and from the begin of a to the begin of b */
+    vec3 a, b, r; /* edges, and the vector from the start of a to the start of b */
     double aa, ab, bb, ar, determinant;
     bool parallel;
 } edge_lines;
@@ -95,8 +95,8 @@ static inline edge_lines edge_lines_of(vec3 a0, vec3 a1, vec3 b0, vec3 b1, doubl
     return l;
 }
 
-/* The paper's s_j of parallel edges, d / b. Of edges that are points, or called parallel though they are
- * at right angles, it is NaN: inside no edge, and without a sign. */
+/* The paper's s_j for parallel edges, d / b. For edges of zero length, or edges called parallel
+ * although they are at right angles, it is NaN: inside no edge, and without a sign. */
 static inline double parallel_foot(const edge_lines *l)
 {
     return l->ab != 0.0 ? -l->ar / l->ab : (double)NAN;
@@ -112,7 +112,7 @@ static inline shortest shortest_of_lines(const edge_lines *l)
     return shortest_along(vec3_cross(l->a, l->b), l->r);
 }
 
-/* Whether both feet of w are inside; if so, shares s and u of the way along a and b to them. */
+/* Whether both feet of w are inside; if so, their fractions s and u along a and b. */
 static inline bool feet_inside(const edge_lines *l, double *s, double *u)
 {
     if (l->parallel) {
@@ -145,7 +145,7 @@ static void test_edges(double eps, const collision_ccd_query *question,
     edge_lines last = edge_lines_of(y[0], y[1], y[2], y[3], eps);
     shortest w1 = shortest_of_lines(&last);
     double s, u, time, thickness = question->thickness;
-    if (thickness > 0.0) { /* (i) */
+    if (thickness > 0.0) { /* step (i) */
         bool inside = feet_inside(&last, &s, &u) && w1.nn > 0.0;
         vec3 apart =
             inside ? from_a_to_b(&w1) : closest_between_edges(last.a, last.b, last.r, &s, &u);
@@ -156,12 +156,12 @@ static void test_edges(double eps, const collision_ccd_query *question,
     }
     edge_lines first = edge_lines_of(x[0], x[1], x[2], x[3], eps);
     shortest w0 = shortest_of_lines(&first);
-    if (!linear_time(&w0, &w1, answer, counters, &time)) { /* (ii a) */
+    if (!linear_time(&w0, &w1, answer, counters, &time)) { /* step (ii a) */
         return;
     }
     edge_lines then = edge_lines_of(vec3_lerp(x[0], y[0], time), vec3_lerp(x[1], y[1], time),
                                     vec3_lerp(x[2], y[2], time), vec3_lerp(x[3], y[3], time), eps);
-    if (feet_inside(&then, &s, &u)) { /* (ii b) */
+    if (feet_inside(&then, &s, &u)) { /* step (ii b) */
         double distance = vec3_norm(edge_separation(then.a, then.b, then.r, s, u));
         vec3 n = then.parallel ? vec3_zero() : vec3_cross(then.a, then.b);
         tell_crossing(answer, time, distance, n, &w0);
@@ -173,7 +173,7 @@ static void test_edges(double eps, const collision_ccd_query *question,
 
 typedef struct point_plane {
     vec3 f[3], e1, e2; /* corners relative to the point; edges from the first corner */
-    vec3 n;            /* normal of the plane, twice as long as the area */
+    vec3 n;            /* normal of the plane; its length is twice the area */
     double nn;
 } point_plane;
 
@@ -219,7 +219,7 @@ static void test_point_triangle(const collision_ccd_query *question, collision_c
     point_plane last = point_plane_of(y[0], y[1], y[2], y[3]);
     shortest w1 = shortest_along(last.n, last.f[0]);
     double weights[3], time, thickness = question->thickness;
-    if (thickness > 0.0) { /* (i) */
+    if (thickness > 0.0) { /* step (i) */
         vec3 apart =
             foot_inside(&last, weights) ? from_a_to_b(&w1) : closest_on_triangle(last.f, weights);
         if (near_at_end(apart, thickness, answer)) {
@@ -229,12 +229,12 @@ static void test_point_triangle(const collision_ccd_query *question, collision_c
     }
     point_plane first = point_plane_of(x[0], x[1], x[2], x[3]);
     shortest w0 = shortest_along(first.n, first.f[0]);
-    if (!linear_time(&w0, &w1, answer, counters, &time)) { /* (ii a) */
+    if (!linear_time(&w0, &w1, answer, counters, &time)) { /* step (ii a) */
         return;
     }
     point_plane then = point_plane_of(vec3_lerp(x[0], y[0], time), vec3_lerp(x[1], y[1], time),
                                       vec3_lerp(x[2], y[2], time), vec3_lerp(x[3], y[3], time));
-    if (foot_inside(&then, weights)) { /* (ii b) */
+    if (foot_inside(&then, weights)) { /* step (ii b) */
         shortest w = shortest_along(then.n, then.f[0]);
         tell_crossing(answer, time, fabs(w.height) / sqrt(w.nn), then.n, &w0);
         set_corner_weights(answer, weights);

@@ -1,4 +1,4 @@
-/* Polynomials with integer coefficients: their roots, and signs at roots. */
+/* Polynomials with integer coefficients: roots, and signs at roots. */
 #include "collision/integers.h"
 
 void vbss_polynomial_trim(polynomial *p, int32_t degree)
@@ -66,7 +66,7 @@ polynomial vbss_polynomial_subtract(workspace *w, const polynomial *a, const pol
     return vbss_polynomial_add(w, a, &minus);
 }
 
-/* Horner, with the powers of two kept apart: sum of c[k] n^k 2^(bits (degree - k)). */
+/* Horner's method with separate powers of two: sum of c[k] n^k 2^(bits (degree - k)). */
 int32_t vbss_polynomial_sign_at(workspace *w, const polynomial *p, dyadic t)
 {
     if (p->degree < 0) {
@@ -84,7 +84,7 @@ int32_t vbss_polynomial_sign_at(workspace *w, const polynomial *p, dyadic t)
     return sum.sign;
 }
 
-/* A positive multiple of the remainder of a by b; b is not zero. */
+/* A positive multiple of the remainder of a divided by b; b must not be zero. */
 static polynomial remainder_of(workspace *w, const polynomial *a, const polynomial *b)
 {
     polynomial r = *a;
@@ -95,7 +95,7 @@ static polynomial remainder_of(workspace *w, const polynomial *a, const polynomi
         int32_t shift = r.degree - b->degree;
         integer factor_of_b = r.c[r.degree];
         factor_of_b.sign *= lead_sign;
-        /* |lead of b| r - (+-) (lead of r) t^shift b: the leading terms cancel */
+        /* |lead of b| r - (+-) (lead of r) t^shift b cancels the leading terms. */
         for (int32_t k = 0; k < r.degree; k++) {
             uint32_t mark = w->used;
             integer c = vbss_integer_multiply(w, factor_of_r, r.c[k]);
@@ -161,7 +161,8 @@ static dyadic interpolate(workspace *w, dyadic low, dyadic high, uint32_t eighth
     return t;
 }
 
-/* A place between two others that is no root of p: one of more candidates than p has roots. */
+/* A point between two others that is not a root of p. There are more candidates than p has
+ * roots. */
 static dyadic split(workspace *w, const polynomial *p, dyadic low, dyadic high)
 {
     static const uint32_t eighths[] = {4, 3, 5, 2};
@@ -177,7 +178,7 @@ static dyadic split(workspace *w, const polynomial *p, dyadic low, dyadic high)
     return t;
 }
 
-/* Divides by t as often as that is a factor. */
+/* Removes all factors t. */
 static void divide_by_t(polynomial *p)
 {
     while (p->degree > 0 && p->c[0].sign == 0) {
@@ -188,7 +189,7 @@ static void divide_by_t(polynomial *p)
     }
 }
 
-/* Divides by t - 1 as often as that is a factor. */
+/* Removes all factors t - 1. */
 static void divide_by_t_minus_one(workspace *w, polynomial *p)
 {
     while (p->degree > 0) {
@@ -205,7 +206,8 @@ static void divide_by_t_minus_one(workspace *w, polynomial *p)
     }
 }
 
-/* All coefficients of one sign, those of Bernstein's form: no root between 0 and 1. */
+/* Whether all Bernstein coefficients have one sign, which proves that there is no root between 0
+ * and 1. */
 static bool has_one_sign(workspace *w, const polynomial *p)
 {
     static const uint64_t binomial[4][4] = {{1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}};
@@ -225,7 +227,7 @@ static bool has_one_sign(workspace *w, const polynomial *p)
     return same;
 }
 
-/* Gives back the limbs of all places but these. */
+/* Frees the limbs of all points except these. */
 static void compact_bounds(workspace *w, uint32_t mark, root *a, int32_t count_a, root *b,
                            int32_t count_b)
 {
@@ -249,7 +251,7 @@ int32_t vbss_roots_between(workspace *w, const polynomial *p, sturm *s, root roo
     }
     *s = vbss_sturm_make(w, &inner);
     uint32_t mark = w->used;
-    root intervals[4]; /* intervals still to look at, the leftmost on top */
+    root intervals[4]; /* intervals still to be examined, the leftmost on top */
     int32_t count = 0, pending = 1;
     intervals[0].low = (dyadic){integer_zero(), 0};
     intervals[0].high = (dyadic){vbss_integer_make(w, 1, 0, 1), 0};
@@ -264,7 +266,7 @@ int32_t vbss_roots_between(workspace *w, const polynomial *p, sturm *s, root roo
             root left = whole, right = whole;
             left.high = right.low = split(w, &inner, whole.low, whole.high);
             left.changes_high = right.changes_low = vbss_sturm_changes(w, s, left.high);
-            /* Each interval that waits holds a root, so there are never more than three. */
+            /* Each pending interval contains a root, so there are never more than three. */
             if (right.changes_low - right.changes_high > 0) {
                 intervals[pending++] = right;
             }
@@ -277,13 +279,14 @@ int32_t vbss_roots_between(workspace *w, const polynomial *p, sturm *s, root roo
     return count;
 }
 
-/* Whether the sequence loses a sign between two places: the number of roots there, if neither is one. */
+/* Number of roots between two points; neither may be a root itself. */
 static int32_t roots_in(workspace *w, const sturm *s, dyadic low, dyadic high)
 {
     return vbss_sturm_changes(w, s, low) - vbss_sturm_changes(w, s, high);
 }
 
-/* Whether q vanishes at the root r of p: whether their greatest common divisor has a root there. */
+/* Whether q vanishes at the root r of p, that is whether their greatest common divisor has a root
+ * there. */
 static bool vanishes(workspace *w, const polynomial *q, const polynomial *p, const root *r)
 {
     uint32_t mark = w->used;
@@ -302,7 +305,7 @@ static bool vanishes(workspace *w, const polynomial *q, const polynomial *p, con
     return common;
 }
 
-/* The half of an interval in which the root is. */
+/* Replaces the interval of the root by the half that contains it. */
 static void narrow(workspace *w, const sturm *s, root *r)
 {
     dyadic middle = split(w, &s->p[0], r->low, r->high);
@@ -336,7 +339,7 @@ int32_t vbss_sign_at_root(workspace *w, const polynomial *q, const sturm *s, roo
         } else if (!is_checked) {
             is_checked = true;
             found = vanishes(w, q, &s->p[0], r);
-        } else { /* the root of q beside it is another one: narrow until they are told apart */
+        } else { /* q has a different root close by: narrow the interval until it is excluded */
             narrow(w, s, r);
             vbss_integers_compact(w, after, ends, 2);
         }

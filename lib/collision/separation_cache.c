@@ -1,15 +1,17 @@
-/* How far candidates are known to be apart, from one search to the next.
+/* Separation cache: lower bounds of the distances of candidates, carried from one search to the
+ * next.
  *
- * Whoever has measured the axes of a candidate notes it; the next search hands it on to the same pair, less what the nodes
- * have gone since. What is known decides what need not be measured again, never what is found: it is no state, and what two
- * objects know of the same places may differ. */
+ * A caller that has measured the axes of a candidate stores the distance. The next search passes it
+ * on to the same pair, reduced by the motion of its nodes. The cache only saves measurements and
+ * never changes a result. It is not part of the state, and the caches of two objects with equal
+ * positions may differ. */
 #include "collision/shapes.h"
 
 /* What is proved is so by more than rounding: share of the distance. */
 #define ROUNDED_UP (1.0 + 1e-9)
 #define ROUNDED_DOWN (1.0 - 1e-9)
 
-/* ---- where nodes go */
+/* ---- displacement of nodes */
 
 void vbss_collision_update_displacements(collision_shape *s)
 {
@@ -18,7 +20,7 @@ void vbss_collision_update_displacements(collision_shape *s)
     }
 }
 
-/* Since the last search, of which a shape that has changed knows nothing. */
+/* Displacement since the last search; infinite for a shape that has changed since. */
 static void update_search_displacements(collision_shape *s)
 {
     for (uint32_t i = 0; i < s->node_count; i++) {
@@ -38,7 +40,7 @@ static inline double max_over_nodes(const double *of_nodes, const uint32_t *node
     return largest;
 }
 
-/* Of the farthest corner of a candidate's feature a, and of its b. */
+/* Largest value over the nodes of feature a of a candidate, and of feature b. */
 static double max_of_feature_a(const collision_candidate *q, const collision_shape *a,
                                const double *of_nodes)
 {
@@ -53,7 +55,7 @@ static double max_of_feature_b(const collision_candidate *q, const collision_sha
                                           : max_over_nodes(of_nodes, b->triangles[q->b], 3);
 }
 
-/* ---- what is known */
+/* ---- cached separations */
 
 void vbss_collision_store_separation(collision_object *c, const collision_candidate *q,
                                      double distance)
@@ -74,7 +76,7 @@ bool vbss_collision_stays_separated(const collision_object *c, const collision_c
     return separation > ROUNDED_UP * (distance + displacement);
 }
 
-/* ---- from search to search */
+/* ---- from one search to the next */
 
 void vbss_collision_swap_separation_cache(collision_object *c)
 {
@@ -103,7 +105,7 @@ static bool is_same(const collision_candidate *p, const collision_candidate *q)
            p->kind == q->kind;
 }
 
-/* Both lists ascend. */
+/* Both lists are sorted. */
 void vbss_collision_carry_separations(collision_object *c)
 {
     uint32_t k = 0;

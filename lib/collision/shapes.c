@@ -1,4 +1,4 @@
-/* Shapes: adding, removing, moving. */
+/* Shapes: creation, removal and motion. */
 #include "collision/shapes.h"
 
 #include <string.h>
@@ -11,7 +11,7 @@
 
 #define MAX_RADIUS 1e29
 
-/* ---- memory: one table says what there is; what is not needed stays NULL */
+/* ---- memory: one table lists all arrays; those that a shape does not need stay NULL */
 
 enum { ARRAY_COUNT = 23 + COLLISION_EXCLUSION_ARRAYS };
 
@@ -35,7 +35,7 @@ static void add_bvh(array_list *list, collision_bvh *bvh, uint32_t features, boo
     add_array(list, &bvh->boxes, features, sizeof *bvh->boxes);
     add_array(list, &bvh->group_boxes, groups, sizeof *bvh->group_boxes);
     add_array(list, &bvh->groups, groups, sizeof *bvh->groups);
-    /* A single group has no use for an order. */
+    /* A single group needs no order. */
     add_array(list, &bvh->order, ordered && features > COLLISION_BVH_WIDTH ? features : 0,
               sizeof *bvh->order);
 }
@@ -75,18 +75,18 @@ void vbss_collision_shape_free(vbss_context *context, collision_shape *s)
     vbss_release(context, s, 1, sizeof *s);
 }
 
-/* By which the boxes of a shape's features are larger than their swept vertices, so that two features
- * that come within D (1 + tolerance) + margin of each other have overlapping boxes: each has its
- * radius and half of thickness and margin. The factor is more than the few roundings here and in D
- * can lose, and DBL_MIN what they lose of numbers too small to be normal. Rounding in `low - reach`
- * and `high + reach` loses nothing, as it keeps the order of any two numbers: docs/collision.md. */
+/* Inflation of the boxes of a shape: features that come within D (1 + tolerance) + margin of each
+ * other have overlapping boxes. Each shape contributes its radius and half of thickness and margin.
+ * The factor exceeds the few rounding errors here and in D, and DBL_MIN exceeds those of subnormal
+ * numbers. Rounding of low - inflation and high + inflation loses nothing, because it preserves the
+ * order of numbers: docs/collision.md. */
 static double inflation_of(const vbss_collision_config *config, double radius)
 {
     double half_distance = (radius + 0.5 * config->thickness) * (1.0 + config->tolerance);
     return (half_distance + 0.5 * config->margin) * (1.0 + 8.0 * DBL_EPSILON) + DBL_MIN;
 }
 
-/* A shape without topology. Its counts are in range. */
+/* Creates a shape without topology; the counts must be in range. */
 static vbss_result create_shape(collision_object *c, collision_shape_kind kind,
                                 const uint32_t counts[3], double radius, collision_shape **shape)
 {
@@ -131,13 +131,13 @@ static uint64_t hash_topology(collision_shape *s)
     if (s->kind == COLLISION_SHAPE_MESH) {
         vbss_stream_u32(&stream, 4, s->triangles[0], 3u * (size_t)s->triangle_count);
     }
-    if (s->exclusion.words > 0) { /* a triangle's are those of its edges */
+    if (s->exclusion.words > 0) { /* the edges determine the rows of the triangles */
         vbss_stream_u64(&stream, 5, s->exclusion.edges, (size_t)s->edge_count * s->exclusion.words);
     }
     return vbss_hash_end(&stream.hash);
 }
 
-/* Names a finished shape. */
+/* Adds a complete shape to the object and assigns its id. */
 static void register_shape(collision_object *c, collision_shape *s, uint32_t *id)
 {
     s->topology_hash = hash_topology(s);
@@ -148,7 +148,7 @@ static void register_shape(collision_object *c, collision_shape *s, uint32_t *id
     c->generation++;
 }
 
-/* What all shapes have to be asked first. */
+/* Checks that apply to all kinds of shapes. */
 static vbss_result check_new(const collision_object *c, double radius, const uint32_t *id)
 {
     VBSS_TRY(vbss_check_pointer(c->context, id, "shape"));
@@ -165,7 +165,7 @@ static vbss_result check_new(const collision_object *c, double radius, const uin
 
 /* ---- chains */
 
-/* sum += x, in twice the digits: whoever asks for an exact multiple of D must get it. */
+/* sum += x in double-double arithmetic, so that an exact multiple of D is compared exactly. */
 static void add_exactly(double sum[2], double x)
 {
     double s = sum[0] + x, added = s - sum[0];
@@ -182,8 +182,8 @@ static bool reaches(const double arc[2], const double limit[2])
     return difference[0] >= 0.0;
 }
 
-/* far_before and far_after. The arc between edge `before` and edge b is that of the edges between them;
- * both only go forward. */
+/* Computes far_before and far_after. The arc between two edges is that of the edges between them;
+ * both indices only increase. */
 static void measure_arcs(collision_shape *s, const double *rest_lengths, const double limit[2])
 {
     double arc[2] = {0.0, 0.0};
@@ -252,7 +252,7 @@ vbss_result vbss_collision_add_chain(vbss_collision *collision, uint32_t node_co
     return VBSS_OK;
 }
 
-/* ---- chains that change */
+/* ---- chains with a variable number of nodes */
 
 vbss_result vbss_collision_add_disabled_chain(collision_object *c, uint32_t node_capacity,
                                               double radius, uint32_t *id)
@@ -340,7 +340,7 @@ static vbss_result check_triangles(const collision_object *c, uint32_t node_coun
 
 typedef uint32_t node_pair[2];
 
-/* Keeps the order of pairs whose node `which` is the same. `places` has node_count + 1 entries. */
+/* Stable sort by node number `which` of each pair. `offsets` has node_count + 1 entries. */
 static void sort_by_node(node_pair *from, node_pair *to, uint32_t count, int which,
                          uint32_t *offsets, uint32_t node_count)
 {
@@ -356,7 +356,8 @@ static void sort_by_node(node_pair *from, node_pair *to, uint32_t count, int whi
     }
 }
 
-/* The three sides of each triangle, lower node first, sorted, each once; returns how many. */
+/* Lists the sides of all triangles, lower node first, sorted and without duplicates. Returns their
+ * number. */
 static uint32_t list_edges(const uint32_t *triangles, uint32_t triangle_count, uint32_t node_count,
                            node_pair *edges, node_pair *spare, uint32_t *offsets)
 {
@@ -414,7 +415,7 @@ vbss_result vbss_collision_add_mesh(vbss_collision *collision, uint32_t node_cou
     return result;
 }
 
-/* ---- living with shapes */
+/* ---- queries and motion */
 
 void vbss_collision_update_pair_rules(collision_object *c, collision_shape *s)
 {
@@ -440,7 +441,8 @@ vbss_result vbss_collision_remove(vbss_collision *collision, uint32_t shape)
     collision_shape *s = NULL;
     VBSS_TRY(vbss_collision_edit(collision, &c));
     VBSS_TRY(vbss_collision_find_shape(c, shape, &s));
-    c->shapes[shape] = NULL; /* first: the host's release may look at the object */
+    /* before the release, because the host's function may read the object */
+    c->shapes[shape] = NULL;
     c->active_valid = false;
     vbss_collision_clear_results(c);
     c->generation++;
@@ -479,7 +481,7 @@ vbss_result vbss_collision_move(vbss_collision *collision, uint32_t shape, const
     memcpy(s->start, start != NULL ? start : &s->end[0].x, bytes);
     memcpy(s->end, end, bytes);
     vbss_collision_shape_invalidate(s);
-    vbss_collision_clear_results(c); /* candidates of other places would miss */
+    vbss_collision_clear_results(c); /* candidates of other positions would be incomplete */
     c->generation++;
     return VBSS_OK;
 }

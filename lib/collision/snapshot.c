@@ -1,12 +1,14 @@
-/* The state of a collision object: what is saved, hashed and restored. Trees are not: they decide how
- * fast a search is, not what it finds. Nor is the count of boxes tested, which depends on them. */
+/* Serialisation of a collision object.
+ *
+ * Trees are omitted: they affect the speed of a search, not its result. So is the count of tested
+ * boxes, which depends on them. */
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
 #include "base/stream.h"
 #include "collision/shapes.h"
 
-/* The configuration that must be the same; what only sizes memory may differ. */
+/* The configuration must equal the saved one, except for capacities. */
 static void visit_config(vbss_stream *stream, const collision_object *c)
 {
     const double numbers[] = {
@@ -62,7 +64,7 @@ void vbss_collision_serialise(vbss_stream *stream, void *object)
     visit_counters(stream, c);
 }
 
-/* ---- saving from outside */
+/* ---- public functions */
 
 vbss_result vbss_collision_save(vbss_collision *collision, uint8_t *bytes, uint64_t capacity,
                                 uint64_t *written)

@@ -1,4 +1,4 @@
-/* Looking at candidates and impacts. */
+/* Public views of candidates and impacts. */
 #include "base/error.h"
 #include "collision/shapes.h"
 
