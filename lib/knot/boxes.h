@@ -1,8 +1,8 @@
-/* Boxes in whole numbers, eight side by side.
+/* Integer bounding boxes, eight in SIMD lanes.
  *
- * Coordinates are rounded to a grid by a function that never falls, the same for all. So points whose numbers are
- * in order are in that order themselves: boxes of numbers that are apart are a proof that what is in
- * them is, however coarse the grid. */
+ * Coordinates are rounded to a grid by a non-decreasing function, the same for all. Rounding
+ * therefore preserves order: if two integer boxes are disjoint, so are their contents, however
+ * coarse the grid is. */
 #ifndef VBSS_KNOT_BOXES_H
 #define VBSS_KNOT_BOXES_H
 
@@ -40,7 +40,7 @@ static inline void box_grid_axis(box_grid *grid, int axis, double low, double hi
     grid->scale[axis] = half > 1e-290 ? KNOT_BOX_MAX / half : 0.0;
 }
 
-/* ---- one box */
+/* ---- a single box */
 
 typedef struct box {
     int16_t low[3], high[3];
@@ -88,7 +88,7 @@ static inline box box_of_corners(const int16_t p[4], const int16_t q[4])
     return b;
 }
 
-/* ---- groups: lows in x, y, z, then highs, of eight boxes each */
+/* ---- groups of eight boxes: lower bounds in x, y, z, then upper bounds */
 
 static inline void boxes_set(int16_t *groups, uint32_t i, box b)
 {
@@ -110,7 +110,7 @@ static inline box boxes_get(const int16_t *groups, uint32_t i)
     return b;
 }
 
-/* Of all boxes of a group. */
+/* Hull of all boxes of a group. */
 static inline box boxes_hull(const int16_t *group)
 {
     box b = boxes_get(group, 0);
@@ -120,7 +120,7 @@ static inline box boxes_hull(const int16_t *group)
     return b;
 }
 
-/* ---- which of a group meet a box: a bit each */
+/* ---- bit mask of the boxes of a group that overlap a box */
 
 #if defined(__GNUC__) && defined(__SSE2__)
 
@@ -178,7 +178,7 @@ static inline unsigned boxes_overlapping(const int16_t *group, const box_query *
 
 #endif
 
-/* The lowest bit of bits, which is taken away. */
+/* Returns the index of the lowest set bit and clears it. */
 static inline uint32_t box_pop_bit(uint64_t *bits)
 {
     uint64_t b = *bits;

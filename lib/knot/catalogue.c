@@ -1,8 +1,11 @@
-/* The invariants of connected sums of torus knots T(2, 2 k + 1), and which such sum has given ones.
+/* Invariants of connected sums of torus knots T(2, 2 k + 1), and the inverse: the sum with given
+ * invariants.
  *
- * Determinants multiply, the others add. v2 of the sum of a, b, c knots with k = 1, 2, 3 is a + 3 b + 6 c, its
- * determinant 3^a 5^b 7^c. Of the right-handed less the left-handed of each, x, y and z, v3 is x + 5 y + 14 z, -sigma / 2 is
- * x + 2 y + 3 z and, at X_TRISTRAM, y + z: three equations with one solution, so all sums are told apart. */
+ * Determinants multiply; the other invariants add. A sum of a, b and c knots with k = 1, 2, 3 has
+ * v2 = a + 3 b + 6 c and the determinant 3^a 5^b 7^c. Let x, y and z be the number of right-handed
+ * minus left-handed knots of each kind. Then v3 = x + 5 y + 14 z, -sigma / 2 = x + 2 y + 3 z, and
+ * at X_TRISTRAM y + z. These three equations have one solution, so the invariants distinguish all
+ * sums. */
 #include "knot/knot.h"
 
 /* The prime that determinants are computed by: what is known of those from 2^30 on is the remainder. */
@@ -14,11 +17,11 @@
 
 enum { MAX_WRAPS = 3 };
 
-/* Roots exp(i theta) of the Alexander polynomial of T(2, 2 k + 1) lie at odd multiples of pi / (2 k + 1) below pi; at
- * each the signature at theta, 0 near 0, goes 2 away. */
+/* The roots exp(i theta) of the Alexander polynomial of T(2, 2 k + 1) are at odd multiples of pi /
+ * (2 k + 1) below pi. The signature at theta is 0 near 0 and decreases by 2 at each root. */
 static int32_t roots_before_tristram(int32_t wraps)
 {
-    /* the odd numbers up to x are (floor(x) + 1) / 2 */
+    /* there are (floor(x) + 1) / 2 odd numbers up to x */
     int64_t below = ((2 * (int64_t)wraps + 1) * TRISTRAM_1E9) / 1000000000;
     return (int32_t)((below + 1) / 2);
 }
@@ -43,14 +46,14 @@ knot_invariants vbss_knot_invariants_of(const knot_factors *factors)
     return sum;
 }
 
-/* As determinant.c can tell it. */
+/* The determinant as determinant.c can compute it. */
 static int64_t reduce_determinant(int64_t determinant)
 {
     int64_t rest = determinant % PRIME;
     return rest > PRIME / 2 ? PRIME - rest : rest;
 }
 
-/* What is not known is not the same. */
+/* Unknown invariants never count as equal. */
 bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
 {
     return a.known && b.known &&
@@ -59,9 +62,10 @@ bool vbss_knot_invariants_same(knot_invariants a, knot_invariants b)
            a.signature_tristram == b.signature_tristram;
 }
 
-/* ---- the way back */
+/* ---- inverse */
 
-/* How many knots of each number of wraps make up the determinant; false when none do. */
+/* Numbers of knots of each number of wraps in the determinant. Returns false if there is no such
+ * sum. */
 static bool count_wraps(int64_t determinant, uint32_t counts[MAX_WRAPS])
 {
     uint32_t count = 0;

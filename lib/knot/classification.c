@@ -1,5 +1,5 @@
-/* What hosts see of a reading that ended: throws with their verdicts, and events for all that changed. Nothing is
- * latched: a throw that the next certain reading does not show is revoked. */
+/* Public result of a complete reading: throws with their verdicts, and events for all changes.
+ * There is no latch: a throw that the next certain reading does not show is revoked. */
 #include "knot/knot.h"
 
 static uint32_t hand_number(int32_t handedness)
@@ -9,7 +9,8 @@ static uint32_t hand_number(int32_t handedness)
 
 /* ---- throws */
 
-/* Throws of a kind that a reading has, less those of the same kind before number `until` of the verdict. */
+/* Number of throws of a kind in a reading, minus those of this kind before throw `until` of the
+ * classification. */
 static int32_t count_left(const knot_reading *r, const knot_classification *v, uint32_t until,
                           const vbss_knot_throw *kind)
 {
@@ -24,7 +25,7 @@ static int32_t count_left(const knot_reading *r, const knot_classification *v, u
     return count;
 }
 
-/* What it is was proved, and its ends are clear of it. */
+/* Whether the type is proved and the closures agree. */
 static bool is_certain(const knot_job *job)
 {
     return (job->outward.certified || job->locator.certified) &&
@@ -56,7 +57,7 @@ static void fill_throw(const knot_detector *d, const knot_located *from, vbss_kn
     to->flags |= to->tail_length < d->config.tail_least ? VBSS_KNOT_THROW_REVOCABLE : 0u;
 }
 
-/* A throw that one limb has alone is stray, wherever it lies. */
+/* A throw in one limb alone is stray, wherever it is. */
 static void flag_strays(knot_classification *v, const knot_reading *limb)
 {
     uint32_t count = knot_was_read(limb) ? limb->factors.count : 0;
@@ -72,7 +73,7 @@ static void flag_strays(knot_classification *v, const knot_reading *limb)
     }
 }
 
-/* What is sure must agree with what both theta edges show in one limb alone. */
+/* Certified results require that both limbs show exactly the stray throws. */
 static void check_strays(const knot_job *job, knot_classification *v)
 {
     uint32_t strays = 0;
@@ -86,7 +87,8 @@ static void check_strays(const knot_job *job, knot_classification *v)
     }
 }
 
-/* ---- order by history: what was in order before and is still there keeps it, what came is outermost */
+/* ---- order by history: throws that were ordered and are still present keep their order; a new
+ * throw is outermost */
 
 static int32_t count_kind(const knot_classification *v, const vbss_knot_throw *kind)
 {
@@ -97,7 +99,7 @@ static int32_t count_kind(const knot_classification *v, const vbss_knot_throw *k
     return count;
 }
 
-/* All in order, or none, and nothing stray. */
+/* Whether all throws have the given order flag and none is stray. */
 static bool is_plain(const knot_classification *v, uint32_t ordered)
 {
     bool plain = true;
@@ -183,7 +185,7 @@ static void list_throws(const knot_detector *d, bool follows, knot_classificatio
     flag_relations(v, &job->tools, job->has_tools);
 }
 
-/* ---- what changed */
+/* ---- changes */
 
 static bool is_same_throw(const vbss_knot_throw *a, const vbss_knot_throw *b)
 {
@@ -245,9 +247,9 @@ static vbss_knot_verdict lowest_certainty(const knot_classification *v)
     return lowest;
 }
 
-/* ---- what is being tied */
+/* ---- the throw being tied */
 
-/* The one throw that withdrawing the tools would add. */
+/* The one throw that would be added by withdrawing the tools. */
 static const knot_factor *added_by_tools(const knot_job *job)
 {
     const knot_factors *now = &job->outward.factors, *then = &job->tools.factors;
@@ -270,7 +272,8 @@ static const knot_factor *added_by_tools(const knot_job *job)
     return matched == now->count && then->count == matched + 1 ? added : NULL;
 }
 
-/* The law of wraps: |w| in (k, k + 1] signed turns towards the tip give k wraps, left-handed when w > 0. */
+/* Wraps from winding: k < |w| <= k + 1 signed turns toward the tip give k wraps, left-handed for w
+ * > 0. */
 static void set_wrapping(vbss_knot_state *state, uint32_t tool, const knot_winding *w)
 {
     int32_t wraps = 0;
@@ -311,11 +314,11 @@ static void classify_passed(knot_detector *d)
     const knot_factor *added = added_by_tools(&d->job);
     bool had = state->next_verdict == VBSS_KNOT_VERDICT_PASSED;
     if (added == NULL) {
-        state->next_verdict = VBSS_KNOT_VERDICT_NONE; /* or what winding says */
+        state->next_verdict = VBSS_KNOT_VERDICT_NONE; /* or the result of winding */
     } else {
         if (!had || state->next_wraps != added->wraps ||
             state->next_handedness != added->handedness) {
-            uint32_t tool = state->next_tool; /* that the thread winds round */
+            uint32_t tool = state->next_tool; /* the tool about which the thread winds */
             vbss_knot_emit_event(d, VBSS_KNOT_EVENT_PASSED, tool, (uint32_t)added->wraps,
                                  hand_number(added->handedness));
         }
@@ -326,7 +329,7 @@ static void classify_passed(knot_detector *d)
     vbss_knot_classify_next(d);
 }
 
-/* ---- the whole */
+/* ---- the complete classification */
 
 static vbss_knot_reason reason_of(const knot_detector *d)
 {
@@ -366,7 +369,7 @@ void vbss_knot_classify(knot_detector *d, bool follows)
         emit_changes(d, &v);
         d->classification = v;
         classify_passed(d);
-    } else { /* what is known of the throws is kept, and no longer sure */
+    } else { /* keeps the throws, which are no longer certain */
         d->statistics.uncertain++;
         if (d->classification.reason != reason) {
             vbss_knot_emit_event(d, VBSS_KNOT_EVENT_UNCERTAIN, (uint32_t)reason, 0, 0);

@@ -1,8 +1,8 @@
-/* How the ends of a thread are continued to infinity: straight outward, in other directions to compare with,
+/* Extensions of a thread's ends to infinity: straight outward, in other directions for comparison,
  * and through the tools that hold them. */
 #include "knot/knot.h"
 
-/* ---- the frame: where far is, and what is outward */
+/* ---- the frame: far distance and outward directions */
 
 static vec3 centroid_of(const knot_input *input)
 {
@@ -30,8 +30,8 @@ static double bounding_radius(const knot_input *input, vec3 centre)
     return reach;
 }
 
-/* Whether all the rest of the thread lies behind the plane through an end across a direction: then going on in that
- * direction meets nothing, whatever the rest does. */
+/* Whether the rest of the thread is behind the plane through an end, normal to a direction. An
+ * extension in that direction then hits nothing. */
 static bool is_outermost(const knot_input *input, uint32_t end, vec3 out, double scale)
 {
     double limit = vec3_dot(input->points[end], out) - 1e-12 * scale;
@@ -43,7 +43,7 @@ static bool is_outermost(const knot_input *input, uint32_t end, vec3 out, double
     return true;
 }
 
-/* Other directions lie about the outward one, within some 60 degrees. */
+/* Sets the other directions, within about 60 degrees of the first one. */
 static void set_directions(vec3 out[1 + KNOT_CLOSURES], vec3 first, uint32_t alternative_count,
                            uint32_t from)
 {
@@ -54,7 +54,7 @@ static void set_directions(vec3 out[1 + KNOT_CLOSURES], vec3 first, uint32_t alt
     }
 }
 
-/* Puts an outermost direction first, if there is one. */
+/* Moves an outermost direction to the front, if there is one. */
 static bool find_outermost(const knot_input *input, uint32_t end, vec3 out[1 + KNOT_CLOSURES],
                            uint32_t alternative_count, double scale)
 {
@@ -67,7 +67,7 @@ static bool find_outermost(const knot_input *input, uint32_t end, vec3 out[1 + K
     return false;
 }
 
-/* ---- through the tools */
+/* ---- extensions through the tools */
 
 static vec3 nearest_on(vec3 a, vec3 b, vec3 x)
 {
@@ -76,7 +76,7 @@ static vec3 nearest_on(vec3 a, vec3 b, vec3 x)
     return vec3_add_scaled(a, vbss_max(0.0, vbss_min(1.0, t)), along);
 }
 
-/* From the thread to the jaws' axis, along it to the handle and beyond. */
+/* From the thread to the axis of the jaws, then along it to the handle and beyond. */
 static knot_extension extension_through(const knot_input *input, const knot_tool *tool)
 {
     vec3 from = vbss_knot_point_at(input, tool->held_place);
@@ -96,7 +96,7 @@ static knot_extension extension_through(const knot_input *input, const knot_tool
     return extension;
 }
 
-/* The tool that holds nearest to an end, if not too far from it. */
+/* Selects the tool that holds each limb closest to its end, within tail_reach. */
 static void find_tool_extensions(knot_closure *c, const vbss_knot_config *config,
                                  const knot_input *input)
 {
@@ -198,8 +198,8 @@ void vbss_knot_close_begin(const knot_closure *c, knot_polygon *polygon, const k
     }
 }
 
-/* Between two far points the way leads round: at most a quarter turn between one and the next, so that it stays far
- * from the thread. */
+/* Connects two far points with at most a quarter turn between successive points, so that the path
+ * stays far from the thread. */
 void vbss_knot_close_end(const knot_closure *c, knot_polygon *polygon, const knot_extension *tail,
                          const knot_extension *end)
 {

@@ -1,4 +1,4 @@
-/* How detectors are to be: defaults and what is allowed. */
+/* Configuration of a detector: defaults and range checks. */
 #include "base/check.h"
 #include "base/error.h"
 #include "knot/knot.h"

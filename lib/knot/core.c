@@ -1,5 +1,6 @@
-/* The thread reduced once for all closed curves of a reading: whatever its ends may be continued by is in the
- * way of the moves, so every closed curve made of what is left has the type of the one made of the thread. */
+/* The thread, reduced once for all closed curves of a reading. All its possible extensions are
+ * obstacles of the moves, so every closed curve made from the result has the knot type of the one
+ * made from the thread. */
 #include "knot/knot.h"
 
 static void add_extension(knot_core *core, uint32_t *count, const knot_closure *closure,
@@ -39,13 +40,14 @@ static uint32_t list_obstacles(knot_core *core, const knot_closure *closure,
     return count;
 }
 
-/* The thread's points, and those where something else begins. */
+/* The points of the thread, with fixed vertices where extensions start. */
 static void list_vertices(knot_core *core, const knot_closure *closure, const knot_input *input)
 {
     double fixed_places[KNOT_FIXED_VERTICES], last = input->point_count - 1.0;
     fixed_places[0] = closure->tail_hold;
     fixed_places[1] = closure->has_tissue ? input->tissue_place : -1.0;
-    fixed_places[2] = closure->long_hold; /* holds lie on either side of the tissue: they ascend */
+    /* ascending, because the grasps are on either side of the tissue */
+    fixed_places[2] = closure->long_hold;
     knot_polygon *p = &core->polygon;
     p->count = 0;
     p->closed = false;

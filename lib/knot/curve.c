@@ -1,5 +1,5 @@
-/* Reading one closed curve: reduced, projected until a diagram comes apart into twist regions, compared with
- * invariants. */
+/* Reading of one closed curve: reduction, then projections until a diagram decomposes into twist
+ * regions, then comparison of invariants. */
 #include "knot/knot.h"
 
 void vbss_knot_curve_begin(knot_curve *curve, bool checked)
@@ -20,7 +20,8 @@ static void end_reading(knot_curve *curve, vbss_knot_reason reason)
     curve->stage = KNOT_CURVE_READ;
 }
 
-/* The first diagram that is certified ends it; otherwise the one with fewest crossings is kept. */
+/* The first certified diagram ends the search; otherwise the one with the fewest crossings is
+ * kept. */
 static void store_diagram(knot_curve *curve, bool certified, const knot_factors *factors)
 {
     const knot_gauss_code *code = &curve->codes[1 - curve->best],
@@ -68,7 +69,7 @@ static void untangle(knot_curve *curve, knot_ops *budget)
     }
 }
 
-/* One invariant at a time. */
+/* Computes one invariant per call. */
 static void compute(knot_curve *curve, knot_ops *budget)
 {
     const knot_gauss_code *code = &curve->codes[curve->best];
@@ -155,7 +156,7 @@ bool vbss_knot_curve_resume(knot_curve *curve, knot_ops *budget)
     return curve->stage == KNOT_CURVE_READ;
 }
 
-/* ---- comparing */
+/* ---- comparison */
 
 static bool same_throws(const knot_factors *a, const knot_factors *b)
 {

@@ -1,11 +1,12 @@
-/* How detectors begin and end, and their step: shown -> winding -> topology, some of it -> verdict. */
+/* Creation, destruction and step of detectors: input -> winding -> some work on the topology ->
+ * result. */
 #include "base/check.h"
 #include "base/error.h"
 #include "knot/knot.h"
 
 #include <string.h>
 
-/* ---- memory: one table says what there is */
+/* ---- memory: one table lists all arrays */
 
 enum {
     ARRAY_COUNT = 6 + 2 + 2 * (3 + KNOT_REDUCTION_ARRAYS) + KNOT_PROJECTOR_ARRAYS +
@@ -113,7 +114,7 @@ static vbss_result allocate(vbss_context *context, const vbss_knot_config *confi
     return VBSS_OK;
 }
 
-/* ---- life */
+/* ---- creation and destruction */
 
 vbss_result vbss_knot_detector_create(vbss_context *context, const vbss_knot_config *config,
                                       vbss_knot_detector **detector)
@@ -187,7 +188,8 @@ void vbss_knot_emit_event(knot_detector *d, vbss_knot_event kind, uint32_t a, ui
     d->events[d->event_count - 1] = (knot_event){VBSS_KNOT_EVENT_LOST, {d->events_lost + 1, 0, 0}};
 }
 
-/* Wrapped from wrap_turns on, until a quarter of a turn less; `true` when that has changed. */
+/* A tool is wrapped from wrap_turns on, with a hysteresis of a quarter turn. Returns whether that
+ * has changed. */
 static bool update_winding(knot_detector *d, uint32_t tool)
 {
     knot_tool_state *t = &d->tools[tool];
@@ -211,7 +213,7 @@ static bool update_winding(knot_detector *d, uint32_t tool)
     return was != t->wrapped;
 }
 
-/* Winding about all tools; whether there is a reason to read the topology anew. */
+/* Updates the winding about all tools. Returns whether the topology should be read again. */
 static bool update_windings(knot_detector *d)
 {
     bool changed = false;
@@ -226,7 +228,7 @@ static bool update_windings(knot_detector *d)
     return changed;
 }
 
-/* Something is on a tool or in its jaws: a throw may be coming. */
+/* Whether the thread is wrapped about a tool or held by one, so that a throw may follow. */
 static bool is_tying(const knot_detector *d)
 {
     bool tying = false;
@@ -249,7 +251,7 @@ static bool is_due(const knot_detector *d)
 
 static void begin_reading(knot_detector *d)
 {
-    if (vbss_knot_job_is_active(&d->job)) { /* dropped, but its work was done */
+    if (vbss_knot_job_is_active(&d->job)) { /* the reading is dropped, but its work counts */
         vbss_knot_count_job(&d->job, &d->statistics);
     }
     vbss_knot_input_copy(&d->job.input, &d->input);
@@ -266,7 +268,7 @@ static void end_reading(knot_detector *d, bool follows)
     d->job.stage = KNOT_JOB_IDLE;
 }
 
-/* A reading begins in one step and goes on from the next one, so that no step pays for both. */
+/* A reading starts in one step and continues from the next on, so that no step pays for both. */
 static void read_topology(knot_detector *d)
 {
     if (vbss_knot_job_is_active(&d->job)) {
@@ -291,7 +293,7 @@ static void read_immediately(knot_detector *d)
     end_reading(d, false);
 }
 
-/* ---- both methods */
+/* ---- the step of both methods */
 
 static vbss_result run_step(vbss_knot_detector *detector, const vbss_knot_input *input,
                             bool immediate)

@@ -1,11 +1,12 @@
-/* The determinant of a knot, |Delta(-1)|: that of the Goeritz matrix, without one of its rows and
- * columns, of the colour of the chessboard that has fewer faces. (The matrix of colourings, one row a
- * crossing, has the same determinant and twice as many rows.) A row a face; each crossing joins two of
- * them, with +1 where its strand over sweeps them when it turns to the left, and with -1 where it does not.
+/* The determinant of a knot, |Delta(-1)|, from the Goeritz matrix of the checkerboard colour with
+ * fewer faces, without one row and column.
  *
- * Modulo a prime, so nothing is rounded. The determinant counts, with signs, spanning trees of that graph, which
- * are choices of so many of n edges as there are rows: at most binomial(n, n/2). One prime is enough for
- * 32 crossings, and two are for 64. */
+ * The matrix has one row for each face. Each crossing joins two faces, with +1 if its over strand
+ * sweeps them when it turns left, otherwise -1. (The colouring matrix, with one row for each
+ * crossing, has the same determinant and twice as many rows.)
+ * The computation is modulo a prime, so nothing is rounded. The determinant is a signed count of
+ * spanning trees of that graph. Each of them selects as many of the n edges as there are rows, so
+ * there are at most binomial(n, n/2). One prime suffices for 32 crossings, two for 64. */
 #include "knot/faces.h"
 
 #include <string.h>
@@ -23,14 +24,14 @@ void vbss_knot_algebra_arrays(knot_algebra *a, uint32_t capacity,
     arrays[2] = (vbss_array){&a->index, 16 * rows, sizeof *a->index};
 }
 
-/* ---- numbers modulo 2^31 - below */
+/* ---- arithmetic modulo 2^31 - below */
 
 static uint64_t prime_of(uint32_t below)
 {
     return ((uint64_t)1 << 31) - below;
 }
 
-/* x < 2^63; 2^31 is `below`. */
+/* Requires x < 2^63; uses that 2^31 is congruent to `below`. */
 static inline uint64_t reduced(uint64_t x, uint32_t below)
 {
     const uint64_t low = ((uint64_t)1 << 31) - 1, prime = prime_of(below);
@@ -54,11 +55,11 @@ static uint64_t inverse(uint64_t x, uint32_t below)
 typedef struct graph {
     const knot_algebra *algebra;
     const knot_gauss_code *code;
-    uint32_t first, count, size; /* faces of the colour; rows are one less */
-    uint32_t *row;               /* of each of these faces */
+    uint32_t first, count, size; /* faces of the chosen colour; there is one row fewer */
+    uint32_t *row;               /* face of this colour -> row */
 } graph;
 
-/* Faces with few crossings come first, so that little is filled in; the one with the most is left out. */
+/* Faces with few crossings come first, which limits the fill; the one with the most is omitted. */
 static void order_rows(graph *g)
 {
     uint32_t n = g->code->n, *degree = g->row + g->count;
@@ -107,8 +108,8 @@ static void fill(const graph *g, uint64_t prime)
     }
 }
 
-/* Rows are multiplied by the pivot where others divide, and the product of these factors is taken out in
- * the end. Overwrites the matrix. */
+/* Fraction-free elimination: rows are multiplied by the pivot, and the product of these factors is
+ * divided out at the end. Overwrites the matrix. */
 static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_ops *budget)
 {
     const uint64_t prime = prime_of(below);
@@ -122,7 +123,7 @@ static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_ops *
         if (chosen == size) {
             return 0;
         }
-        if (chosen != k) { /* the other row becomes minus this one */
+        if (chosen != k) { /* exchange rows, with a minus sign */
             uint64_t *row = a + (size_t)chosen * size;
             for (uint32_t j = k; j < size; j++) {
                 uint64_t value = pivot_row[j];
@@ -148,7 +149,7 @@ static uint64_t eliminate(uint64_t *a, uint32_t size, uint32_t below, knot_ops *
     return reduced(product * inverse(factors, below), below);
 }
 
-/* The number of least size with these remainders. */
+/* The number of smallest magnitude with these remainders. */
 static int64_t chinese_remainder(uint64_t first, uint64_t second)
 {
     const uint64_t p = prime_of(BELOW_FIRST), q = prime_of(BELOW_SECOND);

@@ -1,5 +1,5 @@
-/* A walk round every face. Side 2 i is the left of arc i, which goes from entry i to the next, walked along
- * it; side 2 i + 1 is its right, walked back. */
+/* Faces of a diagram, traced side by side. Side 2 i is the left of arc i, which leads from entry i
+ * to the next, traversed forward; side 2 i + 1 is its right, traversed backward. */
 #include "knot/faces.h"
 
 #include <string.h>
@@ -7,8 +7,8 @@
 typedef struct sides {
     const knot_gauss_code *code;
     uint32_t entries;
-    uint32_t *face; /* of each side */
-    uint32_t *mate; /* of each entry: the other one at its crossing */
+    uint32_t *face; /* side -> face */
+    uint32_t *mate; /* entry -> the other entry of its crossing */
 } sides;
 
 #define NO_FACE UINT32_MAX
@@ -44,7 +44,7 @@ static uint32_t after(const sides *s, uint32_t entry)
     return entry + 1 == s->entries ? 0 : entry + 1;
 }
 
-/* Where a walk with the face on the left turns at the end of a side. */
+/* Next side of a face that is kept on the left. */
 static uint32_t next_side(const sides *s, uint32_t side)
 {
     bool along = side % 2 == 0;
@@ -52,7 +52,7 @@ static uint32_t next_side(const sides *s, uint32_t side)
     return crossed_leftward(s, here) == along ? 2 * mate : 2 * before(s, mate) + 1;
 }
 
-/* All faces of a colour: left of every other arc, right of those between. */
+/* Traces all faces of a colour: left of every other arc, right of the arcs between. */
 static uint32_t trace_faces(sides *s, uint32_t colour, uint32_t count)
 {
     for (uint32_t arc = 0; arc < s->entries; arc++) {
@@ -76,7 +76,7 @@ bool vbss_knot_find_faces(const knot_algebra *algebra, const knot_gauss_code *co
     faces->even = trace_faces(&s, 0, 0);
     faces->count = trace_faces(&s, 1, faces->even);
     for (uint32_t e = 0; e < s.entries; e++) {
-        if (crossed_leftward(&s, e)) { /* from the right of the two strands */
+        if (crossed_leftward(&s, e)) { /* only from one of the two strands */
             uint32_t *corner = corners + (size_t)KNOT_CORNERS * code->crossing[e],
                      incoming = before(&s, e);
             corner[KNOT_FRONT] = s.face[2 * (size_t)e];

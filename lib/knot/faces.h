@@ -1,16 +1,17 @@
-/* The faces of a plane diagram, for matrices that have a row a face. */
+/* Faces of a planar diagram, for matrices with one row for each face. */
 #ifndef VBSS_KNOT_FACES_H
 #define VBSS_KNOT_FACES_H
 
 #include "knot/knot.h"
 
-/* At a crossing, seen with both strands going ahead. */
+/* Faces at a crossing, seen with both strands going forward. */
 enum { KNOT_FRONT, KNOT_LEFT, KNOT_BACK, KNOT_RIGHT, KNOT_CORNERS };
 
-/* Faces 0 to even - 1 are those of one colour of the chessboard, the others up to count - 1 those of the other;
- * faces that share an arc differ. Of each crossing those at its corners are in index[KNOT_CORNERS * crossing + corner].
- * False: the diagram is not plane (count is not n + 2), or has no crossing. All of `index` is overwritten; what is
- * behind index[KNOT_CORNERS * n] is free afterwards. */
+/* Finds the faces. Faces 0 to even - 1 have one colour of the checkerboard, the others up to count
+ * - 1 the other; faces that share an arc differ in colour. algebra->index[KNOT_CORNERS * crossing +
+ * corner] is the face at a corner. Returns false if the diagram is not planar (count is not n + 2)
+ * or has no crossing. Overwrites all of `index`; entries after KNOT_CORNERS * n are free
+ * afterwards. */
 typedef struct knot_faces {
     uint32_t count, even;
 } knot_faces;

@@ -1,4 +1,4 @@
-/* Gauss codes: whether one can be drawn in the plane, and what Reidemeister's first two moves take away. */
+/* Gauss codes: planarity, and simplification by Reidemeister moves I and II. */
 #include "knot/knot.h"
 
 #include <string.h>
@@ -26,7 +26,8 @@ void vbss_knot_gauss_code_copy(knot_gauss_code *to, const knot_gauss_code *from)
     memcpy(to->sign, from->sign, from->n * sizeof *to->sign);
 }
 
-/* Of each entry: the other one of its crossing. False: not every crossing has two, one over the other. */
+/* Finds the other entry of each entry's crossing. Returns false unless every crossing has two
+ * entries, one over and one under. */
 static bool find_mates(const knot_gauss_code *code, uint16_t *mate, uint16_t *first)
 {
     for (uint32_t c = 0; c < code->n; c++) {
@@ -52,11 +53,11 @@ static bool find_mates(const knot_gauss_code *code, uint16_t *mate, uint16_t *fi
     return true; /* n pairs in 2 n entries */
 }
 
-/* ---- planarity: Euler's formula for one curve */
+/* ---- planarity: Euler's formula for one closed curve */
 
 enum { FORWARD = 1, BACKWARD = 2 };
 
-/* Walks round a face, which is on the left, from the arc after entry e on. */
+/* Traces a face on the left, starting on the arc after entry e. */
 static void trace_face(const knot_gauss_code *code, const uint16_t *mate, uint16_t *seen,
                        uint32_t e, uint32_t direction)
 {
@@ -64,7 +65,7 @@ static void trace_face(const knot_gauss_code *code, const uint16_t *mate, uint16
     while ((seen[e] & direction) == 0) {
         seen[e] |= (uint16_t)direction;
         uint32_t here = direction == BACKWARD ? e : e == last ? 0 : e + 1;
-        /* Seen along the curve, the other strand goes from right to left: */
+        /* Seen along the curve, the other strand crosses from right to left. */
         bool leftward = (code->over[here] != 0) == (code->sign[code->crossing[here]] > 0);
         uint32_t other = mate[here];
         bool onward = leftward == (direction == FORWARD);
@@ -93,19 +94,20 @@ bool vbss_knot_gauss_code_is_planar(const knot_gauss_code *code)
     return faces == code->n + 2;
 }
 
-/* ---- moves I and II: entries become links of a ring
+/* ---- moves I and II on a ring of linked entries
  *
- * While it is worked on, `crossing` holds mates and `over` flags. What is to be looked at again waits in a stack
- * that lives in the links of entries that are gone, of which every move leaves more than it needs. */
+ * Meanwhile `crossing` holds mates and `over` holds flags. Entries to be tested again are on a
+ * stack, which is stored in the links of removed entries; every move frees more of them than it
+ * pushes. */
 
 enum { OVER = 1, POSITIVE = 2, GONE = 4 };
 
 typedef struct knot_ring {
     uint16_t *mate, *next, *previous;
     uint8_t *flags;
-    uint32_t left; /* entries */
-    uint32_t
-        stack; /* an entry that is gone: `next` of it is the one below, `previous` what to look at */
+    uint32_t left; /* number of entries left */
+    /* a removed entry: its `next` is the one below, its `previous` the entry to test */
+    uint32_t stack;
 } knot_ring;
 
 static knot_ring ring_of(knot_gauss_code *code)
@@ -135,7 +137,7 @@ static knot_ring ring_of(knot_gauss_code *code)
     return r;
 }
 
-/* Two entries that follow each other; what stands before them then. */
+/* Unlinks two successive entries. Returns the entry before them. */
 static uint32_t unlink_two(knot_ring *r, uint32_t first, uint32_t second)
 {
     uint32_t before = r->previous[first], behind = r->next[second];
@@ -154,11 +156,11 @@ static void push_entry(knot_ring *r, uint32_t at, uint32_t freed)
     r->stack = freed;
 }
 
-/* What entry e and the next do. */
+/* Applies a move to entry e and the next one, if possible. */
 static bool apply_move(knot_ring *r, uint32_t e)
 {
     uint32_t next = r->next[e], mate = r->mate[e], mate_of_next = r->mate[next];
-    if (next == mate) { /* I: a loop */
+    if (next == mate) { /* move I: a loop */
         push_entry(r, unlink_two(r, e, next), e);
         return true;
     }
@@ -168,7 +170,7 @@ static bool apply_move(knot_ring *r, uint32_t e)
         ((r->flags[e] ^ r->flags[next]) & (OVER | POSITIVE)) != POSITIVE) {
         return false;
     }
-    /* II: one strand over the other and back */
+    /* move II: one strand passes over the other and back */
     uint32_t before = unlink_two(r, e, next);
     uint32_t first = same_direction ? mate : mate_of_next,
              second = same_direction ? mate_of_next : mate;
@@ -194,8 +196,8 @@ static void apply_moves(knot_ring *r)
     }
 }
 
-/* What is left becomes a code again, in its order. Links are not needed any more: `next` of the second passage of a
- * crossing is told its number by the first. */
+/* Turns the remaining entries into a code again, in order. The links are no longer needed: the
+ * first passage of a crossing stores its number in `next` of the second. */
 static void compact_code(knot_gauss_code *code, const knot_ring *r, uint32_t count)
 {
     uint32_t to = 0, visited = 0;

@@ -1,4 +1,4 @@
-/* What a host shows: checked as a whole, then copied in the order from the tail's end on. */
+/* Input of the host: checked completely, then copied in order from the tail's end. */
 #include "base/check.h"
 #include "base/error.h"
 #include "knot/knot.h"
@@ -26,7 +26,8 @@ static vec3 host_point(const vbss_knot_input *in, uint32_t i)
     return vec3_load(x);
 }
 
-/* Whether they are all numbers in range, asked at once; which one is not is asked afterwards. */
+/* Whether all coordinates are in range. A failed check is repeated point by point for the error
+ * text. */
 static bool are_points_sound(const vbss_knot_input *in)
 {
     bool sound = true;
@@ -131,7 +132,7 @@ double vbss_knot_length(const knot_input *input, double from, double to)
     return from < to ? length + vec3_distance(last, vbss_knot_point_at(input, to)) : 0.0;
 }
 
-/* Where a segment of the scene begins in the host's numbers: points that were left out stand before its own, and only
+/* Start of a segment in the host's numbering. Omitted equal points precede its own start, and only
  * the last step to its end has any length. */
 static double segment_start(const knot_input *input, uint32_t i)
 {
@@ -156,12 +157,12 @@ void vbss_knot_places_to_host(const knot_input *input, const double own[2], doub
     host[1] = vbss_max(a, b);
 }
 
-/* From the host's numbers, which run the same way after `reversed`, to the scene's own. */
+/* Converts a place from the host's numbering to that of the copy. */
 static double local_place(const knot_input *input, bool reversed, uint32_t host_count, double place)
 {
     double wanted = reversed ? host_count - 1.0 - place : place;
     uint32_t low = 0, high = input->point_count - 1;
-    while (low + 1 < high) { /* places ascend from the tail's end, counted from there */
+    while (low + 1 < high) { /* places ascend when counted from the tail's end */
         uint32_t middle = (low + high) / 2;
         double at = reversed ? host_count - 1.0 - input->places[middle] : input->places[middle];
         if (at <= wanted) {
@@ -246,7 +247,7 @@ static void copy_tissue(knot_input *copy, const vbss_knot_input *in)
     if (copy->has_holes) {
         copy->tissue_place = sum / in->hole_count;
         double largest = vbss_max_abs(in->away, 3);
-        if (largest > 0.0) { /* scaled first: its square may be no number */
+        if (largest > 0.0) { /* scaled first, because its square may overflow or underflow */
             vec3 scaled =
                 vec3_make(in->away[0] / largest, in->away[1] / largest, in->away[2] / largest);
             copy->away = vec3_unit_or(scaled, vec3_zero());

@@ -1,5 +1,5 @@
-/* A reading of the topology of what was shown at one step, from the copy to all that verdicts need, in pieces that
- * a budget of work can stop between. */
+/* One reading of the topology, from the copied input to all results, in pieces that fit a budget of
+ * operations. */
 #include "knot/knot.h"
 
 bool vbss_knot_job_is_active(const knot_job *job)
@@ -58,7 +58,7 @@ static bool is_wanted(const knot_job *job, uint32_t curve)
     }
 }
 
-/* The reduced thread between the first vertices at or after two places. */
+/* Appends the part of the reduced thread between two places. */
 static void add_core(knot_polygon *to, const knot_polygon *core, double from, double until)
 {
     for (uint32_t i = 0; i < core->count; i++) {
@@ -146,7 +146,7 @@ static void read_curves(knot_job *job, const vbss_knot_config *config, knot_ops 
     }
 }
 
-/* ---- the whole */
+/* ---- the complete job */
 
 bool vbss_knot_job_resume(knot_job *job, const vbss_knot_config *config, knot_ops *budget)
 {

@@ -1,18 +1,20 @@
-/* What a knot is called, what keeps it from being 2=1=1, and how it is written. All the same for its
- * mirror image. Throws in one limb alone do not belong to the stack.
+/* Name, faults and notation of a knot. All three are the same for the mirror image. Stray throws,
+ * in one limb alone, do not belong to the stack.
  *
- * Where the order of the throws is not known, only what holds in every order is told. */
+ * If the order of the throws is unknown, the result contains only properties common to all
+ * orders. */
 #include "knot/knot.h"
 
 #include <string.h>
 
 typedef struct throw_stack {
     uint32_t count;
-    bool in_order; /* or all orders read the same */
+    bool in_order; /* or all orders give the same result */
     const vbss_knot_throw *throws[KNOT_THROWS];
 } throw_stack;
 
-/* All orders of two throws of as many wraps read the same, up to a mirror; so do those of equal throws. */
+/* Whether all orders give the same result: for equal throws, and for two throws with equal wraps,
+ * up to mirror images. */
 static bool is_order_irrelevant(const throw_stack *s)
 {
     bool wraps = true, handedness = true;
@@ -88,7 +90,7 @@ vbss_knot_name vbss_knot_name_of(const knot_classification *classification)
     if (s.count == 0) {
         return VBSS_KNOT_NAME_NONE;
     }
-    if (!s.in_order) { /* no name but this one is that of all orders */
+    if (!s.in_order) { /* the only name that holds for all orders */
         return VBSS_KNOT_NAME_STACK;
     }
     if (s.count == 1) {
@@ -112,7 +114,8 @@ static uint32_t faults_in_order(const throw_stack *s)
     return faults;
 }
 
-/* None has two wraps; two have not one; the hands cannot alternate. */
+/* Faults in every order: no double throw; more than one throw that is not single; hands that cannot
+ * alternate. */
 static uint32_t faults_in_every_order(const throw_stack *s)
 {
     uint32_t double_throws = 0, not_single = 0;
@@ -137,7 +140,7 @@ uint32_t vbss_knot_faults_of(const knot_classification *classification)
     for (uint32_t i = 0; i < s.count; i++) {
         faults |= s.throws[i]->flags & VBSS_KNOT_THROW_HITCH ? VBSS_KNOT_FAULT_HITCH : 0;
     }
-    if (classification->other) { /* there is no stack whose throws could be counted */
+    if (classification->other) { /* without a stack there are no throws to count */
         return faults | VBSS_KNOT_FAULT_TYPE;
     }
     faults |= s.count < 3 ? VBSS_KNOT_FAULT_FEW : 0;
@@ -147,14 +150,14 @@ uint32_t vbss_knot_faults_of(const knot_classification *classification)
 
 /* ---- notation */
 
-/* Nothing is left out silently: what does not fit ends in "..". */
+/* Nothing is omitted silently: a truncated text ends in "..". */
 typedef struct writer {
     char *text;
-    uint32_t length, safe; /* `safe`: the last length that leaves room for ".." */
+    uint32_t length, safe; /* the last length that leaves room for ".." */
     bool full;
 } writer;
 
-/* A sign (0: none), and a number (0: none) after it. */
+/* Appends a sign (0 for none) and a number (0 for none). */
 static void append(writer *w, char sign, int32_t number)
 {
     char piece[12];

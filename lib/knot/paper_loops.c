@@ -1,8 +1,10 @@
-/* Method PROJECTION, criterion 1: loops of the thread that are closed round a tool in the projection along
- * it (Qi et al. 2017, section 5, algorithm 4), with what it misses and invents: docs/paper-knots.md.
+/* Method PROJECTION, criterion 1: loops of the thread that close around a tool in the projection
+ * along it (Qi et al. 2017, section 5, algorithm 4), including its misses and false detections:
+ * docs/paper-knots.md.
  *
- * The tool's line has no ends here, a loop ends at the first segment that crosses it, and the next is sought
- * behind that segment: as the paper has it. It is left open at which end segment 0 is. */
+ * As in the paper, the tool's line has no ends, a loop ends at the first segment that crosses it,
+ * and the search for the next loop starts after that segment. The paper does not define at which
+ * end segment 0 is. */
 #include "knot/paper.h"
 
 #include "base/elementary.h"
@@ -58,21 +60,21 @@ void vbss_knot_paper_project(knot_paper *p, const paper_plane *plane, const knot
 
 /* ---- the even-odd rule */
 
-/* A corner as the ray sees it: how far along, and on which side. */
+/* A corner in the frame of the ray: distance along it, and side. */
 static inline paper_point from_ray(paper_point ray, double x, double y)
 {
     paper_point seen = {ray.x * x + ray.y * y, ray.x * y - ray.y * x};
     return seen;
 }
 
-/* Of two corners one of which is on the left and the other is not, so that a corner on the ray is counted
- * once. */
+/* Whether the ray meets an edge. One end must be on its left and the other not, so that a corner on
+ * the ray counts once. */
 static inline bool ray_meets(paper_point a, paper_point b)
 {
     if ((a.y < 0.0) == (b.y < 0.0)) {
         return false;
     }
-    double along = a.x * b.y - b.x * a.y; /* times b.y - a.y */
+    double along = a.x * b.y - b.x * a.y; /* multiplied by b.y - a.y */
     return b.y > a.y ? along > 0.0 : along < 0.0;
 }
 
@@ -99,8 +101,8 @@ static inline double cross(double ax, double ay, double bx, double by)
     return ax * by - ay * bx;
 }
 
-/* Where along each the projections of two segments cross. A point on the other's line counts as on its left, so
- * that a crossing at a point is one of one segment. */
+/* Where the projections of two segments cross, as fractions of both. A point on the other's line
+ * counts as on its left, so that a crossing at a point belongs to one segment only. */
 static bool segments_cross(const knot_paper *p, uint32_t i, uint32_t j, double *s, double *u)
 {
     const double *x = paper_x(p), *y = paper_y(p);
@@ -118,7 +120,7 @@ static bool segments_cross(const knot_paper *p, uint32_t i, uint32_t j, double *
     return true;
 }
 
-/* Which of the four segments from j on have a box that meets that of segment i, as bits. */
+/* Bit mask of the four segments from j on whose boxes overlap that of segment i. */
 static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32_t j)
 {
     const double *x = paper_x(p) + j, *y = paper_y(p) + j;
@@ -130,8 +132,8 @@ static inline unsigned near_four(const knot_paper *p, const lanes box[4], uint32
     return 15u & ~lanes_movemask(lanes_or(across, along));
 }
 
-/* The first segment before i and not next to it that crosses it, going towards the tail's end; `i` when there is
- * none. */
+/* The first segment before i, and not adjacent to it, that crosses it, searching toward the tail's
+ * end; i if there is none. */
 static uint32_t next_crossing(const knot_paper *p, uint32_t i, double *s, double *u)
 {
     const double *x = paper_x(p), *y = paper_y(p);
@@ -164,13 +166,13 @@ static void record(knot_paper *p, const paper_plane *plane, const knot_input *sc
     p->loops[p->loop_count++] = loop;
 }
 
-/* The paper's segment 0 is the last one here, at the long limb's end. */
+/* The paper's segment 0 is the last one here, at the end of the long limb. */
 void vbss_knot_paper_loops(knot_paper *p, const vbss_knot_config *config, const knot_input *scene,
                            uint32_t tool)
 {
     paper_plane plane = vbss_knot_paper_plane(config, &scene->tools[tool]);
     vbss_knot_paper_project(p, &plane, scene);
-    uint32_t left = scene->point_count - 1; /* segments not used yet: 0 to left - 1 */
+    uint32_t left = scene->point_count - 1; /* unused segments are 0 to left - 1 */
     while (left >= LOOP_SEGMENTS && p->loop_count < p->loop_capacity) {
         double s, u;
         uint32_t i = left - 1, j = next_crossing(p, i, &s, &u);

@@ -1,4 +1,4 @@
-/* The step of method PROJECTION: loops about each tool, and what crosses them. */
+/* The step of method PROJECTION: loops about each tool, and the segments that cross them. */
 #include "knot/knot.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ static void show_loops(knot_detector *d)
     }
 }
 
-/* The tool with most loops that tie; the throw has as many wraps, and no handedness. */
+/* Selects the tool with the most tied loops. The throw has as many wraps, and no handedness. */
 void vbss_knot_paper_step(knot_detector *d)
 {
     vbss_knot_state *s = &d->state;

@@ -1,18 +1,18 @@
-/* Method PROJECTION, criterion 2: a thread segment that crosses the plane P inside loops that are closed round
- * a tool (Qi et al. 2017, section 5). What the paper leaves open, and why it stands as it does here, is
- * told in docs/paper-knots.md. */
+/* Method PROJECTION, criterion 2: a segment that crosses the plane P inside loops that close around
+ * a tool (Qi et al. 2017, section 5). docs/paper-knots.md lists the points that the paper leaves
+ * open, and the reasons for the choices here. */
 #include "knot/paper.h"
 
-/* Where a segment crosses P. */
+/* Crossing of a segment and the plane P. */
 typedef struct crossing {
     uint32_t segment;
     vec3 at;
     paper_point flat;
-    bool rising; /* towards the handle, in the order of the thread */
+    bool rising; /* toward the handle, in the order of the thread */
 } crossing;
 
-/* Which strand of the pair the crossing segment belongs to: 0 it comes before the loop, nearer along the thread
- * to the pair's first segment; 1 after it; -1 it is part of the loop, on the polygon itself. */
+/* Strand of the pair that the crossing segment belongs to: 0 before the loop, on the side of the
+ * pair's first segment; 1 after it; -1 if it is part of the loop. */
 static int strand_of(const knot_loop *loop, const knot_input *scene, const crossing *c)
 {
     if (c->segment < loop->first || c->segment > loop->last) {
@@ -42,14 +42,14 @@ static verdict judge(knot_paper *p, const paper_plane *plane, const knot_input *
     }
     paper_point meeting = vbss_knot_paper_flat(plane, loop->meeting[0]);
     v.inside = vbss_knot_paper_inside(p, meeting, loop->first, loop->last, c->flat);
-    /* Each strand is walked away from the loop, towards its own end. */
+    /* Each strand is followed away from the loop, toward its own end. */
     v.inside_out = strand == 0 ? !c->rising : c->rising;
     bool above = loop->first_is_above == (strand == 0);
     v.ties = v.inside && above == v.inside_out;
     return v;
 }
 
-/* How many loops of the tool the segment crosses so that they tie. */
+/* Counts the loops of the tool that a segment ties. */
 static void count(knot_paper *p, const paper_plane *plane, const knot_input *scene, uint32_t tool,
                   const crossing *c, knot_paper_throw *found)
 {

@@ -1,7 +1,7 @@
-/* Turning a polygon into the frame of a direction, and boxes of its edges.
+/* Rotation of a polygon to the frame of a direction, and boxes of its edges.
  *
- * Edges that stand side by side in lanes are neighbours on the curve, and have a box together. Edges that are
- * much longer than most, which are those of a closure, have none: they would be in every box. */
+ * Edges in the lanes of one group are neighbours on the curve, and the group has a box. Edges much
+ * longer than most, those of a closure, have no box, because they would overlap every group. */
 #include "knot/projected_edges.h"
 
 enum { FLAT_ARRAYS = 7, BOX_ARRAYS = 4 };
@@ -15,13 +15,13 @@ enum { FLAT_ARRAYS = 7, BOX_ARRAYS = 4 };
 
 /* ---- arrays */
 
-/* With room for one more, in whole lanes. */
+/* A multiple of LANES with room for at least one more. */
 static uint32_t padded(uint32_t count)
 {
     return count / LANES * LANES + LANES;
 }
 
-/* Two more: the boxes of long edges, while they are looked at. */
+/* Two extra boxes for long edges while they are tested. */
 static uint32_t padded_groups(uint32_t wide)
 {
     return padded(wide / LANES) + 2;
@@ -64,7 +64,8 @@ static knot_projected_edges projected_edges_in(knot_projector *p, uint32_t count
 
 /* ---- edges */
 
-/* Distances are from a vertex in the middle, which is not one of a closure. False: no numbers. */
+/* Coordinates are relative to a vertex in the middle, which does not belong to a closure. Returns
+ * false if one is not finite. */
 static bool rotate_to_frame(knot_projected_edges *s, const vec3 *x, vec3 direction)
 {
     vec3 right = vec3_any_normal(direction), ahead = vec3_cross(direction, right);
@@ -87,8 +88,8 @@ static bool rotate_to_frame(knot_projected_edges *s, const vec3 *x, vec3 directi
     return size <= DBL_MAX;
 }
 
-/* The turn of two edges whose boxes meet is wrong by 2.75 errors of each difference in it at most, rounding
- * of products included, and by 10 squares of the error. */
+/* The cross product of two edges with overlapping boxes is wrong by at most 2.75 errors for each
+ * difference in it, including rounding of products, plus 10 squares of the error. */
 static double set_edges(knot_projected_edges *s)
 {
     double sum = 0.0;
@@ -101,7 +102,7 @@ static double set_edges(knot_projected_edges *s)
         s->heads[i] = KNOT_NO_ENTRY;
         sum += length;
     }
-    for (uint32_t i = s->count; i < LANES * s->groups; i++) { /* lanes that nobody asks for */
+    for (uint32_t i = s->count; i < LANES * s->groups; i++) { /* unused lanes */
         s->dx[i] = s->dy[i] = s->bound[i] = 0.0;
         s->x[i] = i == s->count ? s->x[i] : 0.0;
         s->y[i] = i == s->count ? s->y[i] : 0.0;
@@ -137,7 +138,7 @@ void vbss_knot_projected_edges_set_box(knot_projected_edges *s, uint32_t i, uint
     s->high_y[to] = vbss_max(s->y[i], s->y[i + 1]) + s->error;
 }
 
-/* Edges longer than that go without a box, if they are few. */
+/* Edges longer than `longest` get no box, if they are few. */
 static void box_edges(knot_projected_edges *s, double longest)
 {
     uint32_t max_long = s->count / 16 + LANES;

@@ -1,8 +1,9 @@
-/* The diagram of a closed polygon seen along a direction, if every crossing is certain.
+/* The diagram of a closed polygon projected along a direction, provided that every crossing is
+ * certain.
  *
- * Vertices are turned into a frame whose z points to the eye. That, and all that is computed from it, is wrong by
- * no more than bounds which every decision must exceed: then the diagram is the same for all polygons within
- * rounding of this one, and so is the knot. */
+ * Vertices are rotated to a frame whose z axis points to the eye. The errors of this and of all
+ * later values have bounds that every decision must exceed. All polygons within rounding of this
+ * one then have the same diagram, and so the same knot. */
 #include "base/compiler.h"
 #include "base/elementary.h"
 #include "knot/projected_edges.h"
@@ -14,7 +15,7 @@
 
 /* ---- two edges */
 
-/* Puts a passage among those of its edge, in their order. */
+/* Inserts a passage into the list of its edge, in order. */
 static void add_passage(knot_projected_edges *s, uint32_t edge, uint32_t entry, double at)
 {
     knot_gauss_code *code = s->code;
@@ -33,7 +34,7 @@ static void add_passage(knot_projected_edges *s, uint32_t edge, uint32_t entry, 
     }
 }
 
-/* Of the passage over the crossing it is entry 2 n, of that under it 2 n + 1. */
+/* Adds a crossing: entry 2 n for the over passage, 2 n + 1 for the under passage. */
 static knot_diagram_status add_crossing(knot_projected_edges *s, uint32_t over, double at_over,
                                         uint32_t under, double at_under, int sign)
 {
@@ -48,8 +49,8 @@ static knot_diagram_status add_crossing(knot_projected_edges *s, uint32_t over, 
     return KNOT_DIAGRAM_REGULAR;
 }
 
-/* Of the volume (from j to i) . (i x j), which is the height of i above j where they cross times their turn d: the
- * sign of the crossing. 0: not certain. */
+/* Sign of the crossing, the sign of the volume (from j to i) . (i x j), which is the height of i
+ * above j at the crossing times their cross product d. 0 if uncertain. */
 static int sign_of(const knot_projected_edges *s, uint32_t i, uint32_t j, double d)
 {
     double bx = s->x[i] - s->x[j], by = s->y[i] - s->y[j], bz = s->z[i] - s->z[j];
@@ -65,15 +66,15 @@ static int sign_of(const knot_projected_edges *s, uint32_t i, uint32_t j, double
     return (volume > bound) - (volume < -bound);
 }
 
-/* Positive: 0 and d are certainly on the same side of `from`. */
+/* Positive if 0 and d are certainly on the same side of `from`. */
 static double outside(double from, double d)
 {
     double to = from - d;
     return vbss_max(vbss_min(from, to), -vbss_max(from, to));
 }
 
-/* Of edges whose boxes meet. They cross at the shares from_i / d and from_j / d of them, and are apart when one has
- * both ends on the same side of the other. */
+/* Intersects two edges with overlapping boxes. They cross at the fractions from_i / d and from_j /
+ * d. They are disjoint if one has both ends on the same side of the other. */
 static knot_diagram_status intersect_edges(knot_projected_edges *s, uint32_t i, uint32_t j)
 {
     double bx = s->x[j] - s->x[i], by = s->y[j] - s->y[i];
@@ -84,7 +85,7 @@ static knot_diagram_status intersect_edges(knot_projected_edges *s, uint32_t i, 
     if (vbss_max(outside_i, outside_j) > bound) {
         return KNOT_DIAGRAM_REGULAR;
     }
-    /* With such a bound shares are wrong by half of NEAR_PLACE at most. */
+    /* With this bound, the error of the fractions is at most half of NEAR_PLACE. */
     if (!(4.0 * bound < near && vbss_max(outside_i, outside_j) < -near)) {
         return KNOT_DIAGRAM_DEGENERATE;
     }
@@ -97,7 +98,7 @@ static knot_diagram_status intersect_edges(knot_projected_edges *s, uint32_t i, 
                                    : add_crossing(s, j, at_j, i, at_i, sign);
 }
 
-/* ---- one edge and those side by side: a bit for each that it may cross */
+/* ---- one edge and a group: bit mask of the edges that it may cross */
 
 VBSS_ALWAYS_INLINE unsigned box_bits(const knot_projected_edges *s, uint32_t box, uint32_t at)
 {
@@ -120,7 +121,7 @@ static lanes outside_lanes(lanes from, lanes d)
     return lanes_max(lanes_min(from, to), lanes_sub(none, lanes_max(from, to)));
 }
 
-/* What `meet` calls apart. */
+/* Bit mask of the edges that intersect_edges would not find disjoint. */
 static unsigned edge_bits(const knot_projected_edges *s, uint32_t i, uint32_t at)
 {
     lanes ix = lanes_splat(s->dx[i]), iy = lanes_splat(s->dy[i]);
@@ -140,7 +141,7 @@ static uint32_t after(const knot_projected_edges *s, uint32_t i)
     return i + 1 == s->count ? 0 : i + 1;
 }
 
-/* Of edges from `at` on, bits of those that neither are i nor meet it at a vertex. */
+/* Bit mask of the edges from `at` on that are neither i nor adjacent to it. */
 static unsigned non_neighbour_bits(const knot_projected_edges *s, uint32_t i, uint32_t at)
 {
     const uint32_t same[3] = {i == 0 ? s->count - 1 : i - 1, i, after(s, i)};
@@ -152,7 +153,8 @@ static unsigned non_neighbour_bits(const knot_projected_edges *s, uint32_t i, ui
     return bits;
 }
 
-/* Edge i, whose box is given, with those of a group that `wanted` names. False: it is not plain. */
+/* Intersects edge i, with the given box, with the edges of a group in the mask `wanted`. Returns
+ * false if the diagram is not regular. */
 VBSS_ALWAYS_INLINE bool intersect_with_group(knot_projected_edges *s, uint32_t i, uint32_t box,
                                              uint32_t group, unsigned wanted)
 {
@@ -203,7 +205,7 @@ static bool intersect_all_groups(knot_projected_edges *s)
     return true;
 }
 
-/* Long edges, with all that have boxes and then with each other. */
+/* Intersects a long edge with all edges that have boxes, then with earlier long edges. */
 static bool intersect_long_edge(knot_projected_edges *s, uint32_t k)
 {
     uint32_t i = s->longs[k], box = s->spare;
@@ -223,8 +225,8 @@ static bool intersect_long_edge(knot_projected_edges *s, uint32_t k)
     return s->diagram == KNOT_DIAGRAM_REGULAR;
 }
 
-/* Neighbours need no look: where one folds back onto the other, an end of either lies on the other, and with it the
- * neighbour beyond. */
+/* Adjacent edges need no test: if one folds back onto the other, an end of either is on the other,
+ * and the next edge shows it. */
 static void intersect_all(knot_projected_edges *s)
 {
     s->diagram = KNOT_DIAGRAM_REGULAR;
@@ -234,9 +236,9 @@ static void intersect_all(knot_projected_edges *s)
     }
 }
 
-/* ---- the code */
+/* ---- the Gauss code */
 
-/* Passages in the order of the curve. False: two of them lie too near each other. */
+/* Lists the passages in the order of the curve. Returns false if two of them are too close. */
 static bool list_passages(const knot_projected_edges *s, uint16_t *order)
 {
     const knot_gauss_code *code = s->code;
@@ -255,7 +257,7 @@ static bool list_passages(const knot_projected_edges *s, uint16_t *order)
     return true;
 }
 
-/* at[k] becomes at[order[k]], one cycle after the other; order is used up. */
+/* Moves position order[k] to k, cycle by cycle; overwrites order. */
 static void permute(double *at, uint16_t *order, uint32_t count)
 {
     for (uint32_t first = 0; first < count; first++) {
@@ -272,7 +274,8 @@ static void permute(double *at, uint16_t *order, uint32_t count)
     }
 }
 
-/* Entries as found, 2 of a crossing, that over it first, are put in the order of the curve. */
+/* Orders the entries along the curve. As found, each crossing has two successive entries, the over
+ * passage first. */
 static void order_code(knot_gauss_code *code, uint16_t *order)
 {
     uint16_t *number = code->scratch, *sign = code->scratch + code->n;
@@ -317,9 +320,9 @@ knot_diagram_status vbss_knot_project(knot_projector *p, const knot_polygon *pol
 
 /* ---- directions */
 
-/* A spiral with irrational steps in height and longitude. They and where it begins were searched: the first 64
- * keep 4 degrees away from axes and diagonals; as lines, the first 4 are 54 degrees apart, the first 12
- * 30 degrees, 64 12 degrees. */
+/* A spiral with irrational steps in height and longitude. Steps and start were chosen by a search:
+ * the first 64 directions keep 4 degrees away from axes and diagonals. As lines, the first 4 are at
+ * least 54 degrees apart, the first 12 30 degrees, and all 64 12 degrees. */
 vec3 vbss_knot_direction(uint32_t k)
 {
     double height = 0.8464923134032609 + k * 0.9447985576119482;

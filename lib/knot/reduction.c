@@ -1,9 +1,9 @@
-/* Removing the vertices of a polygon whose triangle is hit by nothing.
+/* Removal of polygon vertices whose triangle is hit by nothing.
  *
- * Vertices are looked at in turns, sweep after sweep; in a sweep those that go are taken out of a ring of links, and
- * after it the arrays close up. Most edges are far from most triangles: eight boxes of edges are compared at once, and
- * eight boxes of such eights before. A vertex that was blocked is not looked at while the blocker and both
- * its edges are what they were. */
+ * Vertices are tested in turn, sweep after sweep. A sweep removes vertices from a linked ring; the
+ * arrays are compacted after it. Most edges are far from most triangles, so eight boxes of edges
+ * are tested at once, and before them eight boxes of such groups. A blocked vertex is not tested
+ * again while its blocker and both its edges are unchanged. */
 #include "knot/boxes.h"
 #include "knot/knot.h"
 #include "knot/triangle.h"
@@ -12,7 +12,7 @@
 /* Work in about nanoseconds, as measured. */
 enum { OPS_SKIP = 2, OPS_VISIT = 55, OPS_EDGE = 12, OPS_REMOVE = 15, OPS_COMPACT = 5 };
 
-/* ---- what it has: a slot an obstacle, then a slot a vertex, which is that of the edge after it as well */
+/* ---- entries: one for each obstacle, then one for each vertex and the edge after it */
 
 static uint32_t groups_of(uint32_t entries)
 {
@@ -36,13 +36,13 @@ void vbss_knot_reduction_arrays(knot_reduction *r, uint32_t capacity,
 
 /* The arrays by name. */
 typedef struct parts {
-    uint32_t first, end; /* slots of vertices */
+    uint32_t first, end; /* entries of vertices */
     uint32_t groups, supers;
-    int16_t *edges, *hulls;        /* boxes of edges, and of eight of them */
-    int16_t *corners;              /* the vertices on the grid */
-    uint32_t *blocker, *tested_at; /* the edge in the way of a vertex, and when that was found */
-    uint32_t *next, *before;       /* next is the vertex itself where it is gone */
-    uint32_t *changed_at;          /* when an edge became what it is */
+    int16_t *edges, *hulls;        /* boxes of edges, and of groups of eight */
+    int16_t *corners;              /* vertices on the grid */
+    uint32_t *blocker, *tested_at; /* the edge that blocks a vertex, and when it was found */
+    uint32_t *next, *before;       /* `next` of a removed vertex is the vertex itself */
+    uint32_t *changed_at;          /* when an edge last changed */
 } parts;
 
 static parts parts_of(const knot_reduction *r)
@@ -85,7 +85,7 @@ static box box_of(const parts *p, uint32_t start, uint32_t end)
     return box_of_corners(p->corners + 4 * (size_t)start, p->corners + 4 * (size_t)end);
 }
 
-/* Links and boxes of all edges of the polygon, whose vertices stand side by side. */
+/* Sets links and boxes of all edges; the vertices must be compact. */
 static void link_all(knot_reduction *r)
 {
     parts p = parts_of(r);
@@ -106,7 +106,7 @@ static void link_all(knot_reduction *r)
     r->removed_in_sweep = 0;
 }
 
-/* As fine as what can move allows. */
+/* The finest grid for the vertices that can be removed. */
 static box_grid grid_of(const knot_polygon *polygon)
 {
     vec3 low = vec3_make(DBL_MAX, DBL_MAX, DBL_MAX), high = vec3_scale(low, -1.0);
@@ -163,14 +163,15 @@ static bool same(vec3 p, vec3 q)
     return p.x == q.x && p.y == q.y && p.z == q.z;
 }
 
-/* Nothing may end at b: there the polygon moves away. */
+/* An edge that ends at b always blocks, because the polygon moves away from b. */
 static bool blocks(const knot_triangle *t, knot_edge e)
 {
     return same(e.start, t->b) || same(e.end, t->b) ||
            !vbss_knot_triangle_misses(t, e.start, e.end);
 }
 
-/* The edges next to the two that go; `next` may be NONE. Nearly all leave its plane. */
+/* Tests the edges next to the two that would go; `next` may be NONE. Nearly all of them leave the
+ * plane of the triangle. */
 static bool neighbours_clear(const knot_reduction *r, const parts *p, const knot_triangle *t,
                              uint32_t v, uint32_t *blocker)
 {
@@ -188,7 +189,7 @@ static bool neighbours_clear(const knot_reduction *r, const parts *p, const knot
     return true;
 }
 
-/* Of the edges from 64 super on those whose boxes meet a box: a bit each. */
+/* Bit mask of the 64 edges of a group of groups whose boxes overlap a box. */
 static uint64_t edges_overlapping(const parts *p, uint32_t super, const box_query *query)
 {
     uint64_t groups = boxes_overlapping(p->hulls + (size_t)super * KNOT_BOX_GROUP, query),
@@ -207,7 +208,7 @@ static uint64_t bit_of(uint32_t super, uint32_t s)
     return (uint64_t)(s / 64 == super) << s % 64;
 }
 
-/* Some edge that is in the way of v, whose triangle is t; NONE: there is none. */
+/* An edge that blocks v, whose triangle is t; NONE if there is none. */
 static uint32_t find_blocker(const knot_reduction *r, const parts *p, uint32_t v,
                              const knot_triangle *t, knot_ops *budget)
 {
@@ -230,7 +231,7 @@ static uint32_t find_blocker(const knot_reduction *r, const parts *p, uint32_t v
     return NONE;
 }
 
-/* The edge that took over from an edge that may be gone: that of the last vertex before it. */
+/* The edge that replaces a removed one: that of the last remaining vertex before it. */
 static uint32_t current_edge(const parts *p, uint32_t s)
 {
     while (s >= p->first && p->next[s] == s) {
@@ -277,7 +278,7 @@ static void remove_vertex(knot_reduction *r, const parts *p, uint32_t v)
     r->removed++;
 }
 
-/* True when v was taken out. */
+/* Removes v if possible. Returns whether it did. */
 static bool try_remove(knot_reduction *r, const parts *p, uint32_t v, knot_ops *budget)
 {
     uint32_t before = p->before[v], next = p->next[v], blocker = p->blocker[v];
@@ -308,8 +309,8 @@ static void compact(knot_reduction *r)
 {
     parts p = parts_of(r);
     knot_polygon *polygon = r->polygon;
-    uint32_t to =
-        p.first + r->remaining; /* after the last: what was before the first is its heir's */
+    /* an edge before the first vertex continues at the last one */
+    uint32_t to = p.first + r->remaining;
     for (uint32_t s = p.first, remaining = 0; s < p.end; s++) {
         remaining += p.next[s] != s;
         p.before[s] = remaining > 0 ? p.first + remaining - 1 : to - 1;
@@ -348,7 +349,7 @@ bool vbss_knot_reduction_resume(knot_reduction *r, knot_ops *budget)
             compact(r);
             p = parts_of(r);
         } else {
-            /* The one after it waits for the next sweep: triangles stay small, and meet little. */
+            /* Skip the next vertex until the next sweep: triangles stay small and hit little. */
             r->cursor += try_remove(r, &p, r->cursor, budget) ? 2 : 1;
         }
     }

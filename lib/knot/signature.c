@@ -1,18 +1,19 @@
-/* The Levine-Tristram signature by the matrix of R. Kashaev, "On symmetric matrices associated with
- * oriented link diagrams", arXiv 1801.04632; that it gives this signature is proved by D. Cimasoni and
- * L. Ferretti, Fundamenta Mathematicae 266 (2024), and J. Liu, arXiv 2311.01923. A row a face; a crossing
- * of sign s adds the form
- *   s ((left + right + x (front + back))^2 - (1 - x^2) (front - back)^2).
+/* The Levine-Tristram signature from the matrix of R. Kashaev, "On symmetric matrices associated
+ * with oriented link diagrams", arXiv 1801.04632. D. Cimasoni and L. Ferretti, Fundamenta
+ * Mathematicae 266 (2024), and J. Liu, arXiv 2311.01923, prove that it gives this signature. The
+ * matrix has one row for each face; a crossing of sign s adds the form
+ *     s ((left + right + x (front + back))^2 - (1 - x^2) (front - back)^2).
  *
- * Two faces that share an arc are left out: all these forms vanish where the values of successive faces
- * across the curve obey next = -2 x this - previous, and the values on these two faces tell all others.
- * What is left is singular only where Delta(t) = 0, 4 - 4 x^2 = 2 - t - 1/t. Conway's polynomial is
- * integral and begins with 1, so that its rational roots are 1/k and -1/k, and -(4 - 4 x^2) is none of
- * these for any x in thousandths below 1.
+ * Two faces that share an arc are omitted. All these forms vanish where the values of successive
+ * faces across the curve obey next = -2 x this - previous, and the values on these two faces
+ * determine all others. The rest is singular only where Delta(t) = 0, 4 - 4 x^2 = 2 - t - 1/t.
+ * Conway's polynomial is integral with constant term 1, so its rational roots are 1/k and -1/k, and
+ * -(4 - 4 x^2) is not such a number for any x below 1 in thousandths.
  *
- * How many eigenvalues are positive and negative is proved: the matrix is factored twice, shifted down and
- * up by more than rounding can move an eigenvalue. At least as many are positive as after the former, and
- * negative as after the latter; if these are all, that is how many there are. */
+ * The numbers of positive and negative eigenvalues are proved. The matrix is factorised twice,
+ * shifted down and up by more than rounding can move an eigenvalue. The first gives a lower bound
+ * of the positive ones, the second of the negative ones. If the bounds add up to all eigenvalues,
+ * both are exact. */
 #include "knot/faces.h"
 
 #include <string.h>
@@ -26,13 +27,13 @@
 
 typedef struct form {
     uint32_t size;
-    double *a;                            /* size x size, both halves */
-    double *first, *second;               /* columns of pivots, at the rows listed */
-    double *first_factor, *second_factor; /* how much of them is taken off, at the rows listed */
-    uint32_t *row;                        /* of each face; `size` when it is left out */
-    uint32_t *degree;                     /* other entries of each row that are not zero */
-    uint32_t *active, active_count;       /* rows that are left */
-    uint32_t *list, list_count;           /* of these where a pivot's column is not zero */
+    double *a;                            /* size x size, both triangles */
+    double *first, *second;               /* columns of the pivots, at the listed rows */
+    double *first_factor, *second_factor; /* multiples to subtract, at the listed rows */
+    uint32_t *row;                        /* face -> row; `size` if omitted */
+    uint32_t *degree;                     /* row -> number of its other nonzero entries */
+    uint32_t *active, active_count;       /* rows not yet eliminated */
+    uint32_t *list, list_count;           /* active rows where a pivot's column is not zero */
     double largest;
     uint64_t steps;
 } form;
@@ -55,7 +56,7 @@ static form form_in(const knot_algebra *algebra, uint32_t n)
 
 /* ---- the matrix */
 
-/* The face with most corners, and of those beside it the one with most, are left out. */
+/* Omits the face with the most corners, and of its neighbours the one with the most corners. */
 static void number_rows(form *f, const uint32_t *corners)
 {
     uint32_t faces = f->size + 2, corner_count = KNOT_CORNERS * f->size, largest_face = 0,
@@ -119,7 +120,7 @@ static void fill(form *f, const knot_gauss_code *code, const uint32_t *corners, 
     }
 }
 
-/* ---- pivots: L D L^T in an order that fills in little */
+/* ---- pivots: L D L^T in an order with little fill */
 
 static void deactivate(form *f, uint32_t row)
 {
@@ -140,7 +141,7 @@ static uint32_t sparsest(const form *f)
     return best;
 }
 
-/* The largest other entry in a row, and where. */
+/* The largest other entry in a row, and its column. */
 static double largest_beside(const form *f, uint32_t row, uint32_t *where)
 {
     const double *entries = f->a + (size_t)row * f->size;
@@ -160,7 +161,7 @@ static double at(const form *f, uint32_t i, uint32_t j)
     return f->a[(size_t)i * f->size + j];
 }
 
-/* Takes the pivots' part off all that is listed. */
+/* Subtracts the contribution of the pivots from all listed rows. */
 static void subtract_pivots(form *f, bool both)
 {
     size_t size = f->size;
@@ -189,7 +190,7 @@ static void subtract_pivots(form *f, bool both)
                 (uint64_t)f->list_count * f->list_count * (both ? 3 : 2) / 2;
 }
 
-/* +1 or -1: the sign of the pivot; 0: it is none. */
+/* Eliminates one row. Returns the sign of the pivot. */
 static int eliminate_one(form *f, uint32_t k)
 {
     const double *row = f->a + (size_t)k * f->size;
@@ -209,7 +210,7 @@ static int eliminate_one(form *f, uint32_t k)
     return (pivot > 0.0) - (pivot < 0.0);
 }
 
-/* Of which one eigenvalue is positive, one negative. */
+/* Eliminates two rows with a 2x2 pivot, which has one positive and one negative eigenvalue. */
 static void eliminate_two(form *f, uint32_t k, uint32_t r)
 {
     const double *row_k = f->a + (size_t)k * f->size, *row_r = f->a + (size_t)r * f->size;
@@ -233,8 +234,8 @@ static void eliminate_two(form *f, uint32_t k, uint32_t r)
     subtract_pivots(f, true);
 }
 
-/* Counts positive and negative eigenvalues; overwrites the matrix. False when it is singular, or entries have
- * grown. */
+/* Counts positive and negative eigenvalues; overwrites the matrix. Returns false if it is singular
+ * or its entries have grown too much. */
 static bool count_signs(form *f, uint32_t *positive, uint32_t *negative)
 {
     *positive = *negative = 0;
@@ -290,5 +291,5 @@ bool vbss_knot_signature(knot_algebra *algebra, const knot_gauss_code *code, uin
         twice -= code->sign[c];
     }
     *signature = twice / 2;
-    return is_certain && twice % 4 == 0; /* that of a knot is even */
+    return is_certain && twice % 4 == 0; /* the signature of a knot is even */
 }

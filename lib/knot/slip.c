@@ -1,8 +1,9 @@
-/* Whether both limbs of a throw bend alike, or one is wound round the other that is straight. */
+/* Slip of a throw: whether both limbs bend alike, or one is wound around the other, straight
+ * one. */
 #include "base/elementary.h"
 #include "knot/knot.h"
 
-/* The sum of the angles between successive segments whose common point lies between two places, rad. */
+/* Sum of the angles between successive segments whose common point is between two places, rad. */
 static double turning(const knot_input *input, const double places[2])
 {
     double from = vbss_max(vbss_min(places[0], places[1]), 0.0);

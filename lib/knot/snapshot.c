@@ -1,5 +1,5 @@
-/* The state of a detector: saved, hashed and restored. Of a reading under way only its input and the work spent
- * are kept: it is done again up to there. */
+/* Serialisation of a detector. For a reading in progress, only its input and the operations used
+ * are stored; restoring repeats the reading up to that point. */
 #include "base/check.h"
 #include "base/error.h"
 #include "base/snapshot.h"
@@ -30,7 +30,7 @@ static void visit_config(vbss_stream *stream, const vbss_knot_config *c)
     }
 }
 
-/* ---- what was seen of the tools */
+/* ---- tools */
 
 static void visit_tools(vbss_stream *stream, knot_detector *d)
 {
@@ -50,7 +50,7 @@ static void visit_tools(vbss_stream *stream, knot_detector *d)
     }
 }
 
-/* ---- what is known */
+/* ---- results */
 
 static void visit_state(vbss_stream *stream, vbss_knot_state *s)
 {
@@ -116,7 +116,7 @@ static void visit_figures(vbss_stream *stream, vbss_knot_statistics *f)
     }
 }
 
-/* ---- a reading under way */
+/* ---- reading in progress */
 
 static bool is_tool_sound(const knot_tool *t, uint32_t points)
 {
@@ -147,7 +147,7 @@ static void visit_tool(vbss_stream *stream, knot_tool *t, uint32_t points)
     }
 }
 
-/* Numbers of the host's points, all one way. */
+/* Whether places are numbers of the host's points, in one direction. */
 static bool are_places_sound(const knot_input *input, const vbss_knot_config *config)
 {
     bool sound = true;
@@ -248,9 +248,9 @@ vbss_result vbss_knot_detector_restore(vbss_knot_detector *detector, const uint8
 {
     knot_detector *d;
     VBSS_TRY(vbss_knot_open(detector, &d));
-    VBSS_TRY(vbss_check_arithmetic(d->context)); /* a reading is done again */
+    VBSS_TRY(vbss_check_arithmetic(d->context)); /* because restoring repeats a reading */
     VBSS_TRY(vbss_object_restore(detector, &vbss_knot_kind, bytes, count));
-    d->event_count = d->events_lost = d->paper.loop_count = 0; /* belonged to the last step */
+    d->event_count = d->events_lost = d->paper.loop_count = 0; /* results of the last step */
     d->generation++;
     return VBSS_OK;
 }

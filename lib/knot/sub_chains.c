@@ -1,4 +1,4 @@
-/* Sub-chains of a thread: cut between throws, they confirm the order that a diagram shows. */
+/* Sub-chains of the thread, cut between throws, which confirm the order that a diagram shows. */
 #include "knot/knot.h"
 
 static void begin_sub_chain(const knot_locator *l, knot_curve *curve, double from, double until)
@@ -24,7 +24,7 @@ void vbss_knot_check_order(knot_locator *l, knot_curve *curve, knot_ops *budget)
         if (vbss_knot_curve_resume(curve, budget)) {
             l->reading = false;
             if (!vbss_knot_has_first_throws(l, &curve->reading, l->level)) {
-                l->direction = l->direction_limit; /* another round may place them better */
+                l->direction = l->direction_limit; /* another round may locate them better */
                 l->stage = KNOT_LOCATE_PROJECT;
             }
         }

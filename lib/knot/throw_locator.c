@@ -1,10 +1,12 @@
-/* Where on the thread the throws lie, and which comes after which.
+/* Places of the throws on the thread, and their order.
  *
- * The thread is reduced again, but only between vertices that stay, so that the crossings of its diagrams have
- * places: if one comes apart, the throws' strands can be read off, nested about the tissue (throw_places.c). Sub-chains cut
- * between the throws must then have just the throws inside (sub_chains.c). If no diagram comes apart, or they have not,
- * nothing is told of places and order. (Shrinking sub-chains until they lose a throw was tried: the ray of a cut limb may
- * undo an inner throw as well as the outermost, 2 orders of 130 000 were wrong.) */
+ * The thread is reduced again, but only between fixed vertices, so that the crossings of its
+ * diagrams have places. If a diagram decomposes, it shows the throws' strands, nested about the
+ * tissue (throw_places.c). Sub-chains cut between the throws must then contain exactly the inner
+ * throws (sub_chains.c). If no diagram decomposes, or a sub-chain does not agree, places and order
+ * stay unknown.
+ * (Shrinking sub-chains until they lose a throw was tried: the ray of a cut limb may undo an inner
+ * throw as well as the outermost one, and 2 orders of 130 000 were wrong.) */
 #include "knot/knot.h"
 
 #include <string.h>
@@ -24,7 +26,8 @@ static void begin_check(knot_locator *l)
     l->stage = KNOT_LOCATE_CHECK;
 }
 
-/* The thread closed; the tissue's place stays, and its ray is in the way of moves. */
+/* Starts a round: closes the thread. The place of the tissue is fixed, and its ray is an
+ * obstacle. */
 static void begin_round(knot_locator *l, knot_curve *curve)
 {
     const knot_input *input = l->input;
@@ -45,8 +48,8 @@ static void begin_round(knot_locator *l, knot_curve *curve)
         vbss_knot_polygon_add_thread(p, input, 0.0, last);
     }
     vbss_knot_close_end(l->closure, p, &tail, &end);
-    p->is_fixed[0] = p->is_fixed[p->count - 1] =
-        true; /* far away: between them there is no thread */
+    /* far away: there is no thread between them */
+    p->is_fixed[0] = p->is_fixed[p->count - 1] = true;
     uint32_t spacing = spacings[l->round++];
     for (uint32_t i = 1; i < p->count && spacing > 0; i += spacing) {
         p->is_fixed[i] = true;
@@ -64,7 +67,7 @@ static void reduce(knot_locator *l, knot_curve *curve, knot_ops *budget)
     }
 }
 
-/* What there is, but not where. */
+/* Lists the throws without places. */
 static void set_unordered(knot_locator *l)
 {
     l->count = l->whole->factors.count;
@@ -102,7 +105,8 @@ static bool is_same_stack(const knot_locator *l)
     return same;
 }
 
-/* Whether it takes less of the thread, and lies between those it lay between. */
+/* Whether a throw spans less of the thread than before, and still lies between the same
+ * neighbours. */
 static bool is_better_place(const knot_locator *l, uint32_t i)
 {
     const knot_located *t = &l->throws[i], *inner = &l->spare[i], *outer = &l->spare[i];
@@ -115,9 +119,9 @@ static bool is_better_place(const knot_locator *l, uint32_t i)
            (outer == &l->spare[i] || vbss_knot_is_inside(t, outer));
 }
 
-/* Of all diagrams that show the same stack each throw has the places where it takes the least of the thread: a
- * crossing of it may be seen far from the others. Strands that were laid anew have no places of their own: such diagrams
- * are kept only until there is another. */
+/* Among all diagrams that show the same stack, each throw gets the places where it spans the least
+ * of the thread, because one of its crossings may appear far from the others. Rerouted strands have
+ * no places of their own; such diagrams are used only until there is another one. */
 static void store_better_places(knot_locator *l, const knot_gauss_code *code,
                                 const knot_factors *factors)
 {
@@ -178,7 +182,7 @@ static void untangle(knot_locator *l, knot_curve *curve, knot_ops *budget)
     }
 }
 
-/* ---- the whole */
+/* ---- the complete search */
 
 void vbss_knot_locator_begin(knot_locator *l, knot_curve *curve, const knot_input *input,
                              const knot_closure *closure, const knot_reading *whole,
@@ -193,7 +197,8 @@ void vbss_knot_locator_begin(knot_locator *l, knot_curve *curve, const knot_inpu
     l->count = 0;
     l->certified = false;
     l->has_spare = false;
-    l->direction_limit = 2 * direction_limit; /* they are for places too */
+    /* twice as many, because they also serve the places */
+    l->direction_limit = 2 * direction_limit;
     l->round = 0;
     l->stage = KNOT_LOCATE_DONE;
     if (!whole->throws || whole->factors.count == 0) {

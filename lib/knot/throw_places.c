@@ -1,7 +1,7 @@
-/* Where throws lie, as a diagram that has come apart shows it. */
+/* Places of the throws in a decomposed diagram. */
 #include "knot/knot.h"
 
-/* ---- counting kinds of throws */
+/* ---- counting throws of a kind */
 
 uint32_t vbss_knot_count_factors(const knot_factors *f, int32_t wraps, int32_t handedness)
 {
@@ -42,11 +42,12 @@ static double place_of(const knot_polygon *p, double at)
     if (a >= 0.0 && b >= 0.0) {
         return a + (at - i) * (b - a);
     }
-    return vbss_max(a, b); /* beyond an end: that end */
+    return vbss_max(a, b); /* beyond an end: the place of that end */
 }
 
-/* Where a throw lies on both limbs: the ranges of its own crossings before and after the tissue, or of its two
- * strands when nobody knows where that is or the throw is in one limb alone. (Of a half hitch they are not its strands.) */
+/* Finds the places of a throw on both limbs: the ranges of its own crossings before and after the
+ * tissue. If the tissue is unknown, or the throw is in one limb alone, they are the ranges of its
+ * two strands. (For a half hitch these differ.) */
 static void find_throw_places(const knot_locator *l, const knot_gauss_code *code,
                               const knot_factors *f, uint32_t number, knot_located *t)
 {
@@ -85,7 +86,8 @@ bool vbss_knot_is_inside(const knot_located *a, const knot_located *b)
     return b->tail_places[1] <= a->tail_places[0] && a->long_places[1] <= b->long_places[0];
 }
 
-/* About the tissue first, from the inside out; then stray ones, along the thread. */
+/* Sorts the throws: first those about the tissue, from the inside out, then stray ones along the
+ * thread. */
 static void sort_throws(knot_locator *l)
 {
     for (uint32_t i = 1; i < l->count; i++) {
@@ -131,10 +133,11 @@ bool vbss_knot_locate_throws(knot_locator *l, const knot_gauss_code *code, const
     return on_thread;
 }
 
-/* ---- what they agree with */
+/* ---- comparison with the limbs */
 
-/* Whether what lies in one limb alone is what the limb has. Moves of a code know nothing of the tissue's ray: a
- * diagram may show a throw beside the tissue that is about it, or the reverse. */
+/* Whether the stray throws of each limb agree with the reading of that limb. Moves of a code ignore
+ * the ray away from the tissue, so a diagram may show a throw beside the tissue that is about it,
+ * or the reverse. */
 bool vbss_knot_strays_agree(const knot_locator *l)
 {
     uint32_t found[2] = {0, 0};

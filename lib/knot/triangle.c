@@ -1,9 +1,9 @@
 /* Whether a segment certainly misses a triangle.
  *
- * Every certificate is a linear function of space (or of a coordinate plane, which is one of space too)
- * that has the two on different sides: where it is positive on the one and not on the other they have no
- * point in common. Comparing coordinates is exact; what is computed comes with a bound of its error, and what
- * is within that bound is not certain. Only the volumes are more than one function. */
+ * Every certificate is a linear function of space or of a coordinate plane that separates the two:
+ * if it is positive on one and not positive on the other, they have no common point. Comparisons of
+ * coordinates are exact. Computed values have an error bound, and a value within its bound decides
+ * nothing. Only the certificate by volumes combines several functions. */
 #include "knot/knot.h"
 #include "knot/triangle.h"
 
@@ -12,7 +12,7 @@ static bool same(vec3 p, vec3 q)
     return p.x == q.x && p.y == q.y && p.z == q.z;
 }
 
-/* ---- values with a bound of their error */
+/* ---- values with error bounds */
 
 typedef struct error_interval {
     double low, high;
@@ -58,7 +58,8 @@ static void drop(int axis, vec3 v, double flat[2])
 
 /* ---- a segment from corner s of the triangle s, t, u to q */
 
-/* A function that is zero at s, positive (or not negative) at q and not positive (negative) at t and u */
+/* Whether a coordinate separates them: it is zero at s, positive (or not negative) at q, and not
+ * positive (negative) at t and u. */
 static bool leaves_along(double s, double t, double u, double q)
 {
     return (q > s && t <= s && u <= s) || (q < s && t >= s && u >= s) ||
@@ -73,7 +74,8 @@ static bool leaves_in_view(const double s[2], const double t[2], const double u[
         return true;
     }
     error_interval uq = orient2d(s, u, q);
-    /* t is where u is not, as seen from s; and q sees both on one side if they see it on different ones. */
+    /* orient2d(s, u, t) is -tu. q is outside the angle at s if it is beyond su, or on the same side
+     * of st and su. */
     error_interval ut = {-tu.high, -tu.low};
     return certainly_apart(ut, uq) || certainly_alike(tq, uq);
 }
@@ -108,9 +110,9 @@ static bool misses_from_corner(const knot_triangle *triangle, vec3 s, vec3 t, ve
            leaves(s, t, u, q);
 }
 
-/* ---- a segment that shares no corner */
+/* ---- a segment without a common corner */
 
-/* Whether the line through a and b has all of the segment on one side of the triangle. */
+/* Whether the line through a and b separates the segment from the triangle. */
 static bool line_separates(const double a[2], const double b[2], const double c[2],
                            const double p[2], const double q[2])
 {
@@ -152,11 +154,12 @@ static bool apart_along(double a, double b, double c, double p, double q)
     return last < low - clear || first > high + clear;
 }
 
-/* Whether the line passes by: of the volumes of the segment with ab, bc and ca two differ in sign.
+/* Whether the line of the segment misses the triangle: two of its volumes with ab, bc and ca differ
+ * in sign.
  *
- * A point of the line in the triangle, with weights la, lb, lc there, has lb ab = lc ca, lc bc = la ab and
- * la ca = lb bc. Two of different sign leave all weight on the corner between those two edges, which is then on the line;
- * but then both are zero. */
+ * A point of the line in the triangle, with weights la, lb, lc, has lb ab = lc ca, lc bc = la ab
+ * and la ca = lb bc. If two volumes differ in sign, all weight is on the corner between those two
+ * edges. That corner is then on the line, but then both volumes are zero. */
 static bool line_passes(const knot_triangle *t, vec3 p, vec3 q, bool *hits)
 {
     vec3 d = vec3_sub(q, p), a = vec3_sub(t->a, p), b = vec3_sub(t->b, p), c = vec3_sub(t->c, p);

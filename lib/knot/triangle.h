@@ -1,4 +1,4 @@
-/* A triangle that many segments are asked about. */
+/* Triangle tests against many segments. */
 #ifndef VBSS_KNOT_TRIANGLE_H
 #define VBSS_KNOT_TRIANGLE_H
 
@@ -15,7 +15,7 @@
 #define KNOT_CLEARANCE 1e-9
 #define KNOT_UNDERFLOW 1e-200
 
-/* u x v of differences of coordinates, and the sizes of its products. */
+/* u x v for differences of coordinates, and the sums of the magnitudes of its products. */
 typedef struct area {
     vec3 value, size;
 } area;
@@ -29,7 +29,7 @@ static inline area area_of(vec3 u, vec3 v)
     return r;
 }
 
-/* The sign of w . (u x v), w a difference too; 0: not certain. */
+/* Sign of w . (u x v), where w is a difference too; 0 if uncertain. */
 static inline int clear_side(const area *a, vec3 w)
 {
     double value = w.x * a->value.x + w.y * a->value.y + w.z * a->value.z;
@@ -49,13 +49,13 @@ static inline knot_triangle knot_triangle_make(vec3 a, vec3 b, vec3 c)
     return t;
 }
 
-/* On which side of its plane; 0: not certain. */
+/* Side of the triangle's plane; 0 if uncertain. */
 static inline int knot_triangle_side(const knot_triangle *t, vec3 p)
 {
     return clear_side(&t->plane, vec3_sub(p, t->a));
 }
 
-/* vbss_knot_segment_misses_triangle of that triangle. */
+/* As vbss_knot_segment_misses_triangle, for a prepared triangle. */
 bool vbss_knot_triangle_misses(const knot_triangle *t, vec3 p, vec3 q);
 
 #endif

@@ -1,19 +1,23 @@
-/* A diagram taken apart into twist regions: proof that a knot is a connected sum of torus knots.
+/* Decomposition of a diagram into twist regions, which proves that a knot is a connected sum of
+ * torus knots.
  *
- * An interval of the code that holds both entries of each of its crossings is met by a circle in the plane
- * that meets the rest nowhere (its ends are the only edges between the two sets of crossings, and what cuts a
- * connected plane graph in two is a circle of the dual): a summand, and without it the code is that of the rest.
- * What reads 1 ... m 1 ... m, alternating, with equal signs, is to the letter the code of the closed braid of two
- * strands and m crossings, T(2, m); codes with signs determine diagrams on the sphere. So does each cyclic
- * shift, which reads the same with other letters. Even m cannot alternate; 1 ... m m ... 1 is no such block.
- *
- * Entries are stacked; a block that is complete on top is taken off. A block has no smaller interval of that kind, and
- * between its entries lie such intervals only, which end before it does: so they all are found, inner ones first. */
+ * Consider an interval of the code that contains both entries of each of its crossings. Its ends
+ * are the only edges between the two sets of crossings, and a cut of a connected planar graph is a
+ * circle of its dual. So a circle in the plane separates the interval from the rest: it is a
+ * summand, and the code without it is that of the rest.
+ * An interval 1 ... m 1 ... m, alternating and with equal signs, is exactly the code of the closed
+ * braid of two strands and m crossings, T(2, m), and codes with signs determine diagrams on the
+ * sphere. Each cyclic shift reads the same with other letters. Even m cannot alternate; 1 ... m m
+ * ... 1 is not such a block.
+ * Entries are pushed on a stack; a complete block on top is popped. A block contains no smaller
+ * interval of this kind. Only such intervals lie between its entries, and they end before it does.
+ * So all blocks are found, inner ones first. */
 #include "knot/knot.h"
 
 enum { MIN_CROSSINGS = 3 };
 
-/* Whether the 2 m entries are a block; they are known to hold some crossing as the last of each half. */
+/* Whether 2 m entries are a block. The caller knows that some crossing is the last entry of each
+ * half. */
 static bool is_block(const knot_gauss_code *code, const uint16_t *entries, uint32_t m)
 {
     int8_t sign = code->sign[code->crossing[entries[0]]];
@@ -21,7 +25,8 @@ static bool is_block(const knot_gauss_code *code, const uint16_t *entries, uint3
     for (uint32_t i = m; i-- > 0;) {
         uint32_t first = entries[i], second = entries[m + i];
         uint32_t crossing = code->crossing[first];
-        bool over_first = over != (i % 2 == 1); /* m is odd: the second is the other one */
+        /* m is odd, so the second passage is the opposite one */
+        bool over_first = over != (i % 2 == 1);
         if (code->crossing[second] != crossing || code->sign[crossing] != sign ||
             (code->over[first] != 0) != over_first || (code->over[second] != 0) == over_first) {
             return false;
@@ -52,7 +57,7 @@ static bool are_nested(const knot_factors *factors)
     return true;
 }
 
-/* How many crossings the block has that ends on top, if the stack can hold it; else 0. */
+/* Number of crossings of the block that ends on top, if the stack can contain it; otherwise 0. */
 static uint32_t crossings_on_top(uint32_t first, uint32_t top)
 {
     uint32_t m = top - first;

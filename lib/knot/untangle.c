@@ -1,21 +1,23 @@
-/* Strands that pass over (or under) all that they meet, laid anew where they meet less.
+/* Pass moves: a strand that passes over (or under) everything it meets is rerouted where it meets
+ * less.
  *
- * Such a strand, from the passage before it to that after it, may lie anywhere above the rest of the diagram:
- * without it the faces beside it are one, and the shortest way from face to face is the best place for it. That is
- * Reidemeister's moves I and II, loops with something on them, and all moves III that lead to one of them. */
+ * Such a strand, from the passage before it to the one after it, may lie anywhere above the rest of
+ * the diagram. Without it, the faces beside it merge into one, and the shortest path from face to
+ * face is its best position. One such move covers Reidemeister's moves I and II, loops with strands
+ * on them, and all sequences of moves III that lead to one of these. */
 #include "knot/knot.h"
 
 enum { NONE = 0xffff, GONE = 0xfffe };
 
 /* Side 2 e is the left of the arc from entry e to the next, side 2 e + 1 its right. */
 typedef struct knot_pass_move {
-    const knot_gauss_code *from; /* a copy of the code, which is written anew if that helps */
+    const knot_gauss_code *from; /* a copy of the code, which is rewritten if a move succeeds */
     uint32_t entries, faces;
-    uint16_t *mate, *face; /* of each entry; of each side */
-    uint16_t *root;        /* of each face: the first of those that are one without the strand */
-    uint16_t *distance;    /* of each face: strands between it and where the strand begins */
-    uint16_t *parent_side; /* of each face: the side from which it was reached */
-    uint32_t first, count; /* the strand's entries */
+    uint16_t *mate, *face; /* entry -> mate; side -> face */
+    uint16_t *root;        /* face -> first of the faces that merge without the strand */
+    uint16_t *distance;    /* face -> number of strands between it and the start of the strand */
+    uint16_t *parent_side; /* face -> side from which it was reached */
+    uint32_t first, count; /* entries of the strand */
 } knot_pass_move;
 
 static uint32_t after(const knot_pass_move *p, uint32_t entry)
@@ -57,7 +59,7 @@ static void find_mates(knot_pass_move *p)
     }
 }
 
-/* Where a walk with the face on the left turns at the end of a side. */
+/* Next side of a face that is kept on the left. */
 static uint32_t next_side(const knot_pass_move *p, uint32_t side)
 {
     bool along = side % 2 == 0;
@@ -83,7 +85,7 @@ static void find_faces(knot_pass_move *p)
     }
 }
 
-/* ---- the shortest way */
+/* ---- shortest path */
 
 static uint32_t root_of(const knot_pass_move *p, uint32_t face)
 {
@@ -93,7 +95,7 @@ static uint32_t root_of(const knot_pass_move *p, uint32_t face)
     return face;
 }
 
-/* Without the strand the faces on both sides of its arcs are one. */
+/* Merges the faces on both sides of the strand's arcs. */
 static void merge_faces_along_strand(knot_pass_move *p)
 {
     for (uint32_t f = 0; f < p->faces; f++) {
@@ -121,7 +123,7 @@ static bool visit_neighbour(knot_pass_move *p, uint32_t side, uint32_t distance)
     return true;
 }
 
-/* How many strands the way crosses; `count` when none is shorter. */
+/* Number of strands that the path crosses; `count` if no path is shorter. */
 static uint32_t find_shortest_path(knot_pass_move *p, knot_ops *budget)
 {
     uint32_t first_arc = before(p, p->first), behind = (p->first + p->count) % p->entries;
@@ -130,7 +132,7 @@ static uint32_t find_shortest_path(knot_pass_move *p, knot_ops *budget)
     bool reached = true;
     for (uint32_t d = 0; p->distance[end] == NONE && reached && d + 1 < p->count; d++) {
         reached = false;
-        /* All arcs but those of the strand. */
+        /* all arcs except those of the strand */
         for (uint32_t arc = behind; arc != first_arc; arc = after(p, arc)) {
             reached |= visit_neighbour(p, 2 * arc, d) || visit_neighbour(p, 2 * arc + 1, d);
         }
@@ -139,14 +141,14 @@ static uint32_t find_shortest_path(knot_pass_move *p, knot_ops *budget)
     return p->distance[end] < p->count ? p->distance[end] : p->count;
 }
 
-/* ---- the code with the strand there */
+/* ---- the code with the rerouted strand */
 
 typedef struct knot_writer {
     const knot_pass_move *p;
     knot_gauss_code *to;
-    uint16_t *number;  /* of each old crossing, then of each new one: its number in the new code */
-    uint16_t *crossed; /* of each arc: 1 + the new crossing on it, or 0 */
-    uint16_t *sides;   /* of each new crossing: the side from which the strand comes to the other */
+    uint16_t *number;  /* old crossing, then new crossing -> its number in the new code */
+    uint16_t *crossed; /* arc -> 1 + the new crossing on it, or 0 */
+    uint16_t *sides;   /* new crossing -> side from which the strand reaches the other strand */
     uint32_t length, visited;
 } knot_writer;
 
@@ -162,7 +164,7 @@ static void write_entry(knot_writer *w, uint32_t crossing, int8_t sign, bool ove
     to->position[w->length++] = at;
 }
 
-/* Passage i of the strand, or of what it crosses there. */
+/* Writes passage i of the strand, or of the strand that it crosses there. */
 static void write_new(knot_writer *w, uint32_t i, bool of_strand, double at)
 {
     const knot_gauss_code *from = w->p->from;
@@ -170,7 +172,8 @@ static void write_new(knot_writer *w, uint32_t i, bool of_strand, double at)
     write_entry(w, from->n + i, is_over == from_left ? 1 : -1, is_over == of_strand, at);
 }
 
-/* Spread over where it lay; what lay in both the curve's end and its beginning goes to where more of it was. */
+/* Distributes the positions over the old range of the strand. A strand that spans the ends of the
+ * code goes to the end with the larger part of it. */
 static void write_strand(knot_writer *w, uint32_t first, uint32_t count, uint32_t crossings)
 {
     const double *at = w->p->from->position;
@@ -209,13 +212,14 @@ static void reroute_strand(const knot_pass_move *p, knot_gauss_code *to, uint32_
 {
     const knot_gauss_code *from = p->from;
     uint32_t behind = (p->first + p->count) % p->entries;
-    uint16_t *sides = p->parent_side + p->faces; /* fewer than the strand had, which is at most n */
+    /* shorter than the old strand, which has at most n entries */
+    uint16_t *sides = p->parent_side + p->faces;
     uint32_t face = p->root[left_of(p, before(p, behind))];
     for (uint32_t i = crossings; i-- > 0;) {
         sides[i] = p->parent_side[face];
         face = p->root[p->face[sides[i]]];
     }
-    /* Faces are not needed any more. */
+    /* The faces are no longer needed. */
     knot_writer w = {.p = p, .to = to, .number = p->face, .sides = sides};
     w.crossed = w.number + 2 * (size_t)from->n;
     for (uint32_t i = 0; i < 2 * from->n; i++) {
@@ -234,7 +238,7 @@ static void reroute_strand(const knot_pass_move *p, knot_gauss_code *to, uint32_
 
 /* ---- one strand after the other */
 
-/* The strand that begins with that entry, if one does. */
+/* Finds the strand that starts at this entry, if there is one. */
 static bool find_strand(knot_pass_move *p, uint32_t first)
 {
     const uint8_t *over = p->from->over;
@@ -254,7 +258,7 @@ static bool reduce_crossings(knot_gauss_code *code, knot_gauss_code *spare, uint
 {
     vbss_knot_gauss_code_copy(spare, code);
     knot_pass_move p = {.from = spare, .entries = 2 * code->n};
-    p.mate = code->crossing; /* until it is written anew, or as it was */
+    p.mate = code->crossing; /* it is rewritten or restored later */
     p.face = code->scratch;
     p.root = spare->scratch;
     find_faces(&p);
@@ -284,7 +288,8 @@ static bool reduce_crossings(knot_gauss_code *code, knot_gauss_code *spare, uint
 bool vbss_knot_gauss_code_untangle(knot_gauss_code *code, knot_gauss_code *spare, uint32_t *tries,
                                    knot_ops *budget)
 {
-    if (code->n <= 2 || code->n + 2 > spare->capacity) { /* three numbers a face, and the way */
+    /* scratch needs three numbers for each face, and the path */
+    if (code->n <= 2 || code->n + 2 > spare->capacity) {
         return false;
     }
     bool lowered = reduce_crossings(code, spare, tries, budget);

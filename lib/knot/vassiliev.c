@@ -1,19 +1,21 @@
-/* Vassiliev's invariants of degree 2 and 3 by the sums over parts of the Gauss diagram of M. Polyak and
- * O. Viro, "Gauss diagram formulas for Vassiliev invariants", International Mathematics Research
- * Notices 1994 (11). A crossing is an arrow from its entry over to its entry under; each part counts the product of its signs.
+/* Vassiliev invariants of degree 2 and 3 as sums over subdiagrams of the Gauss diagram (M. Polyak
+ * and O. Viro, "Gauss diagram formulas for Vassiliev invariants", International Mathematics
+ * Research Notices 1994 (11)). A crossing is an arrow from its over entry to its under entry; each
+ * subdiagram counts with the product of its signs.
  *
- * v2: two arrows p and x that are met as x under, p over, x over, p under, from entry 0 on.
- * v3: three arrows, wherever the circle is entered. From x under the circle falls into the part until
- * x over and the rest; p goes from the part to the rest and q from the rest to the part, and p is over
- * before q is under. If q is over before p is under that counts half; if after, it counts whole, but is met
- * from all three of its arrows. So six times v3 is the sum of 3 for the former and 2 for the latter. */
+ * v2: two arrows p and x in the order x under, p over, x over, p under, from entry 0 on.
+ * v3: three arrows, independent of the start on the circle. Starting at x under, the circle
+ * consists of the part up to x over, and the rest. p leads from the part to the rest, q from the
+ * rest to the part, and p over precedes q under. If q over precedes p under, the subdiagram counts
+ * half. Otherwise it counts whole, but is found from each of its three arrows. So six times v3 is
+ * the sum of 3 for the former and 2 for the latter. */
 #include "knot/knot.h"
 
 typedef struct gauss_diagram {
     const knot_gauss_code *code;
     uint32_t entries;
-    uint16_t *mate;  /* of each entry: the other one at its crossing */
-    uint16_t *under; /* of the arrows p met so far: how far from the entry under of x theirs is */
+    uint16_t *mate;  /* entry -> the other entry of its crossing */
+    uint16_t *under; /* arrows p so far: distance of their under entry from that of x */
     int16_t *sign;   /* and their signs */
 } gauss_diagram;
 
@@ -39,13 +41,13 @@ static void find_mates(gauss_diagram *c)
     }
 }
 
-/* From one place of the circle on to another. */
+/* Distance along the circle from one entry to another. */
 static uint32_t distance(const gauss_diagram *c, uint32_t from, uint32_t to)
 {
     return to >= from ? to - from : to + c->entries - from;
 }
 
-/* Of the p met so far, with q over at some distance. */
+/* Sum over the arrows p so far, for a q over at this distance. */
 static int32_t subdiagram_sum(const gauss_diagram *c, uint32_t count, uint32_t q_over)
 {
     int32_t sum = 0;
@@ -55,7 +57,7 @@ static int32_t subdiagram_sum(const gauss_diagram *c, uint32_t count, uint32_t q
     return sum;
 }
 
-/* All parts with the arrow x whose entry under this is. */
+/* Adds all subdiagrams whose arrow x has its under entry at `start`. */
 static void add_subdiagrams(const gauss_diagram *c, uint32_t start, sums *all)
 {
     const knot_gauss_code *code = c->code;

@@ -1,4 +1,4 @@
-/* Looking at what a detector knows. */
+/* Public queries of a detector. */
 #include "base/check.h"
 #include "base/error.h"
 #include "knot/knot.h"

@@ -1,17 +1,19 @@
-/* How often the thread goes round a tool.
+/* Winding of the thread about a tool.
  *
- * Planes across the axis, right sections at both ends and half way between the pieces at joints, bound
- * one cell for each capsule. In a cell a point has two coordinates across the axis. The bend turns those
- * of one cell into those of the next, without twist, so that both agree on the plane between: a *run* of
- * thread through cells is one flat polygon, and its turns are those about the origin. They are counted
- * where it crosses the half-line y = 0, x < 0; only the ends of a run need angles.
+ * Planes across the axis bound one cell for each capsule: normal sections at both ends, and
+ * bisecting planes at joints. In a cell a point has two coordinates across the axis. A rotation
+ * without twist takes those of one cell to those of the next, and both agree on the plane between.
+ * A *run* of thread through cells is therefore one flat polygon, and its turns are those about the
+ * origin. They are counted where it crosses the half-line y = 0, x < 0; only the ends of a run need
+ * angles.
  *
- * Thread through the axis itself passes it, by definition, on the side of x > 0. The strand in a tool's own
- * jaws does that, so it is left out, and ends a run: all thread about held_place that stays within the
- * capsules, where no other thread can be. What is held outside them has a definite side, and counts.
+ * By definition, thread through the axis itself passes it on the side x > 0. The strand in a tool's
+ * own jaws does that, so it is omitted and ends a run: all thread about held_place that stays
+ * within the capsules, where no other thread can be. Held thread outside the capsules has a
+ * definite side, and counts.
  *
- * `sense` compares where a quarter and where three quarters of the turns are done: the ends of a run only
- * lead to and away from what is wound. */
+ * `sense` compares the points where a quarter and three quarters of the turns are complete, because
+ * the ends of a run only lead to and from the winding. */
 #include "knot/knot.h"
 
 #include "base/compiler.h"
@@ -33,20 +35,22 @@ typedef struct winding_tracer {
     const knot_input *input;
     vec3 tip;
     uint32_t pieces;
-    lanes nx, ny, nz, offset; /* plane k is over piece k and under piece k - 1 */
+    lanes nx, ny, nz, offset; /* plane k is above piece k and below piece k - 1 */
     chart charts[PIECES];
-    vec3 ups[PIECES];                      /* unit, towards the handle */
-    double lengths[PIECES], bases[PIECES]; /* bases: of axis from the tip to the piece */
+    vec3 ups[PIECES]; /* unit vectors toward the handle */
+    /* lengths of the pieces, and distances along the axis from the tip to each piece, m */
+    double lengths[PIECES], bases[PIECES];
     knot_winding *winding;
-    /* The run that is walked, and its last point so far. */
+    /* The current run, and its last point so far. */
     bool open;
     uint32_t piece, first_piece;
     int32_t crossings;
     double x, y, place, first_angle, first_place;
-    /* The run that winds most. */
+    /* The run with the most turns. */
     double max_run_angle;
     uint32_t max_run_pieces[2];
-    /* What is looked for: where `crossings` steps away from zero to this, first or last. 0: nothing. */
+    /* Target of a search: the first or last point where `crossings` steps away from zero to this
+     * value. 0 for no search. */
     int32_t wanted;
     bool wants_last, found, ended;
     double found_place;
@@ -91,7 +95,7 @@ static void set_up(winding_tracer *w, const knot_input *input, const knot_tool *
         base += w->lengths[c];
         e1 = c + 1 == n ? vec3_any_normal(up) : quat_rotate(quat_between(below, up), e1);
         set_chart(&w->charts[c], e1, up, under);
-        /* Heights are lengths along the axis. A tool that is folded has nothing half way between. */
+        /* Heights are lengths along the axis. A folded tool has no bisecting plane. */
         double straight = 1.0 + vec3_dot(below, up);
         bool end = c + 1 == n || straight < 1e-6;
         set_plane(rows, c + 1, end ? up : vec3_scale(vec3_add(below, up), 1.0 / straight), under);
@@ -103,7 +107,8 @@ static void set_up(winding_tracer *w, const knot_input *input, const knot_tool *
     w->offset = lanes_load(rows[3]);
 }
 
-/* Turns all charts so that the half-line where turns are counted comes to lie at this angle of now. */
+/* Rotates all charts so that the half-line for counting turns is at this angle of the present
+ * charts. */
 static void spin(winding_tracer *w, double angle)
 {
     double s, c;
@@ -120,20 +125,20 @@ static void spin(winding_tracer *w, double angle)
 
 /* ---- points */
 
-/* Over each plane, of a point seen from the tip. */
+/* Heights of a point, relative to the tip, above each plane. */
 VBSS_ALWAYS_INLINE lanes heights_over(const winding_tracer *w, vec3 x)
 {
     lanes h = lanes_add(lanes_scale(x.x, w->nx), lanes_scale(x.y, w->ny));
     return lanes_add(lanes_add(h, lanes_scale(x.z, w->nz)), w->offset);
 }
 
-/* Bit k: on or over plane k. */
+/* Bit k is set if the point is on or above plane k. */
 VBSS_ALWAYS_INLINE uint32_t sides(lanes heights)
 {
     return ~lanes_movemask(lanes_less(heights, lanes_splat(0.0)));
 }
 
-/* The point at a place, from the tip. */
+/* Point at a place, relative to the tip. */
 static vec3 point_at(const winding_tracer *w, double place)
 {
     uint32_t i = (uint32_t)place, last = w->input->point_count - 2;
@@ -142,7 +147,8 @@ static vec3 point_at(const winding_tracer *w, double place)
     return vec3_sub(x, w->tip);
 }
 
-/* How far from the tip along the axis a place in the cell of a piece is, by its distances from both planes. */
+/* Distance along the axis from the tip to a place in the cell of a piece, from its distances to
+ * both planes. */
 static double height_at(const winding_tracer *w, double place, uint32_t piece)
 {
     lanes heights = heights_over(w, point_at(w, place));
@@ -163,7 +169,7 @@ static void begin_run(winding_tracer *w, uint32_t piece, vec3 x, double place)
     w->crossings = 0;
     w->x = vec3_dot(c->e1, x) + c->offset1;
     w->y = vec3_dot(c->e2, x) + c->offset2;
-    w->first_angle = vbss_atan2(w->y + 0.0, w->x + 0.0); /* of the axis itself: 0 */
+    w->first_angle = vbss_atan2(w->y + 0.0, w->x + 0.0); /* 0 on the axis itself */
 }
 
 static void end_run(winding_tracer *w)
@@ -202,7 +208,7 @@ VBSS_NEVER_INLINE void record_target_crossing(winding_tracer *w, double y, doubl
     }
 }
 
-/* The next point of a run, in the cell where the last one was or on its border. */
+/* Appends a point of a run, in the cell of the last point or on its border. */
 VBSS_ALWAYS_INLINE void append_point(winding_tracer *w, vec3 point, double place)
 {
     const chart *c = &w->charts[w->piece];
@@ -220,8 +226,8 @@ VBSS_ALWAYS_INLINE void append_point(winding_tracer *w, vec3 point, double place
     w->place = place;
 }
 
-/* The part of a segment in the cell of a piece, if it is not all beyond one plane; there is none when it
- * would end before it begins. Cells that meet are left and entered at the same fraction, to the bit. */
+/* Clips a segment to the cell of a piece; it must not be completely beyond one plane. The range is
+ * empty if its end is before its start. Adjacent cells share the same fraction to the bit. */
 static void clip(lanes a, lanes b, uint32_t piece, double range[2])
 {
     range[0] = 0.0;
@@ -237,7 +243,7 @@ static void clip(lanes a, lanes b, uint32_t piece, double range[2])
     }
 }
 
-/* A segment, between these places, that may touch the cells of these pieces: bits. */
+/* Handles a segment between two places that may touch the cells in the mask `touched`. */
 VBSS_NEVER_INLINE void cross_planes(winding_tracer *w, vec3 a, vec3 b, double from, double to,
                                     uint32_t touched)
 {
@@ -255,7 +261,7 @@ VBSS_NEVER_INLINE void cross_planes(winding_tracer *w, vec3 a, vec3 b, double fr
             }
         }
         touched &= ~(1u << piece);
-        /* What cells have in common, far from a bent tool, belongs to the one entered first. */
+        /* Where cells overlap, far from a bent tool, the one entered first counts. */
         double start = vbss_max(range[0], reached), end = range[1];
         if (start >= end) {
             continue;
@@ -273,7 +279,7 @@ VBSS_NEVER_INLINE void cross_planes(winding_tracer *w, vec3 a, vec3 b, double fr
     }
 }
 
-/* All runs from a place to a later one. */
+/* Traces all runs between two places. */
 static void trace(winding_tracer *w, double from, double to)
 {
     uint32_t pieces = (1u << w->pieces) - 1u, i = (uint32_t)from;
@@ -299,7 +305,7 @@ static void trace(winding_tracer *w, double from, double to)
 
 /* ---- the strand in the jaws */
 
-/* Where a t^2 + 2 b t + c <= 0, if anywhere; [0, 1] when everywhere. */
+/* Range where a t^2 + 2 b t + c <= 0, if there is one; [0, 1] if it holds everywhere. */
 static bool solve_quadratic(double a, double b, double c, double range[2])
 {
     bool moves = a > 1e-100;
@@ -333,11 +339,12 @@ static bool intersect_cylinder(const winding_tracer *w, uint32_t c, vec3 lower, 
     return beside && near;
 }
 
-/* The fraction of the way from x up to which it stays within capsules; 0 when x is in none. */
+/* Fraction of the segment from x on that stays within the capsules; 0 if x is outside all of
+ * them. */
 static double stays_within(const winding_tracer *w, const knot_tool *tool, vec3 x, vec3 direction)
 {
     double reached = 0.0, before, range[2];
-    do { /* from the capsule that is left to one that is entered by then */
+    do { /* continue from the capsule that ends to one entered before */
         before = reached;
         for (uint32_t c = 0; c < w->pieces; c++) {
             vec3 upper = vec3_sub(tool->axis[c], w->tip),
@@ -356,7 +363,7 @@ static double stays_within(const winding_tracer *w, const knot_tool *tool, vec3 
     return reached;
 }
 
-/* Where the thread about a held place leaves the capsules, in one direction. */
+/* Place where the thread about a held place leaves the capsules, in one direction. */
 static double leave_jaws(const winding_tracer *w, const knot_tool *tool, double place, bool forward)
 {
     double last = (double)(w->input->point_count - 1), end = forward ? last : 0.0;
@@ -372,16 +379,17 @@ static double leave_jaws(const winding_tracer *w, const knot_tool *tool, double 
     return end;
 }
 
-/* ---- which way it winds */
+/* ---- sense of the winding */
 
-/* Looks in the run for where this part of its turns is done, for the first or for the last time. */
+/* Finds the point of the run where this fraction of its turns is complete, for the first or the
+ * last time. */
 static bool find_turn_fraction(winding_tracer *w, double fraction, bool last)
 {
     const knot_winding *winding = w->winding;
     double turns = fraction * fabs(winding->run_turns),
            sign = winding->run_turns < 0.0 ? -1.0 : 1.0;
     if (fabs(turns - floor(turns + 0.5)) < 1e-6) {
-        turns -= 2e-6; /* the run shall not begin on the half-line */
+        turns -= 2e-6; /* so that the run does not start on the half-line */
     }
     spin(w, w->max_run_angle + sign * turns * FULL_TURN);
     w->wanted = (int32_t)sign * (1 + (int32_t)floor(turns));
@@ -392,7 +400,7 @@ static bool find_turn_fraction(winding_tracer *w, double fraction, bool last)
     return w->found;
 }
 
-/* As a rule the long limb is what winds: the tissue is before the run unless it is known to be after. */
+/* Usually the long limb winds: the tissue is before the run unless it is known to be after it. */
 static int32_t find_sense(winding_tracer *w, const knot_tool *tool)
 {
     if (!(fabs(w->winding->run_turns) >= 0.5) || !find_turn_fraction(w, 0.25, false)) {
