@@ -98,7 +98,7 @@ static vbss_result check_config(vbss_context *context, const vbss_scene_config *
 
 /* ---- memory */
 
-enum { ARRAY_COUNT = 25 };
+enum { ARRAY_COUNT = 26 };
 
 static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
 {
@@ -132,6 +132,7 @@ static size_t list_arrays(scene_object *s, vbss_array arrays[ARRAY_COUNT])
         {&s->contact_forces, contacts, sizeof *s->contact_forces},
         {&s->contact_gaps, contacts, sizeof *s->contact_gaps},
         {&s->body_of_shape, SCENE_MAX_SHAPES, sizeof *s->body_of_shape},
+        {&s->body_of_number, SCENE_MAX_SHAPES, sizeof *s->body_of_number},
         {&s->near_features, vertices, sizeof *s->near_features},
     };
     _Static_assert(sizeof all <= ARRAY_COUNT * sizeof(vbss_array), "the table is long enough");

@@ -177,18 +177,24 @@ static bool add_floor_contacts(scene_object *s, const scene_body *b)
 
 /* ---- all constraints */
 
+static void flag_contact_of(scene_body *b)
+{
+    if (b != NULL && b->kind == SCENE_BODY_THREAD) {
+        b->thread.has_contacts = true;
+    }
+}
+
 static void set_contact_flags(scene_object *s)
 {
     for (uint32_t i = 0; i < s->body_count; i++) {
-        s->bodies[i].thread.has_contacts = s->bodies[i].thread.is_welded = false;
+        if (s->bodies[i].kind == SCENE_BODY_THREAD) {
+            s->bodies[i].thread.has_contacts = s->bodies[i].thread.is_welded = false;
+        }
     }
     for (uint32_t i = 0; i < s->contacts->count; i++) {
         const contact_key *key = &s->contacts->constraints[i].key;
-        scene_body *a = vbss_scene_body(s, key->body_a), *b = vbss_scene_body(s, key->body_b);
-        a->thread.has_contacts = true;
-        if (b != NULL) {
-            b->thread.has_contacts = true;
-        }
+        flag_contact_of(vbss_scene_body(s, key->body_a));
+        flag_contact_of(vbss_scene_body(s, key->body_b));
     }
     for (uint32_t i = 0; i < s->config.pin_capacity; i++) {
         if (s->pins[i].id != 0 && s->pins[i].attachment == 0) {

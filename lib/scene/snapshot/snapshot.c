@@ -549,6 +549,10 @@ void vbss_scene_serialise(vbss_stream *stream, void *object)
     scene_object *s = object;
     visit_config(stream, s);
     vbss_stream_u32(stream, 3, &s->last_body_number, 1);
+    if (s->last_body_number > SCENE_MAX_SHAPES) {
+        vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "more bodies than a scene can have had");
+        s->last_body_number = SCENE_MAX_SHAPES;
+    }
     visit_bodies(stream, s);
     visit_pins(stream, s);
     visit_thread_grasps(stream, s);

@@ -20,12 +20,13 @@ void vbss_scene_serialise_piece(vbss_stream *stream, scene_object *s, scene_body
     if (b->kind == SCENE_BODY_THREAD) {
         uint32_t words[3] = {b->number, b->thread.cut_from, b->thread.has_split_segment};
         vbss_stream_u32(stream, 16, words, 3);
-        b->number = words[0];
         b->thread.cut_from = words[1];
         b->thread.has_split_segment = words[2] != 0;
         if (words[0] == 0 || words[0] > s->last_body_number || words[1] > s->last_body_number ||
             words[2] > 1) {
             vbss_stream_refuse(stream, VBSS_ERROR_CORRUPT, "no such piece");
+        } else if (stream->mode == VBSS_STREAM_READ) {
+            vbss_scene_set_body_number(s, b, words[0]);
         }
     }
 }
@@ -49,8 +50,9 @@ static bool do_pieces_fit(const scene_object *s)
             return false;
         }
         nodes += vbss_scene_is_spare_piece(b) ? SCENE_NODES_PER_CUT : 0;
-        const scene_body *before = vbss_scene_body(s, b->thread.cut_from);
-        if (b->kind == SCENE_BODY_THREAD && before != NULL && before->kind != SCENE_BODY_THREAD) {
+        const scene_body *before =
+            b->kind == SCENE_BODY_THREAD ? vbss_scene_body(s, b->thread.cut_from) : NULL;
+        if (before != NULL && before->kind != SCENE_BODY_THREAD) {
             return false;
         }
         if (b->kind != SCENE_BODY_NONE && vbss_scene_body(s, b->number) != b) {

@@ -119,7 +119,9 @@ void vbss_scene_collect_forces(scene_object *s)
 {
     s->contact_count = 0;
     for (uint32_t i = 0; i < s->body_count; i++) {
-        s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
+        if (s->bodies[i].kind == SCENE_BODY_RIGID) {
+            s->bodies[i].rigid.force = s->bodies[i].rigid.torque = vec3_zero();
+        }
     }
     if (s->contacts != NULL) {
         add_contact_forces(s);

@@ -166,11 +166,13 @@ static void divide_thread(scene_object *s, scene_body *old, scene_body *piece,
     thread_object *t = old->thread.thread, *u = piece->thread.thread;
     vbss_thread_apply_cut(t, u, cut);
     vbss_scene_activate_piece(s, piece);
-    piece->number = ++s->last_body_number;
+    vbss_scene_set_body_number(s, piece, ++s->last_body_number);
     /* a piece whose first node was next to the end of `old` is now next to that of the new piece */
     for (uint32_t i = 0; i < s->body_count; i++) {
         scene_body *b = &s->bodies[i];
-        b->thread.cut_from = b->thread.cut_from == old->number ? piece->number : b->thread.cut_from;
+        if (b->kind == SCENE_BODY_THREAD && b->thread.cut_from == old->number) {
+            b->thread.cut_from = piece->number;
+        }
     }
     piece->thread.cut_from = old->number;
     piece->thread.has_split_segment = cut->fraction < 1.0;

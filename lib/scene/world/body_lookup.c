@@ -4,12 +4,18 @@
 
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number)
 {
-    for (uint32_t i = 0; number != 0 && i < s->body_count; i++) {
-        if (s->bodies[i].kind != SCENE_BODY_NONE && s->bodies[i].number == number) {
-            return &s->bodies[i];
-        }
+    if (number == 0 || number > SCENE_MAX_SHAPES) {
+        return NULL;
     }
-    return NULL;
+    /* A number whose body is gone keeps its entry, which then points to another body or to none. */
+    scene_body *b = &s->bodies[s->body_of_number[number - 1]];
+    return b->kind != SCENE_BODY_NONE && b->number == number ? b : NULL;
+}
+
+void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number)
+{
+    b->number = number;
+    s->body_of_number[number - 1] = (uint32_t)(b - s->bodies);
 }
 
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind)
@@ -49,7 +55,7 @@ scene_body *vbss_scene_find_free_body(scene_object *s, scene_body_kind kind)
                  (b->is_reserved && b->kind == SCENE_BODY_NONE && kind == SCENE_BODY_THREAD);
         body_index = b->kind == SCENE_BODY_NONE && !b->is_reserved ? i - 1 : body_index;
     }
-    if (alive == capacity || s->last_body_number == UINT32_MAX) {
+    if (alive == capacity || s->last_body_number == SCENE_MAX_SHAPES) {
         vbss_fail(s->context, VBSS_ERROR_CAPACITY, "the scene has room for %u such bodies",
                   capacity);
         return NULL;
@@ -63,7 +69,8 @@ void vbss_scene_register_body(scene_object *s, scene_body *b, scene_body_kind ki
     uint32_t body_index = (uint32_t)(b - s->bodies);
     b->kind = kind;
     b->shape = shape;
-    b->number = *number = ++s->last_body_number;
+    *number = ++s->last_body_number;
+    vbss_scene_set_body_number(s, b, *number);
     s->body_of_shape[shape] = body_index;
     s->body_count = body_index == s->body_count ? body_index + 1 : s->body_count;
     s->pattern_hash = 0;

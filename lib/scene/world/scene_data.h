@@ -185,9 +185,11 @@ typedef struct scene_body {
     /* Persistent. The entry is for a piece of a thread. Until the cut its kind is SCENE_BODY_NONE,
      * but it has a shape and a spare thread. */
     bool is_reserved;
-    scene_thread thread;
-    scene_rigid rigid;
-    scene_drain drain;
+    union {
+        scene_thread thread; /* of kind SCENE_BODY_THREAD, and of a reserved entry */
+        scene_rigid rigid;   /* of kind SCENE_BODY_RIGID */
+        scene_drain drain;   /* of kind SCENE_BODY_DRAIN */
+    };
 } scene_body;
 
 /* A capsule of a rigid body. Ends of its axis: [0] and [1]; all `local` fields are in the
@@ -357,6 +359,7 @@ struct scene_object {
     collision_object *collision; /* persistent shapes; candidates of the substep */
     vbss_slot collision_slot;    /* persistent: private handle of the collision object */
     uint32_t *body_of_shape;     /* persistent: index in `bodies` for each shape */
+    uint32_t *body_of_number;    /* persistent: index in `bodies` for each body number, from 1 on */
     /* Contact constraints of the substep, and the persistent warm start; the linear system. Both
      * are NULL in the baseline method. */
     contact_set *contacts;

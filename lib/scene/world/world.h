@@ -53,6 +53,9 @@ scene_body *vbss_scene_require_body(const scene_object *s, uint32_t number, scen
 /* Returns the body with a number, of any kind, or NULL. Sets no error. */
 scene_body *vbss_scene_body(const scene_object *s, uint32_t number);
 
+/* Gives a body its number, 1 to SCENE_MAX_SHAPES, and enters it in the table of numbers. */
+void vbss_scene_set_body_number(scene_object *s, scene_body *b, uint32_t number);
+
 /* Whether the scene has a body of this kind. */
 bool vbss_scene_has_body_kind(const scene_object *s, scene_body_kind kind);
 
